@@ -48,7 +48,7 @@ pub struct Solution {
 }
 
 /// One ball in equilibrium. Vectors are (axial, radial, tangential) in the ball's azimuth frame.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct BallSolution {
     /// Azimuth, degrees.
     pub azimuth_deg: f64,

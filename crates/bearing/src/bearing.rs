@@ -1,0 +1,185 @@
+//! A case made ready for the solvers: geometry, masses, contact constants, traction laws and fluid forces.
+
+use crate::BearingError;
+use crate::case::{Case, CoatingSpec, CurveSpec, FluidSpec, MaterialSpec, Medium, RingCentre};
+use crate::geometry::{Geometry, Side};
+use std::f64::consts::PI;
+use tribodyn_contact::{ContactError, ElasticBody, HertzContact, Scalar, effective_modulus};
+use tribodyn_fluid::{BallDrag, Churning, Fluid};
+use tribodyn_traction::{Coating, CoatingLaw, MomentArm, Peak, PressureChoice, SlipUnit, TestedCurve, TractionLaw};
+use tribodyn_wear::Archard;
+
+/// A bearing that the solvers can work with, SI. `L` is the traction law on its races.
+#[derive(Debug, Clone)]
+pub struct Bearing<L = CoatingLaw> {
+    /// Unloaded geometry.
+    pub geometry: Geometry,
+    /// Ball mass, kg.
+    pub ball_mass: f64,
+    /// Ball moment of inertia J, kg m².
+    pub ball_inertia: f64,
+    /// Inner race.
+    pub inner: Race<L>,
+    /// Outer race.
+    pub outer: Race<L>,
+    /// What the fluid does; absent in a dry bearing.
+    pub fluid: Option<FluidForces>,
+    /// Unit of the slip axis.
+    pub slip_unit: SlipUnit,
+    /// Pressure at which the curve is taken.
+    pub pressure_choice: PressureChoice,
+    /// Arm of the traction moment.
+    pub moment_arm: MomentArm,
+    /// Whether contact constants follow the actual contact angle.
+    pub contact_at_actual_angle: bool,
+    /// Whether each ring turns about its own displaced centre, or about the inertial axis.
+    pub ring_turns_about_own_centre: bool,
+    /// Wear of the inner race.
+    pub wear_inner: Archard,
+    /// Wear of the outer race.
+    pub wear_outer: Archard,
+    /// Wear of the cage.
+    pub wear_cage: Archard,
+}
+
+/// One raceway.
+#[derive(Debug, Clone)]
+pub struct Race<L = CoatingLaw> {
+    /// Contact constants at the free contact angle.
+    hertz: HertzContact,
+    /// Radius of the deformed contact across the groove, m; infinite without differential slip.
+    pub surface_radius: f64,
+    /// Traction law.
+    pub law: L,
+}
+
+impl<L> Race<L> {
+    /// The frozen contact constants as dual numbers without derivatives.
+    pub fn frozen<D: Scalar>(&self) -> HertzContact<D> {
+        self.hertz.lift()
+    }
+
+    /// Contact constants for other curvatures, 1/m.
+    ///
+    /// # Errors
+    /// [`ContactError`] for curvatures that do not make a point contact.
+    pub fn hertz_at<D: Scalar>(&self, rolling: D, lateral: D) -> Result<HertzContact<D>, ContactError> {
+        HertzContact::new(rolling, lateral, self.hertz.effective_modulus)
+    }
+}
+
+/// Drag and churning of the fluid on a ball.
+#[derive(Debug, Clone, Copy)]
+pub struct FluidForces {
+    /// Drag.
+    pub drag: BallDrag,
+    /// Churning, where wanted.
+    pub churning: Option<Churning>,
+    /// Speed of the fluid over that of the inner ring.
+    pub swirl: f64,
+}
+
+impl Bearing {
+    /// Works out a bearing from a case.
+    ///
+    /// # Errors
+    /// [`BearingError`] where coating, fluid or contact data do not make sense together.
+    pub fn new(case: &Case) -> Result<Self, BearingError> {
+        let law = |spec| coating_law(case, spec);
+        Self::with_laws(case, law(&case.coatings.inner)?, law(&case.coatings.outer)?)
+    }
+}
+
+impl<L: TractionLaw> Bearing<L> {
+    /// Works out a bearing with traction laws of one's own on inner and outer race.
+    ///
+    /// # Errors
+    /// As [`Bearing::new`].
+    pub fn with_laws(case: &Case, inner: L, outer: L) -> Result<Self, BearingError> {
+        let geometry = Geometry::new(&case.geometry)?;
+        let radius = geometry.ball_radius();
+        let ball_mass = case.materials.ball.density * 4.0 / 3.0 * PI * radius.powi(3);
+        let race = |side, material: &MaterialSpec, law| {
+            let modulus = effective_modulus(&elastic(&case.materials.ball), &elastic(material));
+            let [rolling, lateral] = geometry.curvatures(side, geometry.contact_angle.cos());
+            let hertz = HertzContact::new(rolling, lateral, modulus)?;
+            let surface_radius =
+                if case.traction.differential_slip { geometry.surface_radius(side) } else { f64::INFINITY };
+            Ok::<_, BearingError>(Race { hertz, surface_radius, law })
+        };
+        let wear = |spec: &crate::case::ArchardSpec| Archard { coefficient: spec.coefficient, hardness: spec.hardness };
+        Ok(Self {
+            geometry,
+            ball_mass,
+            ball_inertia: 0.4 * ball_mass * radius * radius,
+            inner: race(Side::Inner, &case.materials.inner, inner)?,
+            outer: race(Side::Outer, &case.materials.outer, outer)?,
+            fluid: case.fluid.as_ref().map(|f| fluid_forces(f, radius)).transpose()?,
+            slip_unit: case.traction.slip_unit,
+            pressure_choice: case.traction.pressure,
+            moment_arm: case.traction.moment_arm,
+            contact_at_actual_angle: case.numerics.contact_at_actual_angle,
+            ring_turns_about_own_centre: case.numerics.ring_centre == RingCentre::Displaced,
+            wear_inner: wear(&case.wear.inner),
+            wear_outer: wear(&case.wear.outer),
+            wear_cage: wear(&case.wear.cage),
+        })
+    }
+
+    /// The race of a side.
+    pub fn race(&self, side: Side) -> &Race<L> {
+        match side {
+            Side::Inner => &self.inner,
+            Side::Outer => &self.outer,
+        }
+    }
+
+    /// Azimuth of ball `index` when ball 0 is at 0, rad.
+    pub fn azimuth(&self, index: usize) -> f64 {
+        2.0 * PI * index as f64 / self.geometry.ball_count as f64
+    }
+}
+
+fn elastic(material: &MaterialSpec) -> ElasticBody {
+    ElasticBody { young: material.young, poisson: material.poisson }
+}
+
+fn coating_law(case: &Case, spec: &CoatingSpec) -> Result<CoatingLaw, BearingError> {
+    let coating = match &spec.curve {
+        CurveSpec::Library(name) => Coating::library(name)?,
+        CurveSpec::Tested(points) => {
+            let tested = points.iter().map(|p| TestedCurve {
+                pressure: p.pressure,
+                peak: Peak { slip: p.peak_slip, coefficient: p.peak_coefficient, residual: p.residual_coefficient },
+            });
+            Coating::from_tests("tested", tested.collect())?
+        }
+    };
+    let t = &case.traction;
+    Ok(if t.varying {
+        CoatingLaw::varying(&coating, t.order)?
+    } else {
+        CoatingLaw::fixed(&coating, t.order, t.reference_pressure)?
+    })
+}
+
+fn fluid_forces(spec: &FluidSpec, radius: f64) -> Result<FluidForces, BearingError> {
+    let (liquid, viscosity) = match spec.medium {
+        Medium::Nitrogen { temperature, pressure } => properties(Fluid::Nitrogen, temperature, pressure)?,
+        Medium::Oxygen { temperature, pressure } => properties(Fluid::Oxygen, temperature, pressure)?,
+        Medium::Methane { temperature, pressure } => properties(Fluid::Methane, temperature, pressure)?,
+        Medium::Custom { density, viscosity } => (density, viscosity),
+    };
+    let density = spec.liquid_fraction * liquid + (1.0 - spec.liquid_fraction) * spec.gas_density;
+    let frontal_area = PI * radius * radius * (1.0 - spec.shaded_fraction);
+    Ok(FluidForces {
+        drag: BallDrag { density_effective: density, frontal_area, drag_coefficient: spec.drag_coefficient },
+        churning: spec.churning.then_some(Churning { density, viscosity, radius }),
+        swirl: spec.swirl,
+    })
+}
+
+fn properties(fluid: Fluid, temperature: f64, pressure: f64) -> Result<(f64, f64), BearingError> {
+    let state = fluid.state(temperature, pressure)?;
+    Ok((state.density, state.viscosity))
+}

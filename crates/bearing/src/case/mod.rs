@@ -1,0 +1,59 @@
+//! The case file: one bearing, its materials, its operating point and the numerics, as RON with units.
+//!
+//! [`Case::from_ron`] reads and checks a text; what it returns is in SI and can be worked with. [`locate`] and
+//! [`set_value`] find and replace single values by their path, for sweeps and identification. No file is opened here.
+
+mod error;
+mod history;
+mod locate;
+mod outline;
+mod schema;
+mod sources;
+mod tokens;
+mod units;
+mod validate;
+
+#[cfg(test)]
+mod tests;
+
+pub use error::CaseError;
+pub use locate::{locate, set_value};
+pub use schema::*;
+
+use outline::{Outline, Path};
+use ron::extensions::Extensions;
+use serde_path_to_error::Track;
+
+impl Case {
+    /// Reads a case from RON text and checks it: every value is possible, and every source names a value of the text.
+    ///
+    /// # Errors
+    /// [`CaseError`] with position, path, value and what is allowed, for the first thing that is wrong.
+    pub fn from_ron(text: &str) -> Result<Self, CaseError> {
+        let case = parse(text)?;
+        // What the reader accepts has an outline; without one there would be nothing to point at.
+        let Some(outline) = Outline::new(text) else {
+            let message = "the file cannot be outlined: brackets or strings do not match".to_owned();
+            return Err(CaseError::new(text, 0..text.len(), &Path::default(), message));
+        };
+        validate::validate(&case).map_err(|refusal| {
+            let path = Path::parse(&refusal.path).unwrap_or_default();
+            // A default that the text leaves out stands in the section around it.
+            let range = outline.find(&path).unwrap_or_else(|missing| missing.deepest);
+            CaseError::new(text, range, &path, refusal.message)
+        })?;
+        sources::check(text, &case, &outline)?;
+        Ok(case)
+    }
+}
+
+/// Text to case, without a look at what the values mean.
+fn parse(text: &str) -> Result<Case, CaseError> {
+    let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
+    let mut track = Track::new();
+    let mut reader = ron::Deserializer::from_str_with_options(text, &options)
+        .map_err(|error| CaseError::from_reader(text, &error, &Track::new().path()))?;
+    let case = serde::Deserialize::deserialize(serde_path_to_error::Deserializer::new(&mut reader, &mut track));
+    let case = case.and_then(|case: Case| reader.end().map(|()| case));
+    case.map_err(|error| CaseError::from_reader(text, &reader.span_error(error), &track.path()))
+}

@@ -1,0 +1,265 @@
+//! Units of case files: `mm(30.16)` becomes 0.03016 when the file is read, and everything after is SI.
+//!
+//! Each function reads one kind of quantity and is named in `#[serde(deserialize_with)]` of a schema field. Numbers may
+//! be written without a decimal point; NaN and infinities are refused, also where a conversion overflows.
+
+use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, SeqAccess, VariantAccess, Visitor};
+use std::cell::Cell;
+use std::f64::consts::PI;
+use std::fmt;
+
+/// A kind of quantity with the units in which it may be written.
+struct Dimension {
+    /// With its article, for messages.
+    noun: &'static str,
+    /// How a value looks in a file.
+    example: &'static str,
+    /// Unit names.
+    names: &'static [&'static str],
+    /// Conversion to SI of the unit at the same index.
+    to_si: &'static [fn(f64) -> f64],
+}
+
+/// `value` times 10 to the power `exponent`, by moving the decimal point: `mm(0.12)` is the double closest to 0.00012,
+/// which neither 0.12/1000 nor 0.12 × 0.001 is.
+fn shifted(value: f64, exponent: i32) -> f64 {
+    // NaN and infinities have no decimal point; they stay what they are.
+    format!("{value}e{exponent}").parse().unwrap_or(value)
+}
+
+/// Declares a dimension, each unit beside its conversion.
+macro_rules! dimension {
+    ($name:ident, $noun:literal, $example:literal, { $($unit:literal => $to_si:expr),+ $(,)? }) => {
+        const $name: Dimension =
+            Dimension { noun: $noun, example: $example, names: &[$($unit),+], to_si: &[$($to_si),+] };
+    };
+}
+
+dimension!(LENGTH, "a length", "mm(30.16)", {
+    "m" => |v| v,
+    "mm" => |v| shifted(v, -3),
+    "um" => |v| shifted(v, -6),
+    "inch" => |v| v * 0.0254,
+});
+dimension!(ANGLE, "an angle", "deg(18)", {
+    "rad" => |v| v,
+    "deg" => f64::to_radians,
+    "mrad" => |v| shifted(v, -3),
+});
+dimension!(PRESSURE, "a pressure", "GPa(2.5)", {
+    "Pa" => |v| v,
+    "kPa" => |v| shifted(v, 3),
+    "MPa" => |v| shifted(v, 6),
+    "GPa" => |v| shifted(v, 9),
+});
+dimension!(DENSITY, "a density", "kg_per_m3(7800)", {
+    "kg_per_m3" => |v| v,
+    "g_per_cm3" => |v| shifted(v, 3),
+});
+dimension!(FORCE, "a force", "kN(20)", {
+    "N" => |v| v,
+    "kN" => |v| shifted(v, 3),
+});
+dimension!(TORQUE, "a torque", "Nm(1.5)", {
+    "Nm" => |v| v,
+    "Nmm" => |v| shifted(v, -3),
+});
+dimension!(SPEED, "a rotational speed", "rpm(14000)", {
+    "rad_per_s" => |v| v,
+    "rpm" => |v| v * PI / 30.0,
+});
+dimension!(TEMPERATURE, "a temperature", "K(87.5)", {
+    "K" => |v| v,
+    "degC" => |v| v + 273.15,
+});
+dimension!(VISCOSITY, "a dynamic viscosity", "uPa_s(119.7)", {
+    "Pa_s" => |v| v,
+    "mPa_s" => |v| shifted(v, -3),
+    "uPa_s" => |v| shifted(v, -6),
+});
+dimension!(STIFFNESS, "a stiffness", "N_per_um(10)", {
+    "N_per_m" => |v| v,
+    "N_per_um" => |v| shifted(v, 6),
+});
+dimension!(TIME, "a time", "s(0.5)", {
+    "s" => |v| v,
+    "ms" => |v| shifted(v, -3),
+});
+
+const ALL: [&Dimension; 11] =
+    [&LENGTH, &ANGLE, &PRESSURE, &DENSITY, &FORCE, &TORQUE, &SPEED, &TEMPERATURE, &VISCOSITY, &STIFFNESS, &TIME];
+
+/// Whether `name` is a unit of any dimension.
+pub(super) fn is_unit(name: &str) -> bool {
+    ALL.iter().any(|dimension| dimension.names.contains(&name))
+}
+
+macro_rules! readers {
+    ($($(#[$doc:meta])* $function:ident: $dimension:ident;)+) => {
+        $($(#[$doc])*
+        pub(super) fn $function<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+            Quantity(&$dimension).deserialize(deserializer)
+        })+
+    };
+}
+
+readers! {
+    /// Length, m.
+    length: LENGTH;
+    /// Angle, rad.
+    angle: ANGLE;
+    /// Pressure, Pa.
+    pressure: PRESSURE;
+    /// Density, kg/m³.
+    density: DENSITY;
+    /// Force, N.
+    force: FORCE;
+    /// Torque, N m.
+    torque: TORQUE;
+    /// Rotational speed, rad/s.
+    speed: SPEED;
+    /// Absolute temperature, K.
+    temperature: TEMPERATURE;
+    /// Dynamic viscosity, Pa s.
+    viscosity: VISCOSITY;
+    /// Stiffness, N/m.
+    stiffness: STIFFNESS;
+}
+
+macro_rules! tables {
+    ($($(#[$doc:meta])* $function:ident: $dimension:ident;)+) => {
+        $($(#[$doc])*
+        pub(super) fn $function<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<(f64, f64)>, D::Error> {
+            deserializer.deserialize_seq(Rows(&$dimension))
+        })+
+    };
+}
+
+tables! {
+    /// Rows (time in s, force in N), written `(s(0), kN(20))`.
+    force_table: FORCE;
+    /// Rows (time in s, torque in N m).
+    torque_table: TORQUE;
+    /// Rows (time in s, rotational speed in rad/s).
+    speed_table: SPEED;
+}
+
+/// A value of a dimension, as `unit(number)`.
+#[derive(Clone, Copy)]
+struct Quantity(&'static Dimension);
+
+impl<'de> DeserializeSeed<'de> for Quantity {
+    type Value = f64;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<f64, D::Error> {
+        let dimension = self.0;
+        let unit_known = Cell::new(false);
+        let visitor = QuantityVisitor { dimension, unit_known: &unit_known };
+        deserializer.deserialize_enum("", dimension.names, visitor).map_err(|error| {
+            // What is wrong after a known unit is the number; the error of its reader tells more than we can.
+            if unit_known.get() { error } else { D::Error::custom(dimension) }
+        })
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { noun, example, names, .. } = self;
+        write!(f, "expected {noun} with its unit, such as {example}; allowed units: {}", names.join(", "))
+    }
+}
+
+struct QuantityVisitor<'a> {
+    dimension: &'static Dimension,
+    unit_known: &'a Cell<bool>,
+}
+
+impl<'de> Visitor<'de> for QuantityVisitor<'_> {
+    type Value = f64;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} with its unit", self.dimension.noun)
+    }
+
+    fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<f64, A::Error> {
+        let (to_si, content) = data.variant_seed(Unit(self.dimension))?;
+        self.unit_known.set(true);
+        let number: f64 = content.newtype_variant()?;
+        let value = to_si(number);
+        if value.is_finite() {
+            Ok(value)
+        } else if number.is_finite() {
+            Err(A::Error::custom(format!("{number} in this unit is too large for a number in SI units")))
+        } else {
+            Err(A::Error::custom(format!("{number} is not allowed: the number must be finite")))
+        }
+    }
+}
+
+/// The unit's name, which gives its conversion.
+struct Unit(&'static Dimension);
+
+impl<'de> DeserializeSeed<'de> for Unit {
+    type Value = fn(f64) -> f64;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl Visitor<'_> for Unit {
+    type Value = fn(f64) -> f64;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a unit of {}", self.0.noun)
+    }
+
+    fn visit_str<E: Error>(self, name: &str) -> Result<Self::Value, E> {
+        let index = self.0.names.iter().position(|known| *known == name);
+        index.map(|i| self.0.to_si[i]).ok_or_else(|| E::unknown_variant(name, self.0.names))
+    }
+}
+
+/// A table: a list of rows (time, value).
+struct Rows(&'static Dimension);
+
+impl<'de> Visitor<'de> for Rows {
+    type Value = Vec<(f64, f64)>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a list of rows such as (s(0), {})", self.0.example)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut rows: A) -> Result<Self::Value, A::Error> {
+        let mut table = Vec::new();
+        while let Some(row) = rows.next_element_seed(Row(self.0))? {
+            table.push(row);
+        }
+        Ok(table)
+    }
+}
+
+/// One row of a table.
+struct Row(&'static Dimension);
+
+impl<'de> DeserializeSeed<'de> for Row {
+    type Value = (f64, f64);
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_tuple(2, self)
+    }
+}
+
+impl<'de> Visitor<'de> for Row {
+    type Value = (f64, f64);
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a row of time and value such as (s(0), {})", self.0.example)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut row: A) -> Result<Self::Value, A::Error> {
+        let time = row.next_element_seed(Quantity(&TIME))?.ok_or_else(|| A::Error::invalid_length(0, &self))?;
+        let value = row.next_element_seed(Quantity(self.0))?.ok_or_else(|| A::Error::invalid_length(1, &self))?;
+        Ok((time, value))
+    }
+}

@@ -1,0 +1,296 @@
+//! Impossible values, which no calculation could make sense of.
+//!
+//! Limits are physical where there is one (a ball must fit its groove) and otherwise wide enough for any bearing, so
+//! that what they refuse is a slip of the pen.
+
+use super::*;
+use std::f64::consts::PI;
+use tribodyn_fluid::Fluid;
+use tribodyn_traction::{Coating, PatchRule, SlipUnit, coating_names};
+
+/// A value that is refused, and why.
+pub(super) struct Refusal {
+    /// Path of the value.
+    pub path: String,
+    /// What is wrong and what is allowed.
+    pub message: String,
+}
+
+type Verdict = Result<(), Refusal>;
+
+/// Groove radius over ball diameter: conformity ends at ½; a groove above 0.7 no longer guides a ball.
+const GROOVE_COEFFICIENT_MAX: f64 = 0.7;
+/// Largest free contact angle, degrees: beyond it a bearing is a thrust bearing, whose races this geometry does not have.
+const CONTACT_ANGLE_MAX_DEG: f64 = 60.0;
+/// Fastest ring, rad/s: about 955 000 r/min.
+const SPEED_MAX: f64 = 1e5;
+/// Most nodes of a quadrature rule along one direction; the reference rule of the traction crate has 40 × 61.
+const NODES_MAX: usize = 1000;
+/// Open limits of the target error of the patch rule: below is rounding, above is no traction force to speak of.
+const TARGET_ERROR: (f64, f64) = (1e-12, 0.1);
+/// Largest tolerance of the solver.
+const TOLERANCE_MAX: f64 = 1e-3;
+
+/// Checks everything but the sources, section by section.
+pub(super) fn validate(case: &Case) -> Verdict {
+    geometry(&case.geometry)?;
+    let Materials { ball, inner, outer } = &case.materials;
+    for (name, body) in [("ball", ball), ("inner", inner), ("outer", outer)] {
+        material(&format!("materials.{name}"), body)?;
+    }
+    traction(&case.traction)?;
+    for (name, spec) in [("inner", &case.coatings.inner), ("outer", &case.coatings.outer)] {
+        coating(&format!("coatings.{name}"), spec, case.traction.order)?;
+    }
+    if let Some(spec) = &case.fluid {
+        fluid(spec)?;
+    }
+    cage(&case.cage)?;
+    for (name, spec) in [("inner", &case.wear.inner), ("outer", &case.wear.outer), ("cage", &case.wear.cage)] {
+        not_negative(&format!("wear.{name}.coefficient"), spec.coefficient)?;
+        positive(&format!("wear.{name}.hardness"), spec.hardness)?;
+    }
+    ring(&case.ring)?;
+    for (name, history) in [("inner", &case.speed.inner), ("outer", &case.speed.outer)] {
+        speed(&format!("speed.{name}"), history)?;
+    }
+    numerics(&case.numerics)
+}
+
+fn require(allowed: bool, path: &str, message: impl Into<String>) -> Verdict {
+    if allowed { Ok(()) } else { Err(Refusal { path: path.to_owned(), message: message.into() }) }
+}
+
+fn positive(path: &str, value: f64) -> Verdict {
+    require(value.is_finite() && value > 0.0, path, "must be greater than 0 and finite")
+}
+
+fn not_negative(path: &str, value: f64) -> Verdict {
+    require(value.is_finite() && value >= 0.0, path, "must be at least 0 and finite")
+}
+
+fn fraction(path: &str, value: f64) -> Verdict {
+    require((0.0..=1.0).contains(&value), path, "must lie between 0 and 1")
+}
+
+fn geometry(spec: &GeometrySpec) -> Verdict {
+    let (ball, pitch) = (spec.ball_diameter, spec.pitch_diameter);
+    require(spec.ball_count >= 2, "geometry.ball_count", "a bearing has at least 2 balls")?;
+    positive("geometry.ball_diameter", ball)?;
+    require(
+        pitch.is_finite() && pitch > ball,
+        "geometry.pitch_diameter",
+        format!("must be greater than the ball diameter, {} mm", millimetres(ball)),
+    )?;
+    // Neighbouring balls touch where the chord of their spacing is the ball diameter.
+    let chord = (PI / spec.ball_count as f64).sin() * pitch;
+    require(
+        chord > ball,
+        "geometry.ball_count",
+        format!(
+            "too many balls: sin(π/{}) × pitch diameter = {} mm must exceed the ball diameter, {} mm; at most {} fit",
+            spec.ball_count,
+            millimetres(chord),
+            millimetres(ball),
+            (PI / (ball / pitch).asin()).ceil() - 1.0,
+        ),
+    )?;
+    let inner = groove("geometry.inner_groove", spec.inner_groove, ball)?;
+    let outer = groove("geometry.outer_groove", spec.outer_groove, ball)?;
+    fit(spec.fit, (inner + outer - 1.0) * ball)
+}
+
+/// The groove radius over the ball diameter.
+fn groove(path: &str, spec: Groove, ball: f64) -> Result<f64, Refusal> {
+    let allowed = |f: f64| f > 0.5 && f <= GROOVE_COEFFICIENT_MAX;
+    let (coefficient, path, limits) = match spec {
+        Groove::Coefficient(f) => {
+            let limits =
+                format!("must be above 0.5, a groove as small as the ball, and at most {GROOVE_COEFFICIENT_MAX}");
+            (f, format!("{path}.Coefficient"), limits)
+        }
+        Groove::Radius(radius) => {
+            let limits = format!(
+                "must be greater than the ball radius, {} mm, and at most {} mm",
+                millimetres(0.5 * ball),
+                millimetres(GROOVE_COEFFICIENT_MAX * ball)
+            );
+            (radius / ball, format!("{path}.Radius"), limits)
+        }
+    };
+    require(allowed(coefficient), &path, limits).map(|()| coefficient)
+}
+
+/// Free contact angle, or the clearance that gives it with the groove centres `distance` apart, m.
+fn fit(spec: Fit, distance: f64) -> Verdict {
+    let largest = CONTACT_ANGLE_MAX_DEG.to_radians();
+    match spec {
+        Fit::ContactAngle(angle) => require(
+            (0.0..=largest).contains(&angle),
+            "geometry.fit.ContactAngle",
+            format!("the free contact angle must lie between 0° and {CONTACT_ANGLE_MAX_DEG}°"),
+        ),
+        Fit::RadialClearance(clearance) => {
+            let most = 2.0 * distance * (1.0 - largest.cos());
+            require(
+                (0.0..=most).contains(&clearance),
+                "geometry.fit.RadialClearance",
+                format!(
+                    "must lie between 0 and {} mm, where the free contact angle is {CONTACT_ANGLE_MAX_DEG}° with these grooves",
+                    millimetres(most)
+                ),
+            )
+        }
+    }
+}
+
+/// A length in m as millimetres with the digits a drawing has.
+fn millimetres(metres: f64) -> f64 {
+    (metres * 1e7).round() / 1e4
+}
+
+fn material(path: &str, spec: &MaterialSpec) -> Verdict {
+    positive(&format!("{path}.young"), spec.young)?;
+    require((0.0..0.5).contains(&spec.poisson), &format!("{path}.poisson"), "must be at least 0 and below 0.5")?;
+    positive(&format!("{path}.density"), spec.density)
+}
+
+fn coating(path: &str, spec: &CoatingSpec, order: usize) -> Verdict {
+    let tests = match &spec.curve {
+        CurveSpec::Library(name) => {
+            let known = || format!("no coating of this name in the library; allowed: {}", coating_names().join(", "));
+            let found = Coating::library(name).ok();
+            require(found.is_some(), &format!("{path}.curve.Library"), known())?;
+            found.map_or(0, |coating| coating.tested.len())
+        }
+        CurveSpec::Tested(points) => {
+            tested(&format!("{path}.curve.Tested"), points)?;
+            points.len()
+        }
+    };
+    // An order that needs more tests than there are, written so that it cannot overflow.
+    require(
+        order < tests,
+        "traction.order",
+        format!(
+            "a polynomial of order {order} needs one tested pressure more than that, but {path} has {tests}; lower the order or add tests"
+        ),
+    )?;
+    not_negative(&format!("{path}.thickness"), spec.thickness)
+}
+
+fn tested(path: &str, points: &[TestedPoint]) -> Verdict {
+    require(!points.is_empty(), path, "at least one tested point is needed")?;
+    for (i, point) in points.iter().enumerate() {
+        let path = format!("{path}[{i}]");
+        positive(&format!("{path}.pressure"), point.pressure)?;
+        let rises = i == 0 || point.pressure > points[i - 1].pressure;
+        require(rises, &format!("{path}.pressure"), "tested pressures must rise from point to point")?;
+        positive(&format!("{path}.peak_slip"), point.peak_slip)?;
+        positive(&format!("{path}.residual_coefficient"), point.residual_coefficient)?;
+        require(
+            point.peak_coefficient.is_finite() && point.peak_coefficient > point.residual_coefficient,
+            &format!("{path}.peak_coefficient"),
+            format!("must be greater than the residual coefficient, {}", point.residual_coefficient),
+        )?;
+    }
+    Ok(())
+}
+
+fn traction(spec: &TractionSpec) -> Verdict {
+    if let SlipUnit::Scaled { per_m_s } = spec.slip_unit {
+        positive("traction.slip_unit.Scaled.per_m_s", per_m_s)?;
+    }
+    positive("traction.reference_pressure", spec.reference_pressure)?;
+    let counts = match spec.patch {
+        PatchRule::PolarMidpoint { radial, circumferential } => {
+            [("PolarMidpoint.radial", radial), ("PolarMidpoint.circumferential", circumferential)]
+        }
+        PatchRule::GaussJacobi { radial, angles } => [("GaussJacobi.radial", radial), ("GaussJacobi.angles", angles)],
+        PatchRule::SplitStrip { across, along } => [("SplitStrip.across", across), ("SplitStrip.along", along)],
+        PatchRule::TargetError { relative } => {
+            let (low, high) = TARGET_ERROR;
+            let allowed = relative > low && relative < high;
+            let message = format!("must lie between {low:e} and {high}, limits excluded");
+            return require(allowed, "traction.patch.TargetError.relative", message);
+        }
+    };
+    for (name, count) in counts {
+        let allowed = (1..=NODES_MAX).contains(&count);
+        require(allowed, &format!("traction.patch.{name}"), format!("must lie between 1 and {NODES_MAX}"))?;
+    }
+    Ok(())
+}
+
+fn fluid(spec: &FluidSpec) -> Verdict {
+    medium(spec.medium)?;
+    fraction("fluid.liquid_fraction", spec.liquid_fraction)?;
+    positive("fluid.gas_density", spec.gas_density)?;
+    not_negative("fluid.drag_coefficient", spec.drag_coefficient)?;
+    fraction("fluid.swirl", spec.swirl)?;
+    fraction("fluid.shaded_fraction", spec.shaded_fraction)
+}
+
+fn medium(spec: Medium) -> Verdict {
+    let (fluid, temperature, pressure) = match spec {
+        Medium::Nitrogen { temperature, pressure } => (Fluid::Nitrogen, temperature, pressure),
+        Medium::Oxygen { temperature, pressure } => (Fluid::Oxygen, temperature, pressure),
+        Medium::Methane { temperature, pressure } => (Fluid::Methane, temperature, pressure),
+        Medium::Custom { density, viscosity } => {
+            positive("fluid.medium.Custom.density", density)?;
+            return positive("fluid.medium.Custom.viscosity", viscosity);
+        }
+    };
+    let state = fluid.state(temperature, pressure);
+    state.map(drop).map_err(|error| Refusal { path: "fluid.medium".into(), message: error.to_string() })
+}
+
+fn cage(spec: &CageSpec) -> Verdict {
+    not_negative("cage.pocket_gap", spec.pocket_gap)?;
+    not_negative("cage.pocket_stiffness", spec.pocket_stiffness)?;
+    not_negative("cage.pocket_friction", spec.pocket_friction)
+}
+
+fn ring(spec: &RingSpec) -> Verdict {
+    for (name, translation) in [("x", &spec.x), ("y", &spec.y), ("z", &spec.z)] {
+        if let Translation::ForceTable(rows) = translation {
+            table(&format!("ring.{name}.ForceTable"), rows)?;
+        }
+    }
+    for (name, tilt) in [("tilt_x", &spec.tilt_x), ("tilt_y", &spec.tilt_y)] {
+        if let Tilt::MomentTable(rows) = tilt {
+            table(&format!("ring.{name}.MomentTable"), rows)?;
+        }
+    }
+    Ok(())
+}
+
+fn speed(path: &str, history: &SpeedHistory) -> Verdict {
+    let allowed = |path: &str, value: f64| {
+        let message = format!("must lie between -{SPEED_MAX:e} and {SPEED_MAX:e} rad/s");
+        require(value.abs() <= SPEED_MAX, path, message)
+    };
+    match history {
+        SpeedHistory::Constant(value) => allowed(&format!("{path}.Constant"), *value),
+        SpeedHistory::Table(rows) => {
+            table(&format!("{path}.Table"), rows)?;
+            let mut rows = rows.iter().enumerate();
+            rows.try_for_each(|(i, row)| allowed(&format!("{path}.Table[{i}][1]"), row.1))
+        }
+    }
+}
+
+fn table(path: &str, rows: &[(f64, f64)]) -> Verdict {
+    require(!rows.is_empty(), path, "a table needs at least one row")?;
+    for (i, pair) in rows.windows(2).enumerate() {
+        let message = format!("times must rise from row to row; the row before is at {} s", pair[0].0);
+        require(pair[1].0 > pair[0].0, &format!("{path}[{}][0]", i + 1), message)?;
+    }
+    Ok(())
+}
+
+fn numerics(spec: &Numerics) -> Verdict {
+    let tolerance = spec.tolerance > 0.0 && spec.tolerance <= TOLERANCE_MAX;
+    require(tolerance, "numerics.tolerance", format!("must be greater than 0 and at most {TOLERANCE_MAX}"))?;
+    require(spec.max_iterations >= 1, "numerics.max_iterations", "must be at least 1")
+}

@@ -1,0 +1,187 @@
+//! Groove-centre geometry of an angular-contact ball bearing (Jones).
+
+use crate::BearingError;
+use crate::case::{Fit, GeometrySpec, Groove};
+use tribodyn_contact::Scalar;
+
+/// Which ring a contact belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Ball on inner race.
+    Inner,
+    /// Ball on outer race.
+    Outer,
+}
+
+/// The unloaded bearing, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Geometry {
+    /// Number of balls N_b.
+    pub ball_count: usize,
+    /// Ball diameter D, m.
+    pub ball_diameter: f64,
+    /// Pitch diameter d_m, m.
+    pub pitch_diameter: f64,
+    /// Inner groove radius over ball diameter, f_i.
+    pub inner_coefficient: f64,
+    /// Outer groove radius over ball diameter, f_o.
+    pub outer_coefficient: f64,
+    /// Free contact angle α0, rad.
+    pub contact_angle: f64,
+}
+
+impl Geometry {
+    /// Works out coefficients and free contact angle.
+    ///
+    /// # Errors
+    /// [`BearingError::Clearance`] for a radial clearance that no contact angle has.
+    pub fn new(spec: &GeometrySpec) -> Result<Self, BearingError> {
+        let coefficient = |groove: Groove| match groove {
+            Groove::Coefficient(f) => f,
+            Groove::Radius(r) => r / spec.ball_diameter,
+        };
+        let (f_i, f_o) = (coefficient(spec.inner_groove), coefficient(spec.outer_groove));
+        let contact_angle = match spec.fit {
+            Fit::ContactAngle(angle) => angle,
+            Fit::RadialClearance(clearance) => {
+                let centre_distance = (f_i + f_o - 1.0) * spec.ball_diameter;
+                let cosine = 1.0 - clearance / (2.0 * centre_distance);
+                if !(0.0..=1.0).contains(&cosine) {
+                    return Err(BearingError::Clearance { clearance, limit: 2.0 * centre_distance });
+                }
+                cosine.acos()
+            }
+        };
+        Ok(Self {
+            ball_count: spec.ball_count,
+            ball_diameter: spec.ball_diameter,
+            pitch_diameter: spec.pitch_diameter,
+            inner_coefficient: f_i,
+            outer_coefficient: f_o,
+            contact_angle,
+        })
+    }
+
+    /// Ball radius r_b, m.
+    pub fn ball_radius(&self) -> f64 {
+        0.5 * self.ball_diameter
+    }
+
+    /// Distance A = (f_i + f_o − 1) D of the two groove centres, unloaded, m.
+    pub fn centre_distance(&self) -> f64 {
+        (self.inner_coefficient + self.outer_coefficient - 1.0) * self.ball_diameter
+    }
+
+    /// Diametral clearance that belongs to the free contact angle, P_d = 2A (1 − cos α0), m.
+    pub fn radial_clearance(&self) -> f64 {
+        2.0 * self.centre_distance() * (1.0 - self.contact_angle.cos())
+    }
+
+    /// Axial play from one contact side to the other under no load, 2A sin α0, m.
+    pub fn axial_play(&self) -> f64 {
+        2.0 * self.centre_distance() * self.contact_angle.sin()
+    }
+
+    /// Distance of the unloaded ball centre from a groove centre, (f − ½) D, m.
+    pub fn groove_offset(&self, side: Side) -> f64 {
+        (self.coefficient(side) - 0.5) * self.ball_diameter
+    }
+
+    /// Groove radius over ball diameter.
+    pub fn coefficient(&self, side: Side) -> f64 {
+        match side {
+            Side::Inner => self.inner_coefficient,
+            Side::Outer => self.outer_coefficient,
+        }
+    }
+
+    /// Radius of the circle of groove centres about the ring's axis, m.
+    pub fn groove_centre_radius(&self, side: Side) -> f64 {
+        let offset = self.groove_offset(side) * self.contact_angle.cos();
+        match side {
+            Side::Inner => 0.5 * self.pitch_diameter + offset,
+            Side::Outer => 0.5 * self.pitch_diameter - offset,
+        }
+    }
+
+    /// Radius of the deformed contact across the groove, R_c = 2 r_b r_e/(r_b + r_e) (Heathcote), m.
+    pub fn surface_radius(&self, side: Side) -> f64 {
+        let (ball, groove) = (self.ball_radius(), self.coefficient(side) * self.ball_diameter);
+        2.0 * ball * groove / (ball + groove)
+    }
+
+    /// Sums of the two bodies' curvatures along rolling and across the groove, 1/m, at contact angle cosine `cos`.
+    pub fn curvatures<D: Scalar>(&self, side: Side, cos: D) -> [D; 2] {
+        let ball = 2.0 / self.ball_diameter;
+        let gamma = cos * (self.ball_diameter / self.pitch_diameter);
+        let rolling = match side {
+            Side::Inner => gamma / (-gamma + 1.0) * ball,
+            Side::Outer => -(gamma / (gamma + 1.0)) * ball,
+        };
+        let groove = 1.0 / (self.coefficient(side) * self.ball_diameter);
+        [rolling + ball, D::from(ball - groove)]
+    }
+}
+
+/// Where the ball sits between the groove centres: what both contacts need to know.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactPose<D = f64> {
+    /// sin α.
+    pub sin: D,
+    /// cos α.
+    pub cos: D,
+    /// Elastic approach δ, m; negative where there is a gap.
+    pub approach: D,
+}
+
+impl<D: Scalar> ContactPose<D> {
+    /// From the vector (axial, radial) between groove centre and ball centre and the unloaded distance.
+    pub fn new(axial: D, radial: D, offset: f64) -> Self {
+        let length = (axial * axial + radial * radial).sqrt();
+        Self { sin: axial / length, cos: radial / length, approach: length - offset }
+    }
+
+    /// Outward normal from the ball centre, (axial, radial) components.
+    pub fn normal(&self, side: Side) -> [D; 2] {
+        match side {
+            Side::Inner => [-self.sin, -self.cos],
+            Side::Outer => [self.sin, self.cos],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spec(fit: Fit) -> GeometrySpec {
+        GeometrySpec {
+            ball_count: 13,
+            ball_diameter: 0.03016,
+            pitch_diameter: 0.165,
+            inner_groove: Groove::Coefficient(0.527),
+            outer_groove: Groove::Radius(0.53 * 0.03016),
+            fit,
+        }
+    }
+
+    #[test]
+    fn identity_contact_angle_and_clearance_give_each_other() {
+        let angle = Geometry::new(&spec(Fit::ContactAngle(18f64.to_radians()))).unwrap();
+        let clearance = Geometry::new(&spec(Fit::RadialClearance(angle.radial_clearance()))).unwrap();
+        assert!((clearance.contact_angle - angle.contact_angle).abs() < 1e-13);
+        assert!((angle.outer_coefficient - 0.53).abs() < 1e-15);
+    }
+
+    #[test]
+    fn limit_excessive_clearance_is_refused() {
+        assert!(matches!(Geometry::new(&spec(Fit::RadialClearance(0.01))), Err(BearingError::Clearance { .. })));
+    }
+
+    #[test]
+    fn identity_groove_centres_lie_one_centre_distance_apart() {
+        let g = Geometry::new(&spec(Fit::ContactAngle(0.3))).unwrap();
+        let radial = g.groove_centre_radius(Side::Inner) - g.groove_centre_radius(Side::Outer);
+        assert!((radial - g.centre_distance() * 0.3f64.cos()).abs() < 1e-16);
+    }
+}

@@ -1,0 +1,321 @@
+//! The ball–race interaction that the quasi-static and the transient solver share.
+//!
+//! Frame at the ball's azimuth φ: e_a axial (+Z), e_r radial outward, e_t = e_a × e_r along the orbit; vectors are
+//! [a, r, t]. Forces and moments are those on the ball.
+
+use crate::bearing::{Bearing, Race};
+use crate::geometry::{ContactPose, Side};
+use tribodyn_contact::{Ellipse, Scalar};
+use tribodyn_traction::{Patch, PatchLaw, PatchTraction, Quadrature, RelativeMotion, TractionLaw, patch_traction};
+
+/// Position and motion of a ring against the inertial frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RingState<D = f64> {
+    /// Displacement x, y, z, m.
+    pub displacement: [D; 3],
+    /// Small tilt about X and Y, rad.
+    pub tilt: [D; 2],
+    /// Velocity x, y, z, m/s.
+    pub velocity: [D; 3],
+    /// Rotational speed about Z, rad/s.
+    pub speed: D,
+}
+
+impl<D: Scalar> RingState<D> {
+    /// At rest in the centre, turning at `speed` in rad/s.
+    pub fn centred(speed: D) -> Self {
+        let z = D::zero();
+        Self { displacement: [z; 3], tilt: [z; 2], velocity: [z; 3], speed }
+    }
+}
+
+/// Position and motion of a ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallState<D = f64> {
+    /// Sine and cosine of the azimuth φ.
+    pub azimuth: [D; 2],
+    /// Ball centre against the outer groove centre: axial X1 and radial X2, m.
+    pub position: [D; 2],
+    /// Axial and radial velocity of the ball centre, m/s.
+    pub velocity: [D; 2],
+    /// Orbital speed ω_m, rad/s.
+    pub orbital_speed: D,
+    /// Absolute angular velocity Ω, rad/s.
+    pub spin: [D; 3],
+}
+
+/// One ball–race contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RaceContact<D = f64> {
+    /// Contact angle and approach.
+    pub pose: ContactPose<D>,
+    /// Normal load Q, N.
+    pub load: D,
+    /// Contact ellipse and peak pressure.
+    pub ellipse: Ellipse<D>,
+    /// The ball's motion against the race.
+    pub motion: RelativeMotion<D>,
+    /// Mean of the two surface speeds along e_t in the orbiting frame, m/s: positive at the inner, negative at the
+    /// outer race for a positive inner speed. Its magnitude is V of the paper's Eq. 3.
+    pub rolling_speed: D,
+    /// Traction integrals.
+    pub traction: PatchTraction<D>,
+    /// Normal load and traction together, N.
+    pub force: [D; 3],
+    /// Moment of the traction about the ball centre, N m.
+    pub moment: [D; 3],
+}
+
+impl<D: Scalar> RaceContact<D> {
+    /// Slide-to-roll ratios ξ_x (positive where the ball's surface is the faster) and ξ_y and spin ratio φ in 1/m, as in the paper's Eq. 3;
+    /// zeros where nothing rolls.
+    pub fn slide_to_roll(&self, ball_radius: f64) -> [D; 3] {
+        let [along, across] = self.motion.centre_slip(ball_radius);
+        let v = self.rolling_speed;
+        if v.re() == 0.0 {
+            return [D::zero(); 3];
+        }
+        [along / v, across / v.abs(), self.motion.spin / v]
+    }
+}
+
+/// Everything that acts on one ball, without inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallLoads<D = f64> {
+    /// Inner contact.
+    pub inner: RaceContact<D>,
+    /// Outer contact.
+    pub outer: RaceContact<D>,
+    /// Radius of the orbit, m.
+    pub orbit_radius: D,
+    /// Fluid drag against the orbit, N.
+    pub drag: D,
+    /// Churning moment, N m.
+    pub churning: [D; 3],
+    /// Tangential generalised force of the normal loads where a ring is off centre, N.
+    pub eccentricity: D,
+}
+
+impl<D: Scalar> BallLoads<D> {
+    /// Sum of the forces, N.
+    pub fn force(&self) -> [D; 3] {
+        let [a, r, t] = add(self.inner.force, self.outer.force);
+        [a, r, t - self.drag + self.eccentricity]
+    }
+
+    /// Sum of the moments about the ball centre, N m.
+    pub fn moment(&self) -> [D; 3] {
+        add(add(self.inner.moment, self.outer.moment), self.churning)
+    }
+}
+
+/// The kinematics of one ball between two rings that need no traction: enough for Jones–Harris.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallPose<D = f64> {
+    /// Inner contact.
+    pub inner: ContactPose<D>,
+    /// Outer contact.
+    pub outer: ContactPose<D>,
+    /// Radius of the orbit, m.
+    pub orbit_radius: D,
+}
+
+impl<L: TractionLaw> Bearing<L> {
+    /// Contact angles, approaches and orbit radius of a ball.
+    pub fn pose<D: Scalar>(
+        &self,
+        azimuth: [D; 2],
+        position: [D; 2],
+        inner: &RingState<D>,
+        outer: &RingState<D>,
+    ) -> BallPose<D> {
+        let g = &self.geometry;
+        let ([x1, x2], [i, o]) = (position, [self.groove_shift(azimuth, inner), self.groove_shift(azimuth, outer)]);
+        let a1 = i[0] - o[0] + g.centre_distance() * g.contact_angle.sin();
+        let a2 = i[1] - o[1] + g.centre_distance() * g.contact_angle.cos();
+        BallPose {
+            inner: ContactPose::new(a1 - x1, a2 - x2, g.groove_offset(Side::Inner)),
+            outer: ContactPose::new(x1, x2, g.groove_offset(Side::Outer)),
+            orbit_radius: x2 + o[1] + g.groove_centre_radius(Side::Outer),
+        }
+    }
+
+    /// Axial and radial shift of a ring's groove centre at an azimuth, m. Tilts act with the inner groove-centre radius.
+    fn groove_shift<D: Scalar>(&self, [sin, cos]: [D; 2], ring: &RingState<D>) -> [D; 2] {
+        let [x, y, z] = ring.displacement;
+        let lever = self.geometry.groove_centre_radius(Side::Inner);
+        [z + (ring.tilt[0] * sin - ring.tilt[1] * cos) * lever, x * cos + y * sin]
+    }
+
+    /// Contact constants of a race at a contact pose: frozen at the free contact angle, or at the actual one.
+    pub fn contact_load<D: Scalar>(&self, side: Side, pose: &ContactPose<D>) -> (D, Ellipse<D>) {
+        let race = self.race(side);
+        if self.contact_at_actual_angle {
+            let [rolling, lateral] = self.geometry.curvatures(side, pose.cos);
+            if let Ok(hertz) = race.hertz_at(rolling, lateral) {
+                let load = hertz.load(pose.approach);
+                return (load, hertz.ellipse(load));
+            }
+        }
+        let hertz = race.frozen::<D>();
+        let load = hertz.load(pose.approach);
+        (load, hertz.ellipse(load))
+    }
+
+    /// All that races and fluid do to a ball.
+    pub fn ball_loads<D: Scalar>(
+        &self,
+        ball: &BallState<D>,
+        inner: &RingState<D>,
+        outer: &RingState<D>,
+        quadrature: &Quadrature,
+    ) -> BallLoads<D> {
+        let pose = self.pose(ball.azimuth, ball.position, inner, outer);
+        let [i, o] = [(Side::Inner, pose.inner, inner), (Side::Outer, pose.outer, outer)]
+            .map(|(side, contact, ring)| self.race_contact(side, contact, ball, ring, pose.orbit_radius, quadrature));
+        let radius = pose.orbit_radius;
+        let [_, _, inner_tangential] = in_azimuth_frame(ball.azimuth, inner.displacement);
+        let [_, _, outer_tangential] = in_azimuth_frame(ball.azimuth, outer.displacement);
+        let eccentricity = (o.load * o.pose.cos * outer_tangential - i.load * i.pose.cos * inner_tangential) / radius;
+        let (drag, churning) = match &self.fluid {
+            Some(fluid) => (
+                fluid.drag.force(radius * (ball.orbital_speed - inner.speed * fluid.swirl)),
+                fluid.churning.map_or([D::zero(); 3], |c| c.moment_vector(ball.spin)),
+            ),
+            None => (D::zero(), [D::zero(); 3]),
+        };
+        BallLoads { inner: i, outer: o, orbit_radius: radius, drag, churning, eccentricity }
+    }
+
+    fn race_contact<D: Scalar>(
+        &self,
+        side: Side,
+        pose: ContactPose<D>,
+        ball: &BallState<D>,
+        ring: &RingState<D>,
+        orbit_radius: D,
+        quadrature: &Quadrature,
+    ) -> RaceContact<D> {
+        let race = self.race(side);
+        let (load, ellipse) = self.contact_load(side, &pose);
+        let [n_a, n_r] = pose.normal(side);
+        let (motion, rolling_speed) = self.relative_motion([n_a, n_r], ball, ring, orbit_radius);
+        let traction = self.traction(race, load, &ellipse, &motion, rolling_speed, quadrature);
+        // e_y = (n_r, −n_a, 0).
+        let force = [
+            traction.force_lateral * n_r - load * n_a,
+            -(traction.force_lateral * n_a) - load * n_r,
+            traction.force_rolling,
+        ];
+        let moment = [
+            traction.moment_lateral * n_r + traction.moment_normal * n_a,
+            traction.moment_normal * n_r - traction.moment_lateral * n_a,
+            traction.moment_rolling,
+        ];
+        RaceContact { pose, load, ellipse, motion, rolling_speed, traction, force, moment }
+    }
+
+    /// The ball's rigid motion against a race in patch axes, and the rolling speed.
+    fn relative_motion<D: Scalar>(
+        &self,
+        [n_a, n_r]: [D; 2],
+        ball: &BallState<D>,
+        ring: &RingState<D>,
+        orbit_radius: D,
+    ) -> (RelativeMotion<D>, D) {
+        let r_b = self.geometry.ball_radius();
+        let centre = if self.ring_turns_about_own_centre {
+            in_azimuth_frame(ball.azimuth, ring.displacement)
+        } else {
+            [D::zero(); 3]
+        };
+        let ring_velocity = in_azimuth_frame(ball.azimuth, ring.velocity);
+        // W = v_ball − v_race − ω e_a × (r_c e_r − x_race).
+        let along = orbit_radius * ball.orbital_speed - ring_velocity[2] - ring.speed * (orbit_radius - centre[1]);
+        let axial = ball.velocity[0] - ring_velocity[0];
+        let radial = ball.velocity[1] - ring_velocity[1] - ring.speed * centre[2];
+        let w = [ball.spin[0] - ring.speed, ball.spin[1], ball.spin[2]];
+        let motion = RelativeMotion {
+            rolling: along,
+            lateral: axial * n_r - radial * n_a,
+            spin: w[0] * n_a + w[1] * n_r,
+            about_lateral: w[0] * n_r - w[1] * n_a,
+            about_rolling: w[2],
+        };
+        // Surface speeds along e_t as seen from the orbiting frame: ball ω × r_b n, race (ω_race − ω_m) e_a × r.
+        let about_orbit = ball.spin[0] - ball.orbital_speed;
+        let ball_surface = (about_orbit * n_r - ball.spin[1] * n_a) * r_b;
+        let race_surface = (ring.speed - ball.orbital_speed) * (orbit_radius + n_r * r_b);
+        (motion, (ball_surface + race_surface) * 0.5)
+    }
+
+    fn traction<D: Scalar>(
+        &self,
+        race: &Race<L>,
+        load: D,
+        ellipse: &Ellipse<D>,
+        motion: &RelativeMotion<D>,
+        rolling_speed: D,
+        quadrature: &Quadrature,
+    ) -> PatchTraction<D> {
+        if load.re() <= 0.0 {
+            return PatchTraction::zero();
+        }
+        let patch = self.patch(race, ellipse);
+        patch_traction(&patch, motion, rolling_speed, &self.patch_law(race), quadrature)
+    }
+
+    /// The patch under a contact ellipse.
+    pub fn patch<D: Scalar>(&self, race: &Race<L>, ellipse: &Ellipse<D>) -> Patch<D> {
+        Patch {
+            semi_lateral: ellipse.semi_lateral(),
+            semi_rolling: ellipse.semi_rolling(),
+            peak_pressure: ellipse.peak_pressure,
+            ball_radius: self.geometry.ball_radius(),
+            surface_radius: race.surface_radius,
+            moment_arm: self.moment_arm,
+        }
+    }
+
+    /// The traction law of a race with the case's choices.
+    pub fn patch_law<'a>(&self, race: &'a Race<L>) -> PatchLaw<'a, L> {
+        PatchLaw { law: &race.law, slip_unit: self.slip_unit, pressure: self.pressure_choice }
+    }
+
+    /// Force on the balls by the inner ring (X, Y, Z, N), its moment about the ring's centre (X, Y, N m) and the torque
+    /// about Z (N m) of one ball: the reaction acts on the ring.
+    pub fn ring_action<D: Scalar>(&self, ball: &BallState<D>, loads: &BallLoads<D>, ring: &RingState<D>) -> [D; 6] {
+        let [sin, cos] = ball.azimuth;
+        let g = &self.geometry;
+        let force = loads.inner.force;
+        let centre = in_azimuth_frame(ball.azimuth, ring.displacement);
+        // Ball centre from the ring's centre, which lies in the plane of its unloaded groove centres.
+        let arm = [
+            ball.position[0] - centre[0] - g.centre_distance() * g.contact_angle.sin(),
+            loads.orbit_radius - centre[1],
+            -centre[2],
+        ];
+        let moment = add(loads.inner.moment, cross(arm, force));
+        [
+            force[1] * cos - force[2] * sin,
+            force[1] * sin + force[2] * cos,
+            force[0],
+            moment[1] * cos - moment[2] * sin,
+            moment[1] * sin + moment[2] * cos,
+            moment[0],
+        ]
+    }
+}
+
+/// (x, y, z) of the inertial frame as [a, r, t] at an azimuth given by its sine and cosine.
+pub fn in_azimuth_frame<D: Scalar>([sin, cos]: [D; 2], [x, y, z]: [D; 3]) -> [D; 3] {
+    [z, x * cos + y * sin, y * cos - x * sin]
+}
+
+fn add<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+fn cross<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}

@@ -1,0 +1,121 @@
+//! `tribodyn check`: is a case file right, and what follows from it.
+
+use crate::failure::Failure;
+use crate::input::CaseFile;
+use crate::table;
+use serde::Serialize;
+use std::path::PathBuf;
+use tribodyn_bearing::case::{Case, Source};
+use tribodyn_bearing::{Bearing, Side};
+use tribodyn_quasistatic::OperatingPoint;
+
+/// Check a case file and print derived geometry, masses, contact constants and fluid forces.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Case file (RON)
+    case: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Answer {
+    name: String,
+    contact_angle_deg: f64,
+    radial_clearance_m: f64,
+    axial_play_m: f64,
+    groove_coefficient_inner: f64,
+    groove_coefficient_outer: f64,
+    groove_centre_distance_m: f64,
+    ball_mass_kg: f64,
+    ball_inertia_kg_m2: f64,
+    contact_stiffness_inner_n_per_m_1_5: f64,
+    contact_stiffness_outer_n_per_m_1_5: f64,
+    ellipticity_inner: f64,
+    ellipticity_outer: f64,
+    cage_speed_free_rpm: f64,
+    drag_per_ball_n: Option<f64>,
+    effective_fluid_density_kg_m3: Option<f64>,
+    sources: std::collections::BTreeMap<String, Source>,
+    warnings: Vec<String>,
+}
+
+fn answer(case: &Case, bearing: &Bearing) -> Answer {
+    let g = &bearing.geometry;
+    let point = OperatingPoint::new(case);
+    let (inner, outer) = (bearing.race(Side::Inner).frozen::<f64>(), bearing.race(Side::Outer).frozen::<f64>());
+    // No-slip orbit at the free contact angle: the speed at which drag is quoted.
+    let gamma = g.ball_diameter * g.contact_angle.cos() / g.pitch_diameter;
+    let orbit = 0.5 * (point.inner_speed * (1.0 - gamma) + point.outer_speed * (1.0 + gamma));
+    let mut warnings = Vec::new();
+    let drag =
+        bearing.fluid.as_ref().map(|f| f.drag.force(0.5 * g.pitch_diameter * (orbit - f.swirl * point.inner_speed)));
+    if let Some(drag) = drag {
+        let power = drag * g.ball_count as f64 * orbit.abs() * 0.5 * g.pitch_diameter;
+        if power > 1e5 {
+            warnings.push(format!(
+                "drag of {drag:.0} N on each ball takes {:.0} kW from the shaft: check drag coefficient and liquid fraction",
+                power * 1e-3
+            ));
+        }
+    }
+    if g.contact_angle == 0.0 {
+        warnings.push("free contact angle is zero: an axial load needs a contact angle".into());
+    }
+    Answer {
+        name: case.name.clone(),
+        contact_angle_deg: g.contact_angle.to_degrees(),
+        radial_clearance_m: g.radial_clearance(),
+        axial_play_m: g.axial_play(),
+        groove_coefficient_inner: g.inner_coefficient,
+        groove_coefficient_outer: g.outer_coefficient,
+        groove_centre_distance_m: g.centre_distance(),
+        ball_mass_kg: bearing.ball_mass,
+        ball_inertia_kg_m2: bearing.ball_inertia,
+        contact_stiffness_inner_n_per_m_1_5: inner.stiffness(),
+        contact_stiffness_outer_n_per_m_1_5: outer.stiffness(),
+        ellipticity_inner: inner.ellipticity,
+        ellipticity_outer: outer.ellipticity,
+        cage_speed_free_rpm: orbit * 30.0 / std::f64::consts::PI,
+        drag_per_ball_n: drag,
+        effective_fluid_density_kg_m3: bearing.fluid.as_ref().map(|f| f.drag.density_effective),
+        sources: case.sources.clone(),
+        warnings,
+    }
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let file = CaseFile::read(&arguments.case)?;
+    let bearing = file.bearing()?;
+    let a = answer(&file.case, &bearing);
+    if arguments.json {
+        return table::print_json(&a);
+    }
+    let number = |v: f64, digits: usize| format!("{v:.digits$}");
+    table::print_line(&format!("{}: {}\n", file.name, a.name))?;
+    let mut rows = vec![
+        ("free contact angle", number(a.contact_angle_deg, 4), "°"),
+        ("radial clearance (diametral)", number(a.radial_clearance_m * 1e6, 2), "µm"),
+        ("axial play", number(a.axial_play_m * 1e6, 2), "µm"),
+        ("groove coefficient inner", number(a.groove_coefficient_inner, 5), ""),
+        ("groove coefficient outer", number(a.groove_coefficient_outer, 5), ""),
+        ("distance of groove centres", number(a.groove_centre_distance_m * 1e3, 4), "mm"),
+        ("ball mass", number(a.ball_mass_kg * 1e3, 3), "g"),
+        ("ball moment of inertia", format!("{:.5e}", a.ball_inertia_kg_m2), "kg m²"),
+        ("contact stiffness inner", format!("{:.5e}", a.contact_stiffness_inner_n_per_m_1_5), "N/m^1.5"),
+        ("contact stiffness outer", format!("{:.5e}", a.contact_stiffness_outer_n_per_m_1_5), "N/m^1.5"),
+        ("ellipticity inner", number(a.ellipticity_inner, 4), ""),
+        ("ellipticity outer", number(a.ellipticity_outer, 4), ""),
+        ("cage speed, rolling at the free angle", number(a.cage_speed_free_rpm, 1), "r/min"),
+    ];
+    if let (Some(drag), Some(density)) = (a.drag_per_ball_n, a.effective_fluid_density_kg_m3) {
+        rows.push(("effective fluid density", number(density, 2), "kg/m³"));
+        rows.push(("drag per ball at that speed", number(drag, 1), "N"));
+    }
+    table::print_pairs(&rows)?;
+    for warning in &a.warnings {
+        table::print_line(&format!("warning: {warning}"))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,59 @@
+//! What can go wrong, as a person reads it.
+
+use miette::{Diagnostic, NamedSource, SourceSpan};
+use std::path::PathBuf;
+use tribodyn_bearing::BearingError;
+use tribodyn_bearing::case::CaseError;
+use tribodyn_quasistatic::QuasiStaticError;
+
+/// A failed command; its exit code says whether the input or the calculation is to blame.
+#[derive(Debug, thiserror::Error, Diagnostic)]
+pub enum Failure {
+    #[error("{}:{}:{}: {}", .0.file, .0.error.line, .0.error.column, .0.error)]
+    #[diagnostic(transparent)]
+    Case(Box<CaseFailure>),
+    #[error("cannot read {}: {source}", path.display())]
+    Read { path: PathBuf, source: std::io::Error },
+    #[error("cannot write {}: {source}", path.display())]
+    Write { path: PathBuf, source: std::io::Error },
+    #[error("--{option} {value}: {message}")]
+    Option { option: &'static str, value: String, message: String },
+    #[error("{file}: {source}")]
+    Bearing { file: String, source: BearingError },
+    #[error(transparent)]
+    Solver(#[from] QuasiStaticError),
+    #[error(transparent)]
+    Contact(#[from] tribodyn_contact::ContactError),
+    #[error(transparent)]
+    Traction(#[from] tribodyn_traction::TractionError),
+    #[error(transparent)]
+    Record(#[from] tribodyn_record::RecordError),
+    #[error(transparent)]
+    Plot(#[from] tribodyn_plot::PlotError),
+    #[error("cannot write the answer: {0}")]
+    Output(#[from] std::io::Error),
+    #[error("cannot write the answer as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// A refused case file with the place to point at.
+#[derive(Debug, thiserror::Error, Diagnostic)]
+#[error("{error}")]
+pub struct CaseFailure {
+    pub file: String,
+    #[source_code]
+    pub text: NamedSource<String>,
+    #[label("here")]
+    pub span: SourceSpan,
+    pub error: CaseError,
+}
+
+impl Failure {
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Solver(QuasiStaticError::NotConverged { .. }) => 1,
+            Self::Write { .. } | Self::Record(_) | Self::Plot(_) | Self::Output(_) | Self::Json(_) => 1,
+            _ => 2,
+        }
+    }
+}

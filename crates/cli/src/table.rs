@@ -1,0 +1,52 @@
+//! Answers on standard output: tables for people, JSON for programs.
+
+use crate::failure::Failure;
+use comfy_table::{CellAlignment, Table, presets};
+use serde::Serialize;
+use std::io::Write;
+
+/// Prints a value as indented JSON.
+pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(value)?;
+    print_line(&text)
+}
+
+/// Prints a line; a closed pipe is an error to the caller, not a panic.
+pub fn print_line(text: &str) -> Result<(), Failure> {
+    Ok(writeln!(std::io::stdout(), "{text}")?)
+}
+
+/// Prints name, value and unit, a line each.
+pub fn print_pairs(rows: &[(&str, String, &str)]) -> Result<(), Failure> {
+    let mut table = plain();
+    for (name, value, unit) in rows {
+        table.add_row([*name, value, *unit]);
+    }
+    right_align(&mut table, 1..2);
+    print_line(&table.trim_fmt())
+}
+
+/// Prints a table with a header; all but the first column aligned right.
+pub fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<(), Failure> {
+    let mut table = plain();
+    table.set_header(header);
+    for row in rows {
+        table.add_row(row);
+    }
+    right_align(&mut table, 1..header.len());
+    print_line(&table.trim_fmt())
+}
+
+fn plain() -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    table
+}
+
+fn right_align(table: &mut Table, columns: std::ops::Range<usize>) {
+    for column in columns {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+}

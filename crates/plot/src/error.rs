@@ -1,0 +1,90 @@
+//! What can be wrong with the data of a figure.
+
+/// Why a figure cannot be drawn.
+#[derive(Debug, thiserror::Error)]
+pub enum PlotError {
+    /// A figure was asked for without a panel.
+    #[error("figure {figure:?} has no panel")]
+    NoPanel {
+        /// Name of the figure.
+        figure: String,
+    },
+    /// A panel has no series.
+    #[error("panel {panel:?} has no series")]
+    NoSeries {
+        /// Title of the panel.
+        panel: String,
+    },
+    /// A series has no points.
+    #[error("series {series:?} has no points")]
+    EmptySeries {
+        /// Label of the series.
+        series: String,
+    },
+    /// A coordinate, an uncertainty or an axis bound is NaN, infinite or so large that differences of it overflow.
+    #[error("series {series:?}, point {index}: ({x}, {y}) is not a number below 1e150 in magnitude")]
+    NotFinite {
+        /// Label of the series, or the label of the axis whose bounds are meant.
+        series: String,
+        /// Index of the point in the series.
+        index: usize,
+        /// Abscissa (or azimuth in degrees) in the unit of its axis.
+        x: f64,
+        /// Ordinate in the unit of its axis.
+        y: f64,
+    },
+    /// A logarithmic axis was given zero, a negative value or one below 1e-150.
+    #[error("series {series:?}, point {index}: {value} has no place on the logarithmic axis {axis:?}")]
+    NotPositive {
+        /// Label of the series, or the label of the axis whose bounds are meant.
+        series: String,
+        /// Index of the point in the series.
+        index: usize,
+        /// The value in the unit of the axis.
+        value: f64,
+        /// Label of the axis.
+        axis: String,
+    },
+    /// No run was given.
+    #[error("no run to draw")]
+    NoRun,
+    /// A run has no balls.
+    #[error("run {run:?} has no balls")]
+    NoBalls {
+        /// Label of the run.
+        run: String,
+    },
+    /// Two runs have one label, so that the legend could not tell them apart.
+    #[error("two runs are labelled {label:?}")]
+    DuplicateLabel {
+        /// The label.
+        label: String,
+    },
+    /// Published points refer to a run that is not drawn.
+    #[error("the points {series:?} belong to a run {run:?} that is not among the runs")]
+    UnknownRun {
+        /// Label of the points.
+        series: String,
+        /// The run named.
+        run: String,
+    },
+    /// The bitmap would be empty or too large.
+    #[error("a bitmap {width_px} px wide is outside 1 px to {max_px} px")]
+    BitmapSize {
+        /// Width asked for, px.
+        width_px: u32,
+        /// Greatest width, px.
+        max_px: u32,
+    },
+    /// The SVG text could not be read back for drawing the bitmap.
+    #[error("the SVG text cannot be drawn")]
+    Svg(#[from] resvg::usvg::Error),
+    /// The bitmap could not be encoded.
+    #[error("a bitmap of {width_px} × {height_px} px cannot be encoded as PNG")]
+    Encode {
+        /// Width, px.
+        width_px: u32,
+        /// Height, px.
+        height_px: u32,
+    },
+}

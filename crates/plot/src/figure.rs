@@ -1,0 +1,212 @@
+//! A figure: panels side by side under one title, with one legend below, as SVG or PNG.
+
+use std::sync::Arc;
+
+use resvg::{tiny_skia, usvg};
+
+use crate::cartesian::LineChart;
+use crate::error::PlotError;
+use crate::polar::PolarChart;
+use crate::series::{Entry, Series, SeriesKind, StyleBook};
+use crate::style::{LABEL_PX, TITLE_PX};
+use crate::svg::{Anchor, Svg, Type};
+use crate::text::{BOLD, FAMILY, FONT, width};
+
+/// One chart of a figure.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Panel {
+    /// Over the azimuth.
+    Polar(PolarChart),
+    /// Ordinate against abscissa.
+    Cartesian(LineChart),
+}
+
+impl Panel {
+    fn title(&self) -> &str {
+        match self {
+            Self::Polar(chart) => &chart.title,
+            Self::Cartesian(chart) => &chart.title,
+        }
+    }
+
+    fn axes(&self) -> String {
+        match self {
+            Self::Polar(chart) => format!("{} over the azimuth", chart.radial.label),
+            Self::Cartesian(chart) => format!("{} against {}", chart.y.label, chart.x.label),
+        }
+    }
+
+    fn series(&self) -> &[Series] {
+        match self {
+            Self::Polar(chart) => &chart.series,
+            Self::Cartesian(chart) => &chart.series,
+        }
+    }
+
+    fn check(&self) -> Result<(), PlotError> {
+        match self {
+            Self::Polar(chart) => chart.check(),
+            Self::Cartesian(chart) => chart.check(),
+        }
+    }
+
+    fn size(&self, heading: &str) -> Result<[f64; 2], PlotError> {
+        match self {
+            Self::Polar(chart) => Ok(chart.size(heading)),
+            Self::Cartesian(chart) => chart.size(heading),
+        }
+    }
+
+    fn draw(&self, svg: &mut Svg, at: [f64; 2], heading: &str, book: &StyleBook) -> Result<(), PlotError> {
+        match self {
+            Self::Polar(chart) => chart.draw(svg, at, heading, book),
+            Self::Cartesian(chart) => chart.draw(svg, at, heading, book),
+        }
+    }
+}
+
+/// A finished figure.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Figure {
+    /// Short name in lower case and hyphens, fit for a file name.
+    pub name: String,
+    /// Title, written above the panels too.
+    pub title: String,
+    svg: String,
+}
+
+/// White border, px.
+const BORDER: f64 = 14.0;
+/// Distance between panels, px.
+const BETWEEN: f64 = 18.0;
+/// Height of the title, px.
+const TITLE_HEIGHT: f64 = 34.0;
+/// Height of a row of the legend, px.
+const ROW: f64 = 22.0;
+/// Length of the sample of a line in the legend, px.
+const SAMPLE: f64 = 44.0;
+/// Distances from sample to text and from text to the next sample, px.
+const GAPS: [f64; 2] = [8.0, 26.0];
+/// Greatest width of a bitmap, px: a third of a metre at 1200 dots per inch.
+const MAX_WIDTH_PX: u32 = 16_384;
+
+impl Figure {
+    /// Draws panels side by side. The same label has the same style in all of them and appears once in the legend.
+    ///
+    /// # Errors
+    ///
+    /// No panel, a panel without series, a series without points, a number that is not finite, or one that is not positive
+    /// on a logarithmic axis.
+    pub fn new(name: impl Into<String>, title: impl Into<String>, panels: &[Panel]) -> Result<Self, PlotError> {
+        let (name, title) = (name.into(), title.into());
+        if panels.is_empty() {
+            return Err(PlotError::NoPanel { figure: name });
+        }
+        panels.iter().try_for_each(Panel::check)?;
+        let book = StyleBook::new(&panels.iter().map(Panel::series).collect::<Vec<_>>());
+        let headings: Vec<String> =
+            panels.iter().enumerate().map(|(i, panel)| heading(i, panels.len(), panel.title())).collect();
+        let drawn = || panels.iter().zip(&headings);
+        let sizes = drawn().map(|(panel, heading)| panel.size(heading)).collect::<Result<Vec<_>, _>>()?;
+        let row = sizes.iter().map(|s| s[0]).sum::<f64>() + BETWEEN * (sizes.len() - 1) as f64;
+        let height = sizes.iter().fold(0.0, |most: f64, s| most.max(s[1]));
+        let widest_entry = book.entries.iter().fold(0.0, |most: f64, e| most.max(entry_width(e)));
+        let inner = row.max(width(&title, TITLE_PX, true)).max(widest_entry);
+        let full = (inner + 2.0 * BORDER).ceil();
+
+        let mut svg = Svg::default();
+        let head = Type { size: TITLE_PX, bold: true, anchor: Anchor::Middle, ..Type::default() };
+        svg.text([0.5 * full, BORDER + 8.0], &title, head);
+        let top = BORDER + TITLE_HEIGHT;
+        let mut x = 0.5 * (full - row);
+        let mut description = title.clone();
+        for ((panel, heading), size) in drawn().zip(&sizes) {
+            panel.draw(&mut svg, [x, top], heading, &book)?;
+            x += size[0] + BETWEEN;
+            let colon = if heading.is_empty() { "" } else { ": " };
+            description.push_str(&format!(". {heading}{colon}{}", panel.axes()));
+        }
+        let below = top + height + 12.0;
+        let legend = draw_legend(&mut svg, &book.entries, [0.5 * full, below], inner);
+        let svg = svg.finish([full, below + legend + BORDER], &title, &description);
+        Ok(Self { name, title, svg })
+    }
+
+    /// The figure as SVG text. Text stays text, in the viewer's sans-serif face.
+    pub fn svg(&self) -> &str {
+        &self.svg
+    }
+
+    /// The figure as a PNG bitmap of a given width in px; the height follows. The same bytes on every machine with the same build:
+    /// the fonts are part of the crate.
+    ///
+    /// # Errors
+    ///
+    /// A width of 0 or above 16 384 px.
+    pub fn png(&self, width_px: u32) -> Result<Vec<u8>, PlotError> {
+        let out_of_range = PlotError::BitmapSize { width_px, max_px: MAX_WIDTH_PX };
+        if !(1..=MAX_WIDTH_PX).contains(&width_px) {
+            return Err(out_of_range);
+        }
+        let tree = usvg::Tree::from_str(&self.svg, &options())?;
+        let scale = width_px as f32 / tree.size().width();
+        let height_px = ((tree.size().height() * scale).round() as u32).max(1);
+        let mut bitmap = tiny_skia::Pixmap::new(width_px, height_px).ok_or(out_of_range)?;
+        resvg::render(&tree, tiny_skia::Transform::from_scale(scale, scale), &mut bitmap.as_mut());
+        bitmap.encode_png().map_err(|_| PlotError::Encode { width_px, height_px })
+    }
+}
+
+/// Reading options with the crate's own fonts and no others.
+fn options() -> usvg::Options<'static> {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_font_data(FONT.to_vec());
+    fonts.load_font_data(BOLD.to_vec());
+    fonts.set_sans_serif_family(FAMILY);
+    usvg::Options { fontdb: Arc::new(fonts), font_family: FAMILY.to_owned(), ..usvg::Options::default() }
+}
+
+/// `(a) Inner contact`; without the letter when there is one panel.
+fn heading(index: usize, panels: usize, title: &str) -> String {
+    match char::from_u32('a' as u32 + index as u32) {
+        Some(letter) if panels > 1 => format!("({letter}) {title}"),
+        _ => title.to_owned(),
+    }
+}
+
+fn entry_width(entry: &Entry) -> f64 {
+    let sample = if entry.kind == SeriesKind::Points { 12.0 } else { SAMPLE };
+    sample + GAPS[0] + width(&entry.label, LABEL_PX, false)
+}
+
+/// Draws the legend in centred rows and returns its height.
+fn draw_legend(svg: &mut Svg, entries: &[Entry], [middle, top]: [f64; 2], inner: f64) -> f64 {
+    let mut rows: Vec<(f64, Vec<&Entry>)> = Vec::new();
+    for entry in entries {
+        let wide = entry_width(entry);
+        match rows.last_mut() {
+            Some((used, row)) if *used + GAPS[1] + wide <= inner => {
+                *used += GAPS[1] + wide;
+                row.push(entry);
+            }
+            _ => rows.push((wide, vec![entry])),
+        }
+    }
+    for (i, (used, row)) in rows.iter().enumerate() {
+        let y = top + ROW * (i as f64 + 0.5);
+        let mut x = middle - 0.5 * used;
+        for entry in row {
+            let wide = entry_width(entry);
+            let sample = wide - GAPS[0] - width(&entry.label, LABEL_PX, false);
+            if entry.kind != SeriesKind::Points {
+                svg.path(&[[x, y], [x + sample, y]], &entry.stroke, false);
+            }
+            if entry.kind != SeriesKind::Line {
+                svg.marker([x + 0.5 * sample, y], &entry.stroke, entry.kind == SeriesKind::Points);
+            }
+            svg.text([x + sample + GAPS[0], y], &entry.label, Type::default());
+            x += wide + GAPS[1];
+        }
+    }
+    ROW * rows.len() as f64
+}

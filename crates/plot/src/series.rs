@@ -1,0 +1,220 @@
+//! What is drawn: axes, series of points, and the style that each label keeps through all panels of a figure.
+
+use crate::error::PlotError;
+use crate::style::{Stroke, line_stroke, point_stroke};
+use crate::ticks::MAGNITUDES;
+
+/// What an axis measures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// The quantity, such as `Contact load`.
+    pub label: String,
+    /// Unit of the numbers, such as `kN`; empty for a ratio.
+    pub unit: String,
+    /// A range that the axis covers at least, in the unit; the data extend it.
+    pub at_least: Option<(f64, f64)>,
+}
+
+impl Axis {
+    /// An axis that the data alone scale.
+    pub fn new(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Self { label: label.into(), unit: unit.into(), at_least: None }
+    }
+
+    /// The same axis covering a range at least, in its unit.
+    #[must_use]
+    pub fn covering(mut self, low: f64, high: f64) -> Self {
+        self.at_least = Some((low.min(high), low.max(high)));
+        self
+    }
+
+    /// The least range that holds the bounds and some values.
+    pub(crate) fn range(&self, values: impl Iterator<Item = f64>) -> Result<(f64, f64), PlotError> {
+        let start = self.at_least.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
+        if let Some((x, y)) = self.at_least
+            && !(drawable(x) && drawable(y))
+        {
+            return Err(PlotError::NotFinite { series: self.label.clone(), index: 0, x, y });
+        }
+        Ok(values.fold(start, |(low, high), v| (low.min(v), high.max(v))))
+    }
+}
+
+/// Whether an axis can show a number: not NaN and small enough.
+fn drawable(value: f64) -> bool {
+    value.abs() < MAGNITUDES.end
+}
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SeriesKind {
+    /// A line.
+    Line,
+    /// A line with markers on some of its points. With several series the markers are staggered, so that curves that coincide
+    /// can still be told apart.
+    MarkedLine,
+    /// Open markers only: published or measured values.
+    Points,
+}
+
+/// A named set of points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Name in the legend; the same label has the same style in all panels of a figure.
+    pub label: String,
+    /// Abscissa and ordinate in the units of the axes; on a polar chart azimuth in degrees and radial value.
+    pub points: Vec<(f64, f64)>,
+    /// How it is drawn.
+    pub kind: SeriesKind,
+    /// Place in the order of styles; by default the order in which labels appear in the figure.
+    pub slot: Option<usize>,
+    /// For points: the label of the line whose colour they take; black without it.
+    pub of: Option<String>,
+    /// For points: half-width of an error bar on the ordinate, in its unit.
+    pub uncertainty: Option<f64>,
+}
+
+impl Series {
+    /// A line.
+    pub fn line(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { label: label.into(), points, kind: SeriesKind::Line, slot: None, of: None, uncertainty: None }
+    }
+
+    /// A line with markers.
+    pub fn marked(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { kind: SeriesKind::MarkedLine, ..Self::line(label, points) }
+    }
+
+    /// Published or measured points.
+    pub fn points(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { kind: SeriesKind::Points, ..Self::line(label, points) }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), PlotError> {
+        if self.points.is_empty() {
+            return Err(PlotError::EmptySeries { series: self.label.clone() });
+        }
+        let bar = self.uncertainty.unwrap_or(0.0);
+        match self.points.iter().position(|(x, y)| !(drawable(*x) && drawable(y.abs() + bar.abs()))) {
+            Some(index) => {
+                let (x, y) = self.points[index];
+                Err(PlotError::NotFinite { series: self.label.clone(), index, x, y })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// All ordinates with the ends of their error bars.
+    pub(crate) fn ordinates(&self) -> impl Iterator<Item = f64> {
+        let bar = self.uncertainty.unwrap_or(0.0).abs();
+        self.points.iter().flat_map(move |(_, y)| [y - bar, y + bar])
+    }
+}
+
+/// Indices of the points that carry a marker on line `place` of `lines`; at most 14 on a line.
+pub(crate) fn marked_points(count: usize, place: usize, lines: usize) -> impl Iterator<Item = usize> {
+    let stride = lines.max(count.div_ceil(14)).max(1);
+    (place * stride / lines.max(1)..count).step_by(stride)
+}
+
+/// Refuses a panel without series or with a series that cannot be drawn.
+pub(crate) fn check_all(panel: &str, series: &[Series]) -> Result<(), PlotError> {
+    if series.is_empty() {
+        return Err(PlotError::NoSeries { panel: panel.to_owned() });
+    }
+    series.iter().try_for_each(Series::check)
+}
+
+/// One line of a legend.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Entry {
+    pub label: String,
+    pub kind: SeriesKind,
+    pub stroke: Stroke,
+}
+
+/// A series with its style.
+pub(crate) type Drawn<'a> = (&'a Series, &'a Entry);
+
+/// The styles of all labels of a figure.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct StyleBook {
+    pub entries: Vec<Entry>,
+}
+
+impl StyleBook {
+    /// The book of a figure with the series of each panel.
+    pub fn new(panels: &[&[Series]]) -> Self {
+        let is_line = |s: &&Series| s.kind != SeriesKind::Points;
+        let mut lines: Vec<(&Series, usize)> = Vec::new();
+        for series in panels.iter().copied().flatten().filter(is_line) {
+            if !lines.iter().any(|(known, _)| known.label == series.label) {
+                let next = lines.iter().map(|(_, slot)| slot + 1).max().unwrap_or(0);
+                lines.push((series, series.slot.unwrap_or(next)));
+            }
+        }
+        lines.sort_by_key(|(_, slot)| *slot);
+        let slot_of = |label: &str| lines.iter().find(|(s, _)| s.label == label).map(|(_, slot)| *slot);
+        // Lines drawn after this one in the panel where most of them are.
+        let above = |label: &str, slot: usize| {
+            let here = panels.iter().filter(|panel| panel.iter().any(|s| is_line(&s) && s.label == label));
+            let later = |panel: &&[Series]| {
+                panel.iter().filter(is_line).filter(|s| slot_of(&s.label).is_some_and(|other| other > slot)).count()
+            };
+            here.map(later).max().unwrap_or(0)
+        };
+        let mut entries: Vec<Entry> = lines
+            .iter()
+            .map(|(s, slot)| Entry {
+                label: s.label.clone(),
+                kind: s.kind,
+                stroke: line_stroke(*slot, above(&s.label, *slot)),
+            })
+            .collect();
+        let first_points = entries.len();
+        for series in panels.iter().copied().flatten().filter(|s| s.kind == SeriesKind::Points) {
+            if entries[first_points..].iter().all(|e| e.label != series.label) {
+                let stroke = point_stroke(entries.len() - first_points, series.of.as_deref().and_then(slot_of));
+                entries.push(Entry { label: series.label.clone(), kind: SeriesKind::Points, stroke });
+            }
+        }
+        Self { entries }
+    }
+
+    /// Lines with their style, widest first, then points.
+    pub fn ordered<'a>(&'a self, series: &'a [Series]) -> (Vec<Drawn<'a>>, Vec<Drawn<'a>>) {
+        let same = |s: &Series, e: &Entry| {
+            s.label == e.label && (s.kind == SeriesKind::Points) == (e.kind == SeriesKind::Points)
+        };
+        let found = self.entries.iter().flat_map(|e| series.iter().filter(move |s| same(s, e)).map(move |s| (s, e)));
+        found.partition(|(s, _)| s.kind != SeriesKind::Points)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identity_markers_of_coincident_lines_do_not_coincide() {
+        let mut seen: Vec<usize> = (0..4).flat_map(|k| marked_points(13, k, 4)).collect();
+        seen.sort_unstable();
+        assert_eq!(seen, (0..13).collect::<Vec<_>>());
+        assert_eq!(marked_points(13, 0, 1).count(), 13);
+        assert!(marked_points(5000, 2, 3).count() <= 14);
+    }
+
+    #[test]
+    fn identity_a_label_keeps_its_style_in_every_panel() {
+        let line = |label: &str| Series::line(label, vec![(0.0, 1.0)]);
+        let published = Series { of: Some("b".into()), ..Series::points("b, published", vec![(0.0, 1.0)]) };
+        let panels: [&[Series]; 2] = [&[line("a"), line("b"), published], &[line("b"), line("a")]];
+        let book = StyleBook::new(&panels);
+        let labels: Vec<_> = book.entries.iter().map(|e| e.label.as_str()).collect();
+        assert_eq!(labels, ["a", "b", "b, published"]);
+        assert_eq!(book.entries[1].stroke.colour, book.entries[2].stroke.colour);
+        assert_ne!(book.entries[0].stroke.colour, book.entries[1].stroke.colour);
+        assert_ne!(book.entries[0].stroke.dash, book.entries[1].stroke.dash);
+        assert!(book.entries[0].stroke.width > book.entries[1].stroke.width);
+    }
+}

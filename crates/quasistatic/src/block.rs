@@ -1,0 +1,268 @@
+//! Newton's method on a ring and its balls: small dense blocks per ball, eliminated onto the ring.
+//!
+//! Unknowns: six per ball (X1, X2, ω_a, ω_r, ω_t, ω_m) and five of the ring (x, y, z, tilt about X, tilt about Y), each
+//! ring freedom loaded or held.
+//! With J the exact Jacobian (dual numbers) and W positive weights, a step solves (J − μ W) Δ = −F, F being the forces
+//! on each freedom: μ = 0 is Newton's method, μ > 0 steadies it where the potential is flat.
+
+use nalgebra::{SMatrix, SVector};
+use num_dual::DualSVec64;
+use tribodyn_bearing::Scalar;
+
+/// Degrees of freedom of the ring.
+pub(crate) const RING: usize = 5;
+/// Unknowns of a ball: X1, X2, the spin ω relative to the orbiting frame (axial, radial, tangential), ω_m.
+pub(crate) const BALL: usize = 6;
+const DERIVATIVES: usize = BALL + RING;
+
+/// Forces on the unknowns of one ball, with what they are measured against.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Balance<D> {
+    /// Force or moment on each unknown.
+    pub residual: [D; BALL],
+    /// Sum of the magnitudes of its terms.
+    pub scale: [f64; BALL],
+    /// Force and moment that the ring puts on this ball.
+    pub ring: [D; RING],
+    /// Magnitude of the force terms in each.
+    pub ring_scale: [f64; RING],
+}
+
+/// What each ring freedom carries or where it is held.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RingFreedom {
+    /// External force (N) or moment (N m) on the inner ring.
+    Loaded(f64),
+    /// Held displacement (m) or tilt (rad).
+    Held(f64),
+}
+
+/// A bearing's equilibrium in blocks. `
+pub(crate) trait BlockSystem {
+    fn ring(&self) -> &[RingFreedom; RING];
+    fn ball<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> Balance<D>;
+    /// Weights W of the regularisation for ball and ring unknowns.
+    fn weights(&self) -> ([f64; BALL], [f64; RING]);
+    /// Inertia of the ball unknowns: what the forces on them accelerate; where zero the unknown follows at once.
+    fn inertia(&self) -> [f64; BALL];
+    /// Largest change of each unknown in one step.
+    fn step_limits(&self) -> ([f64; BALL], [f64; RING]);
+    /// A convex potential of which the forces are the negative gradient; zero where there is none.
+    fn energy(&self, _state: &BlockState) -> f64 {
+        0.0
+    }
+}
+
+/// Unknowns of all balls and of the ring.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct BlockState {
+    pub balls: Vec<[f64; BALL]>,
+    pub ring: [f64; RING],
+}
+
+/// The largest relative residual and where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Worst {
+    pub residual: f64,
+    /// Ball index, or the ring.
+    pub ball: Option<usize>,
+    /// Which equation of the ball or the ring.
+    pub equation: usize,
+}
+
+impl Worst {
+    const NONE: Self = Self { residual: 0.0, ball: None, equation: 0 };
+
+    fn take(&mut self, value: f64, scale: f64, ball: Option<usize>, equation: usize) {
+        // A balance without any term is in balance; NaN must not hide.
+        let relative = if value == 0.0 { 0.0 } else { value.abs() / scale };
+        let residual = if relative.is_nan() { f64::INFINITY } else { relative };
+        if residual > self.residual {
+            *self = Self { residual, ball, equation };
+        }
+    }
+}
+
+/// Residuals without derivatives: what a trial step is judged by.
+pub(crate) fn worst<S: BlockSystem>(system: &S, state: &BlockState) -> Worst {
+    let mut worst = Worst::NONE;
+    let (mut sum, mut scale) = ([0.0; RING], [0.0; RING]);
+    for (index, &ball) in state.balls.iter().enumerate() {
+        let balance = system.ball(index, ball, state.ring);
+        for k in 0..BALL {
+            worst.take(balance.residual[k], balance.scale[k], Some(index), k);
+        }
+        for k in 0..RING {
+            sum[k] += balance.ring[k];
+            scale[k] += balance.ring_scale[k];
+        }
+    }
+    for (k, freedom) in system.ring().iter().enumerate() {
+        if let RingFreedom::Loaded(load) = freedom {
+            worst.take(load - sum[k], load.abs() + scale[k], None, k);
+        }
+    }
+    worst
+}
+
+/// The linearised system at a state, with the balls' blocks ready for elimination.
+pub(crate) struct Linearised {
+    balls: Vec<BallBlock>,
+    ring_residual: SVector<f64, RING>,
+    ring_matrix: SMatrix<f64, RING, RING>,
+}
+
+struct BallBlock {
+    residual: SVector<f64, BALL>,
+    own: SMatrix<f64, BALL, BALL>,
+    by_ring: SMatrix<f64, BALL, RING>,
+    on_ring: SMatrix<f64, RING, BALL>,
+}
+
+pub(crate) fn linearise<S: BlockSystem>(system: &S, state: &BlockState) -> Linearised {
+    let seed = |value: f64, k: usize| {
+        let mut direction = SVector::<f64, DERIVATIVES>::zeros();
+        direction[k] = 1.0;
+        DualSVec64::<DERIVATIVES>::new(value, num_dual::Derivative::some(direction))
+    };
+    let mut ring_residual = SVector::<f64, RING>::zeros();
+    let mut ring_matrix = SMatrix::<f64, RING, RING>::zeros();
+    for (k, freedom) in system.ring().iter().enumerate() {
+        if let RingFreedom::Loaded(load) = freedom {
+            ring_residual[k] += load;
+        }
+    }
+    let ring: [DualSVec64<DERIVATIVES>; RING] = std::array::from_fn(|k| seed(state.ring[k], BALL + k));
+    let balls = state.balls.iter().enumerate().map(|(index, ball)| {
+        let unknowns: [DualSVec64<DERIVATIVES>; BALL] = std::array::from_fn(|k| seed(ball[k], k));
+        let balance = system.ball(index, unknowns, ring);
+        let slope = |value: &DualSVec64<DERIVATIVES>| {
+            value.eps.unwrap_generic(nalgebra::Const::<DERIVATIVES>, nalgebra::Const::<1>)
+        };
+        let mut block = BallBlock {
+            residual: SVector::from_fn(|k, _| balance.residual[k].re),
+            own: SMatrix::zeros(),
+            by_ring: SMatrix::zeros(),
+            on_ring: SMatrix::zeros(),
+        };
+        for k in 0..BALL {
+            let d = slope(&balance.residual[k]);
+            for j in 0..BALL {
+                block.own[(k, j)] = d[j];
+            }
+            for j in 0..RING {
+                block.by_ring[(k, j)] = d[BALL + j];
+            }
+        }
+        for k in 0..RING {
+            let d = slope(&balance.ring[k]);
+            ring_residual[k] -= balance.ring[k].re;
+            for j in 0..BALL {
+                block.on_ring[(k, j)] = -d[j];
+            }
+            for j in 0..RING {
+                ring_matrix[(k, j)] -= d[BALL + j];
+            }
+        }
+        block
+    });
+    Linearised { balls: balls.collect(), ring_residual, ring_matrix }
+}
+
+/// A singular block: which ball (or the ring) has no unique step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Singular;
+
+/// Solves (J − μ W) Δ = −F by eliminating the balls.
+pub(crate) fn step<S: BlockSystem>(
+    system: &S,
+    linear: &Linearised,
+    mu: f64,
+) -> Result<(Vec<SVector<f64, BALL>>, SVector<f64, RING>), Singular> {
+    let (ball_weight, ring_weight) = system.weights();
+    let mut schur = linear.ring_matrix;
+    let mut right = -linear.ring_residual;
+    let mut eliminated = Vec::with_capacity(linear.balls.len());
+    for block in &linear.balls {
+        let mut own = block.own;
+        for k in 0..BALL {
+            own[(k, k)] -= mu * ball_weight[k];
+        }
+        let factors = own.lu();
+        let by_ring = factors.solve(&block.by_ring).ok_or(Singular)?;
+        let residual = factors.solve(&block.residual).ok_or(Singular)?;
+        schur -= block.on_ring * by_ring;
+        right += block.on_ring * residual;
+        eliminated.push((by_ring, residual));
+    }
+    for (k, freedom) in system.ring().iter().enumerate() {
+        match freedom {
+            // The tiny share keeps a ring without any stiffness (all loads zero) solvable; it vanishes against contacts.
+            RingFreedom::Loaded(_) => schur[(k, k)] -= (mu + 1e-13) * ring_weight[k],
+            RingFreedom::Held(_) => {
+                schur.set_row(k, &SMatrix::<f64, 1, RING>::zeros());
+                schur.set_column(k, &SVector::<f64, RING>::zeros());
+                schur[(k, k)] = 1.0;
+                right[k] = 0.0;
+            }
+        }
+    }
+    let ring = schur.lu().solve(&right).ok_or(Singular)?;
+    let balls = eliminated.iter().map(|(by_ring, residual)| -residual - by_ring * ring).collect::<Vec<_>>();
+    let finite = ring.iter().all(|v| v.is_finite()) && balls.iter().flatten().all(|v: &f64| v.is_finite());
+    if finite { Ok((balls, ring)) } else { Err(Singular) }
+}
+
+/// Adds a share of a step, shortened as a whole where any unknown would change by more than its limit.
+pub(crate) fn apply<S: BlockSystem>(
+    system: &S,
+    state: &BlockState,
+    balls: &[SVector<f64, BALL>],
+    ring: &SVector<f64, RING>,
+    mut share: f64,
+) -> BlockState {
+    let (ball_limit, ring_limit) = system.step_limits();
+    let mut limit = |change: f64, largest: f64| share = share.min(largest / change.abs().max(1e-300));
+    for ball in balls {
+        (0..BALL).for_each(|k| limit(ball[k], ball_limit[k]));
+    }
+    (0..RING).for_each(|k| limit(ring[k], ring_limit[k]));
+    BlockState {
+        balls: state
+            .balls
+            .iter()
+            .zip(balls)
+            .map(|(old, change)| std::array::from_fn(|k| old[k] + share * change[k]))
+            .collect(),
+        ring: std::array::from_fn(|k| state.ring[k] + share * ring[k]),
+    }
+}
+
+/// Statistics of a solve: a wrong Jacobian converges too, only slower.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SolverStatistics {
+    /// Steps that were kept.
+    pub accepted: usize,
+    /// Steps that were tried again with more damping.
+    pub rejected: usize,
+}
+
+/// A state on its way to equilibrium.
+#[derive(Debug, Clone)]
+pub(crate) struct Iterate {
+    pub state: BlockState,
+    pub worst: Worst,
+    pub statistics: SolverStatistics,
+}
+
+impl Iterate {
+    pub fn new<S: BlockSystem>(system: &S, mut state: BlockState) -> Self {
+        for (value, freedom) in state.ring.iter_mut().zip(system.ring()) {
+            if let RingFreedom::Held(held) = freedom {
+                *value = *held;
+            }
+        }
+        let worst = worst(system, &state);
+        Self { state, worst, statistics: SolverStatistics::default() }
+    }
+}

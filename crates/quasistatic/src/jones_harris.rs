@@ -1,0 +1,225 @@
+//! Jones–Harris equilibrium: two force balances per ball, spin and orbit from raceway control, which also carries the
+//! gyroscopic moment.
+//!
+//! Sources: A. B. Jones, J. Basic Eng. 82 (1960) 309, doi:10.1115/1.3662587; T. A. Harris, Rolling Bearing Analysis,
+//! high-speed chapter; MODEL of the source paper: Lubricants 2025, 13(8), 352, section 4.3.3 ("QSJH").
+//!
+//! Signs: with inner speed and contact angles positive, Ω_r > 0, so the contact must supply +J ω_m Ω_r e_t. Friction
+//! does it by a lateral force on the ball of (−cos α_o, sin α_o) λ_o M_g/D at the outer race.
+
+use crate::block::{BALL, Balance, BlockState, BlockSystem, RING, RingFreedom};
+use tribodyn_bearing::traction::TractionLaw;
+use tribodyn_bearing::{BallPose, Bearing, RingState, Scalar, Side};
+
+/// Names of the equations, for error messages.
+pub(crate) const EQUATIONS: [&str; BALL] =
+    ["axial force", "radial force", "axial spin", "radial spin", "tangential spin", "orbital speed"];
+
+/// The Jones–Harris equations of one bearing at one operating point.
+pub(crate) struct JonesHarris<'a, L> {
+    pub bearing: &'a Bearing<L>,
+    pub ring: [RingFreedom; RING],
+    pub speeds: [f64; 2],
+    /// Per ball: whether the inner race controls.
+    pub inner_control: Vec<bool>,
+    pub centrifugal_at_free_pitch: bool,
+    /// Inertia is frozen in the first phase, where forces then have a convex potential.
+    pub frozen: Option<f64>,
+    pub typical: Typical,
+}
+
+/// Typical magnitudes for weights, step limits and the floor of relative residuals.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Typical {
+    /// Contact force, N.
+    pub force: f64,
+    /// Contact stiffness, N/m.
+    pub stiffness: f64,
+    /// Distance of ball centre from a groove centre, m.
+    pub offset: f64,
+    /// Pitch radius, m.
+    pub radius: f64,
+    /// Ball count.
+    pub balls: f64,
+}
+
+impl Typical {
+    pub fn new<L: TractionLaw>(bearing: &Bearing<L>, ring: &[RingFreedom; RING], speeds: [f64; 2]) -> Self {
+        let g = &bearing.geometry;
+        let balls = g.ball_count as f64;
+        let load: f64 = ring[..3].iter().map(|f| if let RingFreedom::Loaded(v) = f { v.abs() } else { 0.0 }).sum();
+        let radius = 0.5 * g.pitch_diameter;
+        let centrifugal = bearing.ball_mass * radius * (0.5 * (speeds[0].abs() + speeds[1].abs())).powi(2);
+        // A pressure of 0.5 GPa on a tenth of the ball's section squared: a light but real contact, where nothing loads it.
+        let least = 1e-4 * 0.5e9 * g.ball_diameter.powi(2);
+        let force = (load / balls + centrifugal).max(least);
+        let hertz = bearing.outer.frozen::<f64>();
+        let approach = hertz.approach(force);
+        Self { force, stiffness: 1.5 * force / approach, offset: g.groove_offset(Side::Outer), radius, balls }
+    }
+
+    pub fn ring_weights(&self) -> [f64; RING] {
+        let k = self.stiffness * self.balls;
+        let tilt = k * self.radius * self.radius;
+        [k, k, k, tilt, tilt]
+    }
+
+    pub fn ring_limits(&self) -> [f64; RING] {
+        let length = 0.1 * self.offset;
+        [length, length, length, length / self.radius, length / self.radius]
+    }
+
+    pub fn position_limit(&self) -> f64 {
+        0.1 * self.offset
+    }
+
+    /// Balances are judged relative to the sum of their terms, but not below this share of a contact force: slip in
+    /// the last digit of a surface speed already moves traction by 1e-13 of the load.
+    pub fn floor(&self) -> f64 {
+        1e-3 * self.force
+    }
+}
+
+/// Speeds and gyroscopic moment of a ball under raceway control.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Kinematics<D> {
+    pub orbital_speed: D,
+    /// ω relative to the orbiting frame: axial, radial.
+    pub spin: [D; 2],
+    pub gyroscopic_moment: D,
+    pub centrifugal_force: D,
+}
+
+/// Rolling kinematics with the ball's axis at the pitch angle β that raceway control gives.
+pub(crate) fn kinematics<D: Scalar, L: TractionLaw>(
+    bearing: &Bearing<L>,
+    pose: &BallPose<D>,
+    [inner_speed, outer_speed]: [f64; 2],
+    inner_control: bool,
+    at_free_pitch: bool,
+) -> Kinematics<D> {
+    let g = &bearing.geometry;
+    let ratio = g.ball_diameter / g.pitch_diameter;
+    let (i, o) = (&pose.inner, &pose.outer);
+    let tangent = if inner_control { i.sin / (i.cos - ratio) } else { o.sin / (o.cos + ratio) };
+    let (roll_i, roll_o) = (i.cos + tangent * i.sin, o.cos + tangent * o.sin);
+    let (near_i, near_o) = (-i.cos * ratio + 1.0, o.cos * ratio + 1.0);
+    let (share_i, share_o) = (near_i * roll_o, near_o * roll_i);
+    let orbital_speed = (share_i * inner_speed + share_o * outer_speed) / (share_i + share_o);
+    // ω cos β from rolling at the outer race.
+    let axial = (orbital_speed - outer_speed) * near_o / (roll_o * ratio);
+    let spin = [-axial, axial * tangent];
+    let radius = if at_free_pitch { D::from(0.5 * g.pitch_diameter) } else { pose.orbit_radius };
+    Kinematics {
+        orbital_speed,
+        spin,
+        gyroscopic_moment: spin[1] * orbital_speed * bearing.ball_inertia,
+        centrifugal_force: radius * orbital_speed * orbital_speed * bearing.ball_mass,
+    }
+}
+
+impl<L: TractionLaw> JonesHarris<'_, L> {
+    pub fn pose<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> BallPose<D> {
+        let (sin, cos) = self.bearing.azimuth(index).sin_cos();
+        let z = D::zero();
+        let inner = ring_state(ring, self.speeds[0]);
+        let outer = RingState { displacement: [z; 3], tilt: [z; 2], velocity: [z; 3], speed: D::from(self.speeds[1]) };
+        self.bearing.pose([D::from(sin), D::from(cos)], [ball[0], ball[1]], &inner, &outer)
+    }
+}
+
+/// The inner ring at rest in a displaced and tilted position.
+pub(crate) fn ring_state<D: Scalar>(ring: [D; RING], speed: f64) -> RingState<D> {
+    RingState {
+        displacement: [ring[0], ring[1], ring[2]],
+        tilt: [ring[3], ring[4]],
+        velocity: [D::zero(); 3],
+        speed: D::from(speed),
+    }
+}
+
+impl<L: TractionLaw> BlockSystem for JonesHarris<'_, L> {
+    fn ring(&self) -> &[RingFreedom; RING] {
+        &self.ring
+    }
+
+    fn ball<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> Balance<D> {
+        let pose = self.pose(index, ball, ring);
+        let (i, o) = (&pose.inner, &pose.outer);
+        let (q_i, _) = self.bearing.contact_load(Side::Inner, i);
+        let (q_o, _) = self.bearing.contact_load(Side::Outer, o);
+        let inner_control = self.inner_control[index];
+        let k = kinematics(self.bearing, &pose, self.speeds, inner_control, self.centrifugal_at_free_pitch);
+        let (moment, centrifugal) = match self.frozen {
+            Some(force) => (D::zero(), D::from(force)),
+            None => (k.gyroscopic_moment, k.centrifugal_force),
+        };
+        // λ M_g / D with λ = 2 at the controlling race.
+        let friction = moment * (2.0 / self.bearing.geometry.ball_diameter);
+        let (f_i, f_o) = if inner_control { (friction, D::zero()) } else { (D::zero(), friction) };
+        let on_ball_i = [q_i * i.sin + f_i * i.cos, q_i * i.cos - f_i * i.sin];
+        let on_ball_o = [-q_o * o.sin - f_o * o.cos, -q_o * o.cos + f_o * o.sin];
+        let motion = [k.spin[0], k.spin[1], D::zero(), k.orbital_speed];
+        let residual = [
+            on_ball_i[0] + on_ball_o[0],
+            on_ball_i[1] + on_ball_o[1] + centrifugal,
+            motion[0] - ball[2],
+            motion[1] - ball[3],
+            motion[2] - ball[4],
+            motion[3] - ball[5],
+        ];
+        let size = |d: D| d.re().abs();
+        let floor = self.typical.floor();
+        let speed = self.speeds[0].abs() + self.speeds[1].abs();
+        let scale = [
+            (size(on_ball_i[0]) + size(on_ball_o[0])).max(floor),
+            (size(on_ball_i[1]) + size(on_ball_o[1]) + size(centrifugal)).max(floor),
+            speed,
+            speed,
+            speed,
+            speed,
+        ];
+        let (sin, cos) = self.bearing.azimuth(index).sin_cos();
+        let lever = self.bearing.geometry.groove_centre_radius(Side::Inner);
+        let [axial, radial] = on_ball_i;
+        let ring = [radial * cos, radial * sin, axial, axial * (lever * sin), axial * (-lever * cos)];
+        let total = q_i.re() + floor;
+        Balance { residual, scale, ring, ring_scale: [total, total, total, total * lever, total * lever] }
+    }
+
+    fn weights(&self) -> ([f64; BALL], [f64; RING]) {
+        let k = self.typical.stiffness;
+        ([k, k, 0.0, 0.0, 0.0, 0.0], self.typical.ring_weights())
+    }
+
+    fn inertia(&self) -> [f64; BALL] {
+        // No true inertia: the position creeps to equilibrium in about a tenth of a millisecond of pseudo-time.
+        let creep = 1e-4 * self.typical.stiffness;
+        [creep, creep, 0.0, 0.0, 0.0, 0.0]
+    }
+
+    fn step_limits(&self) -> ([f64; BALL], [f64; RING]) {
+        let (near, any) = (self.typical.position_limit(), f64::INFINITY);
+        ([near, near, any, any, any, any], self.typical.ring_limits())
+    }
+
+    /// With inertia frozen and constants frozen the forces derive from Σ ⅖ Q δ − F_c X2 − load·q, convex in ball and
+    /// ring positions because the distances are.
+    fn energy(&self, state: &BlockState) -> f64 {
+        let centrifugal = self.frozen.unwrap_or_default();
+        let mut energy = 0.0;
+        for (index, &ball) in state.balls.iter().enumerate() {
+            let pose = self.pose(index, ball, state.ring);
+            for (side, contact) in [(Side::Inner, pose.inner), (Side::Outer, pose.outer)] {
+                energy += 0.4 * self.bearing.contact_load(side, &contact).0 * contact.approach;
+            }
+            energy -= centrifugal * ball[1];
+        }
+        for (freedom, q) in self.ring.iter().zip(state.ring) {
+            if let RingFreedom::Loaded(load) = freedom {
+                energy -= load * q;
+            }
+        }
+        energy
+    }
+}

@@ -1,0 +1,86 @@
+//! Two ways to step: downhill in a convex energy, and Newton with the balls settled one by one where it fails.
+
+use crate::block::{BlockState, BlockSystem, Iterate, apply, linearise, step, worst};
+use crate::driver::{Method, Stuck};
+use crate::settle::settle_ball;
+
+/// Levenberg–Marquardt in a convex energy: every accepted step goes downhill, so it ends in the one minimum.
+#[derive(Debug, Clone)]
+pub(crate) struct Downhill {
+    pub mu: f64,
+}
+
+/// Regularisation beyond which a step is too small to matter.
+const HOPELESS: f64 = 1e12;
+/// Below this it is switched off.
+const NEGLIGIBLE: f64 = 1e-7;
+
+impl Method for Downhill {
+    fn advance<S: BlockSystem>(&mut self, system: &S, iterate: &mut Iterate) -> Result<(), Stuck> {
+        let linear = linearise(system, &iterate.state);
+        let energy = system.energy(&iterate.state);
+        while self.mu < HOPELESS {
+            let mu = if self.mu < NEGLIGIBLE { 0.0 } else { self.mu };
+            if let Ok((balls, ring)) = step(system, &linear, mu) {
+                let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
+                // Rounding of a sum of a few hundred terms must not stop the last steps.
+                if system.energy(&trial) <= energy + 1e-13 * energy.abs() {
+                    iterate.worst = worst(system, &trial);
+                    iterate.state = trial;
+                    iterate.statistics.accepted += 1;
+                    self.mu *= 0.1;
+                    return Ok(());
+                }
+            }
+            iterate.statistics.rejected += 1;
+            self.mu = (self.mu * 8.0).max(1e-5);
+        }
+        Err(Stuck)
+    }
+}
+
+/// Newton on everything at once; where that does not help, Newton on the ring with each ball settled anew.
+#[derive(Debug, Clone)]
+pub(crate) struct NewtonOrNested {
+    /// Relative residual to which balls are settled.
+    pub settle_to: f64,
+}
+
+/// A simultaneous step must bring the worst residual down to this share, or the nested step is tried.
+const WORTHWHILE: f64 = 0.5;
+/// Halvings of the ring's step before giving up.
+const HALVINGS: i32 = 10;
+
+impl Method for NewtonOrNested {
+    fn advance<S: BlockSystem>(&mut self, system: &S, iterate: &mut Iterate) -> Result<(), Stuck> {
+        let linear = linearise(system, &iterate.state);
+        // A tiny weight keeps a ball that touches nothing solvable.
+        let (balls, ring) = step(system, &linear, 0.0).or_else(|_| step(system, &linear, 1e-9)).map_err(|_| Stuck)?;
+        let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
+        let trial_worst = worst(system, &trial);
+        if trial_worst.residual <= WORTHWHILE * iterate.worst.residual {
+            (iterate.state, iterate.worst) = (trial, trial_worst);
+            iterate.statistics.accepted += 1;
+            return Ok(());
+        }
+        for halving in 0..HALVINGS {
+            let share = 0.5f64.powi(halving);
+            let predicted = apply(system, &iterate.state, &balls, &ring, share);
+            let settled = settle(system, &predicted, self.settle_to);
+            let settled_worst = worst(system, &settled);
+            if settled_worst.residual < iterate.worst.residual {
+                (iterate.state, iterate.worst) = (settled, settled_worst);
+                iterate.statistics.accepted += 1;
+                return Ok(());
+            }
+            iterate.statistics.rejected += 1;
+        }
+        Err(Stuck)
+    }
+}
+
+/// All balls in equilibrium, each in its own pseudo-time, the ring held where it is.
+pub(crate) fn settle<S: BlockSystem>(system: &S, start: &BlockState, tolerance: f64) -> BlockState {
+    let ball = |(index, &ball)| settle_ball(system, index, ball, start.ring, tolerance).ball;
+    BlockState { balls: start.balls.iter().enumerate().map(ball).collect(), ring: start.ring }
+}

@@ -1,0 +1,278 @@
+//! From a cold start to the equilibrium.
+//!
+//! 1. Elastic phase: inertia frozen, forces from a convex potential; the Newton iteration with a descending energy
+//!    finds the ring and the balls from the unloaded position, contacts lost or not.
+//! 2. Jones–Harris from there.
+//! 3. Traction from the Jones–Harris rolling state: first the balls alone in pseudo-time with the ring held, so that
+//!    each slows down under drag into the stable root connected to rolling; then ring and balls together by Newton.
+
+use crate::block::{BALL, BlockState, BlockSystem, Iterate, RING, SolverStatistics};
+use crate::driver;
+use crate::jones_harris::{self, JonesHarris, Kinematics, Typical, kinematics};
+use crate::methods::{Downhill, NewtonOrNested, settle};
+use crate::problem::{OperatingPoint, Place, QuasiStaticError};
+use crate::with_traction::{self, WithTraction};
+use crate::{Model, Solution, report};
+use tribodyn_bearing::case::RaceControl;
+use tribodyn_bearing::traction::{PatchRule, Probe, Quadrature, TractionLaw, choose_rule, rule_error};
+use tribodyn_bearing::{Bearing, Side};
+
+/// The rule that finds the state at which the rule of a target error is chosen.
+const SCOUT: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
+/// Rounds of asking which race controls before a ball on the border counts as decided.
+const CONTROL_ROUNDS: usize = 4;
+/// Share of a typical contact load below which the inner race drives nothing: far below any drag.
+const DRIVING_LOAD: f64 = 1e-6;
+/// Residual at which the balls alone are settled enough to free the ring.
+const SETTLED: f64 = 1e-8;
+
+/// A solution's unknowns, to start a neighbouring problem from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WarmStart {
+    pub(crate) state: BlockState,
+    pub(crate) rule: PatchRule,
+}
+
+/// An equilibrium with what is needed to go on from it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solved {
+    /// The solution.
+    pub solution: Solution,
+    /// Steps kept and rejected, all phases together.
+    pub statistics: SolverStatistics,
+    /// Start for a neighbouring problem; none for Jones–Harris.
+    pub warm_start: Option<WarmStart>,
+}
+
+/// Solves one of the two models from its own initial guess.
+///
+/// # Errors
+/// [`QuasiStaticError::NotConverged`] names the ball, the equation and the residual.
+pub fn solve<L: TractionLaw>(
+    bearing: &Bearing<L>,
+    point: &OperatingPoint,
+    model: Model,
+) -> Result<Solved, QuasiStaticError> {
+    let (system, rolling) = rolling_state(bearing, point)?;
+    match model {
+        Model::JonesHarris => {
+            let solution = report::jones_harris(&system, &rolling, point);
+            Ok(Solved { solution, statistics: rolling.statistics, warm_start: None })
+        }
+        Model::Traction => {
+            let mut traction = traction_system(bearing, point, system.typical)?;
+            let start = release_idle_balls(&system, rolling.state);
+            let scouted = settle(&traction, &start, SETTLED);
+            let estimate = choose_quadrature(&mut traction, &scouted, point)?;
+            let settled = settle(&traction, &scouted, SETTLED);
+            finish(&traction, settled, point, rolling.statistics, estimate)
+        }
+    }
+}
+
+/// Solves the traction model from the solution of a neighbouring problem, with its patch rule.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_from<L: TractionLaw>(
+    bearing: &Bearing<L>,
+    point: &OperatingPoint,
+    start: &WarmStart,
+) -> Result<Solved, QuasiStaticError> {
+    let typical = Typical::new(bearing, &point.ring, [point.inner_speed, point.outer_speed]);
+    let mut traction = traction_system(bearing, point, typical)?;
+    traction.quadrature = Quadrature::new(start.rule)?;
+    finish(&traction, start.state.clone(), point, SolverStatistics::default(), None)
+}
+
+fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics {
+    SolverStatistics { accepted: a.accepted + b.accepted, rejected: a.rejected + b.rejected }
+}
+
+type Rolling<'a, L> = (JonesHarris<'a, L>, Iterate);
+
+/// Phases 1 and 2.
+fn rolling_state<'a, L: TractionLaw>(
+    bearing: &'a Bearing<L>,
+    point: &OperatingPoint,
+) -> Result<Rolling<'a, L>, QuasiStaticError> {
+    let g = &bearing.geometry;
+    let speeds = [point.inner_speed, point.outer_speed];
+    let typical = Typical::new(bearing, &point.ring, speeds);
+    let inner_everywhere = point.numerics.race_control == RaceControl::Inner;
+    let mut system = JonesHarris {
+        bearing,
+        ring: point.ring,
+        speeds,
+        inner_control: vec![inner_everywhere; g.ball_count],
+        centrifugal_at_free_pitch: point.numerics.centrifugal_at_free_pitch,
+        frozen: None,
+        typical,
+    };
+    let offset = g.groove_offset(Side::Outer);
+    let free = [offset * g.contact_angle.sin(), offset * g.contact_angle.cos()];
+    let unloaded = system.pose(0, [free[0], free[1], 0.0, 0.0, 0.0, 0.0], [0.0; RING]);
+    let k: Kinematics<f64> = kinematics(bearing, &unloaded, speeds, inner_everywhere, true);
+    let ball = [free[0], free[1], k.spin[0], k.spin[1], 0.0, k.orbital_speed];
+    let start = BlockState { balls: vec![ball; g.ball_count], ring: [0.0; RING] };
+    system.frozen = Some(k.centrifugal_force);
+    let limit = point.numerics.max_iterations;
+    // Far from the goal the elastic phase only has to find the basin.
+    let elastic = driver::run(&system, Iterate::new(&system, start), Downhill { mu: 1.0 }, 1e-6, limit);
+    system.frozen = None;
+    let mut statistics = elastic.statistics;
+    let mut state = elastic.state;
+    // Criterion: solve, ask each ball which race controls, solve again; a few rounds settle it, or the last answer stands.
+    for round in 0.. {
+        let mut solved = newton(&system, state, point);
+        statistics = statistics_sum(statistics, solved.statistics);
+        let control = controlling_races(&system, &solved.state, point.numerics.race_control);
+        if round == CONTROL_ROUNDS || control == system.inner_control {
+            solved.statistics = statistics;
+            check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point)?;
+            return Ok((system, solved));
+        }
+        system.inner_control = control;
+        state = solved.state;
+    }
+    unreachable!("the loop returns in its last round")
+}
+
+fn newton<S: BlockSystem>(system: &S, start: BlockState, point: &OperatingPoint) -> Iterate {
+    let method = NewtonOrNested { settle_to: 0.1 * point.numerics.tolerance };
+    driver::run(system, Iterate::new(system, start), method, point.numerics.tolerance, point.numerics.max_iterations)
+}
+
+/// Harris's criterion: outer control where Q_o a_o E_o cos(α_i − α_o) > Q_i a_i E_i.
+fn controlling_races<L: TractionLaw>(
+    system: &JonesHarris<'_, L>,
+    state: &BlockState,
+    wanted: RaceControl,
+) -> Vec<bool> {
+    if wanted != RaceControl::Criterion {
+        return system.inner_control.clone();
+    }
+    let resistance = |side, pose: &tribodyn_bearing::ContactPose| {
+        let (load, ellipse) = system.bearing.contact_load(side, pose);
+        load * ellipse.semi_lateral() * system.bearing.race(side).frozen::<f64>().second_integral
+    };
+    let inner = |(index, &ball): (usize, &[f64; BALL])| {
+        let pose = system.pose(index, ball, state.ring);
+        let turn = (pose.inner.sin * pose.outer.cos - pose.inner.cos * pose.outer.sin).asin().cos();
+        resistance(Side::Outer, &pose.outer) * turn <= resistance(Side::Inner, &pose.inner)
+    };
+    state.balls.iter().enumerate().map(inner).collect()
+}
+
+/// Balls without inner contact have no drive: they start from where friction and fluid will leave them, with the
+/// fluid, or with the outer ring in a dry bearing.
+fn release_idle_balls<L: TractionLaw>(system: &JonesHarris<'_, L>, mut state: BlockState) -> BlockState {
+    let [inner_speed, outer_speed] = system.speeds;
+    let idle = system.bearing.fluid.as_ref().map_or(outer_speed, |f| f.swirl * inner_speed);
+    for (index, ball) in state.balls.iter_mut().enumerate() {
+        let pose = system.pose(index, *ball, state.ring);
+        let (inner_load, _) = system.bearing.contact_load(Side::Inner, &pose.inner);
+        if inner_load <= DRIVING_LOAD * system.typical.force && ball[5] != outer_speed {
+            let share = (idle - outer_speed) / (ball[5] - outer_speed);
+            (2..5).for_each(|k| ball[k] *= share);
+            ball[5] = idle;
+        }
+    }
+    state
+}
+
+fn traction_system<'a, L: TractionLaw>(
+    bearing: &'a Bearing<L>,
+    point: &OperatingPoint,
+    typical: Typical,
+) -> Result<WithTraction<'a, L>, QuasiStaticError> {
+    let rule = if let PatchRule::TargetError { .. } = point.patch { SCOUT } else { point.patch };
+    let quadrature = Quadrature::new(rule)?;
+    let speeds = [point.inner_speed, point.outer_speed];
+    Ok(WithTraction { bearing, ring: point.ring, speeds, quadrature, typical })
+}
+
+/// Turns a target error into a rule at the settled state.
+fn choose_quadrature<L: TractionLaw>(
+    system: &mut WithTraction<'_, L>,
+    state: &BlockState,
+    point: &OperatingPoint,
+) -> Result<Option<f64>, QuasiStaticError> {
+    if let PatchRule::TargetError { relative } = point.patch {
+        let (rule, error) = choose_rule(relative, &probes(system, state))?;
+        system.quadrature = Quadrature::new(rule)?;
+        return Ok(Some(error));
+    }
+    Ok(None)
+}
+
+/// The contacts of the most, the middle and the least loaded ball: where a rule is judged.
+fn probes<'a, L: TractionLaw>(system: &WithTraction<'a, L>, state: &BlockState) -> Vec<Probe<'a, L>> {
+    let mut loads: Vec<_> =
+        state.balls.iter().enumerate().map(|(index, &ball)| system.evaluate(index, ball, state.ring).1).collect();
+    loads.sort_by(|a, b| a.inner.load.total_cmp(&b.inner.load));
+    let middle = loads.len() / 2;
+    let picked = [0, middle, loads.len() - 1];
+    let bearing = system.bearing;
+    picked
+        .iter()
+        .flat_map(|&k| [(&bearing.inner, loads[k].inner), (&bearing.outer, loads[k].outer)])
+        .filter(|(_, contact)| contact.load > 0.0)
+        .map(|(race, contact)| Probe {
+            patch: bearing.patch(race, &contact.ellipse),
+            motion: contact.motion,
+            rolling_speed: contact.rolling_speed,
+            law: bearing.patch_law(race),
+        })
+        .collect()
+}
+
+/// Phase 3's second half: all unknowns together, and the report.
+fn finish<L: TractionLaw>(
+    system: &WithTraction<'_, L>,
+    start: BlockState,
+    point: &OperatingPoint,
+    before: SolverStatistics,
+    estimate: Option<f64>,
+) -> Result<Solved, QuasiStaticError> {
+    let mut solved = newton(system, start, point);
+    solved.statistics = statistics_sum(before, solved.statistics);
+    check(&solved, Model::Traction, &with_traction::EQUATIONS, system.bearing, point)?;
+    let estimate = match estimate {
+        Some(error) => error,
+        None => rule_error(system.quadrature.rule(), &probes(system, &solved.state))?,
+    };
+    let solution = report::with_traction(system, &solved, point, estimate);
+    let warm_start = Some(WarmStart { state: solved.state, rule: system.quadrature.rule() });
+    Ok(Solved { solution, statistics: solved.statistics, warm_start })
+}
+
+const RING_EQUATIONS: [&str; RING] =
+    ["force along x", "force along y", "axial force", "moment about x", "moment about y"];
+
+fn check<L: TractionLaw>(
+    solved: &Iterate,
+    model: Model,
+    equations: &[&'static str],
+    bearing: &Bearing<L>,
+    point: &OperatingPoint,
+) -> Result<(), QuasiStaticError> {
+    let worst = solved.worst;
+    if worst.residual <= point.numerics.tolerance {
+        return Ok(());
+    }
+    let (place, equation) = match worst.ball {
+        Some(index) => {
+            (Place::Ball { index, azimuth_deg: bearing.azimuth(index).to_degrees() }, equations[worst.equation])
+        }
+        None => (Place::Ring, RING_EQUATIONS[worst.equation]),
+    };
+    Err(QuasiStaticError::NotConverged {
+        model,
+        equation,
+        place,
+        residual: worst.residual,
+        iterations: solved.statistics.accepted,
+        tolerance: point.numerics.tolerance,
+    })
+}

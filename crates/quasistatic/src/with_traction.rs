@@ -1,0 +1,116 @@
+//! The traction-coupled equilibrium: six balances per ball, no assumption on raceway control.
+//!
+//! Unknowns of a ball: X1, X2, the spin ω relative to the orbiting frame (axial, radial, tangential) and ω_m. Source:
+//! the ball equations of Lubricants 2025, 13(8), 352, section 3, with the time derivatives zero (its cases 1 to 4).
+
+use crate::block::{BALL, Balance, BlockSystem, RING, RingFreedom};
+use crate::jones_harris::{Typical, ring_state};
+use tribodyn_bearing::traction::{Quadrature, TractionLaw};
+use tribodyn_bearing::{BallLoads, BallState, Bearing, RingState, Scalar};
+
+/// Names of the balances, for error messages.
+pub(crate) const EQUATIONS: [&str; BALL] =
+    ["axial force", "radial force", "axial moment", "radial moment", "tangential moment", "tangential force"];
+
+/// The equations of one bearing at one operating point.
+pub(crate) struct WithTraction<'a, L> {
+    pub bearing: &'a Bearing<L>,
+    pub ring: [RingFreedom; RING],
+    pub speeds: [f64; 2],
+    pub quadrature: Quadrature,
+    pub typical: Typical,
+}
+
+impl<L: TractionLaw> WithTraction<'_, L> {
+    /// The state of a ball and all that acts on it.
+    pub fn evaluate<D: Scalar>(
+        &self,
+        index: usize,
+        ball: [D; BALL],
+        ring: [D; RING],
+    ) -> (BallState<D>, BallLoads<D>, RingState<D>) {
+        let (sin, cos) = self.bearing.azimuth(index).sin_cos();
+        let inner = ring_state(ring, self.speeds[0]);
+        let outer = RingState::centred(D::from(self.speeds[1]));
+        let state = BallState {
+            azimuth: [D::from(sin), D::from(cos)],
+            position: [ball[0], ball[1]],
+            velocity: [D::zero(); 2],
+            orbital_speed: ball[5],
+            spin: [ball[2] + ball[5], ball[3], ball[4]],
+        };
+        let loads = self.bearing.ball_loads(&state, &inner, &outer, &self.quadrature);
+        (state, loads, inner)
+    }
+}
+
+impl<L: TractionLaw> BlockSystem for WithTraction<'_, L> {
+    fn ring(&self) -> &[RingFreedom; RING] {
+        &self.ring
+    }
+
+    fn ball<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> Balance<D> {
+        let (state, loads, inner) = self.evaluate(index, ball, ring);
+        let centrifugal = loads.orbit_radius * state.orbital_speed * state.orbital_speed * self.bearing.ball_mass;
+        // J ω_m e_a × Ω = J ω_m (−Ω_t e_r + Ω_r e_t).
+        let inertia = state.orbital_speed * self.bearing.ball_inertia;
+        let gyroscopic = [-(inertia * state.spin[2]), inertia * state.spin[1]];
+        let (force, moment) = (loads.force(), loads.moment());
+        let residual = [
+            force[0],
+            force[1] + centrifugal,
+            moment[0],
+            moment[1] - gyroscopic[0],
+            moment[2] - gyroscopic[1],
+            force[2],
+        ];
+        let size = |d: D| d.re().abs();
+        let norm = |v: [D; 3]| v.iter().map(|c| c.re() * c.re()).sum::<f64>().sqrt();
+        let floor = self.typical.floor();
+        let both = |k: usize| size(loads.inner.force[k]) + size(loads.outer.force[k]);
+        let turning = (norm(loads.inner.moment)
+            + norm(loads.outer.moment)
+            + norm(loads.churning)
+            + size(gyroscopic[0]).hypot(size(gyroscopic[1])))
+        .max(floor * self.bearing.geometry.ball_radius());
+        let scale = [
+            both(0).max(floor),
+            (both(1) + size(centrifugal)).max(floor),
+            turning,
+            turning,
+            turning,
+            (both(2) + size(loads.drag) + size(loads.eccentricity)).max(floor),
+        ];
+        let [x, y, z, mx, my, _] = self.bearing.ring_action(&state, &loads, &inner);
+        let total = norm(loads.inner.force) + floor;
+        let lever = self.typical.radius;
+        Balance {
+            residual,
+            scale,
+            ring: [x, y, z, mx, my],
+            ring_scale: [total, total, total, total * lever, total * lever],
+        }
+    }
+
+    fn weights(&self) -> ([f64; BALL], [f64; RING]) {
+        let t = &self.typical;
+        let fastest = self.speeds[0].abs().max(self.speeds[1].abs()).max(1.0);
+        let (turn, push) = (t.force * self.bearing.geometry.ball_radius() / fastest, t.force / fastest);
+        ([t.stiffness, t.stiffness, turn, turn, turn, push], t.ring_weights())
+    }
+
+    fn inertia(&self) -> [f64; BALL] {
+        let j = self.bearing.ball_inertia;
+        // The position follows at once, but a ball that touches nothing must not make the step singular.
+        let floating = 1e-13 * self.typical.stiffness;
+        [floating, floating, j, j, j, self.bearing.ball_mass * self.typical.radius]
+    }
+
+    fn step_limits(&self) -> ([f64; BALL], [f64; RING]) {
+        let g = &self.bearing.geometry;
+        let fastest = self.speeds[0].abs().max(self.speeds[1].abs()).max(1.0);
+        let spin = 0.2 * fastest * g.pitch_diameter / g.ball_diameter;
+        let position = self.typical.position_limit();
+        ([position, position, spin, spin, spin, 0.1 * fastest], self.typical.ring_limits())
+    }
+}

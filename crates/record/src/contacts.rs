@@ -1,0 +1,105 @@
+//! `/bearing/contacts`: contact loads as arrows and contact ellipses as patches, in the ball's azimuth frame.
+//!
+//! An arrow is the force of the race on the ball, −Q n: its head touches the contact point and it pushes towards the
+//! ball centre, so outer arrows come from outside and inner ones from the bore. With the outward normals from the
+//! ball centre, n_o = (sin α_o, cos α_o, 0) and n_i = (−sin α_i, −cos α_i, 0) in (a, r, t), the contact point is
+//! r_b n. Length and colour grow linearly with the load from zero; the colour of a patch grows with its peak
+//! pressure. A contact without load has neither.
+
+use crate::quaternion::{Rotation, pose, vector};
+use crate::timeline::timestamp;
+use crate::wire::foxglove::{ArrowPrimitive, SceneEntity, SceneUpdate, SpherePrimitive};
+use crate::{colour, frames, scene};
+use tribodyn_quasistatic::{BallSolution, Solution};
+
+/// Semi-axes of a patch over the true ones: true ones are hard to see on a ball.
+pub(crate) const PATCH_EXAGGERATION: f64 = 2.0;
+/// Half the thickness of a patch over the ball diameter: enough to stand above the curved surface.
+const PATCH_HALF_THICKNESS: f64 = 0.03;
+/// Length of the longest arrow over the ball diameter.
+const LONGEST_ARROW: f64 = 1.5;
+
+/// The loads and pressures at which arrows are longest and colours brightest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Scales {
+    /// Largest contact load of the solution, N.
+    pub(crate) load_n: f64,
+    /// Largest peak pressure of the solution, Pa.
+    pub(crate) pressure_pa: f64,
+}
+
+impl Scales {
+    pub(crate) fn of(solution: &Solution) -> Self {
+        let largest = |get: fn(&BallSolution) -> f64| solution.balls.iter().map(get).fold(0.0, f64::max);
+        Self {
+            load_n: largest(|b| b.load_inner_n.max(b.load_outer_n)),
+            pressure_pa: largest(|b| b.peak_pressure_inner_pa.max(b.peak_pressure_outer_pa)),
+        }
+    }
+}
+
+/// One contact as it is drawn.
+struct Contact {
+    /// Direction of the outward normal in the plane (a, r), rad from the axial direction.
+    normal: f64,
+    load_n: f64,
+    pressure_pa: f64,
+    semi_axes_m: [f64; 2],
+}
+
+/// Arrows and patches of all balls at one log time.
+pub(crate) fn update(diameter: f64, scales: Scales, log_time: u64, balls: &[(f64, BallSolution)]) -> SceneUpdate {
+    let stamp = timestamp(log_time);
+    let draw = |(index, (_, ball)): (usize, &(f64, BallSolution))| {
+        let mut entity = scene::entity(stamp, frames::orbit(index), format!("contacts_{index:02}"));
+        for contact in contacts(ball) {
+            if contact.load_n > 0.0 {
+                add(&mut entity, diameter, scales, &contact);
+            }
+        }
+        entity
+    };
+    SceneUpdate { deletions: Vec::new(), entities: balls.iter().enumerate().map(draw).collect() }
+}
+
+fn contacts(ball: &BallSolution) -> [Contact; 2] {
+    let outward = |angle_deg: f64| std::f64::consts::FRAC_PI_2 - angle_deg.to_radians();
+    [
+        Contact {
+            normal: outward(ball.contact_angle_inner_deg) + std::f64::consts::PI,
+            load_n: ball.load_inner_n,
+            pressure_pa: ball.peak_pressure_inner_pa,
+            semi_axes_m: ball.semi_axes_inner_m,
+        },
+        Contact {
+            normal: outward(ball.contact_angle_outer_deg),
+            load_n: ball.load_outer_n,
+            pressure_pa: ball.peak_pressure_outer_pa,
+            semi_axes_m: ball.semi_axes_outer_m,
+        },
+    ]
+}
+
+fn add(entity: &mut SceneEntity, diameter: f64, scales: Scales, contact: &Contact) {
+    let (sin, cos) = contact.normal.sin_cos();
+    let along = |distance: f64| [distance * cos, distance * sin, 0.0];
+    let part = contact.load_n / scales.load_n;
+    let length = LONGEST_ARROW * diameter * part;
+    let head = (0.28 * diameter).min(0.5 * length);
+    entity.arrows.push(ArrowPrimitive {
+        // The arrow lies along x of its pose: turned half round, it points against the normal.
+        pose: Some(pose(along(0.5 * diameter + length), Rotation::about_z(contact.normal + std::f64::consts::PI))),
+        shaft_length: length - head,
+        shaft_diameter: 0.09 * diameter,
+        head_length: head,
+        head_diameter: 0.22 * diameter,
+        color: Some(colour::scale(part)),
+    });
+    let [across, rolling] = contact.semi_axes_m.map(|x| 2.0 * PATCH_EXAGGERATION * x);
+    entity.spheres.push(SpherePrimitive {
+        // x along the normal, y across the groove, z along rolling.
+        pose: Some(pose(along(0.5 * diameter), Rotation::about_z(contact.normal))),
+        size: Some(vector([2.0 * PATCH_HALF_THICKNESS * diameter, across, rolling])),
+        color: Some(colour::scale(contact.pressure_pa / scales.pressure_pa)),
+    });
+}

@@ -1,0 +1,79 @@
+//! What can go wrong when a recording is written or read.
+
+use std::{io, path::PathBuf};
+
+/// Why a recording was not written or not read.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordError {
+    /// Case and solution are of different bearings.
+    #[error("the solution has {solution} balls, the case {case}")]
+    BallCount {
+        /// Balls of the solution.
+        solution: usize,
+        /// Balls of the case.
+        case: usize,
+    },
+    /// Interpolation over azimuth needs equispaced balls.
+    #[error("ball {ball} stands at {found_deg}°, equal spacing from ball 0 puts it at {expected_deg}°")]
+    UnevenAzimuth {
+        /// Number of the ball.
+        ball: usize,
+        /// Azimuth at equal spacing, degrees.
+        expected_deg: f64,
+        /// Azimuth in the solution, degrees.
+        found_deg: f64,
+    },
+    /// One orbit takes forever.
+    #[error("a cage speed of {cage_speed_rpm} r/min gives no orbit to record (at least {least_rpm} r/min)")]
+    NotOrbiting {
+        /// Cage speed of the solution, r/min.
+        cage_speed_rpm: f64,
+        /// Lowest speed that is recorded, r/min.
+        least_rpm: f64,
+    },
+    /// A recording holds finite numbers only.
+    #[error("{field} of the solution is {value}, which cannot be recorded")]
+    NotFinite {
+        /// Field of the solution, with the ball's index where it has one.
+        field: String,
+        /// Its value, in the unit of the field.
+        value: f64,
+    },
+    /// The case makes no bearing.
+    #[error(transparent)]
+    Bearing(#[from] tribodyn_bearing::BearingError),
+    /// The bearing cannot be drawn.
+    #[error("{field} = {value} of the case gives no bearing that can be drawn")]
+    Geometry {
+        /// Field of the case.
+        field: &'static str,
+        /// Its value, SI.
+        value: f64,
+    },
+    /// A file operation failed; on a full disk this is where it shows.
+    #[error("cannot {action} {}: {source}", path.display())]
+    File {
+        /// What was tried.
+        action: &'static str,
+        /// Which file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// The MCAP layer failed, a full disk included.
+    #[error("cannot {action} the MCAP file {}: {source}", path.display())]
+    Mcap {
+        /// What was tried.
+        action: &'static str,
+        /// Which file.
+        path: PathBuf,
+        /// What the MCAP layer says.
+        source: mcap::McapError,
+    },
+    /// The file was never closed, or is no recording with a summary.
+    #[error("{} has no summary: it was not closed", path.display())]
+    Unfinished {
+        /// Which file.
+        path: PathBuf,
+    },
+}

@@ -1,0 +1,62 @@
+//! The case behind the made-up solution.
+
+use tribodyn_bearing::case::Case;
+
+/// A bearing of the 7224 envelope.
+pub(crate) const TEXT: &str = r#"(
+    name: "7224, made-up loads",
+    geometry: (
+        ball_count: 13,
+        ball_diameter: mm(30.16),
+        pitch_diameter: mm(167.5),
+        inner_groove: Coefficient(0.525),
+        outer_groove: Coefficient(0.53),
+        fit: ContactAngle(deg(18.0)),
+    ),
+    materials: (
+        ball: (young: GPa(208.0), poisson: 0.3, density: kg_per_m3(7800.0)),
+        inner: (young: GPa(208.0), poisson: 0.3, density: kg_per_m3(7800.0)),
+        outer: (young: GPa(208.0), poisson: 0.3, density: kg_per_m3(7800.0)),
+    ),
+    coatings: (
+        inner: (curve: Library("ag"), thickness: um(10.0)),
+        outer: (curve: Library("ag"), thickness: um(10.0)),
+    ),
+    traction: (
+        slip_unit: Scaled(per_m_s: 22.0),
+        order: 2,
+        varying: true,
+        reference_pressure: GPa(2.5),
+        differential_slip: true,
+        pressure: Peak,
+        moment_arm: Curved,
+        patch: TargetError(relative: 1e-5),
+    ),
+    cage: (
+        pocket_gap: mm(0.12),
+        pocket_stiffness: N_per_m(1e7),
+        pocket_friction: 0.1,
+        drag_torque: Nm(0.0),
+    ),
+    wear: (
+        inner: (coefficient: 1e-6, hardness: GPa(6.0)),
+        outer: (coefficient: 1e-6, hardness: GPa(6.0)),
+        cage: (coefficient: 1e-5, hardness: GPa(0.2)),
+    ),
+    ring: (
+        x: Force(kN(9.0)),
+        y: Force(kN(0.0)),
+        z: Force(kN(21.0)),
+        tilt_x: Held(rad(1e-5)),
+        tilt_y: Held(rad(2e-5)),
+    ),
+    speed: (inner: Constant(rpm(14000.0)), outer: Constant(rpm(0.0))),
+)
+"#;
+
+/// The case with another number of balls.
+pub(crate) fn case(ball_count: usize) -> Case {
+    let mut case = Case::from_ron(TEXT).expect("the text above is a sound case");
+    case.geometry.ball_count = ball_count;
+    case
+}

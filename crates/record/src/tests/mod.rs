@@ -1,0 +1,130 @@
+//! Tests of whole recordings, on a made-up solution whose quantities are known functions of azimuth.
+
+mod case;
+mod content;
+mod file;
+
+use crate::SolutionRecording;
+use crate::wire::{foxglove, tribodyn};
+use crate::write::Recording;
+use prost::Message;
+use std::io::Cursor;
+use std::path::PathBuf;
+use tribodyn_bearing::case::Case;
+use tribodyn_quasistatic::{BallSolution, Model, Solution};
+
+const BALLS: usize = 13;
+
+/// A ball as a function of azimuth, rad: harmonics up to the second.
+fn ball(azimuth: f64) -> BallSolution {
+    let (one, two) = (azimuth.cos(), (2.0 * azimuth).sin());
+    let load = 4000.0 + 1500.0 * one + 60.0 * two;
+    BallSolution {
+        azimuth_deg: azimuth.to_degrees(),
+        contact_angle_inner_deg: 24.0 - 2.0 * one,
+        contact_angle_outer_deg: 17.0 + one,
+        load_inner_n: load,
+        load_outer_n: load + 2300.0,
+        approach_inner_m: 2.1e-5 + 4e-6 * one,
+        approach_outer_m: 2.9e-5 + 4e-6 * one,
+        peak_pressure_inner_pa: 2.1e9 + 3.3e8 * one,
+        peak_pressure_outer_pa: 2.0e9 + 2.2e8 * one,
+        semi_axes_inner_m: [2.6e-3 + 4e-4 * one, 3.4e-4 + 5e-5 * one],
+        semi_axes_outer_m: [2.9e-3 + 4e-4 * one, 4.4e-4 + 5e-5 * one],
+        orbital_speed_rad_s: 607.6 + 1.5 * two,
+        orbit_radius_m: 0.083_79 + 2e-5 * one,
+        axial_displacement_m: 3e-5 - 1e-5 * one,
+        spin_rad_s: [-3900.0 - 20.0 * one, 900.0 + 40.0 * one, 15.0 * two],
+        centrifugal_force_n: 3400.0,
+        gyroscopic_moment_nm: 6.0 + 0.1 * one,
+        drag_n: 170.0,
+        traction_inner_n: 95.0 + 8.0 * one,
+        traction_outer_n: 60.0 - 8.0 * one,
+        lateral_traction_inner_n: -120.0 + 5.0 * two,
+        lateral_traction_outer_n: 118.0 + 5.0 * two,
+        slide_to_roll_inner: -0.002 * one,
+        slide_to_roll_outer: 0.001 + 0.0005 * two,
+        lateral_slide_to_roll_inner: 0.001,
+        lateral_slide_to_roll_outer: 0.002 * one,
+        spin_ratio_inner: 21.0 + one,
+        spin_ratio_outer: 3.0 + one,
+        rolling_speed_inner_m_s: 57.0,
+        rolling_speed_outer_m_s: 61.0,
+        power_loss_inner_w: 900.0 + 200.0 * one,
+        power_loss_outer_w: 400.0 + 90.0 * one,
+        power_loss_fluid_w: 8600.0,
+        wear_rate_inner_m3_s: 3e-14 + 1e-14 * one,
+        wear_rate_outer_m3_s: 1e-14 + 3e-15 * one,
+        pocket_lead_rad: 2e-3 * one,
+        cage_force_n: (80.0 * one - 40.0).max(0.0),
+        wear_rate_cage_m3_s: (2e-15 * one - 1e-15).max(0.0),
+    }
+}
+
+/// The ring around such balls.
+fn solution(balls: usize) -> Solution {
+    let azimuth = |j: usize| std::f64::consts::TAU * j as f64 / balls as f64;
+    Solution {
+        model: Model::Traction,
+        converged: true,
+        cage_speed_rpm: 5802.0,
+        ring_displacement_m: [1.1e-5, -2e-6, 6.4e-5],
+        ring_tilt_rad: [1e-5, 2e-5],
+        ring_load_n: [9000.0, 0.0, 21_000.0],
+        ring_moment_nm: [0.0, 0.0],
+        shaft_torque_nm: 11.0,
+        inner_speed_rad_s: 14_000.0 * std::f64::consts::TAU / 60.0,
+        outer_speed_rad_s: 0.0,
+        residual: 3e-12,
+        iterations: 14,
+        patch_error_estimate: Some(2e-5),
+        warnings: vec!["pressure below the tests at 9 balls".into(), "second root at ball 6".into()],
+        balls: (0..balls).map(|j| ball(azimuth(j))).collect(),
+    }
+}
+
+/// A path of its own for one test.
+fn path(test: &str) -> PathBuf {
+    std::env::temp_dir().join(format!("tribodyn-record-{}-{test}.mcap", std::process::id()))
+}
+
+fn input<'a>(case: &'a Case, solution: &'a Solution) -> SolutionRecording<'a> {
+    SolutionRecording { case_text: case::TEXT, case, solution, generator: "tribodyn 0.1.0 (test)" }
+}
+
+/// The bytes of a recording.
+fn bytes(solution: &Solution) -> Vec<u8> {
+    let case = case::case(solution.balls.len());
+    let input = input(&case, solution);
+    let recording = Recording::new(&input).expect("a sound solution");
+    recording.write(Cursor::new(Vec::new())).expect("memory takes everything").into_inner()
+}
+
+/// One message of any topic.
+#[derive(Debug, Clone)]
+enum Payload {
+    Scene(foxglove::SceneUpdate),
+    Transforms(foxglove::FrameTransforms),
+    Log(foxglove::Log),
+    State(tribodyn::BearingState),
+    Balls(tribodyn::Balls),
+}
+
+/// Decodes a whole file, chunk CRCs included: log time, topic, message.
+fn decode(file: &[u8]) -> Vec<(u64, String, Payload)> {
+    let message = |m: mcap::Message| {
+        let data = m.data.as_ref();
+        let schema = m.channel.schema.as_ref().expect("every topic has a schema");
+        assert_eq!((schema.encoding.as_str(), m.channel.message_encoding.as_str()), ("protobuf", "protobuf"));
+        let payload = match schema.name.as_str() {
+            "foxglove.SceneUpdate" => Payload::Scene(Message::decode(data).unwrap()),
+            "foxglove.FrameTransforms" => Payload::Transforms(Message::decode(data).unwrap()),
+            "foxglove.Log" => Payload::Log(Message::decode(data).unwrap()),
+            "tribodyn.v1.BearingState" => Payload::State(Message::decode(data).unwrap()),
+            "tribodyn.v1.Balls" => Payload::Balls(Message::decode(data).unwrap()),
+            other => panic!("unknown schema {other}"),
+        };
+        (m.log_time, m.channel.topic.clone(), payload)
+    };
+    mcap::MessageStream::new(file).unwrap().map(|m| message(m.unwrap())).collect()
+}

@@ -1,0 +1,100 @@
+//! Patch rule from a target error, and the error estimate of a rule.
+
+use crate::{Patch, PatchLaw, PatchRule, PatchTraction, Quadrature, RelativeMotion, TractionError, TractionLaw};
+use crate::{longitudinal_slip, patch_traction};
+
+/// One contact at which a rule is judged.
+#[derive(Debug, Clone, Copy)]
+pub struct Probe<'a, L> {
+    /// Its ellipse.
+    pub patch: Patch,
+    /// Its relative motion.
+    pub motion: RelativeMotion,
+    /// Its rolling speed, m/s.
+    pub rolling_speed: f64,
+    /// Its law.
+    pub law: PatchLaw<'a, L>,
+}
+
+impl<L: TractionLaw> Probe<'_, L> {
+    fn traction(&self, quadrature: &Quadrature) -> PatchTraction {
+        patch_traction(&self.patch, &self.motion, self.rolling_speed, &self.law, quadrature)
+    }
+
+    /// The load under the ellipse, N.
+    fn load(&self) -> f64 {
+        2.0 * std::f64::consts::PI / 3.0 * self.patch.peak_pressure * self.patch.semi_lateral * self.patch.semi_rolling
+    }
+}
+
+/// Candidates of [`choose_rule`]: polar rules where the integrand is smooth, strips where it is nearly Coulomb's.
+/// By measurement (tests of this crate) the counts along and across that go together.
+const CANDIDATES: [PatchRule; 15] = [
+    PatchRule::GaussJacobi { radial: 2, angles: 8 },
+    PatchRule::GaussJacobi { radial: 3, angles: 8 },
+    PatchRule::GaussJacobi { radial: 4, angles: 10 },
+    PatchRule::GaussJacobi { radial: 5, angles: 12 },
+    PatchRule::GaussJacobi { radial: 6, angles: 16 },
+    PatchRule::GaussJacobi { radial: 8, angles: 20 },
+    PatchRule::SplitStrip { across: 5, along: 3 },
+    PatchRule::SplitStrip { across: 8, along: 3 },
+    PatchRule::SplitStrip { across: 8, along: 5 },
+    PatchRule::SplitStrip { across: 10, along: 7 },
+    PatchRule::SplitStrip { across: 12, along: 9 },
+    PatchRule::SplitStrip { across: 14, along: 13 },
+    PatchRule::SplitStrip { across: 18, along: 19 },
+    PatchRule::SplitStrip { across: 24, along: 27 },
+    PatchRule::SplitStrip { across: 32, along: 41 },
+];
+
+/// The rule that estimates are made against.
+pub const REFERENCE_RULE: PatchRule = PatchRule::SplitStrip { across: 40, along: 61 };
+
+/// Largest error of a rule over the probes, against [`REFERENCE_RULE`]: of the force over the load and of the moment
+/// over load times ball radius.
+///
+/// # Errors
+/// Those of [`Quadrature::new`].
+pub fn rule_error<L: TractionLaw>(rule: PatchRule, probes: &[Probe<'_, L>]) -> Result<f64, TractionError> {
+    let reference = Quadrature::new(REFERENCE_RULE)?;
+    let exact: Vec<_> = probes.iter().map(|p| p.traction(&reference)).collect();
+    Ok(largest_error(&Quadrature::new(rule)?, probes, &exact))
+}
+
+fn largest_error<L: TractionLaw>(quadrature: &Quadrature, probes: &[Probe<'_, L>], exact: &[PatchTraction]) -> f64 {
+    probes.iter().zip(exact).fold(0.0, |worst, (probe, exact)| {
+        let ours = probe.traction(quadrature);
+        let force = (ours.force_rolling - exact.force_rolling).hypot(ours.force_lateral - exact.force_lateral);
+        let moment = (ours.moment_lateral - exact.moment_lateral)
+            .hypot(ours.moment_normal - exact.moment_normal)
+            .hypot(ours.moment_rolling - exact.moment_rolling);
+        let load = probe.load();
+        if load > 0.0 { worst.max(force / load).max(moment / (load * probe.patch.ball_radius)) } else { worst }
+    })
+}
+
+/// The candidate with the fewest points whose error over the probes is at most `relative`, and that error.
+///
+/// # Errors
+/// [`TractionError::TargetNotReached`] where the finest candidate misses the target.
+pub fn choose_rule<L: TractionLaw>(relative: f64, probes: &[Probe<'_, L>]) -> Result<(PatchRule, f64), TractionError> {
+    let reference = Quadrature::new(REFERENCE_RULE)?;
+    let exact: Vec<_> = probes.iter().map(|p| p.traction(&reference)).collect();
+    let mut best: Option<(PatchRule, f64, usize)> = None;
+    let mut finest = f64::INFINITY;
+    for rule in CANDIDATES {
+        let quadrature = Quadrature::new(rule)?;
+        let points =
+            probes.iter().map(|p| quadrature.point_count(longitudinal_slip(&p.patch, &p.motion))).sum::<usize>();
+        if best.is_some_and(|(_, _, fewest)| fewest <= points) {
+            continue;
+        }
+        let error = largest_error(&quadrature, probes, &exact);
+        finest = finest.min(error);
+        if error <= relative {
+            best = Some((rule, error, points));
+        }
+    }
+    best.map(|(rule, error, _)| (rule, error))
+        .ok_or(TractionError::TargetNotReached { target: relative, reached: finest })
+}

@@ -1,0 +1,199 @@
+//! Traction of one contact patch: force, moment, power and wear integral with spin, lateral and differential slip.
+
+use crate::{MomentArm, PressureChoice, Quadrature, Scalar, SlipCurve, SlipUnit, TractionLaw};
+
+/// The contact ellipse and the surface it lies on.
+///
+/// Patch axes: n outward from the ball centre, y across the groove, x along rolling, (y, n, x) right-handed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Patch<D = f64> {
+    /// Semi-axis across the groove, m.
+    pub semi_lateral: D,
+    /// Semi-axis along rolling, m.
+    pub semi_rolling: D,
+    /// Peak pressure, Pa.
+    pub peak_pressure: D,
+    /// Ball radius r_b, m.
+    pub ball_radius: f64,
+    /// Radius of the deformed contact across the groove R_c = 2 r_b r_e/(r_b + r_e), m; infinite without
+    /// differential slip.
+    pub surface_radius: f64,
+    /// Arm of the moment.
+    pub moment_arm: MomentArm,
+}
+
+/// Velocity of the ball's surface against the race's over the patch, from the relative rigid motion.
+///
+/// With h(y) = r_b − y²/(2R_c): Δv_x = W_x + w_y h − w_n y and Δv_y = W_y − w_x h + w_n x.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RelativeMotion<D = f64> {
+    /// Velocity of the ball centre against the race along rolling, W_x, m/s.
+    pub rolling: D,
+    /// The same across the groove, W_y, m/s.
+    pub lateral: D,
+    /// Angular velocity of the ball against the race about the normal (spin), w_n, rad/s.
+    pub spin: D,
+    /// About the lateral axis (rolling), w_y, rad/s.
+    pub about_lateral: D,
+    /// About the rolling direction, w_x, rad/s.
+    pub about_rolling: D,
+}
+
+impl<D: Scalar> RelativeMotion<D> {
+    /// Sliding velocity (x along rolling, y lateral) at the patch centre, m/s.
+    pub fn centre_slip(&self, ball_radius: f64) -> [D; 2] {
+        [self.rolling + self.about_lateral * ball_radius, self.lateral - self.about_rolling * ball_radius]
+    }
+
+    /// Sliding velocity at (x, y) of the patch, m/s: the paper's Eqs. 3 to 5 with every term.
+    pub fn slip_at(&self, x: D, y: D, patch: &Patch<D>) -> [D; 2] {
+        let arm = D::from(patch.ball_radius) - y * y * (0.5 / patch.surface_radius);
+        [
+            self.rolling + self.about_lateral * arm - self.spin * y,
+            self.lateral - self.about_rolling * arm + self.spin * x,
+        ]
+    }
+}
+
+/// Integrals over one patch, as forces on the ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PatchTraction<D = f64> {
+    /// Traction along rolling, N.
+    pub force_rolling: D,
+    /// Traction across the groove, N.
+    pub force_lateral: D,
+    /// Moment about the ball centre, about the lateral axis, N m.
+    pub moment_lateral: D,
+    /// About the outward normal, N m.
+    pub moment_normal: D,
+    /// About the rolling direction, N m.
+    pub moment_rolling: D,
+    /// Frictional power ∬ κ p |Δv|, W.
+    pub power: D,
+    /// Wear integral ∬ p |Δv|, W (N/s·m): times K_w/H it is Archard's rate.
+    pub wear_integral: D,
+}
+
+impl<D: Scalar> PatchTraction<D> {
+    /// No contact, no traction.
+    pub fn zero() -> Self {
+        let z = D::zero();
+        Self {
+            force_rolling: z,
+            force_lateral: z,
+            moment_lateral: z,
+            moment_normal: z,
+            moment_rolling: z,
+            power: z,
+            wear_integral: z,
+        }
+    }
+
+    /// Work of forces and moments on the relative rigid motion, W: the negative of the power where the moment arm
+    /// is the curved one.
+    pub fn work_on(&self, motion: &RelativeMotion<D>) -> D {
+        self.force_rolling * motion.rolling
+            + self.force_lateral * motion.lateral
+            + self.moment_lateral * motion.about_lateral
+            + self.moment_normal * motion.spin
+            + self.moment_rolling * motion.about_rolling
+    }
+}
+
+/// What turns sliding speed into traction: the law, the unit of its slip axis and the pressure it sees.
+#[derive(Debug, Clone, Copy)]
+pub struct PatchLaw<'a, L> {
+    /// The coating's law.
+    pub law: &'a L,
+    /// Unit of the slip axis.
+    pub slip_unit: SlipUnit,
+    /// Pressure at which the curve is taken.
+    pub pressure: PressureChoice,
+}
+
+impl SlipUnit {
+    /// s = scale · |Δv|, given the rolling speed V in m/s.
+    pub fn scale<D: Scalar>(&self, rolling_speed: D) -> D {
+        match *self {
+            Self::MeterPerSecond => D::one(),
+            Self::PercentOfRolling => rolling_speed.abs().recip() * 100.0,
+            Self::PerMilleOfRolling => rolling_speed.abs().recip() * 1000.0,
+            Self::Scaled { per_m_s } => D::from(per_m_s),
+        }
+    }
+}
+
+/// Integrates −κ(s) p Δv/|Δv| over the patch.
+///
+/// `rolling_speed` in m/s matters only for slip units that are fractions of it.
+pub fn patch_traction<D: Scalar, L: TractionLaw>(
+    patch: &Patch<D>,
+    motion: &RelativeMotion<D>,
+    rolling_speed: D,
+    law: &PatchLaw<'_, L>,
+    quadrature: &Quadrature,
+) -> PatchTraction<D> {
+    let mut sum = PatchTraction::zero();
+    if patch.peak_pressure.re() <= 0.0 {
+        return sum;
+    }
+    let scale = law.slip_unit.scale(rolling_speed);
+    let peak_curve = law.law.at(patch.peak_pressure);
+    let (a, b) = (patch.semi_lateral, patch.semi_rolling);
+    let flatness = 0.5 / patch.surface_radius;
+    let arm_flatness = if patch.moment_arm == MomentArm::Curved { flatness } else { 0.0 };
+    quadrature.for_each(longitudinal_slip(patch, motion), |unit_x, unit_y, weight| {
+        let (x, y) = (b * unit_x, a * unit_y);
+        let [u, v] = motion.slip_at(x, y, patch);
+        let speed = norm(u, v);
+        let slip = speed * scale;
+        let over_slip = match law.pressure {
+            PressureChoice::Peak => peak_curve.over_slip(slip),
+            PressureChoice::Local => law.law.at(local_pressure(patch, unit_x, unit_y)).over_slip(slip),
+        };
+        // κ/|Δv| = (κ/s)·scale stays finite where the slip vanishes.
+        let share = weight * over_slip * scale;
+        let (fx, fy) = (-(share * u), -(share * v));
+        let arm = D::from(patch.ball_radius) - y * y * arm_flatness;
+        sum.force_rolling += fx;
+        sum.force_lateral += fy;
+        sum.moment_lateral += arm * fx;
+        sum.moment_normal += x * fy - y * fx;
+        sum.moment_rolling -= arm * fy;
+        sum.power += share * speed * speed;
+        sum.wear_integral += weight * speed;
+    });
+    sum.scaled(patch.peak_pressure * a * b)
+}
+
+impl<D: Scalar> PatchTraction<D> {
+    fn scaled(self, factor: D) -> Self {
+        Self {
+            force_rolling: self.force_rolling * factor,
+            force_lateral: self.force_lateral * factor,
+            moment_lateral: self.moment_lateral * factor,
+            moment_normal: self.moment_normal * factor,
+            moment_rolling: self.moment_rolling * factor,
+            power: self.power * factor,
+            wear_integral: self.wear_integral * factor,
+        }
+    }
+}
+
+/// (γ, β, α) of the longitudinal slip γ − β Y − α Y² in the unit coordinate Y = y/a.
+pub fn longitudinal_slip<D: Scalar>(patch: &Patch<D>, motion: &RelativeMotion<D>) -> [D; 3] {
+    let a = patch.semi_lateral;
+    let [centre, _] = motion.centre_slip(patch.ball_radius);
+    [centre, motion.spin * a, motion.about_lateral * a * a * (0.5 / patch.surface_radius)]
+}
+
+/// |(u, v)| with derivative zero at the origin, where the integrand does not depend on it.
+fn norm<D: Scalar>(u: D, v: D) -> D {
+    let squared = u * u + v * v;
+    if squared.re() > 1e-60 { squared.sqrt() } else { D::zero() }
+}
+
+fn local_pressure<D: Scalar>(patch: &Patch<D>, x: D, y: D) -> D {
+    let inside = D::one() - x * x - y * y;
+    if inside.re() > 0.0 { patch.peak_pressure * inside.sqrt() } else { D::zero() }
+}

@@ -1,0 +1,285 @@
+//! One-dimensional Gauss rules and the patch rules built from them.
+
+use crate::{PatchRule, Scalar, TractionError};
+use std::f64::consts::PI;
+
+/// Nodes and weights of the `count`-point Gauss–Legendre rule on [−1, 1], by Newton on the Legendre polynomial.
+pub(crate) fn gauss_legendre(count: usize) -> Vec<(f64, f64)> {
+    let n = count as f64;
+    (0..count)
+        .map(|i| {
+            let mut x = (PI * (i as f64 + 0.75) / (n + 0.5)).cos();
+            let mut slope = 1.0;
+            for _ in 0..50 {
+                let (mut below, mut value) = (1.0, x);
+                for k in 2..=count {
+                    let k = k as f64;
+                    (below, value) = (value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * below) / k);
+                }
+                slope = n * (x * value - below) / (x * x - 1.0);
+                let step = value / slope;
+                x -= step;
+                if step.abs() < 1e-16 {
+                    break;
+                }
+            }
+            (x, 2.0 / ((1.0 - x * x) * slope * slope))
+        })
+        .collect()
+}
+
+/// Nodes and weights of the Chebyshev rule of the second kind: ∫ g √(1−t²) dt over [−1, 1].
+pub(crate) fn chebyshev_second(count: usize) -> Vec<(f64, f64)> {
+    let n = count as f64 + 1.0;
+    (1..=count)
+        .map(|j| {
+            let angle = PI * j as f64 / n;
+            (angle.cos(), PI / n * angle.sin().powi(2))
+        })
+        .collect()
+}
+
+/// A patch rule with its nodes worked out, ready for use in a solver's loop.
+///
+/// In the unit disc X = x/b (rolling), Y = y/a (across the groove) a rule stands for
+/// ∬ g(X, Y) √(1 − X² − Y²) dX dY ≈ Σ w g(X, Y).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quadrature {
+    rule: PatchRule,
+    nodes: Nodes,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Nodes {
+    /// (X, Y, w), the same for every contact.
+    Fixed(Vec<[f64; 3]>),
+    /// (τ, w) on [0, 1] across the groove and (ξ, w) with weight √(1−ξ²) along rolling.
+    Strips { across: Vec<(f64, f64)>, along: Vec<(f64, f64)> },
+}
+
+impl Quadrature {
+    /// Works out the nodes of a named rule.
+    ///
+    /// # Errors
+    /// [`TractionError::NoPoints`] for a count of zero and [`TractionError::RuleNotChosen`] for
+    /// [`PatchRule::TargetError`], which must first be turned into a named rule by [`crate::choose_rule`].
+    pub fn new(rule: PatchRule) -> Result<Self, TractionError> {
+        let nodes = match rule {
+            PatchRule::PolarMidpoint { radial, circumferential } => polar_midpoint(radial, circumferential),
+            PatchRule::GaussJacobi { radial, angles } => gauss_jacobi(radial, angles),
+            PatchRule::SplitStrip { across, along } => Nodes::Strips {
+                across: gauss_legendre(across).into_iter().map(|(t, w)| (0.5 * (1.0 + t), 0.5 * w)).collect(),
+                along: chebyshev_second(along),
+            },
+            PatchRule::TargetError { .. } => return Err(TractionError::RuleNotChosen),
+        };
+        let empty = match &nodes {
+            Nodes::Fixed(points) => points.is_empty(),
+            Nodes::Strips { across, along } => across.is_empty() || along.is_empty(),
+        };
+        if empty { Err(TractionError::NoPoints) } else { Ok(Self { rule, nodes }) }
+    }
+
+    /// The rule that the nodes belong to.
+    pub fn rule(&self) -> PatchRule {
+        self.rule
+    }
+
+    /// Calls `point(X, Y, w)` for each node; `slip` holds the coefficients (γ, β, α) of the longitudinal slip
+    /// γ − β Y − α Y² across the groove, whose zeros cut the strips.
+    pub fn for_each<D: Scalar>(&self, slip: [D; 3], mut point: impl FnMut(D, D, D)) {
+        match &self.nodes {
+            Nodes::Fixed(points) => {
+                for &[x, y, w] in points {
+                    point(D::from(x), D::from(y), D::from(w));
+                }
+            }
+            Nodes::Strips { across, along } => {
+                for panel in panels(slip) {
+                    for &(t, weight) in across {
+                        let (y, stretch) = panel.at(t);
+                        let squared = (-y + 1.0) * (y + 1.0);
+                        let chord = if squared.re() > 0.0 { squared.sqrt() } else { D::zero() };
+                        for &(xi, w) in along {
+                            point(chord * xi, y, squared * stretch * (weight * w));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// How many points a contact with this slip takes.
+    pub fn point_count(&self, slip: [f64; 3]) -> usize {
+        match &self.nodes {
+            Nodes::Fixed(points) => points.len(),
+            Nodes::Strips { across, along } => panels(slip).count() * across.len() * along.len(),
+        }
+    }
+}
+
+/// The paper's rule: R × N cells of equal height and angle, the integrand at each cell's middle.
+fn polar_midpoint(radial: usize, circumferential: usize) -> Nodes {
+    let (dr, da) = (1.0 / radial as f64, 2.0 * PI / circumferential as f64);
+    let mut points = Vec::with_capacity(radial * circumferential);
+    for i in 0..radial {
+        let r = (i as f64 + 0.5) * dr;
+        let w = (1.0 - r * r).sqrt() * r * dr * da;
+        points.extend(angles(circumferential).map(|(c, s)| [r * c, r * s, w]));
+    }
+    Nodes::Fixed(points)
+}
+
+/// Gauss–Jacobi in u = r² with weight √(1−u). With u = 1 − z² it is the half z > 0 of a Gauss–Legendre rule with
+/// 2 `radial` + 1 points and weight z², whose middle point drops out.
+fn gauss_jacobi(radial: usize, count: usize) -> Nodes {
+    let da = 2.0 * PI / count as f64;
+    let mut points = Vec::with_capacity(radial * count);
+    for (z, weight) in gauss_legendre(2 * radial + 1).into_iter().take(radial) {
+        let r = ((1.0 - z) * (1.0 + z)).sqrt();
+        points.extend(angles(count).map(|(c, s)| [r * c, r * s, weight * z * z * da]));
+    }
+    Nodes::Fixed(points)
+}
+
+fn angles(count: usize) -> impl Iterator<Item = (f64, f64)> {
+    (0..count).map(move |j| {
+        let (sin, cos) = (2.0 * PI * (j as f64 + 0.5) / count as f64).sin_cos();
+        (cos, sin)
+    })
+}
+
+/// A panel of strips between two cuts, its nodes graded quadratically towards both ends.
+struct Panel<D> {
+    start: D,
+    end: D,
+}
+
+impl<D: Scalar> Panel<D> {
+    /// Y and dY/dτ at τ in [0, 1].
+    fn at(&self, t: f64) -> (D, D) {
+        let length = self.end - self.start;
+        (self.start + length * (t * t * (3.0 - 2.0 * t)), length * (6.0 * t * (1.0 - t)))
+    }
+}
+
+/// Cuts the patch where the longitudinal slip vanishes; where it vanishes nowhere, at its smallest magnitude.
+///
+/// Every end is graded alike and a panel without length drops out, so the sum does not jump when a zero enters the
+/// patch at its edge or two zeros meet: a solver needs that more than the last digit of the rule.
+fn panels<D: Scalar>(slip: [D; 3]) -> impl Iterator<Item = Panel<D>> {
+    let inside = |y: &D| y.re() > -1.0 && y.re() < 1.0;
+    let [first, second] = cuts(slip).map(|cut| cut.filter(inside));
+    let (low, high) = (-D::one(), D::one());
+    let ends = [Some(low), first, second, Some(high)];
+    let mut start = low;
+    ends.into_iter().flatten().skip(1).filter_map(move |end| {
+        let panel = Panel { start, end };
+        start = end;
+        ((panel.end - panel.start).re() > 0.0).then_some(panel)
+    })
+}
+
+/// Real roots of γ − β Y − α Y², the lower first, without cancellation; where there are none, the vertex, at which the
+/// magnitude is smallest.
+fn cuts<D: Scalar>([gamma, beta, alpha]: [D; 3]) -> [Option<D>; 2] {
+    let size = gamma.re().abs().max(beta.re().abs());
+    if alpha.re().abs() <= 1e-14 * size {
+        return [(beta.re() != 0.0).then(|| gamma / beta), None];
+    }
+    let discriminant = beta * beta + alpha * gamma * 4.0;
+    if discriminant.re() <= 0.0 {
+        return [Some(-beta / (alpha * 2.0)), None];
+    }
+    let root = discriminant.sqrt();
+    let q = if beta.re() >= 0.0 { (beta + root) * -0.5 } else { (beta - root) * -0.5 };
+    // Roots of α Y² + β Y − γ: q/α and −γ/q.
+    let (first, second) = (q / alpha, -gamma / q);
+    if first.re() < second.re() { [Some(first), Some(second)] } else { [Some(second), Some(first)] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn integral(rule: PatchRule, slip: [f64; 3], g: impl Fn(f64, f64) -> f64) -> f64 {
+        let mut sum = 0.0;
+        Quadrature::new(rule).unwrap().for_each(slip, |x, y, w| sum += w * g(x, y));
+        sum
+    }
+
+    #[test]
+    fn identity_gauss_legendre_is_exact_for_polynomials() {
+        for n in [1usize, 2, 3, 5, 10, 40] {
+            let rule = gauss_legendre(n);
+            for power in 0..2 * n {
+                let exact = if power % 2 == 0 { 2.0 / (power as f64 + 1.0) } else { 0.0 };
+                let sum: f64 = rule.iter().map(|(x, w)| w * x.powi(power as i32)).sum();
+                assert!((sum - exact).abs() < 1e-14, "{n} points, power {power}: {sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn limit_moments_of_the_hertz_pressure() {
+        // ∬ √(1−r²) = 2π/3, ∬ Y² √(1−r²) = 2π/15, ∬ X²Y² √(1−r²) = 2π/105.
+        type Moment = (fn(f64, f64) -> f64, f64);
+        let cases: [Moment; 3] =
+            [(|_, _| 1.0, 2.0 / 3.0), (|_, y| y * y, 2.0 / 15.0), (|x, y| x * x * y * y, 2.0 / 105.0)];
+        for slip in [[1.0, 0.0, 0.0], [0.1, 1.0, 0.0], [0.1, 0.2, 1.0], [-0.3, 0.1, 1.0], [0.0, 0.0, 0.0]] {
+            for (g, share) in cases {
+                let exact = share * PI;
+                for rule in
+                    [PatchRule::GaussJacobi { radial: 4, angles: 8 }, PatchRule::SplitStrip { across: 12, along: 4 }]
+                {
+                    let sum = integral(rule, slip, g);
+                    assert!((sum - exact).abs() < 1e-13, "{rule:?} {slip:?}: {sum} {exact}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn limit_midpoint_rule_is_of_order_three_halves_at_the_edge() {
+        let error = |n| {
+            (integral(PatchRule::PolarMidpoint { radial: n, circumferential: 8 }, [0.0; 3], |_, _| 1.0)
+                - 2.0 * PI / 3.0)
+                .abs()
+        };
+        let order = (error(20) / error(80)).log2() / 2.0;
+        assert!((order - 1.5).abs() < 0.1, "order {order}");
+    }
+
+    #[test]
+    fn identity_cuts_lie_on_the_zeros() {
+        for slip in [[0.1f64, 1.0, 0.3], [-0.05, 0.2, -1.0], [0.5, -0.1, 1.0], [0.02, 1e-9, 0.9]] {
+            let [gamma, beta, alpha] = slip;
+            for root in cuts::<f64>(slip).into_iter().flatten() {
+                assert!((gamma - beta * root - alpha * root * root).abs() < 1e-15 * (1.0 + root.abs()).powi(2));
+            }
+        }
+    }
+
+    #[test]
+    fn identity_sum_does_not_jump_where_zeros_come_and_go() {
+        let g = |slip: [f64; 3]| {
+            let rule = PatchRule::SplitStrip { across: 5, along: 3 };
+            integral(rule, slip, |_, y| (slip[0] - slip[1] * y - slip[2] * y * y).signum())
+        };
+        // A zero leaves at the edge; two zeros meet inside the patch.
+        for (base, direction) in [([1.0, 1.0, 0.0], 0), ([0.75, 0.25, 0.5], 0), ([-0.125, 0.5, -0.5], 0)] {
+            let at = |step: f64| {
+                let mut slip = base;
+                slip[direction] += step;
+                g(slip)
+            };
+            assert!((at(1e-12) - at(-1e-12)).abs() < 1e-5, "{base:?}: {} {}", at(-1e-12), at(1e-12));
+        }
+    }
+
+    #[test]
+    fn limit_no_points_and_unchosen_rules_are_refused() {
+        assert_eq!(Quadrature::new(PatchRule::GaussJacobi { radial: 0, angles: 4 }), Err(TractionError::NoPoints));
+        assert_eq!(Quadrature::new(PatchRule::TargetError { relative: 1e-4 }), Err(TractionError::RuleNotChosen));
+    }
+}
