@@ -28,6 +28,7 @@
 //! followed in time; the cage acts on no ball (its pocket force is worked out afterwards). The crate prints nothing
 //! and reads nothing.
 
+mod azimuth;
 mod block;
 mod cage;
 mod driver;
@@ -40,6 +41,7 @@ mod solution;
 mod solve;
 mod with_traction;
 
+pub use azimuth::{AzimuthRule, OverAzimuth, ball_numbers};
 pub use block::{RingFreedom, SolverStatistics};
 pub use problem::{OperatingPoint, Place, QuasiStaticError};
 pub use solution::{BallSolution, Model, Solution};

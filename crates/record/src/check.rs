@@ -1,9 +1,9 @@
 //! What a solution must be before a byte of it is written.
 
 use crate::RecordError;
-use crate::interpolate::numbers;
 use tribodyn_bearing::Geometry;
 use tribodyn_quasistatic::Solution;
+use tribodyn_quasistatic::ball_numbers as numbers;
 
 /// Refuses what cannot be recorded: numbers that are not finite, another bearing's solution, uneven azimuths.
 pub(crate) fn check(solution: &Solution, geometry: &Geometry) -> Result<(), RecordError> {

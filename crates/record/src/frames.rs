@@ -5,10 +5,10 @@
 //! exact for a constant ω, second order in the step where ω varies over azimuth (with 360 steps an orbit and a spin
 //! that changes by a percent over it, 3e-6 rad in all).
 
-use crate::interpolate::OverAzimuth;
 use crate::quaternion::{Rotation, vector};
 use crate::timeline::{Timeline, timestamp};
 use crate::wire::foxglove::{FrameTransform, FrameTransforms};
+use tribodyn_quasistatic::OverAzimuth;
 use tribodyn_quasistatic::{BallSolution, Solution};
 
 /// Frame of the bearing: origin at the plane of the unloaded ball centres, Z axial.

@@ -61,7 +61,6 @@ mod colour;
 mod contacts;
 mod error;
 mod frames;
-mod interpolate;
 mod mesh;
 mod messages;
 mod quaternion;

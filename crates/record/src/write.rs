@@ -3,7 +3,6 @@
 use crate::check::check;
 use crate::contacts::{self, Scales};
 use crate::frames::{self, Spins};
-use crate::interpolate::{OverAzimuth, Rule};
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, Timeline, timestamp};
 use crate::wire::foxglove::{Log, log};
@@ -19,6 +18,7 @@ use std::io::{BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 use tribodyn_bearing::case::Case;
 use tribodyn_bearing::{Geometry, Side};
+use tribodyn_quasistatic::{AzimuthRule, OverAzimuth};
 use tribodyn_quasistatic::{BallSolution, Solution};
 
 /// The Foxglove layout that belongs to a recording, with the camera at a bearing of 215 mm outside diameter; every
@@ -186,7 +186,7 @@ impl<'a> Recording<'a> {
             ("iterations", solution.iterations.to_string()),
             ("tolerance", self.input.case.numerics.tolerance.to_string()),
             ("cage_speed_rpm", solution.cage_speed_rpm.to_string()),
-            ("interpolation", Rule::of(solution).name().to_owned()),
+            ("interpolation", AzimuthRule::of(solution).name().to_owned()),
             ("step_ns", timeline.step_ns.to_string()),
             ("samples_per_orbit", timeline.samples.to_string()),
             ("frame_stride", timeline.frame_stride.to_string()),

@@ -7,40 +7,42 @@
 //! A ball that loses contact makes the data kink, and the interpolant would ring through zero load: then every
 //! quantity is interpolated linearly. Pocket force and pocket wear have a dead band and are always linear.
 
+use crate::{BallSolution, Solution};
 use std::f64::consts::TAU;
-use tribodyn_quasistatic::{BallSolution, Solution};
 
 /// How quantities are interpolated over azimuth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Rule {
+pub enum AzimuthRule {
     /// Trigonometric: all balls carry load at both races.
     Trigonometric,
     /// Piecewise linear: some ball has lost contact.
     Linear,
 }
 
-impl Rule {
+impl AzimuthRule {
     /// The rule that suits a solution.
-    pub(crate) fn of(solution: &Solution) -> Self {
+    pub fn of(solution: &Solution) -> Self {
         let loaded = |ball: &BallSolution| ball.load_inner_n > 0.0 && ball.load_outer_n > 0.0;
-        if solution.balls.iter().all(loaded) { Rule::Trigonometric } else { Rule::Linear }
+        if solution.balls.iter().all(loaded) { AzimuthRule::Trigonometric } else { AzimuthRule::Linear }
     }
 
     /// Name for the metadata of the recording.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
-            Rule::Trigonometric => "trigonometric",
-            Rule::Linear => "linear",
+            AzimuthRule::Trigonometric => "trigonometric",
+            AzimuthRule::Linear => "linear",
         }
     }
 }
 
 /// Weights of N equispaced values, the first at `first`, for the value at `azimuth` (both rad); they sum to 1.
-pub(crate) fn weights(rule: Rule, count: usize, first: f64, azimuth: f64) -> Vec<f64> {
+fn weights(rule: AzimuthRule, count: usize, first: f64, azimuth: f64) -> Vec<f64> {
     let spacing = TAU / count as f64;
     match rule {
-        Rule::Trigonometric => (0..count).map(|j| cardinal(count, azimuth - first - spacing * j as f64)).collect(),
-        Rule::Linear => {
+        AzimuthRule::Trigonometric => {
+            (0..count).map(|j| cardinal(count, azimuth - first - spacing * j as f64)).collect()
+        }
+        AzimuthRule::Linear => {
             let place = (azimuth - first).rem_euclid(TAU) / spacing;
             let left = place.floor();
             let mut out = vec![0.0; count];
@@ -86,7 +88,7 @@ macro_rules! ball_scalars {
         }
 
         /// Every number of a ball with the name of its field.
-        pub(crate) fn numbers(ball: &BallSolution) -> Vec<(&'static str, f64)> {
+        pub fn ball_numbers(ball: &BallSolution) -> Vec<(&'static str, f64)> {
             let mut out = vec![("azimuth_deg", ball.azimuth_deg)];
             $(out.push((stringify!($smooth), ball.$smooth));)*
             $(out.push((stringify!($positive), ball.$positive));)*
@@ -121,28 +123,33 @@ fn axis<const N: usize>(
 }
 
 /// The solution as a function of azimuth.
-pub(crate) struct OverAzimuth<'a> {
+#[derive(Debug, Clone)]
+pub struct OverAzimuth<'a> {
     balls: &'a [BallSolution],
-    rule: Rule,
+    rule: AzimuthRule,
     first: f64,
 }
 
 impl<'a> OverAzimuth<'a> {
-    /// Takes the balls of a checked solution: at least one, equispaced.
-    pub(crate) fn new(solution: &'a Solution) -> Self {
-        Self { balls: &solution.balls, rule: Rule::of(solution), first: solution.balls[0].azimuth_deg.to_radians() }
+    /// Takes the balls of a solution: at least one, equispaced, as the solver gives them.
+    pub fn new(solution: &'a Solution) -> Self {
+        Self {
+            balls: &solution.balls,
+            rule: AzimuthRule::of(solution),
+            first: solution.balls[0].azimuth_deg.to_radians(),
+        }
     }
 
     /// Azimuth of a ball at the start, rad.
-    pub(crate) fn start(&self, ball: usize) -> f64 {
+    pub fn start(&self, ball: usize) -> f64 {
         self.first + TAU * ball as f64 / self.balls.len() as f64
     }
 
     /// What a ball would be at this azimuth, rad.
-    pub(crate) fn at(&self, azimuth: f64) -> BallSolution {
+    pub fn at(&self, azimuth: f64) -> BallSolution {
         let count = self.balls.len();
         let rule = weights(self.rule, count, self.first, azimuth);
-        let linear = weights(Rule::Linear, count, self.first, azimuth);
+        let linear = weights(AzimuthRule::Linear, count, self.first, azimuth);
         blend(self.balls, &rule, &linear, azimuth.rem_euclid(TAU).to_degrees())
     }
 }
@@ -156,7 +163,7 @@ mod tests {
         for count in [1_usize, 2, 5, 8, 13, 16] {
             for step in 0..50 {
                 let azimuth = 0.37 + 0.21 * f64::from(step);
-                let w = weights(Rule::Trigonometric, count, 0.3, azimuth);
+                let w = weights(AzimuthRule::Trigonometric, count, 0.3, azimuth);
                 for order in 0..count.div_ceil(2) {
                     let k = order as f64;
                     let f = |phi: f64| (k * phi + 0.4).cos();
@@ -170,7 +177,7 @@ mod tests {
 
     #[test]
     fn identity_both_rules_return_the_nodes_and_sum_to_one() {
-        for rule in [Rule::Trigonometric, Rule::Linear] {
+        for rule in [AzimuthRule::Trigonometric, AzimuthRule::Linear] {
             for count in [1_usize, 2, 13] {
                 for node in 0..3 * count {
                     let azimuth = 0.3 + TAU * node as f64 / count as f64;
