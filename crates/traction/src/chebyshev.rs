@@ -15,11 +15,13 @@ impl Chebyshev {
     /// Interpolates `f` at `count` Chebyshev nodes.
     pub(crate) fn interpolate(low: f64, high: f64, count: usize, f: impl Fn(f64) -> f64) -> Self {
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
-        let angle = |i: usize| PI * (i as f64 + 0.5) / count as f64;
-        let values: Vec<f64> = (0..count).map(|i| f(middle + half * angle(i).cos())).collect();
+        // cos(k (2i + 1) π/(2 count)) from one table over a full turn.
+        let cosines: Vec<f64> = (0..4 * count).map(|j| (PI * j as f64 / (2 * count) as f64).cos()).collect();
+        let cosine = |k: usize, i: usize| cosines[k * (2 * i + 1) % (4 * count)];
+        let values: Vec<f64> = (0..count).map(|i| f(middle + half * cosine(1, i))).collect();
         let coefficients = (0..count)
             .map(|k| {
-                let sum: f64 = values.iter().enumerate().map(|(i, v)| v * (k as f64 * angle(i)).cos()).sum();
+                let sum: f64 = values.iter().enumerate().map(|(i, v)| v * cosine(k, i)).sum();
                 sum * if k == 0 { 1.0 } else { 2.0 } / count as f64
             })
             .collect();

@@ -27,6 +27,50 @@
 //! heating. The built-in data hold in liquid nitrogen at 2.5–3.5 GPa and are extrapolated between 1.5 and 4 GPa.
 //!
 //! The crate does not know what a bearing is: it sees one patch and one relative motion.
+//!
+//! # A law of one's own
+//! The integral takes any [`TractionLaw`]; Coulomb friction shows what is needed.
+//! ```
+//! use tribodyn_traction::{
+//!     MomentArm, Patch, PatchLaw, PatchRule, PressureChoice, Quadrature, RelativeMotion, Scalar, SlipCurve, SlipUnit,
+//!     TractionLaw, patch_traction,
+//! };
+//!
+//! #[derive(Clone, Copy)]
+//! struct Coulomb(f64);
+//!
+//! impl<D: Scalar> SlipCurve<D> for Coulomb {
+//!     fn over_slip(&self, slip: D) -> D {
+//!         if slip.re() > 1e-12 { slip.recip() * self.0 } else { D::zero() }
+//!     }
+//! }
+//!
+//! impl TractionLaw for Coulomb {
+//!     type Curve<D: Scalar> = Self;
+//!     fn at<D: Scalar>(&self, _pressure: D) -> Self {
+//!         *self
+//!     }
+//!     fn clamps(&self, _pressure: f64) -> bool {
+//!         false
+//!     }
+//! }
+//!
+//! let patch = Patch {
+//!     semi_lateral: 4e-3,
+//!     semi_rolling: 0.5e-3,
+//!     peak_pressure: 2e9,
+//!     ball_radius: 0.015,
+//!     surface_radius: f64::INFINITY,
+//!     moment_arm: MomentArm::Curved,
+//! };
+//! let motion = RelativeMotion { rolling: 0.2, lateral: 0.0, spin: 0.0, about_lateral: 0.0, about_rolling: 0.0 };
+//! let law = PatchLaw { law: &Coulomb(0.1), slip_unit: SlipUnit::MeterPerSecond, pressure: PressureChoice::Peak };
+//! let quadrature = Quadrature::new(PatchRule::SplitStrip { across: 8, along: 4 })?;
+//! let traction = patch_traction(&patch, &motion, 60.0, &law, &quadrature);
+//! let load = 2.0 / 3.0 * std::f64::consts::PI * 2e9 * 4e-3 * 0.5e-3;
+//! assert!((traction.force_rolling + 0.1 * load).abs() < 1e-12 * load);
+//! # Ok::<(), tribodyn_traction::TractionError>(())
+//! ```
 
 mod chebyshev;
 mod choose;
@@ -35,12 +79,13 @@ mod kragelskii;
 mod patch;
 mod quadrature;
 mod settings;
+mod strips;
 mod varying;
 
 pub use choose::{Probe, REFERENCE_RULE, choose_rule, rule_error};
 pub use coating::{Coating, TestedCurve, coating_names};
 pub use kragelskii::{Kragelskii, Peak, SlipCurve};
-pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, longitudinal_slip, patch_traction};
+pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};
 pub use quadrature::Quadrature;
 pub use settings::{MomentArm, PatchRule, PressureChoice, SlipUnit};
 pub use tribodyn_contact::Scalar;

@@ -142,7 +142,7 @@ pub fn patch_traction<D: Scalar, L: TractionLaw>(
     let (a, b) = (patch.semi_lateral, patch.semi_rolling);
     let flatness = 0.5 / patch.surface_radius;
     let arm_flatness = if patch.moment_arm == MomentArm::Curved { flatness } else { 0.0 };
-    quadrature.for_each(longitudinal_slip(patch, motion), |unit_x, unit_y, weight| {
+    quadrature.for_each(&SlipField::new(patch, motion), |unit_x, unit_y, weight| {
         let (x, y) = (b * unit_x, a * unit_y);
         let [u, v] = motion.slip_at(x, y, patch);
         let speed = norm(u, v);
@@ -180,11 +180,32 @@ impl<D: Scalar> PatchTraction<D> {
     }
 }
 
-/// (γ, β, α) of the longitudinal slip γ − β Y − α Y² in the unit coordinate Y = y/a.
-pub fn longitudinal_slip<D: Scalar>(patch: &Patch<D>, motion: &RelativeMotion<D>) -> [D; 3] {
-    let a = patch.semi_lateral;
-    let [centre, _] = motion.centre_slip(patch.ball_radius);
-    [centre, motion.spin * a, motion.about_lateral * a * a * (0.5 / patch.surface_radius)]
+/// Sliding velocity over the unit disc X = x/b, Y = y/a, in m/s: Δv_x = γ − β Y − α Y² and Δv_y = δ + σ X + ε Y².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlipField<D = f64> {
+    /// γ, β, α: at the centre, by spin and by differential slip.
+    pub longitudinal: [D; 3],
+    /// δ, σ, ε: at the centre, by spin and by the curvature of the contact.
+    pub lateral: [D; 3],
+}
+
+impl<D: Scalar> SlipField<D> {
+    /// The field of a relative motion; [`RelativeMotion::slip_at`] in other coordinates.
+    pub fn new(patch: &Patch<D>, motion: &RelativeMotion<D>) -> Self {
+        let a = patch.semi_lateral;
+        let bow = a * a * (0.5 / patch.surface_radius);
+        let [along, across] = motion.centre_slip(patch.ball_radius);
+        Self {
+            longitudinal: [along, motion.spin * a, motion.about_lateral * bow],
+            lateral: [across, motion.spin * patch.semi_rolling, motion.about_rolling * bow],
+        }
+    }
+
+    /// Sliding velocity (along rolling, across) at a point of the unit disc, m/s.
+    pub fn at(&self, x: D, y: D) -> [D; 2] {
+        let ([gamma, beta, alpha], [delta, sigma, epsilon]) = (self.longitudinal, self.lateral);
+        [gamma - y * (beta + alpha * y), delta + sigma * x + epsilon * y * y]
+    }
 }
 
 /// |(u, v)| with derivative zero at the origin, where the integrand does not depend on it.

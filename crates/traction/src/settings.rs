@@ -33,18 +33,18 @@ pub enum PatchRule {
         /// Cells along the circumference.
         circumferential: usize,
     },
-    /// Gauss–Jacobi in the squared radius (weight √(1−u)) times equispaced angles.
+    /// Gauss–Jacobi in the squared radius (weight √(1−u)) times equispaced angles, every other ring turned by half.
     GaussJacobi {
         /// Nodes along the radius.
         radial: usize,
         /// Equispaced angles.
         angles: usize,
     },
-    /// Strips across the groove, cut where the longitudinal slip vanishes.
+    /// Strips across the groove, cut where the longitudinal slip vanishes, with nodes drawn to the pole of the slip.
     SplitStrip {
         /// Gauss–Legendre nodes across the groove, per panel.
         across: usize,
-        /// Chebyshev nodes along the rolling direction, per strip.
+        /// Nodes along the rolling direction, per strip.
         along: usize,
     },
     /// The cheapest rule whose estimated error of force and moment stays below `relative` × load.

@@ -126,7 +126,7 @@ impl CoatingLaw {
         let mut series = None;
         for length in SERIES_LENGTHS {
             let candidate = [0, 1, 2].map(|i| Chebyshev::interpolate(low, high, length, |p| parameter(i)(&fit, p)));
-            let done = candidate.iter().all(|c| c.tail() < 1e-15);
+            let done = candidate.iter().all(|c| c.tail() < 1e-14);
             series = Some(candidate);
             if done {
                 break;
