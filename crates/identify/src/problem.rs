@@ -1,0 +1,252 @@
+//! The problem file: which case, which free parameters, which data.
+
+use crate::IdentifyError;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use tribodyn_quasistatic::Model;
+
+/// An identification problem as its RON file has it.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Problem {
+    /// A title for reports.
+    pub name: String,
+    /// Case file, relative to the problem file.
+    pub case: String,
+    /// Seed of the start points.
+    pub seed: u64,
+    /// Number of start points.
+    pub starts: usize,
+    /// Free parameters.
+    pub parameters: Vec<Parameter>,
+    /// Variants of the case that data refer to.
+    pub runs: BTreeMap<String, Run>,
+    /// Figures to meet.
+    pub data: Vec<Datum>,
+    /// Values that hold only while searching, such as a coarser patch rule; the completed case keeps its own.
+    #[serde(default)]
+    pub search: BTreeMap<String, String>,
+    /// Alternatives to be fitted one after the other; without any, the case as it is.
+    #[serde(default)]
+    pub hypotheses: Vec<Hypothesis>,
+}
+
+/// A free number of the case file.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Parameter {
+    /// Name in reports.
+    pub name: String,
+    /// Where the number stands, inside its unit: `geometry.pitch_diameter.mm`. Several places take the same number.
+    pub paths: Vec<String>,
+    /// Smallest and largest value, in the unit of the file.
+    pub bounds: (f64, f64),
+    /// What is known beforehand: mean and standard deviation, in the unit of the file (of ln value on a log scale).
+    #[serde(default)]
+    pub prior: Option<Prior>,
+    /// Whether steps are taken in the value or in its logarithm.
+    #[serde(default)]
+    pub scale: Scale,
+}
+
+/// A normal prior.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Prior {
+    /// Mean, in the unit of the file.
+    pub mean: f64,
+    /// Standard deviation, in the unit of the file; on a log scale, relative.
+    pub spread: f64,
+}
+
+/// The scale of a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+pub enum Scale {
+    /// Steps in the value.
+    #[default]
+    Linear,
+    /// Steps in the logarithm; bounds must be positive.
+    Log,
+}
+
+/// A variant of the case.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Run {
+    /// Which equations.
+    pub model: ModelName,
+    /// Values that replace the case's, by path.
+    #[serde(default)]
+    pub set: BTreeMap<String, String>,
+}
+
+/// The models by the names of the command line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+pub enum ModelName {
+    /// Raceway control.
+    JonesHarris,
+    /// Traction integrals.
+    Traction,
+}
+
+impl From<ModelName> for Model {
+    fn from(name: ModelName) -> Self {
+        match name {
+            ModelName::JonesHarris => Self::JonesHarris,
+            ModelName::Traction => Self::Traction,
+        }
+    }
+}
+
+/// A figure that the model should meet.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Datum {
+    /// Name in reports.
+    pub id: String,
+    /// Which run it belongs to.
+    pub run: String,
+    /// What was measured.
+    pub quantity: Quantity,
+    /// The figure, in the unit of the quantity.
+    pub value: f64,
+    /// Its standard uncertainty, in the same unit.
+    pub uncertainty: f64,
+}
+
+/// What can be measured. Azimuths in degrees; a ball's value there is interpolated over the solved balls.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Quantity {
+    /// Mean orbital speed of the balls, r/min.
+    CageSpeed,
+    /// Frequency at which balls pass a point of the outer race, Hz.
+    OuterPassingFrequency,
+    /// Inner peak pressure, GPa.
+    PeakPressureInner {
+        /// Azimuth, degrees.
+        azimuth: f64,
+    },
+    /// Outer peak pressure, GPa.
+    PeakPressureOuter {
+        /// Azimuth, degrees.
+        azimuth: f64,
+    },
+    /// Inner contact load, N.
+    LoadInner {
+        /// Azimuth, degrees.
+        azimuth: f64,
+    },
+    /// Outer contact load, N.
+    LoadOuter {
+        /// Azimuth, degrees.
+        azimuth: f64,
+    },
+    /// Inner contact angle, degrees.
+    ContactAngleInner {
+        /// Azimuth, degrees.
+        azimuth: f64,
+    },
+    /// Outer contact angle, degrees.
+    ContactAngleOuter {
+        /// Azimuth, degrees.
+        azimuth: f64,
+    },
+    /// Axial displacement of the inner ring, µm.
+    RingDisplacementAxial,
+    /// Displacement of the inner ring along x, µm.
+    RingDisplacementRadial,
+    /// Torque of the shaft, N m.
+    ShaftTorque,
+}
+
+/// Values that hold throughout one fit.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Hypothesis {
+    /// Name in reports.
+    pub name: String,
+    /// Values that replace the case's, by path.
+    pub set: BTreeMap<String, String>,
+    /// Parameters that stay as the case (or `set`) has them.
+    #[serde(default)]
+    pub hold: Vec<String>,
+}
+
+impl Problem {
+    /// Reads and checks a problem.
+    ///
+    /// # Errors
+    /// [`IdentifyError::Syntax`] with line and column, [`IdentifyError::Value`] with the field.
+    pub fn from_ron(text: &str) -> Result<Self, IdentifyError> {
+        let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
+        let problem: Self = options.from_str(text).map_err(|error| IdentifyError::Syntax {
+            line: error.span.start.line,
+            column: error.span.start.col,
+            message: error.code.to_string(),
+        })?;
+        problem.check()?;
+        Ok(problem)
+    }
+
+    /// Checks the values of a problem, also of one made or changed in code.
+    ///
+    /// # Errors
+    /// [`IdentifyError::Value`] with the field.
+    pub fn check(&self) -> Result<(), IdentifyError> {
+        let refuse =
+            |field: String, value: String, allowed: &'static str| Err(IdentifyError::Value { field, value, allowed });
+        if self.starts == 0 || self.starts > 10_000 {
+            return refuse("starts".into(), self.starts.to_string(), "1 to 10000");
+        }
+        if self.parameters.is_empty() {
+            return refuse("parameters".into(), "[]".into(), "at least one free parameter");
+        }
+        for (index, p) in self.parameters.iter().enumerate() {
+            let field = |name: &str| format!("parameters[{index}].{name} ({})", p.name);
+            let (low, high) = p.bounds;
+            if !(low.is_finite() && high.is_finite() && low < high) {
+                return refuse(field("bounds"), format!("({low}, {high})"), "finite, lower below upper");
+            }
+            if p.scale == Scale::Log && low <= 0.0 {
+                return refuse(field("bounds"), format!("({low}, {high})"), "positive on a log scale");
+            }
+            if p.paths.is_empty() {
+                return refuse(field("paths"), "[]".into(), "at least one path into the case");
+            }
+            if let Some(prior) = p.prior {
+                let inside = prior.mean.is_finite() && (p.scale == Scale::Linear || prior.mean > 0.0);
+                if !(inside && prior.spread > 0.0 && prior.spread.is_finite()) {
+                    return refuse(
+                        field("prior"),
+                        format!("{prior:?}"),
+                        "finite mean (positive on a log scale), spread above 0",
+                    );
+                }
+            }
+        }
+        if self.data.is_empty() {
+            return refuse("data".into(), "[]".into(), "at least one datum");
+        }
+        for (index, d) in self.data.iter().enumerate() {
+            let field = |name: &str| format!("data[{index}].{name} ({})", d.id);
+            if !self.runs.contains_key(&d.run) {
+                return refuse(field("run"), d.run.clone(), "the name of one of the runs");
+            }
+            if !d.value.is_finite() {
+                return refuse(field("value"), d.value.to_string(), "a finite number");
+            }
+            if !(d.uncertainty > 0.0 && d.uncertainty.is_finite()) {
+                return refuse(field("uncertainty"), d.uncertainty.to_string(), "a finite number above 0");
+            }
+        }
+        for (index, h) in self.hypotheses.iter().enumerate() {
+            for name in &h.hold {
+                if !self.parameters.iter().any(|p| p.name == *name) {
+                    return refuse(format!("hypotheses[{index}].hold"), name.clone(), "names of parameters");
+                }
+            }
+        }
+        Ok(())
+    }
+}

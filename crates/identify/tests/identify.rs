@@ -1,0 +1,149 @@
+//! Identification on problems whose answer is known.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{RngCore, SeedableRng};
+use tribodyn_bearing::Bearing;
+use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_identify::{Datum, IdentifyError, Problem, Quantity, identify};
+use tribodyn_quasistatic::{Model, OperatingPoint, solve};
+
+const CASE: &str = include_str!("../../../fixtures/cases/bearing-218.ron");
+
+/// Loads and groove coefficients of the 218 bearing from angles, loads and speeds under raceway control: quick to solve.
+const PROBLEM: &str = r#"(
+    name: "synthetic", case: "", seed: 5, starts: 4,
+    parameters: [
+        (name: "axial load", paths: ["ring.z.Force.N"], bounds: (15000, 30000)),
+        (name: "inner coefficient", paths: ["geometry.inner_groove.Coefficient"], bounds: (0.515, 0.54)),
+        (name: "outer coefficient", paths: ["geometry.outer_groove.Coefficient"], bounds: (0.515, 0.54)),
+    ],
+    runs: { "jh": (model: JonesHarris, set: {"numerics.contact_at_actual_angle": "false"}) },
+    data: [
+        (id: "speed", run: "jh", quantity: CageSpeed, value: 0, uncertainty: 0.5),
+        (id: "p_i", run: "jh", quantity: PeakPressureInner(azimuth: 0), value: 0, uncertainty: 0.002),
+        (id: "p_o", run: "jh", quantity: PeakPressureOuter(azimuth: 0), value: 0, uncertainty: 0.002),
+        (id: "a_i", run: "jh", quantity: ContactAngleInner(azimuth: 0), value: 0, uncertainty: 0.05),
+        (id: "a_o", run: "jh", quantity: ContactAngleOuter(azimuth: 0), value: 0, uncertainty: 0.05),
+    ],
+)"#;
+const TRUTH: [(&str, f64); 3] = [
+    ("ring.z.Force.N", 22_250.0),
+    ("geometry.inner_groove.Coefficient", 0.5232),
+    ("geometry.outer_groove.Coefficient", 0.5262),
+];
+
+fn true_figure(quantity: Quantity) -> f64 {
+    let text = TRUTH
+        .iter()
+        .fold(CASE.to_owned(), |text, (path, value)| set_value(&text, path, &format!("{value:?}")).unwrap());
+    let case = Case::from_ron(&text).unwrap();
+    let solved = solve(&Bearing::new(&case).unwrap(), &OperatingPoint::new(&case), Model::JonesHarris).unwrap();
+    quantity.of(&solved.solution)
+}
+
+/// A number from the standard normal distribution (Box–Muller).
+fn normal(random: &mut ChaCha8Rng) -> f64 {
+    let mut uniform = || ((random.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64;
+    let (a, b) = (uniform(), uniform());
+    (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos()
+}
+
+fn synthetic(noise_seed: Option<u64>) -> Problem {
+    let mut problem = Problem::from_ron(PROBLEM).unwrap();
+    let mut random = ChaCha8Rng::seed_from_u64(noise_seed.unwrap_or(0));
+    for datum in &mut problem.data {
+        let noise = noise_seed.map_or(0.0, |_| normal(&mut random) * datum.uncertainty);
+        datum.value = true_figure(datum.quantity) + noise;
+    }
+    problem
+}
+
+#[test]
+fn identity_exact_data_give_the_parameters_back() {
+    let answer = &identify(&synthetic(None), CASE, &|| ()).unwrap()[0];
+    assert!(answer.cost < 1e-8, "cost {}", answer.cost);
+    for (p, (_, truth)) in answer.parameters.iter().zip(TRUTH) {
+        assert!((p.value - truth).abs() < 1e-3 * p.spread.max(1e-12), "{}: {} against {truth}", p.name, p.value);
+        assert!(p.determined && !p.at_bound, "{}", p.name);
+    }
+    assert!(answer.sensitivity_check < 1e-3, "{}", answer.sensitivity_check);
+}
+
+#[test]
+fn identity_noisy_data_give_the_parameters_within_two_spreads() {
+    let mut inside = 0;
+    for seed in 0..20 {
+        let answer = &identify(&synthetic(Some(seed)), CASE, &|| ()).unwrap()[0];
+        let within = |(p, (_, truth)): (&tribodyn_identify::ParameterResult, (&str, f64))| {
+            (p.value - truth).abs() <= 2.0 * p.spread
+        };
+        inside += usize::from(answer.parameters.iter().zip(TRUTH).all(within));
+    }
+    // Three parameters within two standard deviations each: 86 to 95 % of the seeds, by their correlation.
+    assert!(inside >= 18, "{inside} of 20 seeds");
+}
+
+#[test]
+fn identity_the_seed_and_the_threads_do_not_change_the_answer() {
+    let problem = synthetic(Some(3));
+    let first = identify(&problem, CASE, &|| ()).unwrap();
+    assert_eq!(first, identify(&problem, CASE, &|| ()).unwrap());
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    assert_eq!(first, one.install(|| identify(&problem, CASE, &|| ())).unwrap());
+    let other = identify(&Problem { seed: 99, ..problem }, CASE, &|| ()).unwrap();
+    for (a, b) in first[0].parameters.iter().zip(&other[0].parameters) {
+        assert!((a.value - b.value).abs() < 0.05 * a.spread, "{}: {} and {}", a.name, a.value, b.value);
+    }
+}
+
+#[test]
+fn limit_an_undetermined_parameter_is_said_to_be_one() {
+    // A cage speed alone cannot tell the two groove coefficients apart, and says little of either.
+    let mut problem = synthetic(None);
+    problem.data.truncate(1);
+    let answer = &identify(&problem, CASE, &|| ()).unwrap()[0];
+    let lost: Vec<_> = answer.parameters.iter().filter(|p| !p.determined).collect();
+    assert!(lost.len() >= 2, "{:?}", answer.parameters);
+    for p in lost {
+        let measure = p.measure.as_ref().expect("a figure that would determine it");
+        assert!(measure.contains("run \"jh\""), "{measure}");
+    }
+    assert!(answer.case_text.contains("not determined by the data"));
+}
+
+#[test]
+fn identity_every_share_sums_to_one_with_the_weak_prior_left_out() {
+    let answer = &identify(&synthetic(Some(1)), CASE, &|| ()).unwrap()[0];
+    for p in &answer.parameters {
+        let sum: f64 = p.determined_by.iter().map(|(_, share)| share).sum();
+        assert!(sum > 0.5 && sum <= 1.0 + 1e-9, "{}: {sum}", p.name);
+    }
+}
+
+#[test]
+fn limit_the_completed_case_is_a_case_with_sources() {
+    let answer = &identify(&synthetic(Some(2)), CASE, &|| ()).unwrap()[0];
+    let case = Case::from_ron(&answer.case_text).unwrap();
+    let source = format!("{:?}", case.sources["geometry.inner_groove"]);
+    assert!(source.contains("Identified"), "{source}");
+    assert!(case.sources.contains_key("ring.z") && !case.sources.contains_key("ring.z.Force"));
+    assert!((case.geometry.ball_diameter - 0.02223).abs() < 1e-15, "published values stay");
+}
+
+#[test]
+fn limit_bad_problems_are_refused_with_their_place() {
+    let with = |from: &str, to: &str| Problem::from_ron(&PROBLEM.replacen(from, to, 1)).unwrap_err().to_string();
+    assert!(with("starts: 4", "starts: 0").contains("starts"));
+    assert!(with("(15000, 30000)", "(30000, 15000)").contains("parameters[0].bounds"));
+    assert!(with("run: \"jh\"", "run: \"x\"").contains("data[0].run"));
+    assert!(with("uncertainty: 0.5", "uncertainty: -1").contains("data[0].uncertainty"));
+    assert!(with("seed: 5", "seeds: 5").contains("line 2"));
+    let mut problem = synthetic(None);
+    problem.parameters[0].paths = vec!["ring.z.Force".into()];
+    assert!(matches!(identify(&problem, CASE, &|| ()), Err(IdentifyError::NotANumber { .. })));
+    problem.parameters[0].paths = vec!["ring.w".into()];
+    assert!(matches!(identify(&problem, CASE, &|| ()), Err(IdentifyError::Path { .. })));
+    problem = synthetic(None);
+    problem.data.push(Datum { value: f64::NAN, ..problem.data[0].clone() });
+    assert!(problem.check().is_err());
+}
