@@ -1,1 +1,74 @@
-fn main() {}
+//! `cargo xtask`: rebuilds the published figures that the model covers, and runs all that continuous integration checks.
+//!
+//! # Decisions
+//! ```text
+//! number:        deviation = computed − published,   met if |deviation| ≤ tolerance
+//! order, shape:  met if the measured quantity is on the stated side of its limit; the row's note names both
+//! regression:    |ours now − ours then| ≤ 1e-6 |ours then|
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | κ, s | traction coefficient, slip | –, unit of the tests |
+//! | p, Q | peak contact pressure, contact load | GPa, N |
+//! | T, ξ | longitudinal traction, slide-to-roll ratio | N, – |
+//! | φ | azimuth; heavy zone −90° to 90°, light zone the rest | ° |
+//!
+//! Source of the published figures: Zhang, Jia, Zhao, Wei, Zi, Lubricants 2025, 13(8), 352,
+//! doi:10.3390/lubricants13080352; they are in `fixtures/reference/zhang2025`.
+//!
+//! Limits: claims of the dynamic model are listed and not yet decided. Nothing here changes a parameter to meet a row.
+//!
+//! What it does not know: any physics; it asks the crates and compares.
+
+mod ci;
+mod error;
+mod files;
+mod table;
+mod validate;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+#[derive(Parser)]
+#[command(name = "cargo xtask", about = "Validation and continuous integration of tribodyn")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Rebuild every published figure and compare
+    Validate(validate::Arguments),
+    /// Rewrite the committed results, verdicts and table blocks of the documents
+    Fixtures,
+    /// Run everything that continuous integration runs
+    Ci,
+}
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Validate(arguments) => validate::run(&arguments),
+        Command::Fixtures => validate::rewrite_fixtures(),
+        Command::Ci => ci::run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn identity_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+}

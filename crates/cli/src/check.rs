@@ -1,10 +1,9 @@
 //! `tribodyn check`: is a case file right, and what follows from it.
 
 use crate::failure::Failure;
-use crate::input::CaseFile;
-use crate::table;
+use crate::input::{CaseArguments, CaseFile};
+use crate::table::{self, number};
 use serde::Serialize;
-use std::path::PathBuf;
 use tribodyn_bearing::case::{Case, Source};
 use tribodyn_bearing::{Bearing, Side};
 use tribodyn_quasistatic::OperatingPoint;
@@ -12,8 +11,8 @@ use tribodyn_quasistatic::OperatingPoint;
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Case file (RON)
-    case: PathBuf,
+    #[command(flatten)]
+    case: CaseArguments,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -86,13 +85,12 @@ fn answer(case: &Case, bearing: &Bearing) -> Answer {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case)?;
+    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
     let bearing = file.bearing()?;
     let a = answer(&file.case, &bearing);
     if arguments.json {
         return table::print_json(&a);
     }
-    let number = |v: f64, digits: usize| format!("{v:.digits$}");
     table::print_line(&format!("{}: {}\n", file.name, a.name))?;
     let mut rows = vec![
         ("free contact angle", number(a.contact_angle_deg, 4), "°"),

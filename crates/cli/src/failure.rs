@@ -4,24 +4,31 @@ use miette::{Diagnostic, NamedSource, SourceSpan};
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_bearing::case::CaseError;
+use tribodyn_identify::IdentifyError;
 use tribodyn_quasistatic::QuasiStaticError;
 
 /// A failed command; its exit code says whether the input or the calculation is to blame.
 #[derive(Debug, thiserror::Error, Diagnostic)]
 pub enum Failure {
-    #[error("{}:{}:{}: {}", .0.file, .0.error.line, .0.error.column, .0.error)]
+    #[error("{}{}:{}:{}: {}", .0.options, .0.file, .0.error.line, .0.error.column, .0.error)]
     #[diagnostic(transparent)]
     Case(Box<CaseFailure>),
+    #[error("{option}: {error}")]
+    Change { option: String, error: Box<CaseError> },
     #[error("cannot read {}: {source}", path.display())]
     Read { path: PathBuf, source: std::io::Error },
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: std::io::Error },
     #[error("--{option} {value}: {message}")]
     Option { option: &'static str, value: String, message: String },
+    #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
+    OutOfRange { quantity: &'static str, value: f64 },
     #[error("{file}: {source}")]
     Bearing { file: String, source: BearingError },
-    #[error(transparent)]
-    Solver(#[from] QuasiStaticError),
+    #[error("{file}: {source}")]
+    Solver { file: String, source: QuasiStaticError },
+    #[error("{file}: {source}")]
+    Identify { file: String, source: IdentifyError },
     #[error(transparent)]
     Contact(#[from] tribodyn_contact::ContactError),
     #[error(transparent)]
@@ -41,6 +48,8 @@ pub enum Failure {
 #[error("{error}")]
 pub struct CaseFailure {
     pub file: String,
+    /// The options that brought the value in, each with a colon; empty where it stands in the file.
+    pub options: String,
     #[source_code]
     pub text: NamedSource<String>,
     #[label("here")]
@@ -51,7 +60,8 @@ pub struct CaseFailure {
 impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Solver(QuasiStaticError::NotConverged { .. }) => 1,
+            Self::Solver { source: QuasiStaticError::NotConverged { .. }, .. } => 1,
+            Self::Identify { source: IdentifyError::NoStart { .. } | IdentifyError::Solver(_), .. } => 1,
             Self::Write { .. } | Self::Record(_) | Self::Plot(_) | Self::Output(_) | Self::Json(_) => 1,
             _ => 2,
         }

@@ -65,6 +65,22 @@ fn within(option: &'static str, value: f64, allowed: &str, ok: bool) -> Result<f
     Err(Failure::Option { option, value: value.to_string(), message: format!("allowed is {allowed}") })
 }
 
+/// JSON has no infinity: numbers that overflow are refused instead.
+fn check_range(answer: &Answer) -> Result<(), Failure> {
+    let values = [
+        ("the ellipticity", answer.ellipticity),
+        ("the semi-major axis", answer.semi_major_m),
+        ("the semi-minor axis", answer.semi_minor_m),
+        ("the peak pressure", answer.peak_pressure_pa),
+        ("the approach", answer.approach_m),
+        ("the stiffness", answer.stiffness_n_per_m_1_5),
+    ];
+    match values.into_iter().find(|(_, value)| !value.is_finite()) {
+        Some((quantity, value)) => Err(Failure::OutOfRange { quantity, value }),
+        None => Ok(()),
+    }
+}
+
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let a = arguments;
     within("load", a.load, "a force in N, 0 or more", a.load >= 0.0)?;
@@ -87,6 +103,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         approach_m: contact.approach(a.load),
         stiffness_n_per_m_1_5: contact.stiffness(),
     };
+    check_range(&answer)?;
     if a.json {
         return table::print_json(&answer);
     }

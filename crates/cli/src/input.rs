@@ -1,12 +1,62 @@
-//! Reading case files.
+//! Reading case files, with the changes that the command line makes to them.
 
 use crate::failure::{CaseFailure, Failure};
 use miette::NamedSource;
-use std::path::Path;
+use std::fmt;
+use std::path::{Path, PathBuf};
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, CaseError};
+use tribodyn_bearing::case::{Case, CaseError, set_value};
 
-/// A case file's text and what it says.
+/// A case file and what to change in it for this run.
+#[derive(clap::Args)]
+pub struct CaseArguments {
+    /// Case file (RON)
+    #[arg(value_name = "CASE")]
+    pub path: PathBuf,
+    /// Replace one value of the case for this run, such as 'ring.z.Force=kN(30)'; may be repeated
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = Change::parse)]
+    pub changes: Vec<Change>,
+}
+
+/// A value of the case file to be replaced.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Change {
+    /// The option as it was given, for messages.
+    option: String,
+    path: String,
+    value: String,
+}
+
+impl Change {
+    fn parse(text: &str) -> Result<Self, String> {
+        match text.split_once('=') {
+            Some((path, value)) if !path.trim().is_empty() && !value.trim().is_empty() => {
+                Ok(Self::new(format!("--set {text}"), path.trim(), value.trim()))
+            }
+            _ => Err("allowed is PATH=VALUE, the value as in a case file, such as ring.z.Force=kN(30)".to_owned()),
+        }
+    }
+
+    pub fn new(option: String, path: &str, value: &str) -> Self {
+        Self { option, path: path.to_owned(), value: value.to_owned() }
+    }
+
+    /// Whether the change can be what an error at `path` is about: one of the two lies within the other.
+    fn concerns(&self, path: &str) -> bool {
+        let within = |inner: &str, outer: &str| {
+            inner.strip_prefix(outer).is_some_and(|r| r.is_empty() || r.starts_with(['.', '[']))
+        };
+        within(&self.path, path) || within(path, &self.path)
+    }
+}
+
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.option)
+    }
+}
+
+/// A case file's text, changes made, and what it says.
 pub struct CaseFile {
     pub name: String,
     pub text: String,
@@ -14,15 +64,28 @@ pub struct CaseFile {
 }
 
 impl CaseFile {
-    /// Reads, parses and validates.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
+    /// Reads, makes the changes, parses and validates.
+    pub fn read(path: &Path, changes: &[Change]) -> Result<Self, Failure> {
         let read = |source| Failure::Read { path: path.to_owned(), source };
         let bytes = std::fs::read(path).map_err(read)?;
-        let text = String::from_utf8(bytes)
+        let original = String::from_utf8(bytes)
             .map_err(|_| read(std::io::Error::new(std::io::ErrorKind::InvalidData, "it is not UTF-8 text")))?;
         let name = path.display().to_string();
-        let case = Case::from_ron(&text).map_err(|error| refused(&name, &text, error))?;
-        Ok(Self { name, text, case })
+        let mut text = original.clone();
+        for change in changes {
+            text = match set_value(&text, &change.path, &change.value) {
+                Ok(changed) => changed,
+                // A file that cannot be read has no values to replace: then that is the news.
+                Err(error) => {
+                    Case::from_ron(&original).map_err(|error| refused(&name, &original, String::new(), error))?;
+                    return Err(Failure::Change { option: change.to_string(), error: Box::new(error) });
+                }
+            };
+        }
+        match Case::from_ron(&text) {
+            Ok(case) => Ok(Self { name, text, case }),
+            Err(error) => Err(refused_after(&name, &original, &text, changes, error)),
+        }
     }
 
     /// The bearing that the solvers work with.
@@ -31,8 +94,37 @@ impl CaseFile {
     }
 }
 
-fn refused(file: &str, text: &str, error: CaseError) -> Failure {
+/// Blames the file for what is wrong without the changes too, and otherwise the change that the error is about, or all.
+fn refused_after(name: &str, original: &str, text: &str, changes: &[Change], error: CaseError) -> Failure {
+    if let Err(before) = Case::from_ron(original)
+        && (&before.path, &before.message) == (&error.path, &error.message)
+    {
+        return refused(name, original, String::new(), before);
+    }
+    let mut blamed: Vec<_> = changes.iter().filter(|change| change.concerns(&error.path)).collect();
+    if blamed.is_empty() {
+        blamed = changes.iter().collect();
+    }
+    let options: String = blamed.iter().map(|change| format!("{change}: ")).collect();
+    refused(name, text, options, error)
+}
+
+fn refused(file: &str, text: &str, options: String, error: CaseError) -> Failure {
     let span = (error.offset, error.length).into();
     let text = NamedSource::new(file, text.to_owned());
-    Failure::Case(Box::new(CaseFailure { file: file.to_owned(), text, span, error }))
+    Failure::Case(Box::new(CaseFailure { file: file.to_owned(), options, text, span, error }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Change;
+
+    #[test]
+    fn limit_a_change_concerns_what_lies_within_it_or_around_it() {
+        let change = Change::parse("geometry.fit = deg(1)").unwrap();
+        assert_eq!((change.path.as_str(), change.value.as_str()), ("geometry.fit", "deg(1)"));
+        assert!(change.concerns("geometry.fit.ContactAngle") && change.concerns("geometry"));
+        assert!(!change.concerns("geometry.fitted") && !change.concerns("cage"));
+        assert!(Change::parse("geometry.fit").is_err() && Change::parse("=1").is_err() && Change::parse("a=").is_err());
+    }
 }

@@ -1,26 +1,40 @@
 //! The `tribodyn` command: one case file in, tables, figures and recordings out.
 //!
-//! Exit codes: 0 done, 1 did not converge, 2 bad input.
+//! Exit codes: 0 done, 1 did not converge or could not be written, 2 bad input.
 
 mod check;
 mod failure;
 mod hertz;
+mod identify;
 mod input;
+mod output;
 mod solve;
 mod table;
 mod traction;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Tribo-dynamics of ball bearings.
 #[derive(Parser)]
-#[command(version, about, arg_required_else_help = true)]
+#[command(version, about, arg_required_else_help = true, after_help = AFTER_HELP)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
 }
+
+const AFTER_HELP: &str = "\
+Examples:
+  tribodyn check fixtures/cases/paper-ag.ron
+  tribodyn solve fixtures/cases/paper-ag.ron --plot figures -o run.mcap
+  tribodyn solve fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(30)' --json
+  tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
+  tribodyn traction --coating ag --pressure 2.5 --slip 0,1,3,10
+  tribodyn identify fixtures/identify/paper.ron -o identified
+
+Exit codes: 0 done, 1 did not converge or could not be written, 2 bad input.";
 
 #[derive(Subcommand)]
 enum Command {
@@ -32,6 +46,8 @@ enum Command {
     Traction(traction::Arguments),
     /// Quasi-static equilibrium of a bearing
     Solve(solve::Arguments),
+    /// Unknown parameters of a case from published or measured figures
+    Identify(identify::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -40,15 +56,25 @@ fn main() -> ExitCode {
         Command::Hertz(arguments) => hertz::run(&arguments),
         Command::Traction(arguments) => traction::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Identify(arguments) => identify::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of a pipe may leave early (`tribodyn … | head`): that is not a failure of ours.
         Err(Failure::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(failure) => {
-            let code = failure.exit_code();
-            eprintln!("{:?}", miette::Report::new(failure));
-            ExitCode::from(code)
+            let code = ExitCode::from(failure.exit_code());
+            report(failure);
+            code
         }
     }
+}
+
+/// Writes a failure to standard error: its message on one line, so that programs can read it too, then the place in the
+/// case file where there is one.
+fn report(failure: Failure) {
+    // Messages hold their causes. Should the hook be set already, it is ours; if nobody listens, nothing can be done.
+    let options = || miette::MietteHandlerOpts::new().wrap_lines(false).without_cause_chain().context_lines(1);
+    let _ = miette::set_hook(Box::new(move |_| Box::new(options().build())));
+    let _ = writeln!(std::io::stderr(), "{:?}", miette::Report::new(failure));
 }

@@ -1,33 +1,41 @@
 //! `tribodyn solve`: quasi-static equilibrium.
 
 use crate::failure::Failure;
-use crate::input::CaseFile;
-use crate::table;
+use crate::input::{CaseArguments, CaseFile, Change};
+use crate::output::StagedFiles;
+use crate::table::{self, number};
+use serde::Serialize;
+use std::fs;
 use std::path::{Path, PathBuf};
-use tribodyn_quasistatic::{Model, OperatingPoint, Solution, solve};
+use tribodyn_quasistatic::{
+    BallRoots, BallSolution, Model, OperatingPoint, Root, Solution, Solved, other_roots, root_warnings, solve,
+};
 use tribodyn_record::{SolutionRecording, write_solution};
 
 /// Solve the quasi-static equilibrium of ring and balls.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Case file (RON)
-    case: PathBuf,
+    #[command(flatten)]
+    case: CaseArguments,
     /// Equations to solve
     #[arg(long, value_enum, default_value_t = ModelName::Traction)]
     model: ModelName,
-    /// Traction parameters that vary with pressure, instead of what the case says
-    #[arg(long)]
+    /// Traction parameters that vary with pressure; short for --set traction.varying=…
+    #[arg(long, value_name = "BOOL")]
     varying: Option<bool>,
-    /// Differential (Heathcote) slip, instead of what the case says
-    #[arg(long)]
+    /// Differential (Heathcote) slip; short for --set traction.differential_slip=…
+    #[arg(long, value_name = "BOOL")]
     differential_slip: Option<bool>,
-    /// Print JSON
+    /// Also search each ball for other equilibria, the ring held (about as long as a dozen solutions)
+    #[arg(long)]
+    roots: bool,
+    /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
-    /// Write polar plots (SVG and PNG) to this folder
+    /// Write polar plots over the azimuth (SVG and PNG) to this folder
     #[arg(long, value_name = "DIR")]
     plot: Option<PathBuf>,
-    /// Write a recording (MCAP) of one orbit
+    /// Write a recording (MCAP, opens in Foxglove) of one orbit
     #[arg(short, long, value_name = "RUN.mcap")]
     output: Option<PathBuf>,
 }
@@ -40,20 +48,25 @@ enum ModelName {
     Traction,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut file = CaseFile::read(&arguments.case)?;
-    let traction = &mut file.case.traction;
-    traction.varying = arguments.varying.unwrap_or(traction.varying);
-    traction.differential_slip = arguments.differential_slip.unwrap_or(traction.differential_slip);
-    let bearing = file.bearing()?;
-    let model = match arguments.model {
-        ModelName::JonesHarris => Model::JonesHarris,
-        ModelName::Traction => Model::Traction,
-    };
-    let solution = solve(&bearing, &OperatingPoint::new(&file.case), model)?.solution;
-    if let Some(folder) = &arguments.plot {
-        write_plots(folder, &solution)?;
+impl Arguments {
+    /// The changes to the case: those of `--set`, then those with an option of their own.
+    fn changes(&self) -> Vec<Change> {
+        let own = |name: &str, path, value: Option<bool>| {
+            value.map(|v| Change::new(format!("--{name} {v}"), path, &v.to_string()))
+        };
+        let varying = own("varying", "traction.varying", self.varying);
+        let slip = own("differential-slip", "traction.differential_slip", self.differential_slip);
+        self.case.changes.iter().cloned().chain(varying).chain(slip).collect()
     }
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let file = CaseFile::read(&arguments.case.path, &arguments.changes())?;
+    if let Some(path) = &arguments.output {
+        check_output(path, &arguments.case.path)?;
+    }
+    let Answer { solution, roots } = answer(arguments, &file)?;
+    let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &solution)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
             case_text: &file.text,
@@ -63,26 +76,70 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         write_solution(path, &recording)?;
     }
-    if arguments.json { table::print_json(&solution) } else { print(&file.name, &solution) }
+    plots.map_or(Ok(()), StagedFiles::publish)?;
+    if arguments.json {
+        return table::print_json(&Answer { solution, roots });
+    }
+    print(&file.name, &solution)?;
+    roots.as_deref().map_or(Ok(()), print_roots)
 }
 
-fn write_plots(folder: &Path, solution: &Solution) -> Result<(), Failure> {
-    let write =
-        |path: PathBuf, bytes: &[u8]| std::fs::write(&path, bytes).map_err(|source| Failure::Write { path, source });
-    let figures = tribodyn_plot::solution_figures(&[("this case", solution)], &[])?;
-    std::fs::create_dir_all(folder).map_err(|source| Failure::Write { path: folder.to_owned(), source })?;
-    for figure in figures {
-        write(folder.join(format!("{}.svg", figure.name)), figure.svg().as_bytes())?;
-        write(folder.join(format!("{}.png", figure.name)), &figure.png(PNG_WIDTH)?)?;
+fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
+    let model = match arguments.model {
+        ModelName::JonesHarris => Model::JonesHarris,
+        ModelName::Traction => Model::Traction,
+    };
+    if arguments.roots && model == Model::JonesHarris {
+        let message = "without traction there are no other equilibria to search for".to_owned();
+        return Err(Failure::Option { option: "roots", value: "with --model jones-harris".to_owned(), message });
+    }
+    let bearing = file.bearing()?;
+    let point = OperatingPoint::new(&file.case);
+    let failed = |source| Failure::Solver { file: file.name.clone(), source };
+    let Solved { mut solution, warm_start, .. } = solve(&bearing, &point, model).map_err(failed)?;
+    let start = warm_start.filter(|_| arguments.roots);
+    let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
+    solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
+    Ok(Answer { solution, roots })
+}
+
+/// The solution, and what `--roots` adds to it.
+#[derive(Serialize)]
+struct Answer {
+    #[serde(flatten)]
+    solution: Solution,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    roots: Option<Vec<BallRoots>>,
+}
+
+/// A recording replaces what stands at its path: that may be neither the case nor anything but a plain file.
+fn check_output(path: &Path, case: &Path) -> Result<(), Failure> {
+    let Ok(standing) = fs::canonicalize(path) else { return Ok(()) };
+    if fs::canonicalize(case).is_ok_and(|case| case == standing) {
+        let message = "the recording would replace the case file".to_owned();
+        return Err(Failure::Option { option: "output", value: path.display().to_string(), message });
+    }
+    if !standing.is_file() {
+        let source = std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is not a regular file");
+        return Err(Failure::Write { path: path.to_owned(), source });
     }
     Ok(())
+}
+
+fn stage_plots(folder: &Path, solution: &Solution) -> Result<StagedFiles, Failure> {
+    let figures = tribodyn_plot::solution_figures(&[("this case", solution)], &[])?;
+    let mut staged = StagedFiles::new(folder)?;
+    for figure in figures {
+        staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
+        staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?;
+    }
+    Ok(staged)
 }
 
 /// Wide enough for a page at 200 dots per inch.
 const PNG_WIDTH: u32 = 1600;
 
 fn print(name: &str, s: &Solution) -> Result<(), Failure> {
-    let number = |v: f64, digits: usize| format!("{v:.digits$}");
     let triple = |v: [f64; 3], factor: f64, digits: usize| v.map(|c| number(c * factor, digits)).join("  ");
     let mut rows = vec![
         ("cage speed", number(s.cage_speed_rpm, 3), "r/min"),
@@ -99,42 +156,56 @@ fn print(name: &str, s: &Solution) -> Result<(), Failure> {
     table::print_line(&format!("{name}\n"))?;
     table::print_pairs(&rows)?;
     table::print_line("")?;
-    let header = [
-        "φ °",
-        "α_i °",
-        "α_o °",
-        "Q_i N",
-        "Q_o N",
-        "p_i GPa",
-        "p_o GPa",
-        "ω_m r/min",
-        "T_i N",
-        "T_o N",
-        "ξ_i ‰",
-        "ξ_o ‰",
-    ];
-    let rpm = 30.0 / std::f64::consts::PI;
-    table::print_rows(
-        &header,
-        s.balls.iter().map(|b| {
-            vec![
-                number(b.azimuth_deg, 1),
-                number(b.contact_angle_inner_deg, 3),
-                number(b.contact_angle_outer_deg, 3),
-                number(b.load_inner_n, 1),
-                number(b.load_outer_n, 1),
-                number(b.peak_pressure_inner_pa * 1e-9, 3),
-                number(b.peak_pressure_outer_pa * 1e-9, 3),
-                number(b.orbital_speed_rad_s * rpm, 2),
-                number(b.traction_inner_n, 1),
-                number(b.traction_outer_n, 1),
-                number(b.slide_to_roll_inner * 1e3, 3),
-                number(b.slide_to_roll_outer * 1e3, 3),
-            ]
-        }),
-    )?;
+    // Jones–Harris says nothing about traction and slip.
+    let columns = if s.model == Model::JonesHarris { HEADER.len() - 4 } else { HEADER.len() };
+    let row = |b| ball_row(b).into_iter().take(columns).collect();
+    table::print_rows(&HEADER[..columns], s.balls.iter().map(row))?;
     for warning in &s.warnings {
         table::print_line(&format!("warning: {warning}"))?;
     }
     Ok(())
+}
+
+/// Columns of the table of balls; the last four belong to traction.
+const HEADER: [&str; 12] =
+    ["φ °", "α_i °", "α_o °", "Q_i N", "Q_o N", "p_i GPa", "p_o GPa", "ω_m r/min", "T_i N", "T_o N", "ξ_i ‰", "ξ_o ‰"];
+
+fn ball_row(b: &BallSolution) -> [String; HEADER.len()] {
+    [
+        number(b.azimuth_deg, 1),
+        number(b.contact_angle_inner_deg, 3),
+        number(b.contact_angle_outer_deg, 3),
+        number(b.load_inner_n, 1),
+        number(b.load_outer_n, 1),
+        number(b.peak_pressure_inner_pa * 1e-9, 3),
+        number(b.peak_pressure_outer_pa * 1e-9, 3),
+        number(b.orbital_speed_rad_s * 30.0 / std::f64::consts::PI, 2),
+        number(b.traction_inner_n, 1),
+        number(b.traction_outer_n, 1),
+        number(b.slide_to_roll_inner * 1e3, 3),
+        number(b.slide_to_roll_outer * 1e3, 3),
+    ]
+}
+
+/// One line for each equilibrium, the solution's first.
+fn print_roots(roots: &[BallRoots]) -> Result<(), Failure> {
+    let header = ["φ °", "equilibrium", "ω_m r/min", "ξ_i ‰", "ξ_o ‰", "growth 1/s", "stable"];
+    let row = |azimuth: f64, name: &str, root: &Root| {
+        vec![
+            number(azimuth, 1),
+            name.to_owned(),
+            number(root.orbital_speed_rad_s * 30.0 / std::f64::consts::PI, 2),
+            number(root.slide_to_roll_inner * 1e3, 3),
+            number(root.slide_to_roll_outer * 1e3, 3),
+            root.growth_rate_per_s.map_or_else(|| "–".to_owned(), |rate| format!("{rate:.3e}")),
+            if root.stable() { "yes" } else { "no" }.to_owned(),
+        ]
+    };
+    let rows = roots.iter().flat_map(|ball| {
+        let name = if ball.solution.driven { "solution" } else { "solution, not driven" };
+        let others = ball.others.iter().map(|root| row(ball.azimuth_deg, "other", root));
+        std::iter::once(row(ball.azimuth_deg, name, &ball.solution)).chain(others).collect::<Vec<_>>()
+    });
+    table::print_line("")?;
+    table::print_rows(&header, rows)
 }

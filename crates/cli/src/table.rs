@@ -16,6 +16,15 @@ pub fn print_line(text: &str) -> Result<(), Failure> {
     Ok(writeln!(std::io::stdout(), "{text}")?)
 }
 
+/// A number with fixed digits; what rounds to zero has no sign.
+pub fn number(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match text.strip_prefix('-') {
+        Some(magnitude) if magnitude.bytes().all(|byte| matches!(byte, b'0' | b'.')) => magnitude.to_owned(),
+        _ => text,
+    }
+}
+
 /// Prints name, value and unit, a line each.
 pub fn print_pairs(rows: &[(&str, String, &str)]) -> Result<(), Failure> {
     let mut table = plain();
@@ -48,5 +57,18 @@ fn right_align(table: &mut Table, columns: std::ops::Range<usize>) {
         if let Some(column) = table.column_mut(column) {
             column.set_cell_alignment(CellAlignment::Right);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn limit_only_zero_loses_its_sign() {
+        assert_eq!(
+            [number(-0.004, 2), number(-0.006, 2), number(-10.0, 0), number(0.0, 1)],
+            ["0.00", "-0.01", "-10", "0.0"]
+        );
     }
 }

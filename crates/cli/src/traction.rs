@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::table;
 use serde::Serialize;
+use std::io::Write;
 use tribodyn_traction::{Coating, CoatingLaw, SlipCurve, TractionLaw};
 
 /// Traction coefficient of a coating at a contact pressure, over slip in the unit of the coating's own data.
@@ -37,12 +38,35 @@ struct Answer {
     peak_coefficient: f64,
     residual_coefficient: f64,
     pressure_gpa: f64,
+    /// Outside the tested pressures, where the polynomials extrapolate.
+    extrapolated: bool,
+    /// Outside the pressures for which the fit may be used, whose nearest end is taken instead.
     clamped: bool,
     source: String,
 }
 
 fn refuse(option: &'static str, value: f64, message: &str) -> Result<(), Failure> {
     Err(Failure::Option { option, value: value.to_string(), message: message.into() })
+}
+
+/// Lowest and highest tested pressure, Pa.
+fn tested_range(coating: &Coating) -> [f64; 2] {
+    let pressures = || coating.tested.iter().map(|test| test.pressure);
+    [pressures().fold(f64::INFINITY, f64::min), pressures().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// What the reader must know about the pressure.
+fn note(answer: &Answer, coating: &Coating) -> Option<String> {
+    let range = |[low, high]: [f64; 2]| format!("{} to {} GPa", low * 1e-9, high * 1e-9);
+    let (pressure, tested) = (answer.pressure_gpa, range(tested_range(coating)));
+    if answer.clamped {
+        let valid = range(coating.valid_pressure);
+        Some(format!("{pressure} GPa is outside {valid}, where the fit may be used: the nearest of the two is taken"))
+    } else if answer.extrapolated {
+        Some(format!("{pressure} GPa is outside the tested {tested}: the curve is extrapolated"))
+    } else {
+        None
+    }
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -58,6 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let pressure = a.pressure * 1e9;
     let curve = law.at(pressure);
     let peak = curve.peak();
+    let [low, high] = tested_range(&coating);
     let answer = Answer {
         coefficient: a.slip.iter().map(|&s| curve.coefficient(s)).collect(),
         slip: a.slip.clone(),
@@ -69,15 +94,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         peak_coefficient: peak.coefficient,
         residual_coefficient: peak.residual,
         pressure_gpa: a.pressure,
+        extrapolated: !(low..=high).contains(&pressure),
         clamped: law.clamps(pressure),
-        source: coating.source,
+        source: coating.source.clone(),
     };
     if a.json {
         return table::print_json(&answer);
     }
-    if answer.clamped {
-        let [low, high] = coating.valid_pressure.map(|p| p * 1e-9);
-        eprintln!("note: {} GPa is outside {low} to {high} GPa, where the fit may be used: clamped", a.pressure);
+    if let Some(note) = note(&answer, &coating) {
+        // If nobody listens, nothing can be done.
+        let _ = writeln!(std::io::stderr(), "note: {note}");
     }
     let digits = |v: f64| format!("{v:.6}");
     table::print_pairs(&[

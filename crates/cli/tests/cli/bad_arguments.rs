@@ -1,0 +1,57 @@
+//! Arguments that are refused, each with exit code 2 and what is allowed.
+
+use super::run_words;
+
+#[test]
+fn limit_hertz_refuses_impossible_numbers() {
+    let hertz = |rest: &str| run_words(&format!("hertz --body1 10,10 {rest}"));
+    hertz("--body2 inf,inf --load -3").fails(2, &["--load -3: allowed is a force in N, 0 or more"]);
+    hertz("--body2 inf,inf --load NaN").fails(2, &["--load NaN: "]);
+    hertz("--body2 inf,inf --load inf").fails(2, &["--load inf: "]);
+    hertz("--body2 inf,inf --load ten").fails(2, &["'ten'", "--load"]);
+    hertz("--body2 inf,inf").fails(2, &["--load"]);
+    hertz("--body2 inf,inf --load 1 --young1 0").fails(2, &["--young1 0: allowed is a modulus in GPa above 0"]);
+    hertz("--body2 inf,inf --load 1 --young2 NaN").fails(2, &["--young2 NaN: "]);
+    hertz("--body2 inf,inf --load 1 --poisson1 0.5")
+        .fails(2, &["--poisson1 0.5: allowed is a ratio from 0 to below 0.5"]);
+    hertz("--body2 inf,inf --load 1 --poisson2 -0.1").fails(2, &["--poisson2 -0.1: "]);
+    hertz("--body2 inf,inf --load 1 --angle NaN").fails(2, &["--angle NaN: "]);
+    for body in ["NaN,1", "0,1", "1", "1,2,3", "a,b", ","] {
+        hertz(&format!("--body2 {body} --load 1")).fails(2, &["--body2", "two radii in mm as RX,RY"]);
+    }
+    // Numbers that overflow on the way are refused, not written as null.
+    hertz("--body2 inf,inf --load 1 --young1 1e300 --young2 1e300 --json").fails(2, &["modulus is inf"]);
+}
+
+#[test]
+fn limit_hertz_refuses_bodies_without_a_point_contact() {
+    let hertz = |body2: &str| run_words(&format!("hertz --body1 10,10 --body2 {body2} --load 1"));
+    hertz("-10,-10").fails(2, &["curvature sum in the x plane", "above 0"]);
+    hertz("20,-10").fails(2, &["curvature sum in the y plane", "above 0"]);
+    hertz("-9,inf").fails(2, &["curvature sum in the x plane is -"]);
+    run_words("hertz --body1 10,inf --body2 inf,inf --load 1").fails(2, &["curvature sum in the y plane is 0"]);
+}
+
+#[test]
+fn limit_traction_refuses_impossible_numbers() {
+    let traction = |rest: &str| run_words(&format!("traction {rest}"));
+    traction("--coating gold --pressure 2.5 --slip 1").fails(2, &["unknown coating \"gold\": allowed are ag, ptfe"]);
+    for pressure in ["0", "-1", "NaN", "inf"] {
+        let expected = format!("--pressure {pressure}: allowed is a pressure in GPa above 0");
+        traction(&format!("--coating ag --pressure {pressure} --slip 1")).fails(2, &[&expected]);
+    }
+    traction("--coating ag --pressure 2.5 --slip 1,-1").fails(2, &["--slip -1: allowed are slips of 0 or more"]);
+    traction("--coating ag --pressure 2.5 --slip NaN").fails(2, &["--slip NaN: "]);
+    traction("--coating ag --pressure 2.5 --slip 1,x").fails(2, &["'x'", "--slip"]);
+    traction("--coating ag --pressure 2.5").fails(2, &["--slip"]);
+    traction("--coating ag --pressure 2.5 --slip 1 --order 3").fails(2, &["order 3 need 4 tested pressures, got 3"]);
+}
+
+#[test]
+fn limit_unknown_words_are_refused() {
+    run_words("dance").fails(2, &["dance"]);
+    run_words("solve").fails(2, &["<CASE>"]);
+    run_words("solve case.ron --model newton").fails(2, &["newton", "jones-harris", "traction"]);
+    run_words("solve case.ron --varying maybe").fails(2, &["maybe", "true, false"]);
+    run_words("").fails(2, &["Usage: tribodyn"]);
+}

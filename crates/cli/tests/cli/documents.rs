@@ -1,0 +1,78 @@
+//! The examples of the documents are what the command prints, numbers to 1 %: they show what an answer looks like, while
+//! the tests beside this one say how good it is.
+
+use super::command;
+use std::ffi::OsStr;
+use std::path::Path;
+
+/// Splits a command line at blanks outside single quotes.
+fn words(line: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut quoted = false;
+    for c in line.chars() {
+        match c {
+            '\'' => quoted = !quoted,
+            ' ' if !quoted => words.push(String::new()),
+            _ => words.last_mut().unwrap().push(c),
+        }
+    }
+    words
+}
+
+/// Whether two lines have the same words, and numbers within 1 %.
+fn same(a: &str, b: &str) -> bool {
+    let same = |a: &str, b: &str| {
+        let [x, y] = [a, b].map(|word| word.trim_end_matches(',').parse::<f64>());
+        a == b || matches!((x, y), (Ok(x), Ok(y)) if (x - y).abs() <= 0.01 * x.abs().max(y.abs()))
+    };
+    let (a, b): (Vec<_>, Vec<_>) = (a.split_whitespace().collect(), b.split_whitespace().collect());
+    a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| same(a, b))
+}
+
+/// Whether `printed` is `shown`, where a line `…` stands for any number of lines.
+fn agrees(shown: &str, printed: &str) -> bool {
+    let mut rest: Vec<&str> = printed.trim_end().lines().collect();
+    let mut free = false;
+    for line in shown.lines() {
+        if line.trim() == "…" {
+            free = true;
+            continue;
+        }
+        let Some(at) = rest.iter().position(|found| same(found, line)).filter(|at| free || *at == 0) else {
+            return false;
+        };
+        rest.drain(..=at);
+        free = false;
+    }
+    free || rest.is_empty()
+}
+
+#[test]
+fn regress_examples_of_the_documents() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut examples = 0;
+    for name in ["README.md", "docs/case-file.md"] {
+        let text = std::fs::read_to_string(root.join(name)).unwrap();
+        // Every other part of the text between fences is code.
+        for block in text.split("```").skip(1).step_by(2) {
+            let Some((line, shown)) = block.split_once("$ tribodyn ").and_then(|(_, rest)| rest.split_once('\n'))
+            else {
+                continue;
+            };
+            examples += 1;
+            let words = words(line);
+            let arguments: Vec<&dyn AsRef<OsStr>> = words.iter().map(|word| word as _).collect();
+            let output = command(&arguments).current_dir(&root).output().unwrap();
+            let printed = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+            assert!(agrees(shown, &printed), "{name}: `tribodyn {line}` now prints\n{printed}");
+        }
+    }
+    assert!(examples >= 6, "only {examples} examples were found");
+}
+
+#[test]
+fn limit_comparison_of_examples_skips_nothing_else() {
+    assert!(agrees("a\n…\nd\n", "a\nb\nc\nd\n") && agrees("a\n…\n", "a\n") && agrees("…\nb\n", "a\nb\n"));
+    assert!(agrees("x 1.000,\n", "x  1.001,\n") && !agrees("x 1.00\n", "x 1.02\n") && !agrees("x 0\n", "x 1e-9\n"));
+    assert!(!agrees("a\nd\n", "a\nb\nd\n") && !agrees("a\n", "a\nb\n") && !agrees("a\n…\ne\n", "a\nb\n"));
+}

@@ -1,0 +1,40 @@
+//! What `cargo metadata` says about packages.
+
+use super::cargo_program;
+use crate::error::Failure;
+use crate::files;
+use serde::Deserialize;
+use std::process::Command;
+
+#[derive(Debug, Deserialize)]
+pub struct Metadata {
+    pub packages: Vec<Package>,
+}
+
+#[derive(Debug, Deserialize)]
+pub struct Package {
+    pub name: String,
+    pub version: String,
+    pub license: Option<String>,
+    /// None for packages of the workspace.
+    pub source: Option<String>,
+    pub dependencies: Vec<Dependency>,
+}
+
+#[derive(Debug, Deserialize)]
+pub struct Dependency {
+    pub name: String,
+}
+
+impl Metadata {
+    pub fn read(arguments: &[&str]) -> Result<Self, Failure> {
+        let mut command = Command::new(cargo_program());
+        command.current_dir(files::root()).args(["metadata", "--format-version", "1"]).args(arguments);
+        let output = command.output().map_err(|source| Failure::Start { program: "cargo".to_owned(), source })?;
+        if !output.status.success() {
+            eprint!("{}", String::from_utf8_lossy(&output.stderr));
+            return Err(Failure::Command { command: "cargo metadata".to_owned(), status: output.status });
+        }
+        Ok(serde_json::from_slice(&output.stdout)?)
+    }
+}

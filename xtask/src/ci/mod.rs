@@ -1,0 +1,95 @@
+//! `cargo xtask ci`: everything that continuous integration checks, in one build profile.
+
+mod hygiene;
+mod layers;
+mod licences;
+mod metadata;
+mod recording;
+
+use crate::error::Failure;
+use crate::{files, validate};
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::Instant;
+
+/// How a step that did not fail ended.
+pub enum Outcome {
+    Done,
+    /// Not run, with the reason.
+    Skipped(String),
+}
+
+type Step = (&'static str, fn() -> Result<Outcome, Failure>);
+
+const STEPS: [Step; 9] = [
+    ("format", || cargo(&["fmt", "--all", "--check"], &[])),
+    ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
+    ("tests", || cargo(&["test", "--workspace"], &[])),
+    ("documentation", || cargo(&["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
+    ("layers", layers::check),
+    ("hygiene", hygiene::check),
+    ("licences", licences::check),
+    ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
+    ("recording read by Python", || recording::check(&recordings())),
+];
+
+fn recordings() -> PathBuf {
+    files::root().join("target/validation")
+}
+
+/// Runs all steps, also after one has failed, and says how each ended.
+pub fn run() -> Result<(), Failure> {
+    let start = Instant::now();
+    let (mut failed, mut skipped) = (Vec::new(), Vec::new());
+    for (name, step) in STEPS {
+        println!("\n== {name}");
+        let begun = Instant::now();
+        let outcome = step();
+        let seconds = begun.elapsed().as_secs_f64();
+        match outcome {
+            Ok(Outcome::Done) => println!("== {name}: passed in {seconds:.1} s"),
+            Ok(Outcome::Skipped(reason)) => {
+                println!("== {name}: SKIPPED after {seconds:.1} s: {reason}");
+                skipped.push(name);
+            }
+            Err(failure) => {
+                println!("== {name}: FAILED after {seconds:.1} s: {failure}");
+                failed.push(name.to_owned());
+            }
+        }
+    }
+    let names = |list: &[&str]| if list.is_empty() { "none".to_owned() } else { list.join(", ") };
+    let passed = STEPS.len() - failed.len() - skipped.len();
+    let seconds = start.elapsed().as_secs_f64();
+    if failed.is_empty() {
+        println!("\nci: {passed} of {} steps passed in {seconds:.0} s, skipped: {}", STEPS.len(), names(&skipped));
+        return Ok(());
+    }
+    println!(
+        "\nci: {passed} of {} steps passed in {seconds:.0} s, skipped: {}, FAILED: {}",
+        STEPS.len(),
+        names(&skipped),
+        failed.join(", ")
+    );
+    Err(Failure::Check { what: "continuous integration failed", findings: failed })
+}
+
+/// Runs Cargo in the workspace, its output shown.
+fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<Outcome, Failure> {
+    let mut command = Command::new(cargo_program());
+    command.current_dir(files::root()).args(arguments).envs(environment.iter().copied());
+    let status = command.status().map_err(|source| Failure::Start { program: "cargo".to_owned(), source })?;
+    if status.success() {
+        return Ok(Outcome::Done);
+    }
+    Err(Failure::Command { command: format!("cargo {}", arguments.join(" ")), status })
+}
+
+/// The Cargo that started this task.
+fn cargo_program() -> String {
+    std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
+}
+
+fn finish(what: &'static str, findings: Vec<String>) -> Result<Outcome, Failure> {
+    if findings.is_empty() { Ok(Outcome::Done) } else { Err(Failure::Check { what, findings }) }
+}
