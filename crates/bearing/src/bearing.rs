@@ -183,3 +183,32 @@ fn properties(fluid: Fluid, temperature: f64, pressure: f64) -> Result<(f64, f64
     let state = fluid.state(temperature, pressure)?;
     Ok((state.density, state.viscosity))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::set_value;
+
+    fn bearing(changes: &[(&str, &str)]) -> Bearing {
+        let text = include_str!("../../../fixtures/cases/paper-handset.ron").to_owned();
+        let text = changes.iter().fold(text, |text, (path, value)| set_value(&text, path, value).unwrap());
+        Bearing::new(&Case::from_ron(&text).unwrap()).unwrap()
+    }
+
+    /// A 30.16 mm steel ball of 7800 kg/m³: ρ π D³/6 and m D²/10.
+    #[test]
+    fn identity_mass_and_inertia_of_a_sphere() {
+        let b = bearing(&[("materials.ball.density", "kg_per_m3(7800)")]);
+        let mass = 7800.0 * PI * 0.03016f64.powi(3) / 6.0;
+        assert!((b.ball_mass - mass).abs() < 1e-14 * mass);
+        assert!((b.ball_inertia - 0.1 * mass * 0.03016f64.powi(2)).abs() < 1e-14 * b.ball_inertia);
+    }
+
+    #[test]
+    fn limit_without_differential_slip_the_contact_is_flat() {
+        let flat = bearing(&[("traction.differential_slip", "false")]);
+        assert!(flat.inner.surface_radius.is_infinite() && flat.outer.surface_radius.is_infinite());
+        let curved = bearing(&[("traction.differential_slip", "true")]);
+        assert!(curved.inner.surface_radius < 2.0 * curved.geometry.ball_radius());
+    }
+}

@@ -184,4 +184,27 @@ mod tests {
         let radial = g.groove_centre_radius(Side::Inner) - g.groove_centre_radius(Side::Outer);
         assert!((radial - g.centre_distance() * 0.3f64.cos()).abs() < 1e-16);
     }
+
+    /// With α = 0 the curvature along rolling is that of the groove bottom, radius (d_m ∓ D)/2.
+    #[test]
+    fn limit_curvatures_of_a_radial_contact() {
+        let g = Geometry::new(&spec(Fit::ContactAngle(0.0))).unwrap();
+        for (side, bottom, groove) in
+            [(Side::Inner, 2.0 / (0.165 - 0.03016), 0.527f64), (Side::Outer, -2.0 / (0.165 + 0.03016), 0.53)]
+        {
+            let [rolling, lateral]: [f64; 2] = g.curvatures(side, 1.0);
+            assert!((rolling - (2.0 / 0.03016 + bottom)).abs() < 1e-12 * rolling, "{side:?}: {rolling}");
+            assert!((lateral - (2.0 - 1.0 / groove) / 0.03016).abs() < 1e-12 * lateral, "{side:?}: {lateral}");
+        }
+    }
+
+    #[test]
+    fn identity_pose_from_angle_and_approach() {
+        let (length, angle) = (8.5e-4, 0.4f64);
+        let pose = ContactPose::new(length * angle.sin(), length * angle.cos(), 8e-4);
+        assert!((pose.sin.atan2(pose.cos) - angle).abs() < 1e-15);
+        assert!((pose.approach - 5e-5).abs() < 1e-18);
+        let ([inner, _], [outer, _]) = (pose.normal(Side::Inner), pose.normal(Side::Outer));
+        assert!(inner == -outer && outer > 0.0);
+    }
 }

@@ -319,3 +319,77 @@ fn add<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
 fn cross<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::Case;
+    use tribodyn_traction::PatchRule;
+
+    const INNER_SPEED: f64 = 1400.0;
+
+    fn bearing() -> Bearing {
+        let text = include_str!("../../../fixtures/cases/paper-handset.ron");
+        Bearing::new(&Case::from_ron(text).unwrap()).unwrap()
+    }
+
+    fn strips() -> Quadrature {
+        Quadrature::new(PatchRule::SplitStrip { across: 8, along: 3 }).unwrap()
+    }
+
+    /// Pressed on both races by 50 µm of axial ring displacement, orbiting and spinning as given.
+    fn loads(bearing: &Bearing, spin: [f64; 3], orbit: f64, speeds: [f64; 2]) -> (BallState, BallLoads, RingState) {
+        let g = &bearing.geometry;
+        let along = g.groove_offset(Side::Outer) + 2e-5;
+        let (sin, cos) = g.contact_angle.sin_cos();
+        let ball = BallState {
+            azimuth: [0.6, 0.8],
+            position: [along * sin, along * cos],
+            velocity: [0.0; 2],
+            orbital_speed: orbit,
+            spin,
+        };
+        let inner = RingState { displacement: [0.0, 0.0, 5e-5 / sin], ..RingState::centred(speeds[0]) };
+        let loads = bearing.ball_loads(&ball, &inner, &RingState::centred(speeds[1]), &strips());
+        assert!(loads.inner.load > 100.0 && loads.outer.load > 100.0);
+        (ball, loads, inner)
+    }
+
+    #[test]
+    fn limit_turning_together_slides_nowhere() {
+        let (_, loads, _) = loads(&bearing(), [INNER_SPEED, 0.0, 0.0], INNER_SPEED, [INNER_SPEED; 2]);
+        for contact in [loads.inner, loads.outer] {
+            let [along, across] = contact.motion.centre_slip(0.01508);
+            assert!(along.abs() < 1e-10 && across == 0.0 && contact.motion.spin.abs() < 1e-10);
+            // 1e-13 of 100 m/s of slip, times the slope of the steepest curves.
+            assert!(contact.traction.force_rolling.abs() < 1e-9 * contact.load);
+        }
+    }
+
+    /// What ball and inner ring lose together at their contact is friction: F·v + M·Ω − torque ω_i = −∬ κ p |Δv|.
+    #[test]
+    fn identity_power_at_the_inner_contact_is_friction() {
+        let bearing = bearing();
+        for (spin, orbit) in [([-3300.0, 1000.0, 0.0], 620.0), ([-2000.0, -300.0, 150.0], 300.0)] {
+            let (ball, loads, inner) = loads(&bearing, spin, orbit, [INNER_SPEED, 0.0]);
+            let [.., torque] = bearing.ring_action(&ball, &loads, &inner);
+            let contact = &loads.inner;
+            let on_ball: f64 = contact.moment.iter().zip(spin).map(|(m, w)| m * w).sum();
+            let lost = contact.force[2] * loads.orbit_radius * orbit + on_ball - torque * INNER_SPEED;
+            let friction = contact.traction.power;
+            assert!(friction > 1.0, "{friction} W");
+            assert!((lost + friction).abs() < 1e-10 * (torque * INNER_SPEED).abs().max(friction), "{lost} {friction}");
+        }
+    }
+
+    #[test]
+    fn identity_ring_pushes_as_hard_as_the_ball_is_pushed() {
+        let bearing = bearing();
+        let (ball, loads, inner) = loads(&bearing, [-3300.0, 1000.0, 0.0], 620.0, [INNER_SPEED, 0.0]);
+        let [x, y, z, ..] = bearing.ring_action(&ball, &loads, &inner);
+        let back = in_azimuth_frame(ball.azimuth, [x, y, z]);
+        for (a, b) in back.iter().zip(loads.inner.force) {
+            assert!((a - b).abs() < 1e-12 * loads.inner.load, "{a} {b}");
+        }
+    }
+}

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-const AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
+const AG: &str = include_str!("../../../fixtures/cases/paper-handset.ron");
 
 /// Path of a case file of the fixtures.
 fn fixture(name: &str) -> PathBuf {

@@ -33,9 +33,9 @@ const TRUTH: [(&str, f64); 3] = [
 ];
 
 fn true_figure(quantity: Quantity) -> f64 {
-    let text = TRUTH
-        .iter()
-        .fold(CASE.to_owned(), |text, (path, value)| set_value(&text, path, &format!("{value:?}")).unwrap());
+    let frozen = set_value(CASE, "numerics.contact_at_actual_angle", "false").unwrap();
+    let set = |text: String, (path, value): &(&str, f64)| set_value(&text, path, &format!("{value:?}")).unwrap();
+    let text = TRUTH.iter().fold(frozen, set);
     let case = Case::from_ron(&text).unwrap();
     let solved = solve(&Bearing::new(&case).unwrap(), &OperatingPoint::new(&case), Model::JonesHarris).unwrap();
     quantity.of(&solved.solution)

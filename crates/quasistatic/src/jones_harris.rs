@@ -9,7 +9,7 @@
 
 use crate::block::{BALL, Balance, BlockState, BlockSystem, RING, RingFreedom};
 use tribodyn_bearing::traction::TractionLaw;
-use tribodyn_bearing::{BallPose, Bearing, RingState, Scalar, Side};
+use tribodyn_bearing::{BallPose, Bearing, ContactPose, RingState, Scalar, Side};
 
 /// Names of the equations, for error messages.
 pub(crate) const EQUATIONS: [&str; BALL] =
@@ -35,7 +35,7 @@ pub(crate) struct Typical {
     pub force: f64,
     /// Contact stiffness, N/m.
     pub stiffness: f64,
-    /// Distance of ball centre from a groove centre, m.
+    /// Distance of ball centre from the nearer groove centre, m: steps must not pass over it.
     pub offset: f64,
     /// Pitch radius, m.
     pub radius: f64,
@@ -55,7 +55,8 @@ impl Typical {
         let force = (load / balls + centrifugal).max(least);
         let hertz = bearing.outer.frozen::<f64>();
         let approach = hertz.approach(force);
-        Self { force, stiffness: 1.5 * force / approach, offset: g.groove_offset(Side::Outer), radius, balls }
+        let offset = g.groove_offset(Side::Outer).min(g.groove_offset(Side::Inner));
+        Self { force, stiffness: 1.5 * force / approach, offset, radius, balls }
     }
 
     pub fn ring_weights(&self) -> [f64; RING] {
@@ -126,6 +127,14 @@ impl<L: TractionLaw> JonesHarris<'_, L> {
         let outer = RingState { displacement: [z; 3], tilt: [z; 2], velocity: [z; 3], speed: D::from(self.speeds[1]) };
         self.bearing.pose([D::from(sin), D::from(cos)], [ball[0], ball[1]], &inner, &outer)
     }
+
+    /// Contact load; with constants at the free angle in the first phase, or it would have no potential.
+    fn load<D: Scalar>(&self, side: Side, contact: &ContactPose<D>) -> D {
+        match self.frozen {
+            Some(_) => self.bearing.race(side).frozen::<D>().load(contact.approach),
+            None => self.bearing.contact_load(side, contact).0,
+        }
+    }
 }
 
 /// The inner ring at rest in a displaced and tilted position.
@@ -146,8 +155,7 @@ impl<L: TractionLaw> BlockSystem for JonesHarris<'_, L> {
     fn ball<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> Balance<D> {
         let pose = self.pose(index, ball, ring);
         let (i, o) = (&pose.inner, &pose.outer);
-        let (q_i, _) = self.bearing.contact_load(Side::Inner, i);
-        let (q_o, _) = self.bearing.contact_load(Side::Outer, o);
+        let (q_i, q_o) = (self.load(Side::Inner, i), self.load(Side::Outer, o));
         let inner_control = self.inner_control[index];
         let k = kinematics(self.bearing, &pose, self.speeds, inner_control, self.centrifugal_at_free_pitch);
         let (moment, centrifugal) = match self.frozen {
@@ -203,7 +211,7 @@ impl<L: TractionLaw> BlockSystem for JonesHarris<'_, L> {
         ([near, near, any, any, any, any], self.typical.ring_limits())
     }
 
-    /// With inertia frozen and constants frozen the forces derive from Σ ⅖ Q δ − F_c X2 − load·q, convex in ball and
+    /// With inertia and contact constants frozen the forces derive from Σ ⅖ Q δ − F_c X2 − load·q, convex in ball and
     /// ring positions because the distances are.
     fn energy(&self, state: &BlockState) -> f64 {
         let centrifugal = self.frozen.unwrap_or_default();
@@ -211,7 +219,7 @@ impl<L: TractionLaw> BlockSystem for JonesHarris<'_, L> {
         for (index, &ball) in state.balls.iter().enumerate() {
             let pose = self.pose(index, ball, state.ring);
             for (side, contact) in [(Side::Inner, pose.inner), (Side::Outer, pose.outer)] {
-                energy += 0.4 * self.bearing.contact_load(side, &contact).0 * contact.approach;
+                energy += 0.4 * self.load(side, &contact) * contact.approach;
             }
             energy -= centrifugal * ball[1];
         }

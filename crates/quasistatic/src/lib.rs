@@ -24,6 +24,9 @@
 //! Sources: Jones 1960, doi:10.1115/1.3662587; Lubricants 2025, 13(8), 352, doi:10.3390/lubricants13080352, sections 3
 //! and 4.3.3.
 //!
+//! A ball may have several equilibria, or only a skidding one: [`solve`] finds the one that a rolling ball comes to, and
+//! [`other_roots`] searches for others on request.
+//!
 //! Limits: each ball is in equilibrium at its own azimuth, so ω_m differs from ball to ball and the orbit is not
 //! followed in time; the cage acts on no ball (its pocket force is worked out afterwards). The crate prints nothing
 //! and reads nothing.
@@ -36,13 +39,18 @@ mod jones_harris;
 mod methods;
 mod problem;
 mod report;
+mod roots;
 mod settle;
 mod solution;
 mod solve;
 mod with_traction;
 
+#[cfg(test)]
+mod jacobian_test;
+
 pub use azimuth::{AzimuthRule, OverAzimuth, ball_numbers};
 pub use block::{RingFreedom, SolverStatistics};
 pub use problem::{OperatingPoint, Place, QuasiStaticError};
+pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{BallSolution, Model, Solution};
 pub use solve::{Solved, WarmStart, solve, solve_from};

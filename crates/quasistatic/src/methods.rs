@@ -1,8 +1,8 @@
 //! Two ways to step: downhill in a convex energy, and Newton with the balls settled one by one where it fails.
 
-use crate::block::{BlockState, BlockSystem, Iterate, apply, linearise, step, worst};
+use crate::block::{BlockState, BlockSystem, Iterate, Linearised, Worst, apply, linearise, step, worst};
 use crate::driver::{Method, Stuck};
-use crate::settle::settle_ball;
+use crate::settle::{FROM_AFAR, settle_ball};
 
 /// Levenberg–Marquardt in a convex energy: every accepted step goes downhill, so it ends in the one minimum.
 #[derive(Debug, Clone)]
@@ -44,7 +44,37 @@ impl Method for Downhill {
 pub(crate) struct NewtonOrNested {
     /// Relative residual to which balls are settled.
     pub settle_to: f64,
+    /// Steps that may still be taken although the residual rises.
+    pub jumps: usize,
+    /// Slopes of an earlier step, while they still serve.
+    chord: Option<Linearised>,
 }
+
+impl NewtonOrNested {
+    pub fn new(settle_to: f64, jumps: usize) -> Self {
+        Self { settle_to, jumps, chord: None }
+    }
+
+    /// A step with the slopes of an earlier one, kept where it converges almost as fast.
+    fn chord_step<S: BlockSystem>(&mut self, system: &S, iterate: &mut Iterate) -> bool {
+        let Some(mut linear) = self.chord.take() else { return false };
+        linear.move_to(system, &iterate.state);
+        let Ok((balls, ring)) = step(system, &linear, 0.0) else { return false };
+        let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
+        let trial_worst = worst(system, &trial);
+        let kept = trial_worst.residual <= CHORD * iterate.worst.residual;
+        if kept {
+            (iterate.state, iterate.worst) = (trial, trial_worst);
+            iterate.statistics.accepted += 1;
+            self.chord = Some(linear);
+        }
+        kept
+    }
+}
+
+/// A step with old slopes must bring the residual down to this share: a new Jacobian costs about ten of them, but
+/// squares the residual.
+const CHORD: f64 = 0.05;
 
 /// A simultaneous step must bring the worst residual down to this share, or the nested step is tried.
 const WORTHWHILE: f64 = 0.5;
@@ -53,20 +83,25 @@ const HALVINGS: i32 = 10;
 
 impl Method for NewtonOrNested {
     fn advance<S: BlockSystem>(&mut self, system: &S, iterate: &mut Iterate) -> Result<(), Stuck> {
+        if self.chord_step(system, iterate) {
+            return Ok(());
+        }
         let linear = linearise(system, &iterate.state);
         // A tiny weight keeps a ball that touches nothing solvable.
         let (balls, ring) = step(system, &linear, 0.0).or_else(|_| step(system, &linear, 1e-9)).map_err(|_| Stuck)?;
         let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
         let trial_worst = worst(system, &trial);
         if trial_worst.residual <= WORTHWHILE * iterate.worst.residual {
+            self.chord = (trial_worst.residual <= CHORD * iterate.worst.residual).then_some(linear);
             (iterate.state, iterate.worst) = (trial, trial_worst);
             iterate.statistics.accepted += 1;
             return Ok(());
         }
+        let mut least: Option<(BlockState, Worst)> = None;
         for halving in 0..HALVINGS {
             let share = 0.5f64.powi(halving);
             let predicted = apply(system, &iterate.state, &balls, &ring, share);
-            let settled = settle(system, &predicted, self.settle_to);
+            let settled = settle(system, &predicted, self.settle_to, FROM_AFAR);
             let settled_worst = worst(system, &settled);
             if settled_worst.residual < iterate.worst.residual {
                 (iterate.state, iterate.worst) = (settled, settled_worst);
@@ -74,13 +109,26 @@ impl Method for NewtonOrNested {
                 return Ok(());
             }
             iterate.statistics.rejected += 1;
+            if least.as_ref().is_none_or(|(_, worst)| settled_worst.residual < worst.residual) {
+                least = Some((settled, settled_worst));
+            }
         }
-        Err(Stuck)
+        // A ball that loses its rolling equilibrium falls into skidding: its force on the ring jumps, and so does the
+        // residual. Go on from there, but not for ever.
+        match least {
+            Some((state, worst)) if self.jumps > 0 && worst.residual.is_finite() => {
+                self.jumps -= 1;
+                (iterate.state, iterate.worst) = (state, worst);
+                iterate.statistics.accepted += 1;
+                Ok(())
+            }
+            _ => Err(Stuck),
+        }
     }
 }
 
-/// All balls in equilibrium, each in its own pseudo-time, the ring held where it is.
-pub(crate) fn settle<S: BlockSystem>(system: &S, start: &BlockState, tolerance: f64) -> BlockState {
-    let ball = |(index, &ball)| settle_ball(system, index, ball, start.ring, tolerance).ball;
+/// All balls in equilibrium, each in its own pseudo-time from a first step in s, the ring held where it is.
+pub(crate) fn settle<S: BlockSystem>(system: &S, start: &BlockState, tolerance: f64, first_step: f64) -> BlockState {
+    let ball = |(index, &ball)| settle_ball(system, index, ball, start.ring, tolerance, first_step).ball;
     BlockState { balls: start.balls.iter().enumerate().map(ball).collect(), ring: start.ring }
 }

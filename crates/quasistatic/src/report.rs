@@ -9,8 +9,9 @@ use crate::{BallSolution, Model, Solution};
 use tribodyn_bearing::traction::TractionLaw;
 use tribodyn_bearing::{Bearing, RaceContact, Side};
 
-/// A whole turn of a rolling contact's slide that no longer counts as rolling: the ball skids.
-const SKIDDING: f64 = 0.05;
+/// Inner slide-to-roll ratio beyond which the ball skids: past the peak of the library's coatings, which lies at 0.1 to
+/// 4 % for the slip units in use.
+pub(crate) const SKIDDING: f64 = 0.05;
 
 pub(crate) fn jones_harris<L: TractionLaw>(
     system: &JonesHarris<'_, L>,
@@ -231,7 +232,7 @@ fn warn(solution: &mut Solution, text: &str, is: impl Fn(&BallSolution) -> bool)
 }
 
 fn lost_contacts(solution: &mut Solution) {
-    warn(solution, "no contact with the inner race", |b| b.load_inner_n <= 0.0);
+    warn(solution, "no contact with the inner race, nothing drives the ball", |b| b.load_inner_n <= 0.0);
     warn(solution, "no contact with the outer race", |b| b.load_outer_n <= 0.0);
 }
 

@@ -1,6 +1,7 @@
 //! One ball alone: its equilibrium with the ring held, found by following its own dynamics in pseudo-time.
 //!
-//! The spins and the orbit move with their true inertia, the position follows at once. A ball that starts rolling
+//! The spins and the orbit move with their inertia (the orbit's acceleration left out of the axial spin's), the position
+//! follows at once. A ball that starts rolling
 //! therefore ends in the stable root that drag and friction would bring it to: rolling where that exists, skidding
 //! where it does not.
 
@@ -16,8 +17,10 @@ pub(crate) struct Settled {
     pub steps: usize,
 }
 
-/// First pseudo-time step, s: shorter than the fastest traction mode at steep slip scales (1e6 1/s).
-const FIRST_STEP: f64 = 1e-6;
+/// First pseudo-time step from afar, s: shorter than the fastest traction mode at steep slip scales (1e6 1/s).
+pub(crate) const FROM_AFAR: f64 = 1e-6;
+/// First pseudo-time step near an equilibrium, s: longer than the slowest traction mode, so all but Newton's method.
+pub(crate) const FROM_NEAR: f64 = 1e-1;
 /// Past this step the iteration is Newton's.
 const LAST_STEP: f64 = 1e6;
 /// Below this a step no longer moves anything: the ball is stuck.
@@ -29,25 +32,27 @@ const CORRECTIONS: usize = 5;
 /// A step is solved when its own residual has fallen this far: it only has to stay near the trajectory.
 const STEP_ACCURACY: f64 = 1e-2;
 
-/// Follows ball `index` from `start` until all its balances are within `tolerance`.
+/// Follows ball `index` from `start` until all its balances are within `tolerance`, with a first step in s.
 pub(crate) fn settle_ball<S: BlockSystem>(
     system: &S,
     index: usize,
     start: [f64; BALL],
     ring: [f64; RING],
     tolerance: f64,
+    first_step: f64,
 ) -> Settled {
     let mut current = Evaluated::new(system, index, start, ring);
     let mut best = current.clone();
-    let mut tau = FIRST_STEP;
+    let mut tau = first_step;
     for steps in 0..MAX_STEPS {
         if current.relative <= tolerance || tau < SHORTEST_STEP {
             return Settled { ball: current.ball, residual: current.relative, steps };
         }
         match implicit_step(system, index, &current, ring, tau) {
-            Some((next, easy)) => {
+            Some((next, corrections)) => {
                 // Solved at once: the trajectory is smooth here. Solved with effort: keep the step.
-                tau = (tau * if easy { 4.0 } else { 1.2 }).min(LAST_STEP);
+                let growth = [10.0, 10.0, 4.0].get(corrections).unwrap_or(&1.2);
+                tau = (tau * growth).min(LAST_STEP);
                 current = next;
                 if current.relative < best.relative {
                     best = current.clone();
@@ -61,16 +66,16 @@ pub(crate) fn settle_ball<S: BlockSystem>(
 
 /// Forces on a ball with their derivatives, scaled to relative residuals.
 #[derive(Debug, Clone)]
-struct Evaluated {
+pub(crate) struct Evaluated {
     ball: [f64; BALL],
     force: SVector<f64, BALL>,
     scale: SVector<f64, BALL>,
-    slope: SMatrix<f64, BALL, BALL>,
+    pub slope: SMatrix<f64, BALL, BALL>,
     relative: f64,
 }
 
 impl Evaluated {
-    fn new<S: BlockSystem>(system: &S, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> Self {
+    pub fn new<S: BlockSystem>(system: &S, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> Self {
         type Dual = DualSVec64<BALL>;
         let unknowns: [Dual; BALL] = std::array::from_fn(|k| {
             let mut direction = SVector::<f64, BALL>::zeros();
@@ -97,14 +102,14 @@ fn relative(force: &SVector<f64, BALL>, scale: &SVector<f64, BALL>) -> f64 {
     if worst.is_nan() { f64::INFINITY } else { worst }
 }
 
-/// One implicit Euler step: F(u) − M (u − u0)/τ = 0 by a few Newton corrections. Says whether it was easy.
+/// One implicit Euler step: F(u) − M (u − u0)/τ = 0 by a few Newton corrections. Says how many.
 fn implicit_step<S: BlockSystem>(
     system: &S,
     index: usize,
     from: &Evaluated,
     ring: [f64; RING],
     tau: f64,
-) -> Option<(Evaluated, bool)> {
+) -> Option<(Evaluated, usize)> {
     let (limits, _) = system.step_limits();
     let inertia = SVector::from(system.inertia());
     let mut at = from.clone();
@@ -114,7 +119,7 @@ fn implicit_step<S: BlockSystem>(
         let residual = at.force - inertia.component_mul(&travelled) / tau;
         let size = relative(&residual, &at.scale);
         if correction > 0 && size <= (STEP_ACCURACY * from.relative).max(1e-13) {
-            return Some((at, correction <= 2));
+            return Some((at, correction));
         }
         if correction == CORRECTIONS || size > 2.0 * previous || !size.is_finite() {
             return None;

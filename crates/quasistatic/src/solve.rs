@@ -3,22 +3,27 @@
 //! 1. Elastic phase: inertia frozen, forces from a convex potential; the Newton iteration with a descending energy
 //!    finds the ring and the balls from the unloaded position, contacts lost or not.
 //! 2. Jones–Harris from there.
-//! 3. Traction from the Jones–Harris rolling state: first the balls alone in pseudo-time with the ring held, so that
-//!    each slows down under drag into the stable root connected to rolling; then ring and balls together by Newton.
+//! 3. Traction from the Jones–Harris rolling state (the elastic one where raceway control has no solution): first the
+//!    balls alone in pseudo-time with the ring held, so that each slows down under drag into the stable root connected
+//!    to rolling, with a cheap patch rule and then with the wanted one; then ring and balls together by Newton.
 
 use crate::block::{BALL, BlockState, BlockSystem, Iterate, RING, SolverStatistics};
 use crate::driver;
 use crate::jones_harris::{self, JonesHarris, Kinematics, Typical, kinematics};
 use crate::methods::{Downhill, NewtonOrNested, settle};
 use crate::problem::{OperatingPoint, Place, QuasiStaticError};
+use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, report};
 use tribodyn_bearing::case::RaceControl;
 use tribodyn_bearing::traction::{PatchRule, Probe, Quadrature, TractionLaw, choose_rule, rule_error};
 use tribodyn_bearing::{Bearing, Side};
 
-/// The rule that finds the state at which the rule of a target error is chosen.
-const SCOUT: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
+/// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
+/// chosen.
+const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
+/// How often the residual may rise where balls fall into skidding: each ball can do so about once.
+const JUMPS: usize = 8;
 /// Rounds of asking which race controls before a ball on the border counts as decided.
 const CONTROL_ROUNDS: usize = 4;
 /// Share of a typical contact load below which the inner race drives nothing: far below any drag.
@@ -53,18 +58,21 @@ pub fn solve<L: TractionLaw>(
     point: &OperatingPoint,
     model: Model,
 ) -> Result<Solved, QuasiStaticError> {
-    let (system, rolling) = rolling_state(bearing, point)?;
+    let Rolling { system, elastic, solved } = rolling_state(bearing, point);
     match model {
         Model::JonesHarris => {
+            let rolling = solved?;
             let solution = report::jones_harris(&system, &rolling, point);
             Ok(Solved { solution, statistics: rolling.statistics, warm_start: None })
         }
         Model::Traction => {
-            let mut traction = traction_system(bearing, point, system.typical)?;
+            let mut traction = traction_system(bearing, point, system.typical, SCOUT)?;
+            // Raceway control may have no solution where traction has one: then the elastic state is the guess.
+            let rolling = solved.unwrap_or(elastic);
             let start = release_idle_balls(&system, rolling.state);
-            let scouted = settle(&traction, &start, SETTLED);
+            let scouted = settle(&traction, &start, SETTLED, FROM_AFAR);
             let estimate = choose_quadrature(&mut traction, &scouted, point)?;
-            let settled = settle(&traction, &scouted, SETTLED);
+            let settled = settle(&traction, &scouted, SETTLED, FROM_NEAR);
             finish(&traction, settled, point, rolling.statistics, estimate)
         }
     }
@@ -80,8 +88,7 @@ pub fn solve_from<L: TractionLaw>(
     start: &WarmStart,
 ) -> Result<Solved, QuasiStaticError> {
     let typical = Typical::new(bearing, &point.ring, [point.inner_speed, point.outer_speed]);
-    let mut traction = traction_system(bearing, point, typical)?;
-    traction.quadrature = Quadrature::new(start.rule)?;
+    let traction = traction_system(bearing, point, typical, start.rule)?;
     finish(&traction, start.state.clone(), point, SolverStatistics::default(), None)
 }
 
@@ -89,13 +96,15 @@ fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics 
     SolverStatistics { accepted: a.accepted + b.accepted, rejected: a.rejected + b.rejected }
 }
 
-type Rolling<'a, L> = (JonesHarris<'a, L>, Iterate);
+/// The elastic state, and the Jones–Harris one that starts from it.
+struct Rolling<'a, L> {
+    system: JonesHarris<'a, L>,
+    elastic: Iterate,
+    solved: Result<Iterate, QuasiStaticError>,
+}
 
 /// Phases 1 and 2.
-fn rolling_state<'a, L: TractionLaw>(
-    bearing: &'a Bearing<L>,
-    point: &OperatingPoint,
-) -> Result<Rolling<'a, L>, QuasiStaticError> {
+fn rolling_state<'a, L: TractionLaw>(bearing: &'a Bearing<L>, point: &OperatingPoint) -> Rolling<'a, L> {
     let g = &bearing.geometry;
     let speeds = [point.inner_speed, point.outer_speed];
     let typical = Typical::new(bearing, &point.ring, speeds);
@@ -121,7 +130,7 @@ fn rolling_state<'a, L: TractionLaw>(
     let elastic = driver::run(&system, Iterate::new(&system, start), Downhill { mu: 1.0 }, 1e-6, limit);
     system.frozen = None;
     let mut statistics = elastic.statistics;
-    let mut state = elastic.state;
+    let mut state = elastic.state.clone();
     // Criterion: solve, ask each ball which race controls, solve again; a few rounds settle it, or the last answer stands.
     for round in 0.. {
         let mut solved = newton(&system, state, point);
@@ -129,8 +138,8 @@ fn rolling_state<'a, L: TractionLaw>(
         let control = controlling_races(&system, &solved.state, point.numerics.race_control);
         if round == CONTROL_ROUNDS || control == system.inner_control {
             solved.statistics = statistics;
-            check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point)?;
-            return Ok((system, solved));
+            let checked = check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point);
+            return Rolling { system, elastic, solved: checked.map(|()| solved) };
         }
         system.inner_control = control;
         state = solved.state;
@@ -139,7 +148,7 @@ fn rolling_state<'a, L: TractionLaw>(
 }
 
 fn newton<S: BlockSystem>(system: &S, start: BlockState, point: &OperatingPoint) -> Iterate {
-    let method = NewtonOrNested { settle_to: 0.1 * point.numerics.tolerance };
+    let method = NewtonOrNested::new(0.1 * point.numerics.tolerance, JUMPS);
     driver::run(system, Iterate::new(system, start), method, point.numerics.tolerance, point.numerics.max_iterations)
 }
 
@@ -164,6 +173,11 @@ fn controlling_races<L: TractionLaw>(
     state.balls.iter().enumerate().map(inner).collect()
 }
 
+/// Whether an inner load is too small to drive a ball.
+pub(crate) fn is_idle(inner_load: f64, typical: &Typical) -> bool {
+    inner_load <= DRIVING_LOAD * typical.force
+}
+
 /// Balls without inner contact have no drive: they start from where friction and fluid will leave them, with the
 /// fluid, or with the outer ring in a dry bearing.
 fn release_idle_balls<L: TractionLaw>(system: &JonesHarris<'_, L>, mut state: BlockState) -> BlockState {
@@ -172,7 +186,7 @@ fn release_idle_balls<L: TractionLaw>(system: &JonesHarris<'_, L>, mut state: Bl
     for (index, ball) in state.balls.iter_mut().enumerate() {
         let pose = system.pose(index, *ball, state.ring);
         let (inner_load, _) = system.bearing.contact_load(Side::Inner, &pose.inner);
-        if inner_load <= DRIVING_LOAD * system.typical.force && ball[5] != outer_speed {
+        if is_idle(inner_load, &system.typical) && ball[5] != outer_speed {
             let share = (idle - outer_speed) / (ball[5] - outer_speed);
             (2..5).for_each(|k| ball[k] *= share);
             ball[5] = idle;
@@ -181,18 +195,18 @@ fn release_idle_balls<L: TractionLaw>(system: &JonesHarris<'_, L>, mut state: Bl
     state
 }
 
-fn traction_system<'a, L: TractionLaw>(
+pub(crate) fn traction_system<'a, L: TractionLaw>(
     bearing: &'a Bearing<L>,
     point: &OperatingPoint,
     typical: Typical,
+    rule: PatchRule,
 ) -> Result<WithTraction<'a, L>, QuasiStaticError> {
-    let rule = if let PatchRule::TargetError { .. } = point.patch { SCOUT } else { point.patch };
     let quadrature = Quadrature::new(rule)?;
     let speeds = [point.inner_speed, point.outer_speed];
     Ok(WithTraction { bearing, ring: point.ring, speeds, quadrature, typical })
 }
 
-/// Turns a target error into a rule at the settled state.
+/// Takes the rule of the problem, by its target error at the scouted state where it is not named. Gives the estimate.
 fn choose_quadrature<L: TractionLaw>(
     system: &mut WithTraction<'_, L>,
     state: &BlockState,
@@ -203,6 +217,7 @@ fn choose_quadrature<L: TractionLaw>(
         system.quadrature = Quadrature::new(rule)?;
         return Ok(Some(error));
     }
+    system.quadrature = Quadrature::new(point.patch)?;
     Ok(None)
 }
 

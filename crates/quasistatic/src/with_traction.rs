@@ -66,7 +66,9 @@ impl<L: TractionLaw> BlockSystem for WithTraction<'_, L> {
         ];
         let size = |d: D| d.re().abs();
         let norm = |v: [D; 3]| v.iter().map(|c| c.re() * c.re()).sum::<f64>().sqrt();
-        let floor = self.typical.floor();
+        // Slip in the last digit of a surface speed moves traction by up to 1e-12 of the load at the steepest slip
+        // scales: friction is judged against a tenth of what the contacts can carry, or a dry bearing never converges.
+        let floor = self.typical.floor().max(0.01 * (size(loads.inner.load) + size(loads.outer.load)));
         let both = |k: usize| size(loads.inner.force[k]) + size(loads.outer.force[k]);
         let turning = (norm(loads.inner.moment)
             + norm(loads.outer.moment)

@@ -111,13 +111,19 @@ pub struct PatchLaw<'a, L> {
     pub pressure: PressureChoice,
 }
 
+/// Rolling speed below which a fraction of it is taken of this one instead, m/s: a slide-to-roll ratio has no meaning
+/// where nothing rolls, and a ball at rest must still have a finite slope of traction over slip.
+const LEAST_ROLLING: f64 = 1e-3;
+
 impl SlipUnit {
     /// s = scale · |Δv|, given the rolling speed V in m/s.
     pub fn scale<D: Scalar>(&self, rolling_speed: D) -> D {
+        let speed = rolling_speed.abs();
+        let rolling = if speed.re() > LEAST_ROLLING { speed } else { D::from(LEAST_ROLLING) };
         match *self {
             Self::MeterPerSecond => D::one(),
-            Self::PercentOfRolling => rolling_speed.abs().recip() * 100.0,
-            Self::PerMilleOfRolling => rolling_speed.abs().recip() * 1000.0,
+            Self::PercentOfRolling => rolling.recip() * 100.0,
+            Self::PerMilleOfRolling => rolling.recip() * 1000.0,
             Self::Scaled { per_m_s } => D::from(per_m_s),
         }
     }

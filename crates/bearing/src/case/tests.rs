@@ -3,7 +3,8 @@
 use super::outline::Segment;
 use super::*;
 
-const AG: &str = include_str!("../../../../fixtures/cases/paper-ag.ron");
+const AG: &str = include_str!("../../../../fixtures/cases/paper-handset.ron");
+const IDENTIFIED: &str = include_str!("../../../../fixtures/cases/paper-ag.ron");
 const PTFE: &str = include_str!("../../../../fixtures/cases/paper-ptfe.ron");
 const BEARING_218: &str = include_str!("../../../../fixtures/cases/bearing-218.ron");
 
@@ -180,7 +181,7 @@ fn limit_damaged_files_are_read_or_refused_with_a_place_inside() {
 
 #[test]
 fn identity_every_place_of_a_file_has_a_path_that_leads_back_to_it() {
-    for text in [AG, PTFE, BEARING_218, &set_value(AG, "coatings.inner.curve", POINTS).unwrap()] {
+    for text in [AG, IDENTIFIED, PTFE, BEARING_218, &set_value(AG, "coatings.inner.curve", POINTS).unwrap()] {
         let outline = Outline::new(text).unwrap();
         let mut places = 0;
         for (path, _, value) in (0..text.len()).filter_map(|offset| outline.entry_at(offset)) {
@@ -275,7 +276,7 @@ fn paper_fixture_holds_the_published_values() {
 /// The PTFE case is the Ag case but for name, coatings and race wear.
 #[test]
 fn identity_the_two_coatings_of_the_paper_share_everything_else() {
-    let (ag, mut ptfe) = (Case::from_ron(AG).unwrap(), Case::from_ron(PTFE).unwrap());
+    let (ag, mut ptfe) = (Case::from_ron(IDENTIFIED).unwrap(), Case::from_ron(PTFE).unwrap());
     assert_eq!(ptfe.coatings.inner.curve, CurveSpec::Library("ptfe".into()));
     assert_eq!(ptfe.coatings.inner, ptfe.coatings.outer);
     ptfe.name.clone_from(&ag.name);
@@ -287,7 +288,7 @@ fn identity_the_two_coatings_of_the_paper_share_everything_else() {
 
 #[test]
 fn identity_every_value_of_the_fixtures_has_a_source() {
-    for text in [AG, PTFE, BEARING_218] {
+    for text in [AG, IDENTIFIED, PTFE, BEARING_218] {
         let case = Case::from_ron(text).unwrap();
         let outline = Outline::new(text).unwrap();
         let sourced: Vec<Path> = case.sources.keys().filter_map(|key| Path::parse(key)).collect();

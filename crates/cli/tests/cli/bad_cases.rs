@@ -182,9 +182,9 @@ fn limit_files_that_are_no_case_are_refused() {
 
 #[test]
 fn limit_a_change_that_is_refused_names_its_option() {
-    let case = fixture("paper-ag.ron");
+    let case = fixture("paper-handset.ron");
     let refused = |change: &str, parts: &[&str]| run(&[&"check", &case, &"--set", &change]).fails(2, parts);
-    refused("geometry.ball_count=18", &["--set geometry.ball_count=18: ", "paper-ag.ron:", "at most 17 fit"]);
+    refused("geometry.ball_count=18", &["--set geometry.ball_count=18: ", "paper-handset.ron:", "at most 17 fit"]);
     refused("geometry.ball=18", &["--set geometry.ball=18: geometry.ball: no such path", "ball_count, ball_diameter"]);
     refused("ring.z=kN(30)", &["--set ring.z=kN(30): ", "ring.z = kN(30)", "allowed: Force, ForceTable, Held"]);
     refused("ring.z.Force=kN(", &["--set ring.z.Force=kN(: ", "not one value in RON"]);
@@ -206,11 +206,12 @@ fn limit_a_bad_file_is_not_blamed_on_an_option() {
 #[test]
 fn limit_no_convergence_names_place_equation_and_residual() {
     let scratch = Scratch::new();
-    let case = fixture("paper-ag.ron");
+    let case = fixture("paper-handset.ron");
     let (run_file, plots) = (scratch.0.join("run.mcap"), scratch.0.join("plots"));
     let one_step: &str = "numerics.max_iterations=1";
     let outcome = run(&[&"solve", &case, &"--set", &one_step, &"-o", &run_file, &"--plot", &plots]);
-    outcome.fails(1, &["paper-ag.ron: ", "did not converge", " of ", "relative residual of ", "tolerance 1.0e-10"]);
+    outcome
+        .fails(1, &["paper-handset.ron: ", "did not converge", " of ", "relative residual of ", "tolerance 1.0e-10"]);
     assert!(outcome.err.contains("ball ") || outcome.err.contains("the inner ring"), "{}", outcome.err);
     assert_eq!(scratch.names(), [""; 0]);
 }

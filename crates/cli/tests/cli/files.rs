@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Stdio;
 
 fn solve(rest: &[&dyn AsRef<OsStr>]) -> super::Outcome {
-    let case = fixture("paper-ag.ron");
+    let case = fixture("paper-handset.ron");
     let start: [&dyn AsRef<OsStr>; 4] = [&"solve", &case, &"--model", &"jones-harris"];
     run(&[&start[..], rest].concat())
 }
@@ -95,7 +95,7 @@ fn limit_a_recording_does_not_replace_its_case() {
 
 #[test]
 fn limit_a_pipe_that_closes_early_is_no_failure() {
-    let case = fixture("paper-ag.ron");
+    let case = fixture("paper-handset.ron");
     let mut child =
         command(&[&"solve", &case, &"--json"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     drop(child.stdout.take());

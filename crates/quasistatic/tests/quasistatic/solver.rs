@@ -1,0 +1,105 @@
+//! How the solver gets there: steps, warm starts, failures.
+
+use crate::{BEARING_218, PAPER_AG, STRIPS, assert_near, assert_same_ball, solve_case, variant};
+use tribodyn_bearing::Bearing;
+use tribodyn_quasistatic::Model::{JonesHarris, Traction};
+use tribodyn_quasistatic::{OperatingPoint, Place, QuasiStaticError, RingFreedom, solve, solve_from};
+
+#[test]
+fn regress_solver_steps() {
+    let steps = |name: &str, text: &str, changes: &[(&str, &str)], model| {
+        let statistics = solve_case(&variant(text, changes), model).statistics;
+        format!("{name}: {} kept, {} rejected\n", statistics.accepted, statistics.rejected)
+    };
+    let light = [STRIPS, ("ring.z", "Force(kN(1))"), ("ring.x", "Force(kN(10))")];
+    let all = [
+        steps("218 Jones-Harris", BEARING_218, &[], JonesHarris),
+        steps("paper Jones-Harris", PAPER_AG, &[], JonesHarris),
+        steps("paper case 1", PAPER_AG, &[STRIPS], Traction),
+        steps("paper case 4", PAPER_AG, &[STRIPS, FIXED, NO_DIFFERENTIAL], Traction),
+        steps("light axial load", PAPER_AG, &light, Traction),
+    ];
+    insta::assert_snapshot!(all.concat(), @"
+    218 Jones-Harris: 11 kept, 0 rejected
+    paper Jones-Harris: 14 kept, 0 rejected
+    paper case 1: 17 kept, 0 rejected
+    paper case 4: 17 kept, 0 rejected
+    light axial load: 20 kept, 0 rejected
+    ");
+}
+
+const FIXED: (&str, &str) = ("traction.varying", "false");
+const NO_DIFFERENTIAL: (&str, &str) = ("traction.differential_slip", "false");
+
+#[test]
+fn identity_warm_start_leads_to_the_same_solution_in_few_steps() {
+    let case = variant(PAPER_AG, &[STRIPS]);
+    let bearing = Bearing::new(&case).unwrap();
+    let point = OperatingPoint::new(&case);
+    let start = solve(&bearing, &point, Traction).unwrap().warm_start.unwrap();
+    let same = solve_from(&bearing, &point, &start).unwrap();
+    assert_eq!(same.statistics.accepted, 0, "a solution is a solution");
+    let mut near = point.clone();
+    near.ring[0] = RingFreedom::Loaded(20.4e3);
+    near.inner_speed *= 1.01;
+    let warm = solve_from(&bearing, &near, &start).unwrap();
+    let cold = solve(&bearing, &near, Traction).unwrap();
+    assert!(warm.statistics.accepted <= 5, "{:?}", warm.statistics);
+    assert_near("cage speed", warm.solution.cage_speed_rpm, cold.solution.cage_speed_rpm, 1e-9);
+    for (a, b) in warm.solution.balls.iter().zip(&cold.solution.balls) {
+        assert_same_ball("warm", a, b, 1e-7);
+    }
+}
+
+/// The rule that a target error leads to is kept by the warm start.
+#[test]
+fn identity_target_error_is_met_and_kept() {
+    let case = variant(PAPER_AG, &[("traction.patch", "TargetError(relative: 1e-4)")]);
+    let bearing = Bearing::new(&case).unwrap();
+    let point = OperatingPoint::new(&case);
+    let solved = solve(&bearing, &point, Traction).unwrap();
+    let estimate = solved.solution.patch_error_estimate.unwrap();
+    assert!(estimate > 0.0 && estimate <= 1.5e-4, "{estimate}");
+    let again = solve_from(&bearing, &point, &solved.warm_start.unwrap()).unwrap();
+    assert_near("cage speed", again.solution.cage_speed_rpm, solved.solution.cage_speed_rpm, 1e-12);
+}
+
+#[test]
+fn limit_too_few_iterations_name_the_worst_balance() {
+    for model in [JonesHarris, Traction] {
+        let case = variant(PAPER_AG, &[STRIPS, ("numerics", "(max_iterations: 1)")]);
+        let error = solve(&Bearing::new(&case).unwrap(), &OperatingPoint::new(&case), model).unwrap_err();
+        let QuasiStaticError::NotConverged { place, equation, residual, tolerance, .. } = &error else {
+            panic!("another error: {error}");
+        };
+        assert!(*residual > *tolerance && *tolerance == 1e-10);
+        let text = error.to_string();
+        let name = match place {
+            Place::Ball { index, azimuth_deg } => {
+                assert_near("azimuth", *azimuth_deg, 360.0 / 13.0 * *index as f64, 1e-12);
+                format!("ball {index} at")
+            }
+            Place::Ring => "the inner ring".to_owned(),
+        };
+        assert!(text.contains(&name) && text.contains(equation) && text.contains(&format!("{residual:.3e}")), "{text}");
+    }
+}
+
+/// A close inner and a wide open outer groove, light thrust, twice the speed: the balls without inner contact have no
+/// raceway control, but with traction every ball has its equilibrium.
+#[test]
+fn limit_traction_converges_where_raceway_control_does_not() {
+    let changes = [
+        STRIPS,
+        ("geometry.inner_groove", "Coefficient(0.51)"),
+        ("geometry.outer_groove", "Coefficient(0.56)"),
+        ("ring.x", "Force(kN(40))"),
+        ("ring.z", "Force(kN(0.88))"),
+        ("speed.inner", "Constant(rpm(28000))"),
+    ];
+    let case = variant(PAPER_AG, &changes);
+    let (bearing, point) = (Bearing::new(&case).unwrap(), OperatingPoint::new(&case));
+    assert!(solve(&bearing, &point, JonesHarris).is_err());
+    let s = solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution;
+    assert!(s.residual <= 1e-10 && s.balls.iter().any(|ball| ball.load_inner_n == 0.0));
+}
