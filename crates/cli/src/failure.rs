@@ -28,7 +28,7 @@ pub enum Failure {
     #[error("{file}: {source}")]
     Solver { file: String, source: QuasiStaticError },
     #[error("{file}: {source}")]
-    Identify { file: String, source: IdentifyError },
+    Identify { file: String, source: Box<IdentifyError> },
     #[error(transparent)]
     Contact(#[from] tribodyn_contact::ContactError),
     #[error(transparent)]
@@ -61,7 +61,11 @@ impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Solver { source: QuasiStaticError::NotConverged { .. }, .. } => 1,
-            Self::Identify { source: IdentifyError::NoStart { .. } | IdentifyError::Solver(_), .. } => 1,
+            Self::Identify { source, .. }
+                if matches!(**source, IdentifyError::NoStart { .. } | IdentifyError::Solver(_)) =>
+            {
+                1
+            }
             Self::Write { .. } | Self::Record(_) | Self::Plot(_) | Self::Output(_) | Self::Json(_) => 1,
             _ => 2,
         }

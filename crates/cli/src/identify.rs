@@ -31,7 +31,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let path = &arguments.problem;
     let text = read(path)?;
     let name = path.display().to_string();
-    let refused = |source| Failure::Identify { file: name.clone(), source };
+    let refused = |source| Failure::Identify { file: name.clone(), source: Box::new(source) };
     let mut problem = Problem::from_ron(&text).map_err(refused)?;
     problem.seed = arguments.seed.unwrap_or(problem.seed);
     problem.starts = arguments.starts.unwrap_or(problem.starts);
