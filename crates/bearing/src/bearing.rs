@@ -5,7 +5,7 @@ use crate::case::{Case, CoatingSpec, CurveSpec, FluidSpec, MaterialSpec, Medium,
 use crate::geometry::{Geometry, Side};
 use std::f64::consts::PI;
 use tribodyn_contact::{ContactError, ElasticBody, HertzContact, Scalar, effective_modulus};
-use tribodyn_fluid::{BallDrag, Churning, Fluid};
+use tribodyn_fluid::{BallDrag, Churning, Fluid, effective_density, frontal_area};
 use tribodyn_traction::{Coating, CoatingLaw, MomentArm, Peak, PressureChoice, SlipUnit, TestedCurve, TractionLaw};
 use tribodyn_wear::Archard;
 
@@ -170,8 +170,8 @@ fn fluid_forces(spec: &FluidSpec, radius: f64) -> Result<FluidForces, BearingErr
         Medium::Methane { temperature, pressure } => properties(Fluid::Methane, temperature, pressure)?,
         Medium::Custom { density, viscosity } => (density, viscosity),
     };
-    let density = spec.liquid_fraction * liquid + (1.0 - spec.liquid_fraction) * spec.gas_density;
-    let frontal_area = PI * radius * radius * (1.0 - spec.shaded_fraction);
+    let density = effective_density(spec.liquid_fraction, liquid, spec.gas_density);
+    let frontal_area = frontal_area(2.0 * radius, spec.shaded_fraction);
     Ok(FluidForces {
         drag: BallDrag { density_effective: density, frontal_area, drag_coefficient: spec.drag_coefficient },
         churning: spec.churning.then_some(Churning { density, viscosity, radius }),
