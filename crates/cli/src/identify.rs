@@ -181,22 +181,22 @@ fn file_name(title: &str) -> String {
 
 /// Residuals of every datum, and the squares of the distinct minima.
 fn figures(problem: &Problem, answers: &[Identification]) -> Result<Vec<Figure>, Failure> {
-    let series = |values: &dyn Fn(&Identification) -> Vec<f64>| -> Vec<Series> {
-        let numbered = |v: Vec<f64>| v.into_iter().enumerate().map(|(i, v)| (i as f64 + 1.0, v)).collect();
-        answers.iter().map(|a| Series::marked(title(a), numbered(values(a)))).collect()
-    };
-    let count = problem.data.len() as f64;
+    let numbered = |v: Vec<f64>| v.into_iter().enumerate().map(|(i, v)| (i as f64 + 1.0, v)).collect::<Vec<_>>();
+    let residuals = |a: &Identification| numbered(a.data.iter().map(|d| d.normalised).collect());
+    let costs = |a: &Identification| numbered(a.minima.iter().map(|m| m.cost).collect());
+    // A margin of one on either side keeps the first and the last point off the frame.
+    let most = answers.iter().map(|a| a.minima.len()).max().unwrap_or(1);
     let residuals = LineChart::new(
         "Residuals",
-        Axis::new("datum, in the order of the problem file", "").covering(1.0, count),
+        Axis::new("datum, in the order of the problem file", "").covering(0.0, problem.data.len() as f64 + 1.0),
         Axis::new("deviation / uncertainty", "").covering(-2.0, 2.0),
-        series(&|a| a.data.iter().map(|d| d.normalised).collect()),
+        answers.iter().map(|a| Series::marked(title(a), residuals(a))).collect(),
     );
     let minima = LineChart::new(
         "Distinct minima",
-        Axis::new("rank", "").covering(1.0, 2.0),
+        Axis::new("rank", "").covering(0.0, most as f64 + 1.0),
         Axis::new("sum of weighted squares", ""),
-        series(&|a| a.minima.iter().map(|m| m.cost).collect()),
+        answers.iter().map(|a| Series::points(title(a), costs(a))).collect(),
     );
     let figure = |name, heading, chart| Figure::new(name, heading, &[Panel::Cartesian(chart)]);
     Ok(vec![
