@@ -1,7 +1,7 @@
 //! A case made ready for the solvers: geometry, masses, contact constants, traction laws and fluid forces.
 
 use crate::BearingError;
-use crate::case::{Case, CoatingSpec, CurveSpec, FluidSpec, MaterialSpec, Medium, RingCentre};
+use crate::case::{Case, CurveSpec, FluidSpec, MaterialSpec, Medium, RingCentre};
 use crate::geometry::{Geometry, Side};
 use std::f64::consts::PI;
 use tribodyn_contact::{ContactError, ElasticBody, HertzContact, Scalar, effective_modulus};
@@ -34,6 +34,9 @@ pub struct Bearing<L = CoatingLaw> {
     pub contact_at_actual_angle: bool,
     /// Whether each ring turns about its own displaced centre, or about the inertial axis.
     pub ring_turns_about_own_centre: bool,
+    /// Damping of the contacts along their normals, a fraction ζ of the critical one; 0 unless a transient solver sets
+    /// it, since an equilibrium is at rest only in the mean where a ring is off centre.
+    pub contact_damping: f64,
     /// Wear of the inner race.
     pub wear_inner: Archard,
     /// Wear of the outer race.
@@ -49,8 +52,10 @@ pub struct Race<L = CoatingLaw> {
     hertz: HertzContact,
     /// Radius of the deformed contact across the groove, m; infinite without differential slip.
     pub surface_radius: f64,
-    /// Traction law.
+    /// Traction law of the coating.
     pub law: L,
+    /// Traction law of the bare steel under it, where the case has one.
+    pub bare_law: Option<L>,
 }
 
 impl<L> Race<L> {
@@ -85,8 +90,13 @@ impl Bearing {
     /// # Errors
     /// [`BearingError`] where coating, fluid or contact data do not make sense together.
     pub fn new(case: &Case) -> Result<Self, BearingError> {
-        let law = |spec| coating_law(case, spec);
-        Self::with_laws(case, law(&case.coatings.inner)?, law(&case.coatings.outer)?)
+        let law = |curve| coating_law(case, curve);
+        let mut bearing = Self::with_laws(case, law(&case.coatings.inner.curve)?, law(&case.coatings.outer.curve)?)?;
+        if let Some(bare) = &case.coatings.bare {
+            let law = law(&bare.curve)?;
+            (bearing.inner.bare_law, bearing.outer.bare_law) = (Some(law.clone()), Some(law));
+        }
+        Ok(bearing)
     }
 }
 
@@ -105,7 +115,7 @@ impl<L: TractionLaw> Bearing<L> {
             let hertz = HertzContact::new(rolling, lateral, modulus)?;
             let surface_radius =
                 if case.traction.differential_slip { geometry.surface_radius(side) } else { f64::INFINITY };
-            Ok::<_, BearingError>(Race { hertz, surface_radius, law })
+            Ok::<_, BearingError>(Race { hertz, surface_radius, law, bare_law: None })
         };
         let wear = |spec: &crate::case::ArchardSpec| Archard { coefficient: spec.coefficient, hardness: spec.hardness };
         Ok(Self {
@@ -120,6 +130,7 @@ impl<L: TractionLaw> Bearing<L> {
             moment_arm: case.traction.moment_arm,
             contact_at_actual_angle: case.numerics.contact_at_actual_angle,
             ring_turns_about_own_centre: case.numerics.ring_centre == RingCentre::Displaced,
+            contact_damping: 0.0,
             wear_inner: wear(&case.wear.inner),
             wear_outer: wear(&case.wear.outer),
             wear_cage: wear(&case.wear.cage),
@@ -144,8 +155,8 @@ fn elastic(material: &MaterialSpec) -> ElasticBody {
     ElasticBody { young: material.young, poisson: material.poisson }
 }
 
-fn coating_law(case: &Case, spec: &CoatingSpec) -> Result<CoatingLaw, BearingError> {
-    let coating = match &spec.curve {
+fn coating_law(case: &Case, curve: &CurveSpec) -> Result<CoatingLaw, BearingError> {
+    let coating = match curve {
         CurveSpec::Library(name) => Coating::library(name)?,
         CurveSpec::Tested(points) => {
             let tested = points.iter().map(|p| TestedCurve {

@@ -5,120 +5,10 @@
 
 use crate::bearing::{Bearing, Race};
 use crate::geometry::{ContactPose, Side};
+use crate::state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState, add};
 use tribodyn_contact::{Ellipse, Scalar};
 use tribodyn_traction::{Patch, PatchLaw, PatchTraction, Quadrature, RelativeMotion, TractionLaw, patch_traction};
-
-/// Position and motion of a ring against the inertial frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RingState<D = f64> {
-    /// Displacement x, y, z, m.
-    pub displacement: [D; 3],
-    /// Small tilt about X and Y, rad.
-    pub tilt: [D; 2],
-    /// Velocity x, y, z, m/s.
-    pub velocity: [D; 3],
-    /// Rotational speed about Z, rad/s.
-    pub speed: D,
-}
-
-impl<D: Scalar> RingState<D> {
-    /// At rest in the centre, turning at `speed` in rad/s.
-    pub fn centred(speed: D) -> Self {
-        let z = D::zero();
-        Self { displacement: [z; 3], tilt: [z; 2], velocity: [z; 3], speed }
-    }
-}
-
-/// Position and motion of a ball.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallState<D = f64> {
-    /// Sine and cosine of the azimuth φ.
-    pub azimuth: [D; 2],
-    /// Ball centre against the outer groove centre: axial X1 and radial X2, m.
-    pub position: [D; 2],
-    /// Axial and radial velocity of the ball centre, m/s.
-    pub velocity: [D; 2],
-    /// Orbital speed ω_m, rad/s.
-    pub orbital_speed: D,
-    /// Absolute angular velocity Ω, rad/s.
-    pub spin: [D; 3],
-}
-
-/// One ball–race contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RaceContact<D = f64> {
-    /// Contact angle and approach.
-    pub pose: ContactPose<D>,
-    /// Normal load Q, N.
-    pub load: D,
-    /// Contact ellipse and peak pressure.
-    pub ellipse: Ellipse<D>,
-    /// The ball's motion against the race.
-    pub motion: RelativeMotion<D>,
-    /// Mean of the two surface speeds along e_t in the orbiting frame, m/s: positive at the inner, negative at the
-    /// outer race for a positive inner speed. Its magnitude is V of the paper's Eq. 3.
-    pub rolling_speed: D,
-    /// Traction integrals.
-    pub traction: PatchTraction<D>,
-    /// Normal load and traction together, N.
-    pub force: [D; 3],
-    /// Moment of the traction about the ball centre, N m.
-    pub moment: [D; 3],
-}
-
-impl<D: Scalar> RaceContact<D> {
-    /// Slide-to-roll ratios ξ_x (positive where the ball's surface is the faster) and ξ_y and spin ratio φ in 1/m, as in the paper's Eq. 3;
-    /// zeros where nothing rolls.
-    pub fn slide_to_roll(&self, ball_radius: f64) -> [D; 3] {
-        let [along, across] = self.motion.centre_slip(ball_radius);
-        let v = self.rolling_speed;
-        if v.re() == 0.0 {
-            return [D::zero(); 3];
-        }
-        [along / v, across / v.abs(), self.motion.spin / v]
-    }
-}
-
-/// Everything that acts on one ball, without inertia.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallLoads<D = f64> {
-    /// Inner contact.
-    pub inner: RaceContact<D>,
-    /// Outer contact.
-    pub outer: RaceContact<D>,
-    /// Radius of the orbit, m.
-    pub orbit_radius: D,
-    /// Fluid drag against the orbit, N.
-    pub drag: D,
-    /// Churning moment, N m.
-    pub churning: [D; 3],
-    /// Tangential generalised force of the normal loads where a ring is off centre, N.
-    pub eccentricity: D,
-}
-
-impl<D: Scalar> BallLoads<D> {
-    /// Sum of the forces, N.
-    pub fn force(&self) -> [D; 3] {
-        let [a, r, t] = add(self.inner.force, self.outer.force);
-        [a, r, t - self.drag + self.eccentricity]
-    }
-
-    /// Sum of the moments about the ball centre, N m.
-    pub fn moment(&self) -> [D; 3] {
-        add(add(self.inner.moment, self.outer.moment), self.churning)
-    }
-}
-
-/// The kinematics of one ball between two rings that need no traction: enough for Jones–Harris.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallPose<D = f64> {
-    /// Inner contact.
-    pub inner: ContactPose<D>,
-    /// Outer contact.
-    pub outer: ContactPose<D>,
-    /// Radius of the orbit, m.
-    pub orbit_radius: D,
-}
+use tribodyn_wear::LocalSurface;
 
 impl<L: TractionLaw> Bearing<L> {
     /// Contact angles, approaches and orbit radius of a ball.
@@ -162,7 +52,7 @@ impl<L: TractionLaw> Bearing<L> {
         (load, hertz.ellipse(load))
     }
 
-    /// All that races and fluid do to a ball.
+    /// All that new races and fluid do to a ball, traction by the generic quadrature.
     pub fn ball_loads<D: Scalar>(
         &self,
         ball: &BallState<D>,
@@ -170,16 +60,43 @@ impl<L: TractionLaw> Bearing<L> {
         outer: &RingState<D>,
         quadrature: &Quadrature,
     ) -> BallLoads<D> {
-        let pose = self.pose(ball.azimuth, ball.position, inner, outer);
-        let [i, o] = [(Side::Inner, pose.inner, inner), (Side::Outer, pose.outer, outer)]
-            .map(|(side, contact, ring)| self.race_contact(side, contact, ball, ring, pose.orbit_radius, quadrature));
+        self.ball_loads_with(ball, [inner, outer], [&LocalSurface::NEW; 2], |patch| {
+            self.plain_traction(patch, quadrature)
+        })
+    }
+
+    /// The traction of a patch by the generic quadrature; where the coating is partly gone, of both surfaces by their
+    /// shares.
+    pub fn plain_traction<D: Scalar>(&self, p: &LoadedPatch<'_, D, L>, quadrature: &Quadrature) -> PatchTraction<D> {
+        let by = |law: &L| patch_traction(&p.patch, &p.motion, p.rolling_speed, &self.patch_law(law), quadrature);
+        p.blend(by)
+    }
+
+    /// All that races and fluid do to a ball, given the surfaces where it stands (inner, outer) and who integrates
+    /// traction over a loaded patch.
+    pub fn ball_loads_with<D: Scalar>(
+        &self,
+        ball: &BallState<D>,
+        rings: [&RingState<D>; 2],
+        surfaces: [&LocalSurface; 2],
+        mut traction: impl FnMut(&LoadedPatch<'_, D, L>) -> PatchTraction<D>,
+    ) -> BallLoads<D> {
+        let mut pose = self.pose(ball.azimuth, ball.position, rings[0], rings[1]);
+        pose.inner.approach -= surfaces[0].depth;
+        pose.outer.approach -= surfaces[1].depth;
         let radius = pose.orbit_radius;
-        let [_, _, inner_tangential] = in_azimuth_frame(ball.azimuth, inner.displacement);
-        let [_, _, outer_tangential] = in_azimuth_frame(ball.azimuth, outer.displacement);
-        let eccentricity = (o.load * o.pose.cos * outer_tangential - i.load * i.pose.cos * inner_tangential) / radius;
+        let mut contact = |side, contact, k: usize| {
+            self.race_contact(side, contact, (ball, rings[k], radius), surfaces[k], &mut traction)
+        };
+        let (i, o) = (contact(Side::Inner, pose.inner, 0), contact(Side::Outer, pose.outer, 1));
+        let [inner_tangential, outer_tangential] =
+            rings.map(|ring| in_azimuth_frame(ball.azimuth, ring.displacement)[2]);
+        let off_centre =
+            o.normal_force * o.pose.cos * outer_tangential - i.normal_force * i.pose.cos * inner_tangential;
+        let eccentricity = (off_centre + i.slope_moment + o.slope_moment) / radius;
         let (drag, churning) = match &self.fluid {
             Some(fluid) => (
-                fluid.drag.force(radius * (ball.orbital_speed - inner.speed * fluid.swirl)),
+                fluid.drag.force(radius * (ball.orbital_speed - rings[0].speed * fluid.swirl)),
                 fluid.churning.map_or([D::zero(); 3], |c| c.moment_vector(ball.spin)),
             ),
             None => (D::zero(), [D::zero(); 3]),
@@ -191,28 +108,73 @@ impl<L: TractionLaw> Bearing<L> {
         &self,
         side: Side,
         pose: ContactPose<D>,
-        ball: &BallState<D>,
-        ring: &RingState<D>,
-        orbit_radius: D,
-        quadrature: &Quadrature,
+        (ball, ring, orbit_radius): (&BallState<D>, &RingState<D>, D),
+        surface: &LocalSurface,
+        traction: &mut impl FnMut(&LoadedPatch<'_, D, L>) -> PatchTraction<D>,
     ) -> RaceContact<D> {
-        let race = self.race(side);
         let (load, ellipse) = self.contact_load(side, &pose);
         let [n_a, n_r] = pose.normal(side);
         let (motion, rolling_speed) = self.relative_motion([n_a, n_r], ball, ring, orbit_radius);
-        let traction = self.traction(race, load, &ellipse, &motion, rolling_speed, quadrature);
+        let (normal_force, closing_speed) = self.normal_force(&pose, [n_a, n_r], load, (ball, ring), surface);
+        let race = self.race(side);
+        let traction = if load.re() > 0.0 {
+            let patch = self.patch(race, &ellipse);
+            traction(&LoadedPatch { race, patch, motion, rolling_speed, bare: surface.bare })
+        } else {
+            PatchTraction::zero()
+        };
         // e_y = (n_r, −n_a, 0).
-        let force = [
-            traction.force_lateral * n_r - load * n_a,
-            -(traction.force_lateral * n_a) - load * n_r,
-            traction.force_rolling,
-        ];
+        let lateral = traction.force_lateral;
+        let traction_force = [lateral * n_r, -(lateral * n_a), traction.force_rolling];
+        let force =
+            [traction_force[0] - normal_force * n_a, traction_force[1] - normal_force * n_r, traction.force_rolling];
         let moment = [
             traction.moment_lateral * n_r + traction.moment_normal * n_a,
             traction.moment_normal * n_r - traction.moment_lateral * n_a,
             traction.moment_rolling,
         ];
-        RaceContact { pose, load, ellipse, motion, rolling_speed, traction, force, moment }
+        let slope_moment = normal_force * surface.slope;
+        RaceContact {
+            pose,
+            load,
+            normal_force,
+            closing_speed,
+            ellipse,
+            motion,
+            rolling_speed,
+            traction,
+            traction_force,
+            force,
+            moment,
+            slope_moment,
+        }
+    }
+
+    /// N = max(0, Q + c δ̇) with c = 2ζ sqrt(m dQ/dδ), and δ̇.
+    fn normal_force<D: Scalar>(
+        &self,
+        pose: &ContactPose<D>,
+        [n_a, n_r]: [D; 2],
+        load: D,
+        (ball, ring): (&BallState<D>, &RingState<D>),
+        surface: &LocalSurface,
+    ) -> (D, D) {
+        if self.contact_damping == 0.0 {
+            return (load, D::zero());
+        }
+        let [v_a, v_r, _] = in_azimuth_frame(ball.azimuth, ring.velocity);
+        let [_, _, tangential] = in_azimuth_frame(ball.azimuth, ring.displacement);
+        // The groove centre under the ball moves with the ring and, where that is off centre, with the azimuth.
+        let groove = v_r + tangential * ball.orbital_speed;
+        let sinking = (ball.orbital_speed - ring.speed) * surface.slope;
+        let closing = n_a * (ball.velocity[0] - v_a) + n_r * (ball.velocity[1] - groove) - sinking;
+        if load.re() <= 0.0 {
+            return (load, closing);
+        }
+        let stiffness = load / pose.approach * 1.5;
+        let damping = (stiffness * self.ball_mass).sqrt() * (2.0 * self.contact_damping);
+        let force = load + damping * closing;
+        (if force.re() > 0.0 { force } else { D::zero() }, closing)
     }
 
     /// The ball's rigid motion against a race in patch axes, and the rolling speed.
@@ -224,11 +186,7 @@ impl<L: TractionLaw> Bearing<L> {
         orbit_radius: D,
     ) -> (RelativeMotion<D>, D) {
         let r_b = self.geometry.ball_radius();
-        let centre = if self.ring_turns_about_own_centre {
-            in_azimuth_frame(ball.azimuth, ring.displacement)
-        } else {
-            [D::zero(); 3]
-        };
+        let centre = self.axis_of_rotation(ball, ring);
         let ring_velocity = in_azimuth_frame(ball.azimuth, ring.velocity);
         // W = v_ball − v_race − ω e_a × (r_c e_r − x_race).
         let along = orbit_radius * ball.orbital_speed - ring_velocity[2] - ring.speed * (orbit_radius - centre[1]);
@@ -249,20 +207,13 @@ impl<L: TractionLaw> Bearing<L> {
         (motion, (ball_surface + race_surface) * 0.5)
     }
 
-    fn traction<D: Scalar>(
-        &self,
-        race: &Race<L>,
-        load: D,
-        ellipse: &Ellipse<D>,
-        motion: &RelativeMotion<D>,
-        rolling_speed: D,
-        quadrature: &Quadrature,
-    ) -> PatchTraction<D> {
-        if load.re() <= 0.0 {
-            return PatchTraction::zero();
+    /// Where the axis about which a ring turns stands, in the ball's azimuth frame, m.
+    fn axis_of_rotation<D: Scalar>(&self, ball: &BallState<D>, ring: &RingState<D>) -> [D; 3] {
+        if self.ring_turns_about_own_centre {
+            in_azimuth_frame(ball.azimuth, ring.displacement)
+        } else {
+            [D::zero(); 3]
         }
-        let patch = self.patch(race, ellipse);
-        patch_traction(&patch, motion, rolling_speed, &self.patch_law(race), quadrature)
     }
 
     /// The patch under a contact ellipse.
@@ -277,9 +228,9 @@ impl<L: TractionLaw> Bearing<L> {
         }
     }
 
-    /// The traction law of a race with the case's choices.
-    pub fn patch_law<'a>(&self, race: &'a Race<L>) -> PatchLaw<'a, L> {
-        PatchLaw { law: &race.law, slip_unit: self.slip_unit, pressure: self.pressure_choice }
+    /// A traction law with the case's choices.
+    pub fn patch_law<'a>(&self, law: &'a L) -> PatchLaw<'a, L> {
+        PatchLaw { law, slip_unit: self.slip_unit, pressure: self.pressure_choice }
     }
 
     /// Force on the balls by the inner ring (X, Y, Z, N), its moment about the ring's centre (X, Y, N m) and the torque
@@ -302,18 +253,28 @@ impl<L: TractionLaw> Bearing<L> {
             force[0],
             moment[1] * cos - moment[2] * sin,
             moment[1] * sin + moment[2] * cos,
-            moment[0],
+            self.ring_torque(ball, &loads.inner, loads.orbit_radius, ring),
         ]
+    }
+
+    /// Torque (N m) about its axis that a ring puts on a ball; the reaction brakes the ring. The normal force points to the
+    /// ring's axis of rotation and has no part in it, but on a groove that is not round.
+    pub fn ring_torque<D: Scalar>(
+        &self,
+        ball: &BallState<D>,
+        contact: &RaceContact<D>,
+        orbit_radius: D,
+        ring: &RingState<D>,
+    ) -> D {
+        let centre = self.axis_of_rotation(ball, ring);
+        let [_, radial, along] = contact.traction_force;
+        (orbit_radius - centre[1]) * along + centre[2] * radial + contact.moment[0] + contact.slope_moment
     }
 }
 
 /// (x, y, z) of the inertial frame as [a, r, t] at an azimuth given by its sine and cosine.
 pub fn in_azimuth_frame<D: Scalar>([sin, cos]: [D; 2], [x, y, z]: [D; 3]) -> [D; 3] {
     [z, x * cos + y * sin, y * cos - x * sin]
-}
-
-fn add<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 fn cross<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {

@@ -30,12 +30,16 @@ mod bearing;
 pub mod case;
 mod geometry;
 mod interaction;
+mod state;
 
 pub use bearing::{Bearing, FluidForces, Race};
 pub use geometry::{ContactPose, Geometry, Side};
-pub use interaction::{BallLoads, BallPose, BallState, RaceContact, RingState, in_azimuth_frame};
+pub use interaction::in_azimuth_frame;
+pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{Ellipse, Scalar};
+pub use tribodyn_fluid as fluid;
 pub use tribodyn_traction as traction;
+pub use tribodyn_wear as wear;
 
 /// Why a case does not make a bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -237,7 +237,7 @@ fn probes<'a, L: TractionLaw>(system: &WithTraction<'a, L>, state: &BlockState) 
             patch: bearing.patch(race, &contact.ellipse),
             motion: contact.motion,
             rolling_speed: contact.rolling_speed,
-            law: bearing.patch_law(race),
+            law: bearing.patch_law(&race.law),
         })
         .collect()
 }

@@ -113,7 +113,7 @@ pub struct PatchLaw<'a, L> {
 
 /// Rolling speed below which a fraction of it is taken of this one instead, m/s: a slide-to-roll ratio has no meaning
 /// where nothing rolls, and a ball at rest must still have a finite slope of traction over slip.
-const LEAST_ROLLING: f64 = 1e-3;
+pub(crate) const LEAST_ROLLING: f64 = 1e-3;
 
 impl SlipUnit {
     /// s = scale · |Δv|, given the rolling speed V in m/s.

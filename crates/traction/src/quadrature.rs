@@ -40,7 +40,7 @@ pub struct Quadrature {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Nodes {
+pub(crate) enum Nodes {
     /// (X, Y, w), the same for every contact.
     Fixed(Vec<[f64; 3]>),
     /// (τ, w) on [0, 1] across the groove, and the nodes along rolling.
@@ -73,6 +73,10 @@ impl Quadrature {
     /// The rule that the nodes belong to.
     pub fn rule(&self) -> PatchRule {
         self.rule
+    }
+
+    pub(crate) fn nodes(&self) -> &Nodes {
+        &self.nodes
     }
 
     /// Calls `point(X, Y, w)` for each node; `slip` places the strips of [`PatchRule::SplitStrip`].

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 /// A panel of strips between two cuts, its nodes graded quadratically towards both ends.
 pub(crate) struct Panel<D> {
-    start: D,
-    end: D,
+    pub(crate) start: D,
+    pub(crate) end: D,
 }
 
 impl<D: Scalar> Panel<D> {
@@ -57,11 +57,11 @@ fn cuts<D: Scalar>([gamma, beta, alpha]: [D; 3]) -> [Option<D>; 2] {
 /// A node of the Chebyshev rule of the second kind, ∫ g √(1−t²) dt over [−1, 1], at t ≥ 0; it stands for −t too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AlongNode {
-    t: f64,
+    pub(crate) t: f64,
     /// The rule's weight.
-    weight: f64,
+    pub(crate) weight: f64,
     /// The weight over √(1−t²).
-    edge_weight: f64,
+    pub(crate) edge_weight: f64,
 }
 
 impl AlongNode {
@@ -86,10 +86,10 @@ impl AlongNode {
 /// Smallest width of the concentration, in semi-axes along rolling. Without it the few nodes of a strip next to a cut
 /// would crowd within a distance at which the curve κ(s) has long made the integrand smooth. Between 0.05 and 0.1 the
 /// errors hardly change; at a slip scale of 22 per m/s 0.2 loses a factor of 3 to 6 with 10 and more nodes across.
-const SMALLEST_WIDTH: f64 = 0.07;
+pub(crate) const SMALLEST_WIDTH: f64 = 0.07;
 
 /// Square of q/|Δv| below which a strip keeps Chebyshev's nodes: the map differs from the identity by as little.
-const SPINLESS: f64 = 1e-6;
+pub(crate) const SPINLESS: f64 = 1e-6;
 
 /// Calls `point(ξ, w)` for the nodes of the strip at `y`, with ∫ g √(1−ξ²) dξ ≈ Σ w g.
 ///

@@ -2,6 +2,7 @@
 
 use crate::chebyshev::Chebyshev;
 use crate::{Coating, Kragelskii, Peak, Scalar, SlipCurve, TractionError};
+use num_dual::Dual64;
 
 /// A traction law: the curve κ(s) that holds at a contact pressure. Implement it to bring your own curve.
 pub trait TractionLaw: Sync {
@@ -13,6 +14,17 @@ pub trait TractionLaw: Sync {
 
     /// Whether `pressure` in Pa lies outside the range of the data, so that it is clamped.
     fn clamps(&self, pressure: f64) -> bool;
+
+    /// The curve at `pressure` in Pa where it is Kragelskii's: [`crate::FastPatch`] then takes the place of the generic
+    /// integral. None for any other curve.
+    fn kragelskii(&self, _pressure: f64) -> Option<Kragelskii> {
+        None
+    }
+
+    /// dA/dp, dB/dp and dC/dp of [`TractionLaw::kragelskii`], per Pa.
+    fn kragelskii_slope(&self, _pressure: f64) -> Option<Kragelskii> {
+        None
+    }
 }
 
 /// S_m, K_m and K as polynomials in pressure, fitted to a coating's tests.
@@ -183,12 +195,20 @@ impl TractionLaw for CoatingLaw {
         let pressure = self.reference_pressure.unwrap_or(pressure);
         pressure < self.fit.valid_pressure[0] || pressure > self.fit.valid_pressure[1]
     }
+
+    fn kragelskii(&self, pressure: f64) -> Option<Kragelskii> {
+        Some(self.at(pressure))
+    }
+
+    fn kragelskii_slope(&self, pressure: f64) -> Option<Kragelskii> {
+        let Kragelskii { a, b, c } = self.at(Dual64::from(pressure).derivative());
+        Some(Kragelskii { a: a.eps, b: b.eps, c: c.eps })
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use num_dual::Dual64;
 
     fn close(a: f64, b: f64, relative: f64) -> bool {
         (a - b).abs() <= relative * b.abs()

@@ -29,9 +29,11 @@
 
 mod archard;
 mod geometry;
+mod surface;
 
 pub use archard::{Archard, archard_rate, cage_rate};
 pub use geometry::{GrooveGeometry, WearDepths};
+pub use surface::LocalSurface;
 
 /// Why a worn bearing has no contact angle.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -10,8 +10,10 @@ mod outline;
 mod schema;
 mod sources;
 mod tokens;
+mod transient;
 mod units;
 mod validate;
+mod validate_transient;
 
 #[cfg(test)]
 mod tests;
@@ -19,6 +21,7 @@ mod tests;
 pub use error::CaseError;
 pub use locate::{locate, set_value};
 pub use schema::*;
+pub use transient::*;
 
 use outline::{Outline, Path};
 use ron::extensions::Extensions;

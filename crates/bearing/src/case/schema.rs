@@ -3,6 +3,7 @@
 //! Every dimensional value carries its unit in the text (`mm(30.16)`, `rpm(14000)`); the deserialisers of
 //! [`super::units`] turn it into the SI number held here.
 
+use super::transient::{BareSpec, DefectSpec, GuidanceSpec, RecordingSpec, SupportsSpec, TransientSpec};
 use super::units;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -33,6 +34,18 @@ pub struct Case {
     pub ring: RingSpec,
     /// Rotational speeds of the rings.
     pub speed: SpeedSpec,
+    /// Masses and supports of the rings; a transient run needs them.
+    #[serde(default)]
+    pub supports: Option<SupportsSpec>,
+    /// Local defects of the raceways.
+    #[serde(default)]
+    pub defects: Vec<DefectSpec>,
+    /// The transient run, for `run`.
+    #[serde(default)]
+    pub transient: Option<TransientSpec>,
+    /// What a run records.
+    #[serde(default)]
+    pub recording: Option<RecordingSpec>,
     /// Solver settings.
     #[serde(default)]
     pub numerics: Numerics,
@@ -115,6 +128,9 @@ pub struct Coatings {
     pub inner: CoatingSpec,
     /// On the outer race.
     pub outer: CoatingSpec,
+    /// Bare steel under them; needed where a coating is worn or has a defect.
+    #[serde(default)]
+    pub bare: Option<BareSpec>,
 }
 
 /// A coating: its traction data and its thickness.
@@ -126,6 +142,9 @@ pub struct CoatingSpec {
     /// Thickness when new, m.
     #[serde(deserialize_with = "units::length")]
     pub thickness: f64,
+    /// Part of the thickness that is worn off when a run starts, 0 to 1.
+    #[serde(default)]
+    pub worn: f64,
 }
 
 /// Where the traction curve's tested points come from.
@@ -254,6 +273,24 @@ pub struct CageSpec {
     /// Drag torque on the cage (positive retards it), N m.
     #[serde(deserialize_with = "units::torque")]
     pub drag_torque: f64,
+    /// Moment of inertia about the bearing's axis, kg m²; a transient run needs it.
+    #[serde(default, deserialize_with = "units::optional_inertia")]
+    pub inertia: Option<f64>,
+    /// Damping of the pocket contact χ in F = K δ (1 + χ δ̇) (Hunt and Crossley), s/m.
+    #[serde(default, deserialize_with = "units::slowness")]
+    pub pocket_damping: f64,
+    /// The land that guides the cage; absent for a cage that the balls alone guide.
+    #[serde(default)]
+    pub guidance: Option<GuidanceSpec>,
+}
+
+/// A raceway or the land of a ring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum RaceName {
+    /// The inner ring's.
+    Inner,
+    /// The outer ring's.
+    Outer,
 }
 
 /// Archard constants.

@@ -84,10 +84,45 @@ dimension!(STIFFNESS, "a stiffness", "N_per_um(10)", {
 dimension!(TIME, "a time", "s(0.5)", {
     "s" => |v| v,
     "ms" => |v| shifted(v, -3),
+    "us" => |v| shifted(v, -6),
+});
+dimension!(MASS, "a mass", "kg(2.5)", {
+    "kg" => |v| v,
+    "g" => |v| shifted(v, -3),
+});
+dimension!(INERTIA, "a moment of inertia", "kg_m2(0.004)", {
+    "kg_m2" => |v| v,
+    "kg_mm2" => |v| shifted(v, -6),
+});
+dimension!(DAMPING, "a damping constant", "N_s_per_m(500)", {
+    "N_s_per_m" => |v| v,
+});
+dimension!(FREQUENCY, "a rate", "kHz(25.6)", {
+    "Hz" => |v| v,
+    "kHz" => |v| shifted(v, 3),
+});
+dimension!(SLOWNESS, "a time per length", "s_per_m(0.5)", {
+    "s_per_m" => |v| v,
 });
 
-const ALL: [&Dimension; 11] =
-    [&LENGTH, &ANGLE, &PRESSURE, &DENSITY, &FORCE, &TORQUE, &SPEED, &TEMPERATURE, &VISCOSITY, &STIFFNESS, &TIME];
+const ALL: [&Dimension; 16] = [
+    &LENGTH,
+    &ANGLE,
+    &PRESSURE,
+    &DENSITY,
+    &FORCE,
+    &TORQUE,
+    &SPEED,
+    &TEMPERATURE,
+    &VISCOSITY,
+    &STIFFNESS,
+    &TIME,
+    &MASS,
+    &INERTIA,
+    &DAMPING,
+    &FREQUENCY,
+    &SLOWNESS,
+];
 
 /// Whether `name` is a unit of any dimension.
 pub(super) fn is_unit(name: &str) -> bool {
@@ -124,6 +159,56 @@ readers! {
     viscosity: VISCOSITY;
     /// Stiffness, N/m.
     stiffness: STIFFNESS;
+    /// Time, s.
+    time: TIME;
+    /// Mass, kg.
+    mass: MASS;
+    /// Moment of inertia, kg m².
+    inertia: INERTIA;
+    /// Rate, Hz.
+    frequency: FREQUENCY;
+    /// Time per length, s/m.
+    slowness: SLOWNESS;
+}
+
+/// A moment of inertia that may be left out.
+pub(super) fn optional_inertia<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<f64>, D::Error> {
+    inertia(deserializer).map(Some)
+}
+
+macro_rules! triples {
+    ($($(#[$doc:meta])* $function:ident: $dimension:ident;)+) => {
+        $($(#[$doc])*
+        pub(super) fn $function<'de, D: Deserializer<'de>, const N: usize>(deserializer: D) -> Result<[f64; N], D::Error> {
+            deserializer.deserialize_tuple(N, Components(&$dimension))
+        })+
+    };
+}
+
+triples! {
+    /// One stiffness for each axis, N/m.
+    stiffnesses: STIFFNESS;
+    /// One damping constant for each axis, N s/m.
+    dampings: DAMPING;
+}
+
+/// A quantity for each of `N` axes.
+struct Components<const N: usize>(&'static Dimension);
+
+impl<'de, const N: usize> Visitor<'de> for Components<N> {
+    type Value = [f64; N];
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{N} values in brackets, each such as {}", self.0.example)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut values: A) -> Result<Self::Value, A::Error> {
+        let mut result = [0.0; N];
+        for (i, slot) in result.iter_mut().enumerate() {
+            *slot = values.next_element_seed(Quantity(self.0))?.ok_or_else(|| A::Error::invalid_length(i, &self))?;
+        }
+        Ok(result)
+    }
 }
 
 macro_rules! tables {

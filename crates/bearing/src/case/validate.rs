@@ -16,7 +16,7 @@ pub(super) struct Refusal {
     pub message: String,
 }
 
-type Verdict = Result<(), Refusal>;
+pub(super) type Verdict = Result<(), Refusal>;
 
 /// Groove radius over ball diameter: conformity ends at ½; a groove above 0.7 no longer guides a ball.
 const GROOVE_COEFFICIENT_MAX: f64 = 0.7;
@@ -54,22 +54,23 @@ pub(super) fn validate(case: &Case) -> Verdict {
     for (name, history) in [("inner", &case.speed.inner), ("outer", &case.speed.outer)] {
         speed(&format!("speed.{name}"), history)?;
     }
+    super::validate_transient::validate(case)?;
     numerics(&case.numerics)
 }
 
-fn require(allowed: bool, path: &str, message: impl Into<String>) -> Verdict {
+pub(super) fn require(allowed: bool, path: &str, message: impl Into<String>) -> Verdict {
     if allowed { Ok(()) } else { Err(Refusal { path: path.to_owned(), message: message.into() }) }
 }
 
-fn positive(path: &str, value: f64) -> Verdict {
+pub(super) fn positive(path: &str, value: f64) -> Verdict {
     require(value.is_finite() && value > 0.0, path, "must be greater than 0 and finite")
 }
 
-fn not_negative(path: &str, value: f64) -> Verdict {
+pub(super) fn not_negative(path: &str, value: f64) -> Verdict {
     require(value.is_finite() && value >= 0.0, path, "must be at least 0 and finite")
 }
 
-fn fraction(path: &str, value: f64) -> Verdict {
+pub(super) fn fraction(path: &str, value: f64) -> Verdict {
     require((0.0..=1.0).contains(&value), path, "must lie between 0 and 1")
 }
 

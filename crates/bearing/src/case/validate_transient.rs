@@ -1,0 +1,134 @@
+//! Impossible values of the parts that a transient run needs.
+
+use super::validate::{Verdict, fraction, not_negative, positive, require};
+use super::*;
+use std::f64::consts::TAU;
+use tribodyn_traction::{Coating, coating_names};
+
+/// Longest step of a fixed-step scheme, s: ten times that of the paper, at which no contact is resolved any more.
+const STEP_MAX: f64 = 1e-4;
+/// Longest run, s.
+const DURATION_MAX: f64 = 1e4;
+/// Largest number of samples in one channel: a file of some tens of gigabytes.
+const SAMPLES_MAX: f64 = 1e9;
+
+pub(super) fn validate(case: &Case) -> Verdict {
+    if let Some(spec) = &case.supports {
+        support("supports.inner", &spec.inner)?;
+        support("supports.outer", &spec.outer)?;
+    }
+    for (i, defect) in case.defects.iter().enumerate() {
+        self::defect(&format!("defects[{i}]"), defect, case)?;
+    }
+    if let Some(spec) = &case.coatings.bare
+        && let CurveSpec::Library(name) = &spec.curve
+    {
+        let message = format!("no curve of this name in the library; allowed: {}", coating_names().join(", "));
+        require(Coating::library(name).is_ok(), "coatings.bare.curve.Library", message)?;
+    }
+    for (name, spec) in [("inner", &case.coatings.inner), ("outer", &case.coatings.outer)] {
+        let path = format!("coatings.{name}.worn");
+        fraction(&path, spec.worn)?;
+        require(
+            spec.worn == 0.0 || case.coatings.bare.is_some(),
+            &path,
+            "a worn coating needs the curve of what lies bare: add coatings.bare",
+        )?;
+    }
+    cage(&case.cage)?;
+    if let Some(spec) = &case.transient {
+        transient(spec)?;
+        if let Some(recording) = &case.recording {
+            rates(recording, spec.duration)?;
+        }
+    }
+    Ok(())
+}
+
+fn support<const N: usize>(path: &str, spec: &SupportSpec<N>) -> Verdict {
+    positive(&format!("{path}.mass"), spec.mass)?;
+    for i in 0..N {
+        not_negative(&format!("{path}.stiffness[{i}]"), spec.stiffness[i])?;
+        not_negative(&format!("{path}.damping[{i}]"), spec.damping[i])?;
+    }
+    Ok(())
+}
+
+fn defect(path: &str, spec: &DefectSpec, case: &Case) -> Verdict {
+    require(
+        spec.width > 0.0 && spec.width < TAU,
+        &format!("{path}.width"),
+        "must be greater than 0° and less than 360°",
+    )?;
+    let most = case.geometry.ball_diameter / 100.0;
+    require(
+        (0.0..=most).contains(&spec.depth),
+        &format!("{path}.depth"),
+        format!("must lie between 0 and a hundredth of the ball diameter, {} um", most * 1e6),
+    )?;
+    fraction(&format!("{path}.bare"), spec.bare)?;
+    require(
+        spec.bare == 0.0 || case.coatings.bare.is_some(),
+        &format!("{path}.bare"),
+        "where the coating is gone the curve of what lies bare is needed: add coatings.bare",
+    )
+}
+
+fn cage(spec: &CageSpec) -> Verdict {
+    if let Some(inertia) = spec.inertia {
+        positive("cage.inertia", inertia)?;
+    }
+    not_negative("cage.pocket_damping", spec.pocket_damping)?;
+    if let Some(land) = &spec.guidance {
+        positive("cage.guidance.radius", land.radius)?;
+        positive("cage.guidance.width", land.width)?;
+        positive("cage.guidance.gap", land.gap)?;
+    }
+    Ok(())
+}
+
+fn transient(spec: &TransientSpec) -> Verdict {
+    let allowed = spec.duration > 0.0 && spec.duration <= DURATION_MAX;
+    require(allowed, "transient.duration", format!("must be greater than 0 s and at most {DURATION_MAX} s"))?;
+    let step = |path: &str, value: f64| {
+        let allowed = value > 0.0 && value <= STEP_MAX;
+        require(
+            allowed,
+            &format!("transient.scheme.{path}"),
+            format!("must be greater than 0 s and at most {STEP_MAX} s"),
+        )
+    };
+    match spec.scheme {
+        SchemeSpec::RungeKutta4 { step: h } => step("RungeKutta4.step", h)?,
+        SchemeSpec::Fast { step: h } => step("Fast.step", h)?,
+        SchemeSpec::DormandPrince { tolerance, longest } => {
+            let allowed = (1e-13..=1e-2).contains(&tolerance);
+            require(allowed, "transient.scheme.DormandPrince.tolerance", "must lie between 1e-13 and 0.01")?;
+            step("DormandPrince.longest", longest)?;
+        }
+    }
+    require(
+        (0.0..=1.0).contains(&spec.contact_damping),
+        "transient.contact_damping",
+        "must lie between 0 and 1, critical damping",
+    )?;
+    not_negative("transient.wear_acceleration", spec.wear_acceleration)
+}
+
+fn rates(spec: &RecordingSpec, duration: f64) -> Verdict {
+    for (name, rate) in [("state_rate", spec.state_rate), ("ball_rate", spec.ball_rate)] {
+        let path = format!("recording.{name}");
+        let allowed = rate > 0.0 && rate <= 1e6;
+        require(allowed, &path, "must be greater than 0 Hz and at most 1 MHz")?;
+        require(
+            rate * duration <= SAMPLES_MAX,
+            &path,
+            format!("{} samples in {duration} s; allowed are {SAMPLES_MAX:e}", rate * duration),
+        )?;
+    }
+    require(
+        spec.ball_rate <= spec.state_rate,
+        "recording.ball_rate",
+        "must not exceed recording.state_rate: the balls are written with every so many states",
+    )
+}

@@ -1,0 +1,174 @@
+//! What the interaction of ball, races and fluid takes and gives: states and loads.
+//!
+//! Vectors are [a, r, t]: axial, radial, along the orbit. Forces and moments are those on the ball.
+
+use crate::bearing::Race;
+use crate::geometry::ContactPose;
+use tribodyn_contact::{Ellipse, Scalar};
+use tribodyn_traction::{Patch, PatchTraction, RelativeMotion};
+
+/// Position and motion of a ring against the inertial frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RingState<D = f64> {
+    /// Displacement x, y, z, m.
+    pub displacement: [D; 3],
+    /// Small tilt about X and Y, rad.
+    pub tilt: [D; 2],
+    /// Velocity x, y, z, m/s.
+    pub velocity: [D; 3],
+    /// Rotational speed about Z, rad/s.
+    pub speed: D,
+}
+
+impl<D: Scalar> RingState<D> {
+    /// At rest in the centre, turning at `speed` in rad/s.
+    pub fn centred(speed: D) -> Self {
+        let z = D::zero();
+        Self { displacement: [z; 3], tilt: [z; 2], velocity: [z; 3], speed }
+    }
+}
+
+/// Position and motion of a ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallState<D = f64> {
+    /// Sine and cosine of the azimuth φ.
+    pub azimuth: [D; 2],
+    /// Ball centre against the outer groove centre: axial X1 and radial X2, m.
+    pub position: [D; 2],
+    /// Axial and radial velocity of the ball centre, m/s.
+    pub velocity: [D; 2],
+    /// Orbital speed ω_m, rad/s.
+    pub orbital_speed: D,
+    /// Absolute angular velocity Ω, rad/s.
+    pub spin: [D; 3],
+}
+
+/// One ball–race contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RaceContact<D = f64> {
+    /// Contact angle and approach.
+    pub pose: ContactPose<D>,
+    /// Normal load Q, N, of the elastic approach.
+    pub load: D,
+    /// Normal force N on ball and race, N: the load and the contact's damping, never pulling.
+    pub normal_force: D,
+    /// Rate of the elastic approach, m/s.
+    pub closing_speed: D,
+    /// Contact ellipse and peak pressure.
+    pub ellipse: Ellipse<D>,
+    /// The ball's motion against the race.
+    pub motion: RelativeMotion<D>,
+    /// Mean of the two surface speeds along e_t in the orbiting frame, m/s: positive at the inner, negative at the
+    /// outer race for a positive inner speed. Its magnitude is V of the paper's Eq. 3.
+    pub rolling_speed: D,
+    /// Traction integrals.
+    pub traction: PatchTraction<D>,
+    /// Traction, N.
+    pub traction_force: [D; 3],
+    /// Normal force and traction together, N.
+    pub force: [D; 3],
+    /// Moment of the traction about the ball centre, N m.
+    pub moment: [D; 3],
+    /// Moment about the bearing's axis by which the ball slides down the slope of a groove that is not round, N m.
+    pub slope_moment: D,
+}
+
+impl<D: Scalar> RaceContact<D> {
+    /// Slide-to-roll ratios ξ_x (positive where the ball's surface is the faster) and ξ_y and spin ratio φ in 1/m, as in the paper's Eq. 3;
+    /// zeros where nothing rolls.
+    pub fn slide_to_roll(&self, ball_radius: f64) -> [D; 3] {
+        let [along, across] = self.motion.centre_slip(ball_radius);
+        let v = self.rolling_speed;
+        if v.re() == 0.0 {
+            return [D::zero(); 3];
+        }
+        [along / v, across / v.abs(), self.motion.spin / v]
+    }
+}
+
+/// Everything that acts on one ball, without inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallLoads<D = f64> {
+    /// Inner contact.
+    pub inner: RaceContact<D>,
+    /// Outer contact.
+    pub outer: RaceContact<D>,
+    /// Radius of the orbit, m.
+    pub orbit_radius: D,
+    /// Fluid drag against the orbit, N.
+    pub drag: D,
+    /// Churning moment, N m.
+    pub churning: [D; 3],
+    /// Tangential generalised force of the normal forces where a ring is off centre or a groove is not round, N.
+    pub eccentricity: D,
+}
+
+impl<D: Scalar> BallLoads<D> {
+    /// Sum of the forces, N.
+    pub fn force(&self) -> [D; 3] {
+        let [a, r, t] = add(self.inner.force, self.outer.force);
+        [a, r, t - self.drag + self.eccentricity]
+    }
+
+    /// Sum of the moments about the ball centre, N m.
+    pub fn moment(&self) -> [D; 3] {
+        add(add(self.inner.moment, self.outer.moment), self.churning)
+    }
+}
+
+/// A patch under load, for whoever integrates its traction.
+#[derive(Debug, Clone, Copy)]
+pub struct LoadedPatch<'a, D, L> {
+    /// The race.
+    pub race: &'a Race<L>,
+    /// Contact ellipse and surface.
+    pub patch: Patch<D>,
+    /// The ball's motion against the race.
+    pub motion: RelativeMotion<D>,
+    /// Mean of the two surface speeds, m/s.
+    pub rolling_speed: D,
+    /// Part of the coating that is gone, 0 to 1.
+    pub bare: f64,
+}
+
+impl<D: Scalar, L> LoadedPatch<'_, D, L> {
+    /// The traction on coating and bare steel by their shares. Where the case has no curve for bare steel the coating
+    /// stands for it.
+    pub fn blend(&self, by: impl Fn(&L) -> PatchTraction<D>) -> PatchTraction<D> {
+        match &self.race.bare_law {
+            Some(bare) if self.bare >= 1.0 => by(bare),
+            Some(bare) if self.bare > 0.0 => mixed(by(&self.race.law), by(bare), self.bare),
+            _ => by(&self.race.law),
+        }
+    }
+}
+
+/// a and b in the shares 1 − w and w.
+fn mixed<D: Scalar>(a: PatchTraction<D>, b: PatchTraction<D>, w: f64) -> PatchTraction<D> {
+    let mix = |a: D, b: D| a * (1.0 - w) + b * w;
+    PatchTraction {
+        force_rolling: mix(a.force_rolling, b.force_rolling),
+        force_lateral: mix(a.force_lateral, b.force_lateral),
+        moment_lateral: mix(a.moment_lateral, b.moment_lateral),
+        moment_normal: mix(a.moment_normal, b.moment_normal),
+        moment_rolling: mix(a.moment_rolling, b.moment_rolling),
+        power: mix(a.power, b.power),
+        wear_integral: mix(a.wear_integral, b.wear_integral),
+    }
+}
+
+/// The kinematics of one ball between two rings that need no traction: enough for Jones–Harris.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallPose<D = f64> {
+    /// Inner contact.
+    pub inner: ContactPose<D>,
+    /// Outer contact.
+    pub outer: ContactPose<D>,
+    /// Radius of the orbit, m.
+    pub orbit_radius: D,
+}
+
+/// Sum of two vectors.
+pub(crate) fn add<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}

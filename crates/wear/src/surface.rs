@@ -1,0 +1,17 @@
+//! What a ball finds where it stands on a raceway.
+
+/// A spot of a raceway against the new one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LocalSurface {
+    /// Depth of the groove below the new one, m.
+    pub depth: f64,
+    /// Its derivative by the azimuth in the ring's own frame, m/rad.
+    pub slope: f64,
+    /// Part of the coating that is gone, 0 to 1.
+    pub bare: f64,
+}
+
+impl LocalSurface {
+    /// A new raceway: no depth, all of the coating there.
+    pub const NEW: Self = Self { depth: 0.0, slope: 0.0, bare: 0.0 };
+}
