@@ -82,6 +82,10 @@ pub struct FluidForces {
     pub churning: Option<Churning>,
     /// Speed of the fluid over that of the inner ring.
     pub swirl: f64,
+    /// Effective density of the mixture, kg/m³.
+    pub density: f64,
+    /// Dynamic viscosity of the liquid, Pa s.
+    pub viscosity: f64,
 }
 
 impl Bearing {
@@ -187,6 +191,8 @@ fn fluid_forces(spec: &FluidSpec, radius: f64) -> Result<FluidForces, BearingErr
         drag: BallDrag { density_effective: density, frontal_area, drag_coefficient: spec.drag_coefficient },
         churning: spec.churning.then_some(Churning { density, viscosity, radius }),
         swirl: spec.swirl,
+        density,
+        viscosity,
     })
 }
 

@@ -37,6 +37,8 @@ pub enum Failure {
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]
     Plot(#[from] tribodyn_plot::PlotError),
+    #[error(transparent)]
+    Sweep(#[from] crate::sweep::SweepError),
     #[error("cannot write the answer: {0}")]
     Output(#[from] std::io::Error),
     #[error("cannot write the answer as JSON: {0}")]
@@ -60,6 +62,7 @@ pub struct CaseFailure {
 impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
+            Self::Sweep(error) => error.exit_code(),
             Self::Solver { source: QuasiStaticError::NotConverged { .. }, .. } => 1,
             Self::Identify { source, .. }
                 if matches!(**source, IdentifyError::NoStart { .. } | IdentifyError::Solver(_)) =>

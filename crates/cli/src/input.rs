@@ -41,8 +41,13 @@ impl Change {
         Self { option, path: path.to_owned(), value: value.to_owned() }
     }
 
+    /// The text with the change made.
+    pub fn apply(&self, text: &str) -> Result<String, CaseError> {
+        set_value(text, &self.path, &self.value)
+    }
+
     /// Whether the change can be what an error at `path` is about: one of the two lies within the other.
-    fn concerns(&self, path: &str) -> bool {
+    pub fn concerns(&self, path: &str) -> bool {
         let within = |inner: &str, outer: &str| {
             inner.strip_prefix(outer).is_some_and(|r| r.is_empty() || r.starts_with(['.', '[']))
         };
@@ -66,25 +71,25 @@ pub struct CaseFile {
 impl CaseFile {
     /// Reads, makes the changes, parses and validates.
     pub fn read(path: &Path, changes: &[Change]) -> Result<Self, Failure> {
-        let read = |source| Failure::Read { path: path.to_owned(), source };
-        let bytes = std::fs::read(path).map_err(read)?;
-        let original = String::from_utf8(bytes)
-            .map_err(|_| read(std::io::Error::new(std::io::ErrorKind::InvalidData, "it is not UTF-8 text")))?;
-        let name = path.display().to_string();
+        Self::from_text(&path.display().to_string(), read_text(path)?, changes)
+    }
+
+    /// Makes the changes to a text, parses and validates; `name` is for messages.
+    pub fn from_text(name: &str, original: String, changes: &[Change]) -> Result<Self, Failure> {
         let mut text = original.clone();
         for change in changes {
-            text = match set_value(&text, &change.path, &change.value) {
+            text = match change.apply(&text) {
                 Ok(changed) => changed,
                 // A file that cannot be read has no values to replace: then that is the news.
                 Err(error) => {
-                    Case::from_ron(&original).map_err(|error| refused(&name, &original, String::new(), error))?;
+                    Case::from_ron(&original).map_err(|error| refused(name, &original, String::new(), error))?;
                     return Err(Failure::Change { option: change.to_string(), error: Box::new(error) });
                 }
             };
         }
         match Case::from_ron(&text) {
-            Ok(case) => Ok(Self { name, text, case }),
-            Err(error) => Err(refused_after(&name, &original, &text, changes, error)),
+            Ok(case) => Ok(Self { name: name.to_owned(), text, case }),
+            Err(error) => Err(refused_after(name, &original, &text, changes, error)),
         }
     }
 
@@ -92,6 +97,14 @@ impl CaseFile {
     pub fn bearing(&self) -> Result<Bearing, Failure> {
         Bearing::new(&self.case).map_err(|source| Failure::Bearing { file: self.name.clone(), source })
     }
+}
+
+/// The text of a case file.
+pub fn read_text(path: &Path) -> Result<String, Failure> {
+    let read = |source| Failure::Read { path: path.to_owned(), source };
+    let bytes = std::fs::read(path).map_err(read)?;
+    String::from_utf8(bytes)
+        .map_err(|_| read(std::io::Error::new(std::io::ErrorKind::InvalidData, "it is not UTF-8 text")))
 }
 
 /// Blames the file for what is wrong without the changes too, and otherwise the change that the error is about, or all.

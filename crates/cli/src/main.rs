@@ -9,6 +9,7 @@ mod identify;
 mod input;
 mod output;
 mod solve;
+mod sweep;
 mod table;
 mod traction;
 
@@ -30,6 +31,7 @@ Examples:
   tribodyn check fixtures/cases/paper-ag.ron
   tribodyn solve fixtures/cases/paper-ag.ron --plot figures -o run.mcap
   tribodyn solve fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(30)' --json
+  tribodyn sweep fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(10..60 by 5)' -o table.parquet
   tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
   tribodyn traction --coating ag --pressure 2.5 --slip 0,1,3,10
   tribodyn identify fixtures/identify/paper.ron -o identified
@@ -46,6 +48,8 @@ enum Command {
     Traction(traction::Arguments),
     /// Quasi-static equilibrium of a bearing
     Solve(solve::Arguments),
+    /// Quasi-static equilibria over a grid of case values
+    Sweep(sweep::Arguments),
     /// Unknown parameters of a case from published or measured figures
     Identify(identify::Arguments),
 }
@@ -56,6 +60,7 @@ fn main() -> ExitCode {
         Command::Hertz(arguments) => hertz::run(&arguments),
         Command::Traction(arguments) => traction::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Identify(arguments) => identify::run(&arguments),
     };
     match outcome {

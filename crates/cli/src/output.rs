@@ -33,6 +33,13 @@ impl StagedFiles {
         fs::write(&path, bytes).map_err(|source| Failure::Write { path, source })
     }
 
+    /// Opens one file under its temporary name, for what is too long to be held as a whole.
+    pub fn create(&mut self, name: String) -> Result<fs::File, Failure> {
+        let path = self.folder.join(temporary(&name));
+        self.names.push(name);
+        fs::File::create(&path).map_err(|source| Failure::Write { path, source })
+    }
+
     /// Gives all files their names, replacing those that stand there.
     pub fn publish(mut self) -> Result<(), Failure> {
         self.made.clear();

@@ -63,7 +63,7 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = CaseFile::read(&arguments.case.path, &arguments.changes())?;
     if let Some(path) = &arguments.output {
-        check_output(path, &arguments.case.path)?;
+        check_output(path, &arguments.case.path, "recording")?;
     }
     let Answer { solution, roots } = answer(arguments, &file)?;
     let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &solution)).transpose()?;
@@ -112,11 +112,11 @@ struct Answer {
     roots: Option<Vec<BallRoots>>,
 }
 
-/// A recording replaces what stands at its path: that may be neither the case nor anything but a plain file.
-fn check_output(path: &Path, case: &Path) -> Result<(), Failure> {
+/// A recording or table replaces what stands at its path: that may be neither the case nor anything but a plain file.
+pub fn check_output(path: &Path, case: &Path, kind: &str) -> Result<(), Failure> {
     let Ok(standing) = fs::canonicalize(path) else { return Ok(()) };
     if fs::canonicalize(case).is_ok_and(|case| case == standing) {
-        let message = "the recording would replace the case file".to_owned();
+        let message = format!("the {kind} would replace the case file");
         return Err(Failure::Option { option: "output", value: path.display().to_string(), message });
     }
     if !standing.is_file() {

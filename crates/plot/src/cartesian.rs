@@ -1,11 +1,13 @@
 //! Line charts: traction curves, convergence, histories.
 
+use crate::axes::{Area, FOOT, RIGHT, Ruler, steps};
 use crate::error::PlotError;
+use crate::marks::{Layout, Mark};
 use crate::series::{Axis, Drawn, Series, SeriesKind, StyleBook, check_all, marked_points};
-use crate::style::{GREY, GRID, HEADING_PX, INK, LABEL_PX, TICK_PX};
-use crate::svg::{Anchor, Svg, Type};
+use crate::style::HEADING_PX;
+use crate::svg::Svg;
 use crate::text::{axis_title, width};
-use crate::ticks::{MAGNITUDES, Scale, engineering_exponent, linear, logarithmic, spread};
+use crate::ticks::MAGNITUDES;
 
 /// Ordinates against an abscissa, each axis linear or logarithmic.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,60 +24,21 @@ pub struct LineChart {
     pub log_y: bool,
     /// The curves and published points.
     pub series: Vec<Series>,
+    /// Marked places of the horizontal axis; those that it does not reach are not shown.
+    pub marks: Vec<Mark>,
     /// Width and height of the area between the axes, px.
     pub area_px: [f64; 2],
 }
 
 /// Room above the area, without and with a heading, px.
 const HEAD: [f64; 2] = [10.0, 30.0];
-/// Room below the axis for tick labels and title, px.
-const FOOT: f64 = 50.0;
-/// Room at the left for the title and its distance from the tick labels, px.
-const SIDE: f64 = 38.0;
-/// Room at the right for half a tick label, px.
-const RIGHT: f64 = 26.0;
 /// Width of a column in which a dense line is reduced to its first, least, greatest and last point, px.
 const COLUMN: f64 = 0.5;
-
-/// An axis ready for drawing.
-struct Ruler {
-    scale: Scale,
-    exponent: i32,
-}
-
-impl Ruler {
-    /// Position along the axis, 0 to 1, of a value in the unit of the axis.
-    fn position(&self, value: f64) -> f64 {
-        self.scale.position(value / 10f64.powi(self.exponent))
-    }
-}
-
-/// Where values lie on the page.
-struct Area {
-    corner: [f64; 2],
-    size: [f64; 2],
-    x: Ruler,
-    y: Ruler,
-}
-
-impl Area {
-    fn place(&self, (x, y): (f64, f64)) -> [f64; 2] {
-        [self.left(self.x.position(x)), self.top(self.y.position(y))]
-    }
-
-    fn left(&self, position: f64) -> f64 {
-        self.corner[0] + self.size[0] * position
-    }
-
-    fn top(&self, position: f64) -> f64 {
-        self.corner[1] + self.size[1] * (1.0 - position)
-    }
-}
 
 impl LineChart {
     /// A chart with linear axes in the usual size.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis, series: Vec<Series>) -> Self {
-        Self { title: title.into(), x, y, log_x: false, log_y: false, series, area_px: [380.0, 270.0] }
+        Self { title: title.into(), x, y, log_x: false, log_y: false, series, marks: Vec::new(), area_px: [380.0, 270.0] }
     }
 
     /// The same chart with both axes logarithmic, as for convergence.
@@ -86,7 +49,7 @@ impl LineChart {
     }
 
     pub(crate) fn check(&self) -> Result<(), PlotError> {
-        check_all(&self.title, &self.series)?;
+        check_all(&self.title, &self.series, false)?;
         for (axis, log, vertical) in [(&self.x, self.log_x, false), (&self.y, self.log_y, true)] {
             if log {
                 self.check_positive(axis, vertical)?;
@@ -104,7 +67,8 @@ impl LineChart {
         }
         for series in &self.series {
             let bar = if vertical { series.uncertainty.unwrap_or(0.0).abs() } else { 0.0 };
-            let values = series.points.iter().map(|(x, y)| if vertical { y - bar } else { *x });
+            let lower = series.band.iter().flatten().map(|(x, low, _)| if vertical { *low } else { *x });
+            let values = series.points.iter().map(|(x, y)| if vertical { y - bar } else { *x }).chain(lower);
             if let Some((index, value)) = values.enumerate().find(|(_, v)| *v < MAGNITUDES.start) {
                 return refuse(&series.label, index, value);
             }
@@ -113,38 +77,27 @@ impl LineChart {
     }
 
     fn rulers(&self) -> Result<[Ruler; 2], PlotError> {
-        let ruler = |range: (f64, f64), log: bool, intervals: usize, snap: bool| {
-            if log {
-                return Ruler { scale: logarithmic(range), exponent: 0 };
-            }
-            let (low, high) = spread(range);
-            let exponent = engineering_exponent(low.abs().max(high.abs()));
-            let unit = 10f64.powi(exponent);
-            Ruler { scale: linear((low / unit, high / unit), intervals, snap), exponent }
-        };
         let x = self.x.range(self.series.iter().flat_map(|s| s.points.iter().map(|(x, _)| *x)))?;
         let y = self.y.range(self.series.iter().flat_map(Series::ordinates))?;
         // Marks at least 60 px apart across and 38 px apart upwards.
-        let most = |length: f64, pitch: f64| (length / pitch).floor().max(2.0) as usize;
-        let [across, up] = [most(self.area_px[0], 60.0), most(self.area_px[1], 38.0)];
-        Ok([ruler(x, self.log_x, across, false), ruler(y, self.log_y, up, true)])
+        let [across, up] = [steps(self.area_px[0], 60.0), steps(self.area_px[1], 38.0)];
+        Ok([Ruler::new(x, self.log_x, across, false), Ruler::new(y, self.log_y, up, true)])
     }
 
-    /// Room left of the area, px.
-    fn left(&self) -> Result<f64, PlotError> {
-        let [_, y] = self.rulers()?;
-        Ok(SIDE + y.scale.major.iter().fold(0.0, |most: f64, (_, text)| most.max(width(text, TICK_PX, false))))
+    fn marks(&self, x: &Ruler) -> Layout<'_> {
+        Layout::new(&self.marks, self.area_px[0], |at| x.position(at))
     }
 
     /// Height above the area, px.
-    fn head(heading: &str) -> f64 {
-        if heading.is_empty() { HEAD[0] } else { HEAD[1] }
+    fn head(heading: &str, marks: &Layout) -> f64 {
+        marks.height + if heading.is_empty() { HEAD[0] } else { HEAD[1] }
     }
 
     pub(crate) fn size(&self, heading: &str) -> Result<[f64; 2], PlotError> {
-        let area = self.left()? + self.area_px[0] + RIGHT;
+        let [x, y] = self.rulers()?;
+        let area = y.room() + self.area_px[0] + RIGHT;
         let title = width(heading, HEADING_PX, true);
-        Ok([area.max(title), Self::head(heading) + self.area_px[1] + FOOT])
+        Ok([area.max(title), Self::head(heading, &self.marks(&x)) + self.area_px[1] + FOOT])
     }
 
     pub(crate) fn draw(
@@ -155,18 +108,15 @@ impl LineChart {
         book: &StyleBook,
     ) -> Result<(), PlotError> {
         let [ruler_x, ruler_y] = self.rulers()?;
-        let area =
-            Area { corner: [x + self.left()?, y + Self::head(heading)], size: self.area_px, x: ruler_x, y: ruler_y };
-        let ([left, top], [wide, high]) = (area.corner, area.size);
-        let middle = Type { anchor: Anchor::Middle, ..Type::default() };
-        if !heading.is_empty() {
-            svg.text([left + 0.5 * wide, y + 10.0], heading, Type { size: HEADING_PX, bold: true, ..middle });
-        }
-        draw_axes(svg, &area);
+        let marks = self.marks(&ruler_x);
+        let corner = [x + ruler_y.room(), y + Self::head(heading, &marks)];
+        let area = Area { corner, size: self.area_px, x: ruler_x, y: ruler_y };
+        area.draw_heading(svg, y, heading);
+        area.draw(svg);
         let below = axis_title(&self.x.label, &self.x.unit, area.x.exponent);
-        svg.text([left + 0.5 * wide, top + high + 38.0], &below, Type { size: LABEL_PX, ..middle });
         let beside = axis_title(&self.y.label, &self.y.unit, area.y.exponent);
-        svg.text([x + 12.0, top + 0.5 * high], &beside, Type { size: LABEL_PX, upwards: true, ..middle });
+        area.draw_titles(svg, x, &below, FOOT, &beside);
+        marks.draw(svg, &area);
         let (lines, points) = book.ordered(&self.series);
         draw_lines(svg, &area, &lines);
         draw_points(svg, &area, &points);
@@ -174,37 +124,14 @@ impl LineChart {
     }
 }
 
-fn draw_axes(svg: &mut Svg, area: &Area) {
-    let ([left, top], [wide, high]) = (area.corner, area.size);
-    let (right, bottom) = (left + wide, top + high);
-    for (value, text) in &area.x.scale.major {
-        let x = area.left(area.x.scale.position(*value));
-        svg.line([x, top], [x, bottom], GRID, 1.0);
-        svg.line([x, bottom], [x, bottom + 5.0], INK, 1.0);
-        svg.text([x, bottom + 15.0], text, Type { size: TICK_PX, anchor: Anchor::Middle, ..Type::default() });
-    }
-    for (value, text) in &area.y.scale.major {
-        let y = area.top(area.y.scale.position(*value));
-        svg.line([left, y], [right, y], GRID, 1.0);
-        svg.line([left - 5.0, y], [left, y], INK, 1.0);
-        svg.text([left - 9.0, y], text, Type { size: TICK_PX, anchor: Anchor::End, ..Type::default() });
-    }
-    for value in &area.x.scale.minor {
-        let x = area.left(area.x.scale.position(*value));
-        svg.line([x, bottom], [x, bottom + 3.0], INK, 0.7);
-    }
-    for value in &area.y.scale.minor {
-        let y = area.top(area.y.scale.position(*value));
-        svg.line([left - 3.0, y], [left, y], INK, 0.7);
-    }
-    if !area.y.scale.log && area.y.scale.min < 0.0 && area.y.scale.max > 0.0 {
-        let y = area.top(area.y.scale.position(0.0));
-        svg.line([left, y], [right, y], GREY, 1.1);
-    }
-    svg.frame([left, top], [wide, high], INK);
-}
-
 fn draw_lines(svg: &mut Svg, area: &Area, lines: &[Drawn]) {
+    for (series, entry) in lines {
+        if let Some(band) = &series.band {
+            let upper = band.iter().map(|(x, _, high)| area.place((*x, *high)));
+            let lower = band.iter().rev().map(|(x, low, _)| area.place((*x, *low)));
+            svg.tint(&[upper.chain(lower).collect()], entry.stroke.colour);
+        }
+    }
     for (series, entry) in lines {
         let path: Vec<[f64; 2]> = series.points.iter().map(|p| area.place(*p)).collect();
         svg.path(&reduced(path), &entry.stroke, false);

@@ -45,6 +45,34 @@ pub enum PlotError {
         /// Label of the axis.
         axis: String,
     },
+    /// Abscissas and ordinates that do not belong together one by one.
+    #[error("series {series:?} has {abscissas} abscissas and {ordinates} ordinates")]
+    Lengths {
+        /// Label of the series.
+        series: String,
+        /// Abscissas given.
+        abscissas: usize,
+        /// Ordinates given.
+        ordinates: usize,
+    },
+    /// A bar that belongs to no group: its abscissa must be the index of a group.
+    #[error("series {series:?}: {value} is not the index of one of {groups} groups")]
+    NoGroup {
+        /// Label of the series.
+        series: String,
+        /// Abscissa of the bar.
+        value: f64,
+        /// Number of groups.
+        groups: usize,
+    },
+    /// Bars outside a bar chart, or another kind of series in one.
+    #[error("series {series:?} cannot be drawn in panel {panel:?}: bars belong in bar charts and only bars do")]
+    WrongKind {
+        /// Label of the series.
+        series: String,
+        /// Title of the panel.
+        panel: String,
+    },
     /// No run was given.
     #[error("no run to draw")]
     NoRun,

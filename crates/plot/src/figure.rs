@@ -4,11 +4,13 @@ use std::sync::Arc;
 
 use resvg::{tiny_skia, usvg};
 
+use crate::bars::BarChart;
 use crate::cartesian::LineChart;
 use crate::error::PlotError;
+use crate::legend::{draw_legend, entry_width};
 use crate::polar::PolarChart;
-use crate::series::{Entry, Series, SeriesKind, StyleBook};
-use crate::style::{LABEL_PX, TITLE_PX};
+use crate::series::{Series, StyleBook};
+use crate::style::TITLE_PX;
 use crate::svg::{Anchor, Svg, Type};
 use crate::text::{BOLD, FAMILY, FONT, width};
 
@@ -19,6 +21,8 @@ pub enum Panel {
     Polar(PolarChart),
     /// Ordinate against abscissa.
     Cartesian(LineChart),
+    /// Bars over groups.
+    Bars(BarChart),
 }
 
 impl Panel {
@@ -26,6 +30,7 @@ impl Panel {
         match self {
             Self::Polar(chart) => &chart.title,
             Self::Cartesian(chart) => &chart.title,
+            Self::Bars(chart) => &chart.title,
         }
     }
 
@@ -33,6 +38,7 @@ impl Panel {
         match self {
             Self::Polar(chart) => format!("{} over the azimuth", chart.radial.label),
             Self::Cartesian(chart) => format!("{} against {}", chart.y.label, chart.x.label),
+            Self::Bars(chart) => format!("{} of {}", chart.y.label, chart.groups.join(", ")),
         }
     }
 
@@ -40,6 +46,7 @@ impl Panel {
         match self {
             Self::Polar(chart) => &chart.series,
             Self::Cartesian(chart) => &chart.series,
+            Self::Bars(chart) => &chart.series,
         }
     }
 
@@ -47,6 +54,7 @@ impl Panel {
         match self {
             Self::Polar(chart) => chart.check(),
             Self::Cartesian(chart) => chart.check(),
+            Self::Bars(chart) => chart.check(),
         }
     }
 
@@ -54,6 +62,7 @@ impl Panel {
         match self {
             Self::Polar(chart) => Ok(chart.size(heading)),
             Self::Cartesian(chart) => chart.size(heading),
+            Self::Bars(chart) => chart.size(heading),
         }
     }
 
@@ -61,6 +70,7 @@ impl Panel {
         match self {
             Self::Polar(chart) => chart.draw(svg, at, heading, book),
             Self::Cartesian(chart) => chart.draw(svg, at, heading, book),
+            Self::Bars(chart) => chart.draw(svg, at, heading, book),
         }
     }
 }
@@ -81,23 +91,67 @@ const BORDER: f64 = 14.0;
 const BETWEEN: f64 = 18.0;
 /// Height of the title, px.
 const TITLE_HEIGHT: f64 = 34.0;
-/// Height of a row of the legend, px.
-const ROW: f64 = 22.0;
-/// Length of the sample of a line in the legend, px.
-const SAMPLE: f64 = 44.0;
-/// Distances from sample to text and from text to the next sample, px.
-const GAPS: [f64; 2] = [8.0, 26.0];
 /// Greatest width of a bitmap, px: a third of a metre at 1200 dots per inch.
 const MAX_WIDTH_PX: u32 = 16_384;
+
+/// Widths of the columns and heights of the rows of panels, px.
+struct Grid {
+    columns: Vec<f64>,
+    rows: Vec<f64>,
+}
+
+impl Grid {
+    fn new(columns: usize, sizes: &[[f64; 2]]) -> Self {
+        let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        let column = |k: usize| most(&mut sizes.iter().skip(k).step_by(columns).map(|s| s[0]));
+        Self {
+            columns: (0..columns.min(sizes.len())).map(column).collect(),
+            rows: sizes.chunks(columns).map(|row| most(&mut row.iter().map(|s| s[1]))).collect(),
+        }
+    }
+
+    fn span(lengths: &[f64]) -> f64 {
+        lengths.iter().sum::<f64>() + BETWEEN * lengths.len().saturating_sub(1) as f64
+    }
+
+    fn width(&self) -> f64 {
+        Self::span(&self.columns)
+    }
+
+    fn height(&self) -> f64 {
+        Self::span(&self.rows)
+    }
+
+    /// Upper left corner of a panel's cell and the width of the cell.
+    fn cell(&self, panel: usize) -> ([f64; 2], f64) {
+        let (row, column) = (panel / self.columns.len(), panel % self.columns.len());
+        let start = |lengths: &[f64]| lengths.iter().map(|l| l + BETWEEN).sum::<f64>();
+        ([start(&self.columns[..column]), start(&self.rows[..row])], self.columns[column])
+    }
+}
 
 impl Figure {
     /// Draws panels side by side. The same label has the same style in all of them and appears once in the legend.
     ///
     /// # Errors
     ///
-    /// No panel, a panel without series, a series without points, a number that is not finite, or one that is not positive
-    /// on a logarithmic axis.
+    /// No panel, a panel without series, a series without points, a number that is not finite, one that is not positive on a
+    /// logarithmic axis, or bars that belong to no group.
     pub fn new(name: impl Into<String>, title: impl Into<String>, panels: &[Panel]) -> Result<Self, PlotError> {
+        Self::in_columns(name, title, panels.len(), panels)
+    }
+
+    /// Draws panels row by row in a number of columns (0 counts as 1); with one column, one above the other, their axes aligned.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Figure::new`].
+    pub fn in_columns(
+        name: impl Into<String>,
+        title: impl Into<String>,
+        columns: usize,
+        panels: &[Panel],
+    ) -> Result<Self, PlotError> {
         let (name, title) = (name.into(), title.into());
         if panels.is_empty() {
             return Err(PlotError::NoPanel { figure: name });
@@ -108,25 +162,26 @@ impl Figure {
             panels.iter().enumerate().map(|(i, panel)| heading(i, panels.len(), panel.title())).collect();
         let drawn = || panels.iter().zip(&headings);
         let sizes = drawn().map(|(panel, heading)| panel.size(heading)).collect::<Result<Vec<_>, _>>()?;
-        let row = sizes.iter().map(|s| s[0]).sum::<f64>() + BETWEEN * (sizes.len() - 1) as f64;
-        let height = sizes.iter().fold(0.0, |most: f64, s| most.max(s[1]));
+        let grid = Grid::new(columns.max(1), &sizes);
         let widest_entry = book.entries.iter().fold(0.0, |most: f64, e| most.max(entry_width(e)));
-        let inner = row.max(width(&title, TITLE_PX, true)).max(widest_entry);
+        let inner = grid.width().max(width(&title, TITLE_PX, true)).max(widest_entry);
         let full = (inner + 2.0 * BORDER).ceil();
 
         let mut svg = Svg::default();
         let head = Type { size: TITLE_PX, bold: true, anchor: Anchor::Middle, ..Type::default() };
         svg.text([0.5 * full, BORDER + 8.0], &title, head);
         let top = BORDER + TITLE_HEIGHT;
-        let mut x = 0.5 * (full - row);
+        let left = 0.5 * (full - grid.width());
         let mut description = title.clone();
-        for ((panel, heading), size) in drawn().zip(&sizes) {
-            panel.draw(&mut svg, [x, top], heading, &book)?;
-            x += size[0] + BETWEEN;
+        for (i, ((panel, heading), size)) in drawn().zip(&sizes).enumerate() {
+            let ([x, y], wide) = grid.cell(i);
+            // Right edges in line put axes of one width in line; circles are centred.
+            let inset = (wide - size[0]) * if matches!(panel, Panel::Polar(_)) { 0.5 } else { 1.0 };
+            panel.draw(&mut svg, [left + x + inset, top + y], heading, &book)?;
             let colon = if heading.is_empty() { "" } else { ": " };
             description.push_str(&format!(". {heading}{colon}{}", panel.axes()));
         }
-        let below = top + height + 12.0;
+        let below = top + grid.height() + 12.0;
         let legend = draw_legend(&mut svg, &book.entries, [0.5 * full, below], inner);
         let svg = svg.finish([full, below + legend + BORDER], &title, &description);
         Ok(Self { name, title, svg })
@@ -172,41 +227,4 @@ fn heading(index: usize, panels: usize, title: &str) -> String {
         Some(letter) if panels > 1 => format!("({letter}) {title}"),
         _ => title.to_owned(),
     }
-}
-
-fn entry_width(entry: &Entry) -> f64 {
-    let sample = if entry.kind == SeriesKind::Points { 12.0 } else { SAMPLE };
-    sample + GAPS[0] + width(&entry.label, LABEL_PX, false)
-}
-
-/// Draws the legend in centred rows and returns its height.
-fn draw_legend(svg: &mut Svg, entries: &[Entry], [middle, top]: [f64; 2], inner: f64) -> f64 {
-    let mut rows: Vec<(f64, Vec<&Entry>)> = Vec::new();
-    for entry in entries {
-        let wide = entry_width(entry);
-        match rows.last_mut() {
-            Some((used, row)) if *used + GAPS[1] + wide <= inner => {
-                *used += GAPS[1] + wide;
-                row.push(entry);
-            }
-            _ => rows.push((wide, vec![entry])),
-        }
-    }
-    for (i, (used, row)) in rows.iter().enumerate() {
-        let y = top + ROW * (i as f64 + 0.5);
-        let mut x = middle - 0.5 * used;
-        for entry in row {
-            let wide = entry_width(entry);
-            let sample = wide - GAPS[0] - width(&entry.label, LABEL_PX, false);
-            if entry.kind != SeriesKind::Points {
-                svg.path(&[[x, y], [x + sample, y]], &entry.stroke, false);
-            }
-            if entry.kind != SeriesKind::Line {
-                svg.marker([x + 0.5 * sample, y], &entry.stroke, entry.kind == SeriesKind::Points);
-            }
-            svg.text([x + sample + GAPS[0], y], &entry.label, Type::default());
-            x += wide + GAPS[1];
-        }
-    }
-    ROW * rows.len() as f64
 }

@@ -85,7 +85,7 @@ impl Dial {
 
 impl PolarChart {
     pub(crate) fn check(&self) -> Result<(), PlotError> {
-        check_all(&self.title, &self.series)
+        check_all(&self.title, &self.series, false)
     }
 
     /// Height above the circle and its azimuth labels, px.
@@ -162,6 +162,14 @@ fn draw_grid(svg: &mut Svg, dial: &Dial) {
 }
 
 fn draw_lines(svg: &mut Svg, dial: &Dial, lines: &[Drawn]) {
+    for (series, entry) in lines {
+        if let Some(band) = &series.band {
+            let edge = |points: Vec<(f64, f64)>| interpolated(&points).into_iter().map(|p| dial.place(p)).collect();
+            let lower = edge(band.iter().map(|(phi, low, _)| (*phi, *low)).collect());
+            let upper = edge(band.iter().map(|(phi, _, high)| (*phi, *high)).collect());
+            svg.tint(&[lower, upper], entry.stroke.colour);
+        }
+    }
     for (series, entry) in lines {
         let path: Vec<[f64; 2]> = interpolated(&series.points).into_iter().map(|p| dial.place(p)).collect();
         svg.path(&path, &entry.stroke, true);

@@ -1,7 +1,7 @@
 //! What is drawn: axes, series of points, and the style that each label keeps through all panels of a figure.
 
 use crate::error::PlotError;
-use crate::style::{Stroke, line_stroke, point_stroke};
+use crate::style::{Stroke, dense_stroke, line_stroke, point_stroke};
 use crate::ticks::MAGNITUDES;
 
 /// What an axis measures.
@@ -55,6 +55,10 @@ pub enum SeriesKind {
     MarkedLine,
     /// Open markers only: published or measured values.
     Points,
+    /// A thin line without dashes, for histories and spectra: dashes would tear apart what goes up and down many times.
+    Dense,
+    /// Bars; on a [`crate::BarChart`] only, and the only kind there.
+    Bars,
 }
 
 /// A named set of points.
@@ -72,12 +76,14 @@ pub struct Series {
     pub of: Option<String>,
     /// For points: half-width of an error bar on the ordinate, in its unit.
     pub uncertainty: Option<f64>,
+    /// A light band behind the line: abscissa, lower and upper edge in the units of the axes; on a polar chart azimuth in degrees.
+    pub band: Option<Vec<(f64, f64, f64)>>,
 }
 
 impl Series {
     /// A line.
     pub fn line(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self { label: label.into(), points, kind: SeriesKind::Line, slot: None, of: None, uncertainty: None }
+        Self { label: label.into(), points, kind: SeriesKind::Line, slot: None, of: None, uncertainty: None, band: None }
     }
 
     /// A line with markers.
@@ -90,9 +96,25 @@ impl Series {
         Self { kind: SeriesKind::Points, ..Self::line(label, points) }
     }
 
+    /// A thin line through many points.
+    pub fn dense(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { kind: SeriesKind::Dense, ..Self::line(label, points) }
+    }
+
+    /// Bars, one value for each group.
+    pub fn bars(label: impl Into<String>, values: &[f64]) -> Self {
+        let points = values.iter().enumerate().map(|(group, value)| (group as f64, *value)).collect();
+        Self { kind: SeriesKind::Bars, ..Self::line(label, points) }
+    }
+
     pub(crate) fn check(&self) -> Result<(), PlotError> {
         if self.points.is_empty() {
             return Err(PlotError::EmptySeries { series: self.label.clone() });
+        }
+        for (index, &(x, low, high)) in self.band.iter().flatten().enumerate() {
+            if let Some(&y) = [low, high].iter().find(|y| !(drawable(x) && drawable(**y))) {
+                return Err(PlotError::NotFinite { series: self.label.clone(), index, x, y });
+            }
         }
         let bar = self.uncertainty.unwrap_or(0.0);
         match self.points.iter().position(|(x, y)| !(drawable(*x) && drawable(y.abs() + bar.abs()))) {
@@ -104,10 +126,11 @@ impl Series {
         }
     }
 
-    /// All ordinates with the ends of their error bars.
+    /// All ordinates with the ends of their error bars and the edges of the band.
     pub(crate) fn ordinates(&self) -> impl Iterator<Item = f64> {
         let bar = self.uncertainty.unwrap_or(0.0).abs();
-        self.points.iter().flat_map(move |(_, y)| [y - bar, y + bar])
+        let edges = self.band.iter().flatten().flat_map(|(_, low, high)| [*low, *high]);
+        self.points.iter().flat_map(move |(_, y)| [y - bar, y + bar]).chain(edges)
     }
 }
 
@@ -117,10 +140,13 @@ pub(crate) fn marked_points(count: usize, place: usize, lines: usize) -> impl It
     (place * stride / lines.max(1)..count).step_by(stride)
 }
 
-/// Refuses a panel without series or with a series that cannot be drawn.
-pub(crate) fn check_all(panel: &str, series: &[Series]) -> Result<(), PlotError> {
+/// Refuses a panel without series, with a series that cannot be drawn, or with bars where there are none (`bars` false).
+pub(crate) fn check_all(panel: &str, series: &[Series], bars: bool) -> Result<(), PlotError> {
     if series.is_empty() {
         return Err(PlotError::NoSeries { panel: panel.to_owned() });
+    }
+    if let Some(other) = series.iter().find(|s| (s.kind == SeriesKind::Bars) != bars) {
+        return Err(PlotError::WrongKind { series: other.label.clone(), panel: panel.to_owned() });
     }
     series.iter().try_for_each(Series::check)
 }
@@ -168,7 +194,10 @@ impl StyleBook {
             .map(|(s, slot)| Entry {
                 label: s.label.clone(),
                 kind: s.kind,
-                stroke: line_stroke(*slot, above(&s.label, *slot)),
+                stroke: match s.kind {
+                    SeriesKind::Dense => dense_stroke(*slot),
+                    _ => line_stroke(*slot, above(&s.label, *slot)),
+                },
             })
             .collect();
         let first_points = entries.len();

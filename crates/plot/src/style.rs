@@ -44,6 +44,8 @@ pub(crate) struct Stroke {
     pub dash: &'static str,
     pub width: f64,
     pub marker: Marker,
+    /// Whether bars are hatched: all colours are in use already.
+    pub hatched: bool,
 }
 
 /// The stroke of line `slot` that has `above` lines drawn on top of it in its panel.
@@ -56,6 +58,7 @@ pub(crate) fn line_stroke(slot: usize, above: usize) -> Stroke {
         dash: DASHES[slot % DASHES.len()],
         width: 1.6 + 0.55 * above.min(4) as f64,
         marker: MARKERS[slot % MARKERS.len()],
+        hatched: slot >= PALETTE.len(),
     }
 }
 
@@ -66,5 +69,11 @@ pub(crate) fn point_stroke(index: usize, of_slot: Option<usize>) -> Stroke {
         dash: "",
         width: 1.5,
         marker: MARKERS[(index + 3) % MARKERS.len()],
+        hatched: false,
     }
+}
+
+/// The stroke of a line of so many points that dashes would tear it apart.
+pub(crate) fn dense_stroke(slot: usize) -> Stroke {
+    Stroke { dash: "", width: 1.1, ..line_stroke(slot, 0) }
 }

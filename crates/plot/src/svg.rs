@@ -1,7 +1,7 @@
 //! A small writer of SVG text: absolute coordinates in px, two decimals, the same bytes for the same calls.
 
 use crate::style::{INK, LABEL_PX, Marker, PAPER, Stroke};
-use crate::text::escape;
+use crate::text::{SUBSCRIPT_SIZE, escape, runs};
 
 /// Where a text hangs on its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,11 +20,13 @@ pub(crate) struct Type {
     pub colour: &'static str,
     /// Turned by a quarter, reading upwards.
     pub upwards: bool,
+    /// Whether an underscore lowers the letters and digits after it.
+    pub subscripts: bool,
 }
 
 impl Default for Type {
     fn default() -> Self {
-        Self { size: LABEL_PX, bold: false, anchor: Anchor::Start, colour: INK, upwards: false }
+        Self { size: LABEL_PX, bold: false, anchor: Anchor::Start, colour: INK, upwards: false, subscripts: false }
     }
 }
 
@@ -40,6 +42,8 @@ pub(crate) fn px(value: f64) -> String {
 #[derive(Debug, Default)]
 pub(crate) struct Svg {
     body: String,
+    /// Colours whose hatching is defined already.
+    hatched: Vec<&'static str>,
 }
 
 impl Svg {
@@ -49,6 +53,10 @@ impl Svg {
             r#"<line x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}" stroke="{colour}" stroke-width="{}"/>"#,
             px(width)
         ));
+    }
+
+    pub fn dashed_line(&mut self, from: [f64; 2], to: [f64; 2], colour: &'static str, width: f64) {
+        self.path(&[from, to], &Stroke { colour, dash: "3 3", width, marker: Marker::Circle, hatched: false }, false);
     }
 
     pub fn circle(&mut self, [x, y]: [f64; 2], radius: f64, colour: &str, width: f64) {
@@ -89,6 +97,37 @@ impl Svg {
         ));
     }
 
+    /// A light area between closed outlines: inside one and outside the other.
+    pub fn tint(&mut self, outlines: &[Vec<[f64; 2]>], colour: &str) {
+        let mut d = String::new();
+        for outline in outlines {
+            for (i, &[x, y]) in outline.iter().enumerate() {
+                d.push_str(if i == 0 { "M" } else { " L" });
+                d.push_str(&format!("{} {}", px(x), px(y)));
+            }
+            d.push_str(" Z ");
+        }
+        let d = d.trim_end();
+        self.push(&format!(r#"<path d="{d}" fill="{colour}" fill-opacity="0.25" fill-rule="evenodd"/>"#));
+    }
+
+    /// A filled bar with a thin outline, hatched where its stroke says so.
+    pub fn bar(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], stroke: &Stroke) {
+        let colour = stroke.colour;
+        let id = format!("hatch-{}", colour.trim_start_matches('#'));
+        if stroke.hatched && !self.hatched.contains(&colour) {
+            self.hatched.push(colour);
+            self.push(&format!(
+                r#"<pattern id="{id}" width="6" height="6" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="6" height="6" fill="{colour}"/><rect width="2.4" height="6" fill="{PAPER}"/></pattern>"#
+            ));
+        }
+        let fill = if stroke.hatched { format!("url(#{id})") } else { colour.to_owned() };
+        let (x, y, width, height) = (px(x), px(y), px(width), px(height));
+        self.push(&format!(
+            r#"<rect x="{x}" y="{y}" width="{width}" height="{height}" fill="{fill}" stroke="{INK}" stroke-width="0.8"/>"#
+        ));
+    }
+
     /// A marker: filled for computed values, open for published ones.
     pub fn marker(&mut self, at: [f64; 2], stroke: &Stroke, open: bool) {
         let (fill, edge, width) = if open { (PAPER, stroke.colour, 1.6) } else { (stroke.colour, PAPER, 0.8) };
@@ -120,7 +159,8 @@ impl Svg {
             Anchor::End => "end",
         };
         let weight = if how.bold { r#" font-weight="bold""# } else { "" };
-        let (x, y, size, colour, text) = (px(x), px(y), px(how.size), how.colour, escape(text));
+        let text = if how.subscripts { lowered(text, how.size) } else { escape(text) };
+        let (x, y, size, colour) = (px(x), px(y), px(how.size), how.colour);
         let place = format!(r#"x="{x}" y="{y}" font-size="{size}" text-anchor="{anchor}"{weight}{turn}"#);
         self.push(&format!(r#"<text {place} fill="{colour}">{text}</text>"#));
     }
@@ -141,6 +181,26 @@ impl Svg {
             self.body
         )
     }
+}
+
+/// Text with its subscripts set smaller and lower.
+fn lowered(text: &str, size: f64) -> String {
+    let drop = 0.22 * size;
+    let mut lower = false;
+    let set = runs(text).into_iter().map(|(run, subscript)| {
+        let dy = match (lower, subscript) {
+            (false, true) => format!(r#" dy="{}""#, px(drop)),
+            (true, false) => format!(r#" dy="{}""#, px(-drop)),
+            _ => String::new(),
+        };
+        lower = subscript;
+        let scale = if subscript { SUBSCRIPT_SIZE } else { 1.0 };
+        match (subscript, dy.is_empty()) {
+            (false, true) => escape(run),
+            _ => format!(r#"<tspan{dy} font-size="{}">{}</tspan>"#, px(scale * size), escape(run)),
+        }
+    });
+    set.collect()
 }
 
 /// Corners of a marker of unit size; sizes chosen so that the areas look equal.

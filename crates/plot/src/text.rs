@@ -28,6 +28,34 @@ pub(crate) fn width(text: &str, size_px: f64, bold: bool) -> f64 {
         .sum()
 }
 
+/// Size of subscripts relative to the text.
+pub(crate) const SUBSCRIPT_SIZE: f64 = 0.76;
+
+/// The runs of a text with `true` for those that an underscore makes subscripts: the letters and digits after it.
+pub(crate) fn runs(text: &str) -> Vec<(&str, bool)> {
+    let mut pieces = text.split('_');
+    let mut all = vec![(pieces.next().unwrap_or(""), false)];
+    for piece in pieces {
+        let end = piece.find(|c: char| !c.is_alphanumeric()).unwrap_or(piece.len());
+        all.extend([(&piece[..end], true), (&piece[end..], false)]);
+    }
+    all.retain(|(run, _)| !run.is_empty());
+    all
+}
+
+/// Width of a text with subscripts, px.
+pub(crate) fn width_with_subscripts(text: &str, size_px: f64) -> f64 {
+    let scale = |subscript| if subscript { SUBSCRIPT_SIZE } else { 1.0 };
+    runs(text).into_iter().map(|(run, subscript)| width(run, scale(subscript) * size_px, false)).sum()
+}
+
+/// A number with about three significant digits.
+pub(crate) fn short_number(value: f64) -> String {
+    let size = value.abs();
+    let decimals = if size == 0.0 { 0 } else { (2 - size.log10().floor() as i32).clamp(0, 4) as usize };
+    number(value, decimals)
+}
+
 /// A number with a fixed count of decimals and the typographic minus; never a negative zero.
 pub(crate) fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
@@ -89,6 +117,19 @@ mod tests {
         assert_eq!(power_of_ten(-12), "10⁻¹²");
         assert_eq!(axis_title("Wear rate", "m³/s", -12), "Wear rate (10⁻¹² m³/s)");
         assert_eq!(axis_title("Slide-to-roll ratio", "", 0), "Slide-to-roll ratio");
+    }
+
+    #[test]
+    fn limit_underscores_make_subscripts() {
+        assert_eq!(runs("13 f_c − 2 f_s"), [("13 f", false), ("c", true), (" − 2 f", false), ("s", true)]);
+        assert_eq!(runs("plain"), [("plain", false)]);
+        assert!(width_with_subscripts("f_c", 12.0) < width("fc", 12.0, false));
+    }
+
+    #[test]
+    fn limit_short_numbers_have_three_digits() {
+        let texts = [0.0, 1234.6, 12.346, -0.012_346, 999.6].map(short_number);
+        assert_eq!(texts, ["0", "1235", "12.3", "−0.0123", "1000"]);
     }
 
     #[test]

@@ -25,19 +25,24 @@ pub struct OperatingPoint {
 impl OperatingPoint {
     /// The case's operating point; where loads or speeds are tables in time, their last row, the steady state.
     pub fn new(case: &Case) -> Self {
+        Self::at(case, f64::INFINITY)
+    }
+
+    /// The case's operating point with the loads and speeds of a time in s.
+    pub fn at(case: &Case, time: f64) -> Self {
         let translation = |t: &Translation| match t {
             Translation::Held(x) => RingFreedom::Held(*x),
-            loaded => RingFreedom::Loaded(loaded.last()),
+            loaded => RingFreedom::Loaded(loaded.at(time)),
         };
         let tilt = |t: &Tilt| match t {
             Tilt::Held(angle) => RingFreedom::Held(*angle),
-            loaded => RingFreedom::Loaded(loaded.last()),
+            loaded => RingFreedom::Loaded(loaded.at(time)),
         };
         let r = &case.ring;
         Self {
             ring: [translation(&r.x), translation(&r.y), translation(&r.z), tilt(&r.tilt_x), tilt(&r.tilt_y)],
-            inner_speed: case.speed.inner.last(),
-            outer_speed: case.speed.outer.last(),
+            inner_speed: case.speed.inner.at(time),
+            outer_speed: case.speed.outer.at(time),
             patch: case.traction.patch,
             cage: case.cage.clone(),
             numerics: case.numerics.clone(),

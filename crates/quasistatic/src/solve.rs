@@ -38,6 +38,24 @@ pub struct WarmStart {
     pub(crate) rule: PatchRule,
 }
 
+impl WarmStart {
+    /// Per ball: X1, X2 (m), the spin relative to the orbiting frame (axial, radial, tangential) and the orbital speed
+    /// (rad/s), to the last digit.
+    pub fn balls(&self) -> &[[f64; 6]] {
+        &self.state.balls
+    }
+
+    /// Displacement x, y, z (m) and tilt about X and Y (rad) of the inner ring.
+    pub fn ring(&self) -> [f64; 5] {
+        self.state.ring
+    }
+
+    /// The patch rule of the solution.
+    pub fn rule(&self) -> PatchRule {
+        self.rule
+    }
+}
+
 /// An equilibrium with what is needed to go on from it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solved {

@@ -10,6 +10,9 @@ use crate::quaternion::{Rotation, pose, vector};
 use crate::timeline::timestamp;
 use crate::wire::foxglove::{ArrowPrimitive, SceneEntity, SceneUpdate, SpherePrimitive};
 use crate::{colour, frames, scene};
+use std::f64::consts::{FRAC_PI_2, PI};
+use tribodyn_bearing::Side;
+use tribodyn_dynamics::{BallSample, ContactSample};
 use tribodyn_quasistatic::{BallSolution, Solution};
 
 /// Semi-axes of a patch over the true ones: true ones are hard to see on a ball.
@@ -18,6 +21,10 @@ pub(crate) const PATCH_EXAGGERATION: f64 = 2.0;
 const PATCH_HALF_THICKNESS: f64 = 0.03;
 /// Length of the longest arrow over the ball diameter.
 const LONGEST_ARROW: f64 = 1.5;
+/// How much longer than that an arrow may get where a load exceeds the scale.
+const OVERLONG: f64 = 2.0;
+/// Load and pressure of a run's scale where its first sample carries nothing, N and Pa.
+const UNLOADED: Scales = Scales { load_n: 1e3, pressure_pa: 1e9 };
 
 /// The loads and pressures at which arrows are longest and colours brightest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,8 +45,19 @@ impl Scales {
     }
 }
 
+impl Scales {
+    /// Scales of a run from its first sample: the largest there is two thirds of the scale, since loads will vary.
+    pub(crate) fn of_first(balls: &[BallSample]) -> Self {
+        let largest = |get: fn(&ContactSample) -> f64| {
+            1.5 * balls.iter().map(|b| get(&b.inner).max(get(&b.outer))).fold(0.0, f64::max)
+        };
+        let (load_n, pressure_pa) = (largest(|c| c.load_n), largest(|c| c.peak_pressure_pa));
+        if load_n > 0.0 && pressure_pa > 0.0 { Self { load_n, pressure_pa } } else { UNLOADED }
+    }
+}
+
 /// One contact as it is drawn.
-struct Contact {
+pub(crate) struct Contact {
     /// Direction of the outward normal in the plane (a, r), rad from the axial direction.
     normal: f64,
     load_n: f64,
@@ -48,47 +66,60 @@ struct Contact {
 }
 
 /// Arrows and patches of all balls at one log time.
-pub(crate) fn update(diameter: f64, scales: Scales, log_time: u64, balls: &[(f64, BallSolution)]) -> SceneUpdate {
+pub(crate) fn update(
+    diameter: f64,
+    scales: Scales,
+    log_time: u64,
+    balls: impl Iterator<Item = [Contact; 2]>,
+) -> SceneUpdate {
     let stamp = timestamp(log_time);
-    let draw = |(index, (_, ball)): (usize, &(f64, BallSolution))| {
+    let draw = |(index, contacts): (usize, [Contact; 2])| {
         let mut entity = scene::entity(stamp, frames::orbit(index), format!("contacts_{index:02}"));
-        for contact in contacts(ball) {
+        for contact in contacts {
             if contact.load_n > 0.0 {
                 add(&mut entity, diameter, scales, &contact);
             }
         }
         entity
     };
-    SceneUpdate { deletions: Vec::new(), entities: balls.iter().enumerate().map(draw).collect() }
+    SceneUpdate { deletions: Vec::new(), entities: balls.enumerate().map(draw).collect() }
 }
 
-fn contacts(ball: &BallSolution) -> [Contact; 2] {
-    let outward = |angle_deg: f64| std::f64::consts::FRAC_PI_2 - angle_deg.to_radians();
+impl Contact {
+    fn new(side: Side, angle: f64, load_n: f64, pressure_pa: f64, semi_axes_m: [f64; 2]) -> Self {
+        // From the axial direction; the inner normal points the other way.
+        let outward = FRAC_PI_2 - angle;
+        let normal = if side == Side::Inner { outward + PI } else { outward };
+        Self { normal, load_n, pressure_pa, semi_axes_m }
+    }
+}
+
+/// Inner and outer contact of a ball of a solution.
+pub(crate) fn of_solution(ball: &BallSolution) -> [Contact; 2] {
+    let (inner, outer) = (ball.contact_angle_inner_deg.to_radians(), ball.contact_angle_outer_deg.to_radians());
     [
-        Contact {
-            normal: outward(ball.contact_angle_inner_deg) + std::f64::consts::PI,
-            load_n: ball.load_inner_n,
-            pressure_pa: ball.peak_pressure_inner_pa,
-            semi_axes_m: ball.semi_axes_inner_m,
-        },
-        Contact {
-            normal: outward(ball.contact_angle_outer_deg),
-            load_n: ball.load_outer_n,
-            pressure_pa: ball.peak_pressure_outer_pa,
-            semi_axes_m: ball.semi_axes_outer_m,
-        },
+        Contact::new(Side::Inner, inner, ball.load_inner_n, ball.peak_pressure_inner_pa, ball.semi_axes_inner_m),
+        Contact::new(Side::Outer, outer, ball.load_outer_n, ball.peak_pressure_outer_pa, ball.semi_axes_outer_m),
     ]
+}
+
+/// Inner and outer contact of a ball of a run.
+pub(crate) fn of_sample(ball: &BallSample) -> [Contact; 2] {
+    let contact =
+        |side, c: &ContactSample| Contact::new(side, c.angle_rad, c.load_n, c.peak_pressure_pa, c.semi_axes_m);
+    [contact(Side::Inner, &ball.inner), contact(Side::Outer, &ball.outer)]
 }
 
 fn add(entity: &mut SceneEntity, diameter: f64, scales: Scales, contact: &Contact) {
     let (sin, cos) = contact.normal.sin_cos();
     let along = |distance: f64| [distance * cos, distance * sin, 0.0];
     let part = contact.load_n / scales.load_n;
-    let length = LONGEST_ARROW * diameter * part;
+    // Loads of a run may outgrow the scale: the arrow says so up to a point.
+    let length = LONGEST_ARROW * diameter * part.min(OVERLONG);
     let head = (0.28 * diameter).min(0.5 * length);
     entity.arrows.push(ArrowPrimitive {
         // The arrow lies along x of its pose: turned half round, it points against the normal.
-        pose: Some(pose(along(0.5 * diameter + length), Rotation::about_z(contact.normal + std::f64::consts::PI))),
+        pose: Some(pose(along(0.5 * diameter + length), Rotation::about_z(contact.normal + PI))),
         shaft_length: length - head,
         shaft_diameter: 0.09 * diameter,
         head_length: head,

@@ -50,9 +50,27 @@ impl Spins {
             *rotation = Rotation::by_vector(spin.map(|w| w * step)).after(*rotation).unit();
         }
     }
+
+    /// Advances ball `index` by its spin relative to the azimuth frame, rad/s, over a step, s.
+    pub(crate) fn advance_one(&mut self, index: usize, spin: [f64; 3], step: f64) {
+        let rotation = &mut self.rotations[index];
+        *rotation = Rotation::by_vector(spin.map(|w| w * step)).after(*rotation).unit();
+    }
 }
 
-/// All frames at one sample. `balls` holds each ball with its azimuth unwrapped, rad.
+/// Where rings, cage and balls are at one time.
+pub(crate) struct Poses<'a> {
+    pub(crate) log_time: u64,
+    /// Displacement of the inner ring, m, and its rotation.
+    pub(crate) inner: ([f64; 3], Rotation),
+    /// The same of the outer ring.
+    pub(crate) outer: ([f64; 3], Rotation),
+    /// Angle of the cage, rad.
+    pub(crate) cage_angle: f64,
+    pub(crate) spins: &'a Spins,
+}
+
+/// All frames at one sample of a solution. `balls` holds each ball with its azimuth unwrapped, rad.
 pub(crate) fn transforms(
     solution: &Solution,
     timeline: &Timeline,
@@ -60,31 +78,42 @@ pub(crate) fn transforms(
     balls: &[(f64, BallSolution)],
     spins: &Spins,
 ) -> FrameTransforms {
-    let stamp = timestamp(timeline.log_time(sample));
     let time = timeline.seconds(sample);
-    let frame = |parent: &str, child: String, at: [f64; 3], turned: Rotation| FrameTransform {
-        timestamp: Some(stamp),
-        parent_frame_id: parent.into(),
-        child_frame_id: child,
-        translation: Some(vector(at)),
-        rotation: Some(turned.message()),
-    };
     let [tilt_x, tilt_y] = solution.ring_tilt_rad;
     let shaft = Rotation::by_vector([tilt_x, tilt_y, 0.0]).after(Rotation::about_z(solution.inner_speed_rad_s * time));
-    let outer = Rotation::about_z(solution.outer_speed_rad_s * time);
-    let cage = Rotation::about_z(timeline.cage_angle(sample));
-    let mut transforms = vec![
-        frame("world", BEARING.into(), [0.0; 3], Rotation::IDENTITY),
-        frame(BEARING, INNER_RING.into(), solution.ring_displacement_m, shaft),
-        frame(BEARING, OUTER_RING.into(), [0.0; 3], outer),
-        frame(BEARING, CAGE.into(), [0.0; 3], cage),
-    ];
-    for (index, (azimuth, state)) in balls.iter().enumerate() {
-        let radius = state.orbit_radius_m;
-        let centre = [radius * azimuth.cos(), radius * azimuth.sin(), state.axial_displacement_m];
-        let turned = Rotation::about_z(*azimuth).after(Rotation::AXIAL_RADIAL_TANGENTIAL);
-        transforms.push(frame(BEARING, orbit(index), centre, turned));
-        transforms.push(frame(&orbit(index), ball(index), [0.0; 3], spins.rotations[index]));
+    let poses = Poses {
+        log_time: timeline.log_time(sample),
+        inner: (solution.ring_displacement_m, shaft),
+        outer: ([0.0; 3], Rotation::about_z(solution.outer_speed_rad_s * time)),
+        cage_angle: timeline.cage_angle(sample),
+        spins,
+    };
+    poses.message(balls.iter().map(|(azimuth, b)| [*azimuth, b.orbit_radius_m, b.axial_displacement_m]))
+}
+
+impl Poses<'_> {
+    /// All frames; each ball by azimuth (rad), orbit radius and axial position (m).
+    pub(crate) fn message(&self, balls: impl Iterator<Item = [f64; 3]>) -> FrameTransforms {
+        let stamp = timestamp(self.log_time);
+        let frame = |parent: &str, child: String, at: [f64; 3], turned: Rotation| FrameTransform {
+            timestamp: Some(stamp),
+            parent_frame_id: parent.into(),
+            child_frame_id: child,
+            translation: Some(vector(at)),
+            rotation: Some(turned.message()),
+        };
+        let mut transforms = vec![
+            frame("world", BEARING.into(), [0.0; 3], Rotation::IDENTITY),
+            frame(BEARING, INNER_RING.into(), self.inner.0, self.inner.1),
+            frame(BEARING, OUTER_RING.into(), self.outer.0, self.outer.1),
+            frame(BEARING, CAGE.into(), [0.0; 3], Rotation::about_z(self.cage_angle)),
+        ];
+        for (index, [azimuth, radius, axial]) in balls.enumerate() {
+            let centre = [radius * azimuth.cos(), radius * azimuth.sin(), axial];
+            let turned = Rotation::about_z(azimuth).after(Rotation::AXIAL_RADIAL_TANGENTIAL);
+            transforms.push(frame(BEARING, orbit(index), centre, turned));
+            transforms.push(frame(&orbit(index), ball(index), [0.0; 3], self.spins.rotations[index]));
+        }
+        FrameTransforms { transforms }
     }
-    FrameTransforms { transforms }
 }

@@ -63,6 +63,7 @@ mod error;
 mod frames;
 mod mesh;
 mod messages;
+mod output;
 mod quaternion;
 mod read;
 mod scene;

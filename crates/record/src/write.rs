@@ -3,19 +3,16 @@
 use crate::check::check;
 use crate::contacts::{self, Scales};
 use crate::frames::{self, Spins};
+use crate::output::{Channel, Entries, Output, active_path, file_error, fnv1a};
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, Timeline, timestamp};
 use crate::wire::foxglove::{Log, log};
 use crate::wire::{FOXGLOVE_DESCRIPTORS, TRIBODYN_DESCRIPTORS};
 use crate::{RecordError, RecordingSummary, mesh, messages, read_summary};
-use mcap::records::{MessageHeader, Metadata};
-use mcap::{Attachment, McapResult, WriteOptions, Writer};
-use prost::Message;
-use std::borrow::Cow;
-use std::collections::BTreeMap;
+use mcap::McapResult;
 use std::fs::{self, File};
 use std::io::{BufWriter, Seek, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use tribodyn_bearing::case::Case;
 use tribodyn_bearing::{Geometry, Side};
 use tribodyn_quasistatic::{AzimuthRule, OverAzimuth};
@@ -67,17 +64,6 @@ pub fn write_solution(path: &Path, input: &SolutionRecording) -> Result<Recordin
     read_summary(path)
 }
 
-/// `<path>.active`: viewers know that such a file is not whole.
-fn active_path(path: &Path) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(".active");
-    PathBuf::from(name)
-}
-
-fn file_error(action: &'static str, path: &Path, source: std::io::Error) -> RecordError {
-    RecordError::File { action, path: path.to_owned(), source }
-}
-
 fn write_active(active: &Path, recording: &Recording) -> Result<(), RecordError> {
     let file = File::create(active).map_err(|source| file_error("create", active, source))?;
     let buffer = recording.write(BufWriter::new(file)).map_err(|source| RecordError::Mcap {
@@ -107,20 +93,8 @@ impl<'a> Recording<'a> {
 
     /// Writes all messages in order of time and hands the stream back.
     pub(crate) fn write<W: Write + Seek>(&self, stream: W) -> McapResult<W> {
-        let mut out = Output::new(stream, self.input.generator)?;
-        out.writer.write_metadata(&self.metadata())?;
-        let layout = layout(&self.geometry);
-        for (name, media_type, text) in
-            [(CASE_ATTACHMENT, "text/plain", self.input.case_text), (LAYOUT_ATTACHMENT, "application/json", &layout)]
-        {
-            out.writer.attach(&Attachment {
-                log_time: EPOCH_NS,
-                create_time: EPOCH_NS,
-                name: name.into(),
-                media_type: media_type.into(),
-                data: Cow::Borrowed(text.as_bytes()),
-            })?;
-        }
+        let mut out = Output::new(stream, self.input.generator, &CHANNELS)?;
+        out.describe(&self.metadata(), self.input.case_text, &layout(LAYOUT, &self.geometry))?;
         self.write_start(&mut out)?;
         let mut spins = Spins::new(self.geometry.ball_count);
         for sample in 0..=self.timeline.samples {
@@ -140,7 +114,7 @@ impl<'a> Recording<'a> {
             name: &self.input.case.name,
             scales: Scales::of(self.input.solution),
         };
-        out.log(Topic::Geometry, EPOCH_NS, &scene::geometry(&bodies, timestamp(EPOCH_NS)))?;
+        out.log(Topic::Geometry as usize, EPOCH_NS, &scene::geometry(&bodies, timestamp(EPOCH_NS)))?;
         for warning in &self.input.solution.warnings {
             let line = Log {
                 timestamp: Some(timestamp(EPOCH_NS)),
@@ -149,7 +123,7 @@ impl<'a> Recording<'a> {
                 name: "quasistatic".into(),
                 ..Log::default()
             };
-            out.log(Topic::Log, EPOCH_NS, &line)?;
+            out.log(Topic::Log as usize, EPOCH_NS, &line)?;
         }
         Ok(())
     }
@@ -163,17 +137,26 @@ impl<'a> Recording<'a> {
         let time = timeline.log_time(sample);
         if sample.is_multiple_of(timeline.frame_stride) {
             let diameter = self.geometry.ball_diameter;
-            out.log(Topic::Transforms, time, &frames::transforms(solution, timeline, sample, &balls, spins))?;
-            out.log(Topic::Contacts, time, &contacts::update(diameter, Scales::of(solution), time, &balls))?;
+            out.log(Topic::Transforms as usize, time, &frames::transforms(solution, timeline, sample, &balls, spins))?;
+            out.log(
+                Topic::Contacts as usize,
+                time,
+                &contacts::update(
+                    diameter,
+                    Scales::of(solution),
+                    time,
+                    balls.iter().map(|(_, b)| contacts::of_solution(b)),
+                ),
+            )?;
         }
-        out.log(Topic::State, time, &messages::state(solution, timeline, sample, &balls))?;
-        out.log(Topic::Balls, time, &messages::balls(self.geometry.pitch_diameter, timeline, sample, &balls))
+        out.log(Topic::State as usize, time, &messages::state(solution, timeline, sample, &balls))?;
+        out.log(Topic::Balls as usize, time, &messages::balls(self.geometry.pitch_diameter, timeline, sample, &balls))
     }
 
-    fn metadata(&self) -> Metadata {
+    fn metadata(&self) -> Entries {
         let (solution, timeline) = (self.input.solution, &self.timeline);
         let geometry = &self.geometry;
-        let entries = [
+        vec![
             ("kind", "quasi-static, one orbit of the cage".to_owned()),
             ("bearing", self.input.case.name.clone()),
             ("ball_count", geometry.ball_count.to_string()),
@@ -193,21 +176,14 @@ impl<'a> Recording<'a> {
             ("patch_exaggeration", contacts::PATCH_EXAGGERATION.to_string()),
             ("generator", self.input.generator.to_owned()),
             ("case_fnv1a64", format!("{:016x}", fnv1a(self.input.case_text.as_bytes()))),
-        ];
-        let metadata: BTreeMap<String, String> = entries.into_iter().map(|(k, v)| (k.to_owned(), v)).collect();
-        Metadata { name: "simulation".into(), metadata }
+        ]
     }
 }
 
 /// The layout with the camera where it sees the whole bearing.
-fn layout(geometry: &Geometry) -> String {
+pub(crate) fn layout(general: &str, geometry: &Geometry) -> String {
     let distance = CAMERA_OVER_DIAMETER * 2.0 * mesh::back_radius(geometry, Side::Outer);
-    LAYOUT.replace(CAMERA, &format!("\"distance\": {distance:.4}"))
-}
-
-/// FNV-1a, 64 bits (RFC 9923): tells one case from another, no protection against forgery.
-fn fnv1a(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    general.replace(CAMERA, &format!("\"distance\": {distance:.4}"))
 }
 
 /// The topics of a recording.
@@ -221,41 +197,12 @@ enum Topic {
     Balls,
 }
 
-/// Topic name, schema name and descriptor set, in the order of [`Topic`].
-const CHANNELS: [(&str, &str, &[u8]); 6] = [
-    ("/bearing/geometry", "foxglove.SceneUpdate", FOXGLOVE_DESCRIPTORS),
-    ("/log", "foxglove.Log", FOXGLOVE_DESCRIPTORS),
-    ("/tf", "foxglove.FrameTransforms", FOXGLOVE_DESCRIPTORS),
-    ("/bearing/contacts", "foxglove.SceneUpdate", FOXGLOVE_DESCRIPTORS),
-    ("/bearing/state", "tribodyn.v1.BearingState", TRIBODYN_DESCRIPTORS),
-    ("/bearing/balls", "tribodyn.v1.Balls", TRIBODYN_DESCRIPTORS),
+/// The channels, in the order of [`Topic`].
+const CHANNELS: [Channel; 6] = [
+    Channel { topic: "/bearing/geometry", schema: "foxglove.SceneUpdate", descriptors: FOXGLOVE_DESCRIPTORS },
+    Channel { topic: "/log", schema: "foxglove.Log", descriptors: FOXGLOVE_DESCRIPTORS },
+    Channel { topic: "/tf", schema: "foxglove.FrameTransforms", descriptors: FOXGLOVE_DESCRIPTORS },
+    Channel { topic: "/bearing/contacts", schema: "foxglove.SceneUpdate", descriptors: FOXGLOVE_DESCRIPTORS },
+    Channel { topic: "/bearing/state", schema: "tribodyn.v1.BearingState", descriptors: TRIBODYN_DESCRIPTORS },
+    Channel { topic: "/bearing/balls", schema: "tribodyn.v1.Balls", descriptors: TRIBODYN_DESCRIPTORS },
 ];
-
-/// An open MCAP file with its channels.
-struct Output<W: Write + Seek> {
-    writer: Writer<W>,
-    channels: [(u16, u32); CHANNELS.len()],
-}
-
-impl<W: Write + Seek> Output<W> {
-    fn new(stream: W, generator: &str) -> McapResult<Self> {
-        let mut writer = WriteOptions::new()
-            .library(generator)
-            // Threads would change the bytes.
-            .compression_threads(0)
-            .create(stream)?;
-        let mut channels = [(0, 0); CHANNELS.len()];
-        for (slot, (topic, schema, descriptors)) in channels.iter_mut().zip(CHANNELS) {
-            let schema = writer.add_schema(schema, "protobuf", descriptors)?;
-            slot.0 = writer.add_channel(schema, topic, "protobuf", &BTreeMap::new())?;
-        }
-        Ok(Self { writer, channels })
-    }
-
-    fn log(&mut self, topic: Topic, time: u64, message: &impl Message) -> McapResult<()> {
-        let (channel_id, sequence) = &mut self.channels[topic as usize];
-        let header = MessageHeader { channel_id: *channel_id, sequence: *sequence, log_time: time, publish_time: time };
-        *sequence += 1;
-        self.writer.write_to_known_channel(&header, &message.encode_to_vec())
-    }
-}

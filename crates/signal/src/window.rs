@@ -135,7 +135,7 @@ mod tests {
     #[test]
     fn identity_offset_inverts_the_lobe() {
         for window in ALL {
-            for step in -10..=10 {
+            for step in -10..=10i32 {
                 let offset = 0.05 * f64::from(step);
                 let heights = [-1.0, 0.0, 1.0].map(|line| window.lobe(line - offset).abs());
                 let found = window.offset(heights);

@@ -75,6 +75,7 @@
 mod chebyshev;
 mod choose;
 mod coating;
+mod fast;
 mod kragelskii;
 mod patch;
 mod quadrature;
@@ -84,6 +85,7 @@ mod varying;
 
 pub use choose::{Probe, REFERENCE_RULE, choose_rule, rule_error};
 pub use coating::{Coating, TestedCurve, coating_names};
+pub use fast::{FastPatch, PatchDerivative, fast_patch_traction};
 pub use kragelskii::{Kragelskii, Peak, SlipCurve};
 pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};
 pub use quadrature::Quadrature;

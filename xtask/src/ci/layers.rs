@@ -5,11 +5,12 @@ use super::{Outcome, finish};
 use crate::error::Failure;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 9] = [
+const LAYERS: [(&str, &[&str]); 10] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
     ("tribodyn-fluid", &[]),
+    ("tribodyn-signal", &[]),
     ("tribodyn-bearing", &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid"]),
     ("tribodyn-quasistatic", &["tribodyn-bearing"]),
     // Identification writes its candidates into the case file, so it knows `bearing` too.

@@ -17,6 +17,8 @@ mod validate_transient;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_transient;
 
 pub use error::CaseError;
 pub use locate::{locate, set_value};

@@ -10,7 +10,7 @@ const BEARING_218: &str = include_str!("../../../../fixtures/cases/bearing-218.r
 
 /// A refusal: a text in the Ag case, what replaces it with «» around the place that the error must point at (only its
 /// start where nothing is between), the path, and a part of the message.
-type Refused = (&'static str, &'static str, &'static str, &'static str);
+pub(super) type Refused = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
 const READING: &[Refused] = &[
@@ -114,7 +114,7 @@ const TESTED: &[Refused] = &[
     ("order: 2", "order: «3»", "traction.order", "coatings.inner has 3"),
 ];
 
-fn check_refusal(good: &str, (from, to, path, message): Refused) {
+pub(super) fn check_refusal(good: &str, (from, to, path, message): Refused) {
     assert!(good.contains(from), "{from} is not in the good file");
     let marked = good.replacen(from, to, 1);
     let (before, rest) = marked.split_once('«').unwrap();

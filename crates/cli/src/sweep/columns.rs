@@ -217,10 +217,9 @@ fn split(line: &str) -> Option<Vec<(String, bool)>> {
             loop {
                 let (part, after) = inside.split_once('"')?;
                 text.push_str(part);
-                match after.strip_prefix('"') {
-                    Some(more) => (text.push('"'), inside = more).1,
-                    None => break ((text, true), after),
-                }
+                let Some(more) = after.strip_prefix('"') else { break ((text, true), after) };
+                text.push('"');
+                inside = more;
             }
         } else {
             let end = rest.find(',').unwrap_or(rest.len());

@@ -52,7 +52,7 @@ fn limit_raw_lines_between_fall_by_the_scalloping_loss() {
     let highest =
         |window| Spectrum::of(&samples, 1000.0, window).unwrap().amplitude.iter().copied().fold(0.0, f64::max);
     assert_near(highest(Window::Hann), 0.8488, 1e-3);
-    assert_near(highest(Window::Rectangular), 0.6366, 2e-3);
+    assert_near(highest(Window::Rectangular), std::f64::consts::FRAC_2_PI, 2e-3);
     assert_near(highest(Window::FlatTop), 0.9989, 1e-3);
 }
 
@@ -113,8 +113,10 @@ fn limit_harmonics_only_make_up_the_whole_variance() {
 fn limit_a_detuned_family_is_off_by_the_lines_it_is_off() {
     let samples = sampled(10_000, 10_000.0, |t| sine(100.0, t) + sine(500.0, t));
     let spectrum = Spectrum::of(&samples, 10_000.0, Window::Hann).unwrap();
-    let off: Vec<(usize, f64)> =
-        spectrum.harmonic_family(99.8, 5, 1.5).unwrap().lines.iter().map(|l| (l.order, l.off_lines)).collect();
+    let family = spectrum.harmonic_family(99.8, 5, 1.5).unwrap();
+    // Peaks of rounding are peaks too.
+    let strong = family.lines.iter().filter(|l| l.amplitude > 1e-9);
+    let off: Vec<(usize, f64)> = strong.map(|l| (l.order, l.off_lines)).collect();
     assert_eq!(off.iter().map(|l| l.0).collect::<Vec<_>>(), [1, 5]);
     assert_near(off[0].1, 0.2, 1e-3);
     assert_near(off[1].1, 1.0, 1e-3);
@@ -127,9 +129,9 @@ fn limit_noise_has_no_family() {
     let spectrum = Spectrum::of(&noise(20_000), 20_000.0, Window::Hann).unwrap();
     let family = spectrum.harmonic_family(96.37, 50, 1.0).unwrap();
     assert_near(family.variance_share, family.line_share, 0.15 * family.line_share);
-    let median: f64 =
+    let above: f64 =
         family.lines.iter().map(|l| l.amplitude / l.floor_amplitude).sum::<f64>() / family.lines.len() as f64;
-    assert!((0.5..3.0).contains(&median), "{median}");
+    assert!((0.5..3.0).contains(&above), "{above}");
 }
 
 #[test]

@@ -223,10 +223,11 @@ mod tests {
                 }
                 let (mut ours, mut plain) = ([0.0; 4], [0.0; 4]);
                 let moments = |x: f64, y: f64, w: f64| [w, w * x, w * y, w * x * y * y];
-                Quadrature::new(rule).unwrap().for_each(
-                    &SlipField { longitudinal: [0.0; 3], lateral: [0.0; 3] },
-                    |x, y, w| moments(x, y, w).iter().zip(&mut plain).for_each(|(m, sum)| *sum += m),
-                );
+                Quadrature::new(rule)
+                    .unwrap()
+                    .for_each(&SlipField { longitudinal: [0.0; 3], lateral: [0.0; 3] }, |x, y, w| {
+                        moments(x, y, w).iter().zip(&mut plain).for_each(|(m, sum)| *sum += m)
+                    });
                 for [x1, x2, y, w] in groups {
                     for lane in 0..4 {
                         for x in [x1[lane], x2[lane]] {

@@ -3,6 +3,7 @@
 mod contacts;
 mod convergence;
 mod derivatives;
+mod fast;
 mod kinematics;
 mod limits;
 

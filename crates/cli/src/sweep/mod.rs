@@ -1,0 +1,186 @@
+//! `tribodyn sweep`: quasi-static equilibria over a grid of case values.
+//!
+//! Rows are solved in chunks of neighbours, each chunk for itself, by all cores; finished chunks go to a journal beside
+//! the table, and the table is written from the journal. So a row's numbers depend on the grid alone, not on threads,
+//! shards or stops on the way.
+
+mod columns;
+mod error;
+mod grid;
+mod journal;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod plan;
+mod rows;
+mod shard;
+mod table;
+mod values;
+
+pub use error::SweepError;
+
+use crate::failure::Failure;
+use crate::input;
+use crate::solve::check_output;
+use crate::table::{number, print_json, print_line, print_pairs};
+use grid::{Grid, Setting};
+use indicatif::{ProgressBar, ProgressStyle};
+use journal::{Identity, Journal};
+use rayon::prelude::*;
+use rows::Chunk;
+use serde::Serialize;
+use shard::Shard;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+use table::Format;
+
+/// Solve the quasi-static equilibrium for every combination of case values.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Case file (RON)
+    #[arg(value_name = "CASE")]
+    case: PathBuf,
+    /// Values of one place of the case: kN(10),kN(20) or kN(10..60 by 5), kN(10..60 in 11), kN(1..100 log 21); several
+    /// options give every combination, the last varying fastest
+    #[arg(long = "set", value_name = "PATH=VALUES", value_parser = Setting::parse)]
+    settings: Vec<Setting>,
+    /// Table to write, .parquet or .csv by its name
+    #[arg(short, long, value_name = "TABLE", required_unless_present = "plan")]
+    output: Option<PathBuf>,
+    /// Do only part I of N (from 0), for several machines; together the parts are the whole
+    #[arg(long, value_name = "I/N", value_parser = Shard::parse, default_value_t = Shard::ALL)]
+    shard: Shard,
+    /// Threads to use [default: one per core]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Solve every row from its own initial guess instead of a neighbour's solution (several times slower)
+    #[arg(long)]
+    cold: bool,
+    /// Forget the finished rows of a sweep that was stopped
+    #[arg(long)]
+    restart: bool,
+    /// Print what would be done and about how long it takes, and write nothing
+    #[arg(long)]
+    plan: bool,
+    /// Show no progress
+    #[arg(short, long)]
+    quiet: bool,
+    /// Print the summary as JSON, and nothing else, to standard output
+    #[arg(long)]
+    json: bool,
+}
+
+/// What was done.
+#[derive(Serialize)]
+struct Summary {
+    output: PathBuf,
+    /// Rows of the whole grid.
+    grid_rows: usize,
+    /// Rows of the table: those of the shard.
+    rows: usize,
+    /// Rows that an earlier run had finished.
+    resumed_rows: usize,
+    failed_rows: usize,
+    time_s: f64,
+    rows_per_s: f64,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let threads = arguments.threads.map_or(0, NonZeroUsize::get);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|error| Failure::Output(std::io::Error::other(error)))?;
+    let target = arguments.output.as_deref().map(|path| Ok::<_, Failure>((path, Format::of(path)?))).transpose()?;
+    let text = input::read_text(&arguments.case)?;
+    let grid = pool.install(|| Grid::new(&arguments.case.display().to_string(), text, &arguments.settings))?;
+    if let Some((path, _)) = target {
+        check_output(path, &arguments.case, "table")?;
+    }
+    match target {
+        Some((path, format)) if !arguments.plan => sweep(arguments, &grid, path, format, &pool),
+        _ => plan::print(&grid, arguments.shard, arguments.cold, pool.current_num_threads(), arguments.json),
+    }
+}
+
+fn sweep(
+    arguments: &Arguments,
+    grid: &Grid,
+    path: &Path,
+    format: Format,
+    pool: &rayon::ThreadPool,
+) -> Result<(), Failure> {
+    let began = Instant::now();
+    let columns = columns::columns(grid.columns());
+    let identity = Identity::new(grid, arguments.shard, arguments.cold);
+    let mut journal = Journal::open(path, &identity, grid, &columns, arguments.restart)?;
+    let of_shard = || (0..grid.chunks()).filter(|chunk| arguments.shard.has(*chunk));
+    let open: Vec<usize> = of_shard().filter(|chunk| !journal.has(*chunk)).collect();
+    let length = |chunks: &mut dyn Iterator<Item = usize>| chunks.map(|chunk| grid.chunk(chunk).len()).sum::<usize>();
+    let resumed = length(&mut of_shard().filter(|chunk| journal.has(*chunk)));
+    let progress = if arguments.quiet { ProgressBar::hidden() } else { progress_bar(length(&mut of_shard()), resumed) };
+    let solved = pool.install(|| solve_chunks(grid, arguments.cold, &open, &mut journal, &progress));
+    progress.finish_and_clear();
+    solved?;
+    let notes = vec![
+        ("tribodyn.version".to_owned(), identity.tribodyn.clone()),
+        ("tribodyn.case".to_owned(), identity.case.clone()),
+        ("tribodyn.swept".to_owned(), serde_json::to_string(&identity.swept)?),
+        ("tribodyn.shard".to_owned(), arguments.shard.to_string()),
+    ];
+    let count = table::write(path, format, &columns, &journal, notes)?;
+    journal.delete()?;
+    let time_s = began.elapsed().as_secs_f64();
+    let summary = Summary {
+        output: path.to_owned(),
+        grid_rows: grid.rows,
+        rows: count.rows,
+        resumed_rows: resumed,
+        failed_rows: count.failed,
+        time_s,
+        rows_per_s: (count.rows - resumed) as f64 / time_s,
+    };
+    if arguments.json { print_json(&summary)? } else { print(&summary)? }
+    match count.failed {
+        0 => Ok(()),
+        failed => Err(SweepError::Unsolved { failed, rows: count.rows, path: path.to_owned() }.into()),
+    }
+}
+
+/// Solves chunks in parallel and journals each as soon as it is finished.
+fn solve_chunks(
+    grid: &Grid,
+    cold: bool,
+    open: &[usize],
+    journal: &mut Journal,
+    progress: &ProgressBar,
+) -> Result<(), Failure> {
+    let journal = Mutex::new(journal);
+    // One chunk at a time for each thread: the next free thread takes the next one.
+    open.par_iter().with_max_len(1).try_for_each(|&chunk| {
+        let rows = grid.chunk(chunk);
+        let lines = Chunk::new(grid, cold).lines(rows.clone());
+        journal.lock().unwrap_or_else(PoisonError::into_inner).append(chunk, &lines)?;
+        progress.inc(rows.len() as u64);
+        Ok(())
+    })
+}
+
+/// On standard error; it hides itself where that is no terminal.
+fn progress_bar(rows: usize, resumed: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {per_sec}, {eta} left");
+    let bar = ProgressBar::new(rows as u64).with_position(resumed as u64);
+    bar.reset_eta();
+    if let Ok(style) = style { bar.with_style(style) } else { bar }
+}
+
+fn print(summary: &Summary) -> Result<(), Failure> {
+    let mut rows = vec![("rows", summary.rows.to_string(), "")];
+    if summary.resumed_rows > 0 {
+        rows.push(("of an earlier run", summary.resumed_rows.to_string(), ""));
+    }
+    rows.push(("without solution", summary.failed_rows.to_string(), ""));
+    rows.push(("time", number(summary.time_s, 1), "s"));
+    rows.push(("rate", number(summary.rows_per_s, 0), "rows/s"));
+    print_pairs(&rows)?;
+    print_line(&format!("\n{} is written", summary.output.display()))
+}

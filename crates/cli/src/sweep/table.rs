@@ -1,0 +1,107 @@
+//! The finished table: CSV or Parquet, rows in the order of the grid.
+
+use super::columns::{CONVERGED, Cell, Column, decode, header};
+use super::error::SweepError;
+use super::journal::Journal;
+use crate::failure::Failure;
+use crate::output::StagedFiles;
+use std::io::{BufWriter, Error, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// What a table is written as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    Csv,
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
+impl Format {
+    /// By the end of the name.
+    pub fn of(path: &Path) -> Result<Self, SweepError> {
+        match path.extension().and_then(|e| e.to_str()) {
+            Some("csv") => Ok(Self::Csv),
+            #[cfg(feature = "parquet")]
+            Some("parquet") => Ok(Self::Parquet),
+            _ => {
+                let allowed =
+                    if cfg!(feature = "parquet") { ".parquet or .csv" } else { ".csv (this build has no Parquet)" };
+                Err(SweepError::Format { path: path.to_owned(), allowed })
+            }
+        }
+    }
+}
+
+/// Rows of a table, and how many of them are no solutions.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Count {
+    pub rows: usize,
+    pub failed: usize,
+}
+
+/// Writes the table from the finished rows, under its name only when it is whole. `notes` go into formats that have a
+/// place for them.
+pub fn write(
+    path: &Path,
+    format: Format,
+    columns: &[Column],
+    journal: &Journal,
+    notes: Vec<(String, String)>,
+) -> Result<Count, Failure> {
+    let failure = |source| Failure::Write { path: path.to_owned(), source };
+    let name = path.file_name().and_then(|name| name.to_str());
+    let name = name.ok_or_else(|| failure(Error::new(ErrorKind::InvalidInput, "the name is not UTF-8 text")))?;
+    let mut staged = StagedFiles::new(path.parent().unwrap_or(Path::new("")))?;
+    let file = staged.create(name.to_owned())?;
+    let kept = file.try_clone().map_err(failure)?;
+    let writer = BufWriter::new(file);
+    let rows = Rows { path, columns, journal };
+    let count = match format {
+        Format::Csv => rows.csv(writer)?,
+        #[cfg(feature = "parquet")]
+        Format::Parquet => super::parquet::write(writer, &rows, notes)?,
+    };
+    #[cfg(not(feature = "parquet"))]
+    drop(notes);
+    // The finished rows are deleted after this: the table must be on the disk.
+    kept.sync_all().map_err(failure)?;
+    staged.publish()?;
+    Ok(count)
+}
+
+/// What is to be written.
+pub struct Rows<'a> {
+    path: &'a Path,
+    pub columns: &'a [Column],
+    journal: &'a Journal,
+}
+
+impl Rows<'_> {
+    /// Hands out each row as its line and its fields.
+    pub fn each(&self, mut take: impl FnMut(&str, Vec<Cell>) -> Result<(), Failure>) -> Result<Count, Failure> {
+        let converged = self.columns.iter().position(|column| column.name == CONVERGED);
+        let mut count = Count::default();
+        for lines in self.journal.read() {
+            for line in lines?.lines() {
+                let cells = decode(line, self.columns)
+                    .ok_or_else(|| self.failure(Error::new(ErrorKind::InvalidData, "a finished row cannot be read")))?;
+                count.rows += 1;
+                count.failed += usize::from(converged.is_some_and(|at| cells[at] == Cell::Truth(false)));
+                take(line, cells)?;
+            }
+        }
+        Ok(count)
+    }
+
+    pub fn failure(&self, source: Error) -> Failure {
+        Failure::Write { path: PathBuf::from(self.path), source }
+    }
+
+    fn csv(&self, mut writer: impl Write) -> Result<Count, Failure> {
+        let failure = |source| self.failure(source);
+        writeln!(writer, "{}", header(self.columns)).map_err(failure)?;
+        let count = self.each(|line, _| writeln!(writer, "{line}").map_err(failure))?;
+        writer.flush().map_err(failure)?;
+        Ok(count)
+    }
+}

@@ -1,0 +1,130 @@
+//! From a state to a sample.
+
+use crate::forces::{BallForces, BodyForces, Frame, Sums, wear_rate};
+use crate::layout::{AZIMUTH, BALL, VELOCITY};
+use crate::machine::Machine;
+use crate::sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
+use tribodyn_bearing::traction::TractionLaw;
+use tribodyn_bearing::{RaceContact, Side};
+
+/// Volumes worn off so far, m³: inner race, outer race, cage.
+pub(crate) type Worn = [f64; 3];
+
+impl<L: TractionLaw> Machine<L> {
+    /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's.
+    pub fn sample(&self, t: f64, y: &[f64], energy_at_start: f64, worn: Worn) -> Sample {
+        let mut balls = Vec::with_capacity(self.layout.balls);
+        let (frame, sums, bodies) = self.evaluate(t, y, |index, forces| {
+            balls.push(self.ball_sample(&y[self.layout.ball(index)..][..BALL], forces));
+        });
+        let energy = sums.powers.energy + bodies.energy;
+        let w = self.layout.work();
+        let thinnest = |k: usize| self.raceways[k].thinnest();
+        Sample {
+            time_s: t,
+            inner: ring_sample(&frame, &sums, &bodies, 0),
+            outer: ring_sample(&frame, &sums, &bodies, 1),
+            cage: CageSample {
+                angle_rad: frame.cage[0],
+                speed_rad_s: frame.cage[1],
+                acceleration_rad_s2: bodies.cage,
+                ball_torque_nm: sums.cage_torque,
+                fluid_torque_nm: bodies.fluid_torque,
+            },
+            power: PowerSample {
+                energy_j: energy,
+                imbalance_j: y[w] - y[w + 1] - (energy - energy_at_start),
+                throughput_j: y[w + 2],
+                ..powers(&sums, &bodies)
+            },
+            wear: WearSample {
+                volume_inner_m3: worn[0],
+                volume_outer_m3: worn[1],
+                volume_cage_m3: worn[2],
+                coating_inner_min_m: thinnest(0),
+                coating_outer_min_m: thinnest(1),
+            },
+            balls,
+        }
+    }
+
+    /// Kinetic and elastic energy at a state, J.
+    pub fn energy(&self, t: f64, y: &[f64]) -> f64 {
+        let (_, sums, bodies) = self.evaluate(t, y, |_, _| ());
+        sums.powers.energy + bodies.energy
+    }
+
+    fn ball_sample(&self, b: &[f64], f: &BallForces) -> BallSample {
+        let g = &self.bearing.geometry;
+        let s = &f.state;
+        let sliding = f.pocket.sliding * f.pocket.force.abs();
+        BallSample {
+            azimuth_rad: b[AZIMUTH],
+            orbital_speed_rad_s: s.orbital_speed,
+            orbital_acceleration_rad_s2: f.acceleration[2],
+            orbit_radius_m: f.loads.orbit_radius,
+            axial_displacement_m: s.position[0] - g.groove_offset(Side::Outer) * g.contact_angle.sin(),
+            velocity_m_s: [b[VELOCITY], b[VELOCITY + 1]],
+            spin_rad_s: [s.spin[0] - s.orbital_speed, s.spin[1], s.spin[2]],
+            inner: self.contact_sample(Side::Inner, &f.loads.inner, f),
+            outer: self.contact_sample(Side::Outer, &f.loads.outer, f),
+            drag_n: f.loads.drag,
+            pocket_lead_rad: f.lead,
+            pocket_force_n: f.pocket.force,
+            pocket_friction_n: f.pocket.friction,
+            wear_rate_cage_m3_s: self.bearing.wear_cage.rate(sliding),
+        }
+    }
+
+    fn contact_sample(&self, side: Side, c: &RaceContact, f: &BallForces) -> ContactSample {
+        let [along, across, spin] = c.slide_to_roll(self.bearing.geometry.ball_radius());
+        let surface = &f.surfaces[usize::from(side == Side::Outer)];
+        ContactSample {
+            angle_rad: c.pose.sin.atan2(c.pose.cos),
+            approach_m: c.pose.approach,
+            load_n: c.load,
+            normal_force_n: c.normal_force,
+            semi_axes_m: [c.ellipse.semi_lateral(), c.ellipse.semi_rolling()],
+            peak_pressure_pa: c.ellipse.peak_pressure,
+            traction_n: [c.traction.force_rolling, c.traction.force_lateral],
+            slide_to_roll: [along, across],
+            spin_ratio_per_m: spin,
+            rolling_speed_m_s: c.rolling_speed.abs(),
+            power_loss_w: c.traction.power,
+            wear_rate_m3_s: wear_rate(self, side, c),
+            bare: surface.bare,
+            depth_m: surface.depth,
+        }
+    }
+}
+
+fn ring_sample(frame: &Frame, sums: &Sums, bodies: &BodyForces, k: usize) -> RingSample {
+    let ring = &frame.rings[k];
+    RingSample {
+        angle_rad: frame.angles[k],
+        speed_rad_s: ring.speed,
+        displacement_m: ring.displacement,
+        velocity_m_s: ring.velocity,
+        acceleration_m_s2: if k == 0 { bodies.inner } else { [bodies.outer[0], bodies.outer[1], 0.0] },
+        ball_force_n: sums.on_rings[k],
+        torque_nm: bodies.torque[k],
+    }
+}
+
+fn powers(sums: &Sums, bodies: &BodyForces) -> PowerSample {
+    let p = &sums.powers;
+    PowerSample {
+        shaft_w: bodies.shaft_power,
+        load_w: bodies.load_power,
+        friction_inner_w: p.friction[0],
+        friction_outer_w: p.friction[1],
+        drag_w: p.drag,
+        churning_w: p.churning,
+        contact_damping_w: p.contact_damping,
+        pocket_friction_w: p.pocket_friction,
+        pocket_damping_w: p.pocket_damping,
+        cage_w: bodies.cage_loss,
+        support_w: bodies.support_loss,
+        ..PowerSample::default()
+    }
+}

@@ -1,0 +1,60 @@
+//! Where each unknown stands in the vector that the schemes integrate.
+
+/// Unknowns of a ball.
+pub(crate) const BALL: usize = 9;
+/// Axial position X1 of the ball centre against the outer groove centres, m.
+pub(crate) const AXIAL: usize = 0;
+/// Radius of the orbit about the inertial axis, m.
+pub(crate) const RADIUS: usize = 1;
+/// Azimuth, rad.
+pub(crate) const AZIMUTH: usize = 2;
+/// Axial velocity, m/s; the radial velocity, the orbital speed (rad/s) and the absolute spin (rad/s) follow.
+pub(crate) const VELOCITY: usize = 3;
+/// Orbital speed, rad/s.
+pub(crate) const ORBIT: usize = 5;
+/// Absolute spin Ω (axial, radial, tangential), rad/s.
+pub(crate) const SPIN: usize = 6;
+
+/// Offsets of what comes after the balls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Layout {
+    /// Number of balls.
+    pub balls: usize,
+}
+
+impl Layout {
+    /// Start of a ball's unknowns.
+    pub fn ball(self, index: usize) -> usize {
+        BALL * index
+    }
+
+    /// Cage: angle, speed.
+    pub fn cage(self) -> usize {
+        BALL * self.balls
+    }
+
+    /// Inner ring: x, y, z and their velocities.
+    pub fn inner(self) -> usize {
+        self.cage() + 2
+    }
+
+    /// Outer ring: x, y and their velocities.
+    pub fn outer(self) -> usize {
+        self.inner() + 6
+    }
+
+    /// Angles turned by inner and outer ring.
+    pub fn angles(self) -> usize {
+        self.outer() + 4
+    }
+
+    /// Work done by drives and loads, work lost, and the sum of the magnitudes of what is put in.
+    pub fn work(self) -> usize {
+        self.angles() + 2
+    }
+
+    /// Number of unknowns.
+    pub fn len(self) -> usize {
+        self.work() + 3
+    }
+}

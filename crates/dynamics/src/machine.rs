@@ -1,0 +1,193 @@
+//! The bearing as a system of bodies: what moves, what holds it and what drives it.
+
+use crate::error::DynamicsError;
+use crate::forces::Watch;
+use crate::layout::Layout;
+use crate::pocket::Pocket;
+use tribodyn_bearing::case::{Case, CoatingSpec, GuidanceSpec, RaceName, SpeedHistory, SupportSpec, Tilt, Translation};
+use tribodyn_bearing::fluid::AnnulusDrag;
+use tribodyn_bearing::traction::{CoatingLaw, Quadrature, TractionLaw};
+use tribodyn_bearing::wear::{Defect, Raceway};
+use tribodyn_bearing::{Bearing, Side};
+
+/// A bearing with its cage, supports, loads and drives.
+#[derive(Debug, Clone)]
+pub(crate) struct Machine<L = CoatingLaw> {
+    pub bearing: Bearing<L>,
+    pub layout: Layout,
+    pub quadrature: Quadrature,
+    pub inner: Support<3>,
+    pub outer: Support<2>,
+    /// Tilt of the inner ring, held at what the quasi-static solution has, rad.
+    pub tilt: [f64; 2],
+    pub cage: CageBody,
+    pub loads: [Translation; 3],
+    pub speeds: [SpeedHistory; 2],
+    /// Inner, outer.
+    pub raceways: [Raceway; 2],
+    /// Factor on wear in what it does to the raceways.
+    pub wear_acceleration: f64,
+    pub terms: Terms,
+    /// What the last evaluation of the derivative saw of each ball.
+    pub watch: Vec<Watch>,
+}
+
+/// A ring on its springs and dampers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Support<const N: usize> {
+    pub mass: f64,
+    pub stiffness: [f64; N],
+    pub damping: [f64; N],
+    /// Position at which the spring carries nothing, m.
+    pub reference: [f64; N],
+    /// Whether the ring moves along the axis.
+    pub free: [bool; N],
+}
+
+/// The cage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CageBody {
+    pub pocket: Pocket,
+    /// About the bearing's axis, kg m².
+    pub inertia: f64,
+    /// Constant torque against the rotation, N m.
+    pub drag_torque: f64,
+    pub guidance: Option<Guidance>,
+}
+
+/// The land that guides the cage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Guidance {
+    pub land: AnnulusDrag,
+    /// Whether it is the inner ring's.
+    pub inner: bool,
+}
+
+impl Guidance {
+    /// Index of the ring with the land.
+    pub fn ring(&self) -> usize {
+        usize::from(!self.inner)
+    }
+}
+
+/// Cage speed below which a constant drag torque falls off in proportion, rad/s, so that it does not start a cage at rest.
+const STANDSTILL: f64 = 1.0;
+
+impl CageBody {
+    /// Torques of guidance and drag on the cage, N m. The ring with the land carries the reaction of the first.
+    pub fn fluid_torques(&self, speed: f64, rings: [f64; 2]) -> [f64; 2] {
+        let guidance = self.guidance.map_or(0.0, |g| g.land.torque_on_cage(rings[g.ring()], speed));
+        [guidance, -self.drag_torque * speed / speed.hypot(STANDSTILL)]
+    }
+}
+
+/// Terms of the equations that a test leaves out, to see that the power balance notices.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Terms {
+    /// ω_m e_a × Ω, the change of the spin's components with the frame.
+    pub spin_transport: bool,
+    /// The tangential part of the normal forces where a ring is off centre.
+    pub eccentricity: bool,
+    /// The ball's translation in the sliding velocity.
+    pub ball_translation: bool,
+    /// The rings' translation in the sliding velocity.
+    pub ring_translation: bool,
+    /// The same arm of the pocket force on ball and cage.
+    pub equal_pocket_arms: bool,
+}
+
+impl Terms {
+    pub const ALL: Self = Self {
+        spin_transport: true,
+        eccentricity: true,
+        ball_translation: true,
+        ring_translation: true,
+        equal_pocket_arms: true,
+    };
+}
+
+impl<const N: usize> Support<N> {
+    fn new(spec: &SupportSpec<N>, free: [bool; N]) -> Self {
+        let SupportSpec { mass, stiffness, damping } = *spec;
+        Self { mass, stiffness, damping, reference: [0.0; N], free }
+    }
+
+    /// Force of springs and dampers on the ring, N.
+    pub fn force(&self, axis: usize, position: f64, velocity: f64) -> f64 {
+        -self.stiffness[axis] * (position - self.reference[axis]) - self.damping[axis] * velocity
+    }
+}
+
+impl<L: TractionLaw> Machine<L> {
+    /// The machine of a case, its springs not yet set.
+    pub fn new(case: &Case, mut bearing: Bearing<L>, quadrature: Quadrature) -> Result<Self, DynamicsError> {
+        let missing = |path| DynamicsError::Missing { path };
+        let supports = case.supports.as_ref().ok_or(missing("supports"))?;
+        let transient = case.transient.as_ref().ok_or(missing("transient"))?;
+        let inertia = case.cage.inertia.ok_or(missing("cage.inertia"))?;
+        if supports.outer.stiffness.contains(&0.0) {
+            return Err(DynamicsError::Unsupported { path: "supports.outer.stiffness" });
+        }
+        bearing.contact_damping = transient.contact_damping;
+        let loads = [&case.ring.x, &case.ring.y, &case.ring.z].map(Clone::clone);
+        let free = [0, 1, 2].map(|i| !matches!(loads[i], Translation::Held(_)));
+        let tilt = |t: &Tilt| t.at(0.0);
+        Ok(Self {
+            layout: Layout { balls: bearing.geometry.ball_count },
+            watch: vec![Watch::default(); bearing.geometry.ball_count],
+            inner: Support::new(&supports.inner, free),
+            outer: Support::new(&supports.outer, [true; 2]),
+            tilt: [tilt(&case.ring.tilt_x), tilt(&case.ring.tilt_y)],
+            cage: cage_body(case, &bearing, inertia),
+            loads,
+            speeds: [case.speed.inner.clone(), case.speed.outer.clone()],
+            raceways: raceways(case, &bearing)?,
+            wear_acceleration: transient.wear_acceleration,
+            terms: Terms::ALL,
+            quadrature,
+            bearing,
+        })
+    }
+}
+
+fn cage_body<L>(case: &Case, bearing: &Bearing<L>, inertia: f64) -> CageBody {
+    let spec = &case.cage;
+    let radius = 0.5 * bearing.geometry.pitch_diameter;
+    let pocket = Pocket {
+        radius,
+        clearance: spec.pocket_gap / radius,
+        stiffness: spec.pocket_stiffness,
+        damping: spec.pocket_damping,
+        friction: spec.pocket_friction,
+        ball_radius: 0.5 * bearing.geometry.ball_diameter,
+    };
+    let guidance = spec.guidance.and_then(|land| guidance(&land, bearing));
+    CageBody { pocket, inertia, drag_torque: spec.drag_torque, guidance }
+}
+
+/// The land's film; a dry bearing has none.
+fn guidance<L>(spec: &GuidanceSpec, bearing: &Bearing<L>) -> Option<Guidance> {
+    let GuidanceSpec { radius, width, gap, .. } = *spec;
+    let land = bearing.fluid.map(|f| AnnulusDrag { density: f.density, viscosity: f.viscosity, radius, width, gap })?;
+    Some(Guidance { land, inner: spec.land == RaceName::Inner })
+}
+
+fn raceways<L>(case: &Case, bearing: &Bearing<L>) -> Result<[Raceway; 2], DynamicsError> {
+    let of = |name: RaceName, side: Side, spec: &CoatingSpec| {
+        let defects: Vec<Defect> = case
+            .defects
+            .iter()
+            .filter(|d| d.race == name)
+            .map(|d| Defect { azimuth: d.azimuth, width: d.width, depth: d.depth, bare: d.bare })
+            .collect();
+        let g = &bearing.geometry;
+        // Where the balls touch at the free contact angle.
+        let outwards = g.ball_radius() * g.contact_angle.cos();
+        let track = 0.5 * g.pitch_diameter + if side == Side::Inner { -outwards } else { outwards };
+        Raceway::new(spec.thickness, spec.worn, track, &defects)
+    };
+    Ok([
+        of(RaceName::Inner, Side::Inner, &case.coatings.inner)?,
+        of(RaceName::Outer, Side::Outer, &case.coatings.outer)?,
+    ])
+}

@@ -1,0 +1,83 @@
+//! How stiff a state is: the bound on the step of an explicit scheme.
+
+use crate::forces::Frame;
+use crate::layout::{AXIAL, BALL, RADIUS, VELOCITY};
+use crate::machine::Machine;
+use nalgebra::Matrix6;
+use serde::Serialize;
+use tribodyn_bearing::traction::TractionLaw;
+
+/// The stiffest modes at a state.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Stiffness {
+    /// Fastest decay by friction of any ball, 1/s.
+    pub traction_rate_per_s: f64,
+    /// The ball with it.
+    pub ball: usize,
+    /// Highest frequency of a ball between its races, Hz.
+    pub contact_frequency_hz: f64,
+    /// Longest step at which the classical Runge–Kutta method is stable, s.
+    pub runge_kutta_step_s: f64,
+}
+
+/// Where the stability region of the classical Runge–Kutta method ends on the negative real axis, and on the imaginary.
+const REAL_LIMIT: f64 = 2.785;
+const IMAGINARY_LIMIT: f64 = 2.828;
+/// Relative change of a speed for the difference quotients, and the least change, m/s or rad/s.
+const RELATIVE_CHANGE: f64 = 1e-7;
+const LEAST_CHANGE: f64 = 1e-5;
+
+impl<L: TractionLaw> Machine<L> {
+    /// Stiffest modes of the balls, each by itself.
+    pub fn stiffness(&self, t: f64, y: &[f64]) -> Stiffness {
+        let frame = self.frame(t, y);
+        let (mut rate, mut worst, mut frequency) = (0.0f64, 0, 0.0f64);
+        for index in 0..self.layout.balls {
+            let b = &y[self.layout.ball(index)..][..BALL];
+            let eigenvalues = self.velocity_jacobian(index, b, &frame).complex_eigenvalues();
+            let fastest = eigenvalues.iter().fold(0.0f64, |most, e| most.max(-e.re));
+            if fastest > rate {
+                (rate, worst) = (fastest, index);
+            }
+            frequency = frequency.max(self.contact_frequency(index, b, &frame));
+        }
+        let omega = std::f64::consts::TAU * frequency;
+        Stiffness {
+            traction_rate_per_s: rate,
+            ball: worst,
+            contact_frequency_hz: frequency,
+            runge_kutta_step_s: (REAL_LIMIT / rate).min(IMAGINARY_LIMIT / omega),
+        }
+    }
+
+    /// Derivatives of a ball's six accelerations by its six velocities, by differences: the bound needs no digits.
+    fn velocity_jacobian(&self, index: usize, b: &[f64], frame: &Frame) -> Matrix6<f64> {
+        let mut unknowns = [0.0; BALL];
+        unknowns.copy_from_slice(b);
+        let mut jacobian = Matrix6::zeros();
+        for column in 0..6 {
+            let at = VELOCITY + column;
+            let change = (RELATIVE_CHANGE * b[at].abs()).max(LEAST_CHANGE);
+            let mut shifted = |by: f64| {
+                unknowns[at] = b[at] + by;
+                let acceleration = self.ball(index, &unknowns, frame).acceleration;
+                unknowns[at] = b[at];
+                acceleration
+            };
+            let (up, down) = (shifted(change), shifted(-change));
+            for row in 0..6 {
+                jacobian[(row, column)] = (up[row] - down[row]) / (2.0 * change);
+            }
+        }
+        jacobian
+    }
+
+    /// sqrt of the stiffness against an axial or radial shift over the mass; both contacts in line bound it from above.
+    fn contact_frequency(&self, index: usize, b: &[f64], frame: &Frame) -> f64 {
+        let loads = self.ball(index, b, frame).loads;
+        debug_assert!(b.len() > AXIAL.max(RADIUS));
+        let stiffness =
+            [&loads.inner, &loads.outer].map(|c| if c.load > 0.0 { 1.5 * c.load / c.pose.approach } else { 0.0 });
+        ((stiffness[0] + stiffness[1]) / self.bearing.ball_mass).sqrt() / std::f64::consts::TAU
+    }
+}

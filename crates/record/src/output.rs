@@ -1,0 +1,108 @@
+//! The MCAP file below a recording: channels, messages, attachments, and the name a file has until it is whole.
+
+use crate::RecordError;
+use crate::timeline::EPOCH_NS;
+use crate::write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT};
+use mcap::records::{MessageHeader, Metadata};
+use mcap::{Attachment, McapResult, WriteOptions, Writer};
+use prost::Message;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::io::{Seek, Write};
+use std::path::{Path, PathBuf};
+
+/// A topic and what its messages are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Channel {
+    /// Name of the topic, such as `/bearing/state`.
+    pub topic: &'static str,
+    /// Full name of the message type.
+    pub schema: &'static str,
+    /// The descriptor set that has the type and its imports, as a schema record holds it.
+    pub descriptors: &'static [u8],
+}
+
+/// `<path>.active`: viewers know that such a file is not whole.
+pub(crate) fn active_path(path: &Path) -> PathBuf {
+    with_suffix(path, ".active")
+}
+
+pub(crate) fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(suffix);
+    PathBuf::from(name)
+}
+
+pub(crate) fn file_error(action: &'static str, path: &Path, source: std::io::Error) -> RecordError {
+    RecordError::File { action, path: path.to_owned(), source }
+}
+
+pub(crate) fn mcap_error(action: &'static str, path: &Path, source: mcap::McapError) -> RecordError {
+    RecordError::Mcap { action, path: path.to_owned(), source }
+}
+
+/// FNV-1a, 64 bits (RFC 9923): tells one case from another, no protection against forgery.
+pub(crate) fn fnv1a(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// A writer whose bytes depend on nothing but what is written.
+pub(crate) fn writer<W: Write + Seek>(stream: W, generator: &str) -> McapResult<Writer<W>> {
+    WriteOptions::new()
+        .library(generator)
+        // Threads would change the bytes.
+        .compression_threads(0)
+        .create(stream)
+}
+
+/// An open MCAP file with its channels.
+pub(crate) struct Output<W: Write + Seek> {
+    pub(crate) writer: Writer<W>,
+    channels: Vec<(u16, u32)>,
+}
+
+impl<W: Write + Seek> Output<W> {
+    /// Opens the file; messages name their channel by its place in `channels`.
+    pub(crate) fn new(stream: W, generator: &str, channels: &[Channel]) -> McapResult<Self> {
+        let mut writer = writer(stream, generator)?;
+        let mut ids = Vec::with_capacity(channels.len());
+        for channel in channels {
+            let schema = writer.add_schema(channel.schema, "protobuf", channel.descriptors)?;
+            ids.push((writer.add_channel(schema, channel.topic, "protobuf", &BTreeMap::new())?, 0));
+        }
+        Ok(Self { writer, channels: ids })
+    }
+
+    /// The metadata record `simulation` and the attachments.
+    pub(crate) fn describe(&mut self, entries: &Entries, case_text: &str, layout: &str) -> McapResult<()> {
+        let metadata = entries.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect();
+        self.writer.write_metadata(&Metadata { name: "simulation".into(), metadata })?;
+        for (name, media_type, text) in
+            [(CASE_ATTACHMENT, "text/plain", case_text), (LAYOUT_ATTACHMENT, "application/json", layout)]
+        {
+            self.writer.attach(&Attachment {
+                log_time: EPOCH_NS,
+                create_time: EPOCH_NS,
+                name: name.into(),
+                media_type: media_type.into(),
+                data: Cow::Borrowed(text.as_bytes()),
+            })?;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn log(&mut self, channel: usize, time: u64, message: &impl Message) -> McapResult<()> {
+        self.write(channel, time, &message.encode_to_vec())
+    }
+
+    /// Writes an encoded message.
+    pub(crate) fn write(&mut self, channel: usize, time: u64, data: &[u8]) -> McapResult<()> {
+        let (channel_id, sequence) = &mut self.channels[channel];
+        let header = MessageHeader { channel_id: *channel_id, sequence: *sequence, log_time: time, publish_time: time };
+        *sequence = sequence.wrapping_add(1);
+        self.writer.write_to_known_channel(&header, data)
+    }
+}
+
+/// What the metadata record `simulation` says.
+pub(crate) type Entries = Vec<(&'static str, String)>;

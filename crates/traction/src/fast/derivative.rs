@@ -1,0 +1,271 @@
+//! The derivative of the seven integrals, from one more pass over the same nodes.
+
+use super::elementary::exp_m1;
+use super::nodes::Kernel;
+use super::values::row_slip;
+use super::{SMALLEST_ARGUMENT, Scaled, assemble as assemble_values, flatness, total};
+use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion};
+use fearless_simd::{f64x4, prelude::*};
+use std::f64::consts::PI;
+
+/// The integrals of one patch and their first derivatives: those of the integral, not of the rule, for strips whose nodes
+/// move with the motion are held fast.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PatchDerivative {
+    /// The integrals.
+    pub traction: PatchTraction,
+    /// Derivatives of (force_rolling, force_lateral, moment_normal, moment_lateral, moment_rolling), by row, with respect
+    /// to (rolling, lateral, spin, about_lateral, about_rolling) of the motion: the outputs that do work on the inputs.
+    /// N s/m, N s, N m s. Symmetric for [`crate::MomentArm::Curved`], and negative semidefinite where κ rises with slip.
+    pub by_motion: [[f64; 5]; 5],
+    /// Derivatives with respect to the contact load in N, with semi-axes and peak pressure as its cube root, and the
+    /// curve by its slope over pressure.
+    pub by_load: PatchTraction,
+    /// Derivatives with respect to the rolling speed in m/s, through the unit of slip.
+    pub by_rolling_speed: PatchTraction,
+}
+
+impl PatchDerivative {
+    /// No contact.
+    pub fn zero() -> Self {
+        let zero = PatchTraction::zero();
+        Self { traction: zero, by_motion: [[0.0; 5]; 5], by_load: zero, by_rolling_speed: zero }
+    }
+}
+
+/// Change of the curve's κ/s with 3 ln Q: p d/dp of A C, B and the rest, as e^(−x) (first + second |Δv|) + third e/x.
+pub(super) struct LoadTerms {
+    first: f64,
+    second: f64,
+    third: f64,
+}
+
+impl LoadTerms {
+    pub(super) fn new(of: &Scaled, patch: &Patch, curve: &Kragelskii, slope: &Kragelskii) -> Self {
+        let p = patch.peak_pressure;
+        Self {
+            first: p * (slope.b - slope.c * curve.a),
+            second: -p * slope.c * curve.b * of.scale,
+            third: p * slope.a * curve.c,
+        }
+    }
+}
+
+/// Sums of one row, without λ: values, stiffness K = (κ/s) I + s (κ/s)' n nᵀ and change with the load.
+pub(super) struct Row<S: Simd> {
+    y: f64x4<S>,
+    y2: f64x4<S>,
+    u: f64x4<S>,
+    offset: f64x4<S>,
+    /// Change of u, and of v but for the spin, while y grows in proportion.
+    du: f64x4<S>,
+    dv: f64x4<S>,
+    sums: [f64x4<S>; 17],
+}
+
+/// The integrals' sums, as [`Row`]'s times powers of Y.
+pub(super) struct Sums<'a, S: Simd> {
+    of: &'a Scaled,
+    load: &'a LoadTerms,
+    sums: [f64x4<S>; SUMS],
+}
+
+/// 8 of the values, 5 + 8 + 6 of the stiffness, 8 of the load, 1 of the slip scale.
+const SUMS: usize = 36;
+
+impl<'a, S: Simd> Sums<'a, S> {
+    #[inline(always)]
+    pub(super) fn new(simd: S, of: &'a Scaled, load: &'a LoadTerms) -> Self {
+        Self { of, load, sums: [f64x4::splat(simd, 0.0); SUMS] }
+    }
+
+    #[inline(always)]
+    pub(super) fn totals(&self) -> [f64; SUMS] {
+        let mut totals = [0.0; SUMS];
+        for (t, &sum) in totals.iter_mut().zip(&self.sums) {
+            *t = total(sum);
+        }
+        totals
+    }
+}
+
+impl<S: Simd> Kernel<S> for Sums<'_, S> {
+    type Row = Row<S>;
+
+    #[inline(always)]
+    fn open(&self, y: f64x4<S>) -> Row<S> {
+        let [u, offset, y2] = row_slip(self.of, y);
+        let ([_, beta, alpha], [_, _, epsilon]) = (self.of.slip.longitudinal, self.of.slip.lateral);
+        let (du, dv) = (-(y * beta + y2 * (2.0 * alpha)), y2 * (2.0 * epsilon));
+        Row { y, y2, u, offset, du, dv, sums: [f64x4::splat(y.token(), 0.0); 17] }
+    }
+
+    #[inline(always)]
+    fn point(&self, row: &mut Row<S>, x: f64x4<S>, w: f64x4<S>) {
+        let (of, load, u) = (self.of, self.load, row.u);
+        let spin = x * of.slip.lateral[1];
+        let v = row.offset + spin;
+        let squared = u * u + v * v;
+        let speed = squared.sqrt();
+        let argument = (speed * of.rate).max(SMALLEST_ARGUMENT);
+        let e = exp_m1((-argument).max(-700.0));
+        let (decay, ratio) = (e + 1.0, e / argument);
+        let over_slip = decay * of.b + ratio * of.a_c;
+        // s d(κ/s)/ds: below rounding of κ/s where decay + ratio cancels at small slip.
+        let bend = -(decay * argument * of.b + (decay + ratio) * of.a_c);
+        let share = w * over_slip;
+        // At rest every direction is as good: the bend vanishes there.
+        let inverse = f64x4::splat(x.token(), 1.0) / squared.max(SMALLEST_ARGUMENT);
+        let along = w * bend * inverse;
+        let (along_u, along_v) = (along * u, along * v);
+        let (k11, k12, k22) = (share + along_u * u, along_u * v, share + along_v * v);
+        let curve = w * (decay * (speed * load.second + load.first) + ratio * load.third);
+        let (du, dv) = (row.du, row.dv + spin);
+        let dfx = k11 * du + k12 * dv + curve * u;
+        let dfy = k12 * du + k22 * dv + curve * v;
+        let dot = u * du + v * dv;
+        let (fy, wear) = (share * v, w * speed);
+        let (k12_x, k22_x) = (k12 * x, k22 * x);
+        let terms = [
+            share,
+            fy,
+            fy * x,
+            share * squared,
+            wear,
+            k11,
+            k12,
+            k12_x,
+            k22,
+            k22_x,
+            k22_x * x,
+            dfx,
+            dfy,
+            dfy * x,
+            dfx * u + dfy * v + share * dot,
+            wear * dot * inverse,
+            (share + w * bend) * squared,
+        ];
+        for (sum, term) in row.sums.iter_mut().zip(terms) {
+            *sum += term;
+        }
+    }
+
+    #[inline(always)]
+    fn close(&mut self, row: Row<S>) {
+        let (y, y2) = (row.y, row.y2);
+        let [share, fy, x_fy, power, wear, k11, k12, k12_x, k22, k22_x, k22_xx, dfx, dfy, x_dfy, dpower, dwear, dscale] =
+            row.sums;
+        let (fx, y3, y4) = (share * row.u, y * y2, y2 * y2);
+        #[rustfmt::skip]
+        let terms: [f64x4<S>; SUMS] = [
+            fx, fy, x_fy, y * fx, y2 * fx, y2 * fy, power, wear,
+            k11, k11 * y, k11 * y2, k11 * y3, k11 * y4,
+            k12, k12 * y, k12 * y2, k12 * y3, k12 * y4, k12_x, k12_x * y, k12_x * y2,
+            k22, k22 * y2, k22 * y4, k22_x, k22_x * y2, k22_xx,
+            dfx, dfy, x_dfy, y * dfx, y2 * dfx, y2 * dfy, dpower, dwear,
+            dscale,
+        ];
+        for (sum, term) in self.sums.iter_mut().zip(terms) {
+            *sum += term;
+        }
+    }
+}
+
+/// Σ w k X^i Y^j of one entry of K, under the names of their powers.
+struct Moments<'a> {
+    patch: &'a Patch,
+    /// y²/(2R_c) over Y² in the slip field and in the arm, m.
+    bow: [f64; 2],
+}
+
+impl Moments<'_> {
+    /// Sum with the height h of the slip field, from the sums with 1 and Y².
+    fn height(&self, one: f64, y2: f64) -> f64 {
+        self.patch.ball_radius * one - self.bow[0] * y2
+    }
+
+    /// Sum with the moment's arm.
+    fn arm(&self, one: f64, y2: f64) -> f64 {
+        self.patch.ball_radius * one - self.bow[1] * y2
+    }
+
+    /// Sum with both.
+    fn both(&self, [one, y2, y4]: [f64; 3]) -> f64 {
+        self.arm(self.height(one, y2), self.height(y2, y4))
+    }
+}
+
+pub(super) fn assemble(
+    patch: &Patch,
+    motion: &RelativeMotion,
+    of: &Scaled,
+    sums: &[f64; SUMS],
+    relative_scale_slope: f64,
+) -> PatchDerivative {
+    let values: [f64; 8] = std::array::from_fn(|i| sums[i]);
+    let traction = assemble_values(patch, of.scale, values);
+    let by_motion = stiffness(patch, of.scale, sums);
+    let by_load = load_slope(patch, of, &traction, sums);
+    let m = [motion.rolling, motion.lateral, motion.spin, motion.about_lateral, motion.about_rolling];
+    // The integrals depend on the motion and on λ only as a product.
+    let row = |i: usize| relative_scale_slope * by_motion[i].iter().zip(m).map(|(d, m)| d * m).sum::<f64>();
+    let load = patch.peak_pressure * patch.semi_lateral * patch.semi_rolling;
+    let by_rolling_speed = PatchTraction {
+        force_rolling: row(0),
+        force_lateral: row(1),
+        moment_normal: row(2),
+        moment_lateral: row(3),
+        moment_rolling: row(4),
+        power: relative_scale_slope * load * of.scale * sums[35],
+        wear_integral: 0.0,
+    };
+    PatchDerivative { traction, by_motion, by_load, by_rolling_speed }
+}
+
+/// −p a b λ Σ w Jᵀ K J with (u, v) = J motion: J_u = (1, 0, −y, h, 0), J_v = (0, 1, x, 0, −h), the arm in place of h on
+/// the left.
+fn stiffness(patch: &Patch, scale: f64, sums: &[f64; SUMS]) -> [[f64; 5]; 5] {
+    let (a, b) = (patch.semi_lateral, patch.semi_rolling);
+    let k11: [f64; 5] = std::array::from_fn(|i| sums[8 + i]);
+    let [k12_0, k12_1, k12_2, k12_3, k12_4, k12_x, k12_xy, k12_xy2]: [f64; 8] = std::array::from_fn(|i| sums[13 + i]);
+    let [k22_0, k22_2, k22_4, k22_x, k22_xy2, k22_xx]: [f64; 6] = std::array::from_fn(|i| sums[21 + i]);
+    let m = Moments { patch, bow: flatness(patch) };
+    // What spin does to the slip, once and times Y²: sums of K (−y, x)ᵀ.
+    let turn_u = [b * k12_x - a * k11[1], b * k12_xy2 - a * k11[3]];
+    let turn_v = [b * k22_x - a * k12_1, b * k22_xy2 - a * k12_3];
+    let turn = a * a * k11[2] - 2.0 * a * b * k12_xy + b * b * k22_xx;
+    let (h11, h12, h22) = (m.height(k11[0], k11[2]), m.height(k12_0, k12_2), m.height(k22_0, k22_2));
+    let (g11, g12, g22) = (m.arm(k11[0], k11[2]), m.arm(k12_0, k12_2), m.arm(k22_0, k22_2));
+    let both12 = m.both([k12_0, k12_2, k12_4]);
+    let rows = [
+        [k11[0], k12_0, turn_u[0], h11, -h12],
+        [k12_0, k22_0, turn_v[0], h12, -h22],
+        [turn_u[0], turn_v[0], turn, m.height(turn_u[0], turn_u[1]), -m.height(turn_v[0], turn_v[1])],
+        [g11, g12, m.arm(turn_u[0], turn_u[1]), m.both([k11[0], k11[2], k11[4]]), -both12],
+        [-g12, -g22, -m.arm(turn_v[0], turn_v[1]), -both12, m.both([k22_0, k22_2, k22_4])],
+    ];
+    let factor = -patch.peak_pressure * a * b * scale;
+    rows.map(|row| row.map(|entry| factor * entry))
+}
+
+/// Q d/dQ is a third of the derivative while x, y and p grow in proportion.
+fn load_slope(patch: &Patch, of: &Scaled, traction: &PatchTraction, sums: &[f64; SUMS]) -> PatchTraction {
+    let values: [f64; 8] = std::array::from_fn(|i| sums[i]);
+    let inner: [f64; 8] = std::array::from_fn(|i| sums[27 + i]);
+    let slopes = assemble_values(patch, of.scale, inner);
+    let (a, b) = (patch.semi_lateral, patch.semi_rolling);
+    let volume = patch.peak_pressure * a * b;
+    let load = 2.0 / 3.0 * PI * volume;
+    let factor = 1.0 / (3.0 * load);
+    // The arm falls by twice its bow.
+    let sag = 2.0 * flatness(patch)[1] * volume * of.scale;
+    PatchTraction {
+        force_rolling: factor * (3.0 * traction.force_rolling + slopes.force_rolling),
+        force_lateral: factor * (3.0 * traction.force_lateral + slopes.force_lateral),
+        moment_lateral: factor * (3.0 * traction.moment_lateral + slopes.moment_lateral + sag * values[4]),
+        moment_normal: factor * (4.0 * traction.moment_normal + slopes.moment_normal),
+        moment_rolling: factor * (3.0 * traction.moment_rolling + slopes.moment_rolling - sag * values[5]),
+        power: factor * (3.0 * traction.power + slopes.power),
+        wear_integral: factor * (3.0 * traction.wear_integral + slopes.wear_integral),
+    }
+}
