@@ -140,7 +140,9 @@ impl<L: TractionLaw> Bearing<L> {
             wear_cage: wear(&case.wear.cage),
         })
     }
+}
 
+impl<L> Bearing<L> {
     /// The race of a side.
     pub fn race(&self, side: Side) -> &Race<L> {
         match side {

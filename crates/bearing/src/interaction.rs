@@ -4,54 +4,15 @@
 //! [a, r, t]. Forces and moments are those on the ball.
 
 use crate::bearing::{Bearing, Race};
-use crate::geometry::{ContactPose, Side};
-use crate::state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState, add};
+use crate::geometry::Side;
+use crate::normal::NormalContact;
+use crate::state::{BallLoads, BallState, LoadedPatch, RaceContact, RingState, add};
 use tribodyn_contact::{Ellipse, Scalar};
+use tribodyn_traction::{FastPatch, fast_patch_traction};
 use tribodyn_traction::{Patch, PatchLaw, PatchTraction, Quadrature, RelativeMotion, TractionLaw, patch_traction};
 use tribodyn_wear::LocalSurface;
 
 impl<L: TractionLaw> Bearing<L> {
-    /// Contact angles, approaches and orbit radius of a ball.
-    pub fn pose<D: Scalar>(
-        &self,
-        azimuth: [D; 2],
-        position: [D; 2],
-        inner: &RingState<D>,
-        outer: &RingState<D>,
-    ) -> BallPose<D> {
-        let g = &self.geometry;
-        let ([x1, x2], [i, o]) = (position, [self.groove_shift(azimuth, inner), self.groove_shift(azimuth, outer)]);
-        let a1 = i[0] - o[0] + g.centre_distance() * g.contact_angle.sin();
-        let a2 = i[1] - o[1] + g.centre_distance() * g.contact_angle.cos();
-        BallPose {
-            inner: ContactPose::new(a1 - x1, a2 - x2, g.groove_offset(Side::Inner)),
-            outer: ContactPose::new(x1, x2, g.groove_offset(Side::Outer)),
-            orbit_radius: x2 + o[1] + g.groove_centre_radius(Side::Outer),
-        }
-    }
-
-    /// Axial and radial shift of a ring's groove centre at an azimuth, m. Tilts act with the inner groove-centre radius.
-    fn groove_shift<D: Scalar>(&self, [sin, cos]: [D; 2], ring: &RingState<D>) -> [D; 2] {
-        let [x, y, z] = ring.displacement;
-        let lever = self.geometry.groove_centre_radius(Side::Inner);
-        [z + (ring.tilt[0] * sin - ring.tilt[1] * cos) * lever, x * cos + y * sin]
-    }
-
-    /// Contact constants of a race at a contact pose: frozen at the free contact angle, or at the actual one.
-    pub fn contact_load<D: Scalar>(&self, side: Side, pose: &ContactPose<D>) -> (D, Ellipse<D>) {
-        let race = self.race(side);
-        if self.contact_at_actual_angle {
-            let [rolling, lateral] = self.geometry.curvatures(side, pose.cos);
-            if let Ok(hertz) = race.hertz_at(rolling, lateral) {
-                let load = hertz.load(pose.approach);
-                return (load, hertz.ellipse(load));
-            }
-        }
-        let hertz = race.frozen::<D>();
-        let load = hertz.load(pose.approach);
-        (load, hertz.ellipse(load))
-    }
-
     /// All that new races and fluid do to a ball, traction by the generic quadrature.
     pub fn ball_loads<D: Scalar>(
         &self,
@@ -72,6 +33,11 @@ impl<L: TractionLaw> Bearing<L> {
         p.blend(by)
     }
 
+    /// [`Self::plain_traction`] by the kernel that works on several nodes at a time.
+    pub fn fast_traction(&self, p: &LoadedPatch<'_, f64, L>, kernel: &FastPatch) -> PatchTraction {
+        p.blend(|law| fast_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, &self.patch_law(law)))
+    }
+
     /// All that races and fluid do to a ball, given the surfaces where it stands (inner, outer) and who integrates
     /// traction over a loaded patch.
     pub fn ball_loads_with<D: Scalar>(
@@ -81,19 +47,12 @@ impl<L: TractionLaw> Bearing<L> {
         surfaces: [&LocalSurface; 2],
         mut traction: impl FnMut(&LoadedPatch<'_, D, L>) -> PatchTraction<D>,
     ) -> BallLoads<D> {
-        let mut pose = self.pose(ball.azimuth, ball.position, rings[0], rings[1]);
-        pose.inner.approach -= surfaces[0].depth;
-        pose.outer.approach -= surfaces[1].depth;
-        let radius = pose.orbit_radius;
-        let mut contact = |side, contact, k: usize| {
-            self.race_contact(side, contact, (ball, rings[k], radius), surfaces[k], &mut traction)
+        let normal = self.normal_loads(ball, rings, surfaces);
+        let radius = normal.orbit_radius;
+        let mut contact = |side, normal, k: usize| {
+            self.race_contact(side, normal, (ball, rings[k], radius), surfaces[k].bare, &mut traction)
         };
-        let (i, o) = (contact(Side::Inner, pose.inner, 0), contact(Side::Outer, pose.outer, 1));
-        let [inner_tangential, outer_tangential] =
-            rings.map(|ring| in_azimuth_frame(ball.azimuth, ring.displacement)[2]);
-        let off_centre =
-            o.normal_force * o.pose.cos * outer_tangential - i.normal_force * i.pose.cos * inner_tangential;
-        let eccentricity = (off_centre + i.slope_moment + o.slope_moment) / radius;
+        let (i, o) = (contact(Side::Inner, normal.inner, 0), contact(Side::Outer, normal.outer, 1));
         let (drag, churning) = match &self.fluid {
             Some(fluid) => (
                 fluid.drag.force(radius * (ball.orbital_speed - rings[0].speed * fluid.swirl)),
@@ -101,25 +60,25 @@ impl<L: TractionLaw> Bearing<L> {
             ),
             None => (D::zero(), [D::zero(); 3]),
         };
-        BallLoads { inner: i, outer: o, orbit_radius: radius, drag, churning, eccentricity }
+        BallLoads { inner: i, outer: o, orbit_radius: radius, drag, churning, eccentricity: normal.eccentricity }
     }
 
     fn race_contact<D: Scalar>(
         &self,
         side: Side,
-        pose: ContactPose<D>,
+        normal: NormalContact<D>,
         (ball, ring, orbit_radius): (&BallState<D>, &RingState<D>, D),
-        surface: &LocalSurface,
+        bare: f64,
         traction: &mut impl FnMut(&LoadedPatch<'_, D, L>) -> PatchTraction<D>,
     ) -> RaceContact<D> {
-        let (load, ellipse) = self.contact_load(side, &pose);
+        let NormalContact { pose, load, force: normal_force, closing_speed, slope_moment } = normal;
+        let ellipse = self.hertz(side, &pose).ellipse(load);
         let [n_a, n_r] = pose.normal(side);
         let (motion, rolling_speed) = self.relative_motion([n_a, n_r], ball, ring, orbit_radius);
-        let (normal_force, closing_speed) = self.normal_force(&pose, [n_a, n_r], load, (ball, ring), surface);
         let race = self.race(side);
         let traction = if load.re() > 0.0 {
             let patch = self.patch(race, &ellipse);
-            traction(&LoadedPatch { race, patch, motion, rolling_speed, bare: surface.bare })
+            traction(&LoadedPatch { race, patch, motion, rolling_speed, bare })
         } else {
             PatchTraction::zero()
         };
@@ -133,7 +92,6 @@ impl<L: TractionLaw> Bearing<L> {
             traction.moment_normal * n_r - traction.moment_lateral * n_a,
             traction.moment_rolling,
         ];
-        let slope_moment = normal_force * surface.slope;
         RaceContact {
             pose,
             load,
@@ -148,33 +106,6 @@ impl<L: TractionLaw> Bearing<L> {
             moment,
             slope_moment,
         }
-    }
-
-    /// N = max(0, Q + c δ̇) with c = 2ζ sqrt(m dQ/dδ), and δ̇.
-    fn normal_force<D: Scalar>(
-        &self,
-        pose: &ContactPose<D>,
-        [n_a, n_r]: [D; 2],
-        load: D,
-        (ball, ring): (&BallState<D>, &RingState<D>),
-        surface: &LocalSurface,
-    ) -> (D, D) {
-        if self.contact_damping == 0.0 {
-            return (load, D::zero());
-        }
-        let [v_a, v_r, _] = in_azimuth_frame(ball.azimuth, ring.velocity);
-        let [_, _, tangential] = in_azimuth_frame(ball.azimuth, ring.displacement);
-        // The groove centre under the ball moves with the ring and, where that is off centre, with the azimuth.
-        let groove = v_r + tangential * ball.orbital_speed;
-        let sinking = (ball.orbital_speed - ring.speed) * surface.slope;
-        let closing = n_a * (ball.velocity[0] - v_a) + n_r * (ball.velocity[1] - groove) - sinking;
-        if load.re() <= 0.0 {
-            return (load, closing);
-        }
-        let stiffness = load / pose.approach * 1.5;
-        let damping = (stiffness * self.ball_mass).sqrt() * (2.0 * self.contact_damping);
-        let force = load + damping * closing;
-        (if force.re() > 0.0 { force } else { D::zero() }, closing)
     }
 
     /// The ball's rigid motion against a race in patch axes, and the rolling speed.

@@ -30,11 +30,13 @@ mod bearing;
 pub mod case;
 mod geometry;
 mod interaction;
+mod normal;
 mod state;
 
 pub use bearing::{Bearing, FluidForces, Race};
 pub use geometry::{ContactPose, Geometry, Side};
 pub use interaction::in_azimuth_frame;
+pub use normal::{NormalContact, NormalLoads};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{Ellipse, Scalar};
 pub use tribodyn_fluid as fluid;

@@ -11,8 +11,6 @@ use tribodyn_bearing::{BallLoads, BallState, RaceContact, RingState, Side, in_az
 
 /// What can be integrated in time.
 pub(crate) trait System {
-    /// Number of unknowns.
-    fn len(&self) -> usize;
     /// Time derivative of the unknowns `y` at time `t` in s.
     fn derivative(&mut self, t: f64, y: &[f64], dy: &mut [f64]);
 }
@@ -102,13 +100,11 @@ impl<L: TractionLaw> Machine<L> {
         Frame { rings: [inner, outer], angles: [y[a], y[a + 1]], cage: [y[c], y[c + 1]] }
     }
 
-    /// One ball: `b` are its unknowns.
-    pub fn ball(&self, index: usize, b: &[f64], frame: &Frame) -> BallForces {
+    /// State of a ball with the unknowns `b`, and the surfaces where it stands.
+    pub fn ball_state(&self, b: &[f64], frame: &Frame) -> (BallState, [LocalSurface; 2]) {
         let (sin, cos) = b[AZIMUTH].sin_cos();
-        let bearing = &self.bearing;
-        let [inner, outer] = &frame.rings;
-        let groove = bearing.geometry.groove_centre_radius(Side::Outer);
-        let shift = in_azimuth_frame([sin, cos], outer.displacement)[1];
+        let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
+        let shift = in_azimuth_frame([sin, cos], frame.rings[1].displacement)[1];
         let velocity = [b[VELOCITY], b[VELOCITY + 1]];
         let state = BallState {
             azimuth: [sin, cos],
@@ -117,21 +113,38 @@ impl<L: TractionLaw> Machine<L> {
             orbital_speed: b[ORBIT],
             spin: [b[SPIN], b[SPIN + 1], b[SPIN + 2]],
         };
-        let surfaces = [0, 1].map(|k| self.raceways[k].at(b[AZIMUTH] - frame.angles[k]));
-        let still = |ring: &RingState| RingState { velocity: [0.0; 3], ..*ring };
-        let rings = if self.terms.ring_translation { [*inner, *outer] } else { [still(inner), still(outer)] };
-        let loads = bearing.ball_loads_with(&state, [&rings[0], &rings[1]], [&surfaces[0], &surfaces[1]], |patch| {
-            bearing.plain_traction(patch, &self.quadrature)
-        });
-        let lead = b[AZIMUTH] - frame.cage[0] - TAU * index as f64 / self.layout.balls as f64;
-        let pocket = self.cage.pocket.load(&PocketMotion {
-            lead,
+        (state, [0, 1].map(|k| self.raceways[k].at(b[AZIMUTH] - frame.angles[k])))
+    }
+
+    /// What the pocket does to a ball.
+    pub fn pocket_load(&self, index: usize, b: &[f64], frame: &Frame) -> PocketLoad {
+        self.cage.pocket.load(&PocketMotion {
+            lead: self.lead(index, b, frame.cage[0]),
             rate: b[ORBIT] - frame.cage[1],
-            velocity,
+            velocity: [b[VELOCITY], b[VELOCITY + 1]],
             spin: [b[SPIN], b[SPIN + 1]],
             cage_speed: frame.cage[1],
+        })
+    }
+
+    /// Lead of a ball over the middle of its pocket, rad.
+    pub fn lead(&self, index: usize, b: &[f64], cage_angle: f64) -> f64 {
+        b[AZIMUTH] - cage_angle - TAU * index as f64 / self.layout.balls as f64
+    }
+
+    /// One ball: `b` are its unknowns.
+    pub fn ball(&self, index: usize, b: &[f64], frame: &Frame) -> BallForces {
+        let (state, surfaces) = self.ball_state(b, frame);
+        let [inner, outer] = &frame.rings;
+        let still = |ring: &RingState| RingState { velocity: [0.0; 3], ..*ring };
+        let rings = if self.terms.ring_translation { [*inner, *outer] } else { [still(inner), still(outer)] };
+        let surroundings = ([&rings[0], &rings[1]], [&surfaces[0], &surfaces[1]]);
+        let loads = self.bearing.ball_loads_with(&state, surroundings.0, surroundings.1, |patch| {
+            self.kernel.traction(&self.bearing, patch)
         });
-        let acceleration = self.acceleration(&state, velocity, &loads, &pocket);
+        let pocket = self.pocket_load(index, b, frame);
+        let acceleration = self.acceleration(&state, [b[VELOCITY], b[VELOCITY + 1]], &loads, &pocket);
+        let lead = self.lead(index, b, frame.cage[0]);
         BallForces { state, loads, pocket, lead, surfaces, acceleration }
     }
 
@@ -246,10 +259,6 @@ impl Sums {
 }
 
 impl<L: TractionLaw> System for Machine<L> {
-    fn len(&self) -> usize {
-        self.layout.len()
-    }
-
     fn derivative(&mut self, t: f64, y: &[f64], dy: &mut [f64]) {
         let l = self.layout;
         let mut watch = std::mem::take(&mut self.watch);

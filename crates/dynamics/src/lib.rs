@@ -3,6 +3,7 @@
 mod detail;
 mod dp54;
 mod error;
+mod fast;
 mod forces;
 mod layout;
 mod machine;

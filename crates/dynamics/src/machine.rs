@@ -6,16 +6,18 @@ use crate::layout::Layout;
 use crate::pocket::Pocket;
 use tribodyn_bearing::case::{Case, CoatingSpec, GuidanceSpec, RaceName, SpeedHistory, SupportSpec, Tilt, Translation};
 use tribodyn_bearing::fluid::AnnulusDrag;
-use tribodyn_bearing::traction::{CoatingLaw, Quadrature, TractionLaw};
+use tribodyn_bearing::traction::{
+    CoatingLaw, FastPatch, Kragelskii, PatchRule, PatchTraction, Quadrature, TractionLaw,
+};
 use tribodyn_bearing::wear::{Defect, Raceway};
-use tribodyn_bearing::{Bearing, Side};
+use tribodyn_bearing::{Bearing, LoadedPatch, RaceContact, Side};
 
 /// A bearing with its cage, supports, loads and drives.
 #[derive(Debug, Clone)]
 pub(crate) struct Machine<L = CoatingLaw> {
     pub bearing: Bearing<L>,
     pub layout: Layout,
-    pub quadrature: Quadrature,
+    pub kernel: Kernel,
     pub inner: Support<3>,
     pub outer: Support<2>,
     /// Tilt of the inner ring, held at what the quasi-static solution has, rad.
@@ -30,6 +32,47 @@ pub(crate) struct Machine<L = CoatingLaw> {
     pub terms: Terms,
     /// What the last evaluation of the derivative saw of each ball.
     pub watch: Vec<Watch>,
+}
+
+/// Who integrates traction over the patches.
+#[derive(Debug, Clone)]
+pub(crate) enum Kernel {
+    /// Several nodes at a time.
+    Fast(FastPatch),
+    /// Node by node, the generic reference.
+    Plain(Quadrature),
+}
+
+impl Kernel {
+    /// The rule, the same for both.
+    pub fn rule(&self) -> PatchRule {
+        match self {
+            Self::Fast(fast) => fast.quadrature().rule(),
+            Self::Plain(quadrature) => quadrature.rule(),
+        }
+    }
+
+    /// Derivative of forces and moments of a patch by its motion, as [`tribodyn_bearing::traction::PatchDerivative::by_motion`].
+    /// Laws without a Kragelskii curve have none.
+    pub fn stiffness<L: TractionLaw>(&self, bearing: &Bearing<L>, patch: &LoadedPatch<'_, f64, L>) -> [[f64; 5]; 5] {
+        let law = match &patch.race.bare_law {
+            Some(bare) if patch.bare > 0.5 => bare,
+            _ => &patch.race.law,
+        };
+        let (Self::Fast(fast), Some(curve)) = (self, law.kragelskii(patch.patch.peak_pressure)) else {
+            return [[0.0; 5]; 5];
+        };
+        let flat = Kragelskii { a: 0.0, b: 0.0, c: 0.0 };
+        let slip_unit = bearing.slip_unit;
+        fast.derivative(&patch.patch, &patch.motion, patch.rolling_speed, (&curve, &flat), slip_unit).by_motion
+    }
+
+    pub fn traction<L: TractionLaw>(&self, bearing: &Bearing<L>, patch: &LoadedPatch<'_, f64, L>) -> PatchTraction {
+        match self {
+            Self::Fast(fast) => bearing.fast_traction(patch, fast),
+            Self::Plain(quadrature) => bearing.plain_traction(patch, quadrature),
+        }
+    }
 }
 
 /// A ring on its springs and dampers.
@@ -144,7 +187,7 @@ impl<L: TractionLaw> Machine<L> {
             raceways: raceways(case, &bearing)?,
             wear_acceleration: transient.wear_acceleration,
             terms: Terms::ALL,
-            quadrature,
+            kernel: Kernel::Fast(FastPatch::of(quadrature)),
             bearing,
         })
     }
@@ -190,4 +233,17 @@ fn raceways<L>(case: &Case, bearing: &Bearing<L>) -> Result<[Raceway; 2], Dynami
         of(RaceName::Inner, Side::Inner, &case.coatings.inner)?,
         of(RaceName::Outer, Side::Outer, &case.coatings.outer)?,
     ])
+}
+
+impl<L: TractionLaw> Machine<L> {
+    /// Derivative of forces and moments of a contact by the motion of its patch.
+    pub fn patch_stiffness(&self, side: Side, contact: &RaceContact, bare: f64) -> [[f64; 5]; 5] {
+        if contact.load <= 0.0 {
+            return [[0.0; 5]; 5];
+        }
+        let race = self.bearing.race(side);
+        let patch = self.bearing.patch(race, &contact.ellipse);
+        let RaceContact { motion, rolling_speed, .. } = *contact;
+        self.kernel.stiffness(&self.bearing, &LoadedPatch { race, patch, motion, rolling_speed, bare })
+    }
 }

@@ -2,6 +2,7 @@
 
 use crate::dp54::{DormandPrince, StepControl};
 use crate::error::DynamicsError;
+use crate::fast::Fast;
 use crate::forces::System;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
@@ -54,6 +55,10 @@ pub struct Checkpoint {
     loaded: Vec<[bool; 2]>,
     through: [bool; 2],
     control: StepControl,
+    fast: Fast,
+    /// Work put in, lost and put in by magnitude, J, up to the last sample of the fast scheme, and their rates there, W.
+    work: [f64; 3],
+    rates: [f64; 3],
 }
 
 /// What the scheme did.
@@ -71,6 +76,7 @@ pub struct Statistics {
 
 enum Scheme {
     Rk4 { step: f64, method: Rk4 },
+    Fast { step: f64 },
     DormandPrince { tolerance: f64, longest: f64, method: DormandPrince },
 }
 
@@ -128,9 +134,8 @@ impl<L: TractionLaw> Run<L> {
         let transient = case.transient.as_ref().ok_or(DynamicsError::Missing { path: "transient" })?;
         let (state_rate, ball_rate) = case.recording.map_or((STATE_RATE, BALL_RATE), |r| (r.state_rate, r.ball_rate));
         let scheme = match transient.scheme {
-            SchemeSpec::RungeKutta4 { step } | SchemeSpec::Fast { step } => {
-                Scheme::Rk4 { step, method: Rk4::default() }
-            }
+            SchemeSpec::RungeKutta4 { step } => Scheme::Rk4 { step, method: Rk4::default() },
+            SchemeSpec::Fast { step } => Scheme::Fast { step: divides(step, state_rate) },
             SchemeSpec::DormandPrince { tolerance, longest } => {
                 Scheme::DormandPrince { tolerance, longest, method: DormandPrince::default() }
             }
@@ -146,6 +151,9 @@ impl<L: TractionLaw> Run<L> {
             loaded: vec![[false; 2]; machine.layout.balls],
             through: [false; 2],
             control: StepControl::new(FIRST_STEP),
+            fast: Fast::default(),
+            work: [0.0; 3],
+            rates: [0.0; 3],
             state: state.clone(),
         };
         let mut run = Self {
@@ -216,7 +224,7 @@ impl<L: TractionLaw> Run<L> {
 
     /// The patch rule of the run.
     pub fn patch_rule(&self) -> PatchRule {
-        self.machine.quadrature.rule()
+        self.machine.kernel.rule()
     }
 
     /// What the scheme did so far.
@@ -255,13 +263,14 @@ impl<L: TractionLaw> Run<L> {
     /// One step of the scheme, in pieces where a pocket is met.
     fn one_step<O: Observer>(&mut self, end: f64, observer: &mut O) -> Result<ControlFlow<()>, RunError<O::Error>> {
         let target = match &self.scheme {
-            Scheme::Rk4 { step, .. } => (step * (self.progress.steps + 1) as f64).min(end),
+            Scheme::Rk4 { step, .. } | Scheme::Fast { step } => (step * (self.progress.steps + 1) as f64).min(end),
             Scheme::DormandPrince { .. } => end,
         };
         loop {
             let t = self.progress.time;
             let h = self.try_step(target)?;
-            let h = match self.pocket_event(h) {
+            let explicit = !matches!(self.scheme, Scheme::Fast { .. });
+            let h = match self.pocket_event(h).filter(|_| explicit) {
                 Some(cut) => {
                     self.statistics.cut_at_pocket += 1;
                     self.exact_step(cut * h)?;
@@ -311,6 +320,15 @@ impl<L: TractionLaw> Run<L> {
                 method.step(&mut self.machine, p.time, start, h, &mut self.next);
                 self.machine.derivative(p.time + h, &self.next, &mut self.next_derivative);
                 self.statistics.evaluations += 4;
+                0.0
+            }
+            Scheme::Fast { .. } => {
+                self.next.copy_from_slice(&p.state);
+                let mut fast = std::mem::take(&mut self.progress.fast);
+                let highest = self.stiffness.contact_frequency_hz;
+                fast.step(&mut self.machine, self.progress.time, &mut self.next, h, highest);
+                self.progress.fast = fast;
+                self.statistics.evaluations += 1;
                 0.0
             }
             Scheme::DormandPrince { method, tolerance, .. } => {
@@ -402,7 +420,9 @@ impl<L: TractionLaw> Run<L> {
             }
             let h = to - from;
             let s = (at - from) / h;
-            let state: Vec<f64> = if (s - 1.0).abs() < 1e-9 {
+            // The fast scheme knows no derivatives; its steps end at the samples.
+            let at_the_end = (s - 1.0).abs() < 1e-9 || matches!(self.scheme, Scheme::Fast { .. });
+            let state: Vec<f64> = if at_the_end {
                 self.next.clone()
             } else {
                 let p = &self.progress;
@@ -435,10 +455,27 @@ impl<L: TractionLaw> Run<L> {
         state: &[f64],
         observer: &mut O,
     ) -> Result<ControlFlow<()>, RunError<O::Error>> {
-        let sample = self.sample_at(t, state);
+        let mut sample = self.sample_at(t, state);
+        if matches!(self.scheme, Scheme::Fast { .. }) {
+            self.add_work(&mut sample);
+        }
         let with_balls = self.progress.samples % self.balls_every == 0;
         self.progress.samples += 1;
         observer.sample(&sample, with_balls).map_err(RunError::Observer)
+    }
+
+    /// The fast scheme has no powers of its own order within its steps: work is summed by the trapezium rule over samples.
+    fn add_work(&mut self, sample: &mut Sample) {
+        let p = &sample.power;
+        let rates = [p.put_in(), p.lost(), p.shaft_w.abs() + p.load_w.abs()];
+        if self.progress.samples > 0 {
+            let half = 0.5 / self.state_rate;
+            (0..3).for_each(|k| self.progress.work[k] += half * (rates[k] + self.progress.rates[k]));
+        }
+        self.progress.rates = rates;
+        let [put_in, lost, throughput] = self.progress.work;
+        sample.power.imbalance_j = put_in - lost - (sample.power.energy_j - self.progress.energy_at_start);
+        sample.power.throughput_j = throughput;
     }
 
     fn pocket_events<O: Observer>(&self, t: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
@@ -588,6 +625,11 @@ fn bisect(f: impl Fn(f64) -> f64, positive_at_0: bool) -> f64 {
         if (f(middle) > 0.0) == positive_at_0 { low = middle } else { high = middle }
     }
     high
+}
+
+/// The longest step of at most `step` that goes a whole number of times into the interval of the samples.
+fn divides(step: f64, rate: f64) -> f64 {
+    1.0 / (rate * (1.0 / (rate * step) - 1e-9).ceil().max(1.0))
 }
 
 fn degrees(azimuth: f64) -> f64 {

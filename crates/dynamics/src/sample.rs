@@ -90,6 +90,26 @@ pub struct PowerSample {
     pub throughput_j: f64,
 }
 
+impl PowerSample {
+    /// Power of all that drives, W.
+    pub fn put_in(&self) -> f64 {
+        self.shaft_w + self.load_w
+    }
+
+    /// Power lost, W.
+    pub fn lost(&self) -> f64 {
+        self.friction_inner_w
+            + self.friction_outer_w
+            + self.drag_w
+            + self.churning_w
+            + self.contact_damping_w
+            + self.pocket_friction_w
+            + self.pocket_damping_w
+            + self.cage_w
+            + self.support_w
+    }
+}
+
 /// What has worn off since the start, before any acceleration of wear.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct WearSample {

@@ -26,6 +26,9 @@ pub struct LineChart {
     pub series: Vec<Series>,
     /// Marked places of the horizontal axis; those that it does not reach are not shown.
     pub marks: Vec<Mark>,
+    /// Whether a length on both axes is the same number, as for paths in a plane; linear axes of one unit only. The horizontal axis
+    /// is then widened or the vertical one heightened.
+    pub equal_scales: bool,
     /// Width and height of the area between the axes, px.
     pub area_px: [f64; 2],
 }
@@ -38,7 +41,17 @@ const COLUMN: f64 = 0.5;
 impl LineChart {
     /// A chart with linear axes in the usual size.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis, series: Vec<Series>) -> Self {
-        Self { title: title.into(), x, y, log_x: false, log_y: false, series, marks: Vec::new(), area_px: [380.0, 270.0] }
+        Self {
+            title: title.into(),
+            x,
+            y,
+            log_x: false,
+            log_y: false,
+            series,
+            marks: Vec::new(),
+            equal_scales: false,
+            area_px: [380.0, 270.0],
+        }
     }
 
     /// The same chart with both axes logarithmic, as for convergence.
@@ -79,9 +92,21 @@ impl LineChart {
     fn rulers(&self) -> Result<[Ruler; 2], PlotError> {
         let x = self.x.range(self.series.iter().flat_map(|s| s.points.iter().map(|(x, _)| *x)))?;
         let y = self.y.range(self.series.iter().flat_map(Series::ordinates))?;
+        let (x, y) = if self.equal_scales { self.equal(x, y) } else { (x, y) };
         // Marks at least 60 px apart across and 38 px apart upwards.
         let [across, up] = [steps(self.area_px[0], 60.0), steps(self.area_px[1], 38.0)];
         Ok([Ruler::new(x, self.log_x, across, false), Ruler::new(y, self.log_y, up, true)])
+    }
+
+    /// Ranges that make the scales equal: that of y such that its axis ends on marks, and that of x of the same scale.
+    fn equal(&self, x: (f64, f64), y: (f64, f64)) -> ((f64, f64), (f64, f64)) {
+        let [wide, high] = self.area_px;
+        let span = ((x.1 - x.0) * high / wide).max(y.1 - y.0);
+        let about = |(low, high): (f64, f64), span: f64| (0.5 * (low + high - span), 0.5 * (low + high + span));
+        let ruler = Ruler::new(about(y, span), false, steps(high, 38.0), true);
+        let unit = 10f64.powi(ruler.exponent);
+        let [low, top] = [ruler.scale.min, ruler.scale.max].map(|v| v * unit);
+        (about(x, (top - low) * wide / high), (low, top))
     }
 
     fn marks(&self, x: &Ruler) -> Layout<'_> {
@@ -118,13 +143,13 @@ impl LineChart {
         area.draw_titles(svg, x, &below, FOOT, &beside);
         marks.draw(svg, &area);
         let (lines, points) = book.ordered(&self.series);
-        draw_lines(svg, &area, &lines);
+        draw_lines(svg, &area, &lines, !self.equal_scales);
         draw_points(svg, &area, &points);
         Ok(())
     }
 }
 
-fn draw_lines(svg: &mut Svg, area: &Area, lines: &[Drawn]) {
+fn draw_lines(svg: &mut Svg, area: &Area, lines: &[Drawn], along_x: bool) {
     for (series, entry) in lines {
         if let Some(band) = &series.band {
             let upper = band.iter().map(|(x, _, high)| area.place((*x, *high)));
@@ -134,7 +159,9 @@ fn draw_lines(svg: &mut Svg, area: &Area, lines: &[Drawn]) {
     }
     for (series, entry) in lines {
         let path: Vec<[f64; 2]> = series.points.iter().map(|p| area.place(*p)).collect();
-        svg.path(&reduced(path), &entry.stroke, false);
+        // A path turns back: its points are thinned by distance, not by column.
+        let shown = if along_x { reduced(path) } else { thinned(path) };
+        svg.path(&shown, &entry.stroke, false);
     }
     for (place, (series, entry)) in lines.iter().enumerate() {
         if series.kind == SeriesKind::MarkedLine {
@@ -183,6 +210,21 @@ fn reduced(path: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     kept
 }
 
+/// A line without the points that are nearer than half a column to the last one kept, its end always kept.
+fn thinned(path: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let end = path.last().copied();
+    let mut kept: Vec<[f64; 2]> = Vec::new();
+    for p in path {
+        if kept.last().is_none_or(|q| (p[0] - q[0]).hypot(p[1] - q[1]) >= 0.5 * COLUMN) {
+            kept.push(p);
+        }
+    }
+    if kept.last().copied() != end {
+        kept.extend(end);
+    }
+    kept
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -197,6 +239,30 @@ mod tests {
         let top = |points: &[[f64; 2]]| points.iter().fold(0.0, |most: f64, p| most.max(p[1]));
         assert_eq!(top(&short), top(&path));
         assert!(short.windows(2).all(|pair| pair[0][0] <= pair[1][0]));
+    }
+
+    #[test]
+    fn identity_equal_scales_are_equal_and_hold_the_data() {
+        for (wide, high) in [(3.0, 1.0), (0.2, 7.0), (1e-6, 1e-6)] {
+            let series = vec![Series::dense("p", vec![(10.0, -5.0), (10.0 + wide, -5.0 + high)])];
+            let chart = LineChart::new("c", Axis::new("x", "µm"), Axis::new("y", "µm"), series);
+            let chart = LineChart { equal_scales: true, area_px: [300.0, 200.0], ..chart };
+            let [x, y] = chart.rulers().unwrap();
+            let [x, y] = [&x.scale, &y.scale];
+            let ratio = (x.max - x.min) / 300.0 / ((y.max - y.min) / 200.0);
+            assert!((ratio - 1.0).abs() < 1e-6, "{wide} {high} {ratio}");
+            assert!(x.min <= 10.0 && x.max >= 10.0 + wide && y.min <= -5.0 && y.max >= -5.0 + high);
+        }
+    }
+
+    #[test]
+    fn identity_thinning_keeps_the_ends_and_stays_near() {
+        let path: Vec<[f64; 2]> =
+            (0..50_000).map(|i| 1e-3 * i as f64).map(|a| [90.0 * a.cos(), 90.0 * (1.1 * a).sin()]).collect();
+        let short = thinned(path.clone());
+        assert!(short.len() < path.len() / 2 && short[0] == path[0] && short.last() == path.last());
+        let near = |p: &[f64; 2]| short.iter().any(|q| (p[0] - q[0]).hypot(p[1] - q[1]) <= 0.5 * COLUMN);
+        assert!(path.iter().step_by(501).all(near));
     }
 
     #[test]

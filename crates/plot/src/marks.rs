@@ -22,11 +22,11 @@ impl Mark {
 }
 
 /// Height of the lines that lead from the area to the labels, px.
-const LEAD: f64 = 16.0;
+const LEAD: f64 = 20.0;
 /// Least distance between labels, px.
 const GAP: f64 = 7.0;
 /// Farthest that a lying label may be moved from its mark, px; beyond it the labels stand.
-const REACH: f64 = 36.0;
+const REACH: f64 = 60.0;
 /// Width that a standing label takes, px.
 const STANDING: f64 = TICK_PX + 2.5;
 
@@ -44,7 +44,8 @@ impl<'a> Layout<'a> {
     ///
     /// Where even standing labels do not all fit, the first marks keep theirs.
     pub fn new(marks: &'a [Mark], wide: f64, position: impl Fn(f64) -> f64) -> Self {
-        let inside = |mark: &'a Mark| Some(position(mark.at)).filter(|p| (0.0..=1.0).contains(p)).map(|p| (mark, p * wide));
+        let inside =
+            |mark: &'a Mark| Some(position(mark.at)).filter(|p| (0.0..=1.0).contains(p)).map(|p| (mark, p * wide));
         let mut shown: Vec<(&Mark, f64)> = marks.iter().filter_map(inside).collect();
         if shown.is_empty() {
             return Self { placed: Vec::new(), standing: false, height: 0.0 };
@@ -60,7 +61,7 @@ impl<'a> Layout<'a> {
         });
         let standing = lying.is_none();
         let longest = widths.iter().fold(0.0, |most: f64, w| most.max(*w));
-        let height = LEAD + 6.0 + if standing { longest } else { TICK_PX };
+        let height = LEAD + 8.0 + if standing { longest } else { TICK_PX };
         let middles = lying.unwrap_or_else(|| spread_out(&places, &vec![STANDING; places.len()], wide));
         let placed = shown.iter().zip(middles).map(|((mark, x), middle)| (*mark, *x, middle)).collect();
         Self { placed, standing, height }
@@ -74,10 +75,10 @@ impl<'a> Layout<'a> {
             svg.line([left + x, top], [left + middle, top - LEAD], GREY, 0.9);
             let how = Type { size: TICK_PX, colour: INK, subscripts: true, ..Type::default() };
             if self.standing {
-                let at = [left + middle, top - LEAD - 3.0];
+                let at = [left + middle, top - LEAD - 4.0];
                 svg.text(at, &mark.label, Type { upwards: true, anchor: Anchor::Start, ..how });
             } else {
-                let at = [left + middle, top - LEAD - 0.6 * TICK_PX];
+                let at = [left + middle, top - LEAD - 0.75 * TICK_PX];
                 svg.text(at, &mark.label, Type { anchor: Anchor::Middle, ..how });
             }
         }

@@ -83,7 +83,15 @@ pub struct Series {
 impl Series {
     /// A line.
     pub fn line(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self { label: label.into(), points, kind: SeriesKind::Line, slot: None, of: None, uncertainty: None, band: None }
+        Self {
+            label: label.into(),
+            points,
+            kind: SeriesKind::Line,
+            slot: None,
+            of: None,
+            uncertainty: None,
+            band: None,
+        }
     }
 
     /// A line with markers.

@@ -49,11 +49,12 @@ pub(crate) fn width_with_subscripts(text: &str, size_px: f64) -> f64 {
     runs(text).into_iter().map(|(run, subscript)| width(run, scale(subscript) * size_px, false)).sum()
 }
 
-/// A number with about three significant digits.
+/// A number with at most three significant digits after the point, without zeros at its end.
 pub(crate) fn short_number(value: f64) -> String {
     let size = value.abs();
     let decimals = if size == 0.0 { 0 } else { (2 - size.log10().floor() as i32).clamp(0, 4) as usize };
-    number(value, decimals)
+    let text = number(value, decimals);
+    if decimals == 0 { text } else { text.trim_end_matches('0').trim_end_matches('.').to_owned() }
 }
 
 /// A number with a fixed count of decimals and the typographic minus; never a negative zero.
@@ -128,8 +129,8 @@ mod tests {
 
     #[test]
     fn limit_short_numbers_have_three_digits() {
-        let texts = [0.0, 1234.6, 12.346, -0.012_346, 999.6].map(short_number);
-        assert_eq!(texts, ["0", "1235", "12.3", "−0.0123", "1000"]);
+        let texts = [0.0, 1234.6, 1200.0, 12.346, -0.012_346, 3.0, 0.05].map(short_number);
+        assert_eq!(texts, ["0", "1235", "1200", "12.3", "−0.0123", "3", "0.05"]);
     }
 
     #[test]

@@ -70,6 +70,40 @@ pub enum RecordError {
         /// What the MCAP layer says.
         source: mcap::McapError,
     },
+    /// A run hands out samples in order of time.
+    #[error("a sample at {time_s} s follows one at {last_s} s")]
+    TimeGoesBack {
+        /// Time of the sample, s.
+        time_s: f64,
+        /// Time of the one before, s.
+        last_s: f64,
+    },
+    /// A sink was used before it was begun, or begun twice.
+    #[error("a recording is begun once, before its first message")]
+    NotBegun,
+    /// A spectrum cannot be computed.
+    #[error("no spectrum: {0}")]
+    Signal(#[from] tribodyn_signal::SignalError),
+    /// The file is no MCAP file.
+    #[error("{} is no MCAP file: it does not begin like one", path.display())]
+    NotMcap {
+        /// Which file.
+        path: PathBuf,
+    },
+    /// The file begins as a recording, but no message of it can be read.
+    #[error("nothing can be recovered from {}: no message is whole", path.display())]
+    NothingToRecover {
+        /// Which file.
+        path: PathBuf,
+    },
+    /// A message of a recording is not what its topic says.
+    #[error("a message on {topic} cannot be decoded: {source}")]
+    Decode {
+        /// Which topic.
+        topic: String,
+        /// What the decoder says.
+        source: prost::DecodeError,
+    },
     /// The file was never closed, or is no recording with a summary.
     #[error("{} has no summary: it was not closed", path.display())]
     Unfinished {

@@ -31,6 +31,7 @@ pub(crate) fn ball(ball: usize) -> String {
 }
 
 /// The orientation of every ball in its azimuth frame, as it spins on.
+#[derive(Debug)]
 pub(crate) struct Spins {
     rotations: Vec<Rotation>,
 }

@@ -66,6 +66,10 @@ mod messages;
 mod output;
 mod quaternion;
 mod read;
+mod recover;
+mod replay;
+mod run;
+mod scan;
 mod scene;
 #[cfg(test)]
 mod tests;
@@ -74,5 +78,9 @@ pub mod wire;
 mod write;
 
 pub use error::RecordError;
+pub use output::Channel;
 pub use read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
+pub use recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};
+pub use replay::{BallRow, LogRow, OrbitRow, Run, RunItem, RunReader, SpectrumRow, StateRow, WearRow, read_run};
+pub use run::{FileSink, Preamble, RUN_LAYOUT, RunRecorder, RunRecording, Sink, StreamSink};
 pub use write::{CASE_ATTACHMENT, LAYOUT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};

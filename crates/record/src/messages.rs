@@ -126,5 +126,7 @@ fn ball(index: usize, pitch_diameter: f64, b: &BallSolution) -> Ball {
         pocket_lead_mrad: narrow(b.pocket_lead_rad * MILLI_PER_UNIT),
         cage_force_n: narrow(b.cage_force_n),
         wear_rate_cage_um3_s: narrow(b.wear_rate_cage_m3_s * CUBIC_MICROMETRE),
+        // What only a transient run has.
+        ..Ball::default()
     }
 }

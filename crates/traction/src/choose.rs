@@ -1,7 +1,7 @@
 //! Patch rule from a target error, and the error estimate of a rule.
 
-use crate::{Patch, PatchLaw, PatchRule, PatchTraction, Quadrature, RelativeMotion, SlipField, TractionError};
-use crate::{TractionLaw, patch_traction};
+use crate::{FastPatch, Patch, PatchLaw, PatchRule, PatchTraction, RelativeMotion, SlipField, TractionError};
+use crate::{TractionLaw, fast_patch_traction};
 
 /// One contact at which a rule is judged.
 #[derive(Debug, Clone, Copy)]
@@ -17,8 +17,8 @@ pub struct Probe<'a, L> {
 }
 
 impl<L: TractionLaw> Probe<'_, L> {
-    fn traction(&self, quadrature: &Quadrature) -> PatchTraction {
-        patch_traction(&self.patch, &self.motion, self.rolling_speed, &self.law, quadrature)
+    fn traction(&self, rule: &FastPatch) -> PatchTraction {
+        fast_patch_traction(rule, &self.patch, &self.motion, self.rolling_speed, &self.law)
     }
 
     /// The load under the ellipse, N.
@@ -57,16 +57,16 @@ pub const REFERENCE_RULE: PatchRule = PatchRule::SplitStrip { across: 32, along:
 /// over load times ball radius.
 ///
 /// # Errors
-/// Those of [`Quadrature::new`].
+/// Those of [`FastPatch::new`].
 pub fn rule_error<L: TractionLaw>(rule: PatchRule, probes: &[Probe<'_, L>]) -> Result<f64, TractionError> {
-    let reference = Quadrature::new(REFERENCE_RULE)?;
+    let reference = FastPatch::new(REFERENCE_RULE)?;
     let exact: Vec<_> = probes.iter().map(|p| p.traction(&reference)).collect();
-    Ok(largest_error(&Quadrature::new(rule)?, probes, &exact))
+    Ok(largest_error(&FastPatch::new(rule)?, probes, &exact))
 }
 
-fn largest_error<L: TractionLaw>(quadrature: &Quadrature, probes: &[Probe<'_, L>], exact: &[PatchTraction]) -> f64 {
+fn largest_error<L: TractionLaw>(rule: &FastPatch, probes: &[Probe<'_, L>], exact: &[PatchTraction]) -> f64 {
     probes.iter().zip(exact).fold(0.0, |worst, (probe, exact)| {
-        let ours = probe.traction(quadrature);
+        let ours = probe.traction(rule);
         let force = (ours.force_rolling - exact.force_rolling).hypot(ours.force_lateral - exact.force_lateral);
         let moment = (ours.moment_lateral - exact.moment_lateral)
             .hypot(ours.moment_normal - exact.moment_normal)
@@ -81,17 +81,18 @@ fn largest_error<L: TractionLaw>(quadrature: &Quadrature, probes: &[Probe<'_, L>
 /// # Errors
 /// [`TractionError::TargetNotReached`] where the finest candidate misses the target.
 pub fn choose_rule<L: TractionLaw>(relative: f64, probes: &[Probe<'_, L>]) -> Result<(PatchRule, f64), TractionError> {
-    let reference = Quadrature::new(REFERENCE_RULE)?;
+    let reference = FastPatch::new(REFERENCE_RULE)?;
     let exact: Vec<_> = probes.iter().map(|p| p.traction(&reference)).collect();
     let mut best: Option<(PatchRule, f64, usize)> = None;
     let mut finest = f64::INFINITY;
     for rule in CANDIDATES {
-        let quadrature = Quadrature::new(rule)?;
-        let points = probes.iter().map(|p| quadrature.point_count(&SlipField::new(&p.patch, &p.motion))).sum::<usize>();
+        let fast = FastPatch::new(rule)?;
+        let points =
+            probes.iter().map(|p| fast.quadrature().point_count(&SlipField::new(&p.patch, &p.motion))).sum::<usize>();
         if best.is_some_and(|(_, _, fewest)| fewest <= points) {
             continue;
         }
-        let error = largest_error(&quadrature, probes, &exact);
+        let error = largest_error(&fast, probes, &exact);
         finest = finest.min(error);
         if error <= relative {
             best = Some((rule, error, points));

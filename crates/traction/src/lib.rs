@@ -28,6 +28,11 @@
 //!
 //! The crate does not know what a bearing is: it sees one patch and one relative motion.
 //!
+//! # Two ways through the integral
+//! [`patch_traction`] is generic over the scalar, dual numbers included, and over the law: the reference. [`FastPatch`]
+//! sums the same nodes in double precision with vector instructions, for Kragelskii curves taken at the peak pressure,
+//! and agrees to 1e-12; it also has the derivatives in closed form. [`fast_patch_traction`] picks between the two.
+//!
 //! # A law of one's own
 //! The integral takes any [`TractionLaw`]; Coulomb friction shows what is needed.
 //! ```

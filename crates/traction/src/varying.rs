@@ -1,6 +1,6 @@
 //! Curve parameters that vary with contact pressure (the paper's Eq. 2).
 
-use crate::chebyshev::Chebyshev;
+use crate::chebyshev::{Chebyshev, Powers};
 use crate::{Coating, Kragelskii, Peak, Scalar, SlipCurve, TractionError};
 use num_dual::Dual64;
 
@@ -103,6 +103,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 pub struct CoatingLaw {
     fit: PressureFit,
     series: [Chebyshev; 3],
+    /// The series and their derivatives in a quicker form, where it keeps the digits.
+    powers: Option<[Powers; 2]>,
     reference_pressure: Option<f64>,
 }
 
@@ -145,7 +147,8 @@ impl CoatingLaw {
             }
         }
         let series = series.unwrap_or_else(|| unreachable!("at least one length is tried")).map(Chebyshev::trimmed);
-        Ok(Self { fit, series, reference_pressure: None })
+        let powers = Powers::new(&series);
+        Ok(Self { fit, series, powers, reference_pressure: None })
     }
 
     /// The law with the parameters of one pressure in Pa for every contact (cases 2 and 4).
@@ -197,12 +200,25 @@ impl TractionLaw for CoatingLaw {
     }
 
     fn kragelskii(&self, pressure: f64) -> Option<Kragelskii> {
-        Some(self.at(pressure))
+        let Some([values, _]) = &self.powers else {
+            return Some(self.at(pressure));
+        };
+        let [a, b, c] = values.values(self.clamped(pressure));
+        Some(Kragelskii { a, b, c })
     }
 
     fn kragelskii_slope(&self, pressure: f64) -> Option<Kragelskii> {
-        let Kragelskii { a, b, c } = self.at(Dual64::from(pressure).derivative());
-        Some(Kragelskii { a: a.eps, b: b.eps, c: c.eps })
+        if self.reference_pressure.is_some() || self.clamps(pressure) {
+            return Some(Kragelskii { a: 0.0, b: 0.0, c: 0.0 });
+        }
+        let [a, b, c] = match &self.powers {
+            Some([_, slopes]) => slopes.values(pressure),
+            None => {
+                let curve = self.at(Dual64::from(pressure).derivative());
+                [curve.a, curve.b, curve.c].map(|parameter| parameter.eps)
+            }
+        };
+        Some(Kragelskii { a, b, c })
     }
 }
 
@@ -239,6 +255,11 @@ mod tests {
                 for (x, y) in [(fast.a, plain.a), (fast.b, plain.b), (fast.c, plain.c)] {
                     assert!(close(x.re, y.re, 1e-13), "{name} {order}: {} {}", x.re, y.re);
                     assert!((x.eps - y.eps).abs() < 1e-8 * (y.re * 1e-9).abs(), "{} {}", x.eps, y.eps);
+                }
+                let (value, slope) = (law.kragelskii(p.re).unwrap(), law.kragelskii_slope(p.re).unwrap());
+                for (v, s, y) in [(value.a, slope.a, fast.a), (value.b, slope.b, fast.b), (value.c, slope.c, fast.c)] {
+                    assert!(close(v, y.re, 1e-13), "{name} {order}: {v} {}", y.re);
+                    assert!((s - y.eps).abs() < 1e-10 * (y.re * 1e-9).abs(), "{name} {order}: {s} {}", y.eps);
                 }
             }
         }

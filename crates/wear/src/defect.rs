@@ -48,8 +48,9 @@ impl Defect {
     /// Depth, m, its derivative by the azimuth, m/rad, and the part of the coating that is gone.
     #[inline]
     pub(crate) fn at(&self, azimuth: f64) -> (f64, f64, f64) {
-        // −π to π, whatever the number of turns between the two.
-        let distance = (azimuth - self.azimuth + PI).rem_euclid(TAU) - PI;
+        // −π to π, whatever the number of turns between the two; half the time of a remainder.
+        let distance = azimuth - self.azimuth;
+        let distance = distance - TAU * (distance * (1.0 / TAU) + 0.5).floor();
         let share = distance.abs() / self.width;
         if share >= 0.5 {
             return (0.0, 0.0, 0.0);

@@ -158,6 +158,8 @@ fn explain(error: &Error, well_formed: bool) -> String {
         Error::ExpectedNamedStructLike(_) | Error::ExpectedDifferentStructName { .. } => {
             "expected fields in parentheses, `(name: value, …)`".to_owned()
         }
+        Error::ExpectedStructLike => "expected values in parentheses, `(…, …)`".to_owned(),
+        Error::ExpectedArray => "expected a list in brackets, `[…, …]`".to_owned(),
         Error::ExpectedIdentifier | Error::InvalidIdentifier(_) | Error::SuggestRawIdentifier(_) => {
             "expected a name".to_owned()
         }

@@ -151,7 +151,7 @@ pub struct CoatingSpec {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum CurveSpec {
-    /// A coating of the built-in library, by name (`"ag"`, `"ptfe"`).
+    /// A coating of the built-in library, by name (`"ag"`, `"ptfe"`, `"bare-440c"`).
     Library(String),
     /// Tested points given here.
     Tested(Vec<TestedPoint>),

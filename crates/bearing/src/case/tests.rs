@@ -6,6 +6,7 @@ use super::*;
 const AG: &str = include_str!("../../../../fixtures/cases/paper-handset.ron");
 const IDENTIFIED: &str = include_str!("../../../../fixtures/cases/paper-ag.ron");
 const PTFE: &str = include_str!("../../../../fixtures/cases/paper-ptfe.ron");
+const WORN: &str = include_str!("../../../../fixtures/cases/paper-ag-worn.ron");
 const BEARING_218: &str = include_str!("../../../../fixtures/cases/bearing-218.ron");
 
 /// A refusal: a text in the Ag case, what replaces it with «» around the place that the error must point at (only its
@@ -288,7 +289,7 @@ fn identity_the_two_coatings_of_the_paper_share_everything_else() {
 
 #[test]
 fn identity_every_value_of_the_fixtures_has_a_source() {
-    for text in [AG, IDENTIFIED, PTFE, BEARING_218] {
+    for text in [AG, IDENTIFIED, PTFE, WORN, BEARING_218] {
         let case = Case::from_ron(text).unwrap();
         let outline = Outline::new(text).unwrap();
         let sourced: Vec<Path> = case.sources.keys().filter_map(|key| Path::parse(key)).collect();

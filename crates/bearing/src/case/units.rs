@@ -3,6 +3,7 @@
 //! Each function reads one kind of quantity and is named in `#[serde(deserialize_with)]` of a schema field. Numbers may
 //! be written without a decimal point; NaN and infinities are refused, also where a conversion overflows.
 
+use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, SeqAccess, VariantAccess, Visitor};
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -171,9 +172,15 @@ readers! {
     slowness: SLOWNESS;
 }
 
-/// A moment of inertia that may be left out.
+/// A moment of inertia that may be left out, kg m².
 pub(super) fn optional_inertia<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<f64>, D::Error> {
-    inertia(deserializer).map(Some)
+    struct Value(f64);
+    impl<'de> Deserialize<'de> for Value {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            inertia(deserializer).map(Value)
+        }
+    }
+    Ok(Option::<Value>::deserialize(deserializer)?.map(|value| value.0))
 }
 
 macro_rules! triples {
@@ -199,7 +206,7 @@ impl<'de, const N: usize> Visitor<'de> for Components<N> {
     type Value = [f64; N];
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{N} values in brackets, each such as {}", self.0.example)
+        write!(f, "{N} values in parentheses, each such as {}", self.0.example)
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut values: A) -> Result<Self::Value, A::Error> {

@@ -157,7 +157,13 @@ fn material(path: &str, spec: &MaterialSpec) -> Verdict {
 }
 
 fn coating(path: &str, spec: &CoatingSpec, order: usize) -> Verdict {
-    let tests = match &spec.curve {
+    curve(path, &spec.curve, order)?;
+    not_negative(&format!("{path}.thickness"), spec.thickness)
+}
+
+/// The curve of a coating or of bare steel, with tests enough for the polynomials.
+pub(super) fn curve(path: &str, spec: &CurveSpec, order: usize) -> Verdict {
+    let tests = match spec {
         CurveSpec::Library(name) => {
             let known = || format!("no coating of this name in the library; allowed: {}", coating_names().join(", "));
             let found = Coating::library(name).ok();
@@ -176,8 +182,7 @@ fn coating(path: &str, spec: &CoatingSpec, order: usize) -> Verdict {
         format!(
             "a polynomial of order {order} needs one tested pressure more than that, but {path} has {tests}; lower the order or add tests"
         ),
-    )?;
-    not_negative(&format!("{path}.thickness"), spec.thickness)
+    )
 }
 
 fn tested(path: &str, points: &[TestedPoint]) -> Verdict {

@@ -1,30 +1,21 @@
 //! Impossible values of the parts that a transient run needs.
 
-use super::validate::{Verdict, fraction, not_negative, positive, require};
+use super::validate::{Verdict, curve, fraction, not_negative, positive, require};
 use super::*;
 use std::f64::consts::TAU;
-use tribodyn_traction::{Coating, coating_names};
 
 /// Longest step of a fixed-step scheme, s: ten times that of the paper, at which no contact is resolved any more.
 const STEP_MAX: f64 = 1e-4;
 /// Longest run, s.
 const DURATION_MAX: f64 = 1e4;
+/// Largest gap of a guiding land over its radius: the film in it is treated as flat.
+const GAP_MAX: f64 = 0.1;
 /// Largest number of samples in one channel: a file of some tens of gigabytes.
 const SAMPLES_MAX: f64 = 1e9;
 
 pub(super) fn validate(case: &Case) -> Verdict {
-    if let Some(spec) = &case.supports {
-        support("supports.inner", &spec.inner)?;
-        support("supports.outer", &spec.outer)?;
-    }
-    for (i, defect) in case.defects.iter().enumerate() {
-        self::defect(&format!("defects[{i}]"), defect, case)?;
-    }
-    if let Some(spec) = &case.coatings.bare
-        && let CurveSpec::Library(name) = &spec.curve
-    {
-        let message = format!("no curve of this name in the library; allowed: {}", coating_names().join(", "));
-        require(Coating::library(name).is_ok(), "coatings.bare.curve.Library", message)?;
+    if let Some(spec) = &case.coatings.bare {
+        curve("coatings.bare", &spec.curve, case.traction.order)?;
     }
     for (name, spec) in [("inner", &case.coatings.inner), ("outer", &case.coatings.outer)] {
         let path = format!("coatings.{name}.worn");
@@ -35,12 +26,23 @@ pub(super) fn validate(case: &Case) -> Verdict {
             "a worn coating needs the curve of what lies bare: add coatings.bare",
         )?;
     }
+    if let Some(spec) = &case.supports {
+        support("supports.inner", &spec.inner)?;
+        support("supports.outer", &spec.outer)?;
+        for (i, stiffness) in spec.outer.stiffness.into_iter().enumerate() {
+            let path = format!("supports.outer.stiffness[{i}]");
+            require(stiffness > 0.0, &path, "must be greater than 0: nothing else holds the outer ring")?;
+        }
+    }
+    for (i, defect) in case.defects.iter().enumerate() {
+        self::defect(&format!("defects[{i}]"), defect, case)?;
+    }
     cage(&case.cage)?;
     if let Some(spec) = &case.transient {
         transient(spec)?;
-        if let Some(recording) = &case.recording {
-            rates(recording, spec.duration)?;
-        }
+    }
+    if let Some(recording) = &case.recording {
+        rates(recording, case.transient.as_ref().map_or(0.0, |spec| spec.duration))?;
     }
     Ok(())
 }
@@ -82,7 +84,10 @@ fn cage(spec: &CageSpec) -> Verdict {
     if let Some(land) = &spec.guidance {
         positive("cage.guidance.radius", land.radius)?;
         positive("cage.guidance.width", land.width)?;
-        positive("cage.guidance.gap", land.gap)?;
+        let most = GAP_MAX * land.radius;
+        let limits =
+            format!("must be greater than 0 and at most a tenth of the land's radius, {} mm: a thin film", most * 1e3);
+        require(land.gap > 0.0 && land.gap <= most, "cage.guidance.gap", limits)?;
     }
     Ok(())
 }

@@ -42,9 +42,12 @@ impl Column {
 /// The column that says whether a row is a solution.
 pub const CONVERGED: &str = "converged";
 
+/// A column of results: its name, and its value for a solution.
+type Figure = (&'static str, fn(&Solution) -> f64);
+
 /// Figures of a solution; names and units as in the answer of `solve --json`, `max` and `min` over the balls, magnitudes
 /// where the sign only says which body is faster, powers and wear rates summed over the balls.
-const FIGURES: [(&str, fn(&Solution) -> f64); 34] = [
+const FIGURES: [Figure; 34] = [
     ("cage_speed_rpm", |s| s.cage_speed_rpm),
     ("ring_displacement_x_m", |s| s.ring_displacement_m[0]),
     ("ring_displacement_y_m", |s| s.ring_displacement_m[1]),

@@ -29,8 +29,10 @@ impl Setting {
             Some((path, list)) if !path.trim().is_empty() && !list.trim().is_empty() => {
                 Ok(Self { path: path.trim().to_owned(), values: values::expand(list)? })
             }
-            _ => Err("allowed is PATH=VALUES, such as ring.z.Force=kN(10),kN(20) or ring.z.Force=kN(10..60 by 5)"
-                .to_owned()),
+            _ => {
+                Err("allowed is PATH=VALUES, such as ring.z.Force=kN(10),kN(20) or ring.z.Force=kN(10..60 by 5)"
+                    .to_owned())
+            }
         }
     }
 
@@ -96,7 +98,10 @@ impl Grid {
         let last = self.rows - 1;
         for (axis, stride) in self.axes.iter().zip(&strides) {
             let far = last - (axis.cells.len() - 1) * stride;
-            let bad = |i: &usize| self.text(i * stride).is_none_or(|t| !sound(&t)) && self.text(far + i * stride).is_none_or(|t| !sound(&t));
+            let bad = |i: &usize| {
+                self.text(i * stride).is_none_or(|t| !sound(&t))
+                    && self.text(far + i * stride).is_none_or(|t| !sound(&t))
+            };
             if let Some(i) = (0..axis.cells.len()).into_par_iter().find_first(bad) {
                 return Err(self.refusal(i * stride));
             }
@@ -255,10 +260,15 @@ mod tests {
     fn limit_columns_are_named_after_path_and_unit() {
         let numbers = |values: &[f64]| values.iter().map(|v| Cell::Number(*v)).collect::<Vec<_>>();
         assert_eq!(axis("a.b=kN(1),kN( 2 )"), ("a.b [kN]".to_owned(), Kind::Number, numbers(&[1.0, 2.0])));
-        assert_eq!(axis("a=Force(kN(1)),Force(kN(2))"), ("a.Force [kN]".to_owned(), Kind::Number, numbers(&[1.0, 2.0])));
+        assert_eq!(
+            axis("a=Force(kN(1)),Force(kN(2))"),
+            ("a.Force [kN]".to_owned(), Kind::Number, numbers(&[1.0, 2.0]))
+        );
         assert_eq!(axis("a=1,2.5"), ("a".to_owned(), Kind::Number, numbers(&[1.0, 2.5])));
         assert_eq!(axis("a=true,false"), ("a".to_owned(), Kind::Truth, vec![Cell::Truth(true), Cell::Truth(false)]));
-        for mixed in ["a=N(1),kN(2)", "a=Peak,Local", "a=kN(1),2", "a=(x: 1),(x: 2)", "a=f(1,2),f(3,4)", "a=kN(nan),kN(1)"] {
+        for mixed in
+            ["a=N(1),kN(2)", "a=Peak,Local", "a=kN(1),2", "a=(x: 1),(x: 2)", "a=f(1,2),f(3,4)", "a=kN(nan),kN(1)"]
+        {
             assert_eq!(axis(mixed).1, Kind::Text, "{mixed}");
         }
     }

@@ -62,8 +62,16 @@ pub struct Journal {
 
 impl Journal {
     /// Opens the journal of a table, with what is finished if it belongs to the same sweep.
-    pub fn open(table: &Path, identity: &Identity, grid: &Grid, columns: &[Column], restart: bool) -> Result<Self, Failure> {
-        let path = PathBuf::from([table.as_os_str(), ".rows".as_ref()].concat());
+    pub fn open(
+        table: &Path,
+        identity: &Identity,
+        grid: &Grid,
+        columns: &[Column],
+        restart: bool,
+    ) -> Result<Self, Failure> {
+        let mut name = table.as_os_str().to_owned();
+        name.push(".rows");
+        let path = PathBuf::from(name);
         let write = |source| Failure::Write { path: path.clone(), source };
         let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(write)?;
         match file.try_lock() {
@@ -112,7 +120,8 @@ impl Journal {
         self.chunks.values().map(|&(offset, length)| {
             let mut text = String::new();
             let mut file = &self.file;
-            let read = file.seek(SeekFrom::Start(offset)).and_then(|_| file.take(length as u64).read_to_string(&mut text));
+            let read =
+                file.seek(SeekFrom::Start(offset)).and_then(|_| file.take(length as u64).read_to_string(&mut text));
             match read {
                 Ok(found) if found == length => Ok(text),
                 Ok(_) => Err(self.failure(Error::from(std::io::ErrorKind::UnexpectedEof))),

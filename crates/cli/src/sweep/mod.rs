@@ -139,7 +139,11 @@ fn sweep(
         time_s,
         rows_per_s: (count.rows - resumed) as f64 / time_s,
     };
-    if arguments.json { print_json(&summary)? } else { print(&summary)? }
+    if arguments.json {
+        print_json(&summary)?
+    } else {
+        print(&summary)?
+    }
     match count.failed {
         0 => Ok(()),
         failed => Err(SweepError::Unsolved { failed, rows: count.rows, path: path.to_owned() }.into()),

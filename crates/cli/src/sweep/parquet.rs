@@ -82,19 +82,23 @@ fn write_column<'c>(
     cells: impl Iterator<Item = &'c Cell> + Clone,
 ) -> Result<(), ParquetError> {
     // Where a column may have nulls, level 1 marks a value and 0 a null.
-    let levels: Option<Vec<i16>> = column.optional.then(|| cells.clone().map(|c| i16::from(*c != Cell::Null)).collect());
+    let levels: Option<Vec<i16>> =
+        column.optional.then(|| cells.clone().map(|c| i16::from(*c != Cell::Null)).collect());
     let levels = levels.as_deref();
     match writer.untyped() {
         ColumnWriter::Int64ColumnWriter(w) => {
-            let values: Vec<i64> = cells.filter_map(|c| if let Cell::Integer(n) = c { Some(*n) } else { None }).collect();
+            let values: Vec<i64> =
+                cells.filter_map(|c| if let Cell::Integer(n) = c { Some(*n) } else { None }).collect();
             w.write_batch(&values, levels, None)?;
         }
         ColumnWriter::DoubleColumnWriter(w) => {
-            let values: Vec<f64> = cells.filter_map(|c| if let Cell::Number(v) = c { Some(*v) } else { None }).collect();
+            let values: Vec<f64> =
+                cells.filter_map(|c| if let Cell::Number(v) = c { Some(*v) } else { None }).collect();
             w.write_batch(&values, levels, None)?;
         }
         ColumnWriter::BoolColumnWriter(w) => {
-            let values: Vec<bool> = cells.filter_map(|c| if let Cell::Truth(t) = c { Some(*t) } else { None }).collect();
+            let values: Vec<bool> =
+                cells.filter_map(|c| if let Cell::Truth(t) = c { Some(*t) } else { None }).collect();
             w.write_batch(&values, levels, None)?;
         }
         ColumnWriter::ByteArrayColumnWriter(w) => {

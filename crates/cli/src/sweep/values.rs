@@ -86,8 +86,9 @@ fn expand_item(item: &str) -> Result<Vec<String>, String> {
         [at] => at,
         _ => return Err(format!("`{item}` has more dots than one range may have")),
     };
-    let syntax =
-        || format!("`{item}` is not a range; allowed are 10..60 by 5, 10..60 in 11 and 1..100 log 21, in a unit or bare");
+    let syntax = || {
+        format!("`{item}` is not a range; allowed are 10..60 by 5, 10..60 in 11 and 1..100 log 21, in a unit or bare")
+    };
     let numeric = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | 'e' | 'E');
     let before = item[..at].trim_end();
     let prefix = before.trim_end_matches(numeric);
@@ -98,7 +99,13 @@ fn expand_item(item: &str) -> Result<Vec<String>, String> {
     let rest = rest.trim_start();
     let steps = &rest[..rest.find(|c| !numeric(c)).unwrap_or(rest.len())];
     let suffix = &rest[steps.len()..];
-    let count = || steps.parse::<usize>().ok().filter(|n| *n >= 2).ok_or_else(|| format!("`{steps}` in `{item}`: allowed is a whole number of values, 2 or more"));
+    let count = || {
+        steps
+            .parse::<usize>()
+            .ok()
+            .filter(|n| *n >= 2)
+            .ok_or_else(|| format!("`{steps}` in `{item}`: allowed is a whole number of values, 2 or more"))
+    };
     let spacing = match word {
         "by" => Spacing::By(steps.parse().map_err(|_| syntax())?),
         "in" => Spacing::In(count()?),
@@ -106,7 +113,8 @@ fn expand_item(item: &str) -> Result<Vec<String>, String> {
         _ => return Err(syntax()),
     };
     let end = |text: &str| text.parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(syntax);
-    let numbers = numbers(end(&before[prefix.len()..])?, end(to)?, &spacing).map_err(|why| format!("`{item}`: {why}"))?;
+    let numbers =
+        numbers(end(&before[prefix.len()..])?, end(to)?, &spacing).map_err(|why| format!("`{item}`: {why}"))?;
     Ok(numbers.into_iter().map(|number| format!("{prefix}{number}{suffix}")).collect())
 }
 
@@ -174,11 +182,17 @@ mod tests {
         assert_eq!(of("kN(10..25 by 5)"), ["kN(10)", "kN(15)", "kN(20)", "kN(25)"]);
         assert_eq!(of("kN(10 .. 26  by  5)"), ["kN(10)", "kN(15)", "kN(20)", "kN(25)"]);
         assert_eq!(of("0.1..0.5 by 0.1"), ["0.1", "0.2", "0.3", "0.4", "0.5"]);
-        assert_eq!(of("um(-0.3..0.3 by 0.1)"), ["um(-0.3)", "um(-0.2)", "um(-0.1)", "um(0)", "um(0.1)", "um(0.2)", "um(0.3)"]);
+        assert_eq!(
+            of("um(-0.3..0.3 by 0.1)"),
+            ["um(-0.3)", "um(-0.2)", "um(-0.1)", "um(0)", "um(0.1)", "um(0.2)", "um(0.3)"]
+        );
         assert_eq!(of("3..1 by -1,7"), ["3", "2", "1", "7"]);
         assert_eq!(of("Force(kN(0..1 in 3))"), ["Force(kN(0))", "Force(kN(0.5))", "Force(kN(1))"]);
         assert_eq!(of("1e3..-1e3 in 3"), ["1000", "0", "-1000"]);
-        assert_eq!(of("kN(1..100 log 5)"), ["kN(1)", "kN(3.16227766016838)", "kN(10)", "kN(31.6227766016838)", "kN(100)"]);
+        assert_eq!(
+            of("kN(1..100 log 5)"),
+            ["kN(1)", "kN(3.16227766016838)", "kN(10)", "kN(31.6227766016838)", "kN(100)"]
+        );
         assert_eq!(of("1e-9..1e-6 log 4"), ["0.000000001", "0.00000001", "0.0000001", "0.000001"]);
         assert_eq!(of("8..10 by 1"), ["8", "9", "10"]);
     }

@@ -51,7 +51,7 @@ fn agrees(shown: &str, printed: &str) -> bool {
 fn regress_examples_of_the_documents() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut examples = 0;
-    for name in ["README.md", "docs/case-file.md"] {
+    for name in ["README.md", "docs/case-file.md", "docs/sweep.md"] {
         let text = std::fs::read_to_string(root.join(name)).unwrap();
         // Every other part of the text between fences is code.
         for block in text.split("```").skip(1).step_by(2) {

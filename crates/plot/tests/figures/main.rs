@@ -1,6 +1,8 @@
 //! Figures of synthetic solutions, read back as SVG and as bitmaps.
 
+mod run;
 mod synthetic;
+mod synthetic_run;
 
 use std::collections::BTreeSet;
 
@@ -149,6 +151,7 @@ fn identity_bitmaps_have_the_width_asked_for_and_show_the_text() {
 fn identity_texts_neither_overlap_nor_leave_the_figure() {
     let mut all = figures();
     all.push(traction_curve_and_convergence());
+    all.extend(synthetic_run::run_figures());
     let mut options = usvg::Options { font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
     let fonts = options.fontdb_mut();
     fonts.load_font_data(include_bytes!("../../assets/DejaVuSans-subset.ttf").to_vec());

@@ -3,6 +3,9 @@
 mod case;
 mod content;
 mod file;
+mod recover;
+mod run;
+mod sample;
 
 use crate::SolutionRecording;
 use crate::wire::{foxglove, tribodyn};

@@ -1,9 +1,9 @@
 //! The derivative of the seven integrals, from one more pass over the same nodes.
 
 use super::elementary::exp_m1;
-use super::nodes::Kernel;
+use super::nodes::{Block, Kernel, NODES, ROWS};
 use super::values::row_slip;
-use super::{SMALLEST_ARGUMENT, Scaled, assemble as assemble_values, flatness, total};
+use super::{SMALLEST_SQUARE, Scaled, assemble as assemble_values, flatness, total};
 use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion};
 use fearless_simd::{f64x4, prelude::*};
 use std::f64::consts::PI;
@@ -90,8 +90,19 @@ impl<'a, S: Simd> Sums<'a, S> {
 }
 
 impl<S: Simd> Kernel<S> for Sums<'_, S> {
-    type Row = Row<S>;
+    #[inline(always)]
+    fn block(&mut self, block: &Block<S>) {
+        for i in 0..block.rows.min(ROWS) {
+            let mut row = self.open(block.y[i]);
+            for k in 0..block.nodes.min(NODES) {
+                self.point(&mut row, block.x[i][k], block.w[i][k]);
+            }
+            self.close(row);
+        }
+    }
+}
 
+impl<S: Simd> Sums<'_, S> {
     #[inline(always)]
     fn open(&self, y: f64x4<S>) -> Row<S> {
         let [u, offset, y2] = row_slip(self.of, y);
@@ -105,9 +116,9 @@ impl<S: Simd> Kernel<S> for Sums<'_, S> {
         let (of, load, u) = (self.of, self.load, row.u);
         let spin = x * of.slip.lateral[1];
         let v = row.offset + spin;
-        let squared = u * u + v * v;
+        let squared = (u * u + v * v).max(SMALLEST_SQUARE);
         let speed = squared.sqrt();
-        let argument = (speed * of.rate).max(SMALLEST_ARGUMENT);
+        let argument = speed * of.rate;
         let e = exp_m1((-argument).max(-700.0));
         let (decay, ratio) = (e + 1.0, e / argument);
         let over_slip = decay * of.b + ratio * of.a_c;
@@ -115,7 +126,7 @@ impl<S: Simd> Kernel<S> for Sums<'_, S> {
         let bend = -(decay * argument * of.b + (decay + ratio) * of.a_c);
         let share = w * over_slip;
         // At rest every direction is as good: the bend vanishes there.
-        let inverse = f64x4::splat(x.token(), 1.0) / squared.max(SMALLEST_ARGUMENT);
+        let inverse = f64x4::splat(x.token(), 1.0) / squared;
         let along = w * bend * inverse;
         let (along_u, along_v) = (along * u, along * v);
         let (k11, k12, k22) = (share + along_u * u, along_u * v, share + along_v * v);

@@ -2,8 +2,8 @@
 //! multiply-add.
 //!
 //! The polynomials were fitted at Chebyshev's nodes: exp over |r| ≤ ln 2/2 with a truncation error of 1.7e-17, ln over
-//! m in [√½, √2] with 5e-18. Measured against 40-digit-correct library values: exp within 2e-16 relative, exp − 1 within
-//! 4e-16 relative down to the smallest argument, ln within 4e-16 relative next to 1 as well (tests below).
+//! m in [√½, √2] with 5e-18. Measured against the standard library's functions, relative: exp 2.2e-16, exp − 1 down to the
+//! smallest arguments 2.2e-16, ln down to 1 3.3e-16 (asserted below with twice as much).
 
 use fearless_simd::{f64x4, prelude::*};
 
@@ -36,9 +36,9 @@ const ATANH: [f64; 7] = [
     0.073_082_927_124_443_11,
 ];
 
-/// (2^k − 1 + 2^k p, 2^k) with exp(x) = 2^k (1 + p): exp(x) − 1, and what gives exp(x) by adding. |x| ≤ 700.
+/// r, s(r) and 2^k with exp(x) = 2^k (1 + r + r² s(r)), for |x| ≤ 700.
 #[inline(always)]
-fn split_exp<S: Simd>(x: f64x4<S>) -> (f64x4<S>, f64x4<S>) {
+fn split_exp<S: Simd>(x: f64x4<S>) -> (f64x4<S>, f64x4<S>, f64x4<S>) {
     let shifted = x * std::f64::consts::LOG2_E + TO_INTEGER;
     let k = shifted - TO_INTEGER;
     let r = x - k * LN_2_HIGH - k * LN_2_LOW;
@@ -47,24 +47,23 @@ fn split_exp<S: Simd>(x: f64x4<S>) -> (f64x4<S>, f64x4<S>) {
     let low = (r * c[1] + c[0]) + (r * c[3] + c[2]) * r2;
     let high = (r * c[5] + c[4]) + (r * c[7] + c[6]) * r2;
     let series = (low + high * r4) + (r * c[9] + c[8]) * (r4 * r4);
-    let p = r + r2 * series;
     // k stands in the low bits of `shifted`; 1023 is the bias of the exponent.
     let power = f64x4::from_bits((shifted.to_bits() << 52u32) + (1023u64 << 52));
-    (power * p, power)
+    (r, series, power)
 }
 
 /// exp(x) for |x| ≤ 700.
 #[inline(always)]
 pub(super) fn exp<S: Simd>(x: f64x4<S>) -> f64x4<S> {
-    let (fraction, power) = split_exp(x);
-    power + fraction
+    let (r, series, power) = split_exp(x);
+    power + power * (r + (r * r) * series)
 }
 
 /// exp(x) − 1 for |x| ≤ 700, without loss of digits at small x.
 #[inline(always)]
 pub(super) fn exp_m1<S: Simd>(x: f64x4<S>) -> f64x4<S> {
-    let (fraction, power) = split_exp(x);
-    (power - 1.0) + fraction
+    let (r, series, power) = split_exp(x);
+    ((power - 1.0) + power * r) + power * (r * r) * series
 }
 
 /// ln(x) for finite x ≥ 0.75.

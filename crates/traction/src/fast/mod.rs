@@ -28,8 +28,10 @@ use fearless_simd::{Level, dispatch, f64x4, prelude::*};
 use nodes::Layout;
 use values::Values;
 
-/// Least C s: its square and its quotient by itself are in range.
-const SMALLEST_ARGUMENT: f64 = 1e-290;
+/// Least |Δv|², m²/s²: at rest κ/s takes its limit, and 0/0 is avoided.
+const SMALLEST_SQUARE: f64 = 1e-280;
+/// Least C λ, s/m, for the same reason.
+const SMALLEST_RATE: f64 = 1e-100;
 
 /// A patch rule laid out for vector instructions.
 #[derive(Debug, Clone)]
@@ -54,7 +56,13 @@ struct Scaled {
 
 impl Scaled {
     fn new(patch: &Patch, motion: &RelativeMotion, scale: f64, curve: &Kragelskii) -> Self {
-        Self { slip: SlipField::new(patch, motion), scale, rate: curve.c * scale, b: curve.b, a_c: curve.a * curve.c }
+        Self {
+            slip: SlipField::new(patch, motion),
+            scale,
+            rate: (curve.c * scale).max(SMALLEST_RATE),
+            b: curve.b,
+            a_c: curve.a * curve.c,
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! The seven integrals.
 
 use super::elementary::exp_m1;
-use super::nodes::Kernel;
-use super::{SMALLEST_ARGUMENT, Scaled};
+use super::nodes::{Block, Kernel, NODES, ROWS};
+use super::{SMALLEST_SQUARE, Scaled};
 use fearless_simd::{f64x4, prelude::*};
 
 /// Sums over the unit disc without the factor p a b λ: share = w κ/s, f = share Δv.
@@ -10,16 +10,16 @@ pub(super) struct Values<'a, S: Simd> {
     pub(super) of: &'a Scaled,
     /// Σ f_x, f_y, X f_y, Y f_x, Y² f_x, Y² f_y, share |Δv|², w |Δv|.
     pub(super) sums: [f64x4<S>; 8],
+    scratch: Scratch<S>,
 }
 
-pub(super) struct Row<S: Simd> {
-    y: f64x4<S>,
-    y2: f64x4<S>,
-    u: f64x4<S>,
-    u2: f64x4<S>,
-    offset: f64x4<S>,
-    /// Σ share, share v, share v X, share |Δv|², w |Δv|.
-    sums: [f64x4<S>; 5],
+/// What passes from stage to stage of a block; it outlives the block only to be cleared once.
+struct Scratch<S: Simd> {
+    u: [f64x4<S>; ROWS],
+    v: [[f64x4<S>; NODES]; ROWS],
+    squared: [[f64x4<S>; NODES]; ROWS],
+    /// |Δv|, then the share.
+    share: [[f64x4<S>; NODES]; ROWS],
 }
 
 /// u and the part of v that is constant on the row at Y, and Y².
@@ -33,44 +33,57 @@ pub(super) fn row_slip<S: Simd>(of: &Scaled, y: f64x4<S>) -> [f64x4<S>; 3] {
 impl<'a, S: Simd> Values<'a, S> {
     #[inline(always)]
     pub(super) fn new(simd: S, of: &'a Scaled) -> Self {
-        Self { of, sums: [f64x4::splat(simd, 0.0); 8] }
+        let zero = f64x4::splat(simd, 0.0);
+        let block = [[zero; NODES]; ROWS];
+        let scratch = Scratch { u: [zero; ROWS], v: block, squared: block, share: block };
+        Self { of, sums: [zero; 8], scratch }
     }
 }
 
 impl<S: Simd> Kernel<S> for Values<'_, S> {
-    type Row = Row<S>;
-
     #[inline(always)]
-    fn open(&self, y: f64x4<S>) -> Row<S> {
-        let [u, offset, y2] = row_slip(self.of, y);
-        Row { y, y2, u, u2: u * u, offset, sums: [f64x4::splat(y.token(), 0.0); 5] }
-    }
-
-    #[inline(always)]
-    fn point(&self, row: &mut Row<S>, x: f64x4<S>, w: f64x4<S>) {
+    fn block(&mut self, block: &Block<S>) {
         let of = self.of;
-        let v = row.offset + x * of.slip.lateral[1];
-        let squared = row.u2 + v * v;
-        let speed = squared.sqrt();
-        // C s; at rest a number so small that (exp(−x) − 1)/x is −1.
-        let argument = (speed * of.rate).max(SMALLEST_ARGUMENT);
-        let e = exp_m1((-argument).max(-700.0));
-        let over_slip = (e + 1.0) * of.b + e / argument * of.a_c;
-        let share = w * over_slip;
-        let share_v = share * v;
-        let terms = [share, share_v, share_v * x, share * squared, w * speed];
-        for (sum, term) in row.sums.iter_mut().zip(terms) {
-            *sum += term;
+        // Bounds that the compiler can see.
+        let (rows, nodes) = (block.rows.min(ROWS), block.nodes.min(NODES));
+        let zero = f64x4::splat(block.y[0].token(), 0.0);
+        let Scratch { u, v, squared, share } = &mut self.scratch;
+        for i in 0..rows {
+            let [along, offset, _] = row_slip(of, block.y[i]);
+            u[i] = along;
+            for k in 0..nodes {
+                v[i][k] = offset + block.x[i][k] * of.slip.lateral[1];
+                squared[i][k] = (along * along + v[i][k] * v[i][k]).max(SMALLEST_SQUARE);
+                share[i][k] = squared[i][k].sqrt();
+                self.sums[7] += block.w[i][k] * share[i][k];
+            }
         }
-    }
-
-    #[inline(always)]
-    fn close(&mut self, row: Row<S>) {
-        let [share, fy, x_fy, power, wear] = row.sums;
-        let fx = share * row.u;
-        let terms = [fx, fy, x_fy, row.y * fx, row.y2 * fx, row.y2 * fy, power, wear];
-        for (sum, term) in self.sums.iter_mut().zip(terms) {
-            *sum += term;
+        for (row, w) in share[..rows].iter_mut().zip(&block.w) {
+            for (speed, &w) in row[..nodes].iter_mut().zip(w) {
+                let argument = *speed * -of.rate;
+                let e = exp_m1(argument.max(-700.0));
+                // e/(−C s) tends to one at rest.
+                let ratio = f64x4::splat(zero.token(), -of.a_c) / argument;
+                *speed = w * ((e + 1.0) * of.b + e * ratio);
+            }
+        }
+        for i in 0..rows {
+            let mut sums = [zero; 4];
+            for k in 0..nodes {
+                let share = share[i][k];
+                let share_v = share * v[i][k];
+                let terms = [share, share_v, share_v * block.x[i][k], share * squared[i][k]];
+                for (sum, term) in sums.iter_mut().zip(terms) {
+                    *sum += term;
+                }
+            }
+            // Add Σ share, share v, share v X and share |Δv|² of the row at Y.
+            let ([share, fy, x_fy, power], y) = (sums, block.y[i]);
+            let (fx, y2) = (share * u[i], y * y);
+            let terms = [fx, fy, x_fy, y * fx, y2 * fx, y2 * fy, power];
+            for (sum, term) in self.sums.iter_mut().zip(terms) {
+                *sum += term;
+            }
         }
     }
 }

@@ -45,12 +45,18 @@ impl TractionLaw for OneCurve {
 
 /// Largest difference in units of what full sliding at the curve's peak gives: force, force times arm, force times
 /// semi-axis, and the power.
-fn difference(patch: &Patch, m: &RelativeMotion, curve: &Kragelskii, ours: &PatchTraction, plain: &PatchTraction) -> f64 {
+fn difference(
+    patch: &Patch,
+    m: &RelativeMotion,
+    curve: &Kragelskii,
+    ours: &PatchTraction,
+    plain: &PatchTraction,
+) -> f64 {
     let load = 2.0 / 3.0 * std::f64::consts::PI * patch.peak_pressure * patch.semi_lateral * patch.semi_rolling;
     let force = (plain.force_rolling.hypot(plain.force_lateral)).max(1e-3 * load * curve.a.abs());
     // Where a node lies on the pole the slip is what rounding leaves of this.
     let speed = m.rolling.abs() + m.lateral.abs() + patch.ball_radius * (m.about_lateral.abs() + m.about_rolling.abs());
-    let [least_power, least_wear] = [1e-6 * force * speed, 1e-6 * load * speed].map(|x| x.max(f64::MIN_POSITIVE));
+    let [least_power, least_wear] = [1e-6 * force * speed, 1e-6 * load * speed].map(|x| x.max(1e-100));
     let moment = plain.moment_normal.abs().max(force * patch.semi_lateral);
     [
         (ours.force_rolling - plain.force_rolling) / force,

@@ -6,6 +6,7 @@ mod derivatives;
 mod fast;
 mod kinematics;
 mod limits;
+mod slopes;
 
 use tribodyn_traction::{PatchRule, Scalar, SlipCurve, TractionLaw};
 

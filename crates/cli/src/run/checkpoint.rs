@@ -1,0 +1,147 @@
+//! What a run leaves beside its recording so that it can be taken up again.
+
+use super::tape::Loose;
+use super::watcher::Past;
+use crate::failure::Failure;
+use crate::run::RunError;
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::path::{Path, PathBuf};
+use tribodyn_dynamics::{Checkpoint, Statistics};
+
+/// Changes with the meaning of the fields.
+const FORMAT: u32 = 1;
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// A run at a time.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Saved {
+    format: u32,
+    version: String,
+    pub simulated_s: f64,
+    /// The case that was run, changes made: another one cannot go on from here.
+    case_text: String,
+    pub run: Checkpoint,
+    pub past: Past,
+    pub statistics: Counts,
+    pub warnings: Vec<String>,
+    /// Messages of the recording that are safe in the file, in the order of the file.
+    pub safe_messages: u64,
+    /// Those after them.
+    pub loose_messages: Vec<Loose>,
+}
+
+/// What the scheme did, over all parts of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Counts {
+    pub steps: u64,
+    pub rejected: u64,
+    pub cut_at_pocket: u64,
+    pub force_evaluations: u64,
+}
+
+impl Counts {
+    pub fn and(self, s: Statistics) -> Self {
+        Self {
+            steps: self.steps + s.steps,
+            rejected: self.rejected + s.rejected,
+            cut_at_pocket: self.cut_at_pocket + s.cut_at_pocket,
+            force_evaluations: self.force_evaluations + s.evaluations,
+        }
+    }
+}
+
+impl Saved {
+    pub fn new(case_text: &str, run: Checkpoint, simulated_s: f64) -> Self {
+        Self {
+            format: FORMAT,
+            version: VERSION.to_owned(),
+            simulated_s,
+            case_text: case_text.to_owned(),
+            run,
+            past: Past::default(),
+            statistics: Counts::default(),
+            warnings: Vec::new(),
+            safe_messages: 0,
+            loose_messages: Vec::new(),
+        }
+    }
+
+    /// Replaces the checkpoint; whenever the program ends, the old or the new one stands there.
+    pub fn write(&self, path: &Path) -> Result<(), Failure> {
+        let part = with_suffix(path, ".part");
+        let text = serde_json::to_vec(self)?;
+        let written = fs::write(&part, text).and_then(|()| fs::rename(&part, path));
+        written.map_err(|source| {
+            // It may not exist; the error that counts is the first.
+            let _ = fs::remove_file(&part);
+            Failure::Write { path: path.to_owned(), source }
+        })
+    }
+
+    /// The checkpoint of a run of this very case by this very version.
+    pub fn read(path: &Path, case_text: &str) -> Result<Self, Failure> {
+        /// What is read first: a checkpoint of another version may have any other fields.
+        #[derive(Deserialize)]
+        struct Head {
+            format: u32,
+            version: String,
+        }
+        let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.to_owned(), source })?;
+        let damaged = |source| RunError::Damaged { path: path.to_owned(), source };
+        let head: Head = serde_json::from_slice(&bytes).map_err(damaged)?;
+        if head.format != FORMAT || head.version != VERSION {
+            return Err(RunError::OtherVersion { path: path.to_owned(), found: head.version }.into());
+        }
+        let saved: Self = serde_json::from_slice(&bytes).map_err(damaged)?;
+        if saved.case_text != case_text {
+            let line = first_difference(&saved.case_text, case_text);
+            return Err(RunError::OtherCase { path: path.to_owned(), line }.into());
+        }
+        Ok(saved)
+    }
+}
+
+/// Line of the second text, from 1, at which two texts part.
+fn first_difference(a: &str, b: &str) -> usize {
+    1 + a.lines().zip(b.lines()).take_while(|(a, b)| a == b).count()
+}
+
+/// The files of a run.
+#[derive(Debug, Clone)]
+pub struct Files {
+    /// The whole recording.
+    pub recording: PathBuf,
+    /// The recording while it grows.
+    pub active: PathBuf,
+    pub checkpoint: PathBuf,
+    /// What a resumed run copies from, until all of it is in the new file.
+    pub earlier: PathBuf,
+}
+
+impl Files {
+    pub fn new(recording: &Path) -> Self {
+        Self {
+            recording: recording.to_owned(),
+            active: with_suffix(recording, ".active"),
+            checkpoint: with_suffix(recording, ".checkpoint"),
+            earlier: with_suffix(recording, ".earlier"),
+        }
+    }
+}
+
+fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(suffix);
+    PathBuf::from(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_difference;
+
+    #[test]
+    fn limit_the_first_different_line_is_named() {
+        assert_eq!((first_difference("a\nb\n", "a\nc\n"), first_difference("a\n", "a\nb\n")), (2, 2));
+    }
+}

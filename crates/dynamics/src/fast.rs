@@ -1,0 +1,367 @@
+//! The fast fixed-step scheme: contact springs explicit and in short steps, friction once a step and linearly implicit.
+//!
+//! One step of length H is the symmetric composition drift(H/2), kick(H), drift(H/2):
+//!
+//! - The drift moves balls, rings and cage under contact and pocket forces, supports and loads, by the leapfrog method in
+//!   polar coordinates, where the centrifugal force and the change of ω_m with the radius come from the angular momentum
+//!   m r² ω_m. It needs no traction and costs little, so it may take several steps of its own.
+//! - The kick changes the velocities v of each ball by traction, drag, churning and gyroscopic moment f at fixed position:
+//!   v ← v + H (1 − ½ H A)⁻¹ f(v). With A = ∂f/∂v this is Rosenbrock's method of second order with one stage, stable for any
+//!   slope of the traction curve. A is symmetric in the velocities that do work, A = −M⁻¹ Gᵀ S G with the patch
+//!   stiffness S, and may be a little old: then the method is still consistent, and the error grows with its age.
+//!
+//! Both parts are of second order and the composition is symmetric, so the scheme is of second order. One evaluation of
+//! traction a step is what it is fast by; the error against a converged run is measured in `cargo xtask bench`.
+//!
+//! Sources: splitting, Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, chapters II.5 and VIII.4
+//! (impulse method); H. H. Rosenbrock, Comput. J. 5 (1963) 329, doi:10.1093/comjnl/5.4.329.
+
+use crate::forces::{BallForces, Frame, Sums};
+use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::machine::Machine;
+use nalgebra::{Matrix5, Matrix6, SMatrix, Vector5, Vector6};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
+use tribodyn_bearing::Side;
+use tribodyn_bearing::traction::TractionLaw;
+
+/// Longest step of the drift over the period of the contact springs, as an angle: leapfrog is stable up to 2.
+const DRIFT_ANGLE: f64 = 1.0;
+
+/// Memory of the scheme.
+#[derive(Debug, Clone, Default, Serialize, Deserialize, PartialEq)]
+pub(crate) struct Fast {
+    friction: Vec<Friction>,
+    /// Inverse of the rings' masses less what friction gives back, inertial axes: x, y, z of the inner, x, y of the outer.
+    rings: Matrix5<f64>,
+    /// Ball whose friction is linearised next.
+    turn: usize,
+    /// Step for which the inverses are.
+    step: f64,
+    /// Accelerations of the drift at the present position.
+    drift: Vec<f64>,
+    /// Whether they are there.
+    ready: bool,
+}
+
+/// Friction of one ball linearised: S is the stiffness of a patch, G and R its motion by the velocities of ball and ring;
+/// ring velocities are (a, r, t) of the inner ring and of the outer, in the ball's azimuth frame.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Friction {
+    /// (1 − ½ H A)⁻¹.
+    inverse: Matrix6<f64>,
+    /// Gᵀ S R: force on the ball by ring velocities.
+    coupling: Matrix6<f64>,
+    /// Rᵀ S R of both contacts: force on a ring by its own velocity.
+    own: Matrix6<f64>,
+    /// Change of the ball's velocities with the rings', (1 − ½ H A)⁻¹ ½ H M⁻¹ Gᵀ S R.
+    follow: Matrix6<f64>,
+}
+
+impl Friction {
+    const NONE: fn() -> Self = || Self {
+        inverse: Matrix6::identity(),
+        coupling: Matrix6::zeros(),
+        own: Matrix6::zeros(),
+        follow: Matrix6::zeros(),
+    };
+}
+
+impl Fast {
+    /// From `y` at `t` over `h`, in place. `highest` is the frequency of the contact springs in Hz.
+    pub fn step<L: TractionLaw>(&mut self, machine: &mut Machine<L>, t: f64, y: &mut [f64], h: f64, highest: f64) {
+        let pieces = (0.5 * h * TAU * highest / DRIFT_ANGLE).ceil().max(1.0) as usize;
+        self.drift(machine, t, y, 0.5 * h, pieces);
+        self.kick(machine, t + 0.5 * h, y, h);
+        self.drift(machine, t + 0.5 * h, y, 0.5 * h, pieces);
+    }
+
+    fn drift<L: TractionLaw>(&mut self, machine: &Machine<L>, t: f64, y: &mut [f64], span: f64, pieces: usize) {
+        let h = span / pieces as f64;
+        if !self.ready {
+            self.drift.resize(y.len(), 0.0);
+            drift_acceleration(machine, t, y, &mut self.drift);
+            self.ready = true;
+        }
+        for piece in 0..pieces {
+            push(machine, y, &self.drift, 0.5 * h);
+            glide(machine, t + piece as f64 * h, y, h);
+            drift_acceleration(machine, t + (piece + 1) as f64 * h, y, &mut self.drift);
+            push(machine, y, &self.drift, 0.5 * h);
+        }
+    }
+
+    /// Every ball by itself with the rings held, then the rings with what the balls leave, then the balls again by what
+    /// the rings moved. The rings receive to the last digit what the balls give.
+    fn kick<L: TractionLaw>(&mut self, machine: &mut Machine<L>, t: f64, y: &mut [f64], h: f64) {
+        let l = machine.layout;
+        let frame = machine.frame(t, y);
+        self.renew(machine, y, &frame, h);
+        let mut on_rings = Vector5::zeros();
+        for index in 0..l.balls {
+            let b = &mut y[l.ball(index)..][..BALL];
+            let forces = machine.ball(index, b, &frame);
+            machine.watch[index] = machine.watch(&forces);
+            let friction = &self.friction[index];
+            let change = friction.inverse * friction_acceleration(machine, &forces) * h;
+            b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
+            let [i, o] = [forces.loads.inner.traction_force, forces.loads.outer.traction_force];
+            let force = friction.coupling.tr_mul(&change) * 0.5 - Vector6::new(i[0], i[1], i[2], o[0], o[1], o[2]);
+            on_rings += in_inertial_axes(forces.state.azimuth, &force);
+        }
+        let predicted = self.rings * on_rings * h;
+        for index in 0..l.balls {
+            let b = &mut y[l.ball(index)..][..BALL];
+            let (sin, cos) = b[AZIMUTH].sin_cos();
+            let friction = &self.friction[index];
+            let rings = in_ball_axes([sin, cos], &predicted);
+            let change = friction.follow * rings;
+            b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
+            let force = (friction.coupling.tr_mul(&change) + friction.own * rings) * 0.5;
+            on_rings += in_inertial_axes([sin, cos], &force);
+        }
+        let [inner, outer] = [h / machine.inner.mass, h / machine.outer.mass];
+        for k in (0..3).filter(|&k| machine.inner.free[k]) {
+            y[l.inner() + 3 + k] += inner * on_rings[k];
+        }
+        for k in (0..2).filter(|&k| machine.outer.free[k]) {
+            y[l.outer() + 2 + k] += outer * on_rings[3 + k];
+        }
+    }
+
+    /// Linearises the friction of the ball whose turn it is, or of all where there is none for this step yet. The matrix of
+    /// the rings is made anew once in a round.
+    fn renew<L: TractionLaw>(&mut self, machine: &Machine<L>, y: &[f64], frame: &Frame, h: f64) {
+        let l = machine.layout;
+        let all = self.friction.len() != l.balls || self.step != h;
+        if all {
+            self.friction.resize(l.balls, Friction::NONE());
+            (self.step, self.turn) = (h, 0);
+        }
+        for index in 0..l.balls {
+            if all || index == self.turn {
+                self.friction[index] = machine.friction(index, &y[l.ball(index)..][..BALL], frame, h);
+            }
+        }
+        if self.turn == 0 {
+            self.rings = self.ring_matrix(machine, y, h);
+        }
+        self.turn = (self.turn + 1) % l.balls;
+    }
+
+    fn ring_matrix<L: TractionLaw>(&self, machine: &Machine<L>, y: &[f64], h: f64) -> Matrix5<f64> {
+        let (inner, outer) = (machine.inner.mass, machine.outer.mass);
+        let mut sum = Matrix5::from_diagonal(&Vector5::new(inner, inner, inner, outer, outer));
+        for (index, f) in self.friction.iter().enumerate() {
+            let (sin, cos) = y[machine.layout.ball(index) + AZIMUTH].sin_cos();
+            let given_back = (f.own + f.coupling.tr_mul(&f.follow)) * (0.5 * h);
+            for column in 0..5 {
+                let unit = Vector5::ith(column, 1.0);
+                let force = in_inertial_axes([sin, cos], &(given_back * in_ball_axes([sin, cos], &unit)));
+                let mut slot = sum.column_mut(column);
+                slot -= force;
+            }
+        }
+        let free = [&machine.inner.free[..], &machine.outer.free[..]].concat();
+        for k in (0..5).filter(|&k| !free[k]) {
+            sum.row_mut(k).fill(0.0);
+            sum.column_mut(k).fill(0.0);
+            sum[(k, k)] = f64::INFINITY;
+        }
+        inverse_with_held(sum)
+    }
+}
+
+/// Inverse of a matrix in which an infinite diagonal element stands for an axis that is held.
+fn inverse_with_held(mut sum: Matrix5<f64>) -> Matrix5<f64> {
+    let held: Vec<usize> = (0..5).filter(|&k| sum[(k, k)].is_infinite()).collect();
+    held.iter().for_each(|&k| sum[(k, k)] = 1.0);
+    let mut inverse = sum.try_inverse().unwrap_or_else(Matrix5::zeros);
+    held.iter().for_each(|&k| inverse[(k, k)] = 0.0);
+    inverse
+}
+
+/// (a, r, t) of inner and outer ring as (x, y, z) and (x, y).
+fn in_inertial_axes([sin, cos]: [f64; 2], v: &Vector6<f64>) -> Vector5<f64> {
+    Vector5::new(
+        v[1] * cos - v[2] * sin,
+        v[1] * sin + v[2] * cos,
+        v[0],
+        v[4] * cos - v[5] * sin,
+        v[4] * sin + v[5] * cos,
+    )
+}
+
+/// The other way round.
+fn in_ball_axes([sin, cos]: [f64; 2], v: &Vector5<f64>) -> Vector6<f64> {
+    Vector6::new(
+        v[2],
+        v[0] * cos + v[1] * sin,
+        v[1] * cos - v[0] * sin,
+        0.0,
+        v[3] * cos + v[4] * sin,
+        v[4] * cos - v[3] * sin,
+    )
+}
+
+/// Accelerations of a ball by all that the drift leaves out: traction, drag, churning and the gyroscopic moment.
+fn friction_acceleration<L: TractionLaw>(machine: &Machine<L>, b: &BallForces) -> Vector6<f64> {
+    let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
+    let (loads, s) = (&b.loads, &b.state);
+    let [i, o] = [loads.inner.traction_force, loads.outer.traction_force];
+    let moment = loads.moment();
+    let w = s.orbital_speed;
+    Vector6::new(
+        (i[0] + o[0]) / m,
+        (i[1] + o[1]) / m,
+        (i[2] + o[2] - loads.drag) / (m * loads.orbit_radius),
+        moment[0] / j,
+        moment[1] / j + w * s.spin[2],
+        moment[2] / j - w * s.spin[1],
+    )
+}
+
+/// Accelerations of balls, rings and cage by contact and pocket forces, supports and loads; of the orbital speed, the
+/// rate of the angular momentum over m r².
+fn drift_acceleration<L: TractionLaw>(machine: &Machine<L>, t: f64, y: &[f64], a: &mut [f64]) {
+    let l = machine.layout;
+    let frame = machine.frame(t, y);
+    let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
+    let mut sums = Sums::default();
+    for index in 0..l.balls {
+        let b = &y[l.ball(index)..][..BALL];
+        let (state, surfaces) = machine.ball_state(b, &frame);
+        let normal =
+            machine.bearing.normal_loads(&state, [&frame.rings[0], &frame.rings[1]], [&surfaces[0], &surfaces[1]]);
+        let pocket = machine.pocket_load(index, b, &frame);
+        let ([n_a, n_r], [o_a, o_r]) =
+            ([normal.inner.pose.sin, normal.inner.pose.cos], [normal.outer.pose.sin, normal.outer.pose.cos]);
+        let (i, o) = (normal.inner.force, normal.outer.force);
+        let at = l.ball(index);
+        let r = normal.orbit_radius;
+        let along = normal.eccentricity + pocket.force * machine.cage.pocket.radius / r;
+        a[at + VELOCITY] = (i * n_a - o * o_a + pocket.friction[0]) / m;
+        a[at + VELOCITY + 1] = (i * n_r - o * o_r + pocket.friction[1]) / m;
+        a[at + ORBIT] = along / (m * r);
+        a[at + SPIN] = pocket.moment[0] / j;
+        a[at + SPIN + 1] = pocket.moment[1] / j;
+        a[at + SPIN + 2] = 0.0;
+        let on_inner = inertial(state.azimuth, [i * n_a, i * n_r, 0.0]);
+        let on_outer = inertial(state.azimuth, [-o * o_a, -o * o_r, 0.0]);
+        for k in 0..3 {
+            sums.on_rings[0][k] -= on_inner[k];
+            sums.on_rings[1][k] -= on_outer[k];
+        }
+        sums.cage_torque += pocket.cage_torque;
+    }
+    let bodies = machine.bodies(t, &frame, &sums);
+    a[l.cage() + 1] = bodies.cage;
+    a[l.inner() + 3..l.inner() + 6].copy_from_slice(&bodies.inner);
+    a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);
+}
+
+/// Velocities by the drift's accelerations.
+fn push<L>(machine: &Machine<L>, y: &mut [f64], a: &[f64], h: f64) {
+    let l = machine.layout;
+    for index in 0..l.balls {
+        let at = l.ball(index);
+        for k in VELOCITY..BALL {
+            y[at + k] += h * a[at + k];
+        }
+    }
+    y[l.cage() + 1] += h * a[l.cage() + 1];
+    for k in l.inner() + 3..l.inner() + 6 {
+        y[k] += h * a[k];
+    }
+    for k in l.outer() + 2..l.outer() + 4 {
+        y[k] += h * a[k];
+    }
+}
+
+/// Positions by the velocities: half a turn, the straight line, half a turn, each with the angular momentum held.
+fn glide<L>(machine: &Machine<L>, t: f64, y: &mut [f64], h: f64) {
+    let l = machine.layout;
+    for index in 0..l.balls {
+        let b = &mut y[l.ball(index)..][..BALL];
+        turn(b, 0.5 * h);
+        let r = b[RADIUS];
+        b[AXIAL] += h * b[VELOCITY];
+        b[RADIUS] += h * b[VELOCITY + 1];
+        b[ORBIT] *= (r / b[RADIUS]).powi(2);
+        turn(b, 0.5 * h);
+    }
+    y[l.cage()] += h * y[l.cage() + 1];
+    for k in l.inner()..l.inner() + 3 {
+        y[k] += h * y[k + 3];
+    }
+    for k in l.outer()..l.outer() + 2 {
+        y[k] += h * y[k + 2];
+    }
+    // Prescribed speeds: the middle of the step is exact for speeds that change in proportion to time.
+    for (k, speed) in machine.speeds.iter().enumerate() {
+        y[l.angles() + k] += h * speed.at(t + 0.5 * h);
+    }
+}
+
+/// At fixed radius: azimuth by the orbital speed, radial speed by the centrifugal force.
+fn turn(b: &mut [f64], h: f64) {
+    b[AZIMUTH] += h * b[ORBIT];
+    b[VELOCITY + 1] += h * b[RADIUS] * b[ORBIT] * b[ORBIT];
+}
+
+/// [a, r, t] at an azimuth as (x, y, z).
+fn inertial([sin, cos]: [f64; 2], [a, r, t]: [f64; 3]) -> [f64; 3] {
+    [r * cos - t * sin, r * sin + t * cos, a]
+}
+
+impl<L: TractionLaw> Machine<L> {
+    /// The friction of a ball, linearised for a step of `h`.
+    fn friction(&self, index: usize, b: &[f64], frame: &Frame, h: f64) -> Friction {
+        let forces = self.ball(index, b, frame);
+        let (state, loads) = (&forces.state, &forces.loads);
+        let mut jacobian = Matrix6::zeros();
+        let (mut coupling, mut own) = (Matrix6::zeros(), Matrix6::zeros());
+        for (k, (side, contact)) in [(Side::Inner, &loads.inner), (Side::Outer, &loads.outer)].into_iter().enumerate() {
+            let stiffness = Matrix5::from(self.patch_stiffness(side, contact, forces.surfaces[k].bare)).transpose();
+            let (by_ball, by_ring) = patch_motion(contact.pose.normal(side), b[RADIUS]);
+            let force = stiffness * by_ball;
+            jacobian += by_ball.tr_mul(&force);
+            coupling.fixed_view_mut::<6, 3>(0, 3 * k).copy_from(&force.tr_mul(&by_ring));
+            own.fixed_view_mut::<3, 3>(3 * k, 3 * k).copy_from(&by_ring.tr_mul(&(stiffness * by_ring)));
+        }
+        let (m, j, r) = (self.bearing.ball_mass, self.bearing.ball_inertia, b[RADIUS]);
+        let mobility = Vector6::new(1.0 / m, 1.0 / m, 1.0 / (m * r * r), 1.0 / j, 1.0 / j, 1.0 / j);
+        let mut a = Matrix6::from_diagonal(&mobility) * jacobian;
+        // The gyroscopic moment, ω_m (Ω_t e_r − Ω_r e_t).
+        a[(4, 5)] += state.orbital_speed;
+        a[(4, 2)] += state.spin[2];
+        a[(5, 4)] -= state.orbital_speed;
+        a[(5, 2)] -= state.spin[1];
+        // Friction only ever damps; a matrix that cannot be inverted is not one of friction.
+        let inverse = (Matrix6::identity() - a * (0.5 * h)).try_inverse().unwrap_or_else(Matrix6::identity);
+        let follow = inverse * Matrix6::from_diagonal(&mobility) * coupling * (0.5 * h);
+        Friction { inverse, coupling, own, follow }
+    }
+}
+
+/// Motion of a patch (rolling, lateral, spin, about lateral, about rolling) by the six velocities of the ball and by the
+/// translation (a, r, t) of the ring.
+fn patch_motion([n_a, n_r]: [f64; 2], r: f64) -> (SMatrix<f64, 5, 6>, SMatrix<f64, 5, 3>) {
+    #[rustfmt::skip]
+    let by_ball = SMatrix::<f64, 5, 6>::from_row_slice(&[
+        0.0, 0.0, r, 0.0, 0.0, 0.0,
+        n_r, -n_a, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, n_a, n_r, 0.0,
+        0.0, 0.0, 0.0, n_r, -n_a, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+    ]);
+    #[rustfmt::skip]
+    let by_ring = SMatrix::<f64, 5, 3>::from_row_slice(&[
+        0.0, 0.0, -1.0,
+        -n_r, n_a, 0.0,
+        0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0,
+    ]);
+    (by_ball, by_ring)
+}

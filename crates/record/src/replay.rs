@@ -1,0 +1,237 @@
+//! Reading a run back: its case, its numbers in the recorded units, its log; from whole and from torn files.
+
+use crate::RecordError;
+use crate::output::file_error;
+use crate::scan::{Damage, Piece, Record, Scanner};
+use crate::wire::{foxglove, tribodyn};
+use crate::write::CASE_ATTACHMENT;
+use prost::Message;
+use std::collections::{BTreeMap, VecDeque};
+use std::fs::File;
+use std::io::{Read, Seek};
+use std::path::{Path, PathBuf};
+
+/// Rings, cage and powers at one time, in the units of the field names.
+pub type StateRow = tribodyn::TransientState;
+/// A ball at one time, in the units of the field names, single precision.
+pub type BallRow = tribodyn::Ball;
+/// What had worn off by one time, in the units of the field names.
+pub type WearRow = tribodyn::Wear;
+/// A spectrum as it was shown during the run.
+pub type SpectrumRow = tribodyn::Spectrum;
+/// The path of the inner ring over one turn.
+pub type OrbitRow = tribodyn::Orbit;
+
+/// A line of the log.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LogRow {
+    /// Simulated time of what it tells, s.
+    pub time_s: f64,
+    /// Whether the reader of a report must know.
+    pub warning: bool,
+    /// What kind of event: `impact`, `contact-lost`, `contact-made`, `coating-through` or `warning`.
+    pub kind: String,
+    /// The text; of frequent kinds it tells how many more there were.
+    pub message: String,
+}
+
+/// A part of a run, in the order of the file.
+#[derive(Debug, Clone, PartialEq)]
+#[allow(clippy::large_enum_variant)] // most items are states, the largest
+pub enum RunItem {
+    /// The text of the case file.
+    Case(String),
+    /// A metadata record: its name, keys and values.
+    Metadata(String, BTreeMap<String, String>),
+    /// Rings, cage and powers.
+    State(StateRow),
+    /// All balls at a simulated time, s.
+    Balls(f64, Vec<BallRow>),
+    /// What has worn off.
+    Wear(WearRow),
+    /// A spectrum.
+    Spectrum(SpectrumRow),
+    /// A path of the inner ring.
+    Orbit(OrbitRow),
+    /// A line of the log.
+    Log(LogRow),
+}
+
+/// Goes through a recorded run with the memory of one chunk (about 1 MiB). Damaged chunks are skipped, as in
+/// [`crate::recover()`]; messages for the eye only (frames and scene) are left out.
+#[derive(Debug)]
+pub struct RunReader<R> {
+    scanner: Scanner<R>,
+    name: PathBuf,
+    /// Topics and message types by channel.
+    channels: BTreeMap<u16, (String, u16)>,
+    schemas: BTreeMap<u16, String>,
+    /// Items of the piece that was read last.
+    ready: VecDeque<Result<RunItem, RecordError>>,
+    failed: bool,
+}
+
+impl RunReader<File> {
+    /// Opens a recording, whole or not (`<path>.active`).
+    ///
+    /// # Errors
+    /// [`RecordError::File`] if it cannot be opened, [`RecordError::NotMcap`] if it is no MCAP file.
+    pub fn open(path: &Path) -> Result<Self, RecordError> {
+        Self::new(File::open(path).map_err(|source| file_error("open", path, source))?, path)
+    }
+}
+
+impl<R: Read + Seek> RunReader<R> {
+    /// Reads a recording from any stream; errors call it `name`.
+    ///
+    /// # Errors
+    /// As [`RunReader::open`].
+    pub fn new(stream: R, name: &Path) -> Result<Self, RecordError> {
+        let error = |source| file_error("read", name, source);
+        let scanner = Scanner::new(stream).map_err(error)?;
+        let mut scanner = scanner.ok_or_else(|| RecordError::NotMcap { path: name.to_owned() })?;
+        let summary = scanner.summary().map_err(error)?;
+        let (channels, schemas) = (BTreeMap::new(), BTreeMap::new());
+        let name = name.to_owned();
+        let mut reader = Self { scanner, name, channels, schemas, ready: VecDeque::new(), failed: false };
+        if let Some(summary) = summary {
+            reader.absorb(&summary);
+            reader.ready.clear();
+        }
+        Ok(reader)
+    }
+
+    /// Whether the file ends before its end mark; known once all items are read.
+    pub fn truncated(&self) -> bool {
+        self.damage().truncated
+    }
+
+    /// Damaged chunks skipped so far.
+    pub fn chunks_bad(&self) -> u64 {
+        self.damage().chunks_bad
+    }
+
+    fn damage(&self) -> Damage {
+        self.scanner.damage()
+    }
+
+    /// Takes in the records of a piece.
+    fn absorb(&mut self, piece: &Piece) {
+        for record in piece.records() {
+            let item = match record {
+                Record::Schema(schema) => {
+                    self.schemas.insert(schema.id, schema.name.to_owned());
+                    None
+                }
+                Record::Channel(channel) => {
+                    self.channels.insert(channel.id, (channel.topic.to_owned(), channel.schema));
+                    None
+                }
+                Record::Metadata { name, entries } => Some(Ok(RunItem::Metadata(name.to_owned(), entries))),
+                Record::Attachment { name, data, .. } => {
+                    (name == CASE_ATTACHMENT).then(|| Ok(RunItem::Case(String::from_utf8_lossy(data).into_owned())))
+                }
+                Record::Message { channel, data, .. } => self.message(channel, data).transpose(),
+            };
+            self.ready.extend(item);
+        }
+    }
+
+    /// The item that a message is, if it is one.
+    fn message(&self, channel: u16, data: &[u8]) -> Result<Option<RunItem>, RecordError> {
+        let Some((topic, schema)) = self.channels.get(&channel) else {
+            return Ok(None);
+        };
+        let schema = self.schemas.get(schema).map_or("", String::as_str);
+        let item = match schema {
+            "tribodyn.v1.TransientState" => StateRow::decode(data).map(RunItem::State),
+            "tribodyn.v1.Balls" => tribodyn::Balls::decode(data).map(|balls| RunItem::Balls(balls.time_s, balls.balls)),
+            "tribodyn.v1.Wear" => WearRow::decode(data).map(RunItem::Wear),
+            "tribodyn.v1.Spectrum" => SpectrumRow::decode(data).map(RunItem::Spectrum),
+            "tribodyn.v1.Orbit" => OrbitRow::decode(data).map(RunItem::Orbit),
+            "foxglove.Log" => foxglove::Log::decode(data).map(|line| RunItem::Log(log_row(line))),
+            _ => return Ok(None),
+        };
+        item.map(Some).map_err(|source| RecordError::Decode { topic: topic.clone(), source })
+    }
+}
+
+fn log_row(line: foxglove::Log) -> LogRow {
+    let since_epoch = line.timestamp.map_or(0.0, |t| {
+        // Whole seconds first: as one f64 the nanoseconds of a date would be lost.
+        (t.seconds - (crate::timeline::EPOCH_NS / 1_000_000_000) as i64) as f64 + f64::from(t.nanos) * 1e-9
+    });
+    LogRow {
+        time_s: since_epoch,
+        warning: i32::from(line.level()) >= i32::from(foxglove::log::Level::Warning),
+        kind: line.name,
+        message: line.message,
+    }
+}
+
+impl<R: Read + Seek> Iterator for RunReader<R> {
+    type Item = Result<RunItem, RecordError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        while self.ready.is_empty() && !self.failed {
+            match self.scanner.next_piece() {
+                Ok(Some(piece)) => self.absorb(&piece),
+                Ok(None) => return None,
+                Err(source) => {
+                    self.failed = true;
+                    return Some(Err(file_error("read", &self.name, source)));
+                }
+            }
+        }
+        self.ready.pop_front()
+    }
+}
+
+/// A whole run in memory: about 25 MB for each simulated second at 25.6 kHz and 5 kHz with 13 balls.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Run {
+    /// The text of the case file; none if that part of the file is damaged.
+    pub case_text: Option<String>,
+    /// Metadata records: name, then keys and values. `simulation` describes the run.
+    pub metadata: BTreeMap<String, BTreeMap<String, String>>,
+    /// Rings, cage and powers, in order of time.
+    pub states: Vec<StateRow>,
+    /// Simulated time (s) and all balls, in order of time.
+    pub balls: Vec<(f64, Vec<BallRow>)>,
+    /// What has worn off, in order of time.
+    pub wear: Vec<WearRow>,
+    /// The log.
+    pub events: Vec<LogRow>,
+    /// Whether the file ends before its end mark: the run was killed, or is still going on.
+    pub truncated: bool,
+    /// Damaged chunks that are missing.
+    pub chunks_bad: u64,
+}
+
+/// Reads a whole run.
+///
+/// # Errors
+/// As [`RunReader::open`]; [`RecordError::Decode`] if a message is not what its topic says,
+/// [`RecordError::NothingToRecover`] if no state can be read.
+pub fn read_run(path: &Path) -> Result<Run, RecordError> {
+    let mut reader = RunReader::open(path)?;
+    let mut run = Run::default();
+    for item in &mut reader {
+        match item? {
+            RunItem::Case(text) => run.case_text = Some(text),
+            RunItem::Metadata(name, entries) => {
+                run.metadata.insert(name, entries);
+            }
+            RunItem::State(row) => run.states.push(row),
+            RunItem::Balls(time, rows) => run.balls.push((time, rows)),
+            RunItem::Wear(row) => run.wear.push(row),
+            RunItem::Log(row) => run.events.push(row),
+            RunItem::Spectrum(_) | RunItem::Orbit(_) => {}
+        }
+    }
+    (run.truncated, run.chunks_bad) = (reader.truncated(), reader.chunks_bad());
+    if run.states.is_empty() {
+        return Err(RecordError::NothingToRecover { path: path.to_owned() });
+    }
+    Ok(run)
+}

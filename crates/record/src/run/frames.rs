@@ -1,0 +1,90 @@
+//! `/tf` of a run, and how often frames and contacts are due.
+//!
+//! Frames and contacts take far more bytes than the numbers: they come with samples of the balls only, and no more
+//! often than [`FRAMES_PER_TURN`] and [`CONTACTS_PER_TURN`] times a turn of whatever turns fastest. Contacts ride on
+//! the frames, so fewer of them do not make the picture jump.
+
+use crate::frames::{Poses, Spins};
+use crate::quaternion::Rotation;
+use crate::wire::foxglove::FrameTransforms;
+use std::f64::consts::TAU;
+use tribodyn_dynamics::Sample;
+
+/// Most frame transforms in a turn.
+const FRAMES_PER_TURN: f64 = 70.0;
+/// Most sets of contact arrows and patches in a turn.
+const CONTACTS_PER_TURN: f64 = 20.0;
+/// Longest time between either, s, where little turns.
+const LONGEST_S: f64 = 0.01;
+
+/// What has been sent of a moving scene.
+#[derive(Debug)]
+pub(crate) struct Motion {
+    spins: Spins,
+    /// Time (s) and spin (rad/s) of each ball at the last sample.
+    last: Option<(f64, Vec<[f64; 3]>)>,
+    frames: Due,
+    contacts: Due,
+}
+
+/// When something was sent last: time (s) and angles of inner ring, outer ring and cage (rad).
+#[derive(Debug, Default)]
+struct Due {
+    last: Option<(f64, [f64; 3])>,
+}
+
+impl Due {
+    fn due(&mut self, sample: &Sample, per_turn: f64) -> bool {
+        let angles = [sample.inner.angle_rad, sample.outer.angle_rad, sample.cage.angle_rad];
+        // A little less than the step, so that rounding does not skip a sample.
+        let step = TAU / per_turn * (1.0 - 1e-6);
+        let is_due = self.last.is_none_or(|(time, before)| {
+            sample.time_s - time >= LONGEST_S || angles.iter().zip(before).any(|(now, then)| (now - then).abs() >= step)
+        });
+        if is_due {
+            self.last = Some((sample.time_s, angles));
+        }
+        is_due
+    }
+}
+
+impl Motion {
+    pub(crate) fn new(balls: usize) -> Self {
+        Self { spins: Spins::new(balls), last: None, frames: Due::default(), contacts: Due::default() }
+    }
+
+    /// Turns the balls from the last sample to this one, by the mean of both spins.
+    pub(crate) fn advance(&mut self, sample: &Sample) {
+        let now = sample.balls.iter().map(|b| b.spin_rad_s);
+        if let Some((time, spins)) = &mut self.last {
+            let step = sample.time_s - *time;
+            for (index, (before, spin)) in spins.iter_mut().zip(now).enumerate() {
+                let mean = [0, 1, 2].map(|k| 0.5 * (before[k] + spin[k]));
+                self.spins.advance_one(index, mean, step);
+                *before = spin;
+            }
+            *time = sample.time_s;
+        } else {
+            self.last = Some((sample.time_s, now.collect()));
+        }
+    }
+
+    pub(crate) fn frames_due(&mut self, sample: &Sample) -> bool {
+        self.frames.due(sample, FRAMES_PER_TURN)
+    }
+
+    pub(crate) fn contacts_due(&mut self, sample: &Sample) -> bool {
+        self.contacts.due(sample, CONTACTS_PER_TURN)
+    }
+
+    pub(crate) fn transforms(&self, sample: &Sample, log_time: u64) -> FrameTransforms {
+        let poses = Poses {
+            log_time,
+            inner: (sample.inner.displacement_m, Rotation::about_z(sample.inner.angle_rad)),
+            outer: (sample.outer.displacement_m, Rotation::about_z(sample.outer.angle_rad)),
+            cage_angle: sample.cage.angle_rad,
+            spins: &self.spins,
+        };
+        poses.message(sample.balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]))
+    }
+}

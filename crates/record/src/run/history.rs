@@ -1,0 +1,108 @@
+//! What a run remembers of its recent past: the last turn of the shaft and the samples behind the spectra.
+
+use crate::RecordError;
+use crate::timeline::timestamp;
+use crate::wire::tribodyn::{Orbit, Spectrum};
+use std::collections::VecDeque;
+use std::f64::consts::TAU;
+use tribodyn_dynamics::Sample;
+use tribodyn_signal::Window;
+
+/// Most points of an orbit: a shaft that hardly turns would else fill the memory.
+const ORBIT_POINTS: usize = 4096;
+/// Most samples behind a spectrum: 6 Hz between lines at 25.6 kHz.
+const SPECTRUM_SAMPLES: usize = 4096;
+/// Fewest samples behind a spectrum.
+const LEAST_SPECTRUM_SAMPLES: usize = 256;
+
+/// The path of the inner ring over the last turn.
+#[derive(Debug, Default)]
+pub(crate) struct LastTurn {
+    /// Angle turned (rad), x and y (µm).
+    points: VecDeque<[f64; 3]>,
+}
+
+impl LastTurn {
+    pub(crate) fn push(&mut self, sample: &Sample) {
+        // Where only the outer ring turns, its turns count.
+        let angle = sample.inner.angle_rad.abs().max(sample.outer.angle_rad.abs());
+        let [x, y, _] = sample.inner.displacement_m;
+        self.points.push_back([angle, x * 1e6, y * 1e6]);
+        while self.points.len() > ORBIT_POINTS || self.points.get(1).is_some_and(|second| angle - second[0] >= TAU) {
+            self.points.pop_front();
+        }
+    }
+
+    /// The path up to now.
+    pub(crate) fn message(&self, time_s: f64, log_time: u64) -> Orbit {
+        Orbit {
+            timestamp: Some(timestamp(log_time)),
+            time_s,
+            x_um: self.points.iter().map(|p| p[1] as f32).collect(),
+            y_um: self.points.iter().map(|p| p[2] as f32).collect(),
+        }
+    }
+}
+
+/// What is transformed: a name, its unit, and where it is in a sample.
+pub(crate) type Quantity = (&'static str, &'static str, fn(&Sample) -> f64);
+
+/// The quantities with spectra, in the order of their topics.
+pub(crate) const QUANTITIES: [Quantity; 3] = [
+    ("acceleration of the outer ring along X", "m/s²", |s| s.outer.acceleration_m_s2[0]),
+    ("acceleration of the inner ring along X", "m/s²", |s| s.inner.acceleration_m_s2[0]),
+    ("speed of the cage", "r/min", |s| s.cage.speed_rad_s * 60.0 / TAU),
+];
+
+/// The recent samples of the quantities with spectra.
+#[derive(Debug, Default)]
+pub(crate) struct Recent {
+    times: VecDeque<f64>,
+    values: [VecDeque<f64>; QUANTITIES.len()],
+}
+
+impl Recent {
+    pub(crate) fn push(&mut self, sample: &Sample) {
+        // Two samples of one time, at an event for instance, are one of an even series.
+        if self.times.back().is_some_and(|&last| sample.time_s <= last) {
+            return;
+        }
+        self.times.push_back(sample.time_s);
+        for (values, (_, _, get)) in self.values.iter_mut().zip(QUANTITIES) {
+            values.push_back(get(sample));
+        }
+        if self.times.len() > SPECTRUM_SAMPLES {
+            self.times.pop_front();
+            self.values.iter_mut().for_each(|values| {
+                values.pop_front();
+            });
+        }
+    }
+
+    /// Spectrum of one of [`QUANTITIES`] over the largest power of two of samples; none where there are too few or
+    /// their times are not even.
+    pub(crate) fn spectrum(&self, quantity: usize, log_time: u64) -> Result<Option<Spectrum>, RecordError> {
+        let count = if self.times.is_empty() { 0 } else { 1 << self.times.len().ilog2() };
+        let first = self.times.len() - count;
+        let (Some(&start), Some(&end)) = (self.times.get(first), self.times.back()) else {
+            return Ok(None);
+        };
+        let step = (end - start) / count.saturating_sub(1).max(1) as f64;
+        let even = |(i, &t): (usize, &f64)| (t - start - step * i as f64).abs() < 0.01 * step;
+        if count < LEAST_SPECTRUM_SAMPLES || !self.times.range(first..).enumerate().all(even) {
+            return Ok(None);
+        }
+        let samples: Vec<f64> = self.values[quantity].range(first..).copied().collect();
+        let spectrum = tribodyn_signal::Spectrum::of(&samples, 1.0 / step, Window::Hann)?;
+        let narrow = |values: &[f64]| values.iter().map(|&v| v as f32).collect();
+        let (name, unit, _) = QUANTITIES[quantity];
+        Ok(Some(Spectrum {
+            timestamp: Some(timestamp(log_time)),
+            time_s: end,
+            quantity: name.into(),
+            unit: unit.into(),
+            frequency_hz: narrow(&spectrum.frequency_hz),
+            amplitude: narrow(&spectrum.amplitude),
+        }))
+    }
+}

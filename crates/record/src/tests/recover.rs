@@ -1,0 +1,199 @@
+//! Files that were cut off or damaged.
+
+use super::sample::run_bytes;
+use crate::scan::{Record, Scanner};
+use crate::{RECOVERY_METADATA, RecordError, Recovered, RunItem, RunReader, recover, recover_stream};
+use std::io::Cursor;
+use std::path::Path;
+
+/// A message: channel, sequence, log time, data.
+type Whole = (String, u32, u64, Vec<u8>);
+
+fn messages(file: &[u8]) -> Vec<Whole> {
+    let message = |m: mcap::Message| (m.channel.topic.clone(), m.sequence, m.log_time, m.data.to_vec());
+    mcap::MessageStream::new(file).unwrap().map(|m| message(m.unwrap())).collect()
+}
+
+/// Ends of the chunks of a whole file and the messages up to there.
+fn chunk_ends(file: &[u8]) -> Vec<(usize, usize)> {
+    let summary = mcap::Summary::read(file).unwrap().unwrap();
+    let mut count = 0;
+    let end = |index: &mcap::records::ChunkIndex| {
+        count += summary.stream_chunk(file, index).unwrap().count();
+        ((index.chunk_start_offset + index.chunk_length) as usize, count)
+    };
+    summary.chunk_indexes.iter().map(end).collect()
+}
+
+fn recovered(bytes: &[u8]) -> Result<(Recovered, Vec<u8>), RecordError> {
+    recover_stream(Cursor::new(bytes), Cursor::new(Vec::new())).map(|(done, out)| (done, out.into_inner()))
+}
+
+/// A generator of pseudo-random numbers (Lehmer, modulus 2³¹ − 1, factor 48271), the same in every run.
+struct Lehmer(u64);
+
+impl Lehmer {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 = self.0 * 48_271 % 0x7fff_ffff;
+        self.0 as usize % bound
+    }
+}
+
+/// A run of 0.16 s in four chunks of messages.
+fn small_run() -> Vec<u8> {
+    run_bytes(160, 1_000.0, 8)
+}
+
+#[test]
+fn limit_a_file_cut_anywhere_keeps_all_whole_chunks() {
+    let file = small_run();
+    assert!((50_000..1_000_000).contains(&file.len()), "{} bytes", file.len());
+    let (all, ends) = (messages(&file), chunk_ends(&file));
+    assert!(ends.len() >= 4 && ends.last().unwrap().1 == all.len());
+    let mut random = Lehmer(1);
+    let (mut refused, mut beyond) = (0, 0);
+    for _ in 0..200 {
+        let cut = random.below(file.len());
+        let certain = ends.iter().rev().find(|(end, _)| *end <= cut).map_or(0, |(_, count)| *count);
+        match recovered(&file[..cut]) {
+            Ok((done, whole)) => {
+                let saved = messages(&whole);
+                assert!(saved.len() >= certain, "cut at {cut}: {} of {certain} certain messages", saved.len());
+                assert_eq!(saved[..], all[..saved.len()], "cut at {cut}");
+                assert_eq!(done.messages, saved.len() as u64);
+                assert_eq!((done.chunks_bad, done.messages_lost, done.truncated), (0, 0, true), "cut at {cut}");
+                assert_eq!(done.last_time_ns, saved.last().unwrap().2);
+                beyond += usize::from(saved.len() > certain);
+            }
+            Err(error) => {
+                assert_eq!(certain, 0, "cut at {cut}: {error}");
+                let clean = matches!(error, RecordError::NothingToRecover { .. } | RecordError::NotMcap { .. });
+                assert!(clean, "cut at {cut}: {error}");
+                refused += 1;
+            }
+        }
+    }
+    // Case, layout, descriptors and bodies come first and are half of so short a file.
+    assert!(refused > 0 && refused < 140, "{refused} refused");
+    assert!(beyond > 0, "no message of any chunk that was cut in two");
+}
+
+#[test]
+fn limit_a_flipped_byte_costs_its_own_chunk_at_most() {
+    let file = small_run();
+    let (all, ends) = (messages(&file), chunk_ends(&file));
+    let mut random = Lehmer(2);
+    let mut bad = 0;
+    for _ in 0..200 {
+        let place = 8 + random.below(file.len() - 8);
+        let mut damaged = file.clone();
+        damaged[place] ^= 1 + random.below(255) as u8;
+        let (done, whole) = recovered(&damaged).unwrap_or_else(|error| panic!("{place}: {error}"));
+        let saved = messages(&whole);
+        bad += done.chunks_bad;
+        if saved.len() == all.len() {
+            assert_eq!(saved, all, "byte {place}");
+            continue;
+        }
+        assert_eq!(done.chunks_bad, 1, "byte {place}: messages are missing, and nothing is said");
+        assert!(done.bytes_lost > 0);
+        // What is missing is the content of one chunk, in one piece.
+        let counts: Vec<usize> = std::iter::once(0).chain(ends.iter().map(|(_, count)| *count)).collect();
+        let without = |pair: &[usize]| [&all[..pair[0]], &all[pair[1]..]].concat();
+        assert!(counts.windows(2).any(|pair| saved == without(pair)), "byte {place}: {} saved", saved.len());
+    }
+    assert!(bad > 100, "{bad}");
+}
+
+#[test]
+fn limit_wrong_lengths_ask_for_no_memory() {
+    let file = small_run();
+    let (all, chunks) = (messages(&file), mcap::Summary::read(&file).unwrap().unwrap().chunk_indexes);
+    let second = chunks[2].chunk_start_offset as usize;
+    // Length of the record, uncompressed size, compressed size; head: opcode, length, times, size, checksum, "zstd".
+    for place in [1, 1 + 8 + 16, 1 + 8 + 16 + 8 + 4 + 8] {
+        for wrong in [u64::MAX, u64::MAX - 7, 1 << 40, 1 << 33, 0] {
+            let mut damaged = file.clone();
+            damaged[second + place..second + place + 8].copy_from_slice(&wrong.to_le_bytes());
+            let (done, whole) = recovered(&damaged).unwrap();
+            assert_eq!(done.chunks_bad, 1, "{wrong} at {place}");
+            assert!(!done.truncated);
+            let saved = messages(&whole).len();
+            assert!(saved < all.len() && saved > all.len() / 2, "{wrong} at {place}: {saved} of {}", all.len());
+        }
+    }
+    // A chunk that says it is four times as long as the file lets it be.
+    let mut cut = file[..chunks[3].chunk_start_offset as usize + 300].to_vec();
+    let place = chunks[3].chunk_start_offset as usize + 1;
+    cut[place..place + 8].copy_from_slice(&(1_u64 << 45).to_le_bytes());
+    let before = chunk_ends(&file)[2].1;
+    assert_eq!(recovered(&cut).unwrap().0.messages, before as u64);
+}
+
+#[test]
+fn limit_a_lost_table_of_channels_is_found_in_the_summary() {
+    let file = small_run();
+    let all = messages(&file);
+    let first = mcap::Summary::read(&file).unwrap().unwrap().chunk_indexes[0].chunk_start_offset as usize;
+    let mut damaged = file.clone();
+    damaged[first + 200] ^= 0x55;
+    let (done, whole) = recovered(&damaged).unwrap();
+    assert_eq!((done.chunks_bad, done.messages_lost), (1, 0));
+    assert_eq!(messages(&whole), all);
+    // Without the summary nobody can say what the messages are.
+    let error = recovered(&damaged[..file.len() - 20_000]).unwrap_err();
+    assert!(matches!(error, RecordError::NothingToRecover { .. }), "{error}");
+}
+
+#[test]
+fn limit_what_is_no_recording_is_refused() {
+    for bytes in [&b""[..], b"\x89MCAP0\r", b"not a recording at all, by any means", &[0; 4096]] {
+        assert!(matches!(recovered(bytes), Err(RecordError::NotMcap { .. })));
+    }
+    assert!(matches!(recovered(b"\x89MCAP0\r\n"), Err(RecordError::NothingToRecover { .. })));
+    assert!(matches!(RunReader::new(Cursor::new(b"no"), Path::new("no")), Err(RecordError::NotMcap { .. })));
+    let missing = super::path("recover-missing");
+    assert!(matches!(recover(&missing, &missing), Err(RecordError::File { action: "open", .. })));
+    assert!(!crate::output::with_suffix(&missing, ".recovering").exists());
+}
+
+#[test]
+fn identity_a_sound_file_is_copied_and_says_so() {
+    let file = small_run();
+    let (done, whole) = recovered(&file).unwrap();
+    assert_eq!(messages(&whole), messages(&file));
+    assert_eq!((done.chunks_bad, done.bytes_lost, done.messages_lost, done.truncated), (0, 0, 0, false));
+    assert!((done.last_time_s() - 0.159).abs() < 1e-9);
+    let records = |bytes: &[u8]| {
+        let mut scanner = Scanner::new(Cursor::new(bytes.to_vec())).unwrap().unwrap();
+        let (mut attachments, mut metadata) = (Vec::new(), Vec::new());
+        while let Some(piece) = scanner.next_piece().unwrap() {
+            for record in piece.records() {
+                match record {
+                    Record::Attachment { name, data, .. } => attachments.push((name.to_owned(), data.to_vec())),
+                    Record::Metadata { name, entries } => metadata.push((name.to_owned(), entries)),
+                    _ => {}
+                }
+            }
+        }
+        (attachments, metadata)
+    };
+    let ((attached, described), (again, mut says)) = (records(&file), records(&whole));
+    assert_eq!(attached.len(), 2);
+    assert_eq!(attached, again);
+    let (name, report) = says.pop().unwrap();
+    assert_eq!(says, described);
+    assert_eq!((name.as_str(), report["chunks_bad"].as_str()), (RECOVERY_METADATA, "0"));
+}
+
+#[test]
+fn limit_a_run_still_going_on_can_be_read() {
+    let file = small_run();
+    let cut = chunk_ends(&file)[2].0 + 2_000;
+    let mut reader = RunReader::new(Cursor::new(&file[..cut]), Path::new("run.mcap.active")).unwrap();
+    let items: Vec<RunItem> = (&mut reader).map(Result::unwrap).collect();
+    assert!(reader.truncated() && reader.chunks_bad() == 0);
+    let states = items.iter().filter(|item| matches!(item, RunItem::State(_))).count();
+    assert!((100..160).contains(&states), "{states}");
+    assert!(items.iter().any(|item| matches!(item, RunItem::Case(text) if text == super::case::TEXT)));
+}
