@@ -39,6 +39,10 @@ pub enum Failure {
     Plot(#[from] tribodyn_plot::PlotError),
     #[error(transparent)]
     Sweep(#[from] crate::sweep::SweepError),
+    #[error(transparent)]
+    Run(#[from] crate::run::RunError),
+    #[error(transparent)]
+    Signal(#[from] tribodyn_signal::SignalError),
     #[error("cannot write the answer: {0}")]
     Output(#[from] std::io::Error),
     #[error("cannot write the answer as JSON: {0}")]
@@ -63,13 +67,14 @@ impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Sweep(error) => error.exit_code(),
+            Self::Run(error) => error.exit_code(),
             Self::Solver { source: QuasiStaticError::NotConverged { .. }, .. } => 1,
             Self::Identify { source, .. }
                 if matches!(**source, IdentifyError::NoStart { .. } | IdentifyError::Solver(_)) =>
             {
                 1
             }
-            Self::Write { .. } | Self::Record(_) | Self::Plot(_) | Self::Output(_) | Self::Json(_) => 1,
+            Self::Write { .. } | Self::Signal(_) | Self::Record(_) | Self::Plot(_) | Self::Output(_) | Self::Json(_) => 1,
             _ => 2,
         }
     }

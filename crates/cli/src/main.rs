@@ -8,6 +8,8 @@ mod hertz;
 mod identify;
 mod input;
 mod output;
+mod recover;
+mod run;
 mod solve;
 mod sweep;
 mod table;
@@ -31,6 +33,7 @@ Examples:
   tribodyn check fixtures/cases/paper-ag.ron
   tribodyn solve fixtures/cases/paper-ag.ron --plot figures -o run.mcap
   tribodyn solve fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(30)' --json
+  tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
   tribodyn sweep fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(10..60 by 5)' -o table.parquet
   tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
   tribodyn traction --coating ag --pressure 2.5 --slip 0,1,3,10
@@ -48,6 +51,10 @@ enum Command {
     Traction(traction::Arguments),
     /// Quasi-static equilibrium of a bearing
     Solve(solve::Arguments),
+    /// Transient run of a bearing, recorded
+    Run(run::Arguments),
+    /// A whole recording from one that was cut off or damaged
+    Recover(recover::Arguments),
     /// Quasi-static equilibria over a grid of case values
     Sweep(sweep::Arguments),
     /// Unknown parameters of a case from published or measured figures
@@ -60,6 +67,8 @@ fn main() -> ExitCode {
         Command::Hertz(arguments) => hertz::run(&arguments),
         Command::Traction(arguments) => traction::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Recover(arguments) => recover::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Identify(arguments) => identify::run(&arguments),
     };

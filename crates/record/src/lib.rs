@@ -1,4 +1,5 @@
-//! Recordings of bearing solutions: MCAP files that open in Foxglove with a moving 3-D bearing, plots and warnings.
+//! Recordings of bearing solutions and transient runs: MCAP files that open in Foxglove with a moving 3-D bearing, plots
+//! and a log, and that can be read back, also where they were cut off or damaged.
 //!
 //! # What a recording of a quasi-static solution shows
 //! One orbit of the cage in simulated time. Ball j starts at its solved azimuth φ_j and orbits at the cage speed ω_c;
@@ -21,7 +22,33 @@
 //! | r_c, z | orbit radius, axial position of a ball centre | m |
 //! | α, n, Q | contact angle, outward normal from the ball centre, contact load | rad, –, N |
 //!
-//! # The file
+//! # What a recording of a transient run shows
+//! The samples and events of a [`tribodyn_dynamics::Observer`], as they come; nothing is interpolated. Drawn from them:
+//! ```text
+//! ball centre: r_c e_r(φ) + z e_a;   ball orientation: dq/dt = ½ ω q, by the mean of ω over each step
+//! F_c = m r_c ω_m²,   M_g = J ω_m √(ω_r² + ω_t²),   m = ρ π D³/6,   J = m D²/10
+//! spectrum: single-sided peak amplitudes of the last 2^k ≤ 4096 samples, Hann window (crate `tribodyn-signal`)
+//! ```
+//! [`RunRecorder`] makes the messages and hands them to a [`Sink`]: a file ([`FileSink`]), any stream ([`StreamSink`]), or
+//! two sinks at once. [`RunReader`] and [`read_run`] give the numbers back in the recorded units, [`recover()`] makes a
+//! whole file from a torn or damaged one.
+//!
+//! | topic of a run | message | when |
+//! |---|---|---|
+//! | `/bearing/state` | `tribodyn.v1.TransientState`, f64 | every sample |
+//! | `/bearing/balls` | `tribodyn.v1.Balls`, f32 | samples with balls |
+//! | `/tf` | `foxglove.FrameTransforms` | samples with balls, at most 70 times a turn |
+//! | `/bearing/contacts` | `foxglove.SceneUpdate` | samples with balls, at most 20 times a turn |
+//! | `/bearing/geometry` | `foxglove.SceneUpdate` | once |
+//! | `/bearing/orbit`, `/bearing/wear` | `tribodyn.v1.Orbit`, `tribodyn.v1.Wear` | each 0.1 s |
+//! | `/bearing/spectrum`, `…/inner`, `…/cage` | `tribodyn.v1.Spectrum` | each 0.1 s, from 256 even samples on |
+//! | `/log` | `foxglove.Log` | warnings; of impacts, contacts lost and made one line each in a millisecond |
+//!
+//! A killed program loses no more than the messages of the last 0.05 s of simulated time: chunks are closed then or when
+//! they hold 1 MiB, and of the open one whole compressed blocks (128 KiB of messages) can be read back too. A machine
+//! that loses power may lose what its system had not yet put on the disk. The file is synchronised at its end only.
+//!
+//! # The file of a solution
 //!
 //! | topic | message | when |
 //! |---|---|---|
@@ -32,7 +59,8 @@
 //! | `/bearing/geometry` | `foxglove.SceneUpdate` | once |
 //! | `/log` | `foxglove.Log` | one message for each warning of the solution |
 //!
-//! Metadata record `simulation`; attachments: the case file and the Foxglove layout ([`LAYOUT`], to be imported).
+//! # Both files
+//! Metadata record `simulation`; attachments: the case file and the Foxglove layout ([`LAYOUT`] or [`RUN_LAYOUT`], to be imported).
 //! The same input gives the same bytes: fixed epoch, one compression thread, no clock. The file is written as
 //! `<path>.active` and renamed when whole.
 //!
@@ -52,6 +80,10 @@
 //! pocket is a number in `/bearing/balls`. Faces and outside diameters of the rings, shoulders and cage proportions
 //! are no part of a case and are drawn in the proportions of a 7224 bearing; balls, grooves, contact angles, pockets
 //! and displacements are true to scale, contact ellipses are enlarged by the factor in the metadata.
+//!
+//! Rings of a run do not tilt. Scales of arrows and colours of a run are set by its first sample. Spectra, paths and
+//! lines of the log that were thinned out are for the eye: reports compute theirs from the states, whose count of
+//! impacts is complete.
 //!
 //! The crate deliberately knows no equation of equilibrium and no unit of a case file: it draws and stores what the
 //! solver says.

@@ -5,7 +5,7 @@ use super::{Outcome, finish};
 use crate::error::Failure;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 10] = [
+const LAYERS: [(&str, &[&str]); 11] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
@@ -15,7 +15,9 @@ const LAYERS: [(&str, &[&str]); 10] = [
     ("tribodyn-quasistatic", &["tribodyn-bearing"]),
     // Identification writes its candidates into the case file, so it knows `bearing` too.
     ("tribodyn-identify", &["tribodyn-bearing", "tribodyn-quasistatic"]),
-    ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic"]),
+    ("tribodyn-dynamics", &["tribodyn-bearing", "tribodyn-quasistatic"]),
+    // Recordings of runs hold spectra that a viewer cannot compute.
+    ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
     ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
 ];
 /// Programs that may use every crate.

@@ -39,11 +39,12 @@ pub fn copy(files: &Files, saved: &Saved, tape: &SharedTape) -> Result<(), Failu
     if copied < saved.safe_messages {
         return Err(lost(files, copied, saved).into());
     }
-    tape.flush()?;
     for loose in &saved.loose_messages {
         let data = from_hex(&loose.hex).ok_or_else(|| lost(files, copied, saved))?;
         tape.put(loose.channel, loose.log_time_ns, &data)?;
     }
+    // From now on a reader of the new file sees all of it.
+    tape.flush()?;
     Ok(())
 }
 
@@ -56,15 +57,13 @@ fn lost(files: &Files, found: u64, saved: &Saved) -> RunError {
 /// at which something is due. Displacements and accelerations are as recorded; the spins have single precision, so that
 /// the drawn orientation of balls, and that alone, differs in its seventh digit from that of a run without a stop.
 pub fn remind(active: &Path, saved: &Saved, first: Sample, watcher: &mut Watcher) -> Result<(), Failure> {
-    let unlogged: usize = saved.past.unlogged.iter().map(Vec::len).sum();
     let logged = saved.past.impacts - (saved.past.unlogged[0].len() as u64).min(saved.past.impacts);
     watcher.sample(&first, true)?;
     for _ in 0..logged {
         let kind = EventKind::Impact { ball: 0, azimuth_deg: 0.0, closing_speed_m_s: 0.0, ball_leads: true };
         watcher.remind(&Event { time_s: 0.0, kind })?;
     }
-    let mut pending: Vec<&Event> = Vec::with_capacity(unlogged);
-    pending.extend(saved.past.unlogged.iter().flatten());
+    let mut pending: Vec<&Event> = saved.past.unlogged.iter().flatten().collect();
     pending.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
     let mut pending = pending.into_iter().peekable();
     let mut sample = first;
@@ -76,8 +75,6 @@ pub fn remind(active: &Path, saved: &Saved, first: Sample, watcher: &mut Watcher
         watcher.sample(sample, with_balls)?;
         Ok(())
     };
-    let from_loose = saved.loose_messages.iter().map(|loose| (loose.channel, &loose.hex));
-    let _ = from_loose;
     for item in RunReader::open(active)? {
         match item? {
             RunItem::State(row) if row.time_s > 0.0 => {

@@ -1,0 +1,182 @@
+//! What a recorded run comes to in a few numbers.
+
+use serde::Serialize;
+use tribodyn_record::{LogRow, StateRow, WearRow};
+use tribodyn_signal::Statistics;
+
+/// Numbers of a run; means, rms and extremes are of its second half, where what is left of the start has faded most.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Summary {
+    pub simulated_s: f64,
+    /// From when on the averages are taken.
+    pub averaged_from_s: f64,
+    pub samples: usize,
+    pub cage_speed_mean_rpm: f64,
+    pub cage_speed_end_rpm: f64,
+    pub orbital_speed_min_rpm: f64,
+    pub orbital_speed_max_rpm: f64,
+    /// About the mean.
+    pub outer_acceleration_x_rms_m_s2: f64,
+    pub outer_acceleration_y_rms_m_s2: f64,
+    /// Farthest from the mean.
+    pub outer_acceleration_x_peak_m_s2: f64,
+    pub outer_acceleration_y_peak_m_s2: f64,
+    pub load_inner_max_n: f64,
+    pub load_outer_max_n: f64,
+    pub pressure_inner_max_gpa: f64,
+    pub pressure_outer_max_gpa: f64,
+    pub pocket_force_max_n: f64,
+    /// In the whole run.
+    pub impacts: u32,
+    /// Fewest balls that carried load at both races at one time.
+    pub balls_in_contact_min: u32,
+    pub power: Powers,
+    pub wear: Worn,
+    pub warnings: Vec<String>,
+}
+
+/// Mean powers, W, and how well they balance.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Powers {
+    pub shaft_w: f64,
+    pub load_w: f64,
+    pub friction_inner_w: f64,
+    pub friction_outer_w: f64,
+    pub drag_w: f64,
+    pub churning_w: f64,
+    pub contact_damping_w: f64,
+    pub pocket_friction_w: f64,
+    pub pocket_damping_w: f64,
+    pub cage_w: f64,
+    pub support_w: f64,
+    /// Energy that moving and pressed parts took up.
+    pub stored_w: f64,
+    /// Work missing at the end over all work put in, parts per billion.
+    pub imbalance_ppb: f64,
+}
+
+impl Powers {
+    /// The losses by name, and what was stored.
+    pub fn out(&self) -> [(&'static str, f64); 10] {
+        [
+            ("friction, inner race", self.friction_inner_w),
+            ("friction, outer race", self.friction_outer_w),
+            ("drag on the balls", self.drag_w),
+            ("churning of the balls", self.churning_w),
+            ("contact damping", self.contact_damping_w),
+            ("pocket friction", self.pocket_friction_w),
+            ("pocket damping", self.pocket_damping_w),
+            ("cage drag and guidance", self.cage_w),
+            ("support dampers", self.support_w),
+            ("stored", self.stored_w),
+        ]
+    }
+}
+
+/// What has worn off since the start, without the acceleration of wear.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Worn {
+    pub volume_inner_um3: f64,
+    pub volume_outer_um3: f64,
+    pub volume_cage_um3: f64,
+    /// Thinnest coating left.
+    pub coating_inner_min_um: f64,
+    pub coating_outer_min_um: f64,
+    /// When this was so.
+    pub at_s: f64,
+}
+
+impl Summary {
+    /// Of the rows of a recording; none without any.
+    pub fn of(states: &[StateRow], wear: Option<&WearRow>, log: &[LogRow]) -> Option<Self> {
+        let last = states.last()?;
+        let from = states.partition_point(|row| row.time_s < 0.5 * last.time_s).min(states.len() - 1);
+        let half = &states[from..];
+        let statistics = |get: fn(&StateRow) -> f64| Statistics::of(&half.iter().map(get).collect::<Vec<_>>()).ok();
+        let (x, y) = (statistics(|r| r.outer_acceleration_x_m_s2)?, statistics(|r| r.outer_acceleration_y_m_s2)?);
+        let largest = |get: fn(&StateRow) -> f64| half.iter().map(get).fold(f64::NEG_INFINITY, f64::max);
+        let smallest = |get: fn(&StateRow) -> f64| half.iter().map(get).fold(f64::INFINITY, f64::min);
+        let warnings = log.iter().filter(|row| row.warning).map(|row| row.message.clone()).collect();
+        Some(Self {
+            simulated_s: last.time_s,
+            averaged_from_s: half[0].time_s,
+            samples: states.len(),
+            cage_speed_mean_rpm: statistics(|r| r.cage_speed_rpm)?.mean,
+            cage_speed_end_rpm: last.cage_speed_rpm,
+            orbital_speed_min_rpm: smallest(|r| r.orbital_speed_min_rpm),
+            orbital_speed_max_rpm: largest(|r| r.orbital_speed_max_rpm),
+            outer_acceleration_x_rms_m_s2: x.rms,
+            outer_acceleration_y_rms_m_s2: y.rms,
+            outer_acceleration_x_peak_m_s2: x.peak,
+            outer_acceleration_y_peak_m_s2: y.peak,
+            load_inner_max_n: largest(|r| r.load_inner_max_n),
+            load_outer_max_n: largest(|r| r.load_outer_max_n),
+            pressure_inner_max_gpa: largest(|r| r.pressure_inner_max_gpa),
+            pressure_outer_max_gpa: largest(|r| r.pressure_outer_max_gpa),
+            pocket_force_max_n: largest(|r| r.pocket_force_max_n),
+            impacts: last.impacts,
+            balls_in_contact_min: states.iter().map(|r| r.balls_in_contact).min()?,
+            power: powers(half),
+            wear: wear.map_or_else(Worn::default, worn),
+            warnings,
+        })
+    }
+}
+
+fn worn(row: &WearRow) -> Worn {
+    Worn {
+        volume_inner_um3: row.volume_inner_um3,
+        volume_outer_um3: row.volume_outer_um3,
+        volume_cage_um3: row.volume_cage_um3,
+        coating_inner_min_um: row.coating_inner_min_um,
+        coating_outer_min_um: row.coating_outer_min_um,
+        at_s: row.time_s,
+    }
+}
+
+/// Means over rows that are not empty.
+fn powers(rows: &[StateRow]) -> Powers {
+    let mean = |get: fn(&StateRow) -> f64| rows.iter().map(get).sum::<f64>() / rows.len() as f64;
+    let (first, last) = (&rows[0], &rows[rows.len() - 1]);
+    let span = last.time_s - first.time_s;
+    Powers {
+        shaft_w: mean(|r| r.shaft_power_w),
+        load_w: mean(|r| r.load_power_w),
+        friction_inner_w: mean(|r| r.friction_inner_w),
+        friction_outer_w: mean(|r| r.friction_outer_w),
+        drag_w: mean(|r| r.drag_w),
+        churning_w: mean(|r| r.churning_w),
+        contact_damping_w: mean(|r| r.contact_damping_w),
+        pocket_friction_w: mean(|r| r.pocket_friction_w),
+        pocket_damping_w: mean(|r| r.pocket_damping_w),
+        cage_w: mean(|r| r.cage_w),
+        support_w: mean(|r| r.support_w),
+        stored_w: if span > 0.0 { (last.energy_j - first.energy_j) / span } else { 0.0 },
+        imbalance_ppb: last.imbalance_ppb,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_averages_are_of_the_second_half() {
+        let row = |k: i32| StateRow {
+            time_s: 0.01 * f64::from(k),
+            cage_speed_rpm: if k < 5 { 0.0 } else { 6000.0 + f64::from(k % 2) },
+            outer_acceleration_x_m_s2: if k < 5 { 99.0 } else { 3.0 + 2.0 * f64::from(k % 2) },
+            energy_j: 7.0 * f64::from(k),
+            impacts: 4,
+            ..StateRow::default()
+        };
+        let rows: Vec<StateRow> = (0..=10).map(row).collect();
+        let summary = Summary::of(&rows, None, &[]).unwrap();
+        assert_eq!((summary.averaged_from_s, summary.samples, summary.impacts), (0.05, 11, 4));
+        assert!((summary.cage_speed_mean_rpm - 6000.5).abs() < 1e-9);
+        assert!((summary.outer_acceleration_x_rms_m_s2 - 1.0).abs() < 1e-12);
+        assert!((summary.power.stored_w - 700.0).abs() < 1e-9);
+        assert_eq!(Summary::of(&[], None, &[]), None);
+        assert!(Summary::of(&rows[..1], None, &[]).is_some());
+    }
+}
