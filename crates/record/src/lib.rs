@@ -1,5 +1,5 @@
-//! Recordings of bearing solutions and transient runs: MCAP files that open in Foxglove with a moving 3-D bearing, plots
-//! and a log, and that can be read back, also where they were cut off or damaged.
+//! Recordings of bearing solutions and transient runs: MCAP files that open in Foxglove with a moving 3-D bearing,
+//! plots and a log, and that can be read back, also where they were cut off or damaged.
 //!
 //! # What a recording of a quasi-static solution shows
 //! One orbit of the cage in simulated time. Ball j starts at its solved azimuth φ_j and orbits at the cage speed ω_c;
@@ -29,9 +29,9 @@
 //! F_c = m r_c ω_m²,   M_g = J ω_m √(ω_r² + ω_t²),   m = ρ π D³/6,   J = m D²/10
 //! spectrum: single-sided peak amplitudes of the last 2^k ≤ 4096 samples, Hann window (crate `tribodyn-signal`)
 //! ```
-//! [`RunRecorder`] makes the messages and hands them to a [`Sink`]: a file ([`FileSink`]), any stream ([`StreamSink`]), or
-//! two sinks at once. [`RunReader`] and [`read_run`] give the numbers back in the recorded units, [`recover()`] makes a
-//! whole file from a torn or damaged one.
+//! [`RunRecorder`] makes the messages and hands them to a [`Sink`]: a file ([`FileSink`]), any stream ([`StreamSink`]),
+//! or two sinks at once. [`RunReader`] and [`read_run`] give the numbers back in the recorded units, [`recover()`] makes
+//! a whole file from a torn or damaged one.
 //!
 //! | topic of a run | message | when |
 //! |---|---|---|
@@ -44,9 +44,9 @@
 //! | `/bearing/spectrum`, `…/inner`, `…/cage` | `tribodyn.v1.Spectrum` | each 0.1 s, from 256 even samples on |
 //! | `/log` | `foxglove.Log` | warnings; of impacts, contacts lost and made one line each in a millisecond |
 //!
-//! A killed program loses no more than the messages of the last 0.05 s of simulated time: chunks are closed then or when
-//! they hold 1 MiB, and of the open one whole compressed blocks (128 KiB of messages) can be read back too. A machine
-//! that loses power may lose what its system had not yet put on the disk. The file is synchronised at its end only.
+//! A killed program loses no more than the messages of the last 0.05 s of simulated time: chunks are closed then or
+//! when they hold 1 MiB, and of the open one whole compressed blocks (128 KiB of messages) can be read back too. A
+//! machine that loses power may lose what its system had not yet put on the disk: the file is synchronised at its end.
 //!
 //! # The file of a solution
 //!
@@ -60,7 +60,8 @@
 //! | `/log` | `foxglove.Log` | one message for each warning of the solution |
 //!
 //! # Both files
-//! Metadata record `simulation`; attachments: the case file and the Foxglove layout ([`LAYOUT`] or [`RUN_LAYOUT`], to be imported).
+//! Metadata record `simulation`; attachments: the case file and the Foxglove layout ([`LAYOUT`] or [`RUN_LAYOUT`], to
+//! be imported).
 //! The same input gives the same bytes: fixed epoch, one compression thread, no clock. The file is written as
 //! `<path>.active` and renamed when whole.
 //!

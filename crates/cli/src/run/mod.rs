@@ -206,14 +206,11 @@ impl Session {
 
     fn save(&self, case_text: &str) -> Result<(), Failure> {
         let (safe_messages, loose_messages) = self.tape.state();
-        let saved = Saved {
-            past: self.watcher.past.clone(),
-            warnings: self.watcher.warnings.clone(),
-            statistics: self.counts(),
-            safe_messages,
-            loose_messages,
-            ..Saved::new(case_text, self.run.checkpoint(), self.run.time())
-        };
+        let mut saved = Saved::new(case_text, self.run.checkpoint(), self.run.time());
+        saved.past = self.watcher.past.clone();
+        saved.warnings.clone_from(&self.watcher.warnings);
+        saved.statistics = self.counts();
+        (saved.safe_messages, saved.loose_messages) = (safe_messages, loose_messages);
         saved.write(&self.files.checkpoint)
     }
 

@@ -58,7 +58,8 @@ fn lost(files: &Files, found: u64, saved: &Saved) -> RunError {
 /// the drawn orientation of balls, and that alone, differs in its seventh digit from that of a run without a stop.
 pub fn remind(active: &Path, saved: &Saved, first: Sample, watcher: &mut Watcher) -> Result<(), Failure> {
     let logged = saved.past.impacts - (saved.past.unlogged[0].len() as u64).min(saved.past.impacts);
-    watcher.sample(&first, true)?;
+    // A watcher of ours never breaks off.
+    let _ = watcher.sample(&first, true)?;
     for _ in 0..logged {
         let kind = EventKind::Impact { ball: 0, azimuth_deg: 0.0, closing_speed_m_s: 0.0, ball_leads: true };
         watcher.remind(&Event { time_s: 0.0, kind })?;
@@ -72,7 +73,7 @@ pub fn remind(active: &Path, saved: &Saved, first: Sample, watcher: &mut Watcher
         while let Some(event) = pending.next_if(|event| event.time_s <= sample.time_s) {
             watcher.remind(event)?;
         }
-        watcher.sample(sample, with_balls)?;
+        let _ = watcher.sample(sample, with_balls)?;
         Ok(())
     };
     for item in RunReader::open(active)? {

@@ -41,7 +41,7 @@ fn degrees(angle: f64) -> f64 {
 
 /// Rings, cage, powers and extremes of the balls.
 pub(crate) fn state(sample: &Sample, log_time: u64, impacts: u64) -> TransientState {
-    let (inner, outer, cage, power) = (&sample.inner, &sample.outer, &sample.cage, &sample.power);
+    let (inner, outer, cage) = (&sample.inner, &sample.outer, &sample.cage);
     let largest = |get: fn(&BallSample) -> f64| sample.balls.iter().map(get).fold(f64::MIN, f64::max);
     let smallest = |get: fn(&BallSample) -> f64| sample.balls.iter().map(get).fold(f64::MAX, f64::min);
     let mean_orbital = sample.balls.iter().map(|b| b.orbital_speed_rad_s).sum::<f64>() / sample.balls.len() as f64;
@@ -90,6 +90,17 @@ pub(crate) fn state(sample: &Sample, log_time: u64, impacts: u64) -> TransientSt
         cage_acceleration_rad_s2: cage.acceleration_rad_s2,
         cage_ball_torque_nmm: cage.ball_torque_nm * MILLI_PER_UNIT,
         cage_fluid_torque_nmm: cage.fluid_torque_nm * MILLI_PER_UNIT,
+        balls_in_contact: sample.balls.iter().filter(loaded).count() as u32,
+        impacts: u32::try_from(impacts).unwrap_or(u32::MAX),
+        ..powers(sample)
+    }
+}
+
+/// The fields of powers, and the largest loads of any ball.
+fn powers(sample: &Sample) -> TransientState {
+    let power = &sample.power;
+    let largest = |get: fn(&BallSample) -> f64| sample.balls.iter().map(get).fold(f64::MIN, f64::max);
+    TransientState {
         shaft_power_w: power.shaft_w,
         load_power_w: power.load_w,
         friction_inner_w: power.friction_inner_w,
@@ -108,8 +119,7 @@ pub(crate) fn state(sample: &Sample, log_time: u64, impacts: u64) -> TransientSt
         pressure_inner_max_gpa: largest(|b| b.inner.peak_pressure_pa) * GIGA,
         pressure_outer_max_gpa: largest(|b| b.outer.peak_pressure_pa) * GIGA,
         pocket_force_max_n: largest(|b| b.pocket_force_n.abs()),
-        balls_in_contact: sample.balls.iter().filter(loaded).count() as u32,
-        impacts: u32::try_from(impacts).unwrap_or(u32::MAX),
+        ..TransientState::default()
     }
 }
 
@@ -206,6 +216,14 @@ fn ball(constants: &BallConstants, index: usize, b: &BallSample) -> Ball {
         pocket_lead_mrad: narrow(b.pocket_lead_rad * MILLI_PER_UNIT),
         cage_force_n: narrow(b.pocket_force_n),
         wear_rate_cage_um3_s: narrow(b.wear_rate_cage_m3_s * CUBIC_MICROMETRE),
+        ..run_fields(b)
+    }
+}
+
+/// The fields that a solution does not have.
+fn run_fields(b: &BallSample) -> Ball {
+    let (i, o) = (&b.inner, &b.outer);
+    Ball {
         orbital_acceleration_rad_s2: narrow(b.orbital_acceleration_rad_s2),
         axial_velocity_mm_s: narrow(b.velocity_m_s[0] * MILLI_PER_UNIT),
         radial_velocity_mm_s: narrow(b.velocity_m_s[1] * MILLI_PER_UNIT),
@@ -217,5 +235,6 @@ fn ball(constants: &BallConstants, index: usize, b: &BallSample) -> Ball {
         bare_outer_percent: narrow(o.bare * PERCENT),
         depth_inner_um: narrow(i.depth_m * MICRO_PER_UNIT),
         depth_outer_um: narrow(o.depth_m * MICRO_PER_UNIT),
+        ..Ball::default()
     }
 }

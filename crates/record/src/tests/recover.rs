@@ -84,7 +84,7 @@ fn limit_a_flipped_byte_costs_its_own_chunk_at_most() {
     let (all, ends) = (messages(&file), chunk_ends(&file));
     let mut random = Lehmer(2);
     let mut bad = 0;
-    for _ in 0..200 {
+    for _ in 0..100 {
         let place = 8 + random.below(file.len() - 8);
         let mut damaged = file.clone();
         damaged[place] ^= 1 + random.below(255) as u8;
@@ -102,7 +102,7 @@ fn limit_a_flipped_byte_costs_its_own_chunk_at_most() {
         let without = |pair: &[usize]| [&all[..pair[0]], &all[pair[1]..]].concat();
         assert!(counts.windows(2).any(|pair| saved == without(pair)), "byte {place}: {} saved", saved.len());
     }
-    assert!(bad > 100, "{bad}");
+    assert!(bad > 50, "{bad}");
 }
 
 #[test]
