@@ -2,7 +2,7 @@
 //!
 //! Vectors are [a, r, t]: axial, radial, along the orbit. Forces and moments are those on the ball.
 
-use crate::bearing::Race;
+use crate::bearing::{Bearing, Race};
 use crate::geometry::ContactPose;
 use tribodyn_contact::{Ellipse, Scalar};
 use tribodyn_traction::{Patch, PatchTraction, RelativeMotion};
@@ -132,6 +132,11 @@ pub struct LoadedPatch<'a, D, L> {
 }
 
 impl<D: Scalar, L> LoadedPatch<'_, D, L> {
+    /// Whether it is on the inner race of this bearing.
+    pub fn is_inner(&self, bearing: &Bearing<L>) -> bool {
+        std::ptr::eq(self.race, &raw const bearing.inner)
+    }
+
     /// The traction on coating and bare steel by their shares. Where the case has no curve for bare steel the coating
     /// stands for it.
     pub fn blend(&self, by: impl Fn(&L) -> PatchTraction<D>) -> PatchTraction<D> {

@@ -9,6 +9,7 @@ mod identify;
 mod input;
 mod output;
 mod recover;
+mod report;
 mod run;
 mod solve;
 mod sweep;
@@ -34,6 +35,7 @@ Examples:
   tribodyn solve fixtures/cases/paper-ag.ron --plot figures -o run.mcap
   tribodyn solve fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(30)' --json
   tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
+  tribodyn report run.mcap -o report
   tribodyn sweep fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(10..60 by 5)' -o table.parquet
   tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
   tribodyn traction --coating ag --pressure 2.5 --slip 0,1,3,10
@@ -55,6 +57,8 @@ enum Command {
     Run(run::Arguments),
     /// A whole recording from one that was cut off or damaged
     Recover(recover::Arguments),
+    /// Figures, spectra and a summary of a recorded run
+    Report(report::Arguments),
     /// Quasi-static equilibria over a grid of case values
     Sweep(sweep::Arguments),
     /// Unknown parameters of a case from published or measured figures
@@ -69,6 +73,7 @@ fn main() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Recover(arguments) => recover::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Identify(arguments) => identify::run(&arguments),
     };

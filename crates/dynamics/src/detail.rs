@@ -19,7 +19,6 @@ impl<L: TractionLaw> Machine<L> {
         });
         let energy = sums.powers.energy + bodies.energy;
         let w = self.layout.work();
-        let thinnest = |k: usize| self.raceways[k].thinnest();
         Sample {
             time_s: t,
             inner: ring_sample(&frame, &sums, &bodies, 0),
@@ -41,8 +40,8 @@ impl<L: TractionLaw> Machine<L> {
                 volume_inner_m3: worn[0],
                 volume_outer_m3: worn[1],
                 volume_cage_m3: worn[2],
-                coating_inner_min_m: thinnest(0),
-                coating_outer_min_m: thinnest(1),
+                coating_inner_min_m: self.thinnest[0],
+                coating_outer_min_m: self.thinnest[1],
             },
             balls,
         }

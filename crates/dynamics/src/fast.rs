@@ -10,21 +10,35 @@
 //!   slope of the traction curve. A is symmetric in the velocities that do work, A = −M⁻¹ Gᵀ S G with the patch
 //!   stiffness S, and may be a little old: then the method is still consistent, and the error grows with its age.
 //!
-//! Both parts are of second order and the composition is symmetric, so the scheme is of second order. One evaluation of
-//! traction a step is what it is fast by; the error against a converged run is measured in `cargo xtask bench`.
+//! Most of the accelerations of the two parts cancel: contact forces push the ball where friction holds it. A common part g,
+//! the drift's acceleration smoothed over some steps, is therefore taken from the drift and given to the kick. Without it
+//! the steady state would be off by what an inexact A makes of the large terms, in proportion to H.
+//!
+//! Traction itself is linear between refreshes: the closed-form derivative of the patch integral by motion and load serves
+//! until the slip has moved by as much as keeps the error, seen at every refresh, near [`LINEAR_ERROR`] of the load.
+//!
+//! Both parts are of second order and the composition is symmetric, so the scheme is of second order down to that error.
+//! Its error against a converged run is measured in `cargo xtask bench`.
 //!
 //! Sources: splitting, Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, chapters II.5 and VIII.4
 //! (impulse method); H. H. Rosenbrock, Comput. J. 5 (1963) 329, doi:10.1093/comjnl/5.4.329.
 
-use crate::forces::{BallForces, Frame, Sums};
+use crate::forces::{Frame, Sums};
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::linear::{Contacts, LinearTraction};
 use crate::machine::Machine;
 use nalgebra::{Matrix5, Matrix6, SMatrix, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::Side;
 use tribodyn_bearing::traction::TractionLaw;
+use tribodyn_bearing::{BallLoads, BallState, Side};
 
+/// Part of the difference by which the common acceleration follows that of the drift in a step.
+const SMOOTHING: f64 = 0.2;
+/// Steps between new matrices of the rings: they only predict, and turn with the balls by a degree or so.
+const RINGS_EVERY: usize = 16;
+/// Most steps that a linear traction serves.
+const LONGEST_LINEAR: usize = 64;
 /// Longest step of the drift over the period of the contact springs, as an angle: leapfrog is stable up to 2.
 const DRIFT_ANGLE: f64 = 1.0;
 
@@ -32,16 +46,21 @@ const DRIFT_ANGLE: f64 = 1.0;
 #[derive(Debug, Clone, Default, Serialize, Deserialize, PartialEq)]
 pub(crate) struct Fast {
     friction: Vec<Friction>,
+    contacts: Vec<Contacts>,
     /// Inverse of the rings' masses less what friction gives back, inertial axes: x, y, z of the inner, x, y of the outer.
     rings: Matrix5<f64>,
-    /// Ball whose friction is linearised next.
-    turn: usize,
+    /// Steps until that matrix is made anew.
+    rings_last: usize,
     /// Step for which the inverses are.
     step: f64,
-    /// Accelerations of the drift at the present position.
+    /// Accelerations of the drift at the present position, and their smoothed part that the kick takes over.
     drift: Vec<f64>,
+    common: Vec<f64>,
     /// Whether they are there.
     ready: bool,
+    /// Contacts integrated over their patch, and contacts used.
+    refreshed: u64,
+    used: u64,
 }
 
 /// Friction of one ball linearised: S is the stiffness of a patch, G and R its motion by the velocities of ball and ring;
@@ -81,13 +100,14 @@ impl Fast {
         if !self.ready {
             self.drift.resize(y.len(), 0.0);
             drift_acceleration(machine, t, y, &mut self.drift);
+            self.common = self.drift.clone();
             self.ready = true;
         }
         for piece in 0..pieces {
-            push(machine, y, &self.drift, 0.5 * h);
+            push(machine, y, (&self.drift, &self.common), 0.5 * h);
             glide(machine, t + piece as f64 * h, y, h);
             drift_acceleration(machine, t + (piece + 1) as f64 * h, y, &mut self.drift);
-            push(machine, y, &self.drift, 0.5 * h);
+            push(machine, y, (&self.drift, &self.common), 0.5 * h);
         }
     }
 
@@ -96,19 +116,31 @@ impl Fast {
     fn kick<L: TractionLaw>(&mut self, machine: &mut Machine<L>, t: f64, y: &mut [f64], h: f64) {
         let l = machine.layout;
         let frame = machine.frame(t, y);
-        self.renew(machine, y, &frame, h);
-        let mut on_rings = Vector5::zeros();
-        for index in 0..l.balls {
-            let b = &mut y[l.ball(index)..][..BALL];
-            let forces = machine.ball(index, b, &frame);
-            machine.watch[index] = machine.watch(&forces);
-            let friction = &self.friction[index];
-            let change = friction.inverse * friction_acceleration(machine, &forces) * h;
-            b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
-            let [i, o] = [forces.loads.inner.traction_force, forces.loads.outer.traction_force];
-            let force = friction.coupling.tr_mul(&change) * 0.5 - Vector6::new(i[0], i[1], i[2], o[0], o[1], o[2]);
-            on_rings += in_inertial_axes(forces.state.azimuth, &force);
+        if self.friction.len() != l.balls {
+            self.friction.resize(l.balls, Friction::NONE());
+            self.contacts.resize(l.balls, Contacts::default());
         }
+        let renew = self.step != h;
+        self.step = h;
+        let mut on_rings = self.ring_common(machine);
+        for index in 0..l.balls {
+            let at = l.ball(index);
+            let b = &mut y[at..][..BALL];
+            let (state, loads) = self.loads(machine, index, b, &frame, renew);
+            machine.watch[index] = machine.watch(&loads, &machine.pocket_load(index, b, &frame));
+            let friction = &self.friction[index];
+            let common = Vector6::from_column_slice(&self.common[at + VELOCITY..at + BALL]);
+            let change = friction.inverse * (friction_acceleration(machine, &state, &loads) + common) * h;
+            b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
+            let [i, o] = [loads.inner.traction_force, loads.outer.traction_force];
+            let force = friction.coupling.tr_mul(&change) * 0.5 - Vector6::new(i[0], i[1], i[2], o[0], o[1], o[2]);
+            on_rings += in_inertial_axes(state.azimuth, &force);
+        }
+        if renew || self.rings_last == 0 {
+            self.rings = self.ring_matrix(machine, y, h);
+            self.rings_last = RINGS_EVERY;
+        }
+        self.rings_last -= 1;
         let predicted = self.rings * on_rings * h;
         for index in 0..l.balls {
             let b = &mut y[l.ball(index)..][..BALL];
@@ -127,26 +159,53 @@ impl Fast {
         for k in (0..2).filter(|&k| machine.outer.free[k]) {
             y[l.outer() + 2 + k] += outer * on_rings[3 + k];
         }
+        for k in 0..l.angles() {
+            self.common[k] += SMOOTHING * (self.drift[k] - self.common[k]);
+        }
     }
 
-    /// Linearises the friction of the ball whose turn it is, or of all where there is none for this step yet. The matrix of
-    /// the rings is made anew once in a round.
-    fn renew<L: TractionLaw>(&mut self, machine: &Machine<L>, y: &[f64], frame: &Frame, h: f64) {
+    /// What the kick takes over from the drift of the rings, N.
+    fn ring_common<L: TractionLaw>(&self, machine: &Machine<L>) -> Vector5<f64> {
         let l = machine.layout;
-        let all = self.friction.len() != l.balls || self.step != h;
-        if all {
-            self.friction.resize(l.balls, Friction::NONE());
-            (self.step, self.turn) = (h, 0);
+        let (i, o) = (&self.common[l.inner() + 3..], &self.common[l.outer() + 2..]);
+        let (inner, outer) = (machine.inner.mass, machine.outer.mass);
+        Vector5::new(inner * i[0], inner * i[1], inner * i[2], outer * o[0], outer * o[1])
+    }
+
+    /// Loads on a ball with traction from its linear form where that still holds, else integrated and linearised anew.
+    fn loads<L: TractionLaw>(
+        &mut self,
+        machine: &Machine<L>,
+        index: usize,
+        b: &[f64],
+        frame: &Frame,
+        renew: bool,
+    ) -> (BallState, BallLoads) {
+        let (state, surfaces) = machine.ball_state(b, frame);
+        let rings = [&frame.rings[0], &frame.rings[1]];
+        let surfaces = [&surfaces[0], &surfaces[1]];
+        let contacts = &mut self.contacts[index];
+        self.used += 2;
+        let mut holds = !renew && contacts.age < LONGEST_LINEAR;
+        contacts.age += 1;
+        let mut side = 0;
+        let linear = machine.bearing.ball_loads_with(&state, rings, surfaces, |patch| {
+            let contact = &contacts.of[if patch.is_inner(&machine.bearing) { 0 } else { 1 }];
+            side += 1;
+            holds &= contact.holds(patch);
+            contact.traction(patch)
+        });
+        let loaded = usize::from(linear.inner.load > 0.0) + usize::from(linear.outer.load > 0.0);
+        if holds && loaded == side {
+            return (state, linear);
         }
-        for index in 0..l.balls {
-            if all || index == self.turn {
-                self.friction[index] = machine.friction(index, &y[l.ball(index)..][..BALL], frame, h);
-            }
-        }
-        if self.turn == 0 {
-            self.rings = self.ring_matrix(machine, y, h);
-        }
-        self.turn = (self.turn + 1) % l.balls;
+        self.refreshed += 2;
+        let loads = machine.bearing.ball_loads_with(&state, rings, surfaces, |patch| {
+            contacts.of[if patch.is_inner(&machine.bearing) { 0 } else { 1 }].refresh(machine, patch)
+        });
+        contacts.age = 0;
+        self.friction[index] = friction(machine, &state, &loads, &contacts.of, b[RADIUS], self.step);
+        (state, loads)
     }
 
     fn ring_matrix<L: TractionLaw>(&self, machine: &Machine<L>, y: &[f64], h: f64) -> Matrix5<f64> {
@@ -205,9 +264,8 @@ fn in_ball_axes([sin, cos]: [f64; 2], v: &Vector5<f64>) -> Vector6<f64> {
 }
 
 /// Accelerations of a ball by all that the drift leaves out: traction, drag, churning and the gyroscopic moment.
-fn friction_acceleration<L: TractionLaw>(machine: &Machine<L>, b: &BallForces) -> Vector6<f64> {
+fn friction_acceleration<L: TractionLaw>(machine: &Machine<L>, s: &BallState, loads: &BallLoads) -> Vector6<f64> {
     let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
-    let (loads, s) = (&b.loads, &b.state);
     let [i, o] = [loads.inner.traction_force, loads.outer.traction_force];
     let moment = loads.moment();
     let w = s.orbital_speed;
@@ -261,20 +319,17 @@ fn drift_acceleration<L: TractionLaw>(machine: &Machine<L>, t: f64, y: &[f64], a
 }
 
 /// Velocities by the drift's accelerations.
-fn push<L>(machine: &Machine<L>, y: &mut [f64], a: &[f64], h: f64) {
+fn push<L>(machine: &Machine<L>, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
     let l = machine.layout;
     for index in 0..l.balls {
         let at = l.ball(index);
-        for k in VELOCITY..BALL {
-            y[at + k] += h * a[at + k];
+        for k in at + VELOCITY..at + BALL {
+            y[k] += h * (a[k] - common[k]);
         }
     }
     y[l.cage() + 1] += h * a[l.cage() + 1];
-    for k in l.inner() + 3..l.inner() + 6 {
-        y[k] += h * a[k];
-    }
-    for k in l.outer() + 2..l.outer() + 4 {
-        y[k] += h * a[k];
+    for k in (l.inner() + 3..l.inner() + 6).chain(l.outer() + 2..l.outer() + 4) {
+        y[k] += h * (a[k] - common[k]);
     }
 }
 
@@ -314,34 +369,37 @@ fn inertial([sin, cos]: [f64; 2], [a, r, t]: [f64; 3]) -> [f64; 3] {
     [r * cos - t * sin, r * sin + t * cos, a]
 }
 
-impl<L: TractionLaw> Machine<L> {
-    /// The friction of a ball, linearised for a step of `h`.
-    fn friction(&self, index: usize, b: &[f64], frame: &Frame, h: f64) -> Friction {
-        let forces = self.ball(index, b, frame);
-        let (state, loads) = (&forces.state, &forces.loads);
-        let mut jacobian = Matrix6::zeros();
-        let (mut coupling, mut own) = (Matrix6::zeros(), Matrix6::zeros());
-        for (k, (side, contact)) in [(Side::Inner, &loads.inner), (Side::Outer, &loads.outer)].into_iter().enumerate() {
-            let stiffness = Matrix5::from(self.patch_stiffness(side, contact, forces.surfaces[k].bare)).transpose();
-            let (by_ball, by_ring) = patch_motion(contact.pose.normal(side), b[RADIUS]);
-            let force = stiffness * by_ball;
-            jacobian += by_ball.tr_mul(&force);
-            coupling.fixed_view_mut::<6, 3>(0, 3 * k).copy_from(&force.tr_mul(&by_ring));
-            own.fixed_view_mut::<3, 3>(3 * k, 3 * k).copy_from(&by_ring.tr_mul(&(stiffness * by_ring)));
-        }
-        let (m, j, r) = (self.bearing.ball_mass, self.bearing.ball_inertia, b[RADIUS]);
-        let mobility = Vector6::new(1.0 / m, 1.0 / m, 1.0 / (m * r * r), 1.0 / j, 1.0 / j, 1.0 / j);
-        let mut a = Matrix6::from_diagonal(&mobility) * jacobian;
-        // The gyroscopic moment, ω_m (Ω_t e_r − Ω_r e_t).
-        a[(4, 5)] += state.orbital_speed;
-        a[(4, 2)] += state.spin[2];
-        a[(5, 4)] -= state.orbital_speed;
-        a[(5, 2)] -= state.spin[1];
-        // Friction only ever damps; a matrix that cannot be inverted is not one of friction.
-        let inverse = (Matrix6::identity() - a * (0.5 * h)).try_inverse().unwrap_or_else(Matrix6::identity);
-        let follow = inverse * Matrix6::from_diagonal(&mobility) * coupling * (0.5 * h);
-        Friction { inverse, coupling, own, follow }
+/// The friction of a ball, linearised for a step of `h`.
+fn friction<L: TractionLaw>(
+    machine: &Machine<L>,
+    state: &BallState,
+    loads: &BallLoads,
+    contacts: &[LinearTraction; 2],
+    r: f64,
+    h: f64,
+) -> Friction {
+    let mut jacobian = Matrix6::zeros();
+    let (mut coupling, mut own) = (Matrix6::zeros(), Matrix6::zeros());
+    for (k, (side, contact)) in [(Side::Inner, &loads.inner), (Side::Outer, &loads.outer)].into_iter().enumerate() {
+        let stiffness = if contact.load > 0.0 { contacts[k].stiffness() } else { Matrix5::zeros() };
+        let (by_ball, by_ring) = patch_motion(contact.pose.normal(side), r);
+        let force = stiffness * by_ball;
+        jacobian += by_ball.tr_mul(&force);
+        coupling.fixed_view_mut::<6, 3>(0, 3 * k).copy_from(&force.tr_mul(&by_ring));
+        own.fixed_view_mut::<3, 3>(3 * k, 3 * k).copy_from(&by_ring.tr_mul(&(stiffness * by_ring)));
     }
+    let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
+    let mobility = Vector6::new(1.0 / m, 1.0 / m, 1.0 / (m * r * r), 1.0 / j, 1.0 / j, 1.0 / j);
+    let mut a = Matrix6::from_diagonal(&mobility) * jacobian;
+    // The gyroscopic moment, ω_m (Ω_t e_r − Ω_r e_t).
+    a[(4, 5)] += state.orbital_speed;
+    a[(4, 2)] += state.spin[2];
+    a[(5, 4)] -= state.orbital_speed;
+    a[(5, 2)] -= state.spin[1];
+    // Friction only ever damps; a matrix that cannot be inverted is not one of friction.
+    let inverse = (Matrix6::identity() - a * (0.5 * h)).try_inverse().unwrap_or_else(Matrix6::identity);
+    let follow = inverse * Matrix6::from_diagonal(&mobility) * coupling * (0.5 * h);
+    Friction { inverse, coupling, own, follow }
 }
 
 /// Motion of a patch (rolling, lateral, spin, about lateral, about rolling) by the six velocities of the ball and by the

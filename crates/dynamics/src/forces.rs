@@ -266,7 +266,7 @@ impl<L: TractionLaw> System for Machine<L> {
             let at = l.ball(index);
             dy[at..at + 3].copy_from_slice(&y[at + VELOCITY..at + VELOCITY + 3]);
             dy[at + VELOCITY..at + BALL].copy_from_slice(&ball.acceleration);
-            watch[index] = self.watch(ball);
+            watch[index] = self.watch(&ball.loads, &ball.pocket);
         });
         self.watch = watch;
         body_derivative(l, &frame, &sums, &bodies, dy);
@@ -304,11 +304,11 @@ pub(crate) struct Watch {
 }
 
 impl<L: TractionLaw> Machine<L> {
-    pub fn watch(&self, ball: &BallForces) -> Watch {
-        let contacts = [&ball.loads.inner, &ball.loads.outer];
+    pub fn watch(&self, loads: &BallLoads, pocket: &PocketLoad) -> Watch {
+        let contacts = [&loads.inner, &loads.outer];
         let [inner, outer] =
             [Side::Inner, Side::Outer].map(|side| wear_rate(self, side, contacts[usize::from(side == Side::Outer)]));
-        let cage = self.bearing.wear_cage.rate(ball.pocket.sliding * ball.pocket.force.abs());
+        let cage = self.bearing.wear_cage.rate(pocket.sliding * pocket.force.abs());
         Watch {
             wear: [inner, outer, cage],
             semi_lateral: contacts.map(|c| c.ellipse.semi_lateral()),

@@ -6,6 +6,7 @@ mod error;
 mod fast;
 mod forces;
 mod layout;
+mod linear;
 mod machine;
 mod observer;
 mod pocket;

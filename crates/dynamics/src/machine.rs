@@ -10,7 +10,7 @@ use tribodyn_bearing::traction::{
     CoatingLaw, FastPatch, Kragelskii, PatchRule, PatchTraction, Quadrature, TractionLaw,
 };
 use tribodyn_bearing::wear::{Defect, Raceway};
-use tribodyn_bearing::{Bearing, LoadedPatch, RaceContact, Side};
+use tribodyn_bearing::{Bearing, LoadedPatch, Side};
 
 /// A bearing with its cage, supports, loads and drives.
 #[derive(Debug, Clone)]
@@ -27,6 +27,8 @@ pub(crate) struct Machine<L = CoatingLaw> {
     pub speeds: [SpeedHistory; 2],
     /// Inner, outer.
     pub raceways: [Raceway; 2],
+    /// Thinnest coating left on each, m, as of the last look.
+    pub thinnest: [f64; 2],
     /// Factor on wear in what it does to the raceways.
     pub wear_acceleration: f64,
     pub terms: Terms,
@@ -52,19 +54,25 @@ impl Kernel {
         }
     }
 
-    /// Derivative of forces and moments of a patch by its motion, as [`tribodyn_bearing::traction::PatchDerivative::by_motion`].
-    /// Laws without a Kragelskii curve have none.
-    pub fn stiffness<L: TractionLaw>(&self, bearing: &Bearing<L>, patch: &LoadedPatch<'_, f64, L>) -> [[f64; 5]; 5] {
-        let law = match &patch.race.bare_law {
-            Some(bare) if patch.bare > 0.5 => bare,
-            _ => &patch.race.law,
+    /// Traction with its derivatives by motion and load; none for laws without a Kragelskii curve, and none where two
+    /// surfaces share the patch.
+    pub fn derivative<L: TractionLaw>(
+        &self,
+        bearing: &Bearing<L>,
+        p: &LoadedPatch<'_, f64, L>,
+    ) -> Option<PatchDerivative> {
+        let law = match &p.race.bare_law {
+            Some(bare) if p.bare >= 1.0 => bare,
+            Some(_) if p.bare > 0.0 => return None,
+            _ => &p.race.law,
         };
-        let (Self::Fast(fast), Some(curve)) = (self, law.kragelskii(patch.patch.peak_pressure)) else {
-            return [[0.0; 5]; 5];
-        };
-        let flat = Kragelskii { a: 0.0, b: 0.0, c: 0.0 };
-        let slip_unit = bearing.slip_unit;
-        fast.derivative(&patch.patch, &patch.motion, patch.rolling_speed, (&curve, &flat), slip_unit).by_motion
+        let Self::Fast(fast) = self else { return None };
+        if bearing.pressure_choice != PressureChoice::Peak {
+            return None;
+        }
+        let curve = law.kragelskii(p.patch.peak_pressure)?;
+        let slope = law.kragelskii_slope(p.patch.peak_pressure)?;
+        Some(fast.derivative(&p.patch, &p.motion, p.rolling_speed, (&curve, &slope), bearing.slip_unit))
     }
 
     pub fn traction<L: TractionLaw>(&self, bearing: &Bearing<L>, patch: &LoadedPatch<'_, f64, L>) -> PatchTraction {
@@ -175,6 +183,7 @@ impl<L: TractionLaw> Machine<L> {
         let loads = [&case.ring.x, &case.ring.y, &case.ring.z].map(Clone::clone);
         let free = [0, 1, 2].map(|i| !matches!(loads[i], Translation::Held(_)));
         let tilt = |t: &Tilt| t.at(0.0);
+        let raceways = raceways(case, &bearing)?;
         Ok(Self {
             layout: Layout { balls: bearing.geometry.ball_count },
             watch: vec![Watch::default(); bearing.geometry.ball_count],
@@ -184,7 +193,8 @@ impl<L: TractionLaw> Machine<L> {
             cage: cage_body(case, &bearing, inertia),
             loads,
             speeds: [case.speed.inner.clone(), case.speed.outer.clone()],
-            raceways: raceways(case, &bearing)?,
+            thinnest: raceways.each_ref().map(Raceway::thinnest),
+            raceways,
             wear_acceleration: transient.wear_acceleration,
             terms: Terms::ALL,
             kernel: Kernel::Fast(FastPatch::of(quadrature)),
@@ -233,17 +243,4 @@ fn raceways<L>(case: &Case, bearing: &Bearing<L>) -> Result<[Raceway; 2], Dynami
         of(RaceName::Inner, Side::Inner, &case.coatings.inner)?,
         of(RaceName::Outer, Side::Outer, &case.coatings.outer)?,
     ])
-}
-
-impl<L: TractionLaw> Machine<L> {
-    /// Derivative of forces and moments of a contact by the motion of its patch.
-    pub fn patch_stiffness(&self, side: Side, contact: &RaceContact, bare: f64) -> [[f64; 5]; 5] {
-        if contact.load <= 0.0 {
-            return [[0.0; 5]; 5];
-        }
-        let race = self.bearing.race(side);
-        let patch = self.bearing.patch(race, &contact.ellipse);
-        let RaceContact { motion, rolling_speed, .. } = *contact;
-        self.kernel.stiffness(&self.bearing, &LoadedPatch { race, patch, motion, rolling_speed, bare })
-    }
 }

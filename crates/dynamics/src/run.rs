@@ -105,6 +105,8 @@ const STATE_RATE: f64 = 25_600.0;
 const BALL_RATE: f64 = 5_120.0;
 /// Steps between looks at the stiffness and at balls that leave.
 const LOOK_EVERY: u64 = 1000;
+/// Steps between looks at the thinnest coating.
+const WEAR_LOOK_EVERY: u64 = 64;
 /// Distance from its place at which a ball counts as thrown out, in ball diameters.
 const THROWN_OUT: f64 = 0.1;
 /// First step of the adaptive scheme, s: the paper's.
@@ -193,6 +195,7 @@ impl<L: TractionLaw> Run<L> {
             return Err(DynamicsError::Checkpoint { found, expected });
         }
         self.machine.raceways = checkpoint.raceways.clone();
+        self.machine.thinnest = self.machine.raceways.each_ref().map(Raceway::thinnest);
         self.progress = checkpoint;
         Ok(())
     }
@@ -537,7 +540,11 @@ impl<L: TractionLaw> Run<L> {
                 self.machine.raceways[side].remove(azimuth, volume, watch.semi_lateral[side]);
             }
         }
+        if self.machine.wear_acceleration == 0.0 || !self.statistics.steps.is_multiple_of(WEAR_LOOK_EVERY) {
+            return Ok(());
+        }
         for side in 0..2 {
+            self.machine.thinnest[side] = self.machine.raceways[side].thinnest();
             if self.progress.through[side] {
                 continue;
             }

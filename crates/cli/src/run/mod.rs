@@ -14,7 +14,8 @@ mod tape;
 mod watcher;
 
 pub use error::RunError;
-pub use summary::{Powers, Summary};
+pub use progress::significant;
+pub use summary::Summary;
 
 use crate::failure::Failure;
 use crate::input::{CaseArguments, CaseFile, Change};

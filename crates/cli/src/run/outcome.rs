@@ -3,7 +3,7 @@
 use super::RunError;
 use super::checkpoint::Counts;
 use super::progress::significant;
-use super::summary::Summary;
+use super::summary::{Summary, Worn};
 use crate::failure::Failure;
 use crate::input::CaseFile;
 use crate::table::{self, number};
@@ -35,6 +35,9 @@ pub struct Report {
     scheme: String,
     scheme_statistics: Counts,
     stiffness: Stiffness,
+    /// At the end: the recording has it ten times a second only.
+    #[serde(skip)]
+    worn: Worn,
     #[serde(flatten)]
     summary: Option<Summary>,
     /// Of the quasi-static solution from which the run starts.
@@ -45,6 +48,15 @@ impl Report {
     /// What the solver knows at the end of a run.
     pub fn begin(run: &Run, file: &CaseFile, counts: Counts, wall_s: f64) -> Self {
         let solution = run.solution();
+        let (sample, um3) = (run.sample(), |volume_m3: f64| volume_m3 * 1e18);
+        let worn = Worn {
+            volume_inner_um3: um3(sample.wear.volume_inner_m3),
+            volume_outer_um3: um3(sample.wear.volume_outer_m3),
+            volume_cage_um3: um3(sample.wear.volume_cage_m3),
+            coating_inner_min_um: sample.wear.coating_inner_min_m * 1e6,
+            coating_outer_min_um: sample.wear.coating_outer_min_m * 1e6,
+            at_s: sample.time_s,
+        };
         Self {
             case: file.name.clone(),
             bearing: file.case.name.clone(),
@@ -58,6 +70,7 @@ impl Report {
             scheme: file.case.transient.as_ref().map_or_else(String::new, |t| format!("{:?}", t.scheme)),
             scheme_statistics: counts,
             stiffness: run.stiffness(),
+            worn,
             summary: None,
             warnings_at_start: solution.warnings.clone(),
         }
@@ -65,17 +78,17 @@ impl Report {
 
     /// Reads the rest from the recording, which shows that it can be read.
     pub fn complete(mut self, recording: &Path, from_s: f64) -> Result<Self, Failure> {
-        let (mut states, mut wear, mut log) = (Vec::new(), None, Vec::new());
+        let (mut states, mut log) = (Vec::new(), Vec::new());
         for item in RunReader::open(recording)? {
             match item? {
                 RunItem::State(row) => states.push(row),
-                RunItem::Wear(row) => wear = Some(row),
                 RunItem::Log(row) => log.push(row),
                 _ => {}
             }
         }
         let nothing = || RecordError::NothingToRecover { path: recording.to_owned() };
-        let summary = Summary::of(&states, wear.as_ref(), &log).ok_or_else(nothing)?;
+        let summary = Summary::of(&states, None, &log).ok_or_else(nothing)?;
+        let summary = Summary { wear: self.worn, ..summary };
         self.simulated_per_wall = (summary.simulated_s - from_s) / self.wall_s;
         self.summary = Some(summary);
         self.recording = recording.to_owned();

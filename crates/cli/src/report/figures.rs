@@ -1,0 +1,149 @@
+//! Histories and balances of a run.
+
+use super::facts::BallWear;
+use crate::run::Summary;
+use tribodyn_plot::{Axis, Figure, History, PlotError, Samples, bars, stacked_bars, time_history};
+use tribodyn_record::{Run, StateRow};
+
+/// A line of a history: its label and where it is in a row.
+type Line = (&'static str, fn(&StateRow) -> f64);
+
+/// A panel: its heading, quantity, unit and lines.
+type Plan = (&'static str, &'static str, &'static str, &'static [Line]);
+
+/// Name and title of a figure with its panels.
+const HISTORIES: [(&str, &str, &[Plan]); 6] = [
+    (
+        "cage-speed",
+        "Cage speed and orbital speeds of the balls",
+        &[(
+            "",
+            "Speed",
+            "r/min",
+            &[
+                ("fastest ball", |r| r.orbital_speed_max_rpm),
+                ("slowest ball", |r| r.orbital_speed_min_rpm),
+                ("mean of the balls", |r| r.orbital_speed_mean_rpm),
+                ("cage", |r| r.cage_speed_rpm),
+            ],
+        )],
+    ),
+    (
+        "ring-acceleration",
+        "Acceleration of the outer ring",
+        &[
+            ("Along X, the radial load", "Acceleration", "m/s²", &[("", |r| r.outer_acceleration_x_m_s2)]),
+            ("Along Y", "Acceleration", "m/s²", &[("", |r| r.outer_acceleration_y_m_s2)]),
+        ],
+    ),
+    (
+        "displacements",
+        "Displacements of the rings",
+        &[
+            ("Inner ring, X", "Displacement", "µm", &[("", |r| r.inner_x_um)]),
+            ("Inner ring, Y", "Displacement", "µm", &[("", |r| r.inner_y_um)]),
+            ("Inner ring, Z", "Displacement", "µm", &[("", |r| r.inner_z_um)]),
+            ("Outer ring, X and Y", "Displacement", "µm", &[("X", |r| r.outer_x_um), ("Y", |r| r.outer_y_um)]),
+        ],
+    ),
+    (
+        "pocket-force",
+        "Cage pockets",
+        &[
+            ("Largest force of any pocket", "Force", "N", &[("", |r| r.pocket_force_max_n)]),
+            ("Impacts since the start", "Impacts", "", &[("", |r| f64::from(r.impacts))]),
+        ],
+    ),
+    (
+        "contacts",
+        "Most loaded contacts",
+        &[
+            (
+                "Load",
+                "Load",
+                "kN",
+                &[("inner", |r| 1e-3 * r.load_inner_max_n), ("outer", |r| 1e-3 * r.load_outer_max_n)],
+            ),
+            (
+                "Peak pressure",
+                "Pressure",
+                "GPa",
+                &[("inner", |r| r.pressure_inner_max_gpa), ("outer", |r| r.pressure_outer_max_gpa)],
+            ),
+        ],
+    ),
+    (
+        "powers",
+        "Powers",
+        &[(
+            "",
+            "Power",
+            "kW",
+            &[
+                ("shaft", |r| 1e-3 * r.shaft_power_w),
+                ("friction, inner race", |r| 1e-3 * r.friction_inner_w),
+                ("friction, outer race", |r| 1e-3 * r.friction_outer_w),
+                ("drag on the balls", |r| 1e-3 * r.drag_w),
+                ("churning of the balls", |r| 1e-3 * r.churning_w),
+            ],
+        )],
+    ),
+];
+
+/// Quantities over time.
+pub fn histories(run: &Run) -> Result<Vec<Figure>, PlotError> {
+    let time: Vec<f64> = run.states.iter().map(|row| row.time_s).collect();
+    HISTORIES.iter().map(|(name, title, plans)| history(&time, &run.states, (name, title), plans)).collect()
+}
+
+fn history(time: &[f64], rows: &[StateRow], (name, title): (&str, &str), plans: &[Plan]) -> Result<Figure, PlotError> {
+    let values: Vec<Vec<Vec<f64>>> =
+        plans.iter().map(|(.., lines)| lines.iter().map(|(_, get)| rows.iter().map(get).collect()).collect()).collect();
+    let panels: Vec<History> = plans
+        .iter()
+        .zip(&values)
+        .map(|((heading, quantity, unit, lines), values)| History {
+            title: heading,
+            quantity: Axis::new(*quantity, *unit),
+            samples: lines.iter().zip(values).map(|((label, _), y)| Samples { label, x: time, y }).collect(),
+        })
+        .collect();
+    time_history(name, title, &panels)
+}
+
+/// Part of the power put in below which a loss has no bar, for it would not be seen.
+const SEEN: f64 = 1e-3;
+
+/// Wear of each ball and the balance of powers.
+pub fn balances(summary: &Summary, worn: &[BallWear]) -> Result<Vec<Figure>, PlotError> {
+    let mut figures = Vec::new();
+    if worn.iter().any(|w| w.inner_um3 + w.outer_um3 + w.cage_um3 > 0.0) {
+        let names: Vec<String> = worn.iter().map(|w| w.ball.to_string()).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let volume = |get: fn(&BallWear) -> f64| worn.iter().map(get).collect::<Vec<f64>>();
+        let series = [
+            ("inner race", volume(|w| w.inner_um3)),
+            ("outer race", volume(|w| w.outer_um3)),
+            ("cage pocket", volume(|w| w.cage_um3)),
+        ];
+        let quantity = Axis::new("Worn volume", "µm³");
+        figures.push(bars("wear", "Wear caused by each ball, by its number", quantity, &names, &series)?);
+    }
+    let p = &summary.power;
+    let all = p.shaft_w.abs() + p.load_w.abs();
+    let sources = [("shaft", p.shaft_w), ("loads on the rings", p.load_w)].map(|(name, w)| (name, vec![1e-3 * w, 0.0]));
+    let losses = p.out().map(|(name, w)| (name, vec![0.0, 1e-3 * w]));
+    let seen = |(_, values): &(&str, Vec<f64>)| values.iter().any(|kw| 1e3 * kw.abs() > SEEN * all);
+    let series: Vec<(&str, Vec<f64>)> = sources.into_iter().chain(losses).filter(seen).collect();
+    if !series.is_empty() {
+        let quantity = Axis::new("Mean power", "kW");
+        figures.push(stacked_bars(
+            "power-balance",
+            "Power balance of the second half",
+            quantity,
+            &["in", "out"],
+            &series,
+        )?);
+    }
+    Ok(figures)
+}
