@@ -8,7 +8,7 @@ use crate::geometry::Side;
 use crate::normal::NormalContact;
 use crate::state::{BallLoads, BallState, LoadedPatch, RaceContact, RingState, add};
 use tribodyn_contact::{Ellipse, Scalar};
-use tribodyn_traction::{FastPatch, fast_patch_traction};
+use tribodyn_traction::{FastPatch, fast_patch_traction, linear_patch_traction};
 use tribodyn_traction::{Patch, PatchLaw, PatchTraction, Quadrature, RelativeMotion, TractionLaw, patch_traction};
 use tribodyn_wear::LocalSurface;
 
@@ -36,6 +36,11 @@ impl<L: TractionLaw> Bearing<L> {
     /// [`Self::plain_traction`] by the kernel that works on several nodes at a time.
     pub fn fast_traction(&self, p: &LoadedPatch<'_, f64, L>, kernel: &FastPatch) -> PatchTraction {
         p.blend(|law| fast_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, &self.patch_law(law)))
+    }
+
+    /// [`Self::fast_traction`] with first derivatives, under the conditions of [`linear_patch_traction`].
+    pub fn linear_traction<D: Scalar>(&self, p: &LoadedPatch<'_, D, L>, kernel: &FastPatch) -> PatchTraction<D> {
+        p.blend(|law| linear_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, &self.patch_law(law)))
     }
 
     /// All that races and fluid do to a ball, given the surfaces where it stands (inner, outer) and who integrates

@@ -42,6 +42,7 @@ pub use tribodyn_contact::{Ellipse, Scalar};
 pub use tribodyn_fluid as fluid;
 pub use tribodyn_traction as traction;
 pub use tribodyn_wear as wear;
+pub use tribodyn_wear::LocalSurface;
 
 /// Why a case does not make a bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

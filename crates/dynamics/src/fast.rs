@@ -2,10 +2,9 @@
 //!
 //! One step of length H is the symmetric composition drift(H/2), kick(H), drift(H/2):
 //!
-//! - The drift moves balls, rings and cage under contact and pocket forces, supports and loads, by the leapfrog method in
-//!   polar coordinates, where the centrifugal force and the change of ω_m with the radius come from the angular momentum
-//!   m r² ω_m. It needs no traction and costs little, so it may take several steps of its own.
-//! - The kick changes the velocities v of each ball by traction, drag, churning and gyroscopic moment f at fixed position:
+//! - The drift moves balls, rings and cage under contact forces, supports and loads, by the leapfrog method in
+//!   polar coordinates, with the angular momentum m r² ω_m held while the radius changes. It needs no traction and costs little, so it may take several steps of its own.
+//! - The kick changes the velocities v of each ball by traction, drag, churning, pocket and gyroscopic moment f at fixed position:
 //!   v ← v + H (1 − ½ H A)⁻¹ f(v). With A = ∂f/∂v this is Rosenbrock's method of second order with one stage, stable for any
 //!   slope of the traction curve. A is symmetric in the velocities that do work, A = −M⁻¹ Gᵀ S G with the patch
 //!   stiffness S, and may be a little old: then the method is still consistent, and the error grows with its age.
@@ -24,9 +23,10 @@
 //! (impulse method); H. H. Rosenbrock, Comput. J. 5 (1963) 329, doi:10.1093/comjnl/5.4.329.
 
 use crate::forces::{Frame, Sums};
-use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
 use crate::linear::{Contacts, LinearTraction};
 use crate::machine::Machine;
+use crate::pocket::PocketLoad;
 use nalgebra::{Matrix5, Matrix6, SMatrix, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -123,14 +123,17 @@ impl Fast {
         let renew = self.step != h;
         self.step = h;
         let mut on_rings = self.ring_common(machine);
+        let mut cage_torque = 0.0;
         for index in 0..l.balls {
             let at = l.ball(index);
             let b = &mut y[at..][..BALL];
             let (state, loads) = self.loads(machine, index, b, &frame, renew);
-            machine.watch[index] = machine.watch(&loads, &machine.pocket_load(index, b, &frame));
+            let pocket = machine.pocket_load(index, b, &frame);
+            cage_torque += pocket.cage_torque;
+            machine.watch[index] = machine.watch(&loads, &pocket);
             let friction = &self.friction[index];
             let common = Vector6::from_column_slice(&self.common[at + VELOCITY..at + BALL]);
-            let change = friction.inverse * (friction_acceleration(machine, &state, &loads) + common) * h;
+            let change = friction.inverse * (kick_acceleration(machine, &state, &loads, &pocket) + common) * h;
             b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
             let [i, o] = [loads.inner.traction_force, loads.outer.traction_force];
             let force = friction.coupling.tr_mul(&change) * 0.5 - Vector6::new(i[0], i[1], i[2], o[0], o[1], o[2]);
@@ -159,8 +162,14 @@ impl Fast {
         for k in (0..2).filter(|&k| machine.outer.free[k]) {
             y[l.outer() + 2 + k] += outer * on_rings[3 + k];
         }
-        for k in 0..l.angles() {
-            self.common[k] += SMOOTHING * (self.drift[k] - self.common[k]);
+        y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
+        self.smooth(SMOOTHING);
+    }
+
+    /// Lets the common acceleration follow that of the drift.
+    fn smooth(&mut self, share: f64) {
+        for (common, drift) in self.common.iter_mut().zip(&self.drift) {
+            *common += share * (drift - *common);
         }
     }
 
@@ -263,54 +272,55 @@ fn in_ball_axes([sin, cos]: [f64; 2], v: &Vector5<f64>) -> Vector6<f64> {
     )
 }
 
-/// Accelerations of a ball by all that the drift leaves out: traction, drag, churning and the gyroscopic moment.
-fn friction_acceleration<L: TractionLaw>(machine: &Machine<L>, s: &BallState, loads: &BallLoads) -> Vector6<f64> {
+/// Accelerations of a ball by all that the drift leaves out: traction, drag, churning, pocket and gyroscopic moment.
+fn kick_acceleration<L: TractionLaw>(
+    machine: &Machine<L>,
+    s: &BallState,
+    loads: &BallLoads,
+    pocket: &PocketLoad,
+) -> Vector6<f64> {
     let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
     let [i, o] = [loads.inner.traction_force, loads.outer.traction_force];
-    let moment = loads.moment();
+    let (moment, r) = (loads.moment(), loads.orbit_radius);
     let w = s.orbital_speed;
+    let along = i[2] + o[2] - loads.drag + pocket.force * machine.cage.pocket.radius / r;
     Vector6::new(
-        (i[0] + o[0]) / m,
-        (i[1] + o[1]) / m,
-        (i[2] + o[2] - loads.drag) / (m * loads.orbit_radius),
-        moment[0] / j,
-        moment[1] / j + w * s.spin[2],
+        (i[0] + o[0] + pocket.friction[0]) / m,
+        (i[1] + o[1] + pocket.friction[1]) / m,
+        along / (m * r),
+        (moment[0] + pocket.moment[0]) / j,
+        (moment[1] + pocket.moment[1]) / j + w * s.spin[2],
         moment[2] / j - w * s.spin[1],
     )
 }
 
-/// Accelerations of balls, rings and cage by contact and pocket forces, supports and loads; of the orbital speed, the
-/// rate of the angular momentum over m r².
+/// Accelerations of balls, rings and cage by contact forces, supports, loads and the centrifugal force; of
+/// the orbital speed, the rate of the angular momentum over m r². The centrifugal force is here and not in the glide so
+/// that dampers see the velocity of the middle of a step and not half a step of it.
 fn drift_acceleration<L: TractionLaw>(machine: &Machine<L>, t: f64, y: &[f64], a: &mut [f64]) {
     let l = machine.layout;
     let frame = machine.frame(t, y);
-    let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
+    let m = machine.bearing.ball_mass;
     let mut sums = Sums::default();
     for index in 0..l.balls {
         let b = &y[l.ball(index)..][..BALL];
         let (state, surfaces) = machine.ball_state(b, &frame);
         let normal =
             machine.bearing.normal_loads(&state, [&frame.rings[0], &frame.rings[1]], [&surfaces[0], &surfaces[1]]);
-        let pocket = machine.pocket_load(index, b, &frame);
         let ([n_a, n_r], [o_a, o_r]) =
             ([normal.inner.pose.sin, normal.inner.pose.cos], [normal.outer.pose.sin, normal.outer.pose.cos]);
         let (i, o) = (normal.inner.force, normal.outer.force);
         let at = l.ball(index);
         let r = normal.orbit_radius;
-        let along = normal.eccentricity + pocket.force * machine.cage.pocket.radius / r;
-        a[at + VELOCITY] = (i * n_a - o * o_a + pocket.friction[0]) / m;
-        a[at + VELOCITY + 1] = (i * n_r - o * o_r + pocket.friction[1]) / m;
-        a[at + ORBIT] = along / (m * r);
-        a[at + SPIN] = pocket.moment[0] / j;
-        a[at + SPIN + 1] = pocket.moment[1] / j;
-        a[at + SPIN + 2] = 0.0;
+        a[at + VELOCITY] = (i * n_a - o * o_a) / m;
+        a[at + VELOCITY + 1] = (i * n_r - o * o_r) / m + r * b[ORBIT] * b[ORBIT];
+        a[at + ORBIT] = normal.eccentricity / (m * r);
         let on_inner = inertial(state.azimuth, [i * n_a, i * n_r, 0.0]);
         let on_outer = inertial(state.azimuth, [-o * o_a, -o * o_r, 0.0]);
         for k in 0..3 {
             sums.on_rings[0][k] -= on_inner[k];
             sums.on_rings[1][k] -= on_outer[k];
         }
-        sums.cage_torque += pocket.cage_torque;
     }
     let bodies = machine.bodies(t, &frame, &sums);
     a[l.cage() + 1] = bodies.cage;
@@ -323,7 +333,7 @@ fn push<L>(machine: &Machine<L>, y: &mut [f64], (a, common): (&[f64], &[f64]), h
     let l = machine.layout;
     for index in 0..l.balls {
         let at = l.ball(index);
-        for k in at + VELOCITY..at + BALL {
+        for k in at + VELOCITY..=at + ORBIT {
             y[k] += h * (a[k] - common[k]);
         }
     }
@@ -333,17 +343,17 @@ fn push<L>(machine: &Machine<L>, y: &mut [f64], (a, common): (&[f64], &[f64]), h
     }
 }
 
-/// Positions by the velocities: half a turn, the straight line, half a turn, each with the angular momentum held.
+/// Positions by the velocities: half a turn, the straight line, half a turn, the angular momentum held.
 fn glide<L>(machine: &Machine<L>, t: f64, y: &mut [f64], h: f64) {
     let l = machine.layout;
     for index in 0..l.balls {
         let b = &mut y[l.ball(index)..][..BALL];
-        turn(b, 0.5 * h);
         let r = b[RADIUS];
+        b[AZIMUTH] += 0.5 * h * b[ORBIT];
         b[AXIAL] += h * b[VELOCITY];
         b[RADIUS] += h * b[VELOCITY + 1];
         b[ORBIT] *= (r / b[RADIUS]).powi(2);
-        turn(b, 0.5 * h);
+        b[AZIMUTH] += 0.5 * h * b[ORBIT];
     }
     y[l.cage()] += h * y[l.cage() + 1];
     for k in l.inner()..l.inner() + 3 {
@@ -356,12 +366,6 @@ fn glide<L>(machine: &Machine<L>, t: f64, y: &mut [f64], h: f64) {
     for (k, speed) in machine.speeds.iter().enumerate() {
         y[l.angles() + k] += h * speed.at(t + 0.5 * h);
     }
-}
-
-/// At fixed radius: azimuth by the orbital speed, radial speed by the centrifugal force.
-fn turn(b: &mut [f64], h: f64) {
-    b[AZIMUTH] += h * b[ORBIT];
-    b[VELOCITY + 1] += h * b[RADIUS] * b[ORBIT] * b[ORBIT];
 }
 
 /// [a, r, t] at an azimuth as (x, y, z).

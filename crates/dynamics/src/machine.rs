@@ -7,7 +7,7 @@ use crate::pocket::Pocket;
 use tribodyn_bearing::case::{Case, CoatingSpec, GuidanceSpec, RaceName, SpeedHistory, SupportSpec, Tilt, Translation};
 use tribodyn_bearing::fluid::AnnulusDrag;
 use tribodyn_bearing::traction::{
-    CoatingLaw, FastPatch, Kragelskii, PatchRule, PatchTraction, Quadrature, TractionLaw,
+    CoatingLaw, FastPatch, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
 };
 use tribodyn_bearing::wear::{Defect, Raceway};
 use tribodyn_bearing::{Bearing, LoadedPatch, Side};

@@ -40,7 +40,12 @@ pub enum RingFreedom {
 /// A bearing's equilibrium in blocks. `
 pub(crate) trait BlockSystem {
     fn ring(&self) -> &[RingFreedom; RING];
+    /// The balances of one ball with first derivatives.
     fn ball<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> Balance<D>;
+    /// The balances alone.
+    fn ball_value(&self, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> Balance<f64> {
+        self.ball(index, ball, ring)
+    }
     /// Weights W of the regularisation for ball and ring unknowns.
     fn weights(&self) -> ([f64; BALL], [f64; RING]);
     /// Inertia of the ball unknowns: what the forces on them accelerate; where zero the unknown follows at once.
@@ -84,25 +89,36 @@ impl Worst {
 }
 
 /// Residuals without derivatives: what a trial step is judged by.
-pub(crate) fn worst<S: BlockSystem>(system: &S, state: &BlockState) -> Worst {
-    let mut worst = Worst::NONE;
-    let (mut sum, mut scale) = ([0.0; RING], [0.0; RING]);
-    for (index, &ball) in state.balls.iter().enumerate() {
-        let balance = system.ball(index, ball, state.ring);
-        for k in 0..BALL {
-            worst.take(balance.residual[k], balance.scale[k], Some(index), k);
+#[derive(Debug, Clone)]
+pub(crate) struct Residuals {
+    balls: Vec<SVector<f64, BALL>>,
+    ring: SVector<f64, RING>,
+    pub worst: Worst,
+}
+
+impl Residuals {
+    pub fn new<S: BlockSystem>(system: &S, state: &BlockState) -> Self {
+        let mut worst = Worst::NONE;
+        let (mut ring, mut scale) = (external(system), [0.0; RING]);
+        let balls = state.balls.iter().enumerate().map(|(index, &ball)| {
+            let balance = system.ball_value(index, ball, state.ring);
+            for k in 0..BALL {
+                worst.take(balance.residual[k], balance.scale[k], Some(index), k);
+            }
+            for k in 0..RING {
+                ring[k] -= balance.ring[k];
+                scale[k] += balance.ring_scale[k];
+            }
+            SVector::from(balance.residual)
+        });
+        let balls = balls.collect();
+        for (k, freedom) in system.ring().iter().enumerate() {
+            if let RingFreedom::Loaded(load) = freedom {
+                worst.take(ring[k], load.abs() + scale[k], None, k);
+            }
         }
-        for k in 0..RING {
-            sum[k] += balance.ring[k];
-            scale[k] += balance.ring_scale[k];
-        }
+        Self { balls, ring, worst }
     }
-    for (k, freedom) in system.ring().iter().enumerate() {
-        if let RingFreedom::Loaded(load) = freedom {
-            worst.take(load - sum[k], load.abs() + scale[k], None, k);
-        }
-    }
-    worst
 }
 
 /// The linearised system at a state, with the balls' blocks ready for elimination.
@@ -167,13 +183,11 @@ pub(crate) fn linearise<S: BlockSystem>(system: &S, state: &BlockState) -> Linea
 }
 
 impl Linearised {
-    /// Takes the residuals of another state and keeps the slopes: a tenth of the cost of linearising anew.
-    pub fn move_to<S: BlockSystem>(&mut self, system: &S, state: &BlockState) {
-        self.ring_residual = external(system);
-        for (index, (block, &ball)) in self.balls.iter_mut().zip(&state.balls).enumerate() {
-            let balance = system.ball(index, ball, state.ring);
-            block.residual = SVector::from(balance.residual);
-            self.ring_residual -= SVector::from(balance.ring);
+    /// Takes the residuals of another state and keeps the slopes.
+    pub fn move_to(&mut self, residuals: &Residuals) {
+        self.ring_residual = residuals.ring;
+        for (block, &residual) in self.balls.iter_mut().zip(&residuals.balls) {
+            block.residual = residual;
         }
     }
 }
@@ -266,7 +280,7 @@ pub struct SolverStatistics {
 #[derive(Debug, Clone)]
 pub(crate) struct Iterate {
     pub state: BlockState,
-    pub worst: Worst,
+    pub residuals: Residuals,
     pub statistics: SolverStatistics,
 }
 
@@ -277,7 +291,17 @@ impl Iterate {
                 *value = *held;
             }
         }
-        let worst = worst(system, &state);
-        Self { state, worst, statistics: SolverStatistics::default() }
+        let residuals = Residuals::new(system, &state);
+        Self { state, residuals, statistics: SolverStatistics::default() }
+    }
+
+    pub fn worst(&self) -> Worst {
+        self.residuals.worst
+    }
+
+    /// Takes a step to a state with its residuals.
+    pub fn keep(&mut self, state: BlockState, residuals: Residuals) {
+        (self.state, self.residuals) = (state, residuals);
+        self.statistics.accepted += 1;
     }
 }

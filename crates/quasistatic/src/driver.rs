@@ -32,11 +32,11 @@ impl<S: BlockSystem, M: Method> Solver<&S, Iteration> for Stepper<M> {
     fn next_iter(&mut self, problem: &mut Problem<&S>, state: Iteration) -> Result<(Iteration, Option<KV>), Error> {
         let advanced = problem.problem("steps", |system| Ok(self.method.advance(*system, &mut self.iterate)))?;
         self.stuck = advanced.is_err();
-        Ok((state.cost(self.iterate.worst.residual), None))
+        Ok((state.cost(self.iterate.worst().residual), None))
     }
 
     fn terminate(&mut self, _state: &Iteration) -> TerminationStatus {
-        if self.iterate.worst.residual <= self.tolerance {
+        if self.iterate.worst().residual <= self.tolerance {
             TerminationStatus::Terminated(TerminationReason::SolverConverged)
         } else if self.stuck {
             TerminationStatus::Terminated(TerminationReason::SolverExit("no acceptable step".into()))

@@ -1,6 +1,6 @@
 //! Two ways to step: downhill in a convex energy, and Newton with the balls settled one by one where it fails.
 
-use crate::block::{BlockState, BlockSystem, Iterate, Linearised, Worst, apply, linearise, step, worst};
+use crate::block::{BlockState, BlockSystem, Iterate, Linearised, Residuals, apply, linearise, step};
 use crate::driver::{Method, Stuck};
 use crate::settle::{FROM_AFAR, settle_ball};
 
@@ -25,9 +25,8 @@ impl Method for Downhill {
                 let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
                 // Rounding of a sum of a few hundred terms must not stop the last steps.
                 if system.energy(&trial) <= energy + 1e-13 * energy.abs() {
-                    iterate.worst = worst(system, &trial);
-                    iterate.state = trial;
-                    iterate.statistics.accepted += 1;
+                    let residuals = Residuals::new(system, &trial);
+                    iterate.keep(trial, residuals);
                     self.mu *= 0.1;
                     return Ok(());
                 }
@@ -58,14 +57,13 @@ impl NewtonOrNested {
     /// A step with the slopes of an earlier one, kept where it converges almost as fast.
     fn chord_step<S: BlockSystem>(&mut self, system: &S, iterate: &mut Iterate) -> bool {
         let Some(mut linear) = self.chord.take() else { return false };
-        linear.move_to(system, &iterate.state);
+        linear.move_to(&iterate.residuals);
         let Ok((balls, ring)) = step(system, &linear, 0.0) else { return false };
         let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
-        let trial_worst = worst(system, &trial);
-        let kept = trial_worst.residual <= CHORD * iterate.worst.residual;
+        let residuals = Residuals::new(system, &trial);
+        let kept = residuals.worst.residual <= CHORD * iterate.worst().residual;
         if kept {
-            (iterate.state, iterate.worst) = (trial, trial_worst);
-            iterate.statistics.accepted += 1;
+            iterate.keep(trial, residuals);
             self.chord = Some(linear);
         }
         kept
@@ -90,36 +88,35 @@ impl Method for NewtonOrNested {
         // A tiny weight keeps a ball that touches nothing solvable.
         let (balls, ring) = step(system, &linear, 0.0).or_else(|_| step(system, &linear, 1e-9)).map_err(|_| Stuck)?;
         let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
-        let trial_worst = worst(system, &trial);
-        if trial_worst.residual <= WORTHWHILE * iterate.worst.residual {
-            self.chord = (trial_worst.residual <= CHORD * iterate.worst.residual).then_some(linear);
-            (iterate.state, iterate.worst) = (trial, trial_worst);
-            iterate.statistics.accepted += 1;
+        let residuals = Residuals::new(system, &trial);
+        let (before, after) = (iterate.worst().residual, residuals.worst.residual);
+        if after <= WORTHWHILE * before {
+            self.chord = (after <= CHORD * before).then_some(linear);
+            iterate.keep(trial, residuals);
             return Ok(());
         }
-        let mut least: Option<(BlockState, Worst)> = None;
+        let mut least: Option<(BlockState, Residuals)> = None;
         for halving in 0..HALVINGS {
             let share = 0.5f64.powi(halving);
             let predicted = apply(system, &iterate.state, &balls, &ring, share);
             let settled = settle(system, &predicted, self.settle_to, FROM_AFAR);
-            let settled_worst = worst(system, &settled);
-            if settled_worst.residual < iterate.worst.residual {
-                (iterate.state, iterate.worst) = (settled, settled_worst);
-                iterate.statistics.accepted += 1;
+            let residuals = Residuals::new(system, &settled);
+            let reached = residuals.worst.residual;
+            if reached < before {
+                iterate.keep(settled, residuals);
                 return Ok(());
             }
             iterate.statistics.rejected += 1;
-            if least.as_ref().is_none_or(|(_, worst)| settled_worst.residual < worst.residual) {
-                least = Some((settled, settled_worst));
+            if least.as_ref().is_none_or(|(_, least)| reached < least.worst.residual) {
+                least = Some((settled, residuals));
             }
         }
         // A ball that loses its rolling equilibrium falls into skidding: its force on the ring jumps, and so does the
         // residual. Go on from there, but not for ever.
         match least {
-            Some((state, worst)) if self.jumps > 0 && worst.residual.is_finite() => {
+            Some((state, residuals)) if self.jumps > 0 && residuals.worst.residual.is_finite() => {
                 self.jumps -= 1;
-                (iterate.state, iterate.worst) = (state, worst);
-                iterate.statistics.accepted += 1;
+                iterate.keep(state, residuals);
                 Ok(())
             }
             _ => Err(Stuck),

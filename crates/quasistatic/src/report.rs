@@ -44,7 +44,7 @@ pub(crate) fn jones_harris<L: TractionLaw>(
     }
     let mut solution = solution(Model::JonesHarris, bearing, solved.state.ring, balls, point);
     (solution.ring_load_n, solution.ring_moment_nm) = (ring_load, ring_moment);
-    (solution.residual, solution.iterations) = (solved.worst.residual, solved.statistics.accepted);
+    (solution.residual, solution.iterations) = (solved.worst().residual, solved.statistics.accepted);
     lost_contacts(&mut solution);
     solution
 }
@@ -111,7 +111,7 @@ pub(crate) fn with_traction<L: TractionLaw>(
     let mut solution = solution(Model::Traction, bearing, solved.state.ring, balls, point);
     let [x, y, z, mx, my, torque] = action;
     (solution.ring_load_n, solution.ring_moment_nm, solution.shaft_torque_nm) = ([x, y, z], [mx, my], torque);
-    (solution.residual, solution.iterations) = (solved.worst.residual, solved.statistics.accepted);
+    (solution.residual, solution.iterations) = (solved.worst().residual, solved.statistics.accepted);
     solution.patch_error_estimate = Some(estimate);
     if !clamped.is_empty() {
         let text = "pressure outside the range of the coating's data, clamped";

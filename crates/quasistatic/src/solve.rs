@@ -16,7 +16,7 @@ use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, report};
 use tribodyn_bearing::case::RaceControl;
-use tribodyn_bearing::traction::{PatchRule, Probe, Quadrature, TractionLaw, choose_rule, rule_error};
+use tribodyn_bearing::traction::{FastPatch, PatchRule, Probe, TractionLaw, choose_rule, rule_error};
 use tribodyn_bearing::{Bearing, Side};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
@@ -36,6 +36,8 @@ const SETTLED: f64 = 1e-8;
 pub struct WarmStart {
     pub(crate) state: BlockState,
     pub(crate) rule: PatchRule,
+    /// Of inner and outer ring, rad/s.
+    speeds: [f64; 2],
 }
 
 impl WarmStart {
@@ -53,6 +55,21 @@ impl WarmStart {
     /// The patch rule of the solution.
     pub fn rule(&self) -> PatchRule {
         self.rule
+    }
+
+    /// The state at other speeds of the rings: rolling is linear in them, seen from the outer ring. A change of 1 % would
+    /// else be slip far past the peak of the traction curve.
+    fn at_speeds(&self, [inner, outer]: [f64; 2]) -> BlockState {
+        let [was_inner, was_outer] = self.speeds;
+        let mut state = self.state.clone();
+        let share = (inner - outer) / (was_inner - was_outer);
+        if share.is_finite() && [inner, outer] != self.speeds {
+            for ball in &mut state.balls {
+                (2..5).for_each(|k| ball[k] *= share);
+                ball[5] = outer + (ball[5] - was_outer) * share;
+            }
+        }
+        state
     }
 }
 
@@ -107,7 +124,7 @@ pub fn solve_from<L: TractionLaw>(
 ) -> Result<Solved, QuasiStaticError> {
     let typical = Typical::new(bearing, &point.ring, [point.inner_speed, point.outer_speed]);
     let traction = traction_system(bearing, point, typical, start.rule)?;
-    finish(&traction, start.state.clone(), point, SolverStatistics::default(), None)
+    finish(&traction, start.at_speeds(traction.speeds), point, SolverStatistics::default(), None)
 }
 
 fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics {
@@ -219,9 +236,9 @@ pub(crate) fn traction_system<'a, L: TractionLaw>(
     typical: Typical,
     rule: PatchRule,
 ) -> Result<WithTraction<'a, L>, QuasiStaticError> {
-    let quadrature = Quadrature::new(rule)?;
+    let kernel = FastPatch::new(rule)?;
     let speeds = [point.inner_speed, point.outer_speed];
-    Ok(WithTraction { bearing, ring: point.ring, speeds, quadrature, typical })
+    Ok(WithTraction { bearing, ring: point.ring, speeds, kernel, typical })
 }
 
 /// Takes the rule of the problem, by its target error at the scouted state where it is not named. Gives the estimate.
@@ -232,10 +249,10 @@ fn choose_quadrature<L: TractionLaw>(
 ) -> Result<Option<f64>, QuasiStaticError> {
     if let PatchRule::TargetError { relative } = point.patch {
         let (rule, error) = choose_rule(relative, &probes(system, state))?;
-        system.quadrature = Quadrature::new(rule)?;
+        system.kernel = FastPatch::new(rule)?;
         return Ok(Some(error));
     }
-    system.quadrature = Quadrature::new(point.patch)?;
+    system.kernel = FastPatch::new(point.patch)?;
     Ok(None)
 }
 
@@ -273,10 +290,11 @@ fn finish<L: TractionLaw>(
     check(&solved, Model::Traction, &with_traction::EQUATIONS, system.bearing, point)?;
     let estimate = match estimate {
         Some(error) => error,
-        None => rule_error(system.quadrature.rule(), &probes(system, &solved.state))?,
+        None => rule_error(system.kernel.quadrature().rule(), &probes(system, &solved.state))?,
     };
     let solution = report::with_traction(system, &solved, point, estimate);
-    let warm_start = Some(WarmStart { state: solved.state, rule: system.quadrature.rule() });
+    let rule = system.kernel.quadrature().rule();
+    let warm_start = Some(WarmStart { state: solved.state, rule, speeds: system.speeds });
     Ok(Solved { solution, statistics: solved.statistics, warm_start })
 }
 
@@ -290,7 +308,7 @@ fn check<L: TractionLaw>(
     bearing: &Bearing<L>,
     point: &OperatingPoint,
 ) -> Result<(), QuasiStaticError> {
-    let worst = solved.worst;
+    let worst = solved.worst();
     if worst.residual <= point.numerics.tolerance {
         return Ok(());
     }

@@ -5,8 +5,9 @@
 
 use crate::block::{BALL, Balance, BlockSystem, RING, RingFreedom};
 use crate::jones_harris::{Typical, ring_state};
-use tribodyn_bearing::traction::{Quadrature, TractionLaw};
-use tribodyn_bearing::{BallLoads, BallState, Bearing, RingState, Scalar};
+use tribodyn_bearing::traction::{FastPatch, PatchTraction, TractionLaw};
+use tribodyn_bearing::wear::LocalSurface;
+use tribodyn_bearing::{BallLoads, BallState, Bearing, LoadedPatch, RingState, Scalar};
 
 /// Names of the balances, for error messages.
 pub(crate) const EQUATIONS: [&str; BALL] =
@@ -17,18 +18,26 @@ pub(crate) struct WithTraction<'a, L> {
     pub bearing: &'a Bearing<L>,
     pub ring: [RingFreedom; RING],
     pub speeds: [f64; 2],
-    pub quadrature: Quadrature,
+    pub kernel: FastPatch,
     pub typical: Typical,
 }
 
+/// A ball, all that acts on it, and the inner ring.
+pub(crate) type Loaded<D = f64> = (BallState<D>, BallLoads<D>, RingState<D>);
+
 impl<L: TractionLaw> WithTraction<'_, L> {
     /// The state of a ball and all that acts on it.
-    pub fn evaluate<D: Scalar>(
+    pub fn evaluate(&self, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> Loaded {
+        self.evaluate_with(index, ball, ring, |patch| self.bearing.fast_traction(patch, &self.kernel))
+    }
+
+    fn evaluate_with<D: Scalar>(
         &self,
         index: usize,
         ball: [D; BALL],
         ring: [D; RING],
-    ) -> (BallState<D>, BallLoads<D>, RingState<D>) {
+        traction: impl FnMut(&LoadedPatch<'_, D, L>) -> PatchTraction<D>,
+    ) -> Loaded<D> {
         let (sin, cos) = self.bearing.azimuth(index).sin_cos();
         let inner = ring_state(ring, self.speeds[0]);
         let outer = RingState::centred(D::from(self.speeds[1]));
@@ -39,18 +48,11 @@ impl<L: TractionLaw> WithTraction<'_, L> {
             orbital_speed: ball[5],
             spin: [ball[2] + ball[5], ball[3], ball[4]],
         };
-        let loads = self.bearing.ball_loads(&state, &inner, &outer, &self.quadrature);
+        let loads = self.bearing.ball_loads_with(&state, [&inner, &outer], [&LocalSurface::NEW; 2], traction);
         (state, loads, inner)
     }
-}
 
-impl<L: TractionLaw> BlockSystem for WithTraction<'_, L> {
-    fn ring(&self) -> &[RingFreedom; RING] {
-        &self.ring
-    }
-
-    fn ball<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> Balance<D> {
-        let (state, loads, inner) = self.evaluate(index, ball, ring);
+    fn balance<D: Scalar>(&self, (state, loads, inner): Loaded<D>) -> Balance<D> {
         let centrifugal = loads.orbit_radius * state.orbital_speed * state.orbital_speed * self.bearing.ball_mass;
         // J ω_m e_a × Ω = J ω_m (−Ω_t e_r + Ω_r e_t).
         let inertia = state.orbital_speed * self.bearing.ball_inertia;
@@ -92,6 +94,21 @@ impl<L: TractionLaw> BlockSystem for WithTraction<'_, L> {
             ring: [x, y, z, mx, my],
             ring_scale: [total, total, total, total * lever, total * lever],
         }
+    }
+}
+
+impl<L: TractionLaw> BlockSystem for WithTraction<'_, L> {
+    fn ring(&self) -> &[RingFreedom; RING] {
+        &self.ring
+    }
+
+    fn ball<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> Balance<D> {
+        let traction = |patch: &LoadedPatch<'_, D, L>| self.bearing.linear_traction(patch, &self.kernel);
+        self.balance(self.evaluate_with(index, ball, ring, traction))
+    }
+
+    fn ball_value(&self, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> Balance<f64> {
+        self.balance(self.evaluate(index, ball, ring))
     }
 
     fn weights(&self) -> ([f64; BALL], [f64; RING]) {

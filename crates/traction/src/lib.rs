@@ -90,7 +90,7 @@ mod varying;
 
 pub use choose::{Probe, REFERENCE_RULE, choose_rule, rule_error};
 pub use coating::{Coating, TestedCurve, coating_names};
-pub use fast::{FastPatch, PatchDerivative, fast_patch_traction};
+pub use fast::{FastPatch, PatchDerivative, fast_patch_traction, linear_patch_traction};
 pub use kragelskii::{Kragelskii, Peak, SlipCurve};
 pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};
 pub use quadrature::Quadrature;

@@ -22,6 +22,20 @@ pub struct Patch<D = f64> {
     pub moment_arm: MomentArm,
 }
 
+impl<D: Scalar> Patch<D> {
+    /// Without derivatives.
+    pub fn re(&self) -> Patch {
+        Patch {
+            semi_lateral: self.semi_lateral.re(),
+            semi_rolling: self.semi_rolling.re(),
+            peak_pressure: self.peak_pressure.re(),
+            ball_radius: self.ball_radius,
+            surface_radius: self.surface_radius,
+            moment_arm: self.moment_arm,
+        }
+    }
+}
+
 /// Velocity of the ball's surface against the race's over the patch, from the relative rigid motion.
 ///
 /// With h(y) = r_b − y²/(2R_c): Δv_x = W_x + w_y h − w_n y and Δv_y = W_y − w_x h + w_n x.
@@ -40,6 +54,17 @@ pub struct RelativeMotion<D = f64> {
 }
 
 impl<D: Scalar> RelativeMotion<D> {
+    /// Without derivatives.
+    pub fn re(&self) -> RelativeMotion {
+        RelativeMotion {
+            rolling: self.rolling.re(),
+            lateral: self.lateral.re(),
+            spin: self.spin.re(),
+            about_lateral: self.about_lateral.re(),
+            about_rolling: self.about_rolling.re(),
+        }
+    }
+
     /// Sliding velocity (x along rolling, y lateral) at the patch centre, m/s.
     pub fn centre_slip(&self, ball_radius: f64) -> [D; 2] {
         [self.rolling + self.about_lateral * ball_radius, self.lateral - self.about_rolling * ball_radius]

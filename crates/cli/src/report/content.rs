@@ -59,6 +59,7 @@ fn warnings(answer: &Answer) -> Vec<String> {
         all.push(format!("{} damaged parts of the recording are missing.", answer.chunks_bad));
     }
     all.extend(answer.warnings_at_start.iter().map(|warning| format!("At the start: {warning}")));
+    all.extend(answer.untested_pressures.iter().cloned());
     let of_run = &answer.summary.warnings;
     all.extend(of_run.iter().take(MOST_WARNINGS).cloned());
     if of_run.len() > MOST_WARNINGS {
@@ -187,7 +188,7 @@ fn values(file: &CaseFile) -> Table {
     });
     Table {
         title: "Case",
-        text: "Values with their sources; the whole case file is at the end.".to_owned(),
+        text: "Values with their sources, which are those of the case file where an option changed the value for this run; the whole case, as it was run, is at the end.".to_owned(),
         header: vec!["Path", "Value", "Class", "Source"],
         rows: rows.collect(),
         numbers: 0..0,

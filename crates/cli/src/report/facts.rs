@@ -5,9 +5,11 @@ use crate::input::CaseFile;
 use crate::run::Summary;
 use serde::Serialize;
 use std::f64::consts::TAU;
+use tribodyn_bearing::case::{Case, CurveSpec};
 use tribodyn_quasistatic::{Model, OperatingPoint, solve};
 use tribodyn_record::{BallRow, Run};
 use tribodyn_signal::BearingFrequencies;
+use tribodyn_traction::Coating;
 
 /// The quasi-static solution of the same case.
 #[derive(Debug, Default)]
@@ -57,6 +59,46 @@ pub fn frequencies(run: &Run, summary: &Summary) -> Result<BearingFrequencies, F
         speed(outer / rows.max(1.0)),
         balls(run),
     )?)
+}
+
+/// Pressures outside the tested ones, a sentence for each race: there the traction curve is extrapolated.
+pub fn untested(case: &Case, run: &Run) -> Vec<String> {
+    // Parameters that do not vary are taken at one pressure, whatever the contacts have.
+    if !case.traction.varying {
+        return Vec::new();
+    }
+    let races: [(&str, &CurveSpec, fn(&BallRow) -> f32); 2] = [
+        ("inner", &case.coatings.inner.curve, |b| b.pressure_inner_gpa),
+        ("outer", &case.coatings.outer.curve, |b| b.pressure_outer_gpa),
+    ];
+    races.into_iter().filter_map(|(race, curve, get)| untested_at(race, tested_gpa(curve)?, run, get)).collect()
+}
+
+/// Lowest and highest tested pressure, GPa.
+fn tested_gpa(curve: &CurveSpec) -> Option<[f64; 2]> {
+    let pressures: Vec<f64> = match curve {
+        CurveSpec::Library(name) => Coating::library(name).ok()?.tested.iter().map(|test| test.pressure).collect(),
+        CurveSpec::Tested(points) => points.iter().map(|point| point.pressure).collect(),
+    };
+    let extreme = |start: f64, pick: fn(f64, f64) -> f64| 1e-9 * pressures.iter().copied().fold(start, pick);
+    (!pressures.is_empty()).then(|| [extreme(f64::INFINITY, f64::min), extreme(0.0, f64::max)])
+}
+
+fn untested_at(race: &str, [low, high]: [f64; 2], run: &Run, get: fn(&BallRow) -> f32) -> Option<String> {
+    let (mut least, mut most, mut all, mut outside) = (f64::INFINITY, 0.0f64, 0.0, 0.0);
+    let pressures = run.balls.iter().flat_map(|(_, balls)| balls).map(|ball| f64::from(get(ball)));
+    // A contact that is lost has no pressure.
+    for pressure in pressures.filter(|pressure| *pressure > 0.0) {
+        (least, most) = (least.min(pressure), most.max(pressure));
+        all += 1.0;
+        outside += f64::from(u8::from(pressure < low || pressure > high));
+    }
+    (outside > 0.0).then(|| {
+        format!(
+            "Pressures at the {race} race were {least:.3} to {most:.3} GPa, the coating was tested at {low} to {high} GPa: its traction curve is extrapolated in {:.0} % of the samples.",
+            100.0 * outside / all
+        )
+    })
 }
 
 /// Number of balls; 0 where no sample of them was read.

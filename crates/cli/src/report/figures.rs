@@ -32,17 +32,17 @@ const HISTORIES: [(&str, &str, &[Plan]); 6] = [
         "ring-acceleration",
         "Acceleration of the outer ring",
         &[
-            ("Along X, the radial load", "Acceleration", "m/s²", &[("", |r| r.outer_acceleration_x_m_s2)]),
-            ("Along Y", "Acceleration", "m/s²", &[("", |r| r.outer_acceleration_y_m_s2)]),
+            ("Along X, the radial load", "Acceleration", "m/s²", &[("X", |r| r.outer_acceleration_x_m_s2)]),
+            ("Along Y", "Acceleration", "m/s²", &[("Y", |r| r.outer_acceleration_y_m_s2)]),
         ],
     ),
     (
         "displacements",
         "Displacements of the rings",
         &[
-            ("Inner ring, X", "Displacement", "µm", &[("", |r| r.inner_x_um)]),
-            ("Inner ring, Y", "Displacement", "µm", &[("", |r| r.inner_y_um)]),
-            ("Inner ring, Z", "Displacement", "µm", &[("", |r| r.inner_z_um)]),
+            ("Inner ring, X", "Displacement", "µm", &[("X", |r| r.inner_x_um)]),
+            ("Inner ring, Y", "Displacement", "µm", &[("Y", |r| r.inner_y_um)]),
+            ("Inner ring, Z", "Displacement", "µm", &[("Z", |r| r.inner_z_um)]),
             ("Outer ring, X and Y", "Displacement", "µm", &[("X", |r| r.outer_x_um), ("Y", |r| r.outer_y_um)]),
         ],
     ),
@@ -50,8 +50,8 @@ const HISTORIES: [(&str, &str, &[Plan]); 6] = [
         "pocket-force",
         "Cage pockets",
         &[
-            ("Largest force of any pocket", "Force", "N", &[("", |r| r.pocket_force_max_n)]),
-            ("Impacts since the start", "Impacts", "", &[("", |r| f64::from(r.impacts))]),
+            ("Largest force of any pocket", "Force", "N", &[("largest of all pockets", |r| r.pocket_force_max_n)]),
+            ("Impacts since the start", "Impacts", "", &[("all pockets", |r| f64::from(r.impacts))]),
         ],
     ),
     (

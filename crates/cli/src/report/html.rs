@@ -20,6 +20,7 @@ th, td { text-align: left; vertical-align: top; padding: 3px 14px 3px 0; border-
 th { border-bottom: 2px solid #8a8a8a; }
 .n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; overflow-wrap: normal; }
 .wide { width: 100%; font-size: 13px; }
+.wide td:first-child { white-space: nowrap; overflow-wrap: normal; }
 .class { font-weight: 600; white-space: nowrap; }
 .assumed { font-style: italic; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(440px, 1fr)); gap: 0 40px; align-items: start; }

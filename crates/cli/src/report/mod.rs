@@ -11,7 +11,7 @@ mod spectra;
 use crate::failure::Failure;
 use crate::input::CaseFile;
 use crate::output::StagedFiles;
-use crate::run::Summary;
+use crate::run::{RunError, Summary};
 use crate::table;
 use content::Content;
 use facts::{BallWear, Start};
@@ -53,6 +53,8 @@ pub struct Answer {
     ball_wear: Vec<BallWear>,
     /// Of the quasi-static solution of the same case.
     warnings_at_start: Vec<String>,
+    /// Races whose pressures left the range in which the coating was tested.
+    untested_pressures: Vec<String>,
     figures: Vec<String>,
     /// Figures that could not be made, and why.
     notes: Vec<String>,
@@ -62,9 +64,12 @@ pub struct Answer {
 const PNG_WIDTH: u32 = 1600;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let run = read_run(&arguments.recording)?;
-    let nothing = || RecordError::NothingToRecover { path: arguments.recording.clone() };
-    let summary = Summary::of(&run.states, run.wear.last(), &run.events).ok_or_else(nothing)?;
+    let no_run = || RunError::NoRun { path: arguments.recording.clone() };
+    let run = match read_run(&arguments.recording) {
+        Err(RecordError::NothingToRecover { .. }) => return Err(no_run().into()),
+        read => read?,
+    };
+    let summary = Summary::of(&run.states, run.wear.last(), &run.events).ok_or_else(no_run)?;
     let (answer, case, figures) = evaluate(&arguments.recording, &run, summary)?;
     let content = Content::new(&answer, case.as_ref(), &run);
     let mut staged = StagedFiles::new(&arguments.output)?;
@@ -114,6 +119,7 @@ fn evaluate(path: &Path, run: &Run, summary: Summary) -> Result<Evaluated, Failu
         summary,
         ball_wear,
         warnings_at_start: start.warnings,
+        untested_pressures: case.as_ref().map_or_else(Vec::new, |file| facts::untested(&file.case, run)),
         figures: figures.iter().map(|figure| figure.name.clone()).collect(),
         notes,
     };

@@ -25,6 +25,8 @@ pub enum RunError {
     Damaged { path: PathBuf, source: serde_json::Error },
     #[error("{} holds {found} of the {expected} messages up to the checkpoint: start anew with --restart", path.display())]
     Incomplete { path: PathBuf, found: u64, expected: u64 },
+    #[error("{} holds no sample of a transient run that can be read", path.display())]
+    NoRun { path: PathBuf },
     #[error("{file}: {source}")]
     CannotStart { file: String, source: DynamicsError },
     #[error("{file}: {source}; what was recorded before is in {}", recording.display())]

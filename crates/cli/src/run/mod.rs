@@ -14,7 +14,6 @@ mod tape;
 mod watcher;
 
 pub use error::RunError;
-pub use progress::significant;
 pub use summary::Summary;
 
 use crate::failure::Failure;

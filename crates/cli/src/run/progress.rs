@@ -48,8 +48,8 @@ impl Progress {
 
 /// Two digits that matter.
 pub fn significant(value: f64) -> String {
-    let digits = (1.0 - value.abs().log10().floor()).clamp(0.0, 9.0);
-    let digits = if digits.is_finite() { digits as usize } else { 0 };
+    let digits = if value == 0.0 { 0.0 } else { (1.0 - value.abs().log10().floor()).clamp(0.0, 9.0) };
+    let digits = digits as usize;
     format!("{value:.digits$}")
 }
 

@@ -16,6 +16,10 @@ pub struct Loose {
     pub hex: String,
 }
 
+/// Bytes of messages after which a chunk is closed, at the latest: they bound the size of a checkpoint. About what the
+/// writer puts into a chunk; the bytes of a file must depend on what is written, not on when.
+const LOOSE_BYTES: usize = 1 << 20;
+
 struct Tape {
     /// None once finished.
     file: Option<FileSink>,
@@ -26,6 +30,7 @@ struct Tape {
     safe: u64,
     /// Those after it.
     loose: Vec<(usize, u64, Vec<u8>)>,
+    loose_bytes: usize,
 }
 
 /// The sink of a run's recorder, shared with the driver of the run, who asks it what is safe.
@@ -36,7 +41,7 @@ impl SharedTape {
     /// Creates `<path>.active`.
     pub fn create(path: &Path) -> Result<Self, RecordError> {
         let file = Some(FileSink::create(path)?);
-        let tape = Tape { file, topics: Vec::new(), muted: false, safe: 0, loose: Vec::new() };
+        let tape = Tape { file, topics: Vec::new(), muted: false, safe: 0, loose: Vec::new(), loose_bytes: 0 };
         Ok(Self(Rc::new(RefCell::new(tape))))
     }
 
@@ -75,13 +80,15 @@ impl Tape {
     fn write(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
         self.file.as_mut().ok_or(RecordError::NotBegun)?.message(channel, log_time, data)?;
         self.loose.push((channel, log_time, data.to_vec()));
-        Ok(())
+        self.loose_bytes += data.len();
+        if self.loose_bytes >= LOOSE_BYTES { self.flush() } else { Ok(()) }
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {
         self.file.as_mut().ok_or(RecordError::NotBegun)?.flush()?;
         self.safe += self.loose.len() as u64;
         self.loose.clear();
+        self.loose_bytes = 0;
         Ok(())
     }
 }

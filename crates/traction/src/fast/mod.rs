@@ -14,10 +14,12 @@
 
 mod derivative;
 mod elementary;
+mod linear;
 mod nodes;
 mod values;
 
 pub use derivative::PatchDerivative;
+pub use linear::linear_patch_traction;
 
 use crate::{
     Kragelskii, MomentArm, Patch, PatchLaw, PatchTraction, PressureChoice, Quadrature, RelativeMotion, SlipField,

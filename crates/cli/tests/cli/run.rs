@@ -1,0 +1,247 @@
+//! `run`, `recover` and `report`: short transient runs with a cheap patch rule, so that they take seconds in a debug
+//! build.
+
+use super::{Outcome, Scratch, assert_close, command, fixture, names, run};
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+use tribodyn_record::{RunItem, RunReader};
+
+/// What a transient run needs besides the values of the quasi-static case.
+const TRANSIENT: &str = "
+    supports: (
+        inner: (mass: kg(12), stiffness: (N_per_um(0), N_per_um(0), N_per_um(0)), damping: (N_s_per_m(2000), N_s_per_m(2000), N_s_per_m(2000))),
+        outer: (mass: kg(5), stiffness: (N_per_um(500), N_per_um(500)), damping: (N_s_per_m(5000), N_s_per_m(5000))),
+    ),
+    transient: (
+        duration: s(0.004),
+        start: QuasiStatic,
+        scheme: RungeKutta4(step: us(10)),
+        contact_damping: 0.02,
+        wear_acceleration: 0,
+    ),
+    recording: (state_rate: kHz(25.6), ball_rate: kHz(5.12)),
+";
+
+/// The case of the fixtures with the sections of a run and a cheap patch rule.
+fn case(scratch: &Scratch) -> PathBuf {
+    let mut text = fs::read_to_string(fixture("paper-handset.ron")).unwrap();
+    text = text.replacen("TargetError(relative: 1e-5)", "SplitStrip(across: 5, along: 3)", 1);
+    if !text.contains("transient:") {
+        text = text.replacen("    numerics:", &format!("{TRANSIENT}\n    numerics:"), 1);
+        let cage = "pocket_gap: mm(0.12),\n        inertia: kg_m2(0.002),\n        pocket_damping: s_per_m(0.3),";
+        text = text.replacen("pocket_gap: mm(0.12),", cage, 1);
+    }
+    scratch.file("case.ron", text)
+}
+
+fn go(case: &Path, recording: &Path, rest: &[&dyn AsRef<OsStr>]) -> Outcome {
+    let start: [&dyn AsRef<OsStr>; 4] = [&"run", &case, &"-o", &recording];
+    run(&[&start[..], rest].concat())
+}
+
+/// All that is recorded, in the order of the file, but for the frames of the balls.
+fn items(recording: &Path) -> Vec<RunItem> {
+    RunReader::open(recording)
+        .unwrap()
+        .map(|item| item.unwrap())
+        .filter(|i| !matches!(i, RunItem::Spectrum(_)))
+        .collect()
+}
+
+fn number(value: &serde_json::Value, name: &str) -> f64 {
+    value[name].as_f64().unwrap_or_else(|| panic!("{name} is missing"))
+}
+
+/// Waits until a file is there.
+fn wait_for(path: &Path) {
+    let start = Instant::now();
+    while !path.exists() {
+        assert!(start.elapsed() < Duration::from_secs(120), "{} did not come", path.display());
+        std::thread::sleep(Duration::from_millis(20));
+    }
+}
+
+#[test]
+fn identity_a_run_is_recorded_summed_up_and_the_same_twice() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let paths = ["a.mcap", "b.mcap"].map(|name| scratch.0.join(name));
+    let duration: [&dyn AsRef<OsStr>; 3] = [&"--duration", &"0.004", &"--json"];
+    let answers = paths.clone().map(|path| go(&case, &path, &duration).json());
+    let answer = &answers[0];
+    assert_eq!(number(answer, "simulated_s"), 0.004);
+    assert_eq!(number(answer, "samples"), 103.0, "at 0 and 102 times 1/25600 s after it");
+    // At the start from the quasi-static solution the cage turns with it.
+    assert_close(number(answer, "cage_speed_mean_rpm"), number(answer, "cage_speed_quasi_static_rpm"), 0.01);
+    let power = &answer["power"];
+    assert!(number(power, "shaft_w") > 1e5 && number(power, "imbalance_ppb").abs() < 1e3, "{power}");
+    assert!(number(&answer["scheme_statistics"], "steps") >= 400.0);
+    assert!(number(&answer["stiffness"], "runge_kutta_step_s") > 1e-5);
+    assert!(number(&answer["wear"], "volume_inner_um3") > 0.0);
+    assert!(fs::read(&paths[0]).unwrap() == fs::read(&paths[1]).unwrap(), "two runs of one case differ");
+    assert_eq!(scratch.names(), ["a.mcap", "b.mcap", "case.ron"]);
+    let table = go(&case, &paths[0], &[]);
+    for part in ["cage speed, mean of last half", "power in: shaft", "longest stable fixed step", "patch rule"] {
+        assert!(table.table().contains(part), "{part} is not in {}", table.out);
+    }
+}
+
+#[test]
+fn identity_a_killed_run_goes_on_to_the_same_samples() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let [whole, killed] = ["whole.mcap", "killed.mcap"].map(|name| scratch.0.join(name));
+    // Long enough for a checkpoint, which comes once a second.
+    let words = |path: &PathBuf| -> Vec<String> {
+        let path = path.to_str().unwrap().to_owned();
+        ["run", case.to_str().unwrap(), "-o", &path, "--duration", "0.1"].map(str::to_owned).to_vec()
+    };
+    let start = |words: &[String]| {
+        let words: Vec<&dyn AsRef<OsStr>> = words.iter().map(|word| word as _).collect();
+        command(&words).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+    };
+    let mut child = start(&words(&killed));
+    wait_for(&scratch.0.join("killed.mcap.checkpoint"));
+    child.kill().unwrap();
+    assert!(!child.wait().unwrap().success(), "the run was over before it could be killed");
+    assert_eq!(scratch.names(), ["case.ron", "killed.mcap.active", "killed.mcap.checkpoint"]);
+    // Nothing is lost by giving the command again, and no other case goes on.
+    let again: [&dyn AsRef<OsStr>; 2] = [&"--duration", &"0.1"];
+    go(&case, &killed, &again).fails(2, &["killed.mcap.checkpoint", "--resume goes on", "--restart forgets"]);
+    go(&case, &killed, &[&"--duration", &"0.2", &"--resume"]).fails(2, &["is of another case", "differs from line"]);
+    let resumed = go(&case, &killed, &[&"--duration", &"0.1", &"--resume", &"--json"]).json();
+    assert_eq!(scratch.names(), ["case.ron", "killed.mcap"]);
+    let answer = go(&case, &whole, &[&"--duration", &"0.1", &"--json"]).json();
+    for name in ["cage_speed_mean_rpm", "samples", "impacts", "power", "wear", "scheme_statistics", "warnings"] {
+        assert_eq!(resumed[name], answer[name], "{name}");
+    }
+    assert!(items(&killed) == items(&whole), "the resumed recording holds something else");
+}
+
+#[cfg(unix)]
+#[test]
+fn identity_an_interrupted_run_is_closed_and_goes_on() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let recording = scratch.0.join("run.mcap");
+    let words: [&dyn AsRef<OsStr>; 7] = [&"run", &case, &"-o", &recording, &"--duration", &"30", &"--json"];
+    let child = command(&words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    wait_for(&scratch.0.join("run.mcap.checkpoint"));
+    let interrupt = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(interrupt.success());
+    let output = child.wait_with_output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("stopped after 0.") && message.contains("of 30 s; --resume goes on"), "{message}");
+    let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(number(&answer, "simulated_s") > 0.0);
+    assert_eq!(scratch.names(), ["case.ron", "run.mcap", "run.mcap.checkpoint"]);
+    let states = |path: &Path| items(path).iter().filter(|item| matches!(item, RunItem::State(_))).count();
+    assert_eq!(states(&recording) as f64, number(&answer, "samples"));
+    go(&case, &scratch.0.join("other.mcap"), &[&"--resume"]).fails(2, &["there is no run to go on with"]);
+}
+
+#[test]
+fn limit_a_run_that_fails_keeps_what_was_recorded() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let recording = scratch.0.join("run.mcap");
+    let set = "transient.scheme=RungeKutta4(step: us(80))";
+    let outcome = go(&case, &recording, &[&"--duration", &"0.05", &"--set", &set]);
+    outcome.fails(1, &["step of 8.00e-5 s", "what was recorded before is in", "run.mcap"]);
+    assert_eq!(scratch.names(), ["case.ron", "run.mcap"]);
+    let log: Vec<String> = items(&recording)
+        .into_iter()
+        .filter_map(|item| if let RunItem::Log(row) = item { Some(row.message) } else { None })
+        .collect();
+    assert!(log.iter().any(|line| line.contains("the run was broken off")), "{log:?}");
+    assert!(log.iter().any(|line| line.contains("beyond the stability")), "{log:?}");
+}
+
+#[test]
+fn limit_bad_input_writes_nothing() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let recording = scratch.0.join("run.mcap");
+    let refused = |rest: &[&dyn AsRef<OsStr>], parts: &[&str]| go(&case, &recording, rest).fails(2, parts);
+    refused(&[&"--duration", &"-1"], &["--duration"]);
+    refused(&[&"--duration", &"NaN"], &["--duration"]);
+    refused(&[&"--set", &"transient.scheme=Euler"], &["transient.scheme"]);
+    refused(&[&"--set", &"transient=None"], &["transient"]);
+    refused(&[&"--resume", &"--restart"], &["--resume", "--restart"]);
+    go(&case, &case, &[]).fails(2, &["would replace the case file"]);
+    go(&case, &scratch.0.join("no/run.mcap"), &[]).fails(1, &["no/run.mcap"]);
+    assert_eq!(scratch.names(), ["case.ron"]);
+    let checkpoint = scratch.file("run.mcap.checkpoint", "no JSON");
+    refused(&[&"--resume"], &["run.mcap.checkpoint is no checkpoint"]);
+    fs::write(checkpoint, r#"{"format": 99, "version": "9.9.9"}"#).unwrap();
+    refused(&[&"--resume"], &["is of version 9.9.9"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn limit_a_full_disk_is_told_and_leaves_a_recording_to_recover() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let recording = scratch.0.join("run.mcap");
+    // A limit on the size of files, the signal that goes with it ignored, fails as a full disk does.
+    let line = "trap '' XFSZ; ulimit -f 1200; exec \"$0\" \"$@\"";
+    let output = std::process::Command::new("bash")
+        .args(["-c", line, env!("CARGO_BIN_EXE_tribodyn"), "run"])
+        .arg(&case)
+        .arg("-o")
+        .arg(&recording)
+        .args(["--duration", "0.3"])
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("run.mcap") && !message.contains("panicked"), "{message}");
+    assert!(!recording.exists(), "a torn recording has the name of a whole one");
+    let saved = scratch.0.join("saved.mcap");
+    let answer = run(&[&"recover", &scratch.0.join("run.mcap.active"), &"-o", &saved, &"--json"]).json();
+    assert!(number(&answer, "messages") > 100.0 && answer["truncated"] == true, "{answer}");
+    assert!(items(&saved).iter().any(|item| matches!(item, RunItem::State(_))));
+}
+
+#[test]
+fn identity_a_report_is_made_of_whole_and_torn_recordings() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let recording = scratch.0.join("run.mcap");
+    let ran = go(&case, &recording, &[&"--duration", &"0.025", &"--json"]).json();
+    let folder = scratch.0.join("report");
+    let answer = run(&[&"report", &recording, &"-o", &folder, &"--json"]).json();
+    for name in ["cage_speed_mean_rpm", "outer_acceleration_x_rms_m_s2", "impacts", "power"] {
+        assert_eq!(answer[name], ran[name], "{name}");
+    }
+    let frequencies = &answer["frequencies"];
+    assert_close(number(frequencies, "cage_hz"), number(&ran, "cage_speed_mean_rpm") / 60.0, 1e-12);
+    assert_close(number(frequencies, "ball_pass_outer_hz"), 13.0 * number(frequencies, "cage_hz"), 1e-12);
+    let figures: Vec<&str> = answer["figures"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+    for name in ["cage-speed", "spectrum", "envelope-spectrum", "orbit-traction", "power-balance", "wear"] {
+        assert!(figures.contains(&name), "{name} is not among {figures:?}");
+    }
+    let mut expected: Vec<String> = figures.iter().flat_map(|n| [format!("{n}.svg"), format!("{n}.png")]).collect();
+    expected.extend(["report.html", "summary.json", "summary.md"].map(str::to_owned));
+    expected.sort();
+    assert_eq!(names(&folder), expected);
+    let page = fs::read_to_string(folder.join("report.html")).unwrap();
+    assert_eq!(page.matches("<svg").count(), figures.len());
+    for outside in ["<script", "<link", "src=", "@import", "url(http"] {
+        assert!(!page.contains(outside), "the page loads something: {outside}");
+    }
+    assert!(page.contains("published") && page.contains("assumed") && page.contains("SplitStrip"));
+    let torn = scratch.file("torn.mcap.active", &fs::read(&recording).unwrap()[..500_000]);
+    let folder = scratch.0.join("torn");
+    let answer = run(&[&"report", &torn, &"-o", &folder, &"--json"]).json();
+    assert_eq!(answer["truncated"], true);
+    assert!(fs::read_to_string(folder.join("summary.md")).unwrap().contains("ends before its end mark"));
+    let text = scratch.file("text.mcap", "no recording");
+    run(&[&"report", &text, &"-o", &scratch.0.join("none")]).fails(1, &["is no MCAP file"]);
+    run(&[&"recover", &text, &"-o", &scratch.0.join("none")]).fails(1, &["is no MCAP file"]);
+    assert!(!scratch.0.join("none").exists());
+}
