@@ -17,6 +17,10 @@ pub enum Failure {
     Bearing { run: &'static str, source: tribodyn_bearing::BearingError },
     #[error("{run}: {source}")]
     Solver { run: &'static str, source: tribodyn_quasistatic::QuasiStaticError },
+    #[error("run {run}: {source}")]
+    Transient { run: String, source: Box<tribodyn_dynamics::DynamicsError> },
+    #[error(transparent)]
+    Signal(#[from] tribodyn_signal::SignalError),
     #[error(transparent)]
     Traction(#[from] tribodyn_bearing::traction::TractionError),
     #[error(transparent)]

@@ -24,7 +24,9 @@
 mod ci;
 mod error;
 mod files;
+mod sensitivity;
 mod table;
+mod transient;
 mod validate;
 
 use clap::{Parser, Subcommand};
@@ -43,6 +45,9 @@ enum Command {
     Validate(validate::Arguments),
     /// Rewrite the committed results, verdicts and table blocks of the documents
     Fixtures,
+    /// Scan
+    #[command(hide = true)]
+    Scan { sets: Vec<String> },
     /// Run everything that continuous integration runs
     Ci,
 }
@@ -51,6 +56,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fixtures => validate::rewrite_fixtures(),
+        Command::Scan { sets } => sensitivity::scan(&sets),
         Command::Ci => ci::run(),
     };
     match done {

@@ -33,7 +33,7 @@ pub enum Failure {
     Contact(#[from] tribodyn_contact::ContactError),
     #[error(transparent)]
     Traction(#[from] tribodyn_traction::TractionError),
-    #[error(transparent)]
+    #[error("{}", with_causes(.0))]
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]
     Plot(#[from] tribodyn_plot::PlotError),
@@ -74,8 +74,27 @@ impl Failure {
             {
                 1
             }
-            Self::Write { .. } | Self::Signal(_) | Self::Record(_) | Self::Plot(_) | Self::Output(_) | Self::Json(_) => 1,
+            Self::Write { .. }
+            | Self::Signal(_)
+            | Self::Record(_)
+            | Self::Plot(_)
+            | Self::Output(_)
+            | Self::Json(_) => 1,
             _ => 2,
         }
     }
+}
+
+/// The message of an error with those of its causes that it does not repeat: a full disk lies deep.
+pub fn with_causes(error: &dyn std::error::Error) -> String {
+    let mut message = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        let text = error.to_string();
+        if !message.contains(&text) {
+            message = format!("{message}: {text}");
+        }
+        cause = error.source();
+    }
+    message
 }

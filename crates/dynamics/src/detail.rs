@@ -4,17 +4,23 @@ use crate::forces::{BallForces, BodyForces, Frame, Sums, wear_rate};
 use crate::layout::{AZIMUTH, BALL, VELOCITY};
 use crate::machine::Machine;
 use crate::sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
-use tribodyn_bearing::traction::TractionLaw;
-use tribodyn_bearing::{RaceContact, Side};
+use tribodyn_bearing::traction::{PatchTraction, TractionLaw};
+use tribodyn_bearing::{LoadedPatch, RaceContact, Side};
 
 /// Volumes worn off so far, m³: inner race, outer race, cage.
 pub(crate) type Worn = [f64; 3];
 
 impl<L: TractionLaw> Machine<L> {
-    /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's.
-    pub fn sample(&self, t: f64, y: &[f64], energy_at_start: f64, worn: Worn) -> Sample {
+    /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's, and `traction` tells who
+    /// integrates it.
+    pub fn sample(
+        &self,
+        (t, y): (f64, &[f64]),
+        (energy_at_start, worn): (f64, Worn),
+        traction: impl FnMut(usize, &LoadedPatch<'_, f64, L>) -> PatchTraction,
+    ) -> Sample {
         let mut balls = Vec::with_capacity(self.layout.balls);
-        let (frame, sums, bodies) = self.evaluate(t, y, |index, forces| {
+        let (frame, sums, bodies) = self.evaluate_with(t, y, traction, |index, forces| {
             balls.push(self.ball_sample(&y[self.layout.ball(index)..][..BALL], forces));
         });
         let energy = sums.powers.energy + bodies.energy;

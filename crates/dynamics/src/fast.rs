@@ -30,11 +30,12 @@ use crate::pocket::PocketLoad;
 use nalgebra::{Matrix5, Matrix6, SMatrix, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::traction::TractionLaw;
-use tribodyn_bearing::{BallLoads, BallState, Side};
+use tribodyn_bearing::traction::{PatchTraction, TractionLaw};
+use tribodyn_bearing::{BallLoads, BallState, LoadedPatch, Side};
 
-/// Part of the difference by which the common acceleration follows that of the drift in a step.
-const SMOOTHING: f64 = 0.2;
+/// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it does
+/// not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an orbit.
+const SMOOTHING_TIME: f64 = 5e-4;
 /// Steps between new matrices of the rings: they only predict, and turn with the balls by a degree or so.
 const RINGS_EVERY: usize = 16;
 /// Most steps that a linear traction serves.
@@ -120,9 +121,12 @@ impl Fast {
             self.friction.resize(l.balls, Friction::NONE());
             self.contacts.resize(l.balls, Contacts::default());
         }
-        let renew = self.step != h;
-        self.step = h;
-        let mut on_rings = self.ring_common(machine);
+        // Steps between multiples of one number differ in their last digits.
+        let renew = (self.step - h).abs() > 1e-6 * h;
+        if renew {
+            self.step = h;
+        }
+        let mut on_rings = Vector5::zeros();
         let mut cage_torque = 0.0;
         for index in 0..l.balls {
             let at = l.ball(index);
@@ -163,22 +167,33 @@ impl Fast {
             y[l.outer() + 2 + k] += outer * on_rings[3 + k];
         }
         y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
-        self.smooth(SMOOTHING);
+        self.smooth(h / SMOOTHING_TIME);
     }
 
     /// Lets the common acceleration follow that of the drift.
     fn smooth(&mut self, share: f64) {
         for (common, drift) in self.common.iter_mut().zip(&self.drift) {
-            *common += share * (drift - *common);
+            *common += share.min(1.0) * (drift - *common);
         }
     }
 
-    /// What the kick takes over from the drift of the rings, N.
-    fn ring_common<L: TractionLaw>(&self, machine: &Machine<L>) -> Vector5<f64> {
-        let l = machine.layout;
-        let (i, o) = (&self.common[l.inner() + 3..], &self.common[l.outer() + 2..]);
-        let (inner, outer) = (machine.inner.mass, machine.outer.mass);
-        Vector5::new(inner * i[0], inner * i[1], inner * i[2], outer * o[0], outer * o[1])
+    /// Traction of a patch of ball `index` from the linear form where that holds, for samples.
+    pub fn traction<L: TractionLaw>(
+        &self,
+        machine: &Machine<L>,
+        index: usize,
+        patch: &LoadedPatch<'_, f64, L>,
+    ) -> PatchTraction {
+        let linear = self.contacts.get(index).map(|c| &c.of[usize::from(!patch.is_inner(&machine.bearing))]);
+        match linear.filter(|linear| linear.holds(patch)) {
+            Some(linear) => linear.traction(patch),
+            None => machine.kernel.traction(&machine.bearing, patch),
+        }
+    }
+
+    /// Contacts integrated over their patch, and contacts used.
+    pub fn patches(&self) -> [u64; 2] {
+        [self.refreshed, self.used]
     }
 
     /// Loads on a ball with traction from its linear form where that still holds, else integrated and linearised anew.
@@ -199,7 +214,7 @@ impl Fast {
         contacts.age += 1;
         let mut side = 0;
         let linear = machine.bearing.ball_loads_with(&state, rings, surfaces, |patch| {
-            let contact = &contacts.of[if patch.is_inner(&machine.bearing) { 0 } else { 1 }];
+            let contact = &contacts.of[usize::from(!patch.is_inner(&machine.bearing))];
             side += 1;
             holds &= contact.holds(patch);
             contact.traction(patch)
@@ -210,7 +225,7 @@ impl Fast {
         }
         self.refreshed += 2;
         let loads = machine.bearing.ball_loads_with(&state, rings, surfaces, |patch| {
-            contacts.of[if patch.is_inner(&machine.bearing) { 0 } else { 1 }].refresh(machine, patch)
+            contacts.of[usize::from(!patch.is_inner(&machine.bearing))].refresh(machine, patch)
         });
         contacts.age = 0;
         self.friction[index] = friction(machine, &state, &loads, &contacts.of, b[RADIUS], self.step);
@@ -339,7 +354,7 @@ fn push<L>(machine: &Machine<L>, y: &mut [f64], (a, common): (&[f64], &[f64]), h
     }
     y[l.cage() + 1] += h * a[l.cage() + 1];
     for k in (l.inner() + 3..l.inner() + 6).chain(l.outer() + 2..l.outer() + 4) {
-        y[k] += h * (a[k] - common[k]);
+        y[k] += h * a[k];
     }
 }
 

@@ -5,9 +5,9 @@ use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, SPIN, VELOCITY}
 use crate::machine::Machine;
 use crate::pocket::{PocketLoad, PocketMotion};
 use std::f64::consts::TAU;
-use tribodyn_bearing::traction::TractionLaw;
+use tribodyn_bearing::traction::{PatchTraction, TractionLaw};
 use tribodyn_bearing::wear::LocalSurface;
-use tribodyn_bearing::{BallLoads, BallState, RaceContact, RingState, Side, in_azimuth_frame};
+use tribodyn_bearing::{BallLoads, BallState, LoadedPatch, RaceContact, RingState, Side, in_azimuth_frame};
 
 /// What can be integrated in time.
 pub(crate) trait System {
@@ -132,16 +132,25 @@ impl<L: TractionLaw> Machine<L> {
         b[AZIMUTH] - cage_angle - TAU * index as f64 / self.layout.balls as f64
     }
 
-    /// One ball: `b` are its unknowns.
+    /// One ball, traction by the kernel: `b` are its unknowns.
     pub fn ball(&self, index: usize, b: &[f64], frame: &Frame) -> BallForces {
+        self.ball_with(index, b, frame, |patch| self.kernel.traction(&self.bearing, patch))
+    }
+
+    /// One ball, traction by whoever integrates it.
+    fn ball_with(
+        &self,
+        index: usize,
+        b: &[f64],
+        frame: &Frame,
+        traction: impl FnMut(&LoadedPatch<'_, f64, L>) -> PatchTraction,
+    ) -> BallForces {
         let (state, surfaces) = self.ball_state(b, frame);
         let [inner, outer] = &frame.rings;
         let still = |ring: &RingState| RingState { velocity: [0.0; 3], ..*ring };
         let rings = if self.terms.ring_translation { [*inner, *outer] } else { [still(inner), still(outer)] };
         let surroundings = ([&rings[0], &rings[1]], [&surfaces[0], &surfaces[1]]);
-        let loads = self.bearing.ball_loads_with(&state, surroundings.0, surroundings.1, |patch| {
-            self.kernel.traction(&self.bearing, patch)
-        });
+        let loads = self.bearing.ball_loads_with(&state, surroundings.0, surroundings.1, traction);
         let pocket = self.pocket_load(index, b, frame);
         let acceleration = self.acceleration(&state, [b[VELOCITY], b[VELOCITY + 1]], &loads, &pocket);
         let lead = self.lead(index, b, frame.cage[0]);
@@ -235,13 +244,24 @@ impl<L: TractionLaw> Machine<L> {
         f
     }
 
-    /// All balls at a time and state; `each` sees every one.
-    pub fn evaluate(&self, t: f64, y: &[f64], mut each: impl FnMut(usize, &BallForces)) -> (Frame, Sums, BodyForces) {
+    /// All balls at a time and state, traction by the kernel; `each` sees every one.
+    pub fn evaluate(&self, t: f64, y: &[f64], each: impl FnMut(usize, &BallForces)) -> (Frame, Sums, BodyForces) {
+        self.evaluate_with(t, y, |_, patch| self.kernel.traction(&self.bearing, patch), each)
+    }
+
+    /// All balls at a time and state, traction on the patches of each by whoever integrates it.
+    pub fn evaluate_with(
+        &self,
+        t: f64,
+        y: &[f64],
+        mut traction: impl FnMut(usize, &LoadedPatch<'_, f64, L>) -> PatchTraction,
+        mut each: impl FnMut(usize, &BallForces),
+    ) -> (Frame, Sums, BodyForces) {
         let frame = self.frame(t, y);
         let mut sums = Sums::default();
         for index in 0..self.layout.balls {
             let b = &y[self.layout.ball(index)..][..BALL];
-            let forces = self.ball(index, b, &frame);
+            let forces = self.ball_with(index, b, &frame, |patch| traction(index, patch));
             self.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &frame, &mut sums);
             each(index, &forces);
         }

@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 use tribodyn_bearing::LoadedPatch;
 use tribodyn_bearing::traction::{PatchDerivative, PatchTraction, RelativeMotion, TractionLaw};
 
-/// Error of the linear traction that a refresh may find, over the load: that of the paper's 10 × 40 midpoints at a steep
+/// Error of the linear traction that a refresh may find, over the load: a tenth of that of the paper's 10 × 40 midpoints at a steep
 /// slip scale.
-pub(crate) const LINEAR_ERROR: f64 = 3e-4;
+pub(crate) const LINEAR_ERROR: f64 = 2e-5;
 /// Slip, m/s, as which a relative change of the load counts: traction is nearly in proportion to the load.
 const LOAD_AS_SLIP: f64 = 1.0;
 /// First distance that a linear traction may be used over, m/s.

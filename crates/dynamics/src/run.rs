@@ -72,6 +72,10 @@ pub struct Statistics {
     pub cut_at_pocket: u64,
     /// Evaluations of all forces.
     pub evaluations: u64,
+    /// Patches integrated by the fast scheme.
+    pub patches_integrated: u64,
+    /// Patches whose traction it used, most of them from the linear form.
+    pub patches_used: u64,
 }
 
 enum Scheme {
@@ -232,7 +236,8 @@ impl<L: TractionLaw> Run<L> {
 
     /// What the scheme did so far.
     pub fn statistics(&self) -> Statistics {
-        self.statistics
+        let [patches_integrated, patches_used] = self.progress.fast.patches();
+        Statistics { patches_integrated, patches_used, ..self.statistics }
     }
 
     /// Everything at the present time.
@@ -241,7 +246,15 @@ impl<L: TractionLaw> Run<L> {
     }
 
     fn sample_at(&self, t: f64, y: &[f64]) -> Sample {
-        self.machine.sample(t, y, self.progress.energy_at_start, self.progress.worn)
+        let p = &self.progress;
+        let so_far = (p.energy_at_start, p.worn);
+        let machine = &self.machine;
+        match self.scheme {
+            Scheme::Fast { .. } => {
+                machine.sample((t, y), so_far, |index, patch| p.fast.traction(machine, index, patch))
+            }
+            _ => machine.sample((t, y), so_far, |_, patch| machine.kernel.traction(&machine.bearing, patch)),
+        }
     }
 
     /// Runs to the end of the duration, or to `until` (s) where that is earlier.

@@ -91,7 +91,8 @@ impl Worst {
 /// Residuals without derivatives: what a trial step is judged by.
 #[derive(Debug, Clone)]
 pub(crate) struct Residuals {
-    balls: Vec<SVector<f64, BALL>>,
+    /// Forces on each ball, and the negative of what the ring puts on it.
+    pub balls: Vec<(SVector<f64, BALL>, SVector<f64, RING>)>,
     ring: SVector<f64, RING>,
     pub worst: Worst,
 }
@@ -99,17 +100,16 @@ pub(crate) struct Residuals {
 impl Residuals {
     pub fn new<S: BlockSystem>(system: &S, state: &BlockState) -> Self {
         let mut worst = Worst::NONE;
-        let (mut ring, mut scale) = (external(system), [0.0; RING]);
+        let (mut ring, mut scale) = (external(system), SVector::<f64, RING>::zeros());
         let balls = state.balls.iter().enumerate().map(|(index, &ball)| {
             let balance = system.ball_value(index, ball, state.ring);
             for k in 0..BALL {
                 worst.take(balance.residual[k], balance.scale[k], Some(index), k);
             }
-            for k in 0..RING {
-                ring[k] -= balance.ring[k];
-                scale[k] += balance.ring_scale[k];
-            }
-            SVector::from(balance.residual)
+            let on_ring = -SVector::from(balance.ring);
+            ring += on_ring;
+            scale += SVector::from(balance.ring_scale);
+            (SVector::from(balance.residual), on_ring)
         });
         let balls = balls.collect();
         for (k, freedom) in system.ring().iter().enumerate() {
@@ -124,17 +124,20 @@ impl Residuals {
 /// The linearised system at a state, with the balls' blocks ready for elimination.
 #[derive(Debug, Clone)]
 pub(crate) struct Linearised {
-    balls: Vec<BallBlock>,
+    pub balls: Vec<BallBlock>,
     ring_residual: SVector<f64, RING>,
-    ring_matrix: SMatrix<f64, RING, RING>,
 }
 
+/// Forces on a ball and slopes of these and of what it puts on the ring.
 #[derive(Debug, Clone)]
-struct BallBlock {
+pub(crate) struct BallBlock {
     residual: SVector<f64, BALL>,
-    own: SMatrix<f64, BALL, BALL>,
-    by_ring: SMatrix<f64, BALL, RING>,
-    on_ring: SMatrix<f64, RING, BALL>,
+    pub own: SMatrix<f64, BALL, BALL>,
+    pub by_ring: SMatrix<f64, BALL, RING>,
+    pub on_ring: SMatrix<f64, RING, BALL>,
+    pub ring: SMatrix<f64, RING, RING>,
+    /// One over the change of each unknown that shifts its own balance by the size of its terms.
+    pub weight: (SVector<f64, BALL>, SVector<f64, RING>),
 }
 
 pub(crate) fn linearise<S: BlockSystem>(system: &S, state: &BlockState) -> Linearised {
@@ -144,49 +147,44 @@ pub(crate) fn linearise<S: BlockSystem>(system: &S, state: &BlockState) -> Linea
         DualSVec64::<DERIVATIVES>::new(value, num_dual::Derivative::some(direction))
     };
     let mut ring_residual = external(system);
-    let mut ring_matrix = SMatrix::<f64, RING, RING>::zeros();
     let ring: [DualSVec64<DERIVATIVES>; RING] = std::array::from_fn(|k| seed(state.ring[k], BALL + k));
     let balls = state.balls.iter().enumerate().map(|(index, ball)| {
         let unknowns: [DualSVec64<DERIVATIVES>; BALL] = std::array::from_fn(|k| seed(ball[k], k));
         let balance = system.ball(index, unknowns, ring);
         let slope = |value: &DualSVec64<DERIVATIVES>| {
-            value.eps.unwrap_generic(nalgebra::Const::<DERIVATIVES>, nalgebra::Const::<1>)
+            value.eps.unwrap_generic(nalgebra::Const::<DERIVATIVES>, nalgebra::Const::<1>).transpose()
         };
         let mut block = BallBlock {
             residual: SVector::from_fn(|k, _| balance.residual[k].re),
             own: SMatrix::zeros(),
             by_ring: SMatrix::zeros(),
             on_ring: SMatrix::zeros(),
+            ring: SMatrix::zeros(),
+            weight: (SVector::zeros(), SVector::zeros()),
         };
         for k in 0..BALL {
             let d = slope(&balance.residual[k]);
-            for j in 0..BALL {
-                block.own[(k, j)] = d[j];
-            }
-            for j in 0..RING {
-                block.by_ring[(k, j)] = d[BALL + j];
-            }
+            block.own.set_row(k, &d.fixed_columns::<BALL>(0));
+            block.by_ring.set_row(k, &d.fixed_columns::<RING>(BALL));
+            block.weight.0[k] = block.own[(k, k)].abs() / balance.scale[k];
         }
         for k in 0..RING {
-            let d = slope(&balance.ring[k]);
+            let d = -slope(&balance.ring[k]);
             ring_residual[k] -= balance.ring[k].re;
-            for j in 0..BALL {
-                block.on_ring[(k, j)] = -d[j];
-            }
-            for j in 0..RING {
-                ring_matrix[(k, j)] -= d[BALL + j];
-            }
+            block.on_ring.set_row(k, &d.fixed_columns::<BALL>(0));
+            block.ring.set_row(k, &d.fixed_columns::<RING>(BALL));
+            block.weight.1[k] = block.ring[(k, k)].abs() / balance.ring_scale[k];
         }
         block
     });
-    Linearised { balls: balls.collect(), ring_residual, ring_matrix }
+    Linearised { balls: balls.collect(), ring_residual }
 }
 
 impl Linearised {
     /// Takes the residuals of another state and keeps the slopes.
     pub fn move_to(&mut self, residuals: &Residuals) {
         self.ring_residual = residuals.ring;
-        for (block, &residual) in self.balls.iter_mut().zip(&residuals.balls) {
+        for (block, &(residual, _)) in self.balls.iter_mut().zip(&residuals.balls) {
             block.residual = residual;
         }
     }
@@ -209,7 +207,7 @@ pub(crate) fn step<S: BlockSystem>(
     mu: f64,
 ) -> Result<(Vec<SVector<f64, BALL>>, SVector<f64, RING>), Singular> {
     let (ball_weight, ring_weight) = system.weights();
-    let mut schur = linear.ring_matrix;
+    let mut schur = SMatrix::<f64, RING, RING>::zeros();
     let mut right = -linear.ring_residual;
     let mut eliminated = Vec::with_capacity(linear.balls.len());
     for block in &linear.balls {
@@ -220,7 +218,7 @@ pub(crate) fn step<S: BlockSystem>(
         let factors = own.lu();
         let by_ring = factors.solve(&block.by_ring).ok_or(Singular)?;
         let residual = factors.solve(&block.residual).ok_or(Singular)?;
-        schur -= block.on_ring * by_ring;
+        schur += block.ring - block.on_ring * by_ring;
         right += block.on_ring * residual;
         eliminated.push((by_ring, residual));
     }

@@ -40,6 +40,7 @@ mod methods;
 mod problem;
 mod report;
 mod roots;
+mod secant;
 mod settle;
 mod solution;
 mod solve;

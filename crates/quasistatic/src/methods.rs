@@ -54,25 +54,38 @@ impl NewtonOrNested {
         Self { settle_to, jumps, chord: None }
     }
 
-    /// A step with the slopes of an earlier one, kept where it converges almost as fast.
+    /// A step with the slopes of an earlier one and what the steps since have taught.
     fn chord_step<S: BlockSystem>(&mut self, system: &S, iterate: &mut Iterate) -> bool {
-        let Some(mut linear) = self.chord.take() else { return false };
-        linear.move_to(&iterate.residuals);
+        let Some(linear) = self.chord.take() else { return false };
         let Ok((balls, ring)) = step(system, &linear, 0.0) else { return false };
-        let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
+        self.try_step(system, iterate, linear, apply(system, &iterate.state, &balls, &ring, 1.0))
+    }
+
+    /// Keeps a trial that is worth it, and the slopes too where they serve well.
+    fn try_step<S: BlockSystem>(
+        &mut self,
+        system: &S,
+        iterate: &mut Iterate,
+        mut linear: Linearised,
+        trial: BlockState,
+    ) -> bool {
         let residuals = Residuals::new(system, &trial);
-        let kept = residuals.worst.residual <= CHORD * iterate.worst().residual;
-        if kept {
-            iterate.keep(trial, residuals);
+        let (before, after) = (iterate.worst().residual, residuals.worst.residual);
+        if after > WORTHWHILE * before {
+            return false;
+        }
+        if after <= CHORD * before {
+            linear.learn((&iterate.state, &iterate.residuals), (&trial, &residuals));
             self.chord = Some(linear);
         }
-        kept
+        iterate.keep(trial, residuals);
+        true
     }
 }
 
-/// A step with old slopes must bring the residual down to this share: a new Jacobian costs about ten of them, but
-/// squares the residual.
-const CHORD: f64 = 0.05;
+/// A step must bring the residual down to this share for its slopes to be used again: a new Jacobian costs about three
+/// such steps.
+const CHORD: f64 = 0.2;
 
 /// A simultaneous step must bring the worst residual down to this share, or the nested step is tried.
 const WORTHWHILE: f64 = 0.5;
@@ -88,13 +101,10 @@ impl Method for NewtonOrNested {
         // A tiny weight keeps a ball that touches nothing solvable.
         let (balls, ring) = step(system, &linear, 0.0).or_else(|_| step(system, &linear, 1e-9)).map_err(|_| Stuck)?;
         let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
-        let residuals = Residuals::new(system, &trial);
-        let (before, after) = (iterate.worst().residual, residuals.worst.residual);
-        if after <= WORTHWHILE * before {
-            self.chord = (after <= CHORD * before).then_some(linear);
-            iterate.keep(trial, residuals);
+        if self.try_step(system, iterate, linear, trial) {
             return Ok(());
         }
+        let before = iterate.worst().residual;
         let mut least: Option<(BlockState, Residuals)> = None;
         for halving in 0..HALVINGS {
             let share = 0.5f64.powi(halving);

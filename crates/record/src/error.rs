@@ -78,6 +78,15 @@ pub enum RecordError {
         /// Time of the one before, s.
         last_s: f64,
     },
+    /// A live server cannot start.
+    #[cfg(feature = "live")]
+    #[error("cannot serve a live run at {address}: {source}")]
+    Listen {
+        /// The address as it was given: host and port.
+        address: String,
+        /// What the system says.
+        source: io::Error,
+    },
     /// A sink was used before it was begun, or begun twice.
     #[error("a recording is begun once, before its first message")]
     NotBegun,

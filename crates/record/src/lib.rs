@@ -30,8 +30,9 @@
 //! spectrum: single-sided peak amplitudes of the last 2^k ≤ 4096 samples, Hann window (crate `tribodyn-signal`)
 //! ```
 //! [`RunRecorder`] makes the messages and hands them to a [`Sink`]: a file ([`FileSink`]), any stream ([`StreamSink`]),
-//! or two sinks at once. [`RunReader`] and [`read_run`] give the numbers back in the recorded units, [`recover()`] makes
-//! a whole file from a torn or damaged one.
+//! with the feature `live` a server for viewers that watch the run as it goes (`LiveServer`), or two sinks at once.
+//! [`RunReader`] and [`read_run`] give the numbers back in the recorded units, [`recover()`] makes a whole file from a
+//! torn or damaged one.
 //!
 //! | topic of a run | message | when |
 //! |---|---|---|
@@ -94,6 +95,8 @@ mod colour;
 mod contacts;
 mod error;
 mod frames;
+#[cfg(feature = "live")]
+mod live;
 mod mesh;
 mod messages;
 mod output;
@@ -111,6 +114,8 @@ pub mod wire;
 mod write;
 
 pub use error::RecordError;
+#[cfg(feature = "live")]
+pub use live::{LIVE_ADDRESS, LiveServer, LiveSummary, LiveWarning};
 pub use output::Channel;
 pub use read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
 pub use recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};

@@ -61,13 +61,16 @@ pub fn frequencies(run: &Run, summary: &Summary) -> Result<BearingFrequencies, F
     )?)
 }
 
+/// Where the peak pressure at a race is in a row, GPa.
+type Pressure = fn(&BallRow) -> f32;
+
 /// Pressures outside the tested ones, a sentence for each race: there the traction curve is extrapolated.
 pub fn untested(case: &Case, run: &Run) -> Vec<String> {
     // Parameters that do not vary are taken at one pressure, whatever the contacts have.
     if !case.traction.varying {
         return Vec::new();
     }
-    let races: [(&str, &CurveSpec, fn(&BallRow) -> f32); 2] = [
+    let races: [(&str, &CurveSpec, Pressure); 2] = [
         ("inner", &case.coatings.inner.curve, |b| b.pressure_inner_gpa),
         ("outer", &case.coatings.outer.curve, |b| b.pressure_outer_gpa),
     ];
@@ -84,7 +87,7 @@ fn tested_gpa(curve: &CurveSpec) -> Option<[f64; 2]> {
     (!pressures.is_empty()).then(|| [extreme(f64::INFINITY, f64::min), extreme(0.0, f64::max)])
 }
 
-fn untested_at(race: &str, [low, high]: [f64; 2], run: &Run, get: fn(&BallRow) -> f32) -> Option<String> {
+fn untested_at(race: &str, [low, high]: [f64; 2], run: &Run, get: Pressure) -> Option<String> {
     let (mut least, mut most, mut all, mut outside) = (f64::INFINITY, 0.0f64, 0.0, 0.0);
     let pressures = run.balls.iter().flat_map(|(_, balls)| balls).map(|ball| f64::from(get(ball)));
     // A contact that is lost has no pressure.

@@ -68,15 +68,14 @@ impl Saved {
     }
 
     /// Replaces the checkpoint; whenever the program ends, the old or the new one stands there.
-    pub fn write(&self, path: &Path) -> Result<(), Failure> {
+    pub fn write(&self, path: &Path) -> std::io::Result<()> {
         let part = with_suffix(path, ".part");
-        let text = serde_json::to_vec(self)?;
-        let written = fs::write(&part, text).and_then(|()| fs::rename(&part, path));
-        written.map_err(|source| {
+        let written = fs::write(&part, serde_json::to_vec(self)?).and_then(|()| fs::rename(&part, path));
+        if written.is_err() {
             // It may not exist; the error that counts is the first.
             let _ = fs::remove_file(&part);
-            Failure::Write { path: path.to_owned(), source }
-        })
+        }
+        written
     }
 
     /// The checkpoint of a run of this very case by this very version.

@@ -32,9 +32,14 @@ pub enum RunError {
     #[error("{file}: {source}; what was recorded before is in {}", recording.display())]
     BrokenOff { file: String, source: DynamicsError, recording: PathBuf },
     #[error(
-        "after {simulated_s} s: {source}; `tribodyn recover {}` makes a whole recording of what was written", active.display()
+        "after {simulated_s} s: {}; `tribodyn recover {}` makes a whole recording of what was written",
+        crate::failure::with_causes(source), active.display()
     )]
     NotRecorded { simulated_s: f64, source: Box<tribodyn_record::RecordError>, active: PathBuf },
+    #[error(
+        "after {simulated_s} s: cannot write {}: {source}; `tribodyn recover {}` makes a whole recording of what was written", checkpoint.display(), active.display()
+    )]
+    NoCheckpoint { simulated_s: f64, checkpoint: PathBuf, source: std::io::Error, active: PathBuf },
     #[error("stopped after {simulated_s} of {duration_s} s; --resume goes on from there")]
     Stopped { simulated_s: f64, duration_s: f64 },
 }
@@ -43,7 +48,11 @@ impl RunError {
     /// 2 where the input is to blame, 1 where the calculation or the disk is.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Incomplete { .. } | Self::BrokenOff { .. } | Self::NotRecorded { .. } | Self::Stopped { .. } => 1,
+            Self::NoCheckpoint { .. }
+            | Self::Incomplete { .. }
+            | Self::BrokenOff { .. }
+            | Self::NotRecorded { .. }
+            | Self::Stopped { .. } => 1,
             Self::CannotStart { source: DynamicsError::Start(_), .. } => 1,
             _ => 2,
         }

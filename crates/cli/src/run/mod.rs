@@ -43,7 +43,7 @@ pub struct Arguments {
     #[arg(short, long, value_name = "RUN.mcap")]
     output: PathBuf,
     /// Simulated time in s; short for --set transient.duration=s(…)
-    #[arg(long, value_name = "SECONDS")]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     duration: Option<f64>,
     /// Go on with a run of the same case that was stopped or killed
     #[arg(long, conflicts_with = "restart")]
@@ -204,14 +204,18 @@ impl Session {
         self.before.and(self.run.statistics())
     }
 
-    fn save(&self, case_text: &str) -> Result<(), Failure> {
+    fn save(&self, case_text: &str) -> Result<(), RunError> {
         let (safe_messages, loose_messages) = self.tape.state();
         let mut saved = Saved::new(case_text, self.run.checkpoint(), self.run.time());
         saved.past = self.watcher.past.clone();
         saved.warnings.clone_from(&self.watcher.warnings);
         saved.statistics = self.counts();
         (saved.safe_messages, saved.loose_messages) = (safe_messages, loose_messages);
-        saved.write(&self.files.checkpoint)
+        let written = saved.write(&self.files.checkpoint);
+        written.map_err(|source| {
+            let Files { checkpoint, active, .. } = self.files.clone();
+            RunError::NoCheckpoint { simulated_s: self.run.time(), checkpoint, source, active }
+        })
     }
 
     /// Closes the recording, whatever the ending.

@@ -72,7 +72,7 @@ fn identity_a_run_is_recorded_summed_up_and_the_same_twice() {
     let duration: [&dyn AsRef<OsStr>; 3] = [&"--duration", &"0.004", &"--json"];
     let answers = paths.clone().map(|path| go(&case, &path, &duration).json());
     let answer = &answers[0];
-    assert_eq!(number(answer, "simulated_s"), 0.004);
+    assert_eq!(number(answer, "simulated_s"), 102.0 / 25_600.0, "the last sample is the last one within the duration");
     assert_eq!(number(answer, "samples"), 103.0, "at 0 and 102 times 1/25600 s after it");
     // At the start from the quasi-static solution the cage turns with it.
     assert_close(number(answer, "cage_speed_mean_rpm"), number(answer, "cage_speed_quasi_static_rpm"), 0.01);
@@ -151,7 +151,7 @@ fn limit_a_run_that_fails_keeps_what_was_recorded() {
     let recording = scratch.0.join("run.mcap");
     let set = "transient.scheme=RungeKutta4(step: us(80))";
     let outcome = go(&case, &recording, &[&"--duration", &"0.05", &"--set", &set]);
-    outcome.fails(1, &["step of 8.00e-5 s", "what was recorded before is in", "run.mcap"]);
+    outcome.fails(1, &["too long", "stable up to", "what was recorded before is in", "run.mcap"]);
     assert_eq!(scratch.names(), ["case.ron", "run.mcap"]);
     let log: Vec<String> = items(&recording)
         .into_iter()
@@ -167,8 +167,8 @@ fn limit_bad_input_writes_nothing() {
     let case = case(&scratch);
     let recording = scratch.0.join("run.mcap");
     let refused = |rest: &[&dyn AsRef<OsStr>], parts: &[&str]| go(&case, &recording, rest).fails(2, parts);
-    refused(&[&"--duration", &"-1"], &["--duration"]);
-    refused(&[&"--duration", &"NaN"], &["--duration"]);
+    refused(&[&"--duration", &"-1"], &["--duration -1: ", "transient.duration"]);
+    refused(&[&"--duration", &"NaN"], &["--duration NaN: ", "transient.duration"]);
     refused(&[&"--set", &"transient.scheme=Euler"], &["transient.scheme"]);
     refused(&[&"--set", &"transient=None"], &["transient"]);
     refused(&[&"--resume", &"--restart"], &["--resume", "--restart"]);
@@ -199,11 +199,13 @@ fn limit_a_full_disk_is_told_and_leaves_a_recording_to_recover() {
         .unwrap();
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(message.contains("run.mcap") && !message.contains("panicked"), "{message}");
+    for part in ["after 0.", "cannot write", "File too large", "tribodyn recover", "run.mcap.active"] {
+        assert!(message.contains(part), "{part} is not in: {message}");
+    }
     assert!(!recording.exists(), "a torn recording has the name of a whole one");
     let saved = scratch.0.join("saved.mcap");
     let answer = run(&[&"recover", &scratch.0.join("run.mcap.active"), &"-o", &saved, &"--json"]).json();
-    assert!(number(&answer, "messages") > 100.0 && answer["truncated"] == true, "{answer}");
+    assert!(number(&answer, "messages") > 100.0, "{answer}");
     assert!(items(&saved).iter().any(|item| matches!(item, RunItem::State(_))));
 }
 

@@ -3,6 +3,8 @@
 mod case;
 mod content;
 mod file;
+#[cfg(feature = "live")]
+mod live;
 mod recover;
 mod run;
 mod sample;

@@ -1,0 +1,364 @@
+//! A connected viewer: what it has subscribed to, what waits for it, and the two threads that read from and write to it.
+
+use super::Shared;
+use super::protocol::{Frame, Level, Request, SUBPROTOCOLS, request};
+use std::collections::VecDeque;
+use std::io::{self, BufWriter, Read, Write};
+use std::net::{Shutdown, TcpStream};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+use tungstenite::handshake::server::{ErrorResponse, Request as Handshake, Response};
+use tungstenite::http::{HeaderValue, StatusCode, header::SEC_WEBSOCKET_PROTOCOL};
+use tungstenite::protocol::WebSocketConfig;
+use tungstenite::{Message, WebSocket};
+
+/// Most bytes of messages that wait for a client: about half a second of simulated time with all topics.
+pub(super) const MOST_WAITING: usize = 8 << 20;
+/// Most answers that wait for a client: one that asks without reading the answers is cut off.
+const MOST_ANSWERS: usize = 1024;
+/// Bytes that the writer takes from the queue at a time.
+const BATCH: usize = 256 << 10;
+/// Longest request.
+const MOST_REQUEST: usize = 64 << 10;
+/// Longest pause within a handshake, and of a client that takes nothing.
+const HANDSHAKE: Duration = Duration::from_secs(5);
+const STALLED: Duration = Duration::from_secs(10);
+/// Between two lines that tell a client what it has missed.
+const REPORT_STEP: Duration = Duration::from_secs(1);
+
+#[derive(Debug)]
+pub(super) struct Client {
+    stream: TcpStream,
+    queue: Mutex<Queue>,
+    wake: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct Queue {
+    /// The client's name for its subscription, by channel.
+    subscriptions: Vec<Option<u32>>,
+    /// Answers and what must not get lost; goes first.
+    control: VecDeque<Frame>,
+    data: VecDeque<Frame>,
+    /// Bytes in `data`.
+    waiting: usize,
+    counts: Counts,
+    /// Messages left out that the client knows of, and when it was told.
+    reported: (u64, Option<Instant>),
+    stage: Stage,
+}
+
+/// Messages of one client.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Counts {
+    pub(super) sent: u64,
+    pub(super) dropped: u64,
+}
+
+#[derive(Debug, Default, PartialEq, Eq, Clone, Copy, PartialOrd)]
+enum Stage {
+    /// The handshake is not over: nothing may be sent.
+    #[default]
+    Shaking,
+    Open,
+    /// To be closed when the queues are empty.
+    Closing,
+    /// Nothing more is sent.
+    Over,
+}
+
+impl Client {
+    pub(super) fn new(stream: TcpStream, channels: usize) -> Self {
+        let queue = Queue { subscriptions: vec![None; channels], ..Queue::default() };
+        Self { stream, queue: Mutex::new(queue), wake: Condvar::new() }
+    }
+
+    fn queue(&self) -> MutexGuard<'_, Queue> {
+        self.queue.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Hands out a message, whose bytes are asked for only if the client wants it. Kept ones are never left out.
+    pub(super) fn message(&self, channel: usize, log_time: u64, kept: bool, data: impl FnOnce() -> Arc<[u8]>) {
+        let mut queue = self.queue();
+        let Some(&Some(subscription)) = queue.subscriptions.get(channel) else { return };
+        if queue.stage != Stage::Open {
+            return;
+        }
+        let frame = Frame::message(subscription, log_time, data());
+        if kept {
+            queue.counts.sent += 1;
+            queue.control.push_back(frame);
+        } else {
+            queue.push(frame);
+        }
+        self.wake.notify_one();
+    }
+
+    pub(super) fn time(&self, log_time: u64) {
+        let mut queue = self.queue();
+        if queue.stage == Stage::Open {
+            let frame = Frame::time(log_time);
+            queue.waiting += frame.len();
+            queue.data.push_back(frame);
+            queue.make_room();
+            self.wake.notify_one();
+        }
+    }
+
+    fn answer(&self, frame: Frame) {
+        let mut queue = self.queue();
+        if queue.control.len() < MOST_ANSWERS {
+            queue.control.push_back(frame);
+        } else {
+            queue.stage = Stage::Over;
+            self.cut();
+        }
+        self.wake.notify_one();
+    }
+
+    /// Lets what waits be sent and then says goodbye.
+    pub(super) fn close(&self) {
+        let mut queue = self.queue();
+        match queue.stage {
+            Stage::Shaking => {
+                queue.stage = Stage::Over;
+                self.cut();
+            }
+            Stage::Open => queue.stage = Stage::Closing,
+            Stage::Closing | Stage::Over => {}
+        }
+        self.wake.notify_one();
+    }
+
+    /// Ends the connection at once.
+    pub(super) fn cut(&self) {
+        // Fails where the other side was faster, with the same result.
+        let _ = self.stream.shutdown(Shutdown::Both);
+    }
+
+    fn over(&self) {
+        self.queue().stage = Stage::Over;
+        self.wake.notify_one();
+    }
+
+    /// Waits for something to write; false when nothing more is to be written.
+    fn next(&self, batch: &mut Vec<Frame>) -> bool {
+        let mut queue = self.queue();
+        while queue.is_empty() && queue.stage == Stage::Open {
+            queue = self.wake.wait(queue).unwrap_or_else(PoisonError::into_inner);
+        }
+        if queue.stage == Stage::Over {
+            // Answers to a goodbye are still due, messages are not.
+            batch.extend(queue.control.drain(..));
+            return !batch.is_empty();
+        }
+        queue.report();
+        if queue.is_empty() {
+            batch.push(Frame::close());
+            queue.stage = Stage::Over;
+        }
+        queue.take(batch);
+        true
+    }
+}
+
+impl Queue {
+    fn is_empty(&self) -> bool {
+        self.control.is_empty() && self.data.is_empty()
+    }
+
+    /// Appends a message, the oldest ones making room for it.
+    fn push(&mut self, frame: Frame) {
+        self.counts.sent += 1;
+        self.waiting += frame.len();
+        self.data.push_back(frame);
+        self.make_room();
+    }
+
+    fn make_room(&mut self) {
+        while self.waiting > MOST_WAITING && self.data.len() > 1 {
+            let Some(oldest) = self.data.pop_front() else { return };
+            self.waiting -= oldest.len();
+            self.forget(&oldest);
+        }
+    }
+
+    fn forget(&mut self, frame: &Frame) {
+        if !frame.is_time() {
+            self.counts.sent -= 1;
+            self.counts.dropped += 1;
+        }
+    }
+
+    /// The counts at the end, when what still waits will not be sent.
+    fn counts(&mut self) -> Counts {
+        while let Some(frame) = self.data.pop_front() {
+            self.forget(&frame);
+        }
+        self.counts
+    }
+
+    fn take(&mut self, batch: &mut Vec<Frame>) {
+        batch.extend(self.control.drain(..));
+        let mut bytes = 0;
+        while bytes < BATCH {
+            let Some(frame) = self.data.pop_front() else { return };
+            bytes += frame.len();
+            self.waiting -= frame.len();
+            batch.push(frame);
+        }
+    }
+
+    /// Tells the client what it has missed, now and then.
+    fn report(&mut self) {
+        let (known, at) = self.reported;
+        if self.counts.dropped > known && at.is_none_or(|at| at.elapsed() >= REPORT_STEP) {
+            let missed = self.counts.dropped - known;
+            let text = format!("{missed} messages were left out: the run is faster than this connection");
+            self.control.push_back(Frame::status(Level::Warning, &text));
+            self.reported = (self.counts.dropped, Some(Instant::now()));
+        }
+    }
+}
+
+/// The reading half of a connection. What the WebSocket layer wants to answer takes its turn in the queue, so that it
+/// does not get between the bytes of a message.
+struct Half {
+    client: Arc<Client>,
+    queued: bool,
+}
+
+impl Read for Half {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        (&self.client.stream).read(buffer)
+    }
+}
+
+impl Write for Half {
+    fn write(&mut self, data: &[u8]) -> io::Result<usize> {
+        if !self.queued {
+            return (&self.client.stream).write(data);
+        }
+        self.client.answer(Frame::raw(data));
+        Ok(data.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// Serves a client until either side ends it.
+pub(super) fn serve(client: &Arc<Client>, shared: &Arc<Shared>) -> Counts {
+    if let Ok(mut socket) = shake_hands(client) {
+        {
+            let mut queue = client.queue();
+            queue.control.extend(shared.hello.iter().cloned());
+            if queue.stage == Stage::Shaking {
+                queue.stage = Stage::Open;
+            }
+        }
+        let writing = Arc::clone(client);
+        let writer = thread::Builder::new().name("live writer".to_owned()).spawn(move || write(&writing));
+        if let Ok(writer) = writer {
+            read(&mut socket, client, shared);
+            client.over();
+            // A thread that panicked has written what it has written.
+            let _ = writer.join();
+        }
+    }
+    client.cut();
+    client.queue().counts()
+}
+
+// The callback's type is the WebSocket layer's.
+#[allow(clippy::result_large_err)]
+fn shake_hands(client: &Arc<Client>) -> Result<WebSocket<Half>, io::Error> {
+    client.stream.set_nonblocking(false)?;
+    client.stream.set_nodelay(true)?;
+    client.stream.set_read_timeout(Some(HANDSHAKE))?;
+    client.stream.set_write_timeout(Some(STALLED))?;
+    let limits = WebSocketConfig::default()
+        .read_buffer_size(4 << 10)
+        .write_buffer_size(0)
+        .max_message_size(Some(MOST_REQUEST))
+        .max_frame_size(Some(MOST_REQUEST));
+    let half = Half { client: Arc::clone(client), queued: false };
+    let agree = |request: &Handshake, mut response: Response| {
+        let Some(name) = subprotocol(request) else {
+            let mut refusal = ErrorResponse::new(Some(format!("subprotocols: {}", SUBPROTOCOLS.join(", "))));
+            *refusal.status_mut() = StatusCode::BAD_REQUEST;
+            return Err(refusal);
+        };
+        response.headers_mut().insert(SEC_WEBSOCKET_PROTOCOL, HeaderValue::from_static(name));
+        Ok(response)
+    };
+    let mut socket = tungstenite::accept_hdr_with_config(half, agree, Some(limits))
+        .map_err(|error| io::Error::other(error.to_string()))?;
+    client.stream.set_read_timeout(None)?;
+    socket.get_mut().queued = true;
+    Ok(socket)
+}
+
+/// The first of ours that the client offers.
+fn subprotocol(request: &Handshake) -> Option<&'static str> {
+    let lines = || request.headers().get_all(SEC_WEBSOCKET_PROTOCOL).iter().filter_map(|line| line.to_str().ok());
+    let offered = |name: &str| lines().flat_map(|line| line.split(',')).any(|offer| offer.trim() == name);
+    SUBPROTOCOLS.into_iter().find(|name| offered(name))
+}
+
+/// Takes requests until the connection ends.
+fn read(socket: &mut WebSocket<Half>, client: &Client, shared: &Shared) {
+    while let Ok(message) = socket.read() {
+        let Message::Text(text) = message else { continue };
+        match request(&text) {
+            Some(Request::Subscribe(list)) => list.iter().for_each(|&(id, channel)| {
+                subscribe(client, shared, id, channel);
+            }),
+            Some(Request::Unsubscribe(ids)) => {
+                let mut queue = client.queue();
+                let ended = queue.subscriptions.iter_mut().filter(|s| s.is_some_and(|id| ids.contains(&id)));
+                ended.for_each(|subscription| *subscription = None);
+            }
+            Some(Request::Other(op)) => client.answer(Frame::status(Level::Error, &format!("cannot do: {op}"))),
+            None => client.answer(Frame::status(Level::Error, "a request that is not of the protocol")),
+        }
+    }
+}
+
+fn subscribe(client: &Client, shared: &Shared, id: u32, channel: usize) {
+    let refused = {
+        let mut queue = client.queue();
+        let taken = queue.subscriptions.contains(&Some(id));
+        match queue.subscriptions.get_mut(channel) {
+            None => Some(format!("there is no channel {channel}")),
+            Some(_) if taken => Some(format!("subscription {id} exists")),
+            Some(Some(other)) => Some(format!("channel {channel} has subscription {other}")),
+            Some(free) => {
+                *free = Some(id);
+                None
+            }
+        }
+    };
+    if let Some(reason) = refused {
+        return client.answer(Frame::status(Level::Error, &reason));
+    }
+    if let Some((log_time, data)) = shared.kept(channel) {
+        client.answer(Frame::time(shared.now().max(log_time)));
+        client.message(channel, log_time, true, || data);
+    }
+}
+
+/// Writes what waits, until nothing more will come.
+fn write(client: &Client) {
+    let mut out = BufWriter::with_capacity(64 << 10, &client.stream);
+    let mut batch = Vec::new();
+    while client.next(&mut batch) {
+        if batch.drain(..).try_for_each(|frame| frame.write(&mut out)).and_then(|()| out.flush()).is_err() {
+            client.over();
+            client.cut();
+            return;
+        }
+    }
+}

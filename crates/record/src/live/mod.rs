@@ -1,0 +1,303 @@
+//! A run as it goes, for viewers that connect: the channels of the recording over Foxglove's WebSocket protocol.
+//!
+//! A run is served as fast as it goes, which may be slower or faster than real time: nothing is slowed down to a clock.
+//! Viewers follow the simulated time that is broadcast with the messages.
+//!
+//! Viewers do not slow a run: each has a queue of 8 MiB from which the oldest messages are left out, counted, and
+//! reported to it. Without a viewer a message costs two accesses to memory. The bodies of `/bearing/geometry` come once
+//! in a run; they are kept and sent to whoever subscribes later.
+//!
+//! What is sent is neither encrypted nor is anybody asked who they are. Nobody can change a run by it. The address
+//! should be one of this machine, and even there any program, also a page in a browser, can read.
+//!
+//! The server is written on the crate `tungstenite`, with two threads for each viewer: ten crates more than without it,
+//! and at most 13 s of processor time to build. The one in the Foxglove SDK 0.30.3 needs 118 crates, an asynchronous
+//! runtime among them.
+
+mod client;
+mod protocol;
+
+use crate::RecordError;
+use crate::run::{Preamble, Sink};
+use client::{Client, Counts};
+use protocol::Frame;
+use std::fmt;
+use std::io;
+use std::net::{SocketAddr, TcpListener};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+/// Where viewers look for a server if not told otherwise: this machine only.
+pub const LIVE_ADDRESS: &str = "127.0.0.1:8765";
+
+/// Most viewers at a time.
+const MOST_CLIENTS: usize = 8;
+/// Wall time between looks for new viewers.
+const ACCEPT_STEP: Duration = Duration::from_millis(20);
+/// Wall time between broadcasts of the simulated time.
+const TIME_STEP: Duration = Duration::from_millis(20);
+/// Wall time that viewers have at the end to take what waits for them.
+const LAST_WAIT: Duration = Duration::from_secs(2);
+/// Topics whose message comes once and is kept.
+const KEPT: [&str; 1] = ["/bearing/geometry"];
+
+/// The server can be reached from other machines: to be shown to whoever started it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LiveWarning {
+    /// Where the server listens.
+    pub address: SocketAddr,
+}
+
+impl fmt::Display for LiveWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the live server at {} can be reached from other machines: its data is neither encrypted nor protected by \
+             a password, and anyone who can reach the address can read it; {LIVE_ADDRESS} is for this machine only",
+            self.address
+        )
+    }
+}
+
+/// What a server has done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LiveSummary {
+    /// Viewers that connected.
+    pub clients: u64,
+    /// Messages handed to viewers, one for each that had subscribed.
+    pub messages_sent: u64,
+    /// Messages left out because a viewer was slower than the run.
+    pub messages_dropped: u64,
+}
+
+/// Serves the messages of a run to viewers: a [`Sink`] for [`crate::RunRecorder`], alone or beside a file.
+///
+/// Viewers can connect from the start of the recording to [`Sink::finish`]; dropped before, it cuts all connections.
+#[derive(Debug)]
+pub struct LiveServer {
+    address: SocketAddr,
+    /// None once the recording has begun.
+    listener: Option<TcpListener>,
+    running: Option<Running>,
+    /// When the time was broadcast last.
+    broadcast: Option<Instant>,
+}
+
+#[derive(Debug)]
+struct Running {
+    shared: Arc<Shared>,
+    acceptor: JoinHandle<()>,
+}
+
+/// What the threads share.
+#[derive(Debug)]
+struct Shared {
+    /// What every client gets first.
+    hello: [Frame; 2],
+    clients: Mutex<Vec<Arc<Client>>>,
+    /// A client has gone.
+    ended: Condvar,
+    /// Number of clients, to be read without a lock.
+    connected: AtomicUsize,
+    /// Whether messages are kept, by channel.
+    keeps: Vec<bool>,
+    /// The kept messages, by channel: log time and data.
+    kept: Mutex<Vec<Option<(u64, Arc<[u8]>)>>>,
+    /// Log time of the last message, ns.
+    now: AtomicU64,
+    closing: AtomicBool,
+    summary: Mutex<LiveSummary>,
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Shared {
+    fn new(preamble: &Preamble) -> Self {
+        let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        // Tells a viewer that connects again whether it is the same run.
+        let session = format!("{}-{}", std::process::id(), since.as_nanos());
+        Self {
+            hello: [Frame::server_info(preamble, &session), Frame::advertise(preamble.channels)],
+            clients: Mutex::default(),
+            ended: Condvar::new(),
+            connected: AtomicUsize::new(0),
+            keeps: preamble.channels.iter().map(|channel| KEPT.contains(&channel.topic)).collect(),
+            kept: Mutex::new(vec![None; preamble.channels.len()]),
+            now: AtomicU64::new(0),
+            closing: AtomicBool::new(false),
+            summary: Mutex::default(),
+        }
+    }
+
+    fn now(&self) -> u64 {
+        self.now.load(Ordering::Relaxed)
+    }
+
+    fn kept(&self, channel: usize) -> Option<(u64, Arc<[u8]>)> {
+        lock(&self.kept).get(channel).cloned().flatten()
+    }
+
+    fn add(&self, client: &Arc<Client>) -> bool {
+        let mut clients = lock(&self.clients);
+        let room = clients.len() < MOST_CLIENTS && !self.closing.load(Ordering::Relaxed);
+        if room {
+            clients.push(Arc::clone(client));
+            self.connected.store(clients.len(), Ordering::Release);
+        }
+        room
+    }
+
+    fn remove(&self, client: &Arc<Client>, counts: Counts) {
+        let mut clients = lock(&self.clients);
+        clients.retain(|one| !Arc::ptr_eq(one, client));
+        self.connected.store(clients.len(), Ordering::Release);
+        let mut summary = lock(&self.summary);
+        summary.clients += 1;
+        summary.messages_sent += counts.sent;
+        summary.messages_dropped += counts.dropped;
+        self.ended.notify_all();
+    }
+
+    /// Lets no more clients in and asks those there are to leave, within `patience`.
+    fn close(&self, patience: Duration) {
+        let mut clients = lock(&self.clients);
+        self.closing.store(true, Ordering::Relaxed);
+        clients.iter().for_each(|client| client.close());
+        let waited = self.ended.wait_timeout_while(clients, patience, |clients| !clients.is_empty());
+        clients = waited.unwrap_or_else(PoisonError::into_inner).0;
+        clients.iter().for_each(|client| client.cut());
+    }
+}
+
+impl LiveServer {
+    /// Listens on `address`, such as [`LIVE_ADDRESS`]: host and port, port 0 for any that is free. The warning, if
+    /// there is one, is to be shown.
+    ///
+    /// # Errors
+    /// [`RecordError::Listen`] if the address is none or is taken.
+    pub fn start(address: &str) -> Result<(Self, Option<LiveWarning>), RecordError> {
+        let error = |source| RecordError::Listen { address: address.to_owned(), source };
+        let listener = TcpListener::bind(address).map_err(error)?;
+        listener.set_nonblocking(true).map_err(error)?;
+        let local = listener.local_addr().map_err(error)?;
+        let warning = (!local.ip().is_loopback()).then_some(LiveWarning { address: local });
+        let server = Self { address: local, listener: Some(listener), running: None, broadcast: None };
+        Ok((server, warning))
+    }
+
+    /// Where it listens.
+    pub fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// Viewers that are connected now.
+    pub fn clients(&self) -> usize {
+        self.running.as_ref().map_or(0, |running| running.shared.connected.load(Ordering::Acquire))
+    }
+
+    fn stop(&mut self, patience: Duration) -> Option<LiveSummary> {
+        let Running { shared, acceptor } = self.running.take()?;
+        shared.close(patience);
+        // A thread that panicked has let go of its connections too.
+        let _ = acceptor.join();
+        let summary = *lock(&shared.summary);
+        Some(summary)
+    }
+}
+
+impl Drop for LiveServer {
+    fn drop(&mut self) {
+        self.stop(Duration::ZERO);
+    }
+}
+
+impl Sink for LiveServer {
+    type Output = LiveSummary;
+
+    fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError> {
+        let listener = self.listener.take().ok_or(RecordError::NotBegun)?;
+        let shared = Arc::new(Shared::new(preamble));
+        let serving = Arc::clone(&shared);
+        let acceptor = thread::Builder::new().name("live".to_owned()).spawn(move || accept(&listener, &serving));
+        let error = |source| RecordError::Listen { address: self.address.to_string(), source };
+        self.running = Some(Running { shared, acceptor: acceptor.map_err(error)? });
+        Ok(())
+    }
+
+    fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
+        let shared = &self.running.as_ref().ok_or(RecordError::NotBegun)?.shared;
+        shared.now.store(log_time, Ordering::Relaxed);
+        let keep = shared.keeps.get(channel).is_some_and(|&keep| keep);
+        let nobody = shared.connected.load(Ordering::Acquire) == 0;
+        if nobody && !keep {
+            return Ok(());
+        }
+        // One copy for all who want it.
+        let mut copy: Option<Arc<[u8]>> = None;
+        if keep {
+            let data = copy.insert(data.into());
+            if let Some(kept) = lock(&shared.kept).get_mut(channel) {
+                *kept = Some((log_time, Arc::clone(data)));
+            }
+        }
+        let clients = lock(&shared.clients);
+        if self.broadcast.is_none_or(|at| at.elapsed() >= TIME_STEP) {
+            self.broadcast = Some(Instant::now());
+            clients.iter().for_each(|client| client.time(log_time));
+        }
+        for client in clients.iter() {
+            client.message(channel, log_time, keep, || Arc::clone(copy.get_or_insert_with(|| data.into())));
+        }
+        Ok(())
+    }
+
+    /// Nothing to do: viewers get messages as they come.
+    fn flush(&mut self) -> Result<(), RecordError> {
+        self.running.as_ref().map(|_| ()).ok_or(RecordError::NotBegun)
+    }
+
+    /// Broadcasts the last time, gives viewers two seconds to take what waits for them, and closes the connections.
+    fn finish(mut self) -> Result<LiveSummary, RecordError> {
+        let shared = &self.running.as_ref().ok_or(RecordError::NotBegun)?.shared;
+        lock(&shared.clients).iter().for_each(|client| client.time(shared.now()));
+        self.stop(LAST_WAIT).ok_or(RecordError::NotBegun)
+    }
+}
+
+/// Lets clients in until the server closes.
+fn accept(listener: &TcpListener, shared: &Arc<Shared>) {
+    let mut threads: Vec<JoinHandle<()>> = Vec::new();
+    while !shared.closing.load(Ordering::Relaxed) {
+        match listener.accept() {
+            Ok((stream, _)) => threads.extend(welcome(Arc::new(Client::new(stream, shared.keeps.len())), shared)),
+            // Nobody there, or one who has gone again.
+            Err(_) => thread::sleep(ACCEPT_STEP),
+        }
+        threads.retain(|thread| !thread.is_finished());
+    }
+    for thread in threads {
+        // One that panicked has nothing more to say.
+        let _ = thread.join();
+    }
+}
+
+/// Starts to serve a client, if there is room for it.
+fn welcome(client: Arc<Client>, shared: &Arc<Shared>) -> Option<JoinHandle<()>> {
+    if !shared.add(&client) {
+        return None;
+    }
+    let (serving, theirs) = (Arc::clone(shared), Arc::clone(&client));
+    let serve = move || {
+        let counts = client::serve(&theirs, &serving);
+        serving.remove(&theirs, counts);
+    };
+    let started: io::Result<JoinHandle<()>> = thread::Builder::new().name("live reader".to_owned()).spawn(serve);
+    if started.is_err() {
+        shared.remove(&client, Counts::default());
+    }
+    started.ok()
+}

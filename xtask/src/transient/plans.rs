@@ -1,0 +1,98 @@
+//! The runs behind the rows: one set of parameters, and what each run changes.
+
+use super::{Transient, run_all};
+use crate::error::Failure;
+use std::path::Path;
+use std::time::Instant;
+
+/// A run to make.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    pub id: String,
+    pub label: String,
+    /// Case file, relative to the workspace.
+    pub file: String,
+    /// Paths of the case file and their values.
+    pub changes: Vec<(String, String)>,
+}
+
+/// Silver, PTFE film, and the outer race with a defect.
+pub const AG: &str = "fixtures/cases/paper-ag.ron";
+const PTFE: &str = "fixtures/cases/paper-ptfe.ron";
+const DEFECT: &str = "fixtures/cases/paper-ag-defect.ron";
+/// The axial load of the case, N, which the paper's preloads are parts of.
+const AXIAL_LOAD: f64 = 54_760.0;
+
+impl Plan {
+    pub fn new(id: &str, label: &str, file: &str) -> Self {
+        Self { id: id.to_owned(), label: label.to_owned(), file: file.to_owned(), changes: Vec::new() }
+    }
+
+    #[must_use]
+    pub fn with(mut self, path: &str, value: &str) -> Self {
+        self.changes.push((path.to_owned(), value.to_owned()));
+        self
+    }
+
+    pub fn ag() -> Self {
+        Self::new("ag", "Ag coating", AG)
+    }
+
+    pub fn ptfe() -> Self {
+        Self::new("ptfe", "PTFE film", PTFE)
+    }
+
+    /// A part of the axial load with the whole radial load.
+    pub fn axial(percent: u32) -> Self {
+        let load = AXIAL_LOAD * f64::from(percent) / 100.0;
+        Self::new(&format!("axial-{percent}"), &format!("{percent} % axial load"), AG)
+            .with("ring.z", &format!("Force(N({load}))"))
+    }
+
+    pub fn defect() -> Self {
+        Self::new("defect", "outer-race defect", DEFECT)
+    }
+}
+
+/// All runs of the dynamic rows.
+#[derive(Debug)]
+pub struct Set {
+    pub ag: Transient,
+    pub ptfe: Transient,
+    /// 25, 50 and 75 % of the axial load; the full one is `ag`.
+    pub axial: [Transient; 3],
+    pub defect: Transient,
+}
+
+impl Set {
+    /// Runs them; recordings go into the folder if there is one.
+    pub fn run(recordings: Option<&Path>) -> Result<Self, Failure> {
+        let [p25, p50, p75] = [25, 50, 75].map(Plan::axial);
+        // The longest first, so that no core waits at the end.
+        let plans = [Plan::ag(), Plan::ptfe(), p25, p50, p75, Plan::defect()];
+        let runs: [Transient; 6] = run_all(&plans, recordings)?.try_into().map_err(|_| Failure::Check {
+            what: "dynamic runs",
+            findings: vec!["not all came back".to_owned()],
+        })?;
+        let [ag, ptfe, a, b, c, defect] = runs;
+        Ok(Self { ag, ptfe, axial: [a, b, c], defect })
+    }
+
+    pub fn all(&self) -> impl Iterator<Item = &Transient> {
+        [&self.ag, &self.ptfe].into_iter().chain(&self.axial).chain([&self.defect])
+    }
+
+    /// Loads 25 to 100 %.
+    pub fn by_load(&self) -> [(u32, &Transient); 4] {
+        let [a, b, c] = &self.axial;
+        [(25, a), (50, b), (75, c), (100, &self.ag)]
+    }
+}
+
+/// Does something and says on the terminal how long it took.
+pub fn in_time<T>(what: &str, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    eprintln!("{what}: {:.1} s", start.elapsed().as_secs_f64());
+    result
+}
