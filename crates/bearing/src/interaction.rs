@@ -58,14 +58,19 @@ impl<L: TractionLaw> Bearing<L> {
             self.race_contact(side, normal, (ball, rings[k], radius), surfaces[k].bare, &mut traction)
         };
         let (i, o) = (contact(Side::Inner, normal.inner, 0), contact(Side::Outer, normal.outer, 1));
-        let (drag, churning) = match &self.fluid {
+        let (drag, churning) = self.fluid_loads(ball, radius, rings[0].speed);
+        BallLoads { inner: i, outer: o, orbit_radius: radius, drag, churning, eccentricity: normal.eccentricity }
+    }
+
+    /// Drag against the orbit (N) and churning moment (N m) of the fluid on a ball.
+    pub fn fluid_loads<D: Scalar>(&self, ball: &BallState<D>, orbit_radius: D, inner_speed: D) -> (D, [D; 3]) {
+        match &self.fluid {
             Some(fluid) => (
-                fluid.drag.force(radius * (ball.orbital_speed - rings[0].speed * fluid.swirl)),
+                fluid.drag.force(orbit_radius * (ball.orbital_speed - inner_speed * fluid.swirl)),
                 fluid.churning.map_or([D::zero(); 3], |c| c.moment_vector(ball.spin)),
             ),
             None => (D::zero(), [D::zero(); 3]),
-        };
-        BallLoads { inner: i, outer: o, orbit_radius: radius, drag, churning, eccentricity: normal.eccentricity }
+        }
     }
 
     fn race_contact<D: Scalar>(
@@ -87,16 +92,8 @@ impl<L: TractionLaw> Bearing<L> {
         } else {
             PatchTraction::zero()
         };
-        // e_y = (n_r, −n_a, 0).
-        let lateral = traction.force_lateral;
-        let traction_force = [lateral * n_r, -(lateral * n_a), traction.force_rolling];
-        let force =
-            [traction_force[0] - normal_force * n_a, traction_force[1] - normal_force * n_r, traction.force_rolling];
-        let moment = [
-            traction.moment_lateral * n_r + traction.moment_normal * n_a,
-            traction.moment_normal * n_r - traction.moment_lateral * n_a,
-            traction.moment_rolling,
-        ];
+        let (traction_force, moment) = in_ball_axes([n_a, n_r], &traction);
+        let force = [traction_force[0] - normal_force * n_a, traction_force[1] - normal_force * n_r, traction_force[2]];
         RaceContact {
             pose,
             load,
@@ -113,8 +110,8 @@ impl<L: TractionLaw> Bearing<L> {
         }
     }
 
-    /// The ball's rigid motion against a race in patch axes, and the rolling speed.
-    fn relative_motion<D: Scalar>(
+    /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), and the rolling speed.
+    pub fn relative_motion<D: Scalar>(
         &self,
         [n_a, n_r]: [D; 2],
         ball: &BallState<D>,
@@ -211,6 +208,19 @@ impl<L: TractionLaw> Bearing<L> {
 /// (x, y, z) of the inertial frame as [a, r, t] at an azimuth given by its sine and cosine.
 pub fn in_azimuth_frame<D: Scalar>([sin, cos]: [D; 2], [x, y, z]: [D; 3]) -> [D; 3] {
     [z, x * cos + y * sin, y * cos - x * sin]
+}
+
+/// Traction of a patch with the outward normal (a, r) as force and moment on the ball, [a, r, t].
+pub fn in_ball_axes<D: Scalar>([n_a, n_r]: [D; 2], traction: &PatchTraction<D>) -> ([D; 3], [D; 3]) {
+    // e_y = (n_r, −n_a, 0).
+    let lateral = traction.force_lateral;
+    let force = [lateral * n_r, -(lateral * n_a), traction.force_rolling];
+    let moment = [
+        traction.moment_lateral * n_r + traction.moment_normal * n_a,
+        traction.moment_normal * n_r - traction.moment_lateral * n_a,
+        traction.moment_rolling,
+    ];
+    (force, moment)
 }
 
 fn cross<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {

@@ -35,7 +35,7 @@ mod state;
 
 pub use bearing::{Bearing, FluidForces, Race};
 pub use geometry::{ContactPose, Geometry, Side};
-pub use interaction::in_azimuth_frame;
+pub use interaction::{in_azimuth_frame, in_ball_axes};
 pub use normal::{NormalContact, NormalLoads};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{Ellipse, Scalar};

@@ -1,6 +1,6 @@
 //! From a state to a sample.
 
-use crate::forces::{BallForces, BodyForces, Frame, Sums, wear_rate};
+use crate::forces::{BallForces, BodyForces, Frame, Sums};
 use crate::layout::{AZIMUTH, BALL, VELOCITY};
 use crate::machine::Machine;
 use crate::sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
@@ -62,7 +62,6 @@ impl<L: TractionLaw> Machine<L> {
     fn ball_sample(&self, b: &[f64], f: &BallForces) -> BallSample {
         let g = &self.bearing.geometry;
         let s = &f.state;
-        let sliding = f.pocket.sliding * f.pocket.force.abs();
         BallSample {
             azimuth_rad: b[AZIMUTH],
             orbital_speed_rad_s: s.orbital_speed,
@@ -77,7 +76,7 @@ impl<L: TractionLaw> Machine<L> {
             pocket_lead_rad: f.lead,
             pocket_force_n: f.pocket.force,
             pocket_friction_n: f.pocket.friction,
-            wear_rate_cage_m3_s: self.bearing.wear_cage.rate(sliding),
+            wear_rate_cage_m3_s: self.pocket_wear(&f.pocket),
         }
     }
 
@@ -96,7 +95,7 @@ impl<L: TractionLaw> Machine<L> {
             spin_ratio_per_m: spin,
             rolling_speed_m_s: c.rolling_speed.abs(),
             power_loss_w: c.traction.power,
-            wear_rate_m3_s: wear_rate(self, side, c),
+            wear_rate_m3_s: self.archard(side).rate(c.traction.wear_integral),
             bare: surface.bare,
             depth_m: surface.depth,
         }

@@ -22,16 +22,16 @@
 //! Sources: splitting, Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, chapters II.5 and VIII.4
 //! (impulse method); H. H. Rosenbrock, Comput. J. 5 (1963) 329, doi:10.1093/comjnl/5.4.329.
 
-use crate::forces::{Frame, Sums};
-use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
-use crate::linear::{Contacts, LinearTraction};
+use crate::forces::{Frame, Sums, Watch};
+use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::linear::{Contacts, LinearTraction, load_of};
 use crate::machine::Machine;
 use crate::pocket::PocketLoad;
 use nalgebra::{Matrix5, Matrix6, SMatrix, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tribodyn_bearing::traction::{PatchTraction, TractionLaw};
-use tribodyn_bearing::{BallLoads, BallState, LoadedPatch, Side};
+use tribodyn_bearing::{BallLoads, BallState, LoadedPatch, LocalSurface, NormalLoads, Side, in_ball_axes};
 
 /// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it does
 /// not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an orbit.
@@ -59,9 +59,30 @@ pub(crate) struct Fast {
     common: Vec<f64>,
     /// Whether they are there.
     ready: bool,
+    /// Where the balls stood when the drift was last evaluated.
+    #[serde(skip)]
+    stands: Vec<Stand>,
     /// Contacts integrated over their patch, and contacts used.
     refreshed: u64,
     used: u64,
+}
+
+/// What the drift finds of a ball and the kick at the same position needs again.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Stand {
+    azimuth: [f64; 2],
+    position: [f64; 2],
+    normal: NormalLoads,
+    surfaces: [LocalSurface; 2],
+}
+
+/// What the kick does to a ball, N and N m.
+struct Grip {
+    state: BallState,
+    /// Traction at inner and outer contact.
+    traction: [[f64; 3]; 2],
+    moment: [f64; 3],
+    watch: Watch,
 }
 
 /// Friction of one ball linearised: S is the stiffness of a patch, G and R its motion by the velocities of ball and ring;
@@ -76,6 +97,24 @@ struct Friction {
     own: Matrix6<f64>,
     /// Change of the ball's velocities with the rings', (1 − ½ H A)⁻¹ ½ H M⁻¹ Gᵀ S R.
     follow: Matrix6<f64>,
+}
+
+impl Grip {
+    fn add<L>(
+        &mut self,
+        machine: &Machine<L>,
+        (k, side): (usize, Side),
+        axes: [f64; 2],
+        traction: &PatchTraction,
+        semi_lateral: f64,
+    ) {
+        let (force, moment) = in_ball_axes(axes, traction);
+        self.traction[k] = force;
+        (0..3).for_each(|i| self.moment[i] += moment[i]);
+        self.watch.wear[k] = machine.archard(side).rate(traction.wear_integral);
+        self.watch.semi_lateral[k] = semi_lateral;
+        self.watch.loaded[k] = true;
+    }
 }
 
 impl Friction {
@@ -100,14 +139,14 @@ impl Fast {
         let h = span / pieces as f64;
         if !self.ready {
             self.drift.resize(y.len(), 0.0);
-            drift_acceleration(machine, t, y, &mut self.drift);
+            drift_acceleration(machine, t, y, &mut self.drift, &mut self.stands);
             self.common = self.drift.clone();
             self.ready = true;
         }
         for piece in 0..pieces {
             push(machine, y, (&self.drift, &self.common), 0.5 * h);
             glide(machine, t + piece as f64 * h, y, h);
-            drift_acceleration(machine, t + (piece + 1) as f64 * h, y, &mut self.drift);
+            drift_acceleration(machine, t + (piece + 1) as f64 * h, y, &mut self.drift, &mut self.stands);
             push(machine, y, (&self.drift, &self.common), 0.5 * h);
         }
     }
@@ -131,16 +170,19 @@ impl Fast {
         for index in 0..l.balls {
             let at = l.ball(index);
             let b = &mut y[at..][..BALL];
-            let (state, loads) = self.loads(machine, index, b, &frame, renew);
+            let grip = self.grip(machine, index, b, &frame, renew);
             let pocket = machine.pocket_load(index, b, &frame);
             cage_torque += pocket.cage_torque;
-            machine.watch[index] = machine.watch(&loads, &pocket);
+            machine.watch[index] = grip.watch;
+            machine.watch[index].wear[2] = machine.pocket_wear(&pocket);
             let friction = &self.friction[index];
             let common = Vector6::from_column_slice(&self.common[at + VELOCITY..at + BALL]);
-            let change = friction.inverse * (kick_acceleration(machine, &state, &loads, &pocket) + common) * h;
+            let change =
+                friction.inverse * (kick_acceleration(machine, &grip, &pocket, &frame, b[RADIUS]) + common) * h;
             b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
-            let [i, o] = [loads.inner.traction_force, loads.outer.traction_force];
+            let [i, o] = grip.traction;
             let force = friction.coupling.tr_mul(&change) * 0.5 - Vector6::new(i[0], i[1], i[2], o[0], o[1], o[2]);
+            let state = &grip.state;
             on_rings += in_inertial_axes(state.azimuth, &force);
         }
         if renew || self.rings_last == 0 {
@@ -153,7 +195,7 @@ impl Fast {
             let b = &mut y[l.ball(index)..][..BALL];
             let (sin, cos) = b[AZIMUTH].sin_cos();
             let friction = &self.friction[index];
-            let rings = in_ball_axes([sin, cos], &predicted);
+            let rings = ring_in_ball_axes([sin, cos], &predicted);
             let change = friction.follow * rings;
             b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
             let force = (friction.coupling.tr_mul(&change) + friction.own * rings) * 0.5;
@@ -185,8 +227,9 @@ impl Fast {
         patch: &LoadedPatch<'_, f64, L>,
     ) -> PatchTraction {
         let linear = self.contacts.get(index).map(|c| &c.of[usize::from(!patch.is_inner(&machine.bearing))]);
-        match linear.filter(|linear| linear.holds(patch)) {
-            Some(linear) => linear.traction(patch),
+        let (load, radius) = (load_of(patch), patch.patch.ball_radius);
+        match linear.filter(|linear| linear.holds(&patch.motion, load, radius)) {
+            Some(linear) => linear.traction(&patch.motion, load),
             None => machine.kernel.traction(&machine.bearing, patch),
         }
     }
@@ -196,40 +239,59 @@ impl Fast {
         [self.refreshed, self.used]
     }
 
-    /// Loads on a ball with traction from its linear form where that still holds, else integrated and linearised anew.
-    fn loads<L: TractionLaw>(
+    /// Traction on a ball from its linear form where that still holds, else integrated and linearised anew.
+    fn grip<L: TractionLaw>(
         &mut self,
         machine: &Machine<L>,
         index: usize,
         b: &[f64],
         frame: &Frame,
         renew: bool,
-    ) -> (BallState, BallLoads) {
-        let (state, surfaces) = machine.ball_state(b, frame);
-        let rings = [&frame.rings[0], &frame.rings[1]];
-        let surfaces = [&surfaces[0], &surfaces[1]];
-        let contacts = &mut self.contacts[index];
+    ) -> Grip {
+        let bearing = &machine.bearing;
+        let stand = &self.stands[index];
+        let state = BallState {
+            azimuth: stand.azimuth,
+            position: stand.position,
+            velocity: [b[VELOCITY], b[VELOCITY + 1]],
+            orbital_speed: b[ORBIT],
+            spin: [b[SPIN], b[SPIN + 1], b[SPIN + 2]],
+        };
         self.used += 2;
-        let mut holds = !renew && contacts.age < LONGEST_LINEAR;
+        let contacts = &mut self.contacts[index];
         contacts.age += 1;
-        let mut side = 0;
-        let linear = machine.bearing.ball_loads_with(&state, rings, surfaces, |patch| {
-            let contact = &contacts.of[usize::from(!patch.is_inner(&machine.bearing))];
-            side += 1;
-            holds &= contact.holds(patch);
-            contact.traction(patch)
-        });
-        let loaded = usize::from(linear.inner.load > 0.0) + usize::from(linear.outer.load > 0.0);
-        if holds && loaded == side {
-            return (state, linear);
+        let mut grip = Grip { state, traction: [[0.0; 3]; 2], moment: [0.0; 3], watch: Watch::default() };
+        let mut holds = !renew && contacts.age <= LONGEST_LINEAR;
+        for (k, (side, normal)) in
+            [(Side::Inner, &stand.normal.inner), (Side::Outer, &stand.normal.outer)].into_iter().enumerate()
+        {
+            if !holds || normal.load <= 0.0 {
+                continue;
+            }
+            let axes = normal.pose.normal(side);
+            let (motion, _) = bearing.relative_motion(axes, &state, &frame.rings[k], stand.normal.orbit_radius);
+            let linear = &contacts.of[k];
+            holds = linear.holds(&motion, normal.load, bearing.geometry.ball_radius());
+            let traction = linear.traction(&motion, normal.load);
+            grip.add(machine, (k, side), axes, &traction, linear.semi_lateral());
+        }
+        if holds {
+            return grip;
         }
         self.refreshed += 2;
-        let loads = machine.bearing.ball_loads_with(&state, rings, surfaces, |patch| {
-            contacts.of[usize::from(!patch.is_inner(&machine.bearing))].refresh(machine, patch)
+        let (rings, surfaces) = ([&frame.rings[0], &frame.rings[1]], stand.surfaces.each_ref());
+        let loads = bearing.ball_loads_with(&state, rings, surfaces, |patch| {
+            contacts.of[usize::from(!patch.is_inner(bearing))].refresh(machine, patch)
         });
         contacts.age = 0;
         self.friction[index] = friction(machine, &state, &loads, &contacts.of, b[RADIUS], self.step);
-        (state, loads)
+        let mut grip = Grip { state, traction: [[0.0; 3]; 2], moment: [0.0; 3], watch: Watch::default() };
+        for (k, (side, c)) in [(Side::Inner, &loads.inner), (Side::Outer, &loads.outer)].into_iter().enumerate() {
+            if c.load > 0.0 {
+                grip.add(machine, (k, side), c.pose.normal(side), &c.traction, c.ellipse.semi_lateral());
+            }
+        }
+        grip
     }
 
     fn ring_matrix<L: TractionLaw>(&self, machine: &Machine<L>, y: &[f64], h: f64) -> Matrix5<f64> {
@@ -240,7 +302,7 @@ impl Fast {
             let given_back = (f.own + f.coupling.tr_mul(&f.follow)) * (0.5 * h);
             for column in 0..5 {
                 let unit = Vector5::ith(column, 1.0);
-                let force = in_inertial_axes([sin, cos], &(given_back * in_ball_axes([sin, cos], &unit)));
+                let force = in_inertial_axes([sin, cos], &(given_back * ring_in_ball_axes([sin, cos], &unit)));
                 let mut slot = sum.column_mut(column);
                 slot -= force;
             }
@@ -276,7 +338,7 @@ fn in_inertial_axes([sin, cos]: [f64; 2], v: &Vector6<f64>) -> Vector5<f64> {
 }
 
 /// The other way round.
-fn in_ball_axes([sin, cos]: [f64; 2], v: &Vector5<f64>) -> Vector6<f64> {
+fn ring_in_ball_axes([sin, cos]: [f64; 2], v: &Vector5<f64>) -> Vector6<f64> {
     Vector6::new(
         v[2],
         v[0] * cos + v[1] * sin,
@@ -290,30 +352,32 @@ fn in_ball_axes([sin, cos]: [f64; 2], v: &Vector5<f64>) -> Vector6<f64> {
 /// Accelerations of a ball by all that the drift leaves out: traction, drag, churning, pocket and gyroscopic moment.
 fn kick_acceleration<L: TractionLaw>(
     machine: &Machine<L>,
-    s: &BallState,
-    loads: &BallLoads,
+    grip: &Grip,
     pocket: &PocketLoad,
+    frame: &Frame,
+    r: f64,
 ) -> Vector6<f64> {
     let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
-    let [i, o] = [loads.inner.traction_force, loads.outer.traction_force];
-    let (moment, r) = (loads.moment(), loads.orbit_radius);
+    let ([i, o], s) = (grip.traction, &grip.state);
+    let (drag, churning) = machine.bearing.fluid_loads(s, r, frame.rings[0].speed);
     let w = s.orbital_speed;
-    let along = i[2] + o[2] - loads.drag + pocket.force * machine.cage.pocket.radius / r;
+    let along = i[2] + o[2] - drag + pocket.force * machine.cage.pocket.radius / r;
     Vector6::new(
         (i[0] + o[0] + pocket.friction[0]) / m,
         (i[1] + o[1] + pocket.friction[1]) / m,
         along / (m * r),
-        (moment[0] + pocket.moment[0]) / j,
-        (moment[1] + pocket.moment[1]) / j + w * s.spin[2],
-        moment[2] / j - w * s.spin[1],
+        (grip.moment[0] + churning[0] + pocket.moment[0]) / j,
+        (grip.moment[1] + churning[1] + pocket.moment[1]) / j + w * s.spin[2],
+        (grip.moment[2] + churning[2]) / j - w * s.spin[1],
     )
 }
 
 /// Accelerations of balls, rings and cage by contact forces, supports, loads and the centrifugal force; of
 /// the orbital speed, the rate of the angular momentum over m r². The centrifugal force is here and not in the glide so
 /// that dampers see the velocity of the middle of a step and not half a step of it.
-fn drift_acceleration<L: TractionLaw>(machine: &Machine<L>, t: f64, y: &[f64], a: &mut [f64]) {
+fn drift_acceleration<L: TractionLaw>(machine: &Machine<L>, t: f64, y: &[f64], a: &mut [f64], stands: &mut Vec<Stand>) {
     let l = machine.layout;
+    stands.clear();
     let frame = machine.frame(t, y);
     let m = machine.bearing.ball_mass;
     let mut sums = Sums::default();
@@ -322,6 +386,7 @@ fn drift_acceleration<L: TractionLaw>(machine: &Machine<L>, t: f64, y: &[f64], a
         let (state, surfaces) = machine.ball_state(b, &frame);
         let normal =
             machine.bearing.normal_loads(&state, [&frame.rings[0], &frame.rings[1]], [&surfaces[0], &surfaces[1]]);
+        stands.push(Stand { azimuth: state.azimuth, position: state.position, normal, surfaces });
         let ([n_a, n_r], [o_a, o_r]) =
             ([normal.inner.pose.sin, normal.inner.pose.cos], [normal.outer.pose.sin, normal.outer.pose.cos]);
         let (i, o) = (normal.inner.force, normal.outer.force);

@@ -6,8 +6,8 @@ use crate::machine::Machine;
 use crate::pocket::{PocketLoad, PocketMotion};
 use std::f64::consts::TAU;
 use tribodyn_bearing::traction::{PatchTraction, TractionLaw};
-use tribodyn_bearing::wear::LocalSurface;
-use tribodyn_bearing::{BallLoads, BallState, LoadedPatch, RaceContact, RingState, Side, in_azimuth_frame};
+use tribodyn_bearing::wear::{Archard, LocalSurface};
+use tribodyn_bearing::{BallLoads, BallState, LoadedPatch, RingState, Side, in_azimuth_frame};
 
 /// What can be integrated in time.
 pub(crate) trait System {
@@ -326,22 +326,26 @@ pub(crate) struct Watch {
 impl<L: TractionLaw> Machine<L> {
     pub fn watch(&self, loads: &BallLoads, pocket: &PocketLoad) -> Watch {
         let contacts = [&loads.inner, &loads.outer];
-        let [inner, outer] =
-            [Side::Inner, Side::Outer].map(|side| wear_rate(self, side, contacts[usize::from(side == Side::Outer)]));
-        let cage = self.bearing.wear_cage.rate(pocket.sliding * pocket.force.abs());
+        let wear = |side: Side, k: usize| self.archard(side).rate(contacts[k].traction.wear_integral);
         Watch {
-            wear: [inner, outer, cage],
+            wear: [wear(Side::Inner, 0), wear(Side::Outer, 1), self.pocket_wear(pocket)],
             semi_lateral: contacts.map(|c| c.ellipse.semi_lateral()),
             loaded: contacts.map(|c| c.load > 0.0),
         }
     }
 }
 
-/// Wear volume rate at a contact, m³/s.
-pub(crate) fn wear_rate<L: TractionLaw>(machine: &Machine<L>, side: Side, contact: &RaceContact) -> f64 {
-    let archard = match side {
-        Side::Inner => &machine.bearing.wear_inner,
-        Side::Outer => &machine.bearing.wear_outer,
-    };
-    archard.rate(contact.traction.wear_integral)
+impl<L> Machine<L> {
+    /// Wear of a race.
+    pub fn archard(&self, side: Side) -> &Archard {
+        match side {
+            Side::Inner => &self.bearing.wear_inner,
+            Side::Outer => &self.bearing.wear_outer,
+        }
+    }
+
+    /// Wear rate of a pocket, m³/s.
+    pub fn pocket_wear(&self, pocket: &PocketLoad) -> f64 {
+        self.bearing.wear_cage.rate(pocket.sliding * pocket.force.abs())
+    }
 }

@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 use tribodyn_bearing::LoadedPatch;
 use tribodyn_bearing::traction::{PatchDerivative, PatchTraction, RelativeMotion, TractionLaw};
 
-/// Error of the linear traction that a refresh may find, over the load: a tenth of that of the paper's 10 × 40 midpoints at a steep
+/// Error of the linear traction that a refresh may find, over the load: a fifth of that of the paper's 10 × 40 midpoints at a steep
 /// slip scale.
-pub(crate) const LINEAR_ERROR: f64 = 2e-5;
+pub(crate) const LINEAR_ERROR: f64 = 1e-4;
 /// Slip, m/s, as which a relative change of the load counts: traction is nearly in proportion to the load.
 const LOAD_AS_SLIP: f64 = 1.0;
 /// First distance that a linear traction may be used over, m/s.
@@ -44,33 +44,32 @@ pub(crate) struct LinearTraction {
 }
 
 impl LinearTraction {
-    /// Whether the patch is near enough.
-    pub fn holds<L>(&self, p: &LoadedPatch<'_, f64, L>) -> bool {
-        self.distance(p) <= self.reach && self.reach > 0.0
+    /// Whether a motion and a load, N, are near enough.
+    pub fn holds(&self, motion: &RelativeMotion, load: f64, ball_radius: f64) -> bool {
+        self.distance(motion, load, ball_radius) <= self.reach * self.reach && self.reach > 0.0
     }
 
-    /// How far slip and load have moved, m/s.
-    fn distance<L>(&self, p: &LoadedPatch<'_, f64, L>) -> f64 {
-        let d = self.change(p);
-        let r = p.patch.ball_radius;
+    /// Square of how far slip and load have moved, m²/s².
+    fn distance(&self, motion: &RelativeMotion, load: f64, r: f64) -> f64 {
+        let d = self.change(motion);
         let (along, across) = (d[0] + r * d[3], d[1] - r * d[4]);
         let spin = d[2] * self.semi_lateral;
-        let load = LOAD_AS_SLIP * (load_of(p) / self.load - 1.0);
-        (along * along + across * across + spin * spin + load * load).sqrt()
+        let load = LOAD_AS_SLIP * (load / self.load - 1.0);
+        along * along + across * across + spin * spin + load * load
     }
 
-    fn change<L>(&self, p: &LoadedPatch<'_, f64, L>) -> [f64; 5] {
-        let now = components(&p.motion);
+    fn change(&self, motion: &RelativeMotion) -> [f64; 5] {
+        let now = components(motion);
         std::array::from_fn(|i| now[i] - self.motion[i])
     }
 
     /// The linear traction. Its power is what forces and moments take from the motion.
-    pub fn traction<L>(&self, p: &LoadedPatch<'_, f64, L>) -> PatchTraction {
-        let (change, more) = (self.change(p), load_of(p) - self.load);
-        let f: [f64; 5] = std::array::from_fn(|i| {
-            let by_motion: f64 = (0..5).map(|k| self.by_motion[i][k] * change[k]).sum();
-            self.value[i] + by_motion + self.by_load[i] * more
-        });
+    pub fn traction(&self, motion: &RelativeMotion, load: f64) -> PatchTraction {
+        let (change, more) = (self.change(motion), load - self.load);
+        let mut f = self.value;
+        for (i, f) in f.iter_mut().enumerate() {
+            *f += self.by_load[i] * more + (0..5).map(|k| self.by_motion[i][k] * change[k]).sum::<f64>();
+        }
         let mut traction = PatchTraction {
             force_rolling: f[0],
             force_lateral: f[1],
@@ -80,8 +79,13 @@ impl LinearTraction {
             power: 0.0,
             wear_integral: self.wear + self.wear_by_load * more,
         };
-        traction.power = -traction.work_on(&p.motion);
+        traction.power = -traction.work_on(motion);
         traction
+    }
+
+    /// Lateral semi-axis where it was linearised, m.
+    pub fn semi_lateral(&self) -> f64 {
+        self.semi_lateral
     }
 
     /// The integral over the patch, from which the linear form starts anew; the distance that it may serve over follows
@@ -109,11 +113,11 @@ impl LinearTraction {
     }
 
     fn next_reach<L>(&self, p: &LoadedPatch<'_, f64, L>, d: &PatchDerivative, load: f64) -> f64 {
-        let linear = self.traction(p);
+        let linear = self.traction(&p.motion, load);
         let off = (linear.force_rolling - d.traction.force_rolling)
             .hypot(linear.force_lateral - d.traction.force_lateral)
             / load;
-        let distance = self.distance(p);
+        let distance = self.distance(&p.motion, load, p.patch.ball_radius).sqrt();
         let wanted = 0.9 * distance * (LINEAR_ERROR / off.max(1e-12)).sqrt();
         wanted.clamp(self.reach / (2.0 * GROWTH), self.reach * GROWTH).max(FIRST_REACH * 1e-2)
     }
@@ -125,7 +129,7 @@ impl LinearTraction {
 }
 
 /// Q = ⅔ π a b p.
-fn load_of<L>(p: &LoadedPatch<'_, f64, L>) -> f64 {
+pub(crate) fn load_of<L>(p: &LoadedPatch<'_, f64, L>) -> f64 {
     std::f64::consts::PI / 1.5 * p.patch.semi_lateral * p.patch.semi_rolling * p.patch.peak_pressure
 }
 

@@ -272,6 +272,8 @@ pub struct SolverStatistics {
     pub accepted: usize,
     /// Steps that were tried again with more damping.
     pub rejected: usize,
+    /// Jacobians of all balls and the ring together.
+    pub jacobians: usize,
 }
 
 /// A state on its way to equilibrium.

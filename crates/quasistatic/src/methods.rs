@@ -18,6 +18,7 @@ const NEGLIGIBLE: f64 = 1e-7;
 impl Method for Downhill {
     fn advance<S: BlockSystem>(&mut self, system: &S, iterate: &mut Iterate) -> Result<(), Stuck> {
         let linear = linearise(system, &iterate.state);
+        iterate.statistics.jacobians += 1;
         let energy = system.energy(&iterate.state);
         while self.mu < HOPELESS {
             let mu = if self.mu < NEGLIGIBLE { 0.0 } else { self.mu };
@@ -71,6 +72,7 @@ impl NewtonOrNested {
     ) -> bool {
         let residuals = Residuals::new(system, &trial);
         let (before, after) = (iterate.worst().residual, residuals.worst.residual);
+        eprintln!("try {before:e} -> {after:e} {:?} {:?}", iterate.worst(), residuals.worst);
         if after > WORTHWHILE * before {
             return false;
         }
@@ -98,6 +100,7 @@ impl Method for NewtonOrNested {
             return Ok(());
         }
         let linear = linearise(system, &iterate.state);
+        iterate.statistics.jacobians += 1;
         // A tiny weight keeps a ball that touches nothing solvable.
         let (balls, ring) = step(system, &linear, 0.0).or_else(|_| step(system, &linear, 1e-9)).map_err(|_| Stuck)?;
         let trial = apply(system, &iterate.state, &balls, &ring, 1.0);

@@ -128,7 +128,11 @@ pub fn solve_from<L: TractionLaw>(
 }
 
 fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics {
-    SolverStatistics { accepted: a.accepted + b.accepted, rejected: a.rejected + b.rejected }
+    SolverStatistics {
+        accepted: a.accepted + b.accepted,
+        rejected: a.rejected + b.rejected,
+        jacobians: a.jacobians + b.jacobians,
+    }
 }
 
 /// The elastic state, and the Jones–Harris one that starts from it.

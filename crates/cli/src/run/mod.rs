@@ -6,6 +6,8 @@
 
 mod checkpoint;
 mod error;
+#[cfg(feature = "live")]
+mod live;
 mod outcome;
 mod progress;
 mod resume;
@@ -28,7 +30,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use tape::SharedTape;
+use tape::{SharedTape, Viewers};
 use tribodyn_bearing::case::{Case, SchemeSpec};
 use tribodyn_dynamics::{DynamicsError, Event, EventKind, Observer, Run, RunError as Advance};
 use tribodyn_record::{RecordError, RunRecorder, RunRecording};
@@ -51,6 +53,10 @@ pub struct Arguments {
     /// Forget a run of before that was stopped or killed
     #[arg(long)]
     restart: bool,
+    /// Let viewers such as Foxglove watch over a WebSocket, on this machine only unless an address says otherwise
+    #[cfg(feature = "live")]
+    #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, require_equals = true, default_missing_value = live::ADDRESS)]
+    live: Option<String>,
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
@@ -77,9 +83,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let cannot_start = |source| RunError::CannotStart { file: file.name.clone(), source };
     let run = Run::new(&file.case).map_err(cannot_start)?;
     let stop = stop_flag()?;
+    #[cfg(feature = "live")]
+    let viewers = arguments.live.as_deref().map(live::start).transpose()?;
+    #[cfg(not(feature = "live"))]
+    let viewers = None;
     let mut session = match saved {
-        None => Session::start(&file, run, files)?,
-        Some(saved) => Session::resume(&file, run, files, saved)?,
+        None => Session::start(&file, run, files, viewers)?,
+        Some(saved) => Session::resume(&file, run, files, saved, viewers)?,
     };
     let progress = Progress::new(arguments.quiet, session.run.duration(), session.run.time());
     let ending = session.go(&file, &stop, &progress)?;
@@ -139,18 +149,24 @@ struct Session {
 }
 
 impl Session {
-    fn start(file: &CaseFile, run: Run, files: Files) -> Result<Self, Failure> {
+    fn start(file: &CaseFile, run: Run, files: Files, viewers: Option<Box<dyn Viewers>>) -> Result<Self, Failure> {
         for old in [&files.checkpoint, &files.active, &files.earlier] {
             remove(old)?;
         }
-        let (tape, watcher) = Self::record(file, &files)?;
+        let (tape, watcher) = Self::record(file, &files, viewers)?;
         Ok(Self { slices: Slices::new(&file.case), run, files, tape, watcher, before: Counts::default() })
     }
 
-    fn resume(file: &CaseFile, mut run: Run, files: Files, saved: Saved) -> Result<Self, Failure> {
+    fn resume(
+        file: &CaseFile,
+        mut run: Run,
+        files: Files,
+        saved: Saved,
+        viewers: Option<Box<dyn Viewers>>,
+    ) -> Result<Self, Failure> {
         resume::set_aside(&files)?;
         let first = run.sample();
-        let (tape, mut watcher) = Self::record(file, &files)?;
+        let (tape, mut watcher) = Self::record(file, &files, viewers)?;
         resume::copy(&files, &saved, &tape)?;
         tape.mute(true);
         resume::remind(&files.active, &saved, first, &mut watcher)?;
@@ -165,8 +181,12 @@ impl Session {
         Ok(session)
     }
 
-    fn record(file: &CaseFile, files: &Files) -> Result<(SharedTape, Watcher), Failure> {
-        let tape = SharedTape::create(&files.recording)?;
+    fn record(
+        file: &CaseFile,
+        files: &Files,
+        viewers: Option<Box<dyn Viewers>>,
+    ) -> Result<(SharedTape, Watcher), Failure> {
+        let tape = SharedTape::create(&files.recording, viewers)?;
         let recording = RunRecording { case_text: &file.text, case: &file.case, generator: GENERATOR };
         Ok((tape.clone(), Watcher::new(RunRecorder::new(tape, &recording)?)))
     }

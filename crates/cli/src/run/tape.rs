@@ -16,6 +16,13 @@ pub struct Loose {
     pub hex: String,
 }
 
+/// Who watches a run as it goes, besides the file.
+pub trait Viewers {
+    fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError>;
+    fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError>;
+    fn finish(self: Box<Self>) -> Result<(), RecordError>;
+}
+
 /// Bytes of messages after which a chunk is closed, at the latest: they bound the size of a checkpoint. About what the
 /// writer puts into a chunk; the bytes of a file must depend on what is written, not on when.
 const LOOSE_BYTES: usize = 1 << 20;
@@ -23,6 +30,7 @@ const LOOSE_BYTES: usize = 1 << 20;
 struct Tape {
     /// None once finished.
     file: Option<FileSink>,
+    viewers: Option<Box<dyn Viewers>>,
     topics: Vec<&'static str>,
     /// Messages are dropped: the recorder is being shown what the file holds already.
     muted: bool,
@@ -39,9 +47,9 @@ pub struct SharedTape(Rc<RefCell<Tape>>);
 
 impl SharedTape {
     /// Creates `<path>.active`.
-    pub fn create(path: &Path) -> Result<Self, RecordError> {
+    pub fn create(path: &Path, viewers: Option<Box<dyn Viewers>>) -> Result<Self, RecordError> {
         let file = Some(FileSink::create(path)?);
-        let tape = Tape { file, topics: Vec::new(), muted: false, safe: 0, loose: Vec::new(), loose_bytes: 0 };
+        let tape = Tape { file, viewers, topics: Vec::new(), muted: false, safe: 0, loose: Vec::new(), loose_bytes: 0 };
         Ok(Self(Rc::new(RefCell::new(tape))))
     }
 
@@ -79,6 +87,9 @@ impl SharedTape {
 impl Tape {
     fn write(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
         self.file.as_mut().ok_or(RecordError::NotBegun)?.message(channel, log_time, data)?;
+        if let Some(viewers) = &mut self.viewers {
+            viewers.message(channel, log_time, data)?;
+        }
         self.loose.push((channel, log_time, data.to_vec()));
         self.loose_bytes += data.len();
         if self.loose_bytes >= LOOSE_BYTES { self.flush() } else { Ok(()) }
@@ -99,6 +110,9 @@ impl Sink for SharedTape {
     fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError> {
         let mut tape = self.0.borrow_mut();
         tape.topics = preamble.channels.iter().map(|channel| channel.topic).collect();
+        if let Some(viewers) = &mut tape.viewers {
+            viewers.begin(preamble)?;
+        }
         tape.file.as_mut().ok_or(RecordError::NotBegun)?.begin(preamble)
     }
 
@@ -113,8 +127,13 @@ impl Sink for SharedTape {
     }
 
     fn finish(self) -> Result<RecordingSummary, RecordError> {
-        let file = self.0.borrow_mut().file.take();
-        file.ok_or(RecordError::NotBegun)?.finish()
+        let (file, viewers) = {
+            let mut tape = self.0.borrow_mut();
+            (tape.file.take(), tape.viewers.take())
+        };
+        let summary = file.ok_or(RecordError::NotBegun)?.finish()?;
+        viewers.map_or(Ok(()), Viewers::finish)?;
+        Ok(summary)
     }
 }
 

@@ -3,13 +3,14 @@
 use crate::{BEARING_218, PAPER_AG, STRIPS, assert_near, assert_same_ball, solve_case, variant};
 use tribodyn_bearing::Bearing;
 use tribodyn_quasistatic::Model::{JonesHarris, Traction};
-use tribodyn_quasistatic::{OperatingPoint, Place, QuasiStaticError, RingFreedom, solve, solve_from};
+use tribodyn_quasistatic::{OperatingPoint, Place, QuasiStaticError, RingFreedom, SolverStatistics, solve, solve_from};
 
 #[test]
 fn regress_solver_steps() {
     let steps = |name: &str, text: &str, changes: &[(&str, &str)], model| {
         let statistics = solve_case(&variant(text, changes), model).statistics;
-        format!("{name}: {} kept, {} rejected\n", statistics.accepted, statistics.rejected)
+        let SolverStatistics { accepted, rejected, jacobians } = statistics;
+        format!("{name}: {accepted} kept, {rejected} rejected, {jacobians} Jacobians\n")
     };
     let light = [STRIPS, ("ring.z", "Force(kN(1))"), ("ring.x", "Force(kN(10))")];
     let all = [

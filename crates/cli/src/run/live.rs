@@ -1,0 +1,33 @@
+//! `--live`: viewers that watch a run as it goes.
+
+use crate::failure::Failure;
+use std::io::Write;
+use tribodyn_record::{LIVE_ADDRESS, LiveServer, Preamble, RecordError, Sink};
+
+/// Where to listen unless an address is given.
+pub const ADDRESS: &str = LIVE_ADDRESS;
+
+/// Starts the server, and says on standard error where it listens.
+pub fn start(address: &str) -> Result<Box<dyn super::tape::Viewers>, Failure> {
+    let (server, warning) = LiveServer::start(address)?;
+    // If nobody reads the address, nothing is lost.
+    let _ = writeln!(std::io::stderr(), "live at ws://{}", server.address());
+    if let Some(warning) = warning {
+        let _ = writeln!(std::io::stderr(), "warning: {warning}");
+    }
+    Ok(Box::new(server))
+}
+
+impl super::tape::Viewers for LiveServer {
+    fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError> {
+        Sink::begin(self, preamble)
+    }
+
+    fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
+        Sink::message(self, channel, log_time, data)
+    }
+
+    fn finish(self: Box<Self>) -> Result<(), RecordError> {
+        Sink::finish(*self).map(|_| ())
+    }
+}
