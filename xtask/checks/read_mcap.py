@@ -4,7 +4,9 @@ Usage: python read_mcap.py FILE.mcap ...   (mcap 1.6.0, mcap-protobuf-support 0.
 
 Checked for each file: every CRC; every message decodes by the schema in the file; the counts of the summary are those of
 the messages; log times never fall, neither over all topics nor within one; no number is NaN or infinite; topics,
-metadata and attachments are there. Exit code 1 names the file and what is wrong with it.
+metadata and attachments are there. A quasi-static solution has balls with every state, a transient run with some of them;
+both have their time in the message as in its record. A recovered file may lack messages: those that it has must be in
+order. Exit code 1 names the file and what is wrong with it.
 """
 
 import collections
@@ -15,9 +17,19 @@ import sys
 from mcap.reader import SeekingReader
 from mcap_protobuf.decoder import DecoderFactory
 
-TOPICS = ["/bearing/balls", "/bearing/contacts", "/bearing/geometry", "/bearing/state", "/tf"]
+SOLUTION_TOPICS = ["/bearing/balls", "/bearing/contacts", "/bearing/geometry", "/bearing/state", "/tf"]
+RUN_TOPICS = SOLUTION_TOPICS + ["/bearing/wear"]
+# At the end of a run, which a recovered file need not have.
+RUN_END_TOPICS = ["/bearing/orbit"]
+STAMPED = ["/bearing/balls", "/bearing/state"]
+SCHEMAS = {
+    "/bearing/balls": ["tribodyn.v1.Balls"],
+    "/bearing/state": ["tribodyn.v1.BearingState", "tribodyn.v1.TransientState"],
+}
 ATTACHMENTS = ["case.ron", "tribodyn.json"]
 METADATA = "simulation"
+RUN = "transient run"
+RECOVERED = "recovery"
 
 
 class Wrong(Exception):
@@ -40,41 +52,89 @@ def numbers(message):
                 yield from numbers(one)
 
 
+def stamp(message):
+    return message.timestamp.seconds * 1_000_000_000 + message.timestamp.nanos
+
+
+class Messages:
+    """What the messages of a file say together, each checked by itself."""
+
+    def __init__(self, gaps):
+        self.gaps = gaps
+        self.counts = collections.Counter()
+        self.sequences = {}
+        self.span = None
+        self.times = {topic: [] for topic in STAMPED}
+        self.digest = hashlib.sha256()
+
+    def take(self, schema, channel, record, message):
+        topic, time = channel.topic, record.log_time
+        encodings = (schema.encoding, channel.message_encoding)
+        require(encodings == ("protobuf", "protobuf"), f"{topic}: encoded as {encodings}")
+        require(schema.name in SCHEMAS.get(topic, [schema.name]), f"{topic}: messages are {schema.name}")
+        require(self.span is None or time >= self.span[1], f"{topic}: log time {time} after {self.span and self.span[1]}")
+        self.span = (time if self.span is None else self.span[0], time)
+        expected = self.sequences.get(channel.id, -1) + 1
+        in_order = record.sequence >= expected if self.gaps else record.sequence == expected
+        require(in_order, f"{topic}: sequence {record.sequence}, expected {expected}")
+        self.sequences[channel.id] = record.sequence
+        self.counts[channel.id] += 1
+        self.digest.update(record.data)
+        for name, value in numbers(message):
+            require(math.isfinite(value), f"{topic}: {name} is {value}")
+        if topic in self.times:
+            require(stamp(message) == time, f"{topic}: timestamp {stamp(message)} in a message of {time}")
+            self.times[topic].append(time)
+
+
+def check_summary(statistics, messages, summary):
+    total = sum(messages.counts.values())
+    require(total == statistics.message_count, f"{total} messages, the summary says {statistics.message_count}")
+    stated = {channel: count for channel, count in statistics.channel_message_counts.items() if count}
+    require(dict(messages.counts) == stated, "counts by channel differ")
+    require(messages.span == (statistics.message_start_time, statistics.message_end_time), "first or last log time differs")
+    require(len(summary.channels) == statistics.channel_count, "channels differ from the summary")
+    require(len(summary.schemas) == statistics.schema_count, "schemas differ from the summary")
+
+
+def check_topics(topics, times, is_run, is_recovered):
+    required = RUN_TOPICS if is_run else SOLUTION_TOPICS
+    if is_run and not is_recovered:
+        required = required + RUN_END_TOPICS
+    missing = [topic for topic in required if topic not in topics]
+    require(not missing, f"no message on {', '.join(missing)}")
+    require(topics["/bearing/geometry"] == 1, f"{topics['/bearing/geometry']} messages on /bearing/geometry")
+    states, balls = times["/bearing/state"], times["/bearing/balls"]
+    alone = set(balls) - set(states)
+    require(is_recovered or not alone, f"{len(alone)} messages of balls without a state")
+    require(is_run or is_recovered or states == balls, "states without balls")
+
+
 def check(path):
     with open(path, "rb") as stream:
         reader = SeekingReader(stream, validate_crcs=True, decoder_factories=[DecoderFactory()])
         summary = reader.get_summary()
         require(summary is not None and summary.statistics is not None, "no summary with statistics")
         statistics = summary.statistics
-        counts = collections.Counter()
-        last = -1
-        span = [None, None]
-        digest = hashlib.sha256()
-        for _schema, channel, record, message in reader.iter_decoded_messages():
-            require(record.log_time >= last, f"{channel.topic}: log time {record.log_time} after {last}")
-            last = record.log_time
-            span = [record.log_time if span[0] is None else span[0], record.log_time]
-            require(record.sequence == counts[channel.id], f"{channel.topic}: sequence {record.sequence}, expected {counts[channel.id]}")
-            counts[channel.id] += 1
-            digest.update(record.data)
-            for name, value in numbers(message):
-                require(math.isfinite(value), f"{channel.topic}: {name} is {value}")
-        total = sum(counts.values())
-        require(total == statistics.message_count, f"{total} messages, the summary says {statistics.message_count}")
-        require(dict(counts) == {k: v for k, v in statistics.channel_message_counts.items() if v}, "counts by channel differ")
-        require(span == [statistics.message_start_time, statistics.message_end_time], "first or last log time differs")
-        topics = {summary.channels[channel].topic: count for channel, count in counts.items()}
-        missing = [topic for topic in TOPICS if topic not in topics]
-        require(not missing, f"no message on {', '.join(missing)}")
-        require(topics["/bearing/state"] == topics["/bearing/balls"], "states and balls differ in number")
+        metadata = {m.name: m.metadata for m in reader.iter_metadata()}
+        require(METADATA in metadata, f"no metadata record {METADATA}")
+        require(len(metadata) == statistics.metadata_count, "metadata differ from the summary")
+        is_run, is_recovered = metadata[METADATA].get("kind") == RUN, RECOVERED in metadata
+        messages = Messages(gaps=is_recovered)
+        for schema, channel, record, message in reader.iter_decoded_messages():
+            messages.take(schema, channel, record, message)
+        check_summary(statistics, messages, summary)
+        topics = {summary.channels[channel].topic: count for channel, count in messages.counts.items()}
+        check_topics(topics, messages.times, is_run, is_recovered)
         attachments = {a.name: a.data for a in reader.iter_attachments()}
         require(len(attachments) == statistics.attachment_count, "attachments differ from the summary")
         absent = [name for name in ATTACHMENTS if not attachments.get(name)]
         require(not absent, f"no attachment {', '.join(absent)}")
-        metadata = {m.name: m.metadata for m in reader.iter_metadata()}
-        require(METADATA in metadata, f"no metadata record {METADATA}")
-    seconds = (span[1] - span[0]) * 1e-9
-    return f"{total} messages on {len(topics)} topics over {seconds:.6f} s, {len(attachments)} attachments, payload {digest.hexdigest()[:16]}"
+    kind = ("recovered " if is_recovered else "") + ("run" if is_run else "solution")
+    seconds = (messages.span[1] - messages.span[0]) * 1e-9
+    total = sum(messages.counts.values())
+    payload = messages.digest.hexdigest()[:16]
+    return f"{kind}, {total} messages on {len(topics)} topics over {seconds:.6f} s, payload {payload}"
 
 
 def main(paths):

@@ -5,18 +5,17 @@ use crate::error::DynamicsError;
 use crate::fast::Fast;
 use crate::forces::System;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
-use crate::machine::Machine;
+use crate::machine::{Kernel, Machine};
 use crate::observer::{Event, EventKind, Observer};
 use crate::rk4::Rk4;
 use crate::sample::Sample;
 use crate::start::{Started, start};
 use crate::stiffness::Stiffness;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use tribodyn_bearing::Bearing;
 use tribodyn_bearing::case::{Case, SchemeSpec};
-use tribodyn_bearing::traction::{CoatingLaw, PatchRule, TractionLaw};
+use tribodyn_bearing::traction::{CoatingLaw, PatchRule, Quadrature, TractionLaw};
 use tribodyn_bearing::wear::Raceway;
 use tribodyn_quasistatic::Solution;
 
@@ -131,6 +130,17 @@ impl Run {
 }
 
 impl<L: TractionLaw> Run<L> {
+    /// The same run with traction integrated node by node by the generic quadrature: the plain reference of the fast kernel.
+    #[must_use]
+    pub fn with_plain_kernel(mut self) -> Self {
+        let rule = self.machine.kernel.rule();
+        if let Ok(quadrature) = Quadrature::new(rule) {
+            self.machine.kernel = Kernel::Plain(quadrature);
+        }
+        self.begin();
+        self
+    }
+
     /// A run with a bearing of one's own, with other traction laws for instance.
     ///
     /// # Errors
@@ -263,8 +273,11 @@ impl<L: TractionLaw> Run<L> {
     /// [`RunError`] of solver or observer; samples handed out before it are good.
     pub fn advance<O: Observer>(&mut self, until: f64, observer: &mut O) -> Result<Ending, RunError<O::Error>> {
         let end = until.min(self.duration);
-        if self.progress.samples == 0 && self.hand_out_samples(true, observer)?.is_break() {
-            return Ok(Ending::Stopped);
+        if self.progress.samples == 0 {
+            let state = self.progress.state.clone();
+            if self.hand_out(self.progress.time, &state, observer)?.is_break() {
+                return Ok(Ending::Stopped);
+            }
         }
         // A step that would leave a crumb of rounding before the end takes it along.
         while self.progress.time < end * (1.0 - 1e-14) {
@@ -387,7 +400,7 @@ impl<L: TractionLaw> Run<L> {
             return None;
         }
         let p = &self.progress;
-        let lead = |y: &[f64], k: usize| y[l.ball(k) + AZIMUTH] - y[l.cage()] - TAU * k as f64 / l.balls as f64;
+        let lead = |y: &[f64], k: usize| self.machine.lead(k, &y[l.ball(k)..], y[l.cage()]);
         let rate = |y: &[f64], k: usize| y[l.ball(k) + ORBIT] - y[l.cage() + 1];
         let mut first: Option<f64> = None;
         for k in 0..l.balls {
@@ -455,16 +468,6 @@ impl<L: TractionLaw> Run<L> {
         }
     }
 
-    /// The sample at time 0.
-    fn hand_out_samples<O: Observer>(
-        &mut self,
-        _first: bool,
-        observer: &mut O,
-    ) -> Result<ControlFlow<()>, RunError<O::Error>> {
-        let state = self.progress.state.clone();
-        self.hand_out(self.progress.time, &state, observer)
-    }
-
     fn hand_out<O: Observer>(
         &mut self,
         t: f64,
@@ -497,7 +500,7 @@ impl<L: TractionLaw> Run<L> {
     fn pocket_events<O: Observer>(&self, t: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
         let l = self.machine.layout;
         let pocket = &self.machine.cage.pocket;
-        let lead = |y: &[f64], k: usize| y[l.ball(k) + AZIMUTH] - y[l.cage()] - TAU * k as f64 / l.balls as f64;
+        let lead = |y: &[f64], k: usize| self.machine.lead(k, &y[l.ball(k)..], y[l.cage()]);
         for ball in 0..l.balls {
             let (before, after) = (lead(&self.progress.state, ball), lead(&self.next, ball));
             if pocket.penetration(before) > 0.0 || pocket.penetration(after) <= 0.0 {

@@ -72,9 +72,8 @@ impl NewtonOrNested {
     ) -> bool {
         let residuals = Residuals::new(system, &trial);
         let (before, after) = (iterate.worst().residual, residuals.worst.residual);
-        eprintln!("try {before:e} -> {after:e} {:?} {:?}", iterate.worst(), residuals.worst);
         if after > WORTHWHILE * before {
-            return false;
+            return after <= RISE * before && after <= NEAR && self.second_step(system, iterate, trial, residuals);
         }
         if after <= CHORD * before {
             linear.learn((&iterate.state, &iterate.residuals), (&trial, &residuals));
@@ -83,7 +82,39 @@ impl NewtonOrNested {
         iterate.keep(trial, residuals);
         true
     }
+
+    /// One more step from a trial that is no better than the state before: what a long step leaves is the square of the
+    /// change of rolling, slip of the width of the traction curve's peak, and a second step takes that away. Both are
+    /// kept where they are worth it together.
+    fn second_step<S: BlockSystem>(
+        &mut self,
+        system: &S,
+        iterate: &mut Iterate,
+        from: BlockState,
+        residuals: Residuals,
+    ) -> bool {
+        let linear = linearise(system, &from);
+        iterate.statistics.jacobians += 1;
+        let Ok((balls, ring)) = step(system, &linear, 0.0) else { return false };
+        let trial = apply(system, &from, &balls, &ring, 1.0);
+        let reached = Residuals::new(system, &trial);
+        let worth = reached.worst.residual <= WORTHWHILE * iterate.worst().residual;
+        if worth {
+            let mut linear = linear;
+            linear.learn((&from, &residuals), (&trial, &reached));
+            self.chord = Some(linear);
+            iterate.keep(from, residuals);
+            iterate.keep(trial, reached);
+        }
+        worth
+    }
 }
+
+/// A step may raise the residual this much, and to no more than this relative residual, for a second one to be tried
+/// from there. The bound keeps a ball from being thrown over the peak of the traction curve: there the residual is of the
+/// order of one.
+const RISE: f64 = 3.0;
+const NEAR: f64 = 0.05;
 
 /// A step must bring the residual down to this share for its slopes to be used again: a new Jacobian costs about three
 /// such steps.

@@ -50,8 +50,9 @@ pub(crate) fn settle_ball<S: BlockSystem>(
         }
         match implicit_step(system, index, &current, ring, tau) {
             Some((next, corrections)) => {
-                // Solved at once: the trajectory is smooth here. Solved with effort: keep the step.
-                let growth = [10.0, 10.0, 4.0].get(corrections).unwrap_or(&1.2);
+                // Solved at once: the trajectory is smooth here. Solved with effort: all but keep the step. The slopes of
+                // a cheap rule need three corrections where exact ones need one or two.
+                let growth = [10.0, 10.0, 4.0, 2.5, 2.0].get(corrections).unwrap_or(&1.2);
                 tau = (tau * growth).min(LAST_STEP);
                 current = next;
                 if current.relative < best.relative {

@@ -28,8 +28,11 @@ const JUMPS: usize = 8;
 const CONTROL_ROUNDS: usize = 4;
 /// Share of a typical contact load below which the inner race drives nothing: far below any drag.
 const DRIVING_LOAD: f64 = 1e-6;
-/// Residual at which the balls alone are settled enough to free the ring.
-const SETTLED: f64 = 1e-8;
+/// Residual at which the balls are settled enough for the wanted patch rule, which leaves about 5e-3 of them; a ball on
+/// its slow way past a lost rolling state must not pass for a settled one.
+const SCOUTED: f64 = 1e-4;
+/// Residual at which the balls alone are settled enough to free the ring, which leaves about 1e-3 of them.
+const SETTLED: f64 = 1e-6;
 
 /// A solution's unknowns, to start a neighbouring problem from.
 #[derive(Debug, Clone, PartialEq)]
@@ -105,7 +108,7 @@ pub fn solve<L: TractionLaw>(
             // Raceway control may have no solution where traction has one: then the elastic state is the guess.
             let rolling = solved.unwrap_or(elastic);
             let start = release_idle_balls(&system, rolling.state);
-            let scouted = settle(&traction, &start, SETTLED, FROM_AFAR);
+            let scouted = settle(&traction, &start, SCOUTED, FROM_AFAR);
             let estimate = choose_quadrature(&mut traction, &scouted, point)?;
             let settled = settle(&traction, &scouted, SETTLED, FROM_NEAR);
             finish(&traction, settled, point, rolling.statistics, estimate)

@@ -52,6 +52,9 @@ pub(crate) fn writer<W: Write + Seek>(stream: W, generator: &str) -> McapResult<
         .library(generator)
         // Threads would change the bytes.
         .compression_threads(0)
+        // Of a run with 13 balls, level 1 makes 9 % more bytes than the default, 3, in two fifths of its time: 0.21 s
+        // against 0.50 s per simulated second at 25.6 kHz, with balls at 5 kHz.
+        .compression_level(1)
         .create(stream)
 }
 

@@ -21,11 +21,11 @@ fn regress_solver_steps() {
         steps("light axial load", PAPER_AG, &light, Traction),
     ];
     insta::assert_snapshot!(all.concat(), @"
-    218 Jones-Harris: 11 kept, 0 rejected
-    paper Jones-Harris: 14 kept, 0 rejected
-    paper case 1: 17 kept, 0 rejected
-    paper case 4: 17 kept, 0 rejected
-    light axial load: 20 kept, 0 rejected
+    218 Jones-Harris: 12 kept, 0 rejected, 8 Jacobians
+    paper Jones-Harris: 14 kept, 0 rejected, 10 Jacobians
+    paper case 1: 20 kept, 0 rejected, 12 Jacobians
+    paper case 4: 19 kept, 0 rejected, 12 Jacobians
+    light axial load: 22 kept, 0 rejected, 15 Jacobians
     ");
 }
 
@@ -45,7 +45,8 @@ fn identity_warm_start_leads_to_the_same_solution_in_few_steps() {
     near.inner_speed *= 1.01;
     let warm = solve_from(&bearing, &near, &start).unwrap();
     let cold = solve(&bearing, &near, Traction).unwrap();
-    assert!(warm.statistics.accepted <= 5, "{:?}", warm.statistics);
+    // Each step divides the residual by about ten: the slopes hold the few nodes of this rule fast.
+    assert!(warm.statistics.accepted <= 9 && warm.statistics.jacobians <= 2, "{:?}", warm.statistics);
     assert_near("cage speed", warm.solution.cage_speed_rpm, cold.solution.cage_speed_rpm, 1e-9);
     for (a, b) in warm.solution.balls.iter().zip(&cold.solution.balls) {
         assert_same_ball("warm", a, b, 1e-7);

@@ -103,13 +103,16 @@ struct Shared {
     connected: AtomicUsize,
     /// Whether messages are kept, by channel.
     keeps: Vec<bool>,
-    /// The kept messages, by channel: log time and data.
-    kept: Mutex<Vec<Option<(u64, Arc<[u8]>)>>>,
+    /// The kept messages, by channel.
+    kept: Mutex<Vec<Option<Kept>>>,
     /// Log time of the last message, ns.
     now: AtomicU64,
     closing: AtomicBool,
     summary: Mutex<LiveSummary>,
 }
+
+/// Log time (ns) and data of a message that later viewers get too.
+type Kept = (u64, Arc<[u8]>);
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
@@ -137,7 +140,7 @@ impl Shared {
         self.now.load(Ordering::Relaxed)
     }
 
-    fn kept(&self, channel: usize) -> Option<(u64, Arc<[u8]>)> {
+    fn kept(&self, channel: usize) -> Option<Kept> {
         lock(&self.kept).get(channel).cloned().flatten()
     }
 

@@ -1,0 +1,112 @@
+//! Schemes: order of convergence, and one against the other.
+
+use crate::{case, run};
+use tribodyn_dynamics::{Run, Sample};
+
+/// Short runs from a start that is not in equilibrium: the radial load moves the rings at once.
+const SHORT: [(&str, &str); 4] = [
+    ("transient.duration", "s(0.0016)"),
+    ("recording.state_rate", "Hz(625)"),
+    ("recording.ball_rate", "Hz(625)"),
+    // Slip in m/s: the curve is smooth on the scale of the slip, and so is the solution.
+    ("traction.slip_unit", "MeterPerSecond"),
+];
+const SMOOTH_RULE: (&str, &str) = ("traction.patch", "GaussJacobi(radial: 3, angles: 12)");
+const NO_CAGE: (&str, &str) = ("cage.pocket_stiffness", "N_per_um(0)");
+
+fn end(scheme: &str, changes: &[(&str, &str)]) -> Sample {
+    let all = [&SHORT[..], &[SMOOTH_RULE, ("transient.scheme", scheme)], changes].concat();
+    run(&case(&all)).1.samples.pop().unwrap()
+}
+
+/// Largest difference of the orbital speeds and spins, rad/s.
+fn distance(a: &Sample, b: &Sample) -> f64 {
+    let speeds = |s: &Sample| {
+        s.balls.iter().flat_map(|b| [b.orbital_speed_rad_s, b.spin_rad_s[0], b.spin_rad_s[1]]).collect::<Vec<_>>()
+    };
+    speeds(a).iter().zip(speeds(b)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn identity_runge_kutta_is_of_fourth_order_without_the_cage() {
+    let reference = end("RungeKutta4(step: us(1))", &[NO_CAGE]);
+    let error = |step: &str| distance(&end(step, &[NO_CAGE]), &reference);
+    let (coarse, fine) = (error("RungeKutta4(step: us(8))"), error("RungeKutta4(step: us(4))"));
+    let order = (coarse / fine).log2();
+    assert!(order > 3.6 && order < 5.0, "order {order:.2}: {coarse:e}, {fine:e}");
+}
+
+#[test]
+fn identity_the_fast_scheme_is_of_second_order() {
+    let reference = end("RungeKutta4(step: us(2))", &[NO_CAGE]);
+    let error = |step: &str| distance(&end(step, &[NO_CAGE]), &reference);
+    let (coarse, fine) = (error("Fast(step: us(16))"), error("Fast(step: us(8))"));
+    // Below the error of the linear traction the order is lost.
+    assert!(fine < 0.45 * coarse || fine < 1e-3, "{coarse:e}, {fine:e}");
+}
+
+#[test]
+fn identity_adaptive_and_fixed_steps_agree() {
+    let reference = end("RungeKutta4(step: us(1))", &[]);
+    let adaptive = end("DormandPrince(tolerance: 1e-8, longest: us(20))", &[]);
+    let apart = distance(&adaptive, &reference);
+    assert!(apart < 1e-5, "{apart:e} rad/s apart");
+}
+
+#[test]
+fn identity_fast_kernel_gives_the_run_of_the_plain_one() {
+    let case = case(&[("transient.duration", "s(0.0005)"), ("transient.scheme", "RungeKutta4(step: us(10))")]);
+    let last = |mut run: Run| {
+        let mut keep = crate::Keep::default();
+        run.advance(f64::INFINITY, &mut keep).unwrap();
+        keep.samples.pop().unwrap()
+    };
+    let fast = last(Run::new(&case).unwrap());
+    let plain = last(Run::new(&case).unwrap().with_plain_kernel());
+    assert!(distance(&fast, &plain) < 1e-8, "{:e}", distance(&fast, &plain));
+}
+
+/// Halving the step changes the mean cage speed by less than 1e-5 of it.
+#[test]
+fn identity_halving_the_step_hardly_moves_the_cage() {
+    let mean = |scheme: &str| {
+        let changes = [
+            ("transient.duration", "s(0.004)"),
+            ("cage.pocket_gap", "mm(0.02)"),
+            ("transient.scheme", scheme),
+            ("recording.state_rate", "kHz(10)"),
+            ("recording.ball_rate", "kHz(1)"),
+        ];
+        let samples = run(&case(&changes)).1.samples;
+        samples.iter().map(|s| s.cage.speed_rad_s).sum::<f64>() / samples.len() as f64
+    };
+    for (scheme, half) in [
+        ("RungeKutta4(step: us(10))", "RungeKutta4(step: us(5))"),
+        ("Fast(step: us(20))", "Fast(step: us(10))"),
+    ] {
+        let (whole, half) = (mean(scheme), mean(half));
+        assert!((whole / half - 1.0).abs() < 1e-5, "{scheme}: {whole} {half}");
+    }
+}
+
+#[test]
+fn regress_a_checkpoint_goes_on_to_the_same_numbers() {
+    for scheme in
+        ["RungeKutta4(step: us(10))", "DormandPrince(tolerance: 1e-6, longest: us(10))", "Fast(step: us(20))"]
+    {
+        let case = case(&[("transient.duration", "s(0.002)"), ("transient.scheme", scheme)]);
+        let (_, whole) = run(&case);
+        let mut first = Run::new(&case).unwrap();
+        let mut keep = crate::Keep { stop_after: 20, ..Default::default() };
+        first.advance(f64::INFINITY, &mut keep).unwrap();
+        let text = serde_json::to_string(&first.checkpoint()).unwrap();
+        let mut second = Run::new(&case).unwrap();
+        second.resume(serde_json::from_str(&text).unwrap()).unwrap();
+        keep.stop_after = 0;
+        second.advance(f64::INFINITY, &mut keep).unwrap();
+        assert_eq!(keep.samples.len(), whole.samples.len(), "{scheme}");
+        for (a, b) in keep.samples.iter().zip(&whole.samples) {
+            assert_eq!(a, b, "{scheme} at {}", a.time_s);
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! What goes wrong is said, and samples before it are good.
+
+use crate::{Keep, case, run};
+use tribodyn_dynamics::{DynamicsError, Ending, EventKind, Run, RunError};
+
+#[test]
+fn limit_a_step_far_too_long_ends_with_the_stable_one_named() {
+    let case = case(&[("transient.scheme", "RungeKutta4(step: us(90))"), ("transient.duration", "s(0.5)")]);
+    let mut keep = Keep::default();
+    let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
+    let RunError::Dynamics(DynamicsError::NotFinite { limit_s, .. } | DynamicsError::BallLost { limit_s, .. }) = error
+    else {
+        panic!("{error}")
+    };
+    assert!(limit_s > 1e-6 && limit_s < 5e-5, "{limit_s}");
+    assert!(!keep.samples.is_empty());
+    let warned = keep.events.iter().any(|e| matches!(&e.kind, EventKind::Warning { message } if message.contains("beyond")));
+    assert!(warned, "{:?}", keep.events);
+}
+
+/// At this slip scale and without differential slip 1e-5 s is beyond the bound: nothing blows up, but a warning says so.
+#[test]
+fn paper_step_is_beyond_the_bound_without_differential_slip() {
+    let changes = [
+        ("traction.differential_slip", "false"),
+        ("transient.scheme", "RungeKutta4(step: us(10))"),
+        ("transient.duration", "s(0.0001)"),
+    ];
+    let (run, keep) = run(&case(&changes));
+    assert!(run.stiffness().runge_kutta_step_s < 1e-5, "{:?}", run.stiffness());
+    assert!(keep.events.iter().any(|e| matches!(e.kind, EventKind::Warning { .. })));
+}
+
+#[test]
+fn limit_a_case_without_supports_is_refused_by_name() {
+    let text = include_str!("../../../../fixtures/cases/paper-handset.ron");
+    let case = tribodyn_bearing::case::Case::from_ron(text).unwrap();
+    assert!(matches!(Run::new(&case).map(drop), Err(DynamicsError::Missing { .. })));
+}
+
+#[test]
+fn limit_an_observer_can_break_off() {
+    let case = case(&[("transient.duration", "s(0.01)")]);
+    let mut run = Run::new(&case).unwrap();
+    let mut keep = Keep { stop_after: 5, ..Default::default() };
+    assert_eq!(run.advance(f64::INFINITY, &mut keep).unwrap(), Ending::Stopped);
+    assert_eq!(keep.samples.len(), 5);
+    assert!(run.time() < 0.001);
+}
+
+#[test]
+fn limit_a_checkpoint_of_another_bearing_is_refused() {
+    let mut run = Run::new(&case(&[])).unwrap();
+    let other = Run::new(&case(&[("geometry.ball_count", "12")])).unwrap();
+    assert!(matches!(run.resume(other.checkpoint()), Err(DynamicsError::Checkpoint { found: 120, expected: 129 + 0 })
+        | Err(DynamicsError::Checkpoint { .. })));
+}

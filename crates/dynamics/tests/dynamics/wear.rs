@@ -1,0 +1,63 @@
+//! Wear and defects in the loop.
+
+use crate::{Keep, case, run};
+use tribodyn_bearing::case::Case;
+use tribodyn_dynamics::{EventKind, Run};
+
+fn with(text: &str, changes: &[(&str, &str)]) -> Case {
+    let changed = changes.iter().fold(text.to_owned(), |text, (path, value)| {
+        tribodyn_bearing::case::set_value(&text, path, value).unwrap_or_else(|e| panic!("{path}: {e}"))
+    });
+    Case::from_ron(&changed).unwrap_or_else(|e| panic!("{e}"))
+}
+
+const WORN: &str = include_str!("../../../../fixtures/cases/paper-ag-worn.ron");
+const SHORT: [(&str, &str); 3] = [
+    ("traction.patch", "SplitStrip(across: 5, along: 3)"),
+    ("transient.scheme", "RungeKutta4(step: us(5))"),
+    ("transient.duration", "s(0.002)"),
+];
+
+#[test]
+fn identity_volumes_are_the_rates_summed() {
+    let (_, keep) = run(&case(&[("transient.duration", "s(0.002)"), ("recording.ball_rate", "kHz(25.6)")]));
+    let rate = |s: &tribodyn_dynamics::Sample| s.balls.iter().map(|b| b.inner.wear_rate_m3_s).sum::<f64>();
+    let summed: f64 = keep.samples.windows(2).map(|w| 0.5 * (rate(&w[0]) + rate(&w[1])) / 25_600.0).sum();
+    let last = keep.samples.last().unwrap();
+    let volume = last.wear.volume_inner_m3 * (summed / summed);
+    assert!((volume / summed - 1.0).abs() < 0.01, "{volume:e} {summed:e}");
+}
+
+/// Where a ball passes the pit its outer load drops, and bare steel changes its traction.
+#[test]
+fn identity_a_defect_is_felt_by_the_ball_that_passes() {
+    let (_, keep) = run(&with(WORN, &SHORT));
+    let hit = |s: &tribodyn_dynamics::Sample| s.balls.iter().any(|b| b.outer.bare > 0.5);
+    assert!(keep.samples.iter().any(hit) && !keep.samples.iter().all(hit));
+    let deepest = keep.samples.iter().flat_map(|s| &s.balls).map(|b| b.outer.depth_m).fold(0.0, f64::max);
+    assert!(deepest > 1.5e-6, "{deepest:e}");
+    let quiet = run(&with(WORN, &[&SHORT[..], &[("defects", "[]")]].concat())).1;
+    let strongest = |k: &Keep| k.samples.iter().map(|s| s.outer.acceleration_m_s2[0].abs()).fold(0.0, f64::max);
+    assert!(strongest(&keep) > 3.0 * strongest(&quiet), "{} {}", strongest(&keep), strongest(&quiet));
+}
+
+/// The balance holds while balls pass a pit: the slope of the groove does work on the orbit.
+#[test]
+fn identity_power_balances_over_a_defect() {
+    let changes = [&SHORT[..], &[("transient.scheme", "RungeKutta4(step: us(2.5))")]].concat();
+    let power = run(&with(WORN, &changes)).1.samples.pop().unwrap().power;
+    let share = (power.imbalance_j / power.throughput_j).abs();
+    assert!(share < 1e-8, "{share:e}");
+}
+
+#[test]
+fn limit_accelerated_wear_goes_through_the_coating_and_says_so() {
+    let changes = [&SHORT[..], &[("transient.wear_acceleration", "1e9"), ("defects", "[]")]].concat();
+    let case = with(WORN, &changes);
+    let mut keep = Keep::default();
+    let mut run = Run::new(&case).unwrap();
+    run.advance(f64::INFINITY, &mut keep).unwrap();
+    let through = keep.events.iter().filter(|e| matches!(e.kind, EventKind::CoatingThrough { .. })).count();
+    assert!(through >= 1, "{:?}", keep.samples.last().unwrap().wear);
+    assert!(keep.samples.last().unwrap().balls.iter().any(|b| b.inner.bare > 0.0 || b.outer.bare > 0.0));
+}
