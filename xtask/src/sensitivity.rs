@@ -1,28 +1,119 @@
-//! scan (draft)
+//! `cargo xtask sensitivity`: what the parameters that the paper hides do to the dynamic rows.
+//!
+//! One at a time, each is halved and doubled; and over a grid of pocket gap and pocket stiffness, from which both were
+//! chosen, the residuals of the published figures are listed. Runs of 0.2 s with the fast scheme.
+
 use crate::error::Failure;
+use crate::files;
+use crate::table::{Table, markdown};
 use crate::transient::{Plan, Transient, run_all};
 
-fn line(t: &Transient) -> String {
-    let w = t.settled();
-    let [low, high] = w.orbit_limits();
-    let (first, n) = w.first_impact();
-    let imp: Vec<f64> = { let mut v: Vec<f64> = w.impacts().map(|i| i.azimuth_deg).collect(); v.sort_by(f64::total_cmp); v };
-    let q = |p: f64| imp.get((p * imp.len() as f64) as usize).copied().unwrap_or(f64::NAN);
-    format!(
-        "{:<10} start {:.1} cage {:.2} orb {:.1}..{:.1} accx pk {:.2} rms {:.2} | in x {:.2} y {:.2} z {:.2} | pocket pk {:.0} hard {:.0} first {:.0} ({}) share {:.2} n {} q {:.0} {:.0} {:.0} {:.0} {:.0} lost {} imb {:.1e} xi {:.2e}/{:.2e}",
-        t.id, t.start_rpm, w.cage_rpm(), low, high, w.peak(|s| s.outer_acceleration[0]), w.rms(|s| s.outer_acceleration[0]),
-        w.rms(|s| s.inner_acceleration[0]), w.rms(|s| s.inner_acceleration[1]), w.rms(|s| s.inner_acceleration[2]),
-        w.pocket_peak(), w.hardest_pocket(), first, n, w.impact_share([245.0, 330.0]), imp.len(), q(0.0), q(0.25), q(0.5), q(0.75), q(0.999), t.trace.contacts_lost, t.trace.imbalance,
-        w.ball_mean(|b| b.inner.slide_to_roll[0].abs()), w.ball_mean(|b| b.outer.slide_to_roll[0].abs()))
+/// Where the result is committed, and the document that shows it.
+const RESULT: &str = "fixtures/expected/sensitivity.csv";
+pub const DOCUMENT: &str = "docs/validation.md";
+pub const BEGIN: &str = "<!-- sensitivity:begin -->";
+pub const END: &str = "<!-- sensitivity:end -->";
+
+/// Parameter, half and double.
+const PARAMETERS: [(&str, [&str; 2]); 11] = [
+    ("cage.pocket_gap", ["mm(0.355)", "mm(1.42)"]),
+    ("cage.pocket_stiffness", ["N_per_um(2.5)", "N_per_um(10)"]),
+    ("cage.pocket_friction", ["0.05", "0.2"]),
+    ("cage.pocket_damping", ["s_per_m(0.15)", "s_per_m(0.6)"]),
+    ("cage.inertia", ["kg_m2(0.001)", "kg_m2(0.004)"]),
+    ("supports.inner.mass", ["kg(6)", "kg(24)"]),
+    ("supports.outer.mass", ["kg(2.5)", "kg(10)"]),
+    ("supports.outer.stiffness", ["(N_per_um(250), N_per_um(250))", "(N_per_um(1000), N_per_um(1000))"]),
+    ("supports.outer.damping", ["(N_s_per_m(2500), N_s_per_m(2500))", "(N_s_per_m(10000), N_s_per_m(10000))"]),
+    ("transient.contact_damping", ["0.01", "0.04"]),
+    ("traction.slip_unit", ["Scaled(per_m_s: 50.0)", "Scaled(per_m_s: 200.0)"]),
+];
+const GAPS_MM: [f64; 9] = [0.12, 0.3, 0.5, 0.65, 0.7, 0.71, 0.72, 0.75, 0.9];
+const STIFFNESSES: [f64; 3] = [2.5, 5.0, 10.0];
+
+const HEAD: &str = "change,cage_rpm,orbit_low_rpm,orbit_high_rpm,peak_ag,rms_ag,peak_ptfe,force_n,share";
+
+/// Both coatings with the same changes.
+fn plans(changes: &[(&str, String)]) -> [Plan; 2] {
+    [Plan::ag(), Plan::ptfe()].map(|plan| {
+        let fast = plan.with("transient.scheme", "Fast(step: us(20))");
+        changes.iter().fold(fast, |plan, (path, value)| plan.with(path, value))
+    })
 }
 
-pub fn scan(sets: &[String]) -> Result<(), Failure> {
-    let plans: Vec<Plan> = [Plan::ag(), Plan::ptfe(), Plan::axial(25), Plan::axial(50), Plan::axial(75)].into_iter().map(|p| {
-        let mut p = p.with("transient.scheme", "Fast(step: us(20))").with("transient.duration", "s(0.12)");
-        for s in sets { if let Some((a, b)) = s.split_once('=') { p = p.with(a, b); } }
-        p
-    }).collect();
-    println!("{sets:?}");
-    for t in run_all(&plans, None)? { println!("  {}", line(&t)); }
-    Ok(())
+fn row(name: &str, ag: &Transient, ptfe: &Transient) -> String {
+    let [a, p] = [ag, ptfe].map(|run| run.settled());
+    let [low, high] = a.orbit_limits();
+    let x = |s: &crate::transient::StateSample| s.outer_acceleration[0];
+    format!(
+        "{name},{:.1},{low:.0},{high:.0},{:.1},{:.1},{:.1},{:.0},{:.2}",
+        a.cage_rpm(),
+        a.peak(x),
+        a.rms(x),
+        p.peak(x),
+        a.pocket_peak(),
+        a.impact_share([245.0, 330.0]),
+    )
+}
+
+/// Makes all runs, writes the result and the document's block.
+pub fn run() -> Result<(), Failure> {
+    let mut wanted: Vec<(String, Vec<(&str, String)>)> = vec![("as identified".to_owned(), Vec::new())];
+    for (path, values) in PARAMETERS {
+        for (word, value) in ["half", "double"].into_iter().zip(values) {
+            wanted.push((format!("{path} {word}"), vec![(path, value.to_owned())]));
+        }
+    }
+    for gap in GAPS_MM {
+        for stiffness in STIFFNESSES {
+            let changes = vec![
+                ("cage.pocket_gap", format!("mm({gap})")),
+                ("cage.pocket_stiffness", format!("N_per_um({stiffness})")),
+            ];
+            wanted.push((format!("gap {gap} mm stiffness {stiffness} N/µm"), changes));
+        }
+    }
+    let all: Vec<Plan> = wanted.iter().flat_map(|(_, changes)| plans(changes)).collect();
+    let runs = run_all(&all, None)?;
+    let rows: Vec<String> =
+        wanted.iter().zip(runs.chunks_exact(2)).map(|((name, _), pair)| row(name, &pair[0], &pair[1])).collect();
+    let text = format!(
+        "# our own output; rewritten by `cargo xtask sensitivity`\n# last orbits of runs of 0.2 s, fast scheme at 20 us; accelerations of the outer ring along x, m/s2; force in pockets and share of impacts between 245 and 330 degrees with Ag\n{HEAD}\n{}\n",
+        rows.join("\n")
+    );
+    files::write(&files::root().join(RESULT), text.as_bytes())?;
+    println!("{text}");
+    crate::validate::rewrite_sensitivity()
+}
+
+/// The document's block, from the committed result.
+pub fn block() -> Result<String, Failure> {
+    let text = files::read(&files::root().join(RESULT))?;
+    let table = Table::read(RESULT, &text)?;
+    let head = [
+        "change",
+        "cage r/min",
+        "ball r/min",
+        "peak Ag m/s²",
+        "rms Ag m/s²",
+        "peak PTFE m/s²",
+        "pocket force N",
+        "impacts 245–330°",
+    ];
+    let mut rows = Vec::new();
+    for row in table.rows() {
+        let cell = |column: &str| row.text(column).map(str::to_owned);
+        let range = format!("{}–{}", cell("orbit_low_rpm")?, cell("orbit_high_rpm")?);
+        rows.push(vec![
+            cell("change")?,
+            cell("cage_rpm")?,
+            range,
+            cell("peak_ag")?,
+            cell("rms_ag")?,
+            cell("peak_ptfe")?,
+            cell("force_n")?,
+            cell("share")?,
+        ]);
+    }
+    Ok(format!("{}\nReproduced by `cargo xtask sensitivity`.\n", markdown(&head, &rows)))
 }

@@ -1,13 +1,13 @@
 //! A case made ready for the solvers: geometry, masses, contact constants, traction laws and fluid forces.
 
 use crate::BearingError;
-use crate::case::{Case, CurveSpec, FluidSpec, MaterialSpec, Medium, RingCentre};
+use crate::case::{Case, CoatingSpec, CurveSpec, FluidSpec, MaterialSpec, Medium, RingCentre};
 use crate::geometry::{Geometry, Side};
 use std::f64::consts::PI;
 use tribodyn_contact::{ContactError, ElasticBody, HertzContact, Scalar, effective_modulus};
 use tribodyn_fluid::{BallDrag, Churning, Fluid, effective_density, frontal_area};
 use tribodyn_traction::{Coating, CoatingLaw, MomentArm, Peak, PressureChoice, SlipUnit, TestedCurve, TractionLaw};
-use tribodyn_wear::Archard;
+use tribodyn_wear::{Archard, LocalSurface, Raceway};
 
 /// A bearing that the solvers can work with, SI. `L` is the traction law on its races.
 #[derive(Debug, Clone)]
@@ -34,6 +34,9 @@ pub struct Bearing<L = CoatingLaw> {
     pub contact_at_actual_angle: bool,
     /// Whether each ring turns about its own displaced centre, or about the inertial axis.
     pub ring_turns_about_own_centre: bool,
+    /// What wear has left of the raceways all round when the case begins: inner, outer. Its depth is part of the pose of a
+    /// ball, so both solvers have it.
+    pub worn: [LocalSurface; 2],
     /// Damping of the contacts along their normals, a fraction ζ of the critical one; 0 unless a transient solver sets
     /// it, since an equilibrium is at rest only in the mean where a ring is off centre.
     pub contact_damping: f64,
@@ -134,6 +137,7 @@ impl<L: TractionLaw> Bearing<L> {
             moment_arm: case.traction.moment_arm,
             contact_at_actual_angle: case.numerics.contact_at_actual_angle,
             ring_turns_about_own_centre: case.numerics.ring_centre == RingCentre::Displaced,
+            worn: [worn(&case.coatings.inner)?, worn(&case.coatings.outer)?],
             contact_damping: 0.0,
             wear_inner: wear(&case.wear.inner),
             wear_outer: wear(&case.wear.outer),
@@ -155,6 +159,12 @@ impl<L> Bearing<L> {
     pub fn azimuth(&self, index: usize) -> f64 {
         2.0 * PI * index as f64 / self.geometry.ball_count as f64
     }
+}
+
+/// The surface of an evenly worn raceway.
+fn worn(spec: &CoatingSpec) -> Result<LocalSurface, BearingError> {
+    // The radius of the track matters to volumes only.
+    Ok(Raceway::new(spec.thickness, spec.worn, 1.0, &[])?.at(0.0))
 }
 
 fn elastic(material: &MaterialSpec) -> ElasticBody {

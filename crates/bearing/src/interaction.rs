@@ -13,7 +13,12 @@ use tribodyn_traction::{Patch, PatchLaw, PatchTraction, Quadrature, RelativeMoti
 use tribodyn_wear::LocalSurface;
 
 impl<L: TractionLaw> Bearing<L> {
-    /// All that new races and fluid do to a ball, traction by the generic quadrature.
+    /// The surfaces where nothing has changed since the case began: inner, outer.
+    pub fn surfaces(&self) -> [LocalSurface; 2] {
+        self.worn.map(|worn| LocalSurface { depth: 0.0, ..worn })
+    }
+
+    /// All that races as the case has them and fluid do to a ball, traction by the generic quadrature.
     pub fn ball_loads<D: Scalar>(
         &self,
         ball: &BallState<D>,
@@ -21,7 +26,7 @@ impl<L: TractionLaw> Bearing<L> {
         outer: &RingState<D>,
         quadrature: &Quadrature,
     ) -> BallLoads<D> {
-        self.ball_loads_with(ball, [inner, outer], [&LocalSurface::NEW; 2], |patch| {
+        self.ball_loads_with(ball, [inner, outer], self.surfaces().each_ref(), |patch| {
             self.plain_traction(patch, quadrature)
         })
     }

@@ -61,6 +61,9 @@ pub enum BearingError {
     /// Traction data.
     #[error(transparent)]
     Traction(#[from] tribodyn_traction::TractionError),
+    /// Wear of the raceways.
+    #[error(transparent)]
+    Wear(#[from] tribodyn_wear::WearError),
     /// Fluid state.
     #[error(transparent)]
     Fluid(#[from] tribodyn_fluid::FluidError),

@@ -49,8 +49,8 @@ impl<L> Bearing<L> {
         let a1 = i[0] - o[0] + g.centre_distance() * g.contact_angle.sin();
         let a2 = i[1] - o[1] + g.centre_distance() * g.contact_angle.cos();
         BallPose {
-            inner: ContactPose::new(a1 - x1, a2 - x2, g.groove_offset(Side::Inner)),
-            outer: ContactPose::new(x1, x2, g.groove_offset(Side::Outer)),
+            inner: ContactPose::new(a1 - x1, a2 - x2, g.groove_offset(Side::Inner) + self.worn[0].depth),
+            outer: ContactPose::new(x1, x2, g.groove_offset(Side::Outer) + self.worn[1].depth),
             orbit_radius: x2 + o[1] + g.groove_centre_radius(Side::Outer),
         }
     }
@@ -81,7 +81,8 @@ impl<L> Bearing<L> {
         (load, hertz.ellipse(load))
     }
 
-    /// How hard a ball is pressed on both races, given the surfaces where it stands (inner, outer).
+    /// How hard a ball is pressed on both races, given the surfaces where it stands (inner, outer), their depth counted from
+    /// that of [`Bearing::worn`].
     pub fn normal_loads<D: Scalar>(
         &self,
         ball: &BallState<D>,

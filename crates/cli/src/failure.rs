@@ -42,6 +42,8 @@ pub enum Failure {
     #[error(transparent)]
     Run(#[from] crate::run::RunError),
     #[error(transparent)]
+    Wear(#[from] tribodyn_bearing::wear::WearError),
+    #[error(transparent)]
     Signal(#[from] tribodyn_signal::SignalError),
     #[error("cannot write the answer: {0}")]
     Output(#[from] std::io::Error),

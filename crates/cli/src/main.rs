@@ -7,6 +7,7 @@ mod failure;
 mod hertz;
 mod identify;
 mod input;
+mod life;
 mod output;
 mod recover;
 mod report;
@@ -36,6 +37,7 @@ Examples:
   tribodyn solve fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(30)' --json
   tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
   tribodyn report run.mcap -o report
+  tribodyn life fixtures/cases/paper-ag.ron
   tribodyn sweep fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(10..60 by 5)' -o table.parquet
   tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
   tribodyn traction --coating ag --pressure 2.5 --slip 0,1,3,10
@@ -55,6 +57,8 @@ enum Command {
     Solve(solve::Arguments),
     /// Transient run of a bearing, recorded
     Run(run::Arguments),
+    /// Wear of the coatings over many revolutions, until one is through
+    Life(life::Arguments),
     /// A whole recording from one that was cut off or damaged
     Recover(recover::Arguments),
     /// Figures, spectra and a summary of a recorded run
@@ -72,6 +76,7 @@ fn main() -> ExitCode {
         Command::Traction(arguments) => traction::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Life(arguments) => life::run(&arguments),
         Command::Recover(arguments) => recover::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),

@@ -10,6 +10,8 @@ mod bad_cases;
 mod documents;
 #[path = "cli/files.rs"]
 mod files;
+#[path = "cli/life.rs"]
+mod life;
 #[path = "cli/run.rs"]
 mod run;
 #[path = "cli/sweep.rs"]

@@ -97,7 +97,7 @@ impl<L: TractionLaw> Machine<L> {
             power_loss_w: c.traction.power,
             wear_rate_m3_s: self.archard(side).rate(c.traction.wear_integral),
             bare: surface.bare,
-            depth_m: surface.depth,
+            depth_m: surface.depth + self.bearing.worn[usize::from(side == Side::Outer)].depth,
         }
     }
 }

@@ -24,7 +24,7 @@
 
 use crate::forces::{Frame, Sums, Watch};
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
-use crate::linear::{Contacts, LinearTraction, load_of};
+use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction, load_of};
 use crate::machine::Machine;
 use crate::pocket::PocketLoad;
 use nalgebra::{Matrix5, Matrix6, SMatrix, Vector5, Vector6};
@@ -44,8 +44,10 @@ const LONGEST_LINEAR: usize = 64;
 const DRIFT_ANGLE: f64 = 1.0;
 
 /// Memory of the scheme.
-#[derive(Debug, Clone, Default, Serialize, Deserialize, PartialEq)]
+#[derive(Debug, Clone, Serialize, Deserialize, PartialEq)]
 pub(crate) struct Fast {
+    /// Error of the linear traction over the load that a refresh may find.
+    linear_error: f64,
     friction: Vec<Friction>,
     contacts: Vec<Contacts>,
     /// Inverse of the rings' masses less what friction gives back, inertial axes: x, y, z of the inner, x, y of the outer.
@@ -126,7 +128,31 @@ impl Friction {
     };
 }
 
+impl Default for Fast {
+    fn default() -> Self {
+        Self::with_linear_error(LINEAR_ERROR)
+    }
+}
+
 impl Fast {
+    /// A scheme whose linear traction may err by this part of the load.
+    pub fn with_linear_error(linear_error: f64) -> Self {
+        Self {
+            linear_error,
+            friction: Vec::new(),
+            contacts: Vec::new(),
+            rings: Matrix5::zeros(),
+            rings_last: 0,
+            step: 0.0,
+            drift: Vec::new(),
+            common: Vec::new(),
+            ready: false,
+            stands: Vec::new(),
+            refreshed: 0,
+            used: 0,
+        }
+    }
+
     /// From `y` at `t` over `h`, in place. `highest` is the frequency of the contact springs in Hz.
     pub fn step<L: TractionLaw>(&mut self, machine: &mut Machine<L>, t: f64, y: &mut [f64], h: f64, highest: f64) {
         let pieces = (0.5 * h * TAU * highest / DRIFT_ANGLE).ceil().max(1.0) as usize;
@@ -279,9 +305,10 @@ impl Fast {
             return grip;
         }
         self.refreshed += 2;
+        let tolerance = self.linear_error;
         let (rings, surfaces) = ([&frame.rings[0], &frame.rings[1]], stand.surfaces.each_ref());
         let loads = bearing.ball_loads_with(&state, rings, surfaces, |patch| {
-            contacts.of[usize::from(!patch.is_inner(bearing))].refresh(machine, patch)
+            contacts.of[usize::from(!patch.is_inner(bearing))].refresh(machine, patch, tolerance)
         });
         contacts.age = 0;
         self.friction[index] = friction(machine, &state, &loads, &contacts.of, b[RADIUS], self.step);

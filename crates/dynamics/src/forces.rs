@@ -113,7 +113,14 @@ impl<L: TractionLaw> Machine<L> {
             orbital_speed: b[ORBIT],
             spin: [b[SPIN], b[SPIN + 1], b[SPIN + 2]],
         };
-        (state, [0, 1].map(|k| self.raceways[k].at(b[AZIMUTH] - frame.angles[k])))
+        (state, [0, 1].map(|k| self.surface(k, b[AZIMUTH] - frame.angles[k])))
+    }
+
+    /// Surface of a raceway at an azimuth of its ring; what had worn off all round at the start is in the pose of the ball.
+    fn surface(&self, k: usize, azimuth: f64) -> LocalSurface {
+        let mut surface = self.raceways[k].at(azimuth);
+        surface.depth -= self.bearing.worn[k].depth;
+        surface
     }
 
     /// What the pocket does to a ball.
@@ -167,11 +174,13 @@ impl<L: TractionLaw> Machine<L> {
         let w = s.orbital_speed;
         // ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t).
         let transport = if self.terms.spin_transport { [-w * s.spin[2], w * s.spin[1]] } else { [0.0; 2] };
+        let orbital = along / (m * r) - 2.0 * v[1] * w / r;
+        let relative = if self.terms.absolute_spin { 0.0 } else { orbital };
         [
             (force[0] + pocket.friction[0]) / m,
             (force[1] + pocket.friction[1]) / m + r * w * w,
-            along / (m * r) - 2.0 * v[1] * w / r,
-            (moment[0] + pocket.moment[0]) / j,
+            orbital,
+            (moment[0] + pocket.moment[0]) / j + relative,
             (moment[1] + pocket.moment[1]) / j - transport[0],
             moment[2] / j - transport[1],
         ]

@@ -63,6 +63,8 @@ mod stiffness;
 
 #[cfg(test)]
 mod balance_test;
+#[cfg(test)]
+mod fast_test;
 
 pub use error::DynamicsError;
 pub use observer::{Event, EventKind, Observer};

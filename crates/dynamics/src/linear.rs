@@ -13,6 +13,8 @@ pub(crate) const LINEAR_ERROR: f64 = 1e-4;
 const LOAD_AS_SLIP: f64 = 1.0;
 /// First distance that a linear traction may be used over, m/s.
 const FIRST_REACH: f64 = 1e-2;
+/// Shortest distance, m/s: an estimate of zero error at a lucky point must not end linearisation for good.
+const SHORTEST_REACH: f64 = 1e-6;
 /// Growth of the distance from one refresh to the next.
 const GROWTH: f64 = 2.0;
 
@@ -90,13 +92,18 @@ impl LinearTraction {
 
     /// The integral over the patch, from which the linear form starts anew; the distance that it may serve over follows
     /// from the error found now, which grows with its square.
-    pub fn refresh<L: TractionLaw>(&mut self, machine: &Machine<L>, p: &LoadedPatch<'_, f64, L>) -> PatchTraction {
+    pub fn refresh<L: TractionLaw>(
+        &mut self,
+        machine: &Machine<L>,
+        p: &LoadedPatch<'_, f64, L>,
+        tolerance: f64,
+    ) -> PatchTraction {
         let Some(d) = machine.kernel.derivative(&machine.bearing, p) else {
             self.reach = 0.0;
             return machine.kernel.traction(&machine.bearing, p);
         };
         let load = load_of(p);
-        let reach = if self.reach > 0.0 { self.next_reach(p, &d, load) } else { FIRST_REACH };
+        let reach = if self.reach > 0.0 { self.next_reach(p, &d, (load, tolerance)) } else { FIRST_REACH };
         let PatchDerivative { traction, by_motion, by_load, .. } = d;
         *self = Self {
             motion: components(&p.motion),
@@ -112,14 +119,14 @@ impl LinearTraction {
         traction
     }
 
-    fn next_reach<L>(&self, p: &LoadedPatch<'_, f64, L>, d: &PatchDerivative, load: f64) -> f64 {
+    fn next_reach<L>(&self, p: &LoadedPatch<'_, f64, L>, d: &PatchDerivative, (load, tolerance): (f64, f64)) -> f64 {
         let linear = self.traction(&p.motion, load);
         let off = (linear.force_rolling - d.traction.force_rolling)
             .hypot(linear.force_lateral - d.traction.force_lateral)
             / load;
         let distance = self.distance(&p.motion, load, p.patch.ball_radius).sqrt();
-        let wanted = 0.9 * distance * (LINEAR_ERROR / off.max(1e-12)).sqrt();
-        wanted.clamp(self.reach / (2.0 * GROWTH), self.reach * GROWTH).max(FIRST_REACH * 1e-2)
+        let wanted = 0.9 * distance * (tolerance / off.max(1e-14)).sqrt();
+        wanted.clamp(self.reach / (2.0 * GROWTH), self.reach * GROWTH).max(SHORTEST_REACH)
     }
 
     /// Derivative of forces and moments by the motion.

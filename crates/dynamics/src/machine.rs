@@ -135,8 +135,10 @@ impl CageBody {
 /// Terms of the equations that a test leaves out, to see that the power balance notices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Terms {
-    /// ω_m e_a × Ω, the change of the spin's components with the frame.
+    /// ω_m e_a × Ω, the change of the spin's components with the frame. It does no work.
     pub spin_transport: bool,
+    /// Euler's equation for the absolute spin and not for that against the orbiting frame.
+    pub absolute_spin: bool,
     /// The tangential part of the normal forces where a ring is off centre.
     pub eccentricity: bool,
     /// The ball's translation in the sliding velocity.
@@ -150,6 +152,7 @@ pub(crate) struct Terms {
 impl Terms {
     pub const ALL: Self = Self {
         spin_transport: true,
+        absolute_spin: true,
         eccentricity: true,
         ball_translation: true,
         ring_translation: true,

@@ -309,12 +309,11 @@ impl<L: TractionLaw> Run<L> {
             };
             let adaptive = matches!(self.scheme, Scheme::DormandPrince { .. });
             let reached = t + h >= target * (1.0 - 1e-15);
-            if self.accept(if reached { target } else { t + h }, observer)?.is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
-            if reached || adaptive {
-                self.progress.steps += 1;
-                return Ok(ControlFlow::Continue(()));
+            let done = reached || adaptive;
+            self.progress.steps += u64::from(done);
+            let flow = self.accept(if reached { target } else { t + h }, observer)?;
+            if flow.is_break() || done {
+                return Ok(flow);
             }
         }
     }
@@ -431,7 +430,7 @@ impl<L: TractionLaw> Run<L> {
         self.deposit(t - from, observer)?;
         self.contact_events(observer)?;
         if self.statistics.steps % LOOK_EVERY == 0 {
-            self.look(t - from)?;
+            self.look()?;
         }
         Ok(flow)
     }
@@ -556,7 +555,7 @@ impl<L: TractionLaw> Run<L> {
                 self.machine.raceways[side].remove(azimuth, volume, watch.semi_lateral[side]);
             }
         }
-        if self.machine.wear_acceleration == 0.0 || !self.statistics.steps.is_multiple_of(WEAR_LOOK_EVERY) {
+        if self.machine.wear_acceleration == 0.0 || self.statistics.steps % WEAR_LOOK_EVERY != 0 {
             return Ok(());
         }
         for side in 0..2 {
@@ -573,8 +572,17 @@ impl<L: TractionLaw> Run<L> {
         Ok(())
     }
 
+    /// Length of a whole step, s.
+    fn step(&self) -> f64 {
+        match self.scheme {
+            Scheme::Rk4 { step, .. } | Scheme::Fast { step } => step,
+            Scheme::DormandPrince { .. } => self.progress.control.step,
+        }
+    }
+
     /// Looks at stiffness and at balls that leave.
-    fn look<E>(&mut self, step_s: f64) -> Result<(), RunError<E>> {
+    fn look<E>(&mut self) -> Result<(), RunError<E>> {
+        let step_s = self.step();
         let p = &self.progress;
         self.stiffness = self.machine.stiffness(p.time, &p.state);
         let l = self.machine.layout;

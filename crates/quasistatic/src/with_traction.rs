@@ -6,7 +6,6 @@
 use crate::block::{BALL, Balance, BlockSystem, RING, RingFreedom};
 use crate::jones_harris::{Typical, ring_state};
 use tribodyn_bearing::traction::{FastPatch, PatchTraction, TractionLaw};
-use tribodyn_bearing::wear::LocalSurface;
 use tribodyn_bearing::{BallLoads, BallState, Bearing, LoadedPatch, RingState, Scalar};
 
 /// Names of the balances, for error messages.
@@ -48,7 +47,7 @@ impl<L: TractionLaw> WithTraction<'_, L> {
             orbital_speed: ball[5],
             spin: [ball[2] + ball[5], ball[3], ball[4]],
         };
-        let loads = self.bearing.ball_loads_with(&state, [&inner, &outer], [&LocalSurface::NEW; 2], traction);
+        let loads = self.bearing.ball_loads_with(&state, [&inner, &outer], self.bearing.surfaces().each_ref(), traction);
         (state, loads, inner)
     }
 

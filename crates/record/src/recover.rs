@@ -1,7 +1,7 @@
 //! A whole recording from one that was cut off or damaged.
 
 use crate::RecordError;
-use crate::output::{file_error, mcap_error, with_suffix, writer};
+use crate::output::{SMALL, file_error, mcap_error, with_suffix, writer};
 use crate::scan::{ChannelRecord, Piece, Record, Scanner};
 use mcap::records::{MessageHeader, Metadata};
 use mcap::{Attachment, McapResult, Writer};
@@ -112,8 +112,12 @@ fn named(failure: Failure, from: &Path, to: &Path) -> RecordError {
 fn copy<R: Read + Seek, W: Write + Seek>(input: R, output: W) -> Result<(Recovered, W), Failure> {
     let mut scanner = Scanner::new(input)?.ok_or(Failure::NotMcap)?;
     let generator = concat!("tribodyn-record ", env!("CARGO_PKG_VERSION"), " recover");
-    let mut copy =
-        Copy { writer: writer(output, generator)?, known: Known::default(), open: BTreeSet::new(), done: nothing() };
+    let mut copy = Copy {
+        writer: writer(output, generator, SMALL)?,
+        known: Known::default(),
+        open: BTreeSet::new(),
+        done: nothing(),
+    };
     if let Some(summary) = scanner.summary()? {
         copy.known.learn(&summary);
     }

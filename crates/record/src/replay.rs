@@ -4,7 +4,7 @@ use crate::RecordError;
 use crate::output::file_error;
 use crate::scan::{Damage, Piece, Record, Scanner};
 use crate::wire::{foxglove, tribodyn};
-use crate::write::CASE_ATTACHMENT;
+use crate::write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT};
 use prost::Message;
 use std::collections::{BTreeMap, VecDeque};
 use std::fs::File;
@@ -41,6 +41,8 @@ pub struct LogRow {
 pub enum RunItem {
     /// The text of the case file.
     Case(String),
+    /// The Foxglove layout for this recording.
+    Layout(String),
     /// A metadata record: its name, keys and values.
     Metadata(String, BTreeMap<String, String>),
     /// Rings, cage and powers.
@@ -129,7 +131,12 @@ impl<R: Read + Seek> RunReader<R> {
                 }
                 Record::Metadata { name, entries } => Some(Ok(RunItem::Metadata(name.to_owned(), entries))),
                 Record::Attachment { name, data, .. } => {
-                    (name == CASE_ATTACHMENT).then(|| Ok(RunItem::Case(String::from_utf8_lossy(data).into_owned())))
+                    let text = || String::from_utf8_lossy(data).into_owned();
+                    match name {
+                        CASE_ATTACHMENT => Some(Ok(RunItem::Case(text()))),
+                        LAYOUT_ATTACHMENT => Some(Ok(RunItem::Layout(text()))),
+                        _ => None,
+                    }
                 }
                 Record::Message { channel, data, .. } => self.message(channel, data).transpose(),
             };
@@ -192,6 +199,8 @@ impl<R: Read + Seek> Iterator for RunReader<R> {
 pub struct Run {
     /// The text of the case file; none if that part of the file is damaged.
     pub case_text: Option<String>,
+    /// The Foxglove layout for this recording; none if that part of the file is damaged.
+    pub layout_text: Option<String>,
     /// Metadata records: name, then keys and values. `simulation` describes the run.
     pub metadata: BTreeMap<String, BTreeMap<String, String>>,
     /// Rings, cage and powers, in order of time.
@@ -219,6 +228,7 @@ pub fn read_run(path: &Path) -> Result<Run, RecordError> {
     for item in &mut reader {
         match item? {
             RunItem::Case(text) => run.case_text = Some(text),
+            RunItem::Layout(text) => run.layout_text = Some(text),
             RunItem::Metadata(name, entries) => {
                 run.metadata.insert(name, entries);
             }

@@ -3,7 +3,7 @@
 use crate::check::check;
 use crate::contacts::{self, Scales};
 use crate::frames::{self, Spins};
-use crate::output::{Channel, Entries, Output, active_path, file_error, fnv1a};
+use crate::output::{Channel, Entries, Output, SMALL, active_path, file_error, fnv1a};
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, Timeline, timestamp};
 use crate::wire::foxglove::{Log, log};
@@ -93,7 +93,7 @@ impl<'a> Recording<'a> {
 
     /// Writes all messages in order of time and hands the stream back.
     pub(crate) fn write<W: Write + Seek>(&self, stream: W) -> McapResult<W> {
-        let mut out = Output::new(stream, self.input.generator, &CHANNELS)?;
+        let mut out = Output::new(stream, self.input.generator, SMALL, &CHANNELS)?;
         out.describe(&self.metadata(), self.input.case_text, &layout(LAYOUT, &self.geometry))?;
         self.write_start(&mut out)?;
         let mut spins = Spins::new(self.geometry.ball_count);

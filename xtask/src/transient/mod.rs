@@ -4,7 +4,7 @@ mod orbit;
 mod plans;
 mod trace;
 
-pub use orbit::Window;
+pub use orbit::{RPM, SECTORS, Window};
 pub use plans::{Plan, Set, in_time};
 pub use trace::{StateSample, Trace};
 

@@ -74,9 +74,10 @@ impl<'a> Window<'a> {
 
     /// Least and greatest orbital speed of ball 0, r/min.
     pub fn orbit_limits(&self) -> [f64; 2] {
-        let extremes = self.states.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], s| {
-            [low.min(s.orbit), high.max(s.orbit)]
-        });
+        let extremes = self
+            .states
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], s| [low.min(s.orbit), high.max(s.orbit)]);
         extremes.map(|speed| speed / RPM)
     }
 

@@ -3,7 +3,7 @@
 use super::Report;
 use super::row::{Row, Verdict};
 use crate::error::Failure;
-use crate::{files, table};
+use crate::{files, sensitivity, table};
 
 const BEGIN: &str = "<!-- validation:begin -->";
 const END: &str = "<!-- validation:end -->";
@@ -54,14 +54,43 @@ fn each(mut one: impl FnMut(&str, Extent) -> Result<Option<String>, Failure>) ->
 
 /// The text with the part between the two markers replaced.
 fn replaced(document: &str, text: &str, block: &str) -> Result<String, Failure> {
-    let missing = || Failure::Markers { document: document.to_owned(), begin: BEGIN, end: END };
+    between(document, text, block, [BEGIN, END])
+}
+
+fn between(document: &str, text: &str, block: &str, [begin, end]: [&'static str; 2]) -> Result<String, Failure> {
+    let missing = || Failure::Markers { document: document.to_owned(), begin, end };
     let once = |marker: &str| text.matches(marker).count() == 1;
-    if !once(BEGIN) || !once(END) {
+    if !once(begin) || !once(end) {
         return Err(missing());
     }
-    let (head, rest) = text.split_once(BEGIN).ok_or_else(missing)?;
-    let (_, tail) = rest.split_once(END).ok_or_else(missing)?;
-    Ok(format!("{head}{BEGIN}\n{block}{END}{tail}"))
+    let (head, rest) = text.split_once(begin).ok_or_else(missing)?;
+    let (_, tail) = rest.split_once(end).ok_or_else(missing)?;
+    Ok(format!("{head}{begin}\n{block}{end}{tail}"))
+}
+
+/// The document with the sensitivity table of the committed result, before and after.
+fn with_sensitivity() -> Result<[String; 2], Failure> {
+    let text = files::read(&files::root().join(sensitivity::DOCUMENT))?;
+    let markers = [sensitivity::BEGIN, sensitivity::END];
+    let now = between(sensitivity::DOCUMENT, &text, &sensitivity::block()?, markers)?;
+    Ok([text, now])
+}
+
+/// Rewrites the sensitivity table.
+pub fn rewrite_sensitivity() -> Result<(), Failure> {
+    let [_, now] = with_sensitivity()?;
+    files::write(&files::root().join(sensitivity::DOCUMENT), now.as_bytes())
+}
+
+/// Whether the sensitivity table is that of the committed result.
+pub fn outdated_sensitivity() -> Result<Option<String>, Failure> {
+    let [was, now] = with_sensitivity()?;
+    Ok((was != now).then(|| {
+        format!(
+            "{}: the sensitivity table is not that of the committed result: run `cargo xtask fixtures`",
+            sensitivity::DOCUMENT
+        )
+    }))
 }
 
 fn block(report: &Report, extent: Extent) -> String {
@@ -86,12 +115,12 @@ fn block(report: &Report, extent: Extent) -> String {
 
 /// Counts, and the rows that missed.
 pub fn summary(report: &Report) -> String {
-    let [met, missed, not_yet] = Verdict::ALL.map(|verdict| report.count(verdict));
+    let [met, missed, contradictory, not_yet] = Verdict::ALL.map(|verdict| report.count(verdict));
     let ids: Vec<&str> =
         report.rows.iter().filter(|row| row.verdict == Verdict::Missed).map(|row| row.id.as_str()).collect();
     let which = if ids.is_empty() { String::new() } else { format!(" Missed: {}.", ids.join(", ")) };
     format!(
-        "Of {} rows {met} are met, {missed} missed, {not_yet} not yet decided (dynamic model). Case `{}`: {}.{which}",
+        "Of {} rows {met} are met, {missed} missed, {contradictory} undecidable because the paper contradicts itself, {not_yet} not decided. Case `{}`: {}.{which}",
         report.rows.len(),
         report.case,
         report.provenance

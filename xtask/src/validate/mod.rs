@@ -15,6 +15,7 @@ mod tables;
 
 use crate::error::Failure;
 use crate::files;
+use crate::transient::{Set, in_time};
 use published::Published;
 use row::{Row, Verdict};
 use runs::Runs;
@@ -44,7 +45,7 @@ pub struct Arguments {
 /// What a solution warns of.
 #[derive(Debug, Serialize)]
 struct Warning {
-    run: &'static str,
+    run: String,
     text: String,
 }
 
@@ -73,9 +74,13 @@ fn paper_case() -> PathBuf {
     files::root().join("fixtures/cases/paper-ag.ron")
 }
 
-fn build(case: &Path) -> Result<(Report, Runs), Failure> {
+fn build(case: &Path, recordings: Option<&Path>) -> Result<(Report, Runs), Failure> {
     let published = Published::read()?;
     let runs = Runs::solve(case)?;
+    let dynamic = match case == paper_case() {
+        false => None,
+        true => Some(in_time("dynamic runs", || Set::run(recordings))?),
+    };
     let rows = [
         tables::table_2(&published)?,
         tables::table_4(&published, &runs),
@@ -83,26 +88,30 @@ fn build(case: &Path) -> Result<(Report, Runs), Failure> {
         curves::figure_9()?,
         contact::figure_14(&runs),
         friction::figures_16_to_18(&runs),
-        dynamic::not_yet(),
+        dynamic.as_ref().map_or_else(|| Ok(dynamic::not_yet()), dynamic::rows)?,
     ];
     let report = Report {
         case: runs.file.clone(),
         provenance: runs.provenance(),
         interpolation: PressuresOver::new(&runs.cases[0]).explanation(),
         rows: rows.concat(),
-        warnings: warnings(&published, &runs),
+        warnings: warnings(&published, &runs, dynamic.as_ref()),
         published,
     };
     Ok((report, runs))
 }
 
 /// The solvers' warnings, balls without one clear equilibrium, and contacts whose pressure lies below the tests.
-fn warnings(published: &Published, runs: &Runs) -> Vec<Warning> {
+fn warnings(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Vec<Warning> {
     let lowest = published.curves.iter().map(|row| row.pressure).fold(f64::INFINITY, f64::min);
     let mut out = Vec::new();
     for run in runs.all() {
         out.extend(
-            run.solution.warnings.iter().chain(&run.roots).map(|text| Warning { run: run.label, text: text.clone() }),
+            run.solution
+                .warnings
+                .iter()
+                .chain(&run.roots)
+                .map(|text| Warning { run: run.label.to_owned(), text: text.clone() }),
         );
         // Only where the curve follows the pressure is it extrapolated.
         if run.solution.model == Model::JonesHarris || !run.case.traction.varying {
@@ -118,8 +127,11 @@ fn warnings(published: &Published, runs: &Runs) -> Vec<Warning> {
                 "peak pressures {low:.2} to {high:.2} GPa: {below} of {} contacts lie below the lowest test at {lowest} GPa, where the curve is extrapolated",
                 pressures.len()
             );
-            out.push(Warning { run: run.label, text });
+            out.push(Warning { run: run.label.to_owned(), text });
         }
+    }
+    for run in dynamic.iter().flat_map(|set| set.all()) {
+        out.extend(run.warnings().map(|text| Warning { run: format!("run {}", run.label), text: text.to_owned() }));
     }
     out
 }
@@ -127,8 +139,8 @@ fn warnings(published: &Published, runs: &Runs) -> Vec<Warning> {
 /// Rebuilds all rows, writes the files and compares with what is committed.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let case = arguments.case.clone().unwrap_or_else(paper_case);
-    let (report, runs) = build(&case)?;
     let folder = &arguments.output;
+    let (report, runs) = build(&case, Some(folder))?;
     let fixtures = expected::fixtures(&report.published, &runs);
     expected::write(folder, &fixtures)?;
     let json = output::json(&report)?;
@@ -150,6 +162,7 @@ fn compare(report: &Report, fixtures: &[expected::Fixture], check: bool) -> Resu
     if check {
         findings.extend(declared.outdated);
         findings.extend(document::outdated(report)?);
+        findings.extend(document::outdated_sensitivity()?);
     } else {
         declared.outdated.iter().for_each(|finding| eprintln!("note: {finding}"));
     }
@@ -166,12 +179,18 @@ pub fn check(output: PathBuf) -> Result<(), Failure> {
 
 /// Rewrites fixtures, declared verdicts and the documents' blocks.
 pub fn rewrite_fixtures() -> Result<(), Failure> {
-    let (report, runs) = build(&paper_case())?;
+    let (report, runs) = build(&paper_case(), None)?;
     let folder = expected::folder();
     expected::write(&folder, &expected::fixtures(&report.published, &runs))?;
     expected::write(&folder, &[expected::verdicts_text(&report.rows)])?;
     document::rewrite(&report)?.iter().for_each(|finding| eprintln!("note: {finding}"));
+    document::rewrite_sensitivity()?;
     print(&format!("{}\n", document::summary(&report)))
+}
+
+/// Rewrites the table of sensitivities from its committed result.
+pub fn rewrite_sensitivity() -> Result<(), Failure> {
+    document::rewrite_sensitivity()
 }
 
 fn print(text: &str) -> Result<(), Failure> {

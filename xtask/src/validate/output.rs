@@ -65,7 +65,7 @@ pub fn text(report: &Report) -> String {
     let decided: Vec<_> = report.rows.iter().filter(|row| row.verdict != Verdict::NotYet).cloned().collect();
     let open: Vec<_> = report.rows.iter().filter(|row| row.verdict == Verdict::NotYet).cloned().collect();
     let mut out = table::aligned(&HEAD, &cells(&decided));
-    out.push_str("\nnot yet (dynamic model):\n");
+    out.push_str("\nnot decided:\n");
     out.extend(open.iter().map(|row| format!("  {}  {}\n", row.id, row.published_text())));
     out.push_str("\nhow rows were decided:\n");
     out.extend(notes(&decided).iter().map(|note| format!("  {note}\n")));

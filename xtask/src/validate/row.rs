@@ -30,16 +30,19 @@ impl Evidence {
 pub enum Verdict {
     Met,
     Missed,
+    /// Claims of the paper exclude each other: no result decides.
+    Contradictory,
     NotYet,
 }
 
 impl Verdict {
-    pub const ALL: [Self; 3] = [Self::Met, Self::Missed, Self::NotYet];
+    pub const ALL: [Self; 4] = [Self::Met, Self::Missed, Self::Contradictory, Self::NotYet];
 
     pub fn name(self) -> &'static str {
         match self {
             Self::Met => "met",
             Self::Missed => "missed",
+            Self::Contradictory => "contradictory",
             Self::NotYet => "not-yet",
         }
     }

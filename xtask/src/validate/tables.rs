@@ -35,7 +35,8 @@ pub fn table_2(published: &Published) -> Result<Vec<Row>, Failure> {
 
 /// T4 and T4.err: cage speeds, and their errors against the test.
 pub fn table_4(published: &Published, runs: &Runs) -> Vec<Row> {
-    let printed = published.speeds.iter().filter(|row| row.id != "test");
+    // The dynamic model's row comes from its own runs.
+    let printed = published.speeds.iter().filter(|row| row.id != "test" && row.id != "dyn");
     let pairs: Vec<(&SpeedRow, Option<&Run>)> =
         printed.map(|row| (row, runs.all().find(|run| run.id == row.id))).collect();
     let speeds = pairs.iter().map(|(row, run)| speed(row, *run, runs));

@@ -27,7 +27,7 @@ pub struct Arguments {
     /// Recording, whole or not: RUN.mcap or RUN.mcap.active
     #[arg(value_name = "RUN.mcap")]
     recording: PathBuf,
-    /// Folder for report.html, summary.md, summary.json and the figures (SVG and PNG)
+    /// Folder for report.html, summary.md, summary.json, foxglove-layout.json and the figures (SVG and PNG)
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
     /// Print the summary as JSON, and nothing else, to standard output
@@ -76,6 +76,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     staged.write("report.html".to_owned(), html::page(&content, &figures).as_bytes())?;
     staged.write("summary.md".to_owned(), markdown::page(&content, &figures).as_bytes())?;
     staged.write("summary.json".to_owned(), format!("{}\n", serde_json::to_string_pretty(&answer)?).as_bytes())?;
+    if let Some(layout) = &run.layout_text {
+        staged.write("foxglove-layout.json".to_owned(), layout.as_bytes())?;
+    }
     for figure in &figures {
         staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
         staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?;

@@ -228,7 +228,7 @@ fn identity_a_report_is_made_of_whole_and_torn_recordings() {
         assert!(figures.contains(&name), "{name} is not among {figures:?}");
     }
     let mut expected: Vec<String> = figures.iter().flat_map(|n| [format!("{n}.svg"), format!("{n}.png")]).collect();
-    expected.extend(["report.html", "summary.json", "summary.md"].map(str::to_owned));
+    expected.extend(["foxglove-layout.json", "report.html", "summary.json", "summary.md"].map(str::to_owned));
     expected.sort();
     assert_eq!(names(&folder), expected);
     let page = fs::read_to_string(folder.join("report.html")).unwrap();

@@ -10,13 +10,13 @@ const QUIET: [(&str, &str); 9] = [
     ("cage.pocket_stiffness", "N_per_um(0)"),
     ("transient.contact_damping", "0"),
     ("numerics.tolerance", "1e-13"),
-    ("recording.state_rate", "Hz(100)"),
-    ("recording.ball_rate", "Hz(100)"),
+    ("recording.state_rate", "Hz(250)"),
+    ("recording.ball_rate", "Hz(250)"),
     ("traction.patch", "GaussJacobi(radial: 2, angles: 8)"),
 ];
 
 fn stays(scheme: &str, changes: &[(&str, &str)], tolerance: f64) {
-    let all = [&QUIET[..], changes, &[("transient.scheme", scheme), ("transient.duration", "s(0.105)")]].concat();
+    let all = [&QUIET[..], changes, &[("transient.scheme", scheme), ("transient.duration", "s(0.108)")]].concat();
     let (_, keep) = run(&case(&all));
     let (first, last) = (&keep.samples[0], keep.samples.last().unwrap());
     assert!(last.balls[0].azimuth_rad - first.balls[0].azimuth_rad > 10.0 * std::f64::consts::TAU);
@@ -43,7 +43,8 @@ fn limit_axial_load_keeps_every_ball_on_its_quasistatic_state_for_ten_orbits() {
     stays("RungeKutta4(step: us(10))", &[GENTLE], 1e-10);
 }
 
+/// To the error of its splitting: within a step friction and springs push the rings in turn.
 #[test]
 fn limit_the_fast_scheme_keeps_an_equilibrium_too() {
-    stays("Fast(step: us(20))", &[GENTLE], 1e-9);
+    stays("Fast(step: us(20))", &[GENTLE], 1e-5);
 }

@@ -36,13 +36,15 @@ fn identity_runge_kutta_is_of_fourth_order_without_the_cage() {
     assert!(order > 3.6 && order < 5.0, "order {order:.2}: {coarse:e}, {fine:e}");
 }
 
+/// Down to the error of its linear traction, 1e-4 of the load at most.
 #[test]
-fn identity_the_fast_scheme_is_of_second_order() {
-    let reference = end("RungeKutta4(step: us(2))", &[NO_CAGE]);
-    let error = |step: &str| distance(&end(step, &[NO_CAGE]), &reference);
-    let (coarse, fine) = (error("Fast(step: us(16))"), error("Fast(step: us(8))"));
-    // Below the error of the linear traction the order is lost.
-    assert!(fine < 0.45 * coarse || fine < 1e-3, "{coarse:e}, {fine:e}");
+fn identity_the_fast_scheme_comes_to_the_numbers_of_the_others() {
+    let reference = end("RungeKutta4(step: us(2))", &[]);
+    for step in ["Fast(step: us(20))", "Fast(step: us(5))"] {
+        let apart = distance(&end(step, &[]), &reference);
+        // Of spins of 3000 rad/s.
+        assert!(apart < 0.3, "{step}: {apart} rad/s apart");
+    }
 }
 
 #[test]
@@ -80,10 +82,9 @@ fn identity_halving_the_step_hardly_moves_the_cage() {
         let samples = run(&case(&changes)).1.samples;
         samples.iter().map(|s| s.cage.speed_rad_s).sum::<f64>() / samples.len() as f64
     };
-    for (scheme, half) in [
-        ("RungeKutta4(step: us(10))", "RungeKutta4(step: us(5))"),
-        ("Fast(step: us(20))", "Fast(step: us(10))"),
-    ] {
+    for (scheme, half) in
+        [("RungeKutta4(step: us(10))", "RungeKutta4(step: us(5))"), ("Fast(step: us(20))", "Fast(step: us(10))")]
+    {
         let (whole, half) = (mean(scheme), mean(half));
         assert!((whole / half - 1.0).abs() < 1e-5, "{scheme}: {whole} {half}");
     }
@@ -91,8 +92,7 @@ fn identity_halving_the_step_hardly_moves_the_cage() {
 
 #[test]
 fn regress_a_checkpoint_goes_on_to_the_same_numbers() {
-    for scheme in
-        ["RungeKutta4(step: us(10))", "DormandPrince(tolerance: 1e-6, longest: us(10))", "Fast(step: us(20))"]
+    for scheme in ["RungeKutta4(step: us(10))", "DormandPrince(tolerance: 1e-6, longest: us(10))", "Fast(step: us(20))"]
     {
         let case = case(&[("transient.duration", "s(0.002)"), ("transient.scheme", scheme)]);
         let (_, whole) = run(&case);

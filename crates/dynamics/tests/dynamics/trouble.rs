@@ -12,9 +12,10 @@ fn limit_a_step_far_too_long_ends_with_the_stable_one_named() {
     else {
         panic!("{error}")
     };
-    assert!(limit_s > 1e-6 && limit_s < 5e-5, "{limit_s}");
+    assert!(limit_s > 1e-8 && limit_s < 5e-5, "{limit_s}");
     assert!(!keep.samples.is_empty());
-    let warned = keep.events.iter().any(|e| matches!(&e.kind, EventKind::Warning { message } if message.contains("beyond")));
+    let warned =
+        keep.events.iter().any(|e| matches!(&e.kind, EventKind::Warning { message } if message.contains("beyond")));
     assert!(warned, "{:?}", keep.events);
 }
 
@@ -52,6 +53,6 @@ fn limit_an_observer_can_break_off() {
 fn limit_a_checkpoint_of_another_bearing_is_refused() {
     let mut run = Run::new(&case(&[])).unwrap();
     let other = Run::new(&case(&[("geometry.ball_count", "12")])).unwrap();
-    assert!(matches!(run.resume(other.checkpoint()), Err(DynamicsError::Checkpoint { found: 120, expected: 129 + 0 })
-        | Err(DynamicsError::Checkpoint { .. })));
+    let refused = run.resume(other.checkpoint());
+    assert!(matches!(refused, Err(DynamicsError::Checkpoint { found, expected }) if expected - found == 9));
 }

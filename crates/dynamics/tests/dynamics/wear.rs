@@ -24,7 +24,7 @@ fn identity_volumes_are_the_rates_summed() {
     let rate = |s: &tribodyn_dynamics::Sample| s.balls.iter().map(|b| b.inner.wear_rate_m3_s).sum::<f64>();
     let summed: f64 = keep.samples.windows(2).map(|w| 0.5 * (rate(&w[0]) + rate(&w[1])) / 25_600.0).sum();
     let last = keep.samples.last().unwrap();
-    let volume = last.wear.volume_inner_m3 * (summed / summed);
+    let volume = last.wear.volume_inner_m3;
     assert!((volume / summed - 1.0).abs() < 0.01, "{volume:e} {summed:e}");
 }
 
@@ -35,7 +35,7 @@ fn identity_a_defect_is_felt_by_the_ball_that_passes() {
     let hit = |s: &tribodyn_dynamics::Sample| s.balls.iter().any(|b| b.outer.bare > 0.5);
     assert!(keep.samples.iter().any(hit) && !keep.samples.iter().all(hit));
     let deepest = keep.samples.iter().flat_map(|s| &s.balls).map(|b| b.outer.depth_m).fold(0.0, f64::max);
-    assert!(deepest > 1.5e-6, "{deepest:e}");
+    assert!(deepest > 6e-6, "{deepest:e}");
     let quiet = run(&with(WORN, &[&SHORT[..], &[("defects", "[]")]].concat())).1;
     let strongest = |k: &Keep| k.samples.iter().map(|s| s.outer.acceleration_m_s2[0].abs()).fold(0.0, f64::max);
     assert!(strongest(&keep) > 3.0 * strongest(&quiet), "{} {}", strongest(&keep), strongest(&quiet));
@@ -44,15 +44,19 @@ fn identity_a_defect_is_felt_by_the_ball_that_passes() {
 /// The balance holds while balls pass a pit: the slope of the groove does work on the orbit.
 #[test]
 fn identity_power_balances_over_a_defect() {
-    let changes = [&SHORT[..], &[("transient.scheme", "RungeKutta4(step: us(2.5))")]].concat();
-    let power = run(&with(WORN, &changes)).1.samples.pop().unwrap().power;
-    let share = (power.imbalance_j / power.throughput_j).abs();
-    assert!(share < 1e-8, "{share:e}");
+    let changes = [&SHORT[..], &[("transient.scheme", "RungeKutta4(step: us(2))")]].concat();
+    let share = |step: &str| {
+        let changes = [&changes[..], &[("transient.scheme", step)]].concat();
+        let power = run(&with(WORN, &changes)).1.samples.pop().unwrap().power;
+        (power.imbalance_j / power.throughput_j).abs()
+    };
+    let (coarse, fine) = (share("RungeKutta4(step: us(2))"), share("RungeKutta4(step: us(1))"));
+    assert!(fine < 1e-7 && fine < 0.3 * coarse, "{coarse:e} {fine:e}");
 }
 
 #[test]
 fn limit_accelerated_wear_goes_through_the_coating_and_says_so() {
-    let changes = [&SHORT[..], &[("transient.wear_acceleration", "1e9"), ("defects", "[]")]].concat();
+    let changes = [&SHORT[..], &[("transient.wear_acceleration", "5e4"), ("defects", "[]")]].concat();
     let case = with(WORN, &changes);
     let mut keep = Keep::default();
     let mut run = Run::new(&case).unwrap();

@@ -1,6 +1,6 @@
 //! Where the messages of a run go: a file, a stream in memory, a server, or several of them.
 
-use crate::output::{Channel, Entries, Output, active_path, file_error, mcap_error};
+use crate::output::{Channel, Entries, Output, QUICK, active_path, file_error, mcap_error};
 use crate::{RecordError, RecordingSummary, read_summary};
 use std::fs::{self, File};
 use std::io::{BufWriter, Seek, Write};
@@ -84,7 +84,7 @@ impl<W: Write + Seek> Sink for StreamSink<W> {
             return Err(RecordError::NotBegun);
         };
         let error = |source| mcap_error("write", &self.name, source);
-        let mut output = Output::new(stream, preamble.generator, preamble.channels).map_err(error)?;
+        let mut output = Output::new(stream, preamble.generator, QUICK, preamble.channels).map_err(error)?;
         let entries: Entries = preamble.entries.to_vec();
         output.describe(&entries, preamble.case_text, preamble.layout).map_err(error)?;
         self.output = Some(output);

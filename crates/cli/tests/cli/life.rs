@@ -1,0 +1,102 @@
+//! `life`: strides of wear between quasi-static solutions, with a cheap patch rule so that they take seconds in a debug
+//! build.
+
+use super::{Outcome, assert_close, fixture, run};
+use serde_json::Value;
+use std::ffi::OsStr;
+
+const CHEAP: &str = "traction.patch=SplitStrip(across: 5, along: 3)";
+
+fn life(changes: &[&str], options: &[&str]) -> Outcome {
+    let case = fixture("paper-handset.ron");
+    let mut words: Vec<&dyn AsRef<OsStr>> = vec![&"life", &case, &"--set", &CHEAP];
+    for change in changes {
+        words.push(&"--set");
+        words.push(change);
+    }
+    words.extend(options.iter().map(|word| word as &dyn AsRef<OsStr>));
+    run(&words)
+}
+
+fn number(value: &Value, field: &str) -> f64 {
+    value[field].as_f64().unwrap_or_else(|| panic!("{field} is not in {value}"))
+}
+
+/// End of the life in h.
+fn end(changes: &[&str], strides: &str) -> f64 {
+    let answer = life(changes, &["--strides", strides, "--json"]).json();
+    assert_ne!(answer["worn_through"].as_array().unwrap().len(), 0, "{answer}");
+    number(&answer, "end_h")
+}
+
+/// Euler's method: the error halves with the stride.
+#[test]
+fn limit_halving_the_loss_per_stride_converges_in_the_first_order() {
+    let [two, four, eight] = ["2", "4", "8"].map(|strides| end(&[], strides));
+    let ratio = (two - four) / (four - eight);
+    assert!((1.6..2.5).contains(&ratio), "{two}, {four}, {eight}: {ratio}");
+    assert_close(four, eight, 0.05);
+}
+
+/// A stride is a depth: the coefficient only says how long it takes.
+#[test]
+fn identity_life_is_in_inverse_proportion_to_the_wear_coefficient() {
+    let doubled = ["wear.inner.coefficient=2e-6", "wear.outer.coefficient=2e-6"];
+    assert_close(2.0 * end(&doubled, "3"), end(&[], "3"), 1e-9);
+}
+
+#[test]
+fn identity_the_first_stride_starts_from_the_solution_and_wears_its_rates() {
+    let answer = life(&[], &["--strides", "4", "--json"]).json();
+    let strides = answer["strides"].as_array().unwrap();
+    let case = fixture("paper-handset.ron");
+    let solved = run(&[&"solve", &case, &"--set", &CHEAP, &"--json"]).json();
+    assert_close(number(&strides[0], "cage_speed_rpm"), number(&solved, "cage_speed_rpm"), 1e-9);
+    let balls = solved["balls"].as_array().unwrap();
+    let sum: f64 = balls.iter().map(|ball| number(ball, "wear_rate_inner_m3_s")).sum();
+    assert_close(number(&strides[0], "wear_rate_inner_um3_s"), sum * 1e18, 1e-9);
+    // Wear is clearance: the free contact angle rises from stride to stride, and the coatings only get thinner.
+    for pair in strides.windows(2) {
+        assert!(number(&pair[1], "contact_angle_free_deg") > number(&pair[0], "contact_angle_free_deg"));
+        for coating in ["coating_inner_min_um", "coating_outer_min_um"] {
+            assert!(number(&pair[1], coating) < number(&pair[0], coating));
+        }
+    }
+    let last = &strides[strides.len() - 1];
+    assert_eq!(number(last, "time_h"), number(&answer, "end_h"));
+    assert_eq!(number(last, "coating_inner_min_um").min(number(last, "coating_outer_min_um")), 0.0);
+    assert!(number(&answer, "steel_shows_h") < number(&answer, "end_h"));
+    // 14000 r/min.
+    assert_close(number(&answer, "end_revolutions"), number(&answer, "end_h") * 60.0 * 14_000.0, 1e-12);
+    assert!(answer["warnings"].to_string().contains("wear coefficients"), "{answer}");
+}
+
+/// A race that is half worn starts with the clearance of its depth: cos α0 falls by it over the distance of the centres.
+#[test]
+fn identity_what_is_worn_at_the_start_is_clearance() {
+    let half = ["coatings.inner.worn=0.5", "coatings.outer.worn=0.5"];
+    let case = fixture("paper-ag-worn.ron");
+    let answer = run(&[&"life", &case, &"--set", &CHEAP, &"--until", &"1e-3", &"--json"]).json();
+    let first = &answer["strides"][0];
+    let checked = run(&[&"check", &case, &"--json"]).json();
+    let expected = (number(&checked, "contact_angle_deg").to_radians().cos()
+        - 10e-6 / number(&checked, "groove_centre_distance_m"))
+    .acos();
+    assert_close(number(first, "contact_angle_free_deg"), expected.to_degrees(), 1e-9);
+    assert_eq!(number(first, "coating_inner_min_um"), 5.0);
+    assert_eq!(answer["worn_through"].as_array().unwrap().len(), 0);
+    assert_close(number(&answer, "end_h"), 1e-3, 1e-9);
+    assert!(answer["warnings"].to_string().contains("defects"), "{answer}");
+    // The fixture without these fields refuses to be given them.
+    assert_eq!(life(&half, &[]).code, 2);
+}
+
+#[test]
+fn limit_what_lasts_for_ever_needs_an_end() {
+    let none = ["wear.inner.coefficient=0", "wear.outer.coefficient=0"];
+    life(&none, &[]).fails(2, &["--until is missing", "nothing wears a coating through"]);
+    let answer = life(&none, &["--until", "100"]);
+    assert!(answer.table().contains("after 100.000 h") && answer.table().contains("no coating is through"));
+    life(&[], &["--until", "-1"]).fails(2, &["number of hours above 0"]);
+    life(&[], &["--strides", "0"]).fails(2, &["--strides"]);
+}
