@@ -31,7 +31,7 @@ const PARAMETERS: [(&str, [&str; 2]); 11] = [
 const GAPS_MM: [f64; 9] = [0.12, 0.3, 0.5, 0.65, 0.7, 0.71, 0.72, 0.75, 0.9];
 const STIFFNESSES: [f64; 3] = [2.5, 5.0, 10.0];
 
-const HEAD: &str = "change,cage_rpm,orbit_low_rpm,orbit_high_rpm,peak_ag,rms_ag,peak_ptfe,force_n,share";
+const HEAD: &str = "change,cage_rpm,balls_rpm,orbit_low_rpm,orbit_high_rpm,peak_ag,rms_ag,peak_ptfe,force_n,share";
 
 /// Both coatings with the same changes.
 fn plans(changes: &[(&str, String)]) -> [Plan; 2] {
@@ -46,8 +46,9 @@ fn row(name: &str, ag: &Transient, ptfe: &Transient) -> String {
     let [low, high] = a.orbit_limits();
     let x = |s: &crate::transient::StateSample| s.outer_acceleration[0];
     format!(
-        "{name},{:.1},{low:.0},{high:.0},{:.1},{:.1},{:.1},{:.0},{:.2}",
+        "{name},{:.1},{:.1},{low:.0},{high:.0},{:.1},{:.1},{:.1},{:.0},{:.2}",
         a.cage_rpm(),
+        a.mean_orbit_rpm(),
         a.peak(x),
         a.rms(x),
         p.peak(x),
@@ -64,6 +65,7 @@ pub fn run() -> Result<(), Failure> {
             wanted.push((format!("{path} {word}"), vec![(path, value.to_owned())]));
         }
     }
+    wanted.push(("no cage".to_owned(), vec![("cage.pocket_stiffness", "N_per_um(0)".to_owned())]));
     for gap in GAPS_MM {
         for stiffness in STIFFNESSES {
             let changes = vec![
@@ -93,7 +95,8 @@ pub fn block() -> Result<String, Failure> {
     let head = [
         "change",
         "cage r/min",
-        "ball r/min",
+        "balls r/min",
+        "one ball r/min",
         "peak Ag m/s²",
         "rms Ag m/s²",
         "peak PTFE m/s²",
@@ -107,6 +110,7 @@ pub fn block() -> Result<String, Failure> {
         rows.push(vec![
             cell("change")?,
             cell("cage_rpm")?,
+            cell("balls_rpm")?,
             range,
             cell("peak_ag")?,
             cell("rms_ag")?,

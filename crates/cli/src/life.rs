@@ -23,7 +23,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     strides: u32,
     /// End after this running time in h, should the coatings last longer
-    #[arg(long, value_name = "HOURS", value_parser = hours)]
+    #[arg(long, value_name = "HOURS", value_parser = hours, allow_negative_numbers = true)]
     until: Option<f64>,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
@@ -246,7 +246,7 @@ impl<'a> Worn<'a> {
     /// What the reader of a life must know.
     fn warnings(&self) -> Vec<String> {
         let mut all = vec![
-            "the life is as good as the wear coefficients, orders of magnitude as a rule: it is in inverse proportion to them"
+            "the life is in inverse proportion to the wear coefficients, which are orders of magnitude as a rule, and no film comes back from the cage"
                 .to_owned(),
         ];
         if !self.file.case.defects.is_empty() {
@@ -274,27 +274,19 @@ fn steel_shows(rows: &[Row], case: &Case) -> Option<f64> {
     times.reduce(f64::min)
 }
 
-const HEADER: [&str; 11] = [
-    "time h",
-    "10⁶ turns",
-    "h_i µm",
-    "h_o µm",
-    "α_0 °",
-    "α_i °",
-    "α_o °",
-    "p_i GPa",
-    "ω_c r/min",
-    "w_i µm³/s",
-    "w_o µm³/s",
-];
+const HEADER: [&str; 10] =
+    ["turns", "h_i µm", "h_o µm", "α_0 °", "α_i °", "α_o °", "p_i GPa", "ω_c r/min", "w_i µm³/s", "w_o µm³/s"];
 
 fn print(a: &Answer) -> Result<(), Failure> {
     table::print_line(&format!("{}: {}\n", a.case, a.bearing))?;
-    let range = |least: f64, most: f64| format!("{}–{}", number(least, 2), number(most, 2));
+    // Lives go from seconds to months.
+    let (unit, per_hour) = if a.end_h < 1.0 { ("s", HOUR) } else { ("h", 1.0) };
+    let time = |hours: f64| number(hours * per_hour, 2);
+    let range = |least: f64, most: f64| format!("{} – {}", number(least, 2), number(most, 2));
     let row = |r: &Row| {
         vec![
-            number(r.time_h, 3),
-            number(r.revolutions * 1e-6, 3),
+            time(r.time_h),
+            format!("{:.4e}", r.revolutions),
             number(r.coating_inner_min_um, 3),
             number(r.coating_outer_min_um, 3),
             number(r.contact_angle_free_deg, 3),
@@ -302,11 +294,13 @@ fn print(a: &Answer) -> Result<(), Failure> {
             range(r.contact_angle_outer_min_deg, r.contact_angle_outer_max_deg),
             number(r.pressure_inner_max_gpa, 3),
             number(r.cage_speed_rpm, 2),
-            number(r.wear_rate_inner_um3_s, 0),
-            number(r.wear_rate_outer_um3_s, 0),
+            format!("{:.4e}", r.wear_rate_inner_um3_s),
+            format!("{:.4e}", r.wear_rate_outer_um3_s),
         ]
     };
-    table::print_rows(&HEADER, a.strides.iter().map(row))?;
+    let first = format!("time {unit}");
+    let header: Vec<&str> = std::iter::once(first.as_str()).chain(HEADER).collect();
+    table::print_rows(&header, a.strides.iter().map(row))?;
     table::print_line("")?;
     let end = match a.worn_through[..] {
         [] => "no coating is through".to_owned(),
@@ -314,9 +308,9 @@ fn print(a: &Answer) -> Result<(), Failure> {
         _ => "both coatings are through".to_owned(),
     };
     if let Some(hours) = a.steel_shows_h {
-        table::print_line(&format!("after {} h steel shows in the middle of a track", number(hours, 3)))?;
+        table::print_line(&format!("after {} {unit} steel shows in the middle of a track", time(hours)))?;
     }
-    table::print_line(&format!("after {} h, {:.4e} turns: {end}", number(a.end_h, 3), a.end_revolutions))?;
+    table::print_line(&format!("after {} {unit}, {:.4e} turns: {end}", time(a.end_h), a.end_revolutions))?;
     for warning in &a.warnings {
         table::print_line(&format!("warning: {warning}"))?;
     }

@@ -14,21 +14,17 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tribodyn_bearing::case::{Case, set_value};
-use tribodyn_dynamics::{Run, RunError, Statistics};
+use tribodyn_dynamics::{Run, RunError};
 use tribodyn_record::{RunRecorder, RunRecording};
 
 /// A finished run.
 #[derive(Debug)]
 pub struct Transient {
-    pub id: String,
     pub label: String,
-    /// The case file with the plan's changes.
-    pub text: String,
     pub case: Case,
     pub trace: Trace,
     /// Mean orbital speed of the quasi-static solution at the start, r/min.
     pub start_rpm: f64,
-    pub statistics: Statistics,
 }
 
 impl Transient {
@@ -92,12 +88,9 @@ fn run(plan: &Plan, recording: Option<PathBuf>) -> Result<Transient, Failure> {
         recorder.finish()?;
     }
     Ok(Transient {
-        id: plan.id.clone(),
         label: plan.label.clone(),
         start_rpm: solver.solution().cage_speed_rpm,
-        statistics: solver.statistics(),
         trace: observer.trace,
-        text,
         case,
     })
 }

@@ -120,37 +120,10 @@ impl<'a> Window<'a> {
         sums.map(|(sum, count)| sum / f64::from(count))
     }
 
-    /// Of every passage of a ball through the light zone and on, 90° to 450°, the azimuth of its first impact; the median in
-    /// degrees below 360, and how many passages had one.
-    pub fn first_impact(&self) -> (f64, usize) {
-        let mut firsts: Vec<f64> = Vec::new();
-        for ball in 0..self.balls.first().map_or(0, |(_, balls)| balls.len()) {
-            let mut last: Option<(f64, f64)> = None;
-            for impact in self.impacts().filter(|i| i.ball == ball) {
-                // Degrees after leaving the heavy zone.
-                let after = (impact.azimuth_deg - 90.0).rem_euclid(360.0);
-                if last.is_none_or(|(time, place)| after < place || (impact.time_s - time) * self.cage_hz() > 0.9) {
-                    firsts.push(after);
-                }
-                last = Some((impact.time_s, after));
-            }
-        }
-        firsts.sort_by(f64::total_cmp);
-        let median = firsts.get(firsts.len() / 2).map_or(f64::NAN, |after| (after + 90.0).rem_euclid(360.0));
-        (median, firsts.len())
-    }
-
     /// Part of the impacts between two azimuths, degrees.
     pub fn impact_share(&self, [from, to]: [f64; 2]) -> f64 {
         let total = self.impacts().count();
         let inside = self.impacts().filter(|i| (from..=to).contains(&i.azimuth_deg)).count();
         inside as f64 / total as f64
-    }
-
-    /// Azimuth of the greatest mean pocket force against the orbit, degrees.
-    pub fn hardest_pocket(&self) -> f64 {
-        let forces = self.sectors(|b| b.pocket_force_n.abs());
-        let best = (0..SECTORS).max_by(|&a, &b| forces[a].total_cmp(&forces[b])).unwrap_or(0);
-        360.0 / SECTORS as f64 * best as f64
     }
 }

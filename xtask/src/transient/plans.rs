@@ -24,6 +24,8 @@ const DEFECT: &str = "fixtures/cases/paper-ag-defect.ron";
 const AXIAL_LOAD: f64 = 54_760.0;
 /// Long enough for these rows: they settle within 0.05 s.
 const PRELOAD_DURATION: &str = "s(0.12)";
+/// Half of the paper's step: at a quarter of the load a ball skids and the classical Runge–Kutta method is stable to 8.6e-6 s.
+const PRELOAD_SCHEME: &str = "RungeKutta4(step: us(5))";
 
 impl Plan {
     pub fn new(id: &str, label: &str, file: &str) -> Self {
@@ -50,6 +52,7 @@ impl Plan {
         Self::new(&format!("axial-{percent}"), &format!("{percent} % axial load"), AG)
             .with("ring.z", &format!("Force(N({load}))"))
             .with("transient.duration", PRELOAD_DURATION)
+            .with("transient.scheme", PRELOAD_SCHEME)
     }
 
     pub fn defect() -> Self {
@@ -72,11 +75,11 @@ impl Set {
     pub fn run(recordings: Option<&Path>) -> Result<Self, Failure> {
         let [p25, p50, p75] = [25, 50, 75].map(Plan::axial);
         // The longest first, so that no core waits at the end.
-        let plans = [Plan::ag(), Plan::ptfe(), p25, p50, p75, Plan::defect()];
+        let plans = [Plan::defect(), Plan::ag(), Plan::ptfe(), p25, p50, p75];
         let runs: [Transient; 6] = run_all(&plans, recordings)?
             .try_into()
             .map_err(|_| Failure::Check { what: "dynamic runs", findings: vec!["not all came back".to_owned()] })?;
-        let [ag, ptfe, a, b, c, defect] = runs;
+        let [defect, ag, ptfe, a, b, c] = runs;
         Ok(Self { ag, ptfe, axial: [a, b, c], defect })
     }
 

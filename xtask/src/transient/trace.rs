@@ -17,10 +17,8 @@ pub struct StateSample {
     pub cage_speed: f64,
     /// Mean orbital speed of the balls, rad/s.
     pub mean_orbit: f64,
-    /// Azimuth, orbital speed and pocket force of ball 0.
-    pub azimuth: f64,
+    /// Orbital speed of ball 0, rad/s.
     pub orbit: f64,
-    pub pocket: f64,
     /// Largest pocket force of any ball, N.
     pub pocket_peak: f64,
 }
@@ -31,7 +29,6 @@ pub struct Impact {
     pub time_s: f64,
     pub ball: usize,
     pub azimuth_deg: f64,
-    pub closing_speed_m_s: f64,
 }
 
 /// Samples and events of a run.
@@ -43,7 +40,6 @@ pub struct Trace {
     /// Time and all balls, at the ball rate.
     pub balls: Vec<(f64, Vec<BallSample>)>,
     pub impacts: Vec<Impact>,
-    pub contacts_lost: usize,
     pub warnings: Vec<String>,
     /// What is missing in the power balance over what was put in, at the end.
     pub imbalance: f64,
@@ -56,7 +52,6 @@ impl Trace {
             states: Vec::new(),
             balls: Vec::new(),
             impacts: Vec::new(),
-            contacts_lost: 0,
             warnings: Vec::new(),
             imbalance: f64::NAN,
         }
@@ -71,9 +66,7 @@ impl Trace {
             outer_acceleration: sample.outer.acceleration_m_s2,
             cage_speed: sample.cage.speed_rad_s,
             mean_orbit: sample.balls.iter().map(|b| b.orbital_speed_rad_s).sum::<f64>() / count,
-            azimuth: first.azimuth_rad,
             orbit: first.orbital_speed_rad_s,
-            pocket: first.pocket_force_n,
             pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket_force_n.abs().max(most)),
         });
         if with_balls {
@@ -84,15 +77,11 @@ impl Trace {
 
     fn note(&mut self, event: &Event) {
         match &event.kind {
-            EventKind::Impact { ball, azimuth_deg, closing_speed_m_s, .. } => self.impacts.push(Impact {
-                time_s: event.time_s,
-                ball: *ball,
-                azimuth_deg: *azimuth_deg,
-                closing_speed_m_s: *closing_speed_m_s,
-            }),
-            EventKind::ContactLost { .. } => self.contacts_lost += 1,
+            EventKind::Impact { ball, azimuth_deg, .. } => {
+                self.impacts.push(Impact { time_s: event.time_s, ball: *ball, azimuth_deg: *azimuth_deg });
+            }
             EventKind::Warning { message } => self.warnings.push(message.clone()),
-            EventKind::ContactMade { .. } | EventKind::CoatingThrough { .. } => {}
+            EventKind::ContactLost { .. } | EventKind::ContactMade { .. } | EventKind::CoatingThrough { .. } => {}
         }
     }
 }

@@ -27,7 +27,7 @@ pub enum RunError {
     Incomplete { path: PathBuf, found: u64, expected: u64 },
     #[error("{} holds no sample of a transient run that can be read", path.display())]
     NoRun { path: PathBuf },
-    #[error("{file}: {source}")]
+    #[error("{file}: {source}{}", hint(source))]
     CannotStart { file: String, source: DynamicsError },
     #[error("{file}: {source}; what was recorded before is in {}", recording.display())]
     BrokenOff { file: String, source: DynamicsError, recording: PathBuf },
@@ -42,6 +42,16 @@ pub enum RunError {
     NoCheckpoint { simulated_s: f64, checkpoint: PathBuf, source: std::io::Error, active: PathBuf },
     #[error("stopped after {simulated_s} of {duration_s} s; --resume goes on from there")]
     Stopped { simulated_s: f64, duration_s: f64 },
+}
+
+/// Where a reader finds what a case for `solve` does not need.
+fn hint(error: &DynamicsError) -> &'static str {
+    match error {
+        DynamicsError::Missing { .. } => {
+            "; docs/case-file.md has the fields, fixtures/cases/paper-ag-worn.ron an example of each"
+        }
+        _ => "",
+    }
 }
 
 impl RunError {

@@ -76,7 +76,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .duration
         .map(|seconds| Change::new(format!("--duration {seconds}"), "transient.duration", &format!("s({seconds})")));
     let changes: Vec<Change> = arguments.case.changes.iter().cloned().chain(duration).collect();
-    let file = CaseFile::read(&arguments.case.path, &changes)?;
+    let file = CaseFile::read(&arguments.case.path, &changes).map_err(|failure| match failure {
+        // Only a section can be missing on the way to a duration: the news is that, and not the path.
+        Failure::Change { ref option, .. } if option.starts_with("--duration") => RunError::CannotStart {
+            file: arguments.case.path.display().to_string(),
+            source: DynamicsError::Missing { path: "transient" },
+        }
+        .into(),
+        other => other,
+    })?;
     check_output(&arguments.output, &arguments.case.path, "recording")?;
     let files = Files::new(&arguments.output);
     let saved = earlier(arguments, &files, &file.text)?;

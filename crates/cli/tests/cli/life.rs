@@ -96,7 +96,7 @@ fn limit_what_lasts_for_ever_needs_an_end() {
     let none = ["wear.inner.coefficient=0", "wear.outer.coefficient=0"];
     life(&none, &[]).fails(2, &["--until is missing", "nothing wears a coating through"]);
     let answer = life(&none, &["--until", "100"]);
-    assert!(answer.table().contains("after 100.000 h") && answer.table().contains("no coating is through"));
+    assert!(answer.table().contains("after 100.00 h") && answer.table().contains("no coating is through"));
     life(&[], &["--until", "-1"]).fails(2, &["number of hours above 0"]);
     life(&[], &["--strides", "0"]).fails(2, &["--strides"]);
 }

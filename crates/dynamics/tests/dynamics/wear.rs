@@ -41,17 +41,17 @@ fn identity_a_defect_is_felt_by_the_ball_that_passes() {
     assert!(strongest(&keep) > 3.0 * strongest(&quiet), "{} {}", strongest(&keep), strongest(&quiet));
 }
 
-/// The balance holds while balls pass a pit: the slope of the groove does work on the orbit.
+/// The balance holds while balls pass a pit: the slope of the groove does work on the orbit. (At the edges of the pit the
+/// scheme errs by some 1e-8; without a defect by 2e-13.)
 #[test]
 fn identity_power_balances_over_a_defect() {
-    let changes = [&SHORT[..], &[("transient.scheme", "RungeKutta4(step: us(2))")]].concat();
-    let share = |step: &str| {
-        let changes = [&changes[..], &[("transient.scheme", step)]].concat();
+    let share = |changes: &[(&str, &str)]| {
+        let changes = [&SHORT[..], &[("transient.scheme", "RungeKutta4(step: us(2))")], changes].concat();
         let power = run(&with(WORN, &changes)).1.samples.pop().unwrap().power;
         (power.imbalance_j / power.throughput_j).abs()
     };
-    let (coarse, fine) = (share("RungeKutta4(step: us(2))"), share("RungeKutta4(step: us(1))"));
-    assert!(fine < 1e-7 && fine < 0.3 * coarse, "{coarse:e} {fine:e}");
+    let (with_pit, without) = (share(&[]), share(&[("defects", "[]")]));
+    assert!(with_pit < 1e-7 && without < 1e-10, "{with_pit:e} {without:e}");
 }
 
 #[test]

@@ -22,20 +22,27 @@
 //! Sources: splitting, Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, chapters II.5 and VIII.4
 //! (impulse method); H. H. Rosenbrock, Comput. J. 5 (1963) 329, doi:10.1093/comjnl/5.4.329.
 
-use crate::forces::{Frame, Sums, Watch};
-use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
+mod drift;
+mod friction;
+
+use crate::forces::{Frame, Watch};
+use crate::layout::{AZIMUTH, BALL, Layout, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction, load_of};
 use crate::machine::Machine;
 use crate::pocket::PocketLoad;
-use nalgebra::{Matrix5, Matrix6, SMatrix, Vector5, Vector6};
+use drift::{drift_acceleration, glide, push};
+use friction::{Friction, friction, in_inertial_axes, inverse_with_held, ring_in_ball_axes};
+use nalgebra::{Matrix5, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tribodyn_bearing::traction::{PatchTraction, TractionLaw};
-use tribodyn_bearing::{BallLoads, BallState, LoadedPatch, LocalSurface, NormalLoads, Side, in_ball_axes};
+use tribodyn_bearing::{BallState, LoadedPatch, LocalSurface, NormalLoads, Side, in_ball_axes};
 
 /// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it does
 /// not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an orbit.
 const SMOOTHING_TIME: f64 = 5e-4;
+/// The same for the rings, s: they vibrate at lower frequencies.
+const RING_SMOOTHING_TIME: f64 = 5e-3;
 /// Steps between new matrices of the rings: they only predict, and turn with the balls by a degree or so.
 const RINGS_EVERY: usize = 16;
 /// Most steps that a linear traction serves.
@@ -87,20 +94,6 @@ struct Grip {
     watch: Watch,
 }
 
-/// Friction of one ball linearised: S is the stiffness of a patch, G and R its motion by the velocities of ball and ring;
-/// ring velocities are (a, r, t) of the inner ring and of the outer, in the ball's azimuth frame.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Friction {
-    /// (1 − ½ H A)⁻¹.
-    inverse: Matrix6<f64>,
-    /// Gᵀ S R: force on the ball by ring velocities.
-    coupling: Matrix6<f64>,
-    /// Rᵀ S R of both contacts: force on a ring by its own velocity.
-    own: Matrix6<f64>,
-    /// Change of the ball's velocities with the rings', (1 − ½ H A)⁻¹ ½ H M⁻¹ Gᵀ S R.
-    follow: Matrix6<f64>,
-}
-
 impl Grip {
     fn add<L>(
         &mut self,
@@ -117,15 +110,6 @@ impl Grip {
         self.watch.semi_lateral[k] = semi_lateral;
         self.watch.loaded[k] = true;
     }
-}
-
-impl Friction {
-    const NONE: fn() -> Self = || Self {
-        inverse: Matrix6::identity(),
-        coupling: Matrix6::zeros(),
-        own: Matrix6::zeros(),
-        follow: Matrix6::zeros(),
-    };
 }
 
 impl Default for Fast {
@@ -191,7 +175,7 @@ impl Fast {
         if renew {
             self.step = h;
         }
-        let mut on_rings = Vector5::zeros();
+        let mut on_rings = self.ring_common(machine);
         let mut cage_torque = 0.0;
         for index in 0..l.balls {
             let at = l.ball(index);
@@ -235,14 +219,26 @@ impl Fast {
             y[l.outer() + 2 + k] += outer * on_rings[3 + k];
         }
         y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
-        self.smooth(h / SMOOTHING_TIME);
+        self.smooth(l, h);
     }
 
     /// Lets the common acceleration follow that of the drift.
-    fn smooth(&mut self, share: f64) {
-        for (common, drift) in self.common.iter_mut().zip(&self.drift) {
-            *common += share.min(1.0) * (drift - *common);
-        }
+    fn smooth(&mut self, l: Layout, h: f64) {
+        let follow = |common: &mut [f64], drift: &[f64], time: f64| {
+            let share = (h / time).min(1.0);
+            common.iter_mut().zip(drift).for_each(|(c, d)| *c += share * (d - *c));
+        };
+        let (balls, rings) = self.common.split_at_mut(l.cage());
+        follow(balls, &self.drift, SMOOTHING_TIME);
+        follow(rings, &self.drift[l.cage()..], RING_SMOOTHING_TIME);
+    }
+
+    /// What the kick takes over from the drift of the rings, N.
+    fn ring_common<L: TractionLaw>(&self, machine: &Machine<L>) -> Vector5<f64> {
+        let l = machine.layout;
+        let (i, o) = (&self.common[l.inner() + 3..], &self.common[l.outer() + 2..]);
+        let (inner, outer) = (machine.inner.mass, machine.outer.mass);
+        Vector5::new(inner * i[0], inner * i[1], inner * i[2], outer * o[0], outer * o[1])
     }
 
     /// Traction of a patch of ball `index` from the linear form where that holds, for samples.
@@ -344,38 +340,6 @@ impl Fast {
     }
 }
 
-/// Inverse of a matrix in which an infinite diagonal element stands for an axis that is held.
-fn inverse_with_held(mut sum: Matrix5<f64>) -> Matrix5<f64> {
-    let held: Vec<usize> = (0..5).filter(|&k| sum[(k, k)].is_infinite()).collect();
-    held.iter().for_each(|&k| sum[(k, k)] = 1.0);
-    let mut inverse = sum.try_inverse().unwrap_or_else(Matrix5::zeros);
-    held.iter().for_each(|&k| inverse[(k, k)] = 0.0);
-    inverse
-}
-
-/// (a, r, t) of inner and outer ring as (x, y, z) and (x, y).
-fn in_inertial_axes([sin, cos]: [f64; 2], v: &Vector6<f64>) -> Vector5<f64> {
-    Vector5::new(
-        v[1] * cos - v[2] * sin,
-        v[1] * sin + v[2] * cos,
-        v[0],
-        v[4] * cos - v[5] * sin,
-        v[4] * sin + v[5] * cos,
-    )
-}
-
-/// The other way round.
-fn ring_in_ball_axes([sin, cos]: [f64; 2], v: &Vector5<f64>) -> Vector6<f64> {
-    Vector6::new(
-        v[2],
-        v[0] * cos + v[1] * sin,
-        v[1] * cos - v[0] * sin,
-        0.0,
-        v[3] * cos + v[4] * sin,
-        v[4] * cos - v[3] * sin,
-    )
-}
-
 /// Accelerations of a ball by all that the drift leaves out: traction, drag, churning, pocket and gyroscopic moment.
 fn kick_acceleration<L: TractionLaw>(
     machine: &Machine<L>,
@@ -397,140 +361,4 @@ fn kick_acceleration<L: TractionLaw>(
         (grip.moment[1] + churning[1] + pocket.moment[1]) / j + w * s.spin[2],
         (grip.moment[2] + churning[2]) / j - w * s.spin[1],
     )
-}
-
-/// Accelerations of balls, rings and cage by contact forces, supports, loads and the centrifugal force; of
-/// the orbital speed, the rate of the angular momentum over m r². The centrifugal force is here and not in the glide so
-/// that dampers see the velocity of the middle of a step and not half a step of it.
-fn drift_acceleration<L: TractionLaw>(machine: &Machine<L>, t: f64, y: &[f64], a: &mut [f64], stands: &mut Vec<Stand>) {
-    let l = machine.layout;
-    stands.clear();
-    let frame = machine.frame(t, y);
-    let m = machine.bearing.ball_mass;
-    let mut sums = Sums::default();
-    for index in 0..l.balls {
-        let b = &y[l.ball(index)..][..BALL];
-        let (state, surfaces) = machine.ball_state(b, &frame);
-        let normal =
-            machine.bearing.normal_loads(&state, [&frame.rings[0], &frame.rings[1]], [&surfaces[0], &surfaces[1]]);
-        stands.push(Stand { azimuth: state.azimuth, position: state.position, normal, surfaces });
-        let ([n_a, n_r], [o_a, o_r]) =
-            ([normal.inner.pose.sin, normal.inner.pose.cos], [normal.outer.pose.sin, normal.outer.pose.cos]);
-        let (i, o) = (normal.inner.force, normal.outer.force);
-        let at = l.ball(index);
-        let r = normal.orbit_radius;
-        a[at + VELOCITY] = (i * n_a - o * o_a) / m;
-        a[at + VELOCITY + 1] = (i * n_r - o * o_r) / m + r * b[ORBIT] * b[ORBIT];
-        a[at + ORBIT] = normal.eccentricity / (m * r);
-        let on_inner = inertial(state.azimuth, [i * n_a, i * n_r, 0.0]);
-        let on_outer = inertial(state.azimuth, [-o * o_a, -o * o_r, 0.0]);
-        for k in 0..3 {
-            sums.on_rings[0][k] -= on_inner[k];
-            sums.on_rings[1][k] -= on_outer[k];
-        }
-    }
-    let bodies = machine.bodies(t, &frame, &sums);
-    a[l.cage() + 1] = bodies.cage;
-    a[l.inner() + 3..l.inner() + 6].copy_from_slice(&bodies.inner);
-    a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);
-}
-
-/// Velocities by the drift's accelerations.
-fn push<L>(machine: &Machine<L>, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
-    let l = machine.layout;
-    for index in 0..l.balls {
-        let at = l.ball(index);
-        for k in at + VELOCITY..=at + ORBIT {
-            y[k] += h * (a[k] - common[k]);
-        }
-    }
-    y[l.cage() + 1] += h * a[l.cage() + 1];
-    for k in (l.inner() + 3..l.inner() + 6).chain(l.outer() + 2..l.outer() + 4) {
-        y[k] += h * a[k];
-    }
-}
-
-/// Positions by the velocities: half a turn, the straight line, half a turn, the angular momentum held.
-fn glide<L>(machine: &Machine<L>, t: f64, y: &mut [f64], h: f64) {
-    let l = machine.layout;
-    for index in 0..l.balls {
-        let b = &mut y[l.ball(index)..][..BALL];
-        let r = b[RADIUS];
-        b[AZIMUTH] += 0.5 * h * b[ORBIT];
-        b[AXIAL] += h * b[VELOCITY];
-        b[RADIUS] += h * b[VELOCITY + 1];
-        b[ORBIT] *= (r / b[RADIUS]).powi(2);
-        b[AZIMUTH] += 0.5 * h * b[ORBIT];
-    }
-    y[l.cage()] += h * y[l.cage() + 1];
-    for k in l.inner()..l.inner() + 3 {
-        y[k] += h * y[k + 3];
-    }
-    for k in l.outer()..l.outer() + 2 {
-        y[k] += h * y[k + 2];
-    }
-    // Prescribed speeds: the middle of the step is exact for speeds that change in proportion to time.
-    for (k, speed) in machine.speeds.iter().enumerate() {
-        y[l.angles() + k] += h * speed.at(t + 0.5 * h);
-    }
-}
-
-/// [a, r, t] at an azimuth as (x, y, z).
-fn inertial([sin, cos]: [f64; 2], [a, r, t]: [f64; 3]) -> [f64; 3] {
-    [r * cos - t * sin, r * sin + t * cos, a]
-}
-
-/// The friction of a ball, linearised for a step of `h`.
-fn friction<L: TractionLaw>(
-    machine: &Machine<L>,
-    state: &BallState,
-    loads: &BallLoads,
-    contacts: &[LinearTraction; 2],
-    r: f64,
-    h: f64,
-) -> Friction {
-    let mut jacobian = Matrix6::zeros();
-    let (mut coupling, mut own) = (Matrix6::zeros(), Matrix6::zeros());
-    for (k, (side, contact)) in [(Side::Inner, &loads.inner), (Side::Outer, &loads.outer)].into_iter().enumerate() {
-        let stiffness = if contact.load > 0.0 { contacts[k].stiffness() } else { Matrix5::zeros() };
-        let (by_ball, by_ring) = patch_motion(contact.pose.normal(side), r);
-        let force = stiffness * by_ball;
-        jacobian += by_ball.tr_mul(&force);
-        coupling.fixed_view_mut::<6, 3>(0, 3 * k).copy_from(&force.tr_mul(&by_ring));
-        own.fixed_view_mut::<3, 3>(3 * k, 3 * k).copy_from(&by_ring.tr_mul(&(stiffness * by_ring)));
-    }
-    let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
-    let mobility = Vector6::new(1.0 / m, 1.0 / m, 1.0 / (m * r * r), 1.0 / j, 1.0 / j, 1.0 / j);
-    let mut a = Matrix6::from_diagonal(&mobility) * jacobian;
-    // The gyroscopic moment, ω_m (Ω_t e_r − Ω_r e_t).
-    a[(4, 5)] += state.orbital_speed;
-    a[(4, 2)] += state.spin[2];
-    a[(5, 4)] -= state.orbital_speed;
-    a[(5, 2)] -= state.spin[1];
-    // Friction only ever damps; a matrix that cannot be inverted is not one of friction.
-    let inverse = (Matrix6::identity() - a * (0.5 * h)).try_inverse().unwrap_or_else(Matrix6::identity);
-    let follow = inverse * Matrix6::from_diagonal(&mobility) * coupling * (0.5 * h);
-    Friction { inverse, coupling, own, follow }
-}
-
-/// Motion of a patch (rolling, lateral, spin, about lateral, about rolling) by the six velocities of the ball and by the
-/// translation (a, r, t) of the ring.
-fn patch_motion([n_a, n_r]: [f64; 2], r: f64) -> (SMatrix<f64, 5, 6>, SMatrix<f64, 5, 3>) {
-    #[rustfmt::skip]
-    let by_ball = SMatrix::<f64, 5, 6>::from_row_slice(&[
-        0.0, 0.0, r, 0.0, 0.0, 0.0,
-        n_r, -n_a, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, n_a, n_r, 0.0,
-        0.0, 0.0, 0.0, n_r, -n_a, 0.0,
-        0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
-    ]);
-    #[rustfmt::skip]
-    let by_ring = SMatrix::<f64, 5, 3>::from_row_slice(&[
-        0.0, 0.0, -1.0,
-        -n_r, n_a, 0.0,
-        0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0,
-    ]);
-    (by_ball, by_ring)
 }

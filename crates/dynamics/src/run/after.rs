@@ -1,0 +1,222 @@
+//! What happens after a step: samples, events, wear, and a look at whether all is well.
+
+use super::step::hermite;
+use super::{LOOK_EVERY, Run, RunError, Scheme, THROWN_OUT, WEAR_LOOK_EVERY};
+use crate::error::DynamicsError;
+use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS};
+use crate::observer::{Event, EventKind, Observer};
+use crate::sample::Sample;
+use crate::stiffness::Stiffness;
+use std::ops::ControlFlow;
+use tribodyn_bearing::traction::TractionLaw;
+
+impl<L: TractionLaw> Run<L> {
+    /// Takes the step to time `t`: samples on the way, events, wear.
+    pub(super) fn accept<O: Observer>(
+        &mut self,
+        t: f64,
+        observer: &mut O,
+    ) -> Result<ControlFlow<()>, RunError<O::Error>> {
+        self.statistics.steps += 1;
+        let from = self.progress.time;
+        self.pocket_events(t, observer)?;
+        let flow = self.samples_within(from, t, observer)?;
+        std::mem::swap(&mut self.progress.state, &mut self.next);
+        std::mem::swap(&mut self.progress.derivative, &mut self.next_derivative);
+        self.progress.time = t;
+        self.deposit(t - from, observer)?;
+        self.contact_events(observer)?;
+        if self.statistics.steps.is_multiple_of(LOOK_EVERY) {
+            self.look()?;
+        }
+        Ok(flow)
+    }
+
+    pub(super) fn samples_within<O: Observer>(
+        &mut self,
+        from: f64,
+        to: f64,
+        observer: &mut O,
+    ) -> Result<ControlFlow<()>, RunError<O::Error>> {
+        loop {
+            let at = self.progress.samples as f64 / self.state_rate;
+            if at > to * (1.0 + 1e-14) {
+                return Ok(ControlFlow::Continue(()));
+            }
+            let h = to - from;
+            let s = (at - from) / h;
+            // The fast scheme knows no derivatives; its steps end at the samples.
+            let at_the_end = (s - 1.0).abs() < 1e-9 || matches!(self.scheme, Scheme::Fast { .. });
+            let state: Vec<f64> = if at_the_end {
+                self.next.clone()
+            } else {
+                let p = &self.progress;
+                (0..self.next.len())
+                    .map(|i| {
+                        let slopes = [p.derivative[i] * h, self.next_derivative[i] * h];
+                        hermite(s, [p.state[i], self.next[i]], slopes)
+                    })
+                    .collect()
+            };
+            if self.hand_out(at, &state, observer)?.is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
+        }
+    }
+
+    pub(super) fn hand_out<O: Observer>(
+        &mut self,
+        t: f64,
+        state: &[f64],
+        observer: &mut O,
+    ) -> Result<ControlFlow<()>, RunError<O::Error>> {
+        let mut sample = self.sample_at(t, state);
+        if matches!(self.scheme, Scheme::Fast { .. }) {
+            self.add_work(&mut sample);
+        }
+        let with_balls = self.progress.samples.is_multiple_of(self.balls_every);
+        self.progress.samples += 1;
+        observer.sample(&sample, with_balls).map_err(RunError::Observer)
+    }
+
+    /// The fast scheme has no powers of its own order within its steps: work is summed by the trapezium rule over samples.
+    pub(super) fn add_work(&mut self, sample: &mut Sample) {
+        let p = &sample.power;
+        let rates = [p.put_in(), p.lost(), p.shaft_w.abs() + p.load_w.abs()];
+        if self.progress.samples > 0 {
+            let half = 0.5 / self.state_rate;
+            (0..3).for_each(|k| self.progress.work[k] += half * (rates[k] + self.progress.rates[k]));
+        }
+        self.progress.rates = rates;
+        let [put_in, lost, throughput] = self.progress.work;
+        sample.power.imbalance_j = put_in - lost - (sample.power.energy_j - self.progress.energy_at_start);
+        sample.power.throughput_j = throughput;
+    }
+
+    pub(super) fn pocket_events<O: Observer>(&self, t: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
+        let l = self.machine.layout;
+        let pocket = &self.machine.cage.pocket;
+        let lead = |y: &[f64], k: usize| self.machine.lead(k, &y[l.ball(k)..], y[l.cage()]);
+        for ball in 0..l.balls {
+            let (before, after) = (lead(&self.progress.state, ball), lead(&self.next, ball));
+            if pocket.penetration(before) > 0.0 || pocket.penetration(after) <= 0.0 {
+                continue;
+            }
+            let b = &self.next[l.ball(ball)..][..BALL];
+            let kind = EventKind::Impact {
+                ball,
+                azimuth_deg: degrees(b[AZIMUTH]),
+                closing_speed_m_s: (b[ORBIT] - self.next[l.cage() + 1]) * pocket.radius * after.signum(),
+                ball_leads: after > 0.0,
+            };
+            observer.event(&Event { time_s: t, kind }).map_err(RunError::Observer)?;
+        }
+        Ok(())
+    }
+
+    /// Contacts lost and made since the last step.
+    pub(super) fn contact_events<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
+        for ball in 0..self.machine.layout.balls {
+            for side in 0..2 {
+                let now = self.machine.watch[ball].loaded[side];
+                if now == self.progress.loaded[ball][side] {
+                    continue;
+                }
+                self.progress.loaded[ball][side] = now;
+                let azimuth_deg = degrees(self.progress.state[self.machine.layout.ball(ball) + AZIMUTH]);
+                let inner = side == 0;
+                let kind = if now {
+                    EventKind::ContactMade { ball, inner, azimuth_deg }
+                } else {
+                    EventKind::ContactLost { ball, inner, azimuth_deg }
+                };
+                observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Wear of a step of length `h` at the rates of its end.
+    pub(super) fn deposit<O: Observer>(&mut self, h: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
+        let l = self.machine.layout;
+        for ball in 0..l.balls {
+            let watch = self.machine.watch[ball];
+            (0..3).for_each(|k| self.progress.worn[k] += watch.wear[k] * h);
+            if self.machine.wear_acceleration == 0.0 {
+                continue;
+            }
+            for side in 0..2 {
+                let volume = watch.wear[side] * h * self.machine.wear_acceleration;
+                let angle = self.progress.state[l.angles() + side];
+                let azimuth = self.progress.state[l.ball(ball) + AZIMUTH] - angle;
+                self.machine.raceways[side].remove(azimuth, volume, watch.semi_lateral[side]);
+            }
+        }
+        if self.machine.wear_acceleration == 0.0 || !self.statistics.steps.is_multiple_of(WEAR_LOOK_EVERY) {
+            return Ok(());
+        }
+        for side in 0..2 {
+            self.machine.thinnest[side] = self.machine.raceways[side].thinnest();
+            if self.progress.through[side] {
+                continue;
+            }
+            if let Some(azimuth) = self.machine.raceways[side].worn_through() {
+                self.progress.through[side] = true;
+                let kind = EventKind::CoatingThrough { inner: side == 0, azimuth_deg: degrees(azimuth) };
+                observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Length of a whole step, s.
+    pub(super) fn step(&self) -> f64 {
+        match self.scheme {
+            Scheme::Rk4 { step, .. } | Scheme::Fast { step } => step,
+            Scheme::DormandPrince { .. } => self.progress.control.step,
+        }
+    }
+
+    /// Looks at stiffness and at balls that leave.
+    pub(super) fn look<E>(&mut self) -> Result<(), RunError<E>> {
+        let step_s = self.step();
+        let p = &self.progress;
+        self.stiffness = self.machine.stiffness(p.time, &p.state);
+        let l = self.machine.layout;
+        let limit = THROWN_OUT * self.machine.bearing.geometry.ball_diameter;
+        for ball in 0..l.balls {
+            let off = |k: usize| p.state[l.ball(ball) + k] - self.start[l.ball(ball) + k];
+            let distance = off(AXIAL).hypot(off(RADIUS));
+            if distance > limit {
+                return Err(DynamicsError::BallLost {
+                    ball,
+                    time_s: p.time,
+                    distance_mm: distance * 1e3,
+                    step_s,
+                    limit_s: self.stiffness.runge_kutta_step_s,
+                }
+                .into());
+            }
+        }
+        Ok(())
+    }
+
+    /// Says once that a fixed step is beyond the bound.
+    pub(super) fn warn_if_stiff<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
+        let Scheme::Rk4 { step, .. } = self.scheme else { return Ok(()) };
+        let Stiffness { traction_rate_per_s, ball, contact_frequency_hz, runge_kutta_step_s } = self.stiffness;
+        if self.warned || step <= runge_kutta_step_s {
+            return Ok(());
+        }
+        self.warned = true;
+        let message = format!(
+            "the step of {step:.2e} s is beyond the stability of the Runge–Kutta method, {runge_kutta_step_s:.2e} s here (friction of ball {ball} decays at {traction_rate_per_s:.2e} per s, contacts vibrate at {contact_frequency_hz:.0} Hz): results may be wrong without a sign; shorten the step or use the fast scheme"
+        );
+        let kind = EventKind::Warning { message };
+        observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)
+    }
+}
+
+pub(super) fn degrees(azimuth: f64) -> f64 {
+    azimuth.to_degrees().rem_euclid(360.0)
+}

@@ -1,0 +1,319 @@
+//! A run: stepping, samples, events, wear, and what can be saved and taken up again.
+
+mod after;
+mod step;
+
+use crate::dp54::{DormandPrince, StepControl};
+use crate::error::DynamicsError;
+use crate::fast::Fast;
+use crate::forces::System;
+use crate::layout::{BALL, ORBIT, VELOCITY};
+use crate::machine::{Kernel, Machine};
+use crate::observer::Observer;
+use crate::rk4::Rk4;
+use crate::sample::Sample;
+use crate::start::{Started, start};
+use crate::stiffness::Stiffness;
+use serde::{Deserialize, Serialize};
+use tribodyn_bearing::Bearing;
+use tribodyn_bearing::case::{Case, SchemeSpec};
+use tribodyn_bearing::traction::{CoatingLaw, PatchRule, Quadrature, TractionLaw};
+use tribodyn_bearing::wear::Raceway;
+use tribodyn_quasistatic::Solution;
+
+/// A transient run of a case.
+pub struct Run<L = CoatingLaw> {
+    machine: Machine<L>,
+    scheme: Scheme,
+    duration: f64,
+    state_rate: f64,
+    balls_every: u64,
+    progress: Checkpoint,
+    /// State and derivative at the end of a step.
+    next: Vec<f64>,
+    next_derivative: Vec<f64>,
+    scale: Vec<f64>,
+    stiffness: Stiffness,
+    start: Vec<f64>,
+    solution: Solution,
+    warned: bool,
+    statistics: Statistics,
+}
+
+/// Everything that changes during a run: save it, and [`Run::resume`] goes on from it to the same bytes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Checkpoint {
+    time: f64,
+    /// Fixed steps made.
+    steps: u64,
+    /// Samples handed out.
+    samples: u64,
+    state: Vec<f64>,
+    derivative: Vec<f64>,
+    energy_at_start: f64,
+    worn: [f64; 3],
+    raceways: [Raceway; 2],
+    loaded: Vec<[bool; 2]>,
+    through: [bool; 2],
+    control: StepControl,
+    fast: Fast,
+    /// Work put in, lost and put in by magnitude, J, up to the last sample of the fast scheme, and their rates there, W.
+    work: [f64; 3],
+    rates: [f64; 3],
+}
+
+/// What the scheme did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Statistics {
+    /// Steps kept.
+    pub steps: u64,
+    /// Steps rejected by the error control.
+    pub rejected: u64,
+    /// Steps cut where a ball met or left its pocket wall.
+    pub cut_at_pocket: u64,
+    /// Evaluations of all forces.
+    pub evaluations: u64,
+    /// Patches integrated by the fast scheme.
+    pub patches_integrated: u64,
+    /// Patches whose traction it used, most of them from the linear form.
+    pub patches_used: u64,
+}
+
+enum Scheme {
+    Rk4 { step: f64, method: Rk4 },
+    Fast { step: f64 },
+    DormandPrince { tolerance: f64, longest: f64, method: DormandPrince },
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// At its duration.
+    Complete,
+    /// The observer broke it off.
+    Stopped,
+}
+
+/// Why a run broke off.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RunError<E> {
+    /// The solver.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
+    /// The observer.
+    #[error("{0}")]
+    Observer(E),
+}
+
+/// Default rates where the case has no recording section: the rig's acquisition and a fifth of it, Hz.
+const STATE_RATE: f64 = 25_600.0;
+const BALL_RATE: f64 = 5_120.0;
+/// Steps between looks at the stiffness and at balls that leave.
+const LOOK_EVERY: u64 = 1000;
+/// Steps between looks at the thinnest coating.
+const WEAR_LOOK_EVERY: u64 = 64;
+/// Distance from its place at which a ball counts as thrown out, in ball diameters.
+const THROWN_OUT: f64 = 0.1;
+/// First step of the adaptive scheme, s: the paper's.
+const FIRST_STEP: f64 = 1e-6;
+/// Shortest step of the adaptive scheme, s.
+const SHORTEST_STEP: f64 = 1e-12;
+/// Nearest to either end of a step that a pocket event is worth a cut, as a part of the step.
+const CUT_MARGIN: f64 = 1e-6;
+
+impl Run {
+    /// A run of a case from its start.
+    ///
+    /// # Errors
+    /// [`DynamicsError`] where the case lacks something or there is no quasi-static solution to start from.
+    pub fn new(case: &Case) -> Result<Self, DynamicsError> {
+        Self::with_bearing(case, Bearing::new(case)?)
+    }
+}
+
+impl<L: TractionLaw> Run<L> {
+    /// The same run with traction integrated node by node by the generic quadrature: the plain reference of the fast kernel.
+    #[must_use]
+    pub fn with_plain_kernel(mut self) -> Self {
+        let rule = self.machine.kernel.rule();
+        if let Ok(quadrature) = Quadrature::new(rule) {
+            self.machine.kernel = Kernel::Plain(quadrature);
+        }
+        self.begin();
+        self
+    }
+
+    /// A run with a bearing of one's own, with other traction laws for instance.
+    ///
+    /// # Errors
+    /// As [`Run::new`].
+    pub fn with_bearing(case: &Case, bearing: Bearing<L>) -> Result<Self, DynamicsError> {
+        let Started { machine, state, solution } = start(case, bearing)?;
+        let transient = case.transient.as_ref().ok_or(DynamicsError::Missing { path: "transient" })?;
+        let (state_rate, ball_rate) = case.recording.map_or((STATE_RATE, BALL_RATE), |r| (r.state_rate, r.ball_rate));
+        let scheme = match transient.scheme {
+            SchemeSpec::RungeKutta4 { step } => Scheme::Rk4 { step, method: Rk4::default() },
+            SchemeSpec::Fast { step } => Scheme::Fast { step: divides(step, state_rate) },
+            SchemeSpec::DormandPrince { tolerance, longest } => {
+                Scheme::DormandPrince { tolerance, longest, method: DormandPrince::default() }
+            }
+        };
+        let progress = Checkpoint {
+            time: 0.0,
+            steps: 0,
+            samples: 0,
+            derivative: vec![0.0; state.len()],
+            energy_at_start: machine.energy(0.0, &state),
+            worn: [0.0; 3],
+            raceways: machine.raceways.clone(),
+            loaded: vec![[false; 2]; machine.layout.balls],
+            through: [false; 2],
+            control: StepControl::new(FIRST_STEP),
+            fast: Fast::default(),
+            work: [0.0; 3],
+            rates: [0.0; 3],
+            state: state.clone(),
+        };
+        let mut run = Self {
+            scheme,
+            duration: transient.duration,
+            state_rate,
+            balls_every: (state_rate / ball_rate).round().max(1.0) as u64,
+            next: state.clone(),
+            next_derivative: state.clone(),
+            scale: scales(&machine, &state),
+            stiffness: machine.stiffness(0.0, &state),
+            start: state,
+            solution,
+            warned: false,
+            statistics: Statistics::default(),
+            progress,
+            machine,
+        };
+        run.begin();
+        Ok(run)
+    }
+
+    /// Derivative and contacts at the present state.
+    fn begin(&mut self) {
+        let p = &mut self.progress;
+        self.machine.derivative(p.time, &p.state, &mut p.derivative);
+        p.loaded = self.machine.watch.iter().map(|w| w.loaded).collect();
+    }
+
+    /// Goes on from a checkpoint of the same case.
+    ///
+    /// # Errors
+    /// [`DynamicsError::Checkpoint`] for a checkpoint of another bearing.
+    pub fn resume(&mut self, checkpoint: Checkpoint) -> Result<(), DynamicsError> {
+        let (found, expected) = (checkpoint.state.len(), self.start.len());
+        if found != expected || checkpoint.derivative.len() != expected {
+            return Err(DynamicsError::Checkpoint { found, expected });
+        }
+        self.machine.raceways = checkpoint.raceways.clone();
+        self.machine.thinnest = self.machine.raceways.each_ref().map(Raceway::thinnest);
+        self.progress = checkpoint;
+        Ok(())
+    }
+
+    /// What [`Self::resume`] needs.
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint { raceways: self.machine.raceways.clone(), ..self.progress.clone() }
+    }
+
+    /// Simulated time, s.
+    pub fn time(&self) -> f64 {
+        self.progress.time
+    }
+
+    /// Duration of the run, s.
+    pub fn duration(&self) -> f64 {
+        self.duration
+    }
+
+    /// The quasi-static solution from which the run starts.
+    pub fn solution(&self) -> &Solution {
+        &self.solution
+    }
+
+    /// The bound on explicit steps at the last look.
+    pub fn stiffness(&self) -> Stiffness {
+        self.stiffness
+    }
+
+    /// The patch rule of the run.
+    pub fn patch_rule(&self) -> PatchRule {
+        self.machine.kernel.rule()
+    }
+
+    /// What the scheme did so far.
+    pub fn statistics(&self) -> Statistics {
+        let [patches_integrated, patches_used] = self.progress.fast.patches();
+        Statistics { patches_integrated, patches_used, ..self.statistics }
+    }
+
+    /// Everything at the present time.
+    pub fn sample(&self) -> Sample {
+        self.sample_at(self.progress.time, &self.progress.state)
+    }
+
+    fn sample_at(&self, t: f64, y: &[f64]) -> Sample {
+        let p = &self.progress;
+        let so_far = (p.energy_at_start, p.worn);
+        let machine = &self.machine;
+        match self.scheme {
+            Scheme::Fast { .. } => {
+                machine.sample((t, y), so_far, |index, patch| p.fast.traction(machine, index, patch))
+            }
+            _ => machine.sample((t, y), so_far, |_, patch| machine.kernel.traction(&machine.bearing, patch)),
+        }
+    }
+
+    /// Runs to the end of the duration, or to `until` (s) where that is earlier.
+    ///
+    /// # Errors
+    /// [`RunError`] of solver or observer; samples handed out before it are good.
+    pub fn advance<O: Observer>(&mut self, until: f64, observer: &mut O) -> Result<Ending, RunError<O::Error>> {
+        let end = until.min(self.duration);
+        if self.progress.samples == 0 {
+            let state = self.progress.state.clone();
+            if self.hand_out(self.progress.time, &state, observer)?.is_break() {
+                return Ok(Ending::Stopped);
+            }
+        }
+        // A step that would leave a crumb of rounding before the end takes it along.
+        while self.progress.time < end * (1.0 - 1e-14) {
+            self.warn_if_stiff(observer)?;
+            if self.one_step(end, observer)?.is_break() {
+                return Ok(Ending::Stopped);
+            }
+        }
+        Ok(Ending::Complete)
+    }
+}
+
+/// Typical size of each unknown, what the error of the adaptive scheme is compared with.
+fn scales<L: TractionLaw>(machine: &Machine<L>, state: &[f64]) -> Vec<f64> {
+    let l = machine.layout;
+    let speed = (0..l.balls).map(|k| state[l.ball(k) + ORBIT].abs()).fold(1.0, f64::max);
+    let g = &machine.bearing.geometry;
+    let spin = speed * g.pitch_diameter / g.ball_diameter;
+    // Approaches are some 1e-5 m; a contact mode of 1e5 rad/s turns a hundredth of that into 1e-2 m/s.
+    let (length, velocity) = (1e-5, 1e-2);
+    let mut scale = vec![f64::INFINITY; l.len()];
+    for k in 0..l.balls {
+        let b = &mut scale[l.ball(k)..][..BALL];
+        b.copy_from_slice(&[length, length, 1.0, velocity, velocity, speed, spin, spin, spin]);
+        debug_assert_eq!(VELOCITY, 3);
+    }
+    scale[l.cage()..l.cage() + 2].copy_from_slice(&[1.0, speed]);
+    scale[l.inner()..l.inner() + 6].copy_from_slice(&[length, length, length, velocity, velocity, velocity]);
+    scale[l.outer()..l.outer() + 4].copy_from_slice(&[length, length, velocity, velocity]);
+    scale[l.angles()..l.angles() + 2].fill(1.0);
+    scale
+}
+
+/// The longest step of at most `step` that goes a whole number of times into the interval of the samples.
+fn divides(step: f64, rate: f64) -> f64 {
+    1.0 / (rate * (1.0 / (rate * step) - 1e-9).ceil().max(1.0))
+}
