@@ -21,8 +21,10 @@
 //!
 //! What it does not know: any physics; it asks the crates and compares.
 
+mod bench;
 mod ci;
 mod error;
+mod figures;
 mod files;
 mod sensitivity;
 mod table;
@@ -47,6 +49,10 @@ enum Command {
     Fixtures,
     /// Vary what the paper hides of the dynamic model, and rewrite the table of it
     Sensitivity,
+    /// Draw the paper's result figures from our own runs
+    Figures(figures::Arguments),
+    /// Measure kernels, transient schemes and the quasi-static solver
+    Bench(bench::Arguments),
     /// Run everything that continuous integration runs
     Ci,
 }
@@ -56,6 +62,8 @@ fn main() -> ExitCode {
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fixtures => validate::rewrite_fixtures(),
         Command::Sensitivity => sensitivity::run(),
+        Command::Figures(arguments) => figures::run(&arguments),
+        Command::Bench(arguments) => bench::run(&arguments),
         Command::Ci => ci::run(),
     };
     match done {

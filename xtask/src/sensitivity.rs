@@ -46,14 +46,14 @@ fn row(name: &str, ag: &Transient, ptfe: &Transient) -> String {
     let [low, high] = a.orbit_limits();
     let x = |s: &crate::transient::StateSample| s.outer_acceleration[0];
     format!(
-        "{name},{:.1},{:.1},{low:.0},{high:.0},{:.1},{:.1},{:.1},{:.0},{:.2}",
+        "{name},{:.1},{:.1},{low:.0},{high:.0},{:.1},{:.1},{:.1},{:.0},{}",
         a.cage_rpm(),
         a.mean_orbit_rpm(),
         a.peak(x),
         a.rms(x),
         p.peak(x),
         a.pocket_peak(),
-        a.impact_share([245.0, 330.0]),
+        Some(a.impact_share([245.0, 330.0])).filter(|s| s.is_finite()).map_or("–".to_owned(), |s| format!("{s:.2}")),
     )
 }
 

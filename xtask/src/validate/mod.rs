@@ -188,6 +188,11 @@ pub fn rewrite_fixtures() -> Result<(), Failure> {
     print(&format!("{}\n", document::summary(&report)))
 }
 
+/// Draws the figures of the quasi-static cases; returns their names.
+pub fn write_solution_figures(folder: &Path) -> Result<Vec<String>, Failure> {
+    output::figures(folder, &Runs::solve(&paper_case())?, &Published::read()?)
+}
+
 /// Rewrites the table of sensitivities from its committed result.
 pub fn rewrite_sensitivity() -> Result<(), Failure> {
     document::rewrite_sensitivity()

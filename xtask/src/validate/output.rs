@@ -33,14 +33,16 @@ fn recording_name(id: &str) -> String {
     if id == "jh" { "jones-harris.mcap".to_owned() } else { format!("case-{id}.mcap") }
 }
 
-/// Polar figures of cases 1 to 4 with Table 5's points.
-pub fn figures(folder: &Path, runs: &Runs, published: &Published) -> Result<(), Failure> {
+/// Polar figures of cases 1 to 4 with Table 5's points; returns their names.
+pub fn figures(folder: &Path, runs: &Runs, published: &Published) -> Result<Vec<String>, Failure> {
+    let mut names = Vec::new();
     let lines: Vec<_> = runs.cases.iter().map(|run| (run.label, &run.solution)).collect();
     for figure in solution_figures(&lines, &points(published))? {
         files::write(&folder.join(format!("{}.svg", figure.name)), figure.svg().as_bytes())?;
         files::write(&folder.join(format!("{}.png", figure.name)), &figure.png(PNG_WIDTH)?)?;
+        names.push(figure.name);
     }
-    Ok(())
+    Ok(names)
 }
 
 fn points(published: &Published) -> [tribodyn_plot::Published; 2] {

@@ -1,7 +1,7 @@
 //! The examples of the documents are what the command prints, numbers to 1 %: they show what an answer looks like, while
 //! the tests beside this one say how good it is.
 
-use super::command;
+use super::{Scratch, command};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -47,27 +47,44 @@ fn agrees(shown: &str, printed: &str) -> bool {
     free || rest.is_empty()
 }
 
+/// Runs the examples of a text in a folder; their number.
+fn run_examples(name: &str, text: &str, folder: &Path) -> usize {
+    // Every other part of the text between fences is code.
+    let blocks = text.split("```").skip(1).step_by(2);
+    let examples = blocks.filter_map(|block| block.split_once("$ tribodyn ")?.1.split_once('\n'));
+    let mut count = 0;
+    for (line, shown) in examples {
+        count += 1;
+        let words = words(line);
+        let arguments: Vec<&dyn AsRef<OsStr>> = words.iter().map(|word| word as _).collect();
+        let output = command(&arguments).current_dir(folder).output().unwrap();
+        let printed = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        assert!(agrees(shown, &printed), "{name}: `tribodyn {line}` now prints\n{printed}");
+    }
+    count
+}
+
 #[test]
 fn regress_examples_of_the_documents() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut examples = 0;
-    for name in ["README.md", "docs/case-file.md", "docs/sweep.md"] {
+    for name in ["README.md", "docs/case-file.md", "docs/sweep.md", "docs/running.md", "docs/life.md"] {
         let text = std::fs::read_to_string(root.join(name)).unwrap();
-        // Every other part of the text between fences is code.
-        for block in text.split("```").skip(1).step_by(2) {
-            let Some((line, shown)) = block.split_once("$ tribodyn ").and_then(|(_, rest)| rest.split_once('\n'))
-            else {
-                continue;
-            };
-            examples += 1;
-            let words = words(line);
-            let arguments: Vec<&dyn AsRef<OsStr>> = words.iter().map(|word| word as _).collect();
-            let output = command(&arguments).current_dir(&root).output().unwrap();
-            let printed = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
-            assert!(agrees(shown, &printed), "{name}: `tribodyn {line}` now prints\n{printed}");
-        }
+        examples += run_examples(name, &text, &root);
     }
-    assert!(examples >= 6, "only {examples} examples were found");
+    assert!(examples >= 9, "only {examples} examples were found");
+}
+
+/// The tutorial works as it is written: its case file, and its commands one after the other in one folder.
+#[test]
+fn regress_tutorial() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/tutorial.md");
+    let text = std::fs::read_to_string(path).unwrap();
+    let scratch = Scratch::new();
+    let case = text.split("```ron\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    scratch.file("7210.ron", case);
+    assert!(run_examples("docs/tutorial.md", &text, &scratch.0) >= 5);
+    assert!(scratch.0.join("report/foxglove-layout.json").exists());
 }
 
 #[test]

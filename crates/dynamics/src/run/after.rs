@@ -193,7 +193,7 @@ impl<L: TractionLaw> Run<L> {
                     time_s: p.time,
                     distance_mm: distance * 1e3,
                     step_s,
-                    limit_s: self.stiffness.runge_kutta_step_s,
+                    limit_s: self.longest_step(),
                 }
                 .into());
             }
@@ -203,14 +203,19 @@ impl<L: TractionLaw> Run<L> {
 
     /// Says once that a fixed step is beyond the bound.
     pub(super) fn warn_if_stiff<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
-        let Scheme::Rk4 { step, .. } = self.scheme else { return Ok(()) };
-        let Stiffness { traction_rate_per_s, ball, contact_frequency_hz, runge_kutta_step_s } = self.stiffness;
-        if self.warned || step <= runge_kutta_step_s {
+        let Stiffness { traction_rate_per_s, ball, contact_frequency_hz, .. } = self.stiffness;
+        let (step, name) = match self.scheme {
+            Scheme::Rk4 { step, .. } => (step, "the Runge–Kutta method"),
+            Scheme::Fast { step } => (step, "the fast scheme"),
+            Scheme::DormandPrince { .. } => return Ok(()),
+        };
+        let limit = self.longest_step();
+        if self.warned || step <= limit {
             return Ok(());
         }
         self.warned = true;
         let message = format!(
-            "the step of {step:.2e} s is beyond the stability of the Runge–Kutta method, {runge_kutta_step_s:.2e} s here (friction of ball {ball} decays at {traction_rate_per_s:.2e} per s, contacts vibrate at {contact_frequency_hz:.0} Hz): results may be wrong without a sign; shorten the step or use the fast scheme"
+            "the step of {step:.2e} s is beyond the stability of {name}, {limit:.2e} s here (friction of ball {ball} decays at {traction_rate_per_s:.2e} per s, contacts vibrate at {contact_frequency_hz:.0} Hz): results may be wrong without a sign; shorten the step, or take the fast scheme where friction is the stiffer"
         );
         let kind = EventKind::Warning { message };
         observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)

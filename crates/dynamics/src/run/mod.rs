@@ -241,6 +241,14 @@ impl<L: TractionLaw> Run<L> {
         self.stiffness
     }
 
+    /// Longest step of the run's scheme by that bound, s.
+    fn longest_step(&self) -> f64 {
+        match self.scheme {
+            Scheme::Fast { .. } => self.stiffness.fast_step_s,
+            _ => self.stiffness.runge_kutta_step_s,
+        }
+    }
+
     /// The patch rule of the run.
     pub fn patch_rule(&self) -> PatchRule {
         self.machine.kernel.rule()

@@ -107,12 +107,7 @@ impl<L: TractionLaw> Run<L> {
         } else {
             "the work done".to_owned()
         };
-        DynamicsError::NotFinite {
-            what,
-            time_s: self.progress.time,
-            step_s,
-            limit_s: self.stiffness.runge_kutta_step_s,
-        }
+        DynamicsError::NotFinite { what, time_s: self.progress.time, step_s, limit_s: self.longest_step() }
     }
 
     /// The part of the step after which the first ball meets or leaves its pocket wall.

@@ -1,0 +1,57 @@
+//! Steps allocate nothing: counted by an allocator of the whole process, hence a test binary of its own.
+
+use std::convert::Infallible;
+use std::ops::ControlFlow;
+use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_dynamics::{Event, Observer, Run, Sample};
+
+const PAPER_AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
+
+struct Silent;
+
+impl Observer for Silent {
+    type Error = Infallible;
+
+    fn sample(&mut self, _: &Sample, _: bool) -> Result<ControlFlow<()>, Infallible> {
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn event(&mut self, _: &Event) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+/// Allocations from 1 ms, where everything has its size, to `until`, and steps there. Samples are 20 ms apart.
+fn allocations(scheme: &str, until: f64) -> (u64, u64) {
+    let changes = [
+        ("traction.patch", "SplitStrip(across: 5, along: 3)"),
+        ("transient.scheme", scheme),
+        ("recording.state_rate", "Hz(50)"),
+        ("recording.ball_rate", "Hz(50)"),
+    ];
+    let text = changes.iter().fold(PAPER_AG.to_owned(), |text, (path, value)| set_value(&text, path, value).unwrap());
+    let mut run = Run::new(&Case::from_ron(&text).unwrap()).unwrap();
+    run.advance(1e-3, &mut Silent).unwrap();
+    let before = run.statistics().steps;
+    let counted = allocation_counter::measure(|| {
+        run.advance(until, &mut Silent).unwrap();
+    });
+    (counted.count_total, run.statistics().steps - before)
+}
+
+#[test]
+fn identity_steps_allocate_nothing() {
+    for scheme in ["RungeKutta4(step: us(10))", "Fast(step: us(20))", "DormandPrince(tolerance: 1e-6, longest: us(20))"]
+    {
+        let (allocations, steps) = allocations(scheme, 3e-3);
+        assert!(steps >= 100, "{scheme}: {steps} steps");
+        assert_eq!(allocations, 0, "{scheme}: in {steps} steps");
+    }
+}
+
+/// Without it the count could be that of an allocator that is not in use.
+#[test]
+fn limit_a_sample_does_allocate() {
+    let (allocations, _) = allocations("Fast(step: us(20))", 2.1e-2);
+    assert!(allocations >= 1, "{allocations}");
+}

@@ -1,0 +1,74 @@
+//! Instructions per point of a patch, which no other work on the machine changes: counted by valgrind where there is one.
+
+use super::row::Row;
+use std::path::PathBuf;
+use std::process::Command;
+
+const GROUP: &str = "instructions";
+const EXAMPLE: &str = "kernel_instructions";
+const BUILD: &str = "cargo build --release -p tribodyn-traction --example kernel_instructions";
+/// How often the example runs its three contacts.
+const REPEATS: &str = "100";
+
+pub fn rows() -> Vec<Row> {
+    let name = "kernel";
+    let Some(example) = example() else {
+        return vec![Row::skipped(GROUP, name, format!("not counted: `{BUILD}` builds what is counted"))];
+    };
+    if Command::new("valgrind").arg("--version").output().is_err() {
+        return vec![Row::skipped(GROUP, name, "not counted: there is no valgrind here")];
+    }
+    let rules =
+        [("midpoint", "10 × 40 midpoints"), ("jacobi", "Gauss–Jacobi 4 × 12"), ("strips", "split strips 8 × 3")];
+    let kinds = [("generic", "generic"), ("fast", "fast"), ("derivative", "fast with derivatives")];
+    let mut rows = Vec::new();
+    for (rule, rule_name) in rules {
+        for (kind, kind_name) in kinds {
+            let quantity = format!("{rule_name}, {kind_name}");
+            rows.push(match count(&example, kind, rule) {
+                Some(per_point) => Row::new(GROUP, quantity, per_point, "per point"),
+                None => Row::skipped(GROUP, quantity, "valgrind gave no count"),
+            });
+        }
+    }
+    rows
+}
+
+/// The example, built beside this program.
+fn example() -> Option<PathBuf> {
+    let folder = std::env::current_exe().ok()?.parent()?.join("examples");
+    let path = folder.join(format!("{EXAMPLE}{}", std::env::consts::EXE_SUFFIX));
+    path.exists().then_some(path)
+}
+
+fn count(example: &PathBuf, kind: &str, rule: &str) -> Option<f64> {
+    let mut command = Command::new("valgrind");
+    command.args(["--tool=callgrind", "--toggle-collect=*measured*", "--callgrind-out-file=/dev/null"]);
+    let output = command.arg(example).args([kind, rule, REPEATS]).output().ok()?;
+    per_point(&String::from_utf8_lossy(&output.stdout), &String::from_utf8_lossy(&output.stderr))
+}
+
+/// `nodes N …` of the example, `… Collected : I` of callgrind.
+fn per_point(printed: &str, counted: &str) -> Option<f64> {
+    let nodes: f64 = printed.strip_prefix("nodes ")?.split(' ').next()?.parse().ok()?;
+    let line = counted.lines().find(|line| line.contains("Collected"))?;
+    let instructions: f64 = line.rsplit(':').next()?.trim().parse().ok()?;
+    (nodes > 0.0 && instructions > 0.0).then(|| instructions / nodes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identity_a_count_is_read_from_what_is_printed() {
+        let counted = "==1== Events    : Ir\n==1== Collected : 30000\n==1==\n";
+        assert_eq!(per_point("nodes 1200 checksum 1e0", counted), Some(25.0));
+    }
+
+    #[test]
+    fn limit_no_count_is_no_number() {
+        assert_eq!(per_point("nodes 1200 checksum 1e0", "==1== Collected : 0\n"), None);
+        assert_eq!(per_point("usage", "==1== Collected : 10\n"), None);
+    }
+}

@@ -1,0 +1,142 @@
+//! `cargo xtask bench`: what the kernels, the transient schemes and the quasi-static solver cost, and what the fast scheme
+//! gets wrong for it.
+//!
+//! Times are processor time of the thread that works, the least of several repetitions; what is to be compared runs in turn
+//! in one process. Rows over several threads are wall time and say so.
+
+mod accuracy;
+mod clock;
+mod document;
+mod equilibrium;
+mod instructions;
+mod patch;
+mod row;
+mod speed;
+
+use crate::error::Failure;
+use crate::{files, table};
+use row::Row;
+use serde::Serialize;
+use std::io::Write;
+use std::process::Command;
+use tribodyn_bearing::case::{Case, set_value};
+
+/// The case on which everything is measured.
+const CASE: &str = "fixtures/cases/paper-ag.ron";
+
+/// Options of `cargo xtask bench`.
+#[derive(Debug, Clone, Copy, clap::Args)]
+pub struct Arguments {
+    /// Print JSON instead of a table
+    #[arg(long)]
+    json: bool,
+    /// Fewer repetitions and shorter runs
+    #[arg(long)]
+    quick: bool,
+    /// Rewrite the table in docs/performance.md
+    #[arg(long)]
+    write: bool,
+    /// Measure this build, whatever its profile
+    #[arg(long, hide = true)]
+    inner: bool,
+}
+
+/// Everything measured.
+#[derive(Debug, Serialize)]
+struct Report {
+    machine: Machine,
+    case: &'static str,
+    rows: Vec<Row>,
+}
+
+/// Where it was measured.
+#[derive(Debug, Serialize)]
+struct Machine {
+    processor: String,
+    threads: usize,
+    rustc: String,
+    profile: &'static str,
+    /// Processes waiting per thread, the mean of the last minute; none where the system does not tell.
+    load: Option<f64>,
+}
+
+/// Measures and prints. A development build starts the release build of the same task.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if cfg!(debug_assertions) && !arguments.inner {
+        return in_release(arguments);
+    }
+    let text = files::read(&files::root().join(CASE))?;
+    let quick = arguments.quick;
+    let mut rows = patch::rows(quick)?;
+    rows.extend(instructions::rows());
+    rows.extend(speed::rows(&text, quick)?);
+    rows.extend(accuracy::rows(&text, quick)?);
+    rows.extend(equilibrium::rows(&text, quick)?);
+    let report = Report { machine: machine(), case: CASE, rows };
+    let mut out = if arguments.json {
+        serde_json::to_string_pretty(&report)?
+    } else {
+        format!("{}\n\n{}", report.machine.line(), table::aligned(&row::HEAD, &row::cells(&report.rows)))
+    };
+    out.push('\n');
+    std::io::stdout().write_all(out.as_bytes()).map_err(Failure::Print)?;
+    if arguments.write { document::rewrite(&report) } else { Ok(()) }
+}
+
+/// The same task from `cargo run --release`, which builds it where needed.
+fn in_release(arguments: &Arguments) -> Result<(), Failure> {
+    let program = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    let mut command = Command::new(&program);
+    command.current_dir(files::root()).args([
+        "run",
+        "--release",
+        "--quiet",
+        "--package",
+        "xtask",
+        "--",
+        "bench",
+        "--inner",
+    ]);
+    let options = [("--json", arguments.json), ("--quick", arguments.quick), ("--write", arguments.write)];
+    command.args(options.iter().filter(|(_, wanted)| *wanted).map(|(option, _)| option));
+    let status = command.status().map_err(|source| Failure::Start { program, source })?;
+    if status.success() {
+        return Ok(());
+    }
+    Err(Failure::Command { command: "cargo run --release --package xtask -- bench".to_owned(), status })
+}
+
+/// The case with some of its values replaced.
+fn changed<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<Case, Failure> {
+    let refused = |source| Failure::Case { file: CASE.to_owned(), source: Box::new(source) };
+    let mut text = text.to_owned();
+    for (path, value) in changes {
+        text = set_value(&text, path, value.as_ref()).map_err(refused)?;
+    }
+    Case::from_ron(&text).map_err(refused)
+}
+
+fn machine() -> Machine {
+    let read = |path: &str| std::fs::read_to_string(path).unwrap_or_default();
+    let info = read("/proc/cpuinfo");
+    let model = info.lines().find(|line| line.starts_with("model name")).and_then(|line| line.split_once(':'));
+    let rustc = Command::new("rustc").arg("--version").output();
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let load = read("/proc/loadavg").split(' ').next().and_then(|first| first.parse::<f64>().ok());
+    Machine {
+        processor: model.map_or_else(|| std::env::consts::ARCH.to_owned(), |(_, name)| name.trim().to_owned()),
+        threads,
+        rustc: rustc
+            .map_or_else(|_| "rustc unknown".to_owned(), |o| String::from_utf8_lossy(&o.stdout).trim().to_owned()),
+        profile: if cfg!(debug_assertions) { "development" } else { "release" },
+        load: load.map(|load| load / threads as f64),
+    }
+}
+
+impl Machine {
+    fn line(&self) -> String {
+        let Self { processor, threads, rustc, profile, load } = self;
+        let load = load.map_or_else(String::new, |load| format!(", load {load:.1} per thread"));
+        format!("{processor}, {threads} threads, {rustc}, profile {profile}{load}")
+    }
+}
