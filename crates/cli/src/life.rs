@@ -256,9 +256,12 @@ impl<'a> Worn<'a> {
     }
 }
 
+/// The coating left on a race in a row, µm.
+type Left = fn(&Row) -> f64;
+
 /// When the first of the coatings came down to a third, h: depths are linear in time within a stride.
 fn steel_shows(rows: &[Row], case: &Case) -> Option<f64> {
-    let races: [(f64, fn(&Row) -> f64); 2] = [
+    let races: [(f64, Left); 2] = [
         (case.coatings.inner.thickness * 1e6, |row| row.coating_inner_min_um),
         (case.coatings.outer.thickness * 1e6, |row| row.coating_outer_min_um),
     ];

@@ -87,16 +87,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn in_release(arguments: &Arguments) -> Result<(), Failure> {
     let program = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let mut command = Command::new(&program);
-    command.current_dir(files::root()).args([
-        "run",
-        "--release",
-        "--quiet",
-        "--package",
-        "xtask",
-        "--",
-        "bench",
-        "--inner",
-    ]);
+    command.current_dir(files::root()).args(["run", "--release", "--package", "xtask", "--", "bench", "--inner"]);
     let options = [("--json", arguments.json), ("--quick", arguments.quick), ("--write", arguments.write)];
     command.args(options.iter().filter(|(_, wanted)| *wanted).map(|(option, _)| option));
     let status = command.status().map_err(|source| Failure::Start { program, source })?;

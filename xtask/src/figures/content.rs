@@ -9,6 +9,8 @@ use tribodyn_plot::{
 };
 use tribodyn_signal::{Spectrum, Window as Taper};
 
+/// A run and its name in a legend.
+type Named<'a> = (&'a str, &'a Transient);
 type Quantity = fn(&BallSample) -> f64;
 
 /// Multiples of the passing frequency that are marked.
@@ -17,13 +19,14 @@ const MARKED: usize = 3;
 const UP_TO: f64 = 5000.0;
 
 pub fn all(set: &Set) -> Result<Vec<Entry>, Failure> {
-    let coatings = [&set.ag, &set.ptfe];
-    let loads: Vec<&Transient> = set.by_load().iter().map(|(_, run)| *run).collect();
+    let coatings = [&set.ag, &set.ptfe].map(|run| (run.label.as_str(), run));
+    let [a, b, c, d] = set.by_load().map(|(_, run)| run);
+    let loads = [(a.label.as_str(), a), (&b.label, b), (&c.label, c), ("100 % axial load", d)];
     let mut out = vec![
         entry(
             "13a, b",
             AG,
-            history("fig13-history", "Outer-ring acceleration and orbital speed of a ball", &[&set.ag])?,
+            history("fig13-history", "Outer-ring acceleration and orbital speed of a ball", &coatings[..1])?,
         ),
         entry("13c", AG, spectrum("fig13-spectrum", "Spectrum of the outer ring's acceleration, Ag", &set.ag)?),
         entry(
@@ -45,7 +48,7 @@ pub fn all(set: &Set) -> Result<Vec<Entry>, Failure> {
     let pocket = Axis::new("Pocket force", "N");
     let cage_wear = Axis::new("Wear rate of the pocket", "1e-12 m³/s");
     let spin = Axis::new("Spin ratio", "1/m");
-    let sides = |name: [&str; 2], title: [&str; 2], axis: &Axis, get: [Quantity; 2], runs: &[&Transient]| {
+    let sides = |name: [&str; 2], title: [&str; 2], axis: &Axis, get: [Quantity; 2], runs: &[Named]| {
         let inner = over_orbit(name[0], title[0], axis, get[0], runs)?;
         Ok::<_, Failure>([inner, over_orbit(name[1], title[1], axis, get[1], runs)?])
     };
@@ -101,16 +104,16 @@ fn entry(of: &'static str, caption: &'static str, figure: Figure) -> Entry {
 }
 
 /// Acceleration and orbital speed over the whole run.
-fn history(name: &str, title: &str, runs: &[&Transient]) -> Result<Figure, Failure> {
+fn history(name: &str, title: &str, runs: &[Named]) -> Result<Figure, Failure> {
     let column = |run: &Transient, get: fn(&crate::transient::StateSample) -> f64| -> Vec<f64> {
         run.trace.states.iter().map(get).collect()
     };
-    let times: Vec<_> = runs.iter().map(|run| column(run, |s| s.time_s)).collect();
-    let shaking: Vec<_> = runs.iter().map(|run| column(run, |s| s.outer_acceleration[0])).collect();
-    let speeds: Vec<_> = runs.iter().map(|run| column(run, |s| s.orbit / RPM)).collect();
+    let times: Vec<_> = runs.iter().map(|(_, run)| column(run, |s| s.time_s)).collect();
+    let shaking: Vec<_> = runs.iter().map(|(_, run)| column(run, |s| s.outer_acceleration[0])).collect();
+    let speeds: Vec<_> = runs.iter().map(|(_, run)| column(run, |s| s.orbit / RPM)).collect();
     let acceleration = Axis::new("x acceleration, outer ring", "m/s²");
     let orbital = Axis::new("Orbital speed, one ball", "r/min");
-    let line = |k: usize, y| Samples { label: &runs[k].label, x: &times[k], y };
+    let line = |k: usize, y| Samples { label: runs[k].0, x: &times[k], y };
     let histories = [(acceleration, &shaking), (orbital, &speeds)].map(|(quantity, values)| History {
         title: "",
         quantity,
@@ -132,10 +135,9 @@ fn spectrum(name: &str, title: &str, run: &Transient) -> Result<Figure, Failure>
 }
 
 /// A value of all balls over the azimuth in the settled orbits.
-fn over_orbit(name: &str, title: &str, axis: &Axis, get: Quantity, runs: &[&Transient]) -> Result<Figure, Failure> {
-    let columns: Vec<(Vec<f64>, Vec<f64>)> = runs.iter().map(|run| azimuths(&run.settled(), get)).collect();
-    let samples: Vec<Samples> =
-        runs.iter().zip(&columns).map(|(run, (x, y))| Samples { label: &run.label, x, y }).collect();
+fn over_orbit(name: &str, title: &str, axis: &Axis, get: Quantity, runs: &[Named]) -> Result<Figure, Failure> {
+    let columns: Vec<(Vec<f64>, Vec<f64>)> = runs.iter().map(|(_, run)| azimuths(&run.settled(), get)).collect();
+    let samples: Vec<Samples> = runs.iter().zip(&columns).map(|((label, _), (x, y))| Samples { label, x, y }).collect();
     Ok(orbit_polar(name, title, axis.clone(), &samples)?)
 }
 

@@ -97,6 +97,7 @@ fn evaluate(path: &Path, run: &Run, summary: Summary) -> Result<Evaluated, Failu
     // A damaged or older file may lack its case, or hold one that is refused now: the numbers are there all the same.
     let name = path.display().to_string();
     let case = run.case_text.as_ref().and_then(|text| CaseFile::from_text(&name, text.clone(), &[]).ok());
+    let summary = case.iter().fold(summary, |summary, file| summary.judged(&file.case));
     let start = case.as_ref().map_or_else(Start::default, Start::of);
     let frequencies = facts::frequencies(run, &summary)?;
     let ball_wear = facts::ball_wear(&run.balls);

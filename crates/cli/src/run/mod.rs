@@ -275,7 +275,7 @@ impl Session {
         }
         let stopped =
             matches!(ending, Ending::Stopped).then_some(RunError::Stopped { simulated_s: time_s, duration_s });
-        Ok(outcome::Outcome { report: report.complete(&files.recording, from_s)?, stopped })
+        Ok(outcome::Outcome { report: report.complete(&files.recording, &file.case, from_s)?, stopped })
     }
 }
 

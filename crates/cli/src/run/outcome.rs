@@ -9,6 +9,7 @@ use crate::input::CaseFile;
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use tribodyn_bearing::case::Case;
 use tribodyn_dynamics::{Run, Stiffness};
 use tribodyn_record::{RecordError, RunItem, RunReader};
 
@@ -77,7 +78,7 @@ impl Report {
     }
 
     /// Reads the rest from the recording, which shows that it can be read.
-    pub fn complete(mut self, recording: &Path, from_s: f64) -> Result<Self, Failure> {
+    pub fn complete(mut self, recording: &Path, case: &Case, from_s: f64) -> Result<Self, Failure> {
         let (mut states, mut log) = (Vec::new(), Vec::new());
         for item in RunReader::open(recording)? {
             match item? {
@@ -88,7 +89,7 @@ impl Report {
         }
         let nothing = || RecordError::NothingToRecover { path: recording.to_owned() };
         let summary = Summary::of(&states, None, &log).ok_or_else(nothing)?;
-        let summary = Summary { wear: self.worn, ..summary };
+        let summary = Summary { wear: self.worn, ..summary }.judged(case);
         self.simulated_per_wall = (summary.simulated_s - from_s) / self.wall_s;
         self.summary = Some(summary);
         self.recording = recording.to_owned();

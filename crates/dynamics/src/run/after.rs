@@ -1,7 +1,7 @@
 //! What happens after a step: samples, events, wear, and a look at whether all is well.
 
 use super::step::hermite;
-use super::{LOOK_EVERY, Run, RunError, Scheme, THROWN_OUT, WEAR_LOOK_EVERY};
+use super::{ACCELERATION_ERROR, LOOK_EVERY, Run, RunError, Scheme, THROWN_OUT, WEAR_LOOK_EVERY};
 use crate::error::DynamicsError;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS};
 use crate::observer::{Event, EventKind, Observer};
@@ -199,6 +199,18 @@ impl<L: TractionLaw> Run<L> {
             }
         }
         Ok(())
+    }
+
+    /// Says at the start that the patch rule does not carry accelerations.
+    pub(super) fn warn_if_coarse<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
+        let Some(error) = self.solution.patch_error_estimate.filter(|&error| error > ACCELERATION_ERROR) else {
+            return Ok(());
+        };
+        let message = format!(
+            "the patch rule errs by {error:.1e} of the load: good for speeds and loads, but accelerations and pocket forces may be off by a quarter; traction.patch: TargetError(relative: 1e-5) carries them"
+        );
+        let kind = EventKind::Warning { message };
+        observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)
     }
 
     /// Says once that a fixed step is beyond the bound.

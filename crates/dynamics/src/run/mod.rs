@@ -114,6 +114,9 @@ const LOOK_EVERY: u64 = 1000;
 const WEAR_LOOK_EVERY: u64 = 64;
 /// Distance from its place at which a ball counts as thrown out, in ball diameters.
 const THROWN_OUT: f64 = 0.1;
+/// Error of the patch rule over the load above which accelerations and pocket forces are not to be trusted: they scatter by a
+/// quarter until it is about 1e-5, and the cage speed does not care.
+const ACCELERATION_ERROR: f64 = 1e-4;
 /// First step of the adaptive scheme, s: the paper's.
 const FIRST_STEP: f64 = 1e-6;
 /// Shortest step of the adaptive scheme, s.
@@ -284,6 +287,7 @@ impl<L: TractionLaw> Run<L> {
     pub fn advance<O: Observer>(&mut self, until: f64, observer: &mut O) -> Result<Ending, RunError<O::Error>> {
         let end = until.min(self.duration);
         if self.progress.samples == 0 {
+            self.warn_if_coarse(observer)?;
             let state = self.progress.state.clone();
             if self.hand_out(self.progress.time, &state, observer)?.is_break() {
                 return Ok(Ending::Stopped);

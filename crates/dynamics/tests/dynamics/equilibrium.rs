@@ -48,3 +48,28 @@ fn limit_axial_load_keeps_every_ball_on_its_quasistatic_state_for_ten_orbits() {
 fn limit_the_fast_scheme_keeps_an_equilibrium_too() {
     stays("Fast(step: us(20))", &[GENTLE], 1e-4);
 }
+
+/// A shaft that starts from a standstill takes the balls along, and the power that goes in comes out.
+#[test]
+fn limit_a_run_up_from_rest_ends_near_the_quasistatic_cage_speed() {
+    let changes = [
+        ("ring.x", "Force(N(0))"),
+        ("fluid.drag_coefficient", "0"),
+        ("fluid.churning", "false"),
+        ("speed.inner", "Table([(s(0), rpm(0)), (s(0.03), rpm(3000))])"),
+        ("transient.start", "Rest"),
+        ("transient.duration", "s(0.04)"),
+        ("transient.scheme", "RungeKutta4(step: us(10))"),
+        ("traction.slip_unit", "MeterPerSecond"),
+        ("traction.patch", "GaussJacobi(radial: 2, angles: 8)"),
+    ];
+    let (_, keep) = run(&case(&changes));
+    let (first, last) = (&keep.samples[0], keep.samples.last().unwrap());
+    assert!(first.balls.iter().all(|b| b.orbital_speed_rad_s.abs() < 1e-9) && first.inner.speed_rad_s == 0.0);
+    let mean = last.balls.iter().map(|b| b.orbital_speed_rad_s).sum::<f64>() / 13.0;
+    // Rolling at a contact angle of some 25°, (1 − D cos α/d_m)/2 of the shaft's speed.
+    let rolling = 0.41 * last.inner.speed_rad_s;
+    assert!((mean / rolling - 1.0).abs() < 0.05, "{mean} {rolling}");
+    let power = last.power;
+    assert!((power.imbalance_j / power.throughput_j).abs() < 1e-6, "{:e}", power.imbalance_j / power.throughput_j);
+}

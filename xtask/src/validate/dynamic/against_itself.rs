@@ -38,8 +38,9 @@ pub(super) fn rows(set: &Set) -> Result<Vec<Row>, Failure> {
             "",
             at_passing,
             format!(
-                "the rest of {:.3} lies at other multiples of f_c, which 13 equal balls make only by meeting the cage unequally",
-                share(&window, window.cage_hz())?
+                "{:.3} at multiples of f_c, {:.3} at multiples of half of 13 f_c: every other ball meets the cage alike",
+                share(&window, window.cage_hz())?,
+                share(&window, 0.5 * passing)?
             ),
         ),
     ])
