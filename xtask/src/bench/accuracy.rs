@@ -136,8 +136,11 @@ pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
     let paper = run([PAPER_STEP, PAPER_RULE])?;
     let mut rows: Vec<Row> =
         paper.iter().map(|(what, error, unit, _)| Row::new(GROUP, format!("(b) {what}"), *error, unit)).collect();
-    for (name, rule) in [("(d)", STRIPS_8X3), ("(e)", STRIPS_5X3)] {
-        for ((what, error, unit, decides), (_, limit, ..)) in run([FAST, rule])?.iter().zip(&paper) {
+    let half = "Fast(step: us(10))";
+    for (name, plan) in
+        [("(d)", [FAST, STRIPS_8X3]), ("(e)", [FAST, STRIPS_5X3]), ("(d) at half the step:", [half, STRIPS_8X3])]
+    {
+        for ((what, error, unit, decides), (_, limit, ..)) in run(plan)?.iter().zip(&paper) {
             let row = Row::new(GROUP, format!("{name} {what}"), *error, unit);
             rows.push(if *decides && name == "(d)" { row.must_be(Limit::AtMost(*limit)) } else { row });
         }

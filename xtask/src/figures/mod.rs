@@ -1,7 +1,8 @@
-//! `cargo xtask figures`: the result figures of the paper's transient sections, 13 and 19 to 24, from our own runs, and the
-//! quasi-static ones, 14 and 16 to 18. The paper's numbers are marked where its text gives them.
+//! `cargo xtask figures`: the result figures of the paper from our own runs: 9 and 15 of the traction curves, the transient
+//! 13 and 19 to 24, and the quasi-static 14 and 16 to 18. The paper's numbers are marked where its text gives them.
 
 mod content;
+mod curves;
 
 use crate::error::Failure;
 use crate::files;
@@ -38,7 +39,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let set = in_time("dynamic runs", || Set::run(None))?;
     let folder = files::root().join(&arguments.output);
     let steady = crate::validate::write_solution_figures(&folder)?;
-    let entries = content::all(&set)?;
+    let mut entries = curves::all()?;
+    entries.extend(content::all(&set)?);
     for entry in &entries {
         files::write(&folder.join(format!("{}.svg", entry.figure.name)), entry.figure.svg().as_bytes())?;
         files::write(&folder.join(format!("{}.png", entry.figure.name)), &entry.figure.png(PNG_WIDTH)?)?;
@@ -51,7 +53,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn page(entries: &[Entry], steady: &[String]) -> String {
     let mut out = String::from(
-        "# Figures\n\nThe result figures of the paper from our own runs, all by one command:\n\n    cargo xtask figures\n\nWhich of the paper's statements they bear out stands in [validation.md](validation.md).\n\n## Transient: Figs. 13 and 19 to 24\n",
+        "# Figures\n\nThe result figures of the paper from our own runs, all by one command:\n\n    cargo xtask figures\n\nWhich of the paper's statements they bear out stands in [validation.md](validation.md).\n\n## Traction curves and transient: Figs. 9, 13, 15 and 19 to 24\n",
     );
     for Entry { of, caption, figure } in entries {
         out.push_str(&format!("\n### Fig. {of}\n\n![{0}](figures/{0}.svg)\n\n{caption}\n", figure.name));
