@@ -142,23 +142,9 @@ impl<D: Scalar, L> LoadedPatch<'_, D, L> {
     pub fn blend(&self, by: impl Fn(&L) -> PatchTraction<D>) -> PatchTraction<D> {
         match &self.race.bare_law {
             Some(bare) if self.bare >= 1.0 => by(bare),
-            Some(bare) if self.bare > 0.0 => mixed(by(&self.race.law), by(bare), self.bare),
+            Some(bare) if self.bare > 0.0 => by(&self.race.law).mixed_with(&by(bare), self.bare),
             _ => by(&self.race.law),
         }
-    }
-}
-
-/// a and b in the shares 1 − w and w.
-fn mixed<D: Scalar>(a: PatchTraction<D>, b: PatchTraction<D>, w: f64) -> PatchTraction<D> {
-    let mix = |a: D, b: D| a * (1.0 - w) + b * w;
-    PatchTraction {
-        force_rolling: mix(a.force_rolling, b.force_rolling),
-        force_lateral: mix(a.force_lateral, b.force_lateral),
-        moment_lateral: mix(a.moment_lateral, b.moment_lateral),
-        moment_normal: mix(a.moment_normal, b.moment_normal),
-        moment_rolling: mix(a.moment_rolling, b.moment_rolling),
-        power: mix(a.power, b.power),
-        wear_integral: mix(a.wear_integral, b.wear_integral),
     }
 }
 

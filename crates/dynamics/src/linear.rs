@@ -15,6 +15,9 @@ const LOAD_AS_SLIP: f64 = 1.0;
 const FIRST_REACH: f64 = 1e-2;
 /// Shortest distance, m/s: an estimate of zero error at a lucky point must not end linearisation for good.
 const SHORTEST_REACH: f64 = 1e-6;
+/// Change of the bare part of the surface beyond which the patch is integrated anew: steel has four times the traction of
+/// silver, so that this is 1e-4 of the load.
+const BARE_CHANGE: f64 = 3e-4;
 /// Growth of the distance from one refresh to the next.
 const GROWTH: f64 = 2.0;
 
@@ -39,6 +42,8 @@ pub(crate) struct LinearTraction {
     by_motion: [[f64; 5]; 5],
     by_load: [f64; 5],
     wear_by_load: f64,
+    /// Part of the coating that is gone.
+    bare: f64,
     /// Lateral semi-axis, m.
     semi_lateral: f64,
     /// How far the slip may move from here, m/s; 0 where there is no linear form.
@@ -46,9 +51,11 @@ pub(crate) struct LinearTraction {
 }
 
 impl LinearTraction {
-    /// Whether a motion and a load, N, are near enough.
-    pub fn holds(&self, motion: &RelativeMotion, load: f64, ball_radius: f64) -> bool {
-        self.distance(motion, load, ball_radius) <= self.reach * self.reach && self.reach > 0.0
+    /// Whether a motion, a load, N, and the bare part of the surface are near enough.
+    pub fn holds(&self, motion: &RelativeMotion, load: f64, bare: f64, ball_radius: f64) -> bool {
+        self.reach > 0.0
+            && (bare - self.bare).abs() <= BARE_CHANGE
+            && self.distance(motion, load, ball_radius) <= self.reach * self.reach
     }
 
     /// Square of how far slip and load have moved, m²/s².
@@ -113,6 +120,7 @@ impl LinearTraction {
             by_motion,
             by_load: outputs(&by_load),
             wear_by_load: by_load.wear_integral,
+            bare: p.bare,
             semi_lateral: p.patch.semi_lateral,
             reach,
         };

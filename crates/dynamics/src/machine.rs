@@ -54,25 +54,27 @@ impl Kernel {
         }
     }
 
-    /// Traction with its derivatives by motion and load; none for laws without a Kragelskii curve, and none where two
-    /// surfaces share the patch.
+    /// Traction with its derivatives by motion and load, of coating and bare steel by their shares; none for laws without
+    /// a Kragelskii curve.
     pub fn derivative<L: TractionLaw>(
         &self,
         bearing: &Bearing<L>,
         p: &LoadedPatch<'_, f64, L>,
     ) -> Option<PatchDerivative> {
-        let law = match &p.race.bare_law {
-            Some(bare) if p.bare >= 1.0 => bare,
-            Some(_) if p.bare > 0.0 => return None,
-            _ => &p.race.law,
-        };
         let Self::Fast(fast) = self else { return None };
         if bearing.pressure_choice != PressureChoice::Peak {
             return None;
         }
-        let curve = law.kragelskii(p.patch.peak_pressure)?;
-        let slope = law.kragelskii_slope(p.patch.peak_pressure)?;
-        Some(fast.derivative(&p.patch, &p.motion, p.rolling_speed, (&curve, &slope), bearing.slip_unit))
+        let of = |law: &L| {
+            let curve = law.kragelskii(p.patch.peak_pressure)?;
+            let slope = law.kragelskii_slope(p.patch.peak_pressure)?;
+            Some(fast.derivative(&p.patch, &p.motion, p.rolling_speed, (&curve, &slope), bearing.slip_unit))
+        };
+        match &p.race.bare_law {
+            Some(bare) if p.bare >= 1.0 => of(bare),
+            Some(bare) if p.bare > 0.0 => Some(of(&p.race.law)?.mixed_with(&of(bare)?, p.bare)),
+            _ => of(&p.race.law),
+        }
     }
 
     pub fn traction<L: TractionLaw>(&self, bearing: &Bearing<L>, patch: &LoadedPatch<'_, f64, L>) -> PatchTraction {

@@ -114,6 +114,20 @@ impl<D: Scalar> PatchTraction<D> {
         }
     }
 
+    /// This and another traction in the shares 1 − `share` and `share`: two surfaces under one patch.
+    pub fn mixed_with(&self, other: &Self, share: f64) -> Self {
+        let mix = |a: D, b: D| a * (1.0 - share) + b * share;
+        Self {
+            force_rolling: mix(self.force_rolling, other.force_rolling),
+            force_lateral: mix(self.force_lateral, other.force_lateral),
+            moment_lateral: mix(self.moment_lateral, other.moment_lateral),
+            moment_normal: mix(self.moment_normal, other.moment_normal),
+            moment_rolling: mix(self.moment_rolling, other.moment_rolling),
+            power: mix(self.power, other.power),
+            wear_integral: mix(self.wear_integral, other.wear_integral),
+        }
+    }
+
     /// Work of forces and moments on the relative rigid motion, W: the negative of the power where the moment arm
     /// is the curved one.
     pub fn work_on(&self, motion: &RelativeMotion<D>) -> D {

@@ -293,7 +293,9 @@ fn identity_every_value_of_the_fixtures_has_a_source() {
         let case = Case::from_ron(text).unwrap();
         let outline = Outline::new(text).unwrap();
         let sourced: Vec<Path> = case.sources.keys().filter_map(|key| Path::parse(key)).collect();
-        let unsourced = ["name", "numerics", "sources"].map(|name| Segment::Name(name.into()));
+        // What is simulated and recorded is a choice, not a value of the bearing.
+        let unsourced =
+            ["name", "transient", "recording", "numerics", "sources"].map(|name| Segment::Name(name.into()));
         for (path, _, value) in (0..text.len()).filter_map(|offset| outline.entry_at(offset)) {
             let section = outline.find(&path).is_ok_and(|range| text[range].contains('\n'));
             let has_source =

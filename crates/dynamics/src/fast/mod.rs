@@ -50,7 +50,7 @@ const RINGS_EVERY: usize = 16;
 /// Most steps that a linear traction serves.
 const LONGEST_LINEAR: usize = 64;
 /// Longest step of the drift over the period of the contact springs, as an angle: leapfrog is stable up to 2.
-const DRIFT_ANGLE: f64 = 1.0;
+const DRIFT_ANGLE: f64 = 1.4;
 
 /// Memory of the scheme.
 #[derive(Debug, Clone, Serialize, Deserialize, PartialEq)]
@@ -252,7 +252,7 @@ impl Fast {
     ) -> PatchTraction {
         let linear = self.contacts.get(index).map(|c| &c.of[usize::from(!patch.is_inner(&machine.bearing))]);
         let (load, radius) = (load_of(patch), patch.patch.ball_radius);
-        match linear.filter(|linear| linear.holds(&patch.motion, load, radius)) {
+        match linear.filter(|linear| linear.holds(&patch.motion, load, patch.bare, radius)) {
             Some(linear) => linear.traction(&patch.motion, load),
             None => machine.kernel.traction(&machine.bearing, patch),
         }
@@ -295,7 +295,7 @@ impl Fast {
             let axes = normal.pose.normal(side);
             let (motion, _) = bearing.relative_motion(axes, &state, &frame.rings[k], stand.normal.orbit_radius);
             let linear = &contacts.of[k];
-            holds = linear.holds(&motion, normal.load, bearing.geometry.ball_radius());
+            holds = linear.holds(&motion, normal.load, stand.surfaces[k].bare, bearing.geometry.ball_radius());
             let traction = linear.traction(&motion, normal.load);
             grip.add(machine, (k, side), axes, &traction, linear.semi_lateral());
         }

@@ -26,6 +26,19 @@ pub struct PatchDerivative {
 }
 
 impl PatchDerivative {
+    /// This and another in the shares 1 − `share` and `share`; everything is linear in the curve.
+    pub fn mixed_with(&self, other: &Self, share: f64) -> Self {
+        let by_motion = std::array::from_fn(|i| {
+            std::array::from_fn(|k| self.by_motion[i][k] * (1.0 - share) + other.by_motion[i][k] * share)
+        });
+        Self {
+            traction: self.traction.mixed_with(&other.traction, share),
+            by_motion,
+            by_load: self.by_load.mixed_with(&other.by_load, share),
+            by_rolling_speed: self.by_rolling_speed.mixed_with(&other.by_rolling_speed, share),
+        }
+    }
+
     /// No contact.
     pub fn zero() -> Self {
         let zero = PatchTraction::zero();
