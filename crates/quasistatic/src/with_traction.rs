@@ -47,7 +47,8 @@ impl<L: TractionLaw> WithTraction<'_, L> {
             orbital_speed: ball[5],
             spin: [ball[2] + ball[5], ball[3], ball[4]],
         };
-        let loads = self.bearing.ball_loads_with(&state, [&inner, &outer], self.bearing.surfaces().each_ref(), traction);
+        let loads =
+            self.bearing.ball_loads_with(&state, [&inner, &outer], self.bearing.surfaces().each_ref(), traction);
         (state, loads, inner)
     }
 
