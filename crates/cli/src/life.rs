@@ -170,6 +170,8 @@ impl<'a> Worn<'a> {
         // Bottoms and back again would cost the last digits of the angle where nothing is worn.
         let angle = if depths == WearDepths::NONE { g.contact_angle } else { grooves.free_contact_angle(depths)? };
         case.geometry.fit = Fit::ContactAngle(angle);
+        // The clearance has all that is worn, what was so at the start too.
+        (case.coatings.inner.worn, case.coatings.outer.worn) = (0.0, 0.0);
         Ok(case)
     }
 
