@@ -120,7 +120,6 @@ mod tests {
                 worst[2] = worst[2].max((l / x.ln() - 1.0).abs());
             }
         }
-        println!("relative errors of exp, exp_m1, ln: {:.1e} {:.1e} {:.1e}", worst[0], worst[1], worst[2]);
         assert!(worst[0] < 4e-16 && worst[1] < 5e-16 && worst[2] < 5e-16, "{worst:?}");
     }
 
