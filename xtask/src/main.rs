@@ -48,7 +48,7 @@ enum Command {
     /// Rewrite the committed results, verdicts and table blocks of the documents
     Fixtures,
     /// Vary what the paper hides of the dynamic model, and rewrite the table of it
-    Sensitivity,
+    Sensitivity(sensitivity::Arguments),
     /// Draw the paper's result figures from our own runs
     Figures(figures::Arguments),
     /// Measure kernels, transient schemes and the quasi-static solver
@@ -61,7 +61,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fixtures => validate::rewrite_fixtures(),
-        Command::Sensitivity => sensitivity::run(),
+        Command::Sensitivity(arguments) => sensitivity::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Ci => ci::run(),

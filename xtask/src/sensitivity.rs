@@ -1,12 +1,43 @@
 //! `cargo xtask sensitivity`: what the parameters that the paper hides do to the dynamic rows.
 //!
 //! One at a time, each is halved and doubled; and over a grid of pocket gap and pocket stiffness, from which both were
-//! chosen, the residuals of the published figures are listed. Runs of 0.2 s with the fast scheme.
+//! chosen, the residuals of the published figures are listed. Runs of 0.2 s with the fast scheme. Then the whole set of runs
+//! with one thing changed, hidden or printed, for the rows that are missed: which change turns them, and what it costs; other readings
+//! of the missed claims on the unchanged runs; and what the defect's unprinted size does to its rows.
+
+mod changes;
+mod defect;
+mod misses;
+mod readings;
 
 use crate::error::Failure;
 use crate::files;
 use crate::table::{Table, markdown};
-use crate::transient::{Plan, Transient, run_all};
+use crate::transient::{Change, FAST, Plan, Set, Transient, run_all};
+
+/// Options of `sensitivity`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Only one of the tables
+    #[arg(long)]
+    part: Option<Part>,
+    /// Only the lines of the table of missed rows whose change has this in its name
+    #[arg(long, value_name = "TEXT", conflicts_with = "part")]
+    change: Option<String>,
+}
+
+/// A table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Part {
+    /// Hidden parameters halved and doubled, and the grid of the pocket
+    Pocket,
+    /// Missed rows under changes
+    Rows,
+    /// Other readings of the missed rows
+    Readings,
+    /// Size of the defect
+    Defect,
+}
 
 /// Where the result is committed, and the document that shows it.
 const RESULT: &str = "fixtures/expected/sensitivity.csv";
@@ -14,20 +45,6 @@ pub const DOCUMENT: &str = "docs/validation.md";
 pub const BEGIN: &str = "<!-- sensitivity:begin -->";
 pub const END: &str = "<!-- sensitivity:end -->";
 
-/// Parameter, half and double.
-const PARAMETERS: [(&str, [&str; 2]); 11] = [
-    ("cage.pocket_gap", ["mm(0.355)", "mm(1.42)"]),
-    ("cage.pocket_stiffness", ["N_per_um(2.5)", "N_per_um(10)"]),
-    ("cage.pocket_friction", ["0.05", "0.2"]),
-    ("cage.pocket_damping", ["s_per_m(0.15)", "s_per_m(0.6)"]),
-    ("cage.inertia", ["kg_m2(0.001)", "kg_m2(0.004)"]),
-    ("supports.inner.mass", ["kg(6)", "kg(24)"]),
-    ("supports.outer.mass", ["kg(2.5)", "kg(10)"]),
-    ("supports.outer.stiffness", ["(N_per_um(250), N_per_um(250))", "(N_per_um(1000), N_per_um(1000))"]),
-    ("supports.outer.damping", ["(N_s_per_m(2500), N_s_per_m(2500))", "(N_s_per_m(10000), N_s_per_m(10000))"]),
-    ("transient.contact_damping", ["0.01", "0.04"]),
-    ("traction.slip_unit", ["Scaled(per_m_s: 50.0)", "Scaled(per_m_s: 200.0)"]),
-];
 const GAPS_MM: [f64; 9] = [0.12, 0.3, 0.5, 0.65, 0.7, 0.71, 0.72, 0.75, 0.9];
 const STIFFNESSES: [f64; 3] = [2.5, 5.0, 10.0];
 
@@ -36,7 +53,7 @@ const HEAD: &str = "change,cage_rpm,balls_rpm,orbit_low_rpm,orbit_high_rpm,peak_
 /// Both coatings with the same changes.
 fn plans(changes: &[(&str, String)]) -> [Plan; 2] {
     [Plan::ag(), Plan::ptfe()].map(|plan| {
-        let fast = plan.with("transient.scheme", "Fast(step: us(20))");
+        let fast = plan.with("transient.scheme", FAST);
         changes.iter().fold(fast, |plan, (path, value)| plan.with(path, value))
     })
 }
@@ -57,10 +74,10 @@ fn row(name: &str, ag: &Transient, ptfe: &Transient) -> String {
     )
 }
 
-/// Makes all runs, writes the result and the document's block.
-pub fn run() -> Result<(), Failure> {
+/// The runs with halved and doubled parameters and over the grid.
+fn pocket() -> Result<(), Failure> {
     let mut wanted: Vec<(String, Vec<(&str, String)>)> = vec![("as identified".to_owned(), Vec::new())];
-    for (path, values) in PARAMETERS {
+    for (path, values) in changes::HIDDEN {
         for (word, value) in ["half", "double"].into_iter().zip(values) {
             wanted.push((format!("{path} {word}"), vec![(path, value.to_owned())]));
         }
@@ -85,6 +102,25 @@ pub fn run() -> Result<(), Failure> {
     );
     files::write(&files::root().join(RESULT), text.as_bytes())?;
     println!("{text}");
+    Ok(())
+}
+
+/// Makes the runs, writes the results and the document's block.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let wanted = |part: Part| arguments.part.is_none_or(|only| only == part) && arguments.change.is_none();
+    if wanted(Part::Pocket) {
+        pocket()?;
+    }
+    let base = Set::changed(&Change::none("as identified"))?;
+    if wanted(Part::Readings) {
+        readings::write(&base)?;
+    }
+    if wanted(Part::Rows) || arguments.change.is_some() {
+        misses::run(&base, arguments.change.as_deref())?;
+    }
+    if wanted(Part::Defect) {
+        defect::run(&base)?;
+    }
     crate::validate::rewrite_sensitivity()
 }
 
@@ -119,5 +155,6 @@ pub fn block() -> Result<String, Failure> {
             cell("share")?,
         ]);
     }
-    Ok(format!("{}\nReproduced by `cargo xtask sensitivity`.\n", markdown(&head, &rows)))
+    let tables = [misses::block()?, readings::block()?, defect::block()?].join("\n");
+    Ok(format!("{}\n{tables}\nReproduced by `cargo xtask sensitivity`.\n", markdown(&head, &rows)))
 }

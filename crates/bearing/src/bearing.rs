@@ -118,7 +118,7 @@ impl<L: TractionLaw> Bearing<L> {
         let ball_mass = case.materials.ball.density * 4.0 / 3.0 * PI * radius.powi(3);
         let race = |side, material: &MaterialSpec, law| {
             let modulus = effective_modulus(&elastic(&case.materials.ball), &elastic(material));
-            let [rolling, lateral] = geometry.curvatures(side, geometry.contact_angle.cos());
+            let [rolling, lateral] = geometry.curvatures(side, geometry.cos_contact_angle());
             let hertz = HertzContact::new(rolling, lateral, modulus)?;
             let surface_radius =
                 if case.traction.differential_slip { geometry.surface_radius(side) } else { f64::INFINITY };

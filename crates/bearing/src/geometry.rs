@@ -26,8 +26,8 @@ pub struct Geometry {
     pub inner_coefficient: f64,
     /// Outer groove radius over ball diameter, f_o.
     pub outer_coefficient: f64,
-    /// Free contact angle α0, rad.
-    pub contact_angle: f64,
+    /// Free contact angle α0, rad, its sine and cosine: every contact of every ball asks for them.
+    contact_angle: [f64; 3],
 }
 
 impl Geometry {
@@ -58,36 +58,57 @@ impl Geometry {
             pitch_diameter: spec.pitch_diameter,
             inner_coefficient: f_i,
             outer_coefficient: f_o,
-            contact_angle,
+            contact_angle: [contact_angle, contact_angle.sin(), contact_angle.cos()],
         })
     }
 
+    /// Free contact angle α0, rad.
+    pub fn contact_angle(&self) -> f64 {
+        self.contact_angle[0]
+    }
+
+    /// sin α0.
+    #[inline]
+    pub fn sin_contact_angle(&self) -> f64 {
+        self.contact_angle[1]
+    }
+
+    /// cos α0.
+    #[inline]
+    pub fn cos_contact_angle(&self) -> f64 {
+        self.contact_angle[2]
+    }
+
     /// Ball radius r_b, m.
+    #[inline]
     pub fn ball_radius(&self) -> f64 {
         0.5 * self.ball_diameter
     }
 
     /// Distance A = (f_i + f_o − 1) D of the two groove centres, unloaded, m.
+    #[inline]
     pub fn centre_distance(&self) -> f64 {
         (self.inner_coefficient + self.outer_coefficient - 1.0) * self.ball_diameter
     }
 
     /// Diametral clearance that belongs to the free contact angle, P_d = 2A (1 − cos α0), m.
     pub fn radial_clearance(&self) -> f64 {
-        2.0 * self.centre_distance() * (1.0 - self.contact_angle.cos())
+        2.0 * self.centre_distance() * (1.0 - self.cos_contact_angle())
     }
 
     /// Axial play from one contact side to the other under no load, 2A sin α0, m.
     pub fn axial_play(&self) -> f64 {
-        2.0 * self.centre_distance() * self.contact_angle.sin()
+        2.0 * self.centre_distance() * self.sin_contact_angle()
     }
 
     /// Distance of the unloaded ball centre from a groove centre, (f − ½) D, m.
+    #[inline]
     pub fn groove_offset(&self, side: Side) -> f64 {
         (self.coefficient(side) - 0.5) * self.ball_diameter
     }
 
     /// Groove radius over ball diameter.
+    #[inline]
     pub fn coefficient(&self, side: Side) -> f64 {
         match side {
             Side::Inner => self.inner_coefficient,
@@ -96,8 +117,9 @@ impl Geometry {
     }
 
     /// Radius of the circle of groove centres about the ring's axis, m.
+    #[inline]
     pub fn groove_centre_radius(&self, side: Side) -> f64 {
-        let offset = self.groove_offset(side) * self.contact_angle.cos();
+        let offset = self.groove_offset(side) * self.cos_contact_angle();
         match side {
             Side::Inner => 0.5 * self.pitch_diameter + offset,
             Side::Outer => 0.5 * self.pitch_diameter - offset,
@@ -136,12 +158,14 @@ pub struct ContactPose<D = f64> {
 
 impl<D: Scalar> ContactPose<D> {
     /// From the vector (axial, radial) between groove centre and ball centre and the unloaded distance.
+    #[inline]
     pub fn new(axial: D, radial: D, offset: f64) -> Self {
         let length = (axial * axial + radial * radial).sqrt();
         Self { sin: axial / length, cos: radial / length, approach: length - offset }
     }
 
     /// Outward normal from the ball centre, (axial, radial) components.
+    #[inline]
     pub fn normal(&self, side: Side) -> [D; 2] {
         match side {
             Side::Inner => [-self.sin, -self.cos],
@@ -169,7 +193,7 @@ mod tests {
     fn identity_contact_angle_and_clearance_give_each_other() {
         let angle = Geometry::new(&spec(Fit::ContactAngle(18f64.to_radians()))).unwrap();
         let clearance = Geometry::new(&spec(Fit::RadialClearance(angle.radial_clearance()))).unwrap();
-        assert!((clearance.contact_angle - angle.contact_angle).abs() < 1e-13);
+        assert!((clearance.contact_angle() - angle.contact_angle()).abs() < 1e-13);
         assert!((angle.outer_coefficient - 0.53).abs() < 1e-15);
     }
 

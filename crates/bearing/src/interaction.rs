@@ -68,6 +68,7 @@ impl<L: TractionLaw> Bearing<L> {
     }
 
     /// Drag against the orbit (N) and churning moment (N m) of the fluid on a ball.
+    #[inline]
     pub fn fluid_loads<D: Scalar>(&self, ball: &BallState<D>, orbit_radius: D, inner_speed: D) -> (D, [D; 3]) {
         match &self.fluid {
             Some(fluid) => (
@@ -116,6 +117,7 @@ impl<L: TractionLaw> Bearing<L> {
     }
 
     /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), and the rolling speed.
+    #[inline]
     pub fn relative_motion<D: Scalar>(
         &self,
         [n_a, n_r]: [D; 2],
@@ -146,6 +148,7 @@ impl<L: TractionLaw> Bearing<L> {
     }
 
     /// Where the axis about which a ring turns stands, in the ball's azimuth frame, m.
+    #[inline]
     fn axis_of_rotation<D: Scalar>(&self, ball: &BallState<D>, ring: &RingState<D>) -> [D; 3] {
         if self.ring_turns_about_own_centre {
             in_azimuth_frame(ball.azimuth, ring.displacement)
@@ -155,6 +158,7 @@ impl<L: TractionLaw> Bearing<L> {
     }
 
     /// The patch under a contact ellipse.
+    #[inline]
     pub fn patch<D: Scalar>(&self, race: &Race<L>, ellipse: &Ellipse<D>) -> Patch<D> {
         Patch {
             semi_lateral: ellipse.semi_lateral(),
@@ -180,7 +184,7 @@ impl<L: TractionLaw> Bearing<L> {
         let centre = in_azimuth_frame(ball.azimuth, ring.displacement);
         // Ball centre from the ring's centre, which lies in the plane of its unloaded groove centres.
         let arm = [
-            ball.position[0] - centre[0] - g.centre_distance() * g.contact_angle.sin(),
+            ball.position[0] - centre[0] - g.centre_distance() * g.sin_contact_angle(),
             loads.orbit_radius - centre[1],
             -centre[2],
         ];
@@ -211,11 +215,13 @@ impl<L: TractionLaw> Bearing<L> {
 }
 
 /// (x, y, z) of the inertial frame as [a, r, t] at an azimuth given by its sine and cosine.
+#[inline]
 pub fn in_azimuth_frame<D: Scalar>([sin, cos]: [D; 2], [x, y, z]: [D; 3]) -> [D; 3] {
     [z, x * cos + y * sin, y * cos - x * sin]
 }
 
 /// Traction of a patch with the outward normal (a, r) as force and moment on the ball, [a, r, t].
+#[inline]
 pub fn in_ball_axes<D: Scalar>([n_a, n_r]: [D; 2], traction: &PatchTraction<D>) -> ([D; 3], [D; 3]) {
     // e_y = (n_r, −n_a, 0).
     let lateral = traction.force_lateral;
@@ -253,7 +259,7 @@ mod tests {
     fn loads(bearing: &Bearing, spin: [f64; 3], orbit: f64, speeds: [f64; 2]) -> (BallState, BallLoads, RingState) {
         let g = &bearing.geometry;
         let along = g.groove_offset(Side::Outer) + 2e-5;
-        let (sin, cos) = g.contact_angle.sin_cos();
+        let (sin, cos) = (g.sin_contact_angle(), g.cos_contact_angle());
         let ball = BallState {
             azimuth: [0.6, 0.8],
             position: [along * sin, along * cos],

@@ -37,6 +37,7 @@ pub struct NormalLoads<D = f64> {
 
 impl<L> Bearing<L> {
     /// Contact angles, approaches and orbit radius of a ball.
+    #[inline]
     pub fn pose<D: Scalar>(
         &self,
         azimuth: [D; 2],
@@ -46,8 +47,8 @@ impl<L> Bearing<L> {
     ) -> BallPose<D> {
         let g = &self.geometry;
         let ([x1, x2], [i, o]) = (position, [self.groove_shift(azimuth, inner), self.groove_shift(azimuth, outer)]);
-        let a1 = i[0] - o[0] + g.centre_distance() * g.contact_angle.sin();
-        let a2 = i[1] - o[1] + g.centre_distance() * g.contact_angle.cos();
+        let a1 = i[0] - o[0] + g.centre_distance() * g.sin_contact_angle();
+        let a2 = i[1] - o[1] + g.centre_distance() * g.cos_contact_angle();
         BallPose {
             inner: ContactPose::new(a1 - x1, a2 - x2, g.groove_offset(Side::Inner) + self.worn[0].depth),
             outer: ContactPose::new(x1, x2, g.groove_offset(Side::Outer) + self.worn[1].depth),
@@ -56,6 +57,7 @@ impl<L> Bearing<L> {
     }
 
     /// Axial and radial shift of a ring's groove centre at an azimuth, m. Tilts act with the inner groove-centre radius.
+    #[inline]
     fn groove_shift<D: Scalar>(&self, [sin, cos]: [D; 2], ring: &RingState<D>) -> [D; 2] {
         let [x, y, z] = ring.displacement;
         let lever = self.geometry.groove_centre_radius(Side::Inner);
@@ -63,6 +65,7 @@ impl<L> Bearing<L> {
     }
 
     /// Contact constants of a race: frozen at the free contact angle, or those of the actual one.
+    #[inline]
     pub(crate) fn hertz<D: Scalar>(&self, side: Side, pose: &ContactPose<D>) -> HertzContact<D> {
         let race = self.race(side);
         if self.contact_at_actual_angle {
@@ -83,6 +86,7 @@ impl<L> Bearing<L> {
 
     /// How hard a ball is pressed on both races, given the surfaces where it stands (inner, outer), their depth counted from
     /// that of [`Bearing::worn`].
+    #[inline]
     pub fn normal_loads<D: Scalar>(
         &self,
         ball: &BallState<D>,
@@ -100,6 +104,7 @@ impl<L> Bearing<L> {
     }
 
     /// N = max(0, Q + c δ̇) with c = 2ζ sqrt(m dQ/dδ).
+    #[inline]
     fn normal_contact<D: Scalar>(
         &self,
         side: Side,

@@ -45,7 +45,7 @@ fn answer(case: &Case, bearing: &Bearing) -> Answer {
     let point = OperatingPoint::new(case);
     let (inner, outer) = (bearing.race(Side::Inner).frozen::<f64>(), bearing.race(Side::Outer).frozen::<f64>());
     // No-slip orbit at the free contact angle: the speed at which drag is quoted.
-    let gamma = g.ball_diameter * g.contact_angle.cos() / g.pitch_diameter;
+    let gamma = g.ball_diameter * g.cos_contact_angle() / g.pitch_diameter;
     let orbit = 0.5 * (point.inner_speed * (1.0 - gamma) + point.outer_speed * (1.0 + gamma));
     let mut warnings = Vec::new();
     let drag =
@@ -59,12 +59,12 @@ fn answer(case: &Case, bearing: &Bearing) -> Answer {
             ));
         }
     }
-    if g.contact_angle == 0.0 {
+    if g.contact_angle() == 0.0 {
         warnings.push("free contact angle is zero: an axial load needs a contact angle".into());
     }
     Answer {
         name: case.name.clone(),
-        contact_angle_deg: g.contact_angle.to_degrees(),
+        contact_angle_deg: g.contact_angle().to_degrees(),
         radial_clearance_m: g.radial_clearance(),
         axial_play_m: g.axial_play(),
         groove_coefficient_inner: g.inner_coefficient,

@@ -147,7 +147,7 @@ impl<'a> Worn<'a> {
     fn raceways(&self) -> Result<[Raceway; 2], Failure> {
         let (g, coatings) = (&self.new.geometry, &self.file.case.coatings);
         // Where the balls touch at the free contact angle.
-        let outwards = g.ball_radius() * g.contact_angle.cos();
+        let outwards = g.ball_radius() * g.cos_contact_angle();
         let race = |spec: &tribodyn_bearing::case::CoatingSpec, outwards: f64| {
             Raceway::new(spec.thickness, spec.worn, 0.5 * g.pitch_diameter + outwards, &[])
         };
@@ -168,7 +168,7 @@ impl<'a> Worn<'a> {
         let depths = WearDepths { inner: life.inner().mean_depth(), outer: life.outer().mean_depth() };
         let mut case = self.file.case.clone();
         // Bottoms and back again would cost the last digits of the angle where nothing is worn.
-        let angle = if depths == WearDepths::NONE { g.contact_angle } else { grooves.free_contact_angle(depths)? };
+        let angle = if depths == WearDepths::NONE { g.contact_angle() } else { grooves.free_contact_angle(depths)? };
         case.geometry.fit = Fit::ContactAngle(angle);
         // The clearance has all that is worn, what was so at the start too.
         (case.coatings.inner.worn, case.coatings.outer.worn) = (0.0, 0.0);

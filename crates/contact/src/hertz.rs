@@ -130,6 +130,7 @@ impl<D: Scalar> HertzContact<D> {
     }
 
     /// Normal load at an elastic approach δ (m), N; 0 with zero derivative where the bodies are apart.
+    #[inline]
     pub fn load(&self, approach: D) -> D {
         if approach.re() <= NEGLIGIBLE {
             return D::zero();
@@ -156,6 +157,7 @@ impl<D: Scalar> HertzContact<D> {
     }
 
     /// Contact ellipse and peak pressure under a normal load (N); all zero with zero derivatives for no load.
+    #[inline]
     pub fn ellipse(&self, load: D) -> Ellipse<D> {
         let major_axis = self.major_axis;
         if load.re() <= NEGLIGIBLE {

@@ -1,6 +1,6 @@
 //! From a state to a sample.
 
-use crate::forces::{BallForces, BodyForces, Frame, Sums};
+use crate::forces::{BallForces, BodyForces, Frame, Sums, dot};
 use crate::layout::{AZIMUTH, BALL, VELOCITY};
 use crate::machine::Machine;
 use crate::sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
@@ -67,12 +67,14 @@ impl<L: TractionLaw> Machine<L> {
             orbital_speed_rad_s: s.orbital_speed,
             orbital_acceleration_rad_s2: f.acceleration[2],
             orbit_radius_m: f.loads.orbit_radius,
-            axial_displacement_m: s.position[0] - g.groove_offset(Side::Outer) * g.contact_angle.sin(),
+            axial_displacement_m: s.position[0] - g.groove_offset(Side::Outer) * g.sin_contact_angle(),
             velocity_m_s: [b[VELOCITY], b[VELOCITY + 1]],
             spin_rad_s: [s.spin[0] - s.orbital_speed, s.spin[1], s.spin[2]],
             inner: self.contact_sample(Side::Inner, &f.loads.inner, f),
             outer: self.contact_sample(Side::Outer, &f.loads.outer, f),
             drag_n: f.loads.drag,
+            churning_nm: f.loads.churning,
+            churning_w: -dot(f.loads.churning, s.spin),
             pocket_lead_rad: f.lead,
             pocket_force_n: f.pocket.force,
             pocket_friction_n: f.pocket.friction,

@@ -101,6 +101,7 @@ impl<L: TractionLaw> Machine<L> {
     }
 
     /// State of a ball with the unknowns `b`, and the surfaces where it stands.
+    #[inline]
     pub fn ball_state(&self, b: &[f64], frame: &Frame) -> (BallState, [LocalSurface; 2]) {
         let (sin, cos) = b[AZIMUTH].sin_cos();
         let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
@@ -113,10 +114,11 @@ impl<L: TractionLaw> Machine<L> {
             orbital_speed: b[ORBIT],
             spin: [b[SPIN], b[SPIN + 1], b[SPIN + 2]],
         };
-        (state, [0, 1].map(|k| self.surface(k, b[AZIMUTH] - frame.angles[k])))
+        (state, [self.surface(0, b[AZIMUTH] - frame.angles[0]), self.surface(1, b[AZIMUTH] - frame.angles[1])])
     }
 
     /// Surface of a raceway at an azimuth of its ring; what had worn off all round at the start is in the pose of the ball.
+    #[inline]
     fn surface(&self, k: usize, azimuth: f64) -> LocalSurface {
         let mut surface = self.raceways[k].at(azimuth);
         surface.depth -= self.bearing.worn[k].depth;

@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 use tribodyn_bearing::LoadedPatch;
 use tribodyn_bearing::traction::{PatchDerivative, PatchTraction, RelativeMotion, TractionLaw};
 
-/// Error of the linear traction that a refresh may find, over the load: a fifth of that of the paper's 10 × 40 midpoints at a steep
-/// slip scale.
-pub(crate) const LINEAR_ERROR: f64 = 1e-4;
+/// Error of the linear traction that a refresh may find, over the load: half of that of the paper's 10 × 40 midpoints at a
+/// steep slip scale.
+pub(crate) const LINEAR_ERROR: f64 = 2.5e-4;
 /// Slip, m/s, as which a relative change of the load counts: traction is nearly in proportion to the load.
 const LOAD_AS_SLIP: f64 = 1.0;
 /// First distance that a linear traction may be used over, m/s.
@@ -33,15 +33,12 @@ pub(crate) struct Contacts {
 /// Value and slopes at one point.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct LinearTraction {
-    /// Motion: rolling, lateral, spin, about lateral, about rolling.
-    motion: [f64; 5],
-    load: f64,
-    /// Forces and moments that do work on the motion.
-    value: [f64; 5],
-    wear: f64,
-    by_motion: [[f64; 5]; 5],
-    by_load: [f64; 5],
-    wear_by_load: f64,
+    /// Motion: rolling, lateral, spin, about lateral, about rolling; and the load, N.
+    inputs: [f64; 6],
+    /// Forces and moments that do work on the motion, and the wear integral.
+    value: [f64; 6],
+    /// Derivatives of them all by one input after the other. Wear's are those by the load.
+    slopes: [[f64; 6]; 6],
     /// Part of the coating that is gone.
     bare: f64,
     /// Lateral semi-axis, m.
@@ -51,33 +48,41 @@ pub(crate) struct LinearTraction {
 }
 
 impl LinearTraction {
-    /// Whether a motion, a load, N, and the bare part of the surface are near enough.
-    pub fn holds(&self, motion: &RelativeMotion, load: f64, bare: f64, ball_radius: f64) -> bool {
-        self.reach > 0.0
+    /// The linear traction, where a motion, a load, N, and the bare part of the surface are near enough: within `share` of
+    /// the reach.
+    pub fn at(
+        &self,
+        motion: &RelativeMotion,
+        load: f64,
+        (bare, share): (f64, f64),
+        ball_radius: f64,
+    ) -> Option<PatchTraction> {
+        let change = self.change(motion, load);
+        let reach = share * self.reach;
+        let near = self.reach > 0.0
             && (bare - self.bare).abs() <= BARE_CHANGE
-            && self.distance(motion, load, ball_radius) <= self.reach * self.reach
+            && self.distance(&change, ball_radius) <= reach * reach;
+        near.then(|| self.traction(motion, &change))
     }
 
     /// Square of how far slip and load have moved, m²/s².
-    fn distance(&self, motion: &RelativeMotion, load: f64, r: f64) -> f64 {
-        let d = self.change(motion);
+    fn distance(&self, d: &[f64; 6], r: f64) -> f64 {
         let (along, across) = (d[0] + r * d[3], d[1] - r * d[4]);
         let spin = d[2] * self.semi_lateral;
-        let load = LOAD_AS_SLIP * (load / self.load - 1.0);
+        let load = LOAD_AS_SLIP * (d[5] / self.inputs[5]);
         along * along + across * across + spin * spin + load * load
     }
 
-    fn change(&self, motion: &RelativeMotion) -> [f64; 5] {
-        let now = components(motion);
-        std::array::from_fn(|i| now[i] - self.motion[i])
+    fn change(&self, motion: &RelativeMotion, load: f64) -> [f64; 6] {
+        let now = inputs(motion, load);
+        std::array::from_fn(|i| now[i] - self.inputs[i])
     }
 
-    /// The linear traction. Its power is what forces and moments take from the motion.
-    pub fn traction(&self, motion: &RelativeMotion, load: f64) -> PatchTraction {
-        let (change, more) = (self.change(motion), load - self.load);
+    /// The linear form. Its power is what forces and moments take from the motion.
+    fn traction(&self, motion: &RelativeMotion, change: &[f64; 6]) -> PatchTraction {
         let mut f = self.value;
-        for (i, f) in f.iter_mut().enumerate() {
-            *f += self.by_load[i] * more + (0..5).map(|k| self.by_motion[i][k] * change[k]).sum::<f64>();
+        for (slopes, change) in self.slopes.iter().zip(change) {
+            f.iter_mut().zip(slopes).for_each(|(f, slope)| *f += slope * change);
         }
         let mut traction = PatchTraction {
             force_rolling: f[0],
@@ -86,7 +91,7 @@ impl LinearTraction {
             moment_lateral: f[3],
             moment_rolling: f[4],
             power: 0.0,
-            wear_integral: self.wear + self.wear_by_load * more,
+            wear_integral: f[5],
         };
         traction.power = -traction.work_on(motion);
         traction
@@ -113,13 +118,15 @@ impl LinearTraction {
         let reach = if self.reach > 0.0 { self.next_reach(p, &d, (load, tolerance)) } else { FIRST_REACH };
         let PatchDerivative { traction, by_motion, by_load, .. } = d;
         *self = Self {
-            motion: components(&p.motion),
-            load,
+            inputs: inputs(&p.motion, load),
             value: outputs(&traction),
-            wear: traction.wear_integral,
-            by_motion,
-            by_load: outputs(&by_load),
-            wear_by_load: by_load.wear_integral,
+            slopes: std::array::from_fn(|input| {
+                if input == 5 {
+                    outputs(&by_load)
+                } else {
+                    std::array::from_fn(|i| by_motion.get(i).map_or(0.0, |row| row[input]))
+                }
+            }),
             bare: p.bare,
             semi_lateral: p.patch.semi_lateral,
             reach,
@@ -128,18 +135,19 @@ impl LinearTraction {
     }
 
     fn next_reach<L>(&self, p: &LoadedPatch<'_, f64, L>, d: &PatchDerivative, (load, tolerance): (f64, f64)) -> f64 {
-        let linear = self.traction(&p.motion, load);
+        let change = self.change(&p.motion, load);
+        let linear = self.traction(&p.motion, &change);
         let off = (linear.force_rolling - d.traction.force_rolling)
             .hypot(linear.force_lateral - d.traction.force_lateral)
             / load;
-        let distance = self.distance(&p.motion, load, p.patch.ball_radius).sqrt();
+        let distance = self.distance(&change, p.patch.ball_radius).sqrt();
         let wanted = 0.9 * distance * (tolerance / off.max(1e-14)).sqrt();
         wanted.clamp(self.reach / (2.0 * GROWTH), self.reach * GROWTH).max(SHORTEST_REACH)
     }
 
-    /// Derivative of forces and moments by the motion.
+    /// Derivative of forces and moments by the motion: a column for each input.
     pub fn stiffness(&self) -> Matrix5<f64> {
-        if self.reach > 0.0 { Matrix5::from(self.by_motion).transpose() } else { Matrix5::zeros() }
+        if self.reach > 0.0 { Matrix5::from_fn(|row, column| self.slopes[column][row]) } else { Matrix5::zeros() }
     }
 }
 
@@ -148,10 +156,10 @@ pub(crate) fn load_of<L>(p: &LoadedPatch<'_, f64, L>) -> f64 {
     std::f64::consts::PI / 1.5 * p.patch.semi_lateral * p.patch.semi_rolling * p.patch.peak_pressure
 }
 
-fn components(m: &RelativeMotion) -> [f64; 5] {
-    [m.rolling, m.lateral, m.spin, m.about_lateral, m.about_rolling]
+fn inputs(m: &RelativeMotion, load: f64) -> [f64; 6] {
+    [m.rolling, m.lateral, m.spin, m.about_lateral, m.about_rolling, load]
 }
 
-fn outputs(t: &PatchTraction) -> [f64; 5] {
-    [t.force_rolling, t.force_lateral, t.moment_normal, t.moment_lateral, t.moment_rolling]
+fn outputs(t: &PatchTraction) -> [f64; 6] {
+    [t.force_rolling, t.force_lateral, t.moment_normal, t.moment_lateral, t.moment_rolling, t.wear_integral]
 }

@@ -240,7 +240,7 @@ fn raceways<L>(case: &Case, bearing: &Bearing<L>) -> Result<[Raceway; 2], Dynami
             .collect();
         let g = &bearing.geometry;
         // Where the balls touch at the free contact angle.
-        let outwards = g.ball_radius() * g.contact_angle.cos();
+        let outwards = g.ball_radius() * g.cos_contact_angle();
         let track = 0.5 * g.pitch_diameter + if side == Side::Inner { -outwards } else { outwards };
         Raceway::new(spec.thickness, spec.worn, track, &defects)
     };

@@ -148,6 +148,10 @@ pub struct BallSample {
     pub outer: ContactSample,
     /// Fluid drag against the orbit, N.
     pub drag_n: f64,
+    /// Moment of the fluid against the spin, N m.
+    pub churning_nm: [f64; 3],
+    /// Power that churning takes from the absolute spin, W.
+    pub churning_w: f64,
     /// Lead of the ball over the middle of its pocket, rad.
     pub pocket_lead_rad: f64,
     /// Force of the pocket on the ball along the orbit, N.

@@ -4,11 +4,11 @@ use crate::forces::Frame;
 use crate::layout::{BALL, VELOCITY};
 use crate::machine::Machine;
 use nalgebra::Matrix6;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use tribodyn_bearing::traction::TractionLaw;
 
 /// The stiffest modes at a state.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Stiffness {
     /// Fastest decay by friction of any ball, 1/s.
     pub traction_rate_per_s: f64,

@@ -5,12 +5,22 @@ use crate::svg::{Anchor, Svg, Type};
 use crate::text::width;
 use crate::ticks::{Scale, engineering_exponent, linear, logarithmic, spread};
 
+/// Width and height of an area in the usual size, px.
+pub(crate) const AREA_PX: [f64; 2] = [380.0, 270.0];
 /// Room below the axis for tick labels and title, px.
 pub(crate) const FOOT: f64 = 50.0;
 /// Room at the left for the title and its distance from the tick labels, px.
 const SIDE: f64 = 38.0;
 /// Room at the right for half a tick label, px.
 pub(crate) const RIGHT: f64 = 26.0;
+
+/// Room above an area, less with an empty heading, px.
+pub(crate) fn head(heading: &str) -> f64 {
+    if heading.is_empty() { 10.0 } else { 30.0 }
+}
+
+/// How strongly the band of a series is tinted.
+pub(crate) const BAND: f64 = 0.25;
 
 /// An axis ready for drawing.
 pub(crate) struct Ruler {

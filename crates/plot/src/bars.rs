@@ -1,8 +1,10 @@
 //! Bar charts: values of groups side by side or stacked.
 
-use crate::axes::{Area, RIGHT, Ruler, steps};
+use crate::axes::{AREA_PX, Area, RIGHT, Ruler, head, steps};
+use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
-use crate::series::{Axis, Drawn, Series, StyleBook, check_all};
+use crate::references::Reference;
+use crate::series::{Axis, Drawn, Series, check_all};
 use crate::style::{HEADING_PX, TICK_PX};
 use crate::svg::{Anchor, Svg, Type};
 use crate::text::{axis_title, short_number, width};
@@ -25,8 +27,6 @@ pub struct BarChart {
     pub area_px: [f64; 2],
 }
 
-/// Room above the area, without and with a heading, px.
-const HEAD: [f64; 2] = [10.0, 30.0];
 /// Height of a line of a group's name, px.
 const LINE: f64 = 16.0;
 /// Part of a group's width that its bars take.
@@ -55,7 +55,7 @@ struct Label {
 impl BarChart {
     /// Bars side by side in the usual size.
     pub fn new(title: impl Into<String>, y: Axis, groups: Vec<String>, series: Vec<Series>) -> Self {
-        Self { title: title.into(), y, groups, series, stacked: false, area_px: [380.0, 270.0] }
+        Self { title: title.into(), y, groups, series, stacked: false, area_px: AREA_PX }
     }
 
     /// The same bars stacked.
@@ -63,18 +63,6 @@ impl BarChart {
     pub fn stacked(mut self) -> Self {
         self.stacked = true;
         self
-    }
-
-    pub(crate) fn check(&self) -> Result<(), PlotError> {
-        check_all(&self.title, &self.series, true)?;
-        let groups = self.groups.len();
-        for series in &self.series {
-            let known = |x: f64| x >= 0.0 && x < groups as f64 && x.fract() == 0.0;
-            if let Some((value, _)) = series.points.iter().find(|(x, _)| !known(*x)) {
-                return Err(PlotError::NoGroup { series: series.label.clone(), value: *value, groups });
-            }
-        }
-        Ok(())
     }
 
     /// Width of the area, px.
@@ -164,43 +152,6 @@ impl BarChart {
         14.0 + LINE * self.names().iter().map(Vec::len).max().unwrap_or(0) as f64
     }
 
-    pub(crate) fn size(&self, heading: &str) -> Result<[f64; 2], PlotError> {
-        let (ruler, _) = self.ruler()?;
-        let area = ruler.room() + self.wide() + RIGHT;
-        let head = HEAD[usize::from(!heading.is_empty())];
-        Ok([area.max(width(heading, HEADING_PX, true)), head + self.area_px[1] + self.foot()])
-    }
-
-    pub(crate) fn draw(
-        &self,
-        svg: &mut Svg,
-        [x, y]: [f64; 2],
-        heading: &str,
-        book: &StyleBook,
-    ) -> Result<(), PlotError> {
-        let (ruler, values) = self.ruler()?;
-        let head = HEAD[usize::from(!heading.is_empty())];
-        let corner = [x + ruler.room(), y + head];
-        // Groups are not numbers: an axis without marks.
-        let scale = Scale { min: 0.0, max: self.groups.len() as f64, major: Vec::new(), minor: Vec::new(), log: false };
-        let area = Area { corner, size: [self.wide(), self.area_px[1]], x: Ruler { scale, exponent: 0 }, y: ruler };
-        area.draw_heading(svg, y, heading);
-        area.draw(svg);
-        let beside = axis_title(&self.y.label, &self.y.unit, area.y.exponent);
-        area.draw_titles(svg, x, "", 0.0, &beside);
-        let (bars, _) = book.ordered(&self.series);
-        self.draw_bars(svg, &area, &bars, values);
-        self.draw_values(svg, &area, values);
-        for (group, lines) in self.names().iter().enumerate() {
-            let middle = area.left((group as f64 + 0.5) / self.groups.len() as f64);
-            for (k, line) in lines.iter().enumerate() {
-                let at = [middle, corner[1] + self.area_px[1] + 14.0 + LINE * k as f64];
-                svg.text(at, line, Type { size: TICK_PX, anchor: Anchor::Middle, ..Type::default() });
-            }
-        }
-        Ok(())
-    }
-
     fn draw_bars(&self, svg: &mut Svg, area: &Area, bars: &[Drawn], values: Values) {
         let mut stacks = vec![[0.0; 2]; self.groups.len()];
         let unit = 10f64.powi(area.y.exponent);
@@ -241,6 +192,66 @@ impl BarChart {
                 }
             }
         }
+    }
+}
+
+impl Chart for BarChart {
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn axes(&self) -> String {
+        format!("{} of {}", self.y.label, self.groups.join(", "))
+    }
+
+    fn series(&self) -> &[Series] {
+        &self.series
+    }
+
+    /// The values stand at the bars' ends already.
+    fn references(&self) -> &[Reference] {
+        &[]
+    }
+
+    fn check(&self) -> Result<(), PlotError> {
+        check_all(&self.title, &self.series, true)?;
+        let groups = self.groups.len();
+        for series in &self.series {
+            let known = |x: f64| x >= 0.0 && x < groups as f64 && x.fract() == 0.0;
+            if let Some((value, _)) = series.points.iter().find(|(x, _)| !known(*x)) {
+                return Err(PlotError::NoGroup { series: series.label.clone(), value: *value, groups });
+            }
+        }
+        Ok(())
+    }
+
+    fn size(&self, heading: &str) -> Result<[f64; 2], PlotError> {
+        let (ruler, _) = self.ruler()?;
+        let area = ruler.room() + self.wide() + RIGHT;
+        Ok([area.max(width(heading, HEADING_PX, true)), head(heading) + self.area_px[1] + self.foot()])
+    }
+
+    fn draw(&self, svg: &mut Svg, Spot { at: [x, y], heading, book }: &Spot) -> Result<(), PlotError> {
+        let (ruler, values) = self.ruler()?;
+        let corner = [x + ruler.room(), y + head(heading)];
+        // Groups are not numbers: an axis without marks.
+        let scale = Scale { min: 0.0, max: self.groups.len() as f64, major: Vec::new(), minor: Vec::new(), log: false };
+        let area = Area { corner, size: [self.wide(), self.area_px[1]], x: Ruler { scale, exponent: 0 }, y: ruler };
+        area.draw_heading(svg, *y, heading);
+        area.draw(svg);
+        let beside = axis_title(&self.y.label, &self.y.unit, area.y.exponent);
+        area.draw_titles(svg, *x, "", 0.0, &beside);
+        let (bars, _) = book.ordered(&self.series);
+        self.draw_bars(svg, &area, &bars, values);
+        self.draw_values(svg, &area, values);
+        for (group, lines) in self.names().iter().enumerate() {
+            let middle = area.left((group as f64 + 0.5) / self.groups.len() as f64);
+            for (k, line) in lines.iter().enumerate() {
+                let at = [middle, corner[1] + self.area_px[1] + 14.0 + LINE * k as f64];
+                svg.text(at, line, Type { size: TICK_PX, anchor: Anchor::Middle, ..Type::default() });
+            }
+        }
+        Ok(())
     }
 }
 

@@ -1,11 +1,14 @@
 //! Line charts: traction curves, convergence, histories.
 
-use crate::axes::{Area, FOOT, RIGHT, Ruler, steps};
+use crate::axes::{AREA_PX, Area, BAND, FOOT, RIGHT, Ruler, head, steps};
+use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
 use crate::marks::{Layout, Mark};
-use crate::series::{Axis, Drawn, Series, SeriesKind, StyleBook, check_all, marked_points};
+use crate::references::{self, Drawing, Place, Reference, Shape};
+use crate::series::{Axis, Drawn, Series, check_all};
 use crate::style::HEADING_PX;
 use crate::svg::Svg;
+use crate::symbols::{draw_markers, draw_points};
 use crate::text::{axis_title, width};
 use crate::ticks::MAGNITUDES;
 
@@ -26,6 +29,8 @@ pub struct LineChart {
     pub series: Vec<Series>,
     /// Marked places of the horizontal axis; those that it does not reach are not shown.
     pub marks: Vec<Mark>,
+    /// Published numbers across the area.
+    pub references: Vec<Reference>,
     /// Whether a length on both axes is the same number, as for paths in a plane; linear axes of one unit only. The horizontal axis
     /// is then widened or the vertical one heightened.
     pub equal_scales: bool,
@@ -33,8 +38,6 @@ pub struct LineChart {
     pub area_px: [f64; 2],
 }
 
-/// Room above the area, without and with a heading, px.
-const HEAD: [f64; 2] = [10.0, 30.0];
 /// Width of a column in which a dense line is reduced to its first, least, greatest and last point, px.
 const COLUMN: f64 = 0.5;
 
@@ -49,8 +52,9 @@ impl LineChart {
             log_y: false,
             series,
             marks: Vec::new(),
+            references: Vec::new(),
             equal_scales: false,
-            area_px: [380.0, 270.0],
+            area_px: AREA_PX,
         }
     }
 
@@ -59,16 +63,6 @@ impl LineChart {
     pub fn log_log(mut self) -> Self {
         (self.log_x, self.log_y) = (true, true);
         self
-    }
-
-    pub(crate) fn check(&self) -> Result<(), PlotError> {
-        check_all(&self.title, &self.series, false)?;
-        for (axis, log, vertical) in [(&self.x, self.log_x, false), (&self.y, self.log_y, true)] {
-            if log {
-                self.check_positive(axis, vertical)?;
-            }
-        }
-        Ok(())
     }
 
     fn check_positive(&self, axis: &Axis, vertical: bool) -> Result<(), PlotError> {
@@ -86,12 +80,18 @@ impl LineChart {
                 return refuse(&series.label, index, value);
             }
         }
+        let mut published = references::numbers(&self.references, vertical);
+        if let Some(value) = published.find(|v| *v < MAGNITUDES.start) {
+            return refuse(&axis.label, 0, value);
+        }
         Ok(())
     }
 
     fn rulers(&self) -> Result<[Ruler; 2], PlotError> {
-        let x = self.x.range(self.series.iter().flat_map(|s| s.points.iter().map(|(x, _)| *x)))?;
-        let y = self.y.range(self.series.iter().flat_map(Series::ordinates))?;
+        let x = self.series.iter().flat_map(|s| s.points.iter().map(|(x, _)| *x));
+        let x = self.x.range(x.chain(references::numbers(&self.references, false)))?;
+        let y = self.series.iter().flat_map(Series::ordinates);
+        let y = self.y.range(y.chain(references::numbers(&self.references, true)))?;
         let (x, y) = if self.equal_scales { self.equal(x, y) } else { (x, y) };
         // Marks at least 60 px apart across and 38 px apart upwards.
         let [across, up] = [steps(self.area_px[0], 60.0), steps(self.area_px[1], 38.0)];
@@ -113,38 +113,76 @@ impl LineChart {
         Layout::new(&self.marks, self.area_px[0], |at| x.position(at))
     }
 
-    /// Height above the area, px.
-    fn head(heading: &str, marks: &Layout) -> f64 {
-        marks.height + if heading.is_empty() { HEAD[0] } else { HEAD[1] }
+    /// A published number on the page.
+    fn published(area: &Area, place: Place) -> Shape {
+        let ([left, top], [wide, high]) = (area.corner, area.size);
+        let upright = |x: f64| vec![[area.left(area.x.position(x)), top], [area.left(area.x.position(x)), top + high]];
+        let level = |y: f64| vec![[left, area.top(area.y.position(y))], [left + wide, area.top(area.y.position(y))]];
+        let between = |a: Vec<[f64; 2]>, b: Vec<[f64; 2]>| {
+            let outline = a.iter().chain(b.iter().rev()).copied().collect();
+            Shape { areas: vec![outline], edges: vec![a, b] }
+        };
+        match place {
+            Place::Value(y) => Shape::line(level(y)),
+            Place::At(x) => Shape::line(upright(x)),
+            Place::Range(from, to) => between(level(from), level(to)),
+            Place::Between(from, to) => between(upright(from), upright(to)),
+        }
+    }
+}
+
+impl Chart for LineChart {
+    fn title(&self) -> &str {
+        &self.title
     }
 
-    pub(crate) fn size(&self, heading: &str) -> Result<[f64; 2], PlotError> {
+    fn axes(&self) -> String {
+        format!("{} against {}", self.y.label, self.x.label)
+    }
+
+    fn series(&self) -> &[Series] {
+        &self.series
+    }
+
+    fn references(&self) -> &[Reference] {
+        &self.references
+    }
+
+    fn check(&self) -> Result<(), PlotError> {
+        check_all(&self.title, &self.series, false)?;
+        references::check(&self.references)?;
+        for (axis, log, vertical) in [(&self.x, self.log_x, false), (&self.y, self.log_y, true)] {
+            if log {
+                self.check_positive(axis, vertical)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn size(&self, heading: &str) -> Result<[f64; 2], PlotError> {
         let [x, y] = self.rulers()?;
         let area = y.room() + self.area_px[0] + RIGHT;
         let title = width(heading, HEADING_PX, true);
-        Ok([area.max(title), Self::head(heading, &self.marks(&x)) + self.area_px[1] + FOOT])
+        Ok([area.max(title), self.marks(&x).height + head(heading) + self.area_px[1] + FOOT])
     }
 
-    pub(crate) fn draw(
-        &self,
-        svg: &mut Svg,
-        [x, y]: [f64; 2],
-        heading: &str,
-        book: &StyleBook,
-    ) -> Result<(), PlotError> {
+    fn draw(&self, svg: &mut Svg, Spot { at: [x, y], heading, book }: &Spot) -> Result<(), PlotError> {
         let [ruler_x, ruler_y] = self.rulers()?;
         let marks = self.marks(&ruler_x);
-        let corner = [x + ruler_y.room(), y + Self::head(heading, &marks)];
+        let corner = [x + ruler_y.room(), y + marks.height + head(heading)];
         let area = Area { corner, size: self.area_px, x: ruler_x, y: ruler_y };
-        area.draw_heading(svg, y, heading);
+        area.draw_heading(svg, *y, heading);
         area.draw(svg);
         let below = axis_title(&self.x.label, &self.x.unit, area.x.exponent);
         let beside = axis_title(&self.y.label, &self.y.unit, area.y.exponent);
-        area.draw_titles(svg, x, &below, FOOT, &beside);
+        area.draw_titles(svg, *x, &below, FOOT, &beside);
         marks.draw(svg, &area);
+        let published = Drawing::new(&self.references, book, |place| Self::published(&area, place));
+        published.areas(svg);
         let (lines, points) = book.ordered(&self.series);
         draw_lines(svg, &area, &lines, !self.equal_scales);
-        draw_points(svg, &area, &points);
+        published.lines(svg);
+        draw_points(svg, &points, |p| area.place(p));
         Ok(())
     }
 }
@@ -154,7 +192,7 @@ fn draw_lines(svg: &mut Svg, area: &Area, lines: &[Drawn], along_x: bool) {
         if let Some(band) = &series.band {
             let upper = band.iter().map(|(x, _, high)| area.place((*x, *high)));
             let lower = band.iter().rev().map(|(x, low, _)| area.place((*x, *low)));
-            svg.tint(&[upper.chain(lower).collect()], entry.stroke.colour);
+            svg.tint(&[upper.chain(lower).collect()], entry.stroke.colour, BAND);
         }
     }
     for (series, entry) in lines {
@@ -163,28 +201,7 @@ fn draw_lines(svg: &mut Svg, area: &Area, lines: &[Drawn], along_x: bool) {
         let shown = if along_x { reduced(path) } else { thinned(path) };
         svg.path(&shown, &entry.stroke, false);
     }
-    for (place, (series, entry)) in lines.iter().enumerate() {
-        if series.kind == SeriesKind::MarkedLine {
-            for i in marked_points(series.points.len(), place, lines.len()) {
-                svg.marker(area.place(series.points[i]), &entry.stroke, false);
-            }
-        }
-    }
-}
-
-fn draw_points(svg: &mut Svg, area: &Area, points: &[Drawn]) {
-    for (series, entry) in points {
-        for &(x, y) in &series.points {
-            if let Some(bar) = series.uncertainty {
-                let ends = [area.place((x, y - bar)), area.place((x, y + bar))];
-                svg.line(ends[0], ends[1], entry.stroke.colour, 1.4);
-                for [x, y] in ends {
-                    svg.line([x - 3.5, y], [x + 3.5, y], entry.stroke.colour, 1.4);
-                }
-            }
-            svg.marker(area.place((x, y)), &entry.stroke, true);
-        }
-    }
+    draw_markers(svg, lines, |p| area.place(p));
 }
 
 /// A dense line with only those points of each pixel column that show: first, least, greatest and last.

@@ -6,10 +6,11 @@ use resvg::{tiny_skia, usvg};
 
 use crate::bars::BarChart;
 use crate::cartesian::LineChart;
+use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
 use crate::legend::{draw_legend, entry_width};
 use crate::polar::PolarChart;
-use crate::series::{Series, StyleBook};
+use crate::series::StyleBook;
 use crate::style::TITLE_PX;
 use crate::svg::{Anchor, Svg, Type};
 use crate::text::{BOLD, FAMILY, FONT, width};
@@ -26,51 +27,11 @@ pub enum Panel {
 }
 
 impl Panel {
-    fn title(&self) -> &str {
+    fn chart(&self) -> &dyn Chart {
         match self {
-            Self::Polar(chart) => &chart.title,
-            Self::Cartesian(chart) => &chart.title,
-            Self::Bars(chart) => &chart.title,
-        }
-    }
-
-    fn axes(&self) -> String {
-        match self {
-            Self::Polar(chart) => format!("{} over the azimuth", chart.radial.label),
-            Self::Cartesian(chart) => format!("{} against {}", chart.y.label, chart.x.label),
-            Self::Bars(chart) => format!("{} of {}", chart.y.label, chart.groups.join(", ")),
-        }
-    }
-
-    fn series(&self) -> &[Series] {
-        match self {
-            Self::Polar(chart) => &chart.series,
-            Self::Cartesian(chart) => &chart.series,
-            Self::Bars(chart) => &chart.series,
-        }
-    }
-
-    fn check(&self) -> Result<(), PlotError> {
-        match self {
-            Self::Polar(chart) => chart.check(),
-            Self::Cartesian(chart) => chart.check(),
-            Self::Bars(chart) => chart.check(),
-        }
-    }
-
-    fn size(&self, heading: &str) -> Result<[f64; 2], PlotError> {
-        match self {
-            Self::Polar(chart) => Ok(chart.size(heading)),
-            Self::Cartesian(chart) => chart.size(heading),
-            Self::Bars(chart) => chart.size(heading),
-        }
-    }
-
-    fn draw(&self, svg: &mut Svg, at: [f64; 2], heading: &str, book: &StyleBook) -> Result<(), PlotError> {
-        match self {
-            Self::Polar(chart) => chart.draw(svg, at, heading, book),
-            Self::Cartesian(chart) => chart.draw(svg, at, heading, book),
-            Self::Bars(chart) => chart.draw(svg, at, heading, book),
+            Self::Polar(chart) => chart,
+            Self::Cartesian(chart) => chart,
+            Self::Bars(chart) => chart,
         }
     }
 }
@@ -87,6 +48,8 @@ pub struct Figure {
 
 /// White border, px.
 const BORDER: f64 = 14.0;
+/// Least width inside the border: a narrow panel has a legend of several entries in a row all the same, px.
+const LEAST_WIDTH: f64 = 500.0;
 /// Distance between panels, px.
 const BETWEEN: f64 = 18.0;
 /// Height of the title, px.
@@ -156,15 +119,17 @@ impl Figure {
         if panels.is_empty() {
             return Err(PlotError::NoPanel { figure: name });
         }
-        panels.iter().try_for_each(Panel::check)?;
-        let book = StyleBook::new(&panels.iter().map(Panel::series).collect::<Vec<_>>());
+        let charts: Vec<&dyn Chart> = panels.iter().map(Panel::chart).collect();
+        charts.iter().try_for_each(|chart| chart.check())?;
+        let series: Vec<_> = charts.iter().map(|chart| chart.series()).collect();
+        let book = StyleBook::new(&series, &charts.iter().flat_map(|chart| chart.references()).collect::<Vec<_>>());
         let headings: Vec<String> =
-            panels.iter().enumerate().map(|(i, panel)| heading(i, panels.len(), panel.title())).collect();
-        let drawn = || panels.iter().zip(&headings);
-        let sizes = drawn().map(|(panel, heading)| panel.size(heading)).collect::<Result<Vec<_>, _>>()?;
+            charts.iter().enumerate().map(|(i, chart)| heading(i, charts.len(), chart.title())).collect();
+        let drawn = || charts.iter().zip(&headings);
+        let sizes = drawn().map(|(chart, heading)| chart.size(heading)).collect::<Result<Vec<_>, _>>()?;
         let grid = Grid::new(columns.max(1), &sizes);
         let widest_entry = book.entries.iter().fold(0.0, |most: f64, e| most.max(entry_width(e)));
-        let inner = grid.width().max(width(&title, TITLE_PX, true)).max(widest_entry);
+        let inner = grid.width().max(width(&title, TITLE_PX, true)).max(widest_entry).max(LEAST_WIDTH);
         let full = (inner + 2.0 * BORDER).ceil();
 
         let mut svg = Svg::default();
@@ -173,13 +138,13 @@ impl Figure {
         let top = BORDER + TITLE_HEIGHT;
         let left = 0.5 * (full - grid.width());
         let mut description = title.clone();
-        for (i, ((panel, heading), size)) in drawn().zip(&sizes).enumerate() {
+        for (i, ((chart, heading), size)) in drawn().zip(&sizes).enumerate() {
             let ([x, y], wide) = grid.cell(i);
             // Right edges in line put axes of one width in line; circles are centred.
-            let inset = (wide - size[0]) * if matches!(panel, Panel::Polar(_)) { 0.5 } else { 1.0 };
-            panel.draw(&mut svg, [left + x + inset, top + y], heading, &book)?;
+            let inset = (wide - size[0]) * if matches!(panels[i], Panel::Polar(_)) { 0.5 } else { 1.0 };
+            chart.draw(&mut svg, &Spot { at: [left + x + inset, top + y], heading, book: &book })?;
             let colon = if heading.is_empty() { "" } else { ": " };
-            description.push_str(&format!(". {heading}{colon}{}", panel.axes()));
+            description.push_str(&format!(". {heading}{colon}{}", chart.axes()));
         }
         let below = top + grid.height() + 12.0;
         let legend = draw_legend(&mut svg, &book.entries, [0.5 * full, below], inner);

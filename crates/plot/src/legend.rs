@@ -1,6 +1,7 @@
 //! The legend of a figure: one entry for each label, in centred rows.
 
-use crate::series::{Entry, SeriesKind};
+use crate::references;
+use crate::series::{Entry, Kind, SeriesKind};
 use crate::style::LABEL_PX;
 use crate::svg::{Svg, Type};
 use crate::text::width;
@@ -16,9 +17,10 @@ const GAPS: [f64; 2] = [8.0, 26.0];
 
 fn sample_width(entry: &Entry) -> f64 {
     match entry.kind {
-        SeriesKind::Points => 12.0,
-        SeriesKind::Bars => SWATCH[0],
-        SeriesKind::Line | SeriesKind::MarkedLine | SeriesKind::Dense => SAMPLE,
+        Kind::Series(SeriesKind::Points) => 12.0,
+        Kind::Series(SeriesKind::Bars) => SWATCH[0],
+        Kind::Series(SeriesKind::Line | SeriesKind::MarkedLine | SeriesKind::Dense) => SAMPLE,
+        Kind::Reference { range, upright } => references::sample_width(range, upright),
     }
 }
 
@@ -55,7 +57,13 @@ pub(crate) fn draw_legend(svg: &mut Svg, entries: &[Entry], [middle, top]: [f64;
 
 fn draw_sample(svg: &mut Svg, entry: &Entry, [x, y]: [f64; 2], wide: f64) {
     let middle = [x + 0.5 * wide, y];
-    match entry.kind {
+    let kind = match entry.kind {
+        Kind::Series(kind) => kind,
+        Kind::Reference { range, upright } => {
+            return references::draw_sample(svg, [x, y], range, upright, &entry.stroke);
+        }
+    };
+    match kind {
         SeriesKind::Bars => svg.bar([x, y - 0.5 * SWATCH[1]], SWATCH, &entry.stroke),
         SeriesKind::Points => svg.marker(middle, &entry.stroke, true),
         SeriesKind::Line => svg.path(&[[x, y], [x + wide, y]], &entry.stroke, false),

@@ -18,6 +18,9 @@
 //! Axis steps are 1, 2 or 5 times a power of ten. Powers of ten that are multiples of three are taken out of the numbers of an axis
 //! whose greatest magnitude is outside 0.01 to 100 000 and written beside the unit.
 //!
+//! Published numbers look the same on all charts: open markers where they belong to an abscissa, thin dash-dotted lines and light
+//! ranges where they hold for a whole panel, black or in the colour of the line that they are to be compared with.
+//!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | φ | azimuth of a ball; 0 in the direction of the radial load, counter-clockwise | ° |
@@ -56,17 +59,20 @@
 mod axes;
 mod bars;
 mod cartesian;
+mod chart;
 mod error;
 mod figure;
 mod legend;
 mod marks;
 mod polar;
 mod quantity;
+mod references;
 mod run;
 mod series;
 mod solution;
 mod style;
 mod svg;
+mod symbols;
 mod text;
 mod ticks;
 
@@ -77,8 +83,10 @@ pub use figure::{Figure, Panel};
 pub use marks::Mark;
 pub use polar::PolarChart;
 pub use quantity::Quantity;
+pub use references::{Place, Reference};
 pub use run::{
-    History, Samples, SpectrumView, bars, orbit_polar, path_figure, spectrum_figure, stacked_bars, time_history,
+    History, Samples, SpectrumView, bars, history_charts, orbit_chart, orbit_polar, path_figure, spectrum_chart,
+    spectrum_figure, stacked_bars, time_history,
 };
 pub use series::{Axis, Series, SeriesKind};
-pub use solution::{Published, solution_figures};
+pub use solution::{Published, SolutionCharts, solution_charts, solution_figures};

@@ -1,9 +1,13 @@
 //! Charts over the azimuth: 0° (the direction of the radial load) at the right, counter-clockwise.
 
+use crate::axes::BAND;
+use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
-use crate::series::{Axis, Drawn, Series, SeriesKind, StyleBook, check_all, marked_points};
+use crate::references::{self, Drawing, Place, Reference, Shape};
+use crate::series::{Axis, Drawn, Series, SeriesKind, check_all};
 use crate::style::{GREY, GRID, HEADING_PX, INK, LABEL_PX, TICK_PX};
 use crate::svg::{Anchor, Svg, Type};
+use crate::symbols::{draw_markers, draw_points};
 use crate::text::{axis_title, width};
 use crate::ticks::{Scale, engineering_exponent, linear, spread};
 
@@ -20,6 +24,8 @@ pub struct PolarChart {
     pub radial: Axis,
     /// Azimuth in degrees against radial value.
     pub series: Vec<Series>,
+    /// Published numbers across the circle.
+    pub references: Vec<Reference>,
 }
 
 /// Radius of the outermost circle, px.
@@ -81,11 +87,35 @@ impl Dial {
         let (sin, cos) = phi_deg.rem_euclid(360.0).to_radians().sin_cos();
         [self.centre[0] + radius * cos, self.centre[1] - radius * sin]
     }
+
+    /// A published number on the page.
+    fn published(&self, place: Place) -> Shape {
+        let arc = |value: f64, from: f64, to: f64| {
+            let parts = ((to - from) / CHORD_DEG).ceil().max(1.0) as usize;
+            let radius = RADIUS * self.scale.position(value / self.unit);
+            (0..=parts).map(|k| self.at(from + (to - from) * k as f64 / parts as f64, radius)).collect::<Vec<_>>()
+        };
+        let circle = |value| arc(value, 0.0, 360.0);
+        let ray = |phi| vec![self.centre, self.at(phi, RADIUS)];
+        match place {
+            Place::Value(value) => Shape::line(circle(value)),
+            Place::At(phi) => Shape::line(ray(phi)),
+            Place::Range(from, to) => {
+                let circles = vec![circle(from), circle(to)];
+                Shape { areas: circles.clone(), edges: circles }
+            }
+            Place::Between(from, to) => {
+                let rim = arc(self.scale.max * self.unit, from, from + (to - from).rem_euclid(360.0));
+                Shape { areas: vec![[vec![self.centre], rim].concat()], edges: vec![ray(from), ray(to)] }
+            }
+        }
+    }
 }
 
 impl PolarChart {
-    pub(crate) fn check(&self) -> Result<(), PlotError> {
-        check_all(&self.title, &self.series, false)
+    /// A chart without published numbers.
+    pub fn new(title: impl Into<String>, radial: Axis, series: Vec<Series>) -> Self {
+        Self { title: title.into(), radial, series, references: Vec::new() }
     }
 
     /// Height above the circle and its azimuth labels, px.
@@ -93,15 +123,11 @@ impl PolarChart {
         HEAD[0] + if heading.is_empty() { 0.0 } else { HEAD[1] }
     }
 
-    pub(crate) fn size(&self, heading: &str) -> [f64; 2] {
-        let circle = 2.0 * (RADIUS + ROOM[0]);
-        let title = width(heading, HEADING_PX, true);
-        [circle.max(title), Self::head(heading) + 2.0 * (RADIUS + ROOM[1])]
-    }
-
     /// Radial axis and the power of ten taken out of it.
     fn scale(&self) -> Result<(Scale, i32), PlotError> {
-        let (low, high) = spread(self.radial.range(self.series.iter().flat_map(Series::ordinates))?);
+        let values = self.series.iter().flat_map(Series::ordinates);
+        let values = values.chain(references::numbers(&self.references, true));
+        let (low, high) = spread(self.radial.range(values)?);
         let exponent = engineering_exponent(low.abs().max(high.abs()));
         let unit = 10f64.powi(exponent);
         let mut start = low - FREE_CENTRE * (high - low);
@@ -110,16 +136,39 @@ impl PolarChart {
         }
         Ok((linear((start / unit, high / unit), RINGS, true), exponent))
     }
+}
 
-    pub(crate) fn draw(
-        &self,
-        svg: &mut Svg,
-        [x, y]: [f64; 2],
-        heading: &str,
-        book: &StyleBook,
-    ) -> Result<(), PlotError> {
+impl Chart for PolarChart {
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn axes(&self) -> String {
+        format!("{} over the azimuth", self.radial.label)
+    }
+
+    fn series(&self) -> &[Series] {
+        &self.series
+    }
+
+    fn references(&self) -> &[Reference] {
+        &self.references
+    }
+
+    fn check(&self) -> Result<(), PlotError> {
+        check_all(&self.title, &self.series, false)?;
+        references::check(&self.references)
+    }
+
+    fn size(&self, heading: &str) -> Result<[f64; 2], PlotError> {
+        let circle = 2.0 * (RADIUS + ROOM[0]);
+        let title = width(heading, HEADING_PX, true);
+        Ok([circle.max(title), Self::head(heading) + 2.0 * (RADIUS + ROOM[1])])
+    }
+
+    fn draw(&self, svg: &mut Svg, Spot { at: [x, y], heading, book }: &Spot) -> Result<(), PlotError> {
         let (scale, exponent) = self.scale()?;
-        let centre = [x + 0.5 * self.size(heading)[0], y + Self::head(heading) + ROOM[1] + RADIUS];
+        let centre = [x + 0.5 * self.size(heading)?[0], y + Self::head(heading) + ROOM[1] + RADIUS];
         let dial = Dial { centre, scale, unit: 10f64.powi(exponent) };
         let middle = Type { anchor: Anchor::Middle, ..Type::default() };
         if !heading.is_empty() {
@@ -128,9 +177,12 @@ impl PolarChart {
         let title = axis_title(&self.radial.label, &self.radial.unit, exponent);
         svg.text([centre[0], y + Self::head(heading) - 15.0], &title, Type { size: LABEL_PX, ..middle });
         draw_grid(svg, &dial);
+        let published = Drawing::new(&self.references, book, |place| dial.published(place));
+        published.areas(svg);
         let (lines, points) = book.ordered(&self.series);
         draw_lines(svg, &dial, &lines);
-        draw_points(svg, &dial, &points);
+        published.lines(svg);
+        draw_points(svg, &points, |p| dial.place(p));
         draw_ring_labels(svg, &dial, &self.series);
         Ok(())
     }
@@ -167,31 +219,14 @@ fn draw_lines(svg: &mut Svg, dial: &Dial, lines: &[Drawn]) {
             let edge = |points: Vec<(f64, f64)>| interpolated(&points).into_iter().map(|p| dial.place(p)).collect();
             let lower = edge(band.iter().map(|(phi, low, _)| (*phi, *low)).collect());
             let upper = edge(band.iter().map(|(phi, _, high)| (*phi, *high)).collect());
-            svg.tint(&[lower, upper], entry.stroke.colour);
+            svg.tint(&[lower, upper], entry.stroke.colour, BAND);
         }
     }
     for (series, entry) in lines {
         let path: Vec<[f64; 2]> = interpolated(&series.points).into_iter().map(|p| dial.place(p)).collect();
         svg.path(&path, &entry.stroke, true);
     }
-    for (place, (series, entry)) in lines.iter().enumerate() {
-        if series.kind == SeriesKind::MarkedLine {
-            for i in marked_points(series.points.len(), place, lines.len()) {
-                svg.marker(dial.place(series.points[i]), &entry.stroke, false);
-            }
-        }
-    }
-}
-
-fn draw_points(svg: &mut Svg, dial: &Dial, points: &[Drawn]) {
-    for (series, entry) in points {
-        for &(phi, value) in &series.points {
-            if let Some(bar) = series.uncertainty {
-                svg.line(dial.place((phi, value - bar)), dial.place((phi, value + bar)), entry.stroke.colour, 1.4);
-            }
-            svg.marker(dial.place((phi, value)), &entry.stroke, true);
-        }
-    }
+    draw_markers(svg, lines, |p| dial.place(p));
 }
 
 /// Distance that keeps a ring label clear of a curve, px.
@@ -215,15 +250,34 @@ impl RingLabel<'_> {
     }
 }
 
-/// The ray, degrees, on which the curves leave most ring labels free.
+/// Which labels are written on a ray: those of centre and rim, and those between that no curve crosses and no other label.
+fn written<'a>(dial: &Dial, curves: &[[f64; 2]], labels: &'a [RingLabel<'a>], phi_deg: f64) -> Vec<&'a RingLabel<'a>> {
+    let (sin, cos) = phi_deg.to_radians().sin_cos();
+    let apart = |a: &RingLabel, b: &RingLabel| {
+        let far = [0, 1].map(|k| 0.5 * (a.room[k] + b.room[k]));
+        ((a.radius - b.radius) * cos).abs() >= far[0] || ((a.radius - b.radius) * sin).abs() >= far[1]
+    };
+    let mut kept: Vec<&RingLabel> = labels.first().into_iter().chain(labels.last()).collect();
+    for label in labels.iter().take(labels.len().saturating_sub(1)).skip(1) {
+        if label.gap(dial, curves, phi_deg) >= CLEAR && kept.iter().all(|other| apart(label, other)) {
+            kept.push(label);
+        }
+    }
+    kept
+}
+
+/// The ray, degrees, on which most ring labels are written, and not that of the rim on a curve.
 fn clearest_ray(dial: &Dial, curves: &[[f64; 2]], labels: &[RingLabel]) -> f64 {
     // Half-way between spokes first, then a little beside; the upper half first, where a reader looks.
     let middles = [75.0, 45.0, 105.0, 135.0, 15.0, 165.0, 285.0, 255.0, 315.0, 225.0, 345.0, 195.0];
     let rays = [0.0, -4.0, 4.0].into_iter().flat_map(|beside| middles.map(|phi| phi + beside));
     let score = |phi: f64| {
-        let gaps = labels.iter().skip(1).map(|label| label.gap(dial, curves, phi));
-        // One label more counts for more than any clearance; whole pixels keep rounding from deciding between equal rays.
-        gaps.filter(|g| *g >= CLEAR).fold(0.0, |sum, g| sum + 100.0 + g.min(10.0).floor())
+        let gap = |label: &&RingLabel| label.gap(dial, curves, phi);
+        // The centre's label is the same on every ray. One label more counts for more than any clearance; whole pixels keep
+        // rounding from deciding between equal rays.
+        let rim = labels.last().map_or(0.0, |rim| if gap(&rim) < CLEAR { -1000.0 } else { 0.0 });
+        let gaps = written(dial, curves, labels, phi).into_iter().skip(1);
+        gaps.fold(rim, |sum, label| sum + 100.0 + gap(&label).min(10.0).floor())
     };
     let best = rays.fold((75.0, f64::NEG_INFINITY), |(kept, most), phi| {
         let here = score(phi);
@@ -241,10 +295,8 @@ fn draw_ring_labels(svg: &mut Svg, dial: &Dial, series: &[Series]) {
         if s.kind == SeriesKind::Points { s.points.clone() } else { interpolated(&s.points) }
     };
     let curves: Vec<[f64; 2]> = series.iter().flat_map(shown).map(|p| dial.place(p)).collect();
-    let labels: Vec<RingLabel> = dial
-        .scale
-        .major
-        .iter()
+    let major = dial.scale.major.iter();
+    let labels: Vec<RingLabel> = major
         .map(|(value, text)| RingLabel {
             text,
             radius: RADIUS * dial.scale.position(*value),
@@ -252,13 +304,10 @@ fn draw_ring_labels(svg: &mut Svg, dial: &Dial, series: &[Series]) {
         })
         .collect();
     let ray = clearest_ray(dial, &curves, &labels);
-    for (i, label) in labels.iter().enumerate() {
-        let needed = i == 0 || i + 1 == labels.len();
-        if needed || label.gap(dial, &curves, ray) >= CLEAR {
-            let at = dial.at(ray, label.radius);
-            svg.ground(at, label.room);
-            svg.text(at, label.text, Type { size: TICK_PX, anchor: Anchor::Middle, ..Type::default() });
-        }
+    for label in written(dial, &curves, &labels, ray) {
+        let at = dial.at(ray, label.radius);
+        svg.ground(at, label.room);
+        svg.text(at, label.text, Type { size: TICK_PX, anchor: Anchor::Middle, ..Type::default() });
     }
 }
 
@@ -304,10 +353,9 @@ mod tests {
 
     #[test]
     fn limit_radial_axis_is_offset_below_the_data_and_not_below_zero_for_positive_quantities() {
-        let chart = |values: &[f64]| PolarChart {
-            title: "t".into(),
-            radial: Axis::new("q", "N"),
-            series: vec![Series::line("a", values.iter().enumerate().map(|(i, v)| (60.0 * i as f64, *v)).collect())],
+        let chart = |values: &[f64]| {
+            let points = values.iter().enumerate().map(|(i, v)| (60.0 * i as f64, *v)).collect();
+            PolarChart::new("t", Axis::new("q", "N"), vec![Series::line("a", points)])
         };
         let (scale, exponent) = chart(&[6.0, 12.0, 9.0]).scale().unwrap();
         assert_eq!((scale.min, scale.max, exponent), (4.0, 12.0, 0));
@@ -315,5 +363,21 @@ mod tests {
         assert_eq!((scale.min, scale.max, exponent), (-3.0, 1.0, -3));
         let (scale, _) = chart(&[0.0, 0.0, 3.0]).scale().unwrap();
         assert_eq!(scale.min, 0.0);
+    }
+
+    #[test]
+    fn limit_ring_labels_keep_clear_of_curves_and_of_each_other() {
+        let scale = linear((-14_000.0, -4000.0), RINGS, true);
+        let dial = Dial { centre: [200.0, 200.0], scale, unit: 1.0 };
+        let labels: Vec<RingLabel> = (0..=5)
+            .map(|k| RingLabel { text: "−10000", radius: RADIUS * f64::from(k) / 5.0, room: [52.0, 13.5] })
+            .collect();
+        // On the horizontal labels are wider than rings are apart: not all are written there, on the vertical all are.
+        assert!(written(&dial, &[], &labels, 0.0).len() < 6);
+        assert_eq!(written(&dial, &[], &labels, 75.0).len(), 6);
+        // A curve along the upper half of the rim drives the rim's label to the lower half.
+        let arc: Vec<[f64; 2]> = (0..180).map(|phi| dial.at(f64::from(phi), RADIUS - 4.0)).collect();
+        let ray = clearest_ray(&dial, &arc, &labels);
+        assert!(ray > 180.0, "{ray}");
     }
 }

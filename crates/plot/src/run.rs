@@ -104,12 +104,22 @@ fn time_unit(span_s: f64) -> (&'static str, f64) {
 ///
 /// No history, one without samples, unequal numbers of times and values, numbers that are not finite.
 pub fn time_history(name: &str, title: &str, histories: &[History]) -> Result<Figure, PlotError> {
+    let (charts, _) = history_charts(histories)?;
+    Figure::in_columns(name, title, 1, &charts.into_iter().map(Panel::Cartesian).collect::<Vec<_>>())
+}
+
+/// The charts of [`time_history`], for what else belongs on them, and the count of their unit of time in one second.
+///
+/// # Errors
+///
+/// Unequal numbers of times and values.
+pub fn history_charts(histories: &[History]) -> Result<(Vec<LineChart>, f64), PlotError> {
     let times =
         || histories.iter().flat_map(|h| &h.samples).flat_map(|s| s.x.iter().copied()).filter(|t| t.is_finite());
     let (first, last) = times().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), t| (a.min(t), b.max(t)));
     let (unit, scale) = time_unit(last - first);
     let area_px = HISTORY_PX[usize::from(histories.len() > 1)];
-    let mut panels = Vec::with_capacity(histories.len());
+    let mut charts = Vec::with_capacity(histories.len());
     for history in histories {
         let line = |s: &Samples| pairs(s, scale).map(|points| Series::dense(s.label, points));
         let series = history.samples.iter().map(line).collect::<Result<Vec<_>, _>>()?;
@@ -118,9 +128,9 @@ pub fn time_history(name: &str, title: &str, histories: &[History]) -> Result<Fi
             time = time.covering(scale * first, scale * last);
         }
         let chart = LineChart::new(history.title, time, history.quantity.clone(), series);
-        panels.push(Panel::Cartesian(LineChart { area_px, ..chart }));
+        charts.push(LineChart { area_px, ..chart });
     }
-    Figure::in_columns(name, title, 1, &panels)
+    Ok((charts, scale))
 }
 
 /// Amplitude spectra over frequency or order with marked places, such as the cage frequency and its multiples.
@@ -137,6 +147,20 @@ pub fn spectrum_figure(
     marks: &[Mark],
     view: &SpectrumView,
 ) -> Result<Figure, PlotError> {
+    Figure::new(name, title, &[Panel::Cartesian(spectrum_chart(quantity, spectra, marks, view)?)])
+}
+
+/// The chart of [`spectrum_figure`], for what else belongs on it.
+///
+/// # Errors
+///
+/// Unequal numbers of abscissas and amplitudes.
+pub fn spectrum_chart(
+    quantity: Axis,
+    spectra: &[Samples],
+    marks: &[Mark],
+    view: &SpectrumView,
+) -> Result<LineChart, PlotError> {
     let mut series = Vec::with_capacity(spectra.len());
     for spectrum in spectra {
         let mut lines = pairs(spectrum, 1.0)?;
@@ -161,8 +185,7 @@ pub fn spectrum_figure(
     }
     let log_y = view.decades.is_some();
     let chart = LineChart::new("", abscissa, amplitude, series);
-    let chart = LineChart { log_y, marks: marks.to_vec(), area_px: SPECTRUM_PX, ..chart };
-    Figure::new(name, title, &[Panel::Cartesian(chart)])
+    Ok(LineChart { log_y, marks: marks.to_vec(), area_px: SPECTRUM_PX, ..chart })
 }
 
 /// Values of a ball over the azimuth from samples along one orbit or several, in any order.
@@ -175,9 +198,17 @@ pub fn spectrum_figure(
 ///
 /// No samples, unequal numbers of azimuths and values, numbers that are not finite.
 pub fn orbit_polar(name: &str, title: &str, quantity: Axis, samples: &[Samples]) -> Result<Figure, PlotError> {
+    Figure::new(name, title, &[Panel::Polar(orbit_chart("", quantity, samples)?)])
+}
+
+/// The chart of [`orbit_polar`], for figures of several and for what else belongs on it.
+///
+/// # Errors
+///
+/// No samples, unequal numbers of azimuths and values, numbers that are not finite.
+pub fn orbit_chart(title: &str, quantity: Axis, samples: &[Samples]) -> Result<PolarChart, PlotError> {
     let series = samples.iter().map(over_orbit).collect::<Result<Vec<_>, _>>()?;
-    let chart = PolarChart { title: String::new(), radial: quantity, series };
-    Figure::new(name, title, &[Panel::Polar(chart)])
+    Ok(PolarChart::new(title, quantity, series))
 }
 
 /// Mean and band over the azimuth.

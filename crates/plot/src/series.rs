@@ -1,6 +1,7 @@
 //! What is drawn: axes, series of points, and the style that each label keeps through all panels of a figure.
 
 use crate::error::PlotError;
+use crate::references::{Reference, entry};
 use crate::style::{Stroke, dense_stroke, line_stroke, point_stroke};
 use crate::ticks::MAGNITUDES;
 
@@ -41,7 +42,7 @@ impl Axis {
 }
 
 /// Whether an axis can show a number: not NaN and small enough.
-fn drawable(value: f64) -> bool {
+pub(crate) fn drawable(value: f64) -> bool {
     value.abs() < MAGNITUDES.end
 }
 
@@ -159,11 +160,30 @@ pub(crate) fn check_all(panel: &str, series: &[Series], bars: bool) -> Result<()
     series.iter().try_for_each(Series::check)
 }
 
+/// What an entry of a legend stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Series(SeriesKind),
+    /// A published number: a line, or a range; upright or level.
+    Reference {
+        range: bool,
+        upright: bool,
+    },
+}
+
+impl Kind {
+    const POINTS: Self = Self::Series(SeriesKind::Points);
+
+    pub fn is_reference(self) -> bool {
+        matches!(self, Self::Reference { .. })
+    }
+}
+
 /// One line of a legend.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Entry {
     pub label: String,
-    pub kind: SeriesKind,
+    pub kind: Kind,
     pub stroke: Stroke,
 }
 
@@ -177,8 +197,8 @@ pub(crate) struct StyleBook {
 }
 
 impl StyleBook {
-    /// The book of a figure with the series of each panel.
-    pub fn new(panels: &[&[Series]]) -> Self {
+    /// The book of a figure with the series of each panel and the published numbers of all.
+    pub fn new(panels: &[&[Series]], references: &[&Reference]) -> Self {
         let is_line = |s: &&Series| s.kind != SeriesKind::Points;
         let mut lines: Vec<(&Series, usize)> = Vec::new();
         for series in panels.iter().copied().flatten().filter(is_line) {
@@ -201,7 +221,7 @@ impl StyleBook {
             .iter()
             .map(|(s, slot)| Entry {
                 label: s.label.clone(),
-                kind: s.kind,
+                kind: Kind::Series(s.kind),
                 stroke: match s.kind {
                     SeriesKind::Dense => dense_stroke(*slot),
                     _ => line_stroke(*slot, above(&s.label, *slot)),
@@ -212,7 +232,13 @@ impl StyleBook {
         for series in panels.iter().copied().flatten().filter(|s| s.kind == SeriesKind::Points) {
             if entries[first_points..].iter().all(|e| e.label != series.label) {
                 let stroke = point_stroke(entries.len() - first_points, series.of.as_deref().and_then(slot_of));
-                entries.push(Entry { label: series.label.clone(), kind: SeriesKind::Points, stroke });
+                entries.push(Entry { label: series.label.clone(), kind: Kind::POINTS, stroke });
+            }
+        }
+        let first_references = entries.len();
+        for reference in references {
+            if entries[first_references..].iter().all(|e| e.label != reference.label) {
+                entries.push(entry(reference, reference.of.as_deref().and_then(slot_of)));
             }
         }
         Self { entries }
@@ -221,7 +247,8 @@ impl StyleBook {
     /// Lines with their style, widest first, then points.
     pub fn ordered<'a>(&'a self, series: &'a [Series]) -> (Vec<Drawn<'a>>, Vec<Drawn<'a>>) {
         let same = |s: &Series, e: &Entry| {
-            s.label == e.label && (s.kind == SeriesKind::Points) == (e.kind == SeriesKind::Points)
+            let points = (s.kind == SeriesKind::Points) == (e.kind == Kind::POINTS);
+            s.label == e.label && points && !e.kind.is_reference()
         };
         let found = self.entries.iter().flat_map(|e| series.iter().filter(move |s| same(s, e)).map(move |s| (s, e)));
         found.partition(|(s, _)| s.kind != SeriesKind::Points)
@@ -246,7 +273,7 @@ mod tests {
         let line = |label: &str| Series::line(label, vec![(0.0, 1.0)]);
         let published = Series { of: Some("b".into()), ..Series::points("b, published", vec![(0.0, 1.0)]) };
         let panels: [&[Series]; 2] = [&[line("a"), line("b"), published], &[line("b"), line("a")]];
-        let book = StyleBook::new(&panels);
+        let book = StyleBook::new(&panels, &[]);
         let labels: Vec<_> = book.entries.iter().map(|e| e.label.as_str()).collect();
         assert_eq!(labels, ["a", "b", "b, published"]);
         assert_eq!(book.entries[1].stroke.colour, book.entries[2].stroke.colour);

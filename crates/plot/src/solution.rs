@@ -109,6 +109,38 @@ const PLANS: [Plan; 10] = [
 ///
 /// No runs, a run without balls, equal labels, points for a run that is not given, empty points, numbers that are not finite.
 pub fn solution_figures(runs: &[(&str, &Solution)], published: &[Published]) -> Result<Vec<Figure>, PlotError> {
+    solution_charts(runs, published)?.iter().map(SolutionCharts::figure).collect()
+}
+
+/// The charts of one figure of the standard set.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SolutionCharts {
+    /// Short name in lower case and hyphens, fit for a file name.
+    pub name: &'static str,
+    /// Title above the panels.
+    pub title: &'static str,
+    /// The charts with what they show.
+    pub panels: Vec<(Quantity, PolarChart)>,
+}
+
+impl SolutionCharts {
+    /// The figure of them.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Figure::new`].
+    pub fn figure(&self) -> Result<Figure, PlotError> {
+        let panels: Vec<Panel> = self.panels.iter().map(|(_, chart)| Panel::Polar(chart.clone())).collect();
+        Figure::new(self.name, self.title, &panels)
+    }
+}
+
+/// The charts of [`solution_figures`], for what else belongs on them.
+///
+/// # Errors
+///
+/// No runs, a run without balls, equal labels, points for a run that is not given.
+pub fn solution_charts(runs: &[(&str, &Solution)], published: &[Published]) -> Result<Vec<SolutionCharts>, PlotError> {
     check(runs, published)?;
     let mut figures = Vec::with_capacity(PLANS.len());
     for plan in &PLANS {
@@ -117,7 +149,7 @@ pub fn solution_figures(runs: &[(&str, &Solution)], published: &[Published]) -> 
             let series = series(runs, published, *quantity);
             if series.iter().any(|s| s.slot.is_some()) {
                 let (label, unit, _) = quantity.axis();
-                panels.push(PolarChart { title: (*heading).to_owned(), radial: Axis::new(label, unit), series });
+                panels.push((*quantity, PolarChart::new(*heading, Axis::new(label, unit), series)));
             }
         }
         if panels.is_empty() {
@@ -126,8 +158,7 @@ pub fn solution_figures(runs: &[(&str, &Solution)], published: &[Published]) -> 
         if plan.shared {
             share_axis(&mut panels);
         }
-        let panels: Vec<Panel> = panels.into_iter().map(Panel::Polar).collect();
-        figures.push(Figure::new(plan.name, plan.title, &panels)?);
+        figures.push(SolutionCharts { name: plan.name, title: plan.title, panels });
     }
     Ok(figures)
 }
@@ -175,11 +206,11 @@ fn series(runs: &[(&str, &Solution)], published: &[Published], quantity: Quantit
 }
 
 /// Gives all panels the range of all.
-fn share_axis(panels: &mut [PolarChart]) {
-    let values = panels.iter().flat_map(|p| &p.series).flat_map(Series::ordinates);
+fn share_axis(panels: &mut [(Quantity, PolarChart)]) {
+    let values = panels.iter().flat_map(|(_, p)| &p.series).flat_map(Series::ordinates);
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
     if low.is_finite() && high.is_finite() {
-        for panel in panels {
+        for (_, panel) in panels {
             panel.radial.at_least = Some((low, high));
         }
     }

@@ -68,9 +68,15 @@ pub(crate) fn point_stroke(index: usize, of_slot: Option<usize>) -> Stroke {
         colour: of_slot.map_or(INK, |slot| PALETTE[slot % PALETTE.len()]),
         dash: "",
         width: 1.5,
-        marker: MARKERS[(index + 3) % MARKERS.len()],
+        // Where colour tells them apart the shape is that of all published points.
+        marker: if of_slot.is_some() { Marker::Diamond } else { MARKERS[(index + 3) % MARKERS.len()] },
         hatched: false,
     }
+}
+
+/// The stroke of a published number across a panel: that of no series, in the colour of the line it belongs to, or black.
+pub(crate) fn reference_stroke(colour: Option<&'static str>) -> Stroke {
+    Stroke { colour: colour.unwrap_or(INK), dash: "7 2.5 1.5 2.5", width: 1.3, marker: MARKERS[0], hatched: false }
 }
 
 /// The stroke of a line of so many points that dashes would tear it apart.

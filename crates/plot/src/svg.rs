@@ -98,7 +98,7 @@ impl Svg {
     }
 
     /// A light area between closed outlines: inside one and outside the other.
-    pub fn tint(&mut self, outlines: &[Vec<[f64; 2]>], colour: &str) {
+    pub fn tint(&mut self, outlines: &[Vec<[f64; 2]>], colour: &str, opacity: f64) {
         let mut d = String::new();
         for outline in outlines {
             for (i, &[x, y]) in outline.iter().enumerate() {
@@ -108,7 +108,8 @@ impl Svg {
             d.push_str(" Z ");
         }
         let d = d.trim_end();
-        self.push(&format!(r#"<path d="{d}" fill="{colour}" fill-opacity="0.25" fill-rule="evenodd"/>"#));
+        let opacity = px(opacity);
+        self.push(&format!(r#"<path d="{d}" fill="{colour}" fill-opacity="{opacity}" fill-rule="evenodd"/>"#));
     }
 
     /// A filled bar with a thin outline, hatched where its stroke says so.

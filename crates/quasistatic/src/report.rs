@@ -124,7 +124,7 @@ pub(crate) fn with_traction<L: TractionLaw>(
 
 fn axial_displacement<L>(bearing: &Bearing<L>, axial: f64) -> f64 {
     let g = &bearing.geometry;
-    axial - g.groove_offset(Side::Outer) * g.contact_angle.sin()
+    axial - g.groove_offset(Side::Outer) * g.sin_contact_angle()
 }
 
 fn solution<L: TractionLaw>(

@@ -140,3 +140,30 @@ fn implicit_step<S: BlockSystem>(
     }
     None
 }
+
+/// Follows a ball from `start` with steps of `tau` seconds, none of them longer, until its balances are within `tolerance`
+/// or `duration` is over: the course that [`settle_ball`] shortens.
+#[cfg(test)]
+pub(crate) fn follow_ball<S: BlockSystem>(
+    system: &S,
+    index: usize,
+    start: [f64; BALL],
+    ring: [f64; RING],
+    [tau, duration]: [f64; 2],
+    tolerance: f64,
+) -> Settled {
+    let mut current = Evaluated::new(system, index, start, ring);
+    let (mut time, mut step, mut steps) = (0.0, tau, 0);
+    while time < duration && current.relative > tolerance && step > SHORTEST_STEP {
+        match implicit_step(system, index, &current, ring, step) {
+            Some((next, _)) => {
+                current = next;
+                time += step;
+                step = (2.0 * step).min(tau);
+            }
+            None => step *= 0.2,
+        }
+        steps += 1;
+    }
+    Settled { ball: current.ball, residual: current.relative, steps }
+}

@@ -161,7 +161,7 @@ fn rolling_state<'a, L: TractionLaw>(bearing: &'a Bearing<L>, point: &OperatingP
         typical,
     };
     let offset = g.groove_offset(Side::Outer);
-    let free = [offset * g.contact_angle.sin(), offset * g.contact_angle.cos()];
+    let free = [offset * g.sin_contact_angle(), offset * g.cos_contact_angle()];
     let unloaded = system.pose(0, [free[0], free[1], 0.0, 0.0, 0.0, 0.0], [0.0; RING]);
     let k: Kinematics<f64> = kinematics(bearing, &unloaded, speeds, inner_everywhere, true);
     let ball = [free[0], free[1], k.spin[0], k.spin[1], 0.0, k.orbital_speed];

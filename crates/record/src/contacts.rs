@@ -10,6 +10,7 @@ use crate::quaternion::{Rotation, pose, vector};
 use crate::timeline::timestamp;
 use crate::wire::foxglove::{ArrowPrimitive, SceneEntity, SceneUpdate, SpherePrimitive};
 use crate::{colour, frames, scene};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 use tribodyn_bearing::Side;
 use tribodyn_dynamics::{BallSample, ContactSample};
@@ -27,7 +28,7 @@ const OVERLONG: f64 = 2.0;
 const UNLOADED: Scales = Scales { load_n: 1e3, pressure_pa: 1e9 };
 
 /// The loads and pressures at which arrows are longest and colours brightest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Scales {
     /// Largest contact load of the solution, N.
     pub(crate) load_n: f64,
@@ -65,24 +66,28 @@ pub(crate) struct Contact {
     semi_axes_m: [f64; 2],
 }
 
-/// Arrows and patches of all balls at one log time.
+/// Arrows and patches of all balls at one log time. `message` is empty or that of another time, whose names stay.
 pub(crate) fn update(
-    diameter: f64,
-    scales: Scales,
+    message: &mut SceneUpdate,
+    (diameter, scales): (f64, Scales),
     log_time: u64,
     balls: impl Iterator<Item = [Contact; 2]>,
-) -> SceneUpdate {
+) {
     let stamp = timestamp(log_time);
-    let draw = |(index, contacts): (usize, [Contact; 2])| {
-        let mut entity = scene::entity(stamp, frames::orbit(index), format!("contacts_{index:02}"));
+    for (index, contacts) in balls.enumerate() {
+        if message.entities.len() == index {
+            message.entities.push(scene::entity(stamp, frames::orbit(index), format!("contacts_{index:02}")));
+        }
+        let entity = &mut message.entities[index];
+        entity.timestamp = Some(stamp);
+        entity.arrows.clear();
+        entity.spheres.clear();
         for contact in contacts {
             if contact.load_n > 0.0 {
-                add(&mut entity, diameter, scales, &contact);
+                add(entity, diameter, scales, &contact);
             }
         }
-        entity
-    };
-    SceneUpdate { deletions: Vec::new(), entities: balls.enumerate().map(draw).collect() }
+    }
 }
 
 impl Contact {
@@ -94,16 +99,7 @@ impl Contact {
     }
 }
 
-/// Inner and outer contact of a ball of a solution.
-pub(crate) fn of_solution(ball: &BallSolution) -> [Contact; 2] {
-    let (inner, outer) = (ball.contact_angle_inner_deg.to_radians(), ball.contact_angle_outer_deg.to_radians());
-    [
-        Contact::new(Side::Inner, inner, ball.load_inner_n, ball.peak_pressure_inner_pa, ball.semi_axes_inner_m),
-        Contact::new(Side::Outer, outer, ball.load_outer_n, ball.peak_pressure_outer_pa, ball.semi_axes_outer_m),
-    ]
-}
-
-/// Inner and outer contact of a ball of a run.
+/// Inner and outer contact of a ball.
 pub(crate) fn of_sample(ball: &BallSample) -> [Contact; 2] {
     let contact =
         |side, c: &ContactSample| Contact::new(side, c.angle_rad, c.load_n, c.peak_pressure_pa, c.semi_axes_m);

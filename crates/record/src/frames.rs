@@ -8,6 +8,7 @@
 use crate::quaternion::{Rotation, vector};
 use crate::timeline::{Timeline, timestamp};
 use crate::wire::foxglove::{FrameTransform, FrameTransforms};
+use serde::{Deserialize, Serialize};
 use tribodyn_quasistatic::OverAzimuth;
 use tribodyn_quasistatic::{BallSolution, Solution};
 
@@ -31,7 +32,7 @@ pub(crate) fn ball(ball: usize) -> String {
 }
 
 /// The orientation of every ball in its azimuth frame, as it spins on.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Spins {
     rotations: Vec<Rotation>,
 }
@@ -40,6 +41,11 @@ impl Spins {
     /// All balls aligned with their azimuth frames.
     pub(crate) fn new(balls: usize) -> Self {
         Self { rotations: vec![Rotation::IDENTITY; balls] }
+    }
+
+    /// Number of balls.
+    pub(crate) fn balls(&self) -> usize {
+        self.rotations.len()
     }
 
     /// Advances all balls from a sample to the next.
@@ -89,32 +95,53 @@ pub(crate) fn transforms(
         cage_angle: timeline.cage_angle(sample),
         spins,
     };
-    poses.message(balls.iter().map(|(azimuth, b)| [*azimuth, b.orbit_radius_m, b.axial_displacement_m]))
+    let mut message = FrameTransforms::default();
+    poses.update(&mut message, balls.iter().map(|(azimuth, b)| [*azimuth, b.orbit_radius_m, b.axial_displacement_m]));
+    message
 }
 
+/// Frames that are there whatever the number of balls.
+const FIXED: usize = 4;
+
 impl Poses<'_> {
-    /// All frames; each ball by azimuth (rad), orbit radius and axial position (m).
-    pub(crate) fn message(&self, balls: impl Iterator<Item = [f64; 3]>) -> FrameTransforms {
-        let stamp = timestamp(self.log_time);
-        let frame = |parent: &str, child: String, at: [f64; 3], turned: Rotation| FrameTransform {
-            timestamp: Some(stamp),
-            parent_frame_id: parent.into(),
-            child_frame_id: child,
-            translation: Some(vector(at)),
-            rotation: Some(turned.message()),
-        };
-        let mut transforms = vec![
-            frame("world", BEARING.into(), [0.0; 3], Rotation::IDENTITY),
-            frame(BEARING, INNER_RING.into(), self.inner.0, self.inner.1),
-            frame(BEARING, OUTER_RING.into(), self.outer.0, self.outer.1),
-            frame(BEARING, CAGE.into(), [0.0; 3], Rotation::about_z(self.cage_angle)),
-        ];
-        for (index, [azimuth, radius, axial]) in balls.enumerate() {
-            let centre = [radius * azimuth.cos(), radius * azimuth.sin(), axial];
-            let turned = Rotation::about_z(azimuth).after(Rotation::AXIAL_RADIAL_TANGENTIAL);
-            transforms.push(frame(BEARING, orbit(index), centre, turned));
-            transforms.push(frame(&orbit(index), ball(index), [0.0; 3], self.spins.rotations[index]));
+    /// All frames; each ball by azimuth (rad), orbit radius and axial position (m). `message` is empty or that of another
+    /// time: making its names anew would cost more than all of the numbers.
+    pub(crate) fn update(&self, message: &mut FrameTransforms, balls: impl Iterator<Item = [f64; 3]>) {
+        if message.transforms.is_empty() {
+            message.transforms = named(self.spins.balls());
         }
-        FrameTransforms { transforms }
+        let stamp = timestamp(self.log_time);
+        let place = |frame: &mut FrameTransform, at: [f64; 3], turned: Rotation| {
+            frame.timestamp = Some(stamp);
+            frame.translation = Some(vector(at));
+            frame.rotation = Some(turned.message());
+        };
+        let (fixed, of_balls) = message.transforms.split_at_mut(FIXED);
+        let cage = ([0.0; 3], Rotation::about_z(self.cage_angle));
+        let poses: [_; FIXED] = [([0.0; 3], Rotation::IDENTITY), self.inner, self.outer, cage];
+        for (frame, (at, turned)) in fixed.iter_mut().zip(poses) {
+            place(frame, at, turned);
+        }
+        let spins = &self.spins.rotations;
+        for ((pair, spun), [azimuth, radius, axial]) in of_balls.chunks_exact_mut(2).zip(spins).zip(balls) {
+            let centre = [radius * azimuth.cos(), radius * azimuth.sin(), axial];
+            place(&mut pair[0], centre, Rotation::about_z(azimuth).after(Rotation::AXIAL_RADIAL_TANGENTIAL));
+            place(&mut pair[1], [0.0; 3], *spun);
+        }
     }
+}
+
+/// The names of all frames, in the order in which [`Poses::update`] sets them.
+fn named(balls: usize) -> Vec<FrameTransform> {
+    let frame = |parent: &str, child: String| FrameTransform {
+        parent_frame_id: parent.into(),
+        child_frame_id: child,
+        ..FrameTransform::default()
+    };
+    let mut all = vec![frame("world", BEARING.into())];
+    all.extend([INNER_RING, OUTER_RING, CAGE].map(|child| frame(BEARING, child.into())));
+    for index in 0..balls {
+        all.extend([frame(BEARING, orbit(index)), frame(&orbit(index), ball(index))]);
+    }
+    all
 }

@@ -41,8 +41,8 @@
 //! | `/tf` | `foxglove.FrameTransforms` | samples with balls, at most 70 times a turn |
 //! | `/bearing/contacts` | `foxglove.SceneUpdate` | samples with balls, at most 20 times a turn |
 //! | `/bearing/geometry` | `foxglove.SceneUpdate` | once |
-//! | `/bearing/orbit`, `/bearing/wear` | `tribodyn.v1.Orbit`, `tribodyn.v1.Wear` | each 0.1 s |
-//! | `/bearing/spectrum`, `…/inner`, `…/cage` | `tribodyn.v1.Spectrum` | each 0.1 s, from 256 even samples on |
+//! | `/bearing/orbit`, `/bearing/wear` | `tribodyn.v1.Orbit`, `tribodyn.v1.Wear` | each 0.1 s, and at the end |
+//! | `/bearing/spectrum`, `…/inner`, `…/cage` | `tribodyn.v1.Spectrum` | the same, from 256 even samples on |
 //! | `/log` | `foxglove.Log` | warnings; of impacts, contacts lost and made one line each in a millisecond |
 //!
 //! A killed program loses no more than the messages of the last 0.05 s of simulated time: chunks are closed then or
@@ -90,6 +90,7 @@
 //! The crate deliberately knows no equation of equilibrium and no unit of a case file: it draws and stores what the
 //! solver says.
 
+mod ball;
 mod check;
 mod colour;
 mod contacts;
@@ -110,6 +111,7 @@ mod scene;
 #[cfg(test)]
 mod tests;
 mod timeline;
+mod units;
 pub mod wire;
 mod write;
 
@@ -120,5 +122,5 @@ pub use output::Channel;
 pub use read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
 pub use recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};
 pub use replay::{BallRow, LogRow, OrbitRow, Run, RunItem, RunReader, SpectrumRow, StateRow, WearRow, read_run};
-pub use run::{FileSink, Preamble, RUN_LAYOUT, RunRecorder, RunRecording, Sink, StreamSink};
+pub use run::{FileSink, Preamble, RUN_LAYOUT, RecorderMemory, RunRecorder, RunRecording, Sink, StreamSink};
 pub use write::{CASE_ATTACHMENT, LAYOUT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};

@@ -98,11 +98,11 @@ pub(crate) fn ring(geometry: &Geometry, side: Side) -> Mesh {
     let groove = geometry.coefficient(side) * geometry.ball_diameter;
     let centre_radius = geometry.groove_centre_radius(side);
     // The unloaded ball centre is the origin of z; the outer groove centre lies behind it, the inner one before it.
-    let centre_z = -sign * geometry.groove_offset(side) * geometry.contact_angle.sin();
+    let centre_z = -sign * geometry.groove_offset(side) * geometry.sin_contact_angle();
     // Angles from radial to the shoulder edges: beyond the contact on the loaded side, cut low on the other side
     // where the bearing has a contact angle worth the name.
-    let high = (geometry.contact_angle + 0.6).clamp(0.95, 1.4);
-    let low = if geometry.contact_angle > 0.17 { 0.6 } else { high };
+    let high = (geometry.contact_angle() + 0.6).clamp(0.95, 1.4);
+    let low = if geometry.contact_angle() > 0.17 { 0.6 } else { high };
     let arc = (0..=GROOVE_POINTS).map(|i| {
         let angle = high - (high + low) * i as f64 / GROOVE_POINTS as f64;
         [centre_radius + sign * groove * angle.cos(), centre_z + sign * groove * angle.sin()]
@@ -209,16 +209,18 @@ fn join(mesh: &mut Mesh, [inner, outer]: &[Vec<Vec<u32>>; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tribodyn_bearing::case::{Fit, GeometrySpec, Groove};
 
     fn geometry(ball_count: usize) -> Geometry {
-        Geometry {
+        Geometry::new(&GeometrySpec {
             ball_count,
             ball_diameter: 0.03016,
             pitch_diameter: 0.1675,
-            inner_coefficient: 0.52,
-            outer_coefficient: 0.53,
-            contact_angle: 18_f64.to_radians(),
-        }
+            inner_groove: Groove::Coefficient(0.52),
+            outer_groove: Groove::Coefficient(0.53),
+            fit: Fit::ContactAngle(18_f64.to_radians()),
+        })
+        .unwrap()
     }
 
     /// Volume inside a closed mesh whose triangles wind anticlockwise from outside (divergence theorem).
@@ -251,7 +253,7 @@ mod tests {
             let gap = distance(nearest) - geometry.ball_radius();
             assert!((0.0..1e-5).contains(&gap), "{side:?}: {gap} m");
             let angle = (nearest[2] / (nearest[0] - centre[0])).atan();
-            assert!((angle - geometry.contact_angle).abs() < 0.08, "{side:?}: {angle} rad");
+            assert!((angle - geometry.contact_angle()).abs() < 0.08, "{side:?}: {angle} rad");
         }
     }
 

@@ -1,9 +1,10 @@
 //! Rotations as unit quaternions (x, y, z, w), as far as frames of a bearing need them.
 
 use crate::wire::foxglove;
+use serde::{Deserialize, Serialize};
 
 /// A unit quaternion: a vector v of its own frame is q v q* in the parent's.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Rotation {
     pub(crate) vector: [f64; 3],
     pub(crate) real: f64,

@@ -68,6 +68,8 @@ pub struct RunReader<R> {
     /// Topics and message types by channel.
     channels: BTreeMap<u16, (String, u16)>,
     schemas: BTreeMap<u16, String>,
+    /// Whether balls are wanted.
+    balls: bool,
     /// Items of the piece that was read last.
     ready: VecDeque<Result<RunItem, RecordError>>,
     failed: bool,
@@ -95,12 +97,18 @@ impl<R: Read + Seek> RunReader<R> {
         let summary = scanner.summary().map_err(error)?;
         let (channels, schemas) = (BTreeMap::new(), BTreeMap::new());
         let name = name.to_owned();
-        let mut reader = Self { scanner, name, channels, schemas, ready: VecDeque::new(), failed: false };
+        let mut reader = Self { scanner, name, channels, schemas, balls: true, ready: VecDeque::new(), failed: false };
         if let Some(summary) = summary {
             reader.absorb(&summary);
             reader.ready.clear();
         }
         Ok(reader)
+    }
+
+    /// Leaves out the balls, most of what is to decode.
+    #[must_use]
+    pub fn without_balls(self) -> Self {
+        Self { balls: false, ..self }
     }
 
     /// Whether the file ends before its end mark; known once all items are read.
@@ -152,6 +160,7 @@ impl<R: Read + Seek> RunReader<R> {
         let schema = self.schemas.get(schema).map_or("", String::as_str);
         let item = match schema {
             "tribodyn.v1.TransientState" => StateRow::decode(data).map(RunItem::State),
+            "tribodyn.v1.Balls" if !self.balls => return Ok(None),
             "tribodyn.v1.Balls" => tribodyn::Balls::decode(data).map(|balls| RunItem::Balls(balls.time_s, balls.balls)),
             "tribodyn.v1.Wear" => WearRow::decode(data).map(RunItem::Wear),
             "tribodyn.v1.Spectrum" => SpectrumRow::decode(data).map(RunItem::Spectrum),

@@ -1,13 +1,13 @@
 //! Writing a recording: checks first, then everything into `<path>.active`, which gets its name when it is whole.
 
+use crate::ball::{self, Derived};
 use crate::check::check;
 use crate::contacts::{self, Scales};
 use crate::frames::{self, Spins};
 use crate::output::{Channel, Entries, Output, SMALL, active_path, file_error, fnv1a};
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, Timeline, timestamp};
-use crate::wire::foxglove::{Log, log};
-use crate::wire::{FOXGLOVE_DESCRIPTORS, TRIBODYN_DESCRIPTORS};
+use crate::wire::foxglove::{Log, SceneUpdate, log};
 use crate::{RecordError, RecordingSummary, mesh, messages, read_summary};
 use mcap::McapResult;
 use std::fs::{self, File};
@@ -15,6 +15,7 @@ use std::io::{BufWriter, Seek, Write};
 use std::path::Path;
 use tribodyn_bearing::case::Case;
 use tribodyn_bearing::{Geometry, Side};
+use tribodyn_dynamics::BallSample;
 use tribodyn_quasistatic::{AzimuthRule, OverAzimuth};
 use tribodyn_quasistatic::{BallSolution, Solution};
 
@@ -134,23 +135,23 @@ impl<'a> Recording<'a> {
         let at = |azimuth: f64| (azimuth, self.over.at(azimuth));
         let balls: Vec<(f64, BallSolution)> =
             (0..self.geometry.ball_count).map(|ball| at(self.over.start(ball) + turned)).collect();
+        let as_samples: Vec<(BallSample, Derived)> =
+            balls.iter().map(|(azimuth, b)| ball::of_solution(*azimuth, b)).collect();
         let time = timeline.log_time(sample);
         if sample.is_multiple_of(timeline.frame_stride) {
             let diameter = self.geometry.ball_diameter;
             out.log(Topic::Transforms as usize, time, &frames::transforms(solution, timeline, sample, &balls, spins))?;
-            out.log(
-                Topic::Contacts as usize,
-                time,
-                &contacts::update(
-                    diameter,
-                    Scales::of(solution),
-                    time,
-                    balls.iter().map(|(_, b)| contacts::of_solution(b)),
-                ),
-            )?;
+            let arrows = as_samples.iter().map(|(b, _)| contacts::of_sample(b));
+            let mut update = SceneUpdate::default();
+            contacts::update(&mut update, (diameter, Scales::of(solution)), time, arrows);
+            out.log(Topic::Contacts as usize, time, &update)?;
         }
         out.log(Topic::State as usize, time, &messages::state(solution, timeline, sample, &balls))?;
-        out.log(Topic::Balls as usize, time, &messages::balls(self.geometry.pitch_diameter, timeline, sample, &balls))
+        out.log(
+            Topic::Balls as usize,
+            time,
+            &messages::balls(self.geometry.pitch_diameter, timeline, sample, &as_samples),
+        )
     }
 
     fn metadata(&self) -> Entries {
@@ -162,7 +163,7 @@ impl<'a> Recording<'a> {
             ("ball_count", geometry.ball_count.to_string()),
             ("ball_diameter_mm", (geometry.ball_diameter * 1e3).to_string()),
             ("pitch_diameter_mm", (geometry.pitch_diameter * 1e3).to_string()),
-            ("free_contact_angle_deg", geometry.contact_angle.to_degrees().to_string()),
+            ("free_contact_angle_deg", geometry.contact_angle().to_degrees().to_string()),
             ("model", format!("{:?}", solution.model)),
             ("converged", solution.converged.to_string()),
             ("residual", solution.residual.to_string()),
@@ -199,10 +200,10 @@ enum Topic {
 
 /// The channels, in the order of [`Topic`].
 const CHANNELS: [Channel; 6] = [
-    Channel { topic: "/bearing/geometry", schema: "foxglove.SceneUpdate", descriptors: FOXGLOVE_DESCRIPTORS },
-    Channel { topic: "/log", schema: "foxglove.Log", descriptors: FOXGLOVE_DESCRIPTORS },
-    Channel { topic: "/tf", schema: "foxglove.FrameTransforms", descriptors: FOXGLOVE_DESCRIPTORS },
-    Channel { topic: "/bearing/contacts", schema: "foxglove.SceneUpdate", descriptors: FOXGLOVE_DESCRIPTORS },
-    Channel { topic: "/bearing/state", schema: "tribodyn.v1.BearingState", descriptors: TRIBODYN_DESCRIPTORS },
-    Channel { topic: "/bearing/balls", schema: "tribodyn.v1.Balls", descriptors: TRIBODYN_DESCRIPTORS },
+    Channel::foxglove("/bearing/geometry", "foxglove.SceneUpdate"),
+    Channel::foxglove("/log", "foxglove.Log"),
+    Channel::foxglove("/tf", "foxglove.FrameTransforms"),
+    Channel::foxglove("/bearing/contacts", "foxglove.SceneUpdate"),
+    Channel::own("/bearing/state", "tribodyn.v1.BearingState"),
+    Channel::own("/bearing/balls", "tribodyn.v1.Balls"),
 ];

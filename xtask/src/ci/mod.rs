@@ -1,5 +1,6 @@
 //! `cargo xtask ci`: everything that continuous integration checks, in one build profile.
 
+mod figures;
 mod hygiene;
 mod layers;
 mod licences;
@@ -21,7 +22,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 9] = [
+const STEPS: [Step; 10] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -30,6 +31,7 @@ const STEPS: [Step; 9] = [
     ("hygiene", hygiene::check),
     ("licences", licences::check),
     ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
+    ("figures", figures::check),
     ("recording read by Python", || recording::check(&recordings())),
 ];
 

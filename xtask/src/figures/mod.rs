@@ -1,64 +1,122 @@
-//! `cargo xtask figures`: the result figures of the paper from our own runs: 9 and 15 of the traction curves, the transient
-//! 13 and 19 to 24, and the quasi-static 14 and 16 to 18. The paper's numbers are marked where its text gives them.
+//! `cargo xtask figures`: the result figures of the paper, 9 and 13 to 24, from our own runs, with the numbers marked that its text
+//! gives. The page that shows them names case and command of each. Short runs do for a check that all of them can be made.
 
-mod content;
 mod curves;
+mod loads;
+mod over_time;
+mod page;
+mod runs;
+mod specs;
+mod steady;
 
 use crate::error::Failure;
 use crate::files;
-use crate::transient::{Set, in_time};
-use std::path::PathBuf;
-use tribodyn_plot::Figure;
+use runs::{Length, Made};
+use specs::{SPECS, Spec};
+use std::path::{Path, PathBuf};
+
+pub use page::{PAGE, linked, page};
 
 /// Wide enough for a page at 200 dots per inch.
 const PNG_WIDTH: u32 = 1600;
-/// Where the page looks for them.
-const DEFAULT_FOLDER: &str = "docs/figures";
-/// The page that shows them.
-const PAGE: &str = "docs/figures.md";
+/// Where the page looks for figures.
+pub const FOLDER: &str = "docs/figures";
+/// Where those of short runs go.
+pub const QUICK_FOLDER: &str = "target/figures";
 
 /// Options of `figures`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Folder for the figures; the page with all of them is written for the default one only
-    #[arg(short, long, value_name = "DIR", default_value = DEFAULT_FOLDER)]
-    output: PathBuf,
+    /// Only figures whose names begin so, as `fig19`; makes only the runs that they need and leaves the page as it is
+    #[arg(long, value_name = "PREFIX")]
+    only: Option<String>,
+    /// Transient runs just long enough for one orbit after the start: every figure, in a folder of its own
+    #[arg(long)]
+    quick: bool,
+    /// Folder for the figures [default: docs/figures, or target/figures with --quick]
+    #[arg(short, long, visible_alias = "out", value_name = "DIR")]
+    output: Option<PathBuf>,
 }
 
-/// A figure of the page.
-pub struct Entry {
-    /// The paper's figure, as in `13a`.
-    pub of: &'static str,
-    /// Case files and what is seen.
-    pub caption: &'static str,
-    pub figure: Figure,
-}
-
-/// Makes the runs and writes all figures and the page.
+/// Makes the runs and writes the figures; with all of them in the default folder also the page.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let set = in_time("dynamic runs", || Set::run(None))?;
-    let folder = files::root().join(&arguments.output);
-    let steady = crate::validate::write_solution_figures(&folder)?;
-    let mut entries = curves::all()?;
-    entries.extend(content::all(&set)?);
-    for entry in &entries {
-        files::write(&folder.join(format!("{}.svg", entry.figure.name)), entry.figure.svg().as_bytes())?;
-        files::write(&folder.join(format!("{}.png", entry.figure.name)), &entry.figure.png(PNG_WIDTH)?)?;
+    let (length, default) = if arguments.quick { (Length::Quick, QUICK_FOLDER) } else { (Length::Full, FOLDER) };
+    let folder = files::root().join(arguments.output.as_deref().unwrap_or(Path::new(default)));
+    let committed = is_committed(&folder);
+    if arguments.quick && committed {
+        let findings = vec![format!("{} holds those of whole runs", folder.display())];
+        return Err(Failure::Check { what: "figures of short runs go elsewhere", findings });
     }
-    if arguments.output.as_os_str() == DEFAULT_FOLDER {
-        files::write(&files::root().join(PAGE), page(&entries, &steady).as_bytes())?;
+    let specs = chosen(arguments.only.as_deref())?;
+    write(&specs, &folder, length)?;
+    if committed && arguments.only.is_none() {
+        files::write(&files::root().join(PAGE), page().as_bytes())?;
     }
     Ok(())
 }
 
-fn page(entries: &[Entry], steady: &[String]) -> String {
-    let mut out = String::from(
-        "# Figures\n\nThe result figures of the paper from our own runs, all by one command:\n\n    cargo xtask figures\n\nWhich of the paper's statements they bear out stands in [validation.md](validation.md).\n\n## Traction curves and transient: Figs. 9, 13, 15 and 19 to 24\n",
-    );
-    for Entry { of, caption, figure } in entries {
-        out.push_str(&format!("\n### Fig. {of}\n\n![{0}](figures/{0}.svg)\n\n{caption}\n", figure.name));
+/// All figures from short runs; returns their names.
+pub fn quick(folder: &Path) -> Result<Vec<&'static str>, Failure> {
+    write(&SPECS.iter().collect::<Vec<_>>(), folder, Length::Quick)?;
+    Ok(SPECS.iter().map(|spec| spec.name).collect())
+}
+
+/// Whether a folder is that of the committed figures, however it is written.
+fn is_committed(folder: &Path) -> bool {
+    let plain = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    plain(folder) == plain(&files::root().join(FOLDER))
+}
+
+fn chosen(prefix: Option<&str>) -> Result<Vec<&'static Spec>, Failure> {
+    let prefix = prefix.unwrap_or("");
+    let specs: Vec<&Spec> = SPECS.iter().filter(|spec| spec.name.starts_with(prefix)).collect();
+    if specs.is_empty() {
+        let findings = SPECS.iter().map(|spec| spec.name.to_owned()).collect();
+        return Err(Failure::Check { what: "no figure has a name that begins so; there are", findings });
     }
-    out.push_str("\n## Quasi-static: Figs. 14 and 16 to 18\n\nCases 1 to 4 of Table 4, from `fixtures/cases/paper-ag.ron`; crosses of the pressures are Table 5's.\n");
-    steady.iter().for_each(|name| out.push_str(&format!("\n![{name}](figures/{name}.svg)\n")));
-    out
+    Ok(specs)
+}
+
+fn write(specs: &[&Spec], folder: &Path, length: Length) -> Result<(), Failure> {
+    let made = Made::for_all(specs.iter().map(|spec| spec.cases), length)?;
+    for spec in specs {
+        let figure = (spec.draw)(spec, &made)?;
+        files::write(&folder.join(format!("{}.svg", spec.name)), figure.svg().as_bytes())?;
+        files::write(&folder.join(format!("{}.png", spec.name)), &figure.png(PNG_WIDTH)?)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_a_prefix_chooses_its_figures_and_a_wrong_one_is_refused() {
+        assert_eq!(chosen(None).unwrap().len(), SPECS.len());
+        let names: Vec<_> = chosen(Some("fig13")).unwrap().iter().map(|spec| spec.name).collect();
+        assert!(names.len() > 1 && names.iter().all(|name| name.starts_with("fig13")), "{names:?}");
+        let Err(Failure::Check { findings, .. }) = chosen(Some("fig99")) else { panic!("found") };
+        assert_eq!(findings.len(), SPECS.len());
+    }
+
+    #[test]
+    fn limit_short_runs_never_go_over_the_committed_figures() {
+        for folder in ["docs/figures", "docs/../docs/figures/"] {
+            let output = Some(files::root().join(folder));
+            let refused = run(&Arguments { only: Some("fig09".to_owned()), quick: true, output });
+            assert!(matches!(refused, Err(Failure::Check { .. })), "{folder}");
+        }
+    }
+
+    #[test]
+    fn identity_figures_that_need_no_run_are_written_with_both_files() {
+        let folder = std::env::temp_dir().join(format!("tribodyn-figures-{}", std::process::id()));
+        let arguments = Arguments { only: Some("fig09".to_owned()), quick: false, output: Some(folder.clone()) };
+        run(&arguments).unwrap();
+        let svg = files::read(&folder.join("fig09-curves.svg")).unwrap();
+        let png = std::fs::read(folder.join("fig09-curves.png")).unwrap();
+        std::fs::remove_dir_all(&folder).unwrap();
+        assert!(svg.contains("published") && png.starts_with(b"\x89PNG"));
+    }
 }

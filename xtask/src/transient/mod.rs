@@ -5,7 +5,7 @@ mod plans;
 mod trace;
 
 pub use orbit::{RPM, SECTORS, Window};
-pub use plans::{Plan, Set, in_time};
+pub use plans::{Change, FAST, Plan, Set, in_time};
 pub use trace::{StateSample, Trace};
 
 use crate::error::Failure;

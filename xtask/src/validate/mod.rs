@@ -16,8 +16,9 @@ mod tables;
 use crate::error::Failure;
 use crate::files;
 use crate::transient::{Set, in_time};
+pub use dynamic::{defect_rows, rows as dynamic_rows};
 use published::Published;
-use row::{Row, Verdict};
+pub use row::{Evidence, Row, Verdict};
 use runs::Runs;
 use serde::Serialize;
 use std::io::Write;
@@ -188,9 +189,9 @@ pub fn rewrite_fixtures() -> Result<(), Failure> {
     print(&format!("{}\n", document::summary(&report)))
 }
 
-/// Draws the figures of the quasi-static cases; returns their names.
-pub fn write_solution_figures(folder: &Path) -> Result<Vec<String>, Failure> {
-    output::figures(folder, &Runs::solve(&paper_case())?, &Published::read()?)
+/// The charts of the quasi-static cases with the paper's points.
+pub fn solution_charts() -> Result<Vec<tribodyn_plot::SolutionCharts>, Failure> {
+    output::charts(&Runs::solve(&paper_case())?, &Published::read()?)
 }
 
 /// Rewrites the table of sensitivities from its committed result.

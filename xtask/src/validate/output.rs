@@ -8,7 +8,7 @@ use super::runs::Runs;
 use crate::error::Failure;
 use crate::{files, table};
 use std::path::Path;
-use tribodyn_plot::{Quantity, solution_figures};
+use tribodyn_plot::{Quantity, SolutionCharts, solution_charts};
 use tribodyn_record::{SolutionRecording, write_solution};
 
 /// Wide enough for a page at 200 dots per inch.
@@ -33,16 +33,20 @@ fn recording_name(id: &str) -> String {
     if id == "jh" { "jones-harris.mcap".to_owned() } else { format!("case-{id}.mcap") }
 }
 
-/// Polar figures of cases 1 to 4 with Table 5's points; returns their names.
-pub fn figures(folder: &Path, runs: &Runs, published: &Published) -> Result<Vec<String>, Failure> {
-    let mut names = Vec::new();
+/// Polar charts of cases 1 to 4 with Table 5's points.
+pub fn charts(runs: &Runs, published: &Published) -> Result<Vec<SolutionCharts>, Failure> {
     let lines: Vec<_> = runs.cases.iter().map(|run| (run.label, &run.solution)).collect();
-    for figure in solution_figures(&lines, &points(published))? {
+    Ok(solution_charts(&lines, &points(published))?)
+}
+
+/// The figures of these charts.
+pub fn figures(folder: &Path, runs: &Runs, published: &Published) -> Result<(), Failure> {
+    for charts in charts(runs, published)? {
+        let figure = charts.figure()?;
         files::write(&folder.join(format!("{}.svg", figure.name)), figure.svg().as_bytes())?;
         files::write(&folder.join(format!("{}.png", figure.name)), &figure.png(PNG_WIDTH)?)?;
-        names.push(figure.name);
     }
-    Ok(names)
+    Ok(())
 }
 
 fn points(published: &Published) -> [tribodyn_plot::Published; 2] {

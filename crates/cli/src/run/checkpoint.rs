@@ -1,16 +1,16 @@
 //! What a run leaves beside its recording so that it can be taken up again.
 
-use super::tape::Loose;
-use super::watcher::Past;
+use super::tape::{Loose, SharedTape};
 use crate::failure::Failure;
 use crate::run::RunError;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::{Path, PathBuf};
-use tribodyn_dynamics::{Checkpoint, Statistics};
+use tribodyn_dynamics::{Checkpoint, Run};
+use tribodyn_record::RecorderMemory;
 
 /// Changes with the meaning of the fields.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// A run at a time.
@@ -22,48 +22,25 @@ pub struct Saved {
     /// The case that was run, changes made: another one cannot go on from here.
     case_text: String,
     pub run: Checkpoint,
-    pub past: Past,
-    pub statistics: Counts,
-    pub warnings: Vec<String>,
+    pub recorder: RecorderMemory,
     /// Messages of the recording that are safe in the file, in the order of the file.
     pub safe_messages: u64,
     /// Those after them.
     pub loose_messages: Vec<Loose>,
 }
 
-/// What the scheme did, over all parts of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct Counts {
-    pub steps: u64,
-    pub rejected: u64,
-    pub cut_at_pocket: u64,
-    pub force_evaluations: u64,
-}
-
-impl Counts {
-    pub fn and(self, s: Statistics) -> Self {
-        Self {
-            steps: self.steps + s.steps,
-            rejected: self.rejected + s.rejected,
-            cut_at_pocket: self.cut_at_pocket + s.cut_at_pocket,
-            force_evaluations: self.force_evaluations + s.evaluations,
-        }
-    }
-}
-
 impl Saved {
-    pub fn new(case_text: &str, run: Checkpoint, simulated_s: f64) -> Self {
+    pub fn new(case_text: &str, run: &Run, recorder: &RecorderMemory, tape: &SharedTape) -> Self {
+        let (safe_messages, loose_messages) = tape.state();
         Self {
             format: FORMAT,
             version: VERSION.to_owned(),
-            simulated_s,
+            simulated_s: run.time(),
             case_text: case_text.to_owned(),
-            run,
-            past: Past::default(),
-            statistics: Counts::default(),
-            warnings: Vec::new(),
-            safe_messages: 0,
-            loose_messages: Vec::new(),
+            run: run.checkpoint(),
+            recorder: recorder.clone(),
+            safe_messages,
+            loose_messages,
         }
     }
 

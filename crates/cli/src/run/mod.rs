@@ -13,7 +13,6 @@ mod progress;
 mod resume;
 mod summary;
 mod tape;
-mod watcher;
 
 pub use error::RunError;
 pub use summary::Summary;
@@ -22,7 +21,7 @@ use crate::failure::Failure;
 use crate::input::{CaseArguments, CaseFile, Change};
 use crate::solve::check_output;
 use crate::table;
-use checkpoint::{Counts, Files, Saved};
+use checkpoint::{Files, Saved};
 use progress::Progress;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use std::fs;
@@ -34,7 +33,6 @@ use tape::{SharedTape, Viewers};
 use tribodyn_bearing::case::{Case, SchemeSpec};
 use tribodyn_dynamics::{DynamicsError, Event, EventKind, Observer, Run, RunError as Advance};
 use tribodyn_record::{RecordError, RunRecorder, RunRecording};
-use watcher::Watcher;
 
 /// Run a bearing in time and record it.
 #[derive(clap::Args)]
@@ -150,9 +148,7 @@ struct Session {
     run: Run,
     files: Files,
     tape: SharedTape,
-    watcher: Watcher,
-    /// What earlier parts of the run took.
-    before: Counts,
+    recorder: RunRecorder<SharedTape>,
     slices: Slices,
 }
 
@@ -161,8 +157,8 @@ impl Session {
         for old in [&files.checkpoint, &files.active, &files.earlier] {
             remove(old)?;
         }
-        let (tape, watcher) = Self::record(file, &files, viewers)?;
-        Ok(Self { slices: Slices::new(&file.case), run, files, tape, watcher, before: Counts::default() })
+        let (tape, recorder) = Self::record(file, &files, viewers)?;
+        Ok(Self { slices: Slices::new(&file.case), run, files, tape, recorder })
     }
 
     fn resume(
@@ -173,16 +169,12 @@ impl Session {
         viewers: Option<Box<dyn Viewers>>,
     ) -> Result<Self, Failure> {
         resume::set_aside(&files)?;
-        let first = run.sample();
-        let (tape, mut watcher) = Self::record(file, &files, viewers)?;
+        let (tape, mut recorder) = Self::record(file, &files, viewers)?;
         resume::copy(&files, &saved, &tape)?;
-        tape.mute(true);
-        resume::remind(&files.active, &saved, first, &mut watcher)?;
-        tape.mute(false);
-        let before = saved.statistics;
+        recorder.remember(saved.recorder)?;
         let resumed = run.resume(saved.run);
         resumed.map_err(|source| RunError::CannotStart { file: file.name.clone(), source })?;
-        let session = Self { slices: Slices::new(&file.case), run, files, tape, watcher, before };
+        let session = Self { slices: Slices::new(&file.case), run, files, tape, recorder };
         // The new file holds everything from here on.
         session.save(&file.text)?;
         remove(&session.files.earlier)?;
@@ -193,10 +185,10 @@ impl Session {
         file: &CaseFile,
         files: &Files,
         viewers: Option<Box<dyn Viewers>>,
-    ) -> Result<(SharedTape, Watcher), Failure> {
+    ) -> Result<(SharedTape, RunRecorder<SharedTape>), Failure> {
         let tape = SharedTape::create(&files.recording, viewers)?;
         let recording = RunRecording { case_text: &file.text, case: &file.case, generator: GENERATOR };
-        Ok((tape.clone(), Watcher::new(RunRecorder::new(tape, &recording)?)))
+        Ok((tape.clone(), RunRecorder::new(tape, &recording)?))
     }
 
     /// Steps to the end of the duration, or to an interrupt.
@@ -204,7 +196,7 @@ impl Session {
         let mut saved = Instant::now();
         loop {
             let until = self.slices.after(self.run.time());
-            match self.run.advance(until, &mut self.watcher) {
+            match self.run.advance(until, &mut self.recorder) {
                 Ok(_) => progress.show(self.run.time()),
                 Err(Advance::Dynamics(error)) => return Ok(Ending::BrokenOff(error)),
                 Err(Advance::Observer(error)) => return Err(self.not_recorded(error).into()),
@@ -228,17 +220,8 @@ impl Session {
         RunError::NotRecorded { simulated_s: self.run.time(), source: Box::new(source), active }
     }
 
-    fn counts(&self) -> Counts {
-        self.before.and(self.run.statistics())
-    }
-
     fn save(&self, case_text: &str) -> Result<(), RunError> {
-        let (safe_messages, loose_messages) = self.tape.state();
-        let mut saved = Saved::new(case_text, self.run.checkpoint(), self.run.time());
-        saved.past = self.watcher.past.clone();
-        saved.warnings.clone_from(&self.watcher.warnings);
-        saved.statistics = self.counts();
-        (saved.safe_messages, saved.loose_messages) = (safe_messages, loose_messages);
+        let saved = Saved::new(case_text, &self.run, self.recorder.memory(), &self.tape);
         let written = saved.write(&self.files.checkpoint);
         written.map_err(|source| {
             let Files { checkpoint, active, .. } = self.files.clone();
@@ -256,16 +239,16 @@ impl Session {
         let time_s = self.run.time();
         if let Ending::BrokenOff(error) = &ending {
             let kind = EventKind::Warning { message: format!("the run was broken off: {error}") };
-            self.watcher.event(&Event { time_s, kind }).map_err(|error| self.not_recorded(error))?;
+            self.recorder.event(&Event { time_s, kind }).map_err(|error| self.not_recorded(error))?;
         }
-        let report = outcome::Report::begin(&self.run, file, self.counts(), wall_s);
+        let report = outcome::Report::begin(&self.run, file, wall_s);
         let (files, duration_s) = (self.files.clone(), self.run.duration());
         let not_recorded = |source| RunError::NotRecorded {
             simulated_s: time_s,
             source: Box::new(source),
             active: files.active.clone(),
         };
-        self.watcher.finish().map_err(not_recorded)?;
+        self.recorder.finish().map_err(not_recorded)?;
         if !matches!(ending, Ending::Stopped) {
             remove(&files.checkpoint)?;
         }

@@ -1,16 +1,15 @@
 //! The answer of `tribodyn run`: the summary of the recording, and what only the solver knows.
 
 use super::RunError;
-use super::checkpoint::Counts;
 use super::progress::significant;
-use super::summary::{Summary, Worn};
+use super::summary::Summary;
 use crate::failure::Failure;
 use crate::input::CaseFile;
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tribodyn_bearing::case::Case;
-use tribodyn_dynamics::{Run, Stiffness};
+use tribodyn_dynamics::{Run, Statistics, Stiffness};
 use tribodyn_record::{RecordError, RunItem, RunReader};
 
 pub struct Outcome {
@@ -34,11 +33,8 @@ pub struct Report {
     /// Of the quasi-static solution, over the contact load.
     patch_error_estimate: Option<f64>,
     scheme: String,
-    scheme_statistics: Counts,
+    scheme_statistics: Statistics,
     stiffness: Stiffness,
-    /// At the end: the recording has it ten times a second only.
-    #[serde(skip)]
-    worn: Worn,
     #[serde(flatten)]
     summary: Option<Summary>,
     /// Of the quasi-static solution from which the run starts.
@@ -47,17 +43,8 @@ pub struct Report {
 
 impl Report {
     /// What the solver knows at the end of a run.
-    pub fn begin(run: &Run, file: &CaseFile, counts: Counts, wall_s: f64) -> Self {
+    pub fn begin(run: &Run, file: &CaseFile, wall_s: f64) -> Self {
         let solution = run.solution();
-        let (sample, um3) = (run.sample(), |volume_m3: f64| volume_m3 * 1e18);
-        let worn = Worn {
-            volume_inner_um3: um3(sample.wear.volume_inner_m3),
-            volume_outer_um3: um3(sample.wear.volume_outer_m3),
-            volume_cage_um3: um3(sample.wear.volume_cage_m3),
-            coating_inner_min_um: sample.wear.coating_inner_min_m * 1e6,
-            coating_outer_min_um: sample.wear.coating_outer_min_m * 1e6,
-            at_s: sample.time_s,
-        };
         Self {
             case: file.name.clone(),
             bearing: file.case.name.clone(),
@@ -69,9 +56,8 @@ impl Report {
             patch_rule: format!("{:?}", run.patch_rule()),
             patch_error_estimate: solution.patch_error_estimate,
             scheme: file.case.transient.as_ref().map_or_else(String::new, |t| format!("{:?}", t.scheme)),
-            scheme_statistics: counts,
+            scheme_statistics: run.statistics(),
             stiffness: run.stiffness(),
-            worn,
             summary: None,
             warnings_at_start: solution.warnings.clone(),
         }
@@ -79,17 +65,17 @@ impl Report {
 
     /// Reads the rest from the recording, which shows that it can be read.
     pub fn complete(mut self, recording: &Path, case: &Case, from_s: f64) -> Result<Self, Failure> {
-        let (mut states, mut log) = (Vec::new(), Vec::new());
-        for item in RunReader::open(recording)? {
+        let (mut states, mut wear, mut log) = (Vec::new(), None, Vec::new());
+        for item in RunReader::open(recording)?.without_balls() {
             match item? {
                 RunItem::State(row) => states.push(row),
+                RunItem::Wear(row) => wear = Some(row),
                 RunItem::Log(row) => log.push(row),
                 _ => {}
             }
         }
         let nothing = || RecordError::NothingToRecover { path: recording.to_owned() };
-        let summary = Summary::of(&states, None, &log).ok_or_else(nothing)?;
-        let summary = Summary { wear: self.worn, ..summary }.judged(case);
+        let summary = Summary::of(&states, wear.as_ref(), &log).ok_or_else(nothing)?.judged(case);
         self.simulated_per_wall = (summary.simulated_s - from_s) / self.wall_s;
         self.summary = Some(summary);
         self.recording = recording.to_owned();
@@ -170,7 +156,7 @@ fn solver_rows(r: &Report) -> Vec<Row> {
         ("steps kept", c.steps.to_string(), ""),
         ("steps rejected", c.rejected.to_string(), ""),
         ("steps cut at pockets", c.cut_at_pocket.to_string(), ""),
-        ("evaluations of all forces", c.force_evaluations.to_string(), ""),
+        ("evaluations of all forces", c.evaluations.to_string(), ""),
         ("longest stable fixed step", number(r.stiffness.runge_kutta_step_s * 1e6, 2), "µs"),
     ];
     if let Some(error) = r.patch_error_estimate {

@@ -32,13 +32,11 @@ struct Tape {
     file: Option<FileSink>,
     viewers: Option<Box<dyn Viewers>>,
     topics: Vec<&'static str>,
-    /// Messages are dropped: the recorder is being shown what the file holds already.
-    muted: bool,
     /// Messages that the last flush made safe.
     safe: u64,
-    /// Those after it.
-    loose: Vec<(usize, u64, Vec<u8>)>,
-    loose_bytes: usize,
+    /// Those after it: channel, log time, and where their bytes end.
+    loose: Vec<(usize, u64, usize)>,
+    loose_bytes: Vec<u8>,
 }
 
 /// The sink of a run's recorder, shared with the driver of the run, who asks it what is safe.
@@ -49,12 +47,8 @@ impl SharedTape {
     /// Creates `<path>.active`.
     pub fn create(path: &Path, viewers: Option<Box<dyn Viewers>>) -> Result<Self, RecordError> {
         let file = Some(FileSink::create(path)?);
-        let tape = Tape { file, viewers, topics: Vec::new(), muted: false, safe: 0, loose: Vec::new(), loose_bytes: 0 };
+        let tape = Tape { file, viewers, topics: Vec::new(), safe: 0, loose: Vec::new(), loose_bytes: Vec::new() };
         Ok(Self(Rc::new(RefCell::new(tape))))
-    }
-
-    pub fn mute(&self, muted: bool) {
-        self.0.borrow_mut().muted = muted;
     }
 
     /// Place of a topic among those of a run.
@@ -62,7 +56,7 @@ impl SharedTape {
         self.0.borrow().topics.iter().position(|t| *t == topic)
     }
 
-    /// Writes a message that was recorded before, muted or not.
+    /// Writes a message that was recorded before.
     pub fn put(&self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
         self.0.borrow_mut().write(channel, log_time, data)
     }
@@ -75,10 +69,10 @@ impl SharedTape {
     /// Messages in the file that no kill can take, and those after them.
     pub fn state(&self) -> (u64, Vec<Loose>) {
         let tape = self.0.borrow();
-        let loose = tape.loose.iter().map(|(channel, time, data)| Loose {
-            channel: *channel,
-            log_time_ns: *time,
-            hex: to_hex(data),
+        let mut start = 0;
+        let loose = tape.loose.iter().map(|&(channel, log_time_ns, end)| {
+            let data = &tape.loose_bytes[std::mem::replace(&mut start, end)..end];
+            Loose { channel, log_time_ns, hex: to_hex(data) }
         });
         (tape.safe, loose.collect())
     }
@@ -90,16 +84,16 @@ impl Tape {
         if let Some(viewers) = &mut self.viewers {
             viewers.message(channel, log_time, data)?;
         }
-        self.loose.push((channel, log_time, data.to_vec()));
-        self.loose_bytes += data.len();
-        if self.loose_bytes >= LOOSE_BYTES { self.flush() } else { Ok(()) }
+        self.loose_bytes.extend_from_slice(data);
+        self.loose.push((channel, log_time, self.loose_bytes.len()));
+        if self.loose_bytes.len() >= LOOSE_BYTES { self.flush() } else { Ok(()) }
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {
         self.file.as_mut().ok_or(RecordError::NotBegun)?.flush()?;
         self.safe += self.loose.len() as u64;
         self.loose.clear();
-        self.loose_bytes = 0;
+        self.loose_bytes.clear();
         Ok(())
     }
 }
@@ -117,13 +111,11 @@ impl Sink for SharedTape {
     }
 
     fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
-        let mut tape = self.0.borrow_mut();
-        if tape.muted { Ok(()) } else { tape.write(channel, log_time, data) }
+        self.put(channel, log_time, data)
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {
-        let mut tape = self.0.borrow_mut();
-        if tape.muted { Ok(()) } else { tape.flush() }
+        self.0.borrow_mut().flush()
     }
 
     fn finish(self) -> Result<RecordingSummary, RecordError> {

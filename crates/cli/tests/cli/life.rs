@@ -91,6 +91,40 @@ fn identity_what_is_worn_at_the_start_is_clearance() {
     assert_eq!(life(&half, &[]).code, 2);
 }
 
+/// What is worn at the start counts once: the first stride is the equilibrium of a bearing with new coatings and the free
+/// contact angle that the worn ones leave. Counted again as a depth of the grooves, the loads would be others.
+#[test]
+fn identity_what_is_worn_at_the_start_counts_once() {
+    let case = fixture("paper-ag-worn.ron");
+    let answer = run(&[&"life", &case, &"--set", &CHEAP, &"--until", &"1e-3", &"--json"]).json();
+    let first = &answer["strides"][0];
+    let angle = format!("geometry.fit=ContactAngle(deg({}))", number(first, "contact_angle_free_deg"));
+    let solved = |changes: &[&str]| {
+        let mut words: Vec<&dyn AsRef<OsStr>> = vec![&"solve", &case, &"--set", &CHEAP, &"--json"];
+        for change in changes {
+            words.push(&"--set");
+            words.push(change);
+        }
+        run(&words).json()
+    };
+    let largest = |solution: &Value, field: &str| {
+        let balls = solution["balls"].as_array().unwrap().iter();
+        balls.map(|ball| number(ball, field)).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let angles = |solution: &Value| ["inner", "outer"].map(|r| largest(solution, &format!("contact_angle_{r}_deg")));
+    let once = solved(&[&angle, "coatings.inner.worn=0", "coatings.outer.worn=0"]);
+    let found = ["inner", "outer"].map(|race| number(first, &format!("contact_angle_{race}_max_deg")));
+    for (found, expected) in found.into_iter().zip(angles(&once)) {
+        assert_close(found, expected, 1e-9);
+    }
+    assert_close(number(first, "cage_speed_rpm"), number(&once, "cage_speed_rpm"), 1e-9);
+    assert_close(number(first, "pressure_inner_max_gpa"), 1e-9 * largest(&once, "peak_pressure_inner_pa"), 1e-9);
+    // The difference that counting twice makes, so that the comparison above can tell.
+    let twice = solved(&[&angle]);
+    let apart = (angles(&twice)[1] - angles(&once)[1]).abs();
+    assert!(apart > 1e-3, "counted twice {apart}° from counted once");
+}
+
 #[test]
 fn limit_what_lasts_for_ever_needs_an_end() {
     let none = ["wear.inner.coefficient=0", "wear.outer.coefficient=0"];

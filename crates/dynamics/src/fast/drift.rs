@@ -51,9 +51,10 @@ pub(super) fn drift_acceleration<L: TractionLaw>(
 /// Velocities by the drift's accelerations.
 pub(super) fn push<L>(machine: &Machine<L>, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
     let l = machine.layout;
-    for index in 0..l.balls {
-        let at = l.ball(index);
-        for k in at + VELOCITY..=at + ORBIT {
+    let count = BALL * l.balls;
+    let parts = a[..count].as_chunks::<BALL>().0.iter().zip(common[..count].as_chunks::<BALL>().0);
+    for (y, (a, common)) in y[..count].as_chunks_mut::<BALL>().0.iter_mut().zip(parts) {
+        for k in VELOCITY..=ORBIT {
             y[k] += h * (a[k] - common[k]);
         }
     }

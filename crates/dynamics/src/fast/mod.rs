@@ -49,6 +49,9 @@ const RING_SMOOTHING_TIME: f64 = 5e-3;
 const RINGS_EVERY: usize = 16;
 /// Most steps that a linear traction serves.
 const LONGEST_LINEAR: usize = 64;
+/// Reach of a linear traction for samples, over that for steps: half a step before a refresh the linear form must not give
+/// way to an integral that serves only once.
+const BEFORE_REFRESH: f64 = 1.5;
 /// Longest step of the drift over the period of the contact springs, as an angle: leapfrog is stable up to 2.
 const DRIFT_ANGLE: f64 = 1.4;
 
@@ -205,13 +208,13 @@ impl Fast {
         let predicted = self.rings * on_rings * h;
         for index in 0..l.balls {
             let b = &mut y[l.ball(index)..][..BALL];
-            let (sin, cos) = b[AZIMUTH].sin_cos();
+            let azimuth = self.stands[index].azimuth;
             let friction = &self.friction[index];
-            let rings = ring_in_ball_axes([sin, cos], &predicted);
+            let rings = ring_in_ball_axes(azimuth, &predicted);
             let change = friction.follow * rings;
             b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
-            let force = (friction.coupling.tr_mul(&change) + friction.own * rings) * 0.5;
-            on_rings += in_inertial_axes([sin, cos], &force);
+            let force = (friction.coupling.tr_mul(&change) + friction.on_rings(&rings)) * 0.5;
+            on_rings += in_inertial_axes(azimuth, &force);
         }
         let [inner, outer] = [h / machine.inner.mass, h / machine.outer.mass];
         for k in (0..3).filter(|&k| machine.inner.free[k]) {
@@ -252,10 +255,9 @@ impl Fast {
     ) -> PatchTraction {
         let linear = self.contacts.get(index).map(|c| &c.of[usize::from(!patch.is_inner(&machine.bearing))]);
         let (load, radius) = (load_of(patch), patch.patch.ball_radius);
-        match linear.filter(|linear| linear.holds(&patch.motion, load, patch.bare, radius)) {
-            Some(linear) => linear.traction(&patch.motion, load),
-            None => machine.kernel.traction(&machine.bearing, patch),
-        }
+        linear
+            .and_then(|linear| linear.at(&patch.motion, load, (patch.bare, BEFORE_REFRESH), radius))
+            .unwrap_or_else(|| machine.kernel.traction(&machine.bearing, patch))
     }
 
     /// Contacts integrated over their patch, and contacts used.
@@ -295,9 +297,12 @@ impl Fast {
             let axes = normal.pose.normal(side);
             let (motion, _) = bearing.relative_motion(axes, &state, &frame.rings[k], stand.normal.orbit_radius);
             let linear = &contacts.of[k];
-            holds = linear.holds(&motion, normal.load, stand.surfaces[k].bare, bearing.geometry.ball_radius());
-            let traction = linear.traction(&motion, normal.load);
-            grip.add(machine, (k, side), axes, &traction, linear.semi_lateral());
+            let traction =
+                linear.at(&motion, normal.load, (stand.surfaces[k].bare, 1.0), bearing.geometry.ball_radius());
+            holds = traction.is_some();
+            if let Some(traction) = traction {
+                grip.add(machine, (k, side), axes, &traction, linear.semi_lateral());
+            }
         }
         if holds {
             return grip;
@@ -324,10 +329,10 @@ impl Fast {
         let mut sum = Matrix5::from_diagonal(&Vector5::new(inner, inner, inner, outer, outer));
         for (index, f) in self.friction.iter().enumerate() {
             let (sin, cos) = y[machine.layout.ball(index) + AZIMUTH].sin_cos();
-            let given_back = (f.own + f.coupling.tr_mul(&f.follow)) * (0.5 * h);
+            let given_back = f.coupling.tr_mul(&f.follow);
             for column in 0..5 {
-                let unit = Vector5::ith(column, 1.0);
-                let force = in_inertial_axes([sin, cos], &(given_back * ring_in_ball_axes([sin, cos], &unit)));
+                let unit = ring_in_ball_axes([sin, cos], &Vector5::ith(column, 1.0));
+                let force = in_inertial_axes([sin, cos], &((given_back * unit + f.on_rings(&unit)) * (0.5 * h)));
                 let mut slot = sum.column_mut(column);
                 slot -= force;
             }

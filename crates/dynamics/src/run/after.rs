@@ -17,7 +17,7 @@ impl<L: TractionLaw> Run<L> {
         t: f64,
         observer: &mut O,
     ) -> Result<ControlFlow<()>, RunError<O::Error>> {
-        self.statistics.steps += 1;
+        self.progress.statistics.steps += 1;
         let from = self.progress.time;
         self.pocket_events(t, observer)?;
         let flow = self.samples_within(from, t, observer)?;
@@ -26,7 +26,7 @@ impl<L: TractionLaw> Run<L> {
         self.progress.time = t;
         self.deposit(t - from, observer)?;
         self.contact_events(observer)?;
-        if self.statistics.steps.is_multiple_of(LOOK_EVERY) {
+        if self.progress.statistics.steps.is_multiple_of(LOOK_EVERY) {
             self.look()?;
         }
         Ok(flow)
@@ -152,7 +152,7 @@ impl<L: TractionLaw> Run<L> {
                 self.machine.raceways[side].remove(azimuth, volume, watch.semi_lateral[side]);
             }
         }
-        if self.machine.wear_acceleration == 0.0 || !self.statistics.steps.is_multiple_of(WEAR_LOOK_EVERY) {
+        if self.machine.wear_acceleration == 0.0 || !self.progress.statistics.steps.is_multiple_of(WEAR_LOOK_EVERY) {
             return Ok(());
         }
         for side in 0..2 {
@@ -180,8 +180,8 @@ impl<L: TractionLaw> Run<L> {
     /// Looks at stiffness and at balls that leave.
     pub(super) fn look<E>(&mut self) -> Result<(), RunError<E>> {
         let step_s = self.step();
+        self.progress.stiffness = self.machine.stiffness(self.progress.time, &self.progress.state);
         let p = &self.progress;
-        self.stiffness = self.machine.stiffness(p.time, &p.state);
         let l = self.machine.layout;
         let limit = THROWN_OUT * self.machine.bearing.geometry.ball_diameter;
         for ball in 0..l.balls {
@@ -215,17 +215,17 @@ impl<L: TractionLaw> Run<L> {
 
     /// Says once that a fixed step is beyond the bound.
     pub(super) fn warn_if_stiff<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
-        let Stiffness { traction_rate_per_s, ball, contact_frequency_hz, .. } = self.stiffness;
+        let Stiffness { traction_rate_per_s, ball, contact_frequency_hz, .. } = self.progress.stiffness;
         let (step, name) = match self.scheme {
             Scheme::Rk4 { step, .. } => (step, "the Runge–Kutta method"),
             Scheme::Fast { step } => (step, "the fast scheme"),
             Scheme::DormandPrince { .. } => return Ok(()),
         };
         let limit = self.longest_step();
-        if self.warned || step <= limit {
+        if self.progress.warned || step <= limit {
             return Ok(());
         }
-        self.warned = true;
+        self.progress.warned = true;
         let message = format!(
             "the step of {step:.2e} s is beyond the stability of {name}, {limit:.2e} s here (friction of ball {ball} decays at {traction_rate_per_s:.2e} per s, contacts vibrate at {contact_frequency_hz:.0} Hz): results may be wrong without a sign; shorten the step, or take the fast scheme where friction is the stiffer"
         );

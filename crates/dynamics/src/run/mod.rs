@@ -33,11 +33,8 @@ pub struct Run<L = CoatingLaw> {
     next: Vec<f64>,
     next_derivative: Vec<f64>,
     scale: Vec<f64>,
-    stiffness: Stiffness,
     start: Vec<f64>,
     solution: Solution,
-    warned: bool,
-    statistics: Statistics,
 }
 
 /// Everything that changes during a run: save it, and [`Run::resume`] goes on from it to the same bytes.
@@ -60,10 +57,15 @@ pub struct Checkpoint {
     /// Work put in, lost and put in by magnitude, J, up to the last sample of the fast scheme, and their rates there, W.
     work: [f64; 3],
     rates: [f64; 3],
+    /// Looks at stiffness and coating come by the number of steps, and what they saw last goes into steps and samples.
+    statistics: Statistics,
+    stiffness: Stiffness,
+    thinnest: [f64; 2],
+    warned: bool,
 }
 
 /// What the scheme did.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Statistics {
     /// Steps kept.
     pub steps: u64,
@@ -72,6 +74,7 @@ pub struct Statistics {
     /// Steps cut where a ball met or left its pocket wall.
     pub cut_at_pocket: u64,
     /// Evaluations of all forces.
+    #[serde(rename = "force_evaluations")]
     pub evaluations: u64,
     /// Patches integrated by the fast scheme.
     pub patches_integrated: u64,
@@ -175,6 +178,10 @@ impl<L: TractionLaw> Run<L> {
             fast: Fast::default(),
             work: [0.0; 3],
             rates: [0.0; 3],
+            statistics: Statistics::default(),
+            stiffness: machine.stiffness(0.0, &state),
+            thinnest: machine.thinnest,
+            warned: false,
             state: state.clone(),
         };
         let mut run = Self {
@@ -185,11 +192,8 @@ impl<L: TractionLaw> Run<L> {
             next: state.clone(),
             next_derivative: state.clone(),
             scale: scales(&machine, &state),
-            stiffness: machine.stiffness(0.0, &state),
             start: state,
             solution,
-            warned: false,
-            statistics: Statistics::default(),
             progress,
             machine,
         };
@@ -214,14 +218,14 @@ impl<L: TractionLaw> Run<L> {
             return Err(DynamicsError::Checkpoint { found, expected });
         }
         self.machine.raceways = checkpoint.raceways.clone();
-        self.machine.thinnest = self.machine.raceways.each_ref().map(Raceway::thinnest);
+        self.machine.thinnest = checkpoint.thinnest;
         self.progress = checkpoint;
         Ok(())
     }
 
     /// What [`Self::resume`] needs.
     pub fn checkpoint(&self) -> Checkpoint {
-        Checkpoint { raceways: self.machine.raceways.clone(), ..self.progress.clone() }
+        Checkpoint { raceways: self.machine.raceways.clone(), thinnest: self.machine.thinnest, ..self.progress.clone() }
     }
 
     /// Simulated time, s.
@@ -241,14 +245,14 @@ impl<L: TractionLaw> Run<L> {
 
     /// The bound on explicit steps at the last look.
     pub fn stiffness(&self) -> Stiffness {
-        self.stiffness
+        self.progress.stiffness
     }
 
     /// Longest step of the run's scheme by that bound, s.
     fn longest_step(&self) -> f64 {
         match self.scheme {
-            Scheme::Fast { .. } => self.stiffness.fast_step_s,
-            _ => self.stiffness.runge_kutta_step_s,
+            Scheme::Fast { .. } => self.progress.stiffness.fast_step_s,
+            _ => self.progress.stiffness.runge_kutta_step_s,
         }
     }
 
@@ -257,10 +261,10 @@ impl<L: TractionLaw> Run<L> {
         self.machine.kernel.rule()
     }
 
-    /// What the scheme did so far.
+    /// What the scheme did since the start, in the parts before a checkpoint too.
     pub fn statistics(&self) -> Statistics {
         let [patches_integrated, patches_used] = self.progress.fast.patches();
-        Statistics { patches_integrated, patches_used, ..self.statistics }
+        Statistics { patches_integrated, patches_used, ..self.progress.statistics }
     }
 
     /// Everything at the present time.

@@ -25,7 +25,7 @@ impl<L: TractionLaw> Run<L> {
             let explicit = !matches!(self.scheme, Scheme::Fast { .. });
             let h = match self.pocket_event(h).filter(|_| explicit) {
                 Some(cut) => {
-                    self.statistics.cut_at_pocket += 1;
+                    self.progress.statistics.cut_at_pocket += 1;
                     self.exact_step(cut * h)?;
                     cut * h
                 }
@@ -55,7 +55,7 @@ impl<L: TractionLaw> Run<L> {
             if self.progress.control.judge(error, h, longest) {
                 return Ok(h);
             }
-            self.statistics.rejected += 1;
+            self.progress.statistics.rejected += 1;
             if self.progress.control.step < SHORTEST_STEP {
                 let step_s = SHORTEST_STEP;
                 return Err(DynamicsError::StepTooSmall { time_s: t, step_s, tolerance }.into());
@@ -71,22 +71,22 @@ impl<L: TractionLaw> Run<L> {
             Scheme::Rk4 { method, .. } => {
                 method.step(&mut self.machine, p.time, start, h, &mut self.next);
                 self.machine.derivative(p.time + h, &self.next, &mut self.next_derivative);
-                self.statistics.evaluations += 4;
+                self.progress.statistics.evaluations += 4;
                 0.0
             }
             Scheme::Fast { .. } => {
                 self.next.copy_from_slice(&p.state);
                 let mut fast = std::mem::take(&mut self.progress.fast);
-                let highest = self.stiffness.contact_frequency_hz;
+                let highest = self.progress.stiffness.contact_frequency_hz;
                 fast.step(&mut self.machine, self.progress.time, &mut self.next, h, highest);
                 self.progress.fast = fast;
-                self.statistics.evaluations += 1;
+                self.progress.statistics.evaluations += 1;
                 0.0
             }
             Scheme::DormandPrince { method, tolerance, .. } => {
                 let error = method.step(&mut self.machine, p.time, start, h, &self.scale, &mut self.next);
                 self.next_derivative.copy_from_slice(method.last_derivative());
-                self.statistics.evaluations += 6;
+                self.progress.statistics.evaluations += 6;
                 return Ok(error / *tolerance);
             }
         };

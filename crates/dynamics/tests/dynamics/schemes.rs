@@ -1,7 +1,8 @@
 //! Schemes: order of convergence, and one against the other.
 
-use crate::{case, run};
-use tribodyn_dynamics::{Run, Sample};
+use crate::{Keep, case, run};
+use tribodyn_bearing::case::Case;
+use tribodyn_dynamics::{EventKind, Run, Sample};
 
 /// Short runs from a start that is not in equilibrium: the radial load moves the rings at once.
 const SHORT: [(&str, &str); 4] = [
@@ -59,7 +60,7 @@ fn identity_adaptive_and_fixed_steps_agree() {
 fn identity_fast_kernel_gives_the_run_of_the_plain_one() {
     let case = case(&[("transient.duration", "s(0.0005)"), ("transient.scheme", "RungeKutta4(step: us(10))")]);
     let last = |mut run: Run| {
-        let mut keep = crate::Keep::default();
+        let mut keep = Keep::default();
         run.advance(f64::INFINITY, &mut keep).unwrap();
         keep.samples.pop().unwrap()
     };
@@ -90,23 +91,57 @@ fn identity_halving_the_step_hardly_moves_the_cage() {
     }
 }
 
+/// A run of a case, stopped after so many samples, saved as text and taken up again.
+fn resumed(case: &Case, stop_after: usize) -> (Run, Keep) {
+    let mut first = Run::new(case).unwrap();
+    let mut keep = Keep { stop_after, ..Default::default() };
+    first.advance(f64::INFINITY, &mut keep).unwrap();
+    let text = serde_json::to_string(&first.checkpoint()).unwrap();
+    let mut second = Run::new(case).unwrap();
+    second.resume(serde_json::from_str(&text).unwrap()).unwrap();
+    keep.stop_after = 0;
+    second.advance(f64::INFINITY, &mut keep).unwrap();
+    (second, keep)
+}
+
+/// Samples, events, counts and the last look at the stiffness. The fast scheme makes more than the 1000 steps between two
+/// looks here, which go by the number of steps from the start, and coatings wear fast enough to get thinner.
 #[test]
 fn regress_a_checkpoint_goes_on_to_the_same_numbers() {
-    for scheme in ["RungeKutta4(step: us(10))", "DormandPrince(tolerance: 1e-6, longest: us(10))", "Fast(step: us(20))"]
-    {
-        let case = case(&[("transient.duration", "s(0.002)"), ("transient.scheme", scheme)]);
-        let (_, whole) = run(&case);
-        let mut first = Run::new(&case).unwrap();
-        let mut keep = crate::Keep { stop_after: 20, ..Default::default() };
-        first.advance(f64::INFINITY, &mut keep).unwrap();
-        let text = serde_json::to_string(&first.checkpoint()).unwrap();
-        let mut second = Run::new(&case).unwrap();
-        second.resume(serde_json::from_str(&text).unwrap()).unwrap();
-        keep.stop_after = 0;
-        second.advance(f64::INFINITY, &mut keep).unwrap();
+    for scheme in [
+        "RungeKutta4(step: us(10))",
+        "DormandPrince(tolerance: 1e-6, longest: us(10))",
+        "Fast(step: us(20))",
+        "Fast(step: us(1.5))",
+    ] {
+        let case = case(&[
+            ("transient.duration", "s(0.002)"),
+            ("transient.scheme", scheme),
+            ("transient.wear_acceleration", "1e3"),
+        ]);
+        let (straight, whole) = run(&case);
+        let (second, keep) = resumed(&case, 20);
         assert_eq!(keep.samples.len(), whole.samples.len(), "{scheme}");
         for (a, b) in keep.samples.iter().zip(&whole.samples) {
             assert_eq!(a, b, "{scheme} at {}", a.time_s);
         }
+        assert_eq!(keep.events, whole.events, "{scheme}");
+        assert_eq!(second.statistics(), straight.statistics(), "{scheme}");
+        assert_eq!(second.stiffness(), straight.stiffness(), "{scheme}");
+        assert!(second.checkpoint() == straight.checkpoint(), "{scheme}: the checkpoints at the end differ");
     }
+}
+
+/// A step beyond the bound is warned of once, whether the run was stopped before or not.
+#[test]
+fn regress_a_resumed_run_does_not_warn_again() {
+    let case = case(&[
+        ("traction.differential_slip", "false"),
+        ("transient.scheme", "RungeKutta4(step: us(10))"),
+        ("transient.duration", "s(0.0004)"),
+    ]);
+    let warnings = |keep: &Keep| keep.events.iter().filter(|e| matches!(e.kind, EventKind::Warning { .. })).count();
+    let (whole, keep) = (run(&case).1, resumed(&case, 5).1);
+    assert!(warnings(&whole) >= 1);
+    assert_eq!(keep.events, whole.events);
 }

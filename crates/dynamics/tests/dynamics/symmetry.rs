@@ -19,6 +19,23 @@ fn near(what: &str, a: f64, b: f64, tolerance: f64) {
     assert!((a - b).abs() <= tolerance, "{what}: {a:.12e} against {b:.12e}");
 }
 
+/// What the fluid takes from the balls, one by one, is what the balance of power has.
+#[test]
+fn identity_drag_and_churning_of_the_balls_sum_to_the_powers() {
+    for scheme in ["RungeKutta4(step: us(5))", "Fast(step: us(20))"] {
+        let last = end(&[("transient.scheme", scheme)]);
+        let churning: f64 = last.balls.iter().map(|b| b.churning_w).sum();
+        near("churning", churning, last.power.churning_w, 1e-12 * churning);
+        let drag: f64 = last.balls.iter().map(|b| b.drag_n * b.orbit_radius_m * b.orbital_speed_rad_s).sum();
+        near("drag", drag, last.power.drag_w, 1e-12 * drag.abs());
+        // The moment is against the spin: each ball loses power, by each of its axes.
+        for ball in &last.balls {
+            let [_, radial, _] = ball.churning_nm;
+            assert!(ball.churning_w > 0.0 && radial * ball.spin_rad_s[1] < 0.0, "{ball:?}");
+        }
+    }
+}
+
 #[test]
 fn identity_loads_turned_by_one_pitch_permute_the_balls() {
     let turned = TAU / 13.0;

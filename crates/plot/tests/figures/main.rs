@@ -1,5 +1,6 @@
 //! Figures of synthetic solutions, read back as SVG and as bitmaps.
 
+mod published;
 mod run;
 mod synthetic;
 mod synthetic_run;
@@ -151,6 +152,7 @@ fn identity_bitmaps_have_the_width_asked_for_and_show_the_text() {
 fn identity_texts_neither_overlap_nor_leave_the_figure() {
     let mut all = figures();
     all.push(traction_curve_and_convergence());
+    all.push(published::both());
     all.extend(synthetic_run::run_figures());
     let mut options = usvg::Options { font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
     let fonts = options.fontdb_mut();
@@ -205,7 +207,7 @@ fn limit_bad_input_is_refused_with_its_place() {
 
 #[test]
 fn limit_bad_panels_are_refused_with_their_place() {
-    let polar = |series| [Panel::Polar(PolarChart { title: "t".into(), radial: Axis::new("v", ""), series })];
+    let polar = |series| [Panel::Polar(PolarChart::new("t", Axis::new("v", ""), series))];
     assert!(matches!(Figure::new("f", "F", &[]), Err(PlotError::NoPanel { .. })));
     assert!(matches!(Figure::new("f", "F", &polar(Vec::new())), Err(PlotError::NoSeries { .. })));
     for value in [f64::INFINITY, f64::NAN, -1e200] {

@@ -30,7 +30,7 @@ fn limit_thrust_at_rest_is_one_equation_for_the_contact_angle() {
         let load = format!("Force(N({thrust}))");
         let changes = [AT_REST, FROZEN, ("ring.z", load.as_str())];
         let bearing = Bearing::new(&variant(BEARING_218, &changes)).unwrap();
-        let (free, distance) = (bearing.geometry.contact_angle, bearing.geometry.centre_distance());
+        let (free, distance) = (bearing.geometry.contact_angle(), bearing.geometry.centre_distance());
         let ball_load =
             |angle: f64| series_stiffness(&bearing) * (distance * (free.cos() / angle.cos() - 1.0)).powf(1.5);
         let angle = bisect(free, 1.4, |angle| 16.0 * ball_load(angle) * angle.sin() - thrust);

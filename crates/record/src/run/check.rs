@@ -67,6 +67,8 @@ fn ball_numbers(index: usize, b: &BallSample, visit: &mut Visit) {
     visit(at, "velocity_m_s", &b.velocity_m_s);
     visit(at, "spin_rad_s", &b.spin_rad_s);
     visit(at, "drag_n", &[b.drag_n]);
+    visit(at, "churning_w", &[b.churning_w]);
+    visit(at, "churning_nm", &b.churning_nm);
     visit(at, "pocket_lead_rad", &[b.pocket_lead_rad]);
     visit(at, "pocket_force_n", &[b.pocket_force_n, b.wear_rate_cage_m3_s]);
     visit(at, "pocket_friction_n", &b.pocket_friction_n);

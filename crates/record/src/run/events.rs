@@ -5,6 +5,7 @@
 
 use crate::timeline::timestamp;
 use crate::wire::foxglove::{Log, log::Level};
+use serde::{Deserialize, Serialize};
 use tribodyn_dynamics::{Event, EventKind};
 
 /// Simulated time that shares one line of a kind, s.
@@ -14,13 +15,13 @@ pub(crate) const WINDOW_S: f64 = 1e-3;
 const KINDS: usize = 3;
 
 /// Lines that wait for the end of their window.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Pending {
     windows: [Option<Window>; KINDS],
     impacts: u64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Window {
     start_s: f64,
     event: Event,

@@ -7,6 +7,7 @@
 use crate::frames::{Poses, Spins};
 use crate::quaternion::Rotation;
 use crate::wire::foxglove::FrameTransforms;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tribodyn_dynamics::Sample;
 
@@ -18,7 +19,7 @@ const CONTACTS_PER_TURN: f64 = 20.0;
 const LONGEST_S: f64 = 0.01;
 
 /// What has been sent of a moving scene.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Motion {
     spins: Spins,
     /// Time (s) and spin (rad/s) of each ball at the last sample.
@@ -28,7 +29,7 @@ pub(crate) struct Motion {
 }
 
 /// When something was sent last: time (s) and angles of inner ring, outer ring and cage (rad).
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 struct Due {
     last: Option<(f64, [f64; 3])>,
 }
@@ -51,6 +52,11 @@ impl Due {
 impl Motion {
     pub(crate) fn new(balls: usize) -> Self {
         Self { spins: Spins::new(balls), last: None, frames: Due::default(), contacts: Due::default() }
+    }
+
+    /// Number of balls.
+    pub(crate) fn balls(&self) -> usize {
+        self.spins.balls()
     }
 
     /// Turns the balls from the last sample to this one, by the mean of both spins.
@@ -77,7 +83,8 @@ impl Motion {
         self.contacts.due(sample, CONTACTS_PER_TURN)
     }
 
-    pub(crate) fn transforms(&self, sample: &Sample, log_time: u64) -> FrameTransforms {
+    /// Sets the frames of a message that is empty or of another time.
+    pub(crate) fn transforms(&self, sample: &Sample, log_time: u64, message: &mut FrameTransforms) {
         let poses = Poses {
             log_time,
             inner: (sample.inner.displacement_m, Rotation::about_z(sample.inner.angle_rad)),
@@ -85,6 +92,7 @@ impl Motion {
             cage_angle: sample.cage.angle_rad,
             spins: &self.spins,
         };
-        poses.message(sample.balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]))
+        let balls = sample.balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]);
+        poses.update(message, balls);
     }
 }

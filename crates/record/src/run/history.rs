@@ -3,6 +3,7 @@
 use crate::RecordError;
 use crate::timeline::timestamp;
 use crate::wire::tribodyn::{Orbit, Spectrum};
+use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use tribodyn_dynamics::Sample;
@@ -16,7 +17,7 @@ const SPECTRUM_SAMPLES: usize = 4096;
 const LEAST_SPECTRUM_SAMPLES: usize = 256;
 
 /// The path of the inner ring over the last turn.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct LastTurn {
     /// Angle turned (rad), x and y (µm).
     points: VecDeque<[f64; 3]>,
@@ -55,7 +56,7 @@ pub(crate) const QUANTITIES: [Quantity; 3] = [
 ];
 
 /// The recent samples of the quantities with spectra.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Recent {
     times: VecDeque<f64>,
     values: [VecDeque<f64>; QUANTITIES.len()],

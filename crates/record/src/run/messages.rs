@@ -1,18 +1,12 @@
 //! `/bearing/state`, `/bearing/balls` and `/bearing/wear` of a run: a sample in the units that a plot wants.
 
+use crate::ball::{self, Derived};
 use crate::timeline::timestamp;
-use crate::wire::tribodyn::{Ball, Balls, TransientState, Wear};
-use std::f64::consts::{PI, TAU};
+use crate::units::{BILLION, CUBIC_MICROMETRE, GIGA, MICRO_PER_UNIT, MILLI_PER_UNIT, RPM_PER_RAD_S, degrees};
+use crate::wire::tribodyn::{Balls, TransientState, Wear};
+use std::f64::consts::PI;
 use tribodyn_bearing::Geometry;
-use tribodyn_dynamics::{BallSample, ContactSample, Sample};
-
-const RPM_PER_RAD_S: f64 = 60.0 / TAU;
-const MICRO_PER_UNIT: f64 = 1e6;
-const MILLI_PER_UNIT: f64 = 1e3;
-const GIGA: f64 = 1e-9;
-const PERCENT: f64 = 100.0;
-const CUBIC_MICROMETRE: f64 = 1e18;
-const BILLION: f64 = 1e9;
+use tribodyn_dynamics::{BallSample, Sample, WearSample};
 
 /// What of the balls is the same all through a run.
 #[derive(Debug, Clone, Copy)]
@@ -32,11 +26,16 @@ impl BallConstants {
         let mass = density * PI / 6.0 * diameter.powi(3);
         Self { pitch_radius: 0.5 * geometry.pitch_diameter, mass, inertia: 0.1 * mass * diameter * diameter }
     }
-}
 
-/// An angle from 0 to 360 degrees.
-fn degrees(angle: f64) -> f64 {
-    angle.rem_euclid(TAU).to_degrees()
+    fn derived(&self, b: &BallSample) -> Derived {
+        let orbit = b.orbital_speed_rad_s;
+        Derived {
+            centrifugal_n: self.mass * b.orbit_radius_m * orbit * orbit,
+            // J |ω_m e_a × Ω|: the axial part of the spin drops out.
+            gyroscopic_nm: self.inertia * orbit.abs() * b.spin_rad_s[1].hypot(b.spin_rad_s[2]),
+            fluid_w: b.drag_n * b.orbit_radius_m * orbit + b.churning_w,
+        }
+    }
 }
 
 /// Rings, cage, powers and extremes of the balls.
@@ -128,12 +127,11 @@ fn imbalance_ppb(imbalance: f64, throughput: f64) -> f64 {
     if throughput > 0.0 { imbalance / throughput * BILLION } else { 0.0 }
 }
 
-/// What has worn off.
-pub(crate) fn wear(sample: &Sample, log_time: u64) -> Wear {
-    let wear = &sample.wear;
+/// What had worn off by a time, s.
+pub(crate) fn wear(wear: &WearSample, time_s: f64, log_time: u64) -> Wear {
     Wear {
         timestamp: Some(timestamp(log_time)),
-        time_s: sample.time_s,
+        time_s,
         volume_inner_um3: wear.volume_inner_m3 * CUBIC_MICROMETRE,
         volume_outer_um3: wear.volume_outer_m3 * CUBIC_MICROMETRE,
         volume_cage_um3: wear.volume_cage_m3 * CUBIC_MICROMETRE,
@@ -147,94 +145,11 @@ pub(crate) fn balls(constants: &BallConstants, sample: &Sample, log_time: u64) -
     Balls {
         timestamp: Some(timestamp(log_time)),
         time_s: sample.time_s,
-        balls: sample.balls.iter().enumerate().map(|(i, state)| ball(constants, i, state)).collect(),
-    }
-}
-
-fn narrow(x: f64) -> f32 {
-    x as f32
-}
-
-/// Damping on top of the contact load, N.
-fn damping(c: &ContactSample) -> f32 {
-    narrow(c.normal_force_n - c.load_n)
-}
-
-/// One ball; f32 halves the file and keeps seven digits.
-fn ball(constants: &BallConstants, index: usize, b: &BallSample) -> Ball {
-    let (i, o) = (&b.inner, &b.outer);
-    let orbit = b.orbital_speed_rad_s;
-    let [spin_axial_rad_s, spin_radial_rad_s, spin_tangential_rad_s] = b.spin_rad_s.map(narrow);
-    let [across_inner, rolling_inner] = i.semi_axes_m.map(|x| narrow(x * MILLI_PER_UNIT));
-    let [across_outer, rolling_outer] = o.semi_axes_m.map(|x| narrow(x * MILLI_PER_UNIT));
-    // J |ω_m e_a × Ω|: the axial part of the spin drops out.
-    let gyroscopic = constants.inertia * orbit.abs() * b.spin_rad_s[1].hypot(b.spin_rad_s[2]);
-    Ball {
-        index: index as u32,
-        azimuth_deg: narrow(degrees(b.azimuth_rad)),
-        contact_inner: i.load_n > 0.0,
-        contact_outer: o.load_n > 0.0,
-        contact_angle_inner_deg: narrow(i.angle_rad.to_degrees()),
-        contact_angle_outer_deg: narrow(o.angle_rad.to_degrees()),
-        load_inner_n: narrow(i.load_n),
-        load_outer_n: narrow(o.load_n),
-        approach_inner_um: narrow(i.approach_m * MICRO_PER_UNIT),
-        approach_outer_um: narrow(o.approach_m * MICRO_PER_UNIT),
-        pressure_inner_gpa: narrow(i.peak_pressure_pa * GIGA),
-        pressure_outer_gpa: narrow(o.peak_pressure_pa * GIGA),
-        semi_axis_across_inner_mm: across_inner,
-        semi_axis_rolling_inner_mm: rolling_inner,
-        semi_axis_across_outer_mm: across_outer,
-        semi_axis_rolling_outer_mm: rolling_outer,
-        orbital_speed_rpm: narrow(orbit * RPM_PER_RAD_S),
-        radial_displacement_um: narrow((b.orbit_radius_m - constants.pitch_radius) * MICRO_PER_UNIT),
-        axial_displacement_um: narrow(b.axial_displacement_m * MICRO_PER_UNIT),
-        spin_axial_rad_s,
-        spin_radial_rad_s,
-        spin_tangential_rad_s,
-        centrifugal_force_n: narrow(constants.mass * b.orbit_radius_m * orbit * orbit),
-        gyroscopic_moment_nmm: narrow(gyroscopic * MILLI_PER_UNIT),
-        drag_n: narrow(b.drag_n),
-        traction_inner_n: narrow(i.traction_n[0]),
-        traction_outer_n: narrow(o.traction_n[0]),
-        lateral_traction_inner_n: narrow(i.traction_n[1]),
-        lateral_traction_outer_n: narrow(o.traction_n[1]),
-        slide_to_roll_inner_percent: narrow(i.slide_to_roll[0] * PERCENT),
-        slide_to_roll_outer_percent: narrow(o.slide_to_roll[0] * PERCENT),
-        lateral_slide_to_roll_inner_percent: narrow(i.slide_to_roll[1] * PERCENT),
-        lateral_slide_to_roll_outer_percent: narrow(o.slide_to_roll[1] * PERCENT),
-        spin_ratio_inner_per_m: narrow(i.spin_ratio_per_m),
-        spin_ratio_outer_per_m: narrow(o.spin_ratio_per_m),
-        rolling_speed_inner_m_s: narrow(i.rolling_speed_m_s),
-        rolling_speed_outer_m_s: narrow(o.rolling_speed_m_s),
-        power_loss_inner_w: narrow(i.power_loss_w),
-        power_loss_outer_w: narrow(o.power_loss_w),
-        // The churning of single balls is not in a sample.
-        power_loss_fluid_w: narrow(b.drag_n * b.orbit_radius_m * orbit),
-        wear_rate_inner_um3_s: narrow(i.wear_rate_m3_s * CUBIC_MICROMETRE),
-        wear_rate_outer_um3_s: narrow(o.wear_rate_m3_s * CUBIC_MICROMETRE),
-        pocket_lead_mrad: narrow(b.pocket_lead_rad * MILLI_PER_UNIT),
-        cage_force_n: narrow(b.pocket_force_n),
-        wear_rate_cage_um3_s: narrow(b.wear_rate_cage_m3_s * CUBIC_MICROMETRE),
-        ..run_fields(b)
-    }
-}
-
-/// The fields that a solution does not have.
-fn run_fields(b: &BallSample) -> Ball {
-    let (i, o) = (&b.inner, &b.outer);
-    Ball {
-        orbital_acceleration_rad_s2: narrow(b.orbital_acceleration_rad_s2),
-        axial_velocity_mm_s: narrow(b.velocity_m_s[0] * MILLI_PER_UNIT),
-        radial_velocity_mm_s: narrow(b.velocity_m_s[1] * MILLI_PER_UNIT),
-        damping_inner_n: damping(i),
-        damping_outer_n: damping(o),
-        pocket_friction_axial_n: narrow(b.pocket_friction_n[0]),
-        pocket_friction_radial_n: narrow(b.pocket_friction_n[1]),
-        bare_inner_percent: narrow(i.bare * PERCENT),
-        bare_outer_percent: narrow(o.bare * PERCENT),
-        depth_inner_um: narrow(i.depth_m * MICRO_PER_UNIT),
-        depth_outer_um: narrow(o.depth_m * MICRO_PER_UNIT),
-        ..Ball::default()
+        balls: sample
+            .balls
+            .iter()
+            .enumerate()
+            .map(|(i, b)| ball::message(i, constants.pitch_radius, b, &constants.derived(b)))
+            .collect(),
     }
 }

@@ -1,9 +1,11 @@
 //! Recorded runs: what the messages say, when they come, what is refused.
 
-use super::sample::{CAGE, SHAFT, TONE_HZ, TONE_M_S2, feed, impact, recording, run_bytes, sample};
+use super::sample::{CAGE, SHAFT, TONE_HZ, TONE_M_S2, feed, feed_from, impact, recording, run_bytes, sample};
 use super::{BALLS, case, path};
 use crate::wire::{TRIBODYN_DESCRIPTORS, foxglove, tribodyn};
-use crate::{FileSink, RUN_LAYOUT, RecordError, Run, RunRecorder, Sink, StreamSink, read_run, read_summary, recover};
+use crate::{
+    FileSink, Preamble, RUN_LAYOUT, RecordError, Run, RunRecorder, Sink, StreamSink, read_run, read_summary, recover,
+};
 use prost::Message;
 use prost_types::FileDescriptorSet;
 use std::collections::{BTreeMap, BTreeSet};
@@ -113,7 +115,9 @@ fn limit_a_tone_stands_in_the_spectrum_with_its_frequency_and_amplitude() {
     assert!((orbit.x_um.len() as f64 - turn).abs() <= 2.0, "{} points", orbit.x_um.len());
     assert!(orbit.x_um.iter().zip(&orbit.y_um).all(|(x, y)| (x.hypot(*y) - 11.0).abs() < 1e-4));
     let wear: Vec<tribodyn::Wear> = of_topic(&file, "/bearing/wear");
-    assert_eq!(wear.len(), 3);
+    // At the start, each 0.1 s, and at the end.
+    assert_eq!(wear.iter().map(|w| w.time_s).collect::<Vec<_>>(), [0.0, 0.1, 0.2, 0.2299]);
+    assert!((wear[3].volume_inner_um3 - 6897.0).abs() < 1e-6);
     assert!((wear[2].volume_inner_um3 - 6000.0).abs() < 1e-6 && (wear[2].coating_outer_min_um - 9.0).abs() < 1e-9);
 }
 
@@ -206,6 +210,70 @@ fn limit_a_run_that_ends_early_leaves_a_file_that_can_be_read() {
     assert_eq!(read_run(&path).unwrap().states.len(), 40);
     std::fs::remove_file(&path).unwrap();
     std::fs::remove_file(&active).unwrap();
+}
+
+/// A run far shorter than the time between two messages of wear says what has worn off all the same.
+#[test]
+fn limit_a_short_run_ends_with_its_wear() {
+    let wear: Vec<tribodyn::Wear> = of_topic(&run_bytes(41, 10_000.0, 5), "/bearing/wear");
+    assert_eq!(wear.iter().map(|w| w.time_s).collect::<Vec<_>>(), [0.0, 0.004]);
+    assert!((wear[1].volume_inner_um3 - 120.0).abs() < 1e-9, "{}", wear[1].volume_inner_um3);
+    // The first sample is the last one: once is enough.
+    assert_eq!(of_topic::<tribodyn::Wear>(&run_bytes(1, 10_000.0, 5), "/bearing/wear").len(), 1);
+}
+
+/// Topic, log time and bytes of messages.
+type Messages = Vec<(usize, u64, Vec<u8>)>;
+
+/// Keeps messages in memory.
+#[derive(Default)]
+struct Collected(Messages);
+
+impl Sink for Collected {
+    type Output = Messages;
+
+    fn begin(&mut self, _: &Preamble) -> Result<(), RecordError> {
+        Ok(())
+    }
+
+    fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
+        self.0.push((channel, log_time, data.to_vec()));
+        Ok(())
+    }
+
+    fn flush(&mut self) -> Result<(), RecordError> {
+        Ok(())
+    }
+
+    fn finish(self) -> Result<Messages, RecordError> {
+        Ok(self.0)
+    }
+}
+
+/// Orientations, spectra, paths, waiting lines of the log and the count of impacts go on in all their digits.
+#[test]
+fn identity_a_recorder_with_the_memory_of_another_sends_the_same_bytes() {
+    let case = case::case(BALLS);
+    let new = || RunRecorder::new(Collected::default(), &recording(&case)).unwrap();
+    let mut whole = new();
+    feed_from(&mut whole, 0..1500, 10_000.0, 3).unwrap();
+    let whole = whole.finish().unwrap();
+    // At a sample with balls and without, with lines that wait and with none.
+    for stop in [1, 700, 1234] {
+        let mut first = new();
+        feed_from(&mut first, 0..stop, 10_000.0, 3).unwrap();
+        let memory = serde_json::to_string(first.memory()).unwrap();
+        let mut second = new();
+        second.remember(serde_json::from_str(&memory).unwrap()).unwrap();
+        feed_from(&mut second, stop..1500, 10_000.0, 3).unwrap();
+        let after = second.finish().unwrap();
+        let before = whole.len() - after.len();
+        assert!(before > 0 && whole[before..] == after[..], "stopped after {stop} samples");
+    }
+    let other = case::case(BALLS - 1);
+    let mut other = RunRecorder::new(Collected::default(), &recording(&other)).unwrap();
+    let refused = other.remember(new().memory().clone());
+    assert!(matches!(refused, Err(RecordError::BallCount { solution: 13, case: 12 })));
 }
 
 /// A disk that is full after some bytes.

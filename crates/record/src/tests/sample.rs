@@ -4,6 +4,7 @@ use super::{BALLS, case};
 use crate::{RecordError, RunRecorder, RunRecording, Sink, StreamSink};
 use std::f64::consts::TAU;
 use std::io::Cursor;
+use std::ops::Range;
 use std::path::Path;
 use tribodyn_bearing::case::Case;
 use tribodyn_dynamics::{
@@ -52,6 +53,8 @@ fn ball(index: usize, time: f64) -> BallSample {
         inner: contact(24.0, load),
         outer: contact(17.0, load + 2300.0),
         drag_n: 170.0,
+        churning_nm: [0.02, -0.005, 0.0],
+        churning_w: 70.0,
         pocket_lead_rad: lead,
         pocket_force_n: -1.0e4 * lead,
         pocket_friction_n: [2.0, -1.0],
@@ -106,7 +109,17 @@ pub(super) fn feed<S: Sink>(
     rate: f64,
     stride: usize,
 ) -> Result<(), RecordError> {
-    for index in 0..samples {
+    feed_from(recorder, 0..samples, rate, stride)
+}
+
+/// The same, a part of the samples.
+pub(super) fn feed_from<S: Sink>(
+    recorder: &mut RunRecorder<S>,
+    samples: Range<usize>,
+    rate: f64,
+    stride: usize,
+) -> Result<(), RecordError> {
+    for index in samples {
         let time = index as f64 / rate;
         assert!(recorder.sample(&sample(time), index.is_multiple_of(stride))?.is_continue());
         if index % 10 == 9 {

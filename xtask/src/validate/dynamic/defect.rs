@@ -3,7 +3,7 @@
 use super::settled::signal;
 use super::{CLEARLY, claim};
 use crate::error::Failure;
-use crate::transient::{Set, Window};
+use crate::transient::{Transient, Window};
 use crate::validate::row::Row;
 use tribodyn_signal::{Spectrum, envelope_spectrum};
 
@@ -16,10 +16,10 @@ fn envelope(window: &Window) -> Result<Spectrum, Failure> {
     Ok(envelope_spectrum(&signal(window), window.rate_hz(), Some(BAND))?)
 }
 
-pub(super) fn rows(set: &Set) -> Result<Vec<Row>, Failure> {
-    let [with, without] = [&set.defect, &set.ag].map(|run| run.settled());
+pub(super) fn rows(defect: &Transient, healthy: &Transient) -> Result<Vec<Row>, Failure> {
+    let [with, without] = [defect, healthy].map(|run| run.settled());
     let (spectrum, healthy) = (envelope(&with)?, envelope(&without)?);
-    let count = set.defect.case.geometry.ball_count as f64;
+    let count = defect.case.geometry.ball_count as f64;
     let passing = count * with.cage_hz();
     let line = spectrum.line_spacing_hz();
     let family = spectrum.harmonic_family(passing, HARMONICS, 1.0)?;

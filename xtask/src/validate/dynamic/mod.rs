@@ -9,7 +9,7 @@ mod settled;
 
 use super::row::{Claim, Evidence, Row, Stated, Verdict};
 use crate::error::Failure;
-use crate::transient::Set;
+use crate::transient::{Set, Transient};
 
 /// "Mostly": more than half.
 const MOSTLY: f64 = 0.5;
@@ -31,8 +31,15 @@ pub fn rows(set: &Set) -> Result<Vec<Row>, Failure> {
     rows.extend(coating::rows(set));
     rows.extend(preload::rows(set));
     rows.extend(against_itself::rows(set)?);
-    rows.extend(defect::rows(set)?);
+    if let Some(defect) = &set.defect {
+        rows.extend(defect::rows(defect, &set.ag)?);
+    }
     Ok(rows)
+}
+
+/// The rows of a run with a defect beside one without.
+pub fn defect_rows(with: &Transient, without: &Transient) -> Result<Vec<Row>, Failure> {
+    defect::rows(with, without)
 }
 
 /// Where no transient runs are made: another case than the paper's.
@@ -90,7 +97,7 @@ fn contradiction(
 }
 
 /// `25 % 1.23, 50 % …`, for the notes.
-fn by_load(set: &Set, value: impl Fn(&crate::transient::Transient) -> f64, decimals: usize) -> String {
-    let one = |(percent, run): (u32, &crate::transient::Transient)| format!("{percent} % {:.decimals$}", value(run));
+fn by_load(set: &Set, value: impl Fn(&Transient) -> f64, decimals: usize) -> String {
+    let one = |(percent, run): (u32, &Transient)| format!("{percent} % {:.decimals$}", value(run));
     set.by_load().map(one).join(", ")
 }

@@ -1,0 +1,34 @@
+//! What a figure asks of each of its charts.
+
+use crate::error::PlotError;
+use crate::references::Reference;
+use crate::series::{Series, StyleBook};
+use crate::svg::Svg;
+
+/// A chart of any kind.
+pub(crate) trait Chart {
+    fn title(&self) -> &str;
+
+    /// What is drawn against what, in words.
+    fn axes(&self) -> String;
+
+    fn series(&self) -> &[Series];
+
+    fn references(&self) -> &[Reference];
+
+    /// Refuses what cannot be drawn.
+    fn check(&self) -> Result<(), PlotError>;
+
+    /// Width and height with a heading, px.
+    fn size(&self, heading: &str) -> Result<[f64; 2], PlotError>;
+
+    fn draw(&self, svg: &mut Svg, spot: &Spot) -> Result<(), PlotError>;
+}
+
+/// Where a chart is drawn and with what.
+pub(crate) struct Spot<'a> {
+    /// Upper left corner, px.
+    pub at: [f64; 2],
+    pub heading: &'a str,
+    pub book: &'a StyleBook,
+}

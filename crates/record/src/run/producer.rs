@@ -1,0 +1,240 @@
+//! From samples and events to messages, and what has to be remembered between them.
+
+use super::check;
+use super::events::Pending;
+use super::frames::Motion;
+use super::history::{LastTurn, QUANTITIES, Recent};
+use super::messages::{self, BallConstants};
+use super::{RunRecording, Sink, Topic, log_time};
+use crate::RecordError;
+use crate::contacts::{self, Scales};
+use crate::scene::{self, Bodies};
+use crate::timeline::{EPOCH_NS, timestamp};
+use crate::wire::foxglove::{FrameTransforms, Log, SceneUpdate};
+use prost::Message;
+use serde::{Deserialize, Serialize};
+use tribodyn_bearing::Geometry;
+use tribodyn_dynamics::{Event, Sample, WearSample};
+
+/// Simulated time between wear, orbit and spectra, s.
+const SLOW_STEP_S: f64 = 0.1;
+/// Simulated time after which a chunk is closed, s; a full one (1 MiB) is closed before. A killed run loses at most
+/// this. A program of 20 s per simulated second then loses one second of its work; the clock itself cannot decide,
+/// since the same case has to give the same bytes.
+const FLUSH_STEP_S: f64 = 0.05;
+/// Tolerance of these steps: times are sums of steps and may fall short of a multiple by rounding, s.
+const ROUNDING_S: f64 = 1e-9;
+
+/// Makes the messages.
+#[derive(Debug)]
+pub(super) struct Producer {
+    pub(super) geometry: Geometry,
+    pocket_gap: f64,
+    name: String,
+    constants: BallConstants,
+    memory: RecorderMemory,
+    /// The last messages of their kind and the last encoded one, kept for their memory and their names.
+    transforms: FrameTransforms,
+    contacts: SceneUpdate,
+    buffer: Vec<u8>,
+}
+
+/// All of a recorder that changes during a run: how far the balls have turned, the samples behind spectra and orbits,
+/// what waits for the log, and when what is due.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RecorderMemory {
+    motion: Motion,
+    /// Scales of arrows and patches, once the first sample has set them.
+    scales: Option<Scales>,
+    pending: Pending,
+    last_turn: LastTurn,
+    recent: Recent,
+    /// Time of the last sample, s, and what had worn off by then.
+    last_time_s: f64,
+    last_wear: WearSample,
+    /// Log time of the last message, ns.
+    last_log_time: u64,
+    next_slow_s: f64,
+    next_flush_s: f64,
+}
+
+impl RecorderMemory {
+    /// Before the first sample of a run with so many balls.
+    fn new(balls: usize) -> Self {
+        Self {
+            motion: Motion::new(balls),
+            scales: None,
+            pending: Pending::default(),
+            last_turn: LastTurn::default(),
+            recent: Recent::default(),
+            last_time_s: 0.0,
+            last_wear: WearSample::default(),
+            last_log_time: EPOCH_NS,
+            next_slow_s: SLOW_STEP_S,
+            next_flush_s: FLUSH_STEP_S,
+        }
+    }
+}
+
+impl Producer {
+    pub(super) fn new(input: &RunRecording) -> Result<Self, RecordError> {
+        let geometry = Geometry::new(&input.case.geometry)?;
+        Ok(Self {
+            geometry,
+            pocket_gap: input.case.cage.pocket_gap,
+            name: input.case.name.clone(),
+            constants: BallConstants::new(&geometry, input.case.materials.ball.density),
+            memory: RecorderMemory::new(geometry.ball_count),
+            transforms: FrameTransforms::default(),
+            contacts: SceneUpdate::default(),
+            buffer: Vec::new(),
+        })
+    }
+
+    pub(super) fn memory(&self) -> &RecorderMemory {
+        &self.memory
+    }
+
+    pub(super) fn remember(&mut self, memory: RecorderMemory) -> Result<(), RecordError> {
+        let (found, expected) = (memory.motion.balls(), self.geometry.ball_count);
+        if found != expected {
+            return Err(RecordError::BallCount { solution: found, case: expected });
+        }
+        self.memory = memory;
+        Ok(())
+    }
+
+    /// Encodes and hands out a message, not before the last one.
+    fn send(&mut self, sink: &mut impl Sink, to: Topic, time: u64, message: &impl Message) -> Result<(), RecordError> {
+        self.memory.last_log_time = self.memory.last_log_time.max(time);
+        self.buffer.clear();
+        // A growing vector has room for every message.
+        if message.encode(&mut self.buffer).is_err() {
+            self.buffer = message.encode_to_vec();
+        }
+        sink.message(to as usize, self.memory.last_log_time, &self.buffer)
+    }
+
+    pub(super) fn sample(
+        &mut self,
+        sink: &mut impl Sink,
+        sample: &Sample,
+        with_balls: bool,
+    ) -> Result<(), RecordError> {
+        check::check(sample, self.geometry.ball_count, self.memory.last_time_s)?;
+        (self.memory.last_time_s, self.memory.last_wear) = (sample.time_s, sample.wear);
+        let time = log_time(sample.time_s);
+        let scales = match self.memory.scales {
+            Some(scales) => scales,
+            None => self.geometry(sink, sample, time)?,
+        };
+        self.log_due(sink, sample.time_s)?;
+        self.memory.motion.advance(sample);
+        self.memory.last_turn.push(sample);
+        self.memory.recent.push(sample);
+        let state = messages::state(sample, time, self.memory.pending.impacts());
+        self.send(sink, Topic::State, time, &state)?;
+        if with_balls {
+            let balls = messages::balls(&self.constants, sample, time);
+            self.send(sink, Topic::Balls, time, &balls)?;
+            self.scene(sink, sample, scales, time)?;
+        }
+        if sample.time_s + ROUNDING_S >= self.memory.next_slow_s {
+            self.memory.next_slow_s = next(self.memory.next_slow_s, SLOW_STEP_S, sample.time_s);
+            self.slow(sink, time)?;
+        }
+        if sample.time_s + ROUNDING_S >= self.memory.next_flush_s {
+            self.memory.next_flush_s = next(self.memory.next_flush_s, FLUSH_STEP_S, sample.time_s);
+            sink.flush()?;
+        }
+        Ok(())
+    }
+
+    /// The bodies, at the first sample.
+    fn geometry(&mut self, sink: &mut impl Sink, sample: &Sample, time: u64) -> Result<Scales, RecordError> {
+        let scales = Scales::of_first(&sample.balls);
+        self.memory.scales = Some(scales);
+        let first = sample.balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket_lead_rad);
+        let bodies = Bodies {
+            geometry: &self.geometry,
+            pocket_gap: self.pocket_gap,
+            first_azimuth: first - sample.cage.angle_rad,
+            name: &self.name,
+            scales,
+        };
+        let update = scene::geometry(&bodies, timestamp(time));
+        self.send(sink, Topic::Geometry, time, &update)?;
+        // Wear from nothing on, so that the panel shows something from the start.
+        self.wear(sink, time)?;
+        Ok(scales)
+    }
+
+    /// Frames and contacts where enough has turned since the last ones.
+    fn scene(&mut self, sink: &mut impl Sink, s: &Sample, scales: Scales, time: u64) -> Result<(), RecordError> {
+        if self.memory.motion.frames_due(s) {
+            let mut transforms = std::mem::take(&mut self.transforms);
+            self.memory.motion.transforms(s, time, &mut transforms);
+            self.send(sink, Topic::Transforms, time, &transforms)?;
+            self.transforms = transforms;
+        }
+        if self.memory.motion.contacts_due(s) {
+            let arrows = s.balls.iter().map(contacts::of_sample);
+            let mut update = std::mem::take(&mut self.contacts);
+            contacts::update(&mut update, (self.geometry.ball_diameter, scales), time, arrows);
+            self.send(sink, Topic::Contacts, time, &update)?;
+            self.contacts = update;
+        }
+        Ok(())
+    }
+
+    fn wear(&mut self, sink: &mut impl Sink, time: u64) -> Result<(), RecordError> {
+        let wear = messages::wear(&self.memory.last_wear, self.memory.last_time_s, time);
+        self.send(sink, Topic::Wear, time, &wear)
+    }
+
+    /// Wear, orbit and spectra of the last sample.
+    fn slow(&mut self, sink: &mut impl Sink, time: u64) -> Result<(), RecordError> {
+        self.wear(sink, time)?;
+        let orbit = self.memory.last_turn.message(self.memory.last_time_s, time);
+        self.send(sink, Topic::Orbit, time, &orbit)?;
+        let topics = [Topic::SpectrumOuter, Topic::SpectrumInner, Topic::SpectrumCage];
+        for (quantity, topic) in topics.into_iter().enumerate().take(QUANTITIES.len()) {
+            if let Some(spectrum) = self.memory.recent.spectrum(quantity, time)? {
+                self.send(sink, topic, time, &spectrum)?;
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn event(&mut self, sink: &mut impl Sink, event: &Event) -> Result<(), RecordError> {
+        if !event.time_s.is_finite() {
+            return Err(RecordError::NotFinite { field: "time_s of an event".to_owned(), value: event.time_s });
+        }
+        self.log_due(sink, event.time_s)?;
+        if let Some(line) = self.memory.pending.add(event) {
+            self.send(sink, Topic::Log, log_time(event.time_s), &line)?;
+        }
+        Ok(())
+    }
+
+    /// Lines whose windows are over.
+    fn log_due(&mut self, sink: &mut impl Sink, time_s: f64) -> Result<(), RecordError> {
+        let lines: Vec<Log> = self.memory.pending.due(time_s).collect();
+        // Not before the message that was last; the line has the time of its event.
+        lines.iter().try_for_each(|line| self.send(sink, Topic::Log, self.memory.last_log_time, line))
+    }
+
+    pub(super) fn end(&mut self, sink: &mut impl Sink) -> Result<(), RecordError> {
+        self.log_due(sink, f64::INFINITY)?;
+        if self.memory.scales.is_none() {
+            return Ok(());
+        }
+        let between = self.memory.last_time_s > self.memory.next_slow_s - SLOW_STEP_S + ROUNDING_S;
+        if between { self.slow(sink, self.memory.last_log_time) } else { Ok(()) }
+    }
+}
+
+/// The multiple of a step after a time.
+fn next(due: f64, step: f64, time: f64) -> f64 {
+    due + step * (((time + ROUNDING_S - due) / step).floor() + 1.0)
+}

@@ -1,0 +1,123 @@
+//! Figures 20 to 24: what the balls go through in an orbit, for coatings and for axial loads, and how the inner ring shakes.
+
+use super::runs::Made;
+use super::specs::Spec;
+use super::steady::twice_the_least;
+use crate::error::Failure;
+use crate::transient::{RPM, Transient};
+use tribodyn_dynamics::BallSample;
+use tribodyn_plot::{Axis, Figure, Panel, Place, PolarChart, Reference, Samples, bars, orbit_chart};
+
+/// A number of a ball.
+type Quantity = fn(&BallSample) -> f64;
+/// Label and unit of an axis.
+type Unit = (&'static str, &'static str);
+/// Heading of a panel, its axis and values.
+type Plan = (&'static str, Unit, Quantity);
+
+const ANGLE: Unit = ("Contact angle", "°");
+const LOAD: Unit = ("Contact load", "kN");
+const SLIP: Unit = ("Slide-to-roll ratio", "10⁻³");
+const SPIN: Unit = ("Spin ratio", "1/m");
+const WEAR: Unit = ("Wear rate", "10⁻¹² m³/s");
+const FORCE: Unit = ("Pocket force", "N");
+
+pub const ANGLES: [Plan; 2] = [
+    ("Inner contact", ANGLE, |b| b.inner.angle_rad.to_degrees()),
+    ("Outer contact", ANGLE, |b| b.outer.angle_rad.to_degrees()),
+];
+pub const LOADS: [Plan; 2] =
+    [("Inner contact", LOAD, |b| 1e-3 * b.inner.load_n), ("Outer contact", LOAD, |b| 1e-3 * b.outer.load_n)];
+pub const SLIPS: [Plan; 2] = [
+    ("Inner contact", SLIP, |b| 1e3 * b.inner.slide_to_roll[0]),
+    ("Outer contact", SLIP, |b| 1e3 * b.outer.slide_to_roll[0]),
+];
+pub const SPINS: [Plan; 2] =
+    [("Inner contact", SPIN, |b| b.inner.spin_ratio_per_m), ("Outer contact", SPIN, |b| b.outer.spin_ratio_per_m)];
+pub const RACE_WEAR: [Plan; 1] = [("", WEAR, |b| 1e12 * (b.inner.wear_rate_m3_s + b.outer.wear_rate_m3_s))];
+const POCKET_WEAR: Plan = ("", WEAR, |b| 1e12 * b.wear_rate_cage_m3_s);
+const POCKET_FORCE: Plan = ("", FORCE, |b| b.pocket_force_n.abs());
+/// Fig. 21b: what goes with the wear of a pocket.
+pub const POCKET: [Plan; 3] = [
+    ("Wear of the pocket", POCKET_WEAR.1, POCKET_WEAR.2),
+    ("Force of the pocket", FORCE, POCKET_FORCE.2),
+    ("Longitudinal traction, both races", ("Force on the ball", "N"), |b| {
+        b.inner.traction_n[0] + b.outer.traction_n[0]
+    }),
+];
+pub const FORCES: [Plan; 1] = [POCKET_FORCE];
+pub const CAGE_WEAR: [Plan; 1] = [POCKET_WEAR];
+
+/// Published azimuths of first impacts, section 5.2.2, degrees.
+const FIRST_IMPACTS: [f64; 4] = [310.0, 290.0, 260.0, 240.0];
+
+/// A value of all balls over the azimuth in the settled orbits.
+pub fn over_orbit(
+    title: &str,
+    (label, unit): Unit,
+    get: Quantity,
+    runs: &[(&str, &Transient)],
+) -> Result<PolarChart, Failure> {
+    let azimuths = |run: &Transient| -> (Vec<f64>, Vec<f64>) {
+        run.settled().all_balls().map(|ball| (ball.azimuth_rad, get(ball))).unzip()
+    };
+    let columns: Vec<_> = runs.iter().map(|(_, run)| azimuths(run)).collect();
+    let samples: Vec<Samples> = runs.iter().zip(&columns).map(|((label, _), (x, y))| Samples { label, x, y }).collect();
+    Ok(orbit_chart(title, Axis::new(label, unit), &samples)?)
+}
+
+fn charts(plans: &[Plan], runs: &[(&str, &Transient)]) -> Result<Vec<PolarChart>, Failure> {
+    plans.iter().map(|(title, unit, get)| over_orbit(title, *unit, *get, runs)).collect()
+}
+
+fn side_by_side(spec: &Spec, charts: Vec<PolarChart>) -> Result<Figure, Failure> {
+    Ok(Figure::new(spec.name, spec.title, &charts.into_iter().map(Panel::Polar).collect::<Vec<_>>())?)
+}
+
+/// Silver against PTFE.
+pub fn by_coating(plans: &[Plan], spec: &Spec, made: &Made) -> Result<Figure, Failure> {
+    side_by_side(spec, charts(plans, &made.coatings()?)?)
+}
+
+/// Fig. 21a: a panel for each coating, whose hardness parts their wear by a factor of ten.
+pub fn race_wear_by_coating(spec: &Spec, made: &Made) -> Result<Figure, Failure> {
+    let [(_, unit, get)] = RACE_WEAR;
+    let runs = made.coatings()?;
+    let panels = runs.iter().map(|run| over_orbit(run.0, unit, get, std::slice::from_ref(run)));
+    side_by_side(spec, panels.collect::<Result<_, _>>()?)
+}
+
+/// Fig. 20b.
+pub fn loads_by_coating(spec: &Spec, made: &Made) -> Result<Figure, Failure> {
+    let mut charts = charts(&LOADS, &made.coatings()?)?;
+    if let Some(outer) = charts.last_mut() {
+        outer.references.push(twice_the_least(outer));
+    }
+    side_by_side(spec, charts)
+}
+
+/// 25 to 100 % of the axial load.
+pub fn by_load(plans: &[Plan], spec: &Spec, made: &Made) -> Result<Figure, Failure> {
+    side_by_side(spec, charts(plans, &made.loads()?)?)
+}
+
+/// Fig. 22b with the azimuths of the first impacts.
+pub fn speeds_by_load(spec: &Spec, made: &Made) -> Result<Figure, Failure> {
+    let loads = made.loads()?;
+    let mut chart = over_orbit("", ("Orbital speed", "r/min"), |b| b.orbital_speed_rad_s / RPM, &loads)?;
+    for ((load, _), azimuth) in loads.iter().zip(FIRST_IMPACTS) {
+        let percent = load.trim_end_matches(" axial load");
+        let label = format!("published first impact, {percent}: {azimuth}°");
+        chart.references.push(Reference::new(label, Place::At(azimuth)).of(*load));
+    }
+    side_by_side(spec, vec![chart])
+}
+
+/// Fig. 22a: root mean square of the inner ring's accelerations.
+pub fn vibration(spec: &Spec, made: &Made) -> Result<Figure, Failure> {
+    let loads = made.loads()?;
+    let rms = |k: usize| loads.iter().map(|(_, run)| run.settled().rms(|s| s.inner_acceleration[k])).collect();
+    let values = [("x, along the radial load", rms(0)), ("y", rms(1)), ("z, axial", rms(2))];
+    let axis = Axis::new("rms acceleration, inner ring", "m/s²");
+    Ok(bars(spec.name, spec.title, axis, &loads.map(|(label, _)| label), &values)?)
+}
