@@ -54,6 +54,17 @@ impl Kernel {
         }
     }
 
+    /// Whether [`Self::derivative`] has something to say of this bearing.
+    pub fn has_derivative<L: TractionLaw>(&self, bearing: &Bearing<L>) -> bool {
+        // Any pressure: a law is of that kind or is not.
+        const PRESSURE: f64 = 2e9;
+        let curve = |side| bearing.race(side).law.kragelskii_slope(PRESSURE).is_some();
+        matches!(self, Self::Fast(_))
+            && bearing.pressure_choice == PressureChoice::Peak
+            && curve(Side::Inner)
+            && curve(Side::Outer)
+    }
+
     /// Traction with its derivatives by motion and load, of coating and bare steel by their shares; none for laws without
     /// a Kragelskii curve.
     pub fn derivative<L: TractionLaw>(

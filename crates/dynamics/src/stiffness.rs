@@ -18,7 +18,8 @@ pub struct Stiffness {
     pub contact_frequency_hz: f64,
     /// Longest step at which the classical Runge–Kutta method is stable, s.
     pub runge_kutta_step_s: f64,
-    /// Longest step of the fast scheme, s.
+    /// Longest step of the fast scheme, s; with a law or a choice of pressure for which the patch has no derivative in closed
+    /// form, friction is explicit there and bounds it too.
     pub fast_step_s: f64,
 }
 
@@ -29,6 +30,8 @@ const FAST_PERIOD: f64 = 0.45;
 /// Where the stability region of the classical Runge–Kutta method ends on the negative real axis, and on the imaginary.
 const REAL_LIMIT: f64 = 2.785;
 const IMAGINARY_LIMIT: f64 = 2.828;
+/// Where that of Euler's explicit method ends.
+const EULER_LIMIT: f64 = 2.0;
 /// Relative change of a speed for the difference quotients, and the least change, m/s or rad/s.
 const RELATIVE_CHANGE: f64 = 1e-7;
 const LEAST_CHANGE: f64 = 1e-5;
@@ -47,13 +50,14 @@ impl<L: TractionLaw> Machine<L> {
             }
             frequency = frequency.max(self.contact_frequency(index, b, &frame));
         }
+        let implicit = self.kernel.has_derivative(&self.bearing);
         let omega = std::f64::consts::TAU * frequency;
         Stiffness {
             traction_rate_per_s: rate,
             ball: worst,
             contact_frequency_hz: frequency,
             runge_kutta_step_s: (REAL_LIMIT / rate).min(IMAGINARY_LIMIT / omega),
-            fast_step_s: FAST_PERIOD / frequency,
+            fast_step_s: (FAST_PERIOD / frequency).min(if implicit { f64::INFINITY } else { EULER_LIMIT / rate }),
         }
     }
 

@@ -19,9 +19,9 @@ pub const HIDDEN: [(&str, [&str; 2]); 11] = [
     ("traction.slip_unit", ["Scaled(per_m_s: 50.0)", "Scaled(per_m_s: 200.0)"]),
 ];
 
-/// Further changes that are one value each: a name, a path, a value. Local pressure and no differential slip are not among
-/// them: at 20 µs the fast scheme does not carry them.
-const SINGLE: [(&str, &str, &str); 41] = [
+/// Further changes that are one value each: a name, a path, a value. Local pressure is not among them: it leaves the fast
+/// scheme without its derivative, and 20 µs are too long without.
+const SINGLE: [(&str, &str, &str); 42] = [
     ("step 10 µs", "transient.scheme", "Fast(step: us(10))"),
     ("Runge–Kutta 5 µs", "transient.scheme", "RungeKutta4(step: us(5))"),
     ("0.4 s", "transient.duration", "s(0.4)"),
@@ -55,6 +55,7 @@ const SINGLE: [(&str, &str, &str); 41] = [
     ("λ 22 per m/s", "traction.slip_unit", "Scaled(per_m_s: 22.0)"),
     ("straight lines", "traction.order", "1"),
     ("fixed traction parameters", "traction.varying", "false"),
+    ("no differential slip", "traction.differential_slip", "false"),
     ("constant moment arm", "traction.moment_arm", "Constant"),
     ("drag coefficient 0.1", "fluid.drag_coefficient", "0.1"),
     ("drag coefficient 0.32", "fluid.drag_coefficient", "0.32"),

@@ -1,4 +1,13 @@
 //! Friction of balls and rings made linear: what the implicit kick inverts.
+//!
+//! A step H of v' = f + A (v − v₀) + B u(t), with the rings' velocities u changing evenly by Δu, is taken as v − v₀ = H R f +
+//! R₂ H B Δu with rational functions of X = H A that have one pole, W = (1 − γ X)⁻¹:
+//!
+//! R = γ W + (1 − γ) W²,  R₂ = (R − 1)/X = R − ½ W²,  R₃ = (R₂ − ½)/X = ½ R − γ W².
+//!
+//! The mean change of the velocities over the step is then H R₂ f + R₃ H B Δu, for which v − v₀ is just what the mean force
+//! gives. With γ = 1 − 1/√2 these hold, R agrees with the exact (e^X − 1)/X in two terms, and 1 + X R tends to zero where
+//! friction is stiff: what settles within a step has settled at its end, instead of swinging over to the other side.
 
 use super::LinearTraction;
 use crate::machine::Machine;
@@ -12,22 +21,25 @@ use tribodyn_bearing::{BallLoads, BallState, Side};
 /// three columns of 1, the third over the radius of the orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Friction {
-    /// (1 − ½ H A)⁻¹.
-    pub(super) inverse: Matrix6<f64>,
+    /// R and R₂: change of the velocities and its mean over the step, both over H f.
+    pub(super) response: [Matrix6<f64>; 2],
     /// Gᵀ S R: force on the ball by ring velocities, those of the inner ring first.
     pub(super) coupling: Matrix6<f64>,
     /// Rᵀ S R of the contacts: force on a ring by its own velocity.
     pub(super) own: [Matrix3<f64>; 2],
-    /// Change of the ball's velocities with the rings', (1 − ½ H A)⁻¹ ½ H M⁻¹ Gᵀ S R.
-    pub(super) follow: Matrix6<f64>,
+    /// R₂ H B and R₃ H B, B = M⁻¹ Gᵀ S R: change of the ball's velocities with the rings', and its mean.
+    pub(super) follow: [Matrix6<f64>; 2],
 }
+
+/// 1 − 1/√2.
+const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
 impl Friction {
     pub(super) const NONE: fn() -> Self = || Self {
-        inverse: Matrix6::identity(),
+        response: [Matrix6::identity(); 2],
         coupling: Matrix6::zeros(),
         own: [Matrix3::zeros(); 2],
-        follow: Matrix6::zeros(),
+        follow: [Matrix6::zeros(); 2],
     };
 
     /// Force on the rings by their own velocities.
@@ -38,6 +50,10 @@ impl Friction {
     }
 }
 
+/// Least pivot of 1 − γ H A that the step takes as it comes. Friction that damps leaves none below one; where it falls with
+/// growing slip, past its peak, slip grows, and at zero the method breaks down.
+const LEAST_PIVOT: f64 = 0.7;
+
 /// The friction of a ball, linearised for a step of `h`.
 pub(super) fn friction<L: TractionLaw>(
     machine: &Machine<L>,
@@ -47,35 +63,65 @@ pub(super) fn friction<L: TractionLaw>(
     r: f64,
     h: f64,
 ) -> Friction {
-    let mut jacobian = Matrix6::zeros();
-    let (mut coupling, mut own) = (Matrix6::zeros(), [Matrix3::zeros(); 2]);
-    for (k, (side, contact)) in [(Side::Inner, &loads.inner), (Side::Outer, &loads.outer)].into_iter().enumerate() {
-        if contact.load <= 0.0 {
-            continue;
-        }
-        let by_ball = by_velocities(&contacts[k].stiffness(), contact.pose.normal(side), r);
-        jacobian += by_ball;
-        let over = [1.0, 1.0, 1.0 / r];
-        for column in 0..3 {
-            for row in 0..6 {
-                coupling[(row, 3 * k + column)] = -by_ball[(row, column)] * over[column];
-            }
-            for row in 0..3 {
-                own[k][(row, column)] = by_ball[(row, column)] * over[row] * over[column];
-            }
-        }
+    let races = [(Side::Inner, &loads.inner), (Side::Outer, &loads.outer)];
+    let normals = races.map(|(side, contact)| contact.pose.normal(side));
+    let stiffness: [Matrix5<f64>; 2] =
+        std::array::from_fn(|k| if races[k].1.load > 0.0 { contacts[k].stiffness() } else { Matrix5::zeros() });
+    let with = |stiffness: [Matrix5<f64>; 2]| {
+        let slopes: [Matrix6<f64>; 2] = std::array::from_fn(|k| by_velocities(&stiffness[k], normals[k], r));
+        Friction::new(machine, state, slopes, r, h)
+    };
+    let (friction, pivot) = with(stiffness);
+    if pivot >= LEAST_PIVOT {
+        return friction;
     }
-    let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
-    let mobility = [1.0 / m, 1.0 / m, 1.0 / (m * r * r), 1.0 / j, 1.0 / j, 1.0 / j];
-    let mut a = Matrix6::from_fn(|row, column| mobility[row] * jacobian[(row, column)]);
-    // The gyroscopic moment, ω_m (Ω_t e_r − Ω_r e_t).
-    a[(4, 5)] += state.orbital_speed;
-    a[(4, 2)] += state.spin[2];
-    a[(5, 4)] -= state.orbital_speed;
-    a[(5, 2)] -= state.spin[1];
-    let inverse = inverse_of_damped(Matrix6::identity() - a * (0.5 * h));
-    let follow = inverse * Matrix6::from_fn(|row, column| 0.5 * h * mobility[row] * coupling[(row, column)]);
-    Friction { inverse, coupling, own, follow }
+    let ball = machine.bearing.geometry.ball_radius();
+    with(std::array::from_fn(|k| damping_part(&stiffness[k], [1.0, 1.0, contacts[k].semi_lateral(), ball, ball]))).0
+}
+
+impl Friction {
+    /// From the derivatives Gᵀ S G of the forces of both contacts by the velocities of the ball. Also returns the least pivot
+    /// of 1 − γ H A.
+    fn new<L>(machine: &Machine<L>, state: &BallState, slopes: [Matrix6<f64>; 2], r: f64, h: f64) -> (Self, f64) {
+        let (mut coupling, mut own) = (Matrix6::zeros(), [Matrix3::zeros(); 2]);
+        let over = [1.0, 1.0, 1.0 / r];
+        for (k, by_ball) in slopes.iter().enumerate() {
+            for column in 0..3 {
+                for row in 0..6 {
+                    coupling[(row, 3 * k + column)] = -by_ball[(row, column)] * over[column];
+                }
+                for row in 0..3 {
+                    own[k][(row, column)] = by_ball[(row, column)] * over[row] * over[column];
+                }
+            }
+        }
+        let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
+        let mobility = [1.0 / m, 1.0 / m, 1.0 / (m * r * r), 1.0 / j, 1.0 / j, 1.0 / j];
+        let mut a =
+            Matrix6::from_fn(|row, column| mobility[row] * (slopes[0][(row, column)] + slopes[1][(row, column)]));
+        // The gyroscopic moment, ω_m (Ω_t e_r − Ω_r e_t).
+        a[(4, 5)] += state.orbital_speed;
+        a[(4, 2)] += state.spin[2];
+        a[(5, 4)] -= state.orbital_speed;
+        a[(5, 2)] -= state.spin[1];
+        let (once, pivot) = inverse_of_damped(Matrix6::identity() - a * (GAMMA * h));
+        let twice = once * once;
+        let change = once * GAMMA + twice * (1.0 - GAMMA);
+        let mean = change - twice * 0.5;
+        let by_rings = Matrix6::from_fn(|row, column| h * mobility[row] * coupling[(row, column)]);
+        let follow = [mean * by_rings, (change * 0.5 - twice * GAMMA) * by_rings];
+        (Self { response: [change, mean], coupling, own, follow }, pivot)
+    }
+}
+
+/// S without what lets slip grow: the positive eigenvalues of its symmetric part, with the motion in units of slip, `scale`.
+/// Any approximate A leaves the kick consistent; what is taken out here acts explicitly.
+fn damping_part(stiffness: &Matrix5<f64>, scale: [f64; 5]) -> Matrix5<f64> {
+    let symmetric = |i: usize, k: usize| 0.5 * (stiffness[(i, k)] + stiffness[(k, i)]) / (scale[i] * scale[k]);
+    let eigen = Matrix5::from_fn(symmetric).symmetric_eigen();
+    let growing = eigen.eigenvalues.map(|value| value.max(0.0));
+    let growth = eigen.eigenvectors * Matrix5::from_diagonal(&growing) * eigen.eigenvectors.transpose();
+    Matrix5::from_fn(|i, k| stiffness[(i, k)] - scale[i] * scale[k] * growth[(i, k)])
 }
 
 /// Gᵀ S G, with G the motion of a patch (rolling, lateral, spin, about lateral, about rolling) by the six velocities of the
@@ -87,12 +133,14 @@ fn by_velocities(stiffness: &Matrix5<f64>, [n_a, n_r]: [f64; 2], r: f64) -> Matr
     Matrix6::from(columns)
 }
 
-/// Inverse by Gauss and Jordan without a search for pivots: 1 − ½ H A is M⁻¹ times a matrix whose symmetric part is
-/// positive, since friction only ever damps, and such matrices need none.
-fn inverse_of_damped(m: Matrix6<f64>) -> Matrix6<f64> {
+/// Inverse by Gauss and Jordan without a search for pivots, and the least pivot: where friction damps, 1 − γ H A is M⁻¹ times a
+/// matrix whose symmetric part is at least M, and its pivots are at least one.
+fn inverse_of_damped(m: Matrix6<f64>) -> (Matrix6<f64>, f64) {
     // By columns, which is the order in memory; the inverse of the transpose is the transpose of the inverse.
     let mut m: [[f64; 6]; 6] = m.into();
+    let mut least = f64::INFINITY;
     for pivot in 0..6 {
+        least = least.min(m[pivot][pivot]);
         let inverse = 1.0 / m[pivot][pivot];
         m[pivot][pivot] = 1.0;
         m[pivot].iter_mut().for_each(|x| *x *= inverse);
@@ -102,7 +150,7 @@ fn inverse_of_damped(m: Matrix6<f64>) -> Matrix6<f64> {
             other.iter_mut().zip(row).for_each(|(x, r)| *x -= factor * r);
         }
     }
-    Matrix6::from(m)
+    (Matrix6::from(m), least)
 }
 
 /// Inverse of a matrix in which an infinite diagonal element stands for an axis that is held.

@@ -5,7 +5,8 @@
 //! - The drift moves balls, rings and cage under contact forces, supports and loads, by the leapfrog method in
 //!   polar coordinates, with the angular momentum m r² ω_m held while the radius changes. It needs no traction and costs little, so it may take several steps of its own.
 //! - The kick changes the velocities v of each ball by traction, drag, churning, pocket and gyroscopic moment f at fixed position:
-//!   v ← v + H (1 − ½ H A)⁻¹ f(v). With A = ∂f/∂v this is Rosenbrock's method of second order with one stage, stable for any
+//!   v ← v + H R(H A) f(v), R(X) = γ W + (1 − γ) W², W = (1 − γ X)⁻¹, γ = 1 − 1/√2. With A = ∂f/∂v this is of second order with
+//!   one evaluation of f, in the manner of Rosenbrock, and L-stable: what is stiff settles, whatever the
 //!   slope of the traction curve. A is symmetric in the velocities that do work, A = −M⁻¹ Gᵀ S G with the patch
 //!   stiffness S, and may be a little old: then the method is still consistent, and the error grows with its age.
 //!
@@ -192,11 +193,11 @@ impl Fast {
             machine.watch[index].wear[2] = machine.pocket_wear(&pocket);
             let friction = &self.friction[index];
             let common = Vector6::from_column_slice(&self.common[at + VELOCITY..at + BALL]);
-            let change =
-                friction.inverse * (kick_acceleration(machine, &grip, &pocket, &frame, b[RADIUS]) + common) * h;
+            let push = (kick_acceleration(machine, &grip, &pocket, &frame, b[RADIUS]) + common) * h;
+            let [change, mean] = [friction.response[0] * push, friction.response[1] * push];
             b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
             let [i, o] = grip.traction;
-            let force = friction.coupling.tr_mul(&change) * 0.5 - Vector6::new(i[0], i[1], i[2], o[0], o[1], o[2]);
+            let force = friction.coupling.tr_mul(&mean) - Vector6::new(i[0], i[1], i[2], o[0], o[1], o[2]);
             let state = &grip.state;
             on_rings += in_inertial_axes(state.azimuth, &force);
         }
@@ -211,9 +212,9 @@ impl Fast {
             let azimuth = self.stands[index].azimuth;
             let friction = &self.friction[index];
             let rings = ring_in_ball_axes(azimuth, &predicted);
-            let change = friction.follow * rings;
+            let [change, mean] = [friction.follow[0] * rings, friction.follow[1] * rings];
             b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
-            let force = (friction.coupling.tr_mul(&change) + friction.on_rings(&rings)) * 0.5;
+            let force = friction.coupling.tr_mul(&mean) + friction.on_rings(&rings) * 0.5;
             on_rings += in_inertial_axes(azimuth, &force);
         }
         let [inner, outer] = [h / machine.inner.mass, h / machine.outer.mass];
@@ -329,10 +330,10 @@ impl Fast {
         let mut sum = Matrix5::from_diagonal(&Vector5::new(inner, inner, inner, outer, outer));
         for (index, f) in self.friction.iter().enumerate() {
             let (sin, cos) = y[machine.layout.ball(index) + AZIMUTH].sin_cos();
-            let given_back = f.coupling.tr_mul(&f.follow);
+            let given_back = f.coupling.tr_mul(&f.follow[1]);
             for column in 0..5 {
                 let unit = ring_in_ball_axes([sin, cos], &Vector5::ith(column, 1.0));
-                let force = in_inertial_axes([sin, cos], &((given_back * unit + f.on_rings(&unit)) * (0.5 * h)));
+                let force = in_inertial_axes([sin, cos], &((given_back * unit + f.on_rings(&unit) * 0.5) * h));
                 let mut slot = sum.column_mut(column);
                 slot -= force;
             }
