@@ -2,6 +2,7 @@
 
 use crate::sample::Sample;
 use serde::{Deserialize, Serialize};
+use std::convert::Infallible;
 use std::ops::ControlFlow;
 
 /// Watches a run. Its error ends the run.
@@ -22,6 +23,19 @@ pub trait Observer {
     /// # Errors
     /// Whatever the observer cannot do.
     fn event(&mut self, event: &Event) -> Result<(), Self::Error>;
+}
+
+/// Looks at nothing: for who wants the state at the end.
+impl Observer for () {
+    type Error = Infallible;
+
+    fn sample(&mut self, _: &Sample, _: bool) -> Result<ControlFlow<()>, Infallible> {
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn event(&mut self, _: &Event) -> Result<(), Infallible> {
+        Ok(())
+    }
 }
 
 /// Something that happens at a time.

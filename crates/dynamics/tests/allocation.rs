@@ -1,25 +1,9 @@
 //! Steps allocate nothing: counted by an allocator of the whole process, hence a test binary of its own.
 
-use std::convert::Infallible;
-use std::ops::ControlFlow;
 use tribodyn_bearing::case::{Case, set_value};
-use tribodyn_dynamics::{Event, Observer, Run, Sample};
+use tribodyn_dynamics::Run;
 
 const PAPER_AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
-
-struct Silent;
-
-impl Observer for Silent {
-    type Error = Infallible;
-
-    fn sample(&mut self, _: &Sample, _: bool) -> Result<ControlFlow<()>, Infallible> {
-        Ok(ControlFlow::Continue(()))
-    }
-
-    fn event(&mut self, _: &Event) -> Result<(), Infallible> {
-        Ok(())
-    }
-}
 
 /// Allocations from 1 ms, where everything has its size, to `until`, and steps there. Samples are 20 ms apart.
 fn allocations(scheme: &str, until: f64) -> (u64, u64) {
@@ -31,10 +15,10 @@ fn allocations(scheme: &str, until: f64) -> (u64, u64) {
     ];
     let text = changes.iter().fold(PAPER_AG.to_owned(), |text, (path, value)| set_value(&text, path, value).unwrap());
     let mut run = Run::new(&Case::from_ron(&text).unwrap()).unwrap();
-    run.advance(1e-3, &mut Silent).unwrap();
+    run.advance(1e-3, &mut ()).unwrap();
     let before = run.statistics().steps;
     let counted = allocation_counter::measure(|| {
-        run.advance(until, &mut Silent).unwrap();
+        run.advance(until, &mut ()).unwrap();
     });
     (counted.count_total, run.statistics().steps - before)
 }

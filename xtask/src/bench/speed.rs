@@ -6,9 +6,8 @@ use super::patch::mean_points;
 use super::row::{Limit, Row};
 use crate::error::Failure;
 use std::convert::Infallible;
-use std::ops::ControlFlow;
 use tribodyn_bearing::traction::PatchRule;
-use tribodyn_dynamics::{Checkpoint, Event, Observer, Run, RunError, Sample};
+use tribodyn_dynamics::{Checkpoint, Run, RunError};
 
 const GROUP: &str = "transient";
 /// Of the shaft at 14 000 r/min, s.
@@ -21,21 +20,6 @@ pub const FAST: &str = "Fast(step: us(20))";
 pub const STRIPS_5X3: &str = "SplitStrip(across: 5, along: 3)";
 pub const STRIPS_8X3: &str = "SplitStrip(across: 8, along: 3)";
 const RIG_RATE: &str = "kHz(25.6)";
-
-/// Looks at nothing.
-pub struct Silent;
-
-impl Observer for Silent {
-    type Error = Infallible;
-
-    fn sample(&mut self, _: &Sample, _: bool) -> Result<ControlFlow<()>, Infallible> {
-        Ok(ControlFlow::Continue(()))
-    }
-
-    fn event(&mut self, _: &Event) -> Result<(), Infallible> {
-        Ok(())
-    }
-}
 
 /// One way to run the case.
 struct Plan {
@@ -85,7 +69,7 @@ impl Prepared {
     fn repeat(&mut self, until: f64) -> Result<(), Failure> {
         self.run.resume(self.start.clone()).map_err(|source| failed(RunError::Dynamics(source)))?;
         let before = self.run.statistics();
-        let (time, result) = timed(|| self.run.advance(until, &mut Silent));
+        let (time, result) = timed(|| self.run.advance(until, &mut ()));
         result.map_err(failed)?;
         let after = self.run.statistics();
         self.least = self.least.min(time);

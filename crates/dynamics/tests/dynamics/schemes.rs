@@ -37,6 +37,24 @@ fn identity_runge_kutta_is_of_fourth_order_without_the_cage() {
     assert!(order > 3.6 && order < 5.0, "order {order:.2}: {coarse:e}, {fine:e}");
 }
 
+/// Pockets with little play, so that balls meet and leave their walls on the way: steps end there, and the order stays four.
+#[test]
+fn identity_runge_kutta_is_of_fourth_order_over_impacts() {
+    let at = |step: &str| {
+        let changes = [SMOOTH_RULE, ("cage.pocket_gap", "mm(0.02)"), ("transient.scheme", step)];
+        run(&case(&[&SHORT[..], &changes].concat()))
+    };
+    let last = |(_, keep): (Run, Keep)| keep.samples.last().unwrap().clone();
+    let reference = last(at("RungeKutta4(step: us(1))"));
+    let (run, keep) = at("RungeKutta4(step: us(8))");
+    let impacts = keep.events.iter().filter(|e| matches!(e.kind, EventKind::Impact { .. })).count();
+    assert!(impacts > 10 && run.statistics().cut_at_pocket > 10, "{impacts} impacts, {:?}", run.statistics());
+    let coarse = distance(&last((run, keep)), &reference);
+    let fine = distance(&last(at("RungeKutta4(step: us(4))")), &reference);
+    let order = (coarse / fine).log2();
+    assert!(order > 3.4 && order < 5.0, "order {order:.2}: {coarse:e}, {fine:e}");
+}
+
 /// Down to the error of its linear traction, 2.5e-4 of the load at most.
 #[test]
 fn identity_the_fast_scheme_comes_to_the_numbers_of_the_others() {
