@@ -21,6 +21,8 @@ pub enum Failure {
     Write { path: PathBuf, source: std::io::Error },
     #[error("--{option} {value}: {message}")]
     Option { option: &'static str, value: String, message: String },
+    #[error("{}:{line}:{column}: {message}", path.display())]
+    Figures { path: PathBuf, line: usize, column: usize, message: String },
     #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
     OutOfRange { quantity: &'static str, value: f64 },
     #[error("{file}: {source}")]

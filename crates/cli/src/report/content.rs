@@ -26,6 +26,8 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
     /// Columns with numbers, aligned right.
     pub numbers: std::ops::Range<usize>,
+    /// As wide as the page.
+    pub wide: bool,
 }
 
 /// Warnings of one kind of which more are counted only.
@@ -37,6 +39,9 @@ impl Content {
     pub fn new(answer: &Answer, case: Option<&CaseFile>, run: &Run) -> Self {
         let mut tables =
             vec![results(answer), powers(&answer.summary), frequencies(answer), wear(answer), facts(answer, run)];
+        if !answer.validation.is_empty() {
+            tables.push(validation(answer));
+        }
         tables.extend(case.map(values));
         let title = if answer.bearing.is_empty() { "Transient run".to_owned() } else { answer.bearing.clone() };
         Self {
@@ -103,7 +108,7 @@ fn results(answer: &Answer) -> Table {
         number(s.averaged_from_s, 4),
         number(s.simulated_s, 4)
     );
-    Table { title: "Results", text, header: vec!["Quantity", "Value", "Unit"], rows, numbers: 1..2 }
+    Table { title: "Results", text, header: vec!["Quantity", "Value", "Unit"], rows, numbers: 1..2, wide: false }
 }
 
 fn powers(s: &Summary) -> Table {
@@ -119,7 +124,14 @@ fn powers(s: &Summary) -> Table {
         "Means of the second half. Work missing over the whole run: {} parts per billion of all work put in.",
         number(p.imbalance_ppb, 3)
     );
-    Table { title: "Power balance", text, header: vec!["Power", "W", "% of the input"], rows, numbers: 1..3 }
+    Table {
+        title: "Power balance",
+        text,
+        header: vec!["Power", "W", "% of the input"],
+        rows,
+        numbers: 1..3,
+        wide: false,
+    }
 }
 
 fn frequencies(answer: &Answer) -> Table {
@@ -138,6 +150,7 @@ fn frequencies(answer: &Answer) -> Table {
         header: vec!["Event", "Hz"],
         rows: rows.map(|(name, hz)| vec![name.to_owned(), number(hz, 2)]).to_vec(),
         numbers: 1..2,
+        wide: false,
     }
 }
 
@@ -154,7 +167,37 @@ fn wear(answer: &Answer) -> Table {
         "Since the start, as recorded at {} s; any acceleration of wear is not in the volumes.",
         number(w.at_s, 4)
     );
-    Table { title: "Wear", text, header: vec!["Quantity", "Value", "Unit"], rows, numbers: 1..2 }
+    Table { title: "Wear", text, header: vec!["Quantity", "Value", "Unit"], rows, numbers: 1..2, wide: false }
+}
+
+/// The figures of `--against`.
+fn validation(answer: &Answer) -> Table {
+    let met = answer.validation.iter().filter(|row| row.met).count();
+    let rows = answer.validation.iter().map(|row| {
+        let value = |number: Option<f64>| number.map_or_else(|| "–".to_owned(), |n| format!("{n:.4}"));
+        let short = |text: String| text.trim_end_matches('0').trim_end_matches('.').to_owned();
+        vec![
+            row.id.clone(),
+            row.quantity.clone(),
+            row.published.to_string(),
+            short(value(row.computed)),
+            short(value(row.computed.map(|computed| computed - row.published))),
+            row.tolerance.to_string(),
+            if row.met { "met" } else { "missed" }.to_owned(),
+            row.source.clone(),
+        ]
+    });
+    Table {
+        title: "Validation",
+        text: format!(
+            "{met} of {} figures are met; units stand at the end of a quantity's name.",
+            answer.validation.len()
+        ),
+        header: vec!["Row", "Quantity", "Published", "Computed", "Deviation", "Tolerance", "Verdict", "Source"],
+        rows: rows.collect(),
+        numbers: 2..6,
+        wide: true,
+    }
 }
 
 fn facts(answer: &Answer, run: &Run) -> Table {
@@ -170,7 +213,7 @@ fn facts(answer: &Answer, run: &Run) -> Table {
     let entries = run.metadata.get("simulation").into_iter().flatten();
     rows.extend(entries.map(|(key, value)| vec![key.clone(), value.clone()]));
     let text = "What the recording says of itself.".to_owned();
-    Table { title: "Run", text, header: vec!["Entry", "Value"], rows, numbers: 0..0 }
+    Table { title: "Run", text, header: vec!["Entry", "Value"], rows, numbers: 0..0, wide: true }
 }
 
 /// The values of the case that have a source, with it.
@@ -192,6 +235,7 @@ fn values(file: &CaseFile) -> Table {
         header: vec!["Path", "Value", "Class", "Source"],
         rows: rows.collect(),
         numbers: 0..0,
+        wide: true,
     }
 }
 

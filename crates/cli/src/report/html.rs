@@ -19,6 +19,7 @@ table { border-collapse: collapse; font-size: 14px; }
 th, td { text-align: left; vertical-align: top; padding: 3px 14px 3px 0; border-bottom: 1px solid #e4e4e4; overflow-wrap: anywhere; }
 th { border-bottom: 2px solid #8a8a8a; }
 .n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; overflow-wrap: normal; }
+.n + td, .wide th { white-space: nowrap; overflow-wrap: normal; }
 .wide { width: 100%; font-size: 13px; }
 .wide td:first-child { white-space: nowrap; overflow-wrap: normal; }
 .class { font-weight: 600; white-space: nowrap; }
@@ -44,10 +45,13 @@ pub fn page(content: &Content, figures: &[Figure]) -> String {
     }
     html += "</nav>\n";
     html += &warnings(content);
-    let (narrow, wide): (Vec<&Table>, Vec<&Table>) = content.tables.iter().partition(|t| !t.numbers.is_empty());
+    let (wide, narrow): (Vec<&Table>, Vec<&Table>) = content.tables.iter().partition(|t| t.wide);
+    let (figured, wide): (Vec<&Table>, Vec<&Table>) = wide.into_iter().partition(|t| !t.numbers.is_empty());
     html += "<div class=\"pair\" id=\"results\">\n";
     narrow.iter().for_each(|t| html += &format!("<section>\n{}</section>\n", table(t)));
-    html += "</div>\n<h2 id=\"histories\">Figures</h2>\n";
+    html += "</div>\n";
+    figured.iter().for_each(|t| html += &format!("<section>\n{}</section>\n", table(t)));
+    html += "<h2 id=\"histories\">Figures</h2>\n";
     content.notes.iter().for_each(|note| html += &format!("<p>{}</p>\n", escape(note)));
     html += &drawings(figures);
     for (place, t) in wide.iter().enumerate() {
@@ -89,7 +93,7 @@ fn drawings(figures: &[Figure]) -> String {
 }
 
 fn table(table: &Table) -> String {
-    let wide = if table.numbers.is_empty() { " class=\"wide\"" } else { "" };
+    let wide = if table.wide { " class=\"wide\"" } else { "" };
     let number = |k: usize| if table.numbers.contains(&k) { " class=\"n\"" } else { "" };
     let mut html =
         format!("<h2>{}</h2>\n<p class=\"sub\">{}</p>\n<table{wide}>\n<tr>", table.title, escape(&table.text));

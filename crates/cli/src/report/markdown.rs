@@ -30,15 +30,24 @@ fn markdown(table: &Table) -> String {
     text
 }
 
-/// Warnings and the first table.
+/// Warnings, the first table, and that of figures set against those of the run.
 pub fn plain(content: &Content) -> String {
     let mut lines = vec![content.title.clone(), String::new()];
-    if let Some(table) = content.tables.first() {
-        let wide = |k: usize| table.rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-        let (name, value) = (wide(0), wide(1));
+    let validation = content.tables.iter().find(|table| table.wide && !table.numbers.is_empty());
+    for table in content.tables.iter().take(1).chain(validation) {
+        if table.wide {
+            lines.extend([String::new(), table.text.clone()]);
+        }
+        // The source of a figure would be too long.
+        let columns = table.header.len() - usize::from(table.wide);
+        let width = |k: usize| table.rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..columns).map(width).collect();
         lines.extend(table.rows.iter().map(|row| {
-            let line = format!("{:name$}  {:>value$}  {}", row[0], row[1], row[2]);
-            line.trim_end().to_owned()
+            let cell = |k: usize| {
+                let wide = widths[k];
+                if table.numbers.contains(&k) { format!("{:>wide$}", row[k]) } else { format!("{:wide$}", row[k]) }
+            };
+            (0..columns).map(cell).collect::<Vec<_>>().join("  ").trim_end().to_owned()
         }));
     }
     lines.extend(content.warnings.iter().map(|warning| format!("warning: {warning}")));

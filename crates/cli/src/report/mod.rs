@@ -1,5 +1,6 @@
 //! `tribodyn report`: figures, spectra and a summary of a recorded run.
 
+mod against;
 mod content;
 mod facts;
 mod figures;
@@ -13,6 +14,7 @@ use crate::input::CaseFile;
 use crate::output::StagedFiles;
 use crate::run::{RunError, Summary};
 use crate::table;
+use against::{Compared, compared};
 use content::Content;
 use facts::{BallWear, Start};
 use serde::Serialize;
@@ -30,6 +32,10 @@ pub struct Arguments {
     /// Folder for report.html, summary.md, summary.json, foxglove-layout.json and the figures (SVG and PNG)
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
+    /// Published or measured figures to set beside those of the run: a CSV file with the columns
+    /// id,quantity,published,tolerance,source; a quantity is a field of summary.json
+    #[arg(long, value_name = "FIGURES.csv")]
+    against: Option<PathBuf>,
     /// Print the summary as JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
@@ -55,6 +61,8 @@ pub struct Answer {
     warnings_at_start: Vec<String>,
     /// Races whose pressures left the range in which the coating was tested.
     untested_pressures: Vec<String>,
+    /// The figures of `--against` beside those of the run.
+    validation: Vec<Compared>,
     figures: Vec<String>,
     /// Figures that could not be made, and why.
     notes: Vec<String>,
@@ -70,7 +78,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         read => read?,
     };
     let summary = Summary::of(&run.states, run.wear.last(), &run.events).ok_or_else(no_run)?;
-    let (answer, case, figures) = evaluate(&arguments.recording, &run, summary)?;
+    let (mut answer, case, figures) = evaluate(&arguments.recording, &run, summary)?;
+    if let Some(path) = &arguments.against {
+        answer.validation = compared(path, &serde_json::to_value(&answer)?)?;
+    }
     let content = Content::new(&answer, case.as_ref(), &run);
     let mut staged = StagedFiles::new(&arguments.output)?;
     staged.write("report.html".to_owned(), html::page(&content, &figures).as_bytes())?;
@@ -124,6 +135,7 @@ fn evaluate(path: &Path, run: &Run, summary: Summary) -> Result<Evaluated, Failu
         ball_wear,
         warnings_at_start: start.warnings,
         untested_pressures: case.as_ref().map_or_else(Vec::new, |file| facts::untested(&file.case, run)),
+        validation: Vec::new(),
         figures: figures.iter().map(|figure| figure.name.clone()).collect(),
         notes,
     };

@@ -254,6 +254,18 @@ fn identity_a_report_is_made_of_whole_and_torn_recordings() {
         assert!(!page.contains(outside), "the page loads something: {outside}");
     }
     assert!(page.contains("published") && page.contains("assumed") && page.contains("SplitStrip"));
+    let figures = scratch.file(
+        "figures.csv",
+        "id,quantity,published,tolerance,source\nslow,cage_speed_mean_rpm,1,1,nobody\nfast,frequencies.cage_hz,100,1e3,\"all, or none\"\n",
+    );
+    let folder = scratch.0.join("against");
+    let compared = run(&[&"report", &recording, &"-o", &folder, &"--against", &figures, &"--json"]).json();
+    assert_eq!([&compared["validation"][0]["met"], &compared["validation"][1]["met"]], [false, true]);
+    let page = fs::read_to_string(folder.join("report.html")).unwrap();
+    assert!(page.contains("1 of 2 figures are met") && page.contains("all, or none"));
+    let bad = scratch.file("bad.csv", "id,quantity,published,tolerance,source\nA,cage_speed,1,1,nobody\n");
+    run(&[&"report", &recording, &"-o", &scratch.0.join("none"), &"--against", &bad])
+        .fails(2, &["bad.csv:2:3", "cage_speed", "summary.json"]);
     let torn = scratch.file("torn.mcap.active", &fs::read(&recording).unwrap()[..500_000]);
     let folder = scratch.0.join("torn");
     let answer = run(&[&"report", &torn, &"-o", &folder, &"--json"]).json();
