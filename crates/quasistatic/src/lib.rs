@@ -28,7 +28,7 @@
 //! [`other_roots`] searches for others on request. A ball that the ring's motion frees of the inner race does not always end at
 //! rest: it slows down in the fluid, its centrifugal force falls, it may touch the inner race again and be driven at a speed below
 //! rolling. Followed in small steps of time at four points where both ends exist, such a ball comes to the driven one, as [`solve`]
-//! does; it stands still, free of both races, only if put there.
+//! does; no run from rolling was seen to end in the other, where it stands still, free of both races.
 //!
 //! Limits: each ball is in equilibrium at its own azimuth, so ω_m differs from ball to ball and the orbit is not
 //! followed in time; the cage acts on no ball (its pocket force is worked out afterwards). The crate prints nothing
