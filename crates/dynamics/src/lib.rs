@@ -68,6 +68,6 @@ mod fast_test;
 
 pub use error::DynamicsError;
 pub use observer::{Event, EventKind, Observer};
-pub use run::{Checkpoint, Ending, Run, RunError, Statistics};
+pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, Run, RunError, Statistics};
 pub use sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
 pub use stiffness::Stiffness;

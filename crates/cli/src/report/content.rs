@@ -2,7 +2,7 @@
 
 use super::Answer;
 use crate::input::CaseFile;
-use crate::run::Summary;
+use crate::run::{Summary, acceleration};
 use crate::table::number;
 use tribodyn_bearing::case::{Source, locate};
 use tribodyn_record::Run;
@@ -81,19 +81,14 @@ fn results(answer: &Answer) -> Table {
     let s = &answer.summary;
     let range = |a: f64, b: f64, digits| format!("{} … {}", number(a, digits), number(b, digits));
     let pair = |a: f64, b: f64, digits| format!("{} / {}", number(a, digits), number(b, digits));
+    let of = |x: f64, y: f64| acceleration(pair(x, y, 3), answer.accelerations_supported);
+    let (rms, rms_unit) = of(s.outer_acceleration_x_rms_m_s2, s.outer_acceleration_y_rms_m_s2);
+    let (peak, peak_unit) = of(s.outer_acceleration_x_peak_m_s2, s.outer_acceleration_y_peak_m_s2);
     let mut rows = vec![
         row("Cage speed, mean", number(s.cage_speed_mean_rpm, 3), "r/min"),
         row("Orbital speeds of the balls", range(s.orbital_speed_min_rpm, s.orbital_speed_max_rpm, 2), "r/min"),
-        row(
-            "Acceleration of the outer ring, rms, X / Y",
-            pair(s.outer_acceleration_x_rms_m_s2, s.outer_acceleration_y_rms_m_s2, 3),
-            "m/s²",
-        ),
-        row(
-            "Acceleration of the outer ring, peak, X / Y",
-            pair(s.outer_acceleration_x_peak_m_s2, s.outer_acceleration_y_peak_m_s2, 3),
-            "m/s²",
-        ),
+        row("Acceleration of the outer ring, rms, X / Y", rms, rms_unit),
+        row("Acceleration of the outer ring, peak, X / Y", peak, peak_unit),
         row("Largest contact load, inner / outer", pair(s.load_inner_max_n, s.load_outer_max_n, 1), "N"),
         row("Largest pressure, inner / outer", pair(s.pressure_inner_max_gpa, s.pressure_outer_max_gpa, 3), "GPa"),
         row("Largest pocket force", number(s.pocket_force_max_n, 1), "N"),

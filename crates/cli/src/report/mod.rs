@@ -12,7 +12,7 @@ mod spectra;
 use crate::failure::Failure;
 use crate::input::CaseFile;
 use crate::output::StagedFiles;
-use crate::run::{RunError, Summary};
+use crate::run::{RunError, Summary, carries_accelerations};
 use crate::table;
 use against::{Compared, compared};
 use content::Content;
@@ -52,6 +52,8 @@ pub struct Answer {
     chunks_bad: u64,
     cage_speed_quasi_static_rpm: Option<f64>,
     patch_error_estimate: Option<f64>,
+    /// Whether that error is small enough for accelerations.
+    accelerations_supported: bool,
     frequencies: BearingFrequencies,
     #[serde(flatten)]
     summary: Summary,
@@ -130,6 +132,7 @@ fn evaluate(path: &Path, run: &Run, summary: Summary) -> Result<Evaluated, Failu
         chunks_bad: run.chunks_bad,
         cage_speed_quasi_static_rpm: start.cage_speed_rpm,
         patch_error_estimate: start.patch_error_estimate,
+        accelerations_supported: carries_accelerations(start.patch_error_estimate),
         frequencies,
         summary,
         ball_wear,

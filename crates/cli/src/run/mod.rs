@@ -15,7 +15,7 @@ mod summary;
 mod tape;
 
 pub use error::RunError;
-pub use summary::Summary;
+pub use summary::{Summary, acceleration, carries_accelerations};
 
 use crate::failure::Failure;
 use crate::input::{CaseArguments, CaseFile, Change};

@@ -2,7 +2,7 @@
 
 use super::RunError;
 use super::progress::significant;
-use super::summary::Summary;
+use super::summary::{Summary, acceleration, carries_accelerations};
 use crate::failure::Failure;
 use crate::input::CaseFile;
 use crate::table::{self, number};
@@ -32,6 +32,8 @@ pub struct Report {
     patch_rule: String,
     /// Of the quasi-static solution, over the contact load.
     patch_error_estimate: Option<f64>,
+    /// Whether that error is small enough for accelerations.
+    accelerations_supported: bool,
     scheme: String,
     scheme_statistics: Statistics,
     stiffness: Stiffness,
@@ -55,6 +57,7 @@ impl Report {
             cage_speed_quasi_static_rpm: solution.cage_speed_rpm,
             patch_rule: format!("{:?}", run.patch_rule()),
             patch_error_estimate: solution.patch_error_estimate,
+            accelerations_supported: carries_accelerations(solution.patch_error_estimate),
             scheme: file.case.transient.as_ref().map_or_else(String::new, |t| format!("{:?}", t.scheme)),
             scheme_statistics: run.statistics(),
             stiffness: run.stiffness(),
@@ -111,22 +114,17 @@ fn pair(a: f64, b: f64, digits: usize) -> String {
 }
 
 fn motion_rows(s: &Summary, r: &Report) -> Vec<Row> {
+    let of = |x: f64, y: f64| acceleration(pair(x, y, 3), r.accelerations_supported);
+    let (rms, rms_unit) = of(s.outer_acceleration_x_rms_m_s2, s.outer_acceleration_y_rms_m_s2);
+    let (peak, peak_unit) = of(s.outer_acceleration_x_peak_m_s2, s.outer_acceleration_y_peak_m_s2);
     vec![
         ("simulated time", number(s.simulated_s, 6), "s"),
         ("times real time", significant(r.simulated_per_wall), ""),
         ("cage speed, quasi-static start", number(r.cage_speed_quasi_static_rpm, 3), "r/min"),
         ("cage speed, mean of last half", number(s.cage_speed_mean_rpm, 3), "r/min"),
         ("orbital speeds, least and most", pair(s.orbital_speed_min_rpm, s.orbital_speed_max_rpm, 2), "r/min"),
-        (
-            "outer ring acceleration, rms x y",
-            pair(s.outer_acceleration_x_rms_m_s2, s.outer_acceleration_y_rms_m_s2, 3),
-            "m/s²",
-        ),
-        (
-            "outer ring acceleration, peak x y",
-            pair(s.outer_acceleration_x_peak_m_s2, s.outer_acceleration_y_peak_m_s2, 3),
-            "m/s²",
-        ),
+        ("outer ring acceleration, rms x y", rms, rms_unit),
+        ("outer ring acceleration, peak x y", peak, peak_unit),
         ("peak pressure, inner outer", pair(s.pressure_inner_max_gpa, s.pressure_outer_max_gpa, 3), "GPa"),
         ("pocket force, largest", number(s.pocket_force_max_n, 1), "N"),
         ("pocket impacts, whole run", s.impacts.to_string(), ""),

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use tribodyn_bearing::case::{Case, SchemeSpec};
+use tribodyn_dynamics::ACCELERATION_ERROR;
 use tribodyn_record::{LogRow, StateRow, WearRow};
 use tribodyn_signal::Statistics;
 
@@ -72,6 +73,16 @@ impl Powers {
             ("stored", self.stored_w),
         ]
     }
+}
+
+/// Whether the patch rule is fine enough for accelerations; an error that is not known does not speak against it.
+pub fn carries_accelerations(patch_error_estimate: Option<f64>) -> bool {
+    patch_error_estimate.is_none_or(|error| error <= ACCELERATION_ERROR)
+}
+
+/// Value and unit of an acceleration in a table: only where the patch rule carries it.
+pub fn acceleration(value: String, carried: bool) -> (String, &'static str) {
+    if carried { (value, "m/s²") } else { ("–".to_owned(), "patch rule too coarse") }
 }
 
 /// What has worn off since the start, without the acceleration of wear.

@@ -254,6 +254,9 @@ fn identity_a_report_is_made_of_whole_and_torn_recordings() {
         assert!(!page.contains(outside), "the page loads something: {outside}");
     }
     assert!(page.contains("published") && page.contains("assumed") && page.contains("SplitStrip"));
+    // The cheap rule of these tests does not carry accelerations: tables do without, JSON says so.
+    assert!(page.contains("patch rule too coarse"));
+    assert_eq!([&answer["accelerations_supported"], &ran["accelerations_supported"]], [false, false]);
     let figures = scratch.file(
         "figures.csv",
         "id,quantity,published,tolerance,source\nslow,cage_speed_mean_rpm,1,1,nobody\nfast,frequencies.cage_hz,100,1e3,\"all, or none\"\n",
