@@ -56,3 +56,35 @@ fn limit_a_checkpoint_of_another_bearing_is_refused() {
     let refused = run.resume(other.checkpoint());
     assert!(matches!(refused, Err(DynamicsError::Checkpoint { found, expected }) if expected - found == 9));
 }
+
+/// The radial load grows beyond what a soft support holds: balls and rings leave their place together.
+#[test]
+fn limit_a_ball_thrown_out_is_named() {
+    let case = case(&[
+        ("transient.duration", "s(0.1)"),
+        ("transient.scheme", "Fast(step: us(20))"),
+        ("supports.outer.stiffness", "(N_per_um(1), N_per_um(1))"),
+        ("ring.x", "ForceTable([(s(0), kN(22.98)), (s(0.001), kN(60))])"),
+    ]);
+    let mut keep = Keep::default();
+    let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
+    let RunError::Dynamics(DynamicsError::BallLost { distance_mm, time_s, .. }) = error else { panic!("{error}") };
+    // A tenth of the ball's diameter.
+    assert!(distance_mm > 3.0 && time_s < 0.05, "{error}");
+    assert!(!keep.samples.is_empty());
+}
+
+/// A step far beyond the period of the contact springs: kicks drive them in resonance between two looks.
+#[test]
+fn limit_numbers_that_are_none_end_a_run_with_time_and_step() {
+    let case = case(&[
+        ("transient.duration", "s(0.5)"),
+        ("transient.scheme", "Fast(step: us(100))"),
+        ("recording.state_rate", "kHz(1)"),
+        ("recording.ball_rate", "kHz(1)"),
+    ]);
+    let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut Keep::default()).unwrap_err();
+    let RunError::Dynamics(DynamicsError::NotFinite { step_s, limit_s, .. }) = &error else { panic!("{error}") };
+    assert!((step_s - 1e-4).abs() < 1e-12 && *limit_s < 5e-5, "{error}");
+    assert!(error.to_string().contains("not a number"), "{error}");
+}
