@@ -2,26 +2,29 @@
 
 use crate::BearingError;
 use crate::case::{Case, CoatingSpec, CurveSpec, FluidSpec, MaterialSpec, Medium, RingCentre};
-use crate::geometry::{Geometry, Side};
+use crate::geometry::Geometry;
+use crate::normal::RingOffset;
+use crate::races::{Races, Side};
 use std::f64::consts::PI;
 use tribodyn_contact::{ContactError, ElasticBody, HertzContact, Scalar, effective_modulus};
 use tribodyn_fluid::{BallDrag, Churning, Fluid, effective_density, frontal_area};
-use tribodyn_traction::{Coating, CoatingLaw, MomentArm, Peak, PressureChoice, SlipUnit, TestedCurve, TractionLaw};
+use tribodyn_traction::{Coating, CoatingLaw, Law, MomentArm, Peak, PressureChoice, SlipUnit, TestedCurve};
 use tribodyn_wear::{Archard, LocalSurface, Raceway};
 
-/// A bearing that the solvers can work with, SI. `L` is the traction law on its races.
+/// A bearing that the solvers can work with, SI.
+///
+/// Its fields may be changed before it is solved: `bearing.races.inner.law = Law::Custom(…)` puts a traction law of one's
+/// own on the inner race.
 #[derive(Debug, Clone)]
-pub struct Bearing<L = CoatingLaw> {
+pub struct Bearing {
     /// Unloaded geometry.
     pub geometry: Geometry,
     /// Ball mass, kg.
     pub ball_mass: f64,
     /// Ball moment of inertia J, kg m².
     pub ball_inertia: f64,
-    /// Inner race.
-    pub inner: Race<L>,
-    /// Outer race.
-    pub outer: Race<L>,
+    /// Inner and outer race.
+    pub races: Races<Race>,
     /// What the fluid does; absent in a dry bearing.
     pub fluid: Option<FluidForces>,
     /// Unit of the slip axis.
@@ -34,34 +37,34 @@ pub struct Bearing<L = CoatingLaw> {
     pub contact_at_actual_angle: bool,
     /// Whether each ring turns about its own displaced centre, or about the inertial axis.
     pub ring_turns_about_own_centre: bool,
-    /// What wear has left of the raceways all round when the case begins: inner, outer. Its depth is part of the pose of a
-    /// ball, so both solvers have it.
-    pub worn: [LocalSurface; 2],
+    /// How the rings' offsets are taken: to first order unless a transient solver asks for more.
+    pub ring_offset: RingOffset,
+    /// Surfaces of the raceways all round when the case begins. Their depth is part of the pose of a ball, so both solvers
+    /// have it.
+    pub worn: Races<LocalSurface>,
     /// Damping of the contacts along their normals, a fraction ζ of the critical one; 0 unless a transient solver sets
     /// it, since an equilibrium is at rest only in the mean where a ring is off centre.
     pub contact_damping: f64,
-    /// Wear of the inner race.
-    pub wear_inner: Archard,
-    /// Wear of the outer race.
-    pub wear_outer: Archard,
+    /// Wear of the races.
+    pub wear: Races<Archard>,
     /// Wear of the cage.
     pub wear_cage: Archard,
 }
 
 /// One raceway.
 #[derive(Debug, Clone)]
-pub struct Race<L = CoatingLaw> {
+pub struct Race {
     /// Contact constants at the free contact angle.
     hertz: HertzContact,
     /// Radius of the deformed contact across the groove, m; infinite without differential slip.
     pub surface_radius: f64,
     /// Traction law of the coating.
-    pub law: L,
+    pub law: Law,
     /// Traction law of the bare steel under it, where the case has one.
-    pub bare_law: Option<L>,
+    pub bare_law: Option<Law>,
 }
 
-impl<L> Race<L> {
+impl Race {
     /// The frozen contact constants as dual numbers without derivatives.
     pub fn frozen<D: Scalar>(&self) -> HertzContact<D> {
         self.hertz.lift()
@@ -97,62 +100,40 @@ impl Bearing {
     /// # Errors
     /// [`BearingError`] where coating, fluid or contact data do not make sense together.
     pub fn new(case: &Case) -> Result<Self, BearingError> {
-        let law = |curve| coating_law(case, curve);
-        let mut bearing = Self::with_laws(case, law(&case.coatings.inner.curve)?, law(&case.coatings.outer.curve)?)?;
-        if let Some(bare) = &case.coatings.bare {
-            let law = law(&bare.curve)?;
-            (bearing.inner.bare_law, bearing.outer.bare_law) = (Some(law.clone()), Some(law));
-        }
-        Ok(bearing)
-    }
-}
-
-impl<L: TractionLaw> Bearing<L> {
-    /// Works out a bearing with traction laws of one's own on inner and outer race.
-    ///
-    /// # Errors
-    /// As [`Bearing::new`].
-    pub fn with_laws(case: &Case, inner: L, outer: L) -> Result<Self, BearingError> {
         let geometry = Geometry::new(&case.geometry)?;
         let radius = geometry.ball_radius();
         let ball_mass = case.materials.ball.density * 4.0 / 3.0 * PI * radius.powi(3);
-        let race = |side, material: &MaterialSpec, law| {
+        let bare_law = case.coatings.bare.as_ref().map(|bare| coating_law(case, &bare.curve)).transpose()?;
+        let race = |side, material: &MaterialSpec, coating: &CoatingSpec| {
             let modulus = effective_modulus(&elastic(&case.materials.ball), &elastic(material));
             let [rolling, lateral] = geometry.curvatures(side, geometry.cos_contact_angle());
             let hertz = HertzContact::new(rolling, lateral, modulus)?;
             let surface_radius =
                 if case.traction.differential_slip { geometry.surface_radius(side) } else { f64::INFINITY };
-            Ok::<_, BearingError>(Race { hertz, surface_radius, law, bare_law: None })
+            let law = coating_law(case, &coating.curve)?;
+            Ok::<_, BearingError>(Race { hertz, surface_radius, law, bare_law: bare_law.clone() })
         };
         let wear = |spec: &crate::case::ArchardSpec| Archard { coefficient: spec.coefficient, hardness: spec.hardness };
         Ok(Self {
             geometry,
             ball_mass,
             ball_inertia: 0.4 * ball_mass * radius * radius,
-            inner: race(Side::Inner, &case.materials.inner, inner)?,
-            outer: race(Side::Outer, &case.materials.outer, outer)?,
+            races: Races {
+                inner: race(Side::Inner, &case.materials.inner, &case.coatings.inner)?,
+                outer: race(Side::Outer, &case.materials.outer, &case.coatings.outer)?,
+            },
             fluid: case.fluid.as_ref().map(|f| fluid_forces(f, radius)).transpose()?,
             slip_unit: case.traction.slip_unit,
             pressure_choice: case.traction.pressure,
             moment_arm: case.traction.moment_arm,
             contact_at_actual_angle: case.numerics.contact_at_actual_angle,
             ring_turns_about_own_centre: case.numerics.ring_centre == RingCentre::Displaced,
-            worn: [worn(&case.coatings.inner)?, worn(&case.coatings.outer)?],
+            ring_offset: RingOffset::FirstOrder,
+            worn: Races { inner: worn(&case.coatings.inner)?, outer: worn(&case.coatings.outer)? },
             contact_damping: 0.0,
-            wear_inner: wear(&case.wear.inner),
-            wear_outer: wear(&case.wear.outer),
+            wear: Races { inner: wear(&case.wear.inner), outer: wear(&case.wear.outer) },
             wear_cage: wear(&case.wear.cage),
         })
-    }
-}
-
-impl<L> Bearing<L> {
-    /// The race of a side.
-    pub fn race(&self, side: Side) -> &Race<L> {
-        match side {
-            Side::Inner => &self.inner,
-            Side::Outer => &self.outer,
-        }
     }
 
     /// Azimuth of ball `index` when ball 0 is at 0, rad.
@@ -171,7 +152,7 @@ fn elastic(material: &MaterialSpec) -> ElasticBody {
     ElasticBody { young: material.young, poisson: material.poisson }
 }
 
-fn coating_law(case: &Case, curve: &CurveSpec) -> Result<CoatingLaw, BearingError> {
+fn coating_law(case: &Case, curve: &CurveSpec) -> Result<Law, BearingError> {
     let coating = match curve {
         CurveSpec::Library(name) => Coating::library(name)?,
         CurveSpec::Tested(points) => {
@@ -183,11 +164,12 @@ fn coating_law(case: &Case, curve: &CurveSpec) -> Result<CoatingLaw, BearingErro
         }
     };
     let t = &case.traction;
-    Ok(if t.varying {
+    let law = if t.varying {
         CoatingLaw::varying(&coating, t.order)?
     } else {
         CoatingLaw::fixed(&coating, t.order, t.reference_pressure)?
-    })
+    };
+    Ok(law.into())
 }
 
 fn fluid_forces(spec: &FluidSpec, radius: f64) -> Result<FluidForces, BearingError> {
@@ -236,8 +218,8 @@ mod tests {
     #[test]
     fn limit_without_differential_slip_the_contact_is_flat() {
         let flat = bearing(&[("traction.differential_slip", "false")]);
-        assert!(flat.inner.surface_radius.is_infinite() && flat.outer.surface_radius.is_infinite());
+        assert!(flat.races.inner.surface_radius.is_infinite() && flat.races.outer.surface_radius.is_infinite());
         let curved = bearing(&[("traction.differential_slip", "true")]);
-        assert!(curved.inner.surface_radius < 2.0 * curved.geometry.ball_radius());
+        assert!(curved.races.inner.surface_radius < 2.0 * curved.geometry.ball_radius());
     }
 }

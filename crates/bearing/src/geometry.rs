@@ -2,16 +2,8 @@
 
 use crate::BearingError;
 use crate::case::{Fit, GeometrySpec, Groove};
+use crate::races::Side;
 use tribodyn_contact::Scalar;
-
-/// Which ring a contact belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// Ball on inner race.
-    Inner,
-    /// Ball on outer race.
-    Outer,
-}
 
 /// The unloaded bearing, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]

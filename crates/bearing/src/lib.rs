@@ -28,15 +28,19 @@
 
 mod bearing;
 pub mod case;
+mod frame;
 mod geometry;
 mod interaction;
 mod normal;
+mod races;
 mod state;
 
 pub use bearing::{Bearing, FluidForces, Race};
-pub use geometry::{ContactPose, Geometry, Side};
-pub use interaction::{in_azimuth_frame, in_ball_axes};
-pub use normal::{NormalContact, NormalLoads};
+pub use frame::AzimuthFrame;
+pub use geometry::{ContactPose, Geometry};
+pub use interaction::{ContactForces, Sliding};
+pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
+pub use races::{Races, Side};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{Ellipse, Scalar};
 pub use tribodyn_fluid as fluid;

@@ -2,10 +2,13 @@
 //!
 //! Vectors are [a, r, t]: axial, radial, along the orbit. Forces and moments are those on the ball.
 
-use crate::bearing::{Bearing, Race};
+use crate::bearing::Race;
+use crate::frame::AzimuthFrame;
 use crate::geometry::ContactPose;
+use crate::normal::{Lean, NormalContact};
+use crate::races::{Races, Side};
 use tribodyn_contact::{Ellipse, Scalar};
-use tribodyn_traction::{Patch, PatchTraction, RelativeMotion};
+use tribodyn_traction::{Law, Patch, PatchTraction, RelativeMotion};
 
 /// Position and motion of a ring against the inertial frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,8 +34,8 @@ impl<D: Scalar> RingState<D> {
 /// Position and motion of a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallState<D = f64> {
-    /// Sine and cosine of the azimuth φ.
-    pub azimuth: [D; 2],
+    /// Axes at the ball's azimuth φ.
+    pub frame: AzimuthFrame<D>,
     /// Ball centre against the outer groove centre: axial X1 and radial X2, m.
     pub position: [D; 2],
     /// Axial and radial velocity of the ball centre, m/s.
@@ -46,14 +49,8 @@ pub struct BallState<D = f64> {
 /// One ball–race contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RaceContact<D = f64> {
-    /// Contact angle and approach.
-    pub pose: ContactPose<D>,
-    /// Normal load Q, N, of the elastic approach.
-    pub load: D,
-    /// Normal force N on ball and race, N: the load and the contact's damping, never pulling.
-    pub normal_force: D,
-    /// Rate of the elastic approach, m/s.
-    pub closing_speed: D,
+    /// Contact angle, approach, load and normal force.
+    pub normal: NormalContact<D>,
     /// Contact ellipse and peak pressure.
     pub ellipse: Ellipse<D>,
     /// The ball's motion against the race.
@@ -69,8 +66,6 @@ pub struct RaceContact<D = f64> {
     pub force: [D; 3],
     /// Moment of the traction about the ball centre, N m.
     pub moment: [D; 3],
-    /// Moment about the bearing's axis by which the ball slides down the slope of a groove that is not round, N m.
-    pub slope_moment: D,
 }
 
 impl<D: Scalar> RaceContact<D> {
@@ -89,38 +84,47 @@ impl<D: Scalar> RaceContact<D> {
 /// Everything that acts on one ball, without inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallLoads<D = f64> {
-    /// Inner contact.
-    pub inner: RaceContact<D>,
-    /// Outer contact.
-    pub outer: RaceContact<D>,
+    /// Both contacts.
+    pub contacts: Races<RaceContact<D>>,
     /// Radius of the orbit, m.
     pub orbit_radius: D,
     /// Fluid drag against the orbit, N.
     pub drag: D,
     /// Churning moment, N m.
     pub churning: [D; 3],
-    /// Tangential generalised force of the normal forces where a ring is off centre or a groove is not round, N.
-    pub eccentricity: D,
 }
 
 impl<D: Scalar> BallLoads<D> {
     /// Sum of the forces, N.
     pub fn force(&self) -> [D; 3] {
-        let [a, r, t] = add(self.inner.force, self.outer.force);
-        [a, r, t - self.drag + self.eccentricity]
+        let [a, r, t] = add(self.contacts.inner.force, self.contacts.outer.force);
+        [a, r, t - self.drag]
+    }
+
+    /// Contact angles and orbit radius.
+    pub fn pose(&self) -> BallPose<D> {
+        BallPose {
+            contacts: self.contacts.map(|c| c.normal.pose),
+            lean: self.contacts.map(|c| c.normal.lean),
+            orbit_radius: self.orbit_radius,
+        }
     }
 
     /// Sum of the moments about the ball centre, N m.
     pub fn moment(&self) -> [D; 3] {
-        add(add(self.inner.moment, self.outer.moment), self.churning)
+        add(add(self.contacts.inner.moment, self.contacts.outer.moment), self.churning)
     }
 }
 
 /// A patch under load, for whoever integrates its traction.
 #[derive(Debug, Clone, Copy)]
-pub struct LoadedPatch<'a, D, L> {
+pub struct LoadedPatch<'a, D> {
+    /// Which race.
+    pub side: Side,
     /// The race.
-    pub race: &'a Race<L>,
+    pub race: &'a Race,
+    /// Normal load under it, N.
+    pub load: D,
     /// Contact ellipse and surface.
     pub patch: Patch<D>,
     /// The ball's motion against the race.
@@ -131,15 +135,10 @@ pub struct LoadedPatch<'a, D, L> {
     pub bare: f64,
 }
 
-impl<D: Scalar, L> LoadedPatch<'_, D, L> {
-    /// Whether it is on the inner race of this bearing.
-    pub fn is_inner(&self, bearing: &Bearing<L>) -> bool {
-        std::ptr::eq(self.race, &raw const bearing.inner)
-    }
-
+impl<D: Scalar> LoadedPatch<'_, D> {
     /// The traction on coating and bare steel by their shares. Where the case has no curve for bare steel the coating
     /// stands for it.
-    pub fn blend(&self, by: impl Fn(&L) -> PatchTraction<D>) -> PatchTraction<D> {
+    pub fn blend(&self, by: impl Fn(&Law) -> PatchTraction<D>) -> PatchTraction<D> {
         match &self.race.bare_law {
             Some(bare) if self.bare >= 1.0 => by(bare),
             Some(bare) if self.bare > 0.0 => by(&self.race.law).mixed_with(&by(bare), self.bare),
@@ -151,10 +150,10 @@ impl<D: Scalar, L> LoadedPatch<'_, D, L> {
 /// The kinematics of one ball between two rings that need no traction: enough for Jones–Harris.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallPose<D = f64> {
-    /// Inner contact.
-    pub inner: ContactPose<D>,
-    /// Outer contact.
-    pub outer: ContactPose<D>,
+    /// Both contacts.
+    pub contacts: Races<ContactPose<D>>,
+    /// Where the axes of the rings stand.
+    pub lean: Races<Lean<D>>,
     /// Radius of the orbit, m.
     pub orbit_radius: D,
 }

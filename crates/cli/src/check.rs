@@ -4,8 +4,8 @@ use crate::failure::Failure;
 use crate::input::{CaseArguments, CaseFile};
 use crate::table::{self, number};
 use serde::Serialize;
+use tribodyn_bearing::Bearing;
 use tribodyn_bearing::case::{Case, Source};
-use tribodyn_bearing::{Bearing, Side};
 use tribodyn_quasistatic::OperatingPoint;
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
@@ -43,7 +43,7 @@ struct Answer {
 fn answer(case: &Case, bearing: &Bearing) -> Answer {
     let g = &bearing.geometry;
     let point = OperatingPoint::new(case);
-    let (inner, outer) = (bearing.race(Side::Inner).frozen::<f64>(), bearing.race(Side::Outer).frozen::<f64>());
+    let (inner, outer) = (bearing.races.inner.frozen::<f64>(), bearing.races.outer.frozen::<f64>());
     // No-slip orbit at the free contact angle: the speed at which drag is quoted.
     let gamma = g.ball_diameter * g.cos_contact_angle() / g.pitch_diameter;
     let orbit = 0.5 * (point.inner_speed * (1.0 - gamma) + point.outer_speed * (1.0 + gamma));

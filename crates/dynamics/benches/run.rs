@@ -47,7 +47,7 @@ fn revolutions(c: &mut Criterion) {
             });
         });
     };
-    measure("RK4 10 us, 10x40, plain", run("RungeKutta4(step: us(10))", PAPER_RULE).with_plain_kernel());
+    measure("RK4 10 us, 10x40, plain", run("RungeKutta4(step: us(10))", PAPER_RULE).with_plain_kernel().unwrap());
     measure("RK4 10 us, 10x40", run("RungeKutta4(step: us(10))", PAPER_RULE));
     measure("RK4 10 us, strips 8x3", run("RungeKutta4(step: us(10))", STRIPS));
     measure("Dormand-Prince 1e-6, strips 8x3", run("DormandPrince(tolerance: 1e-6, longest: us(20))", STRIPS));

@@ -1,37 +1,160 @@
-//! The power balance of a run, and what happens to it when a term is left out.
+//! The power balance, what happens to it when a term is left out, and whether all schemes have the same terms.
 
+use crate::dp54::DormandPrince;
+use crate::equations::{Equations, Frame, Friction, Springs};
+use crate::fast::Fast;
 use crate::forces::System;
-use crate::layout::SPIN;
-use crate::machine::Terms;
+use crate::layout::{BALL, SPIN, VELOCITY};
+use crate::machine::Machine;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
-use tribodyn_bearing::Bearing;
 use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_bearing::wear::LocalSurface;
+use tribodyn_bearing::{
+    AzimuthFrame, BallState, Bearing, ContactForces, NormalContact, Races, RingState, Side, Sliding,
+};
 
 /// Short against the contact modes of 14 kHz that the start excites: the error of the scheme must stay below the balance's.
 const STEP: f64 = 2e-6;
-const STEPS: u32 = 1000;
 
-/// Runs from the quasi-static solution with the terms given: what is missing over what is put in.
-fn imbalance(terms: Terms, changes: &[(&str, &str)]) -> f64 {
+/// A term of the equations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Term {
+    /// ω_m e_a × Ω, the change of the spin's components with the frame. It does no work.
+    SpinTransport,
+    /// Euler's equation for the absolute spin and not for that against the orbiting frame.
+    AbsoluteSpin,
+    /// The tangential part of the normal forces where a ring is off centre.
+    TangentialNormalForce,
+    /// The ball's translation in the sliding velocity.
+    BallTranslation,
+    /// The rings' translation in the sliding velocity.
+    RingTranslation,
+    /// The same torque of the pocket force on ball and cage.
+    PocketArm,
+}
+
+const TERMS: [Term; 6] = [
+    Term::SpinTransport,
+    Term::AbsoluteSpin,
+    Term::TangentialNormalForce,
+    Term::BallTranslation,
+    Term::RingTranslation,
+    Term::PocketArm,
+];
+
+/// The equations without one term.
+struct Without {
+    machine: Machine,
+    term: Option<Term>,
+}
+
+impl Without {
+    fn lacks(&self, term: Term) -> bool {
+        self.term == Some(term)
+    }
+}
+
+impl Equations for Without {
+    fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    fn machine_mut(&mut self) -> &mut Machine {
+        &mut self.machine
+    }
+
+    fn state_at(&self, frame: AzimuthFrame, position: [f64; 2], b: &[f64]) -> BallState {
+        let state = self.machine.state_at(frame, position, b);
+        if self.lacks(Term::BallTranslation) { BallState { velocity: [0.0; 2], ..state } } else { state }
+    }
+
+    fn springs(&self, state: &BallState, surfaces: &Races<LocalSurface>, frame: &Frame) -> Springs {
+        let mut springs = self.machine.springs(state, surfaces, frame);
+        if self.lacks(Term::TangentialNormalForce) {
+            springs.force[2] = 0.0;
+        }
+        springs
+    }
+
+    fn sliding(&self, side: Side, contact: &NormalContact, state: &BallState, at: (&Frame, f64)) -> Sliding {
+        if !self.lacks(Term::RingTranslation) {
+            return self.machine.sliding(side, contact, state, at);
+        }
+        let still = |ring: RingState| RingState { velocity: [0.0; 3], ..ring };
+        let frame = Frame { rings: at.0.rings.map(still), ..*at.0 };
+        self.machine.sliding(side, contact, state, (&frame, at.1))
+    }
+
+    fn friction(
+        &self,
+        index: usize,
+        ball: (&[f64], &BallState),
+        traction: &Races<ContactForces>,
+        at: (&Frame, f64),
+    ) -> Friction {
+        let mut friction = self.machine.friction(index, ball, traction, at);
+        if self.lacks(Term::PocketArm) {
+            friction.force[2] += friction.pocket.force * (1.0 - self.machine.cage.pocket.radius / at.1);
+        }
+        friction
+    }
+
+    fn friction_acceleration(&self, state: &BallState, friction: &Friction, orbit_radius: f64) -> [f64; 6] {
+        let mut a = self.machine.friction_acceleration(state, friction, orbit_radius);
+        let (w, [_, spin_r, spin_t]) = (state.orbital_speed, state.spin);
+        if self.lacks(Term::AbsoluteSpin) {
+            a[3] += a[2];
+        }
+        if self.lacks(Term::SpinTransport) {
+            (a[4], a[5]) = (a[4] - w * spin_t, a[5] + w * spin_r);
+        }
+        a
+    }
+}
+
+fn started(changes: &[(&str, &str)], term: Option<Term>) -> (Without, Vec<f64>) {
     let text = include_str!("../../../fixtures/cases/paper-ag.ron").to_owned();
     let patch = [("traction.patch", "SplitStrip(across: 5, along: 3)")];
     let text = patch.iter().chain(changes).fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
-    let Started { mut machine, mut state, .. } = start(&case, Bearing::new(&case).unwrap()).unwrap();
-    machine.terms = terms;
-    let (h, n) = (STEP, machine.layout.len());
-    let before = machine.energy(0.0, &state);
-    let (mut derivative, mut next, mut method) = (vec![0.0; n], vec![0.0; n], Rk4::default());
-    for step in 0..STEPS {
+    let Started { machine, state, .. } = start(&case, Bearing::new(&case).unwrap()).unwrap();
+    (Without { machine, term }, state)
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Scheme {
+    RungeKutta,
+    DormandPrince,
+    Fast,
+}
+
+/// From the start over a number of steps: the equations, the state and the imbalance of the work over what is put in.
+fn run(scheme: Scheme, steps: u32, changes: &[(&str, &str)], term: Option<Term>) -> (Vec<f64>, f64) {
+    let (mut equations, mut state) = started(changes, term);
+    let (h, n) = (STEP, state.len());
+    let before = equations.machine.energy(0.0, &state);
+    let (mut derivative, mut next, scale) = (vec![0.0; n], vec![0.0; n], vec![1.0; n]);
+    let (mut rk4, mut dp54, mut fast) = (Rk4::default(), DormandPrince::default(), Fast::with_linear_error(1e-9));
+    for step in 0..steps {
         let t = h * f64::from(step);
-        machine.derivative(t, &state, &mut derivative);
-        method.step(&mut machine, t, (&state, &derivative), h, &mut next);
+        equations.derivative(t, &state, &mut derivative);
+        match scheme {
+            Scheme::RungeKutta => rk4.step(&mut equations, t, (&state, &derivative), h, &mut next),
+            Scheme::DormandPrince => {
+                dp54.step(&mut equations, t, (&state, &derivative), h, &scale, &mut next);
+            }
+            Scheme::Fast => {
+                next.copy_from_slice(&state);
+                fast.step(&mut equations, t, &mut next, h, 14_000.0);
+            }
+        }
         std::mem::swap(&mut state, &mut next);
     }
-    let after = machine.energy(f64::from(STEPS) * h, &state);
-    let w = machine.layout.work();
-    ((state[w] - state[w + 1] - (after - before)) / state[w + 2]).abs()
+    let after = equations.machine.energy(f64::from(steps) * h, &state);
+    let w = equations.machine.layout.work();
+    let imbalance = ((state[w] - state[w + 1] - (after - before)) / state[w + 2]).abs();
+    (state, imbalance)
 }
 
 /// Tight pockets, so that the balls push their cage from the start.
@@ -39,18 +162,32 @@ const PUSHING: [(&str, &str); 1] = [("cage.pocket_gap", "mm(0.01)")];
 
 #[test]
 fn identity_power_balances_and_every_term_is_needed() {
-    let whole = imbalance(Terms::ALL, &PUSHING);
-    assert!(whole < 1e-8, "{whole:e}");
-    let without = [
-        ("absolute spin", Terms { absolute_spin: false, ..Terms::ALL }),
-        ("eccentricity", Terms { eccentricity: false, ..Terms::ALL }),
-        ("translation of the balls", Terms { ball_translation: false, ..Terms::ALL }),
-        ("translation of the rings", Terms { ring_translation: false, ..Terms::ALL }),
-        ("equal pocket arms", Terms { equal_pocket_arms: false, ..Terms::ALL }),
-    ];
-    for (name, terms) in without {
-        let off = imbalance(terms, &PUSHING);
-        assert!(off > 30.0 * whole, "without {name}: {off:e}, whole {whole:e}");
+    for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
+        let (_, whole) = run(scheme, 1000, &PUSHING, None);
+        assert!(whole < 1e-8, "{scheme:?}: {whole:e}");
+        for term in TERMS.into_iter().filter(|&term| term != Term::SpinTransport) {
+            let (_, off) = run(scheme, 1000, &PUSHING, Some(term));
+            assert!(off > 30.0 * whole, "{scheme:?} without {term:?}: {off:e}, whole {whole:e}");
+        }
+    }
+}
+
+/// The fast scheme sums its work over samples and cannot resolve single terms in it. It has each one all the same: leaving
+/// it out moves the end of a run as it moves that of the Runge–Kutta method.
+#[test]
+fn identity_the_fast_scheme_has_every_term() {
+    let speeds = |scheme, term| -> Vec<f64> {
+        let (state, _) = run(scheme, 300, &PUSHING, term);
+        (0..13).flat_map(|k| state[BALL * k + VELOCITY..BALL * (k + 1)].to_vec()).collect()
+    };
+    let difference = |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a - b).collect() };
+    let size = |v: &[f64]| v.iter().fold(0.0f64, |most, v| most.max(v.abs()));
+    let whole = [Scheme::RungeKutta, Scheme::Fast].map(|scheme| speeds(scheme, None));
+    for term in TERMS {
+        let effect = difference(&speeds(Scheme::RungeKutta, Some(term)), &whole[0]);
+        let of_fast = difference(&speeds(Scheme::Fast, Some(term)), &whole[1]);
+        let (effect, error) = (size(&effect), size(&difference(&of_fast, &effect)));
+        assert!(error < 0.3 * effect, "{term:?}: effect {effect:e}, error {error:e}");
     }
 }
 
@@ -58,18 +195,13 @@ fn identity_power_balances_and_every_term_is_needed() {
 /// is there.
 #[test]
 fn identity_without_spin_transport_the_quasistatic_state_does_not_stay() {
-    let text = include_str!("../../../fixtures/cases/paper-ag.ron");
-    let text = set_value(text, "ring.x", "Force(N(0))").unwrap();
-    let text = set_value(&text, "traction.patch", "SplitStrip(across: 5, along: 3)").unwrap();
-    let case = Case::from_ron(&text).unwrap();
-    let Started { mut machine, state, .. } = start(&case, Bearing::new(&case).unwrap()).unwrap();
-    let mut spin_up = |terms: Terms| {
-        machine.terms = terms;
+    let spin_up = |term| {
+        let (mut equations, state) = started(&[("ring.x", "Force(N(0))")], term);
         let mut derivative = vec![0.0; state.len()];
-        machine.derivative(0.0, &state, &mut derivative);
+        equations.derivative(0.0, &state, &mut derivative);
         derivative[SPIN + 1].hypot(derivative[SPIN + 2])
     };
-    let (with, without) = (spin_up(Terms::ALL), spin_up(Terms { spin_transport: false, ..Terms::ALL }));
+    let (with, without) = (spin_up(None), spin_up(Some(Term::SpinTransport)));
     // ω_m Ω_r is some 600 × 800 rad/s².
     assert!(with < 1.0 && without > 1e5, "{with:e} {without:e}");
 }

@@ -1,34 +1,35 @@
 //! From a state to a sample.
 
-use crate::forces::{BallForces, BodyForces, Frame, Sums, dot};
-use crate::layout::{AZIMUTH, BALL, VELOCITY};
+use crate::equations::{BallForces, Frame};
+use crate::forces::{BodyForces, Sums, dot, evaluate, evaluate_with};
+use crate::layout::{AZIMUTH, VELOCITY};
 use crate::machine::Machine;
 use crate::sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
-use tribodyn_bearing::traction::{PatchTraction, TractionLaw};
-use tribodyn_bearing::{LoadedPatch, RaceContact, Side};
+use tribodyn_bearing::traction::PatchTraction;
+use tribodyn_bearing::{LoadedPatch, Side};
 
 /// Volumes worn off so far, m³: inner race, outer race, cage.
 pub(crate) type Worn = [f64; 3];
 
-impl<L: TractionLaw> Machine<L> {
+impl Machine {
     /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's, and `traction` tells who
     /// integrates it.
     pub fn sample(
         &self,
         (t, y): (f64, &[f64]),
         (energy_at_start, worn): (f64, Worn),
-        traction: impl FnMut(usize, &LoadedPatch<'_, f64, L>) -> PatchTraction,
+        traction: impl FnMut(usize, &LoadedPatch<'_, f64>) -> PatchTraction,
     ) -> Sample {
         let mut balls = Vec::with_capacity(self.layout.balls);
-        let (frame, sums, bodies) = self.evaluate_with(t, y, traction, |index, forces| {
-            balls.push(self.ball_sample(&y[self.layout.ball(index)..][..BALL], forces));
+        let (frame, sums, bodies) = evaluate_with(self, t, y, traction, |index, forces| {
+            balls.push(self.ball_sample(self.unknowns(index, y), forces));
         });
         let energy = sums.powers.energy + bodies.energy;
         let w = self.layout.work();
         Sample {
             time_s: t,
-            inner: ring_sample(&frame, &sums, &bodies, 0),
-            outer: ring_sample(&frame, &sums, &bodies, 1),
+            inner: ring_sample(&frame, &sums, &bodies, Side::Inner),
+            outer: ring_sample(&frame, &sums, &bodies, Side::Outer),
             cage: CageSample {
                 angle_rad: frame.cage[0],
                 speed_rad_s: frame.cage[1],
@@ -55,7 +56,7 @@ impl<L: TractionLaw> Machine<L> {
 
     /// Kinetic and elastic energy at a state, J.
     pub fn energy(&self, t: f64, y: &[f64]) -> f64 {
-        let (_, sums, bodies) = self.evaluate(t, y, |_, _| ());
+        let (_, sums, bodies) = evaluate(self, t, y, |_, _| ());
         sums.powers.energy + bodies.energy
     }
 
@@ -66,30 +67,32 @@ impl<L: TractionLaw> Machine<L> {
             azimuth_rad: b[AZIMUTH],
             orbital_speed_rad_s: s.orbital_speed,
             orbital_acceleration_rad_s2: f.acceleration[2],
-            orbit_radius_m: f.loads.orbit_radius,
+            orbit_radius_m: f.orbit_radius,
             axial_displacement_m: s.position[0] - g.groove_offset(Side::Outer) * g.sin_contact_angle(),
             velocity_m_s: [b[VELOCITY], b[VELOCITY + 1]],
             spin_rad_s: [s.spin[0] - s.orbital_speed, s.spin[1], s.spin[2]],
-            inner: self.contact_sample(Side::Inner, &f.loads.inner, f),
-            outer: self.contact_sample(Side::Outer, &f.loads.outer, f),
-            drag_n: f.loads.drag,
-            churning_nm: f.loads.churning,
-            churning_w: -dot(f.loads.churning, s.spin),
+            inner: self.contact_sample(Side::Inner, f),
+            outer: self.contact_sample(Side::Outer, f),
+            drag_n: f.friction.drag,
+            churning_nm: f.friction.churning,
+            churning_w: -dot(f.friction.churning, s.spin),
             pocket_lead_rad: f.lead,
-            pocket_force_n: f.pocket.force,
-            pocket_friction_n: f.pocket.friction,
-            wear_rate_cage_m3_s: self.pocket_wear(&f.pocket),
+            pocket_force_n: f.friction.pocket.force,
+            pocket_friction_n: f.friction.pocket.friction,
+            wear_rate_cage_m3_s: self.pocket_wear(&f.friction.pocket),
         }
     }
 
-    fn contact_sample(&self, side: Side, c: &RaceContact, f: &BallForces) -> ContactSample {
+    fn contact_sample(&self, side: Side, f: &BallForces) -> ContactSample {
+        let c = &f.contacts[side];
+        let normal = &c.normal;
         let [along, across, spin] = c.slide_to_roll(self.bearing.geometry.ball_radius());
-        let surface = &f.surfaces[usize::from(side == Side::Outer)];
+        let surface = &f.surfaces[side];
         ContactSample {
-            angle_rad: c.pose.sin.atan2(c.pose.cos),
-            approach_m: c.pose.approach,
-            load_n: c.load,
-            normal_force_n: c.normal_force,
+            angle_rad: normal.pose.sin.atan2(normal.pose.cos),
+            approach_m: normal.pose.approach,
+            load_n: normal.load,
+            normal_force_n: normal.force,
             semi_axes_m: [c.ellipse.semi_lateral(), c.ellipse.semi_rolling()],
             peak_pressure_pa: c.ellipse.peak_pressure,
             traction_n: [c.traction.force_rolling, c.traction.force_lateral],
@@ -97,23 +100,26 @@ impl<L: TractionLaw> Machine<L> {
             spin_ratio_per_m: spin,
             rolling_speed_m_s: c.rolling_speed.abs(),
             power_loss_w: c.traction.power,
-            wear_rate_m3_s: self.archard(side).rate(c.traction.wear_integral),
+            wear_rate_m3_s: self.bearing.wear[side].rate(c.traction.wear_integral),
             bare: surface.bare,
-            depth_m: surface.depth + self.bearing.worn[usize::from(side == Side::Outer)].depth,
+            depth_m: surface.depth + self.bearing.worn[side].depth,
         }
     }
 }
 
-fn ring_sample(frame: &Frame, sums: &Sums, bodies: &BodyForces, k: usize) -> RingSample {
-    let ring = &frame.rings[k];
+fn ring_sample(frame: &Frame, sums: &Sums, bodies: &BodyForces, side: Side) -> RingSample {
+    let ring = &frame.rings[side];
     RingSample {
-        angle_rad: frame.angles[k],
+        angle_rad: frame.angles[side],
         speed_rad_s: ring.speed,
         displacement_m: ring.displacement,
         velocity_m_s: ring.velocity,
-        acceleration_m_s2: if k == 0 { bodies.inner } else { [bodies.outer[0], bodies.outer[1], 0.0] },
-        ball_force_n: sums.on_rings[k],
-        torque_nm: bodies.torque[k],
+        acceleration_m_s2: match side {
+            Side::Inner => bodies.inner,
+            Side::Outer => [bodies.outer[0], bodies.outer[1], 0.0],
+        },
+        ball_force_n: sums.on_rings[side],
+        torque_nm: bodies.torque[side],
     }
 }
 
@@ -122,8 +128,8 @@ fn powers(sums: &Sums, bodies: &BodyForces) -> PowerSample {
     PowerSample {
         shaft_w: bodies.shaft_power,
         load_w: bodies.load_power,
-        friction_inner_w: p.friction[0],
-        friction_outer_w: p.friction[1],
+        friction_inner_w: p.friction.inner,
+        friction_outer_w: p.friction.outer,
         drag_w: p.drag,
         churning_w: p.churning,
         contact_damping_w: p.contact_damping,

@@ -10,7 +10,7 @@ use tribodyn_bearing::case::{Case, set_value};
 
 const END: f64 = 1.6e-3;
 
-fn started() -> Started<tribodyn_bearing::traction::CoatingLaw> {
+fn started() -> Started {
     let text = include_str!("../../../fixtures/cases/paper-ag.ron").to_owned();
     let changes = [
         ("traction.patch", "GaussJacobi(radial: 3, angles: 12)"),
@@ -45,7 +45,7 @@ fn reference() -> Vec<f64> {
     state
 }
 
-/// Between the first order and the second: right after the start the common accelerations of balls and rings lag.
+/// Of second order, right after the start too.
 #[test]
 fn identity_the_fast_scheme_converges() {
     let exact = reference();
@@ -56,5 +56,5 @@ fn identity_the_fast_scheme_converges() {
     };
     let (coarse, fine) = (error(160), error(320));
     let order = (coarse / fine).log2();
-    assert!(order > 1.15, "order {order:.2}: {coarse:e}, {fine:e}");
+    assert!(order > 1.8, "order {order:.2}: {coarse:e}, {fine:e}");
 }

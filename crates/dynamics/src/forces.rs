@@ -1,50 +1,25 @@
-//! Forces, accelerations and powers at a time and state: section 5 of the model, every term, written once for the
-//! schemes and for the samples.
+//! Sums over the balls: rings and cage, powers and energies at a time and state.
 
-use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::equations::{BallForces, Equations, Frame};
+use crate::layout::{BALL, Layout, VELOCITY};
 use crate::machine::Machine;
-use crate::pocket::{PocketLoad, PocketMotion};
-use std::f64::consts::TAU;
-use tribodyn_bearing::traction::{PatchTraction, TractionLaw};
-use tribodyn_bearing::wear::{Archard, LocalSurface};
-use tribodyn_bearing::{BallLoads, BallState, LoadedPatch, RingState, Side, in_azimuth_frame};
+use crate::pocket::PocketLoad;
+use tribodyn_bearing::traction::PatchTraction;
+use tribodyn_bearing::{AzimuthFrame, LoadedPatch, Races, Side};
 
-/// What can be integrated in time.
+/// A system of ordinary differential equations.
 pub(crate) trait System {
     /// Time derivative of the unknowns `y` at time `t` in s.
     fn derivative(&mut self, t: f64, y: &[f64], dy: &mut [f64]);
 }
 
-/// One ball with all that acts on it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct BallForces {
-    pub state: BallState,
-    pub loads: BallLoads,
-    pub pocket: PocketLoad,
-    pub lead: f64,
-    pub surfaces: [LocalSurface; 2],
-    /// Of the axial and radial velocity (m/s²), the orbital speed and the spin (rad/s²).
-    pub acceleration: [f64; 6],
-}
-
-/// Rings and cage at a time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Frame {
-    /// Inner, outer.
-    pub rings: [RingState; 2],
-    /// Angles turned by the rings, rad.
-    pub angles: [f64; 2],
-    /// Cage angle (rad) and speed (rad/s).
-    pub cage: [f64; 2],
-}
-
 /// Sums over all balls.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Sums {
-    /// Force of the balls on inner and outer ring, N.
-    pub on_rings: [[f64; 3]; 2],
+    /// Force of the balls on the rings (x, y, z), N.
+    pub on_rings: Races<[f64; 3]>,
     /// Torque of the rings on the balls, N m.
-    pub torque: [f64; 2],
+    pub torque: Races<f64>,
     /// Torque of the balls on the cage, N m.
     pub cage_torque: f64,
     pub powers: BallPowers,
@@ -53,8 +28,7 @@ pub(crate) struct Sums {
 /// Powers lost by the balls, W, and the energy they hold, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct BallPowers {
-    /// Inner, outer.
-    pub friction: [f64; 2],
+    pub friction: Races<f64>,
     pub drag: f64,
     pub churning: f64,
     pub contact_damping: f64,
@@ -71,7 +45,7 @@ pub(crate) struct BodyForces {
     pub cage: f64,
     pub fluid_torque: f64,
     /// Torques of the rings' drives, N m.
-    pub torque: [f64; 2],
+    pub torque: Races<f64>,
     pub shaft_power: f64,
     pub load_power: f64,
     pub support_loss: f64,
@@ -80,151 +54,49 @@ pub(crate) struct BodyForces {
     pub energy: f64,
 }
 
-impl<L: TractionLaw> Machine<L> {
-    /// Rings and cage of a state.
-    pub fn frame(&self, t: f64, y: &[f64]) -> Frame {
-        let l = self.layout;
-        let [i, o, c, a] = [l.inner(), l.outer(), l.cage(), l.angles()];
-        let inner = RingState {
-            displacement: [y[i], y[i + 1], y[i + 2]],
-            tilt: self.tilt,
-            velocity: [y[i + 3], y[i + 4], y[i + 5]],
-            speed: self.speeds[0].at(t),
-        };
-        let outer = RingState {
-            displacement: [y[o], y[o + 1], 0.0],
-            tilt: [0.0; 2],
-            velocity: [y[o + 2], y[o + 3], 0.0],
-            speed: self.speeds[1].at(t),
-        };
-        Frame { rings: [inner, outer], angles: [y[a], y[a + 1]], cage: [y[c], y[c + 1]] }
-    }
-
-    /// State of a ball with the unknowns `b`, and the surfaces where it stands.
+impl Machine {
+    /// Adds a force on the balls' side of a contact [a, r, t] to the reaction on a ring.
     #[inline]
-    pub fn ball_state(&self, b: &[f64], frame: &Frame) -> (BallState, [LocalSurface; 2]) {
-        let (sin, cos) = b[AZIMUTH].sin_cos();
-        let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
-        let shift = in_azimuth_frame([sin, cos], frame.rings[1].displacement)[1];
-        let velocity = [b[VELOCITY], b[VELOCITY + 1]];
-        let state = BallState {
-            azimuth: [sin, cos],
-            position: [b[AXIAL], b[RADIUS] - shift - groove],
-            velocity: if self.terms.ball_translation { velocity } else { [0.0; 2] },
-            orbital_speed: b[ORBIT],
-            spin: [b[SPIN], b[SPIN + 1], b[SPIN + 2]],
-        };
-        (state, [self.surface(0, b[AZIMUTH] - frame.angles[0]), self.surface(1, b[AZIMUTH] - frame.angles[1])])
+    pub fn react(sums: &mut Sums, side: Side, axes: AzimuthFrame, on_ball: [f64; 3]) {
+        let on_ball = axes.to_inertial(on_ball);
+        (0..3).for_each(|i| sums.on_rings[side][i] -= on_ball[i]);
     }
 
-    /// Surface of a raceway at an azimuth of its ring; what had worn off all round at the start is in the pose of the ball.
-    #[inline]
-    fn surface(&self, k: usize, azimuth: f64) -> LocalSurface {
-        let mut surface = self.raceways[k].at(azimuth);
-        surface.depth -= self.bearing.worn[k].depth;
-        surface
-    }
-
-    /// What the pocket does to a ball.
-    pub fn pocket_load(&self, index: usize, b: &[f64], frame: &Frame) -> PocketLoad {
-        self.cage.pocket.load(&PocketMotion {
-            lead: self.lead(index, b, frame.cage[0]),
-            rate: b[ORBIT] - frame.cage[1],
-            velocity: [b[VELOCITY], b[VELOCITY + 1]],
-            spin: [b[SPIN], b[SPIN + 1]],
-            cage_speed: frame.cage[1],
-        })
-    }
-
-    /// Lead of a ball over the middle of its pocket, rad.
-    pub fn lead(&self, index: usize, b: &[f64], cage_angle: f64) -> f64 {
-        b[AZIMUTH] - cage_angle - TAU * index as f64 / self.layout.balls as f64
-    }
-
-    /// One ball, traction by the kernel: `b` are its unknowns.
-    pub fn ball(&self, index: usize, b: &[f64], frame: &Frame) -> BallForces {
-        self.ball_with(index, b, frame, |patch| self.kernel.traction(&self.bearing, patch))
-    }
-
-    /// One ball, traction by whoever integrates it.
-    fn ball_with(
-        &self,
-        index: usize,
-        b: &[f64],
-        frame: &Frame,
-        traction: impl FnMut(&LoadedPatch<'_, f64, L>) -> PatchTraction,
-    ) -> BallForces {
-        let (state, surfaces) = self.ball_state(b, frame);
-        let [inner, outer] = &frame.rings;
-        let still = |ring: &RingState| RingState { velocity: [0.0; 3], ..*ring };
-        let rings = if self.terms.ring_translation { [*inner, *outer] } else { [still(inner), still(outer)] };
-        let surroundings = ([&rings[0], &rings[1]], [&surfaces[0], &surfaces[1]]);
-        let loads = self.bearing.ball_loads_with(&state, surroundings.0, surroundings.1, traction);
-        let pocket = self.pocket_load(index, b, frame);
-        let acceleration = self.acceleration(&state, [b[VELOCITY], b[VELOCITY + 1]], &loads, &pocket);
-        let lead = self.lead(index, b, frame.cage[0]);
-        BallForces { state, loads, pocket, lead, surfaces, acceleration }
-    }
-
-    /// Newton and Euler for one ball in its azimuth frame.
-    fn acceleration(&self, s: &BallState, v: [f64; 2], loads: &BallLoads, pocket: &PocketLoad) -> [f64; 6] {
-        let (m, j, r) = (self.bearing.ball_mass, self.bearing.ball_inertia, loads.orbit_radius);
-        let [force, moment] = [loads.force(), loads.moment()];
-        let off_centre = if self.terms.eccentricity { 0.0 } else { loads.eccentricity };
-        let arm = if self.terms.equal_pocket_arms { self.cage.pocket.radius / r } else { 1.0 };
-        let along = force[2] - off_centre + pocket.force * arm;
-        let w = s.orbital_speed;
-        // ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t).
-        let transport = if self.terms.spin_transport { [-w * s.spin[2], w * s.spin[1]] } else { [0.0; 2] };
-        let orbital = along / (m * r) - 2.0 * v[1] * w / r;
-        let relative = if self.terms.absolute_spin { 0.0 } else { orbital };
-        [
-            (force[0] + pocket.friction[0]) / m,
-            (force[1] + pocket.friction[1]) / m + r * w * w,
-            orbital,
-            (moment[0] + pocket.moment[0]) / j + relative,
-            (moment[1] + pocket.moment[1]) / j - transport[0],
-            moment[2] / j - transport[1],
-        ]
-    }
-
-    /// Adds what a ball does to rings and cage, and its powers.
+    /// Adds the forces of a ball on rings and cage, and its powers.
     pub fn add_ball(&self, b: &BallForces, velocity: [f64; 2], frame: &Frame, sums: &mut Sums) {
-        let [sin, cos] = b.state.azimuth;
-        for (k, contact) in [&b.loads.inner, &b.loads.outer].into_iter().enumerate() {
-            let [f_a, f_r, f_t] = contact.force;
-            let on_ball = [f_r * cos - f_t * sin, f_r * sin + f_t * cos, f_a];
-            (0..3).for_each(|i| sums.on_rings[k][i] -= on_ball[i]);
-            sums.torque[k] += self.bearing.ring_torque(&b.state, contact, b.loads.orbit_radius, &frame.rings[k]);
-            sums.powers.friction[k] += contact.traction.power;
-            sums.powers.contact_damping += (contact.normal_force - contact.load) * contact.closing_speed;
+        let (s, r) = (&b.state, b.orbit_radius);
+        for (side, contact) in b.contacts.iter() {
+            Self::react(sums, side, s.frame, self.bearing.reaction(side, contact));
+            sums.torque[side] += self.bearing.ring_torque(s, contact, r, &frame.rings[side]);
+            sums.powers.friction[side] += contact.traction.power;
+            let normal = &contact.normal;
+            sums.powers.contact_damping += (normal.force - normal.load) * normal.closing_speed;
             // Work of a force that grows with the power 3/2 of the approach.
-            sums.powers.energy += 0.4 * contact.load * contact.pose.approach.max(0.0);
+            sums.powers.energy += 0.4 * normal.load * normal.pose.approach.max(0.0);
         }
-        sums.cage_torque += b.pocket.cage_torque;
-        let p = &mut sums.powers;
-        let (s, r) = (&b.state, b.loads.orbit_radius);
-        p.drag += b.loads.drag * r * s.orbital_speed;
-        p.churning -= dot(b.loads.churning, s.spin);
-        p.pocket_friction += b.pocket.friction_power;
-        p.pocket_damping += b.pocket.damping_power;
+        let (f, p) = (&b.friction, &mut sums.powers);
+        sums.cage_torque += f.pocket.cage_torque;
+        p.drag += f.drag * r * s.orbital_speed;
+        p.churning -= dot(f.churning, s.spin);
+        p.pocket_friction += f.pocket.friction_power;
+        p.pocket_damping += f.pocket.damping_power;
         let [v_a, v_r] = velocity;
         let speed = v_a * v_a + v_r * v_r + (r * s.orbital_speed).powi(2);
         p.energy += 0.5 * self.bearing.ball_mass * speed
             + 0.5 * self.bearing.ball_inertia * dot(s.spin, s.spin)
-            + b.pocket.energy;
+            + f.pocket.energy;
     }
 
     /// Rings and cage under the sums of the balls.
     pub fn bodies(&self, t: f64, frame: &Frame, sums: &Sums) -> BodyForces {
         let mut f = BodyForces::default();
-        let [inner, outer] = &frame.rings;
+        let Races { inner, outer } = &frame.rings;
         for i in 0..3 {
             if !self.inner.free[i] {
                 continue;
             }
             let (x, v, load) = (inner.displacement[i], inner.velocity[i], self.loads[i].at(t));
-            f.inner[i] = (load + sums.on_rings[0][i] + self.inner.force(i, x, v)) / self.inner.mass;
+            f.inner[i] = (load + sums.on_rings.inner[i] + self.inner.force(i, x, v)) / self.inner.mass;
             f.load_power += load * v;
             let stretch = x - self.inner.reference[i];
             f.energy += 0.5 * (self.inner.mass * v * v + self.inner.stiffness[i] * stretch * stretch);
@@ -235,12 +107,12 @@ impl<L: TractionLaw> Machine<L> {
                 continue;
             }
             let (x, v) = (outer.displacement[i], outer.velocity[i]);
-            f.outer[i] = (sums.on_rings[1][i] + self.outer.force(i, x, v)) / self.outer.mass;
+            f.outer[i] = (sums.on_rings.outer[i] + self.outer.force(i, x, v)) / self.outer.mass;
             let stretch = x - self.outer.reference[i];
             f.energy += 0.5 * (self.outer.mass * v * v + self.outer.stiffness[i] * stretch * stretch);
             f.support_loss += self.outer.damping[i] * v * v;
         }
-        let speeds = [inner.speed, outer.speed];
+        let speeds = Races { inner: inner.speed, outer: outer.speed };
         let [guidance, drag] = self.cage.fluid_torques(frame.cage[1], speeds);
         f.fluid_torque = guidance + drag;
         f.cage = (sums.cage_torque + f.fluid_torque) / self.cage.inertia;
@@ -248,58 +120,71 @@ impl<L: TractionLaw> Machine<L> {
         f.energy += 0.5 * self.cage.inertia * frame.cage[1] * frame.cage[1];
         f.torque = sums.torque;
         if let Some(land) = &self.cage.guidance {
-            f.torque[land.ring()] += guidance;
-            f.cage_loss += guidance * speeds[land.ring()];
+            f.torque[land.side] += guidance;
+            f.cage_loss += guidance * speeds[land.side];
         }
-        f.shaft_power = f.torque[0] * speeds[0] + f.torque[1] * speeds[1];
+        f.shaft_power = f.torque.inner * speeds.inner + f.torque.outer * speeds.outer;
         f
     }
+}
 
-    /// All balls at a time and state, traction by the kernel; `each` sees every one.
-    pub fn evaluate(&self, t: f64, y: &[f64], each: impl FnMut(usize, &BallForces)) -> (Frame, Sums, BodyForces) {
-        self.evaluate_with(t, y, |_, patch| self.kernel.traction(&self.bearing, patch), each)
-    }
+/// All balls at a time and state, traction by the machine's kernel; `each` sees every one.
+pub(crate) fn evaluate<E: Equations>(
+    equations: &E,
+    t: f64,
+    y: &[f64],
+    each: impl FnMut(usize, &BallForces),
+) -> (Frame, Sums, BodyForces) {
+    let machine = equations.machine();
+    evaluate_with(equations, t, y, |_, patch| machine.kernel.traction(&machine.bearing, patch), each)
+}
 
-    /// All balls at a time and state, traction on the patches of each by whoever integrates it.
-    pub fn evaluate_with(
-        &self,
-        t: f64,
-        y: &[f64],
-        mut traction: impl FnMut(usize, &LoadedPatch<'_, f64, L>) -> PatchTraction,
-        mut each: impl FnMut(usize, &BallForces),
-    ) -> (Frame, Sums, BodyForces) {
-        let frame = self.frame(t, y);
-        let mut sums = Sums::default();
-        for index in 0..self.layout.balls {
-            let b = &y[self.layout.ball(index)..][..BALL];
-            let forces = self.ball_with(index, b, &frame, |patch| traction(index, patch));
-            self.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &frame, &mut sums);
-            each(index, &forces);
-        }
-        let bodies = self.bodies(t, &frame, &sums);
-        (frame, sums, bodies)
+/// All balls at a time and state; `traction` integrates over the patches of each.
+pub(crate) fn evaluate_with<E: Equations>(
+    equations: &E,
+    t: f64,
+    y: &[f64],
+    mut traction: impl FnMut(usize, &LoadedPatch<'_, f64>) -> PatchTraction,
+    mut each: impl FnMut(usize, &BallForces),
+) -> (Frame, Sums, BodyForces) {
+    let machine = equations.machine();
+    let frame = machine.frame(t, y);
+    let mut sums = Sums::default();
+    for index in 0..machine.layout.balls {
+        let b = machine.unknowns(index, y);
+        let forces = equations.ball(index, b, &frame, |patch| traction(index, patch));
+        machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &frame, &mut sums);
+        each(index, &forces);
     }
+    let bodies = machine.bodies(t, &frame, &sums);
+    (frame, sums, bodies)
 }
 
 impl Sums {
     /// All that the balls lose, W.
     pub fn losses(&self) -> f64 {
         let p = &self.powers;
-        p.friction[0] + p.friction[1] + p.drag + p.churning + p.contact_damping + p.pocket_friction + p.pocket_damping
+        p.friction.inner
+            + p.friction.outer
+            + p.drag
+            + p.churning
+            + p.contact_damping
+            + p.pocket_friction
+            + p.pocket_damping
     }
 }
 
-impl<L: TractionLaw> System for Machine<L> {
+impl<E: Equations> System for E {
     fn derivative(&mut self, t: f64, y: &[f64], dy: &mut [f64]) {
-        let l = self.layout;
-        let mut watch = std::mem::take(&mut self.watch);
-        let (frame, sums, bodies) = self.evaluate(t, y, |index, ball| {
+        let l = self.machine().layout;
+        let mut watch = std::mem::take(&mut self.machine_mut().watch);
+        let (frame, sums, bodies) = evaluate(self, t, y, |index, ball| {
             let at = l.ball(index);
             dy[at..at + 3].copy_from_slice(&y[at + VELOCITY..at + VELOCITY + 3]);
             dy[at + VELOCITY..at + BALL].copy_from_slice(&ball.acceleration);
-            watch[index] = self.watch(&ball.loads, &ball.pocket);
+            watch[index] = self.machine().watch(ball);
         });
-        self.watch = watch;
+        self.machine_mut().watch = watch;
         body_derivative(l, &frame, &sums, &bodies, dy);
     }
 }
@@ -307,7 +192,7 @@ impl<L: TractionLaw> System for Machine<L> {
 /// The derivatives of everything but the balls.
 pub(crate) fn body_derivative(l: Layout, frame: &Frame, sums: &Sums, f: &BodyForces, dy: &mut [f64]) {
     let [c, i, o, a, w] = [l.cage(), l.inner(), l.outer(), l.angles(), l.work()];
-    let [inner, outer] = &frame.rings;
+    let Races { inner, outer } = &frame.rings;
     dy[c..c + 2].copy_from_slice(&[frame.cage[1], f.cage]);
     dy[i..i + 3].copy_from_slice(&inner.velocity);
     dy[i + 3..i + 6].copy_from_slice(&f.inner);
@@ -323,7 +208,7 @@ pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// What the run must know of a ball after every step.
+/// State of a ball's contacts after a step, as wear and events need it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Watch {
     /// Wear rates of inner race, outer race and cage, m³/s.
@@ -334,24 +219,14 @@ pub(crate) struct Watch {
     pub loaded: [bool; 2],
 }
 
-impl<L: TractionLaw> Machine<L> {
-    pub fn watch(&self, loads: &BallLoads, pocket: &PocketLoad) -> Watch {
-        let contacts = [&loads.inner, &loads.outer];
-        let wear = |side: Side, k: usize| self.archard(side).rate(contacts[k].traction.wear_integral);
+impl Machine {
+    pub fn watch(&self, ball: &BallForces) -> Watch {
+        let contacts = &ball.contacts;
+        let wear = |side: Side| self.bearing.wear[side].rate(contacts[side].traction.wear_integral);
         Watch {
-            wear: [wear(Side::Inner, 0), wear(Side::Outer, 1), self.pocket_wear(pocket)],
-            semi_lateral: contacts.map(|c| c.ellipse.semi_lateral()),
-            loaded: contacts.map(|c| c.load > 0.0),
-        }
-    }
-}
-
-impl<L> Machine<L> {
-    /// Wear of a race.
-    pub fn archard(&self, side: Side) -> &Archard {
-        match side {
-            Side::Inner => &self.bearing.wear_inner,
-            Side::Outer => &self.bearing.wear_outer,
+            wear: [wear(Side::Inner), wear(Side::Outer), self.pocket_wear(&ball.friction.pocket)],
+            semi_lateral: Side::BOTH.map(|side| contacts[side].ellipse.semi_lateral()),
+            loaded: Side::BOTH.map(|side| contacts[side].normal.load > 0.0),
         }
     }
 

@@ -47,6 +47,7 @@
 
 mod detail;
 mod dp54;
+mod equations;
 mod error;
 mod fast;
 mod forces;
@@ -63,6 +64,8 @@ mod stiffness;
 
 #[cfg(test)]
 mod balance_test;
+#[cfg(test)]
+mod conservation_test;
 #[cfg(test)]
 mod fast_test;
 

@@ -4,7 +4,7 @@ use crate::machine::Machine;
 use nalgebra::Matrix5;
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::LoadedPatch;
-use tribodyn_bearing::traction::{PatchDerivative, PatchTraction, RelativeMotion, TractionLaw};
+use tribodyn_bearing::traction::{PatchDerivative, PatchTraction, RelativeMotion};
 
 /// Error of the linear traction that a refresh may find, over the load: half of that of the paper's 10 × 40 midpoints at a
 /// steep slip scale.
@@ -104,17 +104,12 @@ impl LinearTraction {
 
     /// The integral over the patch, from which the linear form starts anew; the distance that it may serve over follows
     /// from the error found now, which grows with its square.
-    pub fn refresh<L: TractionLaw>(
-        &mut self,
-        machine: &Machine<L>,
-        p: &LoadedPatch<'_, f64, L>,
-        tolerance: f64,
-    ) -> PatchTraction {
+    pub fn refresh(&mut self, machine: &Machine, p: &LoadedPatch<'_, f64>, tolerance: f64) -> PatchTraction {
         let Some(d) = machine.kernel.derivative(&machine.bearing, p) else {
             self.reach = 0.0;
             return machine.kernel.traction(&machine.bearing, p);
         };
-        let load = load_of(p);
+        let load = p.load;
         let reach = if self.reach > 0.0 { self.next_reach(p, &d, (load, tolerance)) } else { FIRST_REACH };
         let PatchDerivative { traction, by_motion, by_load, .. } = d;
         *self = Self {
@@ -134,7 +129,7 @@ impl LinearTraction {
         traction
     }
 
-    fn next_reach<L>(&self, p: &LoadedPatch<'_, f64, L>, d: &PatchDerivative, (load, tolerance): (f64, f64)) -> f64 {
+    fn next_reach(&self, p: &LoadedPatch<'_, f64>, d: &PatchDerivative, (load, tolerance): (f64, f64)) -> f64 {
         let change = self.change(&p.motion, load);
         let linear = self.traction(&p.motion, &change);
         let off = (linear.force_rolling - d.traction.force_rolling)
@@ -149,11 +144,6 @@ impl LinearTraction {
     pub fn stiffness(&self) -> Matrix5<f64> {
         if self.reach > 0.0 { Matrix5::from_fn(|row, column| self.slopes[column][row]) } else { Matrix5::zeros() }
     }
-}
-
-/// Q = ⅔ π a b p.
-pub(crate) fn load_of<L>(p: &LoadedPatch<'_, f64, L>) -> f64 {
-    std::f64::consts::PI / 1.5 * p.patch.semi_lateral * p.patch.semi_rolling * p.patch.peak_pressure
 }
 
 fn inputs(m: &RelativeMotion, load: f64) -> [f64; 6] {

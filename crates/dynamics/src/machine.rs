@@ -4,18 +4,18 @@ use crate::error::DynamicsError;
 use crate::forces::Watch;
 use crate::layout::Layout;
 use crate::pocket::Pocket;
-use tribodyn_bearing::case::{Case, CoatingSpec, GuidanceSpec, RaceName, SpeedHistory, SupportSpec, Tilt, Translation};
+use tribodyn_bearing::case::{Case, CoatingSpec, GuidanceSpec, SpeedHistory, SupportSpec, Tilt, Translation};
 use tribodyn_bearing::fluid::AnnulusDrag;
 use tribodyn_bearing::traction::{
-    CoatingLaw, FastPatch, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
+    FastPatch, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
 };
 use tribodyn_bearing::wear::{Defect, Raceway};
-use tribodyn_bearing::{Bearing, LoadedPatch, Side};
+use tribodyn_bearing::{Bearing, LoadedPatch, Races, RingOffset, Side};
 
 /// A bearing with its cage, supports, loads and drives.
 #[derive(Debug, Clone)]
-pub(crate) struct Machine<L = CoatingLaw> {
-    pub bearing: Bearing<L>,
+pub(crate) struct Machine {
+    pub bearing: Bearing,
     pub layout: Layout,
     pub kernel: Kernel,
     pub inner: Support<3>,
@@ -31,7 +31,6 @@ pub(crate) struct Machine<L = CoatingLaw> {
     pub thinnest: [f64; 2],
     /// Factor on wear in what it does to the raceways.
     pub wear_acceleration: f64,
-    pub terms: Terms,
     /// What the last evaluation of the derivative saw of each ball.
     pub watch: Vec<Watch>,
 }
@@ -55,10 +54,10 @@ impl Kernel {
     }
 
     /// Whether [`Self::derivative`] has something to say of this bearing.
-    pub fn has_derivative<L: TractionLaw>(&self, bearing: &Bearing<L>) -> bool {
+    pub fn has_derivative(&self, bearing: &Bearing) -> bool {
         // Any pressure: a law is of that kind or is not.
         const PRESSURE: f64 = 2e9;
-        let curve = |side| bearing.race(side).law.kragelskii_slope(PRESSURE).is_some();
+        let curve = |side| bearing.races[side].law.kragelskii_slope(PRESSURE).is_some();
         matches!(self, Self::Fast(_))
             && bearing.pressure_choice == PressureChoice::Peak
             && curve(Side::Inner)
@@ -67,16 +66,12 @@ impl Kernel {
 
     /// Traction with its derivatives by motion and load, of coating and bare steel by their shares; none for laws without
     /// a Kragelskii curve.
-    pub fn derivative<L: TractionLaw>(
-        &self,
-        bearing: &Bearing<L>,
-        p: &LoadedPatch<'_, f64, L>,
-    ) -> Option<PatchDerivative> {
+    pub fn derivative(&self, bearing: &Bearing, p: &LoadedPatch<'_, f64>) -> Option<PatchDerivative> {
         let Self::Fast(fast) = self else { return None };
         if bearing.pressure_choice != PressureChoice::Peak {
             return None;
         }
-        let of = |law: &L| {
+        let of = |law: &Law| {
             let curve = law.kragelskii(p.patch.peak_pressure)?;
             let slope = law.kragelskii_slope(p.patch.peak_pressure)?;
             Some(fast.derivative(&p.patch, &p.motion, p.rolling_speed, (&curve, &slope), bearing.slip_unit))
@@ -88,7 +83,7 @@ impl Kernel {
         }
     }
 
-    pub fn traction<L: TractionLaw>(&self, bearing: &Bearing<L>, patch: &LoadedPatch<'_, f64, L>) -> PatchTraction {
+    pub fn traction(&self, bearing: &Bearing, patch: &LoadedPatch<'_, f64>) -> PatchTraction {
         match self {
             Self::Fast(fast) => bearing.fast_traction(patch, fast),
             Self::Plain(quadrature) => bearing.plain_traction(patch, quadrature),
@@ -123,15 +118,8 @@ pub(crate) struct CageBody {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Guidance {
     pub land: AnnulusDrag,
-    /// Whether it is the inner ring's.
-    pub inner: bool,
-}
-
-impl Guidance {
-    /// Index of the ring with the land.
-    pub fn ring(&self) -> usize {
-        usize::from(!self.inner)
-    }
+    /// The ring with the land.
+    pub side: Side,
 }
 
 /// Cage speed below which a constant drag torque falls off in proportion, rad/s, so that it does not start a cage at rest.
@@ -139,38 +127,10 @@ const STANDSTILL: f64 = 1.0;
 
 impl CageBody {
     /// Torques of guidance and drag on the cage, N m. The ring with the land carries the reaction of the first.
-    pub fn fluid_torques(&self, speed: f64, rings: [f64; 2]) -> [f64; 2] {
-        let guidance = self.guidance.map_or(0.0, |g| g.land.torque_on_cage(rings[g.ring()], speed));
+    pub fn fluid_torques(&self, speed: f64, rings: Races<f64>) -> [f64; 2] {
+        let guidance = self.guidance.map_or(0.0, |g| g.land.torque_on_cage(rings[g.side], speed));
         [guidance, -self.drag_torque * speed / speed.hypot(STANDSTILL)]
     }
-}
-
-/// Terms of the equations that a test leaves out, to see that the power balance notices.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Terms {
-    /// ω_m e_a × Ω, the change of the spin's components with the frame. It does no work.
-    pub spin_transport: bool,
-    /// Euler's equation for the absolute spin and not for that against the orbiting frame.
-    pub absolute_spin: bool,
-    /// The tangential part of the normal forces where a ring is off centre.
-    pub eccentricity: bool,
-    /// The ball's translation in the sliding velocity.
-    pub ball_translation: bool,
-    /// The rings' translation in the sliding velocity.
-    pub ring_translation: bool,
-    /// The same arm of the pocket force on ball and cage.
-    pub equal_pocket_arms: bool,
-}
-
-impl Terms {
-    pub const ALL: Self = Self {
-        spin_transport: true,
-        absolute_spin: true,
-        eccentricity: true,
-        ball_translation: true,
-        ring_translation: true,
-        equal_pocket_arms: true,
-    };
 }
 
 impl<const N: usize> Support<N> {
@@ -185,9 +145,9 @@ impl<const N: usize> Support<N> {
     }
 }
 
-impl<L: TractionLaw> Machine<L> {
+impl Machine {
     /// The machine of a case, its springs not yet set.
-    pub fn new(case: &Case, mut bearing: Bearing<L>, quadrature: Quadrature) -> Result<Self, DynamicsError> {
+    pub fn new(case: &Case, mut bearing: Bearing, quadrature: Quadrature) -> Result<Self, DynamicsError> {
         let missing = |path| DynamicsError::Missing { path };
         let supports = case.supports.as_ref().ok_or(missing("supports"))?;
         let transient = case.transient.as_ref().ok_or(missing("transient"))?;
@@ -195,7 +155,7 @@ impl<L: TractionLaw> Machine<L> {
         if supports.outer.stiffness.contains(&0.0) {
             return Err(DynamicsError::Unsupported { path: "supports.outer.stiffness" });
         }
-        bearing.contact_damping = transient.contact_damping;
+        (bearing.contact_damping, bearing.ring_offset) = (transient.contact_damping, RingOffset::Exact);
         let loads = [&case.ring.x, &case.ring.y, &case.ring.z].map(Clone::clone);
         let free = [0, 1, 2].map(|i| !matches!(loads[i], Translation::Held(_)));
         let tilt = |t: &Tilt| t.at(0.0);
@@ -212,14 +172,13 @@ impl<L: TractionLaw> Machine<L> {
             thinnest: raceways.each_ref().map(Raceway::thinnest),
             raceways,
             wear_acceleration: transient.wear_acceleration,
-            terms: Terms::ALL,
             kernel: Kernel::Fast(FastPatch::of(quadrature)),
             bearing,
         })
     }
 }
 
-fn cage_body<L>(case: &Case, bearing: &Bearing<L>, inertia: f64) -> CageBody {
+fn cage_body(case: &Case, bearing: &Bearing, inertia: f64) -> CageBody {
     let spec = &case.cage;
     let radius = 0.5 * bearing.geometry.pitch_diameter;
     let pocket = Pocket {
@@ -235,18 +194,18 @@ fn cage_body<L>(case: &Case, bearing: &Bearing<L>, inertia: f64) -> CageBody {
 }
 
 /// The land's film; a dry bearing has none.
-fn guidance<L>(spec: &GuidanceSpec, bearing: &Bearing<L>) -> Option<Guidance> {
+fn guidance(spec: &GuidanceSpec, bearing: &Bearing) -> Option<Guidance> {
     let GuidanceSpec { radius, width, gap, .. } = *spec;
     let land = bearing.fluid.map(|f| AnnulusDrag { density: f.density, viscosity: f.viscosity, radius, width, gap })?;
-    Some(Guidance { land, inner: spec.land == RaceName::Inner })
+    Some(Guidance { land, side: spec.land })
 }
 
-fn raceways<L>(case: &Case, bearing: &Bearing<L>) -> Result<[Raceway; 2], DynamicsError> {
-    let of = |name: RaceName, side: Side, spec: &CoatingSpec| {
+fn raceways(case: &Case, bearing: &Bearing) -> Result<[Raceway; 2], DynamicsError> {
+    let of = |side: Side, spec: &CoatingSpec| {
         let defects: Vec<Defect> = case
             .defects
             .iter()
-            .filter(|d| d.race == name)
+            .filter(|d| d.race == side)
             .map(|d| Defect { azimuth: d.azimuth, width: d.width, depth: d.depth, bare: d.bare })
             .collect();
         let g = &bearing.geometry;
@@ -255,8 +214,5 @@ fn raceways<L>(case: &Case, bearing: &Bearing<L>) -> Result<[Raceway; 2], Dynami
         let track = 0.5 * g.pitch_diameter + if side == Side::Inner { -outwards } else { outwards };
         Raceway::new(spec.thickness, spec.worn, track, &defects)
     };
-    Ok([
-        of(RaceName::Inner, Side::Inner, &case.coatings.inner)?,
-        of(RaceName::Outer, Side::Outer, &case.coatings.outer)?,
-    ])
+    Ok([of(Side::Inner, &case.coatings.inner)?, of(Side::Outer, &case.coatings.outer)?])
 }

@@ -1,29 +1,31 @@
 //! Where a run starts: the quasi-static solution at time 0, or a standstill.
 
+use crate::equations::Equations;
 use crate::error::DynamicsError;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN};
 use crate::machine::Machine;
 use tribodyn_bearing::case::{Case, StartSpec};
-use tribodyn_bearing::traction::{Quadrature, TractionLaw};
-use tribodyn_bearing::{Bearing, Side};
-use tribodyn_quasistatic::{Model, OperatingPoint, Solution, WarmStart, solve};
+use tribodyn_bearing::traction::Quadrature;
+use tribodyn_bearing::{Bearing, RingOffset, Side};
+use tribodyn_quasistatic::{BallMotion, Model, OperatingPoint, Solution, WarmStart, solve};
 
 /// A machine at its start.
-pub(crate) struct Started<L> {
-    pub machine: Machine<L>,
+pub(crate) struct Started {
+    pub machine: Machine,
     pub state: Vec<f64>,
     pub solution: Solution,
 }
 
 /// Solves the quasi-static problem of time 0 (of a standstill, where the run starts from rest), takes its patch rule and
 /// puts balls, cage and rings there.
-pub(crate) fn start<L: TractionLaw>(case: &Case, bearing: Bearing<L>) -> Result<Started<L>, DynamicsError> {
+pub(crate) fn start(case: &Case, mut bearing: Bearing) -> Result<Started, DynamicsError> {
     let rest = case.transient.as_ref().ok_or(DynamicsError::Missing { path: "transient" })?.start == StartSpec::Rest;
     let mut point = OperatingPoint::at(case, 0.0);
     if rest {
         (point.inner_speed, point.outer_speed) = (0.0, 0.0);
     }
+    bearing.ring_offset = RingOffset::Exact;
     let solved = solve(&bearing, &point, Model::Traction)?;
     // A traction solution always comes with its unknowns.
     let Some(warm) = solved.warm_start else { unreachable!("a traction solution has unknowns") };
@@ -35,8 +37,8 @@ pub(crate) fn start<L: TractionLaw>(case: &Case, bearing: Bearing<L>) -> Result<
     let l = machine.layout;
     let groove = machine.bearing.geometry.groove_centre_radius(Side::Outer);
     let mut mean = 0.0;
-    for (index, unknowns) in warm.balls().iter().enumerate() {
-        let [x1, x2, s_a, s_r, s_t, orbit] = *unknowns;
+    for (index, ball) in warm.balls().enumerate() {
+        let BallMotion { position: [x1, x2], spin: [s_a, s_r, s_t], orbital_speed: orbit } = ball;
         let b = &mut state[l.ball(index)..][..BALL];
         (b[AXIAL], b[RADIUS], b[AZIMUTH]) = (x1, x2 + groove, machine.bearing.azimuth(index));
         b[ORBIT] = orbit;
@@ -50,9 +52,9 @@ pub(crate) fn start<L: TractionLaw>(case: &Case, bearing: Bearing<L>) -> Result<
 }
 
 /// At a standstill no slip tells which rule a target error needs: it is taken from the solution at the end of the ramp.
-fn rule_of_the_run<L: TractionLaw>(
+fn rule_of_the_run(
     case: &Case,
-    bearing: &Bearing<L>,
+    bearing: &Bearing,
     at_start: &WarmStart,
 ) -> Result<tribodyn_bearing::traction::PatchRule, DynamicsError> {
     let rest = case.transient.as_ref().is_some_and(|t| t.start == StartSpec::Rest);
@@ -64,16 +66,17 @@ fn rule_of_the_run<L: TractionLaw>(
 }
 
 /// The inner ring's springs are without stretch at the start; the outer ring's carry its load there.
-fn set_springs<L: TractionLaw>(machine: &mut Machine<L>, state: &[f64]) {
+fn set_springs(machine: &mut Machine, state: &[f64]) {
     let l = machine.layout;
     (0..3).for_each(|i| machine.inner.reference[i] = state[l.inner() + i]);
     let frame = machine.frame(0.0, state);
     let mut sums = Sums::default();
     for index in 0..l.balls {
-        let forces = machine.ball(index, &state[l.ball(index)..][..BALL], &frame);
+        let b = machine.unknowns(index, state);
+        let forces = machine.ball(index, b, &frame, |patch| machine.kernel.traction(&machine.bearing, patch));
         machine.add_ball(&forces, [0.0; 2], &frame, &mut sums);
     }
     for i in 0..2 {
-        machine.outer.reference[i] = -sums.on_rings[1][i] / machine.outer.stiffness[i];
+        machine.outer.reference[i] = -sums.on_rings.outer[i] / machine.outer.stiffness[i];
     }
 }

@@ -1,11 +1,10 @@
 //! How stiff a state is: the bound on the step of an explicit scheme.
 
-use crate::forces::Frame;
+use crate::equations::{BallForces, Equations, Frame};
 use crate::layout::{BALL, VELOCITY};
 use crate::machine::Machine;
 use nalgebra::Matrix6;
 use serde::{Deserialize, Serialize};
-use tribodyn_bearing::traction::TractionLaw;
 
 /// The stiffest modes at a state.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -36,13 +35,13 @@ const EULER_LIMIT: f64 = 2.0;
 const RELATIVE_CHANGE: f64 = 1e-7;
 const LEAST_CHANGE: f64 = 1e-5;
 
-impl<L: TractionLaw> Machine<L> {
+impl Machine {
     /// Stiffest modes of the balls, each by itself.
     pub fn stiffness(&self, t: f64, y: &[f64]) -> Stiffness {
         let frame = self.frame(t, y);
         let (mut rate, mut worst, mut frequency) = (0.0f64, 0, 0.0f64);
         for index in 0..self.layout.balls {
-            let b = &y[self.layout.ball(index)..][..BALL];
+            let b = self.unknowns(index, y);
             let eigenvalues = self.velocity_jacobian(index, b, &frame).complex_eigenvalues();
             let fastest = eigenvalues.iter().fold(0.0f64, |most, e| most.max(-e.re));
             if fastest > rate {
@@ -61,6 +60,10 @@ impl<L: TractionLaw> Machine<L> {
         }
     }
 
+    fn with_kernel(&self, index: usize, b: &[f64], frame: &Frame) -> BallForces {
+        self.ball(index, b, frame, |patch| self.kernel.traction(&self.bearing, patch))
+    }
+
     /// Derivatives of a ball's six accelerations by its six velocities, by differences: the bound needs no digits.
     fn velocity_jacobian(&self, index: usize, b: &[f64], frame: &Frame) -> Matrix6<f64> {
         let mut unknowns = [0.0; BALL];
@@ -71,7 +74,7 @@ impl<L: TractionLaw> Machine<L> {
             let change = (RELATIVE_CHANGE * b[at].abs()).max(LEAST_CHANGE);
             let mut shifted = |by: f64| {
                 unknowns[at] = b[at] + by;
-                let acceleration = self.ball(index, &unknowns, frame).acceleration;
+                let acceleration = self.with_kernel(index, &unknowns, frame).acceleration;
                 unknowns[at] = b[at];
                 acceleration
             };
@@ -85,9 +88,10 @@ impl<L: TractionLaw> Machine<L> {
 
     /// sqrt of the stiffness against an axial or radial shift over the mass; both contacts in line bound it from above.
     fn contact_frequency(&self, index: usize, b: &[f64], frame: &Frame) -> f64 {
-        let loads = self.ball(index, b, frame).loads;
-        let stiffness =
-            [&loads.inner, &loads.outer].map(|c| if c.load > 0.0 { 1.5 * c.load / c.pose.approach } else { 0.0 });
-        ((stiffness[0] + stiffness[1]) / self.bearing.ball_mass).sqrt() / std::f64::consts::TAU
+        let stiffness = self.with_kernel(index, b, frame).contacts.map(|c| {
+            let normal = &c.normal;
+            if normal.load > 0.0 { 1.5 * normal.load / normal.pose.approach } else { 0.0 }
+        });
+        ((stiffness.inner + stiffness.outer) / self.bearing.ball_mass).sqrt() / std::f64::consts::TAU
     }
 }

@@ -13,6 +13,11 @@ use tribodyn_bearing::Scalar;
 pub(crate) const RING: usize = 5;
 /// Unknowns of a ball: X1, X2, the spin ω relative to the orbiting frame (axial, radial, tangential), ω_m.
 pub(crate) const BALL: usize = 6;
+/// Where a ball's unknowns stand: X1, X2, the first of the spin's three, ω_m.
+pub(crate) const AXIAL: usize = 0;
+pub(crate) const RADIAL: usize = 1;
+pub(crate) const SPIN: usize = 2;
+pub(crate) const ORBIT: usize = 5;
 const DERIVATIVES: usize = BALL + RING;
 
 /// Forces on the unknowns of one ball, with what they are measured against.

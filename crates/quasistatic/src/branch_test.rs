@@ -58,11 +58,15 @@ fn limit_a_ball_thrown_off_the_inner_race_comes_to_the_driven_equilibrium() {
         assert!(roots.solution.skids() && roots.solution.stable(), "{roots:?}");
         assert!(roots.others.iter().any(|root| !root.driven && root.orbital_speed_rad_s.abs() < 1e-3), "{roots:?}");
 
-        let typical = Typical::new(&bearing, &point.ring, [point.inner_speed, point.outer_speed]);
+        let typical = Typical::new(&bearing, &point.ring, Races { inner: point.inner_speed, outer: point.outer_speed });
         let system = traction_system(&bearing, &point, typical, start.rule()).unwrap();
         let (ring, found): ([f64; RING], _) = (start.ring(), start.balls()[index]);
         let (_, loads, _) = system.evaluate(index, found, ring);
-        let pose = BallPose { inner: loads.inner.pose, outer: loads.outer.pose, orbit_radius: loads.orbit_radius };
+        let pose = BallPose {
+            inner: loads.contacts.inner.pose,
+            outer: loads.contacts.outer.pose,
+            orbit_radius: loads.orbit_radius,
+        };
         let rolling = kinematics(&bearing, &pose, system.speeds, false, true);
         let mut ball = [found[0], found[1], rolling.spin[0], rolling.spin[1], 0.0, rolling.orbital_speed];
         let mut lost = false;

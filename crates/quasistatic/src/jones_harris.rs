@@ -7,19 +7,18 @@
 //! Signs: with inner speed and contact angles positive, Ω_r > 0, so the contact must supply +J ω_m Ω_r e_t. Friction
 //! does it by a lateral force on the ball of (−cos α_o, sin α_o) λ_o M_g/D at the outer race.
 
-use crate::block::{BALL, Balance, BlockState, BlockSystem, RING, RingFreedom};
-use tribodyn_bearing::traction::TractionLaw;
-use tribodyn_bearing::{BallPose, Bearing, ContactPose, RingState, Scalar, Side};
+use crate::block::{AXIAL, BALL, Balance, BlockState, BlockSystem, ORBIT, RADIAL, RING, RingFreedom, SPIN};
+use tribodyn_bearing::{AzimuthFrame, BallPose, Bearing, ContactPose, Races, RingState, Scalar, Side};
 
 /// Names of the equations, for error messages.
 pub(crate) const EQUATIONS: [&str; BALL] =
     ["axial force", "radial force", "axial spin", "radial spin", "tangential spin", "orbital speed"];
 
 /// The Jones–Harris equations of one bearing at one operating point.
-pub(crate) struct JonesHarris<'a, L> {
-    pub bearing: &'a Bearing<L>,
+pub(crate) struct JonesHarris<'a> {
+    pub bearing: &'a Bearing,
     pub ring: [RingFreedom; RING],
-    pub speeds: [f64; 2],
+    pub speeds: Races<f64>,
     /// Per ball: whether the inner race controls.
     pub inner_control: Vec<bool>,
     pub centrifugal_at_free_pitch: bool,
@@ -44,16 +43,16 @@ pub(crate) struct Typical {
 }
 
 impl Typical {
-    pub fn new<L: TractionLaw>(bearing: &Bearing<L>, ring: &[RingFreedom; RING], speeds: [f64; 2]) -> Self {
+    pub fn new(bearing: &Bearing, ring: &[RingFreedom; RING], speeds: Races<f64>) -> Self {
         let g = &bearing.geometry;
         let balls = g.ball_count as f64;
         let load: f64 = ring[..3].iter().map(|f| if let RingFreedom::Loaded(v) = f { v.abs() } else { 0.0 }).sum();
         let radius = 0.5 * g.pitch_diameter;
-        let centrifugal = bearing.ball_mass * radius * (0.5 * (speeds[0].abs() + speeds[1].abs())).powi(2);
+        let centrifugal = bearing.ball_mass * radius * (0.5 * (speeds.inner.abs() + speeds.outer.abs())).powi(2);
         // A pressure of 0.5 GPa on a tenth of the ball's section squared: a light but real contact, where nothing loads it.
         let least = 1e-4 * 0.5e9 * g.ball_diameter.powi(2);
         let force = (load / balls + centrifugal).max(least);
-        let hertz = bearing.outer.frozen::<f64>();
+        let hertz = bearing.races.outer.frozen::<f64>();
         let approach = hertz.approach(force);
         let offset = g.groove_offset(Side::Outer).min(g.groove_offset(Side::Inner));
         Self { force, stiffness: 1.5 * force / approach, offset, radius, balls }
@@ -92,16 +91,16 @@ pub(crate) struct Kinematics<D> {
 }
 
 /// Rolling kinematics with the ball's axis at the pitch angle β that raceway control gives.
-pub(crate) fn kinematics<D: Scalar, L: TractionLaw>(
-    bearing: &Bearing<L>,
+pub(crate) fn kinematics<D: Scalar>(
+    bearing: &Bearing,
     pose: &BallPose<D>,
-    [inner_speed, outer_speed]: [f64; 2],
+    Races { inner: inner_speed, outer: outer_speed }: Races<f64>,
     inner_control: bool,
     at_free_pitch: bool,
 ) -> Kinematics<D> {
     let g = &bearing.geometry;
     let ratio = g.ball_diameter / g.pitch_diameter;
-    let (i, o) = (&pose.inner, &pose.outer);
+    let (i, o) = (&pose.contacts.inner, &pose.contacts.outer);
     let tangent = if inner_control { i.sin / (i.cos - ratio) } else { o.sin / (o.cos + ratio) };
     let (roll_i, roll_o) = (i.cos + tangent * i.sin, o.cos + tangent * o.sin);
     let (near_i, near_o) = (-i.cos * ratio + 1.0, o.cos * ratio + 1.0);
@@ -119,19 +118,18 @@ pub(crate) fn kinematics<D: Scalar, L: TractionLaw>(
     }
 }
 
-impl<L: TractionLaw> JonesHarris<'_, L> {
+impl JonesHarris<'_> {
     pub fn pose<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> BallPose<D> {
-        let (sin, cos) = self.bearing.azimuth(index).sin_cos();
-        let z = D::zero();
-        let inner = ring_state(ring, self.speeds[0]);
-        let outer = RingState { displacement: [z; 3], tilt: [z; 2], velocity: [z; 3], speed: D::from(self.speeds[1]) };
-        self.bearing.pose([D::from(sin), D::from(cos)], [ball[0], ball[1]], &inner, &outer)
+        let frame = AzimuthFrame::at(self.bearing.azimuth(index)).lift();
+        let inner = ring_state(ring, self.speeds.inner);
+        let outer = RingState::centred(D::from(self.speeds.outer));
+        self.bearing.pose(frame, [ball[AXIAL], ball[RADIAL]], Races { inner: &inner, outer: &outer })
     }
 
     /// Contact load; with constants at the free angle in the first phase, or it would have no potential.
     fn load<D: Scalar>(&self, side: Side, contact: &ContactPose<D>) -> D {
         match self.frozen {
-            Some(_) => self.bearing.race(side).frozen::<D>().load(contact.approach),
+            Some(_) => self.bearing.races[side].frozen::<D>().load(contact.approach),
             None => self.bearing.contact_load(side, contact).0,
         }
     }
@@ -147,14 +145,14 @@ pub(crate) fn ring_state<D: Scalar>(ring: [D; RING], speed: f64) -> RingState<D>
     }
 }
 
-impl<L: TractionLaw> BlockSystem for JonesHarris<'_, L> {
+impl BlockSystem for JonesHarris<'_> {
     fn ring(&self) -> &[RingFreedom; RING] {
         &self.ring
     }
 
     fn ball<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> Balance<D> {
         let pose = self.pose(index, ball, ring);
-        let (i, o) = (&pose.inner, &pose.outer);
+        let (i, o) = (&pose.contacts.inner, &pose.contacts.outer);
         let (q_i, q_o) = (self.load(Side::Inner, i), self.load(Side::Outer, o));
         let inner_control = self.inner_control[index];
         let k = kinematics(self.bearing, &pose, self.speeds, inner_control, self.centrifugal_at_free_pitch);
@@ -171,14 +169,14 @@ impl<L: TractionLaw> BlockSystem for JonesHarris<'_, L> {
         let residual = [
             on_ball_i[0] + on_ball_o[0],
             on_ball_i[1] + on_ball_o[1] + centrifugal,
-            motion[0] - ball[2],
-            motion[1] - ball[3],
-            motion[2] - ball[4],
-            motion[3] - ball[5],
+            motion[0] - ball[SPIN],
+            motion[1] - ball[SPIN + 1],
+            motion[2] - ball[SPIN + 2],
+            motion[3] - ball[ORBIT],
         ];
         let size = |d: D| d.re().abs();
         let floor = self.typical.floor();
-        let speed = self.speeds[0].abs() + self.speeds[1].abs();
+        let speed = self.speeds.inner.abs() + self.speeds.outer.abs();
         let scale = [
             (size(on_ball_i[0]) + size(on_ball_o[0])).max(floor),
             (size(on_ball_i[1]) + size(on_ball_o[1]) + size(centrifugal)).max(floor),
@@ -187,10 +185,11 @@ impl<L: TractionLaw> BlockSystem for JonesHarris<'_, L> {
             speed,
             speed,
         ];
-        let (sin, cos) = self.bearing.azimuth(index).sin_cos();
+        let frame = AzimuthFrame::at(self.bearing.azimuth(index));
         let lever = self.bearing.geometry.groove_centre_radius(Side::Inner);
         let [axial, radial] = on_ball_i;
-        let ring = [radial * cos, radial * sin, axial, axial * (lever * sin), axial * (-lever * cos)];
+        let [x, y, z] = frame.lift().to_inertial([axial, radial, D::zero()]);
+        let ring = [x, y, z, axial * (lever * frame.sin), axial * (-lever * frame.cos)];
         let total = q_i.re() + floor;
         Balance { residual, scale, ring, ring_scale: [total, total, total, total * lever, total * lever] }
     }
@@ -218,10 +217,10 @@ impl<L: TractionLaw> BlockSystem for JonesHarris<'_, L> {
         let mut energy = 0.0;
         for (index, &ball) in state.balls.iter().enumerate() {
             let pose = self.pose(index, ball, state.ring);
-            for (side, contact) in [(Side::Inner, pose.inner), (Side::Outer, pose.outer)] {
-                energy += 0.4 * self.load(side, &contact) * contact.approach;
+            for (side, contact) in pose.contacts.iter() {
+                energy += 0.4 * self.load(side, contact) * contact.approach;
             }
-            energy -= centrifugal * ball[1];
+            energy -= centrifugal * ball[RADIAL];
         }
         for (freedom, q) in self.ring.iter().zip(state.ring) {
             if let RingFreedom::Loaded(load) = freedom {

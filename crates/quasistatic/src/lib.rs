@@ -59,4 +59,4 @@ pub use block::{RingFreedom, SolverStatistics};
 pub use problem::{OperatingPoint, Place, QuasiStaticError};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{BallSolution, Model, Solution};
-pub use solve::{Solved, WarmStart, solve, solve_from};
+pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};

@@ -1,6 +1,6 @@
 //! From unknowns to a [`Solution`].
 
-use crate::block::{Iterate, RING};
+use crate::block::{AXIAL, Iterate, RING, SPIN};
 use crate::cage::{Pocket, pocket_forces};
 use crate::jones_harris::{JonesHarris, kinematics};
 use crate::problem::OperatingPoint;
@@ -13,11 +13,7 @@ use tribodyn_bearing::{Bearing, RaceContact, Side};
 /// 4 % for the slip units in use.
 pub(crate) const SKIDDING: f64 = 0.05;
 
-pub(crate) fn jones_harris<L: TractionLaw>(
-    system: &JonesHarris<'_, L>,
-    solved: &Iterate,
-    point: &OperatingPoint,
-) -> Solution {
+pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &OperatingPoint) -> Solution {
     let bearing = system.bearing;
     let (mut ring_load, mut ring_moment) = ([0.0; 3], [0.0; 2]);
     let mut balls = Vec::with_capacity(solved.state.balls.len());
@@ -25,14 +21,14 @@ pub(crate) fn jones_harris<L: TractionLaw>(
         let pose = system.pose(index, ball, solved.state.ring);
         let k =
             kinematics(bearing, &pose, system.speeds, system.inner_control[index], system.centrifugal_at_free_pitch);
-        let (q_i, ellipse_i) = bearing.contact_load(Side::Inner, &pose.inner);
-        let (q_o, ellipse_o) = bearing.contact_load(Side::Outer, &pose.outer);
+        let (q_i, ellipse_i) = bearing.contact_load(Side::Inner, &pose.contacts.inner);
+        let (q_o, ellipse_o) = bearing.contact_load(Side::Outer, &pose.contacts.outer);
         let mut entry = empty_ball(bearing, index);
-        fill_contact(&mut entry, Side::Inner, &pose.inner, q_i, &ellipse_i);
-        fill_contact(&mut entry, Side::Outer, &pose.outer, q_o, &ellipse_o);
+        fill_contact(&mut entry, Side::Inner, &pose.contacts.inner, q_i, &ellipse_i);
+        fill_contact(&mut entry, Side::Outer, &pose.contacts.outer, q_o, &ellipse_o);
         entry.orbital_speed_rad_s = k.orbital_speed;
         entry.orbit_radius_m = pose.orbit_radius;
-        entry.axial_displacement_m = axial_displacement(bearing, ball[0]);
+        entry.axial_displacement_m = axial_displacement(bearing, ball[AXIAL]);
         entry.spin_rad_s = [k.spin[0], k.spin[1], 0.0];
         entry.centrifugal_force_n = k.centrifugal_force;
         entry.gyroscopic_moment_nm = k.gyroscopic_moment.abs();
@@ -50,17 +46,12 @@ pub(crate) fn jones_harris<L: TractionLaw>(
 }
 
 /// Spin ratios and rolling speeds of the Jones–Harris kinematics; its slide-to-roll ratios are zero by assumption.
-fn fill_rolling<L: TractionLaw>(
-    entry: &mut BallSolution,
-    system: &JonesHarris<'_, L>,
-    pose: &tribodyn_bearing::BallPose,
-) {
+fn fill_rolling(entry: &mut BallSolution, system: &JonesHarris<'_>, pose: &tribodyn_bearing::BallPose) {
     let [axial, radial, _] = entry.spin_rad_s;
     let r_b = system.bearing.geometry.ball_radius();
     let orbit = entry.orbital_speed_rad_s;
-    for (side, contact, speed) in
-        [(Side::Inner, &pose.inner, system.speeds[0]), (Side::Outer, &pose.outer, system.speeds[1])]
-    {
+    for (side, contact) in pose.contacts.iter() {
+        let speed = system.speeds[side];
         let [n_a, n_r] = contact.normal(side);
         let rolling = (axial * n_r - radial * n_a) * r_b;
         let spin = (axial + orbit - speed) * n_a + radial * n_r;
@@ -72,8 +63,8 @@ fn fill_rolling<L: TractionLaw>(
     }
 }
 
-pub(crate) fn with_traction<L: TractionLaw>(
-    system: &WithTraction<'_, L>,
+pub(crate) fn with_traction(
+    system: &WithTraction<'_>,
     solved: &Iterate,
     point: &OperatingPoint,
     estimate: f64,
@@ -85,23 +76,24 @@ pub(crate) fn with_traction<L: TractionLaw>(
     for (index, &ball) in solved.state.balls.iter().enumerate() {
         let (state, loads, inner) = system.evaluate(index, ball, solved.state.ring);
         let mut entry = empty_ball(bearing, index);
-        fill_race(&mut entry, Side::Inner, &loads.inner, bearing);
-        fill_race(&mut entry, Side::Outer, &loads.outer, bearing);
+        fill_race(&mut entry, Side::Inner, &loads.contacts.inner, bearing);
+        fill_race(&mut entry, Side::Outer, &loads.contacts.outer, bearing);
         entry.orbital_speed_rad_s = state.orbital_speed;
         entry.orbit_radius_m = loads.orbit_radius;
-        entry.axial_displacement_m = axial_displacement(bearing, ball[0]);
-        entry.spin_rad_s = [ball[2], ball[3], ball[4]];
+        entry.axial_displacement_m = axial_displacement(bearing, ball[AXIAL]);
+        entry.spin_rad_s = [ball[SPIN], ball[SPIN + 1], ball[SPIN + 2]];
         entry.centrifugal_force_n = bearing.ball_mass * loads.orbit_radius * state.orbital_speed.powi(2);
-        entry.gyroscopic_moment_nm = (bearing.ball_inertia * state.orbital_speed * ball[3].hypot(ball[4])).abs();
+        entry.gyroscopic_moment_nm =
+            (bearing.ball_inertia * state.orbital_speed * ball[SPIN + 1].hypot(ball[SPIN + 2])).abs();
         entry.drag_n = loads.drag;
         let swirl = bearing.fluid.as_ref().map_or(0.0, |f| f.swirl);
-        let against_fluid = loads.orbit_radius * (state.orbital_speed - swirl * system.speeds[0]);
+        let against_fluid = loads.orbit_radius * (state.orbital_speed - swirl * system.speeds.inner);
         let churning: f64 = loads.churning.iter().zip(state.spin).map(|(m, w)| -m * w).sum();
         entry.power_loss_fluid_w = loads.drag * against_fluid + churning;
         let out_of_range = |contact: &RaceContact, side| {
-            contact.load > 0.0 && bearing.race(side).law.clamps(contact.ellipse.peak_pressure)
+            contact.normal.load > 0.0 && bearing.races[side].law.clamps(contact.ellipse.peak_pressure)
         };
-        if out_of_range(&loads.inner, Side::Inner) || out_of_range(&loads.outer, Side::Outer) {
+        if out_of_range(&loads.contacts.inner, Side::Inner) || out_of_range(&loads.contacts.outer, Side::Outer) {
             clamped.push(index);
         }
         let on_ring = bearing.ring_action(&state, &loads, &inner);
@@ -122,14 +114,14 @@ pub(crate) fn with_traction<L: TractionLaw>(
     solution
 }
 
-fn axial_displacement<L>(bearing: &Bearing<L>, axial: f64) -> f64 {
+fn axial_displacement(bearing: &Bearing, axial: f64) -> f64 {
     let g = &bearing.geometry;
     axial - g.groove_offset(Side::Outer) * g.sin_contact_angle()
 }
 
-fn solution<L: TractionLaw>(
+fn solution(
     model: Model,
-    bearing: &Bearing<L>,
+    bearing: &Bearing,
     ring: [f64; RING],
     mut balls: Vec<BallSolution>,
     point: &OperatingPoint,
@@ -195,8 +187,8 @@ fn fill_contact(
     }
 }
 
-fn fill_race<L: TractionLaw>(entry: &mut BallSolution, side: Side, contact: &RaceContact, bearing: &Bearing<L>) {
-    fill_contact(entry, side, &contact.pose, contact.load, &contact.ellipse);
+fn fill_race(entry: &mut BallSolution, side: Side, contact: &RaceContact, bearing: &Bearing) {
+    fill_contact(entry, side, &contact.normal.pose, contact.normal.load, &contact.ellipse);
     let [along, across, spin] = contact.slide_to_roll(bearing.geometry.ball_radius());
     let t = &contact.traction;
     let speed = contact.rolling_speed.abs();
@@ -206,14 +198,14 @@ fn fill_race<L: TractionLaw>(entry: &mut BallSolution, side: Side, contact: &Rac
             (entry.slide_to_roll_inner, entry.lateral_slide_to_roll_inner) = (along, across);
             (entry.spin_ratio_inner, entry.rolling_speed_inner_m_s) = (spin, speed);
             entry.power_loss_inner_w = t.power;
-            entry.wear_rate_inner_m3_s = bearing.wear_inner.rate(t.wear_integral);
+            entry.wear_rate_inner_m3_s = bearing.wear.inner.rate(t.wear_integral);
         }
         Side::Outer => {
             (entry.traction_outer_n, entry.lateral_traction_outer_n) = (t.force_rolling, t.force_lateral);
             (entry.slide_to_roll_outer, entry.lateral_slide_to_roll_outer) = (along, across);
             (entry.spin_ratio_outer, entry.rolling_speed_outer_m_s) = (spin, speed);
             entry.power_loss_outer_w = t.power;
-            entry.wear_rate_outer_m3_s = bearing.wear_outer.rate(t.wear_integral);
+            entry.wear_rate_outer_m3_s = bearing.wear.outer.rate(t.wear_integral);
         }
     }
 }
@@ -242,6 +234,6 @@ fn skidding(solution: &mut Solution) {
     });
 }
 
-fn empty_ball<L: TractionLaw>(bearing: &Bearing<L>, index: usize) -> BallSolution {
+fn empty_ball(bearing: &Bearing, index: usize) -> BallSolution {
     BallSolution { azimuth_deg: bearing.azimuth(index).to_degrees(), ..BallSolution::default() }
 }

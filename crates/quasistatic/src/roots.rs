@@ -6,7 +6,7 @@
 //! A lightly loaded ball may also drop out of contact: what presses it on a race is the centrifugal force of its orbit.
 //! The search samples states, so it can show that another equilibrium exists but not that none does.
 
-use crate::block::{BALL, BlockSystem, RING};
+use crate::block::{AXIAL, BALL, BlockSystem, ORBIT, RADIAL, RING, SPIN};
 use crate::jones_harris::{Typical, kinematics};
 use crate::problem::{OperatingPoint, QuasiStaticError};
 use crate::report::SKIDDING;
@@ -15,8 +15,7 @@ use crate::solve::{WarmStart, is_idle, traction_system};
 use crate::with_traction::WithTraction;
 use nalgebra::{Matrix2, Matrix4, Matrix4x2};
 use serde::Serialize;
-use tribodyn_bearing::traction::TractionLaw;
-use tribodyn_bearing::{BallPose, Bearing};
+use tribodyn_bearing::{BallPose, Bearing, Races};
 
 /// Orbital speeds at which the search starts, as shares of the rolling one.
 const START_SPEEDS: [f64; 6] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.95];
@@ -81,28 +80,23 @@ pub struct BallRoots {
 ///
 /// # Errors
 /// Those of the patch quadrature.
-pub fn other_roots<L: TractionLaw>(
-    bearing: &Bearing<L>,
+pub fn other_roots(
+    bearing: &Bearing,
     point: &OperatingPoint,
     solved: &WarmStart,
 ) -> Result<Vec<BallRoots>, QuasiStaticError> {
-    let typical = Typical::new(bearing, &point.ring, [point.inner_speed, point.outer_speed]);
+    let typical = Typical::new(bearing, &point.ring, Races { inner: point.inner_speed, outer: point.outer_speed });
     let system = traction_system(bearing, point, typical, solved.rule)?;
     let balls = solved.state.balls.iter().enumerate();
     Ok(balls.map(|(index, &ball)| ball_roots(&system, index, ball, solved.state.ring)).collect())
 }
 
-fn ball_roots<L: TractionLaw>(
-    system: &WithTraction<'_, L>,
-    index: usize,
-    ball: [f64; BALL],
-    ring: [f64; RING],
-) -> BallRoots {
+fn ball_roots(system: &WithTraction<'_>, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> BallRoots {
     let solution = root(system, index, ball, ring);
     let mut others: Vec<Root> = Vec::new();
     if solution.driven {
         let (_, loads, _) = system.evaluate(index, ball, ring);
-        let pose = BallPose { inner: loads.inner.pose, outer: loads.outer.pose, orbit_radius: loads.orbit_radius };
+        let pose = loads.pose();
         for start in starts(system, ball, &pose) {
             let end = settle_ball(system, index, start, ring, EQUILIBRIUM, FROM_AFAR);
             if end.residual > EQUILIBRIUM {
@@ -119,12 +113,8 @@ fn ball_roots<L: TractionLaw>(
 }
 
 /// Skidding states at the solved position: the orbit slower than rolling, the spin rolling on one race only.
-fn starts<L: TractionLaw>(
-    system: &WithTraction<'_, L>,
-    ball: [f64; BALL],
-    pose: &BallPose,
-) -> impl Iterator<Item = [f64; BALL]> {
-    let [inner_speed, outer_speed] = system.speeds;
+fn starts(system: &WithTraction<'_>, ball: [f64; BALL], pose: &BallPose) -> impl Iterator<Item = [f64; BALL]> {
+    let Races { inner: inner_speed, outer: outer_speed } = system.speeds;
     let rolling = kinematics(system.bearing, pose, system.speeds, false, true);
     // Rolling on a race alone, the spin grows with the speed of the orbit against that race, along the same axis.
     let share = move |orbit: f64, race: f64| {
@@ -135,38 +125,38 @@ fn starts<L: TractionLaw>(
         let orbit = outer_speed + speed * (rolling.orbital_speed - outer_speed);
         [inner_speed, outer_speed].map(|race| {
             let spin = share(orbit, race);
-            [ball[0], ball[1], spin * rolling.spin[0], spin * rolling.spin[1], 0.0, orbit]
+            [ball[AXIAL], ball[RADIAL], spin * rolling.spin[0], spin * rolling.spin[1], 0.0, orbit]
         })
     })
 }
 
 /// A ball that nothing drives drifts with the fluid; where it does so is one equilibrium.
-fn same(a: &Root, b: &Root, speeds: [f64; 2]) -> bool {
+fn same(a: &Root, b: &Root, speeds: Races<f64>) -> bool {
     if !a.driven || !b.driven {
         return a.driven == b.driven;
     }
-    let near = |a: f64, b: f64| (a - b).abs() <= DISTINCT * speeds[0].abs().max(speeds[1].abs());
+    let near = |a: f64, b: f64| (a - b).abs() <= DISTINCT * speeds.inner.abs().max(speeds.outer.abs());
     near(a.orbital_speed_rad_s, b.orbital_speed_rad_s) && (0..3).all(|k| near(a.spin_rad_s[k], b.spin_rad_s[k]))
 }
 
-fn root<L: TractionLaw>(system: &WithTraction<'_, L>, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> Root {
+fn root(system: &WithTraction<'_>, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> Root {
     let (_, loads, _) = system.evaluate(index, ball, ring);
     let radius = system.bearing.geometry.ball_radius();
     Root {
-        orbital_speed_rad_s: ball[5],
-        spin_rad_s: [ball[2], ball[3], ball[4]],
-        load_inner_n: loads.inner.load,
-        load_outer_n: loads.outer.load,
-        driven: !is_idle(loads.inner.load, &system.typical),
-        slide_to_roll_inner: loads.inner.slide_to_roll(radius)[0],
-        slide_to_roll_outer: loads.outer.slide_to_roll(radius)[0],
+        orbital_speed_rad_s: ball[ORBIT],
+        spin_rad_s: [ball[SPIN], ball[SPIN + 1], ball[SPIN + 2]],
+        load_inner_n: loads.contacts.inner.normal.load,
+        load_outer_n: loads.contacts.outer.normal.load,
+        driven: !is_idle(loads.contacts.inner.normal.load, &system.typical),
+        slide_to_roll_inner: loads.contacts.inner.slide_to_roll(radius)[0],
+        slide_to_roll_outer: loads.contacts.outer.slide_to_roll(radius)[0],
         growth_rate_per_s: growth_rate(system, index, ball, ring, loads.orbit_radius),
     }
 }
 
 /// Largest real part of the eigenvalues of the spin–orbit block, the position following at once.
-fn growth_rate<L: TractionLaw>(
-    system: &WithTraction<'_, L>,
+fn growth_rate(
+    system: &WithTraction<'_>,
     index: usize,
     ball: [f64; BALL],
     ring: [f64; RING],

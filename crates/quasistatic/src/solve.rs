@@ -7,7 +7,7 @@
 //!    balls alone in pseudo-time with the ring held, so that each slows down under drag into the stable root connected
 //!    to rolling, with a cheap patch rule and then with the wanted one; then ring and balls together by Newton.
 
-use crate::block::{BALL, BlockState, BlockSystem, Iterate, RING, SolverStatistics};
+use crate::block::{AXIAL, BALL, BlockState, BlockSystem, Iterate, ORBIT, RADIAL, RING, SPIN, SolverStatistics};
 use crate::driver;
 use crate::jones_harris::{self, JonesHarris, Kinematics, Typical, kinematics};
 use crate::methods::{Downhill, NewtonOrNested, settle};
@@ -16,8 +16,8 @@ use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, report};
 use tribodyn_bearing::case::RaceControl;
-use tribodyn_bearing::traction::{FastPatch, PatchRule, Probe, TractionLaw, choose_rule, rule_error};
-use tribodyn_bearing::{Bearing, Side};
+use tribodyn_bearing::traction::{FastPatch, Law, PatchRule, Probe, choose_rule, rule_error};
+use tribodyn_bearing::{Bearing, Races, Side};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.
@@ -40,14 +40,17 @@ pub struct WarmStart {
     pub(crate) state: BlockState,
     pub(crate) rule: PatchRule,
     /// Of inner and outer ring, rad/s.
-    speeds: [f64; 2],
+    speeds: Races<f64>,
 }
 
 impl WarmStart {
-    /// Per ball: X1, X2 (m), the spin relative to the orbiting frame (axial, radial, tangential) and the orbital speed
-    /// (rad/s), to the last digit.
-    pub fn balls(&self) -> &[[f64; 6]] {
-        &self.state.balls
+    /// Position and motion of each ball, to the last digit.
+    pub fn balls(&self) -> impl Iterator<Item = BallMotion> {
+        self.state.balls.iter().map(|ball| BallMotion {
+            position: [ball[AXIAL], ball[RADIAL]],
+            spin: [ball[SPIN], ball[SPIN + 1], ball[SPIN + 2]],
+            orbital_speed: ball[ORBIT],
+        })
     }
 
     /// Displacement x, y, z (m) and tilt about X and Y (rad) of the inner ring.
@@ -62,18 +65,29 @@ impl WarmStart {
 
     /// The state at other speeds of the rings: rolling is linear in them, seen from the outer ring. A change of 1 % would
     /// else be slip far past the peak of the traction curve.
-    fn at_speeds(&self, [inner, outer]: [f64; 2]) -> BlockState {
-        let [was_inner, was_outer] = self.speeds;
+    fn at_speeds(&self, now: Races<f64>) -> BlockState {
+        let was = self.speeds;
         let mut state = self.state.clone();
-        let share = (inner - outer) / (was_inner - was_outer);
-        if share.is_finite() && [inner, outer] != self.speeds {
+        let share = (now.inner - now.outer) / (was.inner - was.outer);
+        if share.is_finite() && now != was {
             for ball in &mut state.balls {
-                (2..5).for_each(|k| ball[k] *= share);
-                ball[5] = outer + (ball[5] - was_outer) * share;
+                (SPIN..ORBIT).for_each(|k| ball[k] *= share);
+                ball[ORBIT] = now.outer + (ball[ORBIT] - was.outer) * share;
             }
         }
         state
     }
+}
+
+/// Where a ball stands and how it moves in an equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallMotion {
+    /// Ball centre against the outer groove centre, axial X1 and radial X2, m.
+    pub position: [f64; 2],
+    /// Spin relative to the orbiting frame (axial, radial, tangential), rad/s.
+    pub spin: [f64; 3],
+    /// Orbital speed, rad/s.
+    pub orbital_speed: f64,
 }
 
 /// An equilibrium with what is needed to go on from it.
@@ -91,11 +105,7 @@ pub struct Solved {
 ///
 /// # Errors
 /// [`QuasiStaticError::NotConverged`] names the ball, the equation and the residual.
-pub fn solve<L: TractionLaw>(
-    bearing: &Bearing<L>,
-    point: &OperatingPoint,
-    model: Model,
-) -> Result<Solved, QuasiStaticError> {
+pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<Solved, QuasiStaticError> {
     let Rolling { system, elastic, solved } = rolling_state(bearing, point);
     match model {
         Model::JonesHarris => {
@@ -120,12 +130,8 @@ pub fn solve<L: TractionLaw>(
 ///
 /// # Errors
 /// As [`solve`].
-pub fn solve_from<L: TractionLaw>(
-    bearing: &Bearing<L>,
-    point: &OperatingPoint,
-    start: &WarmStart,
-) -> Result<Solved, QuasiStaticError> {
-    let typical = Typical::new(bearing, &point.ring, [point.inner_speed, point.outer_speed]);
+pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) -> Result<Solved, QuasiStaticError> {
+    let typical = Typical::new(bearing, &point.ring, Races { inner: point.inner_speed, outer: point.outer_speed });
     let traction = traction_system(bearing, point, typical, start.rule)?;
     finish(&traction, start.at_speeds(traction.speeds), point, SolverStatistics::default(), None)
 }
@@ -139,16 +145,16 @@ fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics 
 }
 
 /// The elastic state, and the Jones–Harris one that starts from it.
-struct Rolling<'a, L> {
-    system: JonesHarris<'a, L>,
+struct Rolling<'a> {
+    system: JonesHarris<'a>,
     elastic: Iterate,
     solved: Result<Iterate, QuasiStaticError>,
 }
 
 /// Phases 1 and 2.
-fn rolling_state<'a, L: TractionLaw>(bearing: &'a Bearing<L>, point: &OperatingPoint) -> Rolling<'a, L> {
+fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint) -> Rolling<'a> {
     let g = &bearing.geometry;
-    let speeds = [point.inner_speed, point.outer_speed];
+    let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let typical = Typical::new(bearing, &point.ring, speeds);
     let inner_everywhere = point.numerics.race_control == RaceControl::Inner;
     let mut system = JonesHarris {
@@ -195,22 +201,21 @@ fn newton<S: BlockSystem>(system: &S, start: BlockState, point: &OperatingPoint)
 }
 
 /// Harris's criterion: outer control where Q_o a_o E_o cos(α_i − α_o) > Q_i a_i E_i.
-fn controlling_races<L: TractionLaw>(
-    system: &JonesHarris<'_, L>,
-    state: &BlockState,
-    wanted: RaceControl,
-) -> Vec<bool> {
+fn controlling_races(system: &JonesHarris<'_>, state: &BlockState, wanted: RaceControl) -> Vec<bool> {
     if wanted != RaceControl::Criterion {
         return system.inner_control.clone();
     }
     let resistance = |side, pose: &tribodyn_bearing::ContactPose| {
         let (load, ellipse) = system.bearing.contact_load(side, pose);
-        load * ellipse.semi_lateral() * system.bearing.race(side).frozen::<f64>().second_integral
+        load * ellipse.semi_lateral() * system.bearing.races[side].frozen::<f64>().second_integral
     };
     let inner = |(index, &ball): (usize, &[f64; BALL])| {
         let pose = system.pose(index, ball, state.ring);
-        let turn = (pose.inner.sin * pose.outer.cos - pose.inner.cos * pose.outer.sin).asin().cos();
-        resistance(Side::Outer, &pose.outer) * turn <= resistance(Side::Inner, &pose.inner)
+        let turn = (pose.contacts.inner.sin * pose.contacts.outer.cos
+            - pose.contacts.inner.cos * pose.contacts.outer.sin)
+            .asin()
+            .cos();
+        resistance(Side::Outer, &pose.contacts.outer) * turn <= resistance(Side::Inner, &pose.contacts.inner)
     };
     state.balls.iter().enumerate().map(inner).collect()
 }
@@ -222,35 +227,35 @@ pub(crate) fn is_idle(inner_load: f64, typical: &Typical) -> bool {
 
 /// Balls without inner contact have no drive: they start from where friction and fluid will leave them, with the
 /// fluid, or with the outer ring in a dry bearing.
-fn release_idle_balls<L: TractionLaw>(system: &JonesHarris<'_, L>, mut state: BlockState) -> BlockState {
-    let [inner_speed, outer_speed] = system.speeds;
+fn release_idle_balls(system: &JonesHarris<'_>, mut state: BlockState) -> BlockState {
+    let Races { inner: inner_speed, outer: outer_speed } = system.speeds;
     let idle = system.bearing.fluid.as_ref().map_or(outer_speed, |f| f.swirl * inner_speed);
     for (index, ball) in state.balls.iter_mut().enumerate() {
         let pose = system.pose(index, *ball, state.ring);
-        let (inner_load, _) = system.bearing.contact_load(Side::Inner, &pose.inner);
-        if is_idle(inner_load, &system.typical) && ball[5] != outer_speed {
-            let share = (idle - outer_speed) / (ball[5] - outer_speed);
-            (2..5).for_each(|k| ball[k] *= share);
-            ball[5] = idle;
+        let (inner_load, _) = system.bearing.contact_load(Side::Inner, &pose.contacts.inner);
+        if is_idle(inner_load, &system.typical) && ball[ORBIT] != outer_speed {
+            let share = (idle - outer_speed) / (ball[ORBIT] - outer_speed);
+            (SPIN..ORBIT).for_each(|k| ball[k] *= share);
+            ball[ORBIT] = idle;
         }
     }
     state
 }
 
-pub(crate) fn traction_system<'a, L: TractionLaw>(
-    bearing: &'a Bearing<L>,
+pub(crate) fn traction_system<'a>(
+    bearing: &'a Bearing,
     point: &OperatingPoint,
     typical: Typical,
     rule: PatchRule,
-) -> Result<WithTraction<'a, L>, QuasiStaticError> {
+) -> Result<WithTraction<'a>, QuasiStaticError> {
     let kernel = FastPatch::new(rule)?;
-    let speeds = [point.inner_speed, point.outer_speed];
+    let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     Ok(WithTraction { bearing, ring: point.ring, speeds, kernel, typical })
 }
 
 /// Takes the rule of the problem, by its target error at the scouted state where it is not named. Gives the estimate.
-fn choose_quadrature<L: TractionLaw>(
-    system: &mut WithTraction<'_, L>,
+fn choose_quadrature(
+    system: &mut WithTraction<'_>,
     state: &BlockState,
     point: &OperatingPoint,
 ) -> Result<Option<f64>, QuasiStaticError> {
@@ -264,17 +269,17 @@ fn choose_quadrature<L: TractionLaw>(
 }
 
 /// The contacts of the most, the middle and the least loaded ball: where a rule is judged.
-fn probes<'a, L: TractionLaw>(system: &WithTraction<'a, L>, state: &BlockState) -> Vec<Probe<'a, L>> {
+fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, Law>> {
     let mut loads: Vec<_> =
         state.balls.iter().enumerate().map(|(index, &ball)| system.evaluate(index, ball, state.ring).1).collect();
-    loads.sort_by(|a, b| a.inner.load.total_cmp(&b.inner.load));
+    loads.sort_by(|a, b| a.contacts.inner.normal.load.total_cmp(&b.contacts.inner.normal.load));
     let middle = loads.len() / 2;
     let picked = [0, middle, loads.len() - 1];
     let bearing = system.bearing;
     picked
         .iter()
-        .flat_map(|&k| [(&bearing.inner, loads[k].inner), (&bearing.outer, loads[k].outer)])
-        .filter(|(_, contact)| contact.load > 0.0)
+        .flat_map(|&k| Side::BOTH.map(|side| (&bearing.races[side], loads[k].contacts[side])))
+        .filter(|(_, contact)| contact.normal.load > 0.0)
         .map(|(race, contact)| Probe {
             patch: bearing.patch(race, &contact.ellipse),
             motion: contact.motion,
@@ -285,8 +290,8 @@ fn probes<'a, L: TractionLaw>(system: &WithTraction<'a, L>, state: &BlockState) 
 }
 
 /// Phase 3's second half: all unknowns together, and the report.
-fn finish<L: TractionLaw>(
-    system: &WithTraction<'_, L>,
+fn finish(
+    system: &WithTraction<'_>,
     start: BlockState,
     point: &OperatingPoint,
     before: SolverStatistics,
@@ -308,11 +313,11 @@ fn finish<L: TractionLaw>(
 const RING_EQUATIONS: [&str; RING] =
     ["force along x", "force along y", "axial force", "moment about x", "moment about y"];
 
-fn check<L: TractionLaw>(
+fn check(
     solved: &Iterate,
     model: Model,
     equations: &[&'static str],
-    bearing: &Bearing<L>,
+    bearing: &Bearing,
     point: &OperatingPoint,
 ) -> Result<(), QuasiStaticError> {
     let worst = solved.worst();

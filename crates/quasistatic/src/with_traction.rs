@@ -3,20 +3,20 @@
 //! Unknowns of a ball: X1, X2, the spin ω relative to the orbiting frame (axial, radial, tangential) and ω_m. Source:
 //! the ball equations of Lubricants 2025, 13(8), 352, section 3, with the time derivatives zero (its cases 1 to 4).
 
-use crate::block::{BALL, Balance, BlockSystem, RING, RingFreedom};
+use crate::block::{AXIAL, BALL, Balance, BlockSystem, ORBIT, RADIAL, RING, RingFreedom, SPIN};
 use crate::jones_harris::{Typical, ring_state};
-use tribodyn_bearing::traction::{FastPatch, PatchTraction, TractionLaw};
-use tribodyn_bearing::{BallLoads, BallState, Bearing, LoadedPatch, RingState, Scalar};
+use tribodyn_bearing::traction::{FastPatch, PatchTraction};
+use tribodyn_bearing::{AzimuthFrame, BallLoads, BallState, Bearing, LoadedPatch, Races, RingState, Scalar};
 
 /// Names of the balances, for error messages.
 pub(crate) const EQUATIONS: [&str; BALL] =
     ["axial force", "radial force", "axial moment", "radial moment", "tangential moment", "tangential force"];
 
 /// The equations of one bearing at one operating point.
-pub(crate) struct WithTraction<'a, L> {
-    pub bearing: &'a Bearing<L>,
+pub(crate) struct WithTraction<'a> {
+    pub bearing: &'a Bearing,
     pub ring: [RingFreedom; RING],
-    pub speeds: [f64; 2],
+    pub speeds: Races<f64>,
     pub kernel: FastPatch,
     pub typical: Typical,
 }
@@ -24,7 +24,7 @@ pub(crate) struct WithTraction<'a, L> {
 /// A ball, all that acts on it, and the inner ring.
 pub(crate) type Loaded<D = f64> = (BallState<D>, BallLoads<D>, RingState<D>);
 
-impl<L: TractionLaw> WithTraction<'_, L> {
+impl WithTraction<'_> {
     /// The state of a ball and all that acts on it.
     pub fn evaluate(&self, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> Loaded {
         self.evaluate_with(index, ball, ring, |patch| self.bearing.fast_traction(patch, &self.kernel))
@@ -35,20 +35,19 @@ impl<L: TractionLaw> WithTraction<'_, L> {
         index: usize,
         ball: [D; BALL],
         ring: [D; RING],
-        traction: impl FnMut(&LoadedPatch<'_, D, L>) -> PatchTraction<D>,
+        traction: impl FnMut(&LoadedPatch<'_, D>) -> PatchTraction<D>,
     ) -> Loaded<D> {
-        let (sin, cos) = self.bearing.azimuth(index).sin_cos();
-        let inner = ring_state(ring, self.speeds[0]);
-        let outer = RingState::centred(D::from(self.speeds[1]));
+        let inner = ring_state(ring, self.speeds.inner);
+        let outer = RingState::centred(D::from(self.speeds.outer));
         let state = BallState {
-            azimuth: [D::from(sin), D::from(cos)],
-            position: [ball[0], ball[1]],
+            frame: AzimuthFrame::at(self.bearing.azimuth(index)).lift(),
+            position: [ball[AXIAL], ball[RADIAL]],
             velocity: [D::zero(); 2],
-            orbital_speed: ball[5],
-            spin: [ball[2] + ball[5], ball[3], ball[4]],
+            orbital_speed: ball[ORBIT],
+            spin: [ball[SPIN] + ball[ORBIT], ball[SPIN + 1], ball[SPIN + 2]],
         };
-        let loads =
-            self.bearing.ball_loads_with(&state, [&inner, &outer], self.bearing.surfaces().each_ref(), traction);
+        let rings = Races { inner: &inner, outer: &outer };
+        let loads = self.bearing.ball_loads_with(&state, rings, self.bearing.surfaces().each_ref(), traction);
         (state, loads, inner)
     }
 
@@ -70,10 +69,13 @@ impl<L: TractionLaw> WithTraction<'_, L> {
         let norm = |v: [D; 3]| v.iter().map(|c| c.re() * c.re()).sum::<f64>().sqrt();
         // Slip in the last digit of a surface speed moves traction by up to 1e-12 of the load at the steepest slip
         // scales: friction is judged against a tenth of what the contacts can carry, or a dry bearing never converges.
-        let floor = self.typical.floor().max(0.01 * (size(loads.inner.load) + size(loads.outer.load)));
-        let both = |k: usize| size(loads.inner.force[k]) + size(loads.outer.force[k]);
-        let turning = (norm(loads.inner.moment)
-            + norm(loads.outer.moment)
+        let floor = self
+            .typical
+            .floor()
+            .max(0.01 * (size(loads.contacts.inner.normal.load) + size(loads.contacts.outer.normal.load)));
+        let both = |k: usize| size(loads.contacts.inner.force[k]) + size(loads.contacts.outer.force[k]);
+        let turning = (norm(loads.contacts.inner.moment)
+            + norm(loads.contacts.outer.moment)
             + norm(loads.churning)
             + size(gyroscopic[0]).hypot(size(gyroscopic[1])))
         .max(floor * self.bearing.geometry.ball_radius());
@@ -83,10 +85,10 @@ impl<L: TractionLaw> WithTraction<'_, L> {
             turning,
             turning,
             turning,
-            (both(2) + size(loads.drag) + size(loads.eccentricity)).max(floor),
+            (both(2) + size(loads.drag)).max(floor),
         ];
         let [x, y, z, mx, my, _] = self.bearing.ring_action(&state, &loads, &inner);
-        let total = norm(loads.inner.force) + floor;
+        let total = norm(loads.contacts.inner.force) + floor;
         let lever = self.typical.radius;
         Balance {
             residual,
@@ -97,13 +99,13 @@ impl<L: TractionLaw> WithTraction<'_, L> {
     }
 }
 
-impl<L: TractionLaw> BlockSystem for WithTraction<'_, L> {
+impl BlockSystem for WithTraction<'_> {
     fn ring(&self) -> &[RingFreedom; RING] {
         &self.ring
     }
 
     fn ball<D: Scalar>(&self, index: usize, ball: [D; BALL], ring: [D; RING]) -> Balance<D> {
-        let traction = |patch: &LoadedPatch<'_, D, L>| self.bearing.linear_traction(patch, &self.kernel);
+        let traction = |patch: &LoadedPatch<'_, D>| self.bearing.linear_traction(patch, &self.kernel);
         self.balance(self.evaluate_with(index, ball, ring, traction))
     }
 
@@ -113,7 +115,7 @@ impl<L: TractionLaw> BlockSystem for WithTraction<'_, L> {
 
     fn weights(&self) -> ([f64; BALL], [f64; RING]) {
         let t = &self.typical;
-        let fastest = self.speeds[0].abs().max(self.speeds[1].abs()).max(1.0);
+        let fastest = self.speeds.inner.abs().max(self.speeds.outer.abs()).max(1.0);
         let (turn, push) = (t.force * self.bearing.geometry.ball_radius() / fastest, t.force / fastest);
         ([t.stiffness, t.stiffness, turn, turn, turn, push], t.ring_weights())
     }
@@ -127,7 +129,7 @@ impl<L: TractionLaw> BlockSystem for WithTraction<'_, L> {
 
     fn step_limits(&self) -> ([f64; BALL], [f64; RING]) {
         let g = &self.bearing.geometry;
-        let fastest = self.speeds[0].abs().max(self.speeds[1].abs()).max(1.0);
+        let fastest = self.speeds.inner.abs().max(self.speeds.outer.abs()).max(1.0);
         let spin = 0.2 * fastest * g.pitch_diameter / g.ball_diameter;
         let position = self.typical.position_limit();
         ([position, position, spin, spin, spin, 0.1 * fastest], self.typical.ring_limits())

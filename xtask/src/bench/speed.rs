@@ -61,7 +61,8 @@ impl Prepared {
     fn new(text: &str, changes: &[(&str, &str)], plain: bool) -> Result<Self, Failure> {
         let case = changed(text, changes)?;
         let run = Run::new(&case).map_err(|source| failed(RunError::Dynamics(source)))?;
-        let run = if plain { run.with_plain_kernel() } else { run };
+        let run =
+            if plain { run.with_plain_kernel().map_err(|source| failed(RunError::Dynamics(source)))? } else { run };
         Ok(Self { start: run.checkpoint(), run, least: f64::INFINITY, evaluations: 0.0, patches: [0.0; 2] })
     }
 

@@ -284,15 +284,6 @@ pub struct CageSpec {
     pub guidance: Option<GuidanceSpec>,
 }
 
-/// A raceway or the land of a ring.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum RaceName {
-    /// The inner ring's.
-    Inner,
-    /// The outer ring's.
-    Outer,
-}
-
 /// Archard constants.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]

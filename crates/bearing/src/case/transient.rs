@@ -1,7 +1,8 @@
 //! The parts of a case file that only a transient run needs: supports, defects, the run itself and its recording.
 
+use super::CurveSpec;
 use super::units;
-use super::{CurveSpec, RaceName};
+use crate::Side;
 use serde::{Deserialize, Serialize};
 
 /// Masses and supports of the rings.
@@ -35,7 +36,7 @@ pub struct SupportSpec<const N: usize> {
 #[serde(deny_unknown_fields)]
 pub struct GuidanceSpec {
     /// The ring whose land it is.
-    pub land: RaceName,
+    pub land: Side,
     /// Radius of the land, m.
     #[serde(deserialize_with = "units::length")]
     pub radius: f64,
@@ -52,7 +53,7 @@ pub struct GuidanceSpec {
 #[serde(deny_unknown_fields)]
 pub struct DefectSpec {
     /// The raceway.
-    pub race: RaceName,
+    pub race: Side,
     /// Middle of the sector in the ring's own frame, which stands as the inertial one at time 0, rad.
     #[serde(deserialize_with = "units::angle")]
     pub azimuth: f64,

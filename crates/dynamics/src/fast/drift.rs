@@ -1,46 +1,39 @@
 //! The drift: motion under contact springs, supports, loads and the centrifugal force.
 
 use super::Stand;
+use crate::equations::Equations;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
-use tribodyn_bearing::traction::TractionLaw;
+use tribodyn_bearing::Side;
 
-/// Accelerations of balls, rings and cage by contact forces, supports, loads and the centrifugal force; of
-/// the orbital speed, the rate of the angular momentum over m r². The centrifugal force is here and not in the glide so
-/// that dampers see the velocity of the middle of a step and not half a step of it.
-pub(super) fn drift_acceleration<L: TractionLaw>(
-    machine: &Machine<L>,
+/// Accelerations of balls, rings and cage by the spring part, supports and loads; of the orbital speed, the rate of the
+/// angular momentum over m r². The centrifugal force is here and not in the glide so that dampers see the velocity of the
+/// middle of a step and not half a step of it.
+pub(super) fn drift_acceleration<E: Equations>(
+    equations: &E,
     t: f64,
     y: &[f64],
     a: &mut [f64],
     stands: &mut Vec<Stand>,
 ) {
+    let machine = equations.machine();
     let l = machine.layout;
     stands.clear();
     let frame = machine.frame(t, y);
-    let m = machine.bearing.ball_mass;
     let mut sums = Sums::default();
     for index in 0..l.balls {
-        let b = &y[l.ball(index)..][..BALL];
-        let (state, surfaces) = machine.ball_state(b, &frame);
-        let normal =
-            machine.bearing.normal_loads(&state, [&frame.rings[0], &frame.rings[1]], [&surfaces[0], &surfaces[1]]);
-        stands.push(Stand { azimuth: state.azimuth, position: state.position, normal, surfaces });
-        let ([n_a, n_r], [o_a, o_r]) =
-            ([normal.inner.pose.sin, normal.inner.pose.cos], [normal.outer.pose.sin, normal.outer.pose.cos]);
-        let (i, o) = (normal.inner.force, normal.outer.force);
-        let at = l.ball(index);
-        let r = normal.orbit_radius;
-        a[at + VELOCITY] = (i * n_a - o * o_a) / m;
-        a[at + VELOCITY + 1] = (i * n_r - o * o_r) / m + r * b[ORBIT] * b[ORBIT];
-        a[at + ORBIT] = normal.eccentricity / (m * r);
-        let on_inner = inertial(state.azimuth, [i * n_a, i * n_r, 0.0]);
-        let on_outer = inertial(state.azimuth, [-o * o_a, -o * o_r, 0.0]);
-        for k in 0..3 {
-            sums.on_rings[0][k] -= on_inner[k];
-            sums.on_rings[1][k] -= on_outer[k];
+        let b = machine.unknowns(index, y);
+        let (axes, position, surfaces) = machine.place(b, &frame);
+        let state = equations.state_at(axes, position, b);
+        let springs = equations.springs(&state, &surfaces, &frame);
+        let at = l.ball(index) + VELOCITY;
+        a[at..at + 3].copy_from_slice(&equations.spring_acceleration(&springs, state.orbital_speed));
+        for side in Side::BOTH {
+            let on_ring = springs.normal.contacts[side].on_ring(side, machine.bearing.ring_offset);
+            Machine::react(&mut sums, side, axes, on_ring.map(|f| -f));
         }
+        stands.push(Stand { axes, position, normal: springs.normal, surfaces });
     }
     let bodies = machine.bodies(t, &frame, &sums);
     a[l.cage() + 1] = bodies.cage;
@@ -49,7 +42,7 @@ pub(super) fn drift_acceleration<L: TractionLaw>(
 }
 
 /// Velocities by the drift's accelerations.
-pub(super) fn push<L>(machine: &Machine<L>, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
+pub(super) fn push(machine: &Machine, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
     let l = machine.layout;
     let count = BALL * l.balls;
     let parts = a[..count].as_chunks::<BALL>().0.iter().zip(common[..count].as_chunks::<BALL>().0);
@@ -65,7 +58,7 @@ pub(super) fn push<L>(machine: &Machine<L>, y: &mut [f64], (a, common): (&[f64],
 }
 
 /// Positions by the velocities: half a turn, the straight line, half a turn, the angular momentum held.
-pub(super) fn glide<L>(machine: &Machine<L>, t: f64, y: &mut [f64], h: f64) {
+pub(super) fn glide(machine: &Machine, t: f64, y: &mut [f64], h: f64) {
     let l = machine.layout;
     for index in 0..l.balls {
         let b = &mut y[l.ball(index)..][..BALL];
@@ -87,9 +80,4 @@ pub(super) fn glide<L>(machine: &Machine<L>, t: f64, y: &mut [f64], h: f64) {
     for (k, speed) in machine.speeds.iter().enumerate() {
         y[l.angles() + k] += h * speed.at(t + 0.5 * h);
     }
-}
-
-/// [a, r, t] at an azimuth as (x, y, z).
-pub(super) fn inertial([sin, cos]: [f64; 2], [a, r, t]: [f64; 3]) -> [f64; 3] {
-    [r * cos - t * sin, r * sin + t * cos, a]
 }

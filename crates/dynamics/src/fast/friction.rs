@@ -9,18 +9,17 @@
 //! gives. With γ = 1 − 1/√2 these hold, R agrees with the exact (e^X − 1)/X in two terms, and 1 + X R tends to zero where
 //! friction is stiff: what settles within a step has settled at its end, instead of swinging over to the other side.
 
-use super::LinearTraction;
+use crate::linear::LinearTraction;
 use crate::machine::Machine;
 use nalgebra::{Matrix3, Matrix5, Matrix6, Vector3, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
-use tribodyn_bearing::traction::TractionLaw;
-use tribodyn_bearing::{BallLoads, BallState, Side};
+use tribodyn_bearing::{AzimuthFrame, BallState, NormalLoads, Side};
 
 /// Friction of one ball linearised: S is the stiffness of a patch, G its motion by the velocities of the ball. Rings move
 /// it by their translation (a, r, t) in the ball's azimuth frame as the ball would the other way: R = −G T, with T the first
 /// three columns of 1, the third over the radius of the orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(super) struct Friction {
+pub(super) struct LinearFriction {
     /// R and R₂: change of the velocities and its mean over the step, both over H f.
     pub(super) response: [Matrix6<f64>; 2],
     /// Gᵀ S R: force on the ball by ring velocities, those of the inner ring first.
@@ -34,7 +33,7 @@ pub(super) struct Friction {
 /// 1 − 1/√2.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
-impl Friction {
+impl LinearFriction {
     pub(super) const NONE: fn() -> Self = || Self {
         response: [Matrix6::identity(); 2],
         coupling: Matrix6::zeros(),
@@ -55,21 +54,22 @@ impl Friction {
 const LEAST_PIVOT: f64 = 0.7;
 
 /// The friction of a ball, linearised for a step of `h`.
-pub(super) fn friction<L: TractionLaw>(
-    machine: &Machine<L>,
+pub(super) fn linear_friction(
+    machine: &Machine,
     state: &BallState,
-    loads: &BallLoads,
+    normal: &NormalLoads,
     contacts: &[LinearTraction; 2],
-    r: f64,
     h: f64,
-) -> Friction {
-    let races = [(Side::Inner, &loads.inner), (Side::Outer, &loads.outer)];
-    let normals = races.map(|(side, contact)| contact.pose.normal(side));
-    let stiffness: [Matrix5<f64>; 2] =
-        std::array::from_fn(|k| if races[k].1.load > 0.0 { contacts[k].stiffness() } else { Matrix5::zeros() });
+) -> LinearFriction {
+    let r = normal.orbit_radius;
+    let normals = Side::BOTH.map(|side| normal.contacts[side].pose.normal(side));
+    let stiffness = Side::BOTH.map(|side| {
+        let loaded = normal.contacts[side].load > 0.0;
+        if loaded { contacts[side as usize].stiffness() } else { Matrix5::zeros() }
+    });
     let with = |stiffness: [Matrix5<f64>; 2]| {
         let slopes: [Matrix6<f64>; 2] = std::array::from_fn(|k| by_velocities(&stiffness[k], normals[k], r));
-        Friction::new(machine, state, slopes, r, h)
+        LinearFriction::new(machine, state, slopes, r, h)
     };
     let (friction, pivot) = with(stiffness);
     if pivot >= LEAST_PIVOT {
@@ -79,10 +79,10 @@ pub(super) fn friction<L: TractionLaw>(
     with(std::array::from_fn(|k| damping_part(&stiffness[k], [1.0, 1.0, contacts[k].semi_lateral(), ball, ball]))).0
 }
 
-impl Friction {
+impl LinearFriction {
     /// From the derivatives Gᵀ S G of the forces of both contacts by the velocities of the ball. Also returns the least pivot
     /// of 1 − γ H A.
-    fn new<L>(machine: &Machine<L>, state: &BallState, slopes: [Matrix6<f64>; 2], r: f64, h: f64) -> (Self, f64) {
+    fn new(machine: &Machine, state: &BallState, slopes: [Matrix6<f64>; 2], r: f64, h: f64) -> (Self, f64) {
         let (mut coupling, mut own) = (Matrix6::zeros(), [Matrix3::zeros(); 2]);
         let over = [1.0, 1.0, 1.0 / r];
         for (k, by_ball) in slopes.iter().enumerate() {
@@ -163,24 +163,15 @@ pub(super) fn inverse_with_held(mut sum: Matrix5<f64>) -> Matrix5<f64> {
 }
 
 /// (a, r, t) of inner and outer ring as (x, y, z) and (x, y).
-pub(super) fn in_inertial_axes([sin, cos]: [f64; 2], v: &Vector6<f64>) -> Vector5<f64> {
-    Vector5::new(
-        v[1] * cos - v[2] * sin,
-        v[1] * sin + v[2] * cos,
-        v[0],
-        v[4] * cos - v[5] * sin,
-        v[4] * sin + v[5] * cos,
-    )
+pub(super) fn in_inertial_axes(axes: AzimuthFrame, v: &Vector6<f64>) -> Vector5<f64> {
+    let inner = axes.to_inertial([v[0], v[1], v[2]]);
+    let outer = axes.to_inertial([v[3], v[4], v[5]]);
+    Vector5::new(inner[0], inner[1], inner[2], outer[0], outer[1])
 }
 
-/// The other way round.
-pub(super) fn ring_in_ball_axes([sin, cos]: [f64; 2], v: &Vector5<f64>) -> Vector6<f64> {
-    Vector6::new(
-        v[2],
-        v[0] * cos + v[1] * sin,
-        v[1] * cos - v[0] * sin,
-        0.0,
-        v[3] * cos + v[4] * sin,
-        v[4] * cos - v[3] * sin,
-    )
+/// (x, y, z) of the inner and (x, y) of the outer ring as (a, r, t).
+pub(super) fn ring_in_ball_axes(axes: AzimuthFrame, v: &Vector5<f64>) -> Vector6<f64> {
+    let [a, r, t] = axes.from_inertial([v[0], v[1], v[2]]);
+    let [_, outer_r, outer_t] = axes.from_inertial([v[3], v[4], 0.0]);
+    Vector6::new(a, r, t, 0.0, outer_r, outer_t)
 }

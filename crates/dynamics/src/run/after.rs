@@ -8,9 +8,8 @@ use crate::observer::{Event, EventKind, Observer};
 use crate::sample::Sample;
 use crate::stiffness::Stiffness;
 use std::ops::ControlFlow;
-use tribodyn_bearing::traction::TractionLaw;
 
-impl<L: TractionLaw> Run<L> {
+impl Run {
     /// Takes the step to time `t`: samples on the way, events, wear.
     pub(super) fn accept<O: Observer>(
         &mut self,

@@ -17,13 +17,13 @@ use crate::stiffness::Stiffness;
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::Bearing;
 use tribodyn_bearing::case::{Case, SchemeSpec};
-use tribodyn_bearing::traction::{CoatingLaw, PatchRule, Quadrature, TractionLaw};
+use tribodyn_bearing::traction::{PatchRule, Quadrature};
 use tribodyn_bearing::wear::Raceway;
 use tribodyn_quasistatic::Solution;
 
 /// A transient run of a case.
-pub struct Run<L = CoatingLaw> {
-    machine: Machine<L>,
+pub struct Run {
+    machine: Machine,
     scheme: Scheme,
     duration: f64,
     state_rate: f64,
@@ -135,25 +135,22 @@ impl Run {
     pub fn new(case: &Case) -> Result<Self, DynamicsError> {
         Self::with_bearing(case, Bearing::new(case)?)
     }
-}
 
-impl<L: TractionLaw> Run<L> {
     /// The same run with traction integrated node by node by the generic quadrature: the plain reference of the fast kernel.
-    #[must_use]
-    pub fn with_plain_kernel(mut self) -> Self {
-        let rule = self.machine.kernel.rule();
-        if let Ok(quadrature) = Quadrature::new(rule) {
-            self.machine.kernel = Kernel::Plain(quadrature);
-        }
+    ///
+    /// # Errors
+    /// [`DynamicsError`] for a rule that no quadrature can be made of.
+    pub fn with_plain_kernel(mut self) -> Result<Self, DynamicsError> {
+        self.machine.kernel = Kernel::Plain(Quadrature::new(self.machine.kernel.rule())?);
         self.begin();
-        self
+        Ok(self)
     }
 
     /// A run with a bearing of one's own, with other traction laws for instance.
     ///
     /// # Errors
     /// As [`Run::new`].
-    pub fn with_bearing(case: &Case, bearing: Bearing<L>) -> Result<Self, DynamicsError> {
+    pub fn with_bearing(case: &Case, bearing: Bearing) -> Result<Self, DynamicsError> {
         let Started { machine, state, solution } = start(case, bearing)?;
         let transient = case.transient.as_ref().ok_or(DynamicsError::Missing { path: "transient" })?;
         let (state_rate, ball_rate) = case.recording.map_or((STATE_RATE, BALL_RATE), |r| (r.state_rate, r.ball_rate));
@@ -309,7 +306,7 @@ impl<L: TractionLaw> Run<L> {
 }
 
 /// Typical size of each unknown, what the error of the adaptive scheme is compared with.
-fn scales<L: TractionLaw>(machine: &Machine<L>, state: &[f64]) -> Vec<f64> {
+fn scales(machine: &Machine, state: &[f64]) -> Vec<f64> {
     let l = machine.layout;
     let speed = (0..l.balls).map(|k| state[l.ball(k) + ORBIT].abs()).fold(1.0, f64::max);
     let g = &machine.bearing.geometry;

@@ -6,9 +6,8 @@ use crate::forces::System;
 use crate::layout::{BALL, ORBIT};
 use crate::observer::Observer;
 use std::ops::ControlFlow;
-use tribodyn_bearing::traction::TractionLaw;
 
-impl<L: TractionLaw> Run<L> {
+impl Run {
     /// One step of the scheme, in pieces where a pocket is met.
     pub(super) fn one_step<O: Observer>(
         &mut self,

@@ -130,7 +130,7 @@ fn identity_fast_kernel_gives_the_run_of_the_plain_one() {
         keep.samples.pop().unwrap()
     };
     let fast = last(Run::new(&case).unwrap());
-    let plain = last(Run::new(&case).unwrap().with_plain_kernel());
+    let plain = last(Run::new(&case).unwrap().with_plain_kernel().unwrap());
     assert!(distance(&fast, &plain) < 1e-8, "{:e}", distance(&fast, &plain));
 }
 

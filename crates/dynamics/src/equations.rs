@@ -1,0 +1,260 @@
+//! The equations of motion of section 5 of the model, in two parts: springs and friction.
+//!
+//! Both parts are written once. The explicit schemes add them, the fast scheme takes its drift from the first and its kick
+//! from the second, samples and energies come from the same two. A test leaves a term out by replacing a part.
+//!
+//! ```text
+//! spring part    axial  (N on the ball)_a/m,  radial  (N)_r/m + r ω_m²,  orbital  (N)_t/(m r)
+//! friction part  the same of traction, drag and pocket;  spin  M/J − ω_m e_a × Ω
+//! orbital speed, besides: −2 ṙ ω_m/r
+//! ```
+
+use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::machine::Machine;
+use crate::pocket::{PocketLoad, PocketMotion};
+use std::f64::consts::TAU;
+use tribodyn_bearing::traction::PatchTraction;
+use tribodyn_bearing::wear::LocalSurface;
+use tribodyn_bearing::{
+    AzimuthFrame, BallState, ContactForces, LoadedPatch, NormalContact, NormalLoads, RaceContact, Races, RingState,
+    Side, Sliding,
+};
+
+/// Rings and cage at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Frame {
+    pub rings: Races<RingState>,
+    /// Angles turned by the rings, rad.
+    pub angles: Races<f64>,
+    /// Cage angle (rad) and speed (rad/s).
+    pub cage: [f64; 2],
+}
+
+/// The spring part: all that acts through the normals of the contacts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Springs {
+    pub normal: NormalLoads,
+    /// Normal forces on the ball [a, r, t], N.
+    pub force: [f64; 3],
+}
+
+/// The friction part: traction, drag, churning and the pocket.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Friction {
+    pub pocket: PocketLoad,
+    /// Fluid drag against the orbit, N.
+    pub drag: f64,
+    /// Churning moment, N m.
+    pub churning: [f64; 3],
+    /// Sum of the forces on the ball [a, r, t], N.
+    pub force: [f64; 3],
+    /// Sum of the moments about the ball centre, N m.
+    pub moment: [f64; 3],
+}
+
+/// One ball with all that acts on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct BallForces {
+    pub state: BallState,
+    pub surfaces: Races<LocalSurface>,
+    pub orbit_radius: f64,
+    pub contacts: Races<RaceContact>,
+    pub friction: Friction,
+    pub lead: f64,
+    /// Of the axial and radial velocity (m/s²), the orbital speed and the spin (rad/s²).
+    pub acceleration: [f64; 6],
+}
+
+/// The equations of a machine, part by part.
+pub(crate) trait Equations {
+    fn machine(&self) -> &Machine;
+
+    fn machine_mut(&mut self) -> &mut Machine;
+
+    /// State of a ball at a position from its unknowns `b`.
+    #[inline]
+    fn state_at(&self, frame: AzimuthFrame, position: [f64; 2], b: &[f64]) -> BallState {
+        BallState {
+            frame,
+            position,
+            velocity: [b[VELOCITY], b[VELOCITY + 1]],
+            orbital_speed: b[ORBIT],
+            spin: [b[SPIN], b[SPIN + 1], b[SPIN + 2]],
+        }
+    }
+
+    /// The spring part of a ball.
+    #[inline]
+    fn springs(&self, state: &BallState, surfaces: &Races<LocalSurface>, frame: &Frame) -> Springs {
+        let normal = self.machine().bearing.normal_loads(state, frame.rings.each_ref(), surfaces.each_ref());
+        let [i, o] = Side::BOTH.map(|side| normal.contacts[side].on_ball(side));
+        Springs { normal, force: std::array::from_fn(|k| i[k] + o[k]) }
+    }
+
+    /// How a ball slides on a race.
+    #[inline]
+    fn sliding(
+        &self,
+        side: Side,
+        contact: &NormalContact,
+        state: &BallState,
+        (frame, orbit_radius): (&Frame, f64),
+    ) -> Sliding {
+        self.machine().bearing.sliding(side, contact, state, (&frame.rings[side], orbit_radius))
+    }
+
+    /// The friction part of ball `index` under the tractions of its contacts.
+    #[inline]
+    fn friction(
+        &self,
+        index: usize,
+        (b, state): (&[f64], &BallState),
+        traction: &Races<ContactForces>,
+        (frame, orbit_radius): (&Frame, f64),
+    ) -> Friction {
+        let machine = self.machine();
+        let (drag, churning) = machine.bearing.fluid_loads(state, orbit_radius, frame.rings.inner.speed);
+        let pocket = machine.pocket_load(index, b, frame);
+        let Races { inner: i, outer: o } = traction;
+        // The pocket turns ball and cage with one torque.
+        let along = pocket.force * machine.cage.pocket.radius / orbit_radius;
+        Friction {
+            force: [
+                i.force[0] + o.force[0] + pocket.friction[0],
+                i.force[1] + o.force[1] + pocket.friction[1],
+                i.force[2] + o.force[2] - drag + along,
+            ],
+            moment: [
+                i.moment[0] + o.moment[0] + churning[0] + pocket.moment[0],
+                i.moment[1] + o.moment[1] + churning[1] + pocket.moment[1],
+                i.moment[2] + o.moment[2] + churning[2],
+            ],
+            pocket,
+            drag,
+            churning,
+        }
+    }
+
+    /// Accelerations of a ball by the spring part: axial, radial, orbital.
+    #[inline]
+    fn spring_acceleration(&self, springs: &Springs, orbital_speed: f64) -> [f64; 3] {
+        let (m, r) = (self.machine().bearing.ball_mass, springs.normal.orbit_radius);
+        let [a, r_force, t] = springs.force;
+        [a / m, r_force / m + r * orbital_speed * orbital_speed, t / (m * r)]
+    }
+
+    /// Accelerations of a ball by the friction part, that of the spin by the turning of the azimuth frame included:
+    /// ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t).
+    #[inline]
+    fn friction_acceleration(&self, state: &BallState, friction: &Friction, orbit_radius: f64) -> [f64; 6] {
+        let (m, j) = (self.machine().bearing.ball_mass, self.machine().bearing.ball_inertia);
+        let (w, [_, spin_r, spin_t]) = (state.orbital_speed, state.spin);
+        let ([a, r, t], moment) = (friction.force, friction.moment);
+        [a / m, r / m, t / (m * orbit_radius), moment[0] / j, moment[1] / j + w * spin_t, moment[2] / j - w * spin_r]
+    }
+
+    /// One ball with all that acts on it; `b` are its unknowns, `traction` integrates over a patch.
+    fn ball(
+        &self,
+        index: usize,
+        b: &[f64],
+        frame: &Frame,
+        mut traction: impl FnMut(&LoadedPatch<'_, f64>) -> PatchTraction,
+    ) -> BallForces {
+        let machine = self.machine();
+        let (axes, position, surfaces) = machine.place(b, frame);
+        let state = self.state_at(axes, position, b);
+        let springs = self.springs(&state, &surfaces, frame);
+        let r = springs.normal.orbit_radius;
+        let contacts = Races::from_fn(|side| {
+            let contact = springs.normal.contacts[side];
+            let sliding = self.sliding(side, &contact, &state, (frame, r));
+            machine.bearing.race_contact(side, contact, &sliding, surfaces[side].bare, &mut traction)
+        });
+        let tractions = contacts.map(|c| ContactForces { force: c.traction_force, moment: c.moment });
+        let friction = self.friction(index, (b, &state), &tractions, (frame, r));
+        let by_springs = self.spring_acceleration(&springs, state.orbital_speed);
+        let mut acceleration = self.friction_acceleration(&state, &friction, r);
+        acceleration.iter_mut().zip(by_springs).for_each(|(sum, part)| *sum += part);
+        acceleration[2] -= 2.0 * b[VELOCITY + 1] * b[ORBIT] / r;
+        let lead = machine.lead(index, b, frame.cage[0]);
+        BallForces { state, surfaces, orbit_radius: r, contacts, friction, lead, acceleration }
+    }
+}
+
+impl Equations for Machine {
+    #[inline]
+    fn machine(&self) -> &Machine {
+        self
+    }
+
+    #[inline]
+    fn machine_mut(&mut self) -> &mut Machine {
+        self
+    }
+}
+
+impl Machine {
+    /// Rings and cage of a state.
+    pub fn frame(&self, t: f64, y: &[f64]) -> Frame {
+        let l = self.layout;
+        let [i, o, c, a] = [l.inner(), l.outer(), l.cage(), l.angles()];
+        let inner = RingState {
+            displacement: [y[i], y[i + 1], y[i + 2]],
+            tilt: self.tilt,
+            velocity: [y[i + 3], y[i + 4], y[i + 5]],
+            speed: self.speeds[0].at(t),
+        };
+        let outer = RingState {
+            displacement: [y[o], y[o + 1], 0.0],
+            tilt: [0.0; 2],
+            velocity: [y[o + 2], y[o + 3], 0.0],
+            speed: self.speeds[1].at(t),
+        };
+        Frame { rings: Races { inner, outer }, angles: [y[a], y[a + 1]].into(), cage: [y[c], y[c + 1]] }
+    }
+
+    /// Axes of a ball with the unknowns `b`, its centre against the outer groove centre, and the surfaces under it.
+    #[inline]
+    pub fn place(&self, b: &[f64], frame: &Frame) -> (AzimuthFrame, [f64; 2], Races<LocalSurface>) {
+        let axes = AzimuthFrame::at(b[AZIMUTH]);
+        let centre = frame.rings.each_ref().map(|ring| axes.from_inertial(ring.displacement));
+        let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
+        let surfaces = Races::from_fn(|side| {
+            // Seen from the ring's own axis the ball stands a little behind.
+            let [_, radial, along] = centre[side];
+            self.surface(side, b[AZIMUTH] - along / (b[RADIUS] - radial) - frame.angles[side])
+        });
+        (axes, [b[AXIAL], b[RADIUS] - centre.outer[1] - groove], surfaces)
+    }
+
+    /// Surface of a raceway at an azimuth of its ring; what had worn off all round at the start is in the pose of the ball.
+    #[inline]
+    fn surface(&self, side: Side, azimuth: f64) -> LocalSurface {
+        let mut surface = self.raceways[side as usize].at(azimuth);
+        surface.depth -= self.bearing.worn[side].depth;
+        surface
+    }
+
+    /// Force and friction of the pocket on a ball.
+    pub fn pocket_load(&self, index: usize, b: &[f64], frame: &Frame) -> PocketLoad {
+        self.cage.pocket.load(&PocketMotion {
+            lead: self.lead(index, b, frame.cage[0]),
+            rate: b[ORBIT] - frame.cage[1],
+            velocity: [b[VELOCITY], b[VELOCITY + 1]],
+            spin: [b[SPIN], b[SPIN + 1]],
+            cage_speed: frame.cage[1],
+        })
+    }
+
+    /// Lead of a ball over the middle of its pocket, rad.
+    pub fn lead(&self, index: usize, b: &[f64], cage_angle: f64) -> f64 {
+        b[AZIMUTH] - cage_angle - TAU * index as f64 / self.layout.balls as f64
+    }
+
+    /// The unknowns of a ball.
+    #[inline]
+    pub fn unknowns<'a>(&self, index: usize, y: &'a [f64]) -> &'a [f64] {
+        &y[self.layout.ball(index)..][..BALL]
+    }
+}
