@@ -165,11 +165,12 @@ impl Chart for PolarChart {
         draw_grid(svg, &dial);
         let published = Drawing::new(&self.references, book, |place| dial.published(place));
         published.areas(svg);
+        // Below the lines: the centre's label must not hide the marker of a lightly loaded ball.
+        draw_ring_labels(svg, &dial, &self.series);
         let (lines, points) = book.ordered(&self.series);
         draw_lines(svg, &dial, &lines);
         published.lines(svg);
         draw_points(svg, &points, |p| dial.place(p));
-        draw_ring_labels(svg, &dial, &self.series);
         Ok(())
     }
 }

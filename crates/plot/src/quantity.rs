@@ -50,6 +50,9 @@ pub enum Quantity {
 /// Revolutions per minute in one rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
 
+/// Load up to which a contact counts as open, N: what the balance leaves at the outer race of a ball that nothing drives.
+const LEAST_LOAD_N: f64 = 1e-3;
+
 impl Quantity {
     /// The value where the ball has one: `None` for a contact without load, and for the motion and wear in the cage of a ball that
     /// the inner race does not drive.
@@ -66,7 +69,7 @@ impl Quantity {
             _ => ball.load_inner_n,
         };
         // A load that is no number is not an absent one: it is refused with its place.
-        (load != 0.0).then(|| self.of(ball))
+        (load.is_nan() || load > LEAST_LOAD_N).then(|| self.of(ball))
     }
 
     /// Whether the sign has a meaning.
