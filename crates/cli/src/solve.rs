@@ -32,7 +32,7 @@ pub struct Arguments {
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
-    /// Write polar plots over the azimuth (SVG and PNG) to this folder
+    /// Write figures over the azimuth (SVG and PNG) to this folder
     #[arg(long, value_name = "DIR")]
     plot: Option<PathBuf>,
     /// Write a recording (MCAP, opens in Foxglove) of one orbit

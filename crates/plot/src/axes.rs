@@ -14,6 +14,9 @@ const SIDE: f64 = 38.0;
 /// Room at the right for half a tick label, px.
 pub(crate) const RIGHT: f64 = 26.0;
 
+/// Least distance between the labels of a level axis, px.
+const LABELS_APART: f64 = 6.0;
+
 /// Room above an area, less with an empty heading, px.
 pub(crate) fn head(heading: &str) -> f64 {
     if heading.is_empty() { 10.0 } else { 30.0 }
@@ -38,6 +41,40 @@ impl Ruler {
         let exponent = engineering_exponent(low.abs().max(high.abs()));
         let unit = 10f64.powi(exponent);
         Self { scale: linear((low / unit, high / unit), intervals, snap), exponent }
+    }
+
+    /// A level axis of a width, px, over a range of values: as many marks as their labels leave room for.
+    pub fn level((low, high): (f64, f64), log: bool, wide: f64) -> Self {
+        let mut intervals = steps(wide, 60.0);
+        loop {
+            let ruler = Self::new((low, high), log, intervals, false);
+            if intervals <= 1 || ruler.labels_fit(wide) {
+                return ruler;
+            }
+            intervals -= 1;
+        }
+    }
+
+    /// Whether labels of the marks keep apart along a width, px.
+    fn labels_fit(&self, wide: f64) -> bool {
+        let apart = |pair: &[(f64, String)]| {
+            let room = wide * (self.scale.position(pair[1].0) - self.scale.position(pair[0].0));
+            0.5 * (width(&pair[0].1, TICK_PX, false) + width(&pair[1].1, TICK_PX, false)) + LABELS_APART <= room
+        };
+        self.scale.major.windows(2).all(apart)
+    }
+
+    /// The azimuths of one turn.
+    pub fn turn() -> Self {
+        let major = (0..=6).map(|k| 60.0 * f64::from(k)).map(|phi| (phi, format!("{phi:.0}"))).collect();
+        Self { scale: Scale { min: 0.0, max: 360.0, major, minor: Vec::new(), log: false }, exponent: 0 }
+    }
+
+    /// Names at 0, 1, 2 and so on.
+    pub fn names(names: &[String]) -> Self {
+        let major = names.iter().enumerate().map(|(place, name)| (place as f64, name.clone())).collect();
+        let max = names.len() as f64 - 0.5;
+        Self { scale: Scale { min: -0.5, max, major, minor: Vec::new(), log: false }, exponent: 0 }
     }
 
     /// Position along the axis, 0 to 1, of a value in the unit of the axis.
@@ -80,16 +117,32 @@ impl Area {
     /// Grid, tick labels, zero line and frame.
     pub fn draw(&self, svg: &mut Svg) {
         let ([left, top], [wide, high]) = (self.corner, self.size);
-        let (right, bottom) = (left + wide, top + high);
+        for (value, _) in &self.x.scale.major {
+            let x = self.left(self.x.scale.position(*value));
+            svg.line([x, top], [x, top + high], GRID, 1.0);
+        }
+        for (value, _) in &self.y.scale.major {
+            let y = self.top(self.y.scale.position(*value));
+            svg.line([left, y], [left + wide, y], GRID, 1.0);
+        }
+        if !self.y.scale.log && self.y.scale.min < 0.0 && self.y.scale.max > 0.0 {
+            let y = self.top(self.y.scale.position(0.0));
+            svg.line([left, y], [left + wide, y], GREY, 1.1);
+        }
+        self.draw_frame(svg);
+    }
+
+    /// Tick labels and frame.
+    pub fn draw_frame(&self, svg: &mut Svg) {
+        let ([left, top], [wide, high]) = (self.corner, self.size);
+        let bottom = top + high;
         for (value, text) in &self.x.scale.major {
             let x = self.left(self.x.scale.position(*value));
-            svg.line([x, top], [x, bottom], GRID, 1.0);
             svg.line([x, bottom], [x, bottom + 5.0], INK, 1.0);
             svg.text([x, bottom + 15.0], text, Type { size: TICK_PX, anchor: Anchor::Middle, ..Type::default() });
         }
         for (value, text) in &self.y.scale.major {
             let y = self.top(self.y.scale.position(*value));
-            svg.line([left, y], [right, y], GRID, 1.0);
             svg.line([left - 5.0, y], [left, y], INK, 1.0);
             svg.text([left - 9.0, y], text, Type { size: TICK_PX, anchor: Anchor::End, ..Type::default() });
         }
@@ -100,10 +153,6 @@ impl Area {
         for value in &self.y.scale.minor {
             let y = self.top(self.y.scale.position(*value));
             svg.line([left - 3.0, y], [left, y], INK, 0.7);
-        }
-        if !self.y.scale.log && self.y.scale.min < 0.0 && self.y.scale.max > 0.0 {
-            let y = self.top(self.y.scale.position(0.0));
-            svg.line([left, y], [right, y], GREY, 1.1);
         }
         svg.frame([left, top], [wide, high], INK);
     }

@@ -8,9 +8,10 @@ use crate::references::{self, Drawing, Place, Reference, Shape};
 use crate::series::{Axis, Drawn, Series, check_all};
 use crate::style::HEADING_PX;
 use crate::svg::Svg;
-use crate::symbols::{draw_markers, draw_points};
+use crate::symbols::{draw_absent, draw_markers, draw_points};
 use crate::text::{axis_title, width};
 use crate::ticks::MAGNITUDES;
+use crate::turn::{bands, unrolled, within};
 
 /// Ordinates against an abscissa, each axis linear or logarithmic.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,7 +37,26 @@ pub struct LineChart {
     pub equal_scales: bool,
     /// Width and height of the area between the axes, px.
     pub area_px: [f64; 2],
+    /// What the abscissas are.
+    pub abscissas: Abscissas,
 }
+
+/// What the abscissas of a chart are.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Abscissas {
+    /// Numbers in the unit of the axis.
+    #[default]
+    Numbers,
+    /// Azimuths in degrees, from 0° to 360°; lines go on over the ends.
+    Azimuths,
+    /// Names, the first at abscissa 0, the next at 1 and so on; no line joins them.
+    Names(Vec<String>),
+}
+
+/// Size of the area of a chart over the azimuth, px.
+const AZIMUTH_PX: [f64; 2] = [300.0, 240.0];
+/// Distance of the first series' crosses from the lower axis and of the others' from each other, px.
+const ABSENT: f64 = 9.0;
 
 /// Width of a column in which a dense line is reduced to its first, least, greatest and last point, px.
 const COLUMN: f64 = 0.5;
@@ -55,7 +75,14 @@ impl LineChart {
             references: Vec::new(),
             equal_scales: false,
             area_px: AREA_PX,
+            abscissas: Abscissas::Numbers,
         }
+    }
+
+    /// Values over azimuths in degrees, for signed quantities, which have no place on a circle.
+    pub fn over_azimuth(title: impl Into<String>, y: Axis, series: Vec<Series>) -> Self {
+        let chart = Self::new(title, Axis::new("Azimuth", "°"), y, series);
+        Self { abscissas: Abscissas::Azimuths, area_px: AZIMUTH_PX, ..chart }
     }
 
     /// The same chart with both axes logarithmic, as for convergence.
@@ -88,14 +115,33 @@ impl LineChart {
     }
 
     fn rulers(&self) -> Result<[Ruler; 2], PlotError> {
-        let x = self.series.iter().flat_map(|s| s.points.iter().map(|(x, _)| *x));
+        let x = self.series.iter().flat_map(|s| s.points.iter().map(|(x, _)| x).chain(s.gaps()).copied());
         let x = self.x.range(x.chain(references::numbers(&self.references, false)))?;
         let y = self.series.iter().flat_map(Series::ordinates);
         let y = self.y.range(y.chain(references::numbers(&self.references, true)))?;
         let (x, y) = if self.equal_scales { self.equal(x, y) } else { (x, y) };
-        // Marks at least 60 px apart across and 38 px apart upwards.
-        let [across, up] = [steps(self.area_px[0], 60.0), steps(self.area_px[1], 38.0)];
-        Ok([Ruler::new(x, self.log_x, across, false), Ruler::new(y, self.log_y, up, true)])
+        let across = match &self.abscissas {
+            Abscissas::Numbers => Ruler::level(x, self.log_x, self.area_px[0]),
+            Abscissas::Azimuths => Ruler::turn(),
+            Abscissas::Names(names) => Ruler::names(names),
+        };
+        // Marks at least 38 px apart upwards.
+        Ok([across, Ruler::new(y, self.log_y, steps(self.area_px[1], 38.0), true)])
+    }
+
+    /// Points of a series in runs that a line joins.
+    fn runs(&self, points: &[(f64, f64)], gaps: &[f64]) -> Vec<Vec<(f64, f64)>> {
+        match self.abscissas {
+            Abscissas::Numbers => parted(points, gaps),
+            Abscissas::Azimuths => unrolled(points, gaps),
+            Abscissas::Names(_) => points.iter().map(|p| vec![*p]).collect(),
+        }
+    }
+
+    /// A point where the axis has it.
+    fn on_axis(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let turned = self.abscissas == Abscissas::Azimuths && !(0.0..=360.0).contains(&x);
+        (if turned { within(x) } else { x }, y)
     }
 
     /// Ranges that make the scales equal: that of y such that its axis ends on marks, and that of x of the same scale.
@@ -114,20 +160,49 @@ impl LineChart {
     }
 
     /// A published number on the page.
-    fn published(area: &Area, place: Place) -> Shape {
+    fn published(&self, area: &Area, place: Place) -> Shape {
         let ([left, top], [wide, high]) = (area.corner, area.size);
         let upright = |x: f64| vec![[area.left(area.x.position(x)), top], [area.left(area.x.position(x)), top + high]];
         let level = |y: f64| vec![[left, area.top(area.y.position(y))], [left + wide, area.top(area.y.position(y))]];
-        let between = |a: Vec<[f64; 2]>, b: Vec<[f64; 2]>| {
-            let outline = a.iter().chain(b.iter().rev()).copied().collect();
-            Shape { areas: vec![outline], edges: vec![a, b] }
-        };
+        let outline = |a: &[[f64; 2]], b: &[[f64; 2]]| a.iter().chain(b.iter().rev()).copied().collect();
+        let between = |a: Vec<[f64; 2]>, b: Vec<[f64; 2]>| Shape { areas: vec![outline(&a, &b)], edges: vec![a, b] };
         match place {
             Place::Value(y) => Shape::line(level(y)),
-            Place::At(x) => Shape::line(upright(x)),
+            Place::At(x) => Shape::line(upright(self.on_axis((x, 0.0)).0)),
             Place::Range(from, to) => between(level(from), level(to)),
+            Place::Between(from, to) if self.abscissas == Abscissas::Azimuths => {
+                let [from, to] = [within(from), within(to)];
+                if from <= to {
+                    return between(upright(from), upright(to));
+                }
+                // Over 0°: both ends of the axis.
+                let [a, b] = [upright(from), upright(to)];
+                let areas = vec![outline(&a, &upright(360.0)), outline(&upright(0.0), &b)];
+                Shape { areas, edges: vec![a, b] }
+            }
             Place::Between(from, to) => between(upright(from), upright(to)),
         }
+    }
+
+    fn draw_lines(&self, svg: &mut Svg, area: &Area, lines: &[Drawn]) {
+        let place = |run: &[(f64, f64)]| -> Vec<[f64; 2]> { run.iter().map(|p| area.place(*p)).collect() };
+        for (series, entry) in lines {
+            for [lower, mut upper] in bands(series, |points| self.runs(points, series.gaps())) {
+                upper.reverse();
+                svg.tint(&[place(&[lower, upper].concat())], entry.stroke.colour, BAND);
+            }
+        }
+        for (series, entry) in lines {
+            for run in self.runs(&series.points, series.gaps()).iter().filter(|run| run.len() > 1) {
+                // A path turns back: its points are thinned by distance, not by column.
+                let shown = if self.equal_scales { thinned(place(run)) } else { reduced(place(run)) };
+                svg.path(&shown, &entry.stroke, false);
+            }
+        }
+        let at = |p| area.place(self.on_axis(p));
+        draw_markers(svg, lines, at, |series| self.runs(&series.points, series.gaps()));
+        let bottom = area.corner[1] + area.size[1];
+        draw_absent(svg, lines, |x, row| [at((x, 0.0))[0], bottom - ABSENT * (row + 1) as f64]);
     }
 }
 
@@ -177,31 +252,23 @@ impl Chart for LineChart {
         let beside = axis_title(&self.y.label, &self.y.unit, area.y.exponent);
         area.draw_titles(svg, *x, &below, FOOT, &beside);
         marks.draw(svg, &area);
-        let published = Drawing::new(&self.references, book, |place| Self::published(&area, place));
+        let published = Drawing::new(&self.references, book, |place| self.published(&area, place));
         published.areas(svg);
         let (lines, points) = book.ordered(&self.series);
-        draw_lines(svg, &area, &lines, !self.equal_scales);
+        self.draw_lines(svg, &area, &lines);
         published.lines(svg);
-        draw_points(svg, &points, |p| area.place(p));
+        draw_points(svg, &points, |p| area.place(self.on_axis(p)));
         Ok(())
     }
 }
 
-fn draw_lines(svg: &mut Svg, area: &Area, lines: &[Drawn], along_x: bool) {
-    for (series, entry) in lines {
-        if let Some(band) = &series.band {
-            let upper = band.iter().map(|(x, _, high)| area.place((*x, *high)));
-            let lower = band.iter().rev().map(|(x, low, _)| area.place((*x, *low)));
-            svg.tint(&[upper.chain(lower).collect()], entry.stroke.colour, BAND);
-        }
-    }
-    for (series, entry) in lines {
-        let path: Vec<[f64; 2]> = series.points.iter().map(|p| area.place(*p)).collect();
-        // A path turns back: its points are thinned by distance, not by column.
-        let shown = if along_x { reduced(path) } else { thinned(path) };
-        svg.path(&shown, &entry.stroke, false);
-    }
-    draw_markers(svg, lines, |p| area.place(p));
+/// Points in runs between whose neighbours there is no gap.
+fn parted(points: &[(f64, f64)], gaps: &[f64]) -> Vec<Vec<(f64, f64)>> {
+    let joined = |a: &(f64, f64), b: &(f64, f64)| {
+        let (low, high) = (a.0.min(b.0), a.0.max(b.0));
+        !gaps.iter().any(|gap| *gap > low && *gap < high)
+    };
+    points.chunk_by(joined).map(<[_]>::to_vec).collect()
 }
 
 /// A dense line with only those points of each pixel column that show: first, least, greatest and last.

@@ -16,6 +16,11 @@ pub(crate) trait Chart {
 
     fn references(&self) -> &[Reference];
 
+    /// Name in the legend of what has no value, where no series says it.
+    fn absent(&self) -> Option<&str> {
+        None
+    }
+
     /// Refuses what cannot be drawn.
     fn check(&self) -> Result<(), PlotError>;
 

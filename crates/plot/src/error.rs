@@ -45,6 +45,42 @@ pub enum PlotError {
         /// Label of the axis.
         axis: String,
     },
+    /// A polar chart was given a negative value: on a circle it could not be told from a positive one.
+    #[error(
+        "series {series:?}, point {index}: {value} at {azimuth_deg}° is negative; over degrees it has a place, on a circle none"
+    )]
+    Negative {
+        /// Label of the series.
+        series: String,
+        /// Index of the point, those of the band after those of the line.
+        index: usize,
+        /// Azimuth, degrees.
+        azimuth_deg: f64,
+        /// The value in the unit of the axis.
+        value: f64,
+    },
+    /// A map whose number of values is not that of its cells.
+    #[error("map {panel:?} has {values} values for {columns} × {rows} cells")]
+    Cells {
+        /// Title of the panel.
+        panel: String,
+        /// Values given.
+        values: usize,
+        /// Places on the horizontal axis.
+        columns: usize,
+        /// Places on the vertical axis.
+        rows: usize,
+    },
+    /// Places of a map that do not ascend.
+    #[error("map {panel:?}: place {index} of the axis {axis:?} is not above the one before it")]
+    Order {
+        /// Title of the panel.
+        panel: String,
+        /// Label of the axis.
+        axis: String,
+        /// Index of the place.
+        index: usize,
+    },
     /// Abscissas and ordinates that do not belong together one by one.
     #[error("series {series:?} has {abscissas} abscissas and {ordinates} ordinates")]
     Lengths {

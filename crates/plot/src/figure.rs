@@ -9,8 +9,10 @@ use crate::cartesian::LineChart;
 use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
 use crate::legend::{draw_legend, entry_width};
+use crate::map::MapChart;
 use crate::polar::PolarChart;
-use crate::series::StyleBook;
+use crate::references::Reference;
+use crate::series::{Series, StyleBook, absent_entry};
 use crate::style::TITLE_PX;
 use crate::svg::{Anchor, Svg, Type};
 use crate::text::{BOLD, FAMILY, FONT, width};
@@ -24,6 +26,8 @@ pub enum Panel {
     Cartesian(LineChart),
     /// Bars over groups.
     Bars(BarChart),
+    /// Colours over two quantities.
+    Map(MapChart),
 }
 
 impl Panel {
@@ -32,6 +36,21 @@ impl Panel {
             Self::Polar(chart) => chart,
             Self::Cartesian(chart) => chart,
             Self::Bars(chart) => chart,
+            Self::Map(chart) => chart,
+        }
+    }
+
+    /// The series on it; none on a map.
+    pub fn series(&self) -> &[Series] {
+        self.chart().series()
+    }
+
+    /// Adds a published number; bars and maps have no place for one and stay as they are.
+    pub fn publish(&mut self, reference: Reference) {
+        match self {
+            Self::Polar(chart) => chart.references.push(reference),
+            Self::Cartesian(chart) => chart.references.push(reference),
+            Self::Bars(_) | Self::Map(_) => {}
         }
     }
 }
@@ -122,7 +141,12 @@ impl Figure {
         let charts: Vec<&dyn Chart> = panels.iter().map(Panel::chart).collect();
         charts.iter().try_for_each(|chart| chart.check())?;
         let series: Vec<_> = charts.iter().map(|chart| chart.series()).collect();
-        let book = StyleBook::new(&series, &charts.iter().flat_map(|chart| chart.references()).collect::<Vec<_>>());
+        let mut book = StyleBook::new(&series, &charts.iter().flat_map(|chart| chart.references()).collect::<Vec<_>>());
+        for absent in charts.iter().filter_map(|chart| chart.absent()) {
+            if book.entries.iter().all(|entry| entry.label != absent) {
+                book.entries.push(absent_entry(absent.to_owned()));
+            }
+        }
         let headings: Vec<String> =
             charts.iter().enumerate().map(|(i, chart)| heading(i, charts.len(), chart.title())).collect();
         let drawn = || charts.iter().zip(&headings);

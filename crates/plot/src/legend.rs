@@ -17,7 +17,7 @@ const GAPS: [f64; 2] = [8.0, 26.0];
 
 fn sample_width(entry: &Entry) -> f64 {
     match entry.kind {
-        Kind::Series(SeriesKind::Points) => 12.0,
+        Kind::Series(SeriesKind::Points) | Kind::Absent => 12.0,
         Kind::Series(SeriesKind::Bars) => SWATCH[0],
         Kind::Series(SeriesKind::Line | SeriesKind::MarkedLine | SeriesKind::Dense) => SAMPLE,
         Kind::Reference { range, upright } => references::sample_width(range, upright),
@@ -59,6 +59,7 @@ fn draw_sample(svg: &mut Svg, entry: &Entry, [x, y]: [f64; 2], wide: f64) {
     let middle = [x + 0.5 * wide, y];
     let kind = match entry.kind {
         Kind::Series(kind) => kind,
+        Kind::Absent => return svg.cross(middle, entry.stroke.colour),
         Kind::Reference { range, upright } => {
             return references::draw_sample(svg, [x, y], range, upright, &entry.stroke);
         }

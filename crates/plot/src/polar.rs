@@ -5,17 +5,19 @@ use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
 use crate::references::{self, Drawing, Place, Reference, Shape};
 use crate::series::{Axis, Drawn, Series, SeriesKind, check_all};
-use crate::style::{GREY, GRID, HEADING_PX, INK, LABEL_PX, TICK_PX};
+use crate::style::{GRID, HEADING_PX, INK, LABEL_PX, TICK_PX};
 use crate::svg::{Anchor, Svg, Type};
-use crate::symbols::{draw_markers, draw_points};
+use crate::symbols::{draw_absent, draw_markers, draw_points};
 use crate::text::{axis_title, width};
-use crate::ticks::{Scale, engineering_exponent, linear, spread};
+use crate::ticks::{Scale, engineering_exponent, is_zero, linear, spread};
+use crate::turn::{CHORD_DEG, bands, filled, runs};
 
-/// Quantities of balls, or of contacts, over the azimuth.
+/// Magnitudes of balls, or of contacts, over the azimuth.
 ///
-/// The centre is the lower end of the radial axis, which is not zero in general: its value is written there.
-/// Where the axis crosses zero, the zero circle is drawn darker. Lines are closed; between balls the radial value is
-/// interpolated linearly in azimuth, so that a constant is a circle and no value is drawn beyond those of two neighbours.
+/// The centre is the lower end of the radial axis, which is not zero in general: its value is written there. Negative values are
+/// refused: on a circle they cannot be told from positive ones, and belong over degrees ([`crate::LineChart::over_azimuth`]).
+/// Lines are closed except over azimuths without a value; between balls the radial value is interpolated linearly in azimuth,
+/// so that a constant is a circle and no value is drawn beyond those of two neighbours.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PolarChart {
     /// Heading of the panel.
@@ -38,36 +40,8 @@ const HEAD: [f64; 2] = [24.0, 22.0];
 const RINGS: usize = 5;
 /// Part of the spread of the data that is left free about the centre.
 const FREE_CENTRE: f64 = 0.2;
-/// Greatest angle between the drawn points of a curve, degrees.
-const CHORD_DEG: f64 = 2.0;
-
-/// The points of a closed curve: sorted by azimuth in [0°, 360°), one value for each, the first repeated at the end a turn later.
-pub(crate) fn closed(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let mut turn: Vec<(f64, f64)> = points.iter().map(|(phi, value)| (phi.rem_euclid(360.0) % 360.0, *value)).collect();
-    turn.sort_by(|a, b| a.0.total_cmp(&b.0));
-    // 0° and 360° may both be given.
-    turn.dedup_by(|next, kept| next.0 - kept.0 < 1e-9);
-    if let Some(&(phi, value)) = turn.first() {
-        turn.push((phi + 360.0, value));
-    }
-    turn
-}
-
-/// The closed curve with points between those given, at most `CHORD_DEG` apart.
-fn interpolated(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let turn = closed(points);
-    let mut curve: Vec<(f64, f64)> = turn.first().copied().into_iter().collect();
-    for pair in turn.windows(2) {
-        let ((from, a), (to, b)) = (pair[0], pair[1]);
-        let parts = ((to - from) / CHORD_DEG).ceil().max(1.0) as usize;
-        curve.extend((1..parts).map(|k| {
-            let t = k as f64 / parts as f64;
-            (from + t * (to - from), a + t * (b - a))
-        }));
-        curve.push((to, b));
-    }
-    curve
-}
+/// Distance of the first series' crosses from the rim and of the others' from each other, px.
+const ABSENT: f64 = 9.0;
 
 /// Where values lie on the page.
 struct Dial {
@@ -130,6 +104,10 @@ impl PolarChart {
         let (low, high) = spread(self.radial.range(values)?);
         let exponent = engineering_exponent(low.abs().max(high.abs()));
         let unit = 10f64.powi(exponent);
+        if is_zero((low, high)) {
+            let major = vec![(0.0, "0".to_owned())];
+            return Ok((Scale { min: 0.0, max: 1.0, major, minor: Vec::new(), log: false }, 0));
+        }
         let mut start = low - FREE_CENTRE * (high - low);
         if low >= 0.0 {
             start = start.max(0.0);
@@ -157,7 +135,15 @@ impl Chart for PolarChart {
 
     fn check(&self) -> Result<(), PlotError> {
         check_all(&self.title, &self.series, false)?;
-        references::check(&self.references)
+        references::check(&self.references)?;
+        for series in &self.series {
+            let edges = series.band.iter().flatten().map(|(phi, low, _)| (*phi, *low));
+            let all = series.points.iter().copied().chain(edges);
+            if let Some((index, (azimuth_deg, value))) = all.enumerate().find(|(_, (_, value))| *value < 0.0) {
+                return Err(PlotError::Negative { series: series.label.clone(), index, azimuth_deg, value });
+            }
+        }
+        Ok(())
     }
 
     fn size(&self, heading: &str) -> Result<[f64; 2], PlotError> {
@@ -179,11 +165,12 @@ impl Chart for PolarChart {
         draw_grid(svg, &dial);
         let published = Drawing::new(&self.references, book, |place| dial.published(place));
         published.areas(svg);
+        // Below the lines: the centre's label must not hide the marker of a lightly loaded ball.
+        draw_ring_labels(svg, &dial, &self.series);
         let (lines, points) = book.ordered(&self.series);
         draw_lines(svg, &dial, &lines);
         published.lines(svg);
         draw_points(svg, &points, |p| dial.place(p));
-        draw_ring_labels(svg, &dial, &self.series);
         Ok(())
     }
 }
@@ -207,26 +194,34 @@ fn draw_grid(svg: &mut Svg, dial: &Dial) {
     for radius in rings.iter().filter(|r| **r > 0.0 && **r < RADIUS) {
         svg.circle(dial.centre, *radius, GRID, 1.0);
     }
-    if dial.scale.min < 0.0 && dial.scale.max > 0.0 {
-        svg.circle(dial.centre, RADIUS * dial.scale.position(0.0), GREY, 1.1);
-    }
     svg.circle(dial.centre, RADIUS, INK, 1.1);
 }
 
 fn draw_lines(svg: &mut Svg, dial: &Dial, lines: &[Drawn]) {
+    let place = |curve: Vec<(f64, f64)>| -> Vec<[f64; 2]> { curve.into_iter().map(|p| dial.place(p)).collect() };
     for (series, entry) in lines {
-        if let Some(band) = &series.band {
-            let edge = |points: Vec<(f64, f64)>| interpolated(&points).into_iter().map(|p| dial.place(p)).collect();
-            let lower = edge(band.iter().map(|(phi, low, _)| (*phi, *low)).collect());
-            let upper = edge(band.iter().map(|(phi, _, high)| (*phi, *high)).collect());
-            svg.tint(&[lower, upper], entry.stroke.colour, BAND);
+        let edges = |points: &[(f64, f64)]| runs(points, series.gaps()).iter().map(|run| filled(run)).collect();
+        for [lower, mut upper] in bands(series, edges) {
+            if closes(&lower) {
+                svg.tint(&[place(lower), place(upper)], entry.stroke.colour, BAND);
+            } else {
+                upper.reverse();
+                svg.tint(&[place([lower, upper].concat())], entry.stroke.colour, BAND);
+            }
         }
     }
     for (series, entry) in lines {
-        let path: Vec<[f64; 2]> = interpolated(&series.points).into_iter().map(|p| dial.place(p)).collect();
-        svg.path(&path, &entry.stroke, true);
+        for run in runs(&series.points, series.gaps()).iter().filter(|run| run.len() > 1) {
+            svg.path(&place(filled(run)), &entry.stroke, closes(run));
+        }
     }
-    draw_markers(svg, lines, |p| dial.place(p));
+    draw_markers(svg, lines, |p| dial.place(p), |series| runs(&series.points, series.gaps()));
+    draw_absent(svg, lines, |phi, row| dial.at(phi, RADIUS - ABSENT * (row + 1) as f64));
+}
+
+/// Whether a run is a whole turn.
+fn closes(run: &[(f64, f64)]) -> bool {
+    matches!(run, [(from, _), .., (to, _)] if to - from >= 360.0)
 }
 
 /// Distance that keeps a ring label clear of a curve, px.
@@ -257,7 +252,8 @@ fn written<'a>(dial: &Dial, curves: &[[f64; 2]], labels: &'a [RingLabel<'a>], ph
         let far = [0, 1].map(|k| 0.5 * (a.room[k] + b.room[k]));
         ((a.radius - b.radius) * cos).abs() >= far[0] || ((a.radius - b.radius) * sin).abs() >= far[1]
     };
-    let mut kept: Vec<&RingLabel> = labels.first().into_iter().chain(labels.last()).collect();
+    let rim = labels.last().filter(|_| labels.len() > 1);
+    let mut kept: Vec<&RingLabel> = labels.first().into_iter().chain(rim).collect();
     for label in labels.iter().take(labels.len().saturating_sub(1)).skip(1) {
         if label.gap(dial, curves, phi_deg) >= CLEAR && kept.iter().all(|other| apart(label, other)) {
             kept.push(label);
@@ -292,7 +288,10 @@ fn clearest_ray(dial: &Dial, curves: &[[f64; 2]], labels: &[RingLabel]) -> f64 {
 /// the rest.
 fn draw_ring_labels(svg: &mut Svg, dial: &Dial, series: &[Series]) {
     let shown = |s: &Series| {
-        if s.kind == SeriesKind::Points { s.points.clone() } else { interpolated(&s.points) }
+        if s.kind == SeriesKind::Points {
+            return s.points.clone();
+        }
+        runs(&s.points, s.gaps()).iter().flat_map(|run| filled(run)).collect()
     };
     let curves: Vec<[f64; 2]> = series.iter().flat_map(shown).map(|p| dial.place(p)).collect();
     let major = dial.scale.major.iter();
@@ -315,32 +314,6 @@ fn draw_ring_labels(svg: &mut Svg, dial: &Dial, series: &[Series]) {
 mod tests {
     use super::*;
 
-    fn balls(count: usize) -> Vec<(f64, f64)> {
-        (0..count)
-            .map(|k| 360.0 * k as f64 / count as f64)
-            .map(|phi| (phi, 9.0 + 3.0 * phi.to_radians().cos()))
-            .collect()
-    }
-
-    #[test]
-    fn identity_closed_curve_ends_where_it_starts() {
-        let mut given = balls(13);
-        given.rotate_left(5);
-        given.push((360.0, 12.0));
-        let turn = closed(&given);
-        assert_eq!(turn.len(), 14);
-        assert_eq!(turn[0].1, turn[13].1);
-        assert_eq!(turn[13].0 - turn[0].0, 360.0);
-        assert!(turn.windows(2).all(|pair| pair[0].0 < pair[1].0));
-    }
-
-    #[test]
-    fn limit_a_constant_is_a_circle() {
-        let curve = interpolated(&balls(13).iter().map(|(phi, _)| (*phi, 5.0)).collect::<Vec<_>>());
-        assert!(curve.iter().all(|(_, value)| *value == 5.0));
-        assert!(curve.windows(2).all(|pair| pair[1].0 - pair[0].0 <= CHORD_DEG + 1e-9));
-    }
-
     #[test]
     fn limit_azimuth_zero_is_at_the_right_and_turns_counter_clockwise() {
         let scale = linear((0.0, 10.0), RINGS, true);
@@ -352,17 +325,27 @@ mod tests {
     }
 
     #[test]
-    fn limit_radial_axis_is_offset_below_the_data_and_not_below_zero_for_positive_quantities() {
+    fn limit_radial_axis_is_offset_below_the_data_and_not_below_zero() {
         let chart = |values: &[f64]| {
             let points = values.iter().enumerate().map(|(i, v)| (60.0 * i as f64, *v)).collect();
             PolarChart::new("t", Axis::new("q", "N"), vec![Series::line("a", points)])
         };
         let (scale, exponent) = chart(&[6.0, 12.0, 9.0]).scale().unwrap();
         assert_eq!((scale.min, scale.max, exponent), (4.0, 12.0, 0));
-        let (scale, exponent) = chart(&[-0.002, 0.001]).scale().unwrap();
-        assert_eq!((scale.min, scale.max, exponent), (-3.0, 1.0, -3));
+        let (scale, exponent) = chart(&[0.002, 0.001]).scale().unwrap();
+        assert_eq!((scale.min, scale.max, exponent), (0.5, 2.0, -3));
         let (scale, _) = chart(&[0.0, 0.0, 3.0]).scale().unwrap();
         assert_eq!(scale.min, 0.0);
+        let (scale, exponent) = chart(&[0.0, 0.0]).scale().unwrap();
+        assert_eq!((scale.position(0.0), scale.major.len(), exponent), (0.0, 1, 0));
+    }
+
+    #[test]
+    fn limit_negative_values_are_refused_with_their_azimuth() {
+        let points = vec![(0.0, 1.0), (90.0, -2.0)];
+        let chart = PolarChart::new("t", Axis::new("q", "N"), vec![Series::line("a", points)]);
+        let refused = chart.check();
+        assert!(matches!(refused, Err(PlotError::Negative { index: 1, azimuth_deg: 90.0, value: -2.0, .. })));
     }
 
     #[test]

@@ -50,7 +50,40 @@ pub enum Quantity {
 /// Revolutions per minute in one rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
 
+/// Load up to which a contact counts as open, N: what the balance leaves at the outer race of a ball that nothing drives.
+const LEAST_LOAD_N: f64 = 1e-3;
+
 impl Quantity {
+    /// The value where the ball has one: `None` for a contact without load, and for the motion and wear in the cage of a ball that
+    /// the inner race does not drive.
+    pub fn found(self, ball: &BallSolution) -> Option<f64> {
+        let load = match self {
+            Self::ContactAngleOuter
+            | Self::LoadOuter
+            | Self::ApproachOuter
+            | Self::PeakPressureOuter
+            | Self::TractionOuter
+            | Self::SlideToRollOuter
+            | Self::WearRateOuter
+            | Self::PowerLossOuter => ball.load_outer_n,
+            _ => ball.load_inner_n,
+        };
+        // A load that is no number is not an absent one: it is refused with its place.
+        (load.is_nan() || load > LEAST_LOAD_N).then(|| self.of(ball))
+    }
+
+    /// Whether the sign has a meaning.
+    pub(crate) fn signed(self) -> bool {
+        matches!(
+            self,
+            Self::TractionInner
+                | Self::TractionOuter
+                | Self::SlideToRollInner
+                | Self::SlideToRollOuter
+                | Self::CageForce
+        )
+    }
+
     /// The value in the unit of [`BallSolution`]: SI, angles in degrees.
     pub fn of(self, ball: &BallSolution) -> f64 {
         match self {

@@ -1,11 +1,10 @@
-//! Figures of a run in time from plain numbers: histories, spectra, values over an orbit, bars.
+//! Figures of a run in time from plain numbers: histories, spectra, paths, bars.
 
 use crate::bars::BarChart;
 use crate::cartesian::LineChart;
 use crate::error::PlotError;
 use crate::figure::{Figure, Panel};
 use crate::marks::Mark;
-use crate::polar::PolarChart;
 use crate::series::{Axis, Series};
 
 /// A named sequence of numbers against another.
@@ -74,11 +73,6 @@ const HISTORY_PX: [[f64; 2]; 2] = [[660.0, 270.0], [660.0, 150.0]];
 const PATH_PX: [f64; 2] = [330.0, 330.0];
 /// Size of the area of a spectrum, px.
 const SPECTRUM_PX: [f64; 2] = [660.0, 270.0];
-/// Sectors of an orbit in which samples are averaged: 2° each, as fine as the curve is drawn.
-const SECTORS: usize = 180;
-/// Part of the spread of all values below which the spread within the sectors is not drawn.
-const BAND_SHOWN: f64 = 0.02;
-
 fn pairs(samples: &Samples, scale_x: f64) -> Result<Vec<(f64, f64)>, PlotError> {
     if samples.x.len() != samples.y.len() {
         let series = samples.label.to_owned();
@@ -188,53 +182,6 @@ pub fn spectrum_chart(
     Ok(LineChart { log_y, marks: marks.to_vec(), area_px: SPECTRUM_PX, ..chart })
 }
 
-/// Values of a ball over the azimuth from samples along one orbit or several, in any order.
-///
-/// Abscissas are azimuths in rad, of any turn. The curve is the mean of the samples in sectors of 2° at their mean azimuth, closed
-/// over 0°; a light band from the least to the greatest value of each sector shows where orbits differ or a value jumps, if that
-/// is more than 2 % of the whole spread anywhere.
-///
-/// # Errors
-///
-/// No samples, unequal numbers of azimuths and values, numbers that are not finite.
-pub fn orbit_polar(name: &str, title: &str, quantity: Axis, samples: &[Samples]) -> Result<Figure, PlotError> {
-    Figure::new(name, title, &[Panel::Polar(orbit_chart("", quantity, samples)?)])
-}
-
-/// The chart of [`orbit_polar`], for figures of several and for what else belongs on it.
-///
-/// # Errors
-///
-/// No samples, unequal numbers of azimuths and values, numbers that are not finite.
-pub fn orbit_chart(title: &str, quantity: Axis, samples: &[Samples]) -> Result<PolarChart, PlotError> {
-    let series = samples.iter().map(over_orbit).collect::<Result<Vec<_>, _>>()?;
-    Ok(PolarChart::new(title, quantity, series))
-}
-
-/// Mean and band over the azimuth.
-fn over_orbit(samples: &Samples) -> Result<Series, PlotError> {
-    let points = pairs(samples, 1f64.to_degrees())?;
-    // Refused here: in sums a single NaN would lose its place.
-    let given = Series::line(samples.label, points);
-    given.check()?;
-    let mut sectors = vec![Vec::new(); SECTORS];
-    for (phi, value) in &given.points {
-        let within = phi.rem_euclid(360.0) % 360.0;
-        sectors[((within / 360.0 * SECTORS as f64) as usize).min(SECTORS - 1)].push((within, *value));
-    }
-    let (mut points, mut band) = (Vec::new(), Vec::new());
-    for sector in sectors.iter().filter(|s| !s.is_empty()) {
-        let mean = |f: fn(&(f64, f64)) -> f64| sector.iter().map(f).sum::<f64>() / sector.len() as f64;
-        let (phi, value) = (mean(|p| p.0), mean(|p| p.1));
-        let extreme = |start: f64, pick: fn(f64, f64) -> f64| sector.iter().fold(start, |e, p| pick(e, p.1));
-        points.push((phi, value));
-        band.push((phi, extreme(f64::INFINITY, f64::min), extreme(f64::NEG_INFINITY, f64::max)));
-    }
-    let (low, high) = band.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), e| (a.min(e.1), b.max(e.2)));
-    let shown = band.iter().any(|(_, a, b)| b - a > BAND_SHOWN * (high - low));
-    Ok(Series { points, band: shown.then_some(band), ..given })
-}
-
 /// Paths in a plane with equal scales on both axes, such as the orbit of a ring's centre: abscissas and ordinates in one unit.
 ///
 /// # Errors
@@ -286,27 +233,6 @@ pub fn stacked_bars(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn limit_samples_of_one_orbit_are_drawn_as_they_are() {
-        let phi: Vec<f64> = (0..90).map(|k| 0.3 + f64::from(k) * std::f64::consts::TAU / 90.0).collect();
-        let value: Vec<f64> = phi.iter().map(|p| p.cos()).collect();
-        let series = over_orbit(&Samples { label: "b", x: &phi, y: &value }).unwrap();
-        assert_eq!((series.points.len(), &series.band), (90, &None));
-        assert!(series.points.iter().all(|(p, v)| (p.to_radians().cos() - v).abs() < 1e-12));
-    }
-
-    #[test]
-    fn identity_the_band_holds_every_sample_and_the_curve() {
-        let phi: Vec<f64> = (0..5000).map(|k| -0.013 * f64::from(k)).collect();
-        let value: Vec<f64> = phi.iter().map(|p| p.cos() + 0.1 * (0.37 * p).sin()).collect();
-        let series = over_orbit(&Samples { label: "b", x: &phi, y: &value }).unwrap();
-        let band = series.band.unwrap();
-        assert_eq!((series.points.len(), band.len()), (SECTORS, SECTORS));
-        assert!(series.points.iter().zip(&band).all(|((_, v), (_, low, high))| low <= v && v <= high));
-        let greatest = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::NEG_INFINITY, f64::max);
-        assert_eq!(greatest(&mut band.iter().map(|b| b.2)), greatest(&mut value.iter().copied()));
-    }
 
     #[test]
     fn limit_units_of_time() {

@@ -29,7 +29,7 @@ impl Axis {
         self
     }
 
-    /// The least range that holds the bounds and some values.
+    /// The least range that holds the bounds and some values; 0 to 1 where there is neither.
     pub(crate) fn range(&self, values: impl Iterator<Item = f64>) -> Result<(f64, f64), PlotError> {
         let start = self.at_least.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
         if let Some((x, y)) = self.at_least
@@ -37,7 +37,8 @@ impl Axis {
         {
             return Err(PlotError::NotFinite { series: self.label.clone(), index: 0, x, y });
         }
-        Ok(values.fold(start, |(low, high), v| (low.min(v), high.max(v))))
+        let (low, high) = values.fold(start, |(low, high), v| (low.min(v), high.max(v)));
+        Ok(if low <= high { (low, high) } else { (0.0, 1.0) })
     }
 }
 
@@ -51,8 +52,8 @@ pub(crate) fn drawable(value: f64) -> bool {
 pub enum SeriesKind {
     /// A line.
     Line,
-    /// A line with markers on some of its points. With several series the markers are staggered, so that curves that coincide
-    /// can still be told apart.
+    /// A line with a marker on each of its points: balls, solved rows. Markers of earlier series are larger, so that those that
+    /// coincide show as rings about each other.
     MarkedLine,
     /// Open markers only: published or measured values.
     Points,
@@ -60,6 +61,16 @@ pub enum SeriesKind {
     Dense,
     /// Bars; on a [`crate::BarChart`] only, and the only kind there.
     Bars,
+}
+
+/// Where a series has no value: balls without contact, rows without a solution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Absent {
+    /// Name in the legend, such as `no contact`.
+    pub label: String,
+    /// Abscissas without a value; on a polar chart azimuths in degrees. The line does not go over them, and a cross on the rim or
+    /// the lower axis marks each.
+    pub at: Vec<f64>,
 }
 
 /// A named set of points.
@@ -79,6 +90,8 @@ pub struct Series {
     pub uncertainty: Option<f64>,
     /// A light band behind the line: abscissa, lower and upper edge in the units of the axes; on a polar chart azimuth in degrees.
     pub band: Option<Vec<(f64, f64, f64)>>,
+    /// Abscissas without a value.
+    pub absent: Option<Absent>,
 }
 
 impl Series {
@@ -92,7 +105,20 @@ impl Series {
             of: None,
             uncertainty: None,
             band: None,
+            absent: None,
         }
+    }
+
+    /// The same without values at some abscissas, if there are any.
+    #[must_use]
+    pub fn without(mut self, label: impl Into<String>, at: Vec<f64>) -> Self {
+        self.absent = (!at.is_empty()).then(|| Absent { label: label.into(), at });
+        self
+    }
+
+    /// Abscissas without a value.
+    pub(crate) fn gaps(&self) -> &[f64] {
+        self.absent.as_ref().map_or(&[], |absent| &absent.at)
     }
 
     /// A line with markers.
@@ -117,8 +143,11 @@ impl Series {
     }
 
     pub(crate) fn check(&self) -> Result<(), PlotError> {
-        if self.points.is_empty() {
+        if self.points.is_empty() && self.gaps().is_empty() {
             return Err(PlotError::EmptySeries { series: self.label.clone() });
+        }
+        if let Some(index) = self.gaps().iter().position(|x| !drawable(*x)) {
+            return Err(PlotError::NotFinite { series: self.label.clone(), index, x: self.gaps()[index], y: 0.0 });
         }
         for (index, &(x, low, high)) in self.band.iter().flatten().enumerate() {
             if let Some(&y) = [low, high].iter().find(|y| !(drawable(x) && drawable(**y))) {
@@ -143,12 +172,6 @@ impl Series {
     }
 }
 
-/// Indices of the points that carry a marker on line `place` of `lines`; at most 14 on a line.
-pub(crate) fn marked_points(count: usize, place: usize, lines: usize) -> impl Iterator<Item = usize> {
-    let stride = lines.max(count.div_ceil(14)).max(1);
-    (place * stride / lines.max(1)..count).step_by(stride)
-}
-
 /// Refuses a panel without series, with a series that cannot be drawn, or with bars where there are none (`bars` false).
 pub(crate) fn check_all(panel: &str, series: &[Series], bars: bool) -> Result<(), PlotError> {
     if series.is_empty() {
@@ -164,6 +187,8 @@ pub(crate) fn check_all(panel: &str, series: &[Series], bars: bool) -> Result<()
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Series(SeriesKind),
+    /// Abscissas or cells without a value.
+    Absent,
     /// A published number: a line, or a range; upright or level.
     Reference {
         range: bool,
@@ -176,6 +201,14 @@ impl Kind {
 
     pub fn is_reference(self) -> bool {
         matches!(self, Self::Reference { .. })
+    }
+
+    fn is_points(self) -> bool {
+        self == Self::POINTS
+    }
+
+    fn is_line(self) -> bool {
+        matches!(self, Self::Series(_)) && !self.is_points()
     }
 }
 
@@ -235,6 +268,7 @@ impl StyleBook {
                 entries.push(Entry { label: series.label.clone(), kind: Kind::POINTS, stroke });
             }
         }
+        entries.extend(absent_entries(panels));
         let first_references = entries.len();
         for reference in references {
             if entries[first_references..].iter().all(|e| e.label != reference.label) {
@@ -247,26 +281,32 @@ impl StyleBook {
     /// Lines with their style, widest first, then points.
     pub fn ordered<'a>(&'a self, series: &'a [Series]) -> (Vec<Drawn<'a>>, Vec<Drawn<'a>>) {
         let same = |s: &Series, e: &Entry| {
-            let points = (s.kind == SeriesKind::Points) == (e.kind == Kind::POINTS);
-            s.label == e.label && points && !e.kind.is_reference()
+            s.label == e.label && if s.kind == SeriesKind::Points { e.kind.is_points() } else { e.kind.is_line() }
         };
         let found = self.entries.iter().flat_map(|e| series.iter().filter(move |s| same(s, e)).map(move |s| (s, e)));
         found.partition(|(s, _)| s.kind != SeriesKind::Points)
     }
 }
 
+/// One entry for each name of what has no value.
+fn absent_entries(panels: &[&[Series]]) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    for absent in panels.iter().copied().flatten().filter_map(|s| s.absent.as_ref()) {
+        if entries.iter().all(|e| e.label != absent.label) {
+            entries.push(absent_entry(absent.label.clone()));
+        }
+    }
+    entries
+}
+
+/// The entry of what has no value.
+pub(crate) fn absent_entry(label: String) -> Entry {
+    Entry { label, kind: Kind::Absent, stroke: point_stroke(0, None) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn identity_markers_of_coincident_lines_do_not_coincide() {
-        let mut seen: Vec<usize> = (0..4).flat_map(|k| marked_points(13, k, 4)).collect();
-        seen.sort_unstable();
-        assert_eq!(seen, (0..13).collect::<Vec<_>>());
-        assert_eq!(marked_points(13, 0, 1).count(), 13);
-        assert!(marked_points(5000, 2, 3).count() <= 14);
-    }
 
     #[test]
     fn identity_a_label_keeps_its_style_in_every_panel() {

@@ -1,7 +1,8 @@
 //! The standard figures of quasi-static solutions: one run, or several compared.
 
-use tribodyn_quasistatic::{Model, Solution};
+use tribodyn_quasistatic::{BallSolution, Model, Solution};
 
+use crate::cartesian::LineChart;
 use crate::error::PlotError;
 use crate::figure::{Figure, Panel};
 use crate::polar::PolarChart;
@@ -23,12 +24,15 @@ pub struct Published {
     pub uncertainty: Option<f64>,
 }
 
+/// Name in the legend of balls that have no value.
+const NO_CONTACT: &str = "ball without contact";
+
 /// One figure of the set.
 struct Plan {
     name: &'static str,
     title: &'static str,
     panels: &'static [(&'static str, Quantity)],
-    /// Whether all panels have the same radial axis, because their values are to be compared.
+    /// Whether all panels have the same axis, because their values are to be compared.
     shared: bool,
 }
 
@@ -101,6 +105,9 @@ const PLANS: [Plan; 10] = [
 /// Draws the standard set over the azimuth: contact angles, loads, elastic approaches, peak pressures, longitudinal traction,
 /// slide-to-roll ratios, wear rates, orbital speed, pocket force and power losses.
 ///
+/// Every ball is marked, those without contact by a cross, which no line goes over. Figures are polar where no value is negative by
+/// kind or by number and not all are zero; otherwise all their panels are over degrees.
+///
 /// Each run keeps its colour and dash in all figures. Jones–Harris runs appear only where that model says something: not in
 /// traction, slip, wear, pocket force and losses; a figure left without runs is not made. A run that did not converge says so
 /// in the legend.
@@ -120,7 +127,7 @@ pub struct SolutionCharts {
     /// Title above the panels.
     pub title: &'static str,
     /// The charts with what they show.
-    pub panels: Vec<(Quantity, PolarChart)>,
+    pub panels: Vec<(Quantity, Panel)>,
 }
 
 impl SolutionCharts {
@@ -130,7 +137,7 @@ impl SolutionCharts {
     ///
     /// Those of [`Figure::new`].
     pub fn figure(&self) -> Result<Figure, PlotError> {
-        let panels: Vec<Panel> = self.panels.iter().map(|(_, chart)| Panel::Polar(chart.clone())).collect();
+        let panels: Vec<Panel> = self.panels.iter().map(|(_, panel)| panel.clone()).collect();
         Figure::new(self.name, self.title, &panels)
     }
 }
@@ -144,21 +151,21 @@ pub fn solution_charts(runs: &[(&str, &Solution)], published: &[Published]) -> R
     check(runs, published)?;
     let mut figures = Vec::with_capacity(PLANS.len());
     for plan in &PLANS {
-        let mut panels = Vec::with_capacity(plan.panels.len());
-        for (heading, quantity) in plan.panels {
-            let series = series(runs, published, *quantity);
-            if series.iter().any(|s| s.slot.is_some()) {
-                let (label, unit, _) = quantity.axis();
-                panels.push((*quantity, PolarChart::new(*heading, Axis::new(label, unit), series)));
-            }
-        }
-        if panels.is_empty() {
+        let drawn =
+            plan.panels.iter().map(|(heading, quantity)| (*heading, *quantity, series(runs, published, *quantity)));
+        let drawn: Vec<(&str, Quantity, Vec<Series>)> =
+            drawn.filter(|(_, _, series)| series.iter().any(|s| s.slot.is_some())).collect();
+        if drawn.is_empty() {
             continue;
         }
-        if plan.shared {
-            share_axis(&mut panels);
-        }
-        figures.push(SolutionCharts { name: plan.name, title: plan.title, panels });
+        let polar = drawn.iter().all(|(_, quantity, series)| !quantity.signed() && fits_circle(series));
+        let covered = plan.shared.then(|| range(drawn.iter().flat_map(|(_, _, series)| series))).flatten();
+        let panels = drawn.into_iter().map(|(heading, quantity, series)| {
+            let (label, unit, _) = quantity.axis();
+            let axis = Axis { at_least: covered, ..Axis::new(label, unit) };
+            (quantity, over_azimuth(heading, axis, series, polar))
+        });
+        figures.push(SolutionCharts { name: plan.name, title: plan.title, panels: panels.collect() });
     }
     Ok(figures)
 }
@@ -194,8 +201,12 @@ fn series(runs: &[(&str, &Solution)], published: &[Published], quantity: Quantit
         if solution.model == Model::JonesHarris && quantity.needs_traction() {
             return None;
         }
-        let points = solution.balls.iter().map(|ball| (ball.azimuth_deg, factor * quantity.of(ball))).collect();
-        Some(Series { slot: Some(slot), ..Series::marked(legend_label(label, solution), points) })
+        let found = |ball: &BallSolution| quantity.found(ball).map(|value| (ball.azimuth_deg, factor * value));
+        let points = solution.balls.iter().filter_map(found).collect();
+        let unloaded = solution.balls.iter().filter(|ball| quantity.found(ball).is_none());
+        let line = Series::marked(legend_label(label, solution), points);
+        let line = line.without(NO_CONTACT, unloaded.map(|ball| ball.azimuth_deg).collect());
+        Some(Series { slot: Some(slot), ..line })
     });
     let points = published.iter().filter(|p| p.quantity == quantity).map(|p| {
         let of = runs.iter().find(|(label, _)| p.run.as_deref() == Some(*label)).map(|(l, s)| legend_label(l, s));
@@ -205,13 +216,23 @@ fn series(runs: &[(&str, &Solution)], published: &[Published], quantity: Quantit
     lines.chain(points).collect()
 }
 
-/// Gives all panels the range of all.
-fn share_axis(panels: &mut [(Quantity, PolarChart)]) {
-    let values = panels.iter().flat_map(|(_, p)| &p.series).flat_map(Series::ordinates);
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
-    if low.is_finite() && high.is_finite() {
-        for (_, panel) in panels {
-            panel.radial.at_least = Some((low, high));
-        }
+/// The range of all numbers; `None` where there are none.
+fn range<'a>(series: impl Iterator<Item = &'a Series>) -> Option<(f64, f64)> {
+    let start = (f64::INFINITY, f64::NEG_INFINITY);
+    let (low, high) = series.flat_map(Series::ordinates).fold(start, |(low, high), v| (low.min(v), high.max(v)));
+    (low.is_finite() && high.is_finite()).then_some((low, high))
+}
+
+/// Whether values can be told on a circle: none is negative, and not all are zero, which would be a dot.
+pub(crate) fn fits_circle(series: &[Series]) -> bool {
+    range(series.iter()).is_some_and(|(low, high)| low >= 0.0 && high > 0.0)
+}
+
+/// Values over the azimuth, polar or over degrees.
+pub(crate) fn over_azimuth(title: &str, quantity: Axis, series: Vec<Series>, polar: bool) -> Panel {
+    if polar {
+        Panel::Polar(PolarChart::new(title, quantity, series))
+    } else {
+        Panel::Cartesian(LineChart::over_azimuth(title, quantity, series))
     }
 }

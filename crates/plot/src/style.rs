@@ -37,6 +37,11 @@ pub(crate) enum Marker {
 
 const MARKERS: [Marker; 5] = [Marker::Circle, Marker::Square, Marker::Triangle, Marker::Diamond, Marker::Wedge];
 
+/// Size of the marker of the topmost line, and how much larger those of each line below it are, px.
+const MARKER: [f64; 2] = [4.2, 1.3];
+/// Most lines on top of a line that still widen it and its markers.
+const WIDENED: usize = 4;
+
 /// How one series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stroke {
@@ -44,6 +49,8 @@ pub(crate) struct Stroke {
     pub dash: &'static str,
     pub width: f64,
     pub marker: Marker,
+    /// Size of filled markers, px.
+    pub marker_px: f64,
     /// Whether bars are hatched: all colours are in use already.
     pub hatched: bool,
 }
@@ -56,8 +63,9 @@ pub(crate) fn line_stroke(slot: usize, above: usize) -> Stroke {
     Stroke {
         colour: PALETTE[slot % PALETTE.len()],
         dash: DASHES[slot % DASHES.len()],
-        width: 1.6 + 0.55 * above.min(4) as f64,
+        width: 1.6 + 0.55 * above.min(WIDENED) as f64,
         marker: MARKERS[slot % MARKERS.len()],
+        marker_px: MARKER[0] + MARKER[1] * above.min(WIDENED) as f64,
         hatched: slot >= PALETTE.len(),
     }
 }
@@ -70,13 +78,15 @@ pub(crate) fn point_stroke(index: usize, of_slot: Option<usize>) -> Stroke {
         width: 1.5,
         // Where colour tells them apart the shape is that of all published points.
         marker: if of_slot.is_some() { Marker::Diamond } else { MARKERS[(index + 3) % MARKERS.len()] },
+        marker_px: MARKER[0],
         hatched: false,
     }
 }
 
 /// The stroke of a published number across a panel: that of no series, in the colour of the line it belongs to, or black.
 pub(crate) fn reference_stroke(colour: Option<&'static str>) -> Stroke {
-    Stroke { colour: colour.unwrap_or(INK), dash: "7 2.5 1.5 2.5", width: 1.3, marker: MARKERS[0], hatched: false }
+    let colour = colour.unwrap_or(INK);
+    Stroke { colour, dash: "7 2.5 1.5 2.5", width: 1.3, marker: MARKERS[0], marker_px: MARKER[0], hatched: false }
 }
 
 /// The stroke of a line of so many points that dashes would tear it apart.

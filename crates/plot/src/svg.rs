@@ -1,6 +1,6 @@
 //! A small writer of SVG text: absolute coordinates in px, two decimals, the same bytes for the same calls.
 
-use crate::style::{INK, LABEL_PX, Marker, PAPER, Stroke};
+use crate::style::{INK, LABEL_PX, Marker, PAPER, Stroke, reference_stroke};
 use crate::text::{SUBSCRIPT_SIZE, escape, runs};
 
 /// Where a text hangs on its point.
@@ -38,6 +38,11 @@ pub(crate) fn px(value: f64) -> String {
     if text == "-0" { "0".to_owned() } else { text }
 }
 
+/// Half the size of a cross, px.
+const CROSS: f64 = 3.6;
+/// How far the cells of a map reach over those after them, px.
+const OVERLAP: f64 = 0.4;
+
 /// The drawing so far.
 #[derive(Debug, Default)]
 pub(crate) struct Svg {
@@ -56,7 +61,7 @@ impl Svg {
     }
 
     pub fn dashed_line(&mut self, from: [f64; 2], to: [f64; 2], colour: &'static str, width: f64) {
-        self.path(&[from, to], &Stroke { colour, dash: "3 3", width, marker: Marker::Circle, hatched: false }, false);
+        self.path(&[from, to], &Stroke { colour, dash: "3 3", width, ..reference_stroke(None) }, false);
     }
 
     pub fn circle(&mut self, [x, y]: [f64; 2], radius: f64, colour: &str, width: f64) {
@@ -97,6 +102,19 @@ impl Svg {
         ));
     }
 
+    /// Pieces of a line, each by itself.
+    pub fn pieces(&mut self, pieces: &[[[f64; 2]; 2]], stroke: &Stroke) {
+        if pieces.is_empty() {
+            return;
+        }
+        let piece = |[a, b]: &[[f64; 2]; 2]| format!("M{} {} L{} {}", px(a[0]), px(a[1]), px(b[0]), px(b[1]));
+        let d = pieces.iter().map(piece).collect::<Vec<_>>().join(" ");
+        let (colour, width) = (stroke.colour, px(stroke.width));
+        self.push(&format!(
+            r#"<path d="{d}" fill="none" stroke="{colour}" stroke-width="{width}" stroke-linecap="round"/>"#
+        ));
+    }
+
     /// A light area between closed outlines: inside one and outside the other.
     pub fn tint(&mut self, outlines: &[Vec<[f64; 2]>], colour: &str, opacity: f64) {
         let mut d = String::new();
@@ -133,7 +151,7 @@ impl Svg {
     pub fn marker(&mut self, at: [f64; 2], stroke: &Stroke, open: bool) {
         let (fill, edge, width) = if open { (PAPER, stroke.colour, 1.6) } else { (stroke.colour, PAPER, 0.8) };
         let paint = format!(r#"fill="{fill}" stroke="{edge}" stroke-width="{}""#, px(width));
-        let size = if open { 4.6 } else { 4.2 };
+        let size = if open { 4.6 } else { stroke.marker_px };
         let [x, y] = at;
         if stroke.marker == Marker::Circle {
             return self.push(&format!(r#"<circle cx="{}" cy="{}" r="{}" {paint}/>"#, px(x), px(y), px(size)));
@@ -143,6 +161,20 @@ impl Svg {
             .map(|[dx, dy]| format!("{},{}", px(x + size * dx), px(y + size * dy)))
             .collect();
         self.push(&format!(r#"<polygon points="{}" {paint} stroke-linejoin="round"/>"#, points.join(" ")));
+    }
+
+    /// A cross: no value here.
+    pub fn cross(&mut self, [x, y]: [f64; 2], colour: &str) {
+        let [left, right, top, bottom] = [x - CROSS, x + CROSS, y - CROSS, y + CROSS].map(px);
+        self.push(&format!(
+            r#"<path d="M{left} {top} L{right} {bottom} M{left} {bottom} L{right} {top}" fill="none" stroke="{colour}" stroke-width="1.5"/>"#
+        ));
+    }
+
+    /// A cell of a map, without an outline; neighbours overlap by a little, so that no gap shows between them.
+    pub fn cell(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], colour: &str) {
+        let (x, y, width, height) = (px(x), px(y), px(width + OVERLAP), px(height + OVERLAP));
+        self.push(&format!(r#"<rect x="{x}" y="{y}" width="{width}" height="{height}" fill="{colour}"/>"#));
     }
 
     /// A line of text whose vertical centre of lower-case letters lies at `at`.

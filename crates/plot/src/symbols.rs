@@ -1,6 +1,6 @@
 //! Markers on lines and published points, for charts of any coordinates.
 
-use crate::series::{Drawn, SeriesKind, marked_points};
+use crate::series::{Drawn, Series, SeriesKind};
 use crate::svg::Svg;
 
 /// Half the length of the caps of an error bar, px.
@@ -8,14 +8,29 @@ const CAP: f64 = 3.5;
 /// Width of error bars, px.
 const BAR: f64 = 1.4;
 
-/// Draws the markers of marked lines, staggered.
-pub(crate) fn draw_markers(svg: &mut Svg, lines: &[Drawn], place: impl Fn((f64, f64)) -> [f64; 2]) {
-    for (order, (series, entry)) in lines.iter().enumerate() {
+/// Draws the markers of marked lines, one for each point, and of points that no line reaches.
+///
+/// `runs` parts the points of a series where the line does.
+pub(crate) fn draw_markers(
+    svg: &mut Svg,
+    lines: &[Drawn],
+    place: impl Fn((f64, f64)) -> [f64; 2],
+    runs: impl Fn(&Series) -> Vec<Vec<(f64, f64)>>,
+) {
+    for (series, entry) in lines {
         if series.kind == SeriesKind::MarkedLine {
-            for i in marked_points(series.points.len(), order, lines.len()) {
-                svg.marker(place(series.points[i]), &entry.stroke, false);
-            }
+            series.points.iter().for_each(|p| svg.marker(place(*p), &entry.stroke, false));
+        } else {
+            let alone = runs(series).into_iter().filter(|run| run.len() == 1).flatten();
+            alone.for_each(|p| svg.marker(place(p), &entry.stroke, false));
         }
+    }
+}
+
+/// Draws crosses where series have no value; `place` takes the abscissa and the place of the series among those with crosses.
+pub(crate) fn draw_absent(svg: &mut Svg, lines: &[Drawn], place: impl Fn(f64, usize) -> [f64; 2]) {
+    for (row, (series, entry)) in lines.iter().filter(|(s, _)| s.absent.is_some()).enumerate() {
+        series.gaps().iter().for_each(|x| svg.cross(place(*x, row), entry.stroke.colour));
     }
 }
 

@@ -39,11 +39,16 @@ pub(crate) fn engineering_exponent(greatest: f64) -> i32 {
     3 * ((size.log10() + 1.0) / 3.0).floor() as i32
 }
 
-/// Widens a range that is a single value to within rounding: by 1 % of the value, or by 1 about zero.
+/// Whether a range is zero and nothing else.
+pub(crate) fn is_zero((low, high): (f64, f64)) -> bool {
+    low.abs().max(high.abs()) < MAGNITUDES.start
+}
+
+/// Widens a range that is a single value to within rounding by 1 % of the value; zero stays zero.
 pub(crate) fn spread((low, high): (f64, f64)) -> (f64, f64) {
     let greatest = low.abs().max(high.abs());
-    if greatest < MAGNITUDES.start {
-        return (-1.0, 1.0);
+    if is_zero((low, high)) {
+        return (0.0, 0.0);
     }
     if high - low > LEAST_SPREAD * greatest {
         return (low, high);
@@ -63,8 +68,13 @@ fn step(least: f64) -> (f64, i32) {
 }
 
 /// A linear axis of at most `intervals` steps over the range; `snap` moves the ends out to the next step.
+///
+/// Where all is zero only zero is labelled, in the middle: any other label would claim a magnitude that nothing has.
 pub(crate) fn linear((low, high): (f64, f64), intervals: usize, snap: bool) -> Scale {
     let (low, high) = spread((low, high));
+    if is_zero((low, high)) {
+        return Scale { min: -1.0, max: 1.0, major: vec![(0.0, "0".to_owned())], minor: Vec::new(), log: false };
+    }
     let mut least = (high - low) / intervals as f64;
     loop {
         let (mantissa, exponent) = step(least);
@@ -164,7 +174,7 @@ mod tests {
         let scale = linear((5855.0, 5855.0), 5, true);
         assert!(scale.min < 5855.0 && scale.max > 5855.0);
         let zero = linear((0.0, 0.0), 5, true);
-        assert!(zero.min <= -1.0 && zero.max >= 1.0);
+        assert_eq!((zero.position(0.0), labels(&zero)), (0.5, vec!["0"]));
         assert_eq!(linear((0.0, 1e-310), 5, true), zero);
     }
 

@@ -1,6 +1,6 @@
 //! Figures 13 and 19: histories and spectra of the outer ring's acceleration, and the orbital speed.
 
-use super::loads::over_orbit;
+use super::loads::{SPEEDS, over_orbits};
 use super::runs::Made;
 use super::specs::Spec;
 use crate::error::Failure;
@@ -94,9 +94,9 @@ pub fn coatings(spec: &Spec, made: &Made) -> Result<Figure, Failure> {
 
 /// Fig. 19b over the azimuth, where the paper says that balls meet their pockets.
 pub fn impacts(spec: &Spec, made: &Made) -> Result<Figure, Failure> {
-    let mut chart = over_orbit("", ("Orbital speed", "r/min"), |b| b.orbital_speed_rad_s / RPM, &made.coatings()?)?;
-    chart.references.push(Reference::new("published impacts: 245° to 330°", Place::Between(245.0, 330.0)));
-    Ok(Figure::new(spec.name, spec.title, &[Panel::Polar(chart)])?)
+    let mut panels = over_orbits(&[(SPEEDS, &made.coatings()?)])?;
+    panels[0].publish(Reference::new("published impacts: 245° to 330°", Place::Between(245.0, 330.0)));
+    Ok(Figure::new(spec.name, spec.title, &panels)?)
 }
 
 /// Fig. 13c.

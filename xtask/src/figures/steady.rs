@@ -3,7 +3,7 @@
 use super::runs::Made;
 use super::specs::Spec;
 use crate::error::Failure;
-use tribodyn_plot::{Figure, Panel, Place, PolarChart, Quantity, Reference};
+use tribodyn_plot::{Figure, Panel, Place, Quantity, Reference};
 
 /// Cage speeds of Table 4, r/min.
 const CAGE_SPEEDS: [(&str, &str, f64); 3] = [
@@ -16,10 +16,10 @@ const TESTED_SPEED: f64 = 5788.0;
 /// The heavily loaded zone of section 5.1.2, degrees.
 const HEAVY_ZONE: Place = Place::Between(-90.0, 90.0);
 
-fn figure(spec: &Spec, made: &Made, name: &str, add: impl Fn(Quantity, &mut PolarChart)) -> Result<Figure, Failure> {
+fn figure(spec: &Spec, made: &Made, name: &str, add: impl Fn(Quantity, &mut Panel)) -> Result<Figure, Failure> {
     let mut panels = made.steady(name)?.panels;
-    panels.iter_mut().for_each(|(quantity, chart)| add(*quantity, chart));
-    let panels: Vec<Panel> = panels.into_iter().map(|(_, chart)| Panel::Polar(chart)).collect();
+    panels.iter_mut().for_each(|(quantity, panel)| add(*quantity, panel));
+    let panels: Vec<Panel> = panels.into_iter().map(|(_, panel)| panel).collect();
     Ok(Figure::new(spec.name, spec.title, &panels)?)
 }
 
@@ -30,33 +30,33 @@ pub fn plain(name: &'static str, spec: &Spec, made: &Made) -> Result<Figure, Fai
 
 /// With the zone that the paper compares with the rest of the orbit.
 pub fn with_zone(name: &'static str, spec: &Spec, made: &Made) -> Result<Figure, Failure> {
-    figure(spec, made, name, |_, chart| {
-        chart.references.push(Reference::new("published heavy zone: −90° to 90°", HEAVY_ZONE));
+    figure(spec, made, name, |_, panel| {
+        panel.publish(Reference::new("published heavy zone: −90° to 90°", HEAVY_ZONE));
     })
 }
 
 pub fn loads(spec: &Spec, made: &Made) -> Result<Figure, Failure> {
-    figure(spec, made, "contact-loads", |quantity, chart| {
+    figure(spec, made, "contact-loads", |quantity, panel| {
         if quantity == Quantity::LoadOuter {
-            chart.references.push(twice_the_least(chart));
+            panel.publish(twice_the_least(panel));
         }
     })
 }
 
 /// "Nearly twice that in the lightly loaded zone": twice the least value of the first line.
-pub fn twice_the_least(chart: &PolarChart) -> Reference {
-    let first = chart.series.first().map_or(&[][..], |series| &series.points);
+pub fn twice_the_least(panel: &Panel) -> Reference {
+    let first = panel.series().first().map_or(&[][..], |series| &series.points);
     let least = first.iter().fold(f64::INFINITY, |least, (_, value)| least.min(*value));
     Reference::new("published: heaviest nearly twice the lightest", Place::Value(2.0 * least))
 }
 
 /// Table 4's mean orbital speeds, which the balls' go about.
 pub fn speeds(spec: &Spec, made: &Made) -> Result<Figure, Failure> {
-    figure(spec, made, "orbital-speed", |_, chart| {
+    figure(spec, made, "orbital-speed", |_, panel| {
         for (case, label, speed) in CAGE_SPEEDS {
-            chart.references.push(Reference::new(label, Place::Value(speed)).of(case));
+            panel.publish(Reference::new(label, Place::Value(speed)).of(case));
         }
         let label = format!("published test: {TESTED_SPEED} r/min");
-        chart.references.push(Reference::new(label, Place::Value(TESTED_SPEED)));
+        panel.publish(Reference::new(label, Place::Value(TESTED_SPEED)));
     })
 }

@@ -17,6 +17,9 @@ pub enum SweepError {
     /// Finished rows of something else.
     #[error("{}: {difference}; delete it, or use --restart to solve all rows anew", path.display())]
     OtherSweep { path: PathBuf, difference: String },
+    /// Figures of a sweep that has none.
+    #[error("--plot: {why}")]
+    Plot { why: String },
     /// Two processes with one output.
     #[error("{}: another sweep is writing there", path.display())]
     Busy { path: PathBuf },

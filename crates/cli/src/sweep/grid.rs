@@ -157,6 +157,11 @@ impl Grid {
         self.axes.iter().map(|axis| axis.column.clone())
     }
 
+    /// The values of each axis, as they stand in the table.
+    pub fn axis_cells(&self) -> impl Iterator<Item = Vec<Cell>> {
+        self.axes.iter().map(|axis| axis.cells.clone())
+    }
+
     /// Rows in a chunk; the last one may have fewer. Small grids have small chunks, so that they too can be shared out.
     pub fn chunk_rows(&self) -> usize {
         (self.rows / 64).clamp(CHUNK.start, CHUNK.end - 1)

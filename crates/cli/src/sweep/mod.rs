@@ -6,6 +6,7 @@
 
 mod columns;
 mod error;
+mod figures;
 mod grid;
 mod journal;
 #[cfg(feature = "parquet")]
@@ -20,6 +21,7 @@ pub use error::SweepError;
 
 use crate::failure::Failure;
 use crate::input;
+use crate::output::StagedFiles;
 use crate::solve::check_output;
 use crate::table::{number, print_json, print_line, print_pairs};
 use grid::{Grid, Setting};
@@ -33,7 +35,7 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
-use table::Format;
+use table::{Format, Rows};
 
 /// Solve the quasi-static equilibrium for every combination of case values.
 #[derive(clap::Args)]
@@ -60,6 +62,9 @@ pub struct Arguments {
     /// Forget the finished rows of a sweep that was stopped
     #[arg(long)]
     restart: bool,
+    /// Write figures of the rows (SVG and PNG) to this folder: curves over one swept value, maps over two
+    #[arg(long, value_name = "DIR")]
+    plot: Option<PathBuf>,
     /// Print what would be done and about how long it takes, and write nothing
     #[arg(long)]
     plan: bool,
@@ -75,6 +80,9 @@ pub struct Arguments {
 #[derive(Serialize)]
 struct Summary {
     output: PathBuf,
+    /// Folder of the figures.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    plot: Option<PathBuf>,
     /// Rows of the whole grid.
     grid_rows: usize,
     /// Rows of the table: those of the shard.
@@ -96,6 +104,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some((path, _)) = target {
         check_output(path, &arguments.case, "table")?;
     }
+    arguments.plot.as_ref().map_or(Ok(()), |_| figures::check(&grid))?;
     match target {
         Some((path, format)) if !arguments.plan => sweep(arguments, &grid, path, format, &pool),
         _ => plan::print(&grid, arguments.shard, arguments.cold, pool.current_num_threads(), arguments.json),
@@ -127,11 +136,15 @@ fn sweep(
         ("tribodyn.swept".to_owned(), serde_json::to_string(&identity.swept)?),
         ("tribodyn.shard".to_owned(), arguments.shard.to_string()),
     ];
+    let rows = Rows::new(path, &columns, &journal);
+    let plots = arguments.plot.as_ref().map(|folder| figures::stage(folder, grid, &rows)).transpose()?;
     let count = table::write(path, format, &columns, &journal, notes)?;
+    plots.map_or(Ok(()), StagedFiles::publish)?;
     journal.delete()?;
     let time_s = began.elapsed().as_secs_f64();
     let summary = Summary {
         output: path.to_owned(),
+        plot: arguments.plot.clone(),
         grid_rows: grid.rows,
         rows: count.rows,
         resumed_rows: resumed,
@@ -186,5 +199,6 @@ fn print(summary: &Summary) -> Result<(), Failure> {
     rows.push(("time", number(summary.time_s, 1), "s"));
     rows.push(("rate", number(summary.rows_per_s, 0), "rows/s"));
     print_pairs(&rows)?;
-    print_line(&format!("\n{} is written", summary.output.display()))
+    let plot = summary.plot.as_ref().map_or(String::new(), |folder| format!(", figures are in {}", folder.display()));
+    print_line(&format!("\n{} is written{plot}", summary.output.display()))
 }

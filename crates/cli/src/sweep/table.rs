@@ -55,7 +55,7 @@ pub fn write(
     let file = staged.create(name.to_owned())?;
     let kept = file.try_clone().map_err(failure)?;
     let writer = BufWriter::new(file);
-    let rows = Rows { path, columns, journal };
+    let rows = Rows::new(path, columns, journal);
     let count = match format {
         Format::Csv => rows.csv(writer)?,
         #[cfg(feature = "parquet")]
@@ -76,7 +76,12 @@ pub struct Rows<'a> {
     journal: &'a Journal,
 }
 
-impl Rows<'_> {
+impl<'a> Rows<'a> {
+    /// The finished rows of a table that will stand at `path`.
+    pub fn new(path: &'a Path, columns: &'a [Column], journal: &'a Journal) -> Self {
+        Self { path, columns, journal }
+    }
+
     /// Hands out each row as its line and its fields.
     pub fn each(&self, mut take: impl FnMut(&str, Vec<Cell>) -> Result<(), Failure>) -> Result<Count, Failure> {
         let converged = self.columns.iter().position(|column| column.name == CONVERGED);

@@ -260,6 +260,56 @@ fn limit_a_plan_counts_and_writes_nothing() {
     assert_eq!(scratch.names(), [""; 0]);
 }
 
+/// Texts of a figure.
+fn figure(folder: &Path, name: &str) -> String {
+    assert!(fs::read(folder.join(format!("{name}.png"))).unwrap().starts_with(b"\x89PNG"));
+    fs::read_to_string(folder.join(format!("{name}.svg"))).unwrap()
+}
+
+#[test]
+fn identity_figures_are_curves_over_one_value_and_maps_over_two() {
+    let scratch = Scratch::new();
+    let [table, curves, maps, part] = ["table.csv", "curves", "maps", "part"].map(|name| scratch.0.join(name));
+    let outcome = sweep(&[&"--set", &"numerics.max_iterations=1,150,200", &"-o", &table, &"--plot", &curves]);
+    assert_eq!(outcome.code, 1, "{}", outcome.err);
+    let angles = figure(&curves, "contact-angles");
+    for text in ["no solution", "numerics.max_iterations", "Contact angle (°)", "inner, largest", "outer, smallest"] {
+        assert!(angles.contains(text), "{text}");
+    }
+    let summary = grid(&table, &[&"--plot", &maps, &"--json"]).json();
+    assert_eq!(summary["plot"], maps.to_str().unwrap());
+    let pressures = figure(&maps, "peak-pressures");
+    for text in ["(a) inner", "(b) outer", "Peak pressure (GPa)", "ring.z.Force (kN)", "ring.x.Force (kN)"] {
+        assert!(pressures.contains(text), "{text}");
+    }
+    assert!(!pressures.contains("no solution"));
+    let document = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/sweep.md");
+    let document = fs::read_to_string(document).unwrap();
+    for name in super::names(&maps) {
+        let stem = name.split('.').next().unwrap();
+        assert!(document.contains(&format!("`{stem}`")), "docs/sweep.md does not name {stem}");
+    }
+    assert_eq!(super::names(&curves), super::names(&maps));
+    // A shard has fewer cells: what others solve is blank.
+    grid(&table, &[&"--plot", &part, &"--shard", &"1/3"]).table();
+    let cells = |folder: &Path| figure(folder, "cage-speed").matches("<rect").count();
+    assert!(cells(&part) + 8 < cells(&maps), "{} {}", cells(&part), cells(&maps));
+}
+
+#[test]
+fn limit_sweeps_without_figures_are_refused_before_anything_is_solved() {
+    let scratch = Scratch::new();
+    let [table, plot] = ["table.csv", "plot"].map(|name| scratch.0.join(name));
+    let third = "ring.y.Force=kN(0),kN(1)";
+    grid(&table, &[&"--set", &third, &"--plot", &plot])
+        .fails(2, &["--plot", "one swept value or two, and 3 are swept"]);
+    sweep(&[&"-o", &table, &"--plot", &plot]).fails(2, &["--plot", "nothing is swept"]);
+    let fine = ["x", "z"].map(|axis| format!("ring.{axis}.Force=kN(10..20 in 201)"));
+    let plotted = sweep(&[&"--set", &fine[0], &"--set", &fine[1], &"-o", &table, &"--plot", &plot]);
+    plotted.fails(2, &["--plot", "at most 40000 cells"]);
+    assert_eq!(scratch.names(), [""; 0]);
+}
+
 #[test]
 fn regress_every_column_is_documented() {
     let scratch = Scratch::new();

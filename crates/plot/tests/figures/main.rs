@@ -1,6 +1,8 @@
 //! Figures of synthetic solutions, read back as SVG and as bitmaps.
 
+mod balls;
 mod published;
+mod ranges;
 mod run;
 mod synthetic;
 mod synthetic_run;
@@ -24,6 +26,9 @@ fn texts(figure: &Figure) -> BTreeSet<String> {
     shown.filter_map(|n| n.text().map(str::to_owned)).collect()
 }
 
+/// Figures of signed quantities.
+const SIGNED: [&str; 3] = ["longitudinal-traction", "slide-to-roll", "cage-force"];
+
 #[test]
 fn identity_every_figure_is_a_drawable_svg_with_its_title_axes_and_legend() {
     let figures = figures();
@@ -44,7 +49,12 @@ fn identity_every_figure_is_a_drawable_svg_with_its_title_axes_and_legend() {
     for figure in &figures {
         usvg::Tree::from_str(figure.svg(), &usvg::Options::default()).expect("an SVG that usvg reads");
         let texts = texts(figure);
-        for label in ["Case 1", "Case 2", "Case 3", "Case 4", "0°", "90°", "180°", "270°", &figure.title] {
+        let azimuths = if SIGNED.contains(&figure.name.as_str()) {
+            ["0", "60", "180", "360", "Azimuth (°)"]
+        } else {
+            ["0°", "30°", "90°", "180°", "270°"]
+        };
+        for label in ["Case 1", "Case 2", "Case 3", "Case 4", &figure.title].into_iter().chain(azimuths) {
             assert!(texts.contains(label), "{}: {label}", figure.name);
         }
         assert!(!figure.svg().contains("NaN") && !figure.svg().contains("inf"), "{}", figure.name);
@@ -81,7 +91,7 @@ fn identity_the_same_data_give_the_same_bytes() {
 #[test]
 fn identity_curves_over_the_azimuth_are_closed() {
     let figures = figures();
-    for figure in &figures {
+    for figure in figures.iter().filter(|figure| !SIGNED.contains(&figure.name.as_str())) {
         let document = parse(figure);
         let paths: Vec<_> =
             document.descendants().filter_map(|n| n.attribute("d")).filter(|d| d.ends_with('Z')).collect();
@@ -154,6 +164,8 @@ fn identity_texts_neither_overlap_nor_leave_the_figure() {
     all.push(traction_curve_and_convergence());
     all.push(published::both());
     all.extend(synthetic_run::run_figures());
+    all.extend(balls::partly_loaded_figures());
+    all.extend(ranges::all());
     let mut options = usvg::Options { font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
     let fonts = options.fontdb_mut();
     fonts.load_font_data(include_bytes!("../../assets/DejaVuSans-subset.ttf").to_vec());
@@ -168,7 +180,7 @@ fn identity_texts_neither_overlap_nor_leave_the_figure() {
                 boxes.push((label, text.abs_bounding_box()));
             }
         }
-        assert!(boxes.len() > 10, "{}", figure.name);
+        assert!(boxes.len() > 4, "{}", figure.name);
         for (i, (label, rect)) in boxes.iter().enumerate() {
             let size = tree.size();
             let inside = rect.left() >= 0.0
