@@ -6,8 +6,10 @@
 //! ```text
 //! axial       m z̈ = N_i sin α_i − N_o sin α_o + T_a + f_a
 //! radial      m (r̈ − r ω_m²) = N_i cos α_i − N_o cos α_o + T_r + f_r
-//! tangential  m (r ω̇_m + 2 ṙ ω_m) = T_t + F_cb r_p/r − F_d + (1/r)[N_o cos α_o (x_o·e_t) − N_i cos α_i (x_i·e_t) + Σ N d'(φ)]
+//! tangential  m (r ω̇_m + 2 ṙ ω_m) = T_t + N_t + F_cb r_p/r − F_d
 //! rotation    J (dΩ/dt + ω_m e_a × Ω) = M_i + M_o + M_churning + M_pocket
+//! offset      N_t: part of the normal forces along the orbit where a ring is off centre or its groove not round,
+//!             N_t = (1/r)[N_o cos α_o (x_o·e_t) − N_i cos α_i (x_i·e_t) + Σ N d'(φ)] to first order in x/r
 //! contact     N = max(0, Q + c δ̇),  c = 2ζ sqrt(m dQ/dδ),  Q = K_n (δ − d)^1.5
 //! pocket      F_cb = −sign(Δθ) K u (1 + χ u̇),  u = r_p (|Δθ| − θ_cl) > 0,  Δθ = φ − θ_c − 2πk/N_b
 //! cage        I_c θ̈_c = Σ (−r_p F_cb ± r_b f_r) + M_land − M_drag
@@ -30,8 +32,8 @@
 //! J. Appl. Mech. 42 (1975) 440, doi:10.1115/1.3423596. Each scheme names its own.
 //!
 //! Where we depart from the paper: its pocket force jumps at contact (the play is not subtracted), and its damper would pull;
-//! its supports' signs; the tangential part of the normal forces where a ring is off centre, without which power is not
-//! conserved.
+//! its supports' signs; the part of the normal forces along the orbit where a ring is off centre, without which power is not
+//! conserved, and its reaction on the ring, without which linear momentum is not.
 //!
 //! # Schemes
 //! The classical Runge–Kutta method with fixed steps, cut where a ball meets its pocket wall; the pair of Dormand and Prince
