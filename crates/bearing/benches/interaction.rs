@@ -5,7 +5,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use tribodyn_bearing::case::Case;
 use tribodyn_bearing::traction::{FastPatch, PatchRule, Quadrature};
-use tribodyn_bearing::{BallState, Bearing, RingState, Side};
+use tribodyn_bearing::{AzimuthFrame, BallState, Bearing, Races, RingState, Side};
 
 const PAPER_AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
 const RULE: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
@@ -16,7 +16,7 @@ fn interaction(c: &mut Criterion) {
     let g = &bearing.geometry;
     let along = g.groove_offset(Side::Outer) + 3e-5;
     let ball = BallState {
-        azimuth: [0.6, 0.8],
+        frame: AzimuthFrame { sin: 0.6, cos: 0.8 },
         position: [along * g.sin_contact_angle(), along * g.cos_contact_angle()],
         velocity: [0.0; 2],
         orbital_speed: 607.0,
@@ -25,13 +25,14 @@ fn interaction(c: &mut Criterion) {
     // Pressed on both races by the axial shift of the inner ring.
     let inner = RingState { displacement: [0.0, 0.0, 1e-4], ..RingState::centred(1466.0) };
     let outer = RingState::centred(0.0);
+    let rings = Races { inner: &inner, outer: &outer };
     let quadrature = Quadrature::new(RULE).expect("a rule with nodes");
     let kernel = FastPatch::new(RULE).expect("a rule with nodes");
-    c.bench_function("generic", |b| b.iter(|| bearing.ball_loads(black_box(&ball), &inner, &outer, &quadrature)));
+    c.bench_function("generic", |b| b.iter(|| bearing.ball_loads(black_box(&ball), rings, &quadrature)));
     c.bench_function("vector kernel", |b| {
         let surfaces = bearing.surfaces();
         b.iter(|| {
-            bearing.ball_loads_with(black_box(&ball), [&inner, &outer], surfaces.each_ref(), |patch| {
+            bearing.ball_loads_with(black_box(&ball), rings, surfaces.each_ref(), |patch| {
                 bearing.fast_traction(patch, &kernel)
             })
         })

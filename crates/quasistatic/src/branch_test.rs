@@ -7,7 +7,7 @@ use crate::settle::follow_ball;
 use crate::solve::traction_system;
 use crate::{Model, RingFreedom, other_roots, solve};
 use tribodyn_bearing::case::{Case, set_value};
-use tribodyn_bearing::{BallPose, Bearing};
+use tribodyn_bearing::{Bearing, Races};
 
 /// A bearing on a wider pitch circle in about 200 N of drag per ball.
 const DRAGGED: [(&str, &str); 7] = [
@@ -60,19 +60,15 @@ fn limit_a_ball_thrown_off_the_inner_race_comes_to_the_driven_equilibrium() {
 
         let typical = Typical::new(&bearing, &point.ring, Races { inner: point.inner_speed, outer: point.outer_speed });
         let system = traction_system(&bearing, &point, typical, start.rule()).unwrap();
-        let (ring, found): ([f64; RING], _) = (start.ring(), start.balls()[index]);
+        let (ring, found): ([f64; RING], _) = (start.ring(), start.state.balls[index]);
         let (_, loads, _) = system.evaluate(index, found, ring);
-        let pose = BallPose {
-            inner: loads.contacts.inner.pose,
-            outer: loads.contacts.outer.pose,
-            orbit_radius: loads.orbit_radius,
-        };
+        let pose = loads.pose();
         let rolling = kinematics(&bearing, &pose, system.speeds, false, true);
         let mut ball = [found[0], found[1], rolling.spin[0], rolling.spin[1], 0.0, rolling.orbital_speed];
         let mut lost = false;
         for stage in STAGES {
             ball = follow_ball(&system, index, ball, ring, stage, 1e-9).ball;
-            lost |= system.evaluate(index, ball, ring).1.inner.load == 0.0;
+            lost |= system.evaluate(index, ball, ring).1.contacts.inner.normal.load == 0.0;
         }
         assert!(lost, "{factors:?}: never off the inner race");
         let (orbit, expected) = (ball[5], found[5]);

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use num_dual::{Derivative, DualSVec64};
 use tribodyn_bearing::case::{Case, set_value};
 use tribodyn_bearing::traction::{FastPatch, PatchRule};
-use tribodyn_bearing::{Bearing, Side};
+use tribodyn_bearing::{Bearing, Races, Side};
 
 const ALL: usize = BALL + RING;
 type Dual = DualSVec64<ALL>;
@@ -101,7 +101,7 @@ fn identity_jacobian_with_traction_is_that_of_differences() {
         (RELATIVE, &[("numerics", "(ring_centre: Inertial)")]),
     ] {
         let bearing = bearing(changes);
-        let speeds = [1466.0, -50.0];
+        let speeds = Races::from([1466.0, -50.0]);
         for index in [0, 3, 8] {
             let system = WithTraction {
                 bearing: &bearing,
@@ -120,7 +120,7 @@ fn identity_jacobian_of_jones_harris_is_that_of_differences() {
     let mut seed = 11;
     for inner in [false, true] {
         let bearing = bearing(&[]);
-        let speeds = [1466.0, -50.0];
+        let speeds = Races::from([1466.0, -50.0]);
         for index in [0, 3, 8] {
             let system = JonesHarris {
                 bearing: &bearing,

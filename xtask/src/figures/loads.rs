@@ -101,8 +101,8 @@ pub fn by_coating(plans: &[Plan], spec: &Spec, made: &Made) -> Result<Figure, Fa
 pub fn race_wear_by_coating(spec: &Spec, made: &Made) -> Result<Figure, Failure> {
     let [(_, unit, get)] = RACE_WEAR;
     let runs = made.coatings()?;
-    let plan = |run| ((run.0, unit, get), std::slice::from_ref(run));
-    side_by_side(spec, &over_orbits(&runs.iter().map(plan).collect::<Vec<_>>())?)
+    let plans: Vec<_> = runs.iter().map(|run| ((run.0, unit, get), std::slice::from_ref(run))).collect();
+    side_by_side(spec, &over_orbits(&plans)?)
 }
 
 /// Fig. 20b.

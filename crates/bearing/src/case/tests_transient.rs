@@ -119,9 +119,9 @@ fn identity_sections_are_read_to_si() {
     assert_eq!((case.coatings.inner.worn, case.coatings.outer.worn), (0.5, 0.5));
     assert_eq!((case.cage.inertia, case.cage.pocket_damping), (Some(0.0021), 0.5));
     let land = case.cage.guidance.unwrap();
-    assert_eq!((land.land, land.radius, land.width, land.gap), (Side::Outer, 0.09025, 0.012, 0.00025));
+    assert_eq!((land.land, land.radius, land.width, land.gap), (crate::Side::Outer, 0.09025, 0.012, 0.00025));
     let [defect] = &case.defects[..] else { panic!("{:?}", case.defects) };
-    assert_eq!((defect.race, defect.azimuth, defect.depth, defect.bare), (Side::Outer, 0.0, 2e-6, 1.0));
+    assert_eq!((defect.race, defect.azimuth, defect.depth, defect.bare), (crate::Side::Outer, 0.0, 2e-6, 1.0));
     assert_eq!(defect.width, 3f64.to_radians());
     let transient = case.transient.unwrap();
     assert_eq!((transient.duration, transient.start), (0.05, StartSpec::QuasiStatic));

@@ -10,7 +10,7 @@ const FROZEN: (&str, &str) = ("numerics", "(contact_at_actual_angle: false)");
 
 /// Stiffness of both contacts of a ball in series, N/m^1.5: δ_i + δ_o = (Q/K)^(2/3).
 fn series_stiffness(bearing: &Bearing) -> f64 {
-    let compliance = |side| bearing.race(side).frozen::<f64>().stiffness().powf(-2.0 / 3.0);
+    let compliance = |side| bearing.races[side].frozen::<f64>().stiffness().powf(-2.0 / 3.0);
     (compliance(Side::Inner) + compliance(Side::Outer)).powf(-1.5)
 }
 
