@@ -69,24 +69,27 @@
     ctx.clip();
     ctx.font = `${12 * scale}px ` + FONT.slice(5);
     ctx.textBaseline = "middle";
-    const rows = [];
+    ctx.textAlign = "left";
+    const placed = [];
     for (const mark of chart.marks) {
       if (!shown.has(mark.family) || mark.at < u.scales.x.min || mark.at > u.scales.x.max) continue;
       const x = u.valToPos(mark.at, "x", true);
-      const colour = tone(FAMILIES[mark.family]);
       const wide = ctx.measureText(mark.label).width + 10 * scale;
       const left = Math.min(Math.max(x - wide / 2, bbox.left), bbox.left + bbox.width - wide);
-      const row = [0, 1, 2].find((r) => !(rows[r] ?? []).some(([a, b]) => left < b && left + wide > a));
+      const free = (row) => !placed.some((p) => p.row === row && left < p.left + p.wide && left + wide > p.left);
+      placed.push({ mark, x, left, wide, row: [0, 1, 2].find(free) ?? -1, colour: tone(FAMILIES[mark.family]) });
+    }
+    ctx.setLineDash([4 * scale, 4 * scale]);
+    ctx.lineWidth = scale;
+    for (const { x, row, colour } of placed) {
       ctx.strokeStyle = colour;
-      ctx.lineWidth = scale;
-      ctx.setLineDash([4 * scale, 4 * scale]);
       ctx.beginPath();
-      ctx.moveTo(x, bbox.top + (row === undefined ? 0 : (4 + 17 * (row + 1)) * scale));
+      ctx.moveTo(x, bbox.top + (4 + 17 * (row + 1)) * scale);
       ctx.lineTo(x, bbox.top + bbox.height);
       ctx.stroke();
-      if (row === undefined) continue;
-      (rows[row] ??= []).push([left, left + wide]);
-      const middle = bbox.top + (4 + 17 * row + 8.5) * scale;
+    }
+    for (const { mark, left, wide, row, colour } of placed.filter((p) => p.row >= 0)) {
+      const middle = bbox.top + (12.5 + 17 * row) * scale;
       ctx.fillStyle = tone("--paper");
       ctx.fillRect(left, middle - 8 * scale, wide, 16 * scale);
       ctx.fillStyle = colour;
@@ -105,13 +108,16 @@
     return found;
   }
 
+  const isPower = (v) => v != null && Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-6;
+
   function axes(chart, last) {
+    const log = chart.kind === "spectrum";
+    const powers = { filter: (_, splits) => splits.map((v) => (isPower(v) ? v : null)) };
+    const lines = axis({});
     const all = [
       axis({ label: last ? withUnit(chart.label, chart.unit) : null, labelSize: 20, size: 30, space: 64, values: (_, v) => numbers(v) }),
-      axis({ size: room, space: 34,
-        values: (_, v) => chart.kind === "spectrum"
-          ? v.map((x) => (x != null && Number.isInteger(Math.round(Math.log10(x) * 1e6) / 1e6) ? power(Math.round(Math.log10(x))) : ""))
-          : numbers(v) }),
+      axis({ size: room, space: 34, values: (_, v) => (log ? v.map((x) => (isPower(x) ? power(Math.round(Math.log10(x))) : "")) : numbers(v)),
+        ...(log ? { grid: { ...lines.grid, ...powers }, ticks: { ...lines.ticks, ...powers } } : {}) }),
     ];
     if (chart.shaft_hz) {
       all.push(axis({ scale: "x", side: 0, size: 28, label: "Order (multiples of the shaft frequency)", labelSize: 20, grid: { show: false },

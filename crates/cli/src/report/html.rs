@@ -92,7 +92,9 @@ fn drawings(figures: &[Figure]) -> String {
     let one = |f: &Figure| {
         let alone = f.svg().trim_start_matches(|c| c != '\n').trim_start();
         let svg = if f.svg().starts_with("<?xml") { alone } else { f.svg() };
-        format!("<figure id=\"{}\">\n<div class=\"still\">\n{}</div>\n</figure>\n", f.name, compact(svg))
+        let wide = svg.split('"').nth(3).filter(|text| text.parse::<f64>().is_ok()).unwrap_or("0");
+        let class = format!("class=\"still\" style=\"--wide: {wide}px\"");
+        format!("<figure id=\"{}\">\n<div {class}>\n{}</div>\n</figure>\n", f.name, compact(svg))
     };
     let (polar, others): (Vec<&Figure>, Vec<&Figure>) = figures.iter().partition(|f| f.name.starts_with("orbit-"));
     let mut html: String = others.iter().map(|f| one(f)).collect();
