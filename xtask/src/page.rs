@@ -83,16 +83,19 @@ fn usual_page() -> Result<PathBuf, Failure> {
     let case = files::root().join(CASE);
     let texts = |all: &[&str]| all.iter().map(OsString::from).collect::<Vec<_>>();
     let to = OsString::from("-o");
-    tribodyn([texts(&["run", "--quiet", "--duration", DURATION_S]), vec![case.into(), to.clone(), run.clone().into()]])?;
+    tribodyn([
+        texts(&["run", "--quiet", "--duration", DURATION_S]),
+        vec![case.into(), to.clone(), run.clone().into()],
+    ])?;
     tribodyn([texts(&["report"]), vec![run.into(), to, report.into()]])?;
     Ok(page)
 }
 
-/// Runs the command, built as this task was.
+/// Runs the command, built as the tests are: the same dependencies with the same features.
 fn tribodyn(arguments: [Vec<OsString>; 2]) -> Result<(), Failure> {
     let program = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let mut command = Command::new(&program);
-    command.current_dir(files::root()).args(["run", "--quiet", "--release", "--package", "tribodyn-cli", "--"]);
+    command.current_dir(files::root()).args(["run", "--quiet", "--bin", "tribodyn", "--"]);
     finished(command.args(arguments.concat()).stdout(Stdio::null()), &program, "tribodyn")
 }
 

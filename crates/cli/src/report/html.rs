@@ -106,7 +106,7 @@ fn drawings(figures: &[Figure]) -> String {
     html
 }
 
-/// The same drawing with paths of lines in relative coordinates of one decimal: less than half as long.
+/// The same drawing with paths of lines in relative coordinates of one decimal: about half as long.
 ///
 /// Differences are those of rounded places, so that errors do not add up.
 fn compact(svg: &str) -> String {
@@ -205,7 +205,7 @@ mod tests {
         let long: Vec<String> = points.iter().map(|[x, y]| format!("{x:.2} {y:.2}")).collect();
         let long = long.join(" L");
         let short = relative(&long).unwrap();
-        assert!(2 * short.len() < long.len() + 2000, "{} of {}", short.len(), long.len());
+        assert!(10 * short.len() < 6 * long.len(), "{} of {}", short.len(), long.len());
         let spaced = short[1..].replace('-', " -").replace('l', " ");
         let sums = spaced.split_whitespace().enumerate().fold([0.0; 2], |mut sums, (k, step)| {
             sums[k % 2] += step.parse::<f64>().unwrap();
