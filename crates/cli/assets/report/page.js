@@ -139,7 +139,7 @@
       value: (_, v) => figures(v) + (v == null || !panel.unit ? "" : " " + panel.unit) }));
     const log = chart.kind === "spectrum";
     const options = {
-      width: place.clientWidth, height: state.height + (last ? 20 : 0) + (chart.shaft_hz ? 48 : 0), padding: [10, 14, 0, 0],
+      width: place.clientWidth, height: state.height + (last ? 20 : 0) + (chart.shaft_hz ? 48 : 0), padding: [10, 24, 0, 0],
       series: [{ label: chart.label, value: readout(chart) }, ...lines],
       scales: { x: { time: false, range: (u, low, high) => (low === high ? [low - 0.5, low + 0.5] : [low, high]) },
         y: log ? { distr: 3, range: (_, low, high) => (low > 0 ? [low, high * (chart.marks.length ? 40 : 2)] : [0.1, 1]) }
