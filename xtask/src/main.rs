@@ -26,6 +26,7 @@ mod ci;
 mod error;
 mod figures;
 mod files;
+mod page;
 mod sensitivity;
 mod table;
 mod transient;
@@ -53,6 +54,8 @@ enum Command {
     Figures(figures::Arguments),
     /// Measure kernels, transient schemes and the quasi-static solver
     Bench(bench::Arguments),
+    /// Open a report in headless Chromium and look for what is wrong
+    Page(page::Arguments),
     /// Run everything that continuous integration runs
     Ci,
 }
@@ -64,6 +67,7 @@ fn main() -> ExitCode {
         Command::Sensitivity(arguments) => sensitivity::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
+        Command::Page(arguments) => page::run(&arguments),
         Command::Ci => ci::run(),
     };
     match done {

@@ -8,6 +8,7 @@ mod metadata;
 mod recording;
 
 use crate::error::Failure;
+use crate::page::{self, Checked};
 use crate::{files, validate};
 use std::path::PathBuf;
 use std::process::Command;
@@ -22,7 +23,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 11] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -33,6 +34,7 @@ const STEPS: [Step; 10] = [
     ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
     ("figures", figures::check),
     ("recording read by Python", || recording::check(&recordings())),
+    ("report in a browser", report_page),
 ];
 
 fn recordings() -> PathBuf {
@@ -74,6 +76,13 @@ pub fn run() -> Result<(), Failure> {
         failed.join(", ")
     );
     Err(Failure::Check { what: "continuous integration failed", findings: failed })
+}
+
+fn report_page() -> Result<Outcome, Failure> {
+    Ok(match page::check_usual()? {
+        Checked::Passed => Outcome::Done,
+        Checked::Skipped(reason) => Outcome::Skipped(reason),
+    })
 }
 
 /// Runs Cargo in the workspace, its output shown.

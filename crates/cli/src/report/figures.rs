@@ -1,6 +1,7 @@
 //! Histories and balances of a run.
 
 use super::facts::BallWear;
+use super::live::{Kind, Live, Plan as LivePlan, View};
 use crate::run::Summary;
 use tribodyn_plot::{Axis, Figure, History, PlotError, Samples, bars, stacked_bars, time_history};
 use tribodyn_record::{Run, StateRow};
@@ -90,25 +91,57 @@ const HISTORIES: [(&str, &str, &[Plan]); 6] = [
     ),
 ];
 
-/// Quantities over time.
-pub fn histories(run: &Run) -> Result<Vec<Figure>, PlotError> {
+/// Quantities over time. The start does not set the scales: what is drawn is the part of the run that the means are of; the
+/// interactive figures have the whole run too.
+pub fn histories(run: &Run, summary: &Summary, live: &mut Live) -> Result<Vec<Figure>, PlotError> {
     let time: Vec<f64> = run.states.iter().map(|row| row.time_s).collect();
-    HISTORIES.iter().map(|(name, title, plans)| history(&time, &run.states, (name, title), plans)).collect()
+    let from = time.partition_point(|t| *t < summary.averaged_from_s);
+    let steady = if time.len() - from < FEWEST { 0 } else { from };
+    let mut figures = Vec::new();
+    for (name, title, plans) in &HISTORIES {
+        let values: Values =
+            plans.iter().map(|(.., lines)| lines.iter().map(|(_, get)| rows(run, *get)).collect()).collect();
+        figures.push(time_history(name, title, &panels(plans, &time, &values, steady))?);
+        live.add(LivePlan {
+            name,
+            title,
+            kind: Kind::History,
+            abscissa: Axis::new("Time", "s"),
+            panels: &panels(plans, &time, &values, 0),
+            views: views(&time, steady),
+            marks: Vec::new(),
+            shaft_hz: None,
+        });
+    }
+    Ok(figures)
 }
 
-fn history(time: &[f64], rows: &[StateRow], (name, title): (&str, &str), plans: &[Plan]) -> Result<Figure, PlotError> {
-    let values: Vec<Vec<Vec<f64>>> =
-        plans.iter().map(|(.., lines)| lines.iter().map(|(_, get)| rows.iter().map(get).collect()).collect()).collect();
-    let panels: Vec<History> = plans
-        .iter()
-        .zip(&values)
-        .map(|((heading, quantity, unit, lines), values)| History {
-            title: heading,
-            quantity: Axis::new(*quantity, *unit),
-            samples: lines.iter().zip(values).map(|((label, _), y)| Samples { label, x: time, y }).collect(),
-        })
-        .collect();
-    time_history(name, title, &panels)
+/// Fewest samples of a part of a run that is drawn alone.
+const FEWEST: usize = 16;
+
+/// Of each panel, of each line the values.
+type Values = Vec<Vec<Vec<f64>>>;
+
+fn rows(run: &Run, get: fn(&StateRow) -> f64) -> Vec<f64> {
+    run.states.iter().map(get).collect()
+}
+
+/// The panels of a figure from a sample on.
+fn panels<'a>(plans: &[Plan], time: &'a [f64], values: &'a Values, from: usize) -> Vec<History<'a>> {
+    let line = |((label, _), y): (&Line, &'a Vec<f64>)| Samples { label, x: &time[from..], y: &y[from..] };
+    let panel = |((title, quantity, unit, lines), values): (&Plan, &'a Vec<Vec<f64>>)| History {
+        title,
+        quantity: Axis::new(*quantity, *unit),
+        samples: lines.iter().zip(values).map(line).collect(),
+    };
+    plans.iter().zip(values).map(panel).collect()
+}
+
+fn views(time: &[f64], steady: usize) -> Vec<View> {
+    let (Some(&first), Some(&last)) = (time.first(), time.last()) else { return Vec::new() };
+    let whole = View { name: "Whole run".to_owned(), from: first, to: last };
+    let part = View { name: "Steady part".to_owned(), from: time[steady], to: last };
+    if steady > 0 { vec![part, whole] } else { vec![whole] }
 }
 
 /// Part of the power put in below which a loss has no bar, for it would not be seen.

@@ -1,70 +1,82 @@
-//! The report as one HTML page that needs nothing else: figures are inline SVG, nothing is loaded from anywhere.
+//! The report as one HTML page that needs nothing else: figures are inline SVG, which a script covers with interactive ones on screen;
+//! nothing is loaded from anywhere.
 
 use super::content::{Content, Table};
+use super::live::Live;
 use tribodyn_plot::Figure;
 
-/// Light, for screen and paper; colours carry no meaning that words do not carry too.
-const STYLE: &str = "
-:root { color-scheme: light; }
-body { font: 15px/1.5 system-ui, 'Helvetica Neue', Arial, sans-serif; color: #1a1a1a; background: #fff;
-  max-width: 1080px; margin: 0 auto; padding: 24px 28px 60px; }
-h1 { font-size: 24px; line-height: 1.25; margin: 0 0 4px; }
-h2 { font-size: 18px; margin: 34px 0 6px; border-bottom: 1px solid #c8c8c8; padding-bottom: 3px; }
-p { margin: 6px 0 10px; }
-.sub { color: #555; }
-.warnings { border: 1px solid #b35900; border-left-width: 6px; background: #fff8ef; padding: 8px 16px; margin: 18px 0; }
-.warnings h2 { border: 0; margin: 2px 0 4px; font-size: 16px; }
-.warnings ul { margin: 4px 0; padding-left: 20px; }
-table { border-collapse: collapse; font-size: 14px; }
-th, td { text-align: left; vertical-align: top; padding: 3px 14px 3px 0; border-bottom: 1px solid #e4e4e4; overflow-wrap: anywhere; }
-th { border-bottom: 2px solid #8a8a8a; }
-.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; overflow-wrap: normal; }
-.n + td, .wide th { white-space: nowrap; overflow-wrap: normal; }
-.wide { width: 100%; font-size: 13px; }
-.wide td:first-child { white-space: nowrap; overflow-wrap: normal; }
-.class { font-weight: 600; white-space: nowrap; }
-.assumed { font-style: italic; }
-.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(440px, 1fr)); gap: 0 40px; align-items: start; }
-figure { margin: 18px 0; break-inside: avoid; text-align: center; }
-figure svg { max-width: 100%; height: auto; }
-pre { font: 12px/1.4 ui-monospace, Menlo, Consolas, monospace; background: #f6f6f6; padding: 12px; white-space: pre-wrap; }
-nav a { margin-right: 14px; } a { color: #00548a; }
-@media print { body { max-width: none; padding: 0; font-size: 12px; } nav, details:not([open]) { display: none; }
-  table { font-size: 11px; } h2 { break-after: avoid; } tr { break-inside: avoid; } @page { margin: 16mm; } }
-";
+/// Light and dark; colours carry no meaning that words do not carry too.
+const STYLE: &str = include_str!("../../assets/report/page.css");
+const SCRIPT: &str = include_str!("../../assets/report/page.js");
+const UPLOT: &str = include_str!("../../assets/uplot/uPlot.iife.min.js");
+const UPLOT_STYLE: &str = include_str!("../../assets/uplot/uPlot.min.css");
+const UPLOT_LICENCE: &str = include_str!("../../assets/uplot/LICENSE");
 
 /// `report.html`.
-pub fn page(content: &Content, figures: &[Figure]) -> String {
-    let title = escape(&content.title);
-    let mut html = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n<p class=\"sub\">Transient run</p>\n"
-    );
-    html += "<nav>";
-    for (anchor, name) in [("results", "Results"), ("histories", "Figures"), ("case", "Case"), ("file", "Case file")] {
-        html += &format!("<a href=\"#{anchor}\">{name}</a>");
-    }
-    html += "</nav>\n";
-    html += &warnings(content);
+pub fn page(content: &Content, figures: &[Figure], live: &Live) -> Result<String, serde_json::Error> {
     let (wide, narrow): (Vec<&Table>, Vec<&Table>) = content.tables.iter().partition(|t| t.wide);
     let (figured, wide): (Vec<&Table>, Vec<&Table>) = wide.into_iter().partition(|t| !t.numbers.is_empty());
-    html += "<div class=\"pair\" id=\"results\">\n";
-    narrow.iter().for_each(|t| html += &format!("<section>\n{}</section>\n", table(t)));
+    let mut html = head(&content.title);
+    html += &navigation(narrow.first().into_iter().chain(&figured).copied(), &wide, content.case_text.is_some());
+    html += "<main>\n";
+    html += &warnings(content);
+    html += "<div class=\"pair\">\n";
+    narrow.iter().for_each(|t| html += &section(t));
     html += "</div>\n";
-    figured.iter().for_each(|t| html += &format!("<section>\n{}</section>\n", table(t)));
-    html += "<h2 id=\"histories\">Figures</h2>\n";
+    figured.iter().for_each(|t| html += &section(t));
+    html += "<h2 id=\"figures\">Figures</h2>\n";
     content.notes.iter().for_each(|note| html += &format!("<p>{}</p>\n", escape(note)));
     html += &drawings(figures);
-    for (place, t) in wide.iter().enumerate() {
-        let id = if place + 1 == wide.len() { " id=\"case\"" } else { "" };
-        html += &format!("<section{id}>\n{}</section>\n", table(t));
-    }
+    wide.iter().for_each(|t| html += &section(t));
     if let Some(text) = &content.case_text {
         html += &format!(
-            "<details id=\"file\">\n<summary>The whole case file</summary>\n<pre>{}</pre>\n</details>\n",
+            "<h2 id=\"case-file\">Case file</h2>\n<details>\n<summary>The whole case file</summary>\n<pre>{}</pre>\n</details>\n",
             escape(text)
         );
     }
-    html + "</body>\n</html>\n"
+    html += "</main>\n";
+    html += &script(live)?;
+    Ok(html + "</body>\n</html>\n")
+}
+
+fn head(title: &str) -> String {
+    let title = escape(title);
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
+         <style>{UPLOT_STYLE}\n{STYLE}</style>\n</head>\n<body>\n\
+         <header>\n<h1>{title}</h1>\n<p class=\"sub\">Transient run</p>\n</header>\n"
+    )
+}
+
+/// Links to the parts of the page.
+fn navigation<'a>(before: impl Iterator<Item = &'a Table>, after: &[&Table], case_file: bool) -> String {
+    let link = |anchor: &str, name: &str| format!("<a href=\"#{anchor}\">{}</a>", escape(name));
+    let mut links: String = before.map(|t| link(&anchor(t.title), t.title)).collect();
+    links += &link("figures", "Figures");
+    links.extend(after.iter().map(|t| link(&anchor(t.title), t.title)));
+    if case_file {
+        links += &link("case-file", "Case file");
+    }
+    format!("<nav><div>{links}</div></nav>\n")
+}
+
+/// Letters and digits of a title in lower case, hyphens between words.
+fn anchor(title: &str) -> String {
+    let words = title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_lowercase).collect::<Vec<_>>().join("-")
+}
+
+/// Data, library and script of the interactive figures.
+fn script(live: &Live) -> Result<String, serde_json::Error> {
+    if live.is_empty() {
+        return Ok(String::new());
+    }
+    Ok(format!(
+        "<script type=\"application/json\" id=\"charts\">{}</script>\n<script>\n/*\nuPlot\n\n{UPLOT_LICENCE}*/\n{UPLOT}</script>\n<script>\n{SCRIPT}</script>\n",
+        live.json()?
+    ))
 }
 
 fn warnings(content: &Content) -> String {
@@ -80,7 +92,9 @@ fn drawings(figures: &[Figure]) -> String {
     let one = |f: &Figure| {
         let alone = f.svg().trim_start_matches(|c| c != '\n').trim_start();
         let svg = if f.svg().starts_with("<?xml") { alone } else { f.svg() };
-        format!("<figure id=\"{}\">\n{svg}\n</figure>\n", f.name)
+        let wide = svg.split('"').nth(3).filter(|text| text.parse::<f64>().is_ok()).unwrap_or("0");
+        let class = format!("class=\"still\" style=\"--wide: {wide}px\"");
+        format!("<figure id=\"{}\">\n<div {class}>\n{}</div>\n</figure>\n", f.name, compact(svg))
     };
     let (polar, others): (Vec<&Figure>, Vec<&Figure>) = figures.iter().partition(|f| f.name.starts_with("orbit-"));
     let mut html: String = others.iter().map(|f| one(f)).collect();
@@ -92,15 +106,69 @@ fn drawings(figures: &[Figure]) -> String {
     html
 }
 
-fn table(table: &Table) -> String {
-    let wide = if table.wide { " class=\"wide\"" } else { "" };
+/// The same drawing with paths of lines in relative coordinates of one decimal: about half as long.
+///
+/// Differences are those of rounded places, so that errors do not add up.
+fn compact(svg: &str) -> String {
+    let mut pieces = svg.split(" d=\"M");
+    let mut text = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (path, rest) = piece.split_once('"').unwrap_or((piece, ""));
+        text += " d=\"";
+        text += &relative(path).unwrap_or_else(|| format!("M{path}"));
+        text += "\"";
+        text += rest;
+    }
+    text
+}
+
+/// `71.25 20.5 L72 23` as `M71.3 20.5l.7 2.5`; None where a path is anything else than one line.
+fn relative(path: &str) -> Option<String> {
+    let tenths = |text: &str| text.parse::<f64>().ok().map(|v| (10.0 * v).round() as i64);
+    let mut short = String::with_capacity(path.len() / 2);
+    let mut last = None;
+    for point in path.split(" L") {
+        let (x, y) = point.split_once(' ')?;
+        let (x, y) = (tenths(x)?, tenths(y)?);
+        match last {
+            None => short += &format!("M{} {}l", decimal(x), decimal(y)),
+            Some((from_x, from_y)) if (from_x, from_y) == (x, y) => continue,
+            Some((from_x, from_y)) => {
+                for step in [decimal(x - from_x), decimal(y - from_y)] {
+                    let apart = !(short.ends_with('l') || step.starts_with('-'));
+                    short += if apart { " " } else { "" };
+                    short += &step;
+                }
+            }
+        }
+        last = Some((x, y));
+    }
+    Some(short.trim_end_matches('l').to_owned())
+}
+
+/// Tenths as a number without what is not needed: `-.5`, `12`.
+fn decimal(tenths: i64) -> String {
+    let (sign, whole, part) = (if tenths < 0 { "-" } else { "" }, tenths.abs() / 10, tenths.abs() % 10);
+    match (whole, part) {
+        (whole, 0) => format!("{sign}{whole}"),
+        (0, part) => format!("{sign}.{part}"),
+        (whole, part) => format!("{sign}{whole}.{part}"),
+    }
+}
+
+fn section(table: &Table) -> String {
+    let class = if table.wide { " class=\"wide\"" } else { "" };
+    let kind = if table.header.len() == 2 && table.wide { " class=\"facts\"" } else { "" };
     let number = |k: usize| if table.numbers.contains(&k) { " class=\"n\"" } else { "" };
-    let mut html =
-        format!("<h2>{}</h2>\n<p class=\"sub\">{}</p>\n<table{wide}>\n<tr>", table.title, escape(&table.text));
+    let mut html = format!("<section{class}>\n<h2 id=\"{}\">{}</h2>\n", anchor(table.title), escape(table.title));
+    if !table.text.is_empty() {
+        html += &format!("<p class=\"sub\">{}</p>\n", escape(&table.text));
+    }
+    html += &format!("<div class=\"scroll\" tabindex=\"0\">\n<table{kind}>\n<thead><tr>");
     for (k, name) in table.header.iter().enumerate() {
         html += &format!("<th{}>{}</th>", number(k), escape(name));
     }
-    html += "</tr>\n";
+    html += "</tr></thead>\n<tbody>\n";
     for row in &table.rows {
         html += "<tr>";
         for (k, cell) in row.iter().enumerate() {
@@ -113,7 +181,7 @@ fn table(table: &Table) -> String {
         }
         html += "</tr>\n";
     }
-    html + "</table>\n"
+    html + "</tbody>\n</table>\n</div>\n</section>\n"
 }
 
 /// Text that cannot be taken for markup.
@@ -123,10 +191,42 @@ fn escape(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::escape;
+    use super::*;
 
     #[test]
     fn limit_markup_in_a_case_stays_text() {
         assert_eq!(escape("<b> & \"x\""), "&lt;b&gt; &amp; &quot;x&quot;");
+    }
+
+    #[test]
+    fn identity_compact_paths_end_where_the_long_ones_do() {
+        assert_eq!(relative("71.25 20.5 L72 23 L72.04 22.98 L71.5 23").unwrap(), "M71.3 20.5l.7 2.5-.5 0");
+        let points: Vec<[f64; 2]> = (0..2000).map(|k| [0.33 * k as f64, 90.0 * (0.7 * k as f64).sin()]).collect();
+        let long: Vec<String> = points.iter().map(|[x, y]| format!("{x:.2} {y:.2}")).collect();
+        let long = long.join(" L");
+        let short = relative(&long).unwrap();
+        assert!(10 * short.len() < 6 * long.len(), "{} of {}", short.len(), long.len());
+        let spaced = short[1..].replace('-', " -").replace('l', " ");
+        let sums = spaced.split_whitespace().enumerate().fold([0.0; 2], |mut sums, (k, step)| {
+            sums[k % 2] += step.parse::<f64>().unwrap();
+            sums
+        });
+        let end = points[points.len() - 1];
+        assert!((sums[0] - end[0]).abs() < 0.06 && (sums[1] - end[1]).abs() < 0.06, "{sums:?} {end:?}");
+    }
+
+    #[test]
+    fn limit_other_paths_and_elements_stay() {
+        let svg = "<path d=\"M1 2 L3 4 Z\" fill=\"x\"/><line x1=\"1.25\"/>";
+        assert_eq!(compact(svg), svg);
+        assert_eq!(compact("<path d=\"M1.25 2 L3 4\"/>"), "<path d=\"M1.3 2l1.7 2\"/>");
+    }
+
+    #[test]
+    fn limit_the_embedded_scripts_do_not_end_their_element() {
+        for text in [SCRIPT, UPLOT, UPLOT_LICENCE] {
+            assert!(!text.to_lowercase().contains("</script") && !text.contains("<!--"));
+        }
+        assert!(!UPLOT_LICENCE.contains("*/"));
     }
 }

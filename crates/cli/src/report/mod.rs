@@ -5,6 +5,7 @@ mod content;
 mod facts;
 mod figures;
 mod html;
+mod live;
 mod markdown;
 mod orbit;
 mod spectra;
@@ -17,6 +18,7 @@ use crate::table;
 use against::{Compared, compared};
 use content::Content;
 use facts::{BallWear, Start};
+use live::Live;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tribodyn_plot::Figure;
@@ -80,13 +82,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         read => read?,
     };
     let summary = Summary::of(&run.states, run.wear.last(), &run.events).ok_or_else(no_run)?;
-    let (mut answer, case, figures) = evaluate(&arguments.recording, &run, summary)?;
+    let (mut answer, case, figures, live) = evaluate(&arguments.recording, &run, summary)?;
     if let Some(path) = &arguments.against {
         answer.validation = compared(path, &serde_json::to_value(&answer)?)?;
     }
     let content = Content::new(&answer, case.as_ref(), &run);
     let mut staged = StagedFiles::new(&arguments.output)?;
-    staged.write("report.html".to_owned(), html::page(&content, &figures).as_bytes())?;
+    staged.write("report.html".to_owned(), html::page(&content, &figures, &live)?.as_bytes())?;
     staged.write("summary.md".to_owned(), markdown::page(&content, &figures).as_bytes())?;
     staged.write("summary.json".to_owned(), format!("{}\n", serde_json::to_string_pretty(&answer)?).as_bytes())?;
     if let Some(layout) = &run.layout_text {
@@ -104,7 +106,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     table::print_line(&format!("report: {}", arguments.output.join("report.html").display()))
 }
 
-type Evaluated = (Answer, Option<CaseFile>, Vec<Figure>);
+type Evaluated = (Answer, Option<CaseFile>, Vec<Figure>, Live);
 
 fn evaluate(path: &Path, run: &Run, summary: Summary) -> Result<Evaluated, Failure> {
     // A damaged or older file may lack its case, or hold one that is refused now: the numbers are there all the same.
@@ -118,9 +120,10 @@ fn evaluate(path: &Path, run: &Run, summary: Summary) -> Result<Evaluated, Failu
     if case.is_none() {
         notes.push("The recording has no readable case: its values and the start are missing here.".to_owned());
     }
-    let mut figures = figures::histories(run)?;
-    figures.extend(spectra::figures(run, &summary, &frequencies, &mut notes)?);
-    figures.extend(orbit::figures(run, &mut notes)?);
+    let mut live = Live::default();
+    let mut figures = figures::histories(run, &summary, &mut live)?;
+    figures.extend(spectra::figures(run, &summary, &frequencies, &mut notes, &mut live)?);
+    figures.extend(orbit::figures(run, &mut notes, &mut live)?);
     figures.extend(figures::balances(&summary, &ball_wear)?);
     let simulation = run.metadata.get("simulation");
     let said = |key: &str| simulation.and_then(|entries| entries.get(key)).cloned().unwrap_or_default();
@@ -142,5 +145,5 @@ fn evaluate(path: &Path, run: &Run, summary: Summary) -> Result<Evaluated, Failu
         figures: figures.iter().map(|figure| figure.name.clone()).collect(),
         notes,
     };
-    Ok((answer, case, figures))
+    Ok((answer, case, figures, live))
 }

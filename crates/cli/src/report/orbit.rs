@@ -1,6 +1,7 @@
 //! What a ball goes through in one orbit.
 
-use tribodyn_plot::{Axis, Figure, PlotError, Samples, orbit_polar};
+use super::live::{Kind, Live, Plan, View};
+use tribodyn_plot::{Axis, Figure, History, PlotError, Samples, orbit_polar};
 use tribodyn_record::{BallRow, Run};
 
 /// The ball that is shown.
@@ -58,7 +59,7 @@ const PLANS: [(&str, &str, &str, &str, [Line; 2]); 6] = [
 ];
 
 /// Polar charts over the last orbit of a ball.
-pub fn figures(run: &Run, notes: &mut Vec<String>) -> Result<Vec<Figure>, PlotError> {
+pub fn figures(run: &Run, notes: &mut Vec<String>, live: &mut Live) -> Result<Vec<Figure>, PlotError> {
     let Some(rows) = last_orbit(&run.balls) else {
         notes.push(format!(
             "There are no charts over the azimuth: ball {BALL} made no whole orbit with {FEWEST} samples."
@@ -71,9 +72,34 @@ pub fn figures(run: &Run, notes: &mut Vec<String>) -> Result<Vec<Figure>, PlotEr
         let values = lines.map(|(_, get)| rows.iter().map(|b| f64::from(get(b))).collect::<Vec<f64>>());
         let samples = [0, 1].map(|k| Samples { label: lines[k].0, x: &azimuth, y: &values[k] });
         let title = format!("{title} of ball {BALL} over its last orbit");
-        figures.push(orbit_polar(name, &title, Axis::new(*quantity, *unit), &samples)?);
+        let quantity = Axis::new(*quantity, *unit);
+        figures.push(orbit_polar(name, &title, quantity.clone(), &samples)?);
+        over_azimuth(live, (name, &title), quantity, &samples);
     }
     Ok(figures)
+}
+
+/// The same over the azimuth in degrees from 0 to 360, for an interactive figure.
+fn over_azimuth(live: &mut Live, (name, title): (&str, &str), quantity: Axis, samples: &[Samples]) {
+    let Some(first) = samples.first() else { return };
+    let mut order: Vec<usize> = (0..first.x.len()).collect();
+    let degrees = |k: usize| first.x[k].to_degrees().rem_euclid(360.0);
+    order.sort_by(|a, b| degrees(*a).total_cmp(&degrees(*b)));
+    let azimuth: Vec<f64> = order.iter().map(|k| degrees(*k)).collect();
+    let sorted = |line: &Samples| order.iter().map(|k| line.y[*k]).collect::<Vec<f64>>();
+    let values: Vec<Vec<f64>> = samples.iter().map(sorted).collect();
+    let lines = samples.iter().zip(&values).map(|(line, y)| Samples { label: line.label, x: &azimuth, y });
+    let panel = History { title: "", quantity, samples: lines.collect() };
+    live.add(Plan {
+        name,
+        title,
+        kind: Kind::Orbit,
+        abscissa: Axis::new("Azimuth", "°"),
+        panels: &[panel],
+        views: vec![View { name: "Whole orbit".to_owned(), from: 0.0, to: 360.0 }],
+        marks: Vec::new(),
+        shaft_hz: None,
+    });
 }
 
 /// The rows of the ball over its last whole turn.

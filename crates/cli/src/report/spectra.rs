@@ -1,14 +1,15 @@
-//! Spectra of the acceleration of the outer ring, with the frequencies at which balls and cage come by.
+//! Spectra of the acceleration of the outer ring over frequency and order, with the frequencies at which balls and cage come by.
 
+use super::live::{Kind, Live, LiveMark, Plan, View};
 use crate::failure::Failure;
 use crate::run::Summary;
-use tribodyn_plot::{Axis, Figure, Mark, Samples, SpectrumView, spectrum_figure};
+use tribodyn_plot::{Axis, Figure, History, LineChart, Mark, Panel, PlotError, Samples, SpectrumView, spectrum_chart};
 use tribodyn_record::{Run, StateRow};
 use tribodyn_signal::{BearingFrequencies, Spectrum, Window, envelope_spectrum};
 
 /// Fewest samples of which a spectrum says something.
 const FEWEST: usize = 256;
-/// Frequencies shown, in passes of a ball.
+/// Frequencies of the panel over orders, in passes of a ball over a point of the outer race.
 const PASSES_SHOWN: f64 = 6.0;
 const DECADES: u32 = 5;
 
@@ -23,6 +24,7 @@ pub fn figures(
     summary: &Summary,
     frequencies: &BearingFrequencies,
     notes: &mut Vec<String>,
+    live: &mut Live,
 ) -> Result<Vec<Figure>, Failure> {
     let from = run.states.partition_point(|row| row.time_s < summary.averaged_from_s);
     let half = match half(&run.states[from..]) {
@@ -32,10 +34,6 @@ pub fn figures(
             return Ok(Vec::new());
         }
     };
-    let marks = marks(frequencies, super::facts::balls(run));
-    let most = 0.5 * half.rate_hz;
-    let passes = PASSES_SHOWN * frequencies.ball_pass_outer_hz;
-    let shown = if passes > 0.0 { most.min(passes) } else { most };
     let signal = |get: fn(&StateRow) -> f64| half.rows.iter().map(get).collect::<Vec<f64>>();
     let axes = [signal(|r| r.outer_acceleration_x_m_s2), signal(|r| r.outer_acceleration_y_m_s2)];
     let still = |samples: &Vec<f64>| samples.iter().all(|a| *a == samples[0]);
@@ -53,19 +51,83 @@ pub fn figures(
     ];
     let mut figures = Vec::new();
     for (name, title, spectra) in plans {
-        let labels = ["along X", "along Y"];
         let lines: Vec<Samples> = spectra
             .iter()
-            .zip(labels)
+            .zip(["along X", "along Y"])
             .filter(|(s, _)| s.amplitude.iter().any(|a| *a > 0.0))
             .map(|(s, label)| Samples { label, x: &s.frequency_hz, y: &s.amplitude })
             .collect();
-        let view = SpectrumView::frequency().logarithmic(DECADES).up_to(shown);
         if !lines.is_empty() {
-            figures.push(spectrum_figure(name, title, Axis::new("Amplitude", "m/s²"), &lines, &marks, &view)?);
+            figures.push(drawn((name, title), &lines, frequencies, 0.5 * half.rate_hz)?);
+            interactive(live, (name, title), &lines, frequencies, 0.5 * half.rate_hz);
         }
     }
     Ok(figures)
+}
+
+fn amplitude() -> Axis {
+    Axis::new("Amplitude", "m/s²")
+}
+
+/// The whole band over frequency, and the lower one over orders where there is a shaft frequency.
+fn drawn(
+    (name, title): (&str, &str),
+    lines: &[Samples],
+    frequencies: &BearingFrequencies,
+    band_hz: f64,
+) -> Result<Figure, PlotError> {
+    let marks = marks(frequencies);
+    let passes: Vec<Mark> = marks.iter().filter(|m| m.passes()).map(|m| Mark::new(m.at, &*m.label)).collect();
+    let view = SpectrumView::frequency().logarithmic(DECADES);
+    let whole = spectrum_chart(amplitude(), lines, &passes, &view)?;
+    let mut panels = vec![Panel::Cartesian(LineChart { title: "Whole band".to_owned(), ..whole })];
+    let shaft_hz = frequencies.shaft_hz;
+    if shaft_hz > 0.0 {
+        let orders: Vec<Vec<f64>> = lines.iter().map(|l| l.x.iter().map(|f| f / shaft_hz).collect()).collect();
+        let lines: Vec<Samples> = lines.iter().zip(&orders).map(|(l, x)| Samples { x, ..*l }).collect();
+        let marks: Vec<Mark> = marks.iter().map(|m| Mark::new(m.at / shaft_hz, &*m.label)).collect();
+        let view = SpectrumView::order().logarithmic(DECADES).up_to(low_band_hz(frequencies, band_hz) / shaft_hz);
+        let lower = spectrum_chart(amplitude(), &lines, &marks, &view)?;
+        panels.push(Panel::Cartesian(LineChart { title: "By order".to_owned(), ..lower }));
+    }
+    Figure::in_columns(name, title, 1, &panels)
+}
+
+/// Upper end of the band in which balls pass, Hz.
+fn low_band_hz(frequencies: &BearingFrequencies, band_hz: f64) -> f64 {
+    let passes = PASSES_SHOWN * frequencies.ball_pass_outer_hz;
+    if passes > 0.0 { band_hz.min(passes) } else { band_hz }
+}
+
+/// The same lines over frequency with a second axis of orders; amplitudes end where those of the drawing do.
+fn interactive(
+    live: &mut Live,
+    (name, title): (&str, &str),
+    lines: &[Samples],
+    frequencies: &BearingFrequencies,
+    band_hz: f64,
+) {
+    let highest = lines.iter().flat_map(|line| line.y).fold(0.0, |most: f64, a| most.max(*a));
+    let least = highest * 10f64.powi(-(DECADES as i32));
+    let values: Vec<Vec<f64>> = lines.iter().map(|l| l.y[1..].iter().map(|a| a.max(least)).collect()).collect();
+    let samples = lines.iter().zip(&values).map(|(l, y)| Samples { label: l.label, x: &l.x[1..], y });
+    let panel = History { title: "", quantity: amplitude(), samples: samples.collect() };
+    let view = |name: &str, to: f64| View { name: name.to_owned(), from: 0.0, to };
+    let low = low_band_hz(frequencies, band_hz);
+    let mut views = vec![view("Whole band", band_hz)];
+    if low < band_hz {
+        views.push(view(&format!("To {PASSES_SHOWN} BPFO"), low));
+    }
+    live.add(Plan {
+        name,
+        title,
+        kind: Kind::Spectrum,
+        abscissa: Axis::new("Frequency", "Hz"),
+        panels: &[panel],
+        views,
+        marks: marks(frequencies).into_iter().filter(|mark| mark.at <= band_hz).collect(),
+        shaft_hz: Some(frequencies.shaft_hz).filter(|hz| *hz > 0.0),
+    });
 }
 
 fn half(rows: &[StateRow]) -> Result<Half<'_>, String> {
@@ -83,13 +145,46 @@ fn half(rows: &[StateRow]) -> Result<Half<'_>, String> {
     Ok(Half { rows, rate_hz: 1.0 / step })
 }
 
-/// Turns of cage and shaft, and passes of balls over a point of the outer ring with their multiples.
-fn marks(f: &BearingFrequencies, balls: usize) -> Vec<Mark> {
-    let mut marks = vec![Mark::new(f.cage_hz, "f_c"), Mark::new(f.shaft_hz, "f_i")];
-    for multiple in 1..PASSES_SHOWN as usize {
-        let label = format!("{} f_c", multiple * balls);
-        marks.push(Mark::new(multiple as f64 * f.ball_pass_outer_hz, label));
+/// Harmonics that are marked of each characteristic frequency.
+const HARMONICS: [(&str, usize); 5] = [("BPFO", 5), ("BPFI", 5), ("FTF", 1), ("BSF", 2), ("f_r", 2)];
+
+impl LiveMark {
+    /// Whether it is of passes of balls over a point of a race.
+    fn passes(&self) -> bool {
+        matches!(self.family, "BPFO" | "BPFI")
     }
-    marks.retain(|mark| mark.at > 0.0);
+}
+
+/// The characteristic frequencies by the names of the field, f_r the turns of the shaft; twice BSF is what a ball defect excites.
+/// Fundamentals come first: where labels crowd, these keep theirs.
+fn marks(f: &BearingFrequencies) -> Vec<LiveMark> {
+    let hz = [f.ball_pass_outer_hz, f.ball_pass_inner_hz, f.cage_hz, f.ball_spin_hz, f.shaft_hz];
+    let most = HARMONICS.iter().map(|(_, count)| *count).max().unwrap_or(0);
+    let mut marks = Vec::new();
+    for multiple in 1..=most {
+        for ((family, _), hz) in HARMONICS.iter().zip(hz).filter(|((_, count), hz)| multiple <= *count && *hz > 0.0) {
+            let label = if multiple == 1 { (*family).to_owned() } else { format!("{multiple} {family}") };
+            marks.push(LiveMark { family, label, at: multiple as f64 * hz });
+        }
+    }
     marks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identity_marks_have_the_names_of_the_field_and_are_multiples() {
+        let frequencies = BearingFrequencies::from_run(600.0, 3000.0, 1400.0, 0.0, 13).unwrap();
+        let all = marks(&frequencies);
+        let at = |label: &str| all.iter().find(|m| m.label == label).map(|m| m.at).unwrap();
+        assert!((at("BPFO") - 13.0 * at("FTF")).abs() < 1e-9);
+        assert!((at("BPFO") + at("BPFI") - 13.0 * at("f_r")).abs() < 1e-9);
+        assert_eq!(at("2 BSF"), frequencies.ball_defect_hz);
+        assert_eq!(at("5 BPFI"), 5.0 * frequencies.ball_pass_inner_hz);
+        assert_eq!(all[..5].iter().map(|m| m.label.as_str()).collect::<Vec<_>>(), HARMONICS.map(|(name, _)| name));
+        let at_rest = BearingFrequencies::from_run(0.0, 0.0, 0.0, 0.0, 13).unwrap();
+        assert!(marks(&at_rest).is_empty());
+    }
 }

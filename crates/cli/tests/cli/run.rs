@@ -250,8 +250,14 @@ fn identity_a_report_is_made_of_whole_and_torn_recordings() {
     assert_eq!(names(&folder), expected);
     let page = fs::read_to_string(folder.join("report.html")).unwrap();
     assert_eq!(page.matches("<svg").count(), figures.len());
-    for outside in ["<script", "<link", "src=", "@import", "url(http"] {
+    // Data, library and script of the interactive figures are in the page, the licence of the library too.
+    assert_eq!(page.matches("<script").count(), 3);
+    for outside in ["<script src", "<link", "src=", "@import", "url(http", "fetch(", "XMLHttpRequest"] {
         assert!(!page.contains(outside), "the page loads something: {outside}");
+    }
+    assert!(page.contains("The MIT License (MIT)") && page.contains("Copyright (c) 2022 Leon Sorokin"));
+    for name in ["BPFO", "BPFI", "FTF", "BSF"] {
+        assert!(page.contains(&format!("\"family\":\"{name}\"")), "{name} is not marked");
     }
     assert!(page.contains("published") && page.contains("assumed") && page.contains("SplitStrip"));
     // The cheap rule of these tests does not carry accelerations: tables do without, JSON says so.

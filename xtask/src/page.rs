@@ -1,0 +1,105 @@
+//! `cargo xtask page`: a report in a real browser.
+
+use crate::error::Failure;
+use crate::files;
+use std::ffi::OsString;
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+/// Reports opened in headless Chromium: wide and narrow, light and dark, with scripts and without, and as print
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Pages to open; without any, that of a short run of the paper's bearing
+    #[arg(value_name = "REPORT.html")]
+    pages: Vec<PathBuf>,
+    /// Folder for a picture of each view
+    #[arg(long, value_name = "DIR")]
+    pictures: Option<PathBuf>,
+    /// Chromium or a browser of its family; without it, the first that is found
+    #[arg(long, value_name = "PROGRAM")]
+    browser: Option<String>,
+}
+
+/// Where the page of the short run is made.
+const FOLDER: &str = "target/page";
+/// Duration of that run, s: two turns of the cage, so that there are spectra and charts over an orbit.
+const DURATION_S: &str = "0.03";
+const CASE: &str = "fixtures/cases/paper-ag.ron";
+const SCRIPT: &str = "xtask/checks/report_page.py";
+/// Names of the browser, usual ones first.
+const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
+
+/// A check that ran, or the reason why it could not.
+pub enum Checked {
+    Passed,
+    Skipped(String),
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if let Checked::Skipped(reason) = check(arguments)? {
+        println!("SKIPPED: {reason}");
+    }
+    Ok(())
+}
+
+/// The page of a short run, for continuous integration.
+pub fn check_usual() -> Result<Checked, Failure> {
+    check(&Arguments { pages: Vec::new(), pictures: None, browser: None })
+}
+
+fn check(arguments: &Arguments) -> Result<Checked, Failure> {
+    let browsers: Vec<&str> = arguments.browser.as_deref().map_or(BROWSERS.to_vec(), |named| vec![named]);
+    let Some(browser) = browsers.iter().copied().find(|browser| answers(browser)) else {
+        return Ok(Checked::Skipped(format!("no browser: none of {} answers --version", browsers.join(", "))));
+    };
+    if !answers("python3") {
+        return Ok(Checked::Skipped("no python3, which drives the browser".to_owned()));
+    }
+    let pages = if arguments.pages.is_empty() { vec![usual_page()?] } else { arguments.pages.clone() };
+    let mut command = Command::new("python3");
+    command.arg(files::root().join(SCRIPT)).args(["--browser", browser]);
+    if let Some(folder) = &arguments.pictures {
+        command.arg("--pictures").arg(folder);
+    }
+    finished(command.args(&pages), "python3", SCRIPT)?;
+    Ok(Checked::Passed)
+}
+
+/// Whether a program can be started.
+fn answers(program: &str) -> bool {
+    let status = Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    status.is_ok_and(|status| status.success())
+}
+
+/// The report of a short run, made by the command as it stands.
+fn usual_page() -> Result<PathBuf, Failure> {
+    let folder = files::root().join(FOLDER);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
+    }
+    fs::create_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
+    let [run, report, page] = ["run.mcap", "report", "report/report.html"].map(|name| folder.join(name));
+    let case = files::root().join(CASE);
+    let texts = |all: &[&str]| all.iter().map(OsString::from).collect::<Vec<_>>();
+    let to = OsString::from("-o");
+    tribodyn([
+        texts(&["run", "--quiet", "--duration", DURATION_S]),
+        vec![case.into(), to.clone(), run.clone().into()],
+    ])?;
+    tribodyn([texts(&["report"]), vec![run.into(), to, report.into()]])?;
+    Ok(page)
+}
+
+/// Runs the command, built as the tests are: the same dependencies with the same features.
+fn tribodyn(arguments: [Vec<OsString>; 2]) -> Result<(), Failure> {
+    let program = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    let mut command = Command::new(&program);
+    command.current_dir(files::root()).args(["run", "--quiet", "--bin", "tribodyn", "--"]);
+    finished(command.args(arguments.concat()).stdout(Stdio::null()), &program, "tribodyn")
+}
+
+fn finished(command: &mut Command, program: &str, name: &str) -> Result<(), Failure> {
+    let status = command.status().map_err(|source| Failure::Start { program: program.to_owned(), source })?;
+    if status.success() { Ok(()) } else { Err(Failure::Command { command: name.to_owned(), status }) }
+}
