@@ -32,6 +32,7 @@ impl<L: TractionLaw> Machine<L> {
             cage: CageSample {
                 angle_rad: frame.cage[0],
                 speed_rad_s: frame.cage[1],
+                speed_filtered_rad_s: frame.cage[1],
                 acceleration_rad_s2: bodies.cage,
                 ball_torque_nm: sums.cage_torque,
                 fluid_torque_nm: bodies.fluid_torque,
@@ -106,12 +107,15 @@ impl<L: TractionLaw> Machine<L> {
 
 fn ring_sample(frame: &Frame, sums: &Sums, bodies: &BodyForces, k: usize) -> RingSample {
     let ring = &frame.rings[k];
+    let acceleration = if k == 0 { bodies.inner } else { [bodies.outer[0], bodies.outer[1], 0.0] };
     RingSample {
         angle_rad: frame.angles[k],
         speed_rad_s: ring.speed,
         displacement_m: ring.displacement,
         velocity_m_s: ring.velocity,
-        acceleration_m_s2: if k == 0 { bodies.inner } else { [bodies.outer[0], bodies.outer[1], 0.0] },
+        // The run filters it.
+        acceleration_m_s2: acceleration,
+        acceleration_point_m_s2: acceleration,
         ball_force_n: sums.on_rings[k],
         torque_nm: bodies.torque[k],
     }
