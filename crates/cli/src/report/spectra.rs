@@ -6,6 +6,9 @@ use tribodyn_plot::{Axis, Figure, Mark, Samples, SpectrumView, spectrum_figure};
 use tribodyn_record::{Run, StateRow};
 use tribodyn_signal::{BearingFrequencies, Spectrum, Window, envelope_spectrum};
 
+/// Key of the metadata `simulation` with the end of the band that the filter of the samples passes, Hz.
+const PASS_BAND: &str = "filter_pass_band_hz";
+
 /// Fewest samples of which a spectrum says something.
 const FEWEST: usize = 256;
 /// Frequencies shown, in passes of a ball.
@@ -33,7 +36,9 @@ pub fn figures(
         }
     };
     let marks = marks(frequencies, super::facts::balls(run));
-    let most = 0.5 * half.rate_hz;
+    let band_hz = pass_band_hz(run);
+    let most = band_hz.unwrap_or(0.5 * half.rate_hz);
+    notes.extend(undersampled(band_hz, &half, frequencies));
     let passes = PASSES_SHOWN * frequencies.ball_pass_outer_hz;
     let shown = if passes > 0.0 { most.min(passes) } else { most };
     let signal = |get: fn(&StateRow) -> f64| half.rows.iter().map(get).collect::<Vec<f64>>();
@@ -46,7 +51,7 @@ pub fn figures(
     let plain: Vec<Spectrum> =
         axes.iter().map(|a| Spectrum::of(a, half.rate_hz, Window::Hann)).collect::<Result<_, _>>()?;
     let envelopes: Vec<Spectrum> =
-        axes.iter().map(|a| envelope_spectrum(a, half.rate_hz, None)).collect::<Result<_, _>>()?;
+        axes.iter().map(|a| envelope_spectrum(a, half.rate_hz, Some([0.0, most]))).collect::<Result<_, _>>()?;
     let plans = [
         ("spectrum", "Spectrum of the acceleration of the outer ring", plain),
         ("envelope-spectrum", "Spectrum of the envelope of the acceleration of the outer ring", envelopes),
@@ -66,6 +71,26 @@ pub fn figures(
         }
     }
     Ok(figures)
+}
+
+/// End of the pass band of the filter behind the samples, Hz; none where the recording names no filter.
+fn pass_band_hz(run: &Run) -> Option<f64> {
+    run.metadata.get("simulation")?.get(PASS_BAND)?.parse().ok()
+}
+
+/// Where a spectrum may show lines that did not occur, or cannot show those of the balls.
+fn undersampled(band_hz: Option<f64>, half: &Half, frequencies: &BearingFrequencies) -> Option<String> {
+    let passing = frequencies.ball_pass_outer_hz.max(frequencies.ball_pass_inner_hz);
+    match band_hz {
+        None => Some(format!(
+            "The recording names no filter: what vibrates above {:.0} Hz, half its state rate, shows at other frequencies in the spectra.",
+            0.5 * half.rate_hz
+        )),
+        Some(end) if end < passing => Some(format!(
+            "The spectra end at {end:.0} Hz, below the ball passing frequencies, up to {passing:.0} Hz: raise recording.state_rate."
+        )),
+        Some(_) => None,
+    }
 }
 
 fn half(rows: &[StateRow]) -> Result<Half<'_>, String> {
