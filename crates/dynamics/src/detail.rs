@@ -33,6 +33,7 @@ impl Machine {
             cage: CageSample {
                 angle_rad: frame.cage[0],
                 speed_rad_s: frame.cage[1],
+                speed_filtered_rad_s: frame.cage[1],
                 acceleration_rad_s2: bodies.cage,
                 ball_torque_nm: sums.cage_torque,
                 fluid_torque_nm: bodies.fluid_torque,
@@ -109,15 +110,18 @@ impl Machine {
 
 fn ring_sample(frame: &Frame, sums: &Sums, bodies: &BodyForces, side: Side) -> RingSample {
     let ring = &frame.rings[side];
+    let acceleration = match side {
+        Side::Inner => bodies.inner,
+        Side::Outer => [bodies.outer[0], bodies.outer[1], 0.0],
+    };
     RingSample {
         angle_rad: frame.angles[side],
         speed_rad_s: ring.speed,
         displacement_m: ring.displacement,
         velocity_m_s: ring.velocity,
-        acceleration_m_s2: match side {
-            Side::Inner => bodies.inner,
-            Side::Outer => [bodies.outer[0], bodies.outer[1], 0.0],
-        },
+        // The run filters it.
+        acceleration_m_s2: acceleration,
+        acceleration_point_m_s2: acceleration,
         ball_force_n: sums.on_rings[side],
         torque_nm: bodies.torque[side],
     }

@@ -4,6 +4,7 @@ use tribodyn_bearing::BearingError;
 use tribodyn_bearing::traction::TractionError;
 use tribodyn_bearing::wear::WearError;
 use tribodyn_quasistatic::QuasiStaticError;
+use tribodyn_signal::SignalError;
 
 /// Why a run cannot start or go on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -32,6 +33,17 @@ pub enum DynamicsError {
     /// Raceways and their wear.
     #[error(transparent)]
     Wear(#[from] WearError),
+    /// A checkpoint of another state rate or step.
+    #[error(
+        "the filter in the checkpoint is not that of the case, {internal_rate_hz} values a second: state rate or step differ"
+    )]
+    CheckpointFilter {
+        /// Internal rate of the case, Hz.
+        internal_rate_hz: f64,
+    },
+    /// The filter of the samples.
+    #[error(transparent)]
+    Filter(#[from] SignalError),
     /// A number that is none.
     #[error(
         "{what} became infinite or not a number after {time_s} s: the step of {step_s:.2e} s is too long; fixed steps are stable up to about {limit_s:.2e} s here"

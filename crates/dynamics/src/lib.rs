@@ -40,6 +40,11 @@
 //! with adaptive ones; and a fast scheme with contact springs explicit and friction linearly implicit. The bound on
 //! the stiffness ([`Stiffness`]) is worked out at the start and on the way, and a step beyond it is warned of.
 //!
+//! # Samples
+//! Contacts vibrate at 10 kHz and more. Accelerations of the rings are therefore low-pass filtered before they are sampled, as a measuring
+//! chain does ([`FilterBands`]): ∫ a dt over short intervals are differences of the velocities, which cost no forces. All else in a
+//! [`Sample`] is the state at its time, and folds where it vibrates faster than half the sampling rate.
+//!
 //! # Limits
 //! Ring tilts are held; rings turn at prescribed speeds; the cage turns about the bearing's axis and does nothing else; the
 //! races wear along their azimuth, and the energy that wear takes out of the elastic contacts is not accounted for. The
@@ -73,6 +78,6 @@ mod fast_test;
 
 pub use error::DynamicsError;
 pub use observer::{Event, EventKind, Observer};
-pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, Run, RunError, Statistics};
+pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
 pub use sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
 pub use stiffness::Stiffness;

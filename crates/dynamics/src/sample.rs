@@ -33,8 +33,10 @@ pub struct RingSample {
     pub displacement_m: [f64; 3],
     /// Velocity, m/s.
     pub velocity_m_s: [f64; 3],
-    /// Acceleration, m/s².
+    /// Acceleration as a measuring chain gives it, m/s²: low-pass filtered, that of [`crate::FilterBands::delay_s`] before.
     pub acceleration_m_s2: [f64; 3],
+    /// Acceleration at this very time, m/s²: its spectrum folds.
+    pub acceleration_point_m_s2: [f64; 3],
     /// Sum of the forces of the balls on the ring, N.
     pub ball_force_n: [f64; 3],
     /// Torque about Z that keeps the prescribed speed, N m.
@@ -48,6 +50,8 @@ pub struct CageSample {
     pub angle_rad: f64,
     /// Rotational speed, rad/s.
     pub speed_rad_s: f64,
+    /// The same low-pass filtered, that of [`crate::FilterBands::delay_s`] before, rad/s: what spectra are made of.
+    pub speed_filtered_rad_s: f64,
     /// Rotational acceleration, rad/s².
     pub acceleration_rad_s2: f64,
     /// Torque of all balls on the cage, N m.

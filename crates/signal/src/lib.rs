@@ -8,6 +8,7 @@
 //! L(δ) = sinc δ + Σ_j a_j/(2a_0) [sinc(δ − j) + sinc(δ + j)],   w_n = Σ_j (−1)^j a_j cos(2πjn/N)   (lobe of a sine)
 //! S_k = A_k²/(2 B f_s/N), averaged over segments                                       (Welch)
 //! e = |x + i H{x}|,   θ(t) = ∫ ω dt,   r(τ) = Σ x x_τ/√(Σ x² Σ x_τ²)                     (envelope, angle, autocorrelation)
+//! y_m = Σ_j g((j − ½)/n − m + D) x_j,   g = w(u/D) (2/n) ∫ cos(2πfu)/sinc(f/n) df     (low-pass filter before decimation)
 //! f_c = ½ [f_i (1 − γ) + f_o (1 + γ)],   γ = D cos α/d_m                               (cage; others in `BearingFrequencies`)
 //! ```
 //!
@@ -19,6 +20,7 @@
 //! | L, δ | height of the lobe of a sine, distance from its middle | –, lines |
 //! | A, S | amplitude, power spectral density | unit, unit²/Hz |
 //! | H | Hilbert transform | |
+//! | y, n, D | filtered and decimated samples, inputs to one, delay | unit, –, output intervals |
 //! | θ, ω | shaft angle and speed | rad, rad/s |
 //! | D, d_m, α | ball diameter, pitch diameter, contact angle | m, m, rad |
 //! | f_i, f_o, f_c | turns of inner ring, outer ring and cage | Hz |
@@ -28,6 +30,7 @@
 //! - Windows: F. J. Harris, Proc. IEEE 66 (1978) 51, doi:10.1109/PROC.1978.10837; flat top: G. D'Antona, A. Ferrero, "Digital Signal
 //!   Processing for Measurement Systems", Springer 2006.
 //! - Frequencies between lines: T. Grandke, IEEE Trans. Instrum. Meas. 32 (1983) 350, doi:10.1109/TIM.1983.4314077.
+//! - Low-pass filter: J. F. Kaiser, Proc. IEEE Int. Symp. Circuits and Systems 1974, 20.
 //! - Density: P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70, doi:10.1109/TAU.1967.1161901.
 //! - Bearing frequencies and envelope analysis: R. B. Randall, J. Antoni, Mech. Syst. Signal Process. 25 (2011) 485,
 //!   doi:10.1016/j.ymssp.2010.07.017.
@@ -58,6 +61,7 @@
 //! ```
 
 mod bearing;
+mod decimator;
 mod envelope;
 mod error;
 mod harmonics;
@@ -71,6 +75,7 @@ mod welch;
 mod window;
 
 pub use bearing::BearingFrequencies;
+pub use decimator::{Decimator, DecimatorMemory};
 pub use envelope::{envelope, envelope_spectrum};
 pub use error::SignalError;
 pub use harmonics::{HarmonicFamily, HarmonicLine};

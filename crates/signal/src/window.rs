@@ -98,7 +98,7 @@ fn sign(j: usize) -> f64 {
 }
 
 /// `sin(πx)/(πx)`.
-fn sinc(x: f64) -> f64 {
+pub(crate) fn sinc(x: f64) -> f64 {
     let angle = PI * x;
     // Below this the next term of the series is under the rounding.
     if angle.abs() < 1e-8 { 1.0 } else { angle.sin() / angle }

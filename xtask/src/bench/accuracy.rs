@@ -32,7 +32,7 @@ impl Observer for Trace {
     type Error = Infallible;
 
     fn sample(&mut self, s: &Sample, _: bool) -> Result<ControlFlow<()>, Infallible> {
-        let [x, y, _] = s.outer.acceleration_m_s2;
+        let [x, y, _] = s.outer.acceleration_point_m_s2;
         self.0.push(Moment {
             time: s.time_s,
             cage_angle: s.cage.angle_rad,

@@ -15,7 +15,8 @@ const LAYERS: [(&str, &[&str]); 11] = [
     ("tribodyn-quasistatic", &["tribodyn-bearing"]),
     // Identification writes its candidates into the case file, so it knows `bearing` too.
     ("tribodyn-identify", &["tribodyn-bearing", "tribodyn-quasistatic"]),
-    ("tribodyn-dynamics", &["tribodyn-bearing", "tribodyn-quasistatic"]),
+    // Samples are filtered before they are thinned out.
+    ("tribodyn-dynamics", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-signal"]),
     // Recordings of runs hold spectra that a viewer cannot compute.
     ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
     ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),

@@ -17,7 +17,7 @@ type Named<'a> = (&'a str, &'a Transient);
 /// Spectra are drawn up to this frequency, Hz.
 const UP_TO: f64 = 5000.0;
 /// Band whose amplitude a defect modulates: above the ring on its support, below half the sampling rate, Hz.
-const BAND: [f64; 2] = [3000.0, 12_000.0];
+const BAND: [f64; 2] = [3000.0, 9984.0];
 /// Size of each area, px.
 const HISTORY_PX: [f64; 2] = [660.0, 190.0];
 const SPECTRUM_PX: [f64; 2] = [660.0, 200.0];

@@ -73,7 +73,7 @@ pub static SPECS: [Spec; 31] = [
         ["fig13-defect", "Beside Fig. 13c", "Envelope spectrum with a defect of the outer race"],
         over_time::defect,
     )
-    .noted("The published frequency is that of a defect seen after the test. Band of the envelope: 3 to 12 kHz; lines below 50 Hz are left out."),
+    .noted("The published frequency is that of a defect seen after the test. Band of the envelope: 3 to 10 kHz; lines below 50 Hz are left out."),
     case("table4-speed", "Table 4", "Orbital speed of the balls", steady::speeds),
     case("fig14-angles", "Fig. 14a", "Contact angles", |s, m| steady::plain("contact-angles", s, m)),
     case("fig14-loads", "Fig. 14b", "Contact loads", steady::loads),

@@ -7,6 +7,9 @@ use tribodyn_plot::{Axis, Figure, History, LineChart, Mark, Panel, PlotError, Sa
 use tribodyn_record::{Run, StateRow};
 use tribodyn_signal::{BearingFrequencies, Spectrum, Window, envelope_spectrum};
 
+/// Key of the metadata `simulation` with the end of the band that the filter of the samples passes, Hz.
+const PASS_BAND: &str = "filter_pass_band_hz";
+
 /// Fewest samples of which a spectrum says something.
 const FEWEST: usize = 256;
 /// Frequencies of the panel over orders, in passes of a ball over a point of the outer race.
@@ -34,6 +37,9 @@ pub fn figures(
             return Ok(Vec::new());
         }
     };
+    let band_hz = pass_band_hz(run);
+    let most = band_hz.unwrap_or(0.5 * half.rate_hz);
+    notes.extend(undersampled(band_hz, &half, frequencies));
     let signal = |get: fn(&StateRow) -> f64| half.rows.iter().map(get).collect::<Vec<f64>>();
     let axes = [signal(|r| r.outer_acceleration_x_m_s2), signal(|r| r.outer_acceleration_y_m_s2)];
     let still = |samples: &Vec<f64>| samples.iter().all(|a| *a == samples[0]);
@@ -44,7 +50,7 @@ pub fn figures(
     let plain: Vec<Spectrum> =
         axes.iter().map(|a| Spectrum::of(a, half.rate_hz, Window::Hann)).collect::<Result<_, _>>()?;
     let envelopes: Vec<Spectrum> =
-        axes.iter().map(|a| envelope_spectrum(a, half.rate_hz, None)).collect::<Result<_, _>>()?;
+        axes.iter().map(|a| envelope_spectrum(a, half.rate_hz, Some([0.0, most]))).collect::<Result<_, _>>()?;
     let plans = [
         ("spectrum", "Spectrum of the acceleration of the outer ring", plain),
         ("envelope-spectrum", "Spectrum of the envelope of the acceleration of the outer ring", envelopes),
@@ -55,11 +61,14 @@ pub fn figures(
             .iter()
             .zip(["along X", "along Y"])
             .filter(|(s, _)| s.amplitude.iter().any(|a| *a > 0.0))
-            .map(|(s, label)| Samples { label, x: &s.frequency_hz, y: &s.amplitude })
+            .map(|(s, label)| {
+                let shown = s.frequency_hz.partition_point(|f| *f <= most);
+                Samples { label, x: &s.frequency_hz[..shown], y: &s.amplitude[..shown] }
+            })
             .collect();
         if !lines.is_empty() {
-            figures.push(drawn((name, title), &lines, frequencies, 0.5 * half.rate_hz)?);
-            interactive(live, (name, title), &lines, frequencies, 0.5 * half.rate_hz);
+            figures.push(drawn((name, title), &lines, frequencies, most)?);
+            interactive(live, (name, title), &lines, frequencies, most);
         }
     }
     Ok(figures)
@@ -128,6 +137,26 @@ fn interactive(
         marks: marks(frequencies).into_iter().filter(|mark| mark.at <= band_hz).collect(),
         shaft_hz: Some(frequencies.shaft_hz).filter(|hz| *hz > 0.0),
     });
+}
+
+/// End of the pass band of the filter behind the samples, Hz; none where the recording names no filter.
+fn pass_band_hz(run: &Run) -> Option<f64> {
+    run.metadata.get("simulation")?.get(PASS_BAND)?.parse().ok()
+}
+
+/// Where a spectrum may show lines that did not occur, or cannot show those of the balls.
+fn undersampled(band_hz: Option<f64>, half: &Half, frequencies: &BearingFrequencies) -> Option<String> {
+    let passing = frequencies.ball_pass_outer_hz.max(frequencies.ball_pass_inner_hz);
+    match band_hz {
+        None => Some(format!(
+            "The recording names no filter: what vibrates above {:.0} Hz, half its state rate, shows at other frequencies in the spectra.",
+            0.5 * half.rate_hz
+        )),
+        Some(end) if end < passing => Some(format!(
+            "The spectra end at {end:.0} Hz, below the ball passing frequencies, up to {passing:.0} Hz: raise recording.state_rate."
+        )),
+        Some(_) => None,
+    }
 }
 
 fn half(rows: &[StateRow]) -> Result<Half<'_>, String> {

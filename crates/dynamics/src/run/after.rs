@@ -1,6 +1,6 @@
 //! What happens after a step: samples, events, wear, and a look at whether all is well.
 
-use super::step::hermite;
+use super::filter::Between;
 use super::{ACCELERATION_ERROR, LOOK_EVERY, Run, RunError, Scheme, THROWN_OUT, WEAR_LOOK_EVERY};
 use crate::error::DynamicsError;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS};
@@ -31,34 +31,36 @@ impl Run {
         Ok(flow)
     }
 
+    /// Filter and samples over the step just made; a break counts from the next step on.
     pub(super) fn samples_within<O: Observer>(
         &mut self,
         from: f64,
         to: f64,
         observer: &mut O,
     ) -> Result<ControlFlow<()>, RunError<O::Error>> {
+        let mut flow = ControlFlow::Continue(());
         loop {
-            let at = self.progress.samples as f64 / self.state_rate;
+            let (at, sample) = self.filter.next(&self.progress.filter);
             if at > to * (1.0 + 1e-14) {
-                return Ok(ControlFlow::Continue(()));
+                return Ok(flow);
             }
-            let h = to - from;
-            let s = (at - from) / h;
+            let length = to - from;
+            let s = (at - from) / length;
+            let p = &self.progress;
             // The fast scheme knows no derivatives; its steps end at the samples.
-            let at_the_end = (s - 1.0).abs() < 1e-9 || matches!(self.scheme, Scheme::Fast { .. });
-            let state: Vec<f64> = if at_the_end {
-                self.next.clone()
-            } else {
-                let p = &self.progress;
-                (0..self.next.len())
-                    .map(|i| {
-                        let slopes = [p.derivative[i] * h, self.next_derivative[i] * h];
-                        hermite(s, [p.state[i], self.next[i]], slopes)
-                    })
-                    .collect()
-            };
-            if self.hand_out(at, &state, observer)?.is_break() {
-                return Ok(ControlFlow::Break(()));
+            let fast = matches!(self.scheme, Scheme::Fast { .. });
+            let slopes = (!fast).then_some([p.derivative.as_slice(), self.next_derivative.as_slice()]);
+            let step = Between { state: [&p.state, &self.next], slopes, length };
+            let values = step.values(self.machine.layout, s);
+            let state: Option<Vec<f64>> = sample.then(|| match fast {
+                true => self.next.clone(),
+                false => (0..self.next.len()).map(|i| step.at(s, i)).collect(),
+            });
+            self.filter.take(&mut self.progress.filter, values);
+            if let Some(state) = state
+                && self.hand_out(at, &state, observer)?.is_break()
+            {
+                flow = ControlFlow::Break(());
             }
         }
     }
@@ -207,6 +209,19 @@ impl Run {
         };
         let message = format!(
             "the patch rule errs by {error:.1e} of the load: good for speeds and loads, but accelerations and pocket forces may be off by a quarter; traction.patch: TargetError(relative: 1e-5) carries them"
+        );
+        let kind = EventKind::Warning { message };
+        observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)
+    }
+
+    /// Says at the start that the filter of the samples cannot see the contact vibration.
+    pub(super) fn warn_if_undersampled<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
+        let (internal, contact) = (self.filter.internal_rate_hz(), self.progress.stiffness.contact_frequency_hz);
+        if internal >= 2.0 * contact {
+            return Ok(());
+        }
+        let message = format!(
+            "accelerations are filtered from {internal:.0} values a second, but contacts vibrate at {contact:.0} Hz: spectra may show lines that did not occur; shorten the step"
         );
         let kind = EventKind::Warning { message };
         observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)

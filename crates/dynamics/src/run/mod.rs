@@ -1,7 +1,10 @@
 //! A run: stepping, samples, events, wear, and what can be saved and taken up again.
 
 mod after;
+mod filter;
 mod step;
+
+pub use filter::FilterBands;
 
 use crate::dp54::{DormandPrince, StepControl};
 use crate::error::DynamicsError;
@@ -14,6 +17,7 @@ use crate::rk4::Rk4;
 use crate::sample::Sample;
 use crate::start::{Started, start};
 use crate::stiffness::Stiffness;
+use filter::{Filter, FilterMemory, steps_of_sample};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::Bearing;
 use tribodyn_bearing::case::{Case, SchemeSpec};
@@ -28,6 +32,7 @@ pub struct Run {
     duration: f64,
     state_rate: f64,
     balls_every: u64,
+    filter: Filter,
     progress: Checkpoint,
     /// State and derivative at the end of a step.
     next: Vec<f64>,
@@ -57,6 +62,7 @@ pub struct Checkpoint {
     /// Work put in, lost and put in by magnitude, J, up to the last sample of the fast scheme, and their rates there, W.
     work: [f64; 3],
     rates: [f64; 3],
+    filter: FilterMemory,
     /// Looks at stiffness and coating come by the number of steps, and what they saw last goes into steps and samples.
     statistics: Statistics,
     stiffness: Stiffness,
@@ -156,11 +162,13 @@ impl Run {
         let (state_rate, ball_rate) = case.recording.map_or((STATE_RATE, BALL_RATE), |r| (r.state_rate, r.ball_rate));
         let scheme = match transient.scheme {
             SchemeSpec::RungeKutta4 { step } => Scheme::Rk4 { step, method: Rk4::default() },
-            SchemeSpec::Fast { step } => Scheme::Fast { step: divides(step, state_rate) },
+            SchemeSpec::Fast { step } => Scheme::Fast { step: 1.0 / (state_rate * steps_of_sample(step, state_rate)) },
             SchemeSpec::DormandPrince { tolerance, longest } => {
                 Scheme::DormandPrince { tolerance, longest, method: DormandPrince::default() }
             }
         };
+        let bands = FilterBands::of(case).ok_or(DynamicsError::Missing { path: "transient" })?;
+        let filter = Filter::new(bands)?;
         let progress = Checkpoint {
             time: 0.0,
             steps: 0,
@@ -175,6 +183,7 @@ impl Run {
             fast: Fast::default(),
             work: [0.0; 3],
             rates: [0.0; 3],
+            filter: filter.at_start(machine.layout, &state),
             statistics: Statistics::default(),
             stiffness: machine.stiffness(0.0, &state),
             thinnest: machine.thinnest,
@@ -186,6 +195,7 @@ impl Run {
             duration: transient.duration,
             state_rate,
             balls_every: (state_rate / ball_rate).round().max(1.0) as u64,
+            filter,
             next: state.clone(),
             next_derivative: state.clone(),
             scale: scales(&machine, &state),
@@ -208,11 +218,15 @@ impl Run {
     /// Goes on from a checkpoint of the same case.
     ///
     /// # Errors
-    /// [`DynamicsError::Checkpoint`] for a checkpoint of another bearing.
+    /// [`DynamicsError::Checkpoint`] for a checkpoint of another bearing, [`DynamicsError::CheckpointFilter`] for one of another
+    /// state rate or step.
     pub fn resume(&mut self, checkpoint: Checkpoint) -> Result<(), DynamicsError> {
         let (found, expected) = (checkpoint.state.len(), self.start.len());
         if found != expected || checkpoint.derivative.len() != expected {
             return Err(DynamicsError::Checkpoint { found, expected });
+        }
+        if !self.filter.remembers(&checkpoint.filter) {
+            return Err(DynamicsError::CheckpointFilter { internal_rate_hz: self.filter.internal_rate_hz() });
         }
         self.machine.raceways = checkpoint.raceways.clone();
         self.machine.thinnest = checkpoint.thinnest;
@@ -273,12 +287,15 @@ impl Run {
         let p = &self.progress;
         let so_far = (p.energy_at_start, p.worn);
         let machine = &self.machine;
-        match self.scheme {
+        let mut sample = match self.scheme {
             Scheme::Fast { .. } => {
                 machine.sample((t, y), so_far, |index, patch| p.fast.traction(machine, index, patch))
             }
             _ => machine.sample((t, y), so_far, |_, patch| machine.kernel.traction(&machine.bearing, patch)),
-        }
+        };
+        [sample.inner.acceleration_m_s2, sample.outer.acceleration_m_s2] = p.filter.accelerations();
+        sample.cage.speed_filtered_rad_s = p.filter.cage_speed();
+        sample
     }
 
     /// Runs to the end of the duration, or to `until` (s) where that is earlier.
@@ -289,6 +306,7 @@ impl Run {
         let end = until.min(self.duration);
         if self.progress.samples == 0 {
             self.warn_if_coarse(observer)?;
+            self.warn_if_undersampled(observer)?;
             let state = self.progress.state.clone();
             if self.hand_out(self.progress.time, &state, observer)?.is_break() {
                 return Ok(Ending::Stopped);
@@ -324,9 +342,4 @@ fn scales(machine: &Machine, state: &[f64]) -> Vec<f64> {
     scale[l.outer()..l.outer() + 4].copy_from_slice(&[length, length, velocity, velocity]);
     scale[l.angles()..l.angles() + 2].fill(1.0);
     scale
-}
-
-/// The longest step of at most `step` that goes a whole number of times into the interval of the samples.
-fn divides(step: f64, rate: f64) -> f64 {
-    1.0 / (rate * (1.0 / (rate * step) - 1e-9).ceil().max(1.0))
 }

@@ -36,7 +36,7 @@ fn numbers(sample: &Sample, visit: &mut Visit) {
     ring_numbers(["outer.angle_rad", "outer.motion", "outer.ball_force_n", "outer.torque_nm"], &sample.outer, visit);
     let (c, p, w) = (&sample.cage, &sample.power, &sample.wear);
     visit(None, "cage.angle_rad", &[c.angle_rad]);
-    visit(None, "cage.speed_rad_s", &[c.speed_rad_s, c.acceleration_rad_s2]);
+    visit(None, "cage.speed_rad_s", &[c.speed_rad_s, c.speed_filtered_rad_s, c.acceleration_rad_s2]);
     visit(None, "cage torque", &[c.ball_torque_nm, c.fluid_torque_nm]);
     visit(None, "power in", &[p.shaft_w, p.load_w]);
     visit(None, "power lost at the races", &[p.friction_inner_w, p.friction_outer_w, p.contact_damping_w]);

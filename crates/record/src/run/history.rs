@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use tribodyn_dynamics::Sample;
-use tribodyn_signal::Window;
+use tribodyn_signal::{Decimator, Window};
 
 /// Most points of an orbit: a shaft that hardly turns would else fill the memory.
 const ORBIT_POINTS: usize = 4096;
@@ -52,7 +52,7 @@ pub(crate) type Quantity = (&'static str, &'static str, fn(&Sample) -> f64);
 pub(crate) const QUANTITIES: [Quantity; 3] = [
     ("acceleration of the outer ring along X", "m/s²", |s| s.outer.acceleration_m_s2[0]),
     ("acceleration of the inner ring along X", "m/s²", |s| s.inner.acceleration_m_s2[0]),
-    ("speed of the cage", "r/min", |s| s.cage.speed_rad_s * 60.0 / TAU),
+    ("speed of the cage", "r/min", |s| s.cage.speed_filtered_rad_s * 60.0 / TAU),
 ];
 
 /// The recent samples of the quantities with spectra.
@@ -80,8 +80,8 @@ impl Recent {
         }
     }
 
-    /// Spectrum of one of [`QUANTITIES`] over the largest power of two of samples; none where there are too few or
-    /// their times are not even.
+    /// Spectrum of one of [`QUANTITIES`] over the largest power of two of samples, up to the end of the filter's pass band;
+    /// none where there are too few samples or their times are not even.
     pub(crate) fn spectrum(&self, quantity: usize, log_time: u64) -> Result<Option<Spectrum>, RecordError> {
         let count = if self.times.is_empty() { 0 } else { 1 << self.times.len().ilog2() };
         let first = self.times.len() - count;
@@ -95,7 +95,8 @@ impl Recent {
         }
         let samples: Vec<f64> = self.values[quantity].range(first..).copied().collect();
         let spectrum = tribodyn_signal::Spectrum::of(&samples, 1.0 / step, Window::Hann)?;
-        let narrow = |values: &[f64]| values.iter().map(|&v| v as f32).collect();
+        let passed = spectrum.frequency_hz.partition_point(|hz| *hz <= Decimator::PASS_BAND / step);
+        let narrow = |values: &[f64]| values[..passed].iter().map(|&v| v as f32).collect();
         let (name, unit, _) = QUANTITIES[quantity];
         Ok(Some(Spectrum {
             timestamp: Some(timestamp(log_time)),

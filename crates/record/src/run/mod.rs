@@ -21,7 +21,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use tribodyn_bearing::Geometry;
 use tribodyn_bearing::case::Case;
-use tribodyn_dynamics::{Event, Observer, Sample};
+use tribodyn_dynamics::{Event, FilterBands, Observer, Sample};
 
 /// The Foxglove layout for runs, with the camera at a bearing of 215 mm outside diameter; every recording carries it,
 /// with the camera at its own bearing.
@@ -37,6 +37,12 @@ pub struct RunRecording<'a> {
     /// Program and version, such as `tribodyn 0.1.0`: the file says who wrote it.
     pub generator: &'a str,
 }
+
+/// What is low-pass filtered before it is sampled, for the metadata.
+const FILTERED: &str =
+    "inner_acceleration_* and outer_acceleration_* of /bearing/state, /bearing/spectrum and the topics below it";
+/// What is not.
+const POINT_SAMPLES: &str = "all other fields of /bearing/state, and /bearing/balls";
 
 /// Simulated time as log time, ns.
 pub(crate) fn log_time(time_s: f64) -> u64 {
@@ -147,6 +153,15 @@ fn entries(input: &RunRecording, geometry: &Geometry) -> Entries {
     if let Some(recording) = &case.recording {
         entries.push(("state_rate_hz", recording.state_rate.to_string()));
         entries.push(("ball_rate_hz", recording.ball_rate.to_string()));
+    }
+    if let Some(bands) = FilterBands::of(case) {
+        entries.push(("filtered", FILTERED.to_owned()));
+        entries.push(("point_samples", POINT_SAMPLES.to_owned()));
+        entries.push(("filter", "linear-phase FIR, Kaiser window, then decimation".to_owned()));
+        entries.push(("filter_pass_band_hz", bands.pass_band_hz().to_string()));
+        entries.push(("filter_stop_band_hz", bands.stop_band_hz().to_string()));
+        entries.push(("filter_delay_s", bands.delay_s().to_string()));
+        entries.push(("filter_internal_rate_hz", bands.internal_rate_hz().to_string()));
     }
     entries
 }

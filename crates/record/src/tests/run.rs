@@ -44,6 +44,10 @@ fn identity_a_run_comes_back_as_it_was_recorded() {
     assert_eq!(run.case_text.as_deref(), Some(case::TEXT));
     let simulation = &run.metadata["simulation"];
     assert_eq!((simulation["kind"].as_str(), simulation["seed"].as_str()), ("transient run", "none"));
+    let [rate, end, stop, delay] = ["state_rate_hz", "filter_pass_band_hz", "filter_stop_band_hz", "filter_delay_s"]
+        .map(|key| simulation[key].parse::<f64>().unwrap());
+    assert_eq!([end, stop, delay * rate], [0.39 * rate, 0.5 * rate, 26.0]);
+    assert!(simulation["filter_internal_rate_hz"].parse::<f64>().unwrap() >= 2.0 * rate);
     for (index, row) in run.states.iter().enumerate() {
         let exact = sample(index as f64 / 10_000.0);
         assert_eq!(row.time_s, exact.time_s);

@@ -70,6 +70,7 @@ pub(super) fn sample(time: f64) -> Sample {
         displacement_m: [1.1e-5 * (SHAFT * time).cos(), 1.1e-5 * (SHAFT * time).sin(), 6.4e-5],
         velocity_m_s: [1e-3, 2e-3, 0.0],
         acceleration_m_s2: [acceleration, 0.2, 0.0],
+        acceleration_point_m_s2: [acceleration, 0.2, 0.0],
         ball_force_n: [-9000.0, 0.0, -21_000.0],
         torque_nm: 11.0,
     };
@@ -80,6 +81,7 @@ pub(super) fn sample(time: f64) -> Sample {
         cage: CageSample {
             angle_rad: CAGE * time,
             speed_rad_s: CAGE + 0.05 * (90.0 * time).sin(),
+            speed_filtered_rad_s: CAGE + 0.05 * (90.0 * time).sin(),
             ..CageSample::default()
         },
         power: PowerSample { shaft_w: 16_000.0, imbalance_j: 2e-6, throughput_j: 1000.0, ..PowerSample::default() },

@@ -1,6 +1,7 @@
 //! Signals with known spectra, envelopes, orders and moments.
 
 mod bearing;
+mod decimation;
 mod modulation;
 mod orders;
 mod spectra;
