@@ -5,6 +5,7 @@ mod hygiene;
 mod layers;
 mod licences;
 mod metadata;
+mod node;
 mod recording;
 
 use crate::error::Failure;
@@ -22,7 +23,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 11] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -33,6 +34,7 @@ const STEPS: [Step; 10] = [
     ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
     ("figures", figures::check),
     ("recording read by Python", || recording::check(&recordings())),
+    ("recording read by Node", || node::check(&recordings())),
 ];
 
 fn recordings() -> PathBuf {

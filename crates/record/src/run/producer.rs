@@ -166,6 +166,8 @@ impl Producer {
         self.send(sink, Topic::Geometry, time, &update)?;
         // Wear from nothing on, so that the panel shows something from the start.
         self.wear(sink, time)?;
+        // The channels are declared in this chunk: a small one is seldom hit by damage, and all others need it.
+        sink.flush()?;
         Ok(scales)
     }
 

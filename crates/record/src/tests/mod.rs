@@ -1,6 +1,7 @@
 //! Tests of whole recordings, on a made-up solution whose quantities are known functions of azimuth.
 
 mod case;
+mod chunks;
 mod content;
 mod file;
 #[cfg(feature = "live")]
