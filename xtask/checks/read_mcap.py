@@ -18,10 +18,10 @@ import sys
 from mcap.reader import SeekingReader
 from mcap_protobuf.decoder import DecoderFactory
 
-SOLUTION_TOPICS = ["/bearing/balls", "/bearing/contacts", "/bearing/geometry", "/bearing/state", "/tf"]
+SOLUTION_TOPICS = ["/bearing/azimuth", "/bearing/balls", "/bearing/contacts", "/bearing/geometry", "/bearing/state", "/tf"]
 RUN_TOPICS = SOLUTION_TOPICS + ["/bearing/wear"]
 # At the end of a run, which a recovered file need not have.
-RUN_END_TOPICS = ["/bearing/orbit"]
+RUN_END_TOPICS = ["/bearing/coating", "/bearing/orbit"]
 STAMPED = ["/bearing/balls", "/bearing/state"]
 SCHEMAS = {
     "/bearing/balls": ["tribodyn.v1.Balls"],

@@ -10,7 +10,7 @@ use tribodyn_dynamics::{Checkpoint, Run};
 use tribodyn_record::RecorderMemory;
 
 /// Changes with the meaning of the fields.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// A run at a time.
