@@ -113,7 +113,7 @@ fn identity_balls_over_azimuth_are_sorted_and_the_same_balls() {
 /// A defect of the inner ring at 41°: at time 0 between the balls at 27.7° and 55.4°, none of which reaches it.
 #[test]
 fn identity_a_defect_lights_up_while_a_ball_passes() {
-    let defect = "defects: [(race: Inner, azimuth: deg(41), width: deg(4), depth: um(20), bare: 1)],\n    speed:";
+    let defect = "defects: [(race: Inner, azimuth: deg(41), width: deg(4), depth: um(20), bare: 0)],\n    speed:";
     let text = case::TEXT.replacen("speed:", defect, 1);
     let case = Case::from_ron(&text).unwrap();
     // The shaft is faster than the cage: the defect runs into the ball ahead of it.
