@@ -3,7 +3,8 @@
 Usage: python read_mcap.py FILE.mcap ...   (mcap 1.6.0, mcap-protobuf-support 0.6.0)
 
 Checked for each file: every CRC; every message decodes by the schema in the file; the counts of the summary are those of
-the messages; log times never fall, neither over all topics nor within one; no number is NaN or infinite; topics,
+the messages; no chunk is without messages, and the chunk indexes, from which viewers take the time span, have the first
+and the last log time; log times never fall, neither over all topics nor within one; no number is NaN or infinite; topics,
 metadata and attachments are there. A quasi-static solution has balls with every state, a transient run with some of them;
 both have their time in the message as in its record. A recovered file may lack messages: those that it has must be in
 order. Exit code 1 names the file and what is wrong with it.
@@ -17,10 +18,10 @@ import sys
 from mcap.reader import SeekingReader
 from mcap_protobuf.decoder import DecoderFactory
 
-SOLUTION_TOPICS = ["/bearing/balls", "/bearing/contacts", "/bearing/geometry", "/bearing/state", "/tf"]
+SOLUTION_TOPICS = ["/bearing/azimuth", "/bearing/balls", "/bearing/contacts", "/bearing/geometry", "/bearing/state", "/tf"]
 RUN_TOPICS = SOLUTION_TOPICS + ["/bearing/wear"]
 # At the end of a run, which a recovered file need not have.
-RUN_END_TOPICS = ["/bearing/orbit"]
+RUN_END_TOPICS = ["/bearing/coating", "/bearing/orbit"]
 STAMPED = ["/bearing/balls", "/bearing/state"]
 SCHEMAS = {
     "/bearing/balls": ["tribodyn.v1.Balls"],
@@ -97,6 +98,17 @@ def check_summary(statistics, messages, summary):
     require(len(summary.schemas) == statistics.schema_count, "schemas differ from the summary")
 
 
+def check_chunks(summary):
+    """The span that a viewer shows: of a chunk without messages the index says that it starts at time 0, in 1970."""
+    statistics, chunks = summary.statistics, summary.chunk_indexes
+    require(len(chunks) == statistics.chunk_count, "chunks differ from the summary")
+    empty = [chunk.chunk_start_offset for chunk in chunks if not chunk.message_index_offsets]
+    require(not empty, f"no message in the chunk at byte {', '.join(map(str, empty))}")
+    span = (min(c.message_start_time for c in chunks), max(c.message_end_time for c in chunks))
+    stated = (statistics.message_start_time, statistics.message_end_time)
+    require(span == stated, f"chunks span {span}, the messages {stated}")
+
+
 def check_topics(topics, times, is_run, is_recovered):
     required = RUN_TOPICS if is_run else SOLUTION_TOPICS
     if is_run and not is_recovered:
@@ -124,6 +136,7 @@ def check(path):
         for schema, channel, record, message in reader.iter_decoded_messages():
             messages.take(schema, channel, record, message)
         check_summary(statistics, messages, summary)
+        check_chunks(summary)
         topics = {summary.channels[channel].topic: count for channel, count in messages.counts.items()}
         check_topics(topics, messages.times, is_run, is_recovered)
         attachments = {a.name: a.data for a in reader.iter_attachments()}

@@ -7,6 +7,7 @@ mod failure;
 mod hertz;
 mod identify;
 mod input;
+mod layout;
 mod life;
 mod output;
 mod recover;
@@ -63,6 +64,8 @@ enum Command {
     Recover(recover::Arguments),
     /// Figures, spectra and a summary of a recorded run
     Report(report::Arguments),
+    /// Layout for viewers of a live run in Foxglove
+    Layout(layout::Arguments),
     /// Quasi-static equilibria over a grid of case values
     Sweep(sweep::Arguments),
     /// Unknown parameters of a case from published or measured figures
@@ -79,6 +82,7 @@ fn main() -> ExitCode {
         Command::Life(arguments) => life::run(&arguments),
         Command::Recover(arguments) => recover::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Layout(arguments) => layout::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Identify(arguments) => identify::run(&arguments),
     };

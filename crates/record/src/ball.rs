@@ -1,7 +1,9 @@
 //! A ball as it is recorded: one mapping for balls of runs and balls of solutions.
 
 use crate::units::{CUBIC_MICROMETRE, GIGA, MICRO_PER_UNIT, MILLI_PER_UNIT, PERCENT, RPM_PER_RAD_S, degrees};
-use crate::wire::tribodyn::Ball;
+use crate::wire::tribodyn::ball::{Motion, Pocket};
+use crate::wire::tribodyn::{AroundBearing, Ball};
+use prost_types::Timestamp;
 use tribodyn_dynamics::{BallSample, ContactSample};
 use tribodyn_quasistatic::BallSolution;
 
@@ -131,7 +133,55 @@ pub(crate) fn message(index: usize, pitch_radius: f64, b: &BallSample, derived: 
         pocket_lead_mrad: narrow(b.pocket_lead_rad * MILLI_PER_UNIT),
         cage_force_n: narrow(b.pocket_force_n),
         wear_rate_cage_um3_s: narrow(b.wear_rate_cage_m3_s * CUBIC_MICROMETRE),
+        motion: motion(b).into(),
+        pocket: pocket(b).into(),
         ..run_fields(b)
+    }
+}
+
+/// Slide-to-roll ratio above which a loaded ball skids: micro-slip of a rolling ball stays well below.
+const SKIDDING: f64 = 0.05;
+
+fn motion(b: &BallSample) -> Motion {
+    let slide = b.inner.slide_to_roll[0].abs().max(b.outer.slide_to_roll[0].abs());
+    match (b.inner.load_n > 0.0, b.outer.load_n > 0.0) {
+        (true, true) if slide > SKIDDING => Motion::Skidding,
+        (true, true) => Motion::Rolling,
+        (false, true) => Motion::InnerLost,
+        (true, false) => Motion::OuterLost,
+        (false, false) => Motion::Free,
+    }
+}
+
+/// The force of the pocket on the ball drives the ball where it points along the orbit.
+fn pocket(b: &BallSample) -> Pocket {
+    let along = b.pocket_force_n * b.orbital_speed_rad_s;
+    match along {
+        _ if along > 0.0 => Pocket::CagePushes,
+        _ if along < 0.0 => Pocket::BallPushes,
+        _ => Pocket::Clear,
+    }
+}
+
+/// Balls sorted by azimuth.
+pub(crate) fn around(stamp: Timestamp, time_s: f64, balls: &[&BallSample]) -> AroundBearing {
+    let mut order: Vec<(f64, usize)> = balls.iter().enumerate().map(|(i, b)| (degrees(b.azimuth_rad), i)).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let of = |get: fn(&BallSample) -> f64| order.iter().map(|&(_, ball)| narrow(get(balls[ball]))).collect();
+    AroundBearing {
+        timestamp: Some(stamp),
+        time_s,
+        azimuth_deg: order.iter().map(|&(azimuth, _)| narrow(azimuth)).collect(),
+        ball: order.iter().map(|&(_, ball)| ball as u32).collect(),
+        load_inner_n: of(|b| b.inner.load_n),
+        load_outer_n: of(|b| b.outer.load_n),
+        pressure_inner_gpa: of(|b| b.inner.peak_pressure_pa * GIGA),
+        pressure_outer_gpa: of(|b| b.outer.peak_pressure_pa * GIGA),
+        contact_angle_inner_deg: of(|b| b.inner.angle_rad.to_degrees()),
+        contact_angle_outer_deg: of(|b| b.outer.angle_rad.to_degrees()),
+        slide_to_roll_inner_percent: of(|b| b.inner.slide_to_roll[0] * PERCENT),
+        slide_to_roll_outer_percent: of(|b| b.outer.slide_to_roll[0] * PERCENT),
+        orbital_speed_rpm: of(|b| b.orbital_speed_rad_s * RPM_PER_RAD_S),
     }
 }
 

@@ -40,7 +40,9 @@
 //! | `/bearing/balls` | `tribodyn.v1.Balls`, f32 | samples with balls |
 //! | `/tf` | `foxglove.FrameTransforms` | samples with balls, at most 70 times a turn |
 //! | `/bearing/contacts` | `foxglove.SceneUpdate` | samples with balls, at most 20 times a turn |
+//! | `/bearing/azimuth` | `tribodyn.v1.AroundBearing` | with `/bearing/contacts` |
 //! | `/bearing/geometry` | `foxglove.SceneUpdate` | once |
+//! | `/bearing/coating` | `foxglove.SceneUpdate` | each 0.1 s, and at the end |
 //! | `/bearing/orbit`, `/bearing/wear` | `tribodyn.v1.Orbit`, `tribodyn.v1.Wear` | each 0.1 s, and at the end |
 //! | `/bearing/spectrum`, `…/inner`, `…/cage` | `tribodyn.v1.Spectrum` | the same, from 256 even samples on |
 //! | `/log` | `foxglove.Log` | warnings; of impacts, contacts lost and made one line each in a millisecond |
@@ -57,12 +59,12 @@
 //! | `/bearing/balls` | `tribodyn.v1.Balls`, f32 | with the state |
 //! | `/tf` | `foxglove.FrameTransforms` | about 70 times a turn of the faster ring |
 //! | `/bearing/contacts` | `foxglove.SceneUpdate` | with `/tf` |
+//! | `/bearing/azimuth` | `tribodyn.v1.AroundBearing` | with `/tf` |
 //! | `/bearing/geometry` | `foxglove.SceneUpdate` | once |
 //! | `/log` | `foxglove.Log` | one message for each warning of the solution |
 //!
 //! # Both files
-//! Metadata record `simulation`; attachments: the case file and the Foxglove layout ([`LAYOUT`] or [`RUN_LAYOUT`], to
-//! be imported).
+//! Metadata record `simulation`; attachments: the case file and the Foxglove layout ([`Layout`], to be imported).
 //! The same input gives the same bytes: fixed epoch, one compression thread, no clock. The file is written as
 //! `<path>.active` and renamed when whole.
 //!
@@ -83,7 +85,8 @@
 //! are no part of a case and are drawn in the proportions of a 7224 bearing; balls, grooves, contact angles, pockets
 //! and displacements are true to scale, contact ellipses are enlarged by the factor in the metadata.
 //!
-//! Rings of a run do not tilt. Scales of arrows and colours of a run are set by its first sample. Spectra, paths and
+//! Rings of a run do not tilt. Scales of arrows and colours of a run are round numbers above what
+//! its first sample has; longer arrows end at twice the scale. The coating is drawn as balls found it, not as it is. Spectra, paths and
 //! lines of the log that were thinned out are for the eye: reports compute theirs from the states, whose count of
 //! impacts is complete.
 //!
@@ -96,12 +99,15 @@ mod colour;
 mod contacts;
 mod error;
 mod frames;
+mod guide;
+mod layout;
 #[cfg(feature = "live")]
 mod live;
 mod mesh;
 mod messages;
 mod output;
 mod quaternion;
+mod raceway;
 mod read;
 mod recover;
 mod replay;
@@ -116,11 +122,12 @@ pub mod wire;
 mod write;
 
 pub use error::RecordError;
+pub use layout::{Layout, LayoutKind};
 #[cfg(feature = "live")]
 pub use live::{LIVE_ADDRESS, LiveServer, LiveSummary, LiveWarning};
 pub use output::Channel;
 pub use read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
 pub use recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};
 pub use replay::{BallRow, LogRow, OrbitRow, Run, RunItem, RunReader, SpectrumRow, StateRow, WearRow, read_run};
-pub use run::{FileSink, Preamble, RUN_LAYOUT, RecorderMemory, RunRecorder, RunRecording, Sink, StreamSink};
-pub use write::{CASE_ATTACHMENT, LAYOUT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};
+pub use run::{FileSink, Preamble, RecorderMemory, RunRecorder, RunRecording, Sink, StreamSink};
+pub use write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};

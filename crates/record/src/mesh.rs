@@ -38,6 +38,11 @@ impl Mesh {
         self.triangles.extend([[a, b, c], [a, c, d]]);
     }
 
+    /// As the message has it, a colour for each point.
+    pub(crate) fn coloured(&self, colors: Vec<Color>) -> TriangleListPrimitive {
+        TriangleListPrimitive { colors, ..self.message(Color::default()) }
+    }
+
     /// As the message has it, one colour for all.
     pub(crate) fn message(&self, color: Color) -> TriangleListPrimitive {
         let point = |p: &[f64; 3]| Point3 { x: grid(p[0]), y: grid(p[1]), z: grid(p[2]) };
@@ -112,6 +117,29 @@ pub(crate) fn ring(geometry: &Geometry, side: Side) -> Mesh {
     let back = back_radius(geometry, side);
     profile.extend([[last[0], -sign * half], [back, -sign * half], [back, sign * half], [first[0], sign * half]]);
     Mesh::revolve(&profile, true)
+}
+
+/// A strip of a raceway, over angles about the axis and angles across the groove (rad, from radial towards the contact), lifted
+/// off the surface by `lift` (m): rows of points along the strip, two or more across it.
+pub(crate) fn strip(geometry: &Geometry, side: Side, along: &[f64], across: &[f64], lift: f64) -> Mesh {
+    let sign = if side == Side::Outer { 1.0 } else { -1.0 };
+    let groove = geometry.coefficient(side) * geometry.ball_diameter - lift;
+    let centre_z = -sign * geometry.groove_offset(side) * geometry.sin_contact_angle();
+    let mut mesh = Mesh::default();
+    for azimuth in along {
+        for angle in across {
+            let radius = geometry.groove_centre_radius(side) + sign * groove * angle.cos();
+            mesh.point([radius * azimuth.cos(), radius * azimuth.sin(), centre_z + sign * groove * angle.sin()]);
+        }
+    }
+    let row = across.len() as u32;
+    for i in 0..along.len().saturating_sub(1) as u32 {
+        for j in 0..row.saturating_sub(1) {
+            let corner = i * row + j;
+            mesh.quad([corner, corner + row, corner + row + 1, corner + 1]);
+        }
+    }
+    mesh
 }
 
 /// A band about the z axis of a ball, standing a little above its surface.

@@ -78,24 +78,32 @@ pub(crate) fn writer<W: Write + Seek>(stream: W, generator: &str, level: u32) ->
 }
 
 /// An open MCAP file with its channels.
+///
+/// Channels are declared with the first message. A schema or channel opens a chunk, a metadata record or an attachment
+/// closes it: declared before those, they would leave a chunk without messages, whose index says start time 0. Viewers
+/// take the span of a recording from these indexes and would open it in 1970.
 pub(crate) struct Output<W: Write + Seek> {
     pub(crate) writer: Writer<W>,
+    topics: Vec<Channel>,
+    /// Number and next sequence of each channel; empty until there is a message.
     channels: Vec<(u16, u32)>,
 }
 
 impl<W: Write + Seek> Output<W> {
     /// Opens the file; messages name their channel by its place in `channels`.
     pub(crate) fn new(stream: W, generator: &str, level: u32, channels: &[Channel]) -> McapResult<Self> {
-        let mut writer = writer(stream, generator, level)?;
-        let mut ids = Vec::with_capacity(channels.len());
-        for channel in channels {
-            let schema = writer.add_schema(channel.schema, "protobuf", channel.descriptors)?;
-            ids.push((writer.add_channel(schema, channel.topic, "protobuf", &BTreeMap::new())?, 0));
-        }
-        Ok(Self { writer, channels: ids })
+        Ok(Self { writer: writer(stream, generator, level)?, topics: channels.to_vec(), channels: Vec::new() })
     }
 
-    /// The metadata record `simulation` and the attachments.
+    fn declare(&mut self) -> McapResult<()> {
+        for channel in &self.topics {
+            let schema = self.writer.add_schema(channel.schema, "protobuf", channel.descriptors)?;
+            self.channels.push((self.writer.add_channel(schema, channel.topic, "protobuf", &BTreeMap::new())?, 0));
+        }
+        Ok(())
+    }
+
+    /// The metadata record `simulation` and the attachments, before all messages.
     pub(crate) fn describe(&mut self, entries: &Entries, case_text: &str, layout: &str) -> McapResult<()> {
         let metadata = entries.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect();
         self.writer.write_metadata(&Metadata { name: "simulation".into(), metadata })?;
@@ -119,6 +127,9 @@ impl<W: Write + Seek> Output<W> {
 
     /// Writes an encoded message.
     pub(crate) fn write(&mut self, channel: usize, time: u64, data: &[u8]) -> McapResult<()> {
+        if self.channels.is_empty() {
+            self.declare()?;
+        }
         let (channel_id, sequence) = &mut self.channels[channel];
         let header = MessageHeader { channel_id: *channel_id, sequence: *sequence, log_time: time, publish_time: time };
         *sequence = sequence.wrapping_add(1);

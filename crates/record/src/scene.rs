@@ -1,12 +1,12 @@
 //! `/bearing/geometry`: the bodies, written once, each in the frame that moves it.
 
-use crate::contacts::{PATCH_EXAGGERATION, Scales};
+use crate::contacts::Scales;
 use crate::quaternion::{Rotation, grid, pose, vector};
+use crate::raceway::Defect;
 use crate::wire::foxglove::{
-    Color, CubePrimitive, LinePrimitive, Point3, SceneEntity, SceneUpdate, SpherePrimitive, TextPrimitive,
-    line_primitive,
+    Color, CubePrimitive, LinePrimitive, Point3, SceneEntity, SceneUpdate, SpherePrimitive, line_primitive,
 };
-use crate::{colour, frames, mesh};
+use crate::{colour, frames, guide, mesh};
 use prost_types::{Duration, Timestamp};
 use tribodyn_bearing::{Geometry, Side};
 
@@ -18,10 +18,14 @@ pub(crate) struct Bodies<'a> {
     pub(crate) pocket_gap: f64,
     /// Azimuth of ball 0 at the start, rad.
     pub(crate) first_azimuth: f64,
-    /// Title of the case.
-    pub(crate) name: &'a str,
-    /// Scales of arrows and patches, for the legend.
+    /// Scales of arrows and patches.
     pub(crate) scales: Scales,
+    /// Load of the inner ring at the start, N.
+    pub(crate) ring_load_n: [f64; 3],
+    /// Defects of the raceways.
+    pub(crate) defects: &'a [Defect],
+    /// Whether the coating of the raceways is drawn.
+    pub(crate) with_coating: bool,
 }
 
 /// A body that stays until it is replaced and moves with its frame.
@@ -38,15 +42,14 @@ pub(crate) fn entity(stamp: Timestamp, frame: String, id: String) -> SceneEntity
 
 /// All bodies.
 pub(crate) fn geometry(bodies: &Bodies, stamp: Timestamp) -> SceneUpdate {
-    let mut entities = vec![
-        ring(bodies, Side::Outer, stamp),
-        ring(bodies, Side::Inner, stamp),
-        cage(bodies, stamp),
-        legend(bodies, stamp),
-    ];
+    let mut entities = vec![ring(bodies, Side::Outer, stamp), ring(bodies, Side::Inner, stamp), cage(bodies, stamp)];
+    entities.extend(guide::entities(bodies.geometry, bodies.scales, bodies.with_coating, stamp));
+    entities.extend(guide::radial_mark(bodies.geometry, bodies.ring_load_n, stamp));
+    let defect = |(index, defect): (usize, &Defect)| defect.entity(bodies.geometry, index, stamp);
+    entities.extend(bodies.defects.iter().enumerate().map(defect));
     for index in 0..bodies.geometry.ball_count {
         entities.push(ball(bodies.geometry.ball_diameter, index, stamp));
-        entities.push(number(bodies.geometry.ball_diameter, index, stamp));
+        entities.push(number(bodies.geometry, index, stamp));
     }
     SceneUpdate { deletions: Vec::new(), entities }
 }
@@ -110,38 +113,9 @@ fn ball(diameter: f64, index: usize, stamp: Timestamp) -> SceneEntity {
     }
 }
 
-fn text(at: [f64; 3], size: f64, text: String) -> TextPrimitive {
-    TextPrimitive {
-        pose: Some(pose(at, Rotation::IDENTITY)),
-        billboard: true,
-        font_size: size,
-        scale_invariant: false,
-        color: Some(colour::TEXT),
-        text,
-    }
-}
-
-/// The ball's number, above it.
-fn number(diameter: f64, index: usize, stamp: Timestamp) -> SceneEntity {
-    let label = text([0.95 * diameter, 0.0, 0.0], 0.2 * diameter, index.to_string());
+/// The ball's number, outside the outer ring.
+fn number(geometry: &Geometry, index: usize, stamp: Timestamp) -> SceneEntity {
+    let out = mesh::back_radius(geometry, Side::Outer) - 0.5 * geometry.pitch_diameter + 0.3 * geometry.ball_diameter;
+    let label = guide::Stage::new(geometry).label([0.0, out, 0.0], index.to_string());
     SceneEntity { texts: vec![label], ..entity(stamp, frames::orbit(index), format!("number_{index:02}")) }
-}
-
-/// What arrows and patches mean, in words.
-fn legend(bodies: &Bodies, stamp: Timestamp) -> SceneEntity {
-    let diameter = bodies.geometry.ball_diameter;
-    let lines = [
-        bodies.name.to_owned(),
-        format!("arrows: force on the ball, longest {:.0} N", bodies.scales.load_n),
-        format!(
-            "patches: contact ellipses x {PATCH_EXAGGERATION:.0}, highest pressure {:.2} GPa",
-            bodies.scales.pressure_pa * 1e-9
-        ),
-    ];
-    let top = mesh::half_width(bodies.geometry) + 2.4 * diameter;
-    let line = |(i, words): (usize, String)| text([0.0, 0.0, top - 0.42 * diameter * i as f64], 0.28 * diameter, words);
-    SceneEntity {
-        texts: lines.into_iter().enumerate().map(line).collect(),
-        ..entity(stamp, frames::BEARING.into(), "legend".into())
-    }
 }

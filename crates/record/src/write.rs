@@ -2,30 +2,23 @@
 
 use crate::ball::{self, Derived};
 use crate::check::check;
-use crate::contacts::{self, Scales};
+use crate::contacts::{self, Drawing, Moment, Scales};
 use crate::frames::{self, Spins};
+use crate::layout::{Layout, LayoutKind};
 use crate::output::{Channel, Entries, Output, SMALL, active_path, file_error, fnv1a};
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, Timeline, timestamp};
 use crate::wire::foxglove::{Log, SceneUpdate, log};
-use crate::{RecordError, RecordingSummary, mesh, messages, read_summary};
+use crate::{RecordError, RecordingSummary, messages, read_summary};
 use mcap::McapResult;
 use std::fs::{self, File};
 use std::io::{BufWriter, Seek, Write};
 use std::path::Path;
+use tribodyn_bearing::Geometry;
 use tribodyn_bearing::case::Case;
-use tribodyn_bearing::{Geometry, Side};
 use tribodyn_dynamics::BallSample;
 use tribodyn_quasistatic::{AzimuthRule, OverAzimuth};
 use tribodyn_quasistatic::{BallSolution, Solution};
-
-/// The Foxglove layout that belongs to a recording, with the camera at a bearing of 215 mm outside diameter; every
-/// recording carries it as an attachment, with the camera at its own bearing.
-pub const LAYOUT: &str = include_str!("../layout/tribodyn.json");
-
-/// The camera distance as it stands in [`LAYOUT`], m, and what it is over the outside diameter.
-const CAMERA: &str = "\"distance\": 0.42";
-const CAMERA_OVER_DIAMETER: f64 = 0.42 / 0.215;
 
 /// Name of the attachment that holds the case file.
 pub const CASE_ATTACHMENT: &str = "case.ron";
@@ -95,7 +88,7 @@ impl<'a> Recording<'a> {
     /// Writes all messages in order of time and hands the stream back.
     pub(crate) fn write<W: Write + Seek>(&self, stream: W) -> McapResult<W> {
         let mut out = Output::new(stream, self.input.generator, SMALL, &CHANNELS)?;
-        out.describe(&self.metadata(), self.input.case_text, &layout(LAYOUT, &self.geometry))?;
+        out.describe(&self.metadata(), self.input.case_text, &self.layout())?;
         self.write_start(&mut out)?;
         let mut spins = Spins::new(self.geometry.ball_count);
         for sample in 0..=self.timeline.samples {
@@ -112,8 +105,11 @@ impl<'a> Recording<'a> {
             geometry: &self.geometry,
             pocket_gap: self.input.case.cage.pocket_gap,
             first_azimuth: self.over.start(0),
-            name: &self.input.case.name,
             scales: Scales::of(self.input.solution),
+            ring_load_n: self.input.solution.ring_load_n,
+            // Defects act in runs only, and a solution wears nothing.
+            defects: &[],
+            with_coating: false,
         };
         out.log(Topic::Geometry as usize, EPOCH_NS, &scene::geometry(&bodies, timestamp(EPOCH_NS)))?;
         for warning in &self.input.solution.warnings {
@@ -139,11 +135,19 @@ impl<'a> Recording<'a> {
             balls.iter().map(|(azimuth, b)| ball::of_solution(*azimuth, b)).collect();
         let time = timeline.log_time(sample);
         if sample.is_multiple_of(timeline.frame_stride) {
-            let diameter = self.geometry.ball_diameter;
             out.log(Topic::Transforms as usize, time, &frames::transforms(solution, timeline, sample, &balls, spins))?;
-            let arrows = as_samples.iter().map(|(b, _)| contacts::of_sample(b));
+            let drawing = Drawing { geometry: &self.geometry, scales: Scales::of(solution), defects: &[] };
+            let seconds = timeline.seconds(sample);
+            let moment = Moment {
+                log_time: time,
+                ring_load_n: solution.ring_load_n,
+                cage_angle_rad: turned,
+                ring_angles_rad: [solution.inner_speed_rad_s, solution.outer_speed_rad_s].map(|speed| speed * seconds),
+            };
+            let drawn: Vec<&BallSample> = as_samples.iter().map(|(b, _)| b).collect();
             let mut update = SceneUpdate::default();
-            contacts::update(&mut update, (diameter, Scales::of(solution)), time, arrows);
+            contacts::update(&mut update, &drawing, &moment, &drawn);
+            out.log(Topic::Azimuth as usize, time, &ball::around(timestamp(time), seconds, &drawn))?;
             out.log(Topic::Contacts as usize, time, &update)?;
         }
         out.log(Topic::State as usize, time, &messages::state(solution, timeline, sample, &balls))?;
@@ -152,6 +156,10 @@ impl<'a> Recording<'a> {
             time,
             &messages::balls(self.geometry.pitch_diameter, timeline, sample, &as_samples),
         )
+    }
+
+    fn layout(&self) -> String {
+        Layout::of(LayoutKind::Solution, self.input.case, &self.geometry).json()
     }
 
     fn metadata(&self) -> Entries {
@@ -181,12 +189,6 @@ impl<'a> Recording<'a> {
     }
 }
 
-/// The layout with the camera where it sees the whole bearing.
-pub(crate) fn layout(general: &str, geometry: &Geometry) -> String {
-    let distance = CAMERA_OVER_DIAMETER * 2.0 * mesh::back_radius(geometry, Side::Outer);
-    general.replace(CAMERA, &format!("\"distance\": {distance:.4}"))
-}
-
 /// The topics of a recording.
 #[derive(Debug, Clone, Copy)]
 enum Topic {
@@ -196,14 +198,16 @@ enum Topic {
     Contacts,
     State,
     Balls,
+    Azimuth,
 }
 
 /// The channels, in the order of [`Topic`].
-const CHANNELS: [Channel; 6] = [
+const CHANNELS: [Channel; 7] = [
     Channel::foxglove("/bearing/geometry", "foxglove.SceneUpdate"),
     Channel::foxglove("/log", "foxglove.Log"),
     Channel::foxglove("/tf", "foxglove.FrameTransforms"),
     Channel::foxglove("/bearing/contacts", "foxglove.SceneUpdate"),
     Channel::own("/bearing/state", "tribodyn.v1.BearingState"),
     Channel::own("/bearing/balls", "tribodyn.v1.Balls"),
+    Channel::own("/bearing/azimuth", "tribodyn.v1.AroundBearing"),
 ];

@@ -5,6 +5,7 @@ mod hygiene;
 mod layers;
 mod licences;
 mod metadata;
+mod node;
 mod recording;
 
 use crate::error::Failure;
@@ -23,7 +24,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 11] = [
+const STEPS: [Step; 12] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -35,6 +36,7 @@ const STEPS: [Step; 11] = [
     ("figures", figures::check),
     ("recording read by Python", || recording::check(&recordings())),
     ("report in a browser", report_page),
+    ("recording read by Node", || node::check(&recordings())),
 ];
 
 fn recordings() -> PathBuf {

@@ -12,7 +12,7 @@ const PACKAGES: [&str; 2] = ["mcap==1.6.0", "mcap-protobuf-support==0.6.0"];
 /// How the recordings of transient runs begin; there are none where the runs were not asked for.
 const RUN_PREFIX: &str = "dynamic-";
 /// Folder of what was torn and recovered, below that of the recordings.
-const RECOVERED: &str = "recovered";
+pub const RECOVERED: &str = "recovered";
 
 pub fn check(folder: &Path) -> Result<Outcome, Failure> {
     let mut recordings = mcap_files(folder)?;
@@ -35,7 +35,7 @@ pub fn check(folder: &Path) -> Result<Outcome, Failure> {
     Err(Failure::Command { command: "xtask/checks/read_mcap.py".to_owned(), status })
 }
 
-fn mcap_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+pub fn mcap_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let entries = fs::read_dir(folder).map_err(|source| Failure::Read { path: folder.to_owned(), source })?;
     let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
     let mut found: Vec<PathBuf> = paths.filter(|path| path.extension().is_some_and(|e| e == "mcap")).collect();
@@ -79,7 +79,7 @@ fn interpreter(environment: &Path) -> Result<PathBuf, String> {
     Ok(python)
 }
 
-fn quiet(command: &mut Command) -> Result<(), String> {
+pub fn quiet(command: &mut Command) -> Result<(), String> {
     let output = command.output().map_err(|error| error.to_string())?;
     if output.status.success() {
         return Ok(());

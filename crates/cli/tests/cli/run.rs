@@ -42,13 +42,26 @@ fn go(case: &Path, recording: &Path, rest: &[&dyn AsRef<OsStr>]) -> Outcome {
     run(&[&start[..], rest].concat())
 }
 
+/// Viewers take the span of a recording from the indexes of its chunks: one without messages would begin in 1970.
+#[track_caller]
+fn opens_at_its_start(recording: &Path) {
+    let summary = mcap::Summary::read(&fs::read(recording).unwrap()).unwrap().unwrap();
+    let (chunks, statistics) = (summary.chunk_indexes, summary.stats.unwrap());
+    assert!(chunks.iter().all(|chunk| !chunk.message_index_offsets.is_empty()), "a chunk has no message");
+    let start = chunks.iter().map(|chunk| chunk.message_start_time).min();
+    let end = chunks.iter().map(|chunk| chunk.message_end_time).max();
+    assert_eq!((start, end), (Some(statistics.message_start_time), Some(statistics.message_end_time)));
+}
+
 /// All numbers that are recorded, in the order of the file.
 fn items(recording: &Path) -> Vec<RunItem> {
+    opens_at_its_start(recording);
     RunReader::open(recording).unwrap().map(|item| item.unwrap()).collect()
 }
 
 /// Topic, log time and bytes of all messages, in the order of the file.
 fn messages(recording: &Path) -> Vec<(String, u64, Vec<u8>)> {
+    opens_at_its_start(recording);
     let bytes = fs::read(recording).unwrap();
     let stream = mcap::MessageStream::new(&bytes).unwrap().map(|message| message.unwrap());
     stream.map(|m| (m.channel.topic.clone(), m.log_time, m.data.into_owned())).collect()
@@ -90,6 +103,20 @@ fn identity_a_run_is_recorded_summed_up_and_the_same_twice() {
     for part in ["cage speed, mean of last half", "power in: shaft", "longest stable fixed step", "patch rule"] {
         assert!(table.table().contains(part), "{part} is not in {}", table.out);
     }
+}
+
+#[test]
+fn identity_runs_of_every_scheme_and_solutions_open_at_their_start() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let recording = scratch.0.join("run.mcap");
+    for scheme in ["RungeKutta4(step: us(5))", "DormandPrince(tolerance: 1e-4, longest: us(10))", "Fast(step: us(5))"] {
+        let set = format!("transient.scheme={scheme}");
+        go(&case, &recording, &[&"--duration", &"0.001", &"--set", &set, &"--json"]).json();
+        opens_at_its_start(&recording);
+    }
+    run(&[&"solve", &case, &"-o", &recording, &"--json"]).json();
+    opens_at_its_start(&recording);
 }
 
 #[test]

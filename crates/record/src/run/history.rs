@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use tribodyn_dynamics::Sample;
-use tribodyn_signal::{Decimator, Window};
+use tribodyn_signal::{BearingFrequencies, Decimator, Window};
 
 /// Most points of an orbit: a shaft that hardly turns would else fill the memory.
 const ORBIT_POINTS: usize = 4096;
@@ -55,11 +55,27 @@ pub(crate) const QUANTITIES: [Quantity; 3] = [
     ("speed of the cage", "r/min", |s| s.cage.speed_filtered_rad_s * 60.0 / TAU),
 ];
 
+/// What the characteristic frequencies follow from: mean orbital speed and mean spin of the balls, speeds of the rings,
+/// rad/s.
+const SPEEDS: [fn(&Sample) -> f64; 4] = [
+    |s| s.balls.iter().map(|b| b.orbital_speed_rad_s).sum::<f64>() / s.balls.len() as f64,
+    |s| {
+        s.balls.iter().map(|b| b.spin_rad_s.iter().map(|w| w * w).sum::<f64>().sqrt()).sum::<f64>()
+            / s.balls.len() as f64
+    },
+    |s| s.inner.speed_rad_s,
+    |s| s.outer.speed_rad_s,
+];
+
+/// Multiples of a characteristic frequency that are marked.
+const MARKED: usize = 3;
+
 /// The recent samples of the quantities with spectra.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Recent {
     times: VecDeque<f64>,
     values: [VecDeque<f64>; QUANTITIES.len()],
+    speeds: [VecDeque<f64>; SPEEDS.len()],
 }
 
 impl Recent {
@@ -72,9 +88,12 @@ impl Recent {
         for (values, (_, _, get)) in self.values.iter_mut().zip(QUANTITIES) {
             values.push_back(get(sample));
         }
+        for (values, get) in self.speeds.iter_mut().zip(SPEEDS) {
+            values.push_back(get(sample));
+        }
         if self.times.len() > SPECTRUM_SAMPLES {
             self.times.pop_front();
-            self.values.iter_mut().for_each(|values| {
+            self.values.iter_mut().chain(&mut self.speeds).for_each(|values| {
                 values.pop_front();
             });
         }
@@ -82,7 +101,12 @@ impl Recent {
 
     /// Spectrum of one of [`QUANTITIES`] over the largest power of two of samples, up to the end of the filter's pass band;
     /// none where there are too few samples or their times are not even.
-    pub(crate) fn spectrum(&self, quantity: usize, log_time: u64) -> Result<Option<Spectrum>, RecordError> {
+    pub(crate) fn spectrum(
+        &self,
+        quantity: usize,
+        balls: usize,
+        log_time: u64,
+    ) -> Result<Option<Spectrum>, RecordError> {
         let count = if self.times.is_empty() { 0 } else { 1 << self.times.len().ilog2() };
         let first = self.times.len() - count;
         let (Some(&start), Some(&end)) = (self.times.get(first), self.times.back()) else {
@@ -98,7 +122,19 @@ impl Recent {
         let passed = spectrum.frequency_hz.partition_point(|hz| *hz <= Decimator::PASS_BAND / step);
         let narrow = |values: &[f64]| values[..passed].iter().map(|&v| v as f32).collect();
         let (name, unit, _) = QUANTITIES[quantity];
+        let mean = |i: usize| self.speeds[i].range(first..).sum::<f64>() / count as f64;
+        let f = BearingFrequencies::from_run(mean(0), mean(1), mean(2), mean(3), balls)?;
+        let highest = spectrum.amplitude[..passed].iter().copied().fold(0.0, f64::max);
+        let marks = |frequency: f64| marks(passed, frequency / spectrum.line_spacing_hz(), highest);
         Ok(Some(Spectrum {
+            ftf_hz: f.cage_hz,
+            bsf_hz: f.ball_spin_hz,
+            bpfo_hz: f.ball_pass_outer_hz,
+            bpfi_hz: f.ball_pass_inner_hz,
+            mark_ftf: marks(f.cage_hz),
+            mark_bsf: marks(f.ball_spin_hz),
+            mark_bpfo: marks(f.ball_pass_outer_hz),
+            mark_bpfi: marks(f.ball_pass_inner_hz),
             timestamp: Some(timestamp(log_time)),
             time_s: end,
             quantity: name.into(),
@@ -107,4 +143,17 @@ impl Recent {
             amplitude: narrow(&spectrum.amplitude),
         }))
     }
+}
+
+/// Marks at a frequency, in lines, and its multiples: as high as the highest amplitude, a half and a third of it.
+fn marks(lines: usize, frequency: f64, highest: f64) -> Vec<f32> {
+    let mut values = vec![0.0; lines];
+    for multiple in 1..=MARKED {
+        let line = (multiple as f64 * frequency).round() as usize;
+        // A cage at a standstill has no frequency to mark.
+        if line > 0 && line < lines {
+            values[line] = (highest / multiple as f64) as f32;
+        }
+    }
+    values
 }

@@ -13,19 +13,16 @@ pub use producer::RecorderMemory;
 pub use sink::{FileSink, Preamble, Sink, StreamSink};
 pub(crate) use topics::{CHANNELS, Topic};
 
+use crate::layout::{Layout, LayoutKind};
 use crate::output::{Entries, fnv1a};
 use crate::timeline::EPOCH_NS;
-use crate::{RecordError, contacts, write};
+use crate::{RecordError, contacts};
 use producer::Producer;
 use std::ops::ControlFlow;
 use std::path::Path;
 use tribodyn_bearing::Geometry;
 use tribodyn_bearing::case::Case;
 use tribodyn_dynamics::{Event, FilterBands, Observer, Sample};
-
-/// The Foxglove layout for runs, with the camera at a bearing of 215 mm outside diameter; every recording carries it,
-/// with the camera at its own bearing.
-pub const RUN_LAYOUT: &str = include_str!("../../layout/run.json");
 
 /// What a recording of a run is made from.
 #[derive(Debug, Clone, Copy)]
@@ -85,7 +82,7 @@ impl<S: Sink> RunRecorder<S> {
             channels: &CHANNELS,
             generator: input.generator,
             case_text: input.case_text,
-            layout: &write::layout(RUN_LAYOUT, &producer.geometry),
+            layout: &Layout::of(LayoutKind::Run, input.case, &producer.geometry).json(),
             entries: &entries,
         })?;
         Ok(Self { sink, producer })

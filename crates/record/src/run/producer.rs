@@ -7,7 +7,9 @@ use super::history::{LastTurn, QUANTITIES, Recent};
 use super::messages::{self, BallConstants};
 use super::{RunRecording, Sink, Topic, log_time};
 use crate::RecordError;
-use crate::contacts::{self, Scales};
+use crate::ball;
+use crate::contacts::{self, Drawing, Moment, Scales};
+use crate::raceway::{self, Defect, Found};
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, timestamp};
 use crate::wire::foxglove::{FrameTransforms, Log, SceneUpdate};
@@ -30,7 +32,7 @@ const ROUNDING_S: f64 = 1e-9;
 pub(super) struct Producer {
     pub(super) geometry: Geometry,
     pocket_gap: f64,
-    name: String,
+    defects: Vec<Defect>,
     constants: BallConstants,
     memory: RecorderMemory,
     /// The last messages of their kind and the last encoded one, kept for their memory and their names.
@@ -49,6 +51,7 @@ pub struct RecorderMemory {
     pending: Pending,
     last_turn: LastTurn,
     recent: Recent,
+    found: Found,
     /// Time of the last sample, s, and what had worn off by then.
     last_time_s: f64,
     last_wear: WearSample,
@@ -67,6 +70,7 @@ impl RecorderMemory {
             pending: Pending::default(),
             last_turn: LastTurn::default(),
             recent: Recent::default(),
+            found: Found::default(),
             last_time_s: 0.0,
             last_wear: WearSample::default(),
             last_log_time: EPOCH_NS,
@@ -82,7 +86,7 @@ impl Producer {
         Ok(Self {
             geometry,
             pocket_gap: input.case.cage.pocket_gap,
-            name: input.case.name.clone(),
+            defects: raceway::defects(input.case),
             constants: BallConstants::new(&geometry, input.case.materials.ball.density),
             memory: RecorderMemory::new(geometry.ball_count),
             transforms: FrameTransforms::default(),
@@ -135,6 +139,7 @@ impl Producer {
         let state = messages::state(sample, time, self.memory.pending.impacts());
         self.send(sink, Topic::State, time, &state)?;
         if with_balls {
+            self.memory.found.push(sample);
             let balls = messages::balls(&self.constants, sample, time);
             self.send(sink, Topic::Balls, time, &balls)?;
             self.scene(sink, sample, scales, time)?;
@@ -152,20 +157,25 @@ impl Producer {
 
     /// The bodies, at the first sample.
     fn geometry(&mut self, sink: &mut impl Sink, sample: &Sample, time: u64) -> Result<Scales, RecordError> {
-        let scales = Scales::of_first(&sample.balls);
+        let ring_load_n = sample.inner.ball_force_n.map(|x| -x);
+        let scales = Scales::of_first(&sample.balls, ring_load_n);
         self.memory.scales = Some(scales);
         let first = sample.balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket_lead_rad);
         let bodies = Bodies {
             geometry: &self.geometry,
             pocket_gap: self.pocket_gap,
             first_azimuth: first - sample.cage.angle_rad,
-            name: &self.name,
             scales,
+            ring_load_n,
+            defects: &self.defects,
+            with_coating: true,
         };
         let update = scene::geometry(&bodies, timestamp(time));
         self.send(sink, Topic::Geometry, time, &update)?;
         // Wear from nothing on, so that the panel shows something from the start.
         self.wear(sink, time)?;
+        // The channels are declared in this chunk: a small one is seldom hit by damage, and all others need it.
+        sink.flush()?;
         Ok(scales)
     }
 
@@ -178,10 +188,18 @@ impl Producer {
             self.transforms = transforms;
         }
         if self.memory.motion.contacts_due(s) {
-            let arrows = s.balls.iter().map(contacts::of_sample);
+            let balls: Vec<_> = s.balls.iter().collect();
             let mut update = std::mem::take(&mut self.contacts);
-            contacts::update(&mut update, (self.geometry.ball_diameter, scales), time, arrows);
+            let drawing = Drawing { geometry: &self.geometry, scales, defects: &self.defects };
+            let moment = Moment {
+                log_time: time,
+                ring_load_n: s.inner.ball_force_n.map(|x| -x),
+                cage_angle_rad: s.cage.angle_rad,
+                ring_angles_rad: [s.inner.angle_rad, s.outer.angle_rad],
+            };
+            contacts::update(&mut update, &drawing, &moment, &balls);
             self.send(sink, Topic::Contacts, time, &update)?;
+            self.send(sink, Topic::Azimuth, time, &ball::around(timestamp(time), s.time_s, &balls))?;
             self.contacts = update;
         }
         Ok(())
@@ -192,14 +210,16 @@ impl Producer {
         self.send(sink, Topic::Wear, time, &wear)
     }
 
-    /// Wear, orbit and spectra of the last sample.
+    /// Wear, coating, orbit and spectra of the last sample.
     fn slow(&mut self, sink: &mut impl Sink, time: u64) -> Result<(), RecordError> {
         self.wear(sink, time)?;
+        let coating = self.memory.found.message(&self.geometry, timestamp(time));
+        self.send(sink, Topic::Coating, time, &coating)?;
         let orbit = self.memory.last_turn.message(self.memory.last_time_s, time);
         self.send(sink, Topic::Orbit, time, &orbit)?;
         let topics = [Topic::SpectrumOuter, Topic::SpectrumInner, Topic::SpectrumCage];
         for (quantity, topic) in topics.into_iter().enumerate().take(QUANTITIES.len()) {
-            if let Some(spectrum) = self.memory.recent.spectrum(quantity, time)? {
+            if let Some(spectrum) = self.memory.recent.spectrum(quantity, self.geometry.ball_count, time)? {
                 self.send(sink, topic, time, &spectrum)?;
             }
         }

@@ -16,10 +16,12 @@ pub(crate) enum Topic {
     SpectrumOuter,
     SpectrumInner,
     SpectrumCage,
+    Azimuth,
+    Coating,
 }
 
 /// The topics of a recorded run with the types of their messages.
-pub(crate) const CHANNELS: [Channel; 11] = [
+pub(crate) const CHANNELS: [Channel; 13] = [
     Channel::foxglove("/bearing/geometry", "foxglove.SceneUpdate"),
     Channel::foxglove("/log", "foxglove.Log"),
     Channel::foxglove("/tf", "foxglove.FrameTransforms"),
@@ -31,4 +33,6 @@ pub(crate) const CHANNELS: [Channel; 11] = [
     Channel::own("/bearing/spectrum", "tribodyn.v1.Spectrum"),
     Channel::own("/bearing/spectrum/inner", "tribodyn.v1.Spectrum"),
     Channel::own("/bearing/spectrum/cage", "tribodyn.v1.Spectrum"),
+    Channel::own("/bearing/azimuth", "tribodyn.v1.AroundBearing"),
+    Channel::foxglove("/bearing/coating", "foxglove.SceneUpdate"),
 ];

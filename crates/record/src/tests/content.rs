@@ -171,7 +171,7 @@ fn identity_arrows_end_at_the_contact_points_and_push_on_the_ball() {
     let file = bytes(&solution(BALLS));
     let contacts = &scenes(&file, "/bearing/contacts")[0];
     let (radius, mut lengths) = (0.5 * 0.03016, Vec::new());
-    for (index, entity) in contacts.entities.iter().enumerate() {
+    for (index, entity) in contacts.entities.iter().take(BALLS).enumerate() {
         let exact = ball(TAU * index as f64 / BALLS as f64);
         let (si, ci) = exact.contact_angle_inner_deg.to_radians().sin_cos();
         let (so, co) = exact.contact_angle_outer_deg.to_radians().sin_cos();

@@ -112,7 +112,7 @@ fn identity_a_viewer_gets_what_the_file_gets() {
     assert_eq!((&info["op"], &info["capabilities"]), (&json!("serverInfo"), &json!(["time"])));
     assert_eq!(info["metadata"]["kind"], "transient run");
     let list = channels["channels"].as_array().unwrap();
-    assert_eq!((&channels["op"], list.len()), (&json!("advertise"), 11));
+    assert_eq!((&channels["op"], list.len()), (&json!("advertise"), 13));
     for channel in list {
         assert_eq!((&channel["encoding"], &channel["schemaEncoding"]), (&json!("protobuf"), &json!("protobuf")));
         let own = channel["schemaName"].as_str().unwrap().starts_with("tribodyn.");

@@ -1,13 +1,16 @@
 //! Tests of whole recordings, on a made-up solution whose quantities are known functions of azimuth.
 
 mod case;
+mod chunks;
 mod content;
 mod file;
+mod layout;
 #[cfg(feature = "live")]
 mod live;
 mod recover;
 mod run;
 mod sample;
+mod scene;
 
 use crate::SolutionRecording;
 use crate::wire::{foxglove, tribodyn};
@@ -113,6 +116,7 @@ enum Payload {
     Log(foxglove::Log),
     State(tribodyn::BearingState),
     Balls(tribodyn::Balls),
+    Around(tribodyn::AroundBearing),
 }
 
 /// Decodes a whole file, chunk CRCs included: log time, topic, message.
@@ -127,6 +131,7 @@ fn decode(file: &[u8]) -> Vec<(u64, String, Payload)> {
             "foxglove.Log" => Payload::Log(Message::decode(data).unwrap()),
             "tribodyn.v1.BearingState" => Payload::State(Message::decode(data).unwrap()),
             "tribodyn.v1.Balls" => Payload::Balls(Message::decode(data).unwrap()),
+            "tribodyn.v1.AroundBearing" => Payload::Around(Message::decode(data).unwrap()),
             other => panic!("unknown schema {other}"),
         };
         (m.log_time, m.channel.topic.clone(), payload)

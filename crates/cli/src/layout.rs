@@ -1,0 +1,44 @@
+//! `tribodyn layout`: the Foxglove layout as a file, for viewers of a live run. Recordings carry theirs.
+
+use crate::failure::Failure;
+use crate::input::CaseFile;
+use crate::output::StagedFiles;
+use crate::solve::check_output;
+use std::path::{Path, PathBuf};
+use tribodyn_record::{Layout, LayoutKind};
+
+/// Write the Foxglove layout.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Case whose bearing sets the distance of the camera, the rows of balls and the band of the spectra
+    #[arg(value_name = "CASE")]
+    case: Option<PathBuf>,
+    /// File to write
+    #[arg(short, long, value_name = "LAYOUT.json")]
+    output: PathBuf,
+    /// For recordings of `solve`, not of `run`
+    #[arg(long)]
+    solution: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let kind = if arguments.solution { LayoutKind::Solution } else { LayoutKind::Run };
+    let layout = match &arguments.case {
+        Some(path) => {
+            let file = CaseFile::read(path, &[])?;
+            Layout::new(kind, &file.case).map_err(|source| Failure::Bearing { file: file.name.clone(), source })?
+        }
+        None => Layout::general(kind),
+    };
+    let case = arguments.case.as_deref().unwrap_or(Path::new(""));
+    check_output(&arguments.output, case, "layout")?;
+    let path = &arguments.output;
+    let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
+        let message = "the name of a file is wanted".to_owned();
+        return Err(Failure::Option { option: "output", value: path.display().to_string(), message });
+    };
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut staged = StagedFiles::new(folder)?;
+    staged.write(name.to_owned(), layout.json().as_bytes())?;
+    staged.publish()
+}
