@@ -37,14 +37,20 @@ nav a { margin-right: 14px; } a { color: #00548a; }
 pub fn page(content: &Content, figures: &[Figure]) -> String {
     let title = escape(&content.title);
     let mut html = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n<p class=\"sub\">Transient run</p>\n"
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n<p class=\"sub\">{}</p>\n",
+        escape(content.subtitle)
     );
     html += "<nav>";
-    for (anchor, name) in [("results", "Results"), ("histories", "Figures"), ("case", "Case"), ("file", "Case file")] {
+    for (anchor, name) in
+        [("case", "What was run"), ("results", "Results"), ("histories", "Figures"), ("file", "Case file")]
+    {
         html += &format!("<a href=\"#{anchor}\">{name}</a>");
     }
     html += "</nav>\n";
     html += &warnings(content);
+    html += "<div id=\"case\">\n";
+    content.opening.iter().for_each(|t| html += &format!("<section>\n{}</section>\n", table(t)));
+    html += "</div>\n";
     let (wide, narrow): (Vec<&Table>, Vec<&Table>) = content.tables.iter().partition(|t| t.wide);
     let (figured, wide): (Vec<&Table>, Vec<&Table>) = wide.into_iter().partition(|t| !t.numbers.is_empty());
     html += "<div class=\"pair\" id=\"results\">\n";
@@ -54,10 +60,7 @@ pub fn page(content: &Content, figures: &[Figure]) -> String {
     html += "<h2 id=\"histories\">Figures</h2>\n";
     content.notes.iter().for_each(|note| html += &format!("<p>{}</p>\n", escape(note)));
     html += &drawings(figures);
-    for (place, t) in wide.iter().enumerate() {
-        let id = if place + 1 == wide.len() { " id=\"case\"" } else { "" };
-        html += &format!("<section{id}>\n{}</section>\n", table(t));
-    }
+    wide.iter().for_each(|t| html += &format!("<section>\n{}</section>\n", table(t)));
     if let Some(text) = &content.case_text {
         html += &format!(
             "<details id=\"file\">\n<summary>The whole case file</summary>\n<pre>{}</pre>\n</details>\n",
@@ -96,7 +99,7 @@ fn table(table: &Table) -> String {
     let wide = if table.wide { " class=\"wide\"" } else { "" };
     let number = |k: usize| if table.numbers.contains(&k) { " class=\"n\"" } else { "" };
     let mut html =
-        format!("<h2>{}</h2>\n<p class=\"sub\">{}</p>\n<table{wide}>\n<tr>", table.title, escape(&table.text));
+        format!("<h2>{}</h2>\n<p class=\"sub\">{}</p>\n<table{wide}>\n<tr>", escape(&table.title), escape(&table.text));
     for (k, name) in table.header.iter().enumerate() {
         html += &format!("<th{}>{}</th>", number(k), escape(name));
     }
