@@ -40,7 +40,7 @@ pub struct Difference {
     a: f64,
     b: f64,
     difference: f64,
-    /// Difference over the magnitude of A; none where A is 0.
+    /// Difference over the magnitude of A; none where A is 0, and of directions.
     relative_percent: Option<f64>,
 }
 
@@ -54,7 +54,9 @@ pub struct CaseDifference {
 impl Difference {
     fn new((quantity, name): (String, String), unit: &'static str, digits: usize, [a, b]: [f64; 2]) -> Self {
         let difference = b - a;
-        let relative_percent = (a != 0.0).then(|| 100.0 * difference / a.abs());
+        // A direction has no magnitude: azimuth 0 is as good as any.
+        let direction = ["load_zone_middle_deg", "highest_load_azimuth_deg"].contains(&quantity.as_str());
+        let relative_percent = (a != 0.0 && !direction).then(|| 100.0 * difference / a.abs());
         Self { quantity, name, unit, digits, a, b, difference, relative_percent }
     }
 }

@@ -104,6 +104,9 @@ fn described(text: &str, path: &str) -> Option<String> {
     let value = &text[locate(text, path)?];
     let fields = |(name, rest): (&str, &str)| {
         let inner = rest.strip_suffix(')')?;
+        if inner.contains('[') && inner.contains(':') {
+            return Some(format!("{}, see the values of the case", name.trim()));
+        }
         let named = |part: &str| {
             let (key, value) = part.split_once(':')?;
             Some(format!("{} {}", key.trim().replace('_', " "), readable(value)))
@@ -126,5 +129,7 @@ mod tests {
         assert_eq!(described(text, "b").as_deref(), Some("Nitrogen, temperature 87.5 K, pressure 4 MPa"));
         assert_eq!(described(text, "c").as_deref(), Some("force 3 kN"));
         assert_eq!(described(text, "d"), None);
+        let tested = described("(a: Tested([(pressure: GPa(2.5), peak_slip: 1)]))", "a");
+        assert_eq!(tested.as_deref(), Some("Tested, see the values of the case"));
     }
 }
