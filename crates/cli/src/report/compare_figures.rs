@@ -59,7 +59,7 @@ pub fn figures(a: &Evaluated, b: &Evaluated, notes: &mut Vec<String>) -> Result<
 
 impl Evaluated {
     /// From when on samples are compared, s: a solution has no start.
-    fn from_s(&self) -> f64 {
+    fn begins_s(&self) -> f64 {
         match &self.kind {
             Kind::Run(answer) => answer.summary.averaged_from_s,
             Kind::Solution(_) => f64::NEG_INFINITY,
@@ -69,7 +69,7 @@ impl Evaluated {
 
 fn panel((heading, quantity, unit, get, load): &Curve, both: [&Evaluated; 2]) -> Option<Panel> {
     let one = |(evaluated, label): (&Evaluated, &str)| {
-        let from = evaluated.from_s();
+        let from = evaluated.begins_s();
         let rows = evaluated.run.balls.iter().filter(|(time, _)| *time >= from).flat_map(|(_, balls)| balls);
         let points = over_azimuth(rows.filter(|b| load(b) > 0.0), *get);
         (!points.is_empty()).then(|| Series::dense(label, points))
@@ -97,7 +97,7 @@ fn over_azimuth<'a>(rows: impl Iterator<Item = &'a BallRow>, get: fn(&BallRow) -
 /// The steady parts of two runs over each other.
 fn histories(both: [&Evaluated; 2]) -> Result<Figure, PlotError> {
     let rows = both.map(|e| {
-        let from = e.run.states.partition_point(|row| row.time_s < e.from_s());
+        let from = e.run.states.partition_point(|row| row.time_s < e.begins_s());
         &e.run.states[from..]
     });
     let times = rows.map(|rows| rows.iter().map(|row| row.time_s).collect::<Vec<f64>>());

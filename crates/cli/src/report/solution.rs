@@ -175,7 +175,7 @@ pub fn content(answer: &SolutionAnswer, case: Option<&CaseFile>, run: &Run) -> C
     warnings.extend(answer.warnings.iter().cloned());
     let mut opening = vec![opening(answer, case, run)];
     opening.extend(values(&answer.case_values));
-    let text = "Over all balls, where they carry load. The load zone is where the inner race carries a ball.";
+    let text = "Over all balls, where they carry load. The load zone is where the inner race carries a ball with more than 1 % of the highest load.";
     Content {
         title: if answer.bearing.is_empty() { "Solution".to_owned() } else { answer.bearing.clone() },
         subtitle: "Quasi-static solution",

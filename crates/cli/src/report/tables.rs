@@ -134,7 +134,7 @@ pub fn operation(all: &Quantities, text: &str) -> Table {
 pub fn steady(answer: &Answer) -> String {
     let s = &answer.summary;
     format!(
-        "Over all balls from {} to {} s, where they carry load. {} The load zone is where the inner race carries a ball.",
+        "Over all balls from {} to {} s, where they carry load. {} The load zone is where the inner race carries a ball with more than 1 % of the highest load.",
         number(s.averaged_from_s, 4),
         number(s.simulated_s, 4),
         s.settled.sentence()

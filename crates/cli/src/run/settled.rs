@@ -82,7 +82,8 @@ mod tests {
         let row = |k: i32| {
             let time_s = 1e-3 * f64::from(k);
             let start = (-time_s / constant_s).exp();
-            let ripple = (f64::from(k) * 0.7).sin();
+            // Ten samples long, so that whole ripples fit a turn.
+            let ripple = (f64::from(k) * std::f64::consts::TAU / 10.0).sin();
             let cage_speed_rpm = 3000.0 * (1.0 - start) + ripple;
             StateRow { time_s, cage_speed_rpm, shaft_power_w: 100.0 + 50.0 * ripple, ..StateRow::default() }
         };
