@@ -136,8 +136,8 @@ fn limit_recordings_that_cannot_be_reported_are_refused_and_nothing_written() {
         (vec![&solved, &text], "is no MCAP file"),
         (vec![&empty, &solved], "holds no sample of a transient run or of a solution"),
         (vec![&missing], "missing.mcap"),
-        (vec![&solved, &solved, &solved], "unexpected argument"),
-        (vec![&solved, &solved, &figures], "unexpected argument"),
+        (vec![&solved, &solved, &solved], "unexpected value"),
+        (vec![&solved, &solved, &figures], "unexpected value"),
     ] {
         let mut words: Vec<&dyn AsRef<std::ffi::OsStr>> = vec![&"report", &"-o", &none];
         recordings.iter().for_each(|path| words.push(*path));
