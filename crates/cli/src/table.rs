@@ -16,6 +16,17 @@ pub fn print_line(text: &str) -> Result<(), Failure> {
     Ok(writeln!(std::io::stdout(), "{text}")?)
 }
 
+/// A text on one line that cannot steer a terminal: line ends and tabs are spaces, other control characters, and marks
+/// that turn the direction of writing, are `\u{fffd}`.
+pub fn visible(text: &str) -> String {
+    let one = |c: char| match c {
+        '\n' | '\r' | '\t' => ' ',
+        c if c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}') => '\u{fffd}',
+        c => c,
+    };
+    text.chars().map(one).collect()
+}
+
 /// A number with fixed digits; what rounds to zero has no sign.
 pub fn number(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");
@@ -62,7 +73,12 @@ fn right_align(table: &mut Table, columns: std::ops::Range<usize>) {
 
 #[cfg(test)]
 mod tests {
-    use super::number;
+    use super::{number, visible};
+
+    #[test]
+    fn limit_a_text_cannot_steer_a_terminal() {
+        assert_eq!(visible("a\nb\u{1b}[31m µ|\u{202e}x\u{9b}"), "a b\u{fffd}[31m µ|\u{fffd}x\u{fffd}");
+    }
 
     #[test]
     fn limit_only_zero_loses_its_sign() {

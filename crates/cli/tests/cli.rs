@@ -12,6 +12,8 @@ mod documents;
 mod files;
 #[path = "cli/life.rs"]
 mod life;
+#[path = "cli/report.rs"]
+mod report;
 #[path = "cli/run.rs"]
 mod run;
 #[path = "cli/sweep.rs"]

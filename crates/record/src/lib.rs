@@ -128,6 +128,9 @@ pub use live::{LIVE_ADDRESS, LiveServer, LiveSummary, LiveWarning};
 pub use output::Channel;
 pub use read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
 pub use recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};
-pub use replay::{BallRow, LogRow, OrbitRow, Run, RunItem, RunReader, SpectrumRow, StateRow, WearRow, read_run};
+pub use replay::{
+    BallRow, LogRow, OrbitRow, Run, RunItem, RunReader, SolutionRow, SpectrumRow, StateRow, WearRow, read_recording,
+    read_run,
+};
 pub use run::{FileSink, Preamble, RecorderMemory, RunRecorder, RunRecording, Sink, StreamSink};
 pub use write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};

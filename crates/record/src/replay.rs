@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 
 /// Rings, cage and powers at one time, in the units of the field names.
 pub type StateRow = tribodyn::TransientState;
+/// Ring, cage and sums over all balls of a quasi-static solution at one time of its orbit, in the units of the field names.
+pub type SolutionRow = tribodyn::BearingState;
 /// A ball at one time, in the units of the field names, single precision.
 pub type BallRow = tribodyn::Ball;
 /// What had worn off by one time, in the units of the field names.
@@ -47,6 +49,8 @@ pub enum RunItem {
     Metadata(String, BTreeMap<String, String>),
     /// Rings, cage and powers.
     State(StateRow),
+    /// Ring, cage and sums over all balls of a quasi-static solution.
+    Solution(SolutionRow),
     /// All balls at a simulated time, s.
     Balls(f64, Vec<BallRow>),
     /// What has worn off.
@@ -160,6 +164,7 @@ impl<R: Read + Seek> RunReader<R> {
         let schema = self.schemas.get(schema).map_or("", String::as_str);
         let item = match schema {
             "tribodyn.v1.TransientState" => StateRow::decode(data).map(RunItem::State),
+            "tribodyn.v1.BearingState" => SolutionRow::decode(data).map(RunItem::Solution),
             "tribodyn.v1.Balls" if !self.balls => return Ok(None),
             "tribodyn.v1.Balls" => tribodyn::Balls::decode(data).map(|balls| RunItem::Balls(balls.time_s, balls.balls)),
             "tribodyn.v1.Wear" => WearRow::decode(data).map(RunItem::Wear),
@@ -214,6 +219,8 @@ pub struct Run {
     pub metadata: BTreeMap<String, BTreeMap<String, String>>,
     /// Rings, cage and powers, in order of time.
     pub states: Vec<StateRow>,
+    /// Ring and cage of the quasi-static solution whose orbit the file holds instead of a run.
+    pub solution: Option<SolutionRow>,
     /// Simulated time (s) and all balls, in order of time.
     pub balls: Vec<(f64, Vec<BallRow>)>,
     /// What has worn off, in order of time.
@@ -229,9 +236,21 @@ pub struct Run {
 /// Reads a whole run.
 ///
 /// # Errors
-/// As [`RunReader::open`]; [`RecordError::Decode`] if a message is not what its topic says,
-/// [`RecordError::NothingToRecover`] if no state can be read.
+/// Those of [`read_recording`]; [`RecordError::NothingToRecover`] also for the recording of a solution.
 pub fn read_run(path: &Path) -> Result<Run, RecordError> {
+    let run = read_recording(path)?;
+    if run.states.is_empty() {
+        return Err(RecordError::NothingToRecover { path: path.to_owned() });
+    }
+    Ok(run)
+}
+
+/// Reads a whole recording, of a run or of a solution, whose orbit is then in [`Run::balls`].
+///
+/// # Errors
+/// As [`RunReader::open`]; [`RecordError::Decode`] if a message is not what its topic says,
+/// [`RecordError::NothingToRecover`] if no state of either kind can be read.
+pub fn read_recording(path: &Path) -> Result<Run, RecordError> {
     let mut reader = RunReader::open(path)?;
     let mut run = Run::default();
     for item in &mut reader {
@@ -242,6 +261,9 @@ pub fn read_run(path: &Path) -> Result<Run, RecordError> {
                 run.metadata.insert(name, entries);
             }
             RunItem::State(row) => run.states.push(row),
+            RunItem::Solution(row) => {
+                run.solution.get_or_insert(row);
+            }
             RunItem::Balls(time, rows) => run.balls.push((time, rows)),
             RunItem::Wear(row) => run.wear.push(row),
             RunItem::Log(row) => run.events.push(row),
@@ -249,7 +271,7 @@ pub fn read_run(path: &Path) -> Result<Run, RecordError> {
         }
     }
     (run.truncated, run.chunks_bad) = (reader.truncated(), reader.chunks_bad());
-    if run.states.is_empty() {
+    if run.states.is_empty() && run.solution.is_none() {
         return Err(RecordError::NothingToRecover { path: path.to_owned() });
     }
     Ok(run)

@@ -1,7 +1,7 @@
 //! Finding and replacing a value by its path, comments and layout left alone.
 
 use super::CaseError;
-use super::outline::{Missing, Outline, Path};
+use super::outline::{Missing, Outline, Path, Segment};
 use std::ops::Range;
 
 /// Byte range of the value at a path of a RON text, `None` where there is none.
@@ -11,6 +11,14 @@ use std::ops::Range;
 /// `ring.z.Force.kN`.
 pub fn locate(text: &str, path: &str) -> Option<Range<usize>> {
     Outline::new(text)?.find(&Path::parse(path)?).ok()
+}
+
+/// Paths and byte ranges of all single values of a RON text in its order, the sources left out; empty where the text is
+/// not well-formed. A single value has no named fields inside: `mm(30.16)`, `Library("ag")`, a list of numbers.
+pub fn values(text: &str) -> Vec<(String, Range<usize>)> {
+    let leaves = Outline::new(text).map_or_else(Vec::new, |outline| outline.leaves());
+    let of_case = |path: &Path| path.0.first() != Some(&Segment::Name("sources".to_owned()));
+    leaves.into_iter().filter(|(path, _)| of_case(path)).map(|(path, range)| (path.to_string(), range)).collect()
 }
 
 /// The text with the value at `path` replaced by `value`, everything else as it was.
@@ -48,4 +56,33 @@ pub(super) fn unknown_path(text: &str, path: &Path, missing: Missing) -> CaseErr
     };
     let error = CaseError::new(text, missing.deepest, path, message);
     CaseError { value: String::new(), ..error }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{locate, values};
+
+    #[test]
+    fn identity_every_value_is_listed_and_found_at_its_path() {
+        let text = include_str!("../../../../fixtures/cases/paper-ag-defect.ron");
+        let all = values(text);
+        for (path, range) in &all {
+            assert_eq!(locate(text, path).as_ref(), Some(range), "{path}");
+        }
+        let value = |path: &str| all.iter().find(|(p, _)| p == path).map(|(_, range)| &text[range.clone()]);
+        assert_eq!(value("geometry.fit"), Some("ContactAngle(deg(18))"));
+        assert_eq!(value("transient.scheme.RungeKutta4.step"), Some("us(2.5)"));
+        assert_eq!(value("defects[0].depth"), Some("um(2)"));
+        assert_eq!(value("supports.outer.damping"), Some("(N_s_per_m(5000), N_s_per_m(5000))"));
+        assert_eq!(value("fluid.medium.Nitrogen.pressure"), Some("MPa(4)"));
+        assert!(all.iter().all(|(path, _)| !path.starts_with("sources")));
+        assert_eq!(values("(a: 1"), []);
+    }
+
+    #[test]
+    fn limit_lists_and_optional_values_are_single_values_unless_fields_stand_in_them() {
+        let text = "(a: Some(mm(1)), b: [], c: Tested([(p: 1, q: 2)]), d: Table([(s(0), rpm(0)), (s(1), rpm(5))]))";
+        let paths: Vec<String> = values(text).into_iter().map(|(path, _)| path).collect();
+        assert_eq!(paths, ["a", "b", "c.Tested[0].p", "c.Tested[0].q", "d"]);
+    }
 }

@@ -1,7 +1,7 @@
 //! The case file: one bearing, its materials, its operating point and the numerics, as RON with units.
 //!
 //! [`Case::from_ron`] reads and checks a text; what it returns is in SI and can be worked with. [`locate`] and
-//! [`set_value`] find and replace single values by their path, for sweeps and identification. No file is opened here.
+//! [`set_value`] find and replace single values by their path, for sweeps and identification; [`values`] lists them all. No file is opened here.
 
 mod error;
 mod history;
@@ -21,7 +21,7 @@ mod tests;
 mod tests_transient;
 
 pub use error::CaseError;
-pub use locate::{locate, set_value};
+pub use locate::{locate, set_value, values};
 pub use schema::*;
 pub use transient::*;
 

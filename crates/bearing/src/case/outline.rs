@@ -176,6 +176,35 @@ impl<'a> Outline<'a> {
         }
     }
 
+    /// Paths and byte ranges of the values that hold no named fields, in the order of the text: `mm(30.16)`, a list of
+    /// numbers, a word.
+    pub fn leaves(&self) -> Vec<(Path, Range<usize>)> {
+        let mut found = Vec::new();
+        self.collect(&self.root, &Path::default(), &mut found);
+        found
+    }
+
+    fn collect(&self, node: &Node, path: &Path, found: &mut Vec<(Path, Range<usize>)>) {
+        if !node.has_fields() {
+            found.push((path.clone(), node.range.clone()));
+            return;
+        }
+        let inside = |path: &Path, segment: Segment| Path(path.0.iter().cloned().chain([segment]).collect());
+        let variant = self.name(node).filter(|name| *name != "Some" && !path.0.is_empty());
+        let path = variant.map_or_else(|| path.clone(), |name| inside(path, Segment::Name(name.to_owned())));
+        for (index, entry) in node.entries().iter().enumerate() {
+            let below = match &entry.key {
+                Some(key) if node.body.as_ref().is_some_and(|body| body.open == '{') => {
+                    inside(&path, Segment::Key(unquoted(&self.text[key.clone()]).to_owned()))
+                }
+                Some(key) => inside(&path, Segment::Name(self.text[key.clone()].to_owned())),
+                None if node.name.is_some() && node.entries().len() == 1 => path.clone(),
+                None => inside(&path, Segment::Index(index)),
+            };
+            self.collect(&entry.value, &below, found);
+        }
+    }
+
     fn step<'n>(&self, spot: Spot<'n>, segment: &Segment) -> Option<Spot<'n>> {
         let spot = spot.transparent(self);
         if let (Segment::Name(name), false) = (segment, spot.inside)
@@ -228,6 +257,11 @@ impl<'a> Outline<'a> {
 impl Node {
     fn entries(&self) -> &[Entry] {
         self.body.as_ref().map_or(&[], |body| &body.entries)
+    }
+
+    /// Whether it or a value inside has named fields.
+    fn has_fields(&self) -> bool {
+        self.entries().iter().any(|entry| entry.key.is_some() || entry.value.has_fields())
     }
 }
 

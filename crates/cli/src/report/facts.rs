@@ -1,15 +1,15 @@
 //! Numbers of a report that are not in the summary of a run.
 
+use super::quantities::Quantities;
 use crate::failure::Failure;
 use crate::input::CaseFile;
-use crate::run::Summary;
+use crate::run::warnings::{self, Tested};
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::case::{Case, CurveSpec};
+use tribodyn_bearing::case::Case;
 use tribodyn_quasistatic::{Model, OperatingPoint, solve};
 use tribodyn_record::{BallRow, Run};
 use tribodyn_signal::BearingFrequencies;
-use tribodyn_traction::Coating;
 
 /// The quasi-static solution of the same case.
 #[derive(Debug, Default)]
@@ -26,82 +26,77 @@ impl Start {
             Ok(solved) => Self {
                 cage_speed_rpm: Some(solved.solution.cage_speed_rpm),
                 patch_error_estimate: solved.solution.patch_error_estimate,
-                warnings: solved.solution.warnings,
+                warnings: warnings::at_start(solved.solution.warnings),
             },
             Err(error) => Self { warnings: vec![format!("no quasi-static solution: {error}")], ..Self::default() },
         }
     }
 }
 
-/// How often cage, balls and races met on average in the second half of a run.
-pub fn frequencies(run: &Run, summary: &Summary) -> Result<BearingFrequencies, Failure> {
-    let half = run.balls.iter().filter(|(time, _)| *time >= summary.averaged_from_s).flat_map(|(_, balls)| balls);
+/// Mean speeds of the rings over a part of a run, rad/s.
+pub fn ring_speeds(run: &Run, from_s: f64) -> [f64; 2] {
+    let (mut inner, mut outer, mut rows) = (0.0, 0.0, 0.0f64);
+    for row in run.states.iter().filter(|row| row.time_s >= from_s) {
+        inner += row.inner_speed_rpm;
+        outer += row.outer_speed_rpm;
+        rows += 1.0;
+    }
+    [inner, outer].map(|sum| sum / rows.max(1.0) * TAU / 60.0)
+}
+
+/// How often cage, balls and races met on average from a time on; speeds of cage and rings in rad/s.
+pub fn frequencies(run: &Run, from_s: f64, cage: f64, [inner, outer]: [f64; 2]) -> Result<BearingFrequencies, Failure> {
     let (mut sum, mut count) = (0.0, 0.0);
-    for ball in half {
+    for ball in run.balls.iter().filter(|(time, _)| *time >= from_s).flat_map(|(_, balls)| balls) {
         let spin = [ball.spin_axial_rad_s, ball.spin_radial_rad_s, ball.spin_tangential_rad_s].map(f64::from);
         sum += spin.iter().map(|s| s * s).sum::<f64>().sqrt();
         count += 1.0;
     }
     let spin = if count > 0.0 { sum / count } else { 0.0 };
-    let states = run.states.iter().filter(|row| row.time_s >= summary.averaged_from_s);
-    let (mut inner, mut outer, mut rows) = (0.0, 0.0, 0.0f64);
-    for row in states {
-        inner += row.inner_speed_rpm;
-        outer += row.outer_speed_rpm;
-        rows += 1.0;
-    }
-    let speed = |rpm: f64| rpm * TAU / 60.0;
-    let cage = speed(summary.cage_speed_mean_rpm);
-    Ok(BearingFrequencies::from_run(
-        cage,
-        spin,
-        speed(inner / rows.max(1.0)),
-        speed(outer / rows.max(1.0)),
-        balls(run),
-    )?)
+    Ok(BearingFrequencies::from_run(cage, spin, inner, outer, balls(run))?)
 }
 
-/// Where the peak pressure at a race is in a row, GPa.
-type Pressure = fn(&BallRow) -> f32;
+/// Frequencies of pure rolling.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Rolling {
+    pub ball_count: usize,
+    /// Mean operating contact angle of both races.
+    pub contact_angle_deg: f64,
+    /// D cos α/d_m.
+    #[serde(skip)]
+    pub gamma: f64,
+    #[serde(flatten)]
+    pub frequencies: BearingFrequencies,
+}
 
-/// Pressures outside the tested ones, a sentence for each race: there the traction curve is extrapolated.
+/// Frequencies of pure rolling at the mean operating contact angle; none where the file does not say the geometry.
+pub fn rolling(run: &Run, operation: &Quantities, [inner, outer]: [f64; 2]) -> Option<Rolling> {
+    let length = |key: &str| Some(1e-3 * said(run, key)?.parse::<f64>().ok()?);
+    let (ball, pitch) = (length("ball_diameter_mm")?, length("pitch_diameter_mm")?);
+    let angle = |key: &str| operation.mean(key);
+    let contact_angle_deg = 0.5 * (angle("contact_angle_inner")? + angle("contact_angle_outer")?);
+    let (ball_count, radians) = (balls(run), contact_angle_deg.to_radians());
+    let frequencies = BearingFrequencies::from_geometry(ball_count, ball, pitch, radians, inner, outer).ok()?;
+    Some(Rolling { ball_count, contact_angle_deg, gamma: ball * radians.cos() / pitch, frequencies })
+}
+
+/// What the metadata of a recording say.
+pub fn said<'a>(run: &'a Run, key: &str) -> Option<&'a str> {
+    run.metadata.get("simulation")?.get(key).map(String::as_str)
+}
+
+/// Radius of a ball, m; none where the file does not say it.
+pub fn ball_radius_m(run: &Run) -> Option<f64> {
+    Some(0.5e-3 * said(run, "ball_diameter_mm")?.parse::<f64>().ok()?)
+}
+
+/// Sentences on races whose pressures were outside the tested ones.
 pub fn untested(case: &Case, run: &Run) -> Vec<String> {
-    // Parameters that do not vary are taken at one pressure, whatever the contacts have.
-    if !case.traction.varying {
-        return Vec::new();
+    let mut races = Tested::of(case);
+    for (_, balls) in &run.balls {
+        races.iter_mut().for_each(|race| race.add(balls));
     }
-    let races: [(&str, &CurveSpec, Pressure); 2] = [
-        ("inner", &case.coatings.inner.curve, |b| b.pressure_inner_gpa),
-        ("outer", &case.coatings.outer.curve, |b| b.pressure_outer_gpa),
-    ];
-    races.into_iter().filter_map(|(race, curve, get)| untested_at(race, tested_gpa(curve)?, run, get)).collect()
-}
-
-/// Lowest and highest tested pressure, GPa.
-fn tested_gpa(curve: &CurveSpec) -> Option<[f64; 2]> {
-    let pressures: Vec<f64> = match curve {
-        CurveSpec::Library(name) => Coating::library(name).ok()?.tested.iter().map(|test| test.pressure).collect(),
-        CurveSpec::Tested(points) => points.iter().map(|point| point.pressure).collect(),
-    };
-    let extreme = |start: f64, pick: fn(f64, f64) -> f64| 1e-9 * pressures.iter().copied().fold(start, pick);
-    (!pressures.is_empty()).then(|| [extreme(f64::INFINITY, f64::min), extreme(0.0, f64::max)])
-}
-
-fn untested_at(race: &str, [low, high]: [f64; 2], run: &Run, get: Pressure) -> Option<String> {
-    let (mut least, mut most, mut all, mut outside) = (f64::INFINITY, 0.0f64, 0.0, 0.0);
-    let pressures = run.balls.iter().flat_map(|(_, balls)| balls).map(|ball| f64::from(get(ball)));
-    // A contact that is lost has no pressure.
-    for pressure in pressures.filter(|pressure| *pressure > 0.0) {
-        (least, most) = (least.min(pressure), most.max(pressure));
-        all += 1.0;
-        outside += f64::from(u8::from(pressure < low || pressure > high));
-    }
-    (outside > 0.0).then(|| {
-        format!(
-            "Pressures at the {race} race were {least:.3} to {most:.3} GPa, the coating was tested at {low} to {high} GPa: its traction curve is extrapolated in {:.0} % of the samples.",
-            100.0 * outside / all
-        )
-    })
+    races.iter().filter_map(Tested::warning).collect()
 }
 
 /// Number of balls; 0 where no sample of them was read.

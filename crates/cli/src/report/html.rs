@@ -16,10 +16,12 @@ const UPLOT_LICENCE: &str = include_str!("../../assets/uplot/LICENSE");
 pub fn page(content: &Content, figures: &[Figure], live: &Live) -> Result<String, serde_json::Error> {
     let (wide, narrow): (Vec<&Table>, Vec<&Table>) = content.tables.iter().partition(|t| t.wide);
     let (figured, wide): (Vec<&Table>, Vec<&Table>) = wide.into_iter().partition(|t| !t.numbers.is_empty());
-    let mut html = head(&content.title);
-    html += &navigation(narrow.first().into_iter().chain(&figured).copied(), &wide, content.case_text.is_some());
+    let mut html = head(&content.title, content.subtitle);
+    let before = content.opening.iter().take(1).chain(narrow.first().copied()).chain(figured.iter().copied());
+    html += &navigation(before, &wide, content.case_text.is_some());
     html += "<main>\n";
     html += &warnings(content);
+    content.opening.iter().for_each(|t| html += &section(t));
     html += "<div class=\"pair\">\n";
     narrow.iter().for_each(|t| html += &section(t));
     html += "</div>\n";
@@ -39,23 +41,23 @@ pub fn page(content: &Content, figures: &[Figure], live: &Live) -> Result<String
     Ok(html + "</body>\n</html>\n")
 }
 
-fn head(title: &str) -> String {
-    let title = escape(title);
+fn head(title: &str, subtitle: &str) -> String {
+    let (title, subtitle) = (escape(title), escape(subtitle));
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
          <style>{UPLOT_STYLE}\n{STYLE}</style>\n</head>\n<body>\n\
-         <header>\n<h1>{title}</h1>\n<p class=\"sub\">Transient run</p>\n</header>\n"
+         <header>\n<h1>{title}</h1>\n<p class=\"sub\">{subtitle}</p>\n</header>\n"
     )
 }
 
 /// Links to the parts of the page.
 fn navigation<'a>(before: impl Iterator<Item = &'a Table>, after: &[&Table], case_file: bool) -> String {
     let link = |anchor: &str, name: &str| format!("<a href=\"#{anchor}\">{}</a>", escape(name));
-    let mut links: String = before.map(|t| link(&anchor(t.title), t.title)).collect();
+    let mut links: String = before.map(|t| link(&anchor(&t.title), &t.title)).collect();
     links += &link("figures", "Figures");
-    links.extend(after.iter().map(|t| link(&anchor(t.title), t.title)));
+    links.extend(after.iter().map(|t| link(&anchor(&t.title), &t.title)));
     if case_file {
         links += &link("case-file", "Case file");
     }
@@ -160,7 +162,7 @@ fn section(table: &Table) -> String {
     let class = if table.wide { " class=\"wide\"" } else { "" };
     let kind = if table.header.len() == 2 && table.wide { " class=\"facts\"" } else { "" };
     let number = |k: usize| if table.numbers.contains(&k) { " class=\"n\"" } else { "" };
-    let mut html = format!("<section{class}>\n<h2 id=\"{}\">{}</h2>\n", anchor(table.title), escape(table.title));
+    let mut html = format!("<section{class}>\n<h2 id=\"{}\">{}</h2>\n", anchor(&table.title), escape(&table.title));
     if !table.text.is_empty() {
         html += &format!("<p class=\"sub\">{}</p>\n", escape(&table.text));
     }

@@ -1,14 +1,21 @@
-//! `tribodyn report`: figures, spectra and a summary of a recorded run.
+//! `tribodyn report`: figures, spectra and a summary of a recorded run or solution, or what two of them differ in.
 
 mod against;
+mod compare;
+mod compare_figures;
 mod content;
 mod facts;
 mod figures;
 mod html;
 mod live;
 mod markdown;
+mod opening;
 mod orbit;
+mod quantities;
+mod solution;
 mod spectra;
+mod tables;
+mod values;
 
 use crate::failure::Failure;
 use crate::input::CaseFile;
@@ -17,24 +24,28 @@ use crate::run::{RunError, Summary, carries_accelerations};
 use crate::table;
 use against::{Compared, compared};
 use content::Content;
-use facts::{BallWear, Start};
+use facts::{BallWear, Rolling, Start, said};
 use live::Live;
+use quantities::Quantities;
 use serde::Serialize;
+use solution::SolutionAnswer;
+use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 use tribodyn_plot::Figure;
-use tribodyn_record::{RecordError, Run, read_run};
+use tribodyn_record::{RecordError, Run, read_recording};
 use tribodyn_signal::BearingFrequencies;
+use values::CaseValue;
 
-/// Make figures, spectra and a summary of a recorded run.
+/// Make figures, spectra and a summary of a recorded run or solution, or compare two recordings.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Recording, whole or not: RUN.mcap or RUN.mcap.active
-    #[arg(value_name = "RUN.mcap")]
-    recording: PathBuf,
+    /// Recording of `run` or `solve -o`, whole or not: RUN.mcap or RUN.mcap.active. Two of them are compared
+    #[arg(value_name = "RUN.mcap", required = true, num_args = 1..=2)]
+    recordings: Vec<PathBuf>,
     /// Folder for report.html, summary.md, summary.json, foxglove-layout.json and the figures (SVG and PNG)
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Published or measured figures to set beside those of the run: a CSV file with the columns
+    /// Published or measured figures to set beside those of a run: a CSV file with the columns
     /// id,quantity,published,tolerance,source; a quantity is a field of summary.json
     #[arg(long, value_name = "FIGURES.csv")]
     against: Option<PathBuf>,
@@ -43,7 +54,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// What `summary.json` and `--json` say.
+/// What `summary.json` and `--json` say of a run.
 #[derive(Debug, Serialize)]
 pub struct Answer {
     recording: PathBuf,
@@ -57,10 +68,18 @@ pub struct Answer {
     /// Whether that error is small enough for accelerations.
     accelerations_supported: bool,
     frequencies: BearingFrequencies,
+    rolling: Option<Rolling>,
     #[serde(flatten)]
     summary: Summary,
+    /// Of the part that the means are of.
+    operation: Quantities,
+    /// Of what came before it.
+    #[serde(rename = "start_transient")]
+    start: Quantities,
     /// Integrated over the samples of the balls.
     ball_wear: Vec<BallWear>,
+    /// Every value of the case.
+    case_values: Vec<CaseValue>,
     /// Of the quasi-static solution of the same case.
     warnings_at_start: Vec<String>,
     /// Races whose pressures left the range in which the coating was tested.
@@ -72,26 +91,46 @@ pub struct Answer {
     notes: Vec<String>,
 }
 
+/// A recording, evaluated.
+pub struct Evaluated {
+    run: Run,
+    case: Option<CaseFile>,
+    kind: Kind,
+    figures: Vec<Figure>,
+    /// Data of the interactive figures.
+    live: Live,
+}
+
+/// What a recording is of, with its numbers.
+pub enum Kind {
+    Run(Box<Answer>),
+    Solution(Box<SolutionAnswer>),
+}
+
 /// Wide enough for a page at 200 dots per inch.
 const PNG_WIDTH: u32 = 1600;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let no_run = || RunError::NoRun { path: arguments.recording.clone() };
-    let run = match read_run(&arguments.recording) {
-        Err(RecordError::NothingToRecover { .. }) => return Err(no_run().into()),
-        read => read?,
+    let (answer, content, figures, live, layout) = match arguments.recordings.as_slice() {
+        [a, b] => {
+            if let Some(path) = &arguments.against {
+                let message = "figures are set beside one recording, not beside two".to_owned();
+                return Err(Failure::Option { option: "against", value: path.display().to_string(), message });
+            }
+            let (answer, content, figures) = compare::compared(&Evaluated::read(a)?, &Evaluated::read(b)?)?;
+            (serde_json::to_value(&answer)?, content, figures, Live::default(), None)
+        }
+        recordings => {
+            let mut evaluated = Evaluated::read(&recordings[0])?;
+            let (answer, content) = evaluated.say(arguments.against.as_deref())?;
+            (answer, content, evaluated.figures, evaluated.live, evaluated.run.layout_text)
+        }
     };
-    let summary = Summary::of(&run.states, run.wear.last(), &run.events).ok_or_else(no_run)?;
-    let (mut answer, case, figures, live) = evaluate(&arguments.recording, &run, summary)?;
-    if let Some(path) = &arguments.against {
-        answer.validation = compared(path, &serde_json::to_value(&answer)?)?;
-    }
-    let content = Content::new(&answer, case.as_ref(), &run);
     let mut staged = StagedFiles::new(&arguments.output)?;
     staged.write("report.html".to_owned(), html::page(&content, &figures, &live)?.as_bytes())?;
     staged.write("summary.md".to_owned(), markdown::page(&content, &figures).as_bytes())?;
     staged.write("summary.json".to_owned(), format!("{}\n", serde_json::to_string_pretty(&answer)?).as_bytes())?;
-    if let Some(layout) = &run.layout_text {
+    if let Some(layout) = layout {
         staged.write("foxglove-layout.json".to_owned(), layout.as_bytes())?;
     }
     for figure in &figures {
@@ -106,27 +145,85 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     table::print_line(&format!("report: {}", arguments.output.join("report.html").display()))
 }
 
-type Evaluated = (Answer, Option<CaseFile>, Vec<Figure>, Live);
-
-fn evaluate(path: &Path, run: &Run, summary: Summary) -> Result<Evaluated, Failure> {
-    // A damaged or older file may lack its case, or hold one that is refused now: the numbers are there all the same.
-    let name = path.display().to_string();
-    let case = run.case_text.as_ref().and_then(|text| CaseFile::from_text(&name, text.clone(), &[]).ok());
-    let summary = case.iter().fold(summary, |summary, file| summary.judged(&file.case));
-    let start = case.as_ref().map_or_else(Start::default, Start::of);
-    let frequencies = facts::frequencies(run, &summary)?;
-    let ball_wear = facts::ball_wear(&run.balls);
-    let mut notes = Vec::new();
-    if case.is_none() {
-        notes.push("The recording has no readable case: its values and the start are missing here.".to_owned());
+impl Evaluated {
+    /// Reads and evaluates a recording; one that is neither of a run nor of a solution is refused.
+    fn read(path: &Path) -> Result<Self, Failure> {
+        let foreign = |source| RunError::NoRecording { source: Box::new(source) };
+        let run = match read_recording(path) {
+            Err(RecordError::NothingToRecover { .. }) => return Err(RunError::NoRun { path: path.to_owned() }.into()),
+            Err(error @ (RecordError::NotMcap { .. } | RecordError::File { action: "open", .. })) => {
+                return Err(foreign(error).into());
+            }
+            read => read?,
+        };
+        // A damaged or older file may lack its case, or hold one that is refused now: the numbers are there all the same.
+        let name = path.display().to_string();
+        let case = run.case_text.as_ref().and_then(|text| CaseFile::from_text(&name, text.clone(), &[]).ok());
+        let case_values = case.as_ref().map_or_else(Vec::new, |file| values::all(&file.text, &file.case));
+        let no_run = || RunError::NoRun { path: path.to_owned() };
+        let (kind, figures, live) = match (&run.solution, run.states.is_empty()) {
+            (Some(_), false) => return Err(RunError::Mixed { path: path.to_owned() }.into()),
+            (Some(row), true) if run.balls.is_empty() || row.cage_speed_rpm == 0.0 => return Err(no_run().into()),
+            (Some(row), true) => {
+                let (mut answer, figures) = solution::evaluate(path, &run, row, (case.as_ref(), case_values))?;
+                answer.notes.extend(no_case(case.is_none()));
+                (Kind::Solution(Box::new(answer)), figures, Live::default())
+            }
+            (None, _) => {
+                let summary = Summary::of(&run.states, run.wear.last(), &run.events).ok_or_else(no_run)?;
+                let (answer, figures, live) = evaluate(path, &run, summary, (case.as_ref(), case_values))?;
+                (Kind::Run(Box::new(answer)), figures, live)
+            }
+        };
+        Ok(Self { run, case, kind, figures, live })
     }
+
+    /// The report of this recording alone.
+    fn say(&mut self, against: Option<&Path>) -> Result<(serde_json::Value, Content), Failure> {
+        let case = self.case.as_ref();
+        match &mut self.kind {
+            Kind::Run(answer) => {
+                if let Some(path) = against {
+                    answer.validation = compared(path, &serde_json::to_value(&*answer)?)?;
+                }
+                Ok((serde_json::to_value(&*answer)?, Content::of_run(answer, case, &self.run)))
+            }
+            Kind::Solution(answer) => {
+                let value = serde_json::to_value(&*answer)?;
+                let mut content = solution::content(answer, case, &self.run);
+                if let Some(path) = against {
+                    content.tables.insert(0, tables::validation(&compared(path, &value)?));
+                }
+                Ok((value, content))
+            }
+        }
+    }
+}
+
+fn no_case(missing: bool) -> Option<String> {
+    missing.then(|| "The recording has no readable case: its values and the start are missing here.".to_owned())
+}
+
+fn evaluate(
+    path: &Path,
+    run: &Run,
+    summary: Summary,
+    (case, case_values): (Option<&CaseFile>, Vec<CaseValue>),
+) -> Result<(Answer, Vec<Figure>, Live), Failure> {
+    let summary = case.iter().fold(summary, |summary, file| summary.judged(&file.case));
+    let start = case.map_or_else(Start::default, Start::of);
+    let from_s = summary.averaged_from_s;
+    let speeds = facts::ring_speeds(run, from_s);
+    let frequencies = facts::frequencies(run, from_s, summary.cage_speed_mean_rpm * TAU / 60.0, speeds)?;
+    let operation = quantities::of_run(run, from_s, facts::ball_radius_m(run));
+    let ball_wear = facts::ball_wear(&run.balls);
+    let mut notes: Vec<String> = no_case(case.is_none()).into_iter().collect();
     let mut live = Live::default();
     let mut figures = figures::histories(run, &summary, &mut live)?;
     figures.extend(spectra::figures(run, &summary, &frequencies, &mut notes, &mut live)?);
     figures.extend(orbit::figures(run, &mut notes, &mut live)?);
     figures.extend(figures::balances(&summary, &ball_wear)?);
-    let simulation = run.metadata.get("simulation");
-    let said = |key: &str| simulation.and_then(|entries| entries.get(key)).cloned().unwrap_or_default();
+    let said = |key: &str| said(run, key).unwrap_or_default().to_owned();
     let answer = Answer {
         recording: path.to_owned(),
         bearing: said("bearing"),
@@ -136,14 +233,18 @@ fn evaluate(path: &Path, run: &Run, summary: Summary) -> Result<Evaluated, Failu
         cage_speed_quasi_static_rpm: start.cage_speed_rpm,
         patch_error_estimate: start.patch_error_estimate,
         accelerations_supported: carries_accelerations(start.patch_error_estimate),
+        rolling: facts::rolling(run, &operation, speeds),
         frequencies,
         summary,
+        operation,
+        start: quantities::of_start(run, from_s),
         ball_wear,
+        case_values,
         warnings_at_start: start.warnings,
-        untested_pressures: case.as_ref().map_or_else(Vec::new, |file| facts::untested(&file.case, run)),
+        untested_pressures: case.map_or_else(Vec::new, |file| facts::untested(&file.case, run)),
         validation: Vec::new(),
         figures: figures.iter().map(|figure| figure.name.clone()).collect(),
         notes,
     };
-    Ok((answer, case, figures, live))
+    Ok((answer, figures, live))
 }

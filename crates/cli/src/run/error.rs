@@ -25,8 +25,12 @@ pub enum RunError {
     Damaged { path: PathBuf, source: serde_json::Error },
     #[error("{} holds {found} of the {expected} messages up to the checkpoint: start anew with --restart", path.display())]
     Incomplete { path: PathBuf, found: u64, expected: u64 },
-    #[error("{} holds no sample of a transient run that can be read", path.display())]
+    #[error("{} holds no sample of a transient run or of a solution that can be read", path.display())]
     NoRun { path: PathBuf },
+    #[error("{} holds a run and a solution: a report is of one of them", path.display())]
+    Mixed { path: PathBuf },
+    #[error("{}", crate::failure::with_causes(source))]
+    NoRecording { source: Box<tribodyn_record::RecordError> },
     #[error("{file}: {source}{}", hint(source))]
     CannotStart { file: String, source: DynamicsError },
     #[error("{file}: {source}; what was recorded before is in {}", recording.display())]

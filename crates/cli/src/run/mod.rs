@@ -11,11 +11,13 @@ mod live;
 mod outcome;
 mod progress;
 mod resume;
+mod settled;
 mod summary;
 mod tape;
+pub mod warnings;
 
 pub use error::RunError;
-pub use summary::{Summary, acceleration, carries_accelerations};
+pub use summary::{Summary, acceleration, carries_accelerations, imbalance};
 
 use crate::failure::Failure;
 use crate::input::{CaseArguments, CaseFile, Change};

@@ -2,7 +2,8 @@
 
 use super::RunError;
 use super::progress::significant;
-use super::summary::{Summary, acceleration, carries_accelerations};
+use super::summary::{Summary, acceleration, carries_accelerations, imbalance};
+use super::warnings::{self, Tested};
 use crate::failure::Failure;
 use crate::input::CaseFile;
 use crate::table::{self, number};
@@ -41,6 +42,8 @@ pub struct Report {
     summary: Option<Summary>,
     /// Of the quasi-static solution from which the run starts.
     warnings_at_start: Vec<String>,
+    /// Races whose pressures left the range in which the coating was tested.
+    untested_pressures: Vec<String>,
 }
 
 impl Report {
@@ -62,15 +65,18 @@ impl Report {
             scheme_statistics: run.statistics(),
             stiffness: run.stiffness(),
             summary: None,
-            warnings_at_start: solution.warnings.clone(),
+            warnings_at_start: warnings::at_start(solution.warnings.clone()),
+            untested_pressures: Vec::new(),
         }
     }
 
     /// Reads the rest from the recording, which shows that it can be read.
     pub fn complete(mut self, recording: &Path, case: &Case, from_s: f64) -> Result<Self, Failure> {
         let (mut states, mut wear, mut log) = (Vec::new(), None, Vec::new());
-        for item in RunReader::open(recording)?.without_balls() {
+        let mut races = Tested::of(case);
+        for item in RunReader::open(recording)? {
             match item? {
+                RunItem::Balls(_, balls) => races.iter_mut().for_each(|race| race.add(&balls)),
                 RunItem::State(row) => states.push(row),
                 RunItem::Wear(row) => wear = Some(row),
                 RunItem::Log(row) => log.push(row),
@@ -81,6 +87,7 @@ impl Report {
         let summary = Summary::of(&states, wear.as_ref(), &log).ok_or_else(nothing)?.judged(case);
         self.simulated_per_wall = (summary.simulated_s - from_s) / self.wall_s;
         self.summary = Some(summary);
+        self.untested_pressures = races.iter().filter_map(Tested::warning).collect();
         self.recording = recording.to_owned();
         Ok(self)
     }
@@ -89,7 +96,8 @@ impl Report {
 impl Outcome {
     pub fn print(&self) -> Result<(), Failure> {
         let r = &self.report;
-        table::print_line(&format!("{}: {}\n", r.case, r.bearing))?;
+        table::print_line(&table::visible(&format!("{}: {}", r.case, r.bearing)))?;
+        table::print_line("")?;
         let mut rows = Vec::new();
         if let Some(summary) = &r.summary {
             rows.extend(motion_rows(summary, r));
@@ -100,7 +108,8 @@ impl Outcome {
         table::print_pairs(&rows)?;
         table::print_line(&format!("\nscheme      {}\npatch rule  {}", r.scheme, r.patch_rule))?;
         let of_run = r.summary.iter().flat_map(|summary| &summary.warnings);
-        for warning in r.warnings_at_start.iter().chain(of_run) {
+        let all = r.warnings_at_start.iter().chain(&r.untested_pressures).chain(of_run);
+        for warning in warnings::shown(&all.cloned().collect::<Vec<_>>()) {
             table::print_line(&format!("warning: {warning}"))?;
         }
         table::print_line(&format!("recording: {}", r.recording.display()))
@@ -135,7 +144,7 @@ fn power_rows(s: &Summary) -> Vec<Row> {
     let p = &s.power;
     let mut rows = vec![("power in: shaft", number(p.shaft_w, 1), "W"), ("power in: loads", number(p.load_w, 1), "W")];
     rows.extend(p.out().map(|(name, value)| (name, number(value, 1), "W")));
-    rows.push(("imbalance of all work done", number(p.imbalance_ppb, 3), "10⁻⁹"));
+    rows.push(("imbalance of all work done", imbalance(p.imbalance_percent), "%"));
     rows
 }
 

@@ -1,17 +1,25 @@
 //! What a recorded run comes to in a few numbers.
 
+use super::settled::Settled;
+use super::warnings;
+use crate::table::number;
 use serde::Serialize;
 use tribodyn_bearing::case::{Case, SchemeSpec};
 use tribodyn_dynamics::ACCELERATION_ERROR;
 use tribodyn_record::{LogRow, StateRow, WearRow};
 use tribodyn_signal::Statistics;
 
-/// Numbers of a run; means, rms and extremes are of its second half, where what is left of the start has faded most.
+/// Numbers of a run; means, rms and extremes are of its second half, where what is left of the start has faded most, or
+/// of what is left once the run is steady, if that is later.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
     pub simulated_s: f64,
     /// From when on the averages are taken.
     pub averaged_from_s: f64,
+    /// From when on the run is steady; none where it is not, or cannot be judged.
+    pub settled_at_s: Option<f64>,
+    #[serde(skip)]
+    pub settled: Settled,
     pub samples: usize,
     pub cage_speed_mean_rpm: f64,
     pub cage_speed_end_rpm: f64,
@@ -53,8 +61,8 @@ pub struct Powers {
     pub support_w: f64,
     /// Energy that moving and pressed parts took up.
     pub stored_w: f64,
-    /// Work missing at the end over all work put in, parts per billion.
-    pub imbalance_ppb: f64,
+    /// Work missing at the end over all work put in, %.
+    pub imbalance_percent: f64,
 }
 
 impl Powers {
@@ -102,16 +110,19 @@ impl Summary {
     /// Of the rows of a recording; none without any.
     pub fn of(states: &[StateRow], wear: Option<&WearRow>, log: &[LogRow]) -> Option<Self> {
         let last = states.last()?;
-        let from = states.partition_point(|row| row.time_s < 0.5 * last.time_s).min(states.len() - 1);
+        let settled = Settled::of(states);
+        let from_s = settled.averages_from_s(last.time_s);
+        let from = states.partition_point(|row| row.time_s < from_s).min(states.len() - 1);
         let half = &states[from..];
         let statistics = |get: fn(&StateRow) -> f64| Statistics::of(&half.iter().map(get).collect::<Vec<_>>()).ok();
         let (x, y) = (statistics(|r| r.outer_acceleration_x_m_s2)?, statistics(|r| r.outer_acceleration_y_m_s2)?);
         let largest = |get: fn(&StateRow) -> f64| half.iter().map(get).fold(f64::NEG_INFINITY, f64::max);
         let smallest = |get: fn(&StateRow) -> f64| half.iter().map(get).fold(f64::INFINITY, f64::min);
-        let warnings = log.iter().filter(|row| row.warning).map(|row| row.message.clone()).collect();
         Some(Self {
             simulated_s: last.time_s,
             averaged_from_s: half[0].time_s,
+            settled_at_s: if let Settled::At(time_s) = settled { Some(time_s) } else { None },
+            settled,
             samples: states.len(),
             cage_speed_mean_rpm: statistics(|r| r.cage_speed_rpm)?.mean,
             cage_speed_end_rpm: last.cage_speed_rpm,
@@ -130,23 +141,30 @@ impl Summary {
             balls_in_contact_min: states.iter().map(|r| r.balls_in_contact).min()?,
             power: powers(half),
             wear: wear.map_or_else(Worn::default, worn),
-            warnings,
+            warnings: warnings::of_log(log),
         })
     }
 
     /// With a warning where the work of the run does not balance as it should by this case's scheme.
     pub fn judged(mut self, case: &Case) -> Self {
-        self.warnings.extend(off_balance(self.power.imbalance_ppb, case));
+        self.warnings.extend(off_balance(self.power.imbalance_percent, case));
         self
     }
 }
 
-/// Part of the work put in, parts per billion, beyond which a run is warned of. Below their bound explicit schemes
-/// leave some 10⁻⁹; the fast one leaves up to 10⁻³ at the steps that it is meant for.
-const OFF_BALANCE_EXPLICIT_PPB: f64 = 1e4;
-const OFF_BALANCE_FAST_PPB: f64 = 1e7;
+/// Part of the work put in, %, beyond which a run is warned of. Below their bound explicit schemes leave some 10⁻⁷ %;
+/// the fast one leaves up to 0.1 % at the steps that it is meant for.
+const OFF_BALANCE_EXPLICIT_PERCENT: f64 = 1e-3;
+const OFF_BALANCE_FAST_PERCENT: f64 = 1.0;
+/// Parts per billion, the unit of recordings, in one percent.
+const PPB_PER_PERCENT: f64 = 1e7;
 
-fn off_balance(imbalance_ppb: f64, case: &Case) -> Option<String> {
+/// An imbalance of work for people, %.
+pub fn imbalance(percent: f64) -> String {
+    if percent.abs() < 1e-3 { format!("{percent:.1e}") } else { number(percent, 4) }
+}
+
+fn off_balance(imbalance_percent: f64, case: &Case) -> Option<String> {
     let transient = case.transient.as_ref()?;
     // Wear takes energy out of the contacts, and contact constants that follow the angle have no potential: neither is
     // in the balance.
@@ -154,13 +172,13 @@ fn off_balance(imbalance_ppb: f64, case: &Case) -> Option<String> {
         return None;
     }
     let most = match transient.scheme {
-        SchemeSpec::Fast { .. } => OFF_BALANCE_FAST_PPB,
-        _ => OFF_BALANCE_EXPLICIT_PPB,
+        SchemeSpec::Fast { .. } => OFF_BALANCE_FAST_PERCENT,
+        _ => OFF_BALANCE_EXPLICIT_PERCENT,
     };
-    (imbalance_ppb.abs() > most).then(|| {
+    (imbalance_percent.abs() > most).then(|| {
         format!(
-            "a part of {:.1e} of the work put in is not accounted for at the end: the steps are too long for this run, and its powers and accelerations may be wrong; shorten them or take another scheme",
-            1e-9 * imbalance_ppb.abs()
+            "{} % of the work put in is not accounted for at the end: the steps are too long for this run, and its powers and accelerations may be wrong; shorten them or take another scheme",
+            imbalance(imbalance_percent.abs())
         )
     })
 }
@@ -194,7 +212,7 @@ fn powers(rows: &[StateRow]) -> Powers {
         cage_w: mean(|r| r.cage_w),
         support_w: mean(|r| r.support_w),
         stored_w: if span > 0.0 { (last.energy_j - first.energy_j) / span } else { 0.0 },
-        imbalance_ppb: last.imbalance_ppb,
+        imbalance_percent: last.imbalance_ppb / PPB_PER_PERCENT,
     }
 }
 
@@ -235,8 +253,8 @@ mod tests {
         };
         let fast = [("transient.scheme", "Fast(step: us(5))")];
         assert!(warnings(9e3, &[]).is_empty() && warnings(-9e6, &fast).is_empty());
-        assert!(warnings(-2e4, &[])[0].starts_with("a part of 2.0e-5 of the work"));
-        assert!(warnings(5e8, &fast)[0].starts_with("a part of 5.0e-1 of the work"));
+        assert!(warnings(-2e4, &[])[0].starts_with("0.0020 % of the work"));
+        assert!(warnings(5e8, &fast)[0].starts_with("50.0000 % of the work"));
         // What the balance does not hold cannot be missing in it.
         assert!(warnings(5e8, &[("transient.wear_acceleration", "10")]).is_empty());
     }

@@ -87,7 +87,7 @@ fn line(event: &Event, more: usize) -> Log {
         }
         EventKind::ContactLost { ball, inner, azimuth_deg } => {
             let azimuth = azimuth_deg.rem_euclid(360.0);
-            ("contact-lost", Level::Warning, format!("ball {ball} leaves the {} race at {azimuth:.1}°", race(*inner)))
+            ("contact-lost", Level::Info, format!("ball {ball} leaves the {} race at {azimuth:.1}°", race(*inner)))
         }
         EventKind::ContactMade { ball, inner, azimuth_deg } => {
             let azimuth = azimuth_deg.rem_euclid(360.0);
