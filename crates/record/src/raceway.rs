@@ -9,7 +9,7 @@ use crate::{colour, frames, guide, scene};
 use prost_types::Timestamp;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::case::{Case, RaceName};
+use tribodyn_bearing::case::Case;
 use tribodyn_bearing::{Geometry, Side};
 use tribodyn_dynamics::Sample;
 
@@ -37,9 +37,8 @@ pub(crate) struct Defect {
 
 /// The defects of a case.
 pub(crate) fn defects(case: &Case) -> Vec<Defect> {
-    let side = |race| if race == RaceName::Inner { Side::Inner } else { Side::Outer };
     let one = |d: &tribodyn_bearing::case::DefectSpec| Defect {
-        side: side(d.race),
+        side: d.race,
         azimuth: d.azimuth,
         width: d.width,
         depth: d.depth,
