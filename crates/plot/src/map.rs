@@ -52,7 +52,8 @@ impl MapAxis {
 
     /// Where cells begin and end: half-way to the next place, on a logarithmic axis by ratio.
     fn edges(&self) -> Vec<f64> {
-        let (to, back): (fn(f64) -> f64, fn(f64) -> f64) = if self.log { (f64::ln, f64::exp) } else { (|v| v, |v| v) };
+        let to = |v: f64| if self.log { v.ln() } else { v };
+        let back = |v: f64| if self.log { v.exp() } else { v };
         let at: Vec<f64> = self.at.iter().map(|v| to(*v)).collect();
         let [first, last] = [at[0], at[at.len() - 1]];
         let alone = if first == 0.0 || self.log { 0.5 } else { 0.5 * first.abs() };

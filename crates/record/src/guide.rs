@@ -232,8 +232,8 @@ mod tests {
 
     #[test]
     fn limit_forces_have_three_digits() {
-        let texts = [22_847.3, 1_234.5, 431.2, 3.14, 210_000.0].map(force);
-        assert_eq!(texts, ["22.8 kN", "1.23 kN", "431 N", "3.1 N", "210 kN"]);
+        let texts = [22_847.3, 1_234.5, 431.2, 3.24, 210_000.0].map(force);
+        assert_eq!(texts, ["22.8 kN", "1.23 kN", "431 N", "3.2 N", "210 kN"]);
     }
 
     #[test]

@@ -32,14 +32,14 @@ pub trait CustomLaw: Debug + Send + Sync {
 #[derive(Debug, Clone)]
 pub enum Law {
     /// Kragelskii's curve of a coating with parameters that vary with pressure, by the vector kernel.
-    Coating(CoatingLaw),
+    Coating(Arc<CoatingLaw>),
     /// A law of one's own, by the plain quadrature; the fast scheme of a transient run takes its friction explicitly.
     Custom(Arc<dyn CustomLaw>),
 }
 
 impl From<CoatingLaw> for Law {
     fn from(law: CoatingLaw) -> Self {
-        Self::Coating(law)
+        Self::Coating(Arc::new(law))
     }
 }
 
