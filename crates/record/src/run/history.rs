@@ -145,14 +145,17 @@ impl Recent {
     }
 }
 
-/// Marks at a frequency, in lines, and its multiples: as high as the highest amplitude, a half and a third of it.
+/// Depth of a mark under the axis over the highest amplitude. It hangs below, so that nobody takes it for an amplitude.
+const MARK: f64 = 0.12;
+
+/// Marks at a frequency, in lines, and its multiples: below the axis, a half and a third as deep at the multiples.
 fn marks(lines: usize, frequency: f64, highest: f64) -> Vec<f32> {
     let mut values = vec![0.0; lines];
     for multiple in 1..=MARKED {
         let line = (multiple as f64 * frequency).round() as usize;
         // A cage at a standstill has no frequency to mark.
         if line > 0 && line < lines {
-            values[line] = (highest / multiple as f64) as f32;
+            values[line] = (-MARK * highest / multiple as f64) as f32;
         }
     }
     values
