@@ -21,6 +21,16 @@ impl<L: TractionLaw> Probe<'_, L> {
         fast_patch_traction(rule, &self.patch, &self.motion, self.rolling_speed, &self.law)
     }
 
+    /// Error of the force over the load and of the moment over load times ball radius, the larger; zero without load.
+    pub(crate) fn relative_error(&self, ours: &PatchTraction, exact: &PatchTraction) -> f64 {
+        let force = (ours.force_rolling - exact.force_rolling).hypot(ours.force_lateral - exact.force_lateral);
+        let moment = (ours.moment_lateral - exact.moment_lateral)
+            .hypot(ours.moment_normal - exact.moment_normal)
+            .hypot(ours.moment_rolling - exact.moment_rolling);
+        let load = self.load();
+        if load > 0.0 { (force / load).max(moment / (load * self.patch.ball_radius)) } else { 0.0 }
+    }
+
     /// The load under the ellipse, N.
     fn load(&self) -> f64 {
         2.0 * std::f64::consts::PI / 3.0 * self.patch.peak_pressure * self.patch.semi_lateral * self.patch.semi_rolling
@@ -65,15 +75,10 @@ pub fn rule_error<L: TractionLaw>(rule: PatchRule, probes: &[Probe<'_, L>]) -> R
 }
 
 fn largest_error<L: TractionLaw>(rule: &FastPatch, probes: &[Probe<'_, L>], exact: &[PatchTraction]) -> f64 {
-    probes.iter().zip(exact).fold(0.0, |worst, (probe, exact)| {
-        let ours = probe.traction(rule);
-        let force = (ours.force_rolling - exact.force_rolling).hypot(ours.force_lateral - exact.force_lateral);
-        let moment = (ours.moment_lateral - exact.moment_lateral)
-            .hypot(ours.moment_normal - exact.moment_normal)
-            .hypot(ours.moment_rolling - exact.moment_rolling);
-        let load = probe.load();
-        if load > 0.0 { worst.max(force / load).max(moment / (load * probe.patch.ball_radius)) } else { worst }
-    })
+    probes
+        .iter()
+        .zip(exact)
+        .fold(0.0, |worst, (probe, exact)| worst.max(probe.relative_error(&probe.traction(rule), exact)))
 }
 
 /// The candidate with the fewest points whose error over the probes is at most `relative`, and that error.

@@ -11,6 +11,41 @@ pub trait SlipCurve<D: Scalar> {
     fn coefficient(&self, slip: D) -> D {
         self.over_slip(slip) * slip
     }
+
+    /// Where the curve turns to falling and how steeply it falls; None where it never falls.
+    ///
+    /// Unless a curve knows better, from a scan of κ(s) at 16 slips a decade from 1e-6 to 1e6, without derivatives.
+    fn fall(&self) -> Option<Fall<D>> {
+        scan_for_fall(|slip| self.coefficient(D::from(slip)).re())
+    }
+}
+
+/// The falling branch of a traction curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fall<D = f64> {
+    /// Slip at the peak, from which the curve falls.
+    pub slip: D,
+    /// Largest −dκ/ds beyond it.
+    pub steepness: D,
+}
+
+pub(crate) fn scan_for_fall<D: Scalar>(coefficient: impl Fn(f64) -> f64) -> Option<Fall<D>> {
+    /// Less is rounding.
+    const NOTICEABLE: f64 = 1e-9;
+    let points = (-96..=96).map(|i| {
+        let slip = 10f64.powf(f64::from(i) / 16.0);
+        (slip, coefficient(slip))
+    });
+    let (mut peak, mut previous, mut steepness, mut last) = ((0.0, 0.0), (0.0, 0.0), 0.0f64, 0.0);
+    for (slip, value) in points {
+        if value > peak.1 * (1.0 + NOTICEABLE) {
+            (peak, steepness) = ((slip, value), 0.0);
+        } else {
+            steepness = steepness.max((previous.1 - value) / (slip - previous.0));
+        }
+        (previous, last) = ((slip, value), value);
+    }
+    (last < peak.1 * (1.0 - NOTICEABLE)).then(|| Fall { slip: D::from(peak.0), steepness: D::from(steepness) })
 }
 
 /// κ(s) = (A + B s) exp(−C s) + D with κ(0) = 0, so D = −A.
@@ -104,6 +139,15 @@ impl<D: Scalar> SlipCurve<D> for Kragelskii<D> {
         let e = if cs.re() < 0.5 { (-cs).exp_m1() } else { (-cs).exp() - 1.0 };
         self.b * (e + 1.0) + self.a * e / slip
     }
+
+    /// The peak at S_m = 1/C − A/B, and the point of inflection 1/C beyond it, where dκ/ds = −B exp(−C S_m − 1).
+    fn fall(&self) -> Option<Fall<D>> {
+        if self.b.re() <= 0.0 || self.c.re() <= 0.0 {
+            return None;
+        }
+        let slip = self.c.recip() - self.a / self.b;
+        Some(Fall { slip, steepness: self.b * (-self.c * slip - 1.0).exp() })
+    }
 }
 
 #[cfg(test)]
@@ -163,6 +207,18 @@ mod tests {
         let down = Kragelskii::from_peak(parameter(0.1 - h)).unwrap();
         assert!((dual.b.eps - (up.b - down.b) / (2.0 * h)).abs() < 1e-8);
         assert!((dual.c.eps - (up.c - down.c) / (2.0 * h)).abs() < 1e-8);
+    }
+
+    #[test]
+    fn identity_fall_against_a_scan() {
+        let exact = AG.fall().unwrap();
+        let scanned: Fall = scan_for_fall(|slip| AG.coefficient(slip)).unwrap();
+        // Sixteen slips a decade lie 15 % apart.
+        assert!((scanned.slip / exact.slip - 1.0).abs() < 0.08, "{scanned:?} {exact:?}");
+        assert!((scanned.steepness / exact.steepness - 1.0).abs() < 0.02, "{scanned:?} {exact:?}");
+        assert!((exact.slip - AG.peak().slip).abs() < 1e-15);
+        assert_eq!(scan_for_fall::<f64>(|_| 0.1), None);
+        assert_eq!(scan_for_fall::<f64>(|slip| slip / (1.0 + slip)), None);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The traction law of a race, chosen at run time.
 
-use crate::{CoatingLaw, Kragelskii, Scalar, SlipCurve, TractionLaw};
+use crate::kragelskii::scan_for_fall;
+use crate::{CoatingLaw, Fall, Kragelskii, Scalar, SlipCurve, TractionLaw};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -61,6 +62,13 @@ impl<D: Scalar> SlipCurve<D> for LawCurve<D> {
                 // The differences have no value, only derivatives.
                 (slip - slip.re()) * at.by_slip + (*pressure - pressure.re()) * at.by_pressure + at.value
             }
+        }
+    }
+
+    fn fall(&self) -> Option<Fall<D>> {
+        match self {
+            Self::Kragelskii(curve) => curve.fall(),
+            Self::Custom(..) => scan_for_fall(|slip| self.coefficient(D::from(slip)).re()),
         }
     }
 }

@@ -23,8 +23,13 @@
 //! Sources: Zhang et al., Lubricants 2025, 13(8), 352, doi:10.3390/lubricants13080352 (curve, coatings, patch rule);
 //! Heathcote's differential slip as in its Eq. 4.
 //!
-//! Limits: Hertz pressure, sliding friction at each point by its own slip (no tangential elasticity of the bodies), no
+//! Limits: Hertz pressure, sliding friction at each point by its own slip (the rigid patch: no tangential elasticity), no
 //! heating. The built-in data hold in liquid nitrogen at 2.5–3.5 GPa and are extrapolated between 1.5 and 4 GPa.
+//!
+//! # Elastic bodies
+//! [`elastic_patch_traction`] lets the surfaces give way tangentially (Kalker's simplified theory, FASTSIM): below a creep
+//! of about 2e-3 the rigid patch has too much traction, and no lateral force by spin. [`fast_elastic_patch_traction`] and
+//! [`Fastsim::derivative`] are its counterparts in vector instructions.
 //!
 //! The crate does not know what a bearing is: it sees one patch and one relative motion.
 //!
@@ -80,6 +85,7 @@
 mod chebyshev;
 mod choose;
 mod coating;
+mod elastic;
 mod fast;
 mod kragelskii;
 mod law;
@@ -91,8 +97,13 @@ mod varying;
 
 pub use choose::{Probe, REFERENCE_RULE, choose_rule, rule_error};
 pub use coating::{Coating, TestedCurve, coating_names};
+pub use elastic::{
+    CreepCoefficients, ElasticProbe, Fastsim, FastsimRule, Flexibility, KalkerCoefficients, TangentialElasticity,
+    choose_fastsim_rule, elastic_patch_traction, fast_elastic_patch_traction, fastsim_rule_error,
+    linear_elastic_patch_traction,
+};
 pub use fast::{FastPatch, PatchDerivative, fast_patch_traction, linear_patch_traction};
-pub use kragelskii::{Kragelskii, Peak, SlipCurve};
+pub use kragelskii::{Fall, Kragelskii, Peak, SlipCurve};
 pub use law::{CustomLaw, Law, LawCurve, OverSlip};
 pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};
 pub use quadrature::Quadrature;
@@ -158,6 +169,18 @@ pub enum TractionError {
     /// A target error where nodes are needed.
     #[error("a rule by target error must be chosen for contacts before its nodes exist")]
     RuleNotChosen,
+    /// A shear modulus that no body has.
+    #[error("shear modulus is {value} Pa: it must be finite and above 0")]
+    ShearModulus {
+        /// The modulus given, Pa.
+        value: f64,
+    },
+    /// A Poisson's ratio outside the table of creep coefficients.
+    #[error("Poisson's ratio is {value}: it must lie between 0 and 0.5")]
+    PoissonRatio {
+        /// The ratio given.
+        value: f64,
+    },
     /// A target finer than the finest rule.
     #[error("no patch rule reaches a relative error of {target:e}: the finest has {reached:e}")]
     TargetNotReached {

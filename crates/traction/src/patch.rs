@@ -212,7 +212,7 @@ pub fn patch_traction<D: Scalar, L: TractionLaw>(
 }
 
 impl<D: Scalar> PatchTraction<D> {
-    fn scaled(self, factor: D) -> Self {
+    pub(crate) fn scaled(self, factor: D) -> Self {
         Self {
             force_rolling: self.force_rolling * factor,
             force_lateral: self.force_lateral * factor,

@@ -61,7 +61,7 @@ pub(super) fn exp<S: Simd>(x: f64x4<S>) -> f64x4<S> {
 
 /// exp(x) − 1 for |x| ≤ 700, without loss of digits at small x.
 #[inline(always)]
-pub(super) fn exp_m1<S: Simd>(x: f64x4<S>) -> f64x4<S> {
+pub(crate) fn exp_m1<S: Simd>(x: f64x4<S>) -> f64x4<S> {
     let (r, series, power) = split_exp(x);
     ((power - 1.0) + power * r) + power * (r * r) * series
 }

@@ -13,7 +13,7 @@
 //! [`PatchDerivative`] is made of sums of K over the nodes, in one pass with the integrals.
 
 mod derivative;
-mod elementary;
+pub(crate) mod elementary;
 mod linear;
 mod nodes;
 mod values;
@@ -135,7 +135,7 @@ impl FastPatch {
 }
 
 /// d ln λ/dV, s/m.
-fn scale_slope(slip_unit: SlipUnit, rolling_speed: f64) -> f64 {
+pub(crate) fn scale_slope(slip_unit: SlipUnit, rolling_speed: f64) -> f64 {
     match slip_unit {
         SlipUnit::PercentOfRolling | SlipUnit::PerMilleOfRolling if rolling_speed.abs() > LEAST_ROLLING => {
             -rolling_speed.recip()
@@ -146,18 +146,18 @@ fn scale_slope(slip_unit: SlipUnit, rolling_speed: f64) -> f64 {
 
 /// Sum of the lanes, in an order that no vector width changes.
 #[inline(always)]
-fn total<S: Simd>(v: f64x4<S>) -> f64 {
+pub(crate) fn total<S: Simd>(v: f64x4<S>) -> f64 {
     (v[0] + v[2]) + (v[1] + v[3])
 }
 
 /// Flatness y²/(2R_c) of the slip field and of the moment's arm over Y², m.
-fn flatness(patch: &Patch) -> [f64; 2] {
+pub(crate) fn flatness(patch: &Patch) -> [f64; 2] {
     let bow = patch.semi_lateral * patch.semi_lateral * (0.5 / patch.surface_radius);
     [bow, if patch.moment_arm == MomentArm::Curved { bow } else { 0.0 }]
 }
 
 /// Forces and moments from the sums of [`Values`], whose forces have the sign of the slip.
-fn assemble(patch: &Patch, scale: f64, sums: [f64; 8]) -> PatchTraction {
+pub(crate) fn assemble(patch: &Patch, scale: f64, sums: [f64; 8]) -> PatchTraction {
     let (a, b) = (patch.semi_lateral, patch.semi_rolling);
     let load = patch.peak_pressure * a * b;
     let [fx, fy, x_fy, y_fx, y2_fx, y2_fy, power, wear] = sums;

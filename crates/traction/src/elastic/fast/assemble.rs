@@ -1,0 +1,188 @@
+//! Derivatives of the patch from those of its strips.
+
+use super::march::March;
+use super::setup::{Law, Varied, yielding};
+use super::varying;
+use crate::elastic::TangentialElasticity;
+use crate::fast::{PatchDerivative, flatness};
+use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion, SlipUnit};
+use fearless_simd::{f64x4, prelude::*};
+use num_dual::Dual64;
+use std::f64::consts::PI;
+
+/// The changes that a march carries: u, v_0, X-slope of v, lateral flexibility, load, rolling speed.
+pub(super) const CHANGES: usize = 6;
+const ALONG: usize = 0;
+const ACROSS: usize = 1;
+const TURN: usize = 2;
+const LATERAL: usize = 3;
+const LOAD: usize = 4;
+const ROLLING: usize = 5;
+
+/// What the derivative is taken of.
+#[derive(Clone, Copy)]
+pub(super) struct Inputs<'a> {
+    pub(super) patch: &'a Patch,
+    pub(super) motion: &'a RelativeMotion,
+    pub(super) rolling_speed: f64,
+    pub(super) curve: &'a Kragelskii,
+    pub(super) curve_slope: &'a Kragelskii,
+    pub(super) slip_unit: SlipUnit,
+    pub(super) elasticity: &'a TangentialElasticity,
+}
+
+impl Inputs<'_> {
+    fn motion(&self) -> RelativeMotion<Dual64> {
+        let m = self.motion;
+        RelativeMotion {
+            rolling: m.rolling.into(),
+            lateral: m.lateral.into(),
+            spin: m.spin.into(),
+            about_lateral: m.about_lateral.into(),
+            about_rolling: m.about_rolling.into(),
+        }
+    }
+
+    /// The patch while x, y and p grow in proportion to τ, with τ = 1 and dτ = 1.
+    fn patch(&self, tau: Dual64) -> Patch<Dual64> {
+        let p = self.patch;
+        Patch {
+            semi_lateral: tau * p.semi_lateral,
+            semi_rolling: tau * p.semi_rolling,
+            peak_pressure: tau * p.peak_pressure,
+            ball_radius: p.ball_radius,
+            surface_radius: p.surface_radius,
+            moment_arm: p.moment_arm,
+        }
+    }
+
+    fn yielding(&self, tau: Dual64, motion: &RelativeMotion<Dual64>, rolling: Dual64) -> [Dual64; 2] {
+        yielding(&self.patch(tau), motion, rolling, self.elasticity)
+    }
+
+    /// The six changes.
+    pub(super) fn varied(&self) -> [Varied; CHANGES] {
+        let (one, motion, v) = (Dual64::from(1.0), self.motion(), Dual64::from(self.rolling_speed));
+        let curve = |k: fn(&Kragelskii) -> f64, p: f64| Dual64::new(k(self.curve), k(self.curve_slope) * p);
+        let curve = |p: f64| Kragelskii { a: curve(|k| k.a, p), b: curve(|k| k.b, p), c: curve(|k| k.c, p) };
+        let fixed = Law::new(curve(0.0), self.slip_unit.scale(v));
+        let still = Varied { law: fixed, yielding: self.yielding(one, &motion, v), slip: [[0.0; 3]; 3] };
+        let mut varied = [still; CHANGES];
+        for (k, change) in [ALONG, ACROSS, TURN].into_iter().enumerate() {
+            varied[change].slip[k][0] = 1.0;
+        }
+        varied[LATERAL].yielding[1].eps = 1.0;
+        let slip = crate::SlipField::new(self.patch, self.motion);
+        let ([_, beta, alpha], [_, sigma, epsilon]) = (slip.longitudinal, slip.lateral);
+        varied[LOAD] = Varied {
+            law: Law::new(curve(self.patch.peak_pressure), self.slip_unit.scale(v)),
+            yielding: self.yielding(varying(1.0), &motion, v),
+            slip: [[0.0, -beta, -2.0 * alpha], [0.0, 0.0, 2.0 * epsilon], [sigma, 0.0, 0.0]],
+        };
+        let rolling = varying(self.rolling_speed);
+        varied[ROLLING].law = Law::new(curve(0.0), self.slip_unit.scale(rolling));
+        varied[ROLLING].yielding = self.yielding(one, &motion, rolling);
+        varied
+    }
+
+    /// d C_y by lateral velocity and by spin.
+    fn lateral_yielding(&self) -> [f64; 2] {
+        let (one, v) = (Dual64::from(1.0), Dual64::from(self.rolling_speed));
+        let (mut slide, mut spin) = (self.motion(), self.motion());
+        slide.lateral.eps = 1.0;
+        spin.spin.eps = 1.0;
+        [slide, spin].map(|motion| self.yielding(one, &motion, v)[1].eps)
+    }
+}
+
+/// Sums over the strips, in the direction of the slip and without the factor p a b.
+pub(super) struct Sums<'a> {
+    inputs: &'a Inputs<'a>,
+    lateral_yielding: [f64; 2],
+    values: [f64; 7],
+    by_motion: [[f64; 5]; 5],
+    by_load: [f64; 7],
+    by_rolling: [f64; 7],
+}
+
+impl<'a> Sums<'a> {
+    pub(super) fn new(inputs: &'a Inputs<'a>) -> Self {
+        Self {
+            inputs,
+            lateral_yielding: inputs.lateral_yielding(),
+            values: [0.0; 7],
+            by_motion: [[0.0; 5]; 5],
+            by_load: [0.0; 7],
+            by_rolling: [0.0; 7],
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn add<S: Simd>(&mut self, lot: &March<S, CHANGES>, share: f64x4<S>) {
+        for lane in 0..4 {
+            let (y, share) = (lot.y[lane], share[lane]);
+            let of = |sums: &[f64x4<S>; 5]| sums.map(|sum| sum[lane] * share);
+            self.strip(y, of(&lot.sums), lot.tangents.each_ref().map(|tangent| of(&tangent.sums)));
+        }
+    }
+
+    /// Forces, moments (in the order of [`PatchDerivative::by_motion`]), power and wear of a strip's sums.
+    fn outputs(&self, y: f64, [fx, fy, x_fy, power, wear]: [f64; 5]) -> [f64; 7] {
+        let p = self.inputs.patch;
+        let arm = p.ball_radius - flatness(p)[1] * y * y;
+        [-fx, -fy, p.semi_lateral * y * fx - p.semi_rolling * x_fy, -arm * fx, arm * fy, power, wear]
+    }
+
+    fn strip(&mut self, y: f64, sums: [f64; 5], changes: [[f64; 5]; CHANGES]) {
+        let p = self.inputs.patch;
+        let [bow, sag] = flatness(p).map(|bow| bow * y * y);
+        let height = p.ball_radius - bow;
+        let values = self.outputs(y, sums);
+        let changes = changes.map(|change| self.outputs(y, change));
+        let [by_lateral, by_spin] = self.lateral_yielding;
+        for (i, row) in self.by_motion.iter_mut().enumerate() {
+            let of = |change: usize| changes[change][i];
+            let by_motion = [
+                of(ALONG),
+                of(ACROSS) + by_lateral * of(LATERAL),
+                p.semi_rolling * of(TURN) - p.semi_lateral * y * of(ALONG) + by_spin * of(LATERAL),
+                height * of(ALONG),
+                -height * of(ACROSS) - p.ball_radius * by_lateral * of(LATERAL),
+            ];
+            for (sum, term) in row.iter_mut().zip(by_motion) {
+                *sum += term;
+            }
+        }
+        // What the patch does beside its strips while it grows: area and pressure, arm in the plane, sag of the other.
+        let grow = [0.0, 0.0, values[2], 2.0 * sag * sums[0], -2.0 * sag * sums[1], 0.0, 0.0];
+        for i in 0..7 {
+            self.values[i] += values[i];
+            self.by_load[i] += changes[LOAD][i] + 3.0 * values[i] + grow[i];
+            self.by_rolling[i] += changes[ROLLING][i];
+        }
+    }
+
+    pub(super) fn derivative(&self) -> PatchDerivative {
+        let p = self.inputs.patch;
+        let volume = p.peak_pressure * p.semi_lateral * p.semi_rolling;
+        let load = 2.0 / 3.0 * PI * volume;
+        PatchDerivative {
+            traction: named(self.values.map(|sum| sum * volume)),
+            by_motion: self.by_motion.map(|row| row.map(|sum| sum * volume)),
+            by_load: named(self.by_load.map(|sum| sum * volume / (3.0 * load))),
+            by_rolling_speed: named(self.by_rolling.map(|sum| sum * volume)),
+        }
+    }
+}
+
+fn named([rolling, lateral, normal, about_lateral, about_rolling, power, wear]: [f64; 7]) -> PatchTraction {
+    PatchTraction {
+        force_rolling: rolling,
+        force_lateral: lateral,
+        moment_lateral: about_lateral,
+        moment_normal: normal,
+        moment_rolling: about_rolling,
+        power,
+        wear_integral: wear,
+    }
+}

@@ -1,0 +1,186 @@
+//! The equation of a cell in four strips at a time.
+
+use super::setup::Law;
+use crate::fast::elementary::exp_m1;
+use fearless_simd::{f64x4, mask64x4, prelude::*};
+
+/// Square of a trial slip below which nothing moves, (m/s)²: as in the plain cell.
+const AT_REST: f64 = 1e-60;
+
+/// Relative step behind which the root is as good as rounding lets it be: the next step would be about its square.
+const SETTLED: f64 = 1e-7;
+
+/// The curve at a sliding speed.
+#[derive(Clone, Copy)]
+pub(super) struct At<S: Simd> {
+    /// exp(−C s) − 1, exp(−C s) and s.
+    pub(super) e: f64x4<S>,
+    pub(super) decay: f64x4<S>,
+    pub(super) slip: f64x4<S>,
+    /// κ and dκ/dσ, without memory.
+    pub(super) plain: f64x4<S>,
+    pub(super) slope: f64x4<S>,
+    /// d²κ/dσ².
+    bend: f64x4<S>,
+    /// Lanes beyond the peak.
+    pub(super) past: mask64x4<S>,
+}
+
+impl<S: Simd> At<S> {
+    #[inline(always)]
+    pub(super) fn new(law: &Law, speed: f64x4<S>) -> Self {
+        let slip = speed * law.scale;
+        let e = exp_m1((slip * -law.curve.c).max(-700.0));
+        let decay = e + 1.0;
+        let plain = slip * decay * law.curve.b + e * law.curve.a;
+        let inner = (slip * law.curve.b + law.curve.a) * -law.curve.c + law.curve.b;
+        let slope = decay * inner * law.scale;
+        let bend = (slope + decay * (law.curve.b * law.scale)) * (-law.curve.c * law.scale);
+        Self { e, decay, slip, plain, slope, bend, past: slip.simd_gt(law.peak_slip) }
+    }
+
+    /// κ_r on the rising branch or at the peak, and the share d of it that is lost.
+    #[inline(always)]
+    pub(super) fn rising_and_lost(&self, law: &Law) -> [f64x4<S>; 2] {
+        let lanes = |x: f64| f64x4::splat(self.e.token(), x);
+        let lost = lanes(1.0) - self.plain * law.over_peak;
+        [self.past.select(lanes(law.peak), self.plain), self.past.select(lost, lanes(0.0))]
+    }
+}
+
+/// One cell of four strips.
+#[derive(Clone, Copy)]
+pub(super) struct Cell<S: Simd> {
+    pub(super) trial: [f64x4<S>; 2],
+    /// The last cell's weakening.
+    pub(super) last: f64x4<S>,
+    pub(super) speed: f64x4<S>,
+    /// The speed one cell before.
+    pub(super) before: f64x4<S>,
+    low: f64x4<S>,
+    high: f64x4<S>,
+    mismatch: f64x4<S>,
+    /// κ and weakening at the root, once there is one.
+    pub(super) found: [f64x4<S>; 2],
+    done: mask64x4<S>,
+    pub(super) rest: mask64x4<S>,
+}
+
+/// κ, its derivative over σ, and the weakening.
+#[derive(Clone, Copy)]
+pub(super) struct Coefficient<S: Simd> {
+    pub(super) value: f64x4<S>,
+    pub(super) slope: f64x4<S>,
+    pub(super) weakening: f64x4<S>,
+}
+
+/// a = s_t/(σ + C κ), the same over the denominators, and Σ a² (dD/dσ)/D.
+#[derive(Clone, Copy)]
+pub(super) struct Direction<S: Simd> {
+    pub(super) a: [f64x4<S>; 2],
+    pub(super) inverse: [f64x4<S>; 2],
+    pub(super) rise: f64x4<S>,
+}
+
+impl<S: Simd> Cell<S> {
+    #[inline(always)]
+    pub(super) fn nothing(simd: S) -> Self {
+        let z = f64x4::splat(simd, 0.0);
+        let none = z.simd_lt(z);
+        Self {
+            trial: [z; 2],
+            last: z,
+            speed: z,
+            before: z,
+            low: z,
+            high: z,
+            mismatch: z,
+            found: [z; 2],
+            done: none,
+            rest: none,
+        }
+    }
+
+    /// Sets the trial slip and starts from the speed of the cell before.
+    #[inline(always)]
+    pub(super) fn open(&mut self, trial: [f64x4<S>; 2], last: f64x4<S>) {
+        let lanes = |x: f64| f64x4::splat(last.token(), x);
+        let [u, v] = trial;
+        let square = u * u + v * v;
+        self.rest = square.simd_lt(AT_REST);
+        // Any number but zero, so that the lane runs through without harm.
+        self.trial = [self.rest.select(lanes(1.0), u), v];
+        self.high = self.rest.select(lanes(1.0), square.sqrt());
+        let fits = |speed: f64x4<S>| speed.simd_gt(0.0) & speed.simd_lt(self.high);
+        // A straight line through the last two speeds where it stays within half of the last.
+        let ahead = self.speed + (self.speed - self.before).max(self.speed * -0.5).min(self.speed * 0.5);
+        let near = fits(self.speed).select(self.speed, self.high);
+        self.before = self.speed;
+        self.speed = fits(ahead).select(ahead, near);
+        (self.low, self.mismatch, self.last) = (lanes(0.0), lanes(f64::INFINITY), last);
+        self.done = self.rest;
+        self.found = [lanes(0.0); 2];
+    }
+
+    /// Whether every lane has its root.
+    #[inline(always)]
+    pub(super) fn is_done(&self) -> bool {
+        self.done.all_true()
+    }
+
+    #[inline(always)]
+    pub(super) fn coefficient(&self, law: &Law, at: &At<S>, keep: f64) -> Coefficient<S> {
+        let [rising, lost] = at.rising_and_lost(law);
+        let weakening = self.last * keep + lost * (1.0 - keep);
+        let left = -weakening + 1.0;
+        let slope = at.past.select(at.slope * (1.0 - keep), at.slope * left);
+        Coefficient { value: rising * left, slope, weakening }
+    }
+
+    #[inline(always)]
+    pub(super) fn direction(&self, of: &Coefficient<S>, yielding: [f64; 2]) -> Direction<S> {
+        let [dx, dy] = yielding.map(|c| of.value * c + self.speed);
+        let product = f64x4::splat(dx.token(), 1.0) / (dx * dy);
+        let inverse = [dy * product, dx * product];
+        let a = [self.trial[0] * inverse[0], self.trial[1] * inverse[1]];
+        let grow = yielding.map(|c| of.slope * c + 1.0);
+        let rise = a[0] * a[0] * inverse[0] * grow[0] + a[1] * a[1] * inverse[1] * grow[1];
+        Direction { a, inverse, rise }
+    }
+
+    /// One step of Newton's method within the bracket.
+    ///
+    /// The step has Halley's correction with the bend of the curve, which is exact where both axes yield alike.
+    #[inline(always)]
+    pub(super) fn improve(&mut self, law: &Law, yielding: [f64; 2], keep: f64) {
+        let at = At::new(law, self.speed);
+        let of = self.coefficient(law, &at, keep);
+        let Direction { a, inverse, rise } = self.direction(&of, yielding);
+        let (x2, y2) = (a[0] * a[0], a[1] * a[1]);
+        let square = x2 + y2;
+        let short = -square.sqrt() + 1.0;
+        let below = short.simd_lt(0.0);
+        let over_rise = f64x4::splat(rise.token(), 1.0) / rise;
+        let plain = square * short * over_rise;
+        let left = at.past.select(f64x4::splat(rise.token(), 1.0 - keep), -of.weakening + 1.0);
+        let curvature = (x2 * inverse[0] * yielding[0] + y2 * inverse[1] * yielding[1]) * (at.bend * left);
+        let correction = (plain * curvature * over_rise * -0.5 + 1.0).max(0.5);
+        let next = self.speed - plain / correction;
+        let mismatch = short.abs();
+        let low = below.select(self.speed, self.low);
+        let high = below.select(self.high, self.speed);
+        // Rounding may leave the root at the very end of the bracket.
+        let newton = next.simd_ge(low) & next.simd_le(high) & mismatch.simd_lt(self.mismatch * 0.5);
+        let settled = newton & (next - self.speed).abs().simd_le(self.speed * SETTLED);
+        let narrow = (high - low).simd_le(high * 4e-16);
+        let step = newton.select(next, narrow.select(self.speed, (low + high) * 0.5));
+        // The last step is so small that the curve need not be taken again behind it.
+        let moved = of.slope * (step - self.speed);
+        let weakening = of.weakening - at.past.select(moved * law.over_peak, moved * 0.0);
+        let found = [of.value + moved, weakening];
+        self.found = [0, 1].map(|k| self.done.select(self.found[k], found[k]));
+        self.speed = self.done.select(self.speed, step);
+        (self.low, self.high, self.mismatch) = (low, high, mismatch);
+        self.done |= settled | narrow;
+    }
+}

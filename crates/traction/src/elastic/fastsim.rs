@@ -1,0 +1,235 @@
+//! Kalker's simplified theory of rolling contact with a traction curve, the plain way: any scalar, any law.
+
+use super::cell::{Cell, Friction, MEMORY, Solved};
+use super::elasticity::TangentialElasticity;
+use super::grid::{Fastsim, Node};
+use crate::strips::panels;
+use crate::{Fall, TractionLaw};
+use crate::{MomentArm, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipCurve, SlipField};
+use num_dual::Dual64;
+
+/// The traction of a patch whose surfaces give way tangentially: [`crate::patch_traction`] with the true slip in place
+/// of the rigid one.
+///
+/// `rolling_speed` V in m/s is the mean speed of both surfaces through the contact along x; its sign says at which end
+/// of a strip they enter. At V = 0 the result is that of rigid sliding.
+///
+/// Steel at a creep of 1e-4 carries far less than the friction bound, which rigid surfaces reach at any creep:
+/// ```
+/// use tribodyn_traction::{
+///     Coating, CoatingLaw, Fastsim, FastsimRule, MomentArm, Patch, PatchLaw, PressureChoice, RelativeMotion, SlipUnit,
+///     TangentialElasticity, elastic_patch_traction,
+/// };
+///
+/// let patch = Patch {
+///     semi_lateral: 4e-3,
+///     semi_rolling: 0.5e-3,
+///     peak_pressure: 2e9,
+///     ball_radius: 0.015,
+///     surface_radius: f64::INFINITY,
+///     moment_arm: MomentArm::Curved,
+/// };
+/// let speed = 60.0;
+/// let motion =
+///     RelativeMotion { rolling: 1e-4 * speed, lateral: 0.0, spin: 0.0, about_lateral: 0.0, about_rolling: 0.0 };
+/// let silver = CoatingLaw::varying(&Coating::library("ag")?, 2)?;
+/// let law =
+///     PatchLaw { law: &silver, slip_unit: SlipUnit::Scaled { per_m_s: 1e4 }, pressure: PressureChoice::Peak };
+/// let steel = TangentialElasticity::new(80e9, 0.3)?;
+/// let grid = Fastsim::new(FastsimRule { across: 8, cells: 24 })?;
+/// let traction = elastic_patch_traction(&patch, &motion, speed, &law, &steel, &grid);
+/// let linear = 80e9 * 4e-3 * 0.5e-3 * steel.coefficients().at(0.125).longitudinal * 1e-4;
+/// let difference: f64 = traction.force_rolling / -linear - 1.0;
+/// assert!(difference.abs() < 0.1);
+/// # Ok::<(), tribodyn_traction::TractionError>(())
+/// ```
+pub fn elastic_patch_traction<D: Scalar, L: TractionLaw>(
+    patch: &Patch<D>,
+    motion: &RelativeMotion<D>,
+    rolling_speed: D,
+    law: &PatchLaw<'_, L>,
+    elasticity: &TangentialElasticity,
+    grid: &Fastsim,
+) -> PatchTraction<D> {
+    let mut sum = PatchTraction::zero();
+    if patch.peak_pressure.re() <= 0.0 {
+        return sum;
+    }
+    let strips = Strips::new(patch, motion, rolling_speed, law, elasticity, grid);
+    for panel in panels(strips.slip.longitudinal) {
+        for &(t, weight) in &grid.across {
+            let (y, stretch) = panel.at(t);
+            let squared = (-y + 1.0) * (y + 1.0);
+            if squared.re() > 0.0 {
+                strips.strip(y, squared.sqrt()).add_to(&mut sum, patch, y, squared * stretch * weight);
+            }
+        }
+    }
+    sum.scaled(patch.peak_pressure * patch.semi_lateral * patch.semi_rolling)
+}
+
+/// What the strips of a patch have in common.
+struct Strips<'a, D, L> {
+    grid: &'a Fastsim,
+    law: &'a PatchLaw<'a, L>,
+    slip: SlipField<D>,
+    /// λ, s/m.
+    scale: D,
+    peak_pressure: D,
+    /// |V| L p_max/b, m/s.
+    yielding: [D; 2],
+    /// 1 where surfaces move along x, −1 against it.
+    direction: f64,
+}
+
+/// Sums over one strip of half length one and peak pressure one.
+struct StripSums<D> {
+    /// Forces on the ball, and of force across times X.
+    force: [D; 2],
+    turn: D,
+    power: D,
+    wear: D,
+}
+
+/// A law at one pressure in the scalar, and in dual numbers for the cell's root.
+type Frictions<D, L> = (Friction<<L as TractionLaw>::Curve<D>, D>, Friction<<L as TractionLaw>::Curve<Dual64>, Dual64>);
+
+/// What passes from cell to cell.
+struct March<D> {
+    /// Traction over the strip's peak pressure, here and one cell before.
+    traction: [[D; 2]; 2],
+    /// The same of the weakening.
+    weakening: [D; 2],
+    guess: f64,
+}
+
+impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
+    fn new(
+        patch: &Patch<D>,
+        motion: &RelativeMotion<D>,
+        rolling_speed: D,
+        law: &'a PatchLaw<'a, L>,
+        elasticity: &TangentialElasticity,
+        grid: &'a Fastsim,
+    ) -> Self {
+        let flexibility = elasticity.flexibility(patch, motion, rolling_speed);
+        let direction = if rolling_speed.re() < 0.0 { -1.0 } else { 1.0 };
+        let per_flexibility = rolling_speed * direction * patch.peak_pressure / patch.semi_rolling;
+        Self {
+            grid,
+            law,
+            slip: SlipField::new(patch, motion),
+            scale: law.slip_unit.scale(rolling_speed),
+            peak_pressure: patch.peak_pressure,
+            yielding: [flexibility.longitudinal, flexibility.lateral].map(|l| per_flexibility * l),
+            direction,
+        }
+    }
+
+    /// The curve at a point in the scalar and in dual numbers, at the peak pressure or at the point's own.
+    fn friction(&self, share: D) -> Frictions<D, L> {
+        let pressure = match self.law.pressure {
+            PressureChoice::Peak => self.peak_pressure,
+            PressureChoice::Local => self.peak_pressure * share,
+        };
+        let curve = self.law.law.at(pressure);
+        let fall = curve.fall();
+        let real = |x: D| Dual64::from(x.re());
+        let real_fall = fall.as_ref().map(|f| Fall { slip: real(f.slip), steepness: real(f.steepness) });
+        let dual = self.law.law.at(real(pressure));
+        (
+            Friction { curve, fall, scale: self.scale },
+            Friction { curve: dual, fall: real_fall, scale: real(self.scale) },
+        )
+    }
+
+    /// Marches from the leading edge of the strip at `y` with half length `chord` to its trailing edge.
+    fn strip(&self, y: D, chord: D) -> StripSums<D> {
+        let zero = D::zero();
+        let mut sums = StripSums { force: [zero; 2], turn: zero, power: zero, wear: zero };
+        let edge = self.rigid_slip(chord * -self.direction, y);
+        let entering = norm(edge);
+        let mut friction = self.friction(D::one());
+        let mut march = March { traction: [[zero; 2]; 2], weakening: [friction.0.at(entering)[1]; 2], guess: 0.0 };
+        for node in &self.grid.nodes {
+            if self.law.pressure == PressureChoice::Local {
+                friction = self.friction(chord * node.sin);
+            }
+            let x = chord * (-self.direction * node.cos);
+            let cell = self.step(node, [x, y], &mut march, &friction);
+            let weight = self.grid.spacing * node.sin;
+            let traction = march.traction[0];
+            for (sum, part) in sums.force.iter_mut().zip(traction) {
+                *sum += part * weight;
+            }
+            sums.turn += x * traction[1] * weight;
+            sums.power += cell.coefficient * cell.speed * (weight * node.sin);
+            sums.wear += cell.speed * (weight * node.sin);
+        }
+        sums
+    }
+
+    fn rigid_slip(&self, x: D, y: D) -> [D; 2] {
+        self.slip.at(x, y)
+    }
+
+    fn step(
+        &self,
+        node: &Node,
+        [x, y]: [D; 2],
+        march: &mut March<D>,
+        (friction, slope): &Frictions<D, L>,
+    ) -> Solved<D> {
+        let rigid = self.rigid_slip(x, y);
+        let yielding = self.yielding.map(|y| y * node.reach.recip());
+        let [last, before] = &march.traction;
+        let trial: [D; 2] = std::array::from_fn(|k| {
+            let carried = last[k] * node.previous[0] - before[k] * node.previous[1];
+            rigid[k] - yielding[k] * carried * node.sin.recip()
+        });
+        let keep = friction.fall.as_ref().map_or(D::zero(), |fall| {
+            let softer = if yielding[0].re() > yielding[1].re() { yielding[0] } else { yielding[1] };
+            let memory = softer * friction.scale * fall.steepness * MEMORY;
+            memory / (memory + 1.0)
+        });
+        let remembered = march.weakening[0] * node.remembered[0] - march.weakening[1] * node.remembered[1];
+        // The difference may overshoot where friction falls to almost nothing: it must not turn round.
+        let remembered = if remembered.re() > 1.0 { D::one() } else { remembered };
+        let cell = Cell { friction, trial, yielding, memory: [keep, remembered] };
+        let real = |x: D| Dual64::from(x.re());
+        let dual = Cell {
+            friction: slope,
+            trial: trial.map(real),
+            yielding: yielding.map(real),
+            memory: cell.memory.map(real),
+        };
+        let solved = cell.solve(&dual, march.guess);
+        march.traction = [solved.traction.map(|t| t * node.sin), march.traction[0]];
+        march.weakening = [solved.weakening, march.weakening[0]];
+        march.guess = solved.speed.re();
+        solved
+    }
+}
+
+impl<D: Scalar> StripSums<D> {
+    /// Adds the strip at `y` with its share of the patch.
+    fn add_to(&self, sum: &mut PatchTraction<D>, patch: &Patch<D>, y: D, share: D) {
+        let [fx, fy] = self.force.map(|f| f * share);
+        let lateral = y * patch.semi_lateral;
+        let flatness = if patch.moment_arm == MomentArm::Curved { 0.5 / patch.surface_radius } else { 0.0 };
+        let arm = D::from(patch.ball_radius) - lateral * lateral * flatness;
+        sum.force_rolling += fx;
+        sum.force_lateral += fy;
+        sum.moment_lateral += arm * fx;
+        sum.moment_normal += patch.semi_rolling * self.turn * share - lateral * fx;
+        sum.moment_rolling -= arm * fy;
+        sum.power += self.power * share;
+        sum.wear_integral += self.wear * share;
+    }
+}
+
+/// |v| with derivative zero at the origin.
+fn norm<D: Scalar>([u, v]: [D; 2]) -> D {
+    let squared = u * u + v * v;
+    if squared.re() > 1e-60 { squared.sqrt() } else { D::zero() }
+}
