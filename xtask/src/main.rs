@@ -1,7 +1,8 @@
-//! `cargo xtask`: the study of the paper on the terminal, measurements of speed, and all that continuous integration checks.
+//! `cargo xtask`: the study of the paper on the terminal, measurements of speed, and all that continuous integration
+//! checks.
 //!
-//! The study is `tribodyn-paper`; here are arguments, what is printed, and exit codes: 0 done, 1 a check or a calculation failed,
-//! 2 wrong input.
+//! The study is `tribodyn-paper`; here are arguments, what is printed, and exit codes: 0 done, 1 a check or a
+//! calculation failed, 2 wrong input.
 
 mod bench;
 mod ci;

@@ -1,5 +1,5 @@
-//! The study of one paper: its figures and tables rebuilt from our own runs, row by row with a verdict, drawn, and varied where the
-//! paper hides a parameter.
+//! The study of one paper: its figures and tables rebuilt from our own runs, row by row with a verdict, drawn, and
+//! varied where the paper hides a parameter.
 //!
 //! # Decisions
 //! ```text
@@ -18,10 +18,12 @@
 //! Source of the published figures: Zhang, Jia, Zhao, Wei, Zi, Lubricants 2025, 13(8), 352,
 //! doi:10.3390/lubricants13080352; they are in `fixtures/reference/zhang2025`.
 //!
-//! Limits: words such as "about" and "clearly" are given one number for all rows. Nothing here changes a parameter to meet a row.
+//! Limits: words such as "about" and "clearly" are given one number for all rows. Nothing here changes a parameter to
+//! meet a row.
 //!
-//! It does not know any physics, which it asks the crates for, nor a terminal: it returns text, and reports [`Progress`] to its
-//! caller. It reads the workspace that it was built in, and writes the committed results only where it is asked to.
+//! It does not know any physics, which it asks the crates for, nor a terminal: it returns text, and reports
+//! [`Progress`] to its caller. It reads the workspace that it was built in, and writes the committed results only where
+//! it is asked to.
 
 mod error;
 pub mod figures;

@@ -1,8 +1,8 @@
-//! `cargo xtask bench`: what the kernels, the transient schemes and the quasi-static solver cost, and what the fast scheme
-//! gets wrong for it.
+//! `cargo xtask bench`: what the kernels, the transient schemes and the quasi-static solver cost, and what the fast
+//! scheme gets wrong for it.
 //!
-//! Times are processor time of the thread that works, the least of several repetitions; what is to be compared runs in turn
-//! in one process. Rows over several threads are wall time and say so.
+//! Times are processor time of the thread that works, the least of several repetitions; what is to be compared runs in
+//! turn in one process. Rows over several threads are wall time and say so.
 
 mod accuracy;
 mod clock;

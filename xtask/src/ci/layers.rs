@@ -21,8 +21,8 @@ const LAYERS: [(&str, &[&str]); 11] = [
     ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
     ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
 ];
-/// What may use every crate, each with what it may not: the published command not the study of the paper, which is not published,
-/// and the study no program.
+/// What may use every crate, each with what it may not: the published command not the study of the paper, which is not
+/// published, and the study no program.
 const TOP: [(&str, &[&str]); 3] =
     [("tribodyn-paper", &["tribodyn-cli", "xtask"]), ("tribodyn-cli", &["tribodyn-paper", "xtask"]), ("xtask", &[])];
 

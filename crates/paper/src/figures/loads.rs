@@ -1,4 +1,5 @@
-//! Figures 20 to 24: what the balls go through in an orbit, for coatings and for axial loads, and how the inner ring shakes.
+//! Figures 20 to 24: what the balls go through in an orbit, for coatings and for axial loads, and how the inner ring
+//! shakes.
 
 use super::runs::Made;
 use super::specs::Spec;

@@ -1,5 +1,5 @@
-//! The result figures of the paper, 9 and 13 to 24, from our own runs, with the numbers marked that its text gives. The page that
-//! shows them names case and command of each. Short runs do for a check that all of them can be made.
+//! The result figures of the paper, 9 and 13 to 24, from our own runs, with the numbers marked that its text gives. The
+//! page that shows them names case and command of each. Short runs do for a check that all of them can be made.
 
 mod curves;
 mod loads;
@@ -40,7 +40,8 @@ pub struct Options {
 ///
 /// # Errors
 ///
-/// No figure of that name, quick ones in the folder of the committed ones, a run that fails, a file that cannot be written.
+/// No figure of that name, quick ones in the folder of the committed ones, a run that fails, a file that cannot be
+/// written.
 pub fn run(options: &Options, progress: Progress) -> Result<(), PaperError> {
     let (length, default) = if options.quick { (Length::Quick, QUICK_FOLDER) } else { (Length::Full, FOLDER) };
     let folder = files::root().join(options.output.as_deref().unwrap_or(Path::new(default)));

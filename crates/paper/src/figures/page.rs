@@ -8,7 +8,20 @@ pub const PAGE: &str = "docs/figures.md";
 /// Its text, which does not depend on any result.
 pub fn page() -> String {
     let mut out = String::from(
-        "# Figures\n\nThe result figures of the paper, 9 and 13 to 24, from our own runs. All of them, with this page, by one command:\n\n    cargo xtask figures\n\nand from runs just long enough for an orbit, into `target/figures`, by `cargo xtask figures --quick`. Numbers that the paper's text\ngives are marked black or in the colour of their line, as open diamonds, thin dash-dotted lines or light ranges, and are named\n\"published\" in the legend. Which of the paper's statements our runs bear out stands in [validation.md](validation.md).\n\nAzimuth 0° is the direction of the radial load, and balls orbit counter-clockwise; curves over the azimuth are means of all balls\nover the settled orbits in sectors of 2°, with a light band from least to greatest value where orbits differ. Signed values are\ndrawn over degrees, and crosses mark where balls are without contact.\n",
+        "# Figures\n\n\
+        The result figures of the paper, 9 and 13 to 24, from our own runs. All of them, with this page, by one \
+        command:\n\n    cargo xtask figures\n\n\
+        and from runs just long enough for an orbit, into `target/figures`, by `cargo xtask figures --quick`. Numbers \
+        that the paper's text\n\
+        gives are marked black or in the colour of their line, as open diamonds, thin dash-dotted lines or light \
+        ranges, and are named\n\
+        \"published\" in the legend. Which of the paper's statements our runs bear out stands in \
+        [validation.md](validation.md).\n\n\
+        Azimuth 0° is the direction of the radial load, and balls orbit counter-clockwise; curves over the azimuth \
+        are means of all balls\n\
+        over the settled orbits in sectors of 2°, with a light band from least to greatest value where orbits differ. \
+        Signed values are\n\
+        drawn over degrees, and crosses mark where balls are without contact.\n",
     );
     let mut section = "";
     for spec in &SPECS {
@@ -25,7 +38,8 @@ fn entry(Spec { name, of, title, cases, note, .. }: &Spec) -> String {
     let cases = cases.text();
     let note = if note.is_empty() { String::new() } else { format!("{note}\n\n") };
     format!(
-        "\n### {of}: {title}\n\n![{name}](figures/{name}.svg)\n\n{note}{cases}:\n\n    cargo xtask figures --only {name}\n"
+        "\n### {of}: {title}\n\n![{name}](figures/{name}.svg)\n\n\
+        {note}{cases}:\n\n    cargo xtask figures --only {name}\n"
     )
 }
 

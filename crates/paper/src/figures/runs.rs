@@ -8,7 +8,8 @@ use tribodyn_plot::SolutionCharts;
 
 /// Parts of the axial load of section 5.2.2 of the paper below the full one, percent.
 const PRELOADS: [u32; 3] = [25, 50, 75];
-/// Duration of a quick run: its second half is longer than an orbit of 10.4 ms, so that every value over the orbit is there.
+/// Duration of a quick run: its second half is longer than an orbit of 10.4 ms, so that every value over the orbit is
+/// there.
 const QUICK: &str = "s(0.024)";
 
 /// How long transient runs are.
@@ -51,13 +52,15 @@ impl Cases {
         match self {
             Self::Curves => "Coatings `ag` and `ptfe` of the library",
             Self::Steady => {
-                "Case `fixtures/cases/paper-ag.ron` with the switches of Table 4's cases 1 to 4 (`varying`, `differential_slip`)"
+                "Case `fixtures/cases/paper-ag.ron` with the switches of Table 4's cases 1 to 4 (`varying`, \
+                `differential_slip`)"
             }
             Self::Ag => "Case `fixtures/cases/paper-ag.ron`",
             Self::Defect => "Cases `fixtures/cases/paper-ag-defect.ron` and `fixtures/cases/paper-ag.ron`",
             Self::Coatings => "Cases `fixtures/cases/paper-ag.ron` and `fixtures/cases/paper-ptfe.ron`",
             Self::Loads => {
-                "Case `fixtures/cases/paper-ag.ron` with 25, 50, 75 and 100 % of its axial load and the whole radial load"
+                "Case `fixtures/cases/paper-ag.ron` with 25, 50, 75 and 100 % of its axial load and the whole radial \
+                load"
             }
         }
     }

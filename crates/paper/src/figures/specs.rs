@@ -41,13 +41,11 @@ impl Spec {
 
 /// All figures in the order of the page.
 pub static SPECS: [Spec; 31] = [
-    spec(
-        CURVES,
-        Cases::Curves,
-        ["fig09-curves", "Fig. 9", "Traction curves at the tested pressures"],
-        curves::curves,
-    )
-    .noted("The paper fits them to its tests to within 18.6 % (Ag) and 1.8 % (PTFE); it prints no test. The unit of slip is not printed."),
+    spec(CURVES, Cases::Curves, ["fig09-curves", "Fig. 9", "Traction curves at the tested pressures"], curves::curves)
+        .noted(
+            "The paper fits them to its tests to within 18.6 % (Ag) and 1.8 % (PTFE); it prints no test. The unit of \
+         slip is not printed.",
+        ),
     spec(
         CURVES,
         Cases::Curves,
@@ -73,7 +71,10 @@ pub static SPECS: [Spec; 31] = [
         ["fig13-defect", "Beside Fig. 13c", "Envelope spectrum with a defect of the outer race"],
         over_time::defect,
     )
-    .noted("The published frequency is that of a defect seen after the test. Band of the envelope: 3 to 10 kHz; lines below 50 Hz are left out."),
+    .noted(
+        "The published frequency is that of a defect seen after the test. Band of the envelope: 3 to 10 kHz; lines \
+         below 50 Hz are left out.",
+    ),
     case("table4-speed", "Table 4", "Orbital speed of the balls", steady::speeds),
     case("fig14-angles", "Fig. 14a", "Contact angles", |s, m| steady::plain("contact-angles", s, m)),
     case("fig14-loads", "Fig. 14b", "Contact loads", steady::loads),
@@ -84,14 +85,15 @@ pub static SPECS: [Spec; 31] = [
     case("fig16-traction", "Fig. 16", "Longitudinal traction on the balls", |s, m| {
         steady::with_zone("longitudinal-traction", s, m)
     }),
-    case("fig17-slip", "Fig. 17", "Longitudinal slide-to-roll ratios", |s, m| {
-        steady::with_zone("slide-to-roll", s, m)
-    }),
+    case("fig17-slip", "Fig. 17", "Longitudinal slide-to-roll ratios", |s, m| steady::with_zone("slide-to-roll", s, m)),
     case("fig18-wear", "Fig. 18", "Wear rates", |s, m| steady::with_zone("wear-rates", s, m)),
-    case("fig18-pocket", "Behind Fig. 18b", "Pocket force on the balls", |s, m| {
-        steady::with_zone("cage-force", s, m)
-    }),
-    coating("fig19-history", "Fig. 19a, b", "Outer-ring acceleration, and orbital speed in the last orbits", over_time::coatings),
+    case("fig18-pocket", "Behind Fig. 18b", "Pocket force on the balls", |s, m| steady::with_zone("cage-force", s, m)),
+    coating(
+        "fig19-history",
+        "Fig. 19a, b",
+        "Outer-ring acceleration, and orbital speed in the last orbits",
+        over_time::coatings,
+    ),
     coating("fig19-orbit", "Fig. 19b over the azimuth", "Orbital speed of the balls", over_time::impacts),
     coating("fig19-spectra", "Fig. 19c, d", "Spectra of the outer ring's acceleration", over_time::spectra),
     coating("fig20-angles", "Fig. 20a", "Contact angles by coating", |s, m| loads::by_coating(&loads::ANGLES, s, m)),

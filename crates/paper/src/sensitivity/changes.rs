@@ -19,8 +19,8 @@ pub const HIDDEN: [(&str, [&str; 2]); 11] = [
     ("traction.slip_unit", ["Scaled(per_m_s: 50.0)", "Scaled(per_m_s: 200.0)"]),
 ];
 
-/// Further changes that are one value each: a name, a path, a value. Local pressure is not among them: it leaves the fast
-/// scheme without its derivative, and 20 µs are too long without.
+/// Further changes that are one value each: a name, a path, a value. Local pressure is not among them: it leaves the
+/// fast scheme without its derivative, and 20 µs are too long without.
 const SINGLE: [(&str, &str, &str); 42] = [
     ("step 10 µs", "transient.scheme", "Fast(step: us(10))"),
     ("Runge–Kutta 5 µs", "transient.scheme", "RungeKutta4(step: us(5))"),
@@ -88,7 +88,9 @@ pub fn all() -> Vec<Change> {
 /// The case's cage on a land of so many millimetres radius, with the film that drags or brakes it.
 fn guided(land: &str, radius_mm: f64) -> Change {
     let cage = format!(
-        "(pocket_gap: mm(0.71), pocket_stiffness: N_per_um(5), pocket_friction: 0.1, drag_torque: Nm(0), inertia: kg_m2(0.002), pocket_damping: s_per_m(0.3), guidance: (land: {land}, radius: mm({radius_mm}), width: mm(10), gap: mm(0.4)))"
+        "(pocket_gap: mm(0.71), pocket_stiffness: N_per_um(5), pocket_friction: 0.1, drag_torque: Nm(0), inertia: \
+        kg_m2(0.002), pocket_damping: s_per_m(0.3), guidance: (land: {land}, radius: mm({radius_mm}), width: mm(10), \
+        gap: mm(0.4)))"
     );
     Change::none(&format!("cage guided by the {} ring", land.to_lowercase())).with("cage", &cage)
 }

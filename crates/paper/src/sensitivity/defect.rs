@@ -42,7 +42,9 @@ pub fn run(base: &Set) -> Result<(), PaperError> {
         lines.push(format!("{name},{},{:.1},{:.1}", cells.join(","), window.peak(x), window.rms(x)));
     }
     let text = format!(
-        "# our own output; rewritten by `cargo xtask sensitivity`\n# rows of the defect and the outer ring's acceleration along x, m/s2, last orbits of runs of 0.05 s; the run without defect with the fast scheme at 20 us\nchange,place,place_verdict,height,height_verdict,peak,rms\n{}\n",
+        "# our own output; rewritten by `cargo xtask sensitivity`\n# rows of the defect and the outer ring's \
+        acceleration along x, m/s2, last orbits of runs of 0.05 s; the run without defect with the fast scheme at 20 \
+        us\nchange,place,place_verdict,height,height_verdict,peak,rms\n{}\n",
         lines.join("\n")
     );
     files::write(&files::root().join(RESULT), text.as_bytes())

@@ -60,7 +60,10 @@ pub fn run(base: &Set, only: Option<&str>, progress: Progress) -> Result<(), Pap
     };
     let lines: Vec<String> = changes::all().iter().map(one).collect();
     let text = format!(
-        "# our own output; rewritten by `cargo xtask sensitivity`\n# what decides the missed rows of the dynamic model, with one thing changed in all runs, fast scheme at 20 us; * where the row is met then, – where a run failed or nothing is left to measure\n# lost: rows that are met without the change and missed with it\n{},{}\n{}\n",
+        "# our own output; rewritten by `cargo xtask sensitivity`\n# what decides the missed rows of the dynamic \
+        model, with one thing changed in all runs, fast scheme at 20 us; * where the row is met then, – where a run \
+        failed or nothing is left to measure\n# lost: rows that are met without the change and missed with \
+        it\n{},{}\n{}\n",
         BESIDE.join(","),
         missed.join(","),
         lines.join("\n")
@@ -107,7 +110,8 @@ pub fn block() -> Result<String, PaperError> {
     let count = changes.len().saturating_sub(1);
     let costs = costs(&changes)?;
     Ok(format!(
-        "What decides each missed row of the dynamic model, and what {count} changes make of it, one at a time in all runs (`{RESULT}` has them all):\n\n{}\n{costs}\n",
+        "What decides each missed row of the dynamic model, and what {count} changes make of it, one at a time in all \
+        runs (`{RESULT}` has them all):\n\n{}\n{costs}\n",
         markdown(&head, &out)
     ))
 }

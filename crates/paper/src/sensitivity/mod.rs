@@ -1,9 +1,10 @@
 //! Sensitivity of the dynamic rows to the parameters that the paper hides.
 //!
 //! One at a time, each is halved and doubled; and over a grid of pocket gap and pocket stiffness, from which both were
-//! chosen, the residuals of the published figures are listed. Runs of 0.2 s with the fast scheme. Then the whole set of runs
-//! with one thing changed, hidden or printed, for the rows that are missed: which change turns them, and what it costs; other readings
-//! of the missed claims on the unchanged runs; and what the defect's unprinted size does to its rows.
+//! chosen, the residuals of the published figures are listed. Runs of 0.2 s with the fast scheme. Then the whole set of
+//! runs with one thing changed, hidden or printed, for the rows that are missed: which change turns them, and what it
+//! costs; other readings of the missed claims on the unchanged runs; and what the defect's unprinted size does to its
+//! rows.
 
 mod changes;
 mod defect;
@@ -79,7 +80,9 @@ pub fn pocket() -> Result<String, PaperError> {
     let rows: Vec<String> =
         wanted.iter().zip(runs.chunks_exact(2)).map(|((name, _), pair)| row(name, &pair[0], &pair[1])).collect();
     let text = format!(
-        "# our own output; rewritten by `cargo xtask sensitivity`\n# last orbits of runs of 0.2 s, fast scheme at 20 us; accelerations of the outer ring along x, m/s2; force in pockets and share of impacts between 245 and 330 degrees with Ag\n{HEAD}\n{}\n",
+        "# our own output; rewritten by `cargo xtask sensitivity`\n# last orbits of runs of 0.2 s, fast scheme at 20 \
+        us; accelerations of the outer ring along x, m/s2; force in pockets and share of impacts between 245 and 330 \
+        degrees with Ag\n{HEAD}\n{}\n",
         rows.join("\n")
     );
     files::write(&files::root().join(RESULT), text.as_bytes())?;
@@ -109,8 +112,8 @@ impl Base {
         readings::write(&self.0)
     }
 
-    /// Makes the runs with each change and writes which missed rows it turns; with `only`, the lines of changes that do not have it
-    /// in their names stay.
+    /// Makes the runs with each change and writes which missed rows it turns; with `only`, the lines of changes that do
+    /// not have it in their names stay.
     ///
     /// # Errors
     ///

@@ -49,7 +49,8 @@ const OUTER: [OfState; 2] = [|s| s.outer_acceleration[0], |s| s.outer_accelerati
 const SLIP: [OfBall; 2] = [|b| b.inner.slide_to_roll[0], |b| b.outer.slide_to_roll[0]];
 const SIDES: [&str; 2] = ["inner", "outer"];
 
-/// Ways to average a number of the balls; a ball without inner contact has no angle and no slip that would mean anything.
+/// Ways to average a number of the balls; a ball without inner contact has no angle and no slip that would mean
+/// anything.
 #[derive(Clone, Copy)]
 struct Average {
     name: &'static str,
@@ -293,7 +294,9 @@ pub fn write(set: &Set) -> Result<(), PaperError> {
     };
     let lines: Vec<String> = readings.iter().map(line).collect();
     let text = format!(
-        "# our own output; rewritten by `cargo xtask sensitivity`\n# other readings of the missed rows on the runs as identified, fast scheme at 20 us; values at 25, 50, 75 and 100 % of the axial load, or with Ag and PTFE\nrow,reading,values,verdict\n{}\n",
+        "# our own output; rewritten by `cargo xtask sensitivity`\n# other readings of the missed rows on the runs as \
+        identified, fast scheme at 20 us; values at 25, 50, 75 and 100 % of the axial load, or with Ag and \
+        PTFE\nrow,reading,values,verdict\n{}\n",
         lines.join("\n")
     );
     files::write(&files::root().join(RESULT), text.as_bytes())

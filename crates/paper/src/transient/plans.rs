@@ -27,7 +27,8 @@ const RADIAL_LOAD: f64 = 22_980.0;
 pub const FAST: &str = "Fast(step: us(20))";
 /// Long enough for these rows: they settle within 0.05 s.
 const PRELOAD_DURATION: &str = "s(0.12)";
-/// Half of the paper's step: at a quarter of the load a ball skids and the classical Runge–Kutta method is stable to 8.6e-6 s.
+/// Half of the paper's step: at a quarter of the load a ball skids and the classical Runge–Kutta method is stable to
+/// 8.6e-6 s.
 const PRELOAD_SCHEME: &str = "RungeKutta4(step: us(5))";
 
 impl Plan {

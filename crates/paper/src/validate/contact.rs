@@ -78,7 +78,8 @@ fn twice(runs: &Runs) -> Row {
     let [inner, outer] = LOADS.map(spread);
     let met = (TWICE[0]..=TWICE[1]).contains(&outer);
     let note = format!(
-        "met from {} to {}; inner loads {inner:.3}; Table 5's pressures cubed give 1.92 outside and 2.60 inside, so the outer load is meant",
+        "met from {} to {}; inner loads {inner:.3}; Table 5's pressures cubed give 1.92 outside and 2.60 inside, so \
+        the outer load is meant",
         TWICE[0], TWICE[1]
     );
     Row::claim(&claim, outer, met, note)
@@ -97,7 +98,8 @@ fn pressures(run: &Run) -> Row {
     let (count, most) = (excess.iter().filter(|&&e| e > 0.0).count(), largest(excess.iter().copied()));
     let met = 2 * count > excess.len() && most <= SLIGHTLY;
     let note = format!(
-        "of {}; met by more than half of them with no excess above {SLIGHTLY} GPa (Table 5: up to 0.16); largest {most:.3} GPa; Table 5 itself: above at 3 of 6 azimuths, equal at 2",
+        "of {}; met by more than half of them with no excess above {SLIGHTLY} GPa (Table 5: up to 0.16); largest \
+        {most:.3} GPa; Table 5 itself: above at 3 of 6 azimuths, equal at 2",
         excess.len()
     );
     Row { decimals: 0, ..Row::claim(&claim, count as f64, met, note) }

@@ -80,7 +80,8 @@ pub fn summary(report: &Report) -> String {
         report.rows.iter().filter(|row| row.verdict == Verdict::Missed).map(|row| row.id.as_str()).collect();
     let which = if ids.is_empty() { String::new() } else { format!(" Missed: {}.", ids.join(", ")) };
     format!(
-        "Of {} rows {met} are met, {missed} missed, {contradictory} undecidable because the paper contradicts itself, {not_yet} not decided. Case `{}`: {}.{which}",
+        "Of {} rows {met} are met, {missed} missed, {contradictory} undecidable because the paper contradicts itself, \
+        {not_yet} not decided. Case `{}`: {}.{which}",
         report.rows.len(),
         report.case,
         report.provenance

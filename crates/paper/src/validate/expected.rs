@@ -39,7 +39,8 @@ pub fn fixtures(published: &Published, runs: &Runs) -> [Fixture; 2] {
         (
             "table5.csv",
             format!(
-                "{ORIGIN}# case: {case}; peak pressures of case 1 at the azimuths of Table 5\n# units: degrees, GPa, GPa\nazimuth_deg,inner_gpa,outer_gpa\n{at_azimuths}"
+                "{ORIGIN}# case: {case}; peak pressures of case 1 at the azimuths of Table 5\n# units: degrees, GPa, \
+                GPa\nazimuth_deg,inner_gpa,outer_gpa\n{at_azimuths}"
             ),
         ),
     ]
@@ -71,7 +72,8 @@ fn differences(name: &str, committed: &str, now: &str) -> Result<Vec<String>, Pa
             if !close {
                 let row = new.first();
                 findings.push(format!(
-                    "{name}, row {row}, {column}: committed {was}, now {is}; if the change is meant, run `cargo xtask fixtures` and say in CHANGELOG.md what moved"
+                    "{name}, row {row}, {column}: committed {was}, now {is}; if the change is meant, run `cargo xtask \
+                    fixtures` and say in CHANGELOG.md what moved"
                 ));
             }
         }

@@ -110,7 +110,8 @@ fn warnings(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Vec<Wa
         let below = pressures.iter().filter(|&&p| p < lowest).count();
         if below > 0 {
             let text = format!(
-                "peak pressures {low:.2} to {high:.2} GPa: {below} of {} contacts lie below the lowest test at {lowest} GPa, where the curve is extrapolated",
+                "peak pressures {low:.2} to {high:.2} GPa: {below} of {} contacts lie below the lowest test at \
+                {lowest} GPa, where the curve is extrapolated",
                 pressures.len()
             );
             out.push(Warning { run: run.label.to_owned(), text });
@@ -140,8 +141,8 @@ pub struct Differences {
 }
 
 impl Validation {
-    /// Solves the case and decides all rows; those of the dynamic model for the paper's case only. Recordings of its runs go into
-    /// the folder if there is one.
+    /// Solves the case and decides all rows; those of the dynamic model for the paper's case only. Recordings of its
+    /// runs go into the folder if there is one.
     ///
     /// # Errors
     ///
@@ -206,7 +207,8 @@ impl Validation {
         Ok(findings)
     }
 
-    /// Rewrites the committed results, the declared verdicts and the documents' blocks; returns the documents that there are not.
+    /// Rewrites the committed results, the declared verdicts and the documents' blocks; returns the documents that
+    /// there are not.
     ///
     /// # Errors
     ///

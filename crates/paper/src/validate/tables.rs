@@ -132,7 +132,8 @@ impl<'a> PressuresOver<'a> {
     pub fn explanation(&self) -> String {
         let rule = self.rule.name();
         format!(
-            "the {0} equispaced balls are at Table 5's azimuth 0° only: at the others {rule} interpolation over the {0} balls of case 1",
+            "the {0} equispaced balls are at Table 5's azimuth 0° only: at the others {rule} interpolation over the \
+            {0} balls of case 1",
             self.count
         )
     }

@@ -28,7 +28,8 @@ pub(super) fn rows(set: &Set) -> Result<Vec<Row>, PaperError> {
             "",
             passing / (13.0 * 5799.0 / 60.0),
             format!(
-                "ours {passing:.1} Hz; 5799 r/min gives 1256.5 Hz, whose nearest line in a spectrum of 10 Hz spacing is 1260"
+                "ours {passing:.1} Hz; 5799 r/min gives 1256.5 Hz, whose nearest line in a spectrum of 10 Hz spacing \
+                is 1260"
             ),
         ),
         contradiction(
@@ -38,7 +39,8 @@ pub(super) fn rows(set: &Set) -> Result<Vec<Row>, PaperError> {
             "",
             at_passing,
             format!(
-                "{:.3} at multiples of f_c, {:.3} at multiples of half of 13 f_c: every other ball meets the cage alike",
+                "{:.3} at multiples of f_c, {:.3} at multiples of half of 13 f_c: every other ball meets the cage \
+                alike",
                 share(&window, window.cage_hz())?,
                 share(&window, 0.5 * passing)?
             ),

@@ -7,7 +7,8 @@ use crate::transient::{Transient, Window};
 use crate::validate::row::Row;
 use tribodyn_signal::{Spectrum, envelope_spectrum};
 
-/// Band whose amplitude the defect modulates: from above the ring on its support to the end of the filter's pass band, Hz.
+/// Band whose amplitude the defect modulates: from above the ring on its support to the end of the filter's pass band,
+/// Hz.
 const BAND: [f64; 2] = [3000.0, 9984.0];
 /// Harmonics of the passing frequency that must be there.
 const HARMONICS: usize = 3;
@@ -35,12 +36,12 @@ pub(super) fn rows(defect: &Transient, healthy: &Transient) -> Result<Vec<Row>, 
         claim("defect.place", text, measured).row(
             worst,
             worst <= 1.0,
-            format!("met up to 1; envelope of the outer ring's x acceleration from 3 to 10 kHz, 13 f_c = {passing:.2} Hz, lines {line:.2} Hz apart; least height over the floor {above:.1}"),
+            format!(
+                "met up to 1; envelope of the outer ring's x acceleration from 3 to 10 kHz, 13 f_c = {passing:.2} \
+            Hz, lines {line:.2} Hz apart; least height over the floor {above:.1}"
+            ),
         ),
-        claim("defect.height", text, "height of the envelope's line at 13 f_c over that of the run without defect").row(
-            ours / theirs,
-            ours / theirs > CLEARLY,
-            format!("met above 1.5; {ours:.3} against {theirs:.3} m/s²"),
-        ),
+        claim("defect.height", text, "height of the envelope's line at 13 f_c over that of the run without defect")
+            .row(ours / theirs, ours / theirs > CLEARLY, format!("met above 1.5; {ours:.3} against {theirs:.3} m/s²")),
     ])
 }

@@ -1,5 +1,5 @@
-//! Rows of the transient model. All come from one set of runs with one set of parameters; what a word of the paper means
-//! in numbers is said here once and holds for every row.
+//! Rows of the transient model. All come from one set of runs with one set of parameters; what a word of the paper
+//! means in numbers is said here once and holds for every row.
 
 mod against_itself;
 mod coating;

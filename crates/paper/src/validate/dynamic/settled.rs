@@ -69,7 +69,8 @@ fn speeds(run: &Transient, window: &Window) -> Vec<Row> {
 fn passing(window: &Window) -> Result<Vec<Row>, PaperError> {
     let frequency = strongest(window, 13.0)?;
     let note = format!(
-        "13 f_c is {:.1} Hz by our own mean; 1260 is a multiple of 10 Hz, the spacing of lines of a 0.1 s record, so half a line is allowed",
+        "13 f_c is {:.1} Hz by our own mean; 1260 is a multiple of 10 Hz, the spacing of lines of a 0.1 s record, so \
+        half a line is allowed",
         13.0 * window.cage_hz()
     );
     let deviation = 100.0 * (frequency / TESTED[1] - 1.0).abs();
@@ -121,7 +122,8 @@ fn amplitudes(set: &Set) -> Result<Vec<Row>, PaperError> {
             [5.0, SQRT_2 * rms, ACCELERATION * 5.0],
             2,
             calibration,
-            "the paper calls 5 m/s² the amplitude and 8.41 m/s² the largest amplitude of the same run: taken as that of the sine with its rms and as its peak",
+            "the paper calls 5 m/s² the amplitude and 8.41 m/s² the largest amplitude of the same run: taken as that \
+            of the sine with its rms and as its peak",
         ),
         number("F19.1.ag", quantity, "m/s²", peak(8.41, &ag), 2, calibration, note(&ag)),
         number("F19.1.ptfe", quantity, "m/s²", peak(22.65, &ptfe), 2, calibration, note(&ptfe)),
@@ -190,6 +192,7 @@ fn quartiles(window: &Window) -> String {
 
 fn balance(set: &Set) -> Row {
     let missing = set.ag.trace.imbalance.abs() * 1e9;
-    let note = "work in less losses and stored energy over the whole run, over the work put in; classical Runge–Kutta at 1e-5 s";
+    let note = "work in less losses and stored energy over the whole run, over the work put in; classical Runge–Kutta \
+    at 1e-5 s";
     number("power", "power balance of the run", "1e-9", [0.0, missing, 1.0], 3, Evidence::Verification, note)
 }
