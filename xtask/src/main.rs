@@ -1,35 +1,16 @@
-//! `cargo xtask`: rebuilds the published figures that the model covers, and runs all that continuous integration checks.
+//! `cargo xtask`: the study of the paper on the terminal, measurements of speed, and all that continuous integration
+//! checks.
 //!
-//! # Decisions
-//! ```text
-//! number:        deviation = computed − published,   met if |deviation| ≤ tolerance
-//! order, shape:  met if the measured quantity is on the stated side of its limit; the row's note names both
-//! regression:    |ours now − ours then| ≤ 1e-6 |ours then|
-//! ```
-//!
-//! | symbol | meaning | unit |
-//! |---|---|---|
-//! | κ, s | traction coefficient, slip | –, unit of the tests |
-//! | p, Q | peak contact pressure, contact load | GPa, N |
-//! | T, ξ | longitudinal traction, slide-to-roll ratio | N, – |
-//! | φ | azimuth; heavy zone −90° to 90°, light zone the rest | ° |
-//!
-//! Source of the published figures: Zhang, Jia, Zhao, Wei, Zi, Lubricants 2025, 13(8), 352,
-//! doi:10.3390/lubricants13080352; they are in `fixtures/reference/zhang2025`.
-//!
-//! Limits: words such as "about" and "clearly" are given one number for all rows. Nothing here changes a parameter to meet a row.
-//!
-//! What it does not know: any physics; it asks the crates and compares.
+//! The study is `tribodyn-paper`; here are arguments, what is printed, and exit codes: 0 done, 1 a check or a
+//! calculation failed, 2 wrong input.
 
 mod bench;
 mod ci;
 mod error;
 mod figures;
-mod files;
 mod page;
 mod sensitivity;
-mod table;
-mod transient;
+mod terminal;
 mod validate;
 
 use clap::{Parser, Subcommand};

@@ -1,11 +1,11 @@
 //! `cargo xtask page`: a report in a real browser.
 
 use crate::error::Failure;
-use crate::files;
 use std::ffi::OsString;
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use tribodyn_paper::{PaperError, files};
 
 /// Reports opened in headless Chromium: wide and narrow, light and dark, with scripts and without, and as print
 #[derive(clap::Args)]
@@ -76,9 +76,9 @@ fn answers(program: &str) -> bool {
 fn usual_page() -> Result<PathBuf, Failure> {
     let folder = files::root().join(FOLDER);
     if folder.exists() {
-        fs::remove_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
+        fs::remove_dir_all(&folder).map_err(|source| PaperError::Write { path: folder.clone(), source })?;
     }
-    fs::create_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
+    fs::create_dir_all(&folder).map_err(|source| PaperError::Write { path: folder.clone(), source })?;
     let [run, report, page] = ["run.mcap", "report", "report/report.html"].map(|name| folder.join(name));
     let case = files::root().join(CASE);
     let texts = |all: &[&str]| all.iter().map(OsString::from).collect::<Vec<_>>();

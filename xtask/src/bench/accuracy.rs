@@ -8,6 +8,7 @@ use std::convert::Infallible;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use tribodyn_dynamics::{Checkpoint, Event, Observer, Run, RunError, Sample};
+use tribodyn_paper::{mean, rms};
 
 const GROUP: &str = "error";
 /// Scheme and patch rule of the converged run.
@@ -113,16 +114,6 @@ fn cage_speed(t: &[Moment]) -> f64 {
     let (a, b) = (&t[after - 1], &t[after]);
     let time = a.time + (end - a.cage_angle) / (b.cage_angle - a.cage_angle) * (b.time - a.time);
     orbits * TAU / (time - first.time)
-}
-
-fn mean(values: impl Iterator<Item = f64>) -> f64 {
-    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), v| (sum + v, count + 1.0));
-    sum / count
-}
-
-/// Of the lengths of vectors.
-fn rms<const N: usize>(vectors: impl Iterator<Item = [f64; N]>) -> f64 {
-    mean(vectors.map(|v| v.iter().map(|x| x * x).sum())).sqrt()
 }
 
 pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {

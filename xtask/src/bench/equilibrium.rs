@@ -9,6 +9,7 @@ use cpu_time::ProcessTime;
 use std::time::Instant;
 use tribodyn_bearing::Bearing;
 use tribodyn_bearing::case::Case;
+use tribodyn_paper::PaperError;
 use tribodyn_quasistatic::{Model, OperatingPoint, QuasiStaticError, RingFreedom, WarmStart, solve, solve_from};
 
 const GROUP: &str = "quasi-static";
@@ -33,7 +34,7 @@ fn changes_for(balls: usize) -> Vec<(&'static str, String)> {
 
 impl Size {
     fn new(case: &Case) -> Result<Self, Failure> {
-        let bearing = Bearing::new(case).map_err(|source| Failure::Bearing { run: RUN, source })?;
+        let bearing = Bearing::new(case).map_err(|source| PaperError::Bearing { run: RUN, source })?;
         Ok(Self { point: OperatingPoint::new(case), bearing })
     }
 
@@ -99,8 +100,8 @@ impl Size {
     }
 }
 
-fn unsolved(source: QuasiStaticError) -> Failure {
-    Failure::Solver { run: RUN, source }
+fn unsolved(source: QuasiStaticError) -> PaperError {
+    PaperError::Solver { run: RUN, source }
 }
 
 pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {

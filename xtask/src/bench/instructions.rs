@@ -1,4 +1,5 @@
-//! Instructions per point of a patch, which no other work on the machine changes: counted by valgrind where there is one.
+//! Instructions per point of a patch, which no other work on the machine changes: counted by valgrind where there is
+//! one.
 
 use super::row::Row;
 use std::path::PathBuf;

@@ -1,8 +1,8 @@
-//! `cargo xtask bench`: what the kernels, the transient schemes and the quasi-static solver cost, and what the fast scheme
-//! gets wrong for it.
+//! `cargo xtask bench`: what the kernels, the transient schemes and the quasi-static solver cost, and what the fast
+//! scheme gets wrong for it.
 //!
-//! Times are processor time of the thread that works, the least of several repetitions; what is to be compared runs in turn
-//! in one process. Rows over several threads are wall time and say so.
+//! Times are processor time of the thread that works, the least of several repetitions; what is to be compared runs in
+//! turn in one process. Rows over several threads are wall time and say so.
 
 mod accuracy;
 mod clock;
@@ -14,12 +14,12 @@ mod row;
 mod speed;
 
 use crate::error::Failure;
-use crate::{files, table};
+use crate::terminal::print;
 use row::Row;
 use serde::Serialize;
-use std::io::Write;
 use std::process::Command;
 use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_paper::{PaperError, files, table};
 
 /// The case on which everything is measured.
 const CASE: &str = "fixtures/cases/paper-ag.ron";
@@ -79,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         format!("{}\n\n{}", report.machine.line(), table::aligned(&row::HEAD, &row::cells(&report.rows)))
     };
     out.push('\n');
-    std::io::stdout().write_all(out.as_bytes()).map_err(Failure::Print)?;
+    print(&out)?;
     if arguments.write { document::rewrite(&report) } else { Ok(()) }
 }
 
@@ -99,12 +99,12 @@ fn in_release(arguments: &Arguments) -> Result<(), Failure> {
 
 /// The case with some of its values replaced.
 fn changed<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<Case, Failure> {
-    let refused = |source| Failure::Case { file: CASE.to_owned(), source: Box::new(source) };
+    let refused = |source| PaperError::Case { file: CASE.to_owned(), source: Box::new(source) };
     let mut text = text.to_owned();
     for (path, value) in changes {
         text = set_value(&text, path, value.as_ref()).map_err(refused)?;
     }
-    Case::from_ron(&text).map_err(refused)
+    Ok(Case::from_ron(&text).map_err(refused)?)
 }
 
 fn machine() -> Machine {

@@ -8,6 +8,7 @@ use crate::error::Failure;
 use std::convert::Infallible;
 use tribodyn_bearing::traction::PatchRule;
 use tribodyn_dynamics::{Checkpoint, Run, RunError};
+use tribodyn_paper::PaperError;
 
 const GROUP: &str = "transient";
 /// Of the shaft at 14 000 r/min, s.
@@ -80,9 +81,9 @@ impl Prepared {
     }
 }
 
-pub fn failed(error: RunError<Infallible>) -> Failure {
+pub fn failed(error: RunError<Infallible>) -> PaperError {
     let RunError::Dynamics(source) = error;
-    Failure::Transient { run: "bench".to_owned(), source: Box::new(source) }
+    PaperError::Transient { run: "bench".to_owned(), source: Box::new(source) }
 }
 
 /// Least processor time of a second of the case, s.

@@ -2,10 +2,11 @@
 
 use super::{Outcome, finish};
 use crate::error::Failure;
-use crate::{figures, files};
+use crate::terminal::progress;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use tribodyn_paper::{PaperError, figures, files};
 
 /// Attributes that hold coordinates.
 const COORDINATES: [&str; 14] =
@@ -14,9 +15,9 @@ const COORDINATES: [&str; 14] =
 pub fn check() -> Result<Outcome, Failure> {
     let folder = files::root().join(figures::QUICK_FOLDER);
     if folder.exists() {
-        fs::remove_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
+        fs::remove_dir_all(&folder).map_err(|source| PaperError::Write { path: folder.clone(), source })?;
     }
-    figures::quick(&folder)?;
+    figures::quick(&folder, &progress)?;
     let page = files::read(&files::root().join(figures::PAGE))?;
     let mut findings = Vec::new();
     if page != figures::page() {
@@ -37,7 +38,7 @@ pub fn check() -> Result<Outcome, Failure> {
 
 /// Names of the SVG files of a folder.
 fn drawn(folder: &Path) -> Result<BTreeSet<String>, Failure> {
-    let entries = fs::read_dir(folder).map_err(|source| Failure::Read { path: folder.to_owned(), source })?;
+    let entries = fs::read_dir(folder).map_err(|source| PaperError::Read { path: folder.to_owned(), source })?;
     let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
     Ok(names.filter_map(|name| name.strip_suffix(".svg").map(str::to_owned)).collect())
 }

@@ -21,8 +21,10 @@ const LAYERS: [(&str, &[&str]); 11] = [
     ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
     ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
 ];
-/// Programs that may use every crate.
-const TOP: [&str; 2] = ["tribodyn-cli", "xtask"];
+/// What may use every crate, each with what it may not: the published command not the study of the paper, which is not
+/// published, and the study no program.
+const TOP: [(&str, &[&str]); 3] =
+    [("tribodyn-paper", &["tribodyn-cli", "xtask"]), ("tribodyn-cli", &["tribodyn-paper", "xtask"]), ("xtask", &[])];
 
 pub fn check() -> Result<Outcome, Failure> {
     let metadata = Metadata::read(&["--no-deps"])?;
@@ -42,7 +44,9 @@ fn violations(members: &[(&str, Vec<&str>)]) -> Vec<String> {
     let mut findings = Vec::new();
     let is_member = |name: &str| members.iter().any(|(member, _)| *member == name);
     for (name, dependencies) in members {
-        if TOP.contains(name) {
+        if let Some((_, barred)) = TOP.iter().find(|(top, _)| top == name) {
+            findings
+                .extend(dependencies.iter().filter(|d| barred.contains(d)).map(|d| format!("{name} may not use {d}")));
             continue;
         }
         let Some((_, allowed)) = LAYERS.iter().find(|(layer, _)| layer == name) else {
@@ -76,11 +80,14 @@ mod tests {
             ("tribodyn-contact", vec!["serde", "tribodyn-traction"]),
             ("tribodyn-traction", vec!["tribodyn-contact"]),
             ("tribodyn-new", vec![]),
-            ("xtask", vec!["tribodyn-contact"]),
+            ("tribodyn-paper", vec!["tribodyn-contact"]),
+            ("tribodyn-cli", vec!["tribodyn-contact", "tribodyn-paper"]),
+            ("xtask", vec!["tribodyn-contact", "tribodyn-paper"]),
         ];
         let found = violations(&members);
-        assert_eq!(found.len(), 2, "{found:?}");
+        assert_eq!(found.len(), 3, "{found:?}");
         assert!(found[0].contains("tribodyn-contact uses tribodyn-traction"));
         assert!(found[1].contains("tribodyn-new is in no layer"));
+        assert!(found[2].contains("tribodyn-cli may not use tribodyn-paper"));
     }
 }

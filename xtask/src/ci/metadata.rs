@@ -2,9 +2,9 @@
 
 use super::cargo_program;
 use crate::error::Failure;
-use crate::files;
 use serde::Deserialize;
 use std::process::Command;
+use tribodyn_paper::files;
 
 #[derive(Debug, Deserialize)]
 pub struct Metadata {

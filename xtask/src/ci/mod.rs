@@ -10,10 +10,11 @@ mod recording;
 
 use crate::error::Failure;
 use crate::page::{self, Checked};
-use crate::{files, validate};
+use crate::validate;
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
+use tribodyn_paper::files;
 
 /// How a step that did not fail ended.
 pub enum Outcome {

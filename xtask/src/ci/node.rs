@@ -3,10 +3,10 @@
 use super::Outcome;
 use super::recording::{mcap_files, quiet};
 use crate::error::Failure;
-use crate::files;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+use tribodyn_paper::{PaperError, files};
 
 /// The reader, pinned.
 const PACKAGES: [&str; 3] = ["@mcap/core@2.2.2", "@mcap/support@1.1.0", "@mcap/nodejs@1.0.2"];
@@ -29,7 +29,7 @@ pub fn check(folder: &Path) -> Result<Outcome, Failure> {
     // Packages are looked for where the script stands.
     let script = environment.join(SCRIPT);
     let source = files::root().join("xtask/checks").join(SCRIPT);
-    fs::copy(source, &script).map_err(|source| Failure::Write { path: script.clone(), source })?;
+    fs::copy(source, &script).map_err(|source| PaperError::Write { path: script.clone(), source })?;
     let mut command = Command::new("node");
     command.arg(script).args(&recordings);
     let status = command.status().map_err(|source| Failure::Start { program: "node".to_owned(), source })?;
@@ -41,7 +41,7 @@ pub fn check(folder: &Path) -> Result<Outcome, Failure> {
 
 /// Puts the packages into a folder of their own; the inner error says why they are not there.
 fn install(environment: &Path) -> Result<Result<(), String>, Failure> {
-    fs::create_dir_all(environment).map_err(|source| Failure::Write { path: environment.to_owned(), source })?;
+    fs::create_dir_all(environment).map_err(|source| PaperError::Write { path: environment.to_owned(), source })?;
     if let Err(reason) = quiet(Command::new("node").arg("--version")) {
         return Ok(Err(format!("no Node: {reason}")));
     }

@@ -2,10 +2,10 @@
 
 use super::Outcome;
 use crate::error::Failure;
-use crate::files;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use tribodyn_paper::{PaperError, files};
 
 /// The readers, pinned.
 const PACKAGES: [&str; 2] = ["mcap==1.6.0", "mcap-protobuf-support==0.6.0"];
@@ -36,7 +36,7 @@ pub fn check(folder: &Path) -> Result<Outcome, Failure> {
 }
 
 pub fn mcap_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let entries = fs::read_dir(folder).map_err(|source| Failure::Read { path: folder.to_owned(), source })?;
+    let entries = fs::read_dir(folder).map_err(|source| PaperError::Read { path: folder.to_owned(), source })?;
     let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
     let mut found: Vec<PathBuf> = paths.filter(|path| path.extension().is_some_and(|e| e == "mcap")).collect();
     found.sort();
@@ -47,15 +47,15 @@ pub fn mcap_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 fn recovered(folder: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let is_run = |path: &Path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(RUN_PREFIX));
     let folder = folder.join(RECOVERED);
-    fs::create_dir_all(&folder).map_err(|source| Failure::Write { path: folder.clone(), source })?;
+    fs::create_dir_all(&folder).map_err(|source| PaperError::Write { path: folder.clone(), source })?;
     let mut made = Vec::new();
     for kind in [true, false] {
         let Some(whole) = recordings.iter().find(|path| is_run(path) == kind) else { continue };
         let name = if kind { "run.mcap" } else { "solution.mcap" };
         let (torn, saved) = (folder.join(format!("{name}.active")), folder.join(name));
-        let mut bytes = fs::read(whole).map_err(|source| Failure::Read { path: whole.clone(), source })?;
+        let mut bytes = fs::read(whole).map_err(|source| PaperError::Read { path: whole.clone(), source })?;
         bytes.truncate(bytes.len() / 5 * 3);
-        fs::write(&torn, &bytes).map_err(|source| Failure::Write { path: torn.clone(), source })?;
+        fs::write(&torn, &bytes).map_err(|source| PaperError::Write { path: torn.clone(), source })?;
         let report = tribodyn_record::recover(&torn, &saved)?;
         if !report.truncated {
             let findings = vec![format!("{}: the end was not missed", torn.display())];

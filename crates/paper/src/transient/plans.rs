@@ -1,0 +1,150 @@
+//! The runs behind the rows: one set of parameters, and what each run changes.
+
+use super::{Transient, run_all};
+use crate::error::PaperError;
+use std::path::Path;
+
+/// A run to make.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    pub id: String,
+    pub label: String,
+    /// Case file, relative to the workspace.
+    pub file: String,
+    /// Paths of the case file and their values.
+    pub changes: Vec<(String, String)>,
+}
+
+/// Silver, PTFE film, and the outer race with a defect.
+const AG: &str = "fixtures/cases/paper-ag.ron";
+const PTFE: &str = "fixtures/cases/paper-ptfe.ron";
+const DEFECT: &str = "fixtures/cases/paper-ag-defect.ron";
+/// The axial load of the case, N, which the paper's preloads are parts of.
+const AXIAL_LOAD: f64 = 54_760.0;
+/// Its radial load, N.
+const RADIAL_LOAD: f64 = 22_980.0;
+/// The fast scheme of runs that are many.
+pub const FAST: &str = "Fast(step: us(20))";
+/// Long enough for these rows: they settle within 0.05 s.
+const PRELOAD_DURATION: &str = "s(0.12)";
+/// Half of the paper's step: at a quarter of the load a ball skids and the classical Runge–Kutta method is stable to
+/// 8.6e-6 s.
+const PRELOAD_SCHEME: &str = "RungeKutta4(step: us(5))";
+
+impl Plan {
+    pub fn new(id: &str, label: &str, file: &str) -> Self {
+        Self { id: id.to_owned(), label: label.to_owned(), file: file.to_owned(), changes: Vec::new() }
+    }
+
+    #[must_use]
+    pub fn with(mut self, path: &str, value: &str) -> Self {
+        self.changes.push((path.to_owned(), value.to_owned()));
+        self
+    }
+
+    pub fn ag() -> Self {
+        Self::new("ag", "Ag coating", AG)
+    }
+
+    pub fn ptfe() -> Self {
+        Self::new("ptfe", "PTFE film", PTFE)
+    }
+
+    /// A part of the axial load with the whole radial load.
+    pub fn axial(percent: u32) -> Self {
+        let load = AXIAL_LOAD * f64::from(percent) / 100.0;
+        Self::new(&format!("axial-{percent}"), &format!("{percent} % axial load"), AG)
+            .with("ring.z", &format!("Force(N({load}))"))
+            .with("transient.duration", PRELOAD_DURATION)
+            .with("transient.scheme", PRELOAD_SCHEME)
+    }
+
+    pub fn defect() -> Self {
+        Self::new("defect", "outer-race defect", DEFECT)
+    }
+
+    #[must_use]
+    pub fn with_all(self, changes: &[(String, String)]) -> Self {
+        changes.iter().fold(self, |plan, (path, value)| plan.with(path, value))
+    }
+}
+
+/// One thing that is otherwise in all runs of a set with the fast scheme.
+#[derive(Debug, Clone)]
+pub struct Change {
+    pub name: String,
+    /// Paths of the case file and their values, set last.
+    pub values: Vec<(String, String)>,
+    /// What the percentages of the axial load are parts of, over the case's.
+    pub axial_share: f64,
+    /// Whether the radial load is lowered with the axial one.
+    pub radial_follows: bool,
+}
+
+impl Change {
+    pub fn none(name: &str) -> Self {
+        Self { name: name.to_owned(), values: Vec::new(), axial_share: 1.0, radial_follows: false }
+    }
+
+    #[must_use]
+    pub fn with(mut self, path: &str, value: &str) -> Self {
+        self.values.push((path.to_owned(), value.to_owned()));
+        self
+    }
+
+    fn plan(&self, plan: Plan, percent: f64) -> Plan {
+        let axial = AXIAL_LOAD * self.axial_share * percent / 100.0;
+        let plan = plan.with("transient.scheme", FAST).with("ring.z", &format!("Force(N({axial}))"));
+        let plan = match self.radial_follows {
+            true => plan.with("ring.x", &format!("Force(N({}))", RADIAL_LOAD * percent / 100.0)),
+            false => plan,
+        };
+        plan.with_all(&self.values)
+    }
+}
+
+/// All runs of the dynamic rows.
+#[derive(Debug)]
+pub struct Set {
+    pub ag: Transient,
+    pub ptfe: Transient,
+    /// 25, 50 and 75 % of the axial load; the full one is `ag`.
+    pub axial: [Transient; 3],
+    /// Only where its rows are asked for.
+    pub defect: Option<Transient>,
+}
+
+impl Set {
+    /// Runs them; recordings go into the folder if there is one.
+    pub fn run(recordings: Option<&Path>) -> Result<Self, PaperError> {
+        let [p25, p50, p75] = [25, 50, 75].map(Plan::axial);
+        // The longest first, so that no core waits at the end.
+        let plans = [Plan::defect(), Plan::ag(), Plan::ptfe(), p25, p50, p75];
+        let runs: [Transient; 6] = run_all(&plans, recordings)?
+            .try_into()
+            .map_err(|_| PaperError::Check { what: "dynamic runs", findings: vec!["not all came back".to_owned()] })?;
+        let [defect, ag, ptfe, a, b, c] = runs;
+        Ok(Self { ag, ptfe, axial: [a, b, c], defect: Some(defect) })
+    }
+
+    /// The set without the defect, with something changed and the fast scheme.
+    pub fn changed(change: &Change) -> Result<Self, PaperError> {
+        let part = |percent: u32| change.plan(Plan::axial(percent), f64::from(percent));
+        let whole = |plan: Plan| change.plan(plan, 100.0);
+        let plans = [whole(Plan::ag()), whole(Plan::ptfe()), part(25), part(50), part(75)];
+        let [ag, ptfe, a, b, c] = run_all(&plans, None)?
+            .try_into()
+            .map_err(|_| PaperError::Check { what: "dynamic runs", findings: vec!["not all came back".to_owned()] })?;
+        Ok(Self { ag, ptfe, axial: [a, b, c], defect: None })
+    }
+
+    pub fn all(&self) -> impl Iterator<Item = &Transient> {
+        [&self.ag, &self.ptfe].into_iter().chain(&self.axial).chain(&self.defect)
+    }
+
+    /// Loads 25 to 100 %.
+    pub fn by_load(&self) -> [(u32, &Transient); 4] {
+        let [a, b, c] = &self.axial;
+        [(25, a), (50, b), (75, c), (100, &self.ag)]
+    }
+}

@@ -1,0 +1,144 @@
+//! The generated blocks of README.md and docs/validation.md.
+
+use super::Report;
+use super::row::{Row, Verdict};
+use crate::error::PaperError;
+use crate::markers::replaced;
+use crate::{files, table};
+
+const BEGIN: &str = "<!-- validation:begin -->";
+const END: &str = "<!-- validation:end -->";
+
+/// What a document's block shows.
+#[derive(Clone, Copy)]
+enum Extent {
+    /// Counts and Tables 4 and 5.
+    Summary,
+    /// All rows with their notes as well.
+    Everything,
+}
+
+const DOCUMENTS: [(&str, Extent); 2] = [("README.md", Extent::Summary), ("docs/validation.md", Extent::Everything)];
+
+/// Rewrites the blocks; returns the documents that there are not.
+pub fn rewrite(report: &Report) -> Result<Vec<String>, PaperError> {
+    each(|name, extent| {
+        let path = files::root().join(name);
+        if !path.exists() {
+            return Ok(Some(format!("{name}: there is no such file, so its block is not written")));
+        }
+        let text = replaced(name, &files::read(&path)?, &block(report, extent), [BEGIN, END])?;
+        files::write(&path, text.as_bytes()).map(|()| None)
+    })
+}
+
+/// Documents whose block is not what the rows give.
+pub fn outdated(report: &Report) -> Result<Vec<String>, PaperError> {
+    each(|name, extent| {
+        let path = files::root().join(name);
+        if !path.exists() {
+            return Ok(Some(format!("{name}: there is no such file")));
+        }
+        let text = files::read(&path)?;
+        let current = replaced(name, &text, &block(report, extent), [BEGIN, END])? == text;
+        Ok((!current).then(|| format!("{name}: the validation block is out of date: run `cargo xtask fixtures`")))
+    })
+}
+
+fn each(mut one: impl FnMut(&str, Extent) -> Result<Option<String>, PaperError>) -> Result<Vec<String>, PaperError> {
+    let mut findings = Vec::new();
+    for (name, extent) in DOCUMENTS {
+        findings.extend(one(name, extent)?);
+    }
+    Ok(findings)
+}
+
+fn block(report: &Report, extent: Extent) -> String {
+    let mut out = format!("{}\n\n", summary(report));
+    let [speeds, pressures] = tables_4_and_5(report);
+    out.push_str(&format!("Cage speeds (Table 4), r/min:\n\n{}\n", table::markdown(&SPEED_HEAD, &speeds)));
+    out.push_str(&format!(
+        "Peak pressures of case 1 (Table 5), GPa; {}:\n\n{}\n",
+        report.interpolation,
+        table::markdown(&PRESSURE_HEAD, &pressures)
+    ));
+    if let Extent::Everything = extent {
+        out.push_str(&format!("All rows:\n\n{}\n", table::markdown(&HEAD, &cells(&report.rows))));
+        let notes: String = notes(&report.rows).iter().map(|note| format!("- {note}\n")).collect();
+        out.push_str(&format!("How the rows were decided:\n\n{notes}\nWarnings of the solutions:\n\n"));
+        let warnings: String = report.warnings.iter().map(|w| format!("- {}: {}\n", w.run, w.text)).collect();
+        out.push_str(if warnings.is_empty() { "- none\n" } else { &warnings });
+    }
+    out.push_str("\nReproduced by `cargo xtask validate`.\n");
+    out
+}
+
+/// Counts, and the rows that missed.
+pub fn summary(report: &Report) -> String {
+    let [met, missed, contradictory, not_yet] = Verdict::ALL.map(|verdict| report.count(verdict));
+    let ids: Vec<&str> =
+        report.rows.iter().filter(|row| row.verdict == Verdict::Missed).map(|row| row.id.as_str()).collect();
+    let which = if ids.is_empty() { String::new() } else { format!(" Missed: {}.", ids.join(", ")) };
+    format!(
+        "Of {} rows {met} are met, {missed} missed, {contradictory} undecidable because the paper contradicts itself, \
+        {not_yet} not decided. Case `{}`: {}.{which}",
+        report.rows.len(),
+        report.case,
+        report.provenance
+    )
+}
+
+/// `T4.1, T4.2: note`: decided rows by note, in their order.
+pub fn notes(rows: &[Row]) -> Vec<String> {
+    let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
+    for row in rows.iter().filter(|row| !row.note.is_empty() && row.verdict != Verdict::NotYet) {
+        match groups.iter_mut().find(|(note, _)| *note == row.note) {
+            Some((_, ids)) => ids.push(&row.id),
+            None => groups.push((&row.note, vec![&row.id])),
+        }
+    }
+    groups.iter().map(|(note, ids)| format!("{}: {note}", ids.join(", "))).collect()
+}
+
+pub const HEAD: [&str; 8] =
+    ["id", "evidence", "quantity", "published", "computed", "deviation", "tolerance", "verdict"];
+
+pub fn cells(rows: &[Row]) -> Vec<Vec<String>> {
+    let with_unit = |text: String, row: &Row| {
+        if row.unit.is_empty() || text == "–" { text } else { format!("{text} {}", row.unit) }
+    };
+    let one = |row: &Row| {
+        vec![
+            row.id.clone(),
+            row.evidence.name().to_owned(),
+            row.quantity.clone(),
+            row.published_text(),
+            with_unit(row.computed_text(), row),
+            row.deviation_text(),
+            row.tolerance_text(),
+            row.verdict.name().to_owned(),
+        ]
+    };
+    rows.iter().map(one).collect()
+}
+
+pub const SPEED_HEAD: [&str; 5] = ["model", "published", "computed", "deviation", "verdict"];
+pub const PRESSURE_HEAD: [&str; 7] =
+    ["φ °", "p_i published", "p_i computed", "verdict", "p_o published", "p_o computed", "verdict"];
+
+/// Tables 4 and 5, published beside computed.
+pub fn tables_4_and_5(report: &Report) -> [Vec<Vec<String>>; 2] {
+    let find = |id: &str| report.rows.iter().find(|row| row.id == id);
+    let speeds = report.published.speeds.iter().filter_map(|printed| {
+        let row = find(&format!("T4.{}", printed.id))?;
+        let verdict = row.verdict.name().to_owned();
+        Some(vec![printed.model.clone(), row.published_text(), row.computed_text(), row.deviation_text(), verdict])
+    });
+    let pressures = report.published.pressures.iter().filter_map(|printed| {
+        let sides = [find(&format!("T5.{}.i", printed.azimuth))?, find(&format!("T5.{}.o", printed.azimuth))?];
+        let of = |row: &Row| [row.published_text(), row.computed_text(), row.verdict.name().to_owned()];
+        let [inner, outer] = sides.map(of);
+        Some([vec![printed.azimuth.to_string()], inner.to_vec(), outer.to_vec()].concat())
+    });
+    [speeds.collect(), pressures.collect()]
+}

@@ -1,0 +1,229 @@
+//! The rows of the validation: published, computed, deviation, tolerance, verdict; the files that hold them.
+
+mod contact;
+mod curves;
+mod document;
+mod dynamic;
+mod expected;
+mod friction;
+mod output;
+mod over_azimuth;
+mod published;
+mod row;
+mod runs;
+mod tables;
+
+use crate::error::PaperError;
+use crate::files;
+use crate::progress::{Progress, in_time};
+use crate::sensitivity;
+use crate::transient::Set;
+pub(crate) use dynamic::{defect_rows, rows as dynamic_rows};
+use published::Published;
+pub(crate) use row::{Evidence, Row, Verdict};
+use runs::Runs;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use tables::PressuresOver;
+use tribodyn_quasistatic::Model;
+
+/// What a solution warns of.
+#[derive(Debug, Serialize)]
+struct Warning {
+    run: String,
+    text: String,
+}
+
+/// All rows and what belongs to them.
+#[derive(Debug, Serialize)]
+struct Report {
+    /// Case file.
+    case: String,
+    /// How the case's unpublished values were found.
+    provenance: String,
+    /// How Table 5's values come from those of the balls.
+    interpolation: String,
+    rows: Vec<Row>,
+    warnings: Vec<Warning>,
+    #[serde(skip)]
+    published: Published,
+}
+
+impl Report {
+    fn count(&self, verdict: Verdict) -> usize {
+        self.rows.iter().filter(|row| row.verdict == verdict).count()
+    }
+}
+
+/// The case file that the committed results and verdicts are of.
+pub fn paper_case() -> PathBuf {
+    files::root().join("fixtures/cases/paper-ag.ron")
+}
+
+fn build(case: &Path, recordings: Option<&Path>, progress: Progress) -> Result<(Report, Runs), PaperError> {
+    let published = Published::read()?;
+    let runs = Runs::solve(case)?;
+    let dynamic = match case == paper_case() {
+        false => None,
+        true => Some(in_time("dynamic runs", progress, || Set::run(recordings))?),
+    };
+    let rows = [
+        tables::table_2(&published)?,
+        tables::table_4(&published, &runs),
+        tables::table_5(&published, &runs),
+        curves::figure_9()?,
+        contact::figure_14(&runs),
+        friction::figures_16_to_18(&runs),
+        dynamic.as_ref().map_or_else(|| Ok(dynamic::not_yet()), dynamic::rows)?,
+    ];
+    let report = Report {
+        case: runs.file.clone(),
+        provenance: runs.provenance(),
+        interpolation: PressuresOver::new(&runs.cases[0]).explanation(),
+        rows: rows.concat(),
+        warnings: warnings(&published, &runs, dynamic.as_ref()),
+        published,
+    };
+    Ok((report, runs))
+}
+
+/// The solvers' warnings, balls without one clear equilibrium, and contacts whose pressure lies below the tests.
+fn warnings(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Vec<Warning> {
+    let lowest = published.curves.iter().map(|row| row.pressure).fold(f64::INFINITY, f64::min);
+    let mut out = Vec::new();
+    for run in runs.all() {
+        out.extend(
+            run.solution
+                .warnings
+                .iter()
+                .chain(&run.roots)
+                .map(|text| Warning { run: run.label.to_owned(), text: text.clone() }),
+        );
+        // Only where the curve follows the pressure is it extrapolated.
+        if run.solution.model == Model::JonesHarris || !run.case.traction.varying {
+            continue;
+        }
+        let pressures: Vec<f64> = over_azimuth::values(run, |b| b.peak_pressure_inner_pa * 1e-9)
+            .chain(over_azimuth::values(run, |b| b.peak_pressure_outer_pa * 1e-9))
+            .collect();
+        let [low, high] = over_azimuth::limits(pressures.iter().copied());
+        let below = pressures.iter().filter(|&&p| p < lowest).count();
+        if below > 0 {
+            let text = format!(
+                "peak pressures {low:.2} to {high:.2} GPa: {below} of {} contacts lie below the lowest test at \
+                {lowest} GPa, where the curve is extrapolated",
+                pressures.len()
+            );
+            out.push(Warning { run: run.label.to_owned(), text });
+        }
+    }
+    for run in dynamic.iter().flat_map(|set| set.all()) {
+        out.extend(run.warnings().map(|text| Warning { run: format!("run {}", run.label), text: text.to_owned() }));
+    }
+    out
+}
+
+/// All rows of a case with the quasi-static solutions behind them.
+#[derive(Debug)]
+pub struct Validation {
+    report: Report,
+    runs: Runs,
+    fixtures: [expected::Fixture; 2],
+}
+
+/// Differences of a validation from what is committed, in words.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Differences {
+    /// Results that moved, and rows that are declared met and are not.
+    pub broken: Vec<String>,
+    /// Rows that do better than declared.
+    pub outdated: Vec<String>,
+}
+
+impl Validation {
+    /// Solves the case and decides all rows; those of the dynamic model for the paper's case only. Recordings of its
+    /// runs go into the folder if there is one.
+    ///
+    /// # Errors
+    ///
+    /// A case that is refused, a run that fails, a recording that cannot be written.
+    pub fn new(case: &Path, recordings: Option<&Path>, progress: Progress) -> Result<Self, PaperError> {
+        let (report, runs) = build(case, recordings, progress)?;
+        let fixtures = expected::fixtures(&report.published, &runs);
+        Ok(Self { report, runs, fixtures })
+    }
+
+    /// Writes Tables 4 and 5, `validation.json`, recordings of the solutions and figures into a folder.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<(), PaperError> {
+        expected::write(folder, &self.fixtures)?;
+        files::write(&folder.join("validation.json"), self.json()?.as_bytes())?;
+        output::recordings(folder, &self.runs)?;
+        output::figures(folder, &self.runs, &self.report.published)
+    }
+
+    /// The report as JSON with a newline at its end.
+    ///
+    /// # Errors
+    ///
+    /// None with numbers and texts.
+    pub fn json(&self) -> Result<String, PaperError> {
+        output::json(&self.report)
+    }
+
+    /// The table for people.
+    pub fn text(&self) -> String {
+        output::text(&self.report)
+    }
+
+    /// Counts of the verdicts, and the rows that missed.
+    pub fn summary(&self) -> String {
+        document::summary(&self.report)
+    }
+
+    /// Regressions, and verdicts that are not those declared.
+    ///
+    /// # Errors
+    ///
+    /// A committed result that cannot be read.
+    pub fn compare(&self) -> Result<Differences, PaperError> {
+        let mut broken = expected::regressions(&self.fixtures)?;
+        let declared = expected::compare_verdicts(&self.report.rows)?;
+        broken.extend(declared.broken);
+        Ok(Differences { broken, outdated: declared.outdated })
+    }
+
+    /// Documents whose generated blocks are not what the rows and the committed sensitivities give.
+    ///
+    /// # Errors
+    ///
+    /// A document without the place of its block.
+    pub fn outdated_documents(&self) -> Result<Vec<String>, PaperError> {
+        let mut findings = document::outdated(&self.report)?;
+        findings.extend(sensitivity::outdated()?);
+        Ok(findings)
+    }
+
+    /// Rewrites the committed results, the declared verdicts and the documents' blocks; returns the documents that
+    /// there are not.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be written, a document without the place of its block.
+    pub fn rewrite(&self) -> Result<Vec<String>, PaperError> {
+        let folder = expected::folder();
+        expected::write(&folder, &self.fixtures)?;
+        expected::write(&folder, &[expected::verdicts_text(&self.report.rows)])?;
+        let missing = document::rewrite(&self.report)?;
+        sensitivity::rewrite()?;
+        Ok(missing)
+    }
+}
+
+/// The charts of the quasi-static cases with the paper's points.
+pub(crate) fn solution_charts() -> Result<Vec<tribodyn_plot::SolutionCharts>, PaperError> {
+    output::charts(&Runs::solve(&paper_case())?, &Published::read()?)
+}

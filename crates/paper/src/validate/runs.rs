@@ -1,0 +1,99 @@
+//! The five quasi-static solutions of Table 4.
+
+use crate::error::PaperError;
+use crate::files;
+use std::path::Path;
+use tribodyn_bearing::Bearing;
+use tribodyn_bearing::case::{Case, Source, set_value};
+use tribodyn_quasistatic::{Model, OperatingPoint, Solution, other_roots, root_warnings, solve};
+
+/// Which equations a row of Table 4 stands for.
+struct Plan {
+    id: &'static str,
+    label: &'static str,
+    model: Model,
+    varying: bool,
+    differential_slip: bool,
+}
+
+const PLANS: [Plan; 5] = [
+    Plan { id: "jh", label: "Jones–Harris", model: Model::JonesHarris, varying: true, differential_slip: true },
+    Plan { id: "1", label: "case 1", model: Model::Traction, varying: true, differential_slip: true },
+    Plan { id: "2", label: "case 2", model: Model::Traction, varying: false, differential_slip: true },
+    Plan { id: "3", label: "case 3", model: Model::Traction, varying: true, differential_slip: false },
+    Plan { id: "4", label: "case 4", model: Model::Traction, varying: false, differential_slip: false },
+];
+
+/// One solved row of Table 4.
+#[derive(Debug)]
+pub struct Run {
+    /// Row of Table 4.
+    pub id: &'static str,
+    pub label: &'static str,
+    /// The case file with the row's switches set.
+    pub text: String,
+    pub case: Case,
+    pub solution: Solution,
+    /// Balls with several equilibria or without a rolling one.
+    pub roots: Vec<String>,
+}
+
+/// All rows of Table 4 that the quasi-static models have.
+#[derive(Debug)]
+pub struct Runs {
+    /// The case file, relative to the workspace where it is inside.
+    pub file: String,
+    pub jones_harris: Run,
+    /// Cases 1 to 4.
+    pub cases: [Run; 4],
+}
+
+impl Runs {
+    pub fn solve(path: &Path) -> Result<Self, PaperError> {
+        let text = files::read(path)?;
+        let file = path.strip_prefix(files::root()).unwrap_or(path).display().to_string();
+        let [first, second, third, fourth, fifth] = &PLANS;
+        let one = |plan: &Plan| run(&file, &text, plan);
+        let jones_harris = one(first)?;
+        let cases = [one(second)?, one(third)?, one(fourth)?, one(fifth)?];
+        Ok(Self { file, jones_harris, cases })
+    }
+
+    pub fn all(&self) -> impl Iterator<Item = &Run> {
+        std::iter::once(&self.jones_harris).chain(&self.cases)
+    }
+
+    /// How the parameters that the paper does not print were found.
+    pub fn provenance(&self) -> String {
+        let (mut assumed, mut identified) = (0, 0);
+        for source in self.cases[0].case.sources.values() {
+            match source {
+                Source::Assumed(_) => assumed += 1,
+                Source::Identified { .. } => identified += 1,
+                Source::Published(_) | Source::Catalogue(_) | Source::Reference(_) => {}
+            }
+        }
+        let identification = match identified {
+            0 => "none is identified yet".to_owned(),
+            count => format!("{count} identified"),
+        };
+        format!("of the case's parameters {assumed} are assumed, {identification}")
+    }
+}
+
+fn run(file: &str, text: &str, plan: &Plan) -> Result<Run, PaperError> {
+    let refused = |source| PaperError::Case { file: file.to_owned(), source: Box::new(source) };
+    // Jones–Harris has no traction, so its switches do not matter.
+    let text = set_value(text, "traction.varying", &plan.varying.to_string()).map_err(refused)?;
+    let text = set_value(&text, "traction.differential_slip", &plan.differential_slip.to_string()).map_err(refused)?;
+    let case = Case::from_ron(&text).map_err(refused)?;
+    let bearing = Bearing::new(&case).map_err(|source| PaperError::Bearing { run: plan.label, source })?;
+    let point = OperatingPoint::new(&case);
+    let failed = |source| PaperError::Solver { run: plan.label, source };
+    let solved = solve(&bearing, &point, plan.model).map_err(failed)?;
+    let roots = match &solved.warm_start {
+        Some(start) => root_warnings(&other_roots(&bearing, &point, start).map_err(failed)?),
+        None => Vec::new(),
+    };
+    Ok(Run { id: plan.id, label: plan.label, text, case, solution: solved.solution, roots })
+}
