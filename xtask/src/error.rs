@@ -12,7 +12,7 @@ pub enum Failure {
     #[error("{file}:{line}: {message}")]
     Table { file: String, line: usize, message: String },
     #[error("{file}:{}:{}: {source}", source.line, source.column)]
-    Case { file: String, source: Box<tribodyn_bearing::case::CaseError> },
+    Case { file: String, source: Box<tribodyn_case::CaseError> },
     #[error("{run}: {source}")]
     Bearing { run: &'static str, source: tribodyn_bearing::BearingError },
     #[error("{run}: {source}")]

@@ -5,7 +5,7 @@ use crate::input::{CaseArguments, CaseFile};
 use crate::table::{self, number};
 use serde::Serialize;
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, Source};
+use tribodyn_case::{Case, Source};
 use tribodyn_quasistatic::OperatingPoint;
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.

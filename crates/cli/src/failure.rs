@@ -3,7 +3,7 @@
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
-use tribodyn_bearing::case::CaseError;
+use tribodyn_case::CaseError;
 use tribodyn_identify::IdentifyError;
 use tribodyn_quasistatic::QuasiStaticError;
 

@@ -5,9 +5,9 @@ use crate::error::DynamicsError;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN};
 use crate::machine::Machine;
-use tribodyn_bearing::case::{Case, StartSpec};
 use tribodyn_bearing::traction::Quadrature;
 use tribodyn_bearing::{Bearing, RingOffset, Side};
+use tribodyn_case::{Case, StartSpec};
 use tribodyn_quasistatic::{BallMotion, Model, OperatingPoint, Solution, WarmStart, solve};
 
 /// A machine at its start.

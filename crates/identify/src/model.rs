@@ -4,8 +4,7 @@ use crate::IdentifyError;
 use crate::problem::{Hypothesis, Problem, Quantity};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, locate, set_value};
+use tribodyn_case::{Case, locate, set_value};
 use tribodyn_quasistatic::{Model, OperatingPoint, OverAzimuth, Solution, WarmStart, solve, solve_from};
 
 /// A case file's text with holes where the free parameters stand.
@@ -106,7 +105,7 @@ impl ForwardModel {
         let mut out = Evaluation::default();
         for (name, variant) in &self.variants {
             let case = Case::from_ron(&variant.template.fill(values))?;
-            let bearing = Bearing::new(&case)?;
+            let bearing = case.bearing()?;
             let point = OperatingPoint::new(&case);
             let warm = near.and_then(|n| n.warm.get(name));
             let solved = match warm {

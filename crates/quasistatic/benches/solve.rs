@@ -5,13 +5,12 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_quasistatic::{Model, OperatingPoint, RingFreedom, solve, solve_from};
 
 fn solves(c: &mut Criterion) {
     let case = Case::from_ron(include_str!("../../../fixtures/cases/paper-ag.ron")).expect("the paper's case");
-    let bearing = Bearing::new(&case).expect("the paper's bearing");
+    let bearing = case.bearing().expect("the paper's bearing");
     let point = OperatingPoint::new(&case);
     c.bench_function("cold", |b| b.iter(|| solve(&bearing, black_box(&point), Model::Traction)));
     for (name, distance) in [("warm", 1.0), ("warm, nearer", 0.1)] {

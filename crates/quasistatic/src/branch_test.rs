@@ -6,8 +6,8 @@ use crate::problem::OperatingPoint;
 use crate::settle::follow_ball;
 use crate::solve::traction_system;
 use crate::{Model, RingFreedom, other_roots, solve};
-use tribodyn_bearing::case::{Case, set_value};
 use tribodyn_bearing::{Bearing, Races};
+use tribodyn_case::{Case, set_value};
 
 /// A bearing on a wider pitch circle in about 200 N of drag per ball.
 const DRAGGED: [(&str, &str); 7] = [
@@ -43,7 +43,7 @@ fn problem(dragged: bool, [radial, axial, speed]: [f64; 3]) -> (Bearing, Operati
         *load *= share;
     }
     point.inner_speed *= speed;
-    (Bearing::new(&case).unwrap(), point)
+    (case.bearing().unwrap(), point)
 }
 
 /// Started rolling, the ball loses the inner race at once, slows down in the fluid until its centrifugal force lets it

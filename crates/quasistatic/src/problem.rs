@@ -2,8 +2,8 @@
 
 use crate::Model;
 use crate::block::{RING, RingFreedom};
-use tribodyn_bearing::case::{CageSpec, Case, Numerics, Tilt, Translation};
 use tribodyn_bearing::traction::{PatchRule, TractionError};
+use tribodyn_case::{CageSpec, Case, Numerics, Tilt, Translation};
 
 /// A bearing at an operating point, with the solver's settings.
 #[derive(Debug, Clone, PartialEq)]

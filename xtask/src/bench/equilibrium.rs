@@ -8,7 +8,7 @@ use crate::error::Failure;
 use cpu_time::ProcessTime;
 use std::time::Instant;
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_quasistatic::{Model, OperatingPoint, QuasiStaticError, RingFreedom, WarmStart, solve, solve_from};
 
 const GROUP: &str = "quasi-static";
@@ -33,7 +33,7 @@ fn changes_for(balls: usize) -> Vec<(&'static str, String)> {
 
 impl Size {
     fn new(case: &Case) -> Result<Self, Failure> {
-        let bearing = Bearing::new(case).map_err(|source| Failure::Bearing { run: RUN, source })?;
+        let bearing = case.bearing().map_err(|source| Failure::Bearing { run: RUN, source })?;
         Ok(Self { point: OperatingPoint::new(case), bearing })
     }
 

@@ -19,7 +19,7 @@ use row::Row;
 use serde::Serialize;
 use std::io::Write;
 use std::process::Command;
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 
 /// The case on which everything is measured.
 const CASE: &str = "fixtures/cases/paper-ag.ron";

@@ -5,20 +5,27 @@ use super::{Outcome, finish};
 use crate::error::Failure;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 11] = [
+const LAYERS: [(&str, &[&str]); 12] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
     ("tribodyn-fluid", &[]),
     ("tribodyn-signal", &[]),
     ("tribodyn-bearing", &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid"]),
-    ("tribodyn-quasistatic", &["tribodyn-bearing"]),
-    // Identification writes its candidates into the case file, so it knows `bearing` too.
-    ("tribodyn-identify", &["tribodyn-bearing", "tribodyn-quasistatic"]),
+    (
+        "tribodyn-case",
+        &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid", "tribodyn-bearing"],
+    ),
+    ("tribodyn-quasistatic", &["tribodyn-bearing", "tribodyn-case"]),
+    // Identification writes its candidates into the case file.
+    ("tribodyn-identify", &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic"]),
     // Samples are filtered before they are thinned out.
-    ("tribodyn-dynamics", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-signal"]),
+    ("tribodyn-dynamics", &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic", "tribodyn-signal"]),
     // Recordings of runs hold spectra that a viewer cannot compute.
-    ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
+    (
+        "tribodyn-record",
+        &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"],
+    ),
     ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
 ];
 /// Programs that may use every crate.

@@ -1,7 +1,7 @@
 //! What is kept of a run.
 
 use std::ops::ControlFlow;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_dynamics::{BallSample, Event, EventKind, Observer, Sample};
 use tribodyn_record::{FileSink, RecordError, RunRecorder};
 

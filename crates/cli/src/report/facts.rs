@@ -6,7 +6,7 @@ use crate::input::CaseFile;
 use crate::run::warnings::{self, Tested};
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_quasistatic::{Model, OperatingPoint, solve};
 use tribodyn_record::{BallRow, Run};
 use tribodyn_signal::BearingFrequencies;

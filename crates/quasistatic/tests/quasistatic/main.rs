@@ -7,8 +7,7 @@ mod range;
 mod roots;
 mod solver;
 
-use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 use tribodyn_quasistatic::{BallSolution, Model, OperatingPoint, Solution, Solved, solve};
 
 /// The 218 angular-contact bearing of the Jones–Harris literature.
@@ -43,7 +42,7 @@ fn variant(text: &str, changes: &[(&str, &str)]) -> Case {
 }
 
 fn solve_case(case: &Case, model: Model) -> Solved {
-    let bearing = Bearing::new(case).unwrap();
+    let bearing = case.bearing().unwrap();
     solve(&bearing, &OperatingPoint::new(case), model).unwrap_or_else(|e| panic!("{e}"))
 }
 
