@@ -31,6 +31,7 @@ mod frame;
 mod geometry;
 mod interaction;
 mod normal;
+mod operation;
 mod races;
 mod state;
 #[cfg(test)]
@@ -41,6 +42,7 @@ pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
 pub use interaction::{ContactForces, Sliding};
 pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
+pub use operation::{Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
 pub use races::{Races, Side};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{Ellipse, Scalar};

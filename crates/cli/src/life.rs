@@ -140,7 +140,7 @@ struct Worn<'a> {
 
 impl<'a> Worn<'a> {
     fn new(file: &'a CaseFile) -> Result<Self, Failure> {
-        Ok(Self { file, point: OperatingPoint::new(&file.case), new: file.bearing()?, start: None })
+        Ok(Self { file, point: file.case.operating_point(), new: file.bearing()?, start: None })
     }
 
     /// As the case has them; defects are too small to wear a race round.

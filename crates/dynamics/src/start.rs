@@ -8,7 +8,7 @@ use crate::machine::Machine;
 use tribodyn_bearing::traction::Quadrature;
 use tribodyn_bearing::{Bearing, RingOffset, Side};
 use tribodyn_case::{Case, StartSpec};
-use tribodyn_quasistatic::{BallMotion, Model, OperatingPoint, Solution, WarmStart, solve};
+use tribodyn_quasistatic::{BallMotion, Model, Solution, WarmStart, solve};
 
 /// A machine at its start.
 pub(crate) struct Started {
@@ -21,7 +21,7 @@ pub(crate) struct Started {
 /// puts balls, cage and rings there.
 pub(crate) fn start(case: &Case, mut bearing: Bearing) -> Result<Started, DynamicsError> {
     let rest = case.transient.as_ref().ok_or(DynamicsError::Missing { path: "transient" })?.start == StartSpec::Rest;
-    let mut point = OperatingPoint::at(case, 0.0);
+    let mut point = case.operating_point_at(0.0);
     if rest {
         (point.inner_speed, point.outer_speed) = (0.0, 0.0);
     }
@@ -61,7 +61,7 @@ fn rule_of_the_run(
     if !rest {
         return Ok(at_start.rule());
     }
-    let solved = solve(bearing, &OperatingPoint::new(case), Model::Traction)?;
+    let solved = solve(bearing, &case.operating_point(), Model::Traction)?;
     Ok(solved.warm_start.map_or(at_start.rule(), |warm| warm.rule()))
 }
 

@@ -5,7 +5,7 @@ use crate::problem::{Hypothesis, Problem, Quantity};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use tribodyn_case::{Case, locate, set_value};
-use tribodyn_quasistatic::{Model, OperatingPoint, OverAzimuth, Solution, WarmStart, solve, solve_from};
+use tribodyn_quasistatic::{Model, OverAzimuth, Solution, WarmStart, solve, solve_from};
 
 /// A case file's text with holes where the free parameters stand.
 #[derive(Debug, Clone)]
@@ -106,7 +106,7 @@ impl ForwardModel {
         for (name, variant) in &self.variants {
             let case = Case::from_ron(&variant.template.fill(values))?;
             let bearing = case.bearing()?;
-            let point = OperatingPoint::new(&case);
+            let point = case.operating_point();
             let warm = near.and_then(|n| n.warm.get(name));
             let solved = match warm {
                 Some(start) => solve_from(&bearing, &point, start).or_else(|_| solve(&bearing, &point, variant.model)),

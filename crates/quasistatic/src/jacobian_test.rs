@@ -1,12 +1,12 @@
 //! The exact Jacobian of ball and ring balances against central differences.
 
-use crate::block::{BALL, BlockSystem, RING, RingFreedom};
+use crate::block::{BALL, BlockSystem, RING};
 use crate::jones_harris::{JonesHarris, Typical};
 use crate::with_traction::WithTraction;
 use nalgebra::SVector;
 use num_dual::{Derivative, DualSVec64};
 use tribodyn_bearing::traction::{FastPatch, PatchRule};
-use tribodyn_bearing::{Bearing, Races, Side};
+use tribodyn_bearing::{Bearing, Races, RingFreedom, Side};
 use tribodyn_case::{Case, set_value};
 
 const ALL: usize = BALL + RING;

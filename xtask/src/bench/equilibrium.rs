@@ -34,7 +34,7 @@ fn changes_for(balls: usize) -> Vec<(&'static str, String)> {
 impl Size {
     fn new(case: &Case) -> Result<Self, Failure> {
         let bearing = case.bearing().map_err(|source| Failure::Bearing { run: RUN, source })?;
-        Ok(Self { point: OperatingPoint::new(case), bearing })
+        Ok(Self { point: case.operating_point(), bearing })
     }
 
     fn cold(&self, point: &OperatingPoint) -> Result<WarmStart, Failure> {

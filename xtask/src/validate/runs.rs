@@ -4,7 +4,7 @@ use crate::error::Failure;
 use crate::files;
 use std::path::Path;
 use tribodyn_case::{Case, Source, set_value};
-use tribodyn_quasistatic::{Model, OperatingPoint, Solution, other_roots, root_warnings, solve};
+use tribodyn_quasistatic::{Model, Solution, other_roots, root_warnings, solve};
 
 /// Which equations a row of Table 4 stands for.
 struct Plan {
@@ -87,7 +87,7 @@ fn run(file: &str, text: &str, plan: &Plan) -> Result<Run, Failure> {
     let text = set_value(&text, "traction.differential_slip", &plan.differential_slip.to_string()).map_err(refused)?;
     let case = Case::from_ron(&text).map_err(refused)?;
     let bearing = case.bearing().map_err(|source| Failure::Bearing { run: plan.label, source })?;
-    let point = OperatingPoint::new(&case);
+    let point = case.operating_point();
     let failed = |source| Failure::Solver { run: plan.label, source };
     let solved = solve(&bearing, &point, plan.model).map_err(failed)?;
     let roots = match &solved.warm_start {

@@ -169,7 +169,7 @@ mod tests {
         let text = set(&set(text, "ring.z", "Force(kN(2))"), "traction.patch", "SplitStrip(across: 5, along: 3)");
         let case = Case::from_ron(&text).unwrap();
         let bearing = case.bearing().unwrap();
-        let point = tribodyn_quasistatic::OperatingPoint::new(&case);
+        let point = case.operating_point();
         let solved = tribodyn_quasistatic::solve(&bearing, &point, tribodyn_quasistatic::Model::Traction).unwrap();
         let of_solution = solved.solution.warnings;
         assert!(of_solution.iter().any(|w| w.contains("no contact with the inner race")), "{of_solution:?}");

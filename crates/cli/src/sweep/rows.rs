@@ -43,7 +43,7 @@ impl<'a> Chunk<'a> {
         let text = self.grid.text(row).ok_or_else(|| Unsolved::refused("a path is not in the case of this row"))?;
         let case = Case::from_ron(&text).map_err(Unsolved::refused)?;
         let bearing = case.bearing().map_err(Unsolved::refused)?;
-        let point = OperatingPoint::new(&case);
+        let point = case.operating_point();
         let indices = self.grid.indices(row);
         let warm = self.nearest(&indices, &bearing, &point).and_then(|near| {
             let solved = solve_from(&bearing, &point, &near.start).ok();

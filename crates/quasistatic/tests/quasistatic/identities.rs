@@ -10,7 +10,7 @@ const MODELS: [Model; 2] = [JonesHarris, Traction];
 /// The paper's bearing with changed ring freedoms.
 fn with_ring(changes: &[(&str, &str)], ring: [RingFreedom; 5], model: Model) -> Solution {
     let case = variant(PAPER_AG, &[&[STRIPS], changes].concat());
-    let point = OperatingPoint { ring, ..OperatingPoint::new(&case) };
+    let point = OperatingPoint { ring, ..case.operating_point() };
     solve(&case.bearing().unwrap(), &point, model).unwrap_or_else(|e| panic!("{e}")).solution
 }
 
@@ -132,7 +132,7 @@ fn identity_common_rotation_matters_by_inertia_alone() {
         let case = variant(PAPER_AG, &[&[STRIPS], changes].concat());
         let mut bearing = case.bearing().unwrap();
         bearing.fluid = None;
-        let point = OperatingPoint { ring: paper_ring(0.0, 0.0, 44e3), ..OperatingPoint::new(&case) };
+        let point = OperatingPoint { ring: paper_ring(0.0, 0.0, 44e3), ..case.operating_point() };
         solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution.balls[0].clone()
     };
     let light = ("materials.ball.density", "kg_per_m3(1e-6)");

@@ -2,7 +2,7 @@
 
 use crate::{PAPER_AG, STRIPS, variant};
 use tribodyn_quasistatic::Model::Traction;
-use tribodyn_quasistatic::{OperatingPoint, RingFreedom, solve};
+use tribodyn_quasistatic::{RingFreedom, solve};
 
 /// Multiples of the paper's axial load. At 0.07 drag is near the most that friction can carry, and balls fall into
 /// skidding as the ring moves.
@@ -29,7 +29,7 @@ fn limit_converges_from_nothing_to_twice_the_loads_and_speeds() {
                     ("fluid.drag_coefficient", &drag),
                 ],
             );
-            let mut point = OperatingPoint::new(&case);
+            let mut point = case.operating_point();
             point.ring[0] = RingFreedom::Loaded(20e3 * radial);
             point.ring[2] = RingFreedom::Loaded(44e3 * axial);
             point.inner_speed *= speed;
