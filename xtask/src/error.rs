@@ -22,7 +22,7 @@ pub enum Failure {
     #[error(transparent)]
     Signal(#[from] tribodyn_signal::SignalError),
     #[error(transparent)]
-    Traction(#[from] tribodyn_bearing::traction::TractionError),
+    Traction(#[from] tribodyn_traction::TractionError),
     #[error(transparent)]
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]

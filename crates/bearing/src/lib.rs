@@ -46,9 +46,6 @@ pub use operation::{Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettin
 pub use races::{Races, Side};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{Ellipse, Scalar};
-pub use tribodyn_fluid as fluid;
-pub use tribodyn_traction as traction;
-pub use tribodyn_wear as wear;
 pub use tribodyn_wear::LocalSurface;
 
 /// Why data do not make a bearing.

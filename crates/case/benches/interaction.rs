@@ -3,9 +3,9 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use tribodyn_bearing::traction::{FastPatch, PatchRule, Quadrature};
 use tribodyn_bearing::{AzimuthFrame, BallState, Races, RingState, Side};
 use tribodyn_case::Case;
+use tribodyn_traction::{FastPatch, PatchRule, Quadrature};
 
 const PAPER_AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
 const RULE: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };

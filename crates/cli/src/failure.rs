@@ -44,7 +44,7 @@ pub enum Failure {
     #[error(transparent)]
     Run(#[from] crate::run::RunError),
     #[error(transparent)]
-    Wear(#[from] tribodyn_bearing::wear::WearError),
+    Wear(#[from] tribodyn_wear::WearError),
     #[error(transparent)]
     Signal(#[from] tribodyn_signal::SignalError),
     #[error("cannot write the answer: {0}")]

@@ -8,11 +8,11 @@ use crate::input::{CaseArguments, CaseFile};
 use crate::table::{self, number};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
-use tribodyn_bearing::traction::PatchRule;
-use tribodyn_bearing::wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
 use tribodyn_bearing::{Bearing, Side};
 use tribodyn_case::{Case, Fit};
 use tribodyn_quasistatic::{BallSolution, Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
+use tribodyn_traction::PatchRule;
+use tribodyn_wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
 
 /// Wear the coatings of a bearing until one is through.
 #[derive(clap::Args)]

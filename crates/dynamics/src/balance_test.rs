@@ -8,9 +8,9 @@ use crate::layout::{BALL, SPIN, VELOCITY};
 use crate::machine::Machine;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
-use tribodyn_bearing::wear::LocalSurface;
 use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, NormalContact, Races, RingState, Side, Sliding};
 use tribodyn_case::{Case, set_value};
+use tribodyn_wear::LocalSurface;
 
 /// Short against the contact modes of 14 kHz that the start excites: the error of the scheme must stay below the balance's.
 const STEP: f64 = 2e-6;

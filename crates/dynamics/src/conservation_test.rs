@@ -8,9 +8,9 @@ use crate::machine::Machine;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
 use std::sync::Arc;
-use tribodyn_bearing::traction::{CustomLaw, Law, OverSlip};
 use tribodyn_bearing::{AzimuthFrame, RingOffset, Side};
 use tribodyn_case::{Case, Translation, set_value};
+use tribodyn_traction::{CustomLaw, Law, OverSlip};
 
 /// No friction at any slip.
 #[derive(Debug)]

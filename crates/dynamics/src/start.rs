@@ -5,10 +5,10 @@ use crate::error::DynamicsError;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN};
 use crate::machine::Machine;
-use tribodyn_bearing::traction::Quadrature;
 use tribodyn_bearing::{Bearing, RingOffset, Side};
 use tribodyn_case::{Case, StartSpec};
 use tribodyn_quasistatic::{BallMotion, Model, Solution, WarmStart, solve};
+use tribodyn_traction::Quadrature;
 
 /// A machine at its start.
 pub(crate) struct Started {
@@ -56,7 +56,7 @@ fn rule_of_the_run(
     case: &Case,
     bearing: &Bearing,
     at_start: &WarmStart,
-) -> Result<tribodyn_bearing::traction::PatchRule, DynamicsError> {
+) -> Result<tribodyn_traction::PatchRule, DynamicsError> {
     let rest = case.transient.as_ref().is_some_and(|t| t.start == StartSpec::Rest);
     if !rest {
         return Ok(at_start.rule());

@@ -5,9 +5,9 @@ use crate::jones_harris::{JonesHarris, Typical};
 use crate::with_traction::WithTraction;
 use nalgebra::SVector;
 use num_dual::{Derivative, DualSVec64};
-use tribodyn_bearing::traction::{FastPatch, PatchRule};
 use tribodyn_bearing::{Bearing, Races, RingFreedom, Side};
 use tribodyn_case::{Case, set_value};
+use tribodyn_traction::{FastPatch, PatchRule};
 
 const ALL: usize = BALL + RING;
 type Dual = DualSVec64<ALL>;

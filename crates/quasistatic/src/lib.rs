@@ -61,3 +61,4 @@ pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{BallSolution, Model, Solution};
 pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
 pub use tribodyn_bearing::{Bearing, Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
+pub use tribodyn_traction::PatchRule;

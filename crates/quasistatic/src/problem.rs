@@ -1,7 +1,7 @@
 //! Why a problem may have no solution.
 
 use crate::Model;
-use tribodyn_bearing::traction::TractionError;
+use tribodyn_traction::TractionError;
 
 /// Where a residual is left.
 #[derive(Debug, Clone, Copy, PartialEq)]

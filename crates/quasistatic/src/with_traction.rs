@@ -5,10 +5,10 @@
 
 use crate::block::{AXIAL, BALL, Balance, BlockSystem, ORBIT, RADIAL, RING, SPIN};
 use crate::jones_harris::{Typical, ring_state};
-use tribodyn_bearing::traction::{FastPatch, PatchTraction};
 use tribodyn_bearing::{
     AzimuthFrame, BallLoads, BallState, Bearing, LoadedPatch, Races, RingFreedom, RingState, Scalar,
 };
+use tribodyn_traction::{FastPatch, PatchTraction};
 
 /// Names of the balances, for error messages.
 pub(crate) const EQUATIONS: [&str; BALL] =

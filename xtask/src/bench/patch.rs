@@ -5,7 +5,7 @@ use super::row::{Limit, Row};
 use crate::error::Failure;
 use crate::files;
 use crate::table::Table;
-use tribodyn_bearing::traction::{
+use tribodyn_traction::{
     Coating, CoatingLaw, FastPatch, MomentArm, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipField,
     SlipUnit, TractionLaw, fast_patch_traction, patch_traction,
 };

@@ -4,9 +4,9 @@ use super::columns::{self, Unsolved};
 use super::grid::Grid;
 use std::ops::Range;
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::traction::PatchRule;
 use tribodyn_case::Case;
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
+use tribodyn_traction::PatchRule;
 
 /// Inner slide-to-roll ratio beyond which a ball may have left the equilibrium that a rolling ball comes to: where the
 /// library's coatings have their peak at the latest.

@@ -20,10 +20,10 @@ use crate::stiffness::Stiffness;
 use filter::{Filter, FilterMemory, steps_of_sample};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::traction::{PatchRule, Quadrature};
-use tribodyn_bearing::wear::Raceway;
 use tribodyn_case::{Case, SchemeSpec};
 use tribodyn_quasistatic::Solution;
+use tribodyn_traction::{PatchRule, Quadrature};
+use tribodyn_wear::Raceway;
 
 /// A transient run of a case.
 pub struct Run {
