@@ -8,7 +8,7 @@ pub enum Failure {
     #[error(transparent)]
     Paper(#[from] PaperError),
     #[error(transparent)]
-    Traction(#[from] tribodyn_bearing::traction::TractionError),
+    Traction(#[from] tribodyn_traction::TractionError),
     #[error(transparent)]
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]

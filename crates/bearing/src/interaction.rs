@@ -274,15 +274,14 @@ fn cross<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::Case;
     use crate::frame::AzimuthFrame;
+    use crate::test_bearing::spec;
     use tribodyn_traction::PatchRule;
 
     const INNER_SPEED: f64 = 1400.0;
 
     fn bearing() -> Bearing {
-        let text = include_str!("../../../fixtures/cases/paper-handset.ron");
-        Bearing::new(&Case::from_ron(text).unwrap()).unwrap()
+        Bearing::new(spec()).unwrap()
     }
 
     fn strips() -> Quadrature {

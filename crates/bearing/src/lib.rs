@@ -1,5 +1,5 @@
-//! What a ball bearing is: its case file, its geometry and the one ball–race interaction that the quasi-static and
-//! the transient solver share.
+//! What a ball bearing is: its geometry and the one ball–race interaction that the quasi-static and the transient solver
+//! share.
 //!
 //! # Equations
 //! ```text
@@ -24,31 +24,31 @@
 //! doi:10.3390/lubricants13080352 (slip and traction).
 //!
 //! Limits: rigid rings and races, small ring tilts (they move the groove centres, not the direction of rotation),
-//! Hertzian contacts, balls of one size. The crate solves nothing: it says what forces a given state has.
+//! Hertzian contacts, balls of one size. The crate solves nothing: it says what forces a given state has. It reads no files.
 
 mod bearing;
-pub mod case;
 mod frame;
 mod geometry;
 mod interaction;
 mod normal;
+mod operation;
 mod races;
 mod state;
+#[cfg(test)]
+mod test_bearing;
 
-pub use bearing::{Bearing, FluidForces, Race};
+pub use bearing::{Bearing, BearingSpec, FluidForces, Race};
 pub use frame::AzimuthFrame;
-pub use geometry::{ContactPose, Geometry};
+pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
 pub use interaction::{ContactForces, Sliding};
 pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
+pub use operation::{Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
 pub use races::{Races, Side};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{Ellipse, Scalar};
-pub use tribodyn_fluid as fluid;
-pub use tribodyn_traction as traction;
-pub use tribodyn_wear as wear;
 pub use tribodyn_wear::LocalSurface;
 
-/// Why a case does not make a bearing.
+/// Why data do not make a bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BearingError {
     /// A clearance that no contact angle has.

@@ -5,8 +5,7 @@ use crate::input::{CaseArguments, CaseFile};
 use crate::table::{self, number};
 use serde::Serialize;
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, Source};
-use tribodyn_quasistatic::OperatingPoint;
+use tribodyn_case::{Case, Source};
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
 #[derive(clap::Args)]
@@ -42,7 +41,7 @@ struct Answer {
 
 fn answer(case: &Case, bearing: &Bearing) -> Answer {
     let g = &bearing.geometry;
-    let point = OperatingPoint::new(case);
+    let point = case.operating_point();
     let (inner, outer) = (bearing.races.inner.frozen::<f64>(), bearing.races.outer.frozen::<f64>());
     // No-slip orbit at the free contact angle: the speed at which drag is quoted.
     let gamma = g.ball_diameter * g.cos_contact_angle() / g.pitch_diameter;

@@ -3,7 +3,7 @@
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
-use tribodyn_bearing::case::CaseError;
+use tribodyn_case::CaseError;
 use tribodyn_identify::IdentifyError;
 use tribodyn_quasistatic::QuasiStaticError;
 
@@ -44,7 +44,7 @@ pub enum Failure {
     #[error(transparent)]
     Run(#[from] crate::run::RunError),
     #[error(transparent)]
-    Wear(#[from] tribodyn_bearing::wear::WearError),
+    Wear(#[from] tribodyn_wear::WearError),
     #[error(transparent)]
     Signal(#[from] tribodyn_signal::SignalError),
     #[error("cannot write the answer: {0}")]

@@ -5,7 +5,7 @@ use miette::NamedSource;
 use std::fmt;
 use std::path::{Path, PathBuf};
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, CaseError, set_value};
+use tribodyn_case::{Case, CaseError, set_value};
 
 /// A case file and what to change in it for this run.
 #[derive(clap::Args)]
@@ -95,7 +95,7 @@ impl CaseFile {
 
     /// The bearing that the solvers work with.
     pub fn bearing(&self) -> Result<Bearing, Failure> {
-        Bearing::new(&self.case).map_err(|source| Failure::Bearing { file: self.name.clone(), source })
+        self.case.bearing().map_err(|source| Failure::Bearing { file: self.name.clone(), source })
     }
 }
 

@@ -8,11 +8,11 @@ use crate::input::{CaseArguments, CaseFile};
 use crate::table::{self, number};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
-use tribodyn_bearing::case::{Case, Fit};
-use tribodyn_bearing::traction::PatchRule;
-use tribodyn_bearing::wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
 use tribodyn_bearing::{Bearing, Side};
+use tribodyn_case::{Case, Fit};
 use tribodyn_quasistatic::{BallSolution, Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
+use tribodyn_traction::PatchRule;
+use tribodyn_wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
 
 /// Wear the coatings of a bearing until one is through.
 #[derive(clap::Args)]
@@ -140,7 +140,7 @@ struct Worn<'a> {
 
 impl<'a> Worn<'a> {
     fn new(file: &'a CaseFile) -> Result<Self, Failure> {
-        Ok(Self { file, point: OperatingPoint::new(&file.case), new: file.bearing()?, start: None })
+        Ok(Self { file, point: file.case.operating_point(), new: file.bearing()?, start: None })
     }
 
     /// As the case has them; defects are too small to wear a race round.
@@ -148,7 +148,7 @@ impl<'a> Worn<'a> {
         let (g, coatings) = (&self.new.geometry, &self.file.case.coatings);
         // Where the balls touch at the free contact angle.
         let outwards = g.ball_radius() * g.cos_contact_angle();
-        let race = |spec: &tribodyn_bearing::case::CoatingSpec, outwards: f64| {
+        let race = |spec: &tribodyn_case::CoatingSpec, outwards: f64| {
             Raceway::new(spec.thickness, spec.worn, 0.5 * g.pitch_diameter + outwards, &[])
         };
         Ok([race(&coatings.inner, -outwards)?, race(&coatings.outer, outwards)?])
@@ -180,7 +180,7 @@ impl<'a> Worn<'a> {
     fn solution(&mut self, life: &CoatingLife) -> Result<Solution, Failure> {
         let failed = |source| Failure::Solver { file: self.file.name.clone(), source };
         let name = || self.file.name.clone();
-        let bearing = Bearing::new(&self.case(life)?).map_err(|source| Failure::Bearing { file: name(), source })?;
+        let bearing = self.case(life)?.bearing().map_err(|source| Failure::Bearing { file: name(), source })?;
         let fine = |solved: &Solved| match self.point.patch {
             PatchRule::TargetError { relative } => solved.solution.patch_error_estimate.is_some_and(|e| e <= relative),
             _ => true,

@@ -7,9 +7,7 @@ use crate::table::{self, number};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tribodyn_quasistatic::{
-    BallRoots, BallSolution, Model, OperatingPoint, Root, Solution, Solved, other_roots, root_warnings, solve,
-};
+use tribodyn_quasistatic::{BallRoots, BallSolution, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
 use tribodyn_record::{SolutionRecording, write_solution};
 
 /// Solve the quasi-static equilibrium of ring and balls.
@@ -94,7 +92,7 @@ fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
         return Err(Failure::Option { option: "roots", value: "with --model jones-harris".to_owned(), message });
     }
     let bearing = file.bearing()?;
-    let point = OperatingPoint::new(&file.case);
+    let point = file.case.operating_point();
     let failed = |source| Failure::Solver { file: file.name.clone(), source };
     let Solved { mut solution, warm_start, .. } = solve(&bearing, &point, model).map_err(failed)?;
     let start = warm_start.filter(|_| arguments.roots);

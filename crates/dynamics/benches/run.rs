@@ -6,7 +6,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use std::convert::Infallible;
 use std::hint::black_box;
 use std::ops::ControlFlow;
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{Event, Observer, Run, Sample};
 
 const PAPER_AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");

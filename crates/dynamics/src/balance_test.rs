@@ -8,11 +8,9 @@ use crate::layout::{BALL, SPIN, VELOCITY};
 use crate::machine::Machine;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
-use tribodyn_bearing::case::{Case, set_value};
-use tribodyn_bearing::wear::LocalSurface;
-use tribodyn_bearing::{
-    AzimuthFrame, BallState, Bearing, ContactForces, NormalContact, Races, RingState, Side, Sliding,
-};
+use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, NormalContact, Races, RingState, Side, Sliding};
+use tribodyn_case::{Case, set_value};
+use tribodyn_wear::LocalSurface;
 
 /// Short against the contact modes of 14 kHz that the start excites: the error of the scheme must stay below the balance's.
 const STEP: f64 = 2e-6;
@@ -118,7 +116,7 @@ fn started(changes: &[(&str, &str)], term: Option<Term>) -> (Without, Vec<f64>) 
     let patch = [("traction.patch", "SplitStrip(across: 5, along: 3)")];
     let text = patch.iter().chain(changes).fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
-    let Started { machine, state, .. } = start(&case, Bearing::new(&case).unwrap()).unwrap();
+    let Started { machine, state, .. } = start(&case, case.bearing().unwrap()).unwrap();
     (Without { machine, term }, state)
 }
 

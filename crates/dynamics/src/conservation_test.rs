@@ -8,9 +8,9 @@ use crate::machine::Machine;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
 use std::sync::Arc;
-use tribodyn_bearing::case::{Case, Translation, set_value};
-use tribodyn_bearing::traction::{CustomLaw, Law, OverSlip};
-use tribodyn_bearing::{AzimuthFrame, Bearing, RingOffset, Side};
+use tribodyn_bearing::{AzimuthFrame, RingOffset, Side};
+use tribodyn_case::{Case, Translation, set_value};
+use tribodyn_traction::{CustomLaw, Law, OverSlip};
 
 /// No friction at any slip.
 #[derive(Debug)]
@@ -33,7 +33,7 @@ fn free(case: &str, friction: bool) -> (Machine, Vec<f64>) {
     ];
     let text = changes.iter().fold(case.to_owned(), |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
-    let Started { mut machine, mut state, .. } = start(&case, Bearing::new(&case).unwrap()).unwrap();
+    let Started { mut machine, mut state, .. } = start(&case, case.bearing().unwrap()).unwrap();
     machine.bearing.fluid = None;
     machine.cage.guidance = None;
     if !friction {

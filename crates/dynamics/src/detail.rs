@@ -5,8 +5,8 @@ use crate::forces::{BodyForces, Sums, dot, evaluate, evaluate_with};
 use crate::layout::{AZIMUTH, VELOCITY};
 use crate::machine::Machine;
 use crate::sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
-use tribodyn_bearing::traction::PatchTraction;
 use tribodyn_bearing::{LoadedPatch, Side};
+use tribodyn_traction::PatchTraction;
 
 /// Volumes worn off so far, m³: inner race, outer race, cage.
 pub(crate) type Worn = [f64; 3];

@@ -13,12 +13,12 @@ use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
 use crate::pocket::{PocketLoad, PocketMotion};
 use std::f64::consts::TAU;
-use tribodyn_bearing::traction::PatchTraction;
-use tribodyn_bearing::wear::LocalSurface;
 use tribodyn_bearing::{
     AzimuthFrame, BallState, ContactForces, LoadedPatch, NormalContact, NormalLoads, RaceContact, Races, RingState,
     Side, Sliding,
 };
+use tribodyn_traction::PatchTraction;
+use tribodyn_wear::LocalSurface;
 
 /// Rings and cage at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]

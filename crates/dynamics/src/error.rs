@@ -1,10 +1,10 @@
 //! Why a run cannot start or go on.
 
 use tribodyn_bearing::BearingError;
-use tribodyn_bearing::traction::TractionError;
-use tribodyn_bearing::wear::WearError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_signal::SignalError;
+use tribodyn_traction::TractionError;
+use tribodyn_wear::WearError;
 
 /// Why a run cannot start or go on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -5,8 +5,7 @@ use crate::forces::System;
 use crate::layout::{BALL, ORBIT, SPIN};
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
-use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 
 const END: f64 = 1.6e-3;
 
@@ -19,7 +18,7 @@ fn started() -> Started {
     ];
     let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
-    start(&case, Bearing::new(&case).unwrap()).unwrap()
+    start(&case, case.bearing().unwrap()).unwrap()
 }
 
 fn fast(steps: u32) -> Vec<f64> {

@@ -4,7 +4,7 @@ use crate::machine::Machine;
 use nalgebra::Matrix5;
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::LoadedPatch;
-use tribodyn_bearing::traction::{PatchDerivative, PatchTraction, RelativeMotion};
+use tribodyn_traction::{PatchDerivative, PatchTraction, RelativeMotion};
 
 /// Error of the linear traction that a refresh may find, over the load: half of that of the paper's 10 × 40 midpoints at a
 /// steep slip scale.

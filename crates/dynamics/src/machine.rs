@@ -4,13 +4,13 @@ use crate::error::DynamicsError;
 use crate::forces::Watch;
 use crate::layout::Layout;
 use crate::pocket::Pocket;
-use tribodyn_bearing::case::{Case, CoatingSpec, GuidanceSpec, SpeedHistory, SupportSpec, Tilt, Translation};
-use tribodyn_bearing::fluid::AnnulusDrag;
-use tribodyn_bearing::traction::{
+use tribodyn_bearing::{Bearing, LoadedPatch, Races, RingOffset, Side};
+use tribodyn_case::{Case, CoatingSpec, GuidanceSpec, SpeedHistory, SupportSpec, Tilt, Translation};
+use tribodyn_fluid::AnnulusDrag;
+use tribodyn_traction::{
     FastPatch, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
 };
-use tribodyn_bearing::wear::{Defect, Raceway};
-use tribodyn_bearing::{Bearing, LoadedPatch, Races, RingOffset, Side};
+use tribodyn_wear::{Defect, Raceway};
 
 /// A bearing with its cage, supports, loads and drives.
 #[derive(Debug, Clone)]

@@ -5,10 +5,10 @@ use crate::error::DynamicsError;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN};
 use crate::machine::Machine;
-use tribodyn_bearing::case::{Case, StartSpec};
-use tribodyn_bearing::traction::Quadrature;
 use tribodyn_bearing::{Bearing, RingOffset, Side};
-use tribodyn_quasistatic::{BallMotion, Model, OperatingPoint, Solution, WarmStart, solve};
+use tribodyn_case::{Case, StartSpec};
+use tribodyn_quasistatic::{BallMotion, Model, Solution, WarmStart, solve};
+use tribodyn_traction::Quadrature;
 
 /// A machine at its start.
 pub(crate) struct Started {
@@ -21,7 +21,7 @@ pub(crate) struct Started {
 /// puts balls, cage and rings there.
 pub(crate) fn start(case: &Case, mut bearing: Bearing) -> Result<Started, DynamicsError> {
     let rest = case.transient.as_ref().ok_or(DynamicsError::Missing { path: "transient" })?.start == StartSpec::Rest;
-    let mut point = OperatingPoint::at(case, 0.0);
+    let mut point = case.operating_point_at(0.0);
     if rest {
         (point.inner_speed, point.outer_speed) = (0.0, 0.0);
     }
@@ -56,12 +56,12 @@ fn rule_of_the_run(
     case: &Case,
     bearing: &Bearing,
     at_start: &WarmStart,
-) -> Result<tribodyn_bearing::traction::PatchRule, DynamicsError> {
+) -> Result<tribodyn_traction::PatchRule, DynamicsError> {
     let rest = case.transient.as_ref().is_some_and(|t| t.start == StartSpec::Rest);
     if !rest {
         return Ok(at_start.rule());
     }
-    let solved = solve(bearing, &OperatingPoint::new(case), Model::Traction)?;
+    let solved = solve(bearing, &case.operating_point(), Model::Traction)?;
     Ok(solved.warm_start.map_or(at_start.rule(), |warm| warm.rule()))
 }
 

@@ -1,6 +1,6 @@
 //! Steps allocate nothing: counted by an allocator of the whole process, hence a test binary of its own.
 
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::Run;
 
 const PAPER_AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");

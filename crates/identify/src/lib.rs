@@ -36,7 +36,7 @@ pub use search::{Minimum, Search, search};
 pub use uncertainty::{Uncertainty, uncertainty};
 
 use tribodyn_bearing::BearingError;
-use tribodyn_bearing::case::CaseError;
+use tribodyn_case::CaseError;
 use tribodyn_quasistatic::QuasiStaticError;
 
 /// Why there is no answer.

@@ -4,9 +4,8 @@ use crate::IdentifyError;
 use crate::problem::{Hypothesis, Problem, Quantity};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, locate, set_value};
-use tribodyn_quasistatic::{Model, OperatingPoint, OverAzimuth, Solution, WarmStart, solve, solve_from};
+use tribodyn_case::{Case, locate, set_value};
+use tribodyn_quasistatic::{Model, OverAzimuth, Solution, WarmStart, solve, solve_from};
 
 /// A case file's text with holes where the free parameters stand.
 #[derive(Debug, Clone)]
@@ -106,8 +105,8 @@ impl ForwardModel {
         let mut out = Evaluation::default();
         for (name, variant) in &self.variants {
             let case = Case::from_ron(&variant.template.fill(values))?;
-            let bearing = Bearing::new(&case)?;
-            let point = OperatingPoint::new(&case);
+            let bearing = case.bearing()?;
+            let point = case.operating_point();
             let warm = near.and_then(|n| n.warm.get(name));
             let solved = match warm {
                 Some(start) => solve_from(&bearing, &point, start).or_else(|_| solve(&bearing, &point, variant.model)),

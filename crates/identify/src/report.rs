@@ -6,7 +6,7 @@ use crate::problem::{Hypothesis, Problem};
 use crate::search::{Search, search};
 use crate::uncertainty::uncertainty;
 use serde::Serialize;
-use tribodyn_bearing::case::{locate, set_value};
+use tribodyn_case::{locate, set_value};
 
 /// The answer under one hypothesis.
 #[derive(Debug, Clone, PartialEq, Serialize)]

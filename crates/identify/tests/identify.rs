@@ -2,10 +2,9 @@
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
-use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 use tribodyn_identify::{Datum, IdentifyError, Problem, Quantity, identify};
-use tribodyn_quasistatic::{Model, OperatingPoint, solve};
+use tribodyn_quasistatic::{Model, solve};
 
 const CASE: &str = include_str!("../../../fixtures/cases/bearing-218.ron");
 
@@ -37,7 +36,7 @@ fn true_figure(quantity: Quantity) -> f64 {
     let set = |text: String, (path, value): &(&str, f64)| set_value(&text, path, &format!("{value:?}")).unwrap();
     let text = TRUTH.iter().fold(frozen, set);
     let case = Case::from_ron(&text).unwrap();
-    let solved = solve(&Bearing::new(&case).unwrap(), &OperatingPoint::new(&case), Model::JonesHarris).unwrap();
+    let solved = solve(&case.bearing().unwrap(), &case.operating_point(), Model::JonesHarris).unwrap();
     quantity.of(&solved.solution)
 }
 

@@ -37,7 +37,7 @@ pub enum PaperError {
         /// The file.
         file: String,
         /// Place, field and value.
-        source: Box<tribodyn_bearing::case::CaseError>,
+        source: Box<tribodyn_case::CaseError>,
     },
     /// A case does not describe a bearing.
     #[error("{run}: {source}")]
@@ -68,7 +68,7 @@ pub enum PaperError {
     Signal(#[from] tribodyn_signal::SignalError),
     /// A traction curve is not possible.
     #[error(transparent)]
-    Traction(#[from] tribodyn_bearing::traction::TractionError),
+    Traction(#[from] tribodyn_traction::TractionError),
     /// A recording cannot be written.
     #[error(transparent)]
     Record(#[from] tribodyn_record::RecordError),

@@ -5,14 +5,13 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::Case;
-use tribodyn_quasistatic::{Model, OperatingPoint, RingFreedom, solve, solve_from};
+use tribodyn_case::Case;
+use tribodyn_quasistatic::{Model, RingFreedom, solve, solve_from};
 
 fn solves(c: &mut Criterion) {
     let case = Case::from_ron(include_str!("../../../fixtures/cases/paper-ag.ron")).expect("the paper's case");
-    let bearing = Bearing::new(&case).expect("the paper's bearing");
-    let point = OperatingPoint::new(&case);
+    let bearing = case.bearing().expect("the paper's bearing");
+    let point = case.operating_point();
     c.bench_function("cold", |b| b.iter(|| solve(&bearing, black_box(&point), Model::Traction)));
     for (name, distance) in [("warm", 1.0), ("warm, nearer", 0.1)] {
         let mut other = point.clone();

@@ -7,7 +7,7 @@
 
 use nalgebra::{SMatrix, SVector};
 use num_dual::DualSVec64;
-use tribodyn_bearing::Scalar;
+use tribodyn_bearing::{RingFreedom, Scalar};
 
 /// Degrees of freedom of the ring.
 pub(crate) const RING: usize = 5;
@@ -31,15 +31,6 @@ pub(crate) struct Balance<D> {
     pub ring: [D; RING],
     /// Magnitude of the force terms in each.
     pub ring_scale: [f64; RING],
-}
-
-/// What each ring freedom carries or where it is held.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RingFreedom {
-    /// External force (N) or moment (N m) on the inner ring.
-    Loaded(f64),
-    /// Held displacement (m) or tilt (rad).
-    Held(f64),
 }
 
 /// A bearing's equilibrium in blocks. `

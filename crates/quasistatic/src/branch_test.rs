@@ -2,12 +2,11 @@
 
 use crate::block::RING;
 use crate::jones_harris::{Typical, kinematics};
-use crate::problem::OperatingPoint;
 use crate::settle::follow_ball;
 use crate::solve::traction_system;
 use crate::{Model, RingFreedom, other_roots, solve};
-use tribodyn_bearing::case::{Case, set_value};
-use tribodyn_bearing::{Bearing, Races};
+use tribodyn_bearing::{Bearing, OperatingPoint, Races};
+use tribodyn_case::{Case, set_value};
 
 /// A bearing on a wider pitch circle in about 200 N of drag per ball.
 const DRAGGED: [(&str, &str); 7] = [
@@ -37,13 +36,13 @@ fn problem(dragged: bool, [radial, axial, speed]: [f64; 3]) -> (Bearing, Operati
     let patch = ("traction.patch", "SplitStrip(across: 8, along: 3)");
     let text = changes.iter().chain([&patch]).fold(text, |text, (path, value)| set_value(&text, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
-    let mut point = OperatingPoint::new(&case);
+    let mut point = case.operating_point();
     for (freedom, share) in [(0, radial), (2, axial)] {
         let RingFreedom::Loaded(load) = &mut point.ring[freedom] else { panic!("a load") };
         *load *= share;
     }
     point.inner_speed *= speed;
-    (Bearing::new(&case).unwrap(), point)
+    (case.bearing().unwrap(), point)
 }
 
 /// Started rolling, the ball loses the inner race at once, slows down in the fluid until its centrifugal force lets it

@@ -1,13 +1,13 @@
 //! The exact Jacobian of ball and ring balances against central differences.
 
-use crate::block::{BALL, BlockSystem, RING, RingFreedom};
+use crate::block::{BALL, BlockSystem, RING};
 use crate::jones_harris::{JonesHarris, Typical};
 use crate::with_traction::WithTraction;
 use nalgebra::SVector;
 use num_dual::{Derivative, DualSVec64};
-use tribodyn_bearing::case::{Case, set_value};
-use tribodyn_bearing::traction::{FastPatch, PatchRule};
-use tribodyn_bearing::{Bearing, Races, Side};
+use tribodyn_bearing::{Bearing, Races, RingFreedom, Side};
+use tribodyn_case::{Case, set_value};
+use tribodyn_traction::{FastPatch, PatchRule};
 
 const ALL: usize = BALL + RING;
 type Dual = DualSVec64<ALL>;
@@ -19,7 +19,7 @@ fn bearing(changes: &[(&str, &str)]) -> Bearing {
         .iter()
         .chain([&("geometry.inner_groove", "Coefficient(0.527)"), &("geometry.outer_groove", "Coefficient(0.527)")]);
     let text = pinned.chain(changes).fold(text, |text, (path, value)| set_value(&text, path, value).unwrap());
-    Bearing::new(&Case::from_ron(&text).unwrap()).unwrap()
+    Case::from_ron(&text).unwrap().bearing().unwrap()
 }
 
 /// Numbers in [−1, 1] from a linear congruential generator (constants: Knuth, MMIX).

@@ -7,8 +7,8 @@
 //! Signs: with inner speed and contact angles positive, Ω_r > 0, so the contact must supply +J ω_m Ω_r e_t. Friction
 //! does it by a lateral force on the ball of (−cos α_o, sin α_o) λ_o M_g/D at the outer race.
 
-use crate::block::{AXIAL, BALL, Balance, BlockState, BlockSystem, ORBIT, RADIAL, RING, RingFreedom, SPIN};
-use tribodyn_bearing::{AzimuthFrame, BallPose, Bearing, ContactPose, Races, RingState, Scalar, Side};
+use crate::block::{AXIAL, BALL, Balance, BlockState, BlockSystem, ORBIT, RADIAL, RING, SPIN};
+use tribodyn_bearing::{AzimuthFrame, BallPose, Bearing, ContactPose, Races, RingFreedom, RingState, Scalar, Side};
 
 /// Names of the equations, for error messages.
 pub(crate) const EQUATIONS: [&str; BALL] =

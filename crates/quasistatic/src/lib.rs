@@ -55,8 +55,10 @@ mod branch_test;
 mod jacobian_test;
 
 pub use azimuth::{AzimuthRule, OverAzimuth, ball_numbers};
-pub use block::{RingFreedom, SolverStatistics};
-pub use problem::{OperatingPoint, Place, QuasiStaticError};
+pub use block::SolverStatistics;
+pub use problem::{Place, QuasiStaticError};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{BallSolution, Model, Solution};
 pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
+pub use tribodyn_bearing::{Bearing, Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
+pub use tribodyn_traction::PatchRule;

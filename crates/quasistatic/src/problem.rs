@@ -1,54 +1,7 @@
-//! What is to be solved, and why it may fail.
+//! Why a problem may have no solution.
 
 use crate::Model;
-use crate::block::{RING, RingFreedom};
-use tribodyn_bearing::case::{CageSpec, Case, Numerics, Tilt, Translation};
-use tribodyn_bearing::traction::{PatchRule, TractionError};
-
-/// A bearing at an operating point, with the solver's settings.
-#[derive(Debug, Clone, PartialEq)]
-pub struct OperatingPoint {
-    /// Load or held position of x, y, z, tilt about X, tilt about Y of the inner ring.
-    pub ring: [RingFreedom; RING],
-    /// Speed of the inner ring, rad/s.
-    pub inner_speed: f64,
-    /// Speed of the outer ring, rad/s.
-    pub outer_speed: f64,
-    /// Quadrature over the contact patches.
-    pub patch: PatchRule,
-    /// The cage, for the pocket forces.
-    pub cage: CageSpec,
-    /// Solver settings.
-    pub numerics: Numerics,
-}
-
-impl OperatingPoint {
-    /// The case's operating point; where loads or speeds are tables in time, their last row, the steady state.
-    pub fn new(case: &Case) -> Self {
-        Self::at(case, f64::INFINITY)
-    }
-
-    /// The case's operating point with the loads and speeds of a time in s.
-    pub fn at(case: &Case, time: f64) -> Self {
-        let translation = |t: &Translation| match t {
-            Translation::Held(x) => RingFreedom::Held(*x),
-            loaded => RingFreedom::Loaded(loaded.at(time)),
-        };
-        let tilt = |t: &Tilt| match t {
-            Tilt::Held(angle) => RingFreedom::Held(*angle),
-            loaded => RingFreedom::Loaded(loaded.at(time)),
-        };
-        let r = &case.ring;
-        Self {
-            ring: [translation(&r.x), translation(&r.y), translation(&r.z), tilt(&r.tilt_x), tilt(&r.tilt_y)],
-            inner_speed: case.speed.inner.at(time),
-            outer_speed: case.speed.outer.at(time),
-            patch: case.traction.patch,
-            cage: case.cage.clone(),
-            numerics: case.numerics.clone(),
-        }
-    }
-}
+use tribodyn_traction::TractionError;
 
 /// Where a residual is left.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,11 +3,10 @@
 use crate::block::{AXIAL, Iterate, RING, SPIN};
 use crate::cage::{Pocket, pocket_forces};
 use crate::jones_harris::{JonesHarris, kinematics};
-use crate::problem::OperatingPoint;
 use crate::with_traction::WithTraction;
 use crate::{BallSolution, Model, Solution};
-use tribodyn_bearing::traction::TractionLaw;
-use tribodyn_bearing::{Bearing, RaceContact, Side};
+use tribodyn_bearing::{Bearing, OperatingPoint, RaceContact, Side};
+use tribodyn_traction::TractionLaw;
 
 /// Inner slide-to-roll ratio beyond which the ball skids: past the peak of the library's coatings, which lies at 0.1 to
 /// 4 % for the slip units in use.

@@ -8,14 +8,14 @@
 
 use crate::block::{AXIAL, BALL, BlockSystem, ORBIT, RADIAL, RING, SPIN};
 use crate::jones_harris::{Typical, kinematics};
-use crate::problem::{OperatingPoint, QuasiStaticError};
+use crate::problem::QuasiStaticError;
 use crate::report::SKIDDING;
 use crate::settle::{Evaluated, FROM_AFAR, settle_ball};
 use crate::solve::{WarmStart, is_idle, traction_system};
 use crate::with_traction::WithTraction;
 use nalgebra::{Matrix2, Matrix4, Matrix4x2};
 use serde::Serialize;
-use tribodyn_bearing::{BallPose, Bearing, Races};
+use tribodyn_bearing::{BallPose, Bearing, OperatingPoint, Races};
 
 /// Orbital speeds at which the search starts, as shares of the rolling one.
 const START_SPEEDS: [f64; 6] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.95];

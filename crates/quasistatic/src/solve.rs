@@ -11,13 +11,12 @@ use crate::block::{AXIAL, BALL, BlockState, BlockSystem, Iterate, ORBIT, RADIAL,
 use crate::driver;
 use crate::jones_harris::{self, JonesHarris, Kinematics, Typical, kinematics};
 use crate::methods::{Downhill, NewtonOrNested, settle};
-use crate::problem::{OperatingPoint, Place, QuasiStaticError};
+use crate::problem::{Place, QuasiStaticError};
 use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, report};
-use tribodyn_bearing::case::RaceControl;
-use tribodyn_bearing::traction::{FastPatch, Law, PatchRule, Probe, choose_rule, rule_error};
-use tribodyn_bearing::{Bearing, Races, Side};
+use tribodyn_bearing::{Bearing, OperatingPoint, RaceControl, Races, Side};
+use tribodyn_traction::{FastPatch, Law, PatchRule, Probe, choose_rule, rule_error};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.

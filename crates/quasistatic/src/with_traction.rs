@@ -3,10 +3,12 @@
 //! Unknowns of a ball: X1, X2, the spin ω relative to the orbiting frame (axial, radial, tangential) and ω_m. Source:
 //! the ball equations of Lubricants 2025, 13(8), 352, section 3, with the time derivatives zero (its cases 1 to 4).
 
-use crate::block::{AXIAL, BALL, Balance, BlockSystem, ORBIT, RADIAL, RING, RingFreedom, SPIN};
+use crate::block::{AXIAL, BALL, Balance, BlockSystem, ORBIT, RADIAL, RING, SPIN};
 use crate::jones_harris::{Typical, ring_state};
-use tribodyn_bearing::traction::{FastPatch, PatchTraction};
-use tribodyn_bearing::{AzimuthFrame, BallLoads, BallState, Bearing, LoadedPatch, Races, RingState, Scalar};
+use tribodyn_bearing::{
+    AzimuthFrame, BallLoads, BallState, Bearing, LoadedPatch, Races, RingFreedom, RingState, Scalar,
+};
+use tribodyn_traction::{FastPatch, PatchTraction};
 
 /// Names of the balances, for error messages.
 pub(crate) const EQUATIONS: [&str; BALL] =

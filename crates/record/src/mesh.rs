@@ -237,15 +237,15 @@ fn join(mesh: &mut Mesh, [inner, outer]: &[Vec<Vec<u32>>; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribodyn_bearing::case::{Fit, GeometrySpec, Groove};
+    use tribodyn_bearing::{Dimensions, Fit};
 
     fn geometry(ball_count: usize) -> Geometry {
-        Geometry::new(&GeometrySpec {
+        Geometry::new(Dimensions {
             ball_count,
             ball_diameter: 0.03016,
             pitch_diameter: 0.1675,
-            inner_groove: Groove::Coefficient(0.52),
-            outer_groove: Groove::Coefficient(0.53),
+            inner_coefficient: 0.52,
+            outer_coefficient: 0.53,
             fit: Fit::ContactAngle(18_f64.to_radians()),
         })
         .unwrap()

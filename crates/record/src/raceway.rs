@@ -9,8 +9,8 @@ use crate::{colour, frames, guide, scene};
 use prost_types::Timestamp;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::case::Case;
 use tribodyn_bearing::{Geometry, Side};
+use tribodyn_case::Case;
 use tribodyn_dynamics::Sample;
 
 /// Sectors of a raceway.
@@ -37,12 +37,8 @@ pub(crate) struct Defect {
 
 /// The defects of a case.
 pub(crate) fn defects(case: &Case) -> Vec<Defect> {
-    let one = |d: &tribodyn_bearing::case::DefectSpec| Defect {
-        side: d.race,
-        azimuth: d.azimuth,
-        width: d.width,
-        depth: d.depth,
-    };
+    let one =
+        |d: &tribodyn_case::DefectSpec| Defect { side: d.race, azimuth: d.azimuth, width: d.width, depth: d.depth };
     case.defects.iter().map(one).collect()
 }
 

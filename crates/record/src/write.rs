@@ -15,7 +15,7 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Seek, Write};
 use std::path::Path;
 use tribodyn_bearing::Geometry;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_dynamics::BallSample;
 use tribodyn_quasistatic::{AzimuthRule, OverAzimuth};
 use tribodyn_quasistatic::{BallSolution, Solution};
@@ -80,7 +80,7 @@ pub(crate) struct Recording<'a> {
 impl<'a> Recording<'a> {
     pub(crate) fn new(input: &SolutionRecording<'a>) -> Result<Self, RecordError> {
         let solution = input.solution;
-        let geometry = Geometry::new(&input.case.geometry)?;
+        let geometry = input.case.geometry.resolve()?;
         check(solution, &geometry)?;
         Ok(Self { input: *input, geometry, timeline: Timeline::new(solution)?, over: OverAzimuth::new(solution) })
     }

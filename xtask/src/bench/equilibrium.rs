@@ -8,7 +8,7 @@ use crate::error::Failure;
 use cpu_time::ProcessTime;
 use std::time::Instant;
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_paper::PaperError;
 use tribodyn_quasistatic::{Model, OperatingPoint, QuasiStaticError, RingFreedom, WarmStart, solve, solve_from};
 
@@ -34,8 +34,8 @@ fn changes_for(balls: usize) -> Vec<(&'static str, String)> {
 
 impl Size {
     fn new(case: &Case) -> Result<Self, Failure> {
-        let bearing = Bearing::new(case).map_err(|source| PaperError::Bearing { run: RUN, source })?;
-        Ok(Self { point: OperatingPoint::new(case), bearing })
+        let bearing = case.bearing().map_err(|source| PaperError::Bearing { run: RUN, source })?;
+        Ok(Self { point: case.operating_point(), bearing })
     }
 
     fn cold(&self, point: &OperatingPoint) -> Result<WarmStart, Failure> {

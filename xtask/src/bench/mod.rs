@@ -18,7 +18,7 @@ use crate::terminal::print;
 use row::Row;
 use serde::Serialize;
 use std::process::Command;
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 use tribodyn_paper::{PaperError, files, table};
 
 /// The case on which everything is measured.

@@ -3,12 +3,12 @@
 use super::clock::least_per_call;
 use super::row::{Limit, Row};
 use crate::error::Failure;
-use tribodyn_bearing::traction::{
+use tribodyn_paper::files;
+use tribodyn_paper::table::Table;
+use tribodyn_traction::{
     Coating, CoatingLaw, FastPatch, MomentArm, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipField,
     SlipUnit, TractionLaw, fast_patch_traction, patch_traction,
 };
-use tribodyn_paper::files;
-use tribodyn_paper::table::Table;
 
 const GROUP: &str = "patch";
 const CONTACTS: &str = "crates/traction/tests/patch_rules/contacts.csv";

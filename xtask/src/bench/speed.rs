@@ -6,9 +6,9 @@ use super::patch::mean_points;
 use super::row::{Limit, Row};
 use crate::error::Failure;
 use std::convert::Infallible;
-use tribodyn_bearing::traction::PatchRule;
 use tribodyn_dynamics::{Checkpoint, Run, RunError};
 use tribodyn_paper::PaperError;
+use tribodyn_traction::PatchRule;
 
 const GROUP: &str = "transient";
 /// Of the shaft at 14 000 r/min, s.

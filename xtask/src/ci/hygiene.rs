@@ -50,7 +50,7 @@ pub fn check() -> Result<Outcome, Failure> {
 }
 
 /// Tracked files, and new ones that are not excluded.
-fn listed() -> Result<Vec<String>, Failure> {
+pub fn listed() -> Result<Vec<String>, Failure> {
     let mut command = Command::new("git");
     command.current_dir(files::root()).args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"]);
     let output = command.output().map_err(|source| Failure::Start { program: "git".to_owned(), source })?;

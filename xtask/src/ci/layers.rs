@@ -1,42 +1,93 @@
-//! Which crate may use which: the table of docs/architecture.md, held against `cargo metadata`.
+//! Which crate may use which: the table of docs/architecture.md, held against `cargo metadata`, and against re-exports that
+//! would hand on a whole crate behind it.
 
-use super::metadata::Metadata;
-use super::{Outcome, finish};
+use super::metadata::{Dependency, Metadata};
+use super::{Outcome, finish, hygiene};
 use crate::error::Failure;
+use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 11] = [
+const LAYERS: [(&str, &[&str]); 12] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
     ("tribodyn-fluid", &[]),
     ("tribodyn-signal", &[]),
     ("tribodyn-bearing", &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid"]),
-    ("tribodyn-quasistatic", &["tribodyn-bearing"]),
-    // Identification writes its candidates into the case file, so it knows `bearing` too.
-    ("tribodyn-identify", &["tribodyn-bearing", "tribodyn-quasistatic"]),
+    (
+        "tribodyn-case",
+        &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid", "tribodyn-bearing"],
+    ),
+    ("tribodyn-quasistatic", &["tribodyn-traction", "tribodyn-bearing"]),
+    // Identification writes its candidates into the case file.
+    ("tribodyn-identify", &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic"]),
     // Samples are filtered before they are thinned out.
-    ("tribodyn-dynamics", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-signal"]),
+    (
+        "tribodyn-dynamics",
+        &[
+            "tribodyn-traction",
+            "tribodyn-wear",
+            "tribodyn-fluid",
+            "tribodyn-bearing",
+            "tribodyn-case",
+            "tribodyn-quasistatic",
+            "tribodyn-signal",
+        ],
+    ),
     // Recordings of runs hold spectra that a viewer cannot compute.
-    ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
-    ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
+    (
+        "tribodyn-record",
+        &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"],
+    ),
+    ("tribodyn-plot", &["tribodyn-quasistatic"]),
 ];
 /// What may use every crate, each with what it may not: the published command not the study of the paper, which is not
 /// published, and the study no program.
 const TOP: [(&str, &[&str]); 3] =
     [("tribodyn-paper", &["tribodyn-cli", "xtask"]), ("tribodyn-cli", &["tribodyn-paper", "xtask"]), ("xtask", &[])];
+/// What tests and benches may use besides: those of the solvers read the case files of `fixtures`.
+const IN_TESTS: [(&str, &str); 1] = [("tribodyn-quasistatic", "tribodyn-case")];
 
 pub fn check() -> Result<Outcome, Failure> {
     let metadata = Metadata::read(&["--no-deps"])?;
     let members: Vec<(&str, Vec<&str>)> = metadata
         .packages
         .iter()
-        .map(|p| (p.name.as_str(), p.dependencies.iter().map(|d| d.name.as_str()).collect()))
+        .map(|p| {
+            let in_tests = |d: &&Dependency| {
+                d.kind.as_deref() == Some("dev") && IN_TESTS.contains(&(p.name.as_str(), d.name.as_str()))
+            };
+            let held = p.dependencies.iter().filter(|d| !in_tests(d));
+            (p.name.as_str(), held.map(|d| d.name.as_str()).collect())
+        })
         .collect();
-    finish(
-        "dependencies between crates (table in xtask/src/ci/layers.rs and docs/architecture.md)",
-        violations(&members),
-    )
+    let mut findings = violations(&members);
+    for name in hygiene::listed()?.iter().filter(|name| name.starts_with("crates/") && name.ends_with(".rs")) {
+        let path = files::root().join(name);
+        // A file that is deleted but not yet committed is listed too.
+        if path.exists() {
+            let found = whole_crates(&files::read(&path)?);
+            findings.extend(found.iter().map(|statement| format!("{name}: `{statement}` hands on a whole crate")));
+        }
+    }
+    finish("dependencies between crates (table in xtask/src/ci/layers.rs and docs/architecture.md)", findings)
+}
+
+/// Statements of a source that re-export a whole crate of the workspace: who uses them would use that crate past the table.
+/// Single items may be handed on.
+fn whole_crates(source: &str) -> Vec<String> {
+    let statements = source.match_indices("pub ").filter_map(|(at, _)| source[at..].split(';').next());
+    let whole = |statement: &&str| {
+        let Some(path) = statement.strip_prefix("pub use ").or(statement.strip_prefix("pub extern crate ")) else {
+            return false;
+        };
+        let Some(path) = path.trim_start_matches("::").strip_prefix("tribodyn_") else { return false };
+        let items = path.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
+        let Some(items) = items.strip_prefix("::") else { return true };
+        let mut items = items.split([',', '{', '}']).map(str::trim);
+        items.any(|item| item == "*" || item.split(' ').next() == Some("self"))
+    };
+    statements.filter(whole).map(str::to_owned).collect()
 }
 
 /// Dependencies that the table does not have, and members that it does not know.
@@ -72,6 +123,18 @@ mod tests {
             let below = |d: &&str| LAYERS[..place].iter().any(|(layer, _)| layer == d);
             assert!(allowed.iter().all(below), "{name} uses a layer above it");
         }
+    }
+
+    #[test]
+    fn limit_re_exports_of_whole_crates_are_named_and_those_of_items_are_not() {
+        let word = concat!("pub", " use tribodyn_");
+        for rest in ["wear", "wear as wear", "wear::*", "wear::{self, Archard}", "wear::{self as w}"] {
+            assert_eq!(whole_crates(&format!("mod a;\n{word}{rest};\n")), [format!("{word}{rest}")], "{rest}");
+        }
+        for rest in ["wear::Archard", "wear::{Archard,\n    Defect}", "wear::surface::LocalSurface as Surface"] {
+            assert!(whole_crates(&format!("{word}{rest};\n")).is_empty(), "{rest}");
+        }
+        assert!(whole_crates("use tribodyn_wear as wear;").is_empty());
     }
 
     #[test]

@@ -24,6 +24,8 @@ pub struct Package {
 #[derive(Debug, Deserialize)]
 pub struct Dependency {
     pub name: String,
+    /// `dev` or `build`; none for an ordinary dependency.
+    pub kind: Option<String>,
 }
 
 impl Metadata {

@@ -6,8 +6,8 @@ use crate::input::CaseFile;
 use crate::run::warnings::{self, Tested};
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::case::Case;
-use tribodyn_quasistatic::{Model, OperatingPoint, solve};
+use tribodyn_case::Case;
+use tribodyn_quasistatic::{Model, solve};
 use tribodyn_record::{BallRow, Run};
 use tribodyn_signal::BearingFrequencies;
 
@@ -22,7 +22,7 @@ pub struct Start {
 impl Start {
     pub fn of(file: &CaseFile) -> Self {
         let Ok(bearing) = file.bearing() else { return Self::default() };
-        match solve(&bearing, &OperatingPoint::new(&file.case), Model::Traction) {
+        match solve(&bearing, &file.case.operating_point(), Model::Traction) {
             Ok(solved) => Self {
                 cage_speed_rpm: Some(solved.solution.cage_speed_rpm),
                 patch_error_estimate: solved.solution.patch_error_estimate,

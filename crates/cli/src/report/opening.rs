@@ -6,7 +6,7 @@ use super::facts::said;
 use super::values::readable;
 use crate::input::CaseFile;
 use crate::table::number;
-use tribodyn_bearing::case::locate;
+use tribodyn_case::locate;
 use tribodyn_record::Run;
 
 fn row(name: &str, value: impl Into<String>) -> Vec<String> {

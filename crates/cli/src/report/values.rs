@@ -1,7 +1,7 @@
 //! Every value of a case, readable and with its source.
 
 use serde::Serialize;
-use tribodyn_bearing::case::{Case, Source, locate, values};
+use tribodyn_case::{Case, Source, locate, values};
 
 /// A value of the case.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -32,7 +32,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tape::{SharedTape, Viewers};
-use tribodyn_bearing::case::{Case, SchemeSpec};
+use tribodyn_case::{Case, SchemeSpec};
 use tribodyn_dynamics::{DynamicsError, Event, EventKind, Observer, Run, RunError as Advance};
 use tribodyn_record::{RecordError, RunRecorder, RunRecording};
 

@@ -9,7 +9,7 @@ use crate::input::CaseFile;
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_dynamics::{Run, Statistics, Stiffness};
 use tribodyn_record::{RecordError, RunItem, RunReader};
 

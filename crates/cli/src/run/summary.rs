@@ -4,7 +4,7 @@ use super::settled::Settled;
 use super::warnings;
 use crate::table::number;
 use serde::Serialize;
-use tribodyn_bearing::case::{Case, SchemeSpec};
+use tribodyn_case::{Case, SchemeSpec};
 use tribodyn_dynamics::ACCELERATION_ERROR;
 use tribodyn_record::{LogRow, StateRow, WearRow};
 use tribodyn_signal::Statistics;
@@ -219,7 +219,7 @@ fn powers(rows: &[StateRow]) -> Powers {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribodyn_bearing::case::set_value;
+    use tribodyn_case::set_value;
 
     #[test]
     fn limit_averages_are_of_the_second_half() {

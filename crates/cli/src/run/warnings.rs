@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
-use tribodyn_bearing::case::{Case, CurveSpec};
+use tribodyn_case::{Case, CurveSpec};
 use tribodyn_record::{BallRow, LogRow};
 use tribodyn_traction::Coating;
 
@@ -165,11 +165,11 @@ mod tests {
     fn limit_a_ball_outside_the_load_zone_is_no_warning() {
         let text = include_str!("../../../../fixtures/cases/paper-handset.ron");
         // Next to no axial load: the balls at the far side carry nothing.
-        let set = |text: &str, path, value| tribodyn_bearing::case::set_value(text, path, value).unwrap();
+        let set = |text: &str, path, value| tribodyn_case::set_value(text, path, value).unwrap();
         let text = set(&set(text, "ring.z", "Force(kN(2))"), "traction.patch", "SplitStrip(across: 5, along: 3)");
         let case = Case::from_ron(&text).unwrap();
-        let bearing = tribodyn_bearing::Bearing::new(&case).unwrap();
-        let point = tribodyn_quasistatic::OperatingPoint::new(&case);
+        let bearing = case.bearing().unwrap();
+        let point = case.operating_point();
         let solved = tribodyn_quasistatic::solve(&bearing, &point, tribodyn_quasistatic::Model::Traction).unwrap();
         let of_solution = solved.solution.warnings;
         assert!(of_solution.iter().any(|w| w.contains("no contact with the inner race")), "{of_solution:?}");

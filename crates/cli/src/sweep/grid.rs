@@ -8,7 +8,7 @@ use crate::input::{CaseFile, Change};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::Range;
-use tribodyn_bearing::case::set_value;
+use tribodyn_case::set_value;
 
 /// Most rows of a grid, far beyond any computing time.
 const MAX_ROWS: usize = 1_000_000_000;
@@ -213,8 +213,8 @@ pub struct AxisSummary {
 
 /// Whether a text is a case with a bearing.
 fn sound(text: &str) -> bool {
-    use tribodyn_bearing::{Bearing, case::Case};
-    Case::from_ron(text).is_ok_and(|case| Bearing::new(&case).is_ok())
+    use tribodyn_case::Case;
+    Case::from_ron(text).is_ok_and(|case| case.bearing().is_ok())
 }
 
 impl Axis {

@@ -4,9 +4,9 @@ use super::columns::{self, Unsolved};
 use super::grid::Grid;
 use std::ops::Range;
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::Case;
-use tribodyn_bearing::traction::PatchRule;
+use tribodyn_case::Case;
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
+use tribodyn_traction::PatchRule;
 
 /// Inner slide-to-roll ratio beyond which a ball may have left the equilibrium that a rolling ball comes to: where the
 /// library's coatings have their peak at the latest.
@@ -42,8 +42,8 @@ impl<'a> Chunk<'a> {
     fn solve(&mut self, row: usize) -> Result<Solution, Unsolved> {
         let text = self.grid.text(row).ok_or_else(|| Unsolved::refused("a path is not in the case of this row"))?;
         let case = Case::from_ron(&text).map_err(Unsolved::refused)?;
-        let bearing = Bearing::new(&case).map_err(Unsolved::refused)?;
-        let point = OperatingPoint::new(&case);
+        let bearing = case.bearing().map_err(Unsolved::refused)?;
+        let point = case.operating_point();
         let indices = self.grid.indices(row);
         let warm = self.nearest(&indices, &bearing, &point).and_then(|near| {
             let solved = solve_from(&bearing, &point, &near.start).ok();

@@ -5,7 +5,7 @@ use super::{AG, Scratch, fixture, run};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tribodyn_bearing::case::{set_value, values};
+use tribodyn_case::{set_value, values};
 
 /// A short run of the case of the tests of `run`.
 fn recorded(scratch: &Scratch) -> PathBuf {

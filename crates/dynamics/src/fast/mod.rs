@@ -40,10 +40,10 @@ use friction::{LinearFriction, in_inertial_axes, inverse_with_held, linear_frict
 use nalgebra::{Matrix5, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::traction::PatchTraction;
 use tribodyn_bearing::{
     AzimuthFrame, BallState, ContactForces, LoadedPatch, LocalSurface, NormalLoads, Races, Side, Sliding,
 };
+use tribodyn_traction::PatchTraction;
 
 /// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it does
 /// not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an orbit.

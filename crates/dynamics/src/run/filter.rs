@@ -7,7 +7,7 @@ use super::STATE_RATE;
 use super::step::hermite;
 use crate::layout::Layout;
 use serde::{Deserialize, Serialize};
-use tribodyn_bearing::case::{Case, SchemeSpec};
+use tribodyn_case::{Case, SchemeSpec};
 use tribodyn_signal::{Decimator, DecimatorMemory};
 
 /// Least internal rate of the Runge–Kutta methods, Hz: ten times and more above contact modes and their harmonics.

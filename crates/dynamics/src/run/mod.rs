@@ -20,10 +20,10 @@ use crate::stiffness::Stiffness;
 use filter::{Filter, FilterMemory, steps_of_sample};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, SchemeSpec};
-use tribodyn_bearing::traction::{PatchRule, Quadrature};
-use tribodyn_bearing::wear::Raceway;
+use tribodyn_case::{Case, SchemeSpec};
 use tribodyn_quasistatic::Solution;
+use tribodyn_traction::{PatchRule, Quadrature};
+use tribodyn_wear::Raceway;
 
 /// A transient run of a case.
 pub struct Run {
@@ -139,7 +139,7 @@ impl Run {
     /// # Errors
     /// [`DynamicsError`] where the case lacks something or there is no quasi-static solution to start from.
     pub fn new(case: &Case) -> Result<Self, DynamicsError> {
-        Self::with_bearing(case, Bearing::new(case)?)
+        Self::with_bearing(case, case.bearing()?)
     }
 
     /// The same run with traction integrated node by node by the generic quadrature: the plain reference of the fast kernel.

@@ -1,7 +1,7 @@
 //! Accelerations sampled at the rate of a rig against those of the same motion seen sixteen times as often.
 
 use crate::{Keep, STRIPS};
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{FilterBands, Run, Sample};
 use tribodyn_signal::{BearingFrequencies, Decimator, Spectrum, Window};
 

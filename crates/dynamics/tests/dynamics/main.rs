@@ -9,7 +9,7 @@ mod wear;
 
 use std::convert::Infallible;
 use std::ops::ControlFlow;
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{Event, Observer, Run, Sample};
 
 /// The cryogenic bearing of the paper with its silver coating.

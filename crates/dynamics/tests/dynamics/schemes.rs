@@ -1,7 +1,7 @@
 //! Schemes: order of convergence, and one against the other.
 
 use crate::{Keep, case, run};
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_dynamics::{EventKind, Run, Sample};
 
 /// Short runs from a start that is not in equilibrium: the radial load moves the rings at once.

@@ -35,7 +35,7 @@ fn paper_step_is_beyond_the_bound_without_differential_slip() {
 #[test]
 fn limit_a_case_without_supports_is_refused_by_name() {
     let text = include_str!("../../../../fixtures/cases/paper-handset.ron");
-    let case = tribodyn_bearing::case::Case::from_ron(text).unwrap();
+    let case = tribodyn_case::Case::from_ron(text).unwrap();
     assert!(matches!(Run::new(&case).map(drop), Err(DynamicsError::Missing { .. })));
 }
 

@@ -1,12 +1,12 @@
 //! Wear and defects in the loop.
 
 use crate::{Keep, case, run};
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_dynamics::{EventKind, Run};
 
 fn with(text: &str, changes: &[(&str, &str)]) -> Case {
     let changed = changes.iter().fold(text.to_owned(), |text, (path, value)| {
-        tribodyn_bearing::case::set_value(&text, path, value).unwrap_or_else(|e| panic!("{path}: {e}"))
+        tribodyn_case::set_value(&text, path, value).unwrap_or_else(|e| panic!("{path}: {e}"))
     });
     Case::from_ron(&changed).unwrap_or_else(|e| panic!("{e}"))
 }

@@ -3,8 +3,8 @@
 use super::runs::Made;
 use super::specs::Spec;
 use crate::error::PaperError;
-use tribodyn_bearing::traction::{Coating, CoatingLaw, Peak, SlipCurve, TractionLaw};
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Place, Reference, Series};
+use tribodyn_traction::{Coating, CoatingLaw, Peak, SlipCurve, TractionLaw};
 
 /// Coatings of Table 2.
 const COATINGS: [(&str, &str); 2] = [("ag", "Ag coating"), ("ptfe", "PTFE film")];

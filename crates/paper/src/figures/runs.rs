@@ -150,7 +150,7 @@ fn plans(cases: impl Iterator<Item = Cases>, length: Length) -> Vec<Plan> {
 mod tests {
     use super::*;
     use crate::files;
-    use tribodyn_bearing::case::{Case, set_value};
+    use tribodyn_case::{Case, set_value};
 
     #[test]
     fn identity_each_run_is_made_once_and_only_where_it_is_needed() {

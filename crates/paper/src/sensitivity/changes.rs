@@ -130,7 +130,7 @@ fn unbalance(force: f64) -> Change {
 mod tests {
     use super::*;
     use crate::files;
-    use tribodyn_bearing::case::{Case, set_value};
+    use tribodyn_case::{Case, set_value};
 
     /// Each change leads to a case that can be read and that differs from the one it starts from.
     #[test]

@@ -13,7 +13,7 @@ use crate::files;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tribodyn_bearing::case::{Case, set_value};
+use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{Run, RunError};
 use tribodyn_record::{RunRecorder, RunRecording};
 

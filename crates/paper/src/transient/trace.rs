@@ -2,7 +2,7 @@
 
 use crate::mean::mean;
 use std::ops::ControlFlow;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_dynamics::{BallSample, Event, EventKind, Observer, Sample};
 use tribodyn_record::{FileSink, RecordError, RunRecorder};
 

@@ -3,7 +3,7 @@
 use super::row::{Claim, Evidence, Row};
 use super::tables::PARABOLA;
 use crate::error::PaperError;
-use tribodyn_bearing::traction::{Coating, CoatingLaw, SlipCurve, TractionLaw};
+use tribodyn_traction::{Coating, CoatingLaw, SlipCurve, TractionLaw};
 
 const COATINGS: [&str; 2] = ["ag", "ptfe"];
 /// Range of use (section 5.1.1), GPa.

@@ -3,9 +3,8 @@
 use crate::error::PaperError;
 use crate::files;
 use std::path::Path;
-use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, Source, set_value};
-use tribodyn_quasistatic::{Model, OperatingPoint, Solution, other_roots, root_warnings, solve};
+use tribodyn_case::{Case, Source, set_value};
+use tribodyn_quasistatic::{Model, Solution, other_roots, root_warnings, solve};
 
 /// Which equations a row of Table 4 stands for.
 struct Plan {
@@ -87,8 +86,8 @@ fn run(file: &str, text: &str, plan: &Plan) -> Result<Run, PaperError> {
     let text = set_value(text, "traction.varying", &plan.varying.to_string()).map_err(refused)?;
     let text = set_value(&text, "traction.differential_slip", &plan.differential_slip.to_string()).map_err(refused)?;
     let case = Case::from_ron(&text).map_err(refused)?;
-    let bearing = Bearing::new(&case).map_err(|source| PaperError::Bearing { run: plan.label, source })?;
-    let point = OperatingPoint::new(&case);
+    let bearing = case.bearing().map_err(|source| PaperError::Bearing { run: plan.label, source })?;
+    let point = case.operating_point();
     let failed = |source| PaperError::Solver { run: plan.label, source };
     let solved = solve(&bearing, &point, plan.model).map_err(failed)?;
     let roots = match &solved.warm_start {

@@ -4,8 +4,8 @@ use super::published::{CurveRow, PressureRow, Published, SpeedRow};
 use super::row::{Evidence, Row, Stated, Verdict};
 use super::runs::{Run, Runs};
 use crate::error::PaperError;
-use tribodyn_bearing::traction::{Coating, CoatingLaw, TractionLaw};
 use tribodyn_quasistatic::{AzimuthRule, OverAzimuth};
+use tribodyn_traction::{Coating, CoatingLaw, TractionLaw};
 
 /// Relative tolerance of the curve parameters that come back at the test pressures.
 const CURVE: f64 = 1e-9;

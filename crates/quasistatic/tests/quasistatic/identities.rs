@@ -2,7 +2,6 @@
 
 use crate::{BEARING_218, PAPER_AG, STRIPS, assert_near, assert_same_ball, solution, variant};
 use std::f64::consts::TAU;
-use tribodyn_bearing::Bearing;
 use tribodyn_quasistatic::Model::{self, JonesHarris, Traction};
 use tribodyn_quasistatic::{BallSolution, OperatingPoint, RingFreedom, Solution, solve};
 
@@ -11,8 +10,8 @@ const MODELS: [Model; 2] = [JonesHarris, Traction];
 /// The paper's bearing with changed ring freedoms.
 fn with_ring(changes: &[(&str, &str)], ring: [RingFreedom; 5], model: Model) -> Solution {
     let case = variant(PAPER_AG, &[&[STRIPS], changes].concat());
-    let point = OperatingPoint { ring, ..OperatingPoint::new(&case) };
-    solve(&Bearing::new(&case).unwrap(), &point, model).unwrap_or_else(|e| panic!("{e}")).solution
+    let point = OperatingPoint { ring, ..case.operating_point() };
+    solve(&case.bearing().unwrap(), &point, model).unwrap_or_else(|e| panic!("{e}")).solution
 }
 
 fn paper_ring(x: f64, y: f64, z: f64) -> [RingFreedom; 5] {
@@ -131,9 +130,9 @@ fn identity_shaft_power_is_lost_in_friction_and_fluid() {
 fn identity_common_rotation_matters_by_inertia_alone() {
     let dry = |changes: &[(&str, &str)]| {
         let case = variant(PAPER_AG, &[&[STRIPS], changes].concat());
-        let mut bearing = Bearing::new(&case).unwrap();
+        let mut bearing = case.bearing().unwrap();
         bearing.fluid = None;
-        let point = OperatingPoint { ring: paper_ring(0.0, 0.0, 44e3), ..OperatingPoint::new(&case) };
+        let point = OperatingPoint { ring: paper_ring(0.0, 0.0, 44e3), ..case.operating_point() };
         solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution.balls[0].clone()
     };
     let light = ("materials.ball.density", "kg_per_m3(1e-6)");

@@ -29,7 +29,7 @@ fn limit_thrust_at_rest_is_one_equation_for_the_contact_angle() {
     for thrust in [100.0, 22250.0, 80000.0] {
         let load = format!("Force(N({thrust}))");
         let changes = [AT_REST, FROZEN, ("ring.z", load.as_str())];
-        let bearing = Bearing::new(&variant(BEARING_218, &changes)).unwrap();
+        let bearing = variant(BEARING_218, &changes).bearing().unwrap();
         let (free, distance) = (bearing.geometry.contact_angle(), bearing.geometry.centre_distance());
         let ball_load =
             |angle: f64| series_stiffness(&bearing) * (distance * (free.cos() / angle.cos() - 1.0)).powf(1.5);
@@ -51,7 +51,7 @@ fn limit_thrust_at_rest_is_one_equation_for_the_contact_angle() {
 fn limit_radial_load_at_rest_is_a_sum_over_balls_in_the_load_zone() {
     let clearance = 20e-6;
     let fit = ("geometry.fit", "RadialClearance(um(20))");
-    let bearing = Bearing::new(&variant(BEARING_218, &[fit])).unwrap();
+    let bearing = variant(BEARING_218, &[fit]).bearing().unwrap();
     let centred = format!("Held(um({}))", -0.5e6 * bearing.geometry.axial_play());
     let changes = [fit, AT_REST, FROZEN, ("ring.x", "Force(kN(10))"), ("ring.z", centred.as_str())];
     // Contact constants belong to the free contact angle, of which these frozen ones know.

@@ -7,9 +7,8 @@ mod range;
 mod roots;
 mod solver;
 
-use tribodyn_bearing::Bearing;
-use tribodyn_bearing::case::{Case, set_value};
-use tribodyn_quasistatic::{BallSolution, Model, OperatingPoint, Solution, Solved, solve};
+use tribodyn_case::{Case, set_value};
+use tribodyn_quasistatic::{BallSolution, Model, Solution, Solved, solve};
 
 /// The 218 angular-contact bearing of the Jones–Harris literature.
 const BEARING_218: &str = include_str!("../../../../fixtures/cases/bearing-218.ron");
@@ -43,8 +42,8 @@ fn variant(text: &str, changes: &[(&str, &str)]) -> Case {
 }
 
 fn solve_case(case: &Case, model: Model) -> Solved {
-    let bearing = Bearing::new(case).unwrap();
-    solve(&bearing, &OperatingPoint::new(case), model).unwrap_or_else(|e| panic!("{e}"))
+    let bearing = case.bearing().unwrap();
+    solve(&bearing, &case.operating_point(), model).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn solution(text: &str, changes: &[(&str, &str)], model: Model) -> Solution {

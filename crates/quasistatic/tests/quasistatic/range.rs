@@ -1,9 +1,8 @@
 //! From nothing to twice the paper's loads and speeds, from the library's own initial guess.
 
 use crate::{PAPER_AG, STRIPS, variant};
-use tribodyn_bearing::Bearing;
 use tribodyn_quasistatic::Model::Traction;
-use tribodyn_quasistatic::{OperatingPoint, RingFreedom, solve};
+use tribodyn_quasistatic::{RingFreedom, solve};
 
 /// Multiples of the paper's axial load. At 0.07 drag is near the most that friction can carry, and balls fall into
 /// skidding as the ring moves.
@@ -30,12 +29,12 @@ fn limit_converges_from_nothing_to_twice_the_loads_and_speeds() {
                     ("fluid.drag_coefficient", &drag),
                 ],
             );
-            let mut point = OperatingPoint::new(&case);
+            let mut point = case.operating_point();
             point.ring[0] = RingFreedom::Loaded(20e3 * radial);
             point.ring[2] = RingFreedom::Loaded(44e3 * axial);
             point.inner_speed *= speed;
             let name = format!("axial {axial}, radial {radial}, speed {speed}, drag {drag}, varying {varying}");
-            let solved = solve(&Bearing::new(&case).unwrap(), &point, Traction);
+            let solved = solve(&case.bearing().unwrap(), &point, Traction);
             let s = solved.unwrap_or_else(|e| panic!("{name}: {e}")).solution;
             assert!(s.converged && s.residual <= 1e-10, "{name}: {}", s.residual);
             assert!(s.balls.iter().all(|ball| ball.orbital_speed_rad_s.is_finite()), "{name}");

@@ -1,16 +1,15 @@
 //! Several equilibria of a ball.
 
 use crate::{PAPER_AG, STRIPS, variant};
-use tribodyn_bearing::Bearing;
 use tribodyn_quasistatic::Model::Traction;
-use tribodyn_quasistatic::{BallRoots, OperatingPoint, other_roots, root_warnings, solve};
+use tribodyn_quasistatic::{BallRoots, other_roots, root_warnings, solve};
 
 /// The paper's bearing in about 200 N of drag per ball, under loads in kN.
 fn roots(axial: &str, radial: &str, drag: &str) -> Vec<BallRoots> {
     let (z, x) = (format!("Force(kN({axial}))"), format!("Force(kN({radial}))"));
     let changes = [STRIPS, ("ring.z", z.as_str()), ("ring.x", x.as_str()), ("fluid.drag_coefficient", drag)];
     let case = variant(PAPER_AG, &changes);
-    let (bearing, point) = (Bearing::new(&case).unwrap(), OperatingPoint::new(&case));
+    let (bearing, point) = (case.bearing().unwrap(), case.operating_point());
     let solved = solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}"));
     other_roots(&bearing, &point, &solved.warm_start.unwrap()).unwrap()
 }

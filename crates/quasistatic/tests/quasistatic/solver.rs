@@ -1,9 +1,8 @@
 //! How the solver gets there: steps, warm starts, failures.
 
 use crate::{BEARING_218, PAPER_AG, STRIPS, assert_near, assert_same_ball, solve_case, variant};
-use tribodyn_bearing::Bearing;
 use tribodyn_quasistatic::Model::{JonesHarris, Traction};
-use tribodyn_quasistatic::{OperatingPoint, Place, QuasiStaticError, RingFreedom, SolverStatistics, solve, solve_from};
+use tribodyn_quasistatic::{Place, QuasiStaticError, RingFreedom, SolverStatistics, solve, solve_from};
 
 #[test]
 fn regress_solver_steps() {
@@ -35,8 +34,8 @@ const NO_DIFFERENTIAL: (&str, &str) = ("traction.differential_slip", "false");
 #[test]
 fn identity_warm_start_leads_to_the_same_solution_in_few_steps() {
     let case = variant(PAPER_AG, &[STRIPS]);
-    let bearing = Bearing::new(&case).unwrap();
-    let point = OperatingPoint::new(&case);
+    let bearing = case.bearing().unwrap();
+    let point = case.operating_point();
     let start = solve(&bearing, &point, Traction).unwrap().warm_start.unwrap();
     let same = solve_from(&bearing, &point, &start).unwrap();
     assert_eq!(same.statistics.accepted, 0, "a solution is a solution");
@@ -57,8 +56,8 @@ fn identity_warm_start_leads_to_the_same_solution_in_few_steps() {
 #[test]
 fn identity_target_error_is_met_and_kept() {
     let case = variant(PAPER_AG, &[("traction.patch", "TargetError(relative: 1e-4)")]);
-    let bearing = Bearing::new(&case).unwrap();
-    let point = OperatingPoint::new(&case);
+    let bearing = case.bearing().unwrap();
+    let point = case.operating_point();
     let solved = solve(&bearing, &point, Traction).unwrap();
     let estimate = solved.solution.patch_error_estimate.unwrap();
     assert!(estimate > 0.0 && estimate <= 1.5e-4, "{estimate}");
@@ -70,7 +69,7 @@ fn identity_target_error_is_met_and_kept() {
 fn limit_too_few_iterations_name_the_worst_balance() {
     for model in [JonesHarris, Traction] {
         let case = variant(PAPER_AG, &[STRIPS, ("numerics", "(max_iterations: 1)")]);
-        let error = solve(&Bearing::new(&case).unwrap(), &OperatingPoint::new(&case), model).unwrap_err();
+        let error = solve(&case.bearing().unwrap(), &case.operating_point(), model).unwrap_err();
         let QuasiStaticError::NotConverged { place, equation, residual, tolerance, .. } = &error else {
             panic!("another error: {error}");
         };
@@ -100,7 +99,7 @@ fn limit_traction_converges_where_raceway_control_does_not() {
         ("speed.inner", "Constant(rpm(28000))"),
     ];
     let case = variant(PAPER_AG, &changes);
-    let (bearing, point) = (Bearing::new(&case).unwrap(), OperatingPoint::new(&case));
+    let (bearing, point) = (case.bearing().unwrap(), case.operating_point());
     assert!(solve(&bearing, &point, JonesHarris).is_err());
     let s = solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution;
     assert!(s.residual <= 1e-10 && s.balls.iter().any(|ball| ball.load_inner_n == 0.0));

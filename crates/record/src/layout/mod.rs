@@ -12,8 +12,8 @@ use crate::mesh;
 use panels::Panel;
 pub(crate) use panels::round_up;
 use serde_json::{Map, Value, json};
-use tribodyn_bearing::case::{Case, SpeedHistory};
 use tribodyn_bearing::{BearingError, Geometry, Side};
+use tribodyn_case::{Case, SpeedHistory};
 use tribodyn_signal::BearingFrequencies;
 
 /// What a recording shows.
@@ -52,7 +52,7 @@ impl Layout {
     /// # Errors
     /// [`BearingError`] if the case makes no bearing.
     pub fn new(kind: LayoutKind, case: &Case) -> Result<Self, BearingError> {
-        Ok(Self::of(kind, case, &Geometry::new(&case.geometry)?))
+        Ok(Self::of(kind, case, &case.geometry.resolve()?))
     }
 
     pub(crate) fn of(kind: LayoutKind, case: &Case, geometry: &Geometry) -> Self {

@@ -21,7 +21,7 @@ use producer::Producer;
 use std::ops::ControlFlow;
 use std::path::Path;
 use tribodyn_bearing::Geometry;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_dynamics::{Event, FilterBands, Observer, Sample};
 
 /// What a recording of a run is made from.

@@ -82,7 +82,7 @@ impl RecorderMemory {
 
 impl Producer {
     pub(super) fn new(input: &RunRecording) -> Result<Self, RecordError> {
-        let geometry = Geometry::new(&input.case.geometry)?;
+        let geometry = input.case.geometry.resolve()?;
         Ok(Self {
             geometry,
             pocket_gap: input.case.cage.pocket_gap,

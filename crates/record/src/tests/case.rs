@@ -1,6 +1,6 @@
 //! The case behind the made-up solution.
 
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 
 /// A bearing of the 7224 envelope.
 pub(crate) const TEXT: &str = r#"(

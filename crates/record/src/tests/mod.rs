@@ -18,7 +18,7 @@ use crate::write::Recording;
 use prost::Message;
 use std::io::Cursor;
 use std::path::PathBuf;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_quasistatic::{BallSolution, Model, Solution};
 
 const BALLS: usize = 13;

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use std::io::Cursor;
 use std::ops::Range;
 use std::path::Path;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_dynamics::{
     BallSample, CageSample, ContactSample, Event, EventKind, Observer, PowerSample, RingSample, Sample, WearSample,
 };

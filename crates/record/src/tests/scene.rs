@@ -9,7 +9,7 @@ use prost::Message;
 use std::f64::consts::TAU;
 use std::io::Cursor;
 use std::path::Path;
-use tribodyn_bearing::case::Case;
+use tribodyn_case::Case;
 use tribodyn_dynamics::{Observer, Sample};
 
 fn record(case: &Case, samples: &[Sample]) -> Vec<u8> {

@@ -3,11 +3,11 @@
 use super::outline::Segment;
 use super::*;
 
-const AG: &str = include_str!("../../../../fixtures/cases/paper-handset.ron");
-const IDENTIFIED: &str = include_str!("../../../../fixtures/cases/paper-ag.ron");
-const PTFE: &str = include_str!("../../../../fixtures/cases/paper-ptfe.ron");
-const WORN: &str = include_str!("../../../../fixtures/cases/paper-ag-worn.ron");
-const BEARING_218: &str = include_str!("../../../../fixtures/cases/bearing-218.ron");
+const AG: &str = include_str!("../../../fixtures/cases/paper-handset.ron");
+const IDENTIFIED: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
+const PTFE: &str = include_str!("../../../fixtures/cases/paper-ptfe.ron");
+const WORN: &str = include_str!("../../../fixtures/cases/paper-ag-worn.ron");
+const BEARING_218: &str = include_str!("../../../fixtures/cases/bearing-218.ron");
 
 /// A refusal: a text in the Ag case, what replaces it with «» around the place that the error must point at (only its
 /// start where nothing is between), the path, and a part of the message.

@@ -2,10 +2,14 @@
 //!
 //! [`Case::from_ron`] reads and checks a text; what it returns is in SI and can be worked with. [`locate`] and
 //! [`set_value`] find and replace single values by their path, for sweeps and identification; [`values`] lists them all. No file is opened here.
+//!
+//! [`Case::bearing`] makes the bearing that the solvers work with, [`Case::operating_point`] what it works at.
 
+mod bearing;
 mod error;
 mod history;
 mod locate;
+mod operation;
 mod outline;
 mod schema;
 mod sources;

@@ -7,6 +7,7 @@ use super::transient::{BareSpec, DefectSpec, GuidanceSpec, RecordingSpec, Suppor
 use super::units;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use tribodyn_bearing::RaceControl;
 use tribodyn_traction::{MomentArm, PatchRule, PressureChoice, SlipUnit};
 
 /// One bearing, its materials, its operating point and the numerics: everything a run needs.
@@ -392,17 +393,6 @@ pub enum RingCentre {
     Displaced,
     /// The inertial axis: what equations without the displacement in the surface velocity do.
     Inertial,
-}
-
-/// Which race carries the gyroscopic moment in the Jones–Harris model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum RaceControl {
-    /// Outer raceway control for every ball.
-    Outer,
-    /// Inner raceway control for every ball.
-    Inner,
-    /// Per ball, by Harris's criterion on the spin-resisting moments of the two contacts.
-    Criterion,
 }
 
 impl Default for Numerics {

@@ -3,8 +3,8 @@
 use super::tests::{Refused, check_refusal};
 use super::*;
 
-const WORN: &str = include_str!("../../../../fixtures/cases/paper-ag-worn.ron");
-const AG: &str = include_str!("../../../../fixtures/cases/paper-ag.ron");
+const WORN: &str = include_str!("../../../fixtures/cases/paper-ag-worn.ron");
+const AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
 
 #[rustfmt::skip]
 const READING: &[Refused] = &[
@@ -119,9 +119,15 @@ fn identity_sections_are_read_to_si() {
     assert_eq!((case.coatings.inner.worn, case.coatings.outer.worn), (0.5, 0.5));
     assert_eq!((case.cage.inertia, case.cage.pocket_damping), (Some(0.0021), 0.5));
     let land = case.cage.guidance.unwrap();
-    assert_eq!((land.land, land.radius, land.width, land.gap), (crate::Side::Outer, 0.09025, 0.012, 0.00025));
+    assert_eq!(
+        (land.land, land.radius, land.width, land.gap),
+        (tribodyn_bearing::Side::Outer, 0.09025, 0.012, 0.00025)
+    );
     let [defect] = &case.defects[..] else { panic!("{:?}", case.defects) };
-    assert_eq!((defect.race, defect.azimuth, defect.depth, defect.bare), (crate::Side::Outer, 0.0, 2e-6, 1.0));
+    assert_eq!(
+        (defect.race, defect.azimuth, defect.depth, defect.bare),
+        (tribodyn_bearing::Side::Outer, 0.0, 2e-6, 1.0)
+    );
     assert_eq!(defect.width, 3f64.to_radians());
     let transient = case.transient.unwrap();
     assert_eq!((transient.duration, transient.start), (0.05, StartSpec::QuasiStatic));
@@ -131,7 +137,7 @@ fn identity_sections_are_read_to_si() {
 
 #[test]
 fn limit_everything_of_a_transient_run_can_be_left_out_or_written_as_an_option() {
-    let case = Case::from_ron(include_str!("../../../../fixtures/cases/paper-handset.ron")).unwrap();
+    let case = Case::from_ron(include_str!("../../../fixtures/cases/paper-handset.ron")).unwrap();
     assert!(case.supports.is_none() && case.defects.is_empty() && case.transient.is_none());
     assert!(case.recording.is_none() && case.coatings.bare.is_none() && case.coatings.inner.worn == 0.0);
     assert!(case.cage.inertia.is_none() && case.cage.guidance.is_none() && case.cage.pocket_damping == 0.0);

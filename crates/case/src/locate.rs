@@ -64,7 +64,7 @@ mod tests {
 
     #[test]
     fn identity_every_value_is_listed_and_found_at_its_path() {
-        let text = include_str!("../../../../fixtures/cases/paper-ag-defect.ron");
+        let text = include_str!("../../../fixtures/cases/paper-ag-defect.ron");
         let all = values(text);
         for (path, range) in &all {
             assert_eq!(locate(text, path).as_ref(), Some(range), "{path}");

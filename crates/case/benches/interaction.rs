@@ -3,16 +3,16 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use tribodyn_bearing::case::Case;
-use tribodyn_bearing::traction::{FastPatch, PatchRule, Quadrature};
-use tribodyn_bearing::{AzimuthFrame, BallState, Bearing, Races, RingState, Side};
+use tribodyn_bearing::{AzimuthFrame, BallState, Races, RingState, Side};
+use tribodyn_case::Case;
+use tribodyn_traction::{FastPatch, PatchRule, Quadrature};
 
 const PAPER_AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
 const RULE: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
 
 fn interaction(c: &mut Criterion) {
     c.bench_function("case", |b| b.iter(|| Case::from_ron(black_box(PAPER_AG))));
-    let bearing = Bearing::new(&Case::from_ron(PAPER_AG).expect("the paper's case")).expect("the paper's bearing");
+    let bearing = Case::from_ron(PAPER_AG).expect("the paper's case").bearing().expect("the paper's bearing");
     let g = &bearing.geometry;
     let along = g.groove_offset(Side::Outer) + 3e-5;
     let ball = BallState {

@@ -2,8 +2,8 @@
 
 use super::CurveSpec;
 use super::units;
-use crate::Side;
 use serde::{Deserialize, Serialize};
+use tribodyn_bearing::Side;
 
 /// Masses and supports of the rings.
 #[derive(Debug, Clone, PartialEq, Deserialize)]

@@ -1,0 +1,66 @@
+//! An operating point of a bearing: what its ring carries, how fast it turns, and what a solver needs to know besides.
+//! It stands below the solvers, so that case files can give one without them.
+
+use serde::{Deserialize, Serialize};
+use tribodyn_traction::PatchRule;
+
+/// A bearing at an operating point, with the solver's settings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OperatingPoint {
+    /// Load or held position of x, y, z, tilt about X, tilt about Y of the inner ring.
+    pub ring: [RingFreedom; 5],
+    /// Speed of the inner ring, rad/s.
+    pub inner_speed: f64,
+    /// Speed of the outer ring, rad/s.
+    pub outer_speed: f64,
+    /// Quadrature over the contact patches.
+    pub patch: PatchRule,
+    /// The cage, for the pocket forces.
+    pub cage: Cage,
+    /// Solver settings.
+    pub numerics: SolverSettings,
+}
+
+/// What each ring freedom carries or where it is held.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RingFreedom {
+    /// External force (N) or moment (N m) on the inner ring.
+    Loaded(f64),
+    /// Held displacement (m) or tilt (rad).
+    Held(f64),
+}
+
+/// Pockets of a cage and the drag on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cage {
+    /// Circumferential gap between ball and pocket wall on either side when centred, m.
+    pub pocket_gap: f64,
+    /// Pocket contact stiffness, N/m.
+    pub pocket_stiffness: f64,
+    /// Drag torque on the cage (positive retards it), N m.
+    pub drag_torque: f64,
+}
+
+/// Settings of a quasi-static solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SolverSettings {
+    /// Largest relative residual of any balance at which the solver stops; case files take 1e-10 by default.
+    pub tolerance: f64,
+    /// Newton steps before the solver gives up; a cold start takes 10 to 40.
+    pub max_iterations: usize,
+    /// Whether the Jones–Harris model takes the centrifugal force at the undeformed pitch radius.
+    pub centrifugal_at_free_pitch: bool,
+    /// Which race controls the ball in the Jones–Harris model.
+    pub race_control: RaceControl,
+}
+
+/// Which race carries the gyroscopic moment in the Jones–Harris model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum RaceControl {
+    /// Outer raceway control for every ball.
+    Outer,
+    /// Inner raceway control for every ball.
+    Inner,
+    /// Per ball, by Harris's criterion on the spin-resisting moments of the two contacts.
+    Criterion,
+}

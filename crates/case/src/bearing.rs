@@ -1,0 +1,168 @@
+//! From a case to the bearing that the solvers work with.
+
+use crate::{
+    ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, Groove, MaterialSpec, Medium, RingCentre,
+};
+use tribodyn_bearing::{Bearing, BearingError, BearingSpec, Dimensions, FluidForces, Geometry, Races};
+use tribodyn_contact::ElasticBody;
+use tribodyn_fluid::{BallDrag, Churning, Fluid, effective_density, frontal_area};
+use tribodyn_traction::{Coating, CoatingLaw, Law, Peak, TestedCurve};
+use tribodyn_wear::{Archard, LocalSurface, Raceway};
+
+impl Case {
+    /// The bearing of the case.
+    ///
+    /// # Errors
+    /// [`BearingError`] where coating, fluid or contact data do not make sense together.
+    pub fn bearing(&self) -> Result<Bearing, BearingError> {
+        let geometry = self.geometry.resolve()?;
+        let radius = geometry.ball_radius();
+        let (coatings, traction) = (&self.coatings, &self.traction);
+        let bare_law = coatings.bare.as_ref().map(|bare| coating_law(self, &bare.curve)).transpose()?;
+        Bearing::new(BearingSpec {
+            geometry,
+            ball: elastic(&self.materials.ball),
+            ball_density: self.materials.ball.density,
+            rings: Races { inner: elastic(&self.materials.inner), outer: elastic(&self.materials.outer) },
+            laws: Races {
+                inner: coating_law(self, &coatings.inner.curve)?,
+                outer: coating_law(self, &coatings.outer.curve)?,
+            },
+            bare_law,
+            differential_slip: traction.differential_slip,
+            slip_unit: traction.slip_unit,
+            pressure_choice: traction.pressure,
+            moment_arm: traction.moment_arm,
+            fluid: self.fluid.as_ref().map(|f| fluid_forces(f, radius)).transpose()?,
+            contact_at_actual_angle: self.numerics.contact_at_actual_angle,
+            ring_turns_about_own_centre: self.numerics.ring_centre == RingCentre::Displaced,
+            worn: Races { inner: worn(&coatings.inner)?, outer: worn(&coatings.outer)? },
+            wear: Races { inner: archard(&self.wear.inner), outer: archard(&self.wear.outer) },
+            wear_cage: archard(&self.wear.cage),
+        })
+    }
+}
+
+impl GeometrySpec {
+    /// Groove coefficients and free contact angle worked out.
+    ///
+    /// # Errors
+    /// [`BearingError::Clearance`] for a radial clearance that no contact angle has.
+    pub fn resolve(&self) -> Result<Geometry, BearingError> {
+        let coefficient = |groove: Groove| match groove {
+            Groove::Coefficient(f) => f,
+            Groove::Radius(r) => r / self.ball_diameter,
+        };
+        let fit = match self.fit {
+            Fit::ContactAngle(angle) => tribodyn_bearing::Fit::ContactAngle(angle),
+            Fit::RadialClearance(clearance) => tribodyn_bearing::Fit::RadialClearance(clearance),
+        };
+        Geometry::new(Dimensions {
+            ball_count: self.ball_count,
+            ball_diameter: self.ball_diameter,
+            pitch_diameter: self.pitch_diameter,
+            inner_coefficient: coefficient(self.inner_groove),
+            outer_coefficient: coefficient(self.outer_groove),
+            fit,
+        })
+    }
+}
+
+fn archard(spec: &ArchardSpec) -> Archard {
+    Archard { coefficient: spec.coefficient, hardness: spec.hardness }
+}
+
+/// The surface of an evenly worn raceway.
+fn worn(spec: &CoatingSpec) -> Result<LocalSurface, BearingError> {
+    // The radius of the track matters to volumes only.
+    Ok(Raceway::new(spec.thickness, spec.worn, 1.0, &[])?.at(0.0))
+}
+
+fn elastic(material: &MaterialSpec) -> ElasticBody {
+    ElasticBody { young: material.young, poisson: material.poisson }
+}
+
+fn coating_law(case: &Case, curve: &CurveSpec) -> Result<Law, BearingError> {
+    let coating = match curve {
+        CurveSpec::Library(name) => Coating::library(name)?,
+        CurveSpec::Tested(points) => {
+            let tested = points.iter().map(|p| TestedCurve {
+                pressure: p.pressure,
+                peak: Peak { slip: p.peak_slip, coefficient: p.peak_coefficient, residual: p.residual_coefficient },
+            });
+            Coating::from_tests("tested", tested.collect())?
+        }
+    };
+    let t = &case.traction;
+    let law = if t.varying {
+        CoatingLaw::varying(&coating, t.order)?
+    } else {
+        CoatingLaw::fixed(&coating, t.order, t.reference_pressure)?
+    };
+    Ok(law.into())
+}
+
+fn fluid_forces(spec: &FluidSpec, radius: f64) -> Result<FluidForces, BearingError> {
+    let (liquid, viscosity) = match spec.medium {
+        Medium::Nitrogen { temperature, pressure } => properties(Fluid::Nitrogen, temperature, pressure)?,
+        Medium::Oxygen { temperature, pressure } => properties(Fluid::Oxygen, temperature, pressure)?,
+        Medium::Methane { temperature, pressure } => properties(Fluid::Methane, temperature, pressure)?,
+        Medium::Custom { density, viscosity } => (density, viscosity),
+    };
+    let density = effective_density(spec.liquid_fraction, liquid, spec.gas_density);
+    let frontal_area = frontal_area(2.0 * radius, spec.shaded_fraction);
+    Ok(FluidForces {
+        drag: BallDrag { density_effective: density, frontal_area, drag_coefficient: spec.drag_coefficient },
+        churning: spec.churning.then_some(Churning { density, viscosity, radius }),
+        swirl: spec.swirl,
+        density,
+        viscosity,
+    })
+}
+
+fn properties(fluid: Fluid, temperature: f64, pressure: f64) -> Result<(f64, f64), BearingError> {
+    let state = fluid.state(temperature, pressure)?;
+    Ok((state.density, state.viscosity))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::set_value;
+
+    const AG: &str = include_str!("../../../fixtures/cases/paper-handset.ron");
+
+    fn bearing(path: &str, value: &str) -> Bearing {
+        Case::from_ron(&set_value(AG, path, value).unwrap()).unwrap().bearing().unwrap()
+    }
+
+    #[test]
+    fn identity_a_groove_radius_is_its_coefficient_times_the_ball_diameter() {
+        let geometry = bearing("geometry.outer_groove", "Radius(mm(15.9848))").geometry;
+        assert!((geometry.outer_coefficient - 0.53).abs() < 1e-15, "{}", geometry.outer_coefficient);
+        assert_eq!(geometry.inner_coefficient, 0.527);
+    }
+
+    #[test]
+    fn identity_a_fit_by_the_clearance_of_a_contact_angle_gives_that_angle() {
+        let angle = bearing("geometry.fit", "ContactAngle(deg(20))").geometry;
+        let clearance = format!("RadialClearance(m({:e}))", angle.radial_clearance());
+        let same = bearing("geometry.fit", &clearance).geometry;
+        assert!((same.contact_angle() - angle.contact_angle()).abs() < 1e-13);
+    }
+
+    /// Each choice of the case arrives at its own place of the bearing.
+    #[test]
+    fn identity_choices_and_wear_reach_the_bearing() {
+        let plain = bearing("numerics.ring_centre", "Displaced");
+        assert!(plain.ring_turns_about_own_centre && !plain.contact_at_actual_angle && plain.fluid.is_some());
+        assert!(!bearing("numerics.ring_centre", "Inertial").ring_turns_about_own_centre);
+        assert!(bearing("traction.differential_slip", "false").races.inner.surface_radius.is_infinite());
+        assert_eq!(bearing("wear.outer.coefficient", "3e-6").wear.outer.coefficient, 3e-6);
+        assert_eq!(plain.wear_cage.hardness, 60e6);
+        let stiff = bearing("materials.outer.young", "GPa(400)");
+        let moduli = |b: &Bearing| b.races.each_ref().map(|race| race.frozen::<f64>().effective_modulus);
+        assert_eq!(moduli(&stiff).inner, moduli(&plain).inner);
+        assert!(moduli(&stiff).outer > moduli(&plain).outer);
+    }
+}
