@@ -1,12 +1,13 @@
 //! `tribodyn check`: is a case file right, and what follows from it.
 
 use crate::failure::Failure;
-use crate::input::{CaseArguments, CaseFile};
+use crate::input::CaseArguments;
 use crate::table::{self, number};
 use serde::Serialize;
 use tribodyn_bearing::Bearing;
 use tribodyn_bearing::case::{Case, Source};
 use tribodyn_quasistatic::OperatingPoint;
+use tribodyn_study::CaseFile;
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
 #[derive(clap::Args)]

@@ -2,10 +2,11 @@
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use std::path::PathBuf;
-use tribodyn_bearing::BearingError;
 use tribodyn_bearing::case::CaseError;
 use tribodyn_identify::IdentifyError;
 use tribodyn_quasistatic::QuasiStaticError;
+use tribodyn_study::sweep::SweepDifference;
+use tribodyn_study::{RefusedCase, StudyError};
 
 /// A failed command; its exit code says whether the input or the calculation is to blame.
 #[derive(Debug, thiserror::Error, Diagnostic)]
@@ -13,22 +14,14 @@ pub enum Failure {
     #[error("{}{}:{}:{}: {}", .0.options, .0.file, .0.error.line, .0.error.column, .0.error)]
     #[diagnostic(transparent)]
     Case(Box<CaseFailure>),
-    #[error("{option}: {error}")]
-    Change { option: String, error: Box<CaseError> },
-    #[error("cannot read {}: {source}", path.display())]
-    Read { path: PathBuf, source: std::io::Error },
-    #[error("cannot write {}: {source}", path.display())]
-    Write { path: PathBuf, source: std::io::Error },
+    #[error("{}", in_options(.0))]
+    Study(StudyError),
     #[error("--{option} {value}: {message}")]
     Option { option: &'static str, value: String, message: String },
     #[error("{}:{line}:{column}: {message}", path.display())]
     Figures { path: PathBuf, line: usize, column: usize, message: String },
     #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
     OutOfRange { quantity: &'static str, value: f64 },
-    #[error("{file}: {source}")]
-    Bearing { file: String, source: BearingError },
-    #[error("{file}: {source}")]
-    Solver { file: String, source: QuasiStaticError },
     #[error("{file}: {source}")]
     Identify { file: String, source: Box<IdentifyError> },
     #[error(transparent)]
@@ -72,20 +65,59 @@ impl Failure {
         match self {
             Self::Sweep(error) => error.exit_code(),
             Self::Run(error) => error.exit_code(),
-            Self::Solver { source: QuasiStaticError::NotConverged { .. }, .. } => 1,
+            Self::Study(error) => study_exit_code(error),
             Self::Identify { source, .. }
                 if matches!(**source, IdentifyError::NoStart { .. } | IdentifyError::Solver(_)) =>
             {
                 1
             }
-            Self::Write { .. }
-            | Self::Signal(_)
-            | Self::Record(_)
-            | Self::Plot(_)
-            | Self::Output(_)
-            | Self::Json(_) => 1,
+            Self::Signal(_) | Self::Record(_) | Self::Plot(_) | Self::Output(_) | Self::Json(_) => 1,
             _ => 2,
         }
+    }
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Case(refused) => {
+                let RefusedCase { file, options, text, error } = *refused;
+                let span = (error.offset, error.length).into();
+                let text = NamedSource::new(&file, text);
+                Self::Case(Box::new(CaseFailure { file, options, text, span, error }))
+            }
+            other => Self::Study(other),
+        }
+    }
+}
+
+/// 2 where the input is to blame, 1 where the calculation or the disk is.
+fn study_exit_code(error: &StudyError) -> u8 {
+    match error {
+        StudyError::Solver { source: QuasiStaticError::NotConverged { .. }, .. }
+        | StudyError::Write { .. }
+        | StudyError::RefusalLost { .. }
+        | StudyError::Busy { .. }
+        | StudyError::SweepStopped { .. }
+        | StudyError::Json(_) => 1,
+        _ => 2,
+    }
+}
+
+/// The message with the options of the command that it is about.
+fn in_options(error: &StudyError) -> String {
+    match error {
+        StudyError::Overlap { first, second } => format!("--set {first} and --set {second} sweep the same value"),
+        StudyError::TableFormat { .. } => format!("--output {error}"),
+        StudyError::OtherSweep { path, difference } => {
+            let difference = match difference {
+                SweepDifference::Values => "these finished rows are of other --set values".to_owned(),
+                SweepDifference::Cold => "these finished rows are of a sweep with another --cold".to_owned(),
+                other => other.to_string(),
+            };
+            format!("{}: {difference}; delete it, or use --restart to solve all rows anew", path.display())
+        }
+        other => other.to_string(),
     }
 }
 

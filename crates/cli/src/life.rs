@@ -4,7 +4,7 @@
 //! loads with it. The depth is in no other place, and the solution knows no bare steel.
 
 use crate::failure::Failure;
-use crate::input::{CaseArguments, CaseFile};
+use crate::input::CaseArguments;
 use crate::table::{self, number};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
@@ -13,6 +13,7 @@ use tribodyn_bearing::traction::PatchRule;
 use tribodyn_bearing::wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
 use tribodyn_bearing::{Bearing, Side};
 use tribodyn_quasistatic::{BallSolution, Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
+use tribodyn_study::{CaseFile, StudyError};
 
 /// Wear the coatings of a bearing until one is through.
 #[derive(clap::Args)]
@@ -178,9 +179,9 @@ impl<'a> Worn<'a> {
     /// From the stride before where there is one: the coating wears slowly, and the balls stay in the equilibrium that
     /// they are in.
     fn solution(&mut self, life: &CoatingLife) -> Result<Solution, Failure> {
-        let failed = |source| Failure::Solver { file: self.file.name.clone(), source };
+        let failed = |source| StudyError::Solver { file: self.file.name.clone(), source };
         let name = || self.file.name.clone();
-        let bearing = Bearing::new(&self.case(life)?).map_err(|source| Failure::Bearing { file: name(), source })?;
+        let bearing = Bearing::new(&self.case(life)?).map_err(|source| StudyError::Bearing { file: name(), source })?;
         let fine = |solved: &Solved| match self.point.patch {
             PatchRule::TargetError { relative } => solved.solution.patch_error_estimate.is_some_and(|e| e <= relative),
             _ => true,

@@ -1,8 +1,7 @@
 //! `tribodyn solve`: quasi-static equilibrium.
 
 use crate::failure::Failure;
-use crate::input::{CaseArguments, CaseFile, Change};
-use crate::output::StagedFiles;
+use crate::input::CaseArguments;
 use crate::table::{self, number};
 use serde::Serialize;
 use std::fs;
@@ -11,6 +10,8 @@ use tribodyn_quasistatic::{
     BallRoots, BallSolution, Model, OperatingPoint, Root, Solution, Solved, other_roots, root_warnings, solve,
 };
 use tribodyn_record::{SolutionRecording, write_solution};
+use tribodyn_study::StagedFiles;
+use tribodyn_study::{CaseFile, Change, StudyError};
 
 /// Solve the quasi-static equilibrium of ring and balls.
 #[derive(clap::Args)]
@@ -95,7 +96,7 @@ fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
     }
     let bearing = file.bearing()?;
     let point = OperatingPoint::new(&file.case);
-    let failed = |source| Failure::Solver { file: file.name.clone(), source };
+    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
     let Solved { mut solution, warm_start, .. } = solve(&bearing, &point, model).map_err(failed)?;
     let start = warm_start.filter(|_| arguments.roots);
     let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
@@ -121,7 +122,7 @@ pub fn check_output(path: &Path, case: &Path, kind: &str) -> Result<(), Failure>
     }
     if !standing.is_file() {
         let source = std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is not a regular file");
-        return Err(Failure::Write { path: path.to_owned(), source });
+        return Err(StudyError::Write { path: path.to_owned(), source }.into());
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use super::{Outcome, finish};
 use crate::error::Failure;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 11] = [
+const LAYERS: [(&str, &[&str]); 12] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
@@ -20,6 +20,21 @@ const LAYERS: [(&str, &[&str]); 11] = [
     // Recordings of runs hold spectra that a viewer cannot compute.
     ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
     ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
+    // Procedures as a library: all physics, and recordings.
+    (
+        "tribodyn-study",
+        &[
+            "tribodyn-contact",
+            "tribodyn-traction",
+            "tribodyn-wear",
+            "tribodyn-fluid",
+            "tribodyn-signal",
+            "tribodyn-bearing",
+            "tribodyn-quasistatic",
+            "tribodyn-dynamics",
+            "tribodyn-record",
+        ],
+    ),
 ];
 /// Programs that may use every crate.
 const TOP: [&str; 2] = ["tribodyn-cli", "xtask"];

@@ -5,6 +5,7 @@ use serde::Serialize;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
+use tribodyn_study::StudyError;
 
 const HEAD: &str = "id,quantity,published,tolerance,source";
 
@@ -35,7 +36,7 @@ pub struct Compared {
 
 /// The figures of a file beside the fields of `summary`.
 pub fn compared(path: &Path, summary: &Value) -> Result<Vec<Compared>, Failure> {
-    let text = fs::read_to_string(path).map_err(|source| Failure::Read { path: path.to_owned(), source })?;
+    let text = fs::read_to_string(path).map_err(|source| StudyError::Read { path: path.to_owned(), source })?;
     let refused = |(line, column, message)| Failure::Figures { path: path.to_owned(), line, column, message };
     let figures = figures(&text).map_err(refused)?;
     figures.iter().map(|figure| beside(figure, summary).map_err(refused)).collect()

@@ -18,8 +18,6 @@ mod tables;
 mod values;
 
 use crate::failure::Failure;
-use crate::input::CaseFile;
-use crate::output::StagedFiles;
 use crate::run::{RunError, Summary, carries_accelerations};
 use crate::table;
 use against::{Compared, compared};
@@ -34,6 +32,8 @@ use std::path::{Path, PathBuf};
 use tribodyn_plot::Figure;
 use tribodyn_record::{RecordError, Run, read_recording};
 use tribodyn_signal::BearingFrequencies;
+use tribodyn_study::CaseFile;
+use tribodyn_study::StagedFiles;
 use values::CaseValue;
 
 /// Make figures, spectra and a summary of a recorded run or solution, or compare two recordings.

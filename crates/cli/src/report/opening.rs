@@ -4,10 +4,10 @@ use super::Answer;
 use super::content::Table;
 use super::facts::said;
 use super::values::readable;
-use crate::input::CaseFile;
 use crate::table::number;
 use tribodyn_bearing::case::locate;
 use tribodyn_record::Run;
+use tribodyn_study::CaseFile;
 
 fn row(name: &str, value: impl Into<String>) -> Vec<String> {
     vec![name.to_owned(), value.into()]

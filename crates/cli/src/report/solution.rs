@@ -6,7 +6,6 @@ use super::quantities::{self, Quantities};
 use super::tables;
 use super::values::CaseValue;
 use crate::failure::Failure;
-use crate::input::CaseFile;
 use crate::run::warnings::{at_start, shown};
 use crate::table::number;
 use serde::Serialize;
@@ -16,6 +15,7 @@ use tribodyn_plot::Figure;
 use tribodyn_quasistatic::{BallSolution, Model, Solution};
 use tribodyn_record::{BallRow, Run, SolutionRow};
 use tribodyn_signal::BearingFrequencies;
+use tribodyn_study::CaseFile;
 
 /// What `summary.json` and `--json` say of a solution.
 #[derive(Debug, Serialize)]

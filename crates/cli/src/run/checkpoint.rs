@@ -8,6 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tribodyn_dynamics::{Checkpoint, Run};
 use tribodyn_record::RecorderMemory;
+use tribodyn_study::StudyError;
 
 /// Changes with the meaning of the fields.
 const FORMAT: u32 = 3;
@@ -63,7 +64,7 @@ impl Saved {
             format: u32,
             version: String,
         }
-        let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.to_owned(), source })?;
+        let bytes = fs::read(path).map_err(|source| StudyError::Read { path: path.to_owned(), source })?;
         let damaged = |source| RunError::Damaged { path: path.to_owned(), source };
         let head: Head = serde_json::from_slice(&bytes).map_err(damaged)?;
         if head.format != FORMAT || head.version != VERSION {

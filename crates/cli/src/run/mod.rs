@@ -20,7 +20,7 @@ pub use error::RunError;
 pub use summary::{Summary, acceleration, carries_accelerations, imbalance};
 
 use crate::failure::Failure;
-use crate::input::{CaseArguments, CaseFile, Change};
+use crate::input::CaseArguments;
 use crate::solve::check_output;
 use crate::table;
 use checkpoint::{Files, Saved};
@@ -35,6 +35,7 @@ use tape::{SharedTape, Viewers};
 use tribodyn_bearing::case::{Case, SchemeSpec};
 use tribodyn_dynamics::{DynamicsError, Event, EventKind, Observer, Run, RunError as Advance};
 use tribodyn_record::{RecordError, RunRecorder, RunRecording};
+use tribodyn_study::{CaseFile, Change, StudyError};
 
 /// Run a bearing in time and record it.
 #[derive(clap::Args)]
@@ -76,14 +77,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .duration
         .map(|seconds| Change::new(format!("--duration {seconds}"), "transient.duration", &format!("s({seconds})")));
     let changes: Vec<Change> = arguments.case.changes.iter().cloned().chain(duration).collect();
-    let file = CaseFile::read(&arguments.case.path, &changes).map_err(|failure| match failure {
+    let file = CaseFile::read(&arguments.case.path, &changes).map_err(|error| match error {
         // Only a section can be missing on the way to a duration: the news is that, and not the path.
-        Failure::Change { ref option, .. } if option.starts_with("--duration") => RunError::CannotStart {
+        StudyError::Change { ref option, .. } if option.starts_with("--duration") => RunError::CannotStart {
             file: arguments.case.path.display().to_string(),
             source: DynamicsError::Missing { path: "transient" },
         }
         .into(),
-        other => other,
+        other => Failure::from(other),
     })?;
     check_output(&arguments.output, &arguments.case.path, "recording")?;
     let files = Files::new(&arguments.output);
@@ -264,10 +265,10 @@ impl Session {
     }
 }
 
-fn remove(path: &Path) -> Result<(), Failure> {
+fn remove(path: &Path) -> Result<(), StudyError> {
     match fs::remove_file(path) {
         Err(source) if source.kind() != std::io::ErrorKind::NotFound => {
-            Err(Failure::Write { path: path.to_owned(), source })
+            Err(StudyError::Write { path: path.to_owned(), source })
         }
         _ => Ok(()),
     }

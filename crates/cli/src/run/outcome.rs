@@ -5,13 +5,13 @@ use super::progress::significant;
 use super::summary::{Summary, acceleration, carries_accelerations, imbalance};
 use super::warnings::{self, Tested};
 use crate::failure::Failure;
-use crate::input::CaseFile;
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tribodyn_bearing::case::Case;
 use tribodyn_dynamics::{Run, Statistics, Stiffness};
 use tribodyn_record::{RecordError, RunItem, RunReader};
+use tribodyn_study::CaseFile;
 
 pub struct Outcome {
     pub report: Report,

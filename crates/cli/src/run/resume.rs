@@ -7,6 +7,7 @@ use super::tape::{SharedTape, from_hex};
 use crate::failure::Failure;
 use std::fs;
 use tribodyn_record::{RecordError, recover};
+use tribodyn_study::StudyError;
 
 /// Makes `files.earlier` the recording that the checkpoint belongs to, whole; `.active` is free afterwards.
 pub fn set_aside(files: &Files) -> Result<(), Failure> {
@@ -21,7 +22,7 @@ pub fn set_aside(files: &Files) -> Result<(), Failure> {
 
 /// Writes what was recorded up to the checkpoint.
 pub fn copy(files: &Files, saved: &Saved, tape: &SharedTape) -> Result<(), Failure> {
-    let read = |source| Failure::Read { path: files.earlier.clone(), source };
+    let read = |source| StudyError::Read { path: files.earlier.clone(), source };
     let bytes = fs::read(&files.earlier).map_err(read)?;
     let damaged = |source| RecordError::Mcap { action: "read", path: files.earlier.clone(), source };
     let mut copied = 0;

@@ -1,14 +1,12 @@
 //! Figures of a sweep, from the rows of its table: curves over one swept value, maps over two.
 
-use super::columns::{CONVERGED, Cell, Column, Kind};
 use super::error::SweepError;
-use super::grid::Grid;
-use super::table::Rows;
 use crate::failure::Failure;
-use crate::output::StagedFiles;
 use std::collections::BTreeMap;
 use std::path::Path;
 use tribodyn_plot::{Abscissas, Axis, Cell as MapCell, Figure, LineChart, MapAxis, MapChart, Panel, Series};
+use tribodyn_study::StagedFiles;
+use tribodyn_study::sweep::{AxisSummary, CONVERGED, Cell, Column, Grid, Kind, Rows};
 
 /// One figure: its name, title, axis, unit and the unit's count in that of the columns, and lines by name and column.
 struct Plan {
@@ -140,7 +138,7 @@ const PNG_WIDTH: u32 = 1600;
 /// Refuses a sweep that has no figures: nothing is swept, more than two values, or too many.
 pub fn check(grid: &Grid) -> Result<(), SweepError> {
     let axes = grid.summary();
-    let named = |a: &super::grid::AxisSummary| format!("{} ({} values)", a.column, a.values);
+    let named = |a: &AxisSummary| format!("{} ({} values)", a.column, a.values);
     let swept = axes.iter().map(named).collect::<Vec<_>>().join(", ");
     let refuse = |why: String| Err(SweepError::Plot { why });
     match axes.len() {
@@ -270,7 +268,7 @@ impl Answers {
             let values = PLANS.iter().zip(&places).map(of).collect();
             let solved = converged.is_some_and(|at| cells[at] == Cell::Truth(true));
             all.insert(key, Answer { solved, values });
-            Ok(())
+            Ok::<_, Failure>(())
         })?;
         Ok(Self { rows: all })
     }
