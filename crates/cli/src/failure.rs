@@ -37,8 +37,6 @@ pub enum Failure {
     #[error(transparent)]
     Run(#[from] crate::run::RunError),
     #[error(transparent)]
-    Wear(#[from] tribodyn_bearing::wear::WearError),
-    #[error(transparent)]
     Signal(#[from] tribodyn_signal::SignalError),
     #[error("cannot write the answer: {0}")]
     Output(#[from] std::io::Error),
@@ -116,6 +114,9 @@ fn in_options(error: &StudyError) -> String {
                 other => other.to_string(),
             };
             format!("{}: {difference}; delete it, or use --restart to solve all rows anew", path.display())
+        }
+        StudyError::NoWear { .. } => {
+            "--until is missing: nothing wears a coating through in this case: give a time in h".to_owned()
         }
         other => other.to_string(),
     }

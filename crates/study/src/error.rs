@@ -100,6 +100,15 @@ pub enum StudyError {
         /// File of finished rows.
         path: PathBuf,
     },
+    /// Wear that cannot be followed.
+    #[error(transparent)]
+    Wear(#[from] tribodyn_bearing::wear::WearError),
+    /// A life without an end.
+    #[error("{file}: nothing wears a coating through in this case: a time is needed at which its life ends")]
+    NoWear {
+        /// Name of the case file.
+        file: String,
+    },
     /// Something that cannot be written as JSON.
     #[error("cannot write JSON: {0}")]
     Json(#[from] serde_json::Error),
