@@ -3,10 +3,10 @@
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use std::path::PathBuf;
 use tribodyn_bearing::case::CaseError;
+use tribodyn_dynamics::DynamicsError;
 use tribodyn_identify::IdentifyError;
 use tribodyn_quasistatic::QuasiStaticError;
-use tribodyn_study::sweep::SweepDifference;
-use tribodyn_study::{RefusedCase, StudyError};
+use tribodyn_study::{RefusedCase, StudyError, SweepDifference, with_causes};
 
 /// A failed command; its exit code says whether the input or the calculation is to blame.
 #[derive(Debug, thiserror::Error, Diagnostic)]
@@ -32,10 +32,15 @@ pub enum Failure {
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]
     Plot(#[from] tribodyn_plot::PlotError),
-    #[error(transparent)]
-    Sweep(#[from] crate::sweep::SweepError),
-    #[error(transparent)]
-    Run(#[from] crate::run::RunError),
+    /// Figures of a sweep that has none.
+    #[error("--plot: {why}")]
+    NoFigures { why: String },
+    /// The table is written, but not every row is a solution.
+    #[error("{failed} of {rows} rows have no solution; the column `error` of {} says why", path.display())]
+    Unsolved { failed: usize, rows: usize, path: PathBuf },
+    /// A run that was stopped before its end.
+    #[error("stopped after {simulated_s} of {duration_s} s; --resume goes on from there")]
+    Stopped { simulated_s: f64, duration_s: f64 },
     #[error(transparent)]
     Signal(#[from] tribodyn_signal::SignalError),
     #[error("cannot write the answer: {0}")]
@@ -61,15 +66,19 @@ pub struct CaseFailure {
 impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Sweep(error) => error.exit_code(),
-            Self::Run(error) => error.exit_code(),
             Self::Study(error) => study_exit_code(error),
             Self::Identify { source, .. }
                 if matches!(**source, IdentifyError::NoStart { .. } | IdentifyError::Solver(_)) =>
             {
                 1
             }
-            Self::Signal(_) | Self::Record(_) | Self::Plot(_) | Self::Output(_) | Self::Json(_) => 1,
+            Self::Unsolved { .. }
+            | Self::Stopped { .. }
+            | Self::Signal(_)
+            | Self::Record(_)
+            | Self::Plot(_)
+            | Self::Output(_)
+            | Self::Json(_) => 1,
             _ => 2,
         }
     }
@@ -97,6 +106,12 @@ fn study_exit_code(error: &StudyError) -> u8 {
         | StudyError::RefusalLost { .. }
         | StudyError::Busy { .. }
         | StudyError::SweepStopped { .. }
+        | StudyError::NoCheckpoint { .. }
+        | StudyError::Incomplete { .. }
+        | StudyError::BrokenOff { .. }
+        | StudyError::NotRecorded { .. }
+        | StudyError::CannotStart { source: DynamicsError::Start(_), .. }
+        | StudyError::Record(_)
         | StudyError::Json(_) => 1,
         _ => 2,
     }
@@ -118,20 +133,20 @@ fn in_options(error: &StudyError) -> String {
         StudyError::NoWear { .. } => {
             "--until is missing: nothing wears a coating through in this case: give a time in h".to_owned()
         }
+        StudyError::Unfinished { .. } => format!("{error}: --resume goes on with it, --restart forgets it"),
+        StudyError::OtherVersion { .. } | StudyError::Incomplete { .. } => {
+            format!("{error}: start anew with --restart")
+        }
+        StudyError::OtherCase { .. } => {
+            format!("{error}: give the same file and the same --set and --duration, or start anew with --restart")
+        }
+        // Where a reader finds what a case for `solve` does not need.
+        StudyError::CannotStart { source: DynamicsError::Missing { .. }, .. } => {
+            format!("{error}; docs/case-file.md has the fields, fixtures/cases/paper-ag-worn.ron an example of each")
+        }
+        StudyError::NotRecorded { active, .. } | StudyError::NoCheckpoint { active, .. } => {
+            format!("{error}; `tribodyn recover {}` makes a whole recording of what was written", active.display())
+        }
         other => other.to_string(),
     }
-}
-
-/// The message of an error with those of its causes that it does not repeat: a full disk lies deep.
-pub fn with_causes(error: &dyn std::error::Error) -> String {
-    let mut message = error.to_string();
-    let mut cause = error.source();
-    while let Some(error) = cause {
-        let text = error.to_string();
-        if !message.contains(&text) {
-            message = format!("{message}: {text}");
-        }
-        cause = error.source();
-    }
-    message
 }

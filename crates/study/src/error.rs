@@ -1,10 +1,11 @@
 //! Why a procedure does not start, or ends before its time.
 
-use crate::sweep::SweepDifference;
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_bearing::case::CaseError;
+use tribodyn_dynamics::DynamicsError;
 use tribodyn_quasistatic::QuasiStaticError;
+use tribodyn_record::RecordError;
 
 /// A procedure that cannot start, go on or finish.
 #[derive(Debug, thiserror::Error)]
@@ -109,9 +110,145 @@ pub enum StudyError {
         /// Name of the case file.
         file: String,
     },
+    /// An earlier run that would be lost.
+    #[error("{} is of a run that was not finished", path.display())]
+    Unfinished {
+        /// File of the earlier run.
+        path: PathBuf,
+    },
+    /// No earlier run to go on with.
+    #[error("there is no run to go on with: {} does not exist", path.display())]
+    NothingToResume {
+        /// The checkpoint.
+        path: PathBuf,
+    },
+    /// A checkpoint of another version.
+    #[error("{} is of version {found}, this is {}", path.display(), env!("CARGO_PKG_VERSION"))]
+    OtherVersion {
+        /// The checkpoint.
+        path: PathBuf,
+        /// Its version.
+        found: String,
+    },
+    /// A checkpoint of another case.
+    #[error("{} is of another case, which differs from line {line} of this one", path.display())]
+    OtherCase {
+        /// The checkpoint.
+        path: PathBuf,
+        /// First line of the case, from 1, that differs.
+        line: usize,
+    },
+    /// A checkpoint that cannot be read.
+    #[error("{} is no checkpoint: {source}", path.display())]
+    Damaged {
+        /// The checkpoint.
+        path: PathBuf,
+        /// Reason.
+        source: serde_json::Error,
+    },
+    /// A recording that ends before its checkpoint.
+    #[error("{} holds {found} of the {expected} messages up to the checkpoint", path.display())]
+    Incomplete {
+        /// The recording.
+        path: PathBuf,
+        /// Messages in it.
+        found: u64,
+        /// Messages up to the checkpoint.
+        expected: u64,
+    },
+    /// A recording of something else.
+    #[error("{} holds no sample of a transient run or of a solution that can be read", path.display())]
+    NoRun {
+        /// The recording.
+        path: PathBuf,
+    },
+    /// A recording of two things.
+    #[error("{} holds a run and a solution: a report is of one of them", path.display())]
+    Mixed {
+        /// The recording.
+        path: PathBuf,
+    },
+    /// A file that is no recording.
+    #[error("{}", with_causes(source))]
+    NoRecording {
+        /// Reason.
+        source: Box<RecordError>,
+    },
+    /// A case that cannot be run.
+    #[error("{file}: {source}")]
+    CannotStart {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: DynamicsError,
+    },
+    /// A run that the solver cannot finish.
+    #[error("{file}: {source}; what was recorded before is in {}", recording.display())]
+    BrokenOff {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: DynamicsError,
+        /// The recording up to there.
+        recording: PathBuf,
+    },
+    /// A run that cannot be recorded any more.
+    #[error("after {simulated_s} s: {}", with_causes(source))]
+    NotRecorded {
+        /// Simulated time, s.
+        simulated_s: f64,
+        /// Reason.
+        source: Box<RecordError>,
+        /// The recording up to there, not closed.
+        active: PathBuf,
+    },
+    /// A run that cannot write its checkpoint.
+    #[error("after {simulated_s} s: cannot write {}: {source}", checkpoint.display())]
+    NoCheckpoint {
+        /// Simulated time, s.
+        simulated_s: f64,
+        /// The checkpoint.
+        checkpoint: PathBuf,
+        /// Reason.
+        source: std::io::Error,
+        /// The recording up to there, not closed.
+        active: PathBuf,
+    },
+    /// A recording that cannot be written or read.
+    #[error("{}", with_causes(.0))]
+    Record(#[from] RecordError),
     /// Something that cannot be written as JSON.
     #[error("cannot write JSON: {0}")]
     Json(#[from] serde_json::Error),
+}
+
+/// How finished rows on disk differ from those that a sweep would make.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SweepDifference {
+    /// The file holds something else.
+    #[error("this is not a sweep's file of finished rows")]
+    Unknown,
+    /// Another version made them.
+    #[error("these finished rows are of version {found} of the command")]
+    Version {
+        /// Version of the file.
+        found: String,
+    },
+    /// Another case.
+    #[error("these finished rows are of another case")]
+    Case,
+    /// Other swept values.
+    #[error("these finished rows are of other swept values")]
+    Values,
+    /// Another part of the sweep.
+    #[error("these finished rows are of shard {found}")]
+    Shard {
+        /// Part in the file, `I/N`.
+        found: String,
+    },
+    /// Rows that start from neighbours and rows that do not.
+    #[error("these finished rows are of a sweep with another choice of cold starts")]
+    Cold,
 }
 
 /// A refused case with the place to point at.
@@ -125,4 +262,18 @@ pub struct RefusedCase {
     pub text: String,
     /// Reason, with the place in the text.
     pub error: CaseError,
+}
+
+/// The message of an error with those of its causes that it does not repeat: a full disk lies deep.
+pub fn with_causes(error: &dyn std::error::Error) -> String {
+    let mut message = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        let text = error.to_string();
+        if !message.contains(&text) {
+            message = format!("{message}: {text}");
+        }
+        cause = error.source();
+    }
+    message
 }

@@ -3,6 +3,7 @@
 //! | module | procedure | result |
 //! |---|---|---|
 //! | [`wear_life`] | wear of the coatings by strides between equilibria, until one is through | [`Life`] |
+//! | [`run`] | a transient run with checkpoints, taken up again after a stop | recording (MCAP), [`run::RunReport`] |
 //! | [`sweep`] | equilibria over a grid of case values, in parallel, taken up again after a stop | table (CSV, Parquet) |
 //!
 //! A procedure takes a [`CaseFile`] and a plain structure of options and gives back a plain structure of numbers, in SI
@@ -18,9 +19,10 @@ mod case_file;
 mod error;
 mod files;
 mod life;
+pub mod run;
 pub mod sweep;
 
 pub use case_file::{CaseFile, Change, read_text};
-pub use error::{RefusedCase, StudyError};
+pub use error::{RefusedCase, StudyError, SweepDifference, with_causes};
 pub use files::StagedFiles;
 pub use life::{Life, LifeOptions, LifeStride, wear_life};

@@ -2,7 +2,6 @@
 
 use super::quantities::Quantities;
 use crate::failure::Failure;
-use crate::run::warnings::{self, Tested};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use tribodyn_bearing::case::Case;
@@ -10,6 +9,7 @@ use tribodyn_quasistatic::{Model, OperatingPoint, solve};
 use tribodyn_record::{BallRow, Run};
 use tribodyn_signal::BearingFrequencies;
 use tribodyn_study::CaseFile;
+use tribodyn_study::run::warnings::{self, Tested};
 
 /// The quasi-static solution of the same case.
 #[derive(Debug, Default)]

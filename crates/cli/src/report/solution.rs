@@ -6,7 +6,7 @@ use super::quantities::{self, Quantities};
 use super::tables;
 use super::values::CaseValue;
 use crate::failure::Failure;
-use crate::run::warnings::{at_start, shown};
+use crate::run::warnings::shown;
 use crate::table::number;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -16,6 +16,7 @@ use tribodyn_quasistatic::{BallSolution, Model, Solution};
 use tribodyn_record::{BallRow, Run, SolutionRow};
 use tribodyn_signal::BearingFrequencies;
 use tribodyn_study::CaseFile;
+use tribodyn_study::run::warnings::at_start;
 
 /// What `summary.json` and `--json` say of a solution.
 #[derive(Debug, Serialize)]

@@ -1,57 +1,7 @@
-//! Warnings of a run: put together by kind and ball, and no more lines of them than a person reads.
-
-use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
-use tribodyn_bearing::case::{Case, CurveSpec};
-use tribodyn_record::{BallRow, LogRow};
-use tribodyn_traction::Coating;
+//! No more lines of warnings than a person reads.
 
 /// Lines of warnings on a terminal or a page, the one that counts the rest included.
 pub const MOST_LINES: usize = 12;
-
-/// A ball that leaves the load zone: files of earlier versions mark it as a warning.
-const CONTACT_LOST: &str = "contact-lost";
-/// How a quasi-static solution begins to say the same.
-const UNLOADED: &str = "no contact with the ";
-
-/// The warnings of a log: one line for each kind and ball, with the first time and the count.
-pub fn of_log(log: &[LogRow]) -> Vec<String> {
-    let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
-    let mut found: Vec<(&str, usize)> = Vec::new();
-    for row in log.iter().filter(|row| row.warning && row.kind != CONTACT_LOST) {
-        let place = *kinds.entry(format!("{} {}", row.kind, kind(text(row)))).or_insert_with(|| {
-            found.push((&row.message, 0));
-            found.len() - 1
-        });
-        found[place].1 += 1;
-    }
-    let line = |(first, count)| match count {
-        1 => String::from(first),
-        _ => format!("{first} ({count} times, this is the first)"),
-    };
-    found.into_iter().map(line).collect()
-}
-
-/// The message of a line of the log without its time.
-fn text(row: &LogRow) -> &str {
-    row.message.strip_prefix("t = ").and_then(|rest| rest.split_once(" s: ")).map_or(&row.message, |(_, text)| text)
-}
-
-/// A message with its numbers left out, but for those of balls.
-fn kind(message: &str) -> String {
-    let mut kept: Vec<String> = Vec::new();
-    for word in message.split_whitespace() {
-        let of_ball = kept.last().is_some_and(|last| last == "ball");
-        let number = !of_ball && word.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '('));
-        kept.push(if number && word.contains(|c: char| c.is_ascii_digit()) { "#".to_owned() } else { word.to_owned() });
-    }
-    kept.join(" ")
-}
-
-/// Those warnings of a quasi-static solution that are warnings of a run: balls outside the load zone are not.
-pub fn at_start(warnings: Vec<String>) -> Vec<String> {
-    warnings.into_iter().filter(|warning| !warning.starts_with(UNLOADED)).collect()
-}
 
 /// The lines that are shown: the first ones, and how many more there are.
 pub fn shown(all: &[String]) -> Vec<String> {
@@ -63,94 +13,9 @@ pub fn shown(all: &[String]) -> Vec<String> {
     all[..kept].iter().cloned().chain([rest]).collect()
 }
 
-/// Peak pressures of one race against those at which its coating was tested.
-#[derive(Debug, Clone)]
-pub struct Tested {
-    race: &'static str,
-    inner: bool,
-    tested_gpa: RangeInclusive<f64>,
-    least: f64,
-    most: f64,
-    all: u64,
-    outside: u64,
-}
-
-impl Tested {
-    /// For the races whose traction parameters vary with pressure; those that do not are taken at one pressure, whatever
-    /// the contacts have.
-    pub fn of(case: &Case) -> Vec<Self> {
-        let races = [("inner", true, &case.coatings.inner.curve), ("outer", false, &case.coatings.outer.curve)];
-        let one = |(race, inner, curve): (&'static str, bool, &CurveSpec)| {
-            let tested_gpa = tested_gpa(curve)?;
-            Some(Self { race, inner, tested_gpa, least: f64::INFINITY, most: 0.0, all: 0, outside: 0 })
-        };
-        races.into_iter().filter(|_| case.traction.varying).filter_map(one).collect()
-    }
-
-    /// Takes in the balls of a sample; a contact that is lost has no pressure.
-    pub fn add(&mut self, balls: &[BallRow]) {
-        for ball in balls {
-            let pressure = f64::from(if self.inner { ball.pressure_inner_gpa } else { ball.pressure_outer_gpa });
-            if pressure > 0.0 {
-                (self.least, self.most) = (self.least.min(pressure), self.most.max(pressure));
-                self.all += 1;
-                self.outside += u64::from(!self.tested_gpa.contains(&pressure));
-            }
-        }
-    }
-
-    /// A sentence where the curve was used outside its tests.
-    pub fn warning(&self) -> Option<String> {
-        let (low, high) = (self.tested_gpa.start(), self.tested_gpa.end());
-        (self.outside > 0).then(|| {
-            format!(
-                "Pressures at the {} race were {:.3} to {:.3} GPa, the coating was tested at {low} to {high} GPa: its traction curve is extrapolated in {:.0} % of the samples.",
-                self.race,
-                self.least,
-                self.most,
-                100.0 * self.outside as f64 / self.all as f64
-            )
-        })
-    }
-}
-
-/// Lowest and highest tested pressure, GPa.
-fn tested_gpa(curve: &CurveSpec) -> Option<RangeInclusive<f64>> {
-    let pressures: Vec<f64> = match curve {
-        CurveSpec::Library(name) => Coating::library(name).ok()?.tested.iter().map(|test| test.pressure).collect(),
-        CurveSpec::Tested(points) => points.iter().map(|point| point.pressure).collect(),
-    };
-    let extreme = |start: f64, pick: fn(f64, f64) -> f64| 1e-9 * pressures.iter().copied().fold(start, pick);
-    (!pressures.is_empty()).then(|| extreme(f64::INFINITY, f64::min)..=extreme(0.0, f64::max))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn row(kind: &str, message: &str) -> LogRow {
-        LogRow { time_s: 0.0, warning: true, kind: kind.to_owned(), message: message.to_owned() }
-    }
-
-    #[test]
-    fn limit_warnings_of_one_kind_and_ball_are_one_line() {
-        let mut log = vec![row("contact-lost", "t = 0.1 s: ball 2 leaves the inner race at 181.0°")];
-        for k in 0..40 {
-            let at = format!("t = 0.{k:03} s: the coating of the inner race is worn through at {k}.5° of the ring");
-            log.push(row("coating-through", &at));
-            log.push(row("warning", &format!("t = 0.{k:03} s: ball {} skids at {k}.25 %", k % 3)));
-        }
-        log.push(LogRow { warning: false, ..row("impact", "t = 0.1 s: ball 1 meets its pocket") });
-        let lines = of_log(&log);
-        assert_eq!(lines.len(), 4, "{lines:#?}");
-        assert_eq!(
-            lines[0],
-            "t = 0.000 s: the coating of the inner race is worn through at 0.5° of the ring (40 times, this is the first)"
-        );
-        assert!(lines[1].starts_with("t = 0.000 s: ball 0 skids") && lines[1].contains("14 times"), "{lines:#?}");
-        assert!(lines[3].starts_with("t = 0.002 s: ball 2 skids") && lines[3].contains("13 times"), "{lines:#?}");
-        assert_eq!(of_log(&[row("warning", "no time")]), ["no time"]);
-    }
 
     #[test]
     fn limit_no_more_lines_than_a_person_reads() {
@@ -159,36 +24,5 @@ mod tests {
         let lines = shown(&many(30));
         assert_eq!((lines.len(), lines[10].as_str()), (12, "10"));
         assert!(lines[11].contains("19 more"), "{lines:?}");
-    }
-
-    #[test]
-    fn limit_a_ball_outside_the_load_zone_is_no_warning() {
-        let text = include_str!("../../../../fixtures/cases/paper-handset.ron");
-        // Next to no axial load: the balls at the far side carry nothing.
-        let set = |text: &str, path, value| tribodyn_bearing::case::set_value(text, path, value).unwrap();
-        let text = set(&set(text, "ring.z", "Force(kN(2))"), "traction.patch", "SplitStrip(across: 5, along: 3)");
-        let case = Case::from_ron(&text).unwrap();
-        let bearing = tribodyn_bearing::Bearing::new(&case).unwrap();
-        let point = tribodyn_quasistatic::OperatingPoint::new(&case);
-        let solved = tribodyn_quasistatic::solve(&bearing, &point, tribodyn_quasistatic::Model::Traction).unwrap();
-        let of_solution = solved.solution.warnings;
-        assert!(of_solution.iter().any(|w| w.contains("no contact with the inner race")), "{of_solution:?}");
-        let kept = at_start(of_solution);
-        assert!(kept.iter().all(|w| !w.contains("no contact")), "{kept:?}");
-    }
-
-    #[test]
-    fn limit_pressures_are_held_against_those_of_the_tests() {
-        let text = include_str!("../../../../fixtures/cases/paper-handset.ron");
-        let mut races = Tested::of(&Case::from_ron(text).unwrap());
-        let ball = |inner: f32, outer: f32| BallRow {
-            pressure_inner_gpa: inner,
-            pressure_outer_gpa: outer,
-            ..BallRow::default()
-        };
-        races.iter_mut().for_each(|race| race.add(&[ball(2.4, 3.0), ball(3.0, 3.1), ball(0.0, 2.6), ball(2.0, 2.7)]));
-        let said = races[0].warning().unwrap();
-        assert!(said.contains("inner race were 2.000 to 3.000 GPa") && said.contains("67 %"), "{said}");
-        assert_eq!(races[1].warning(), None);
     }
 }

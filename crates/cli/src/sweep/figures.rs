@@ -1,6 +1,5 @@
 //! Figures of a sweep, from the rows of its table: curves over one swept value, maps over two.
 
-use super::error::SweepError;
 use crate::failure::Failure;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -136,11 +135,11 @@ const NAMES: [usize; 2] = [40, 24];
 const PNG_WIDTH: u32 = 1600;
 
 /// Refuses a sweep that has no figures: nothing is swept, more than two values, or too many.
-pub fn check(grid: &Grid) -> Result<(), SweepError> {
+pub fn check(grid: &Grid) -> Result<(), Failure> {
     let axes = grid.summary();
     let named = |a: &AxisSummary| format!("{} ({} values)", a.column, a.values);
     let swept = axes.iter().map(named).collect::<Vec<_>>().join(", ");
-    let refuse = |why: String| Err(SweepError::Plot { why });
+    let refuse = |why: String| Err(Failure::NoFigures { why });
     match axes.len() {
         0 => refuse("nothing is swept; give one --set or two a list of values".to_owned()),
         1 | 2 => {
@@ -315,7 +314,7 @@ impl Answers {
 }
 
 fn no_axis() -> Failure {
-    SweepError::Plot { why: "nothing is swept".to_owned() }.into()
+    Failure::NoFigures { why: "nothing is swept".to_owned() }
 }
 
 /// Draws all figures of the rows into files that get their names when they are published.
@@ -327,7 +326,7 @@ pub fn stage(folder: &Path, grid: &Grid, rows: &Rows) -> Result<StagedFiles, Fai
         let panels = match &swept[..] {
             [axis] => answers.curves(number, axis),
             [first, second] => answers.maps(number, first, second),
-            _ => return Err(check(grid).err().map_or_else(no_axis, Into::into)),
+            _ => return Err(check(grid).err().unwrap_or_else(no_axis)),
         };
         let columns = if panels.len() > 3 { 2 } else { panels.len() };
         let figure = Figure::in_columns(plan.name, plan.title, columns, &panels)?;

@@ -1,10 +1,7 @@
 //! `tribodyn sweep`: quasi-static equilibria over a grid of case values.
 
-mod error;
 mod figures;
 mod plan;
-
-pub use error::SweepError;
 
 use crate::failure::Failure;
 use crate::solve::check_output;
@@ -135,7 +132,7 @@ fn sweep(arguments: &Arguments, grid: &Grid, table: PathBuf, pool: &rayon::Threa
     }
     match count.failed {
         0 => Ok(()),
-        failed => Err(SweepError::Unsolved { failed, rows: count.rows, path: table }.into()),
+        failed => Err(Failure::Unsolved { failed, rows: count.rows, path: table }),
     }
 }
 

@@ -7,7 +7,7 @@
 use super::columns::{Cell, Column, decode};
 use super::grid::Grid;
 use super::shard::Shard;
-use crate::error::StudyError;
+use crate::error::{StudyError, SweepDifference};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -42,40 +42,11 @@ impl Identity {
             o if o.tribodyn != self.tribodyn => Some(SweepDifference::Version { found: o.tribodyn.clone() }),
             o if o.case != self.case => Some(SweepDifference::Case),
             o if o.swept != self.swept => Some(SweepDifference::Values),
-            o if o.shard != self.shard => Some(SweepDifference::Shard { found: o.shard }),
+            o if o.shard != self.shard => Some(SweepDifference::Shard { found: o.shard.to_string() }),
             o if o.cold != self.cold => Some(SweepDifference::Cold),
             _ => None,
         }
     }
-}
-
-/// How finished rows on disk differ from those that a sweep would make.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum SweepDifference {
-    /// The file holds something else.
-    #[error("this is not a sweep's file of finished rows")]
-    Unknown,
-    /// Another version made them.
-    #[error("these finished rows are of version {found} of the command")]
-    Version {
-        /// Version of the file.
-        found: String,
-    },
-    /// Another case.
-    #[error("these finished rows are of another case")]
-    Case,
-    /// Other swept values.
-    #[error("these finished rows are of other swept values")]
-    Values,
-    /// Another part of the sweep.
-    #[error("these finished rows are of shard {found}")]
-    Shard {
-        /// Part in the file.
-        found: Shard,
-    },
-    /// Rows that start from neighbours and rows that do not.
-    #[error("these finished rows are of a sweep with another choice of cold starts")]
-    Cold,
 }
 
 /// Finished chunks on disk.

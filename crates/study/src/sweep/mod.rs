@@ -17,7 +17,6 @@ mod values;
 
 pub use columns::{CONVERGED, Cell, Column, Kind};
 pub use grid::{AxisSummary, Grid, Setting};
-pub use journal::SweepDifference;
 pub use plan::Plan;
 pub use shard::Shard;
 pub use table::{Count, Format, Rows};
