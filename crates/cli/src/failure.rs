@@ -18,8 +18,6 @@ pub enum Failure {
     Study(StudyError),
     #[error("--{option} {value}: {message}")]
     Option { option: &'static str, value: String, message: String },
-    #[error("{}:{line}:{column}: {message}", path.display())]
-    Figures { path: PathBuf, line: usize, column: usize, message: String },
     #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
     OutOfRange { quantity: &'static str, value: f64 },
     #[error("{file}: {source}")]
@@ -111,6 +109,7 @@ fn study_exit_code(error: &StudyError) -> u8 {
         | StudyError::BrokenOff { .. }
         | StudyError::NotRecorded { .. }
         | StudyError::CannotStart { source: DynamicsError::Start(_), .. }
+        | StudyError::Signal(_)
         | StudyError::Record(_)
         | StudyError::Json(_) => 1,
         _ => 2,

@@ -214,6 +214,21 @@ pub enum StudyError {
         /// The recording up to there, not closed.
         active: PathBuf,
     },
+    /// A figure of a file that is refused.
+    #[error("{}:{line}:{column}: {message}", path.display())]
+    Figures {
+        /// The file.
+        path: PathBuf,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// Reason, with the value and what is allowed.
+        message: String,
+    },
+    /// Signals or speeds that cannot be evaluated.
+    #[error(transparent)]
+    Signal(#[from] tribodyn_signal::SignalError),
     /// A recording that cannot be written or read.
     #[error("{}", with_causes(.0))]
     Record(#[from] RecordError),

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`wear_life`] | wear of the coatings by strides between equilibria, until one is through | [`Life`] |
 //! | [`run`] | a transient run with checkpoints, taken up again after a stop | recording (MCAP), [`run::RunReport`] |
+//! | [`evaluation`] | quantities of a recording, beside published figures | [`evaluation::quantities::Quantities`] |
 //! | [`sweep`] | equilibria over a grid of case values, in parallel, taken up again after a stop | table (CSV, Parquet) |
 //!
 //! A procedure takes a [`CaseFile`] and a plain structure of options and gives back a plain structure of numbers, in SI
@@ -17,6 +18,7 @@
 
 mod case_file;
 mod error;
+pub mod evaluation;
 mod files;
 mod life;
 pub mod run;

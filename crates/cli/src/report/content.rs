@@ -4,7 +4,7 @@ use super::Answer;
 use super::opening;
 use super::tables;
 use super::values::CaseValue;
-use crate::run::warnings::shown;
+use crate::run::shown;
 use crate::table::number;
 use tribodyn_record::Run;
 use tribodyn_study::CaseFile;

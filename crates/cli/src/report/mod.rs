@@ -1,17 +1,14 @@
 //! `tribodyn report`: figures, spectra and a summary of a recorded run or solution, or what two of them differ in.
 
-mod against;
 mod compare;
 mod compare_figures;
 mod content;
-mod facts;
 mod figures;
 mod html;
 mod live;
 mod markdown;
 mod opening;
 mod orbit;
-mod quantities;
 mod solution;
 mod spectra;
 mod tables;
@@ -19,11 +16,8 @@ mod values;
 
 use crate::failure::Failure;
 use crate::table;
-use against::{Compared, compared};
 use content::Content;
-use facts::{BallWear, Rolling, Start, said};
 use live::Live;
-use quantities::Quantities;
 use serde::Serialize;
 use solution::SolutionAnswer;
 use std::f64::consts::TAU;
@@ -32,6 +26,9 @@ use tribodyn_plot::Figure;
 use tribodyn_record::{RecordError, Run, read_recording};
 use tribodyn_signal::BearingFrequencies;
 use tribodyn_study::StagedFiles;
+use tribodyn_study::evaluation::facts::{self, BallWear, Rolling, Start, said};
+use tribodyn_study::evaluation::published::{Compared, compared};
+use tribodyn_study::evaluation::quantities::{self, Quantities};
 use tribodyn_study::run::{Summary, carries_accelerations};
 use tribodyn_study::{CaseFile, StudyError};
 use values::CaseValue;

@@ -1,11 +1,12 @@
 //! `tribodyn run`: a transient run, recorded.
 
+mod lines;
 #[cfg(feature = "live")]
 mod live;
 mod outcome;
 mod progress;
-pub mod warnings;
 
+pub use lines::shown;
 pub use outcome::acceleration;
 
 use crate::failure::Failure;

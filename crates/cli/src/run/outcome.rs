@@ -1,7 +1,7 @@
 //! The report of a run, as a person reads it.
 
+use super::lines::shown;
 use super::progress::significant;
-use super::warnings::shown;
 use crate::failure::Failure;
 use crate::table::{self, number};
 use tribodyn_study::run::{RunReport, Summary, imbalance};
