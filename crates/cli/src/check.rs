@@ -1,11 +1,12 @@
 //! `tribodyn check`: is a case file right, and what follows from it.
 
 use crate::failure::Failure;
-use crate::input::{CaseArguments, CaseFile};
+use crate::input::CaseArguments;
 use crate::table::{self, number};
 use serde::Serialize;
 use tribodyn_bearing::Bearing;
 use tribodyn_case::{Case, Source};
+use tribodyn_study::CaseFile;
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
 #[derive(clap::Args)]

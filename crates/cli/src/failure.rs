@@ -2,10 +2,11 @@
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use std::path::PathBuf;
-use tribodyn_bearing::BearingError;
 use tribodyn_case::CaseError;
+use tribodyn_dynamics::DynamicsError;
 use tribodyn_identify::IdentifyError;
 use tribodyn_quasistatic::QuasiStaticError;
+use tribodyn_study::{RefusedCase, StudyError, SweepDifference, with_causes};
 
 /// A failed command; its exit code says whether the input or the calculation is to blame.
 #[derive(Debug, thiserror::Error, Diagnostic)]
@@ -13,22 +14,12 @@ pub enum Failure {
     #[error("{}{}:{}:{}: {}", .0.options, .0.file, .0.error.line, .0.error.column, .0.error)]
     #[diagnostic(transparent)]
     Case(Box<CaseFailure>),
-    #[error("{option}: {error}")]
-    Change { option: String, error: Box<CaseError> },
-    #[error("cannot read {}: {source}", path.display())]
-    Read { path: PathBuf, source: std::io::Error },
-    #[error("cannot write {}: {source}", path.display())]
-    Write { path: PathBuf, source: std::io::Error },
+    #[error("{}", in_options(.0))]
+    Study(StudyError),
     #[error("--{option} {value}: {message}")]
     Option { option: &'static str, value: String, message: String },
-    #[error("{}:{line}:{column}: {message}", path.display())]
-    Figures { path: PathBuf, line: usize, column: usize, message: String },
     #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
     OutOfRange { quantity: &'static str, value: f64 },
-    #[error("{file}: {source}")]
-    Bearing { file: String, source: BearingError },
-    #[error("{file}: {source}")]
-    Solver { file: String, source: QuasiStaticError },
     #[error("{file}: {source}")]
     Identify { file: String, source: Box<IdentifyError> },
     #[error(transparent)]
@@ -39,12 +30,15 @@ pub enum Failure {
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]
     Plot(#[from] tribodyn_plot::PlotError),
-    #[error(transparent)]
-    Sweep(#[from] crate::sweep::SweepError),
-    #[error(transparent)]
-    Run(#[from] crate::run::RunError),
-    #[error(transparent)]
-    Wear(#[from] tribodyn_wear::WearError),
+    /// Figures of a sweep that has none.
+    #[error("--plot: {why}")]
+    NoFigures { why: String },
+    /// The table is written, but not every row is a solution.
+    #[error("{failed} of {rows} rows have no solution; the column `error` of {} says why", path.display())]
+    Unsolved { failed: usize, rows: usize, path: PathBuf },
+    /// A run that was stopped before its end.
+    #[error("stopped after {simulated_s} of {duration_s} s; --resume goes on from there")]
+    Stopped { simulated_s: f64, duration_s: f64 },
     #[error(transparent)]
     Signal(#[from] tribodyn_signal::SignalError),
     #[error("cannot write the answer: {0}")]
@@ -70,15 +64,14 @@ pub struct CaseFailure {
 impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Sweep(error) => error.exit_code(),
-            Self::Run(error) => error.exit_code(),
-            Self::Solver { source: QuasiStaticError::NotConverged { .. }, .. } => 1,
+            Self::Study(error) => study_exit_code(error),
             Self::Identify { source, .. }
                 if matches!(**source, IdentifyError::NoStart { .. } | IdentifyError::Solver(_)) =>
             {
                 1
             }
-            Self::Write { .. }
+            Self::Unsolved { .. }
+            | Self::Stopped { .. }
             | Self::Signal(_)
             | Self::Record(_)
             | Self::Plot(_)
@@ -89,16 +82,70 @@ impl Failure {
     }
 }
 
-/// The message of an error with those of its causes that it does not repeat: a full disk lies deep.
-pub fn with_causes(error: &dyn std::error::Error) -> String {
-    let mut message = error.to_string();
-    let mut cause = error.source();
-    while let Some(error) = cause {
-        let text = error.to_string();
-        if !message.contains(&text) {
-            message = format!("{message}: {text}");
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Case(refused) => {
+                let RefusedCase { file, options, text, error } = *refused;
+                let span = (error.offset, error.length).into();
+                let text = NamedSource::new(&file, text);
+                Self::Case(Box::new(CaseFailure { file, options, text, span, error }))
+            }
+            other => Self::Study(other),
         }
-        cause = error.source();
     }
-    message
+}
+
+/// 2 where the input is to blame, 1 where the calculation or the disk is.
+fn study_exit_code(error: &StudyError) -> u8 {
+    match error {
+        StudyError::Solver { source: QuasiStaticError::NotConverged { .. }, .. }
+        | StudyError::Write { .. }
+        | StudyError::RefusalLost { .. }
+        | StudyError::Busy { .. }
+        | StudyError::SweepStopped { .. }
+        | StudyError::NoCheckpoint { .. }
+        | StudyError::Incomplete { .. }
+        | StudyError::BrokenOff { .. }
+        | StudyError::NotRecorded { .. }
+        | StudyError::CannotStart { source: DynamicsError::Start(_), .. }
+        | StudyError::Signal(_)
+        | StudyError::Record(_)
+        | StudyError::Json(_) => 1,
+        _ => 2,
+    }
+}
+
+/// The message with the options of the command that it is about.
+fn in_options(error: &StudyError) -> String {
+    match error {
+        StudyError::Overlap { first, second } => format!("--set {first} and --set {second} sweep the same value"),
+        StudyError::TableFormat { .. } => format!("--output {error}"),
+        StudyError::OtherSweep { path, difference } => {
+            let difference = match difference {
+                SweepDifference::Values => "these finished rows are of other --set values".to_owned(),
+                SweepDifference::Cold => "these finished rows are of a sweep with another --cold".to_owned(),
+                other => other.to_string(),
+            };
+            format!("{}: {difference}; delete it, or use --restart to solve all rows anew", path.display())
+        }
+        StudyError::NoWear { .. } => {
+            "--until is missing: nothing wears a coating through in this case: give a time in h".to_owned()
+        }
+        StudyError::Unfinished { .. } => format!("{error}: --resume goes on with it, --restart forgets it"),
+        StudyError::OtherVersion { .. } | StudyError::Incomplete { .. } => {
+            format!("{error}: start anew with --restart")
+        }
+        StudyError::OtherCase { .. } => {
+            format!("{error}: give the same file and the same --set and --duration, or start anew with --restart")
+        }
+        // Where a reader finds what a case for `solve` does not need.
+        StudyError::CannotStart { source: DynamicsError::Missing { .. }, .. } => {
+            format!("{error}; docs/case-file.md has the fields, fixtures/cases/paper-ag-worn.ron an example of each")
+        }
+        StudyError::NotRecorded { active, .. } | StudyError::NoCheckpoint { active, .. } => {
+            format!("{error}; `tribodyn recover {}` makes a whole recording of what was written", active.display())
+        }
+        other => other.to_string(),
+    }
 }

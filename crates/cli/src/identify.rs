@@ -1,12 +1,13 @@
 //! `tribodyn identify`: unknown parameters from published or measured figures.
 
 use crate::failure::Failure;
-use crate::output::StagedFiles;
 use crate::table;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use tribodyn_identify::{Identification, Problem, identify};
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
+use tribodyn_study::StagedFiles;
+use tribodyn_study::StudyError;
 
 /// Identify unknown parameters of a case from published or measured figures.
 #[derive(clap::Args)]
@@ -51,11 +52,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         print_comparison(&answers)?;
     }
-    files.map_or(Ok(()), StagedFiles::publish)
+    Ok(files.map_or(Ok(()), StagedFiles::publish)?)
 }
 
-fn read(path: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(path).map_err(|source| Failure::Read { path: path.to_owned(), source })
+fn read(path: &Path) -> Result<String, StudyError> {
+    std::fs::read_to_string(path).map_err(|source| StudyError::Read { path: path.to_owned(), source })
 }
 
 /// On standard error; it hides itself where that is no terminal.

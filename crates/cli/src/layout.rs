@@ -1,11 +1,11 @@
 //! `tribodyn layout`: the Foxglove layout as a file, for viewers of a live run. Recordings carry theirs.
 
 use crate::failure::Failure;
-use crate::input::CaseFile;
-use crate::output::StagedFiles;
 use crate::solve::check_output;
 use std::path::{Path, PathBuf};
 use tribodyn_record::{Layout, LayoutKind};
+use tribodyn_study::StagedFiles;
+use tribodyn_study::{CaseFile, StudyError};
 
 /// Write the Foxglove layout.
 #[derive(clap::Args)]
@@ -26,7 +26,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let layout = match &arguments.case {
         Some(path) => {
             let file = CaseFile::read(path, &[])?;
-            Layout::new(kind, &file.case).map_err(|source| Failure::Bearing { file: file.name.clone(), source })?
+            Layout::new(kind, &file.case).map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?
         }
         None => Layout::general(kind),
     };
@@ -40,5 +40,5 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut staged = StagedFiles::new(folder)?;
     staged.write(name.to_owned(), layout.json().as_bytes())?;
-    staged.publish()
+    Ok(staged.publish()?)
 }

@@ -1,18 +1,10 @@
-//! `tribodyn life`: how long a coating lasts, by strides of wear between quasi-static solutions.
-//!
-//! Wear of a race counts as added radial clearance, by its mean depth round the race: the free contact angle grows and the
-//! loads with it. The depth is in no other place, and the solution knows no bare steel.
+//! `tribodyn life`: how long a coating lasts.
 
 use crate::failure::Failure;
-use crate::input::{CaseArguments, CaseFile};
+use crate::input::CaseArguments;
 use crate::table::{self, number};
-use serde::Serialize;
-use std::f64::consts::{PI, TAU};
-use tribodyn_bearing::{Bearing, Side};
-use tribodyn_case::{Case, Fit};
-use tribodyn_quasistatic::{BallSolution, Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
-use tribodyn_traction::PatchRule;
-use tribodyn_wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
+use std::ops::ControlFlow;
+use tribodyn_study::{CaseFile, Life, LifeOptions, LifeStride, wear_life};
 
 /// Wear the coatings of a bearing until one is through.
 #[derive(clap::Args)]
@@ -36,259 +28,24 @@ fn hours(text: &str) -> Result<f64, String> {
 }
 
 const HOUR: f64 = 3600.0;
-/// Longest stride where nothing else ends one, s: what lasts longer lasts for ever.
-const FOR_EVER: f64 = 1e12;
-/// Part of the new thickness that is left, averaged over the track, when the middle of the track is through (see
-/// [`Raceway`]).
-const STEEL_SHOWS: f64 = 1.0 / 3.0;
-
-/// What `--json` prints.
-#[derive(Debug, Serialize)]
-struct Answer {
-    case: String,
-    bearing: String,
-    /// Races whose coating is through at the end: `inner`, `outer`.
-    worn_through: Vec<&'static str>,
-    /// Running time at the end, h.
-    end_h: f64,
-    /// Turns of the inner ring against the outer by then.
-    end_revolutions: f64,
-    /// When steel first showed in the middle of a track, h; absent where it did not.
-    steel_shows_h: Option<f64>,
-    loss_per_stride: f64,
-    /// The state at the start of each stride, and at the end.
-    strides: Vec<Row>,
-    warnings: Vec<String>,
-}
-
-#[derive(Debug, Clone, Serialize)]
-struct Row {
-    time_h: f64,
-    revolutions: f64,
-    coating_inner_min_um: f64,
-    coating_outer_min_um: f64,
-    wear_depth_inner_mean_um: f64,
-    wear_depth_outer_mean_um: f64,
-    contact_angle_free_deg: f64,
-    contact_angle_inner_min_deg: f64,
-    contact_angle_inner_max_deg: f64,
-    contact_angle_outer_min_deg: f64,
-    contact_angle_outer_max_deg: f64,
-    pressure_inner_max_gpa: f64,
-    pressure_outer_max_gpa: f64,
-    cage_speed_rpm: f64,
-    wear_rate_inner_um3_s: f64,
-    wear_rate_outer_um3_s: f64,
-    wear_rate_cage_um3_s: f64,
-}
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
-    let answer = answer(arguments, &file)?;
-    if arguments.json { table::print_json(&answer) } else { print(&answer) }
-}
-
-fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
-    let mut worn = Worn::new(file)?;
-    let loss_per_stride = 1.0 / f64::from(arguments.strides);
-    let [inner, outer] = worn.raceways()?;
-    let mut life = CoatingLife::new(inner, outer, loss_per_stride)?;
-    let until = arguments.until.map_or(FOR_EVER, |hours| hours * HOUR);
-    let (mut rows, mut warnings) = (Vec::new(), Vec::new());
-    loop {
-        let solution = worn.solution(&life)?;
-        for warning in &solution.warnings {
-            if !warnings.contains(warning) {
-                warnings.push(warning.clone());
-            }
-        }
-        rows.push(worn.row(&life, &solution));
-        let left = until - life.elapsed();
-        if life.worn_through().is_some() || left <= 1e-9 * until {
-            break;
-        }
-        let rates = worn.rates(&solution);
-        life.advance(left, |_, _| Ok::<_, Failure>(rates))?;
-    }
-    if arguments.until.is_none() && life.worn_through().is_none() {
-        let message = "nothing wears a coating through in this case: give a time in h".to_owned();
-        return Err(Failure::Option { option: "until", value: "is missing".to_owned(), message });
-    }
-    warnings.extend(worn.warnings());
-    let end = rows[rows.len() - 1].clone();
-    let through = [("inner", life.inner()), ("outer", life.outer())];
-    Ok(Answer {
-        case: file.name.clone(),
-        bearing: file.case.name.clone(),
-        worn_through: through.iter().filter(|(_, r)| r.worn_through().is_some()).map(|(name, _)| *name).collect(),
-        end_h: end.time_h,
-        end_revolutions: end.revolutions,
-        steel_shows_h: steel_shows(&rows, &file.case),
-        loss_per_stride,
-        strides: rows,
-        warnings,
-    })
-}
-
-/// A bearing as it wears.
-struct Worn<'a> {
-    file: &'a CaseFile,
-    point: OperatingPoint,
-    new: Bearing,
-    start: Option<WarmStart>,
-}
-
-impl<'a> Worn<'a> {
-    fn new(file: &'a CaseFile) -> Result<Self, Failure> {
-        Ok(Self { file, point: file.case.operating_point(), new: file.bearing()?, start: None })
-    }
-
-    /// As the case has them; defects are too small to wear a race round.
-    fn raceways(&self) -> Result<[Raceway; 2], Failure> {
-        let (g, coatings) = (&self.new.geometry, &self.file.case.coatings);
-        // Where the balls touch at the free contact angle.
-        let outwards = g.ball_radius() * g.cos_contact_angle();
-        let race = |spec: &tribodyn_case::CoatingSpec, outwards: f64| {
-            Raceway::new(spec.thickness, spec.worn, 0.5 * g.pitch_diameter + outwards, &[])
-        };
-        Ok([race(&coatings.inner, -outwards)?, race(&coatings.outer, outwards)?])
-    }
-
-    /// The case with the free contact angle that the wear leaves.
-    fn case(&self, life: &CoatingLife) -> Result<Case, Failure> {
-        let g = &self.new.geometry;
-        let groove = |side| g.coefficient(side) * g.ball_diameter;
-        let grooves = GrooveGeometry {
-            ball_diameter: g.ball_diameter,
-            inner_groove: groove(Side::Inner),
-            outer_groove: groove(Side::Outer),
-            inner_bottom: g.groove_centre_radius(Side::Inner) - groove(Side::Inner),
-            outer_bottom: g.groove_centre_radius(Side::Outer) + groove(Side::Outer),
-        };
-        let depths = WearDepths { inner: life.inner().mean_depth(), outer: life.outer().mean_depth() };
-        let mut case = self.file.case.clone();
-        // Bottoms and back again would cost the last digits of the angle where nothing is worn.
-        let angle = if depths == WearDepths::NONE { g.contact_angle() } else { grooves.free_contact_angle(depths)? };
-        case.geometry.fit = Fit::ContactAngle(angle);
-        // The clearance has all that is worn, what was so at the start too.
-        (case.coatings.inner.worn, case.coatings.outer.worn) = (0.0, 0.0);
-        Ok(case)
-    }
-
-    /// From the stride before where there is one: the coating wears slowly, and the balls stay in the equilibrium that
-    /// they are in.
-    fn solution(&mut self, life: &CoatingLife) -> Result<Solution, Failure> {
-        let failed = |source| Failure::Solver { file: self.file.name.clone(), source };
-        let name = || self.file.name.clone();
-        let bearing = self.case(life)?.bearing().map_err(|source| Failure::Bearing { file: name(), source })?;
-        let fine = |solved: &Solved| match self.point.patch {
-            PatchRule::TargetError { relative } => solved.solution.patch_error_estimate.is_some_and(|e| e <= relative),
-            _ => true,
-        };
-        let near = self.start.as_ref().and_then(|start| solve_from(&bearing, &self.point, start).ok()).filter(fine);
-        let solved = match near {
-            Some(solved) => solved,
-            None => solve(&bearing, &self.point, Model::Traction).map_err(failed)?,
-        };
-        self.start = solved.warm_start;
-        Ok(solved.solution)
-    }
-
-    fn rates(&self, solution: &Solution) -> WearRates {
-        let race = |speed: f64, ball: fn(&BallSolution) -> (f64, f64)| RaceWear {
-            along_orbit: solution
-                .balls
-                .iter()
-                .map(|b| {
-                    let (volume_rate, semi_lateral) = ball(b);
-                    BallWear { azimuth: b.azimuth_deg.to_radians(), volume_rate, semi_lateral }
-                })
-                .collect(),
-            ball_count: solution.balls.len(),
-            turning: speed != 0.0,
-        };
-        WearRates {
-            inner: race(self.point.inner_speed, |b| (b.wear_rate_inner_m3_s, b.semi_axes_inner_m[0])),
-            outer: race(self.point.outer_speed, |b| (b.wear_rate_outer_m3_s, b.semi_axes_outer_m[0])),
-        }
-    }
-
-    fn row(&self, life: &CoatingLife, s: &Solution) -> Row {
-        let (time, um3) = (life.elapsed(), 1e18);
-        let turns = (self.point.inner_speed - self.point.outer_speed).abs() / TAU;
-        let least = |get: fn(&BallSolution) -> f64| s.balls.iter().map(get).fold(f64::INFINITY, f64::min);
-        let most = |get: fn(&BallSolution) -> f64| s.balls.iter().map(get).fold(f64::NEG_INFINITY, f64::max);
-        let sum = |get: fn(&BallSolution) -> f64| s.balls.iter().map(get).sum::<f64>();
-        let depths = [life.inner().mean_depth(), life.outer().mean_depth()];
-        let angle = self.case(life).map_or(f64::NAN, |case| match case.geometry.fit {
-            Fit::ContactAngle(angle) => angle,
-            Fit::RadialClearance(_) => f64::NAN,
-        });
-        Row {
-            time_h: time / HOUR,
-            revolutions: time * turns,
-            coating_inner_min_um: life.inner().thinnest() * 1e6,
-            coating_outer_min_um: life.outer().thinnest() * 1e6,
-            wear_depth_inner_mean_um: depths[0] * 1e6,
-            wear_depth_outer_mean_um: depths[1] * 1e6,
-            contact_angle_free_deg: angle * 180.0 / PI,
-            contact_angle_inner_min_deg: least(|b| b.contact_angle_inner_deg),
-            contact_angle_inner_max_deg: most(|b| b.contact_angle_inner_deg),
-            contact_angle_outer_min_deg: least(|b| b.contact_angle_outer_deg),
-            contact_angle_outer_max_deg: most(|b| b.contact_angle_outer_deg),
-            pressure_inner_max_gpa: most(|b| b.peak_pressure_inner_pa) * 1e-9,
-            pressure_outer_max_gpa: most(|b| b.peak_pressure_outer_pa) * 1e-9,
-            cage_speed_rpm: s.cage_speed_rpm,
-            wear_rate_inner_um3_s: sum(|b| b.wear_rate_inner_m3_s) * um3,
-            wear_rate_outer_um3_s: sum(|b| b.wear_rate_outer_m3_s) * um3,
-            wear_rate_cage_um3_s: sum(|b| b.wear_rate_cage_m3_s) * um3,
-        }
-    }
-
-    /// What the reader of a life must know.
-    fn warnings(&self) -> Vec<String> {
-        let mut all = vec![
-            "the life is in inverse proportion to the wear coefficients, which are orders of magnitude as a rule, and no film comes back from the cage"
-                .to_owned(),
-        ];
-        if !self.file.case.defects.is_empty() {
-            all.push("the defects of the case have no part in this".to_owned());
-        }
-        all
-    }
-}
-
-/// The coating left on a race in a row, µm.
-type Left = fn(&Row) -> f64;
-
-/// When the first of the coatings came down to a third, h: depths are linear in time within a stride.
-fn steel_shows(rows: &[Row], case: &Case) -> Option<f64> {
-    let races: [(f64, Left); 2] = [
-        (case.coatings.inner.thickness * 1e6, |row| row.coating_inner_min_um),
-        (case.coatings.outer.thickness * 1e6, |row| row.coating_outer_min_um),
-    ];
-    let times = races.into_iter().filter(|(new, _)| *new > 0.0).filter_map(|(new, left)| {
-        let limit = STEEL_SHOWS * new;
-        if left(&rows[0]) <= limit {
-            return Some(rows[0].time_h);
-        }
-        let pair = rows.windows(2).find(|pair| left(&pair[1]) <= limit)?;
-        let share = (left(&pair[0]) - limit) / (left(&pair[0]) - left(&pair[1]));
-        Some(pair[0].time_h + share * (pair[1].time_h - pair[0].time_h))
-    });
-    times.reduce(f64::min)
+    let options = LifeOptions { strides: arguments.strides, until_s: arguments.until.map(|hours| hours * HOUR) };
+    let life = wear_life(&file, options, |_| ControlFlow::Continue(()))?;
+    if arguments.json { table::print_json(&life) } else { print(&life) }
 }
 
 const HEADER: [&str; 10] =
     ["turns", "h_i µm", "h_o µm", "α_0 °", "α_i °", "α_o °", "p_i GPa", "ω_c r/min", "w_i µm³/s", "w_o µm³/s"];
 
-fn print(a: &Answer) -> Result<(), Failure> {
+fn print(a: &Life) -> Result<(), Failure> {
     table::print_line(&format!("{}: {}\n", a.case, a.bearing))?;
     // Lives go from seconds to months.
     let (unit, per_hour) = if a.end_h < 1.0 { ("s", HOUR) } else { ("h", 1.0) };
     let time = |hours: f64| number(hours * per_hour, 2);
     let range = |least: f64, most: f64| format!("{} – {}", number(least, 2), number(most, 2));
-    let row = |r: &Row| {
+    let row = |r: &LifeStride| {
         vec![
             time(r.time_h),
             format!("{:.4e}", r.revolutions),

@@ -9,7 +9,6 @@ mod identify;
 mod input;
 mod layout;
 mod life;
-mod output;
 mod recover;
 mod report;
 mod run;

@@ -1,14 +1,15 @@
 //! `tribodyn solve`: quasi-static equilibrium.
 
 use crate::failure::Failure;
-use crate::input::{CaseArguments, CaseFile, Change};
-use crate::output::StagedFiles;
+use crate::input::CaseArguments;
 use crate::table::{self, number};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tribodyn_quasistatic::{BallRoots, BallSolution, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
 use tribodyn_record::{SolutionRecording, write_solution};
+use tribodyn_study::StagedFiles;
+use tribodyn_study::{CaseFile, Change, StudyError};
 
 /// Solve the quasi-static equilibrium of ring and balls.
 #[derive(clap::Args)]
@@ -93,7 +94,7 @@ fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
     }
     let bearing = file.bearing()?;
     let point = file.case.operating_point();
-    let failed = |source| Failure::Solver { file: file.name.clone(), source };
+    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
     let Solved { mut solution, warm_start, .. } = solve(&bearing, &point, model).map_err(failed)?;
     let start = warm_start.filter(|_| arguments.roots);
     let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
@@ -119,7 +120,7 @@ pub fn check_output(path: &Path, case: &Path, kind: &str) -> Result<(), Failure>
     }
     if !standing.is_file() {
         let source = std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is not a regular file");
-        return Err(Failure::Write { path: path.to_owned(), source });
+        return Err(StudyError::Write { path: path.to_owned(), source }.into());
     }
     Ok(())
 }

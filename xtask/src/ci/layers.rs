@@ -7,7 +7,7 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 12] = [
+const LAYERS: [(&str, &[&str]); 13] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
@@ -40,6 +40,22 @@ const LAYERS: [(&str, &[&str]); 12] = [
         &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"],
     ),
     ("tribodyn-plot", &["tribodyn-quasistatic"]),
+    // Procedures as a library: all physics, and recordings.
+    (
+        "tribodyn-study",
+        &[
+            "tribodyn-contact",
+            "tribodyn-traction",
+            "tribodyn-wear",
+            "tribodyn-fluid",
+            "tribodyn-signal",
+            "tribodyn-bearing",
+            "tribodyn-case",
+            "tribodyn-quasistatic",
+            "tribodyn-dynamics",
+            "tribodyn-record",
+        ],
+    ),
 ];
 /// What may use every crate, each with what it may not: the published command not the study of the paper, which is not
 /// published, and the study no program.

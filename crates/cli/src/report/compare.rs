@@ -1,17 +1,17 @@
 //! `tribodyn report A.mcap B.mcap`: what two recordings differ in.
 
 use super::content::{Content, Table};
-use super::facts::said;
-use super::quantities::{Quantities, Quantity, Values};
 use super::values::CaseValue;
 use super::{Answer, Evaluated, Kind, compare_figures, opening};
 use crate::failure::Failure;
-use crate::run::warnings::shown;
+use crate::run::shown;
 use crate::table::number;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tribodyn_plot::Figure;
 use tribodyn_signal::BearingFrequencies;
+use tribodyn_study::evaluation::facts::said;
+use tribodyn_study::evaluation::quantities::{Quantities, Quantity, Values};
 
 /// What `summary.json` and `--json` say.
 #[derive(Debug, Serialize)]

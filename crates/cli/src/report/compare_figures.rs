@@ -1,9 +1,9 @@
 //! Curves of two recordings over each other.
 
-use super::quantities::{deflection_um, friction_torque_nm};
 use super::{Evaluated, Kind};
 use tribodyn_plot::{Axis, Figure, History, LineChart, Panel, PlotError, Samples, Series, time_history};
 use tribodyn_record::{BallRow, StateRow};
+use tribodyn_study::evaluation::quantities::{deflection_um, friction_torque_nm};
 
 /// Sectors of the azimuth in which samples are averaged, 5° each.
 const SECTORS: usize = 72;

@@ -4,10 +4,10 @@ use super::Answer;
 use super::opening;
 use super::tables;
 use super::values::CaseValue;
-use crate::input::CaseFile;
-use crate::run::warnings::shown;
+use crate::run::shown;
 use crate::table::number;
 use tribodyn_record::Run;
+use tribodyn_study::CaseFile;
 
 /// Everything but the figures.
 pub struct Content {

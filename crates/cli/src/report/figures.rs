@@ -1,10 +1,10 @@
 //! Histories and balances of a run.
 
-use super::facts::BallWear;
 use super::live::{Kind, Live, Plan as LivePlan, View};
-use crate::run::Summary;
 use tribodyn_plot::{Axis, Figure, History, PlotError, Samples, bars, stacked_bars, time_history};
 use tribodyn_record::{Run, StateRow};
+use tribodyn_study::evaluation::facts::BallWear;
+use tribodyn_study::run::Summary;
 
 /// A line of a history: its label and where it is in a row.
 type Line = (&'static str, fn(&StateRow) -> f64);

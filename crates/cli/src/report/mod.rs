@@ -1,32 +1,23 @@
 //! `tribodyn report`: figures, spectra and a summary of a recorded run or solution, or what two of them differ in.
 
-mod against;
 mod compare;
 mod compare_figures;
 mod content;
-mod facts;
 mod figures;
 mod html;
 mod live;
 mod markdown;
 mod opening;
 mod orbit;
-mod quantities;
 mod solution;
 mod spectra;
 mod tables;
 mod values;
 
 use crate::failure::Failure;
-use crate::input::CaseFile;
-use crate::output::StagedFiles;
-use crate::run::{RunError, Summary, carries_accelerations};
 use crate::table;
-use against::{Compared, compared};
 use content::Content;
-use facts::{BallWear, Rolling, Start, said};
 use live::Live;
-use quantities::Quantities;
 use serde::Serialize;
 use solution::SolutionAnswer;
 use std::f64::consts::TAU;
@@ -34,6 +25,12 @@ use std::path::{Path, PathBuf};
 use tribodyn_plot::Figure;
 use tribodyn_record::{RecordError, Run, read_recording};
 use tribodyn_signal::BearingFrequencies;
+use tribodyn_study::StagedFiles;
+use tribodyn_study::evaluation::facts::{self, BallWear, Rolling, Start, said};
+use tribodyn_study::evaluation::published::{Compared, compared};
+use tribodyn_study::evaluation::quantities::{self, Quantities};
+use tribodyn_study::run::{Summary, carries_accelerations};
+use tribodyn_study::{CaseFile, StudyError};
 use values::CaseValue;
 
 /// Make figures, spectra and a summary of a recorded run or solution, or compare two recordings.
@@ -148,9 +145,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 impl Evaluated {
     /// Reads and evaluates a recording; one that is neither of a run nor of a solution is refused.
     fn read(path: &Path) -> Result<Self, Failure> {
-        let foreign = |source| RunError::NoRecording { source: Box::new(source) };
+        let foreign = |source| StudyError::NoRecording { source: Box::new(source) };
         let run = match read_recording(path) {
-            Err(RecordError::NothingToRecover { .. }) => return Err(RunError::NoRun { path: path.to_owned() }.into()),
+            Err(RecordError::NothingToRecover { .. }) => return Err(StudyError::NoRun { path: path.to_owned() }.into()),
             Err(error @ (RecordError::NotMcap { .. } | RecordError::File { action: "open", .. })) => {
                 return Err(foreign(error).into());
             }
@@ -160,9 +157,9 @@ impl Evaluated {
         let name = path.display().to_string();
         let case = run.case_text.as_ref().and_then(|text| CaseFile::from_text(&name, text.clone(), &[]).ok());
         let case_values = case.as_ref().map_or_else(Vec::new, |file| values::all(&file.text, &file.case));
-        let no_run = || RunError::NoRun { path: path.to_owned() };
+        let no_run = || StudyError::NoRun { path: path.to_owned() };
         let (kind, figures, live) = match (&run.solution, run.states.is_empty()) {
-            (Some(_), false) => return Err(RunError::Mixed { path: path.to_owned() }.into()),
+            (Some(_), false) => return Err(StudyError::Mixed { path: path.to_owned() }.into()),
             (Some(row), true) if run.balls.is_empty() || row.cage_speed_rpm == 0.0 => return Err(no_run().into()),
             (Some(row), true) => {
                 let (mut answer, figures) = solution::evaluate(path, &run, row, (case.as_ref(), case_values))?;

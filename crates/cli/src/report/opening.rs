@@ -2,12 +2,12 @@
 
 use super::Answer;
 use super::content::Table;
-use super::facts::said;
 use super::values::readable;
-use crate::input::CaseFile;
 use crate::table::number;
 use tribodyn_case::locate;
 use tribodyn_record::Run;
+use tribodyn_study::CaseFile;
+use tribodyn_study::evaluation::facts::said;
 
 fn row(name: &str, value: impl Into<String>) -> Vec<String> {
     vec![name.to_owned(), value.into()]

@@ -1,13 +1,10 @@
 //! The report of a recorded quasi-static solution.
 
 use super::content::{Content, Table, damage, values};
-use super::facts::{self, Rolling, said};
-use super::quantities::{self, Quantities};
 use super::tables;
 use super::values::CaseValue;
 use crate::failure::Failure;
-use crate::input::CaseFile;
-use crate::run::warnings::{at_start, shown};
+use crate::run::shown;
 use crate::table::number;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -16,6 +13,10 @@ use tribodyn_plot::Figure;
 use tribodyn_quasistatic::{BallSolution, Model, Solution};
 use tribodyn_record::{BallRow, Run, SolutionRow};
 use tribodyn_signal::BearingFrequencies;
+use tribodyn_study::CaseFile;
+use tribodyn_study::evaluation::facts::{self, Rolling, said};
+use tribodyn_study::evaluation::quantities::{self, Quantities};
+use tribodyn_study::run::warnings::at_start;
 
 /// What `summary.json` and `--json` say of a solution.
 #[derive(Debug, Serialize)]

@@ -2,10 +2,10 @@
 
 use super::live::{Kind, Live, LiveMark, Plan, View};
 use crate::failure::Failure;
-use crate::run::Summary;
 use tribodyn_plot::{Axis, Figure, History, LineChart, Mark, Panel, PlotError, Samples, SpectrumView, spectrum_chart};
 use tribodyn_record::{Run, StateRow};
 use tribodyn_signal::{BearingFrequencies, Spectrum, Window, envelope_spectrum};
+use tribodyn_study::run::Summary;
 
 /// Key of the metadata `simulation` with the end of the band that the filter of the samples passes, Hz.
 const PASS_BAND: &str = "filter_pass_band_hz";

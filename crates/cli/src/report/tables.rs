@@ -1,14 +1,15 @@
 //! Tables of results.
 
 use super::Answer;
-use super::against::Compared;
 use super::content::Table;
-use super::facts::Rolling;
-use super::quantities::{Quantities, Values};
-use crate::run::{Summary, acceleration, imbalance};
+use crate::run::acceleration;
 use crate::table::number;
 use tribodyn_record::Run;
 use tribodyn_signal::BearingFrequencies;
+use tribodyn_study::evaluation::facts::Rolling;
+use tribodyn_study::evaluation::published::Compared;
+use tribodyn_study::evaluation::quantities::{Quantities, Values};
+use tribodyn_study::run::{Summary, imbalance};
 
 fn row(name: &str, value: String, unit: &str) -> Vec<String> {
     vec![name.to_owned(), value, unit.to_owned()]

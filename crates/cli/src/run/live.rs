@@ -3,31 +3,35 @@
 use crate::failure::Failure;
 use std::io::Write;
 use tribodyn_record::{LIVE_ADDRESS, LiveServer, Preamble, RecordError, Sink};
+use tribodyn_study::run::Viewers;
 
 /// Where to listen unless an address is given.
 pub const ADDRESS: &str = LIVE_ADDRESS;
 
 /// Starts the server, and says on standard error where it listens.
-pub fn start(address: &str) -> Result<Box<dyn super::tape::Viewers>, Failure> {
+pub fn start(address: &str) -> Result<Box<dyn Viewers>, Failure> {
     let (server, warning) = LiveServer::start(address)?;
     // If nobody reads the address, nothing is lost.
     let _ = writeln!(std::io::stderr(), "live at ws://{}", server.address());
     if let Some(warning) = warning {
         let _ = writeln!(std::io::stderr(), "warning: {warning}");
     }
-    Ok(Box::new(server))
+    Ok(Box::new(Watched(server)))
 }
 
-impl super::tape::Viewers for LiveServer {
+/// Viewers of a run behind a server.
+struct Watched(LiveServer);
+
+impl Viewers for Watched {
     fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError> {
-        Sink::begin(self, preamble)
+        Sink::begin(&mut self.0, preamble)
     }
 
     fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
-        Sink::message(self, channel, log_time, data)
+        Sink::message(&mut self.0, channel, log_time, data)
     }
 
     fn finish(self: Box<Self>) -> Result<(), RecordError> {
-        Sink::finish(*self).map(|_| ())
+        Sink::finish(self.0).map(|_| ())
     }
 }

@@ -10,7 +10,7 @@ pub struct Progress {
     bar: ProgressBar,
     duration_s: f64,
     /// Simulated time at which this part of the run began, s.
-    pub from_s: f64,
+    from_s: f64,
     began: Instant,
 }
 
@@ -38,11 +38,6 @@ impl Progress {
             self.duration_s,
             significant(factor)
         ));
-    }
-
-    /// Wall time of this part of the run, s.
-    pub fn wall_s(&self) -> f64 {
-        self.began.elapsed().as_secs_f64()
     }
 }
 

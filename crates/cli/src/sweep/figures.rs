@@ -1,14 +1,11 @@
 //! Figures of a sweep, from the rows of its table: curves over one swept value, maps over two.
 
-use super::columns::{CONVERGED, Cell, Column, Kind};
-use super::error::SweepError;
-use super::grid::Grid;
-use super::table::Rows;
 use crate::failure::Failure;
-use crate::output::StagedFiles;
 use std::collections::BTreeMap;
 use std::path::Path;
 use tribodyn_plot::{Abscissas, Axis, Cell as MapCell, Figure, LineChart, MapAxis, MapChart, Panel, Series};
+use tribodyn_study::StagedFiles;
+use tribodyn_study::sweep::{AxisSummary, CONVERGED, Cell, Column, Grid, Kind, Rows};
 
 /// One figure: its name, title, axis, unit and the unit's count in that of the columns, and lines by name and column.
 struct Plan {
@@ -138,11 +135,11 @@ const NAMES: [usize; 2] = [40, 24];
 const PNG_WIDTH: u32 = 1600;
 
 /// Refuses a sweep that has no figures: nothing is swept, more than two values, or too many.
-pub fn check(grid: &Grid) -> Result<(), SweepError> {
+pub fn check(grid: &Grid) -> Result<(), Failure> {
     let axes = grid.summary();
-    let named = |a: &super::grid::AxisSummary| format!("{} ({} values)", a.column, a.values);
+    let named = |a: &AxisSummary| format!("{} ({} values)", a.column, a.values);
     let swept = axes.iter().map(named).collect::<Vec<_>>().join(", ");
-    let refuse = |why: String| Err(SweepError::Plot { why });
+    let refuse = |why: String| Err(Failure::NoFigures { why });
     match axes.len() {
         0 => refuse("nothing is swept; give one --set or two a list of values".to_owned()),
         1 | 2 => {
@@ -270,7 +267,7 @@ impl Answers {
             let values = PLANS.iter().zip(&places).map(of).collect();
             let solved = converged.is_some_and(|at| cells[at] == Cell::Truth(true));
             all.insert(key, Answer { solved, values });
-            Ok(())
+            Ok::<_, Failure>(())
         })?;
         Ok(Self { rows: all })
     }
@@ -317,7 +314,7 @@ impl Answers {
 }
 
 fn no_axis() -> Failure {
-    SweepError::Plot { why: "nothing is swept".to_owned() }.into()
+    Failure::NoFigures { why: "nothing is swept".to_owned() }
 }
 
 /// Draws all figures of the rows into files that get their names when they are published.
@@ -329,7 +326,7 @@ pub fn stage(folder: &Path, grid: &Grid, rows: &Rows) -> Result<StagedFiles, Fai
         let panels = match &swept[..] {
             [axis] => answers.curves(number, axis),
             [first, second] => answers.maps(number, first, second),
-            _ => return Err(check(grid).err().map_or_else(no_axis, Into::into)),
+            _ => return Err(check(grid).err().unwrap_or_else(no_axis)),
         };
         let columns = if panels.len() > 3 { 2 } else { panels.len() };
         let figure = Figure::in_columns(plan.name, plan.title, columns, &panels)?;

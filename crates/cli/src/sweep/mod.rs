@@ -1,41 +1,19 @@
 //! `tribodyn sweep`: quasi-static equilibria over a grid of case values.
-//!
-//! Rows are solved in chunks of neighbours, each chunk for itself, by all cores; finished chunks go to a journal beside
-//! the table, and the table is written from the journal. So a row's numbers depend on the grid alone, not on threads,
-//! shards or stops on the way.
 
-mod columns;
-mod error;
 mod figures;
-mod grid;
-mod journal;
-#[cfg(feature = "parquet")]
-mod parquet;
 mod plan;
-mod rows;
-mod shard;
-mod table;
-mod values;
-
-pub use error::SweepError;
 
 use crate::failure::Failure;
-use crate::input;
-use crate::output::StagedFiles;
 use crate::solve::check_output;
 use crate::table::{number, print_json, print_line, print_pairs};
-use grid::{Grid, Setting};
 use indicatif::{ProgressBar, ProgressStyle};
-use journal::{Identity, Journal};
-use rayon::prelude::*;
-use rows::Chunk;
 use serde::Serialize;
-use shard::Shard;
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::time::Instant;
-use table::{Format, Rows};
+use tribodyn_study::sweep::{Format, Grid, Options, Plan, Setting, Shard, Sweep};
+use tribodyn_study::{StagedFiles, read_text};
 
 /// Solve the quasi-static equilibrium for every combination of case values.
 #[derive(clap::Args)]
@@ -45,7 +23,7 @@ pub struct Arguments {
     case: PathBuf,
     /// Values of one place of the case: kN(10),kN(20) or kN(10..60 by 5), kN(10..60 in 11), kN(1..100 log 21); several
     /// options give every combination, the last varying fastest
-    #[arg(long = "set", value_name = "PATH=VALUES", value_parser = Setting::parse)]
+    #[arg(long = "set", value_name = "PATH=VALUES", value_parser = setting)]
     settings: Vec<Setting>,
     /// Table to write, .parquet or .csv by its name
     #[arg(short, long, value_name = "TABLE", required_unless_present = "plan")]
@@ -76,6 +54,10 @@ pub struct Arguments {
     json: bool,
 }
 
+fn setting(text: &str) -> Result<Setting, String> {
+    Ok(Setting::parse(text)?.prefixed("--set "))
+}
+
 /// What was done.
 #[derive(Serialize)]
 struct Summary {
@@ -98,52 +80,43 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let threads = arguments.threads.map_or(0, NonZeroUsize::get);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|error| Failure::Output(std::io::Error::other(error)))?;
-    let target = arguments.output.as_deref().map(|path| Ok::<_, Failure>((path, Format::of(path)?))).transpose()?;
-    let text = input::read_text(&arguments.case)?;
+    arguments.output.as_deref().map(Format::of).transpose()?;
+    let text = read_text(&arguments.case)?;
     let grid = pool.install(|| Grid::new(&arguments.case.display().to_string(), text, &arguments.settings))?;
-    if let Some((path, _)) = target {
+    if let Some(path) = &arguments.output {
         check_output(path, &arguments.case, "table")?;
     }
     arguments.plot.as_ref().map_or(Ok(()), |_| figures::check(&grid))?;
-    match target {
-        Some((path, format)) if !arguments.plan => sweep(arguments, &grid, path, format, &pool),
-        _ => plan::print(&grid, arguments.shard, arguments.cold, pool.current_num_threads(), arguments.json),
+    match &arguments.output {
+        Some(path) if !arguments.plan => sweep(arguments, &grid, path.clone(), &pool),
+        _ => {
+            let threads = pool.current_num_threads();
+            plan::print(&Plan::new(&grid, arguments.shard, arguments.cold, threads), arguments.json)
+        }
     }
 }
 
-fn sweep(
-    arguments: &Arguments,
-    grid: &Grid,
-    path: &Path,
-    format: Format,
-    pool: &rayon::ThreadPool,
-) -> Result<(), Failure> {
+fn sweep(arguments: &Arguments, grid: &Grid, table: PathBuf, pool: &rayon::ThreadPool) -> Result<(), Failure> {
     let began = Instant::now();
-    let columns = columns::columns(grid.columns());
-    let identity = Identity::new(grid, arguments.shard, arguments.cold);
-    let mut journal = Journal::open(path, &identity, grid, &columns, arguments.restart)?;
-    let of_shard = || (0..grid.chunks()).filter(|chunk| arguments.shard.has(*chunk));
-    let open: Vec<usize> = of_shard().filter(|chunk| !journal.has(*chunk)).collect();
-    let length = |chunks: &mut dyn Iterator<Item = usize>| chunks.map(|chunk| grid.chunk(chunk).len()).sum::<usize>();
-    let resumed = length(&mut of_shard().filter(|chunk| journal.has(*chunk)));
-    let progress = if arguments.quiet { ProgressBar::hidden() } else { progress_bar(length(&mut of_shard()), resumed) };
-    let solved = pool.install(|| solve_chunks(grid, arguments.cold, &open, &mut journal, &progress));
+    let Arguments { shard, cold, restart, .. } = *arguments;
+    let mut sweep = Sweep::open(grid, &Options { table: table.clone(), shard, cold, restart })?;
+    let resumed = sweep.finished_rows();
+    let progress = if arguments.quiet { ProgressBar::hidden() } else { progress_bar(sweep.row_count(), resumed) };
+    let solved = pool.install(|| {
+        sweep.solve(|rows| {
+            progress.inc(rows as u64);
+            ControlFlow::Continue(())
+        })
+    });
     progress.finish_and_clear();
     solved?;
-    let notes = vec![
-        ("tribodyn.version".to_owned(), identity.tribodyn.clone()),
-        ("tribodyn.case".to_owned(), identity.case.clone()),
-        ("tribodyn.swept".to_owned(), serde_json::to_string(&identity.swept)?),
-        ("tribodyn.shard".to_owned(), arguments.shard.to_string()),
-    ];
-    let rows = Rows::new(path, &columns, &journal);
-    let plots = arguments.plot.as_ref().map(|folder| figures::stage(folder, grid, &rows)).transpose()?;
-    let count = table::write(path, format, &columns, &journal, notes)?;
+    let plots = arguments.plot.as_ref().map(|folder| figures::stage(folder, grid, &sweep.rows())).transpose()?;
+    let count = sweep.write_table()?;
     plots.map_or(Ok(()), StagedFiles::publish)?;
-    journal.delete()?;
+    sweep.forget_rows()?;
     let time_s = began.elapsed().as_secs_f64();
     let summary = Summary {
-        output: path.to_owned(),
+        output: table.clone(),
         plot: arguments.plot.clone(),
         grid_rows: grid.rows,
         rows: count.rows,
@@ -159,27 +132,8 @@ fn sweep(
     }
     match count.failed {
         0 => Ok(()),
-        failed => Err(SweepError::Unsolved { failed, rows: count.rows, path: path.to_owned() }.into()),
+        failed => Err(Failure::Unsolved { failed, rows: count.rows, path: table }),
     }
-}
-
-/// Solves chunks in parallel and journals each as soon as it is finished.
-fn solve_chunks(
-    grid: &Grid,
-    cold: bool,
-    open: &[usize],
-    journal: &mut Journal,
-    progress: &ProgressBar,
-) -> Result<(), Failure> {
-    let journal = Mutex::new(journal);
-    // One chunk at a time for each thread: the next free thread takes the next one.
-    open.par_iter().with_max_len(1).try_for_each(|&chunk| {
-        let rows = grid.chunk(chunk);
-        let lines = Chunk::new(grid, cold).lines(rows.clone());
-        journal.lock().unwrap_or_else(PoisonError::into_inner).append(chunk, &lines)?;
-        progress.inc(rows.len() as u64);
-        Ok(())
-    })
 }
 
 /// On standard error; it hides itself where that is no terminal.

@@ -1,56 +1,13 @@
-//! What a sweep would do, and about how long it would take.
+//! The plan of a sweep, as a person or a program reads it.
 
-use super::grid::{AxisSummary, Grid};
-use super::rows::Chunk;
-use super::shard::Shard;
 use crate::failure::Failure;
 use crate::table::{number, print_json, print_line, print_pairs, print_rows};
-use serde::Serialize;
-use std::time::Instant;
+use tribodyn_study::sweep::{AxisSummary, Plan};
 
-/// Rows that are solved to see how long one takes.
-const TRIED: usize = 8;
-
-#[derive(Serialize)]
-struct Plan {
-    /// Rows of the whole grid.
-    grid_rows: usize,
-    /// Rows of the shard.
-    rows: usize,
-    shard: String,
-    /// Rows that are solved one after the other.
-    chunk_rows: usize,
-    threads: usize,
-    axes: Vec<AxisSummary>,
-    /// Time of one row that starts cold, from one try.
-    cold_row_s: f64,
-    /// Mean time of the rows after it.
-    next_row_s: f64,
-    /// Time of the shard, if all rows are like the first few and every thread has a core of its own.
-    estimated_time_s: f64,
-}
-
-/// Prints the plan; some rows are solved for the estimate, and nothing is written.
-pub fn print(grid: &Grid, shard: Shard, cold: bool, threads: usize, json: bool) -> Result<(), Failure> {
-    let chunks: Vec<usize> = (0..grid.chunks()).filter(|chunk| shard.has(*chunk)).collect();
-    let rows = chunks.iter().map(|chunk| grid.chunk(*chunk).len()).sum();
-    let [cold_row_s, next_row_s] = time_rows(grid, cold);
-    // A thread's share in whole chunks.
-    let rounds = chunks.len().div_ceil(threads);
-    let chunk_time = cold_row_s + next_row_s * (grid.chunk(0).len() - 1) as f64;
-    let plan = Plan {
-        grid_rows: grid.rows,
-        rows,
-        shard: shard.to_string(),
-        chunk_rows: grid.chunk_rows(),
-        threads,
-        axes: grid.summary(),
-        cold_row_s,
-        next_row_s,
-        estimated_time_s: rounds as f64 * chunk_time,
-    };
+/// Prints the plan.
+pub fn print(plan: &Plan, json: bool) -> Result<(), Failure> {
     if json {
-        return print_json(&plan);
+        return print_json(plan);
     }
     let of = |a: &AxisSummary| vec![a.column.clone(), a.values.to_string(), a.first.clone(), a.last.clone()];
     print_rows(&["swept", "values", "first", "last"], plan.axes.iter().map(of))?;
@@ -62,18 +19,4 @@ pub fn print(grid: &Grid, shard: Shard, cold: bool, threads: usize, json: bool) 
         ("threads", plan.threads.to_string(), ""),
         ("estimated time", number(plan.estimated_time_s, 1), "s"),
     ])
-}
-
-/// Seconds of the first row, and mean of the few after it.
-fn time_rows(grid: &Grid, cold: bool) -> [f64; 2] {
-    let mut chunk = Chunk::new(grid, cold);
-    let count = grid.chunk(0).len().min(TRIED);
-    let mut time = |rows: std::ops::Range<usize>| {
-        let began = Instant::now();
-        chunk.lines(rows);
-        began.elapsed().as_secs_f64()
-    };
-    let first = time(0..1);
-    let next = if count > 1 { time(1..count) / (count - 1) as f64 } else { first };
-    [first, next]
 }

@@ -21,7 +21,7 @@ struct Neighbour {
 }
 
 /// Solves the rows of one chunk, one after the other.
-pub struct Chunk<'a> {
+pub(crate) struct Chunk<'a> {
     grid: &'a Grid,
     /// Whether each row starts from its own initial guess.
     cold: bool,

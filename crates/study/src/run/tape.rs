@@ -8,7 +8,7 @@ use tribodyn_record::{FileSink, Preamble, RecordError, RecordingSummary, Sink};
 
 /// A message that may not have reached the file yet.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Loose {
+pub(crate) struct Loose {
     /// Place of the topic among the topics of a run.
     pub channel: usize,
     pub log_time_ns: u64,
@@ -18,8 +18,20 @@ pub struct Loose {
 
 /// Who watches a run as it goes, besides the file.
 pub trait Viewers {
+    /// Takes what stands before all messages.
+    ///
+    /// # Errors
+    /// The run ends.
     fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError>;
+    /// Takes a message of a topic, by its place in the preamble, at a time in ns.
+    ///
+    /// # Errors
+    /// The run ends.
     fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError>;
+    /// Takes the end of the run.
+    ///
+    /// # Errors
+    /// The run ends without its report.
     fn finish(self: Box<Self>) -> Result<(), RecordError>;
 }
 
@@ -41,7 +53,7 @@ struct Tape {
 
 /// The sink of a run's recorder, shared with the driver of the run, who asks it what is safe.
 #[derive(Clone)]
-pub struct SharedTape(Rc<RefCell<Tape>>);
+pub(crate) struct SharedTape(Rc<RefCell<Tape>>);
 
 impl SharedTape {
     /// Creates `<path>.active`.
@@ -136,7 +148,7 @@ fn to_hex(data: &[u8]) -> String {
 }
 
 /// The bytes behind an even number of hexadecimal digits.
-pub fn from_hex(text: &str) -> Option<Vec<u8>> {
+pub(crate) fn from_hex(text: &str) -> Option<Vec<u8>> {
     let digit = |c: &u8| char::from(*c).to_digit(16).map(|d| d as u8);
     let pair = |pair: &[u8]| Some(digit(pair.first()?)? << 4 | digit(pair.get(1)?)?);
     text.as_bytes().chunks(2).map(pair).collect()

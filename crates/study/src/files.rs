@@ -1,6 +1,6 @@
-//! Figures on disk: each is written under a temporary name and gets its own when everything else is written.
+//! Files on disk: each is written under a temporary name and gets its own when everything else is written.
 
-use crate::failure::Failure;
+use crate::error::StudyError;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -14,39 +14,39 @@ pub struct StagedFiles {
 
 impl StagedFiles {
     /// Makes the folder, and those above it, where they are missing.
-    pub fn new(folder: &Path) -> Result<Self, Failure> {
+    pub fn new(folder: &Path) -> Result<Self, StudyError> {
         let missing = folder.ancestors().take_while(|f| !f.as_os_str().is_empty() && !f.exists());
         let staged = Self { folder: folder.to_owned(), names: Vec::new(), made: missing.map(Path::to_owned).collect() };
-        fs::create_dir_all(folder).map_err(|source| Failure::Write { path: folder.to_owned(), source })?;
+        fs::create_dir_all(folder).map_err(|source| StudyError::Write { path: folder.to_owned(), source })?;
         Ok(staged)
     }
 
     /// Writes one file under its temporary name.
-    pub fn write(&mut self, name: String, bytes: &[u8]) -> Result<(), Failure> {
+    pub fn write(&mut self, name: String, bytes: &[u8]) -> Result<(), StudyError> {
         let target = self.folder.join(&name);
         if target.is_dir() {
             let source = std::io::ErrorKind::IsADirectory.into();
-            return Err(Failure::Write { path: target, source });
+            return Err(StudyError::Write { path: target, source });
         }
         let path = self.folder.join(temporary(&name));
         self.names.push(name);
-        fs::write(&path, bytes).map_err(|source| Failure::Write { path, source })
+        fs::write(&path, bytes).map_err(|source| StudyError::Write { path, source })
     }
 
     /// Opens one file under its temporary name, for what is too long to be held as a whole.
-    pub fn create(&mut self, name: String) -> Result<fs::File, Failure> {
+    pub fn create(&mut self, name: String) -> Result<fs::File, StudyError> {
         let path = self.folder.join(temporary(&name));
         self.names.push(name);
-        fs::File::create(&path).map_err(|source| Failure::Write { path, source })
+        fs::File::create(&path).map_err(|source| StudyError::Write { path, source })
     }
 
     /// Gives all files their names, replacing those that stand there.
-    pub fn publish(mut self) -> Result<(), Failure> {
+    pub fn publish(mut self) -> Result<(), StudyError> {
         self.made.clear();
         while let Some(name) = self.names.last() {
             let path = self.folder.join(name);
             let renamed = fs::rename(self.folder.join(temporary(name)), &path);
-            renamed.map_err(|source| Failure::Write { path, source })?;
+            renamed.map_err(|source| StudyError::Write { path, source })?;
             self.names.pop();
         }
         Ok(())

@@ -1,6 +1,6 @@
-//! Published or measured figures beside those of a run: `report --against FIGURES.csv`.
+//! Published or measured figures beside those of a run.
 
-use crate::failure::Failure;
+use crate::error::StudyError;
 use serde::Serialize;
 use serde_json::Value;
 use std::fs;
@@ -21,22 +21,29 @@ struct Figure<'a> {
 /// A figure beside that of the run.
 #[derive(Debug, Serialize)]
 pub struct Compared {
+    /// Name of the figure in its file.
     pub id: String,
     /// Field of `summary.json`, with dots between the levels; its name ends in the unit.
     pub quantity: String,
+    /// Published value, in the unit of the quantity.
     pub published: f64,
     /// None where the run has no such value.
     pub computed: Option<f64>,
     /// Largest deviation that is still met.
     pub tolerance: f64,
+    /// Whether the deviation is within the tolerance.
     pub met: bool,
+    /// Where the value is published.
     pub source: String,
 }
 
-/// The figures of a file beside the fields of `summary`.
-pub fn compared(path: &Path, summary: &Value) -> Result<Vec<Compared>, Failure> {
-    let text = fs::read_to_string(path).map_err(|source| Failure::Read { path: path.to_owned(), source })?;
-    let refused = |(line, column, message)| Failure::Figures { path: path.to_owned(), line, column, message };
+/// The figures of a CSV file beside the fields of `summary`.
+///
+/// # Errors
+/// The file cannot be read, or a figure is refused with its line and column.
+pub fn compared(path: &Path, summary: &Value) -> Result<Vec<Compared>, StudyError> {
+    let text = fs::read_to_string(path).map_err(|source| StudyError::Read { path: path.to_owned(), source })?;
+    let refused = |(line, column, message)| StudyError::Figures { path: path.to_owned(), line, column, message };
     let figures = figures(&text).map_err(refused)?;
     figures.iter().map(|figure| beside(figure, summary).map_err(refused)).collect()
 }

@@ -14,6 +14,10 @@ impl Shard {
     /// The whole sweep.
     pub const ALL: Self = Self { index: 0, count: 1 };
 
+    /// Reads `I/N`, such as `0/4`.
+    ///
+    /// # Errors
+    /// A text that says what is allowed.
     pub fn parse(text: &str) -> Result<Self, String> {
         let parts = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
         match parts {

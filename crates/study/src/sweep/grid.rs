@@ -1,10 +1,9 @@
 //! The grid: every combination of the swept values, in the order of the options, the last varying fastest.
 
 use super::columns::{Cell, Column, Kind};
-use super::error::SweepError;
 use super::values;
-use crate::failure::Failure;
-use crate::input::{CaseFile, Change};
+use crate::case_file::{CaseFile, Change};
+use crate::error::StudyError;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::Range;
@@ -16,18 +15,24 @@ const MAX_ROWS: usize = 1_000_000_000;
 /// decides which rows start cold, and must depend neither on threads nor on shards.
 const CHUNK: Range<usize> = 8..65;
 
-/// `--set PATH=VALUES`.
+/// Values for one place of the case: `PATH=VALUES`.
 #[derive(Debug, Clone)]
 pub struct Setting {
+    /// Stands before the setting in messages.
+    prefix: &'static str,
     path: String,
     values: Vec<String>,
 }
 
 impl Setting {
+    /// Reads `PATH=VALUES`, such as `ring.z.Force=kN(10..60 by 5)`.
+    ///
+    /// # Errors
+    /// A text that says what is wrong and what is allowed.
     pub fn parse(text: &str) -> Result<Self, String> {
         match text.split_once('=') {
             Some((path, list)) if !path.trim().is_empty() && !list.trim().is_empty() => {
-                Ok(Self { path: path.trim().to_owned(), values: values::expand(list)? })
+                Ok(Self { prefix: "", path: path.trim().to_owned(), values: values::expand(list)? })
             }
             _ => {
                 Err("allowed is PATH=VALUES, such as ring.z.Force=kN(10),kN(20) or ring.z.Force=kN(10..60 by 5)"
@@ -36,8 +41,13 @@ impl Setting {
         }
     }
 
+    /// With a text that stands before the setting in messages, such as the name of an option.
+    pub fn prefixed(self, prefix: &'static str) -> Self {
+        Self { prefix, ..self }
+    }
+
     fn change(&self, index: usize) -> Change {
-        Change::new(format!("--set {}={}", self.path, self.values[index]), &self.path, &self.values[index])
+        Change::new(format!("{}{}={}", self.prefix, self.path, self.values[index]), &self.path, &self.values[index])
     }
 }
 
@@ -66,17 +76,17 @@ pub struct Grid {
 
 impl Grid {
     /// Checks every value before anything is solved.
-    pub fn new(name: &str, original: String, settings: &[Setting]) -> Result<Self, Failure> {
+    pub fn new(name: &str, original: String, settings: &[Setting]) -> Result<Self, StudyError> {
         let (single, swept): (Vec<_>, Vec<_>) = settings.iter().partition(|s| s.values.len() == 1);
         for (i, first) in swept.iter().enumerate() {
             let second = swept[i + 1..].iter().find(|second| first.change(0).concerns(&second.path));
             if let Some(second) = second {
                 let [first, second] = [first.path.clone(), second.path.clone()];
-                return Err(SweepError::Overlap { first, second }.into());
+                return Err(StudyError::Overlap { first, second });
             }
         }
         let count = |rows: usize, s: &&Setting| rows.checked_mul(s.values.len()).filter(|n| *n <= MAX_ROWS);
-        let rows = swept.iter().try_fold(1, count).ok_or(SweepError::TooManyRows { limit: MAX_ROWS })?;
+        let rows = swept.iter().try_fold(1, count).ok_or(StudyError::TooManyRows { limit: MAX_ROWS })?;
         let fixed: Vec<Change> = single.iter().map(|s| s.change(0)).collect();
         let axes = swept.into_iter().map(Axis::new).collect();
         let mut grid = Self { name: name.to_owned(), original, fixed, base: String::new(), axes, rows };
@@ -93,7 +103,7 @@ impl Grid {
     }
 
     /// Each value with the first values of the other axes, or, where the case is refused with these, with their last.
-    fn check(&self) -> Result<(), Failure> {
+    fn check(&self) -> Result<(), StudyError> {
         let strides = self.strides();
         let last = self.rows - 1;
         for (axis, stride) in self.axes.iter().zip(&strides) {
@@ -113,13 +123,13 @@ impl Grid {
     }
 
     /// What is wrong with a row, in words that blame the option.
-    fn refusal(&self, row: usize) -> Failure {
+    fn refusal(&self, row: usize) -> StudyError {
         let swept = self.axes.iter().zip(self.indices(row)).map(|(axis, i)| axis.setting.change(i));
         let changes: Vec<Change> = self.fixed.iter().cloned().chain(swept).collect();
         match CaseFile::from_text(&self.name, self.original.clone(), &changes).and_then(|file| file.bearing()) {
             Err(failure) => failure,
             // Texts are refused by the same reader: there is nothing that only one of both refuses.
-            Ok(_) => Failure::Output(std::io::Error::other("a refused case was accepted when read again")),
+            Ok(_) => StudyError::RefusalLost { row },
         }
     }
 
@@ -133,13 +143,13 @@ impl Grid {
     }
 
     /// Which value of each axis a row has.
-    pub fn indices(&self, row: usize) -> Vec<usize> {
+    pub(crate) fn indices(&self, row: usize) -> Vec<usize> {
         let place = |(axis, stride): (&Axis, usize)| row / stride % axis.cells.len();
         self.axes.iter().zip(self.strides()).map(place).collect()
     }
 
     /// The text of a row's case; `None` where a path is not in it.
-    pub fn text(&self, row: usize) -> Option<String> {
+    pub(crate) fn text(&self, row: usize) -> Option<String> {
         let mut text = self.base.clone();
         for (axis, i) in self.axes.iter().zip(self.indices(row)) {
             text = set_value(&text, &axis.setting.path, &axis.setting.values[i]).ok()?;
@@ -148,7 +158,7 @@ impl Grid {
     }
 
     /// The swept values of a row, as they stand in the table.
-    pub fn cells(&self, row: usize) -> impl Iterator<Item = Cell> {
+    pub(crate) fn cells(&self, row: usize) -> impl Iterator<Item = Cell> {
         self.axes.iter().zip(self.indices(row)).map(|(axis, i)| axis.cells[i].clone())
     }
 
@@ -191,23 +201,28 @@ impl Grid {
     }
 
     /// The case's text with the changes of a single value.
-    pub fn base(&self) -> &str {
+    pub(crate) fn base(&self) -> &str {
         &self.base
     }
 
     /// All values of all axes, by path.
-    pub fn values(&self) -> Vec<(&str, &[String])> {
+    pub(crate) fn values(&self) -> Vec<(&str, &[String])> {
         self.axes.iter().map(|axis| (axis.setting.path.as_str(), axis.setting.values.as_slice())).collect()
     }
 }
 
 /// One axis in a few words.
-#[derive(Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub struct AxisSummary {
+    /// Name of its column, with the unit.
     pub column: String,
+    /// Place in the case.
     pub path: String,
+    /// Number of values.
     pub values: usize,
+    /// First value, as in a case file.
     pub first: String,
+    /// Last value, as in a case file.
     pub last: String,
 }
 

@@ -7,8 +7,17 @@ use tribodyn_record::{BallRow, Run, SolutionRow, StateRow};
 /// Least, mean and greatest value, or one value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Values {
+    /// A value of one time, or of all.
     One(f64),
-    Span { min: f64, mean: f64, max: f64 },
+    /// Values of a part of a run, or of all balls.
+    Span {
+        /// Least.
+        min: f64,
+        /// Mean.
+        mean: f64,
+        /// Greatest.
+        max: f64,
+    },
 }
 
 /// A quantity with its names for people and for JSON.
@@ -16,11 +25,15 @@ pub enum Values {
 pub struct Quantity {
     /// Its name in JSON, without unit.
     pub key: &'static str,
+    /// Its name for people.
     pub name: &'static str,
     /// The unit for people, and as the end of the name in JSON; both empty for a ratio or a count.
     pub unit: &'static str,
+    /// The unit as the end of the name in JSON.
     pub suffix: &'static str,
+    /// Decimals for people.
     pub digits: usize,
+    /// In this unit.
     pub values: Values,
 }
 

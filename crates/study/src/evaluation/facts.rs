@@ -1,8 +1,8 @@
 //! Numbers of a report that are not in the summary of a run.
 
 use super::quantities::Quantities;
-use crate::failure::Failure;
-use crate::input::CaseFile;
+use crate::case_file::CaseFile;
+use crate::error::StudyError;
 use crate::run::warnings::{self, Tested};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -14,12 +14,16 @@ use tribodyn_signal::BearingFrequencies;
 /// The quasi-static solution of the same case.
 #[derive(Debug, Default)]
 pub struct Start {
+    /// Cage speed, r/min; none without a solution.
     pub cage_speed_rpm: Option<f64>,
+    /// Error of the patch rule over the contact load, where the rule gives one.
     pub patch_error_estimate: Option<f64>,
+    /// Of the solution, or why there is none.
     pub warnings: Vec<String>,
 }
 
 impl Start {
+    /// Of the case of a run.
     pub fn of(file: &CaseFile) -> Self {
         let Ok(bearing) = file.bearing() else { return Self::default() };
         match solve(&bearing, &file.case.operating_point(), Model::Traction) {
@@ -45,7 +49,15 @@ pub fn ring_speeds(run: &Run, from_s: f64) -> [f64; 2] {
 }
 
 /// How often cage, balls and races met on average from a time on; speeds of cage and rings in rad/s.
-pub fn frequencies(run: &Run, from_s: f64, cage: f64, [inner, outer]: [f64; 2]) -> Result<BearingFrequencies, Failure> {
+///
+/// # Errors
+/// The speeds are not those of a bearing with balls.
+pub fn frequencies(
+    run: &Run,
+    from_s: f64,
+    cage: f64,
+    [inner, outer]: [f64; 2],
+) -> Result<BearingFrequencies, StudyError> {
     let (mut sum, mut count) = (0.0, 0.0);
     for ball in run.balls.iter().filter(|(time, _)| *time >= from_s).flat_map(|(_, balls)| balls) {
         let spin = [ball.spin_axial_rad_s, ball.spin_radial_rad_s, ball.spin_tangential_rad_s].map(f64::from);
@@ -59,12 +71,14 @@ pub fn frequencies(run: &Run, from_s: f64, cage: f64, [inner, outer]: [f64; 2]) 
 /// Frequencies of pure rolling.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Rolling {
+    /// Number of balls.
     pub ball_count: usize,
     /// Mean operating contact angle of both races.
     pub contact_angle_deg: f64,
     /// D cos α/d_m.
     #[serde(skip)]
     pub gamma: f64,
+    /// Of cage, balls and races.
     #[serde(flatten)]
     pub frequencies: BearingFrequencies,
 }
@@ -80,7 +94,7 @@ pub fn rolling(run: &Run, operation: &Quantities, [inner, outer]: [f64; 2]) -> O
     Some(Rolling { ball_count, contact_angle_deg, gamma: ball * radians.cos() / pitch, frequencies })
 }
 
-/// What the metadata of a recording say.
+/// An entry of the metadata of a recording.
 pub fn said<'a>(run: &'a Run, key: &str) -> Option<&'a str> {
     run.metadata.get("simulation")?.get(key).map(String::as_str)
 }
@@ -104,12 +118,16 @@ pub fn balls(run: &Run) -> usize {
     run.balls.first().map_or(0, |(_, balls)| balls.len())
 }
 
-/// What one ball has worn off.
+/// Volumes that one ball has worn off.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct BallWear {
+    /// Number of the ball.
     pub ball: u32,
+    /// Volume off the inner race, µm³.
     pub inner_um3: f64,
+    /// Volume off the outer race, µm³.
     pub outer_um3: f64,
+    /// Volume off its pocket, µm³.
     pub cage_um3: f64,
 }
 

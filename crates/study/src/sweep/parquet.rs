@@ -2,7 +2,7 @@
 
 use super::columns::{Cell, Column, Kind};
 use super::table::{Count, Rows};
-use crate::failure::Failure;
+use crate::error::StudyError;
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical, ZstdLevel};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
@@ -18,7 +18,11 @@ use std::sync::Arc;
 const GROUP: usize = 1 << 14;
 
 /// Writes all rows; `notes` become the file's key–value metadata.
-pub fn write(writer: impl Write + Send, rows: &Rows<'_>, notes: Vec<(String, String)>) -> Result<Count, Failure> {
+pub(crate) fn write(
+    writer: impl Write + Send,
+    rows: &Rows<'_>,
+    notes: Vec<(String, String)>,
+) -> Result<Count, StudyError> {
     let failure = |error: ParquetError| rows.failure(std::io::Error::other(error));
     let properties = WriterProperties::builder()
         .set_compression(Compression::ZSTD(ZstdLevel::default()))
@@ -33,7 +37,7 @@ pub fn write(writer: impl Write + Send, rows: &Rows<'_>, notes: Vec<(String, Str
         if group.len() == GROUP {
             write_group(&mut file, rows.columns, &mut group).map_err(failure)?;
         }
-        Ok(())
+        Ok::<_, StudyError>(())
     })?;
     if !group.is_empty() {
         write_group(&mut file, rows.columns, &mut group).map_err(failure)?;

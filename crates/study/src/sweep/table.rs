@@ -1,24 +1,28 @@
 //! The finished table: CSV or Parquet, rows in the order of the grid.
 
 use super::columns::{CONVERGED, Cell, Column, decode, header};
-use super::error::SweepError;
 use super::journal::Journal;
-use crate::failure::Failure;
-use crate::output::StagedFiles;
+use crate::error::StudyError;
+use crate::files::StagedFiles;
 use std::io::{BufWriter, Error, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// What a table is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
+    /// Text, one row a line.
     Csv,
+    /// Columns with types, compressed.
     #[cfg(feature = "parquet")]
     Parquet,
 }
 
 impl Format {
     /// By the end of the name.
-    pub fn of(path: &Path) -> Result<Self, SweepError> {
+    ///
+    /// # Errors
+    /// A name that ends in neither.
+    pub fn of(path: &Path) -> Result<Self, StudyError> {
         match path.extension().and_then(|e| e.to_str()) {
             Some("csv") => Ok(Self::Csv),
             #[cfg(feature = "parquet")]
@@ -26,7 +30,7 @@ impl Format {
             _ => {
                 let allowed =
                     if cfg!(feature = "parquet") { ".parquet or .csv" } else { ".csv (this build has no Parquet)" };
-                Err(SweepError::Format { path: path.to_owned(), allowed })
+                Err(StudyError::TableFormat { path: path.to_owned(), allowed })
             }
         }
     }
@@ -35,20 +39,22 @@ impl Format {
 /// Rows of a table, and how many of them are no solutions.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Count {
+    /// All rows.
     pub rows: usize,
+    /// Those that are no solutions.
     pub failed: usize,
 }
 
 /// Writes the table from the finished rows, under its name only when it is whole. `notes` go into formats that have a
 /// place for them.
-pub fn write(
+pub(crate) fn write(
     path: &Path,
     format: Format,
     columns: &[Column],
     journal: &Journal,
     notes: Vec<(String, String)>,
-) -> Result<Count, Failure> {
-    let failure = |source| Failure::Write { path: path.to_owned(), source };
+) -> Result<Count, StudyError> {
+    let failure = |source| StudyError::Write { path: path.to_owned(), source };
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or_else(|| failure(Error::new(ErrorKind::InvalidInput, "the name is not UTF-8 text")))?;
     let mut staged = StagedFiles::new(path.parent().unwrap_or(Path::new("")))?;
@@ -69,21 +75,28 @@ pub fn write(
     Ok(count)
 }
 
-/// What is to be written.
+/// Finished rows of a table.
 pub struct Rows<'a> {
     path: &'a Path,
+    /// Columns in order.
     pub columns: &'a [Column],
     journal: &'a Journal,
 }
 
 impl<'a> Rows<'a> {
     /// The finished rows of a table that will stand at `path`.
-    pub fn new(path: &'a Path, columns: &'a [Column], journal: &'a Journal) -> Self {
+    pub(crate) fn new(path: &'a Path, columns: &'a [Column], journal: &'a Journal) -> Self {
         Self { path, columns, journal }
     }
 
     /// Hands out each row as its line and its fields.
-    pub fn each(&self, mut take: impl FnMut(&str, Vec<Cell>) -> Result<(), Failure>) -> Result<Count, Failure> {
+    ///
+    /// # Errors
+    /// A finished row cannot be read, or the failure of `take`.
+    pub fn each<E: From<StudyError>>(
+        &self,
+        mut take: impl FnMut(&str, Vec<Cell>) -> Result<(), E>,
+    ) -> Result<Count, E> {
         let converged = self.columns.iter().position(|column| column.name == CONVERGED);
         let mut count = Count::default();
         for lines in self.journal.read() {
@@ -98,11 +111,11 @@ impl<'a> Rows<'a> {
         Ok(count)
     }
 
-    pub fn failure(&self, source: Error) -> Failure {
-        Failure::Write { path: PathBuf::from(self.path), source }
+    pub(crate) fn failure(&self, source: Error) -> StudyError {
+        StudyError::Write { path: PathBuf::from(self.path), source }
     }
 
-    fn csv(&self, mut writer: impl Write) -> Result<Count, Failure> {
+    fn csv(&self, mut writer: impl Write) -> Result<Count, StudyError> {
         let failure = |source| self.failure(source);
         writeln!(writer, "{}", header(self.columns)).map_err(failure)?;
         let count = self.each(|line, _| writeln!(writer, "{line}").map_err(failure))?;

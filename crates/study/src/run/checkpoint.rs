@@ -1,8 +1,7 @@
 //! What a run leaves beside its recording so that it can be taken up again.
 
 use super::tape::{Loose, SharedTape};
-use crate::failure::Failure;
-use crate::run::RunError;
+use crate::error::StudyError;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,11 +10,11 @@ use tribodyn_record::RecorderMemory;
 
 /// Changes with the meaning of the fields.
 const FORMAT: u32 = 3;
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// A run at a time.
 #[derive(Debug, Serialize, Deserialize)]
-pub struct Saved {
+pub(crate) struct Saved {
     format: u32,
     version: String,
     pub simulated_s: f64,
@@ -56,23 +55,23 @@ impl Saved {
     }
 
     /// The checkpoint of a run of this very case by this very version.
-    pub fn read(path: &Path, case_text: &str) -> Result<Self, Failure> {
+    pub fn read(path: &Path, case_text: &str) -> Result<Self, StudyError> {
         /// What is read first: a checkpoint of another version may have any other fields.
         #[derive(Deserialize)]
         struct Head {
             format: u32,
             version: String,
         }
-        let bytes = fs::read(path).map_err(|source| Failure::Read { path: path.to_owned(), source })?;
-        let damaged = |source| RunError::Damaged { path: path.to_owned(), source };
+        let bytes = fs::read(path).map_err(|source| StudyError::Read { path: path.to_owned(), source })?;
+        let damaged = |source| StudyError::Damaged { path: path.to_owned(), source };
         let head: Head = serde_json::from_slice(&bytes).map_err(damaged)?;
         if head.format != FORMAT || head.version != VERSION {
-            return Err(RunError::OtherVersion { path: path.to_owned(), found: head.version }.into());
+            return Err(StudyError::OtherVersion { path: path.to_owned(), found: head.version });
         }
         let saved: Self = serde_json::from_slice(&bytes).map_err(damaged)?;
         if saved.case_text != case_text {
             let line = first_difference(&saved.case_text, case_text);
-            return Err(RunError::OtherCase { path: path.to_owned(), line }.into());
+            return Err(StudyError::OtherCase { path: path.to_owned(), line });
         }
         Ok(saved)
     }
@@ -85,7 +84,7 @@ fn first_difference(a: &str, b: &str) -> usize {
 
 /// The files of a run.
 #[derive(Debug, Clone)]
-pub struct Files {
+pub(crate) struct Files {
     /// The whole recording.
     pub recording: PathBuf,
     /// The recording while it grows.

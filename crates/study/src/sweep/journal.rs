@@ -5,10 +5,9 @@
 //! end is cut off.
 
 use super::columns::{Cell, Column, decode};
-use super::error::SweepError;
 use super::grid::Grid;
 use super::shard::Shard;
-use crate::failure::Failure;
+use crate::error::{StudyError, SweepDifference};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -35,19 +34,18 @@ impl Identity {
     }
 
     /// How the sweep of a journal differs from this one.
-    fn difference(&self, line: &[u8]) -> Option<String> {
+    fn difference(&self, line: &[u8]) -> Option<SweepDifference> {
         let Ok(other) = serde_json::from_slice::<Self>(line) else {
-            return Some("this is not a sweep's file of finished rows".to_owned());
+            return Some(SweepDifference::Unknown);
         };
-        let what = match &other {
-            o if o.tribodyn != self.tribodyn => format!("version {} of the command", o.tribodyn),
-            o if o.case != self.case => "another case".to_owned(),
-            o if o.swept != self.swept => "other --set values".to_owned(),
-            o if o.shard != self.shard => format!("shard {}", o.shard),
-            o if o.cold != self.cold => "a sweep with another --cold".to_owned(),
-            _ => return None,
-        };
-        Some(format!("these finished rows are of {what}"))
+        match &other {
+            o if o.tribodyn != self.tribodyn => Some(SweepDifference::Version { found: o.tribodyn.clone() }),
+            o if o.case != self.case => Some(SweepDifference::Case),
+            o if o.swept != self.swept => Some(SweepDifference::Values),
+            o if o.shard != self.shard => Some(SweepDifference::Shard { found: o.shard.to_string() }),
+            o if o.cold != self.cold => Some(SweepDifference::Cold),
+            _ => None,
+        }
     }
 }
 
@@ -68,14 +66,14 @@ impl Journal {
         grid: &Grid,
         columns: &[Column],
         restart: bool,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, StudyError> {
         let mut name = table.as_os_str().to_owned();
         name.push(".rows");
         let path = PathBuf::from(name);
-        let write = |source| Failure::Write { path: path.clone(), source };
+        let write = |source| StudyError::Write { path: path.clone(), source };
         let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(write)?;
         match file.try_lock() {
-            Err(TryLockError::WouldBlock) => return Err(SweepError::Busy { path }.into()),
+            Err(TryLockError::WouldBlock) => return Err(StudyError::Busy { path }),
             // Some file systems know no locks: then the user has to take care.
             Ok(()) | Err(TryLockError::Error(_)) => {}
         }
@@ -87,7 +85,7 @@ impl Journal {
         // A first line without an end was stopped at birth.
         let fresh = restart || line.last() != Some(&b'\n');
         if !fresh && let Some(difference) = identity.difference(&line) {
-            return Err(SweepError::OtherSweep { path, difference }.into());
+            return Err(StudyError::OtherSweep { path, difference });
         }
         let (chunks, end) = if fresh {
             (&file).seek(SeekFrom::Start(0)).and_then(|_| file.set_len(0)).map_err(write)?;
@@ -101,13 +99,18 @@ impl Journal {
         Ok(Self { path, file, end, chunks })
     }
 
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Whether a chunk is finished.
     pub fn has(&self, chunk: usize) -> bool {
         self.chunks.contains_key(&chunk)
     }
 
     /// Adds a finished chunk; once this returns, the rows outlast the process.
-    pub fn append(&mut self, chunk: usize, lines: &str) -> Result<(), Failure> {
+    pub fn append(&mut self, chunk: usize, lines: &str) -> Result<(), StudyError> {
         let written = self.file.seek(SeekFrom::Start(self.end)).and_then(|_| self.file.write_all(lines.as_bytes()));
         written.and_then(|()| self.file.sync_data()).map_err(|source| self.failure(source))?;
         self.chunks.insert(chunk, (self.end, lines.len()));
@@ -116,7 +119,7 @@ impl Journal {
     }
 
     /// The lines of all finished chunks, in the order of the grid, a chunk at a time.
-    pub fn read(&self) -> impl Iterator<Item = Result<String, Failure>> {
+    pub fn read(&self) -> impl Iterator<Item = Result<String, StudyError>> {
         self.chunks.values().map(|&(offset, length)| {
             let mut text = String::new();
             let mut file = &self.file;
@@ -131,12 +134,12 @@ impl Journal {
     }
 
     /// Removes the file: the table has it all.
-    pub fn delete(self) -> Result<(), Failure> {
+    pub fn delete(self) -> Result<(), StudyError> {
         std::fs::remove_file(&self.path).map_err(|source| self.failure(source))
     }
 
-    fn failure(&self, source: Error) -> Failure {
-        Failure::Write { path: self.path.clone(), source }
+    fn failure(&self, source: Error) -> StudyError {
+        StudyError::Write { path: self.path.clone(), source }
     }
 }
 

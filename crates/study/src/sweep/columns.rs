@@ -6,9 +6,13 @@ use tribodyn_quasistatic::{BallSolution, QuasiStaticError, Solution};
 /// One field of a row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
+    /// A whole number.
     Integer(i64),
+    /// A number in the unit of the column.
     Number(f64),
+    /// Yes or no.
     Truth(bool),
+    /// Words.
     Text(String),
     /// What a row without a solution has in place of numbers.
     Null,
@@ -17,9 +21,13 @@ pub enum Cell {
 /// What all fields of a column are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
+    /// Whole numbers.
     Integer,
+    /// Numbers in one unit.
     Number,
+    /// Yes or no.
     Truth,
+    /// Words.
     Text,
 }
 
@@ -28,13 +36,14 @@ pub enum Kind {
 pub struct Column {
     /// Name, with the unit.
     pub name: String,
+    /// Kind of all fields.
     pub kind: Kind,
     /// Whether fields may be null.
     pub optional: bool,
 }
 
 impl Column {
-    pub fn new(name: &str, kind: Kind, optional: bool) -> Self {
+    pub(crate) fn new(name: &str, kind: Kind, optional: bool) -> Self {
         Self { name: name.to_owned(), kind, optional }
     }
 }
@@ -97,7 +106,7 @@ fn min(s: &Solution, of: impl Fn(&BallSolution) -> f64) -> f64 {
 }
 
 /// All columns: the row's number, the swept values, what came of it.
-pub fn columns(swept: impl Iterator<Item = Column>) -> Vec<Column> {
+pub(crate) fn columns(swept: impl Iterator<Item = Column>) -> Vec<Column> {
     let mut columns = vec![Column::new("row", Kind::Integer, false)];
     columns.extend(swept);
     columns.push(Column::new(CONVERGED, Kind::Truth, false));
@@ -111,7 +120,7 @@ pub fn columns(swept: impl Iterator<Item = Column>) -> Vec<Column> {
 }
 
 /// Why a row has no solution.
-pub struct Unsolved {
+pub(crate) struct Unsolved {
     /// What is left of the equations, and the steps taken, where they were tried.
     tried: Option<(f64, usize)>,
     message: String,
@@ -135,7 +144,7 @@ impl From<QuasiStaticError> for Unsolved {
 }
 
 /// A row as a line of text, without its end.
-pub fn line(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Result<Solution, Unsolved>) -> String {
+pub(crate) fn line(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Result<Solution, Unsolved>) -> String {
     let count = |n: usize| Cell::Integer(n as i64);
     let mut cells = vec![count(row)];
     cells.extend(swept);
@@ -161,7 +170,7 @@ pub fn line(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Result<Solu
 }
 
 /// Fields as one line of CSV: numbers in the shortest form that reads back as the same, strings in quotes where needed.
-pub fn encode(cells: &[Cell]) -> String {
+pub(crate) fn encode(cells: &[Cell]) -> String {
     let mut line = String::new();
     for (i, cell) in cells.iter().enumerate() {
         if i > 0 {
@@ -186,12 +195,12 @@ fn quoted(text: &str) -> String {
 }
 
 /// The names of the columns as a line of CSV.
-pub fn header(columns: &[Column]) -> String {
+pub(crate) fn header(columns: &[Column]) -> String {
     encode(&columns.iter().map(|column| Cell::Text(column.name.clone())).collect::<Vec<_>>())
 }
 
 /// The fields of a line; `None` where it is not a whole row of these columns.
-pub fn decode(line: &str, columns: &[Column]) -> Option<Vec<Cell>> {
+pub(crate) fn decode(line: &str, columns: &[Column]) -> Option<Vec<Cell>> {
     let fields = split(line)?;
     if fields.len() != columns.len() {
         return None;

@@ -2,7 +2,6 @@
 
 use super::settled::Settled;
 use super::warnings;
-use crate::table::number;
 use serde::Serialize;
 use tribodyn_case::{Case, SchemeSpec};
 use tribodyn_dynamics::ACCELERATION_ERROR;
@@ -13,51 +12,79 @@ use tribodyn_signal::Statistics;
 /// of what is left once the run is steady, if that is later.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
+    /// Time at the end, s.
     pub simulated_s: f64,
     /// From when on the averages are taken.
     pub averaged_from_s: f64,
     /// From when on the run is steady; none where it is not, or cannot be judged.
     pub settled_at_s: Option<f64>,
+    /// How steady the run is.
     #[serde(skip)]
     pub settled: Settled,
+    /// Samples of the whole run.
     pub samples: usize,
+    /// Mean cage speed, r/min.
     pub cage_speed_mean_rpm: f64,
+    /// Cage speed at the end, r/min.
     pub cage_speed_end_rpm: f64,
+    /// Least orbital speed of a ball, r/min.
     pub orbital_speed_min_rpm: f64,
+    /// Largest orbital speed of a ball, r/min.
     pub orbital_speed_max_rpm: f64,
     /// About the mean.
     pub outer_acceleration_x_rms_m_s2: f64,
+    /// About the mean.
     pub outer_acceleration_y_rms_m_s2: f64,
     /// Farthest from the mean.
     pub outer_acceleration_x_peak_m_s2: f64,
+    /// Farthest from the mean.
     pub outer_acceleration_y_peak_m_s2: f64,
+    /// Largest contact load at the inner race, N.
     pub load_inner_max_n: f64,
+    /// Largest contact load at the outer race, N.
     pub load_outer_max_n: f64,
+    /// Highest peak pressure at the inner race, GPa.
     pub pressure_inner_max_gpa: f64,
+    /// Highest peak pressure at the outer race, GPa.
     pub pressure_outer_max_gpa: f64,
+    /// Largest force between a ball and its pocket, N.
     pub pocket_force_max_n: f64,
     /// In the whole run.
     pub impacts: u32,
     /// Fewest balls that carried load at both races at one time.
     pub balls_in_contact_min: u32,
+    /// Mean powers.
     pub power: Powers,
+    /// Worn volumes and coatings left.
     pub wear: Worn,
+    /// Of the log, and of the balance of work.
     pub warnings: Vec<String>,
 }
 
 /// Mean powers, W, and how well they balance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Powers {
+    /// Power of the shaft, in.
     pub shaft_w: f64,
+    /// Power of the loads, in.
     pub load_w: f64,
+    /// Friction at the inner race.
     pub friction_inner_w: f64,
+    /// Friction at the outer race.
     pub friction_outer_w: f64,
+    /// Drag on the balls.
     pub drag_w: f64,
+    /// Churning of the balls.
     pub churning_w: f64,
+    /// Damping of the contacts.
     pub contact_damping_w: f64,
+    /// Friction in the pockets.
     pub pocket_friction_w: f64,
+    /// Damping in the pockets.
     pub pocket_damping_w: f64,
+    /// Drag and guidance of the cage.
     pub cage_w: f64,
+    /// Dampers of the supports.
     pub support_w: f64,
     /// Energy that moving and pressed parts took up.
     pub stored_w: f64,
@@ -88,19 +115,18 @@ pub fn carries_accelerations(patch_error_estimate: Option<f64>) -> bool {
     patch_error_estimate.is_none_or(|error| error <= ACCELERATION_ERROR)
 }
 
-/// Value and unit of an acceleration in a table: only where the patch rule carries it.
-pub fn acceleration(value: String, carried: bool) -> (String, &'static str) {
-    if carried { (value, "m/s²") } else { ("–".to_owned(), "patch rule too coarse") }
-}
-
 /// What has worn off since the start, without the acceleration of wear.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Worn {
+    /// Of the inner race, µm³.
     pub volume_inner_um3: f64,
+    /// Of the outer race, µm³.
     pub volume_outer_um3: f64,
+    /// Of the cage, µm³.
     pub volume_cage_um3: f64,
-    /// Thinnest coating left.
+    /// Thinnest coating left at the inner race, µm.
     pub coating_inner_min_um: f64,
+    /// The same at the outer race, µm.
     pub coating_outer_min_um: f64,
     /// When this was so.
     pub at_s: f64,
@@ -161,7 +187,7 @@ const PPB_PER_PERCENT: f64 = 1e7;
 
 /// An imbalance of work for people, %.
 pub fn imbalance(percent: f64) -> String {
-    if percent.abs() < 1e-3 { format!("{percent:.1e}") } else { number(percent, 4) }
+    if percent.abs() < 1e-3 { format!("{percent:.1e}") } else { format!("{percent:.4}") }
 }
 
 fn off_balance(imbalance_percent: f64, case: &Case) -> Option<String> {

@@ -1,13 +1,10 @@
-//! Warnings of a run: put together by kind and ball, and no more lines of them than a person reads.
+//! Warnings of a run, put together by kind and ball.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use tribodyn_case::{Case, CurveSpec};
 use tribodyn_record::{BallRow, LogRow};
 use tribodyn_traction::Coating;
-
-/// Lines of warnings on a terminal or a page, the one that counts the rest included.
-pub const MOST_LINES: usize = 12;
 
 /// A ball that leaves the load zone: files of earlier versions mark it as a warning.
 const CONTACT_LOST: &str = "contact-lost";
@@ -51,16 +48,6 @@ fn kind(message: &str) -> String {
 /// Those warnings of a quasi-static solution that are warnings of a run: balls outside the load zone are not.
 pub fn at_start(warnings: Vec<String>) -> Vec<String> {
     warnings.into_iter().filter(|warning| !warning.starts_with(UNLOADED)).collect()
-}
-
-/// The lines that are shown: the first ones, and how many more there are.
-pub fn shown(all: &[String]) -> Vec<String> {
-    if all.len() <= MOST_LINES {
-        return all.to_vec();
-    }
-    let kept = MOST_LINES - 1;
-    let rest = format!("… and {} more warnings; --json has all of them", all.len() - kept);
-    all[..kept].iter().cloned().chain([rest]).collect()
 }
 
 /// Peak pressures of one race against those at which its coating was tested.
@@ -150,15 +137,6 @@ mod tests {
         assert!(lines[1].starts_with("t = 0.000 s: ball 0 skids") && lines[1].contains("14 times"), "{lines:#?}");
         assert!(lines[3].starts_with("t = 0.002 s: ball 2 skids") && lines[3].contains("13 times"), "{lines:#?}");
         assert_eq!(of_log(&[row("warning", "no time")]), ["no time"]);
-    }
-
-    #[test]
-    fn limit_no_more_lines_than_a_person_reads() {
-        let many = |count: usize| (0..count).map(|k| k.to_string()).collect::<Vec<_>>();
-        assert_eq!(shown(&many(12)).len(), 12);
-        let lines = shown(&many(30));
-        assert_eq!((lines.len(), lines[10].as_str()), (12, "10"));
-        assert!(lines[11].contains("19 more"), "{lines:?}");
     }
 
     #[test]

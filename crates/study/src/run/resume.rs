@@ -1,15 +1,14 @@
 //! Taking up a run: the old recording is copied into a new one up to the checkpoint, which has the memories of solver and
 //! recorder.
 
-use super::RunError;
 use super::checkpoint::{Files, Saved};
 use super::tape::{SharedTape, from_hex};
-use crate::failure::Failure;
+use crate::error::StudyError;
 use std::fs;
 use tribodyn_record::{RecordError, recover};
 
 /// Makes `files.earlier` the recording that the checkpoint belongs to, whole; `.active` is free afterwards.
-pub fn set_aside(files: &Files) -> Result<(), Failure> {
+pub(crate) fn set_aside(files: &Files) -> Result<(), StudyError> {
     // One that stands there already is of a resumption that was stopped before its first checkpoint.
     if files.earlier.exists() {
         return Ok(());
@@ -20,8 +19,8 @@ pub fn set_aside(files: &Files) -> Result<(), Failure> {
 }
 
 /// Writes what was recorded up to the checkpoint.
-pub fn copy(files: &Files, saved: &Saved, tape: &SharedTape) -> Result<(), Failure> {
-    let read = |source| Failure::Read { path: files.earlier.clone(), source };
+pub(crate) fn copy(files: &Files, saved: &Saved, tape: &SharedTape) -> Result<(), StudyError> {
+    let read = |source| StudyError::Read { path: files.earlier.clone(), source };
     let bytes = fs::read(&files.earlier).map_err(read)?;
     let damaged = |source| RecordError::Mcap { action: "read", path: files.earlier.clone(), source };
     let mut copied = 0;
@@ -32,7 +31,7 @@ pub fn copy(files: &Files, saved: &Saved, tape: &SharedTape) -> Result<(), Failu
         copied += 1;
     }
     if copied < saved.safe_messages {
-        return Err(lost(files, copied, saved).into());
+        return Err(lost(files, copied, saved));
     }
     for loose in &saved.loose_messages {
         let data = from_hex(&loose.hex).ok_or_else(|| lost(files, copied, saved))?;
@@ -43,6 +42,6 @@ pub fn copy(files: &Files, saved: &Saved, tape: &SharedTape) -> Result<(), Failu
     Ok(())
 }
 
-fn lost(files: &Files, found: u64, saved: &Saved) -> RunError {
-    RunError::Incomplete { path: files.earlier.clone(), found, expected: saved.safe_messages }
+fn lost(files: &Files, found: u64, saved: &Saved) -> StudyError {
+    StudyError::Incomplete { path: files.earlier.clone(), found, expected: saved.safe_messages }
 }

@@ -1,0 +1,122 @@
+//! Reading case files, with changes to single values.
+
+use crate::error::{RefusedCase, StudyError};
+use std::fmt;
+use std::path::Path;
+use tribodyn_bearing::Bearing;
+use tribodyn_case::{Case, CaseError, set_value};
+
+/// A value of the case file to be replaced.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Change {
+    /// The option as it was given, for messages.
+    option: String,
+    path: String,
+    value: String,
+}
+
+impl Change {
+    /// A value for the place `path`; `option` names the change in messages.
+    pub fn new(option: String, path: &str, value: &str) -> Self {
+        Self { option, path: path.to_owned(), value: value.to_owned() }
+    }
+
+    /// The text with the change made.
+    pub fn apply(&self, text: &str) -> Result<String, CaseError> {
+        set_value(text, &self.path, &self.value)
+    }
+
+    /// Whether the change can be what an error at `path` is about: one of the two lies within the other.
+    pub fn concerns(&self, path: &str) -> bool {
+        let within = |inner: &str, outer: &str| {
+            inner.strip_prefix(outer).is_some_and(|r| r.is_empty() || r.starts_with(['.', '[']))
+        };
+        within(&self.path, path) || within(path, &self.path)
+    }
+}
+
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.option)
+    }
+}
+
+/// A case file's text, changes made, and what it says.
+pub struct CaseFile {
+    /// Name for messages.
+    pub name: String,
+    /// The text that was read, changes made.
+    pub text: String,
+    /// The case in SI units.
+    pub case: Case,
+}
+
+impl CaseFile {
+    /// Reads, makes the changes, parses and validates.
+    pub fn read(path: &Path, changes: &[Change]) -> Result<Self, StudyError> {
+        Self::from_text(&path.display().to_string(), read_text(path)?, changes)
+    }
+
+    /// Makes the changes to a text, parses and validates; `name` is for messages.
+    pub fn from_text(name: &str, original: String, changes: &[Change]) -> Result<Self, StudyError> {
+        let mut text = original.clone();
+        for change in changes {
+            text = match change.apply(&text) {
+                Ok(changed) => changed,
+                // A file that cannot be read has no values to replace: then that is the news.
+                Err(error) => {
+                    Case::from_ron(&original).map_err(|error| refused(name, &original, String::new(), error))?;
+                    return Err(StudyError::Change { option: change.to_string(), error: Box::new(error) });
+                }
+            };
+        }
+        match Case::from_ron(&text) {
+            Ok(case) => Ok(Self { name: name.to_owned(), text, case }),
+            Err(error) => Err(refused_after(name, &original, &text, changes, error)),
+        }
+    }
+
+    /// The bearing that the solvers work with.
+    pub fn bearing(&self) -> Result<Bearing, StudyError> {
+        self.case.bearing().map_err(|source| StudyError::Bearing { file: self.name.clone(), source })
+    }
+}
+
+/// The text of a case file.
+pub fn read_text(path: &Path) -> Result<String, StudyError> {
+    let read = |source| StudyError::Read { path: path.to_owned(), source };
+    let bytes = std::fs::read(path).map_err(read)?;
+    String::from_utf8(bytes)
+        .map_err(|_| read(std::io::Error::new(std::io::ErrorKind::InvalidData, "it is not UTF-8 text")))
+}
+
+/// Blames the file for what is wrong without the changes too, and otherwise the change that the error is about, or all.
+fn refused_after(name: &str, original: &str, text: &str, changes: &[Change], error: CaseError) -> StudyError {
+    if let Err(before) = Case::from_ron(original)
+        && (&before.path, &before.message) == (&error.path, &error.message)
+    {
+        return refused(name, original, String::new(), before);
+    }
+    let mut blamed: Vec<_> = changes.iter().filter(|change| change.concerns(&error.path)).collect();
+    if blamed.is_empty() {
+        blamed = changes.iter().collect();
+    }
+    let options: String = blamed.iter().map(|change| format!("{change}: ")).collect();
+    refused(name, text, options, error)
+}
+
+fn refused(file: &str, text: &str, options: String, error: CaseError) -> StudyError {
+    StudyError::Case(Box::new(RefusedCase { file: file.to_owned(), options, text: text.to_owned(), error }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Change;
+
+    #[test]
+    fn limit_a_change_concerns_what_lies_within_it_or_around_it() {
+        let change = Change::new("fit".to_owned(), "geometry.fit", "deg(1)");
+        assert!(change.concerns("geometry.fit.ContactAngle") && change.concerns("geometry"));
+        assert!(!change.concerns("geometry.fitted") && !change.concerns("cage"));
+    }
+}

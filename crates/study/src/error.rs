@@ -1,0 +1,294 @@
+//! Why a procedure does not start, or ends before its time.
+
+use std::path::PathBuf;
+use tribodyn_bearing::BearingError;
+use tribodyn_case::CaseError;
+use tribodyn_dynamics::DynamicsError;
+use tribodyn_quasistatic::QuasiStaticError;
+use tribodyn_record::RecordError;
+
+/// A procedure that cannot start, go on or finish.
+#[derive(Debug, thiserror::Error)]
+pub enum StudyError {
+    /// A case that is refused.
+    #[error("{}{}:{}:{}: {}", .0.options, .0.file, .0.error.line, .0.error.column, .0.error)]
+    Case(Box<RefusedCase>),
+    /// A change of a case that cannot be made.
+    #[error("{option}: {error}")]
+    Change {
+        /// The change as its author named it.
+        option: String,
+        /// Reason.
+        error: Box<CaseError>,
+    },
+    /// A file that cannot be read.
+    #[error("cannot read {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// A file that cannot be written.
+    #[error("cannot write {}: {source}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// A case that makes no bearing.
+    #[error("{file}: {source}")]
+    Bearing {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: BearingError,
+    },
+    /// An equilibrium that is not found.
+    #[error("{file}: {source}")]
+    Solver {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: QuasiStaticError,
+    },
+    /// Two lists of values for one place of the case.
+    #[error("{first} and {second} sweep the same value")]
+    Overlap {
+        /// Path of the first list.
+        first: String,
+        /// Path of the second list.
+        second: String,
+    },
+    /// A grid beyond all calculation.
+    #[error("the grid has more than {limit} rows")]
+    TooManyRows {
+        /// Most rows of a grid.
+        limit: usize,
+    },
+    /// A row of the grid that was refused once and then accepted.
+    #[error("row {row}: a refused case was accepted when read again")]
+    RefusalLost {
+        /// Number of the row, from 0.
+        row: usize,
+    },
+    /// A table that is neither Parquet nor CSV.
+    #[error("{}: allowed is a name that ends in {allowed}", path.display())]
+    TableFormat {
+        /// The table.
+        path: PathBuf,
+        /// Endings that are known.
+        allowed: &'static str,
+    },
+    /// Finished rows of another sweep.
+    #[error("{}: {difference}", path.display())]
+    OtherSweep {
+        /// File of finished rows.
+        path: PathBuf,
+        /// First difference from this sweep.
+        difference: SweepDifference,
+    },
+    /// Two sweeps with one table.
+    #[error("{}: another sweep is writing there", path.display())]
+    Busy {
+        /// File of finished rows.
+        path: PathBuf,
+    },
+    /// A sweep that its caller stopped; what is finished is kept.
+    #[error("the sweep was stopped; finished rows are in {}", path.display())]
+    SweepStopped {
+        /// File of finished rows.
+        path: PathBuf,
+    },
+    /// Wear that cannot be followed.
+    #[error(transparent)]
+    Wear(#[from] tribodyn_wear::WearError),
+    /// A life without an end.
+    #[error("{file}: nothing wears a coating through in this case: a time is needed at which its life ends")]
+    NoWear {
+        /// Name of the case file.
+        file: String,
+    },
+    /// An earlier run that would be lost.
+    #[error("{} is of a run that was not finished", path.display())]
+    Unfinished {
+        /// File of the earlier run.
+        path: PathBuf,
+    },
+    /// No earlier run to go on with.
+    #[error("there is no run to go on with: {} does not exist", path.display())]
+    NothingToResume {
+        /// The checkpoint.
+        path: PathBuf,
+    },
+    /// A checkpoint of another version.
+    #[error("{} is of version {found}, this is {}", path.display(), env!("CARGO_PKG_VERSION"))]
+    OtherVersion {
+        /// The checkpoint.
+        path: PathBuf,
+        /// Its version.
+        found: String,
+    },
+    /// A checkpoint of another case.
+    #[error("{} is of another case, which differs from line {line} of this one", path.display())]
+    OtherCase {
+        /// The checkpoint.
+        path: PathBuf,
+        /// First line of the case, from 1, that differs.
+        line: usize,
+    },
+    /// A checkpoint that cannot be read.
+    #[error("{} is no checkpoint: {source}", path.display())]
+    Damaged {
+        /// The checkpoint.
+        path: PathBuf,
+        /// Reason.
+        source: serde_json::Error,
+    },
+    /// A recording that ends before its checkpoint.
+    #[error("{} holds {found} of the {expected} messages up to the checkpoint", path.display())]
+    Incomplete {
+        /// The recording.
+        path: PathBuf,
+        /// Messages in it.
+        found: u64,
+        /// Messages up to the checkpoint.
+        expected: u64,
+    },
+    /// A recording of something else.
+    #[error("{} holds no sample of a transient run or of a solution that can be read", path.display())]
+    NoRun {
+        /// The recording.
+        path: PathBuf,
+    },
+    /// A recording of two things.
+    #[error("{} holds a run and a solution: a report is of one of them", path.display())]
+    Mixed {
+        /// The recording.
+        path: PathBuf,
+    },
+    /// A file that is no recording.
+    #[error("{}", with_causes(source))]
+    NoRecording {
+        /// Reason.
+        source: Box<RecordError>,
+    },
+    /// A case that cannot be run.
+    #[error("{file}: {source}")]
+    CannotStart {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: DynamicsError,
+    },
+    /// A run that the solver cannot finish.
+    #[error("{file}: {source}; what was recorded before is in {}", recording.display())]
+    BrokenOff {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: DynamicsError,
+        /// The recording up to there.
+        recording: PathBuf,
+    },
+    /// A run that cannot be recorded any more.
+    #[error("after {simulated_s} s: {}", with_causes(source))]
+    NotRecorded {
+        /// Simulated time, s.
+        simulated_s: f64,
+        /// Reason.
+        source: Box<RecordError>,
+        /// The recording up to there, not closed.
+        active: PathBuf,
+    },
+    /// A run that cannot write its checkpoint.
+    #[error("after {simulated_s} s: cannot write {}: {source}", checkpoint.display())]
+    NoCheckpoint {
+        /// Simulated time, s.
+        simulated_s: f64,
+        /// The checkpoint.
+        checkpoint: PathBuf,
+        /// Reason.
+        source: std::io::Error,
+        /// The recording up to there, not closed.
+        active: PathBuf,
+    },
+    /// A figure of a file that is refused.
+    #[error("{}:{line}:{column}: {message}", path.display())]
+    Figures {
+        /// The file.
+        path: PathBuf,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// Reason, with the value and what is allowed.
+        message: String,
+    },
+    /// Signals or speeds that cannot be evaluated.
+    #[error(transparent)]
+    Signal(#[from] tribodyn_signal::SignalError),
+    /// A recording that cannot be written or read.
+    #[error("{}", with_causes(.0))]
+    Record(#[from] RecordError),
+    /// Something that cannot be written as JSON.
+    #[error("cannot write JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// How finished rows on disk differ from those that a sweep would make.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SweepDifference {
+    /// The file holds something else.
+    #[error("this is not a sweep's file of finished rows")]
+    Unknown,
+    /// Another version made them.
+    #[error("these finished rows are of version {found} of the command")]
+    Version {
+        /// Version of the file.
+        found: String,
+    },
+    /// Another case.
+    #[error("these finished rows are of another case")]
+    Case,
+    /// Other swept values.
+    #[error("these finished rows are of other swept values")]
+    Values,
+    /// Another part of the sweep.
+    #[error("these finished rows are of shard {found}")]
+    Shard {
+        /// Part in the file, `I/N`.
+        found: String,
+    },
+    /// Rows that start from neighbours and rows that do not.
+    #[error("these finished rows are of a sweep with another choice of cold starts")]
+    Cold,
+}
+
+/// A refused case with the place to point at.
+#[derive(Debug)]
+pub struct RefusedCase {
+    /// Name of the case file.
+    pub file: String,
+    /// The changes that brought the value in, each with a colon; empty where it stands in the file.
+    pub options: String,
+    /// The text that was read, changes made.
+    pub text: String,
+    /// Reason, with the place in the text.
+    pub error: CaseError,
+}
+
+/// The message of an error with those of its causes that it does not repeat: a full disk lies deep.
+pub fn with_causes(error: &dyn std::error::Error) -> String {
+    let mut message = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        let text = error.to_string();
+        if !message.contains(&text) {
+            message = format!("{message}: {text}");
+        }
+        cause = error.source();
+    }
+    message
+}

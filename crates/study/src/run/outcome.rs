@@ -1,0 +1,113 @@
+//! The report of a run: the summary of the recording, and what only the solver knows.
+
+use super::summary::{Summary, carries_accelerations};
+use super::warnings::{self, Tested};
+use crate::case_file::CaseFile;
+use crate::error::StudyError;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use tribodyn_case::Case;
+use tribodyn_dynamics::{Run, Statistics, Stiffness};
+use tribodyn_record::{RecordError, RunItem, RunReader};
+
+/// A run that has ended.
+pub struct RunOutcome {
+    /// Numbers of the run.
+    pub report: RunReport,
+    /// Where the run was stopped before its end.
+    pub stopped: Option<Stopped>,
+}
+
+/// A run that can be taken up again.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stopped {
+    /// Simulated time, s.
+    pub simulated_s: f64,
+    /// Simulated time at which the run would have ended, s.
+    pub duration_s: f64,
+}
+
+/// The summary of a recorded run, and what only the solver knows.
+#[derive(Debug, Clone, Serialize)]
+pub struct RunReport {
+    /// Name of the case file.
+    pub case: String,
+    /// Name of the bearing.
+    pub bearing: String,
+    /// The recording.
+    pub recording: PathBuf,
+    /// Simulated time of the whole run, s.
+    pub duration_s: f64,
+    /// Wall time of this part of the run, s.
+    pub wall_s: f64,
+    /// Simulated over wall time of this part of the run.
+    pub simulated_per_wall: f64,
+    /// Cage speed of the quasi-static solution from which the run starts, r/min.
+    pub cage_speed_quasi_static_rpm: f64,
+    /// Rule by which patches are integrated.
+    pub patch_rule: String,
+    /// Of the quasi-static solution, over the contact load.
+    pub patch_error_estimate: Option<f64>,
+    /// Whether that error is small enough for accelerations.
+    pub accelerations_supported: bool,
+    /// Scheme of integration in time.
+    pub scheme: String,
+    /// Steps and evaluations of the scheme.
+    pub scheme_statistics: Statistics,
+    /// Stiffness of the equations of motion.
+    pub stiffness: Stiffness,
+    /// Numbers of the recording.
+    #[serde(flatten)]
+    pub summary: Option<Summary>,
+    /// Of the quasi-static solution from which the run starts.
+    pub warnings_at_start: Vec<String>,
+    /// Races whose pressures left the range in which the coating was tested.
+    pub untested_pressures: Vec<String>,
+}
+
+impl RunReport {
+    /// What the solver knows at the end of a run.
+    pub(super) fn begin(run: &Run, file: &CaseFile, wall_s: f64) -> Self {
+        let solution = run.solution();
+        Self {
+            case: file.name.clone(),
+            bearing: file.case.name.clone(),
+            recording: PathBuf::new(),
+            duration_s: run.duration(),
+            wall_s,
+            simulated_per_wall: 0.0,
+            cage_speed_quasi_static_rpm: solution.cage_speed_rpm,
+            patch_rule: format!("{:?}", run.patch_rule()),
+            patch_error_estimate: solution.patch_error_estimate,
+            accelerations_supported: carries_accelerations(solution.patch_error_estimate),
+            scheme: file.case.transient.as_ref().map_or_else(String::new, |t| format!("{:?}", t.scheme)),
+            scheme_statistics: run.statistics(),
+            stiffness: run.stiffness(),
+            summary: None,
+            warnings_at_start: warnings::at_start(solution.warnings.clone()),
+            untested_pressures: Vec::new(),
+        }
+    }
+
+    /// Reads the rest from the recording, which shows that it can be read.
+    pub(super) fn complete(mut self, recording: &Path, case: &Case, from_s: f64) -> Result<Self, StudyError> {
+        let (mut states, mut wear, mut log) = (Vec::new(), None, Vec::new());
+        let mut races = Tested::of(case);
+        for item in RunReader::open(recording)? {
+            match item? {
+                RunItem::Balls(_, balls) => races.iter_mut().for_each(|race| race.add(&balls)),
+                RunItem::State(row) => states.push(row),
+                RunItem::Wear(row) => wear = Some(row),
+                RunItem::Log(row) => log.push(row),
+                _ => {}
+            }
+        }
+        let nothing = || RecordError::NothingToRecover { path: recording.to_owned() };
+        let summary = Summary::of(&states, wear.as_ref(), &log).ok_or_else(nothing)?.judged(case);
+        self.simulated_per_wall = (summary.simulated_s - from_s) / self.wall_s;
+        self.summary = Some(summary);
+        self.untested_pressures = races.iter().filter_map(Tested::warning).collect();
+        self.recording = recording.to_owned();
+        Ok(self)
+    }
+}

@@ -1,0 +1,70 @@
+//! What a sweep would do, and about how long it would take.
+
+use super::grid::{AxisSummary, Grid};
+use super::rows::Chunk;
+use super::shard::Shard;
+use serde::Serialize;
+use std::time::Instant;
+
+/// Rows that are solved to see how long one takes.
+const TRIED: usize = 8;
+
+/// A sweep that is not begun.
+#[derive(Debug, Clone, Serialize)]
+pub struct Plan {
+    /// Rows of the whole grid.
+    pub grid_rows: usize,
+    /// Rows of the shard.
+    pub rows: usize,
+    /// Part of the grid, `I/N`.
+    pub shard: String,
+    /// Rows that are solved one after the other.
+    pub chunk_rows: usize,
+    /// Threads that share the chunks.
+    pub threads: usize,
+    /// Swept values.
+    pub axes: Vec<AxisSummary>,
+    /// Time of one row that starts cold, from one try.
+    pub cold_row_s: f64,
+    /// Mean time of the rows after it.
+    pub next_row_s: f64,
+    /// Time of the shard, if all rows are like the first few and every thread has a core of its own.
+    pub estimated_time_s: f64,
+}
+
+impl Plan {
+    /// Of a sweep by so many threads; some rows are solved for the estimate, and nothing is written.
+    pub fn new(grid: &Grid, shard: Shard, cold: bool, threads: usize) -> Self {
+        let chunks: Vec<usize> = (0..grid.chunks()).filter(|chunk| shard.has(*chunk)).collect();
+        let rows = chunks.iter().map(|chunk| grid.chunk(*chunk).len()).sum();
+        let [cold_row_s, next_row_s] = time_rows(grid, cold);
+        // A thread's share in whole chunks.
+        let rounds = chunks.len().div_ceil(threads);
+        let chunk_time = cold_row_s + next_row_s * (grid.chunk(0).len() - 1) as f64;
+        Self {
+            grid_rows: grid.rows,
+            rows,
+            shard: shard.to_string(),
+            chunk_rows: grid.chunk_rows(),
+            threads,
+            axes: grid.summary(),
+            cold_row_s,
+            next_row_s,
+            estimated_time_s: rounds as f64 * chunk_time,
+        }
+    }
+}
+
+/// Seconds of the first row, and mean of the few after it.
+fn time_rows(grid: &Grid, cold: bool) -> [f64; 2] {
+    let mut chunk = Chunk::new(grid, cold);
+    let count = grid.chunk(0).len().min(TRIED);
+    let mut time = |rows: std::ops::Range<usize>| {
+        let began = Instant::now();
+        chunk.lines(rows);
+        began.elapsed().as_secs_f64()
+    };
+    let first = time(0..1);
+    let next = if count > 1 { time(1..count) / (count - 1) as f64 } else { first };
+    [first, next]
+}
