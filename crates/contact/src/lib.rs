@@ -14,7 +14,7 @@ use num_dual::DualNum;
 pub trait Scalar: DualNum<Primitive = f64> + Copy {}
 impl<T: DualNum<Primitive = f64> + Copy> Scalar for T {}
 
-/// What can be wrong with the description of a contact.
+/// Faults in the description of a contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// An axis ratio that no ellipse has.

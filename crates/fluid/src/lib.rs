@@ -18,7 +18,7 @@ pub use fluid::{Fluid, FluidState, MAX_PRESSURE, Saturation};
 
 use num_dual::DualNum;
 
-/// What the formulas compute with: `f64` or a dual number over it.
+/// The scalar of the formulas: `f64` or a dual number over it.
 pub trait Scalar: DualNum<Primitive = f64> + Copy {}
 impl<T: DualNum<Primitive = f64> + Copy> Scalar for T {}
 

@@ -33,7 +33,7 @@ pub(crate) struct Balance<D> {
     pub ring_scale: [f64; RING],
 }
 
-/// What each ring freedom carries or where it is held.
+/// Condition on one freedom of the ring: its load, or the place where it is held.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RingFreedom {
     /// External force (N) or moment (N m) on the inner ring.
@@ -229,7 +229,8 @@ pub(crate) fn step<S: BlockSystem>(
     }
     for (k, freedom) in system.ring().iter().enumerate() {
         match freedom {
-            // The tiny share keeps a ring without any stiffness (all loads zero) solvable; it vanishes against contacts.
+            // The tiny share keeps a ring without any stiffness (all loads zero) solvable; it vanishes against
+            // contacts.
             RingFreedom::Loaded(_) => schur[(k, k)] -= (mu + 1e-13) * ring_weight[k],
             RingFreedom::Held(_) => {
                 schur.set_row(k, &SMatrix::<f64, 1, RING>::zeros());

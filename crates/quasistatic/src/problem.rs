@@ -1,4 +1,4 @@
-//! What is to be solved, and why it may fail.
+//! Operating point, and the errors of a solution.
 
 use crate::Model;
 use crate::block::{RING, RingFreedom};
@@ -91,7 +91,7 @@ pub enum QuasiStaticError {
         residual: f64,
         /// Newton steps taken.
         iterations: usize,
-        /// What was asked for.
+        /// The tolerance asked for.
         tolerance: f64,
     },
     /// Patch quadrature.

@@ -23,7 +23,7 @@ pub use settings::{MomentArm, PatchRule, PressureChoice, SlipUnit};
 pub use tribodyn_contact::Scalar;
 pub use varying::{CoatingLaw, PressureFit, TractionLaw};
 
-/// What can be wrong with traction data or a patch rule.
+/// Faults in traction data or a patch rule.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TractionError {
     /// Peak data that no Kragelskii curve has.

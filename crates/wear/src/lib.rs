@@ -61,7 +61,7 @@ pub enum WearError {
         /// The thickness given, m.
         value: f64,
     },
-    /// A part of a whole that is none.
+    /// A share outside 0 to 1.
     #[error("{name} is {value}: it must lie between 0 and 1")]
     Fraction {
         /// Which part.
@@ -76,7 +76,7 @@ pub enum WearError {
         name: &'static str,
         /// The value given, m, rad or a fraction.
         value: f64,
-        /// What is allowed.
+        /// Allowed values.
         allowed: &'static str,
     },
     /// A stored raceway with another number of bins.
