@@ -1,6 +1,4 @@
-//! The `tribodyn` command: one case file in, tables, figures and recordings out.
-//!
-//! Exit codes: 0 done, 1 did not converge or could not be written, 2 bad input.
+#![doc = include_str!("../README.md")]
 
 mod check;
 mod failure;

@@ -5,9 +5,9 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Relative size of c_n at which two more steps of the mean reach the last bit, in value and in derivatives.
 ///
-/// After one more step the remainder is c_n⁴/64: nothing in value and in two derivatives, but 24 c_n/64 times c_n′³ in the
-/// third one. After two steps it is of eighth order. A remainder measured by its value alone would stop at k' = 1 at once,
-/// where every c_n is zero and its derivatives are not.
+/// After one more step the remainder is c_n⁴/64: nothing in value and in two derivatives, but 24 c_n/64 times c_n′³ in
+/// the third one. After two steps it is of eighth order. A remainder measured by its value alone would stop at k' = 1
+/// at once, where every c_n is zero and its derivatives are not.
 const MEAN_TOLERANCE: f64 = 1e-8;
 
 /// The complete elliptic integrals that belong to one axis ratio k' = b/a, parameter m = 1 − k'².
@@ -19,8 +19,8 @@ const MEAN_TOLERANCE: f64 = 1e-8;
 /// with K = B + D and E = B + k'² D. Source: NIST Digital Library of Mathematical Functions, 19.2 and 19.8.
 ///
 /// The argument is k', not m, because forming m = 1 − 1/k² rounds away digits of 1/k² that K needs. Measured against
-/// 40-digit arithmetic: called with that m, `ellip` 1.2.3 errs in K by 1.06e-14 at k = 50 (1.04e-14 of it the rounding of
-/// m) and by up to 1.26e-14 over k from 20 to 50; this function errs by 1.7e-16 and 3.9e-16.
+/// 40-digit arithmetic: called with that m, `ellip` 1.2.3 errs in K by 1.06e-14 at k = 50 (1.04e-14 of it the rounding
+/// of m) and by up to 1.26e-14 over k from 20 to 50; this function errs by 1.7e-16 and 3.9e-16.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CompleteElliptic<D = f64> {
     /// First kind, K.
@@ -34,9 +34,9 @@ pub struct CompleteElliptic<D = f64> {
 }
 
 impl<D: Scalar> CompleteElliptic<D> {
-    /// The integrals at axis ratio k' = b/a, 0 < k' ≤ 1. Measured relative errors: below 5e-16 for k' ≥ 0.02, 1.6e-15 for
-    /// k' ≥ 1e-4. With dual numbers dK/dk' is as good; E and B change little at small k' while the terms they are made of
-    /// change as 1/k', so that their derivatives have an absolute error of about 2e-16/k'.
+    /// The integrals at axis ratio k' = b/a, 0 < k' ≤ 1. Measured relative errors: below 5e-16 for k' ≥ 0.02, 1.6e-15
+    /// for k' ≥ 1e-4. With dual numbers dK/dk' is as good; E and B change little at small k' while the terms they are
+    /// made of change as 1/k', so that their derivatives have an absolute error of about 2e-16/k'.
     ///
     /// # Errors
     /// [`ContactError::AxisRatio`] outside that range.
@@ -45,8 +45,8 @@ impl<D: Scalar> CompleteElliptic<D> {
         if value > 0.0 && value <= 1.0 { Ok(Self::by_mean(axis_ratio)) } else { Err(ContactError::AxisRatio { value }) }
     }
 
-    /// Arithmetic-geometric mean from (1, k'). With 1 − E/K = Σ 2^(n−1) c_n² and q_n = c_n²/m, D/K = Σ 2^(n−1) q_n needs
-    /// no division by m: q_0 = 1, q_1 = (1 − k')/(4 (1 + k')), c_{n+1} = c_n²/(4 a_{n+1}).
+    /// Arithmetic-geometric mean from (1, k'). With 1 − E/K = Σ 2^(n−1) c_n² and q_n = c_n²/m, D/K = Σ 2^(n−1) q_n
+    /// needs no division by m: q_0 = 1, q_1 = (1 − k')/(4 (1 + k')), c_{n+1} = c_n²/(4 a_{n+1}).
     pub(crate) fn by_mean(axis_ratio: D) -> Self {
         let one = D::one();
         let mut a = (one + axis_ratio) * 0.5;

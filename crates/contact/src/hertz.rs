@@ -82,8 +82,8 @@ pub struct HertzContact<D = f64> {
 }
 
 impl<D: Scalar> HertzContact<D> {
-    /// The contact with the given sums of the two bodies' curvatures in the x (rolling) and y (lateral) planes, 1/m, and
-    /// effective modulus E', Pa.
+    /// The contact with the given sums of the two bodies' curvatures in the x (rolling) and y (lateral) planes, 1/m,
+    /// and effective modulus E', Pa.
     ///
     /// # Errors
     /// [`ContactError::Curvature`] unless both sums are finite and above 0, [`ContactError::Modulus`] likewise,

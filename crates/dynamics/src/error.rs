@@ -44,7 +44,7 @@ pub enum DynamicsError {
     /// The filter of the samples.
     #[error(transparent)]
     Filter(#[from] SignalError),
-    /// A number that is none.
+    /// A value that is not finite.
     #[error(
         "{what} became infinite or not a number after {time_s} s: the step of {step_s:.2e} s is too long; fixed steps are stable up to about {limit_s:.2e} s here"
     )]

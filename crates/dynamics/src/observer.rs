@@ -1,11 +1,11 @@
-//! Who watches a run: the solver hands out samples and events, and asks whether to go on.
+//! Observers of a run: the solver hands them samples and events, and they tell it to go on or to stop.
 
 use crate::sample::Sample;
 use serde::{Deserialize, Serialize};
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
-/// Watches a run. Its error ends the run.
+/// Observer of a run. Its error ends the run.
 pub trait Observer {
     /// What can go wrong with watching, for instance a full disk.
     type Error;
@@ -25,7 +25,7 @@ pub trait Observer {
     fn event(&mut self, event: &Event) -> Result<(), Self::Error>;
 }
 
-/// Looks at nothing: for who wants the state at the end.
+/// The observer that keeps nothing, for a run of which only the final state is wanted.
 impl Observer for () {
     type Error = Infallible;
 
@@ -38,16 +38,16 @@ impl Observer for () {
     }
 }
 
-/// Something that happens at a time.
+/// An event at a time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Event {
     /// Simulated time, s.
     pub time_s: f64,
-    /// What.
+    /// Kind, with its data.
     pub kind: EventKind,
 }
 
-/// What can happen. Balls are counted from 0.
+/// Kinds of events. Balls are counted from 0.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum EventKind {
@@ -59,7 +59,7 @@ pub enum EventKind {
         azimuth_deg: f64,
         /// Closing speed, m/s.
         closing_speed_m_s: f64,
-        /// Whether the ball pushes the cage ahead (otherwise the cage pushes the ball).
+        /// True if the ball pushes the cage ahead (otherwise the cage pushes the ball).
         ball_leads: bool,
     },
     /// A contact has lost its load.

@@ -2,13 +2,13 @@
 //!
 //! Laminar plane Couette flow, τ = μ U/c, and turbulent flow by Hirs' bulk-flow law, G. G. Hirs, J. Lubr. Technol. 95
 //! (1973) 137, doi:10.1115/1.3451752: τ = ½ ρ u² n (ρ u c/μ)^m with the mean velocity u = U/2 of a drag flow and n =
-//! 0.055, m = −0.25 for smooth walls without a pressure gradient. The larger of the two is taken, as in bulk-flow
-//! codes for seals and bearings: torque and speed stay related one to one. The two meet at U c/ν = 607. Against Robertson's
+//! 0.055, m = −0.25 for smooth walls without a pressure gradient. The larger of the two is taken, as in bulk-flow codes
+//! for seals and bearings: torque and speed stay related one to one. The two meet at U c/ν = 607. Against Robertson's
 //! logarithmic law the power law is within 6 % from U c/ν = 1e4 to 1e5 and falls behind above, by 8 % at 3e5.
 //!
 //! Plane Couette flow stays laminar up to U c/ν of about 1300 to 2000, so that between 607 and there a film without
-//! vortices would have up to 2.4 times less drag than this. A land gap has them: behind a rotating inner cylinder Taylor
-//! vortices begin at U c/ν = 41.2 √(R/c), 670 for a gap of 0.3 mm at a radius of 80 mm.
+//! vortices would have up to 2.4 times less drag than this. A land gap has them: behind a rotating inner cylinder
+//! Taylor vortices begin at U c/ν = 41.2 √(R/c), 670 for a gap of 0.3 mm at a radius of 80 mm.
 
 use crate::Scalar;
 use std::f64::consts::PI;
@@ -56,8 +56,8 @@ impl AnnulusDrag {
         surface_speed * mean * friction * (0.25 * self.density)
     }
 
-    /// Torque on the cage, N m, about the axis, τ · 2πR² L, at the angular speeds of land and cage, rad/s: it drives the
-    /// cage where the land is faster and brakes it where the land is slower. The land takes the opposite torque.
+    /// Torque on the cage, N m, about the axis, τ · 2πR² L, at the angular speeds of land and cage, rad/s: it drives
+    /// the cage where the land is faster and brakes it where the land is slower. The land takes the opposite torque.
     pub fn torque_on_cage<D: Scalar>(&self, land_speed: D, cage_speed: D) -> D {
         let area_times_arm = 2.0 * PI * self.radius * self.radius * self.width;
         self.shear((land_speed - cage_speed) * self.radius) * area_times_arm
@@ -129,8 +129,9 @@ mod tests {
         }
     }
 
-    /// Robertson's friction law of turbulent plane Couette flow, sqrt(c_f/2) = 0.19/log10(Re) with half the wall speed and
-    /// half the gap in both (Proc. 6th Midwest. Conf. Fluid Mech. 1959, 169), fitted to other measurements than Hirs' law.
+    /// Robertson's friction law of turbulent plane Couette flow, sqrt(c_f/2) = 0.19/log10(Re) with half the wall speed
+    /// and half the gap in both (Proc. 6th Midwest. Conf. Fluid Mech. 1959, 169), fitted to other measurements than
+    /// Hirs' law.
     #[test]
     fn paper_turbulent_shear_agrees_with_robertsons_couette_law() {
         let ratio = |reynolds: f64| {
@@ -144,8 +145,8 @@ mod tests {
         assert!((0.91..0.93).contains(&ratio(3e5)), "{}", ratio(3e5));
     }
 
-    /// Direct simulation of plane Couette flow: Re_τ = 82.2 at half wall speed and half gap of Re = 1300 (Bech, Tillmark,
-    /// Alfredsson, Andersson, J. Fluid Mech. 286 (1995) 291), that is c_f = 2 (82.2/1300)².
+    /// Direct simulation of plane Couette flow: Re_τ = 82.2 at half wall speed and half gap of Re = 1300 (Bech,
+    /// Tillmark, Alfredsson, Andersson, J. Fluid Mech. 286 (1995) 291), that is c_f = 2 (82.2/1300)².
     #[test]
     fn paper_turbulent_shear_agrees_with_a_direct_simulation_of_couette_flow() {
         let u = speed_at(4.0 * 1300.0);

@@ -31,8 +31,8 @@ pub enum Transition {
 }
 
 impl Transition {
-    /// The band Re = 2.5e5 to 3.6e5. Narrow, because inside it the coefficient is ours and not the published one; a band
-    /// ten times narrower lets the moment grow with about the 25th power of the speed, this one with the 4th.
+    /// The band Re = 2.5e5 to 3.6e5. Narrow, because inside it the coefficient is ours and not the published one; a
+    /// band ten times narrower lets the moment grow with about the 25th power of the speed, this one with the 4th.
     pub const BLENDED: Transition = Transition::Blended { ratio: 1.2 };
 
     /// Churning coefficient C_n at a Reynolds number above 0.
@@ -95,8 +95,8 @@ impl Churning {
         self.moment_per_speed(speed, transition) * speed
     }
 
-    /// Moment on a ball, N m, at the angular velocity ω, rad/s: against ω, by the published law. Its derivatives at rest
-    /// are zero, as M grows with |ω|^1.5 there.
+    /// Moment on a ball, N m, at the angular velocity ω, rad/s: against ω, by the published law. Its derivatives at
+    /// rest are zero, as M grows with |ω|^1.5 there.
     pub fn moment_vector<D: Scalar>(&self, omega: [D; 3]) -> [D; 3] {
         self.moment_vector_with(omega, Transition::Published)
     }

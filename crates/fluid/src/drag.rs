@@ -33,8 +33,8 @@ pub fn effective_density(liquid_fraction: f64, liquid_density: f64, gas_density:
     liquid_fraction * liquid_density + (1.0 - liquid_fraction) * gas_density
 }
 
-/// Frontal area A = (πD²/4)(1 − shaded), m², of a ball of the diameter D in m, of which the cage web covers the fraction
-/// `shaded` between 0 and 1.
+/// Frontal area A = (πD²/4)(1 − shaded), m², of a ball of the diameter D in m, of which the cage web covers the
+/// fraction `shaded` between 0 and 1.
 pub fn frontal_area(ball_diameter: f64, shaded: f64) -> f64 {
     0.25 * PI * ball_diameter * ball_diameter * (1.0 - shaded)
 }

@@ -1,47 +1,4 @@
-//! Properties of liquid nitrogen, oxygen and methane from their reference equations, the drag and churning that such a
-//! fluid exerts on a bearing ball, and the drag of its film between a cage and the land that guides it.
-//!
-//! # Equations
-//! ```text
-//! p = ρ R T (1 + δ ∂α/∂δ),   δ = ρ/ρ_c,  τ = T_c/T
-//! α(τ, δ) = Σ n δ^d τ^t exp(−δ^l [l > 0]) + Σ n δ^d τ^t exp(−η(δ−1)² − β(τ−γ)²)     (residual Helmholtz energy)
-//! μ(T, ρ) = μ_0(T) + μ_r(T, ρ)                                                       (dilute gas + residual)
-//! F_d = ½ C_d ρ_e A v|v|,     ρ_e = X ρ_liquid + (1−X) ρ_gas,   A = (πD²/4)(1 − shaded)
-//! M   = ½ ρ ω² r⁵ C_n,        C_n = 3.87/√Re (Re < 3e5), 0.146/Re^0.2 above,  Re = ρ ω r²/μ
-//! τ   = max(μ U/c, ½ ρ u² n (ρ u c/μ)^m),   u = U/2,  n = 0.055,  m = −¼,   M_c = 2π R² L τ    (film under a land)
-//! ```
-//!
-//! | symbol | meaning | unit |
-//! |---|---|---|
-//! | T, p, ρ | temperature, pressure, density | K, Pa, kg/m³ |
-//! | R | specific gas constant (molar gas constant over molar mass) | J/(kg K) |
-//! | α | residual Helmholtz energy over R T | – |
-//! | μ | dynamic viscosity | Pa s |
-//! | F_d, C_d, A, v | drag, its coefficient, frontal area, speed of the ball against the fluid | N, –, m², m/s |
-//! | X, ρ_e | volume fraction of liquid, effective density | –, kg/m³ |
-//! | M, C_n, ω, r | churning moment, its coefficient, spin of the ball, ball radius | N m, –, rad/s, m |
-//! | τ, U, c | shear stress of the film, relative speed of its walls, gap | Pa, m/s, m |
-//! | M_c, R, L | torque on the cage, radius and width of the land | N m, m, m |
-//!
-//! # Sources
-//! - Nitrogen: Span, Lemmon, Jacobsen, Wagner, Yokozeki 2000, doi:10.1063/1.1349047.
-//! - Oxygen: Schmidt, Wagner 1985, doi:10.1016/0378-3812(85)87016-3.
-//! - Methane: Setzmann, Wagner 1991, doi:10.1063/1.555898.
-//! - Viscosity of nitrogen and oxygen: Lemmon, Jacobsen 2004, doi:10.1023/B:IJOT.0000022327.04529.f3.
-//! - Viscosity of methane: Quiñones-Cisneros, Deiters 2006, doi:10.1021/jp0618577.
-//! - Churning: Schlichting, Gersten, Boundary-Layer Theory, 9th ed., doi:10.1007/978-3-662-52919-5 (rotating disk);
-//!   Gupta, Advanced Dynamics of Rolling Elements, Springer 1984, doi:10.1007/978-1-4612-5276-4 (use in bearings).
-//! - Film under a land: Hirs 1973, doi:10.1115/1.3451752.
-//!
-//! # Limits of validity
-//! [`Fluid::state`] answers for the liquid between the triple point and 0.95 T_c, from saturation or above up to the
-//! melting pressure, at most 30 MPa. The viscosities are good to 2 % (nitrogen) and 5 % (oxygen) by their authors' own
-//! estimate. Drag and churning are those of a single ball in an unbounded fluid. The film under a land is concentric, smooth-walled,
-//! without flow along the axis and without swirl of its own.
-//!
-//! # What the crate does not know
-//! Bearings, cages, the flow between the rings (swirl, liquid fraction and drag coefficient are inputs), boiling in the
-//! contacts, heat.
+#![doc = include_str!("../README.md")]
 
 mod annulus;
 mod churning;
@@ -61,7 +18,7 @@ pub use fluid::{Fluid, FluidState, MAX_PRESSURE, Saturation};
 
 use num_dual::DualNum;
 
-/// What the formulas compute with: `f64` or a dual number over it.
+/// The scalar of the formulas: `f64` or a dual number over it.
 pub trait Scalar: DualNum<Primitive = f64> + Copy {}
 impl<T: DualNum<Primitive = f64> + Copy> Scalar for T {}
 

@@ -1,7 +1,7 @@
 //! Equation of state of oxygen: Schmidt, Wagner, Fluid Phase Equilib. 19 (1985) 175, doi:10.1016/0378-3812(85)87016-3.
 //!
-//! Valid from the triple point (54.361 K) to 300 K and up to 82 MPa. Stewart, Jacobsen, Wagner, J. Phys. Chem. Ref. Data
-//! 20 (1991) 917, doi:10.1063/1.555897, took the same equation for their tables.
+//! Valid from the triple point (54.361 K) to 300 K and up to 82 MPa. Stewart, Jacobsen, Wagner, J. Phys. Chem. Ref.
+//! Data 20 (1991) 917, doi:10.1063/1.555897, took the same equation for their tables.
 
 use crate::helmholtz::{Helmholtz, Power, power};
 

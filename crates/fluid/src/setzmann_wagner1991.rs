@@ -1,7 +1,7 @@
 //! Equation of state of methane: Setzmann, Wagner, J. Phys. Chem. Ref. Data 20 (1991) 1061, doi:10.1063/1.555898.
 //!
-//! Valid from the melting line to 625 K and up to 1000 MPa; the authors give 0.03 % in density below 12 MPa and 350 K and
-//! 0.03 % to 0.15 % at higher pressures and temperatures. Temperatures on ITS-90.
+//! Valid from the melting line to 625 K and up to 1000 MPa; the authors give 0.03 % in density below 12 MPa and 350 K
+//! and 0.03 % to 0.15 % at higher pressures and temperatures. Temperatures on ITS-90.
 
 use crate::helmholtz::{Gaussian, Helmholtz, Power, power};
 

@@ -1,25 +1,4 @@
-//! Unknown bearing parameters from published or measured figures, with spreads.
-//!
-//! # Equations
-//! ```text
-//! minimise Σ ((model(x) − datum)/σ)² + Σ ((x − prior mean)/prior spread)²  within bounds
-//! (JᵀJ + μ diag JᵀJ) Δ = −Jᵀ r                                              Levenberg–Marquardt
-//! C = (JᵀJ)⁻¹,  spread = √C_kk,  correlation = C_ij/√(C_ii C_jj)             curvature at the minimum
-//! share of residual j in parameter k = (C Jᵀ)_kj² / C_kk
-//! ```
-//!
-//! | symbol | meaning | unit |
-//! |---|---|---|
-//! | x | free parameters, in coordinates 0…1 between their bounds | – |
-//! | σ | standard uncertainty of a datum | that of the datum |
-//! | J | sensitivities of the residuals to the coordinates | – |
-//! | C | covariance of the coordinates | – |
-//!
-//! Sources: K. Levenberg 1944, doi:10.1090/qam/10666; D. W. Marquardt 1963, doi:10.1137/0111030; Latin hypercube
-//! starts: McKay, Beckman, Conover 1979, doi:10.1080/00401706.1979.10489755.
-//!
-//! Limits: the spreads are those of the linearised problem and mean little at a bound; sensitivities are differences
-//! of converged solutions, checked by halving the step. The crate reads no files and prints nothing.
+#![doc = include_str!("../README.md")]
 
 mod fit;
 mod model;

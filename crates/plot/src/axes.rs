@@ -55,7 +55,7 @@ impl Ruler {
         }
     }
 
-    /// Whether labels of the marks keep apart along a width, px.
+    /// True if labels of the marks keep apart along a width, px.
     fn labels_fit(&self, wide: f64) -> bool {
         let apart = |pair: &[(f64, String)]| {
             let room = wide * (self.scale.position(pair[1].0) - self.scale.position(pair[0].0));

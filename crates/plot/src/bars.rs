@@ -21,7 +21,7 @@ pub struct BarChart {
     pub groups: Vec<String>,
     /// Bars ([`Series::bars`]), each with the index of its group as abscissa.
     pub series: Vec<Series>,
-    /// Whether the bars of a group stand on each other: positive values upwards from zero, negative ones downwards.
+    /// True if the bars of a group stand on each other: positive values upwards from zero, negative ones downwards.
     pub stacked: bool,
     /// Width and height of the area between the axes, px; wider where the names of the groups need it.
     pub area_px: [f64; 2],

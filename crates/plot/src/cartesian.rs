@@ -22,9 +22,9 @@ pub struct LineChart {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Whether the horizontal axis is logarithmic.
+    /// True if the horizontal axis is logarithmic.
     pub log_x: bool,
-    /// Whether the vertical axis is logarithmic.
+    /// True if the vertical axis is logarithmic.
     pub log_y: bool,
     /// The curves and published points.
     pub series: Vec<Series>,
@@ -32,16 +32,16 @@ pub struct LineChart {
     pub marks: Vec<Mark>,
     /// Published numbers across the area.
     pub references: Vec<Reference>,
-    /// Whether a length on both axes is the same number, as for paths in a plane; linear axes of one unit only. The horizontal axis
-    /// is then widened or the vertical one heightened.
+    /// True if a length on both axes is the same number, as for paths in a plane; linear axes of one unit only. The
+    /// horizontal axis is then widened or the vertical one heightened.
     pub equal_scales: bool,
     /// Width and height of the area between the axes, px.
     pub area_px: [f64; 2],
-    /// What the abscissas are.
+    /// Kind of the abscissas.
     pub abscissas: Abscissas,
 }
 
-/// What the abscissas of a chart are.
+/// Kinds of abscissas of a chart.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Abscissas {
     /// Numbers in the unit of the axis.

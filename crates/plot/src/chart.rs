@@ -1,4 +1,4 @@
-//! What a figure asks of each of its charts.
+//! The common interface of charts in a figure.
 
 use crate::error::PlotError;
 use crate::references::Reference;
@@ -9,7 +9,7 @@ use crate::svg::Svg;
 pub(crate) trait Chart {
     fn title(&self) -> &str;
 
-    /// What is drawn against what, in words.
+    /// The quantities drawn against each other, in words.
     fn axes(&self) -> String;
 
     fn series(&self) -> &[Series];

@@ -1,7 +1,7 @@
 //! Colours of a map: from dark for low values to light for high ones, even in lightness, safe for colour-blind readers.
 
-/// Viridis at eleven even steps (S. van der Walt, N. Smith, "A Better Default Colormap for Matplotlib", SciPy 2015; CC0). Its
-/// lightness rises evenly, so that it also reads in grey.
+/// Viridis at eleven even steps (S. van der Walt, N. Smith, "A Better Default Colormap for Matplotlib", SciPy 2015;
+/// CC0). Its lightness rises evenly, so that it also reads in grey.
 const STEPS: [[u8; 3]; 11] = [
     [0x44, 0x01, 0x54],
     [0x48, 0x24, 0x75],

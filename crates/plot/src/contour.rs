@@ -3,10 +3,11 @@
 /// A line from one place to another.
 pub(crate) type Segment = [[f64; 2]; 2];
 
-/// Pieces of the line of a level through a grid: `x` and `y` are where its columns and rows lie, `value` that of a column and a row.
+/// Pieces of the line of a level through a grid: `x` and `y` are where its columns and rows lie, `value` that of a
+/// column and a row.
 ///
-/// Between neighbours values are linear; quadrilaterals with a corner without a value are left out. Where two corners across are
-/// above the level and two below, the mean of all four decides which of them belong together.
+/// Between neighbours values are linear; quadrilaterals with a corner without a value are left out. Where two corners
+/// across are above the level and two below, the mean of all four decides which of them belong together.
 pub(crate) fn segments(x: &[f64], y: &[f64], value: impl Fn(usize, usize) -> Option<f64>, level: f64) -> Vec<Segment> {
     let mut all = Vec::new();
     for row in 1..y.len() {

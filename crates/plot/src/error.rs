@@ -1,4 +1,4 @@
-//! What can be wrong with the data of a figure.
+//! Faults in the data of a figure.
 
 /// Why a figure cannot be drawn.
 #[derive(Debug, thiserror::Error)]

@@ -117,13 +117,14 @@ impl Figure {
     ///
     /// # Errors
     ///
-    /// No panel, a panel without series, a series without points, a number that is not finite, one that is not positive on a
-    /// logarithmic axis, or bars that belong to no group.
+    /// No panel, a panel without series, a series without points, a number that is not finite, one that is not positive
+    /// on a logarithmic axis, or bars that belong to no group.
     pub fn new(name: impl Into<String>, title: impl Into<String>, panels: &[Panel]) -> Result<Self, PlotError> {
         Self::in_columns(name, title, panels.len(), panels)
     }
 
-    /// Draws panels row by row in a number of columns (0 counts as 1); with one column, one above the other, their axes aligned.
+    /// Draws panels row by row in a number of columns (0 counts as 1); with one column, one above the other, their axes
+    /// aligned.
     ///
     /// # Errors
     ///
@@ -181,8 +182,8 @@ impl Figure {
         &self.svg
     }
 
-    /// The figure as a PNG bitmap of a given width in px; the height follows. The same bytes on every machine with the same build:
-    /// the fonts are part of the crate.
+    /// The figure as a PNG bitmap of a given width in px; the height follows. The same bytes on every machine with the
+    /// same build: the fonts are part of the crate.
     ///
     /// # Errors
     ///

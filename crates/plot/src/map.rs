@@ -15,11 +15,11 @@ use crate::ticks::MAGNITUDES;
 /// Places along an axis of a map, a column or row of cells at each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapAxis {
-    /// What it measures.
+    /// The quantity.
     pub axis: Axis,
     /// Ascending places in the unit of the axis.
     pub at: Vec<f64>,
-    /// Whether the axis is logarithmic; places are then positive.
+    /// True if the axis is logarithmic; places are then positive.
     pub log: bool,
     /// Names of the places in place of numbers.
     pub names: Option<Vec<String>>,
@@ -86,7 +86,7 @@ impl MapAxis {
     }
 }
 
-/// What a cell of a map shows.
+/// Content of a cell of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Cell {
     /// A value in the unit of the quantity.
@@ -106,7 +106,7 @@ pub struct MapChart {
     pub x: MapAxis,
     /// Rows, the first at the bottom.
     pub y: MapAxis,
-    /// What the colours measure.
+    /// The quantity shown by colours.
     pub quantity: Axis,
     /// Cells, row by row from the bottom.
     pub cells: Vec<Cell>,

@@ -40,7 +40,8 @@ pub(crate) struct Layout<'a> {
 }
 
 impl<'a> Layout<'a> {
-    /// Places the labels of the marks between the ends of an area of a width, px; `position` gives their places, 0 to 1 inside.
+    /// Places the labels of the marks between the ends of an area of a width, px; `position` gives their places, 0 to 1
+    /// inside.
     ///
     /// Where even standing labels do not all fit, the first marks keep theirs.
     pub fn new(marks: &'a [Mark], wide: f64, position: impl Fn(f64) -> f64) -> Self {
@@ -85,8 +86,8 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// Middles of labels of given widths, in the order of their places and without overlap between 0 and `length`, that are nearest to
-/// the places in the sum of squares.
+/// Middles of labels of given widths, in the order of their places and without overlap between 0 and `length`, that are
+/// nearest to the places in the sum of squares.
 ///
 /// Less the widths before it each middle must not fall: isotonic regression, by merging neighbours that would.
 fn spread_out(places: &[f64], widths: &[f64], length: f64) -> Vec<f64> {

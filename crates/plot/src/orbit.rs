@@ -13,7 +13,8 @@ pub struct OrbitSamples<'a> {
     pub label: &'a str,
     /// Azimuths in rad, of any turn.
     pub azimuth_rad: &'a [f64],
-    /// Values in the unit of the figure's axis; `None` where a ball has none, as the pressure of a contact without load.
+    /// Values in the unit of the figure's axis; `None` where a ball has none, as the pressure of a contact without
+    /// load.
     pub values: &'a [Option<f64>],
 }
 
@@ -26,10 +27,11 @@ const NO_CONTACT: &str = "no contact";
 
 /// Values of a ball over the azimuth from samples along one orbit or several.
 ///
-/// The curve is the mean of the samples in sectors of 2° at their mean azimuth, closed over 0°; a light band from the least to the
-/// greatest value of each sector shows where orbits differ or a value jumps, if that is more than 2 % of the whole spread anywhere.
-/// Sectors in which at least half of the samples have no value are marked by crosses, and no line goes over them; in others the
-/// mean is that of the samples that have one. Polar where no value is negative and not all are zero, otherwise over degrees.
+/// The curve is the mean of the samples in sectors of 2° at their mean azimuth, closed over 0°; a light band from the
+/// least to the greatest value of each sector shows where orbits differ or a value jumps, if that is more than 2 % of
+/// the whole spread anywhere. Sectors in which at least half of the samples have no value are marked by crosses, and no
+/// line goes over them; in others the mean is that of the samples that have one. Polar where no value is negative and
+/// not all are zero, otherwise over degrees.
 ///
 /// # Errors
 ///
@@ -38,8 +40,8 @@ pub fn orbit_figure(name: &str, title: &str, quantity: Axis, samples: &[OrbitSam
     Figure::new(name, title, &orbit_panels(&[("", quantity, samples)])?)
 }
 
-/// The panels of [`orbit_figure`] with their headings, for figures of several and for what else belongs on them: all polar, or, where
-/// one of them cannot be, all over degrees.
+/// The panels of [`orbit_figure`] with their headings, for figures of several and for what else belongs on them: all
+/// polar, or, where one of them cannot be, all over degrees.
 ///
 /// # Errors
 ///

@@ -14,10 +14,11 @@ use crate::turn::{CHORD_DEG, bands, filled, runs};
 
 /// Magnitudes of balls, or of contacts, over the azimuth.
 ///
-/// The centre is the lower end of the radial axis, which is not zero in general: its value is written there. Negative values are
-/// refused: on a circle they cannot be told from positive ones, and belong over degrees ([`crate::LineChart::over_azimuth`]).
-/// Lines are closed except over azimuths without a value; between balls the radial value is interpolated linearly in azimuth,
-/// so that a constant is a circle and no value is drawn beyond those of two neighbours.
+/// The centre is the lower end of the radial axis, which is not zero in general: its value is written there. Negative
+/// values are refused: on a circle they cannot be told from positive ones, and belong over degrees
+/// ([`crate::LineChart::over_azimuth`]). Lines are closed except over azimuths without a value; between balls the
+/// radial value is interpolated linearly in azimuth, so that a constant is a circle and no value is drawn beyond those
+/// of two neighbours.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PolarChart {
     /// Heading of the panel.
@@ -219,7 +220,7 @@ fn draw_lines(svg: &mut Svg, dial: &Dial, lines: &[Drawn]) {
     draw_absent(svg, lines, |phi, row| dial.at(phi, RADIUS - ABSENT * (row + 1) as f64));
 }
 
-/// Whether a run is a whole turn.
+/// True if a run is a whole turn.
 fn closes(run: &[(f64, f64)]) -> bool {
     matches!(run, [(from, _), .., (to, _)] if to - from >= 360.0)
 }
@@ -245,7 +246,8 @@ impl RingLabel<'_> {
     }
 }
 
-/// Which labels are written on a ray: those of centre and rim, and those between that no curve crosses and no other label.
+/// Which labels are written on a ray: those of centre and rim, and those between that no curve crosses and no other
+/// label.
 fn written<'a>(dial: &Dial, curves: &[[f64; 2]], labels: &'a [RingLabel<'a>], phi_deg: f64) -> Vec<&'a RingLabel<'a>> {
     let (sin, cos) = phi_deg.to_radians().sin_cos();
     let apart = |a: &RingLabel, b: &RingLabel| {
@@ -269,8 +271,8 @@ fn clearest_ray(dial: &Dial, curves: &[[f64; 2]], labels: &[RingLabel]) -> f64 {
     let rays = [0.0, -4.0, 4.0].into_iter().flat_map(|beside| middles.map(|phi| phi + beside));
     let score = |phi: f64| {
         let gap = |label: &&RingLabel| label.gap(dial, curves, phi);
-        // The centre's label is the same on every ray. One label more counts for more than any clearance; whole pixels keep
-        // rounding from deciding between equal rays.
+        // The centre's label is the same on every ray. One label more counts for more than any clearance; whole pixels
+        // keep rounding from deciding between equal rays.
         let rim = labels.last().map_or(0.0, |rim| if gap(&rim) < CLEAR { -1000.0 } else { 0.0 });
         let gaps = written(dial, curves, labels, phi).into_iter().skip(1);
         gaps.fold(rim, |sum, label| sum + 100.0 + gap(&label).min(10.0).floor())
@@ -284,8 +286,8 @@ fn clearest_ray(dial: &Dial, curves: &[[f64; 2]], labels: &[RingLabel]) -> f64 {
 
 /// Writes the values of the rings along the clearest ray.
 ///
-/// Labels between centre and rim that a curve would cross are left out: the rings are equidistant, so that centre and rim tell
-/// the rest.
+/// Labels between centre and rim that a curve would cross are left out: the rings are equidistant, so that centre and
+/// rim tell the rest.
 fn draw_ring_labels(svg: &mut Svg, dial: &Dial, series: &[Series]) {
     let shown = |s: &Series| {
         if s.kind == SeriesKind::Points {

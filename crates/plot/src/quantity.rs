@@ -50,12 +50,13 @@ pub enum Quantity {
 /// Revolutions per minute in one rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
 
-/// Load up to which a contact counts as open, N: what the balance leaves at the outer race of a ball that nothing drives.
+/// Load up to which a contact counts as open, N: what the balance leaves at the outer race of a ball that nothing
+/// drives.
 const LEAST_LOAD_N: f64 = 1e-3;
 
 impl Quantity {
-    /// The value where the ball has one: `None` for a contact without load, and for the motion and wear in the cage of a ball that
-    /// the inner race does not drive.
+    /// The value where the ball has one: `None` for a contact without load, and for the motion and wear in the cage of
+    /// a ball that the inner race does not drive.
     pub fn found(self, ball: &BallSolution) -> Option<f64> {
         let load = match self {
             Self::ContactAngleOuter
@@ -72,7 +73,7 @@ impl Quantity {
         (load.is_nan() || load > LEAST_LOAD_N).then(|| self.of(ball))
     }
 
-    /// Whether the sign has a meaning.
+    /// True if the sign has a meaning.
     pub(crate) fn signed(self) -> bool {
         matches!(
             self,
@@ -126,7 +127,8 @@ impl Quantity {
         }
     }
 
-    /// Whether the quantity comes from the traction integrals or from the slip they fix, which Jones–Harris does not solve.
+    /// True if the quantity comes from the traction integrals or from the slip they fix, which Jones–Harris does not
+    /// solve.
     pub(crate) fn needs_traction(self) -> bool {
         !matches!(
             self,

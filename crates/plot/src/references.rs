@@ -5,8 +5,8 @@ use crate::series::{Entry, Kind, StyleBook, drawable};
 use crate::style::{PALETTE, Stroke, reference_stroke};
 use crate::svg::Svg;
 
-/// A published number drawn across a panel as a thin dash-dotted line, or as a light range between two. Values that belong to
-/// single abscissas are points instead ([`crate::Series::points`]).
+/// A published number drawn across a panel as a thin dash-dotted line, or as a light range between two. Values that
+/// belong to single abscissas are points instead ([`crate::Series::points`]).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
     /// Name in the legend, such as `published: 1260 Hz`.
@@ -26,7 +26,8 @@ pub enum Place {
     Range(f64, f64),
     /// An abscissa; on a polar chart a ray at an azimuth in degrees.
     At(f64),
-    /// A range of abscissas; on a polar chart the sector from the first azimuth counter-clockwise to the second, degrees.
+    /// A range of abscissas; on a polar chart the sector from the first azimuth counter-clockwise to the second,
+    /// degrees.
     Between(f64, f64),
 }
 
@@ -39,12 +40,12 @@ impl Place {
         }
     }
 
-    /// Whether it is a range, drawn as an area.
+    /// True if it is a range, drawn as an area.
     fn is_range(self) -> bool {
         matches!(self, Self::Range(..) | Self::Between(..))
     }
 
-    /// Whether the numbers are ordinates.
+    /// True if the numbers are ordinates.
     fn on_ordinate(self) -> bool {
         matches!(self, Self::Value(_) | Self::Range(..))
     }

@@ -23,21 +23,21 @@ pub struct Samples<'a> {
 pub struct History<'a> {
     /// Heading of the panel; may be empty.
     pub title: &'a str,
-    /// What the ordinates measure.
+    /// The quantity of the ordinates.
     pub quantity: Axis,
     /// Time in s against the quantity.
     pub samples: Vec<Samples<'a>>,
 }
 
-/// What a spectrum is drawn over and how.
+/// Abscissas and scale of a spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpectrumView {
-    /// What the abscissas measure; the axis begins at zero if it covers nothing else.
+    /// The quantity of the abscissas; the axis begins at zero if it covers nothing else.
     pub abscissa: Axis,
     /// Abscissa up to which the spectrum is drawn; all of it without one.
     pub up_to: Option<f64>,
-    /// Decades below the highest amplitude that a logarithmic axis shows, smaller amplitudes drawn at the end of these and abscissa
-    /// zero, where the mean would be, left out; linear without.
+    /// Decades below the highest amplitude that a logarithmic axis shows, smaller amplitudes drawn at the end of these
+    /// and abscissa zero, where the mean would be, left out; linear without.
     pub decades: Option<u32>,
 }
 
@@ -92,7 +92,8 @@ fn time_unit(span_s: f64) -> (&'static str, f64) {
 
 /// Histories one above the other over one time axis.
 ///
-/// Any number of samples: of each half pixel the first, least, greatest and last sample are drawn, so that short peaks stay.
+/// Any number of samples: of each half pixel the first, least, greatest and last sample are drawn, so that short peaks
+/// stay.
 ///
 /// # Errors
 ///
@@ -131,8 +132,8 @@ pub fn history_charts(histories: &[History]) -> Result<(Vec<LineChart>, f64), Pl
 ///
 /// # Errors
 ///
-/// No spectrum, one without lines in the range, unequal numbers of abscissas and amplitudes, numbers that are not finite, only
-/// zero amplitudes on a logarithmic axis.
+/// No spectrum, one without lines in the range, unequal numbers of abscissas and amplitudes, numbers that are not
+/// finite, only zero amplitudes on a logarithmic axis.
 pub fn spectrum_figure(
     name: &str,
     title: &str,
@@ -182,7 +183,8 @@ pub fn spectrum_chart(
     Ok(LineChart { log_y, marks: marks.to_vec(), area_px: SPECTRUM_PX, ..chart })
 }
 
-/// Paths in a plane with equal scales on both axes, such as the orbit of a ring's centre: abscissas and ordinates in one unit.
+/// Paths in a plane with equal scales on both axes, such as the orbit of a ring's centre: abscissas and ordinates in
+/// one unit.
 ///
 /// # Errors
 ///

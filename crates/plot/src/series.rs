@@ -1,11 +1,11 @@
-//! What is drawn: axes, series of points, and the style that each label keeps through all panels of a figure.
+//! Axes, series of points, and the style that each label keeps through all panels of a figure.
 
 use crate::error::PlotError;
 use crate::references::{Reference, entry};
 use crate::style::{Stroke, dense_stroke, line_stroke, point_stroke};
 use crate::ticks::MAGNITUDES;
 
-/// What an axis measures.
+/// Quantity and unit of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// The quantity, such as `Contact load`.
@@ -42,7 +42,7 @@ impl Axis {
     }
 }
 
-/// Whether an axis can show a number: not NaN and small enough.
+/// True if an axis can show a number: not NaN and small enough.
 pub(crate) fn drawable(value: f64) -> bool {
     value.abs() < MAGNITUDES.end
 }
@@ -52,8 +52,8 @@ pub(crate) fn drawable(value: f64) -> bool {
 pub enum SeriesKind {
     /// A line.
     Line,
-    /// A line with a marker on each of its points: balls, solved rows. Markers of earlier series are larger, so that those that
-    /// coincide show as rings about each other.
+    /// A line with a marker on each of its points: balls, solved rows. Markers of earlier series are larger, so that
+    /// those that coincide show as rings about each other.
     MarkedLine,
     /// Open markers only: published or measured values.
     Points,
@@ -68,8 +68,8 @@ pub enum SeriesKind {
 pub struct Absent {
     /// Name in the legend, such as `no contact`.
     pub label: String,
-    /// Abscissas without a value; on a polar chart azimuths in degrees. The line does not go over them, and a cross on the rim or
-    /// the lower axis marks each.
+    /// Abscissas without a value; on a polar chart azimuths in degrees. The line does not go over them, and a cross on
+    /// the rim or the lower axis marks each.
     pub at: Vec<f64>,
 }
 
@@ -88,7 +88,8 @@ pub struct Series {
     pub of: Option<String>,
     /// For points: half-width of an error bar on the ordinate, in its unit.
     pub uncertainty: Option<f64>,
-    /// A light band behind the line: abscissa, lower and upper edge in the units of the axes; on a polar chart azimuth in degrees.
+    /// A light band behind the line: abscissa, lower and upper edge in the units of the axes; on a polar chart azimuth
+    /// in degrees.
     pub band: Option<Vec<(f64, f64, f64)>>,
     /// Abscissas without a value.
     pub absent: Option<Absent>,
@@ -172,7 +173,8 @@ impl Series {
     }
 }
 
-/// Refuses a panel without series, with a series that cannot be drawn, or with bars where there are none (`bars` false).
+/// Refuses a panel without series, with a series that cannot be drawn, or with bars where there are none (`bars`
+/// false).
 pub(crate) fn check_all(panel: &str, series: &[Series], bars: bool) -> Result<(), PlotError> {
     if series.is_empty() {
         return Err(PlotError::NoSeries { panel: panel.to_owned() });
@@ -183,7 +185,7 @@ pub(crate) fn check_all(panel: &str, series: &[Series], bars: bool) -> Result<()
     series.iter().try_for_each(Series::check)
 }
 
-/// What an entry of a legend stands for.
+/// An entry of a legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Series(SeriesKind),

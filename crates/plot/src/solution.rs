@@ -12,7 +12,7 @@ use crate::series::{Axis, Series};
 /// Published values of one quantity over the azimuth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Published {
-    /// What was published.
+    /// The published values.
     pub quantity: Quantity,
     /// Name in the legend, such as `Published (Table 5)`.
     pub label: String,
@@ -32,7 +32,7 @@ struct Plan {
     name: &'static str,
     title: &'static str,
     panels: &'static [(&'static str, Quantity)],
-    /// Whether all panels have the same axis, because their values are to be compared.
+    /// True if all panels have the same axis, because their values are to be compared.
     shared: bool,
 }
 
@@ -102,19 +102,20 @@ const PLANS: [Plan; 10] = [
     },
 ];
 
-/// Draws the standard set over the azimuth: contact angles, loads, elastic approaches, peak pressures, longitudinal traction,
-/// slide-to-roll ratios, wear rates, orbital speed, pocket force and power losses.
+/// Draws the standard set over the azimuth: contact angles, loads, elastic approaches, peak pressures, longitudinal
+/// traction, slide-to-roll ratios, wear rates, orbital speed, pocket force and power losses.
 ///
-/// Every ball is marked, those without contact by a cross, which no line goes over. Figures are polar where no value is negative by
-/// kind or by number and not all are zero; otherwise all their panels are over degrees.
+/// Every ball is marked, those without contact by a cross, which no line goes over. Figures are polar where no value is
+/// negative by kind or by number and not all are zero; otherwise all their panels are over degrees.
 ///
-/// Each run keeps its colour and dash in all figures. Jones–Harris runs appear only where that model says something: not in
-/// traction, slip, wear, pocket force and losses; a figure left without runs is not made. A run that did not converge says so
-/// in the legend.
+/// Each run keeps its colour and dash in all figures. Jones–Harris runs appear only where that model says something:
+/// not in traction, slip, wear, pocket force and losses; a figure left without runs is not made. A run that did not
+/// converge says so in the legend.
 ///
 /// # Errors
 ///
-/// No runs, a run without balls, equal labels, points for a run that is not given, empty points, numbers that are not finite.
+/// No runs, a run without balls, equal labels, points for a run that is not given, empty points, numbers that are not
+/// finite.
 pub fn solution_figures(runs: &[(&str, &Solution)], published: &[Published]) -> Result<Vec<Figure>, PlotError> {
     solution_charts(runs, published)?.iter().map(SolutionCharts::figure).collect()
 }
@@ -223,7 +224,7 @@ fn range<'a>(series: impl Iterator<Item = &'a Series>) -> Option<(f64, f64)> {
     (low.is_finite() && high.is_finite()).then_some((low, high))
 }
 
-/// Whether values can be told on a circle: none is negative, and not all are zero, which would be a dot.
+/// True if values can be told on a circle: none is negative, and not all are zero, which would be a dot.
 pub(crate) fn fits_circle(series: &[Series]) -> bool {
     range(series.iter()).is_some_and(|(low, high)| low >= 0.0 && high > 0.0)
 }

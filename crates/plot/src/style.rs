@@ -1,7 +1,8 @@
 //! The one style of all figures: colours, dashes, line widths, markers and type sizes.
 
-/// Okabe and Ito's colours that stay apart under the common forms of colour blindness, darkest contrasts first
-/// (M. Okabe, K. Ito, "Color Universal Design", 2008, <https://jfly.uni-koeln.de/color/>). Yellow is last: it is faint on white.
+/// Okabe and Ito's colours that stay apart under the common forms of colour blindness, darkest contrasts first (M.
+/// Okabe, K. Ito, "Color Universal Design", 2008, <https://jfly.uni-koeln.de/color/>). Yellow is last: it is faint on
+/// white.
 pub(crate) const PALETTE: [&str; 7] = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#F0E442"];
 
 /// Dash patterns, px. Their number is coprime to that of the colours, so that 42 series differ in the pair.
@@ -51,14 +52,14 @@ pub(crate) struct Stroke {
     pub marker: Marker,
     /// Size of filled markers, px.
     pub marker_px: f64,
-    /// Whether bars are hatched: all colours are in use already.
+    /// True if bars are hatched: all colours are in use already.
     pub hatched: bool,
 }
 
 /// The stroke of line `slot` that has `above` lines drawn on top of it in its panel.
 ///
-/// Later lines are thinner and lie on the earlier ones, so that curves that coincide show as a coloured core in a coloured
-/// casing instead of hiding each other.
+/// Later lines are thinner and lie on the earlier ones, so that curves that coincide show as a coloured core in a
+/// coloured casing instead of hiding each other.
 pub(crate) fn line_stroke(slot: usize, above: usize) -> Stroke {
     Stroke {
         colour: PALETTE[slot % PALETTE.len()],
@@ -83,7 +84,8 @@ pub(crate) fn point_stroke(index: usize, of_slot: Option<usize>) -> Stroke {
     }
 }
 
-/// The stroke of a published number across a panel: that of no series, in the colour of the line it belongs to, or black.
+/// The stroke of a published number across a panel: that of no series, in the colour of the line it belongs to, or
+/// black.
 pub(crate) fn reference_stroke(colour: Option<&'static str>) -> Stroke {
     let colour = colour.unwrap_or(INK);
     Stroke { colour, dash: "7 2.5 1.5 2.5", width: 1.3, marker: MARKERS[0], marker_px: MARKER[0], hatched: false }

@@ -20,7 +20,7 @@ pub(crate) struct Type {
     pub colour: &'static str,
     /// Turned by a quarter, reading upwards.
     pub upwards: bool,
-    /// Whether an underscore lowers the letters and digits after it.
+    /// True if an underscore lowers the letters and digits after it.
     pub subscripts: bool,
 }
 

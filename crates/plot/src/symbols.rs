@@ -27,7 +27,8 @@ pub(crate) fn draw_markers(
     }
 }
 
-/// Draws crosses where series have no value; `place` takes the abscissa and the place of the series among those with crosses.
+/// Draws crosses where series have no value; `place` takes the abscissa and the place of the series among those with
+/// crosses.
 pub(crate) fn draw_absent(svg: &mut Svg, lines: &[Drawn], place: impl Fn(f64, usize) -> [f64; 2]) {
     for (row, (series, entry)) in lines.iter().filter(|(s, _)| s.absent.is_some()).enumerate() {
         series.gaps().iter().for_each(|x| svg.cross(place(*x, row), entry.stroke.colour));

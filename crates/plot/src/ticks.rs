@@ -27,7 +27,8 @@ impl Scale {
 
 /// Below this spread, relative to the greatest magnitude, an axis shows a constant and not rounding noise.
 const LEAST_SPREAD: f64 = 1e-6;
-/// Magnitudes that are drawn: squares and ratios of these neither overflow nor vanish. Smaller ones are zero on a linear axis.
+/// Magnitudes that are drawn: squares and ratios of these neither overflow nor vanish. Smaller ones are zero on a
+/// linear axis.
 pub(crate) const MAGNITUDES: std::ops::Range<f64> = 1e-150..1e150;
 
 /// The power of ten, a multiple of three, to take out of the numbers of an axis: 0 between 0.01 and 100 000.
@@ -39,7 +40,7 @@ pub(crate) fn engineering_exponent(greatest: f64) -> i32 {
     3 * ((size.log10() + 1.0) / 3.0).floor() as i32
 }
 
-/// Whether a range is zero and nothing else.
+/// True if a range is zero and nothing else.
 pub(crate) fn is_zero((low, high): (f64, f64)) -> bool {
     low.abs().max(high.abs()) < MAGNITUDES.start
 }

@@ -10,7 +10,8 @@ pub(crate) fn within(phi_deg: f64) -> f64 {
     phi_deg.rem_euclid(360.0) % 360.0
 }
 
-/// The points of a closed curve: sorted by azimuth in [0°, 360°), one value for each, the first repeated at the end a turn later.
+/// The points of a closed curve: sorted by azimuth in [0°, 360°), one value for each, the first repeated at the end a
+/// turn later.
 pub(crate) fn closed(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut turn: Vec<(f64, f64)> = points.iter().map(|(phi, value)| (within(*phi), *value)).collect();
     turn.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -145,7 +145,7 @@ impl<'a> OverAzimuth<'a> {
         self.first + TAU * ball as f64 / self.balls.len() as f64
     }
 
-    /// What a ball would be at this azimuth, rad.
+    /// The state of a ball at this azimuth, rad, between those of the solution.
     pub fn at(&self, azimuth: f64) -> BallSolution {
         let count = self.balls.len();
         let rule = weights(self.rule, count, self.first, azimuth);

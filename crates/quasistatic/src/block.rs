@@ -220,7 +220,8 @@ pub(crate) fn step<S: BlockSystem>(
     }
     for (k, freedom) in system.ring().iter().enumerate() {
         match freedom {
-            // The tiny share keeps a ring without any stiffness (all loads zero) solvable; it vanishes against contacts.
+            // The tiny share keeps a ring without any stiffness (all loads zero) solvable; it vanishes against
+            // contacts.
             RingFreedom::Loaded(_) => schur[(k, k)] -= (mu + 1e-13) * ring_weight[k],
             RingFreedom::Held(_) => {
                 schur.set_row(k, &SMatrix::<f64, 1, RING>::zeros());

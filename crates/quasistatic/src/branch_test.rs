@@ -18,8 +18,8 @@ const DRAGGED: [(&str, &str); 7] = [
     ("ring.x", "Force(kN(20))"),
     ("ring.z", "Force(kN(44))"),
 ];
-/// Points at which one ball may stand still, free of both races, or be driven at some speed below rolling: whether in much
-/// drag, shares of radial load, axial load and speed, and that ball.
+/// Points at which one ball may stand still, free of both races, or be driven at some speed below rolling: whether in
+/// much drag, shares of radial load, axial load and speed, and that ball.
 const POINTS: [(bool, [f64; 3], usize); 4] = [
     (false, [0.3, 0.02, 1.0], 2),
     (true, [0.5, 1.0 / 44.0, 0.5], 11),

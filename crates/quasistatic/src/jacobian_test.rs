@@ -83,8 +83,9 @@ fn check<S: BlockSystem>(what: &str, system: &S, index: usize, state: [(f64, f64
 
 /// Largest error of a slope, relative, with a thousandth of the row's or column's largest added.
 const RELATIVE: f64 = 2e-6;
-/// The same where the shape of the contact ellipse follows the contact angle. The closed form holds that shape: derivatives of
-/// friction with respect to position, small beside those of the normal force, are then wrong by up to 14 %.
+/// The same where the shape of the contact ellipse follows the contact angle. The closed form holds that shape:
+/// derivatives of friction with respect to position, small beside those of the normal force, are then wrong by up to 14
+/// %.
 const ELLIPSE: f64 = 0.15;
 
 const RING_AT_REST: [RingFreedom; RING] = [RingFreedom::Held(0.0); RING];

@@ -49,7 +49,8 @@ impl Typical {
         let load: f64 = ring[..3].iter().map(|f| if let RingFreedom::Loaded(v) = f { v.abs() } else { 0.0 }).sum();
         let radius = 0.5 * g.pitch_diameter;
         let centrifugal = bearing.ball_mass * radius * (0.5 * (speeds.inner.abs() + speeds.outer.abs())).powi(2);
-        // A pressure of 0.5 GPa on a tenth of the ball's section squared: a light but real contact, where nothing loads it.
+        // A pressure of 0.5 GPa on a tenth of the ball's section squared: a light but real contact, where nothing loads
+        // it.
         let least = 1e-4 * 0.5e9 * g.ball_diameter.powi(2);
         let force = (load / balls + centrifugal).max(least);
         let hertz = bearing.races.outer.frozen::<f64>();

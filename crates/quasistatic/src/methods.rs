@@ -111,8 +111,8 @@ impl NewtonOrNested {
 }
 
 /// A step may raise the residual this much, and to no more than this relative residual, for a second one to be tried
-/// from there. The bound keeps a ball from being thrown over the peak of the traction curve: there the residual is of the
-/// order of one.
+/// from there. The bound keeps a ball from being thrown over the peak of the traction curve: there the residual is of
+/// the order of one.
 const RISE: f64 = 3.0;
 const NEAR: f64 = 0.05;
 

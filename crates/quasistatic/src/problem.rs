@@ -1,4 +1,4 @@
-//! Why a problem may have no solution.
+//! The errors of a solution.
 
 use crate::Model;
 use tribodyn_traction::TractionError;
@@ -44,7 +44,7 @@ pub enum QuasiStaticError {
         residual: f64,
         /// Newton steps taken.
         iterations: usize,
-        /// What was asked for.
+        /// The tolerance asked for.
         tolerance: f64,
     },
     /// Patch quadrature.

@@ -1,10 +1,10 @@
 //! The other equilibria of each ball: a search on request, with the ring held.
 //!
-//! Past its peak the traction curve falls, so under drag a ball may have a rolling equilibrium, a skidding one, or both,
-//! with an unstable one between them. [`crate::solve`] finds the one connected to rolling. Here each ball is followed
-//! from several skidding states to where it ends, and each end is judged by the eigenvalues of its spin and orbit.
-//! A lightly loaded ball may also drop out of contact: what presses it on a race is the centrifugal force of its orbit.
-//! The search samples states, so it can show that another equilibrium exists but not that none does.
+//! Past its peak the traction curve falls, so under drag a ball may have a rolling equilibrium, a skidding one, or
+//! both, with an unstable one between them. [`crate::solve`] finds the one connected to rolling. Here each ball is
+//! followed from several skidding states to where it ends, and each end is judged by the eigenvalues of its spin and
+//! orbit. A lightly loaded ball may also drop out of contact: what presses it on a race is the centrifugal force of its
+//! orbit. The search samples states, so it can show that another equilibrium exists but not that none does.
 
 use crate::block::{AXIAL, BALL, BlockSystem, ORBIT, RADIAL, RING, SPIN};
 use crate::jones_harris::{Typical, kinematics};
@@ -35,7 +35,7 @@ pub struct Root {
     pub load_inner_n: f64,
     /// Outer contact load, N.
     pub load_outer_n: f64,
-    /// Whether the inner race presses on the ball and so drives it.
+    /// True if the inner race presses on the ball and so drives it.
     pub driven: bool,
     /// Longitudinal slide-to-roll ratio ξ_x at the inner contact.
     pub slide_to_roll_inner: f64,
@@ -47,17 +47,17 @@ pub struct Root {
 }
 
 impl Root {
-    /// Whether a small disturbance dies out.
+    /// True if a small disturbance dies out.
     pub fn stable(&self) -> bool {
         self.growth_rate_per_s.is_some_and(|rate| rate < 0.0)
     }
 
-    /// Whether the ball is driven but skids: an inner slide-to-roll ratio beyond 5 %.
+    /// True if the ball is driven but skids: an inner slide-to-roll ratio beyond 5 %.
     pub fn skids(&self) -> bool {
         self.driven && self.slide_to_roll_inner.abs() > SKIDDING
     }
 
-    /// Whether the ball is driven and rolls.
+    /// True if the ball is driven and rolls.
     pub fn rolls(&self) -> bool {
         self.driven && !self.skids()
     }
@@ -182,7 +182,7 @@ fn growth_rate(
     Some(schur.complex_eigenvalues().iter().fold(f64::NEG_INFINITY, |most, value| most.max(value.re)))
 }
 
-/// What the reader must know about the roots, by ball, in the manner of [`crate::Solution::warnings`].
+/// Warnings about the roots, by ball, in the manner of [`crate::Solution::warnings`].
 pub fn root_warnings(roots: &[BallRoots]) -> Vec<String> {
     roots.iter().enumerate().filter_map(|(index, ball)| warning(index, ball)).collect()
 }

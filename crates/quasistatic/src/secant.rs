@@ -2,8 +2,8 @@
 //!
 //! The slopes of the traction integral hold the nodes of a strip rule fast and are off by up to a tenth where few nodes
 //! meet a steep slip scale; and they age as the state moves. With J the slopes of the eleven forces of a ball and Δ the
-//! step, the least change of J (in units of Δ that shift a ball's own balance by its size) that makes J Δ the change seen
-//! is J + (ΔF − J Δ) Δᵀ/(Δᵀ Δ).
+//! step, the least change of J (in units of Δ that shift a ball's own balance by its size) that makes J Δ the change
+//! seen is J + (ΔF − J Δ) Δᵀ/(Δᵀ Δ).
 //!
 //! Source: Broyden, Math. Comp. 19 (1965) 577, doi:10.1090/S0025-5718-1965-0198670-6; block by block as in partitioned
 //! updates: Griewank and Toint, Numer. Math. 39 (1982) 119, doi:10.1007/BF01399316.

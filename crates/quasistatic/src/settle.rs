@@ -1,9 +1,8 @@
 //! One ball alone: its equilibrium with the ring held, found by following its own dynamics in pseudo-time.
 //!
-//! The spins and the orbit move with their inertia (the orbit's acceleration left out of the axial spin's), the position
-//! follows at once. A ball that starts rolling
-//! therefore ends in the stable root that drag and friction would bring it to: rolling where that exists, skidding
-//! where it does not.
+//! The spins and the orbit move with their inertia (the orbit's acceleration left out of the axial spin's), the
+//! position follows at once. A ball that starts rolling therefore ends in the stable root that drag and friction would
+//! bring it to: rolling where that exists, skidding where it does not.
 
 use crate::block::{BALL, BlockSystem, RING};
 use nalgebra::{SMatrix, SVector};
@@ -50,8 +49,8 @@ pub(crate) fn settle_ball<S: BlockSystem>(
         }
         match implicit_step(system, index, &current, ring, tau) {
             Some((next, corrections)) => {
-                // Solved at once: the trajectory is smooth here. Solved with effort: all but keep the step. The slopes of
-                // a cheap rule need three corrections where exact ones need one or two.
+                // Solved at once: the trajectory is smooth here. Solved with effort: all but keep the step. The slopes
+                // of a cheap rule need three corrections where exact ones need one or two.
                 let growth = [10.0, 10.0, 4.0, 2.5, 2.0].get(corrections).unwrap_or(&1.2);
                 tau = (tau * growth).min(LAST_STEP);
                 current = next;
@@ -141,8 +140,8 @@ fn implicit_step<S: BlockSystem>(
     None
 }
 
-/// Follows a ball from `start` with steps of `tau` seconds, none of them longer, until its balances are within `tolerance`
-/// or `duration` is over: the course that [`settle_ball`] shortens.
+/// Follows a ball from `start` with steps of `tau` seconds, none of them longer, until its balances are within
+/// `tolerance` or `duration` is over: the course that [`settle_ball`] shortens.
 #[cfg(test)]
 pub(crate) fn follow_ball<S: BlockSystem>(
     system: &S,

@@ -1,4 +1,4 @@
-//! What a quasi-static solution says: names and units as in the `--json` output of `tribodyn solve`.
+//! Results of a quasi-static solution: names and units as in the `--json` output of `tribodyn solve`.
 
 use serde::Serialize;
 
@@ -17,7 +17,7 @@ pub enum Model {
 pub struct Solution {
     /// Which equations were solved.
     pub model: Model,
-    /// Whether every balance is within the tolerance.
+    /// True if every balance is within the tolerance.
     pub converged: bool,
     /// Mean orbital speed of the balls, r/min.
     pub cage_speed_rpm: f64,
@@ -41,7 +41,7 @@ pub struct Solution {
     pub iterations: usize,
     /// Estimated quadrature error of the traction force over the load, against a finer rule; absent for Jones–Harris.
     pub patch_error_estimate: Option<f64>,
-    /// What the reader must know: clamped pressure range, lost contacts, several or no roots, by ball.
+    /// Warnings: clamped pressure range, lost contacts, several or no roots, by ball.
     pub warnings: Vec<String>,
     /// One entry per ball, by azimuth.
     pub balls: Vec<BallSolution>,

@@ -62,8 +62,8 @@ impl WarmStart {
         self.rule
     }
 
-    /// The state at other speeds of the rings: rolling is linear in them, seen from the outer ring. A change of 1 % would
-    /// else be slip far past the peak of the traction curve.
+    /// The state at other speeds of the rings: rolling is linear in them, seen from the outer ring. A change of 1 %
+    /// would else be slip far past the peak of the traction curve.
     fn at_speeds(&self, now: Races<f64>) -> BlockState {
         let was = self.speeds;
         let mut state = self.state.clone();
@@ -178,7 +178,8 @@ fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint) -> Rolling<'a
     system.frozen = None;
     let mut statistics = elastic.statistics;
     let mut state = elastic.state.clone();
-    // Criterion: solve, ask each ball which race controls, solve again; a few rounds settle it, or the last answer stands.
+    // Criterion: solve, ask each ball which race controls, solve again; a few rounds settle it, or the last answer
+    // stands.
     for round in 0.. {
         let mut solved = newton(&system, state, point);
         statistics = statistics_sum(statistics, solved.statistics);
@@ -219,7 +220,7 @@ fn controlling_races(system: &JonesHarris<'_>, state: &BlockState, wanted: RaceC
     state.balls.iter().enumerate().map(inner).collect()
 }
 
-/// Whether an inner load is too small to drive a ball.
+/// True if an inner load is too small to drive a ball.
 pub(crate) fn is_idle(inner_load: f64, typical: &Typical) -> bool {
     inner_load <= DRIVING_LOAD * typical.force
 }

@@ -31,14 +31,16 @@ impl BearingFrequencies {
     /// f_bpo = N |f_c − f_o|,   f_bpi = N |f_i − f_c|,   f_b = d_m/(2D) (1 − γ²) |f_i − f_o|
     /// ```
     ///
-    /// after R. B. Randall, J. Antoni, Mech. Syst. Signal Process. 25 (2011) 485, doi:10.1016/j.ymssp.2010.07.017, with both rings
-    /// turning. Real balls slip by some per mille to per cent and at unequal contact angles; see [`Self::from_run`].
+    /// after R. B. Randall, J. Antoni, Mech. Syst. Signal Process. 25 (2011) 485, doi:10.1016/j.ymssp.2010.07.017, with
+    /// both rings turning. Real balls slip by some per mille to per cent and at unequal contact angles; see
+    /// [`Self::from_run`].
     ///
     /// Diameters in m, contact angle in rad, speeds of the rings in rad/s with their signs.
     ///
     /// # Errors
     ///
-    /// No balls, balls that are not smaller than the pitch circle, a contact angle outside ±90°, speeds that are not finite.
+    /// No balls, balls that are not smaller than the pitch circle, a contact angle outside ±90°, speeds that are not
+    /// finite.
     pub fn from_geometry(
         ball_count: usize,
         ball_diameter: f64,
@@ -62,8 +64,8 @@ impl BearingFrequencies {
         Self::from_run(cage, spin, inner_speed, outer_speed, ball_count)
     }
 
-    /// Frequencies of what was computed or measured: mean cage (or orbital) speed, mean spin of the balls relative to the cage
-    /// (the magnitude of ω in the frame that orbits with the ball), and ring speeds, all rad/s.
+    /// Frequencies of what was computed or measured: mean cage (or orbital) speed, mean spin of the balls relative to
+    /// the cage (the magnitude of ω in the frame that orbits with the ball), and ring speeds, all rad/s.
     ///
     /// # Errors
     ///

@@ -14,12 +14,13 @@ use crate::window::sinc;
 /// g(u) = w(u/D) (2/n) ∫ cos(2πfu)/sinc(f/n) df from 0 to f_c,   w(v) = I_0(β √(1 − v²))/I_0(β)
 /// ```
 ///
-/// Frequencies f are over the output rate f_s, n is the factor, f_c the middle of the transition. Means over intervals of an
-/// acceleration are differences of the velocity, so that a solver has them without an evaluation of forces. They are lower
-/// than the values by sinc(f/n), which the filter gives back, and what folds at the internal rate is lowered by that: into the pass band
-/// at most by f/n, −80 dB from n = 4096 on whatever the spectrum.
+/// Frequencies f are over the output rate f_s, n is the factor, f_c the middle of the transition. Means over intervals
+/// of an acceleration are differences of the velocity, so that a solver has them without an evaluation of forces. They
+/// are lower than the values by sinc(f/n), which the filter gives back, and what folds at the internal rate is lowered
+/// by that: into the pass band at most by f/n, −80 dB from n = 4096 on whatever the spectrum.
 ///
-/// Window: J. F. Kaiser, "Nonrecursive digital filter design using the I0-sinh window function", Proc. IEEE ISCAS 1974, 20.
+/// Window: J. F. Kaiser, "Nonrecursive digital filter design using the I0-sinh window function", Proc. IEEE ISCAS 1974,
+/// 20.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decimator {
     factor: usize,
@@ -102,7 +103,7 @@ impl Decimator {
         DecimatorMemory { phase: 0, head: 0, sums }
     }
 
-    /// Whether a memory is one of this filter with `channels` channels.
+    /// True if a memory is one of this filter with `channels` channels.
     pub fn remembers(&self, memory: &DecimatorMemory, channels: usize) -> bool {
         memory.phase < self.factor && memory.head < SPAN && memory.sums.len() == SPAN * channels
     }
@@ -126,7 +127,8 @@ impl Decimator {
         Some(std::mem::replace(&mut sums[head], [0.0; C]))
     }
 
-    /// Gain at a frequency over the output rate, the mean over the internal intervals included; the phase is that of the delay.
+    /// Gain at a frequency over the output rate, the mean over the internal intervals included; the phase is that of
+    /// the delay.
     pub fn gain(&self, frequency: f64) -> f64 {
         let of = |(phase, taps): (usize, &[f64; SPAN])| {
             let term = |(output, tap): (usize, &f64)| tap * (TAU * frequency * place(self.factor, phase, output)).cos();

@@ -9,14 +9,14 @@ use crate::window::Window;
 
 /// Magnitude of the analytic signal `x + i H{x}` of the samples in a band, in their unit.
 ///
-/// The band (low and high edge, Hz) passes whole lines of the transform and nothing else; without a band all but the mean
-/// passes. Signals are taken as periodic: within about the inverse of the band's width from both ends the envelope of a signal
-/// that is not periodic is wrong.
+/// The band (low and high edge, Hz) passes whole lines of the transform and nothing else; without a band all but the
+/// mean passes. Signals are taken as periodic: within about the inverse of the band's width from both ends the envelope
+/// of a signal that is not periodic is wrong.
 ///
 /// # Errors
 ///
-/// Fewer than 4 samples, a sample that is not finite, a rate (Hz) that is not positive, a band that does not lie within 0 to half
-/// the rate or holds no line.
+/// Fewer than 4 samples, a sample that is not finite, a rate (Hz) that is not positive, a band that does not lie within
+/// 0 to half the rate or holds no line.
 pub fn envelope(samples: &[f64], rate_hz: f64, band: Option<[f64; 2]>) -> Result<Vec<f64>, SignalError> {
     check_rate(rate_hz)?;
     check_samples(samples, LEAST_SAMPLES)?;
@@ -47,7 +47,8 @@ pub fn envelope(samples: &[f64], rate_hz: f64, band: Option<[f64; 2]>) -> Result
     Ok(real.iter().zip(&imaginary).map(|(x, y)| x.hypot(*y)).collect())
 }
 
-/// Spectrum (Hann window) of the [`envelope`] of the samples in a band: lines where the amplitude of that band is modulated.
+/// Spectrum (Hann window) of the [`envelope`] of the samples in a band: lines where the amplitude of that band is
+/// modulated.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! What can be wrong with samples and settings, and the checks that all functions share.
+//! Errors of samples and settings, and the checks that all functions share.
 
 /// Why a signal cannot be evaluated.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -45,7 +45,8 @@ pub enum SignalError {
         /// Samples given.
         count: usize,
     },
-    /// A fundamental whose harmonics the spectrum cannot separate, or that is no positive number below half the sampling rate.
+    /// A fundamental whose harmonics the spectrum cannot separate, or that is no positive number below half the
+    /// sampling rate.
     #[error(
         "harmonics of {fundamental_hz} Hz need a fundamental from {least_hz} Hz to {nyquist_hz} Hz to be told apart"
     )]

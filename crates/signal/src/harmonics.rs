@@ -38,14 +38,14 @@ pub struct HarmonicFamily {
 impl Spectrum {
     /// Looks for the multiples 1 to `count` of a frequency, each within `tolerance_lines` of its place.
     ///
-    /// Every peak in reach is listed, also one of noise: compare with its floor. The share of the variance takes all lines within
-    /// the tolerance and half a lobe of each multiple, whether there is a peak or not. A family makes up a signal when its
-    /// share is near 1 and its share of the lines is not.
+    /// Every peak in reach is listed, also one of noise: compare with its floor. The share of the variance takes all
+    /// lines within the tolerance and half a lobe of each multiple, whether there is a peak or not. A family makes up a
+    /// signal when its share is near 1 and its share of the lines is not.
     ///
     /// # Errors
     ///
-    /// A fundamental above half the sampling rate or so low that neighbouring multiples run into each other (record a longer
-    /// time); a negative tolerance.
+    /// A fundamental above half the sampling rate or so low that neighbouring multiples run into each other (record a
+    /// longer time); a negative tolerance.
     pub fn harmonic_family(
         &self,
         fundamental_hz: f64,

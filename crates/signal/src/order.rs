@@ -8,8 +8,8 @@ use crate::error::{SignalError, check_rate, check_samples};
 use crate::spectrum::{amplitudes, highest};
 use crate::window::Window;
 
-/// Points of the interpolating polynomial. Its error at a frequency f is about 35/32768 (2πf/rate)⁸ of the amplitude: 3e-5 at a
-/// tenth, 0.7 % at a fifth of the sampling rate.
+/// Points of the interpolating polynomial. Its error at a frequency f is about 35/32768 (2πf/rate)⁸ of the amplitude:
+/// 3e-5 at a tenth, 0.7 % at a fifth of the sampling rate.
 const STENCIL: usize = 8;
 /// Greatest growth of the number of samples, and so the greatest ratio of the mean to the slowest speed.
 const MOST_GROWTH: usize = 64;
@@ -95,15 +95,15 @@ fn interpolate(samples: &[f64], place: f64) -> f64 {
 
 /// Resamples a signal evenly in shaft angle, over the whole turns that it spans.
 ///
-/// `speed_rad_s` is the shaft speed at each sample, of one sign. Without a number of samples per turn the density of the
-/// slowest part is kept, so that nothing folds; with one that is lower, frequencies above half of it per turn fold down, and the
-/// caller must know that there are none.
+/// `speed_rad_s` is the shaft speed at each sample, of one sign. Without a number of samples per turn the density of
+/// the slowest part is kept, so that nothing folds; with one that is lower, frequencies above half of it per turn fold
+/// down, and the caller must know that there are none.
 ///
 /// # Errors
 ///
-/// Fewer than 8 samples, less than one turn, samples or speeds that are not finite, a number of speeds other than that of the
-/// samples, a speed that is zero or changes sign, fewer than 4 samples per turn, and without a number of samples per turn a
-/// slowest speed below a 64th of the mean.
+/// Fewer than 8 samples, less than one turn, samples or speeds that are not finite, a number of speeds other than that
+/// of the samples, a speed that is zero or changes sign, fewer than 4 samples per turn, and without a number of samples
+/// per turn a slowest speed below a 64th of the mean.
 pub fn resample_by_angle(
     samples: &[f64],
     rate_hz: f64,
@@ -135,7 +135,8 @@ pub fn resample_by_angle(
             interval += 1;
         }
         let (from, to) = (speed_rad_s[interval].abs(), speed_rad_s[interval + 1].abs());
-        // Root of `from s + ½ (to − from) s² = Δθ rate` in the part s of the interval, in the form that does not cancel.
+        // Root of `from s + ½ (to − from) s² = Δθ rate` in the part s of the interval, in the form that does not
+        // cancel.
         let ahead = (angle - angles[interval]) * rate_hz;
         let root = (from * from + 2.0 * (to - from) * ahead).max(0.0).sqrt();
         interpolate(samples, interval as f64 + 2.0 * ahead / (from + root))

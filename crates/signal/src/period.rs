@@ -17,7 +17,8 @@ pub struct Period {
 /// A maximum this near to the greatest one is as good: the shortest of such is the period, the others its multiples.
 const AS_GOOD: f64 = 0.95;
 
-/// `r(τ) = Σ x_n x_{n+τ}/√(Σ x_n² Σ x_{n+τ}²)` over the overlapping parts of the samples less their mean, for lags 0 to `most`.
+/// `r(τ) = Σ x_n x_{n+τ}/√(Σ x_n² Σ x_{n+τ}²)` over the overlapping parts of the samples less their mean, for lags 0 to
+/// `most`.
 ///
 /// With both energies taken over the overlap only, r is 1 at the period of a periodic signal whatever its length.
 fn autocorrelation(samples: &[f64], most: usize) -> Result<Vec<f64>, SignalError> {
@@ -48,8 +49,9 @@ fn autocorrelation(samples: &[f64], most: usize) -> Result<Vec<f64>, SignalError
 ///
 /// # Errors
 ///
-/// Bounds that are not positive and rising or of which the lower is below two samples, too few samples for the upper one, a
-/// sample that is not finite, a rate (Hz) that is not positive, no positive maximum of the correlation between the bounds.
+/// Bounds that are not positive and rising or of which the lower is below two samples, too few samples for the upper
+/// one, a sample that is not finite, a rate (Hz) that is not positive, no positive maximum of the correlation between
+/// the bounds.
 pub fn period(samples: &[f64], rate_hz: f64, [shortest_s, longest_s]: [f64; 2]) -> Result<Period, SignalError> {
     check_rate(rate_hz)?;
     for (name, value) in [("shortest period in s", shortest_s), ("longest period in s", longest_s)] {

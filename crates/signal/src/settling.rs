@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{SignalError, check_rate, check_samples, check_setting};
 
-/// What counts as steady.
+/// Criterion of a steady signal.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SettlingRule {
     /// Length of the running window, s: a whole period of the ripple, or the mean itself swings.
@@ -18,8 +18,8 @@ pub struct SettlingRule {
 /// When a signal settled and what it settled to.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Settling {
-    /// Start of the first window from which on all are within the tolerances, s from the first sample; nothing where the windows of
-    /// the last quarter still leave them.
+    /// Start of the first window from which on all are within the tolerances, s from the first sample; nothing where
+    /// the windows of the last quarter still leave them.
     pub time_s: Option<f64>,
     /// Average of the running mean over the last quarter of the windows, in the unit of the samples.
     pub final_mean: f64,
@@ -34,8 +34,8 @@ const FINAL_PART: usize = 4;
 ///
 /// # Errors
 ///
-/// A window that is not positive, or of which fewer than four fit; negative tolerances; a sample that is not finite; a rate
-/// (Hz) that is not positive.
+/// A window that is not positive, or of which fewer than four fit; negative tolerances; a sample that is not finite; a
+/// rate (Hz) that is not positive.
 pub fn settling(samples: &[f64], rate_hz: f64, rule: SettlingRule) -> Result<Settling, SignalError> {
     check_rate(rate_hz)?;
     check_setting("running window in s", rule.window_s, false)?;

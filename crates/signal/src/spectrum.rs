@@ -20,7 +20,7 @@ pub struct Spectrum {
     pub window: Window,
     /// Number of samples.
     pub sample_count: usize,
-    /// What was taken off as mean: that of the weighted samples, so that line 0 is zero. In the unit of the samples.
+    /// The mean that was subtracted: that of the weighted samples, so that line 0 is zero. In the unit of the samples.
     pub mean: f64,
 }
 
@@ -45,7 +45,8 @@ pub(crate) fn amplitudes(samples: &[f64], window: Window) -> Result<(Vec<f64>, f
     Ok((lines.iter().enumerate().map(|(k, x)| scale(k) * x.norm()).collect(), mean))
 }
 
-/// Place in lines and amplitude of the peak at a line that is higher than the one before and not lower than the one after.
+/// Place in lines and amplitude of the peak at a line that is higher than the one before and not lower than the one
+/// after.
 pub(crate) fn refine(amplitude: &[f64], window: Window, line: usize) -> Option<(f64, f64)> {
     let (left, top, right) = (*amplitude.get(line.checked_sub(1)?)?, *amplitude.get(line)?, *amplitude.get(line + 1)?);
     if !(top > left && top >= right) {
@@ -99,8 +100,8 @@ impl Spectrum {
 
     /// The `count` highest peaks, highest first, at least `min_separation_hz` apart.
     ///
-    /// Line 0 and the last line are never peaks. Of a sine with noise or leakage around it the separation should be at least the
-    /// width of the lobe, [`Window::lobe_lines`] lines.
+    /// Line 0 and the last line are never peaks. Of a sine with noise or leakage around it the separation should be at
+    /// least the width of the lobe, [`Window::lobe_lines`] lines.
     pub fn peaks(&self, count: usize, min_separation_hz: f64) -> Vec<Peak> {
         let spacing = self.line_spacing_hz();
         highest(&self.amplitude, self.window, count, min_separation_hz / spacing)
@@ -122,14 +123,15 @@ impl Spectrum {
         inside.max_by(|a, b| a.amplitude.total_cmp(&b.amplitude))
     }
 
-    /// The highest peak within a distance of a frequency, both Hz; nothing where no line rises above its neighbours there.
+    /// The highest peak within a distance of a frequency, both Hz; nothing where no line rises above its neighbours
+    /// there.
     pub fn peak_near(&self, frequency_hz: f64, distance_hz: f64) -> Option<Peak> {
         let spacing = self.line_spacing_hz();
         self.peak_between((frequency_hz - distance_hz) / spacing, (frequency_hz + distance_hz) / spacing)
     }
 
-    /// The amplitude at a frequency within a distance, both Hz: that of the highest peak there, and without a peak that of the
-    /// nearest line. Zero outside the spectrum.
+    /// The amplitude at a frequency within a distance, both Hz: that of the highest peak there, and without a peak that
+    /// of the nearest line. Zero outside the spectrum.
     pub fn amplitude_near(&self, frequency_hz: f64, distance_hz: f64) -> f64 {
         if let Some(peak) = self.peak_near(frequency_hz, distance_hz) {
             return peak.amplitude;
@@ -138,7 +140,7 @@ impl Spectrum {
         if line < 0.0 { 0.0 } else { self.amplitude.get(line as usize).copied().unwrap_or(0.0) }
     }
 
-    /// What a line adds to the mean square of the weighted samples, in the squared unit of the samples.
+    /// Share of a line in the mean square of the weighted samples, in the squared unit of the samples.
     pub(crate) fn line_power(&self, line: usize) -> f64 {
         let half = if has_partner(line, self.sample_count) { 0.5 } else { 1.0 };
         half * self.amplitude[line].powi(2) / self.window.noise_bandwidth_lines()
@@ -146,7 +148,8 @@ impl Spectrum {
 
     /// Variance of the signal, in the squared unit of the samples: all lines' powers.
     ///
-    /// Exactly (Parseval) `Σ w² (x − mean)²/Σ w²` with the window's weights w: without window the variance of the samples.
+    /// Exactly (Parseval) `Σ w² (x − mean)²/Σ w²` with the window's weights w: without window the variance of the
+    /// samples.
     pub fn variance(&self) -> f64 {
         (0..self.amplitude.len()).map(|line| self.line_power(line)).sum()
     }

@@ -7,7 +7,8 @@ use crate::error::{SignalError, check_samples};
 /// Deviations below this part of the greatest magnitude are rounding: the signal is a constant.
 const ROUNDING: f64 = 1e-14;
 
-/// What a signal is like, apart from its order in time. In the unit of the samples where nothing else is said.
+/// Statistics of a signal that do not depend on the order of its samples. In the unit of the samples where nothing else
+/// is said.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Statistics {
     /// Number of samples.

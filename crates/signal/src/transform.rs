@@ -29,7 +29,7 @@ pub(crate) fn inverse(mut lines: Vec<Complex<f64>>, count: usize) -> Result<Vec<
     Ok(samples)
 }
 
-/// Whether a line of a transform of `count` samples has a partner at negative frequency.
+/// True if a line of a transform of `count` samples has a partner at negative frequency.
 pub(crate) fn has_partner(line: usize, count: usize) -> bool {
     line != 0 && 2 * line != count
 }

@@ -46,13 +46,13 @@ impl PowerDensity {
     }
 }
 
-/// Power spectral density of evenly spaced samples; the mean of each segment is removed. Samples after the last whole segment
-/// are not used.
+/// Power spectral density of evenly spaced samples; the mean of each segment is removed. Samples after the last whole
+/// segment are not used.
 ///
 /// # Errors
 ///
-/// Fewer than 4 samples in a segment, segments longer than the signal or that overlap wholly, a sample that is not finite, a
-/// rate (Hz) that is not positive.
+/// Fewer than 4 samples in a segment, segments longer than the signal or that overlap wholly, a sample that is not
+/// finite, a rate (Hz) that is not positive.
 pub fn welch(samples: &[f64], rate_hz: f64, segments: Segments) -> Result<PowerDensity, SignalError> {
     let Segments { length, overlap, window } = segments;
     check_rate(rate_hz)?;

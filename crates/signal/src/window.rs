@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
-/// What the samples are weighted with before the transform.
+/// The window by which samples are weighted before the transform.
 ///
 /// The default is [`Window::Hann`]: its leakage falls fast and its lobe, ±2 lines, is narrow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -69,8 +69,8 @@ impl Window {
 
     /// Where a sine lies beside the highest line, in lines from −½ to ½, from that line and its neighbours.
     ///
-    /// For Hann and no window in closed form from the highest line and its higher neighbour, after T. Grandke,
-    /// IEEE Trans. Instrum. Meas. 32 (1983) 350, doi:10.1109/TIM.1983.4314077; for the flat top, whose top says little, from
+    /// For Hann and no window in closed form from the highest line and its higher neighbour, after T. Grandke, IEEE
+    /// Trans. Instrum. Meas. 32 (1983) 350, doi:10.1109/TIM.1983.4314077; for the flat top, whose top says little, from
     /// the ratio of the two neighbours.
     pub(crate) fn offset(self, [left, top, right]: [f64; 3]) -> f64 {
         let side = if right >= left { 1.0 } else { -1.0 };
@@ -82,7 +82,8 @@ impl Window {
         }
     }
 
-    /// The offset at which the lower neighbour is `ratio` of the higher one; by bisection, the ratio falls with the offset.
+    /// The offset at which the lower neighbour is `ratio` of the higher one; by bisection, the ratio falls with the
+    /// offset.
     fn offset_by_neighbours(self, ratio: f64) -> f64 {
         let (mut low, mut high) = (0.0, 0.5);
         for _ in 0..50 {
@@ -121,7 +122,8 @@ mod tests {
         }
     }
 
-    /// Harris 1978, doi:10.1109/PROC.1978.10837, Table 1: bandwidth 1.50, scalloping loss 1.42 dB; rectangular 1.00 and 3.92 dB.
+    /// Harris 1978, doi:10.1109/PROC.1978.10837, Table 1: bandwidth 1.50, scalloping loss 1.42 dB; rectangular 1.00 and
+    /// 3.92 dB.
     #[test]
     fn paper_bandwidth_and_scalloping_loss() {
         assert_eq!(Window::Hann.noise_bandwidth_lines(), 1.5);

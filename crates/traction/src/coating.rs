@@ -40,16 +40,17 @@ const PAPER: &str = "Lubricants 2025, 13(8), 352, Table 2";
 /// Bare steel on steel without lubricant, the same at every pressure (Amontons): an order of magnitude, no test.
 ///
 /// No curve of dry AISI 440C or 52100 in liquid nitrogen against slip could be found. The residual coefficient is the
-/// handbook's for hard steel sliding dry on hard steel, 0.42 (Marks' Standard Handbook for Mechanical Engineers, section
-/// 3.2; its static value is 0.78, and other collections give 0.1 to 0.6 for dry sliding steel). That it may stand for
-/// low temperatures rests on Burton, Taborek, Rutledge, Tribol. Lett. 23 (2006) 131, who saw no systematic change for
-/// bearing steel on stainless steel between 4 and 200 K. Chaudhuri, Slifka, Siegwarth, Wear 160 (1993) 43,
-/// doi:10.1016/0043-1648(93)90404-A, slid 440C on itself in oxygen from 88 K up, the nearest test known; its coefficients
-/// could not be had. The shape is assumed: slip at the peak and peak over residual are those of silver at 3 GPa.
+/// handbook's for hard steel sliding dry on hard steel, 0.42 (Marks' Standard Handbook for Mechanical Engineers,
+/// section 3.2; its static value is 0.78, and other collections give 0.1 to 0.6 for dry sliding steel). That it may
+/// stand for low temperatures rests on Burton, Taborek, Rutledge, Tribol. Lett. 23 (2006) 131, who saw no systematic
+/// change for bearing steel on stainless steel between 4 and 200 K. Chaudhuri, Slifka, Siegwarth, Wear 160 (1993) 43,
+/// doi:10.1016/0043-1648(93)90404-A, slid 440C on itself in oxygen from 88 K up, the nearest test known; its
+/// coefficients could not be had. The shape is assumed: slip at the peak and peak over residual are those of silver at
+/// 3 GPa.
 const BARE: Peak = Peak { slip: 3.3, coefficient: 0.46, residual: 0.42 };
 const BARE_SOURCE: &str = "Assumed: dry hard steel, 0.42 (Marks' Handbook, 3.2), with the shape of the curve of silver";
 
-/// What the library has under a name.
+/// An entry of the library.
 enum Data {
     /// A coating of the paper.
     Paper(TableTwo),

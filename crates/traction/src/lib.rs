@@ -1,86 +1,4 @@
-//! Traction of solid lubricants: the Kragelskii curve with pressure-varying parameters and its integral over a
-//! contact patch with spin, lateral and differential (Heathcote) slip.
-//!
-//! # Equations
-//! ```text
-//! κ(s) = (A + B s) exp(−C s) + D,   D = −A                                        (curve, Eq. 1)
-//! S_m, K_m, K = polynomials in p;   e^(−x)/(x−1) = (K_m−K)/K,  C = x/S_m,  B = K C/(x−1)      (Eq. 2)
-//! Δv_x = W_x + w_y h(y) − w_n y,    Δv_y = W_y − w_x h(y) + w_n x,   h = r_b − y²/(2R_c)       (Eqs. 3–5)
-//! T = −∬ κ(|Δv|) p Δv/|Δv| dA,      M = ∬ P × dT,   power = ∬ κ p |Δv| dA,  wear integral = ∬ p |Δv| dA
-//! ```
-//!
-//! | symbol | meaning | unit |
-//! |---|---|---|
-//! | s | slip, in the [`SlipUnit`] of the coating's data | its own |
-//! | κ, K_m, K | traction coefficient, its peak, its value at infinite slip | – |
-//! | S_m | slip at the peak | unit of s |
-//! | p | contact pressure | Pa |
-//! | x, y, n | along rolling, across the groove, outward normal | m |
-//! | W, w | velocity and angular velocity of the ball against the race | m/s, rad/s |
-//! | r_b, R_c | ball radius, radius of the deformed contact across the groove | m |
-//! | T, M | traction on the ball, its moment about the ball centre | N, N m |
-//!
-//! Sources: Zhang et al., Lubricants 2025, 13(8), 352, doi:10.3390/lubricants13080352 (curve, coatings, patch rule);
-//! Heathcote's differential slip as in its Eq. 4.
-//!
-//! Limits: Hertz pressure, sliding friction at each point by its own slip (the rigid patch: no tangential elasticity), no
-//! heating. The built-in data hold in liquid nitrogen at 2.5–3.5 GPa and are extrapolated between 1.5 and 4 GPa.
-//!
-//! # Elastic bodies
-//! [`elastic_patch_traction`] lets the surfaces give way tangentially (Kalker's simplified theory, FASTSIM): below a creep
-//! of about 2e-3 the rigid patch has too much traction, and no lateral force by spin. [`fast_elastic_patch_traction`] and
-//! [`Fastsim::derivative`] are its counterparts in vector instructions.
-//!
-//! The crate does not know what a bearing is: it sees one patch and one relative motion.
-//!
-//! # Two ways through the integral
-//! [`patch_traction`] is generic over the scalar, dual numbers included, and over the law: the reference. [`FastPatch`]
-//! sums the same nodes in double precision with vector instructions, for Kragelskii curves taken at the peak pressure,
-//! and agrees to 1e-12; it also has the derivatives in closed form. [`fast_patch_traction`] picks between the two.
-//!
-//! # A law of one's own
-//! The integral takes any [`TractionLaw`]; Coulomb friction shows what is needed.
-//! ```
-//! use tribodyn_traction::{
-//!     MomentArm, Patch, PatchLaw, PatchRule, PressureChoice, Quadrature, RelativeMotion, Scalar, SlipCurve, SlipUnit,
-//!     TractionLaw, patch_traction,
-//! };
-//!
-//! #[derive(Clone, Copy)]
-//! struct Coulomb(f64);
-//!
-//! impl<D: Scalar> SlipCurve<D> for Coulomb {
-//!     fn over_slip(&self, slip: D) -> D {
-//!         if slip.re() > 1e-12 { slip.recip() * self.0 } else { D::zero() }
-//!     }
-//! }
-//!
-//! impl TractionLaw for Coulomb {
-//!     type Curve<D: Scalar> = Self;
-//!     fn at<D: Scalar>(&self, _pressure: D) -> Self {
-//!         *self
-//!     }
-//!     fn clamps(&self, _pressure: f64) -> bool {
-//!         false
-//!     }
-//! }
-//!
-//! let patch = Patch {
-//!     semi_lateral: 4e-3,
-//!     semi_rolling: 0.5e-3,
-//!     peak_pressure: 2e9,
-//!     ball_radius: 0.015,
-//!     surface_radius: f64::INFINITY,
-//!     moment_arm: MomentArm::Curved,
-//! };
-//! let motion = RelativeMotion { rolling: 0.2, lateral: 0.0, spin: 0.0, about_lateral: 0.0, about_rolling: 0.0 };
-//! let law = PatchLaw { law: &Coulomb(0.1), slip_unit: SlipUnit::MeterPerSecond, pressure: PressureChoice::Peak };
-//! let quadrature = Quadrature::new(PatchRule::SplitStrip { across: 8, along: 4 })?;
-//! let traction = patch_traction(&patch, &motion, 60.0, &law, &quadrature);
-//! let load = 2.0 / 3.0 * std::f64::consts::PI * 2e9 * 4e-3 * 0.5e-3;
-//! assert!((traction.force_rolling + 0.1 * load).abs() < 1e-12 * load);
-//! # Ok::<(), tribodyn_traction::TractionError>(())
-//! ```
+#![doc = include_str!("../README.md")]
 
 mod chebyshev;
 mod choose;
@@ -111,7 +29,7 @@ pub use settings::{MomentArm, PatchRule, PressureChoice, SlipUnit};
 pub use tribodyn_contact::Scalar;
 pub use varying::{CoatingLaw, PressureFit, TractionLaw};
 
-/// What can be wrong with traction data or a patch rule.
+/// Faults in traction data or a patch rule.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TractionError {
     /// Peak data that no Kragelskii curve has.

@@ -139,7 +139,7 @@ impl<D: Scalar> PatchTraction<D> {
     }
 }
 
-/// What turns sliding speed into traction: the law, the unit of its slip axis and the pressure it sees.
+/// The relation of traction to sliding speed: the law, the unit of its slip and the pressure at which it is taken.
 #[derive(Debug, Clone, Copy)]
 pub struct PatchLaw<'a, L> {
     /// The coating's law.

@@ -1,4 +1,5 @@
-//! Strips across the contact patch: cut where the longitudinal slip vanishes, their nodes drawn to the pole of the slip.
+//! Strips across the contact patch: cut where the longitudinal slip vanishes, their nodes drawn to the pole of the
+//! slip.
 
 use crate::{Scalar, SlipField};
 use std::f64::consts::PI;
@@ -93,10 +94,10 @@ pub(crate) const SPINLESS: f64 = 1e-6;
 
 /// Calls `point(ξ, w)` for the nodes of the strip at `y`, with ∫ g √(1−ξ²) dξ ≈ Σ w g.
 ///
-/// On a strip Δv_y = v_0 + q ξ varies and Δv_x does not, so |Δv| has its branch points at ξ_0 ± i |Δv_x/q|, ξ_0 = −v_0/q:
-/// close to the strip wherever it passes the pole about which the patch spins. The map
-/// ξ = ξ_0 + ε sinh(A t + B), ξ(±1) = ±1, moves them away (Tee and Trefethen, SIAM J. Sci. Comput. 28 (2006) 1798,
-/// doi:10.1137/050641296); for large ε it is the identity. √((1−ξ²)/(1−t²)) is smooth, so the rule for the weight √(1−t²) still holds.
+/// On a strip Δv_y = v_0 + q ξ varies and Δv_x does not, so |Δv| has its branch points at ξ_0 ± i |Δv_x/q|, ξ_0 =
+/// −v_0/q: close to the strip wherever it passes the pole about which the patch spins. The map ξ = ξ_0 + ε sinh(A t +
+/// B), ξ(±1) = ±1, moves them away (Tee and Trefethen, SIAM J. Sci. Comput. 28 (2006) 1798, doi:10.1137/050641296); for
+/// large ε it is the identity. √((1−ξ²)/(1−t²)) is smooth, so the rule for the weight √(1−t²) still holds.
 pub(crate) fn along_strip<D: Scalar>(
     nodes: &[AlongNode],
     slip: &SlipField<D>,

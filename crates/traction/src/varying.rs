@@ -12,7 +12,7 @@ pub trait TractionLaw: Sync {
     /// The curve at contact pressure `pressure` in Pa.
     fn at<D: Scalar>(&self, pressure: D) -> Self::Curve<D>;
 
-    /// Whether `pressure` in Pa lies outside the range of the data, so that it is clamped.
+    /// True if `pressure` in Pa lies outside the range of the data, so that it is clamped.
     fn clamps(&self, pressure: f64) -> bool;
 
     /// The curve at `pressure` in Pa where it is Kragelskii's: [`crate::FastPatch`] then takes the place of the generic
@@ -37,7 +37,8 @@ pub struct PressureFit {
 }
 
 impl PressureFit {
-    /// Polynomials of degree `order`: through the tests where their number is `order` + 1, least squares where there are more.
+    /// Polynomials of degree `order`: through the tests where their number is `order` + 1, least squares where there
+    /// are more.
     ///
     /// # Errors
     /// [`TractionError::TooFewTests`] where the tests do not determine the polynomial.

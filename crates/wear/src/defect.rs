@@ -6,14 +6,14 @@ use std::f64::consts::{PI, TAU};
 
 /// A defect over a sector of the raceway, in the ring's own frame.
 ///
-/// With the distance θ from the middle and the full width w, its depth is a raised cosine, ½ D (1 + cos(2πθ/w)): D in the
-/// middle, 0 with slope 0 at the edges, so that a ball rolls in and out without a blow that the profile does not
+/// With the distance θ from the middle and the full width w, its depth is a raised cosine, ½ D (1 + cos(2πθ/w)): D in
+/// the middle, 0 with slope 0 at the edges, so that a ball rolls in and out without a blow that the profile does not
 /// have. The share of the coating that is gone is full over the middle half of the sector and falls to 0 over the outer
 /// quarters, by a raised cosine too: a patch without coating is flat, its edges are as sharp as a contact ellipse lets
 /// them appear.
 ///
-/// The depth is what the middle of the ball sinks by. A ball of radius r bridges a pit that is narrow against its depth:
-/// it touches the bottom of a pit of the length s only where that is no deeper than about s²/(8r).
+/// The depth is what the middle of the ball sinks by. A ball of radius r bridges a pit that is narrow against its
+/// depth: it touches the bottom of a pit of the length s only where that is no deeper than about s²/(8r).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Defect {
     /// Middle of the sector, rad.
@@ -81,7 +81,8 @@ mod tests {
         assert!(depth > 0.0 && slope < 0.0 && bare > 0.0);
         let turned = PIT.at(0.05 - 7.0 * TAU);
         assert!((turned.0 - depth).abs() < 1e-17 && (turned.1 - slope).abs() < 1e-15);
-        // The coating is gone as far as a quarter of the width from the middle, and half gone between there and the edge.
+        // The coating is gone as far as a quarter of the width from the middle, and half gone between there and the
+        // edge.
         assert_eq!(PIT.at(6.2 + 0.0749).2, 0.8);
         assert!((PIT.at(6.2 - 0.1125).2 - 0.4).abs() < 1e-12);
     }

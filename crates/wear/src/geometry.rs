@@ -51,8 +51,8 @@ impl GrooveGeometry {
     /// the angle grows without bound towards it.
     ///
     /// # Errors
-    /// [`WearError`] for lengths that are none, a groove that is not wider than the ball, a negative depth, and for a
-    /// clearance that no contact angle has.
+    /// [`WearError`] for lengths that are not finite and above 0, a groove that is not wider than the ball, a negative
+    /// depth, and for a clearance that no contact angle has.
     pub fn free_contact_angle<D: Scalar>(&self, wear: WearDepths<D>) -> Result<D, WearError> {
         self.check(wear.inner.re(), wear.outer.re())?;
         let (clearance, limit) = (self.clearance(wear), self.centre_distance());

@@ -8,7 +8,7 @@ use crate::raceway::{BINS, middles};
 use crate::{Raceway, WearError};
 use std::f64::consts::TAU;
 
-/// What one ball wears off a race per time when it stands at an azimuth.
+/// Wear rate of a race under one ball at an azimuth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallWear {
     /// Azimuth of the ball, rad, in the frame of the load, which stands still.
@@ -22,13 +22,13 @@ pub struct BallWear {
 /// Wear rates of one race: one ball at several azimuths, and how that comes over the ring.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RaceWear {
-    /// One ball at azimuths that rise over one turn; between them its rate is linear. The balls of a solution serve, all of
-    /// them being one ball at other times.
+    /// One ball at azimuths that rise over one turn; between them its rate is linear. The balls of a solution serve,
+    /// all of them being one ball at other times.
     pub along_orbit: Vec<BallWear>,
     /// Number of balls.
     pub ball_count: usize,
-    /// Whether the ring turns under the load: then every spot of it sees the mean over the orbit. A ring that stands still
-    /// wears most where it is loaded most.
+    /// True if the ring turns under the load: then every spot of it sees the mean over the orbit. A ring that stands
+    /// still wears most where it is loaded most.
     pub turning: bool,
 }
 
@@ -117,7 +117,7 @@ pub struct WearRates {
     pub outer: RaceWear,
 }
 
-/// What one stride did.
+/// Result of one stride.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stride {
     /// Its duration, s; the caller's longest where nothing wears.
@@ -179,8 +179,8 @@ impl CoatingLife {
     /// worn through already goes on into the steel by strides of the same depth; one without a coating sets no limit.
     ///
     /// # Errors
-    /// What `rates` returns, and [`WearError`] for a longest stride that is not finite and above 0, rates that are negative or not finite, an ellipse without width, and
-    /// azimuths that do not rise over one turn.
+    /// The error of `rates`, and [`WearError`] for a longest stride that is not finite and above 0, rates that are
+    /// negative or not finite, an ellipse without width, and azimuths that do not rise over one turn.
     pub fn advance<E: From<WearError>>(
         &mut self,
         longest: f64,

@@ -8,18 +8,18 @@ use std::f64::consts::TAU;
 /// 1° long, so that finer bins would resolve what the contact itself smooths.
 pub const BINS: usize = 360;
 
-/// Mean wear depth over coating thickness at which the first steel shows: a Hertz contact loads the middle of its track 1.5
-/// times as much as the mean over its width, 1 − (y/a)² against ⅔, and slides about evenly.
+/// Mean wear depth over coating thickness at which the first steel shows: a Hertz contact loads the middle of its track
+/// 1.5 times as much as the mean over its width, 1 − (y/a)² against ⅔, and slides about evenly.
 const FIRST_STEEL: f64 = 2.0 / 3.0;
 
 /// The state of one raceway, in the ring's own frame.
 ///
 /// # Depth
 /// Wear is kept as one depth per azimuth bin: the mean over the width 2a of the track that the ball's contact ellipse
-/// leaves at each removal. Between the bins the depth is the quadratic B-spline of the bins' values, d(φ) = Σ c_k B_k(φ).
-/// It is continuous with its first derivative, never negative, and its integral is that of the bins, so that a volume
-/// removed anywhere comes out again: 2a R ∫ d dφ. A volume is shared among bins by the same B-spline, and so goes along
-/// smoothly with a ball that rolls from bin to bin. Defects add their own depth.
+/// leaves at each removal. Between the bins the depth is the quadratic B-spline of the bins' values, d(φ) = Σ c_k
+/// B_k(φ). It is continuous with its first derivative, never negative, and its integral is that of the bins, so that a
+/// volume removed anywhere comes out again: 2a R ∫ d dφ. A volume is shared among bins by the same B-spline, and so
+/// goes along smoothly with a ball that rolls from bin to bin. Defects add their own depth.
 ///
 /// Across the groove nothing is resolved: tracks at different contact angles or of different width are laid over each
 /// other with their middles together. Where the contact angle varies along a turn the true depth is smaller.
@@ -43,7 +43,7 @@ pub struct Raceway {
     /// Volume removed since [`Self::new`], m³.
     volume: f64,
     defects: Vec<Defect>,
-    /// Whether nothing is worn and there is no defect.
+    /// True if nothing is worn and there is no defect.
     pristine: bool,
 }
 
@@ -99,8 +99,8 @@ pub struct ProfilePoint {
 }
 
 impl Raceway {
-    /// A raceway whose coating was `thickness_m` thick when new and has lost the part `worn_fraction` of it all round, with
-    /// its track at `track_radius_m` about the bearing's axis.
+    /// A raceway whose coating was `thickness_m` thick when new and has lost the part `worn_fraction` of it all round,
+    /// with its track at `track_radius_m` about the bearing's axis.
     ///
     /// # Errors
     /// [`WearError`] for a thickness or fraction out of range, a radius that is no length, and impossible defects.
@@ -125,14 +125,14 @@ impl Raceway {
         })
     }
 
-    /// Whether the raceway is as new everywhere: [`Self::at`] is then [`LocalSurface::NEW`].
+    /// True if the raceway is as new everywhere: [`Self::at`] is then [`LocalSurface::NEW`].
     #[inline]
     pub fn is_pristine(&self) -> bool {
         self.pristine
     }
 
-    /// The surface at an azimuth in the ring's own frame, rad, of any number of turns. Depth and bare part are continuous
-    /// with their first derivatives, and `slope` is that of the depth.
+    /// The surface at an azimuth in the ring's own frame, rad, of any number of turns. Depth and bare part are
+    /// continuous with their first derivatives, and `slope` is that of the depth.
     #[inline]
     pub fn at(&self, azimuth: f64) -> LocalSurface {
         if self.pristine {
@@ -149,9 +149,9 @@ impl Raceway {
         LocalSurface { depth, slope, bare: 1.0 - covered }
     }
 
-    /// Wears off a volume, m³, where a ball stands whose contact ellipse is `semi_lateral_m` across the groove from its middle
-    /// to its edge: the track is twice as wide. Nothing happens for a volume or a semi-axis that is not above 0, or an
-    /// azimuth that is not finite.
+    /// Wears off a volume, m³, where a ball stands whose contact ellipse is `semi_lateral_m` across the groove from its
+    /// middle to its edge: the track is twice as wide. Nothing happens for a volume or a semi-axis that is not above 0,
+    /// or an azimuth that is not finite.
     #[inline]
     pub fn remove(&mut self, azimuth: f64, volume_m3: f64, semi_lateral_m: f64) {
         if !(volume_m3 > 0.0 && semi_lateral_m > 0.0 && azimuth.is_finite()) {
@@ -226,8 +226,8 @@ impl Raceway {
         middles().fold(0.5 * TAU / BINS as f64, |best, next| if by_depth(next) > by_depth(best) { next } else { best })
     }
 
-    /// Where the coating is worn through, rad: the azimuth where wear is deepest, if no coating is left there. Without a
-    /// coating there is none, and defects do not count.
+    /// Where the coating is worn through, rad: the azimuth where wear is deepest, if no coating is left there. Without
+    /// a coating there is none, and defects do not count.
     pub fn worn_through(&self) -> Option<f64> {
         let deepest = self.deepest();
         (self.thickness > 0.0 && self.thickness_at(deepest) == 0.0).then_some(deepest)

@@ -1,4 +1,4 @@
-//! What a ball finds where it stands on a raceway.
+//! The surface of a raceway where a ball stands.
 
 /// A spot of a raceway against the new one.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,6 @@
 //! `cargo xtask ci`: everything that continuous integration checks, in one build profile.
 
+mod examples;
 mod figures;
 mod hygiene;
 mod layers;
@@ -25,10 +26,11 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 12] = [
+const STEPS: [Step; 13] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
+    ("examples", examples::check),
     ("documentation", || cargo(&["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
     ("layers", layers::check),
     ("hygiene", hygiene::check),

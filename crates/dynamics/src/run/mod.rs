@@ -124,7 +124,7 @@ const WEAR_LOOK_EVERY: u64 = 64;
 /// Distance from its place at which a ball counts as thrown out, in ball diameters.
 const THROWN_OUT: f64 = 0.1;
 /// Error of the patch rule over the load above which accelerations and pocket forces are not to be trusted: they scatter by a
-/// quarter until it is about 1e-5, and the cage speed does not care.
+/// quarter until it is about 1e-5, and the cage speed does not change with it.
 pub const ACCELERATION_ERROR: f64 = 1e-4;
 /// First step of the adaptive scheme, s: the paper's.
 const FIRST_STEP: f64 = 1e-6;

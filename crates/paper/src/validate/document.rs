@@ -1,7 +1,7 @@
 //! The generated blocks of README.md and docs/validation.md.
 
 use super::Report;
-use super::row::{Row, Verdict};
+use super::row::{Evidence, Row, Verdict};
 use crate::error::PaperError;
 use crate::markers::replaced;
 use crate::{files, table};
@@ -12,7 +12,7 @@ const END: &str = "<!-- validation:end -->";
 /// What a document's block shows.
 #[derive(Clone, Copy)]
 enum Extent {
-    /// Counts and Tables 4 and 5.
+    /// Counts by class of evidence.
     Summary,
     /// All rows with their notes as well.
     Everything,
@@ -54,6 +54,9 @@ fn each(mut one: impl FnMut(&str, Extent) -> Result<Option<String>, PaperError>)
 }
 
 fn block(report: &Report, extent: Extent) -> String {
+    if let Extent::Summary = extent {
+        return brief(report);
+    }
     let mut out = format!("{}\n\n", summary(report));
     let [speeds, pressures] = tables_4_and_5(report);
     out.push_str(&format!("Cage speeds (Table 4), r/min:\n\n{}\n", table::markdown(&SPEED_HEAD, &speeds)));
@@ -62,15 +65,43 @@ fn block(report: &Report, extent: Extent) -> String {
         report.interpolation,
         table::markdown(&PRESSURE_HEAD, &pressures)
     ));
-    if let Extent::Everything = extent {
-        out.push_str(&format!("All rows:\n\n{}\n", table::markdown(&HEAD, &cells(&report.rows))));
-        let notes: String = notes(&report.rows).iter().map(|note| format!("- {note}\n")).collect();
-        out.push_str(&format!("How the rows were decided:\n\n{notes}\nWarnings of the solutions:\n\n"));
-        let warnings: String = report.warnings.iter().map(|w| format!("- {}: {}\n", w.run, w.text)).collect();
-        out.push_str(if warnings.is_empty() { "- none\n" } else { &warnings });
-    }
+    out.push_str(&format!("All rows:\n\n{}\n", table::markdown(&HEAD, &cells(&report.rows))));
+    let notes: String = notes(&report.rows).iter().map(|note| format!("- {note}\n")).collect();
+    out.push_str(&format!("How the rows were decided:\n\n{notes}\nWarnings of the solutions:\n\n"));
+    let warnings: String = report.warnings.iter().map(|w| format!("- {}: {}\n", w.run, w.text)).collect();
+    out.push_str(if warnings.is_empty() { "- none\n" } else { &warnings });
     out.push_str("\nReproduced by `cargo xtask validate`.\n");
     out
+}
+
+/// Classes of evidence, the strongest first, with their meaning.
+const EVIDENCE: [(Evidence, &str); 3] = [
+    (Evidence::Validation, "no parameter was chosen with the figure in view"),
+    (Evidence::Calibration, "unpublished parameters were chosen with the figure in view"),
+    (Evidence::Verification, "the equations give back what follows from their own input"),
+];
+
+/// Counts by class of evidence.
+fn brief(report: &Report) -> String {
+    let count =
+        |evidence, verdict| report.rows.iter().filter(|row| row.evidence == evidence && row.verdict == verdict).count();
+    let of = |evidence| {
+        let met = count(evidence, Verdict::Met);
+        format!("{met} of {}", met + count(evidence, Verdict::Missed))
+    };
+    let row = |(evidence, meaning): (Evidence, &str)| {
+        let open = count(evidence, Verdict::Contradictory) + count(evidence, Verdict::NotYet);
+        vec![evidence.name().to_owned(), meaning.to_owned(), of(evidence), open.to_string()]
+    };
+    let head = ["evidence", "meaning", "met", "undecidable"];
+    format!(
+        "{} claims are met that no parameter was chosen for. Case `{}`: {}.\n\n{}\n\
+        Reproduced by `cargo xtask validate`.\n",
+        of(Evidence::Validation),
+        report.case,
+        report.provenance,
+        table::markdown(&head, &EVIDENCE.map(row))
+    )
 }
 
 /// Counts, and the rows that missed.

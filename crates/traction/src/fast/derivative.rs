@@ -8,15 +8,16 @@ use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion};
 use fearless_simd::{f64x4, prelude::*};
 use std::f64::consts::PI;
 
-/// The integrals of one patch and their first derivatives: those of the integral, not of the rule, for strips whose nodes
-/// move with the motion are held fast.
+/// The integrals of one patch and their first derivatives: those of the integral, not of the rule, for strips whose
+/// nodes move with the motion are held fast.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PatchDerivative {
     /// The integrals.
     pub traction: PatchTraction,
-    /// Derivatives of (force_rolling, force_lateral, moment_normal, moment_lateral, moment_rolling), by row, with respect
-    /// to (rolling, lateral, spin, about_lateral, about_rolling) of the motion: the outputs that do work on the inputs.
-    /// N s/m, N s, N m s. Symmetric for [`crate::MomentArm::Curved`], and negative semidefinite where κ rises with slip.
+    /// Derivatives of (force_rolling, force_lateral, moment_normal, moment_lateral, moment_rolling), by row, with
+    /// respect to (rolling, lateral, spin, about_lateral, about_rolling) of the motion: the outputs that do work on the
+    /// inputs. N s/m, N s, N m s. Symmetric for [`crate::MomentArm::Curved`], and negative semidefinite where κ rises
+    /// with slip.
     pub by_motion: [[f64; 5]; 5],
     /// Derivatives with respect to the contact load in N, with semi-axes and peak pressure as its cube root, and the
     /// curve by its slope over pressure.

@@ -32,8 +32,8 @@ impl PatchDerivative {
     }
 }
 
-/// Forces and moments of [`crate::fast_patch_traction`] with first derivatives of the integral: [`FastPatch::derivative`]
-/// where the law has a Kragelskii curve at the peak pressure, else [`patch_traction`] on `D`.
+/// Forces and moments of [`crate::fast_patch_traction`] with first derivatives of the integral:
+/// [`FastPatch::derivative`] where the law has a Kragelskii curve at the peak pressure, else [`patch_traction`] on `D`.
 ///
 /// In the first case the derivatives are as good as the rule is for the integral's derivative, the ellipse is taken to
 /// grow in proportion to the cube root of the load, and power and wear integral carry no derivatives.

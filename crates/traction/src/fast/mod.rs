@@ -1,9 +1,9 @@
 //! The patch integral of a Kragelskii curve in double precision, four nodes at a time.
 //!
-//! [`FastPatch`] sums the same nodes as [`patch_traction`] and agrees with it to 1e-12 of the largest component; where the
-//! generic integral is the reference for any scalar and any law, this one is what solvers call in their loops. Nothing
-//! is allocated per call. The vector width is chosen once per patch from what the processor offers; results have the
-//! same bits at every width.
+//! [`FastPatch`] sums the same nodes as [`patch_traction`] and agrees with it to 1e-12 of the largest component; where
+//! the generic integral is the reference for any scalar and any law, this one is what solvers call in their loops.
+//! Nothing is allocated per call. The vector width is chosen once per patch from what the processor offers; results
+//! have the same bits at every width.
 //!
 //! # Derivative
 //! With o(s) = κ(s)/s and s = λ |Δv| the traction of a node is f = −w λ o Δv, and Δv is linear in the motion, so

@@ -6,7 +6,7 @@ use crate::strips::{AlongNode, SMALLEST_WIDTH, SPINLESS, panels};
 use crate::{Quadrature, SlipField};
 use fearless_simd::{f64x4, mask64x4, prelude::*};
 
-/// What is summed over the nodes.
+/// Sums over the nodes.
 pub(super) trait Kernel<S: Simd> {
     /// Adds a block of nodes.
     fn block(&mut self, block: &Block<S>);
@@ -165,7 +165,8 @@ impl Strips {
 }
 
 /// The map ξ = ξ_c + ε sinh(A t + B) of four strips, as [`crate::strips::along_strip`] has it, arranged for fewer roots
-/// and divisions: with U, D = d + √(d² + ε²) at the distances d of ξ_c to both ends, exp(2A) = U D/ε² and exp(2B) = U/D.
+/// and divisions: with U, D = d + √(d² + ε²) at the distances d of ξ_c to both ends, exp(2A) = U D/ε² and exp(2B) =
+/// U/D.
 ///
 /// Made in three stages, each over all rows of a block.
 #[derive(Clone, Copy)]

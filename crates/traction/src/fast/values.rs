@@ -13,7 +13,7 @@ pub(super) struct Values<'a, S: Simd> {
     scratch: Scratch<S>,
 }
 
-/// What passes from stage to stage of a block; it outlives the block only to be cleared once.
+/// Intermediate values of a block, from stage to stage; kept between blocks so that they are cleared only once.
 struct Scratch<S: Simd> {
     u: [f64x4<S>; ROWS],
     v: [[f64x4<S>; NODES]; ROWS],

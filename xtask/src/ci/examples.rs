@@ -1,0 +1,85 @@
+//! The examples of the crates, run as a user runs them: each prints the number that its readers are promised.
+
+use super::{Outcome, cargo_program, finish};
+use crate::error::Failure;
+use tribodyn_paper::files;
+use std::process::Command;
+
+/// An example with a number that it prints.
+struct Example {
+    package: &'static str,
+    name: &'static str,
+    /// Beginning of the line that holds the number; the number follows.
+    label: &'static str,
+    expected: f64,
+    /// Half a unit of the last digit printed, or a little more.
+    tolerance: f64,
+}
+
+const EXAMPLES: [Example; 4] = [
+    Example { package: "tribodyn-contact", name: "ball_on_race", label: "10000 N:", expected: 2.244, tolerance: 6e-4 },
+    Example {
+        package: "tribodyn-traction",
+        name: "coating_patch",
+        label: "slip 1 m/s:",
+        expected: -753.0,
+        tolerance: 0.6,
+    },
+    // Published: 5802 r/min (Zhang et al. 2025, Table 4); ours then: 5804.4.
+    Example {
+        package: "tribodyn-quasistatic",
+        name: "paper_case",
+        label: "cage speed",
+        expected: 5804.4,
+        tolerance: 0.6,
+    },
+    // The run starts from that equilibrium.
+    Example {
+        package: "tribodyn-dynamics",
+        name: "short_run",
+        label: "0.000000 s: cage",
+        expected: 607.8,
+        tolerance: 0.6,
+    },
+];
+
+pub fn check() -> Result<Outcome, Failure> {
+    let mut findings = Vec::new();
+    for example in &EXAMPLES {
+        let mut command = Command::new(cargo_program());
+        command.current_dir(files::root()).args(["run", "--quiet", "-p", example.package, "--example", example.name]);
+        let output = command.output().map_err(|source| Failure::Start { program: "cargo".to_owned(), source })?;
+        if !output.status.success() {
+            eprint!("{}", String::from_utf8_lossy(&output.stderr));
+            findings.push(format!("{} of {}: {}", example.name, example.package, output.status));
+            continue;
+        }
+        findings.extend(flaw(example, &String::from_utf8_lossy(&output.stdout)));
+    }
+    finish("examples", findings)
+}
+
+/// The difference between an example's printed number and the expected one, where there is any.
+fn flaw(example: &Example, printed: &str) -> Option<String> {
+    let Example { package, name, label, expected, tolerance } = example;
+    let rest = printed.lines().find_map(|line| line.trim_start().strip_prefix(label));
+    let number = rest.and_then(|rest| rest.split_whitespace().next()?.parse::<f64>().ok());
+    match number {
+        Some(number) if (number - expected).abs() <= *tolerance => None,
+        Some(number) => Some(format!("{name} of {package}: {label} {number}, expected {expected} ± {tolerance}")),
+        None => Some(format!("{name} of {package}: no line with `{label}` and a number")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_a_wrong_or_missing_number_is_found() {
+        let example = &EXAMPLES[0];
+        assert_eq!(flaw(example, "  5000 N: 1.8 GPa\n 10000 N: 2.2441 GPa\n"), None);
+        assert!(flaw(example, " 10000 N: 2.246 GPa\n").unwrap().contains("2.246"));
+        assert!(flaw(example, "  1000 N: 2.244 GPa\n").unwrap().contains("no line"));
+    }
+}
