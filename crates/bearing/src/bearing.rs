@@ -133,6 +133,45 @@ pub struct FluidForces {
 impl Bearing {
     /// Works out masses and contact constants.
     ///
+    /// ```
+    /// use tribodyn_bearing::{Bearing, BearingSpec, Dimensions, Fit, Geometry, Races};
+    /// use tribodyn_contact::ElasticBody;
+    /// use tribodyn_traction::{Coating, CoatingLaw, Law, MomentArm, PressureChoice, SlipUnit};
+    /// use tribodyn_wear::{Archard, LocalSurface};
+    ///
+    /// let geometry = Geometry::new(Dimensions {
+    ///     ball_count: 13,
+    ///     ball_diameter: 0.03016,
+    ///     pitch_diameter: 0.165,
+    ///     inner_coefficient: 0.527,
+    ///     outer_coefficient: 0.527,
+    ///     fit: Fit::ContactAngle(18f64.to_radians()),
+    /// })?;
+    /// let steel = ElasticBody { young: 200e9, poisson: 0.28 };
+    /// let silver: Law = CoatingLaw::varying(&Coating::library("ag")?, 2)?.into();
+    /// let wear = Archard { coefficient: 1e-6, hardness: 250e6 };
+    /// let bearing = Bearing::new(BearingSpec {
+    ///     geometry,
+    ///     ball: steel,
+    ///     ball_density: 7800.0,
+    ///     rings: Races { inner: steel, outer: steel },
+    ///     laws: Races { inner: silver.clone(), outer: silver },
+    ///     bare_law: None,
+    ///     differential_slip: true,
+    ///     slip_unit: SlipUnit::Scaled { per_m_s: 22.0 },
+    ///     pressure_choice: PressureChoice::Peak,
+    ///     moment_arm: MomentArm::Curved,
+    ///     fluid: None,
+    ///     contact_at_actual_angle: false,
+    ///     ring_turns_about_own_centre: true,
+    ///     worn: Races { inner: LocalSurface::NEW, outer: LocalSurface::NEW },
+    ///     wear: Races { inner: wear, outer: wear },
+    ///     wear_cage: Archard { coefficient: 1e-6, hardness: 60e6 },
+    /// })?;
+    /// assert!((bearing.ball_mass - 0.112).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`BearingError::Contact`] for elastic constants and curvatures that do not make a point contact.
     pub fn new(spec: BearingSpec) -> Result<Self, BearingError> {

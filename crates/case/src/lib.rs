@@ -1,9 +1,4 @@
-//! The case file: one bearing, its materials, its operating point and the numerics, as RON with units.
-//!
-//! [`Case::from_ron`] reads and checks a text; what it returns is in SI and can be worked with. [`locate`] and
-//! [`set_value`] find and replace single values by their path, for sweeps and identification; [`values`] lists them all. No file is opened here.
-//!
-//! [`Case::bearing`] makes the bearing that the solvers work with, [`Case::operating_point`] what it works at.
+#![doc = include_str!("../README.md")]
 
 mod bearing;
 mod error;

@@ -2,8 +2,8 @@
 
 use super::{Outcome, cargo_program, finish};
 use crate::error::Failure;
-use tribodyn_paper::files;
 use std::process::Command;
+use tribodyn_paper::files;
 
 /// An example with a number that it prints.
 struct Example {
