@@ -5,6 +5,7 @@
 //! calculation failed, 2 wrong input.
 
 mod bench;
+mod built;
 mod ci;
 mod error;
 mod figures;

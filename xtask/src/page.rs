@@ -1,9 +1,10 @@
 //! `cargo xtask page`: a report in a real browser.
 
+use crate::built;
 use crate::error::Failure;
 use std::ffi::OsString;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use tribodyn_paper::{PaperError, files};
 
@@ -83,20 +84,20 @@ fn usual_page() -> Result<PathBuf, Failure> {
     let case = files::root().join(CASE);
     let texts = |all: &[&str]| all.iter().map(OsString::from).collect::<Vec<_>>();
     let to = OsString::from("-o");
-    tribodyn([
-        texts(&["run", "--quiet", "--duration", DURATION_S]),
-        vec![case.into(), to.clone(), run.clone().into()],
-    ])?;
-    tribodyn([texts(&["report"]), vec![run.into(), to, report.into()]])?;
+    let program = built::programs()?.join("tribodyn");
+    tribodyn(
+        &program,
+        [texts(&["run", "--quiet", "--duration", DURATION_S]), vec![case.into(), to.clone(), run.clone().into()]],
+    )?;
+    tribodyn(&program, [texts(&["report"]), vec![run.into(), to, report.into()]])?;
     Ok(page)
 }
 
-/// Runs the command, built as the tests are: the same dependencies with the same features.
-fn tribodyn(arguments: [Vec<OsString>; 2]) -> Result<(), Failure> {
-    let program = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
-    let mut command = Command::new(&program);
-    command.current_dir(files::root()).args(["run", "--quiet", "--bin", "tribodyn", "--"]);
-    finished(command.args(arguments.concat()).stdout(Stdio::null()), &program, "tribodyn")
+/// Runs the command as it stands.
+fn tribodyn(program: &Path, arguments: [Vec<OsString>; 2]) -> Result<(), Failure> {
+    let mut command = Command::new(program);
+    command.current_dir(files::root());
+    finished(command.args(arguments.concat()).stdout(Stdio::null()), &program.display().to_string(), "tribodyn")
 }
 
 fn finished(command: &mut Command, program: &str, name: &str) -> Result<(), Failure> {

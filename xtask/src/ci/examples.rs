@@ -1,6 +1,7 @@
-//! The examples of the crates, run as a user runs them: each prints the number that its readers are promised.
+//! The examples of the crates, run: each prints the number that its readers are promised.
 
-use super::{Outcome, cargo_program, finish};
+use super::{Outcome, finish};
+use crate::built;
 use crate::error::Failure;
 use std::process::Command;
 use tribodyn_paper::files;
@@ -44,11 +45,14 @@ const EXAMPLES: [Example; 4] = [
 ];
 
 pub fn check() -> Result<Outcome, Failure> {
+    let folder = built::programs()?.join("examples");
     let mut findings = Vec::new();
     for example in &EXAMPLES {
-        let mut command = Command::new(cargo_program());
-        command.current_dir(files::root()).args(["run", "--quiet", "-p", example.package, "--example", example.name]);
-        let output = command.output().map_err(|source| Failure::Start { program: "cargo".to_owned(), source })?;
+        let program = folder.join(example.name);
+        let output = Command::new(&program)
+            .current_dir(files::root())
+            .output()
+            .map_err(|source| Failure::Start { program: program.display().to_string(), source })?;
         if !output.status.success() {
             eprint!("{}", String::from_utf8_lossy(&output.stderr));
             findings.push(format!("{} of {}: {}", example.name, example.package, output.status));

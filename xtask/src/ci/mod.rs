@@ -9,6 +9,7 @@ mod metadata;
 mod node;
 mod recording;
 
+use crate::built::cargo_program;
 use crate::error::Failure;
 use crate::page::{self, Checked};
 use crate::validate;
@@ -99,11 +100,6 @@ fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<Outcome, Fa
         return Ok(Outcome::Done);
     }
     Err(Failure::Command { command: format!("cargo {}", arguments.join(" ")), status })
-}
-
-/// The Cargo that started this task.
-fn cargo_program() -> String {
-    std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
 }
 
 fn finish(what: &'static str, findings: Vec<String>) -> Result<Outcome, Failure> {

@@ -108,6 +108,8 @@
     return found;
   }
 
+  // uPlot's logarithmic axis never ends where it begins just below a power of ten.
+  const decade = (v) => 10 ** Math.floor(Math.log10(v));
   const isPower = (v) => v != null && Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-6;
 
   function axes(chart, last) {
@@ -142,7 +144,7 @@
       width: place.clientWidth, height: state.height + (last ? 20 : 0) + (chart.shaft_hz ? 48 : 0), padding: [10, 24, 0, 0],
       series: [{ label: chart.label, value: readout(chart) }, ...lines],
       scales: { x: { time: false, range: (u, low, high) => (low === high ? [low - 0.5, low + 0.5] : [low, high]) },
-        y: log ? { distr: 3, range: (_, low, high) => (low > 0 ? [low, high * (chart.marks.length ? 40 : 2)] : [0.1, 1]) }
+        y: log ? { distr: 3, range: (_, low, high) => (low > 0 ? [decade(low), high * (chart.marks.length ? 40 : 2)] : [0.1, 1]) }
           : { range: (_, low, high) => padded(low, high) } },
       axes: axes(chart, last),
       cursor: { drag: { x: true, y: false, dist: 6 }, points: { size: 7 }, sync: { key: state.key, setSeries: false },

@@ -60,14 +60,17 @@ fn of_file(generator: &str, recording: &str) -> [Vec<String>; 2] {
 fn of_case(bearing: &str, case: Option<&CaseFile>, run: &Run) -> Vec<Vec<String>> {
     let mut rows = vec![row("Bearing", bearing)];
     let meta = |key: &str| said(run, key).unwrap_or("–");
+    let rounded = |key: &str, digits| {
+        said(run, key).and_then(|text| text.parse().ok()).map_or("–".to_owned(), |value| number(value, digits))
+    };
     rows.push(row(
         "Balls",
         format!(
             "{} of {} mm on a pitch circle of {} mm, free contact angle {}°",
             meta("ball_count"),
-            meta("ball_diameter_mm"),
-            meta("pitch_diameter_mm"),
-            said(run, "free_contact_angle_deg").and_then(|a| a.parse().ok()).map_or("–".to_owned(), |a| number(a, 4))
+            rounded("ball_diameter_mm", 3),
+            rounded("pitch_diameter_mm", 3),
+            rounded("free_contact_angle_deg", 4)
         ),
     ));
     let Some(file) = case else { return rows };
