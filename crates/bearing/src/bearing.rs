@@ -25,7 +25,7 @@ pub struct BearingSpec {
     pub laws: Races<Law>,
     /// Traction law of the bare steel under the coatings, where one is known.
     pub bare_law: Option<Law>,
-    /// Whether the deformed contact is curved across the groove, so that it has differential (Heathcote) slip.
+    /// True if the deformed contact is curved across the groove, so that it has differential (Heathcote) slip.
     pub differential_slip: bool,
     /// Unit of the slip axis.
     pub slip_unit: SlipUnit,
@@ -33,11 +33,11 @@ pub struct BearingSpec {
     pub pressure_choice: PressureChoice,
     /// Arm of the traction moment.
     pub moment_arm: MomentArm,
-    /// What the fluid does; absent in a dry bearing.
+    /// Forces of the fluid; absent in a dry bearing.
     pub fluid: Option<FluidForces>,
-    /// Whether contact constants follow the actual contact angle.
+    /// True if contact constants follow the actual contact angle.
     pub contact_at_actual_angle: bool,
-    /// Whether each ring turns about its own displaced centre, or about the inertial axis.
+    /// True if each ring turns about its own displaced centre, false if about the inertial axis.
     pub ring_turns_about_own_centre: bool,
     /// Surfaces of the raceways all round at the beginning; [`LocalSurface::NEW`] where nothing is worn.
     pub worn: Races<LocalSurface>,
@@ -61,7 +61,7 @@ pub struct Bearing {
     pub ball_inertia: f64,
     /// Inner and outer race.
     pub races: Races<Race>,
-    /// What the fluid does; absent in a dry bearing.
+    /// Forces of the fluid; absent in a dry bearing.
     pub fluid: Option<FluidForces>,
     /// Unit of the slip axis.
     pub slip_unit: SlipUnit,
@@ -69,9 +69,9 @@ pub struct Bearing {
     pub pressure_choice: PressureChoice,
     /// Arm of the traction moment.
     pub moment_arm: MomentArm,
-    /// Whether contact constants follow the actual contact angle.
+    /// True if contact constants follow the actual contact angle.
     pub contact_at_actual_angle: bool,
-    /// Whether each ring turns about its own displaced centre, or about the inertial axis.
+    /// True if each ring turns about its own displaced centre, false if about the inertial axis.
     pub ring_turns_about_own_centre: bool,
     /// How the rings' offsets are taken: to first order unless a transient solver asks for more.
     pub ring_offset: RingOffset,

@@ -27,7 +27,7 @@ pub struct Lean<D = f64> {
     pub cos: D,
     /// Distance of the ball centre from the ring's axis, m.
     pub arm: D,
-    /// What the offset along the orbit adds to that distance, m.
+    /// Growth of that distance by the offset along the orbit, m.
     farther: D,
 }
 
