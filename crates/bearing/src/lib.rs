@@ -6,7 +6,9 @@ mod geometry;
 mod interaction;
 mod normal;
 mod operation;
+pub mod quantities;
 mod races;
+mod result;
 mod state;
 #[cfg(test)]
 mod test_bearing;
@@ -18,6 +20,9 @@ pub use interaction::{ContactForces, Sliding};
 pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
 pub use operation::{Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
 pub use races::{Races, Side};
+pub use result::{
+    BallMotionResult, BallPlace, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, TransientContact,
+};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{Ellipse, Scalar};
 pub use tribodyn_wear::LocalSurface;

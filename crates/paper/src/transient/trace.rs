@@ -2,8 +2,9 @@
 
 use crate::mean::mean;
 use std::ops::ControlFlow;
+use tribodyn_bearing::BallResult;
 use tribodyn_case::Case;
-use tribodyn_dynamics::{BallSample, Event, EventKind, Observer, Sample};
+use tribodyn_dynamics::{Event, EventKind, Observer, Sample};
 use tribodyn_record::{FileSink, RecordError, RunRecorder};
 
 /// Sampling rate of a case that has no recording section, Hz: the solver's.
@@ -39,7 +40,7 @@ pub struct Trace {
     pub rate_hz: f64,
     pub states: Vec<StateSample>,
     /// Time and all balls, at the ball rate.
-    pub balls: Vec<(f64, Vec<BallSample>)>,
+    pub balls: Vec<(f64, Vec<BallResult>)>,
     pub impacts: Vec<Impact>,
     pub warnings: Vec<String>,
     /// What is missing in the power balance over what was put in, at the end.
@@ -67,7 +68,7 @@ impl Trace {
             cage_speed: sample.cage.speed_rad_s,
             mean_orbit: mean(sample.balls.iter().map(|b| b.orbital_speed_rad_s)),
             orbit: first.orbital_speed_rad_s,
-            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket_force_n.abs().max(most)),
+            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket.force_n.abs().max(most)),
         });
         if with_balls {
             self.balls.push((sample.time_s, sample.balls.clone()));
