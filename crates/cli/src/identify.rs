@@ -77,6 +77,27 @@ fn print(answer: &Identification) -> Result<(), Failure> {
         answer.cost,
         answer.data_cost
     ))?;
+    print_parameters(answer)?;
+    table::print_line("")?;
+    print_data(answer)?;
+    table::print_line("")?;
+    print_minima(answer)?;
+    let strongest = strongest_correlations(answer);
+    if !strongest.is_empty() {
+        table::print_line(&format!("strongest correlations: {strongest}"))?;
+    }
+    let check = answer.sensitivity_check;
+    table::print_line(&format!("sensitivities change by {check:.1e} when their step is halved"))?;
+    if answer.failed_starts > 0 {
+        table::print_line(&format!("{} starts had no equilibrium", answer.failed_starts))?;
+    }
+    for warning in &answer.warnings {
+        table::print_line(&format!("warning: {warning}"))?;
+    }
+    table::print_line("")
+}
+
+fn print_parameters(answer: &Identification) -> Result<(), Failure> {
     let rows = answer.parameters.iter().map(|p| {
         let verdict = match (p.determined, p.at_bound) {
             (true, true) => "at its bound",
@@ -98,7 +119,10 @@ fn print(answer: &Identification) -> Result<(), Failure> {
             format!("{} is not determined by these data (the search ended at {:.4}); {measure}", p.name, p.value);
         table::print_line(&note)?;
     }
-    table::print_line("")?;
+    Ok(())
+}
+
+fn print_data(answer: &Identification) -> Result<(), Failure> {
     let rows = answer.data.iter().map(|d| {
         let digits = if d.unit == "GPa" { 4 } else { 2 };
         vec![
@@ -112,26 +136,15 @@ fn print(answer: &Identification) -> Result<(), Failure> {
             d.unit.to_owned(),
         ]
     });
-    table::print_rows(&["datum", "run", "figure", "computed", "deviation", "σ", "deviation/σ", "unit"], rows)?;
-    table::print_line("")?;
+    table::print_rows(&["datum", "run", "figure", "computed", "deviation", "σ", "deviation/σ", "unit"], rows)
+}
+
+fn print_minima(answer: &Identification) -> Result<(), Failure> {
     let rows = answer.minima.iter().take(SHOWN_MINIMA).map(|m| {
         let values: Vec<String> = m.values.iter().map(|v| format!("{v:.5}")).collect();
         vec![format!("{:.3}", m.cost), m.starts.to_string(), values.join("  ")]
     });
-    table::print_rows(&["minimum", "starts", "values in the order above"], rows)?;
-    let strongest = strongest_correlations(answer);
-    if !strongest.is_empty() {
-        table::print_line(&format!("strongest correlations: {strongest}"))?;
-    }
-    let check = answer.sensitivity_check;
-    table::print_line(&format!("sensitivities change by {check:.1e} when their step is halved"))?;
-    if answer.failed_starts > 0 {
-        table::print_line(&format!("{} starts had no equilibrium", answer.failed_starts))?;
-    }
-    for warning in &answer.warnings {
-        table::print_line(&format!("warning: {warning}"))?;
-    }
-    table::print_line("")
+    table::print_rows(&["minimum", "starts", "values in the order above"], rows)
 }
 
 /// Distinct minima in the table.
