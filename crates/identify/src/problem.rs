@@ -37,14 +37,14 @@ pub struct Problem {
 pub struct Parameter {
     /// Name in reports.
     pub name: String,
-    /// Where the number stands, inside its unit: `geometry.pitch_diameter.mm`. Several places take the same number.
+    /// Places of the number, inside its unit: `geometry.pitch_diameter.mm`. Several places take the same number.
     pub paths: Vec<String>,
     /// Smallest and largest value, in the unit of the file.
     pub bounds: (f64, f64),
-    /// What is known beforehand: mean and standard deviation, in the unit of the file (of ln value on a log scale).
+    /// Prior knowledge: mean and standard deviation, in the unit of the file (of ln value on a log scale).
     #[serde(default)]
     pub prior: Option<Prior>,
-    /// Whether steps are taken in the value or in its logarithm.
+    /// Linear or logarithmic steps.
     #[serde(default)]
     pub scale: Scale,
 }
@@ -73,7 +73,7 @@ pub enum Scale {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
-    /// Which equations.
+    /// The equations.
     pub model: ModelName,
     /// Values that replace the case's, by path.
     #[serde(default)]
@@ -104,9 +104,9 @@ impl From<ModelName> for Model {
 pub struct Datum {
     /// Name in reports.
     pub id: String,
-    /// Which run it belongs to.
+    /// Name of the run it belongs to.
     pub run: String,
-    /// What was measured.
+    /// Measured quantity.
     pub quantity: Quantity,
     /// The figure, in the unit of the quantity.
     pub value: f64,
@@ -114,7 +114,7 @@ pub struct Datum {
     pub uncertainty: f64,
 }
 
-/// What can be measured. Azimuths in degrees; a ball's value there is interpolated over the solved balls.
+/// Quantities that can be measured. Azimuths in degrees; a ball's value there is interpolated over the solved balls.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Quantity {

@@ -36,7 +36,7 @@ const OFF: f64 = 4.0;
 /// Least height of a stacked bar that has its value inside, px.
 const TALL: f64 = 19.0;
 
-/// How values are written.
+/// Format of written values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Values {
     Lying,

@@ -30,7 +30,7 @@ pub(crate) trait Chart {
     fn draw(&self, svg: &mut Svg, spot: &Spot) -> Result<(), PlotError>;
 }
 
-/// Where a chart is drawn and with what.
+/// Place of a chart and its means of drawing.
 pub(crate) struct Spot<'a> {
     /// Upper left corner, px.
     pub at: [f64; 2],

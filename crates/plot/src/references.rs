@@ -11,13 +11,13 @@ use crate::svg::Svg;
 pub struct Reference {
     /// Name in the legend, such as `published: 1260 Hz`.
     pub label: String,
-    /// Where it is drawn; the axes reach it.
+    /// Place at which it is drawn; the axes reach it.
     pub place: Place,
     /// Label of the line whose colour it takes; black without it.
     pub of: Option<String>,
 }
 
-/// Where a published number lies, in the units of the axes.
+/// Place of a published number, in the units of the axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// An ordinate; on a polar chart a circle.
@@ -88,7 +88,7 @@ pub(crate) fn entry(reference: &Reference, slot: Option<usize>) -> Entry {
     Entry { label: reference.label.clone(), kind, stroke }
 }
 
-/// How strongly a range is tinted.
+/// Strength of the tint of a range.
 const TINT: f64 = 0.13;
 
 /// A published number on the page: outlines of the area of a range, none of a line, and the lines or edges.

@@ -47,7 +47,7 @@ pub(crate) fn drawable(value: f64) -> bool {
     value.abs() < MAGNITUDES.end
 }
 
-/// How a series is drawn.
+/// Style of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SeriesKind {
     /// A line.
@@ -63,7 +63,7 @@ pub enum SeriesKind {
     Bars,
 }
 
-/// Where a series has no value: balls without contact, rows without a solution.
+/// Treatment of places without a value: balls without contact, rows without a solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Absent {
     /// Name in the legend, such as `no contact`.
@@ -80,7 +80,7 @@ pub struct Series {
     pub label: String,
     /// Abscissa and ordinate in the units of the axes; on a polar chart azimuth in degrees and radial value.
     pub points: Vec<(f64, f64)>,
-    /// How it is drawn.
+    /// Its style.
     pub kind: SeriesKind,
     /// Place in the order of styles; by default the order in which labels appear in the figure.
     pub slot: Option<usize>,

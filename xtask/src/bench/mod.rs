@@ -53,7 +53,7 @@ struct Report {
     rows: Vec<Row>,
 }
 
-/// Where it was measured.
+/// The machine of the measurement.
 #[derive(Debug, Serialize)]
 struct Machine {
     processor: String,

@@ -10,7 +10,7 @@ use tribodyn_paper::{PaperError, files};
 
 /// The readers, pinned.
 const PACKAGES: [&str; 2] = ["mcap==1.6.0", "mcap-protobuf-support==0.6.0"];
-/// How the recordings of transient runs begin; there are none where the runs were not asked for.
+/// First letters of the recordings of transient runs; there are none where the runs were not asked for.
 const RUN_PREFIX: &str = "dynamic-";
 /// Folder of what was torn and recovered, below that of the recordings.
 pub const RECOVERED: &str = "recovered";
@@ -44,7 +44,7 @@ pub fn mcap_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(found)
 }
 
-/// What can be saved of the first recording of a kind that ends at three fifths of its bytes, for a run and a solution.
+/// Recoveries of the first recording of each kind, cut at three fifths of its bytes, for a run and a solution.
 fn recovered(folder: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let is_run = |path: &Path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(RUN_PREFIX));
     let folder = folder.join(RECOVERED);

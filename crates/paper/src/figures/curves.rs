@@ -18,7 +18,7 @@ const PARABOLA: usize = 2;
 const OF_THE_BEARING: Place = Place::Between(1.79, 2.46);
 const LIMITS: [f64; 2] = [1.5, 4.0];
 
-/// What varies with pressure: title, axis and value.
+/// A parameter that varies with pressure: title, axis and value.
 type Parameter = (&'static str, &'static str, &'static str, fn(Peak) -> f64);
 
 const PARAMETERS: [Parameter; 3] = [

@@ -1,4 +1,4 @@
-//! Which figures there are.
+//! The figures.
 
 use super::runs::{Cases, Made};
 use super::{curves, loads, over_time, steady};
@@ -15,7 +15,7 @@ pub struct Spec {
     pub of: &'static str,
     pub title: &'static str,
     pub cases: Cases,
-    /// What is seen, and what the paper says of it without a place on the axes; may be empty.
+    /// Words about the figure and about the paper's statements that have no place on the axes; may be empty.
     pub note: &'static str,
     pub draw: Draw,
 }

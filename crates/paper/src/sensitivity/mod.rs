@@ -18,7 +18,7 @@ use crate::progress::Progress;
 use crate::table::{Table, markdown};
 use crate::transient::{Change, FAST, Plan, Set, Transient, run_all};
 
-/// Where the result is committed, and the document that shows it.
+/// File of the committed result, and the document that shows it.
 const RESULT: &str = "fixtures/expected/sensitivity.csv";
 const DOCUMENT: &str = "docs/validation.md";
 const BEGIN: &str = "<!-- sensitivity:begin -->";

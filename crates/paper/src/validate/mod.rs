@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 use tables::PressuresOver;
 use tribodyn_quasistatic::Model;
 
-/// What a solution warns of.
+/// Warnings of a solution.
 #[derive(Debug, Serialize)]
 struct Warning {
     run: String,
@@ -39,9 +39,9 @@ struct Warning {
 struct Report {
     /// Case file.
     case: String,
-    /// How the case's unpublished values were found.
+    /// Origin of the case's unpublished values.
     provenance: String,
-    /// How Table 5's values come from those of the balls.
+    /// Rule by which Table 5's values follow from those of the balls.
     interpolation: String,
     rows: Vec<Row>,
     warnings: Vec<Warning>,
