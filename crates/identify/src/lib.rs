@@ -9,7 +9,7 @@ mod uncertainty;
 
 pub use fit::{LeastSquares, Point, fit};
 pub use model::{Evaluation, ForwardModel};
-pub use problem::{Datum, Hypothesis, ModelName, Parameter, Prior, Problem, Quantity, Run, Scale};
+pub use problem::{Datum, Hypothesis, ModelName, Parameter, Prior, Problem, Quantity, Relation, Run, Scale};
 pub use report::{DatumResult, Identification, MinimumResult, ParameterResult, identify};
 pub use search::{Minimum, Search, search};
 pub use uncertainty::{Uncertainty, uncertainty};

@@ -3,7 +3,7 @@
 use crate::IdentifyError;
 use crate::fit::LeastSquares;
 use crate::model::Evaluation;
-use crate::problem::{Datum, Hypothesis, Parameter, Problem};
+use crate::problem::{Datum, Hypothesis, Parameter, Problem, Relation};
 use crate::search::{Search, search};
 use crate::uncertainty::{Uncertainty, uncertainty};
 use serde::Serialize;
@@ -18,6 +18,11 @@ pub struct Identification {
     pub cost: f64,
     /// The same of the data alone.
     pub data_cost: f64,
+    /// Natural logarithm of the evidence by Laplace's approximation, up to a constant of the data: what a hypothesis
+    /// gains over another one on the same data, its free parameters and priors taken into account.
+    pub log_evidence: f64,
+    /// Signs that a figure is read wrongly or that the model lacks something.
+    pub conflicts: Vec<String>,
     /// Parameters at the best minimum.
     pub parameters: Vec<ParameterResult>,
     /// Correlation coefficients, in the order of the parameters.
@@ -57,6 +62,8 @@ pub struct ParameterResult {
     pub information: f64,
     /// True where it lies at a bound.
     pub at_bound: bool,
+    /// Distance from the prior's mean in spreads of the prior, where there is one.
+    pub prior_deviation: Option<f64>,
     /// The residuals with the largest shares in its variance.
     pub determined_by: Vec<(String, f64)>,
     /// The measurement that would determine it best: run, quantity, and the spread it would then have.
@@ -70,13 +77,15 @@ pub struct DatumResult {
     pub id: String,
     /// Run.
     pub run: String,
+    /// Kind of the datum.
+    pub relation: Relation,
     /// Unit of the next four.
     pub unit: &'static str,
     /// The figure to be met.
     pub value: f64,
     /// The model's figure.
     pub computed: f64,
-    /// computed − value.
+    /// computed − value; of an order that holds by more than its margin, 0.
     pub deviation: f64,
     /// Uncertainty of the figure.
     pub uncertainty: f64,
@@ -143,6 +152,8 @@ fn answer(
         hypothesis: hypothesis.map(|h| h.name.clone()),
         cost: best.cost(),
         data_cost: data.iter().map(|d| d.normalised.powi(2)).sum(),
+        log_evidence: curvature.log_evidence,
+        conflicts: conflicts(&parameters, &data),
         correlation: curvature.correlation.row_iter().map(|row| row.iter().copied().collect()).collect(),
         data,
         minima: minima.collect(),
@@ -154,14 +165,34 @@ fn answer(
     })
 }
 
+/// Distance from its prior, in spreads, beyond which a parameter speaks against the problem.
+const FAR_FROM_PRIOR: f64 = 2.0;
+/// The same of a datum, in uncertainties.
+const FAR_FROM_DATUM: f64 = 3.0;
+
+fn conflicts(parameters: &[ParameterResult], data: &[DatumResult]) -> Vec<String> {
+    let reason = "a figure is read wrongly, or the model lacks something";
+    let bounds = parameters.iter().filter(|p| p.at_bound);
+    let bounds = bounds.map(|p| format!("{} lies at a bound of {:?}: {reason}", p.name, p.bounds));
+    let far = |p: &&ParameterResult| p.prior_deviation.is_some_and(|d| d.abs() > FAR_FROM_PRIOR);
+    let priors = parameters
+        .iter()
+        .filter(far)
+        .map(|p| format!("{} is {:+.1} prior spreads off: {reason}", p.name, p.prior_deviation.unwrap_or_default()));
+    let missed = data.iter().filter(|d| d.normalised.abs() > FAR_FROM_DATUM);
+    let missed = missed.map(|d| format!("{} is missed by {:+.1} uncertainties: {reason}", d.id, d.normalised));
+    bounds.chain(priors).chain(missed).collect()
+}
+
 fn data_results(problem: &Problem, evaluation: &Evaluation) -> Vec<DatumResult> {
     let result = |d: &Datum| {
-        let computed = d.quantity.of(&evaluation.solutions[&d.run]);
-        let deviation = computed - d.value;
+        let computed = d.computed(evaluation);
+        let deviation = d.deviation(computed);
         DatumResult {
             id: d.id.clone(),
             run: d.run.clone(),
-            unit: d.quantity.unit(),
+            relation: d.relation.clone(),
+            unit: d.unit(),
             value: d.value,
             computed,
             deviation,
@@ -185,6 +216,7 @@ fn parameter_results(squares: &LeastSquares<'_>, curvature: &Uncertainty, values
         determined: curvature.determined[k],
         information: curvature.information[k],
         at_bound: curvature.at_bound[k],
+        prior_deviation: p.prior_residual(values[k]),
         determined_by: largest_shares(&residuals, curvature.shares.row(k).iter().copied()),
         measure: curvature.wanted[k].as_ref().map(|(run, quantity, spread)| {
             format!("{quantity:?} of run \"{run}\" would bring its spread to {spread:.3e}")

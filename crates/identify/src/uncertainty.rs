@@ -8,6 +8,7 @@ use crate::IdentifyError;
 use crate::fit::{DIFFERENCE, LeastSquares, Point};
 use crate::problem::{Parameter, Quantity, Scale};
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
 
 /// A parameter counts as determined when the data make its variance at least this much smaller than its prior's.
 const INFORMATIVE: f64 = 0.5;
@@ -33,6 +34,9 @@ pub struct Uncertainty {
     pub shares: DMatrix<f64>,
     /// For each undetermined parameter the figure that would determine it best: run, quantity, spread with it.
     pub wanted: Vec<Option<(String, Quantity, f64)>>,
+    /// Natural logarithm of the evidence by Laplace's approximation, without the constant −Σ ln(σ √2π) of the data:
+    /// −½ Σ r² + Σ ln π(x) + ½ n ln 2π − ½ ln det(JᵀJ + P), π the prior density in the coordinates, 1 without a prior.
+    pub log_evidence: f64,
     /// Largest relative difference of the sensitivities when the step is halved.
     pub sensitivity_check: f64,
 }
@@ -78,7 +82,10 @@ pub fn uncertainty(squares: &LeastSquares<'_>, at: &Point) -> Result<Uncertainty
 
     let (normal, prior_variance) = normal_matrix(squares, at, &jacobian);
     let count = squares.free.len();
-    let covariance = normal.cholesky().map_or_else(|| DMatrix::identity(count, count), |c| c.inverse());
+    let factor = normal.cholesky();
+    let log_determinant = factor.as_ref().map_or(0.0, |c| 2.0 * c.l_dirty().diagonal().map(f64::ln).sum());
+    let log_evidence = log_prior_density(squares, at) + 0.5 * (count as f64 * TAU.ln() - log_determinant - at.cost());
+    let covariance = factor.map_or_else(|| DMatrix::identity(count, count), |c| c.inverse());
     let deviation = |k: usize| covariance[(k, k)].sqrt();
     let values = squares.values(&at.coordinates);
     let slope = |k: usize| squares.parameters().nth(k).map_or(1.0, |p| p.slope(values[k]));
@@ -101,6 +108,7 @@ pub fn uncertainty(squares: &LeastSquares<'_>, at: &Point) -> Result<Uncertainty
         at_bound: at.coordinates.iter().map(|c| *c < AT_BOUND || *c > 1.0 - AT_BOUND).collect(),
         information,
         determined,
+        log_evidence,
         sensitivity_check,
     })
 }
@@ -123,6 +131,15 @@ fn normal_matrix(squares: &LeastSquares<'_>, at: &Point, jacobian: &DMatrix<f64>
         }
     }
     (normal, prior_variance)
+}
+
+/// Σ ln of the normal priors' densities at their means, in coordinates; the exponents are in the residuals.
+fn log_prior_density(squares: &LeastSquares<'_>, at: &Point) -> f64 {
+    let density = |(p, value): (&Parameter, f64)| {
+        let spread = p.prior.map(|prior| if p.scale == Scale::Log { prior.spread * value } else { prior.spread });
+        spread.map_or(0.0, |spread| (p.slope(value) / spread).ln() - 0.5 * TAU.ln())
+    };
+    squares.parameters().zip(squares.values(&at.coordinates)).map(density).sum()
 }
 
 /// The row of `slopes` (a measurement each, over its uncertainty) that would leave coordinate `k` the smallest standard
