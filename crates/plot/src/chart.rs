@@ -1,8 +1,9 @@
 //! The common interface of charts in a figure.
 
+use crate::book::StyleBook;
 use crate::error::PlotError;
 use crate::references::Reference;
-use crate::series::{Series, StyleBook};
+use crate::series::Series;
 use crate::svg::Svg;
 
 /// A chart of any kind.

@@ -1,10 +1,12 @@
 //! Charts over the azimuth: 0° (the direction of the radial load) at the right, counter-clockwise.
 
 use crate::axes::BAND;
+use crate::book::Drawn;
 use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
-use crate::references::{self, Drawing, Place, Reference, Shape};
-use crate::series::{Axis, Drawn, Series, SeriesKind, check_all};
+use crate::reference_marks::{Drawing, Shape};
+use crate::references::{self, Place, Reference};
+use crate::series::{Axis, Series, SeriesKind, check_all};
 use crate::style::{GRID, HEADING_PX, INK, LABEL_PX, TICK_PX};
 use crate::svg::{Anchor, Svg, Type};
 use crate::symbols::{draw_absent, draw_markers, draw_points};

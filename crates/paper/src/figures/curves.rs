@@ -1,7 +1,7 @@
 //! Figures 9 and 15: the traction curves at the tested pressures and what of them varies with pressure.
 
 use super::runs::Made;
-use super::specs::Spec;
+use super::spec::Spec;
 use crate::error::PaperError;
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Place, Reference, Series};
 use tribodyn_traction::{Coating, CoatingLaw, Peak, SlipCurve, TractionLaw};

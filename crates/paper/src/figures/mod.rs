@@ -6,6 +6,7 @@ mod loads;
 mod over_time;
 mod page;
 mod runs;
+mod spec;
 mod specs;
 mod steady;
 
@@ -13,7 +14,8 @@ use crate::error::PaperError;
 use crate::files;
 use crate::progress::Progress;
 use runs::{Length, Made};
-use specs::{SPECS, Spec};
+use spec::Spec;
+use specs::SPECS;
 use std::path::{Path, PathBuf};
 
 pub use page::{PAGE, linked, page};

@@ -2,7 +2,7 @@
 
 use super::loads::{SPEEDS, over_orbits};
 use super::runs::Made;
-use super::specs::Spec;
+use super::spec::Spec;
 use crate::error::PaperError;
 use crate::transient::{RPM, StateSample, Transient};
 use tribodyn_plot::{

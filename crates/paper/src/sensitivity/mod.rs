@@ -143,7 +143,11 @@ pub fn rewrite() -> Result<(), PaperError> {
 }
 
 /// Says so where the document's block is not that of the committed results.
-pub(crate) fn outdated() -> Result<Option<String>, PaperError> {
+///
+/// # Errors
+///
+/// A result or the document cannot be read.
+pub fn outdated() -> Result<Option<String>, PaperError> {
     let [was, now] = document()?;
     Ok((was != now).then(|| {
         format!("{DOCUMENT}: the sensitivity table is not that of the committed result: run `cargo xtask fixtures`")

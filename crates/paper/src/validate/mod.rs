@@ -16,7 +16,6 @@ mod tables;
 use crate::error::PaperError;
 use crate::files;
 use crate::progress::{Progress, in_time};
-use crate::sensitivity;
 use crate::transient::Set;
 pub(crate) use dynamic::{defect_rows, rows as dynamic_rows};
 use published::Published;
@@ -196,15 +195,13 @@ impl Validation {
         Ok(Differences { broken, outdated: declared.outdated })
     }
 
-    /// Documents whose generated blocks are not what the rows and the committed sensitivities give.
+    /// Documents whose generated blocks are not what the rows give.
     ///
     /// # Errors
     ///
     /// A document without the place of its block.
     pub fn outdated_documents(&self) -> Result<Vec<String>, PaperError> {
-        let mut findings = document::outdated(&self.report)?;
-        findings.extend(sensitivity::outdated()?);
-        Ok(findings)
+        document::outdated(&self.report)
     }
 
     /// Rewrites the committed results, the declared verdicts and the documents' blocks; returns the documents that
@@ -217,9 +214,7 @@ impl Validation {
         let folder = expected::folder();
         expected::write(&folder, &self.fixtures)?;
         expected::write(&folder, &[expected::verdicts_text(&self.report.rows)])?;
-        let missing = document::rewrite(&self.report)?;
-        sensitivity::rewrite()?;
-        Ok(missing)
+        document::rewrite(&self.report)
     }
 }
 
