@@ -1,4 +1,4 @@
-//! What is kept of a run.
+//! Values kept of a run.
 
 use crate::mean::mean;
 use std::ops::ControlFlow;
@@ -10,7 +10,7 @@ use tribodyn_record::{FileSink, RecordError, RunRecorder};
 /// Sampling rate of a case that has no recording section, Hz: the solver's.
 const DEFAULT_RATE: f64 = 25_600.0;
 
-/// What every sample leaves behind, SI.
+/// Values kept of every sample, SI.
 #[derive(Debug, Clone, Copy)]
 pub struct StateSample {
     pub time_s: f64,
@@ -43,7 +43,7 @@ pub struct Trace {
     pub balls: Vec<(f64, Vec<BallResult>)>,
     pub impacts: Vec<Impact>,
     pub warnings: Vec<String>,
-    /// What is missing in the power balance over what was put in, at the end.
+    /// Imbalance of work over the work put in, at the end.
     pub imbalance: f64,
 }
 

@@ -128,7 +128,7 @@ impl<'a> PressuresOver<'a> {
         [ball.contacts.inner.peak_pressure_pa * 1e-9, ball.contacts.outer.peak_pressure_pa * 1e-9]
     }
 
-    /// How the values between balls come about.
+    /// Rule for values between balls.
     pub fn explanation(&self) -> String {
         let rule = self.rule.name();
         format!(
