@@ -109,8 +109,8 @@ pub struct Quantity<T: 'static> {
 }
 
 impl<T> Quantity<T> {
-    /// A smooth quantity that all models have: its name, its name for people, one line about it, the units of results and
-    /// of what is shown, and its place.
+    /// A smooth quantity that all models have: its name, its name for people, one line about it, the units of results
+    /// and of what is shown, and its place.
     pub const fn new(
         [name, label, about]: [&'static str; 3],
         [unit, shown]: [Unit; 2],
