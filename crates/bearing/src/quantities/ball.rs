@@ -164,7 +164,7 @@ pub static BALL: [Quantity<BallResult>; 24] = [
 ];
 
 /// Quantities of a ball–race contact.
-pub static CONTACT: [Quantity<ContactResult>; 17] = [
+pub static CONTACT: [Quantity<ContactResult>; 18] = [
     C::new(["contact_angle", "Contact angle", "Contact angle"], [DEGREE, DEGREE], place!(.angle_rad))
         .over(&[Over::Min, Over::Max])
         .reported(3),
@@ -243,6 +243,15 @@ pub static CONTACT: [Quantity<ContactResult>; 17] = [
         [METRE_PER_SECOND, METRE_PER_SECOND],
         place!(.rolling_speed_m_s),
     ),
+    C::new(
+        ["sliding_speed", "Sliding speed", "Sliding speed, the mean over the contact weighted by pressure: V of a PV value"],
+        [METRE_PER_SECOND, METRE_PER_SECOND],
+        place!(friction ? sliding_speed_m_s),
+    )
+    .in_scope(Scope::Traction)
+    .along(Course::Positive)
+    .over(&[Over::Max])
+    .reported(3),
     C::new(
         ["power_loss", "Power loss", "Frictional power of the contact"],
         [WATT, WATT],

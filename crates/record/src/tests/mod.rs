@@ -41,6 +41,7 @@ fn ball(azimuth: f64) -> BallResult {
             slide_to_roll: [-0.002 * one, 0.001],
             power_loss_w: 900.0 + 200.0 * one,
             wear_rate_m3_s: 3e-14 + 1e-14 * one,
+            ..FrictionResult::default()
         }),
         transient: None,
     };
@@ -57,6 +58,7 @@ fn ball(azimuth: f64) -> BallResult {
             slide_to_roll: [0.001 + 0.0005 * two, 0.002 * one],
             power_loss_w: 400.0 + 90.0 * one,
             wear_rate_m3_s: 1e-14 + 3e-15 * one,
+            ..FrictionResult::default()
         }),
         transient: None,
     };

@@ -34,6 +34,7 @@ fn contact(angle_deg: f64, load: f64) -> ContactResult {
             slide_to_roll: [-0.002, 0.001],
             power_loss_w: 900.0,
             wear_rate_m3_s: 3e-14,
+            ..FrictionResult::default()
         }),
         transient: Some(TransientContact { damping_n: 12.5, bare: 0.25, depth_m: 1.5e-6 }),
     }
