@@ -6,9 +6,6 @@ use tribodyn_case::Case;
 use tribodyn_dynamics::{BallSample, Event, EventKind, Observer, Sample};
 use tribodyn_record::{FileSink, RecordError, RunRecorder};
 
-/// Sampling rate of a case that has no recording section, Hz: the solver's.
-const DEFAULT_RATE: f64 = 25_600.0;
-
 /// What every sample leaves behind, SI.
 #[derive(Debug, Clone, Copy)]
 pub struct StateSample {
@@ -49,7 +46,7 @@ pub struct Trace {
 impl Trace {
     pub fn new(case: &Case) -> Self {
         Self {
-            rate_hz: case.recording.map_or(DEFAULT_RATE, |r| r.state_rate),
+            rate_hz: case.rates().state_rate,
             states: Vec::new(),
             balls: Vec::new(),
             impacts: Vec::new(),
