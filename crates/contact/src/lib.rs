@@ -24,9 +24,9 @@ pub enum ContactError {
         "principal radius {plane} of {body} is {value} m: it must differ from 0, infinity is allowed, concave is negative"
     )]
     Radius {
-        /// Which body.
+        /// Name of the body.
         body: &'static str,
-        /// Which plane, `x` or `y`.
+        /// The plane, `x` or `y`.
         plane: &'static str,
         /// The radius given, m.
         value: f64,
@@ -42,7 +42,7 @@ pub enum ContactError {
         "curvature sum in the {plane} plane is {value} 1/m: a point contact needs it finite and above 0 (the concave radius larger than the convex one)"
     )]
     Curvature {
-        /// Which plane, `x` (rolling) or `y` (lateral).
+        /// The plane, `x` (rolling) or `y` (lateral).
         plane: &'static str,
         /// The sum given, 1/m.
         value: f64,

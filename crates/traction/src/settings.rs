@@ -22,7 +22,7 @@ pub enum SlipUnit {
     },
 }
 
-/// How the integral over the contact ellipse is evaluated.
+/// Rule for the integral over the contact ellipse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize), serde(deny_unknown_fields))]
 pub enum PatchRule {

@@ -14,7 +14,7 @@ const GROUP: &str = "error";
 /// Scheme and patch rule of the converged run.
 const REFERENCE: [&str; 2] = ["RungeKutta4(step: us(2.5))", "SplitStrip(across: 16, along: 8)"];
 
-/// What is compared of one sample.
+/// Compared values of one sample.
 struct Moment {
     time: f64,
     cage_angle: f64,

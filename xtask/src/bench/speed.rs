@@ -50,7 +50,7 @@ const FAST_KERNEL: usize = 1;
 const FAST_SCHEME: usize = 3;
 
 /// A run that starts over from its beginning.
-struct Prepared {
+pub struct Prepared {
     run: Run,
     start: Checkpoint,
     least: f64,
@@ -59,7 +59,7 @@ struct Prepared {
 }
 
 impl Prepared {
-    fn new(text: &str, changes: &[(&str, &str)], plain: bool) -> Result<Self, Failure> {
+    pub fn new<V: AsRef<str>>(text: &str, changes: &[(&str, V)], plain: bool) -> Result<Self, Failure> {
         let inputs = run_inputs(text, changes)?;
         let run = Run::new(inputs).map_err(|source| failed(RunError::Dynamics(source)))?;
         let run =
@@ -67,8 +67,13 @@ impl Prepared {
         Ok(Self { start: run.checkpoint(), run, least: f64::INFINITY, evaluations: 0.0, patches: [0.0; 2] })
     }
 
+    /// Least processor time of a repetition so far, s.
+    pub fn least(&self) -> f64 {
+        self.least
+    }
+
     /// Once more from the start to `until`; only stepping and sampling are timed.
-    fn repeat(&mut self, until: f64) -> Result<(), Failure> {
+    pub fn repeat(&mut self, until: f64) -> Result<(), Failure> {
         self.run.resume(self.start.clone()).map_err(|source| failed(RunError::Dynamics(source)))?;
         let before = self.run.statistics();
         let (time, result) = timed(|| self.run.advance(until, &mut ()));

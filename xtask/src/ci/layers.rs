@@ -1,4 +1,4 @@
-//! Which crate may use which: the table of docs/architecture.md, held against `cargo metadata`, and against re-exports that
+//! The layers of the workspace: the table of docs/architecture.md, held against `cargo metadata`, and against re-exports that
 //! would hand on a whole crate behind it.
 
 use super::metadata::{Dependency, Metadata};
@@ -56,11 +56,11 @@ const LAYERS: [(&str, &[&str]); 13] = [
         ],
     ),
 ];
-/// What may use every crate, each with what it may not: the published command not the study of the paper, which is not
+/// Crates that may use every other one, each with its exceptions: the published command not the study of the paper, which is not
 /// published, and the study no program.
 const TOP: [(&str, &[&str]); 3] =
     [("tribodyn-paper", &["tribodyn-cli", "xtask"]), ("tribodyn-cli", &["tribodyn-paper", "xtask"]), ("xtask", &[])];
-/// What tests and benches may use besides: those of the solvers read the case files of `fixtures`.
+/// Crates that tests and benches may use besides: those of the solvers read the case files of `fixtures`.
 const IN_TESTS: [(&str, &str); 2] = [("tribodyn-quasistatic", "tribodyn-case"), ("tribodyn-dynamics", "tribodyn-case")];
 
 pub fn check() -> Result<Outcome, Failure> {

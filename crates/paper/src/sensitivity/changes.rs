@@ -1,4 +1,4 @@
-//! What is changed, one thing at a time.
+//! Changes, one at a time.
 
 use crate::transient::Change;
 use std::f64::consts::TAU;
@@ -94,7 +94,7 @@ fn guided(land: &str, radius_mm: f64) -> Change {
     Change::none(&format!("cage guided by the {} ring", land.to_lowercase())).with("cage", &cage)
 }
 
-/// What the paper's percentages may be parts of.
+/// Loads that the paper's percentages may refer to.
 fn loads() -> [Change; 6] {
     let axial = |name: &str, axial_share: f64| Change { axial_share, ..Change::none(name) };
     let drag = "drag coefficient 0.32 and radial load lowered with the axial one";

@@ -67,7 +67,7 @@ pub fn elastic_patch_traction<D: Scalar, L: TractionLaw>(
     sum.scaled(patch.peak_pressure * patch.semi_lateral * patch.semi_rolling)
 }
 
-/// What the strips of a patch have in common.
+/// Values that the strips of a patch have in common.
 struct Strips<'a, D, L> {
     grid: &'a Fastsim,
     law: &'a PatchLaw<'a, L>,
@@ -93,7 +93,7 @@ struct StripSums<D> {
 /// A law at one pressure in the scalar, and in dual numbers for the cell's root.
 type Frictions<D, L> = (Friction<<L as TractionLaw>::Curve<D>, D>, Friction<<L as TractionLaw>::Curve<Dual64>, Dual64>);
 
-/// What passes from cell to cell.
+/// State that passes from cell to cell.
 struct March<D> {
     /// Traction over the strip's peak pressure, here and one cell before.
     traction: [[D; 2]; 2],

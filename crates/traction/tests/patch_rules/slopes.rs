@@ -7,7 +7,7 @@ use tribodyn_traction::{
     RelativeMotion, SlipUnit, TractionLaw, patch_traction,
 };
 
-/// What is differentiated: five components of the motion, the load and the rolling speed.
+/// Variables of the derivative: five components of the motion, the load and the rolling speed.
 const INPUTS: usize = 7;
 
 fn outputs<D: Copy>(t: &PatchTraction<D>) -> [D; 7] {

@@ -19,7 +19,7 @@ const LATERAL: usize = 3;
 const LOAD: usize = 4;
 const ROLLING: usize = 5;
 
-/// What the derivative is taken of.
+/// Quantities of which the derivative is taken.
 #[derive(Clone, Copy)]
 pub(super) struct Inputs<'a> {
     pub(super) patch: &'a Patch,
