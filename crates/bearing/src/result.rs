@@ -32,8 +32,8 @@ pub struct BallResult {
     pub contacts: Races<ContactResult>,
     /// Drag and churning; absent where the model has no fluid, as that of Jones and Harris.
     pub fluid: Option<FluidResult>,
-    /// Contact with the cage pocket.
-    pub pocket: PocketResult,
+    /// Contact with the cage pocket; absent without a cage.
+    pub pocket: Option<PocketResult>,
     /// Motion besides orbit and spin; absent in an equilibrium.
     pub motion: Option<BallMotionResult>,
 }
@@ -223,7 +223,7 @@ impl Bearing {
             // ∬ p |Δv| dA / Q.
             sliding_speed_m_s: if normal.load > 0.0 { t.wear_integral / normal.load } else { 0.0 },
             power_loss_w: t.power,
-            wear_rate_m3_s: self.wear[side].rate(t.wear_integral),
+            wear_rate_m3_s: self.wear_rate(side, t.wear_integral),
         };
         let rolling = [contact.rolling_speed, spin_ratio];
         let pressed = self.contact_result(&normal.pose, (normal.load, &contact.ellipse), rolling);

@@ -3,16 +3,12 @@
 mod bodies;
 mod elliptic;
 mod hertz;
+mod scalar;
 
 pub use bodies::{Body, ElasticBody, RelativeCurvatures, effective_modulus, relative_curvatures};
 pub use elliptic::{CompleteElliptic, curvature_difference, curvature_ratio};
 pub use hertz::{Ellipse, HertzContact, MAX_ELLIPTICITY, MajorAxis, NEGLIGIBLE};
-
-use num_dual::DualNum;
-
-/// A real number or a dual number over `f64`: the physics is written once and differentiated exactly.
-pub trait Scalar: DualNum<Primitive = f64> + Copy {}
-impl<T: DualNum<Primitive = f64> + Copy> Scalar for T {}
+pub use scalar::{Real, Scalar};
 
 /// Faults in the description of a contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

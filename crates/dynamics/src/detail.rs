@@ -50,8 +50,8 @@ impl Machine {
                 volume_inner_m3: worn[0],
                 volume_outer_m3: worn[1],
                 volume_cage_m3: worn[2],
-                coating_inner_min_m: self.thinnest[0],
-                coating_outer_min_m: self.thinnest[1],
+                coating_inner_min_m: self.thinnest.inner,
+                coating_outer_min_m: self.thinnest.outer,
             },
             balls,
         }
@@ -77,12 +77,12 @@ impl Machine {
             let transient = self.bearing.transient_contact(side, &f.contacts[side], &f.surfaces[side]);
             result.contacts[side].transient = Some(transient);
         }
-        result.pocket = PocketResult {
+        result.pocket = Some(PocketResult {
             lead_rad: f.lead,
             force_n: friction.pocket.force,
             friction_n: Some(friction.pocket.friction),
             wear_rate_m3_s: self.pocket_wear(&friction.pocket),
-        };
+        });
         result.motion = Some(BallMotionResult {
             orbital_acceleration_rad_s2: f.acceleration[2],
             velocity_m_s: [b[VELOCITY], b[VELOCITY + 1]],

@@ -15,7 +15,7 @@ pub use search::{Minimum, Search, search};
 pub use uncertainty::{Uncertainty, uncertainty};
 
 use tribodyn_bearing::BearingError;
-use tribodyn_case::CaseError;
+use tribodyn_case::{CaseError, Lacking};
 use tribodyn_quasistatic::QuasiStaticError;
 
 /// Errors of an identification.
@@ -66,6 +66,9 @@ pub enum IdentifyError {
     /// The case.
     #[error("the case, {0}")]
     Case(#[from] CaseError),
+    /// A case without what a model needs.
+    #[error(transparent)]
+    Lacking(#[from] Lacking),
     /// The bearing.
     #[error(transparent)]
     Bearing(#[from] BearingError),

@@ -4,7 +4,7 @@ use crate::IdentifyError;
 use crate::problem::{Datum, Hypothesis, Problem, Quantity, Relation};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use tribodyn_case::{Case, locate, set_value};
+use tribodyn_case::{Case, Purpose, locate, set_value};
 use tribodyn_quasistatic::{Model, OverAzimuth, Solution, WarmStart, solve, solve_from};
 
 /// A case file's text with holes where the free parameters stand.
@@ -105,6 +105,10 @@ impl ForwardModel {
         let mut out = Evaluation::default();
         for (name, variant) in &self.variants {
             let case = Case::from_ron(&variant.template.fill(values))?;
+            case.require(match variant.model {
+                Model::JonesHarris => Purpose::JonesHarris,
+                Model::Traction => Purpose::Traction,
+            })?;
             let bearing = case.bearing()?;
             let point = case.operating_point();
             let warm = near.and_then(|n| n.warm.get(name));

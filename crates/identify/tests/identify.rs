@@ -16,7 +16,7 @@ const PROBLEM: &str = r#"(
         (name: "inner coefficient", paths: ["geometry.inner_groove.Coefficient"], bounds: (0.515, 0.54)),
         (name: "outer coefficient", paths: ["geometry.outer_groove.Coefficient"], bounds: (0.515, 0.54)),
     ],
-    runs: { "jh": (model: JonesHarris, set: {"numerics.contact_at_actual_angle": "false"}) },
+    runs: { "jh": (model: JonesHarris, set: {"modelling.contact_at_actual_angle": "false"}) },
     data: [
         (id: "speed", run: "jh", quantity: CageSpeed, value: 0, uncertainty: 0.5),
         (id: "p_i", run: "jh", quantity: PeakPressureInner(azimuth: 0), value: 0, uncertainty: 0.002),
@@ -32,7 +32,7 @@ const TRUTH: [(&str, f64); 3] = [
 ];
 
 fn true_figure(quantity: Quantity) -> f64 {
-    let frozen = set_value(CASE, "numerics.contact_at_actual_angle", "false").unwrap();
+    let frozen = set_value(CASE, "modelling.contact_at_actual_angle", "false").unwrap();
     let set = |text: String, (path, value): &(&str, f64)| set_value(&text, path, &format!("{value:?}")).unwrap();
     let text = TRUTH.iter().fold(frozen, set);
     let case = Case::from_ron(&text).unwrap();

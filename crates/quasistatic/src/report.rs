@@ -72,7 +72,8 @@ pub(crate) fn with_traction(
         let (state, loads, inner) = system.evaluate(index, ball, solved.state.ring);
         balls.push(bearing.ball_result(bearing.azimuth(index), &state, &loads, system.speeds.inner));
         let out_of_range = |contact: &RaceContact, side| {
-            contact.normal.load > 0.0 && bearing.races[side].law.clamps(contact.ellipse.peak_pressure)
+            let law = bearing.tribology.as_ref().map(|t| &t.laws[side]);
+            contact.normal.load > 0.0 && law.is_some_and(|law| law.clamps(contact.ellipse.peak_pressure))
         };
         if out_of_range(&loads.contacts.inner, Side::Inner) || out_of_range(&loads.contacts.outer, Side::Outer) {
             clamped.push(index);
@@ -103,19 +104,20 @@ fn solution(
 ) -> Solution {
     let speeds: Vec<f64> = balls.iter().map(|b| b.orbital_speed_rad_s).collect();
     let radius = 0.5 * bearing.geometry.pitch_diameter;
-    let cage = &point.cage;
-    let pocket = Pocket {
-        stiffness: cage.pocket_stiffness,
-        clearance: cage.pocket_gap / radius,
-        radius,
-        drag_torque: cage.drag_torque,
-    };
-    let pockets = pocket_forces(&speeds, &pocket);
-    for ((ball, lead), force) in balls.iter_mut().zip(pockets.lead).zip(pockets.force) {
-        let [axial, radial, _] = ball.spin_rad_s;
-        let sliding = axial.hypot(radial) * bearing.geometry.ball_radius();
-        let wear_rate_m3_s = bearing.wear_cage.rate(force.abs() * sliding);
-        ball.pocket = PocketResult { lead_rad: lead, force_n: force, friction_n: None, wear_rate_m3_s };
+    if let Some(cage) = &point.cage {
+        let pocket = Pocket {
+            stiffness: cage.pocket_stiffness,
+            clearance: cage.pocket_gap / radius,
+            radius,
+            drag_torque: cage.drag_torque,
+        };
+        let pockets = pocket_forces(&speeds, &pocket);
+        for ((ball, lead), force) in balls.iter_mut().zip(pockets.lead).zip(pockets.force) {
+            let [axial, radial, _] = ball.spin_rad_s;
+            let sliding = axial.hypot(radial) * bearing.geometry.ball_radius();
+            let wear_rate_m3_s = bearing.pocket_wear_rate(force.abs() * sliding);
+            ball.pocket = Some(PocketResult { lead_rad: lead, force_n: force, friction_n: None, wear_rate_m3_s });
+        }
     }
     let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
     Solution {

@@ -63,13 +63,3 @@ pub enum PressureChoice {
     /// The local Hertz pressure at each point of the patch.
     Local,
 }
-
-/// The arm of the traction moment about the ball centre.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub enum MomentArm {
-    /// From the ball centre to the curved contact surface: consistent with the slip field, so power balances.
-    Curved,
-    /// The ball radius at every point.
-    Constant,
-}

@@ -20,6 +20,7 @@ use row::Row;
 use serde::Serialize;
 use std::process::Command;
 use tribodyn_case::{Case, set_value};
+use tribodyn_dynamics::RunInputs;
 use tribodyn_paper::{PaperError, files, table};
 
 /// The case on which everything is measured.
@@ -117,6 +118,12 @@ fn changed<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<Case, Fai
         text = set_value(&text, path, value.as_ref()).map_err(refused)?;
     }
     Ok(Case::from_ron(&text).map_err(refused)?)
+}
+
+/// Inputs of a run of the case with changes.
+fn run_inputs<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<RunInputs, Failure> {
+    let wrong = |source| PaperError::Inputs { run: "bench".to_owned(), source: Box::new(source) };
+    Ok(changed(text, changes)?.run_inputs().map_err(wrong)?)
 }
 
 fn machine() -> Machine {

@@ -1,9 +1,9 @@
 //! Time of transient runs: the paper's method, the same with the fast kernel, fewer points, the fast scheme.
 
-use super::changed;
 use super::clock::timed;
 use super::patch::mean_points;
 use super::row::{Limit, Row};
+use super::run_inputs;
 use crate::error::Failure;
 use std::convert::Infallible;
 use tribodyn_dynamics::{Checkpoint, Run, RunError};
@@ -60,8 +60,8 @@ pub struct Prepared {
 
 impl Prepared {
     pub fn new<V: AsRef<str>>(text: &str, changes: &[(&str, V)], plain: bool) -> Result<Self, Failure> {
-        let case = changed(text, changes)?;
-        let run = Run::new(&case).map_err(|source| failed(RunError::Dynamics(source)))?;
+        let inputs = run_inputs(text, changes)?;
+        let run = Run::new(inputs).map_err(|source| failed(RunError::Dynamics(source)))?;
         let run =
             if plain { run.with_plain_kernel().map_err(|source| failed(RunError::Dynamics(source)))? } else { run };
         Ok(Self { start: run.checkpoint(), run, least: f64::INFINITY, evaluations: 0.0, patches: [0.0; 2] })

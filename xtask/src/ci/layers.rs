@@ -29,7 +29,6 @@ const LAYERS: [(&str, &[&str]); 13] = [
             "tribodyn-wear",
             "tribodyn-fluid",
             "tribodyn-bearing",
-            "tribodyn-case",
             "tribodyn-quasistatic",
             "tribodyn-signal",
         ],
@@ -62,7 +61,7 @@ const LAYERS: [(&str, &[&str]); 13] = [
 const TOP: [(&str, &[&str]); 3] =
     [("tribodyn-paper", &["tribodyn-cli", "xtask"]), ("tribodyn-cli", &["tribodyn-paper", "xtask"]), ("xtask", &[])];
 /// Crates that tests and benches may use besides: those of the solvers read the case files of `fixtures`.
-const IN_TESTS: [(&str, &str); 1] = [("tribodyn-quasistatic", "tribodyn-case")];
+const IN_TESTS: [(&str, &str); 2] = [("tribodyn-quasistatic", "tribodyn-case"), ("tribodyn-dynamics", "tribodyn-case")];
 
 pub fn check() -> Result<Outcome, Failure> {
     let metadata = Metadata::read(&["--no-deps"])?;

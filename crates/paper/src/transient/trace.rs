@@ -7,9 +7,6 @@ use tribodyn_case::Case;
 use tribodyn_dynamics::{Event, EventKind, Observer, Sample};
 use tribodyn_record::{FileSink, RecordError, RunRecorder};
 
-/// Sampling rate of a case that has no recording section, Hz: the solver's.
-const DEFAULT_RATE: f64 = 25_600.0;
-
 /// Values kept of every sample, SI.
 #[derive(Debug, Clone, Copy)]
 pub struct StateSample {
@@ -50,7 +47,7 @@ pub struct Trace {
 impl Trace {
     pub fn new(case: &Case) -> Self {
         Self {
-            rate_hz: case.recording.map_or(DEFAULT_RATE, |r| r.state_rate),
+            rate_hz: case.rates().state_rate,
             states: Vec::new(),
             balls: Vec::new(),
             impacts: Vec::new(),
@@ -68,7 +65,7 @@ impl Trace {
             cage_speed: sample.cage.speed_rad_s,
             mean_orbit: mean(sample.balls.iter().map(|b| b.orbital_speed_rad_s)),
             orbit: first.orbital_speed_rad_s,
-            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket.force_n.abs().max(most)),
+            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket.unwrap_or_default().force_n.abs().max(most)),
         });
         if with_balls {
             self.balls.push((sample.time_s, sample.balls.clone()));

@@ -99,7 +99,9 @@ fn warnings(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Vec<Wa
                 .map(|text| Warning { run: run.label.to_owned(), text: text.clone() }),
         );
         // Only where the curve follows the pressure is it extrapolated.
-        if run.solution.model == Model::JonesHarris || !run.case.traction.varying {
+        if run.solution.model == Model::JonesHarris
+            || !run.case.traction.as_ref().is_some_and(|traction| traction.varying)
+        {
             continue;
         }
         let pressures: Vec<f64> = over_azimuth::values(run, |b| b.contacts.inner.peak_pressure_pa * 1e-9)

@@ -58,12 +58,12 @@ pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
             power_loss_w: 6100.0 + 60.0 * cos - 20.0 * slip,
             ..FluidResult::default()
         }),
-        pocket: PocketResult {
+        pocket: Some(PocketResult {
             lead_rad: 1e-3 * sin,
             force_n: -(340.0 * (-cos - 0.55)).max(0.0) * (1.0 - 0.4 * slip),
             friction_n: None,
             wear_rate_m3_s: 3e-14 * (-cos - 0.55).max(0.0) * (1.0 - 0.4 * slip),
-        },
+        }),
         motion: None,
     }
 }

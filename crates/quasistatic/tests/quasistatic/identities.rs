@@ -97,7 +97,7 @@ fn identity_balls_carry_the_load_of_the_ring() {
             assert_near("ring load", *carried, load, 1e-8);
         }
     }
-    let dry = [("numerics", "(race_control: Inner)"), ("materials.ball.density", "kg_per_m3(1e-6)")];
+    let dry = [("modelling.race_control", "Inner"), ("materials.ball.density", "kg_per_m3(1e-6)")];
     let s = with_ring(&dry, paper_ring(20e3, 5e3, 44e3), JonesHarris);
     let sum = |part: fn(&BallResult) -> f64| -> f64 { s.balls.iter().map(part).sum() };
     let radial =
@@ -155,7 +155,7 @@ fn identity_common_rotation_matters_by_inertia_alone() {
         let mut bearing = case.bearing().unwrap();
         bearing.fluid = None;
         let point = OperatingPoint { ring: paper_ring(0.0, 0.0, 44e3), ..case.operating_point() };
-        solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution.balls[0].clone()
+        solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution.balls[0]
     };
     let light = ("materials.ball.density", "kg_per_m3(1e-6)");
     let both = [("speed.inner", "Constant(rpm(17000))"), ("speed.outer", "Constant(rpm(3000))")];

@@ -31,7 +31,7 @@ const ROUNDING_S: f64 = 1e-9;
 #[derive(Debug)]
 pub(super) struct Producer {
     pub(super) geometry: Geometry,
-    pocket_gap: f64,
+    pocket_gap: Option<f64>,
     defects: Vec<Defect>,
     memory: RecorderMemory,
     /// The last messages of their kind and the last encoded one, kept for their memory and their names.
@@ -84,7 +84,7 @@ impl Producer {
         let geometry = input.case.geometry.resolve()?;
         Ok(Self {
             geometry,
-            pocket_gap: input.case.cage.pocket_gap,
+            pocket_gap: input.case.cage.as_ref().map(|cage| cage.pocket_gap),
             defects: raceway::defects(input.case),
             memory: RecorderMemory::new(geometry.ball_count),
             transforms: FrameTransforms::default(),
@@ -158,7 +158,7 @@ impl Producer {
         let ring_load_n = sample.inner.ball_force_n.map(|x| -x);
         let scales = Scales::of_first(&sample.balls, ring_load_n);
         self.memory.scales = Some(scales);
-        let first = sample.balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket.lead_rad);
+        let first = sample.balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket.unwrap_or_default().lead_rad);
         let bodies = Bodies {
             geometry: &self.geometry,
             pocket_gap: self.pocket_gap,

@@ -73,12 +73,12 @@ fn ball(azimuth: f64) -> BallResult {
         gyroscopic_moment_nm: 6.0 + 0.1 * one,
         contacts: Races { inner, outer },
         fluid: Some(FluidResult { drag_n: 170.0, power_loss_w: 8600.0, ..FluidResult::default() }),
-        pocket: PocketResult {
+        pocket: Some(PocketResult {
             lead_rad: 2e-3 * one,
             force_n: (80.0 * one - 40.0).max(0.0),
             friction_n: None,
             wear_rate_m3_s: (2e-15 * one - 1e-15).max(0.0),
-        },
+        }),
         motion: None,
     }
 }
