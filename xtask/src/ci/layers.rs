@@ -38,7 +38,7 @@ const LAYERS: [(&str, &[&str]); 13] = [
         "tribodyn-record",
         &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"],
     ),
-    ("tribodyn-plot", &["tribodyn-quasistatic"]),
+    ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
     // Procedures as a library: all physics, and recordings.
     (
         "tribodyn-study",
