@@ -27,6 +27,8 @@ pub use problem::{Place, QuasiStaticError};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{Model, SOLUTION, Solution};
 pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
-pub use tribodyn_bearing::{BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl};
-pub use tribodyn_bearing::{Races, RingFreedom, Side, SolverSettings};
+pub use tribodyn_bearing::{
+    BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl, Races, RingFreedom, Side,
+    SolverSettings,
+};
 pub use tribodyn_traction::PatchRule;
