@@ -11,6 +11,7 @@ mod error;
 mod figures;
 mod page;
 mod sensitivity;
+mod survey;
 mod terminal;
 mod validate;
 
@@ -38,6 +39,8 @@ enum Command {
     Bench(bench::Arguments),
     /// Open a report in headless Chromium and look for what is wrong
     Page(page::Arguments),
+    /// Solve and run random bearings, and write a case file for each failure
+    Survey(survey::Arguments),
     /// Run everything that continuous integration runs
     Ci,
 }
@@ -50,6 +53,7 @@ fn main() -> ExitCode {
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Survey(arguments) => survey::run(&arguments),
         Command::Ci => ci::run(),
     };
     match done {

@@ -12,6 +12,7 @@ mod tokens;
 mod transient;
 mod units;
 mod validate;
+mod validate_bounds;
 mod validate_transient;
 
 #[cfg(test)]
