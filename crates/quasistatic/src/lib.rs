@@ -7,7 +7,9 @@ mod driver;
 mod jones_harris;
 mod methods;
 mod problem;
+mod relax;
 mod report;
+mod rescue;
 mod roots;
 mod secant;
 mod settle;
@@ -22,7 +24,7 @@ mod jacobian_test;
 
 pub use azimuth::{AzimuthRule, OverAzimuth, ball_numbers};
 pub use block::SolverStatistics;
-pub use problem::{Place, QuasiStaticError};
+pub use problem::{Place, QuasiStaticError, Reason};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{BallSolution, Model, Solution};
 pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
