@@ -144,7 +144,7 @@ pub fn run_short(bearing: &RandomBearing, longest: Duration) -> Running {
     let percent = 100.0 * last.power.imbalance_j / last.power.throughput_j.max(f64::MIN_POSITIVE);
     let verdict = match judge(percent, &case) {
         Judgement::Balanced => Verdict::Good,
-        Judgement::Off { reason } => Verdict::Explained(reason),
+        Judgement::Off { reason, .. } => Verdict::Explained(reason),
     };
     ended(scheme, verdict, Some(percent))
 }
