@@ -6,6 +6,7 @@
 
 use super::validate::{Refusal, Verdict};
 use super::*;
+use tribodyn_bearing::{Scheme, SpeedHistory, Tilt, Translation};
 use tribodyn_traction::SlipUnit;
 
 /// The range of one kind of value.
@@ -118,7 +119,7 @@ impl Values {
     }
 
     fn steady(&mut self, case: &Case) {
-        let Case { geometry, materials, coatings, traction, cage, wear, .. } = case;
+        let Case { geometry, materials, .. } = case;
         self.add("geometry.ball_count", geometry.ball_count as f64);
         self.add("geometry.ball_diameter", geometry.ball_diameter);
         self.add("geometry.pitch_diameter", geometry.pitch_diameter);
@@ -126,18 +127,16 @@ impl Values {
             self.add(format!("materials.{name}.young"), body.young);
             self.add(format!("materials.{name}.density"), body.density);
         }
-        for (name, coating) in [("inner", &coatings.inner), ("outer", &coatings.outer)] {
-            self.add(format!("coatings.{name}.thickness"), coating.thickness);
-            self.curve(name, &coating.curve);
+        if let Some(coatings) = &case.coatings {
+            self.coatings(coatings);
         }
-        if let Some(bare) = &coatings.bare {
-            self.curve("bare", &bare.curve);
+        if let Some(traction) = &case.traction {
+            if let SlipUnit::Scaled { per_m_s } = traction.slip_unit {
+                self.add("traction.slip_unit.Scaled.per_m_s", per_m_s);
+            }
+            self.add("traction.order", traction.order as f64);
+            self.add("traction.reference_pressure", traction.reference_pressure);
         }
-        if let SlipUnit::Scaled { per_m_s } = traction.slip_unit {
-            self.add("traction.slip_unit.Scaled.per_m_s", per_m_s);
-        }
-        self.add("traction.order", traction.order as f64);
-        self.add("traction.reference_pressure", traction.reference_pressure);
         if let Some(fluid) = &case.fluid {
             self.add("fluid.gas_density", fluid.gas_density);
             self.add("fluid.drag_coefficient", fluid.drag_coefficient);
@@ -146,13 +145,27 @@ impl Values {
                 self.add("fluid.medium.Custom.viscosity", viscosity);
             }
         }
-        self.cage(cage);
-        for (name, pair) in [("inner", &wear.inner), ("outer", &wear.outer), ("cage", &wear.cage)] {
+        if let Some(cage) = &case.cage {
+            self.cage(cage);
+        }
+        let pairs =
+            case.wear.iter().flat_map(|wear| [("inner", &wear.inner), ("outer", &wear.outer), ("cage", &wear.cage)]);
+        for (name, pair) in pairs {
             self.add(format!("wear.{name}.coefficient"), pair.coefficient);
             self.add(format!("wear.{name}.hardness"), pair.hardness);
         }
         self.add("numerics.tolerance", case.numerics.tolerance);
         self.add("numerics.max_iterations", case.numerics.max_iterations as f64);
+    }
+
+    fn coatings(&mut self, coatings: &Coatings) {
+        for (name, coating) in [("inner", &coatings.inner), ("outer", &coatings.outer)] {
+            self.add(format!("coatings.{name}.thickness"), coating.thickness);
+            self.curve(name, &coating.curve);
+        }
+        if let Some(bare) = &coatings.bare {
+            self.curve("bare", &bare.curve);
+        }
     }
 
     fn curve(&mut self, name: &str, curve: &CurveSpec) {
@@ -223,9 +236,9 @@ impl Values {
             self.add("transient.duration", transient.duration);
             self.add("transient.wear_acceleration", transient.wear_acceleration);
             match transient.scheme {
-                SchemeSpec::RungeKutta4 { step } => self.add("transient.scheme.RungeKutta4.step", step),
-                SchemeSpec::Fast { step } => self.add("transient.scheme.Fast.step", step),
-                SchemeSpec::DormandPrince { longest, .. } => {
+                Scheme::RungeKutta4 { step } => self.add("transient.scheme.RungeKutta4.step", step),
+                Scheme::Fast { step } => self.add("transient.scheme.Fast.step", step),
+                Scheme::DormandPrince { longest, .. } => {
                     self.add("transient.scheme.DormandPrince.longest", longest);
                 }
             }

@@ -109,6 +109,14 @@ pub enum QuasiStaticError {
         /// What is the matter, and what helps.
         reason: Reason,
     },
+    /// The bearing or the operating point lacks what the model uses.
+    #[error("{model:?} model needs what is not given: {}", missing.join(", "))]
+    Missing {
+        /// Which equations.
+        model: Model,
+        /// All that is missing.
+        missing: Vec<&'static str>,
+    },
     /// Patch quadrature.
     #[error(transparent)]
     Traction(#[from] TractionError),

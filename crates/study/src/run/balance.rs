@@ -3,8 +3,8 @@
 //! Drives, loads, friction, drag, dampers, pockets, the cage, stored energy and what wear takes out of the contacts are all
 //! counted. What is left over is the scheme's, or that of a choice of model whose forces and powers do not belong together.
 
-use tribodyn_case::{Case, SchemeSpec};
-use tribodyn_traction::MomentArm;
+use tribodyn_bearing::Scheme;
+use tribodyn_case::Case;
 
 /// Part of the work put in, %, beyond which a run is warned of. Below their bound explicit schemes leave some 10⁻⁷ %;
 /// the fast one leaves up to 0.1 % at the steps that it is meant for.
@@ -34,7 +34,7 @@ pub fn imbalance(percent: f64) -> String {
 pub fn judge(imbalance_percent: f64, case: &Case) -> Judgement {
     let Some(transient) = case.transient.as_ref() else { return Judgement::Balanced };
     let most = match transient.scheme {
-        SchemeSpec::Fast { .. } => OFF_BALANCE_FAST_PERCENT,
+        Scheme::Fast { .. } => OFF_BALANCE_FAST_PERCENT,
         _ => OFF_BALANCE_EXPLICIT_PERCENT,
     };
     // What is not a number is off as well.
@@ -60,18 +60,15 @@ pub fn judge(imbalance_percent: f64, case: &Case) -> Judgement {
 /// Choices of the case whose forces and powers do not belong together.
 fn choices_without_balance(case: &Case) -> Vec<&'static str> {
     let mut choices = Vec::new();
-    if case.numerics.contact_at_actual_angle {
+    if case.modelling.contact_at_actual_angle {
         choices
             .push("contact constants that follow the contact angle (contact_at_actual_angle: true) have no potential");
-    }
-    if case.traction.moment_arm == MomentArm::Constant {
-        choices.push("a constant arm of the traction moment (moment_arm: Constant) is not that of the sliding speeds");
     }
     choices
 }
 
 /// The blame where all forces have their power: the scheme, with what helps.
-fn by_steps(scheme: SchemeSpec, wear_acceleration: f64) -> String {
+fn by_steps(scheme: Scheme, wear_acceleration: f64) -> String {
     let wear = if wear_acceleration > 1.0 {
         format!(
             "; wear {wear_acceleration:.0e} times as fast as it is moves the races within a step, so lower that too"
@@ -80,7 +77,7 @@ fn by_steps(scheme: SchemeSpec, wear_acceleration: f64) -> String {
         String::new()
     };
     let steps = match scheme {
-        SchemeSpec::DormandPrince { tolerance, .. } => format!(
+        Scheme::DormandPrince { tolerance, .. } => format!(
             "the tolerance of {tolerance:.0e} is too coarse for this run, and its powers and accelerations may be wrong; lower it"
         ),
         _ => "the steps are too long for this run, and its powers and accelerations may be wrong; shorten them or take another scheme".to_owned(),
@@ -113,11 +110,9 @@ mod tests {
 
     #[test]
     fn limit_a_choice_of_model_is_named_and_not_the_step() {
-        let angle = ("numerics", "(contact_at_actual_angle: true)");
+        let angle = ("modelling.contact_at_actual_angle", "true");
         let (reason, by_model) = judged(3.0, &[angle]).unwrap();
         assert!(by_model && reason.contains("contact_at_actual_angle") && !reason.contains("too long"), "{reason}");
-        let (reason, by_model) = judged(3.0, &[angle, ("traction.moment_arm", "Constant")]).unwrap();
-        assert!(by_model && reason.contains(", and a constant arm"), "{reason}");
     }
 
     #[test]

@@ -122,6 +122,7 @@ impl Draw {
             self.supports(random),
             self.defects(random),
             transient(random),
+            modelling(random),
             "    recording: (state_rate: kHz(25.6), ball_rate: kHz(5.12)),\n".to_owned(),
         ];
         let mut text = String::from("(\n");
@@ -291,12 +292,11 @@ fn traction(random: &mut Random) -> String {
     ]);
     format!(
         "    traction: (slip_unit: {slip}, order: {}, varying: {}, reference_pressure: GPa(2.5), differential_slip: {}, \
-         pressure: {}, moment_arm: {}, patch: {patch}),\n",
+         pressure: {}, patch: {patch}),\n",
         random.whole(1, 2),
         random.chance(0.7),
         random.chance(0.8),
         if random.chance(0.9) { "Peak" } else { "Local" },
-        if random.chance(0.9) { "Curved" } else { "Constant" },
     )
 }
 
@@ -334,6 +334,16 @@ fn transient(random: &mut Random) -> String {
     format!(
         "    transient: (duration: ms(2), start: QuasiStatic, scheme: {scheme}, contact_damping: {:.3}, wear_acceleration: {wear:.3e}),\n",
         random.between(0.0, 0.1)
+    )
+}
+
+fn modelling(random: &mut Random) -> String {
+    format!(
+        "    modelling: (contact_at_actual_angle: {}, ring_centre: {}, race_control: {}, centrifugal_at_free_pitch: {}),\n",
+        random.chance(0.1),
+        if random.chance(0.9) { "Displaced" } else { "Inertial" },
+        random.one_of(&[(0.6, "Outer"), (0.2, "Inner"), (0.2, "Criterion")]),
+        random.chance(0.5),
     )
 }
 

@@ -3,6 +3,7 @@
 use super::bearing::RandomBearing;
 use crate::run::balance::{Judgement, judge};
 use std::time::{Duration, Instant};
+use tribodyn_bearing::Scheme;
 use tribodyn_case::Case;
 use tribodyn_dynamics::{DynamicsError, Ending, Event, EventKind, Observer, Run, RunError, Sample};
 use tribodyn_quasistatic::{Model, QuasiStaticError, Solution, solve};
@@ -123,7 +124,11 @@ pub fn run_short(bearing: &RandomBearing, longest: Duration) -> Running {
         Err(error) => return ended("none", Verdict::Failed(error.to_string()), None),
     };
     let scheme = scheme_name(&case);
-    let mut run = match Run::new(&case) {
+    let inputs = match case.run_inputs() {
+        Ok(inputs) => inputs,
+        Err(error) => return ended(scheme, Verdict::Failed(error.to_string()), None),
+    };
+    let mut run = match Run::new(inputs) {
         Ok(run) => run,
         Err(DynamicsError::Start(error)) => {
             return ended(scheme, Verdict::Explained(format!("no start: {error}")), None);
@@ -150,11 +155,10 @@ pub fn run_short(bearing: &RandomBearing, longest: Duration) -> Running {
 }
 
 fn scheme_name(case: &Case) -> &'static str {
-    use tribodyn_case::SchemeSpec;
     match case.transient.as_ref().map(|transient| transient.scheme) {
-        Some(SchemeSpec::RungeKutta4 { .. }) => "Runge–Kutta",
-        Some(SchemeSpec::DormandPrince { .. }) => "Dormand–Prince",
-        Some(SchemeSpec::Fast { .. }) => "fast",
+        Some(Scheme::RungeKutta4 { .. }) => "Runge–Kutta",
+        Some(Scheme::DormandPrince { .. }) => "Dormand–Prince",
+        Some(Scheme::Fast { .. }) => "fast",
         None => "none",
     }
 }
