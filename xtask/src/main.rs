@@ -13,6 +13,7 @@ mod page;
 mod python;
 mod quantities;
 mod sensitivity;
+mod survey;
 mod terminal;
 mod validate;
 
@@ -42,6 +43,8 @@ enum Command {
     Bench(bench::Arguments),
     /// Open a report in headless Chromium and look for what is wrong
     Page(page::Arguments),
+    /// Solve and run random bearings, and write a case file for each failure
+    Survey(survey::Arguments),
     /// Run everything that continuous integration runs
     Ci,
 }
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
         Command::Quantities => quantities::write(),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Survey(arguments) => survey::run(&arguments),
         Command::Ci => ci::run(),
     };
     match done {

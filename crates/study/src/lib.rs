@@ -6,6 +6,7 @@ pub mod evaluation;
 mod files;
 mod life;
 pub mod run;
+pub mod survey;
 pub mod sweep;
 
 pub use case_file::{CaseFile, Change, read_text};
