@@ -1,8 +1,10 @@
 #![doc = include_str!("../README.md")]
 
 mod bearing;
+mod cylinder;
 mod frame;
 mod geometry;
+mod growth;
 mod interaction;
 mod normal;
 mod operation;
@@ -12,8 +14,10 @@ mod state;
 mod test_bearing;
 
 pub use bearing::{Bearing, BearingSpec, FluidForces, Race};
+pub use cylinder::{Cylinder, Solid};
 pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
+pub use growth::{GrownBearing, Growth, MountedRing, Seat};
 pub use interaction::{ContactForces, Sliding};
 pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
 pub use operation::{Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
@@ -26,12 +30,16 @@ pub use tribodyn_wear::LocalSurface;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BearingError {
     /// A clearance that no contact angle has.
-    #[error("radial clearance {clearance} m is outside 0 to {limit} m, twice the distance of the groove centres")]
+    #[error(
+        "radial clearance {clearance} m is outside {least} to {most} m: at most twice the distance of the groove centres, and no more interference than a tenth of it"
+    )]
     Clearance {
         /// Diametral clearance, m.
         clearance: f64,
-        /// Largest possible, m.
-        limit: f64,
+        /// Largest interference, m, below 0.
+        least: f64,
+        /// Largest possible clearance, m.
+        most: f64,
     },
     /// Contact constants.
     #[error(transparent)]
