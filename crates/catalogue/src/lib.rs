@@ -3,10 +3,12 @@
 mod ball_set;
 mod clearance;
 mod list;
+mod new_case;
 
 pub use ball_set::{BallSet, KnownBalls, Origin, Ratings, USUAL_GROOVES};
 pub use clearance::normal_clearance;
 pub use list::{ListedBearing, SOURCE, find, listed};
+pub use new_case::NewCase;
 
 /// Boundary dimensions of a bearing and its nominal contact angle, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,6 +52,23 @@ pub enum CatalogueError {
         /// What is allowed.
         allowed: String,
     },
+    /// A nominal contact angle beyond those of radial bearings.
+    #[error("contact angle {angle_deg}°: allowed is 0° to 45°")]
+    ContactAngle {
+        /// The angle, degrees.
+        angle_deg: f64,
+    },
+    /// Balls that do not stand side by side on the pitch circle.
+    #[error("{count} balls of {diameter_mm} mm: at least 3, and as many as fit on the pitch circle side by side")]
+    Count {
+        /// Number of balls.
+        count: usize,
+        /// Ball diameter, mm.
+        diameter_mm: f64,
+    },
+    /// A bearing that the standards do not rate.
+    #[error(transparent)]
+    Rating(tribodyn_rating::RatingError),
     /// No balls between the rings.
     #[error("no standard balls fit into the {space_mm} mm between bore and outside radius: give number and diameter")]
     NoBalls {
