@@ -6,6 +6,7 @@ mod history;
 mod locate;
 mod operation;
 mod outline;
+mod quantity;
 mod schema;
 mod sources;
 mod tokens;
@@ -21,6 +22,7 @@ mod tests_transient;
 
 pub use error::CaseError;
 pub use locate::{locate, set_value, values};
+pub use quantity::{Quantity, quantities};
 pub use schema::*;
 pub use transient::*;
 

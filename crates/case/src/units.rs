@@ -130,6 +130,15 @@ pub(super) fn is_unit(name: &str) -> bool {
     ALL.iter().any(|dimension| dimension.names.contains(&name))
 }
 
+/// A number with a unit in SI, and what it would be with the other units of the same dimension; `None` for a word that is
+/// no unit.
+pub(super) fn readings(unit: &str, number: f64) -> Option<(f64, Vec<(&'static str, f64)>)> {
+    let dimension = ALL.iter().find(|dimension| dimension.names.contains(&unit))?;
+    let all = || dimension.names.iter().zip(dimension.to_si).map(|(name, to_si)| (*name, to_si(number)));
+    let written = all().find(|(name, _)| *name == unit)?.1;
+    Some((written, all().filter(|(name, _)| *name != unit).collect()))
+}
+
 macro_rules! readers {
     ($($(#[$doc:meta])* $function:ident: $dimension:ident;)+) => {
         $($(#[$doc])*

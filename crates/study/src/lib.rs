@@ -5,6 +5,7 @@ mod error;
 pub mod evaluation;
 mod files;
 mod life;
+pub mod plausibility;
 pub mod run;
 pub mod sweep;
 
