@@ -1,7 +1,7 @@
 //! From a case to the bearing that the solvers work with.
 
 use crate::{
-    ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, Groove, MaterialSpec, Medium, RingCentre,
+    ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, MaterialSpec, Medium, RingCentre,
 };
 use tribodyn_bearing::{Bearing, BearingError, BearingSpec, Dimensions, FluidForces, Geometry, Races};
 use tribodyn_contact::ElasticBody;
@@ -15,7 +15,7 @@ impl Case {
     /// # Errors
     /// [`BearingError`] where coating, fluid or contact data do not make sense together.
     pub fn bearing(&self) -> Result<Bearing, BearingError> {
-        let geometry = self.geometry.resolve()?;
+        let geometry = self.running_geometry()?;
         let radius = geometry.ball_radius();
         let (coatings, traction) = (&self.coatings, &self.traction);
         let bare_law = coatings.bare.as_ref().map(|bare| coating_law(self, &bare.curve)).transpose()?;
@@ -49,10 +49,7 @@ impl GeometrySpec {
     /// # Errors
     /// [`BearingError::Clearance`] for a radial clearance that no contact angle has.
     pub fn resolve(&self) -> Result<Geometry, BearingError> {
-        let coefficient = |groove: Groove| match groove {
-            Groove::Coefficient(f) => f,
-            Groove::Radius(r) => r / self.ball_diameter,
-        };
+        let [inner_coefficient, outer_coefficient] = self.coefficients();
         let fit = match self.fit {
             Fit::ContactAngle(angle) => tribodyn_bearing::Fit::ContactAngle(angle),
             Fit::RadialClearance(clearance) => tribodyn_bearing::Fit::RadialClearance(clearance),
@@ -61,8 +58,8 @@ impl GeometrySpec {
             ball_count: self.ball_count,
             ball_diameter: self.ball_diameter,
             pitch_diameter: self.pitch_diameter,
-            inner_coefficient: coefficient(self.inner_groove),
-            outer_coefficient: coefficient(self.outer_groove),
+            inner_coefficient,
+            outer_coefficient,
             fit,
         })
     }

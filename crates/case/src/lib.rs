@@ -4,7 +4,9 @@ mod bearing;
 mod error;
 mod history;
 mod locate;
+mod mounting;
 mod operation;
+mod optional;
 mod outline;
 mod quantity;
 mod schema;
@@ -18,10 +20,13 @@ mod validate_transient;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
+mod tests_mounting;
+#[cfg(test)]
 mod tests_transient;
 
 pub use error::CaseError;
 pub use locate::{locate, set_value, values};
+pub use mounting::Growths;
 pub use quantity::{Quantity, quantities};
 pub use schema::*;
 pub use transient::*;

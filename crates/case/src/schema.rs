@@ -3,6 +3,12 @@
 //! Every dimensional value carries its unit in the text (`mm(30.16)`, `rpm(14000)`); the deserialisers of
 //! [`super::units`] turn it into the SI number held here.
 
+mod mounting;
+mod rating;
+
+pub use mounting::*;
+pub use rating::*;
+
 use super::transient::{BareSpec, DefectSpec, GuidanceSpec, RecordingSpec, SupportsSpec, TransientSpec};
 use super::units;
 use serde::{Deserialize, Serialize};
@@ -31,6 +37,12 @@ pub struct Case {
     pub cage: CageSpec,
     /// Archard constants of the three sliding pairs.
     pub wear: WearSpec,
+    /// Fits and temperatures of the rings; without it the bearing runs as it is drawn.
+    #[serde(default)]
+    pub mounting: Option<MountingSpec>,
+    /// Catalogue numbers for the rating life.
+    #[serde(default)]
+    pub rating: Option<RatingSpec>,
     /// What each degree of freedom of the inner ring carries, or where it is held.
     pub ring: RingSpec,
     /// Rotational speeds of the rings.
@@ -73,6 +85,12 @@ pub struct GeometrySpec {
     pub outer_groove: Groove,
     /// Contact angle or radial clearance, one gives the other.
     pub fit: Fit,
+    /// Edge of the inner groove on the side on which the balls bear.
+    #[serde(default)]
+    pub inner_shoulder: Option<Shoulder>,
+    /// Edge of the outer groove there.
+    #[serde(default)]
+    pub outer_shoulder: Option<Shoulder>,
 }
 
 /// The transverse radius of a raceway groove.
