@@ -10,6 +10,7 @@ mod ci;
 mod error;
 mod figures;
 mod page;
+mod python;
 mod sensitivity;
 mod terminal;
 mod validate;

@@ -2,9 +2,9 @@
 
 mod bearing;
 mod error;
-mod history;
 mod locate;
 mod mounting;
+mod needs;
 mod operation;
 mod optional;
 mod outline;
@@ -12,7 +12,6 @@ mod quantity;
 mod schema;
 mod sources;
 mod tokens;
-mod transient;
 mod units;
 mod validate;
 mod validate_transient;
@@ -22,14 +21,17 @@ mod tests;
 #[cfg(test)]
 mod tests_mounting;
 #[cfg(test)]
+mod tests_needs;
+#[cfg(test)]
 mod tests_transient;
 
 pub use error::CaseError;
 pub use locate::{locate, set_value, values};
 pub use mounting::Growths;
+pub use needs::{Lacking, Purpose};
+pub use operation::InputError;
 pub use quantity::{Quantity, quantities};
 pub use schema::*;
-pub use transient::*;
 
 use outline::{Outline, Path};
 use ron::extensions::Extensions;
