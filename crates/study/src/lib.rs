@@ -6,6 +6,7 @@ pub mod evaluation;
 mod files;
 mod life;
 pub mod plausibility;
+pub mod rating;
 pub mod run;
 pub mod sweep;
 

@@ -3,11 +3,23 @@
 //! A validated case may still say that steel has 208 MPa. What lies outside its usual range is named with value, range and
 //! source of the range, and where another unit or a decimal point would bring it back, that is said too. Nothing is refused.
 
+mod findings;
 mod ranges;
 
+pub use findings::{case_findings, solution_findings};
 pub use ranges::{USUAL_RANGES, UsualRange, usual_range};
 
+use crate::CaseFile;
+use tribodyn_bearing::Bearing;
 use tribodyn_case::{Quantity, quantities};
+use tribodyn_quasistatic::Solution;
+
+/// All that is unusual about the values of a case.
+pub fn of_case(file: &CaseFile, bearing: &Bearing) -> Vec<String> {
+    let mut found = unusual_values(&file.text);
+    found.extend(case_findings(&file.case, bearing));
+    found
+}
 
 /// Sentences on single values of a case's text outside their usual ranges.
 pub fn unusual_values(text: &str) -> Vec<String> {
