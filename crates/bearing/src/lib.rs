@@ -10,7 +10,9 @@ mod interaction;
 mod modelling;
 mod normal;
 mod operation;
+pub mod quantities;
 mod races;
+mod result;
 mod run_inputs;
 mod state;
 #[cfg(test)]
@@ -28,6 +30,9 @@ pub use modelling::{Modelling, RaceControl, RingCentre};
 pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
 pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};
 pub use races::{Races, Side};
+pub use result::{
+    BallMotionResult, BallPlace, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, TransientContact,
+};
 pub use run_inputs::{CoatingState, GuidingLand, MovingCage, RunInputs, RunOptions, Scheme, Start, Support, Supports};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};

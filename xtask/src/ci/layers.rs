@@ -42,7 +42,7 @@ const LAYERS: [(&str, &[&str]); 15] = [
         "tribodyn-record",
         &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"],
     ),
-    ("tribodyn-plot", &["tribodyn-quasistatic"]),
+    ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
     // Procedures as a library: all physics, and recordings.
     (
         "tribodyn-study",
