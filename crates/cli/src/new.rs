@@ -103,12 +103,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     table::print_line(&format!("{assumed} assumptions are in its sources, each with its reason: replace what you know"))
 }
 
-fn number_option(
-    option: &'static str,
-    value: f64,
-    allowed: impl Fn(f64) -> bool,
-    rule: &str,
-) -> Result<(), Failure> {
+fn number_option(option: &'static str, value: f64, allowed: impl Fn(f64) -> bool, rule: &str) -> Result<(), Failure> {
     if value.is_finite() && allowed(value) {
         return Ok(());
     }
@@ -123,8 +118,8 @@ fn listed(designation: &str, angle: Option<f64>) -> Result<NewCase, Failure> {
 }
 
 fn by_dimensions(arguments: &Arguments) -> Result<NewCase, Failure> {
-    let [bore, outside, width] = [arguments.bore, arguments.outside, arguments.width]
-        .map(|value| value.unwrap_or_default() * 1e-3);
+    let [bore, outside, width] =
+        [arguments.bore, arguments.outside, arguments.width].map(|value| value.unwrap_or_default() * 1e-3);
     let contact_angle = match (arguments.bearing, arguments.angle) {
         (Some(Class::Angular), None) => {
             let message = "an angular-contact bearing needs its contact angle: add --angle".to_owned();

@@ -68,7 +68,8 @@ fn run_examples(name: &str, text: &str, folder: &Path) -> usize {
 fn regress_examples_of_the_documents() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut examples = 0;
-    for name in ["README.md", "docs/case-file.md", "docs/sweep.md", "docs/running.md", "docs/life.md", "docs/rating.md"] {
+    for name in ["README.md", "docs/case-file.md", "docs/sweep.md", "docs/running.md", "docs/life.md", "docs/rating.md"]
+    {
         let text = std::fs::read_to_string(root.join(name)).unwrap();
         examples += run_examples(name, &text, &root);
     }

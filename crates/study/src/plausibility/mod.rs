@@ -12,7 +12,6 @@ pub use ranges::{USUAL_RANGES, UsualRange, usual_range};
 use crate::CaseFile;
 use tribodyn_bearing::Bearing;
 use tribodyn_case::{Quantity, quantities};
-use tribodyn_quasistatic::Solution;
 
 /// All that is unusual about the values of a case.
 pub fn of_case(file: &CaseFile, bearing: &Bearing) -> Vec<String> {
