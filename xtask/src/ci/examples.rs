@@ -44,6 +44,8 @@ const EXAMPLES: [Example; 5] = [
         expected: 607.8,
         tolerance: 0.6,
     },
+    // Our own: nothing is published of this bearing.
+    Example { package: "tribodyn-dynamics", name: "without_case", label: "cage", expected: 616.9, tolerance: 0.06 },
 ];
 
 pub fn check() -> Result<Outcome, Failure> {
