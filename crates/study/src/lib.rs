@@ -5,6 +5,8 @@ mod error;
 pub mod evaluation;
 mod files;
 mod life;
+pub mod plausibility;
+pub mod rating;
 pub mod run;
 pub mod survey;
 pub mod sweep;
