@@ -26,6 +26,6 @@ mod fast_test;
 
 pub use error::DynamicsError;
 pub use observer::{Event, EventKind, Observer};
-pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
+pub use run::{ACCELERATION_ERROR, Blame, Checkpoint, Ending, FilterBands, Run, RunError, Statistics, StepBound};
 pub use sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
 pub use stiffness::Stiffness;
