@@ -31,7 +31,7 @@ mod write;
 pub use error::RecordError;
 pub use layout::{Layout, LayoutKind};
 #[cfg(feature = "live")]
-pub use live::{LIVE_ADDRESS, LiveServer, LiveSummary, LiveWarning};
+pub use live::{LIVE_ADDRESS, LiveName, LiveServer, LiveSummary, LiveWarning};
 pub use output::Channel;
 pub use read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
 pub use recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};
