@@ -8,6 +8,7 @@ mod bench;
 mod built;
 mod ci;
 mod error;
+mod faults;
 mod figures;
 mod page;
 mod sensitivity;
@@ -38,6 +39,8 @@ enum Command {
     Bench(bench::Arguments),
     /// Open a report in headless Chromium and look for what is wrong
     Page(page::Arguments),
+    /// Try kills, full disks, two at once, damaged files, hostile viewers on the built command
+    Faults(faults::Arguments),
     /// Run everything that continuous integration runs
     Ci,
 }
@@ -50,6 +53,7 @@ fn main() -> ExitCode {
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Faults(arguments) => faults::run(&arguments),
         Command::Ci => ci::run(),
     };
     match done {

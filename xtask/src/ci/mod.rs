@@ -8,6 +8,7 @@ mod licences;
 mod metadata;
 mod node;
 mod recording;
+mod supply;
 
 use crate::built::cargo_program;
 use crate::error::Failure;
@@ -27,7 +28,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 13] = [
+const STEPS: [Step; 14] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -36,6 +37,7 @@ const STEPS: [Step; 13] = [
     ("layers", layers::check),
     ("hygiene", hygiene::check),
     ("licences", licences::check),
+    ("supply chain", supply::check),
     ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
     ("figures", figures::check),
     ("recording read by Python", || recording::check(&recordings())),
