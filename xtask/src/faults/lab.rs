@@ -28,9 +28,9 @@ pub struct Plan {
 
 /// Runs of some seconds of wall time, one for each scheme.
 pub const PLANS: [Plan; 3] = [
-    Plan { name: "rk4", scheme: "RungeKutta4(step: us(10))", duration_s: 0.2 },
-    Plan { name: "dp54", scheme: "DormandPrince(tolerance: 1e-5, longest: us(10))", duration_s: 0.15 },
-    Plan { name: "fast", scheme: "Fast(step: us(5))", duration_s: 0.4 },
+    Plan { name: "rk4", scheme: "RungeKutta4(step: us(10))", duration_s: 0.12 },
+    Plan { name: "dp54", scheme: "DormandPrince(tolerance: 1e-5, longest: us(10))", duration_s: 0.08 },
+    Plan { name: "fast", scheme: "Fast(step: us(5))", duration_s: 0.3 },
 ];
 
 /// A run that is short enough to be damaged hundreds of times.

@@ -22,7 +22,7 @@ fn bound(error: &RunError<Infallible>) -> Option<(f64, StepBound)> {
 fn limit_a_step_far_too_long_ends_with_the_stable_one_named() {
     let case = case(&[("transient.scheme", "RungeKutta4(step: us(90))"), ("transient.duration", "s(0.5)")]);
     let mut keep = Keep::default();
-    let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
+    let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
     let limit_s = bound(&error).unwrap().1.limit_s;
     assert!(limit_s > 1e-8 && limit_s < 5e-5, "{limit_s}");
     assert!(!keep.samples.is_empty());
@@ -45,16 +45,17 @@ fn paper_step_is_beyond_the_bound_without_differential_slip() {
 }
 
 #[test]
-fn limit_a_case_without_supports_is_refused_by_name() {
-    let text = include_str!("../../../../fixtures/cases/paper-handset.ron");
-    let case = tribodyn_case::Case::from_ron(text).unwrap();
-    assert!(matches!(Run::new(&case).map(drop), Err(DynamicsError::Missing { .. })));
+fn limit_an_outer_ring_that_nothing_holds_is_refused() {
+    let mut inputs = case(&[]).run_inputs().unwrap();
+    inputs.supports.outer.stiffness[1] = 0.0;
+    let path = "supports.outer.stiffness";
+    assert_eq!(Run::new(inputs).map(drop), Err(DynamicsError::Unsupported { path }));
 }
 
 #[test]
 fn limit_an_observer_can_break_off() {
     let case = case(&[("transient.duration", "s(0.01)")]);
-    let mut run = Run::new(&case).unwrap();
+    let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
     let mut keep = Keep { stop_after: 5, ..Default::default() };
     assert_eq!(run.advance(f64::INFINITY, &mut keep).unwrap(), Ending::Stopped);
     assert_eq!(keep.samples.len(), 5);
@@ -63,8 +64,8 @@ fn limit_an_observer_can_break_off() {
 
 #[test]
 fn limit_a_checkpoint_of_another_bearing_is_refused() {
-    let mut run = Run::new(&case(&[])).unwrap();
-    let other = Run::new(&case(&[("geometry.ball_count", "12")])).unwrap();
+    let mut run = Run::new(case(&[]).run_inputs().unwrap()).unwrap();
+    let other = Run::new(case(&[("geometry.ball_count", "12")]).run_inputs().unwrap()).unwrap();
     let refused = run.resume(other.checkpoint());
     assert!(matches!(refused, Err(DynamicsError::Checkpoint { found, expected }) if expected - found == 9));
 }
@@ -79,7 +80,7 @@ fn limit_a_ball_thrown_out_is_named() {
         ("ring.x", "ForceTable([(s(0), kN(22.98)), (s(0.001), kN(60))])"),
     ]);
     let mut keep = Keep::default();
-    let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
+    let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
     // No shorter step would hold it, and none is named.
     assert_eq!(bound(&error), None, "{error}");
     assert!(error.to_string().contains("supports too soft"), "{error}");
@@ -98,7 +99,7 @@ fn limit_numbers_that_are_none_end_a_run_with_time_and_step() {
         ("recording.state_rate", "kHz(1)"),
         ("recording.ball_rate", "kHz(1)"),
     ]);
-    let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut Keep::default()).unwrap_err();
+    let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut Keep::default()).unwrap_err();
     let RunError::Dynamics(DynamicsError::NotFinite { blame: Blame::Step { step_s, bound }, .. }) = &error else {
         panic!("{error}")
     };
@@ -118,7 +119,7 @@ fn limit_a_bound_that_is_named_is_below_the_step_that_was_used() {
     ] {
         let case = case(&[change, ("transient.scheme", scheme), ("transient.duration", "s(0.02)")]);
         let mut keep = Keep::default();
-        let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
+        let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
         let (step_s, bound) = bound(&error).unwrap_or_else(|| panic!("{scheme}: {error}"));
         assert!(bound.limit_s < step_s && bound.motion.starts_with(motion), "{scheme}: {error}");
     }
@@ -154,10 +155,10 @@ fn identity_a_run_taken_up_after_any_step_makes_the_samples_of_one_that_went_on(
         let case = case(&[("transient.scheme", scheme), ("transient.duration", "s(0.001)")]);
         let whole = run(&case).1;
         let mut pauses = Pauses::default();
-        let mut run = Run::new(&case).unwrap();
+        let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
         while run.advance(f64::INFINITY, &mut pauses).unwrap() == Ending::Stopped {
             let saved = serde_json::to_string(&run.checkpoint()).unwrap();
-            run = Run::new(&case).unwrap();
+            run = Run::new(case.run_inputs().unwrap()).unwrap();
             run.resume(serde_json::from_str(&saved).unwrap()).unwrap();
         }
         assert!(pauses.steps > 100, "{} steps", pauses.steps);

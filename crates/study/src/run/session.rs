@@ -69,7 +69,8 @@ impl<'a> PreparedRun<'a> {
         let files = Files::new(recording);
         let saved = earlier(beginning, &files, &file.text)?;
         let cannot_start = |source| StudyError::CannotStart { file: file.name.clone(), source };
-        Ok(Self { file, run: Run::new(&file.case).map_err(cannot_start)?, files, saved, lock })
+        let run = Run::new(file.run_inputs()?).map_err(cannot_start)?;
+        Ok(Self { file, run, files, saved, lock })
     }
 
     /// Opens the recording; `viewers` get all of it as it is written.
