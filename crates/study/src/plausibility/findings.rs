@@ -191,7 +191,7 @@ fn spinning(bearing: &Bearing, solution: &Solution, side: Side, race: &str) -> O
 fn pocket(solution: &Solution) -> Option<String> {
     let [x, y, z] = solution.ring_load_n;
     let load = x.hypot(y).hypot(z);
-    let (ball, force) = largest(solution, |ball| Some(ball.pocket.force_n.abs()))?;
+    let (ball, force) = largest(solution, |ball| ball.pocket.map(|pocket| pocket.force_n.abs()))?;
     (force > load && load > 0.0).then(|| {
         format!(
             "pocket force of {} N, {}, above the bearing's load of {} N: the quasi-static model takes pockets to follow from free orbits, which idle balls do not have; a transient run tells",
