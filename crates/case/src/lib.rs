@@ -14,6 +14,7 @@ mod sources;
 mod tokens;
 mod units;
 mod validate;
+mod validate_bounds;
 mod validate_transient;
 
 #[cfg(test)]

@@ -63,7 +63,8 @@ pub(super) fn validate(case: &Case) -> Verdict {
     }
     super::validate_transient::validate(case)?;
     super::mounting::validate(case)?;
-    numerics(&case.numerics)
+    numerics(&case.numerics)?;
+    super::validate_bounds::validate(case)
 }
 
 pub(super) fn require(allowed: bool, path: &str, message: impl Into<String>) -> Verdict {

@@ -104,7 +104,6 @@ fn study_exit_code(error: &StudyError) -> u8 {
         StudyError::Solver { source: QuasiStaticError::NotConverged { .. }, .. }
         | StudyError::Write { .. }
         | StudyError::RefusalLost { .. }
-        | StudyError::Busy { .. }
         | StudyError::SweepStopped { .. }
         | StudyError::NoCheckpoint { .. }
         | StudyError::Incomplete { .. }

@@ -1,5 +1,6 @@
 //! Why a procedure does not start, or ends before its time.
 
+use crate::lock::Holder;
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};
@@ -105,10 +106,18 @@ pub enum StudyError {
         /// First difference from this sweep.
         difference: SweepDifference,
     },
-    /// Two sweeps with one table.
-    #[error("{}: another sweep is writing there", path.display())]
+    /// Two processes with one output.
+    #[error("{}: another process is writing it{}", output.display(), .holder.as_ref().map_or(String::new(), |holder| format!(", {holder}")))]
     Busy {
-        /// File of finished rows.
+        /// The recording or table.
+        output: PathBuf,
+        /// Who writes it, where that is known.
+        holder: Option<Holder>,
+    },
+    /// A file where a lock should be.
+    #[error("{} is no lock of this program: move it away, or choose another output", path.display())]
+    NoLock {
+        /// The file.
         path: PathBuf,
     },
     /// A sweep that its caller stopped; what is finished is kept.
