@@ -95,7 +95,7 @@ pub fn solution_findings(case: &Case, bearing: &Bearing, solution: &Solution) ->
 }
 
 /// The ball with the largest value of something, and that value, where it is a number.
-fn largest<'s>(solution: &'s Solution, of: impl Fn(&BallResult) -> Option<f64>) -> Option<(&'s BallResult, f64)> {
+fn largest(solution: &Solution, of: impl Fn(&BallResult) -> Option<f64>) -> Option<(&BallResult, f64)> {
     let known = solution.balls.iter().filter_map(|ball| of(ball).filter(|value| value.is_finite()).map(|v| (ball, v)));
     known.max_by(|a, b| a.1.total_cmp(&b.1))
 }
@@ -191,7 +191,7 @@ fn spinning(bearing: &Bearing, solution: &Solution, side: Side, race: &str) -> O
 fn pocket(solution: &Solution) -> Option<String> {
     let [x, y, z] = solution.ring_load_n;
     let load = x.hypot(y).hypot(z);
-    let (ball, force) = largest(solution, |ball| ball.pocket.as_ref().map(|pocket| pocket.force_n.abs()))?;
+    let (ball, force) = largest(solution, |ball| ball.pocket.map(|pocket| pocket.force_n.abs()))?;
     (force > load && load > 0.0).then(|| {
         format!(
             "pocket force of {} N, {}, above the bearing's load of {} N: the quasi-static model takes pockets to follow from free orbits, which idle balls do not have; a transient run tells",
