@@ -1,22 +1,28 @@
 #![doc = include_str!("../README.md")]
 
 mod bearing;
+mod cage;
 mod frame;
 mod geometry;
 mod interaction;
+mod motion;
 mod normal;
 mod operation;
+mod pocket;
 mod races;
 mod state;
 #[cfg(test)]
 mod test_bearing;
 
 pub use bearing::{Bearing, BearingSpec, FluidForces, Race};
+pub use cage::{CageBody, Guidance};
 pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
 pub use interaction::{ContactForces, Sliding};
+pub use motion::BallFriction;
 pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
 pub use operation::{Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
+pub use pocket::{Pocket, PocketLoad, PocketMotion};
 pub use races::{Races, Side};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
 pub use tribodyn_contact::{Ellipse, Scalar};

@@ -3,8 +3,7 @@
 use crate::error::DynamicsError;
 use crate::forces::Watch;
 use crate::layout::Layout;
-use crate::pocket::Pocket;
-use tribodyn_bearing::{Bearing, LoadedPatch, Races, RingOffset, Side};
+use tribodyn_bearing::{Bearing, CageBody, Guidance, LoadedPatch, Pocket, RingOffset, Side};
 use tribodyn_case::{Case, CoatingSpec, GuidanceSpec, SpeedHistory, SupportSpec, Tilt, Translation};
 use tribodyn_fluid::AnnulusDrag;
 use tribodyn_traction::{
@@ -101,36 +100,6 @@ pub(crate) struct Support<const N: usize> {
     pub reference: [f64; N],
     /// Whether the ring moves along the axis.
     pub free: [bool; N],
-}
-
-/// The cage.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct CageBody {
-    pub pocket: Pocket,
-    /// About the bearing's axis, kg m².
-    pub inertia: f64,
-    /// Constant torque against the rotation, N m.
-    pub drag_torque: f64,
-    pub guidance: Option<Guidance>,
-}
-
-/// The land that guides the cage.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Guidance {
-    pub land: AnnulusDrag,
-    /// The ring with the land.
-    pub side: Side,
-}
-
-/// Cage speed below which a constant drag torque falls off in proportion, rad/s, so that it does not start a cage at rest.
-const STANDSTILL: f64 = 1.0;
-
-impl CageBody {
-    /// Torques of guidance and drag on the cage, N m. The ring with the land carries the reaction of the first.
-    pub fn fluid_torques(&self, speed: f64, rings: Races<f64>) -> [f64; 2] {
-        let guidance = self.guidance.map_or(0.0, |g| g.land.torque_on_cage(rings[g.side], speed));
-        [guidance, -self.drag_torque * speed / speed.hypot(STANDSTILL)]
-    }
 }
 
 impl<const N: usize> Support<N> {

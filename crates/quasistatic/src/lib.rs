@@ -25,6 +25,6 @@ pub use block::SolverStatistics;
 pub use problem::{Place, QuasiStaticError};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{BallSolution, Model, Solution};
-pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
+pub use solve::{BallMotion, RollingStart, Solved, WarmStart, rolling_start, solve, solve_from};
 pub use tribodyn_bearing::{Bearing, Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
 pub use tribodyn_traction::PatchRule;

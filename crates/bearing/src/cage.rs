@@ -1,0 +1,39 @@
+//! The cage as a body: its pockets, and what drives and brakes it.
+
+use crate::pocket::{Pocket, hypot};
+use crate::races::{Races, Side};
+use tribodyn_contact::Scalar;
+use tribodyn_fluid::AnnulusDrag;
+
+/// A cage that turns about the bearing's axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CageBody {
+    /// Its pockets.
+    pub pocket: Pocket,
+    /// Moment of inertia about the bearing's axis, kg m².
+    pub inertia: f64,
+    /// Constant torque against the rotation, N m.
+    pub drag_torque: f64,
+    /// The land that guides it; none where the balls alone do.
+    pub guidance: Option<Guidance>,
+}
+
+/// The land that guides a cage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Guidance {
+    /// The fluid film.
+    pub land: AnnulusDrag,
+    /// The ring with the land.
+    pub side: Side,
+}
+
+/// Cage speed below which a constant drag torque falls off in proportion, rad/s, so that it does not start a cage at rest.
+const STANDSTILL: f64 = 1.0;
+
+impl CageBody {
+    /// Torques of guidance and drag on the cage, N m. The ring with the land carries the reaction of the first.
+    pub fn fluid_torques<D: Scalar>(&self, speed: D, rings: Races<D>) -> [D; 2] {
+        let guidance = self.guidance.map_or(D::zero(), |g| g.land.torque_on_cage(rings[g.side], speed));
+        [guidance, speed * -self.drag_torque / hypot(speed, D::from(STANDSTILL))]
+    }
+}

@@ -1,0 +1,5 @@
+//! Tests of the steady orbit.
+
+mod support;
+
+mod limits;
