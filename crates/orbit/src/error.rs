@@ -29,6 +29,9 @@ pub enum OrbitError {
     /// The linearised equations have no solution.
     #[error("the linearised equations of the orbit are singular")]
     Singular,
+    /// The eigenvalues of the linearised motion were not found.
+    #[error("the eigenvalues of the linearised motion did not converge")]
+    Eigenvalues,
     /// The start.
     #[error(transparent)]
     Start(#[from] QuasiStaticError),

@@ -1,13 +1,15 @@
 //! From a bearing at an operating point to its steady orbit.
 
 use crate::collocation::{Orbit, Radau};
+use crate::modes::{Bodies, Mode, modes};
 use crate::newton::{Newton, OrbitStatistics};
 use crate::residual::{Residual, Scales};
 use crate::solution::{SteadyOrbit, solution};
+use crate::stiffness::stiffness;
 use crate::system::{BALL, OrbitSystem};
 use crate::{OrbitError, mesh, start, statics};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingOffset};
-use tribodyn_quasistatic::rolling_start;
+use tribodyn_quasistatic::{StiffnessMatrix, rolling_start};
 use tribodyn_traction::{FastPatch, PatchRule};
 
 /// Stiffness that centres a ball in its pocket over that of the pocket: settles where a cage hangs that no ball touches.
@@ -153,6 +155,48 @@ pub fn steady_orbit_from(
         return finish(&newton, orbit, &residual, (point, near.rule, near.rule_error));
     }
     steady_orbit(bearing, point, cage, settings)
+}
+
+/// The solver at a solution.
+fn at<'a>(
+    bearing: &'a Bearing,
+    (point, cage): (&OperatingPoint, &CageBody),
+    settings: &OrbitSettings,
+    solved: &OrbitStart,
+) -> Result<Newton<'a>, OrbitError> {
+    let system = system(bearing, (point, cage), (solved.rule, solved.orbit.cage_speed), settings)?;
+    Ok(Newton::new(system, solved.scales))
+}
+
+/// Stiffness of the inner ring on its steady orbit: mean forces (N) and moments (N m) against displacements x, y, z (m) and tilts
+/// (rad), by row; balls and cage condensed.
+///
+/// # Errors
+/// [`OrbitError::Singular`] where a displacement of the ring meets no resistance.
+pub fn orbit_stiffness(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    cage: &CageBody,
+    settings: &OrbitSettings,
+    solved: &OrbitStart,
+) -> Result<StiffnessMatrix, OrbitError> {
+    let bearing = &prepared(bearing, settings);
+    stiffness(&mut at(bearing, (point, cage), settings, solved)?, &solved.orbit)
+}
+
+/// Natural modes of balls, cage and rings in their steady orbit, at the instant when pocket 0 stands at azimuth 0.
+///
+/// # Errors
+/// [`OrbitError::Eigenvalues`].
+pub fn orbit_modes(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    bodies: &Bodies,
+    settings: &OrbitSettings,
+    solved: &OrbitStart,
+) -> Result<Vec<Mode>, OrbitError> {
+    let bearing = &prepared(bearing, settings);
+    modes(&at(bearing, (point, &bodies.cage), settings, solved)?, &solved.orbit, bodies)
 }
 
 /// Cage speed and ring nearly right, the balls sent round with them by Euler's implicit method.

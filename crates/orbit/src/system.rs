@@ -9,7 +9,7 @@ use tribodyn_traction::{FastPatch, PatchTraction};
 
 /// Freedoms of the inner ring.
 pub(crate) const RING: usize = 5;
-/// Unknowns of a ball: position X1, X2 (m), lead over its pocket (rad), axial and radial velocity (m/s), orbital speed and
+/// Unknowns of a ball: position X1, X2 against the unmoved outer groove centre (m), lead over its pocket (rad), axial and radial velocity (m/s), orbital speed and
 /// absolute spin (axial, radial, tangential) (rad/s).
 pub(crate) const BALL: usize = 9;
 pub(crate) const LEAD: usize = 2;
@@ -42,6 +42,8 @@ pub(crate) struct Evaluation<D = f64> {
     pub rate: [D; BALL],
     /// Forces (x, y, z) and moments (about x, y) of the inner ring on the ball.
     pub ring: [D; RING],
+    /// Forces (x, y) of the outer ring on the ball.
+    pub outer: [D; 2],
     /// Torque of the inner ring on the ball about the ring's axis, N m.
     pub torque: D,
     /// Torque of the ball on the cage, N m.
@@ -77,9 +79,11 @@ impl OrbitSystem<'_> {
         let &[x1, x2, lead, v_a, v_r, orbit, spin @ ..] = unknowns;
         let (bearing, pocket) = (self.bearing, &self.cage.pocket);
         let (sin, cos) = (pocket_azimuth + lead).sin_cos();
+        let frame = AzimuthFrame { sin, cos };
+        let outer = frame.from_inertial(rings.outer.displacement);
         let state = BallState {
-            frame: AzimuthFrame { sin, cos },
-            position: [x1 - rings.outer.displacement[2], x2],
+            frame,
+            position: [x1 - outer[0], x2 - outer[1]],
             velocity: [v_a, v_r],
             orbital_speed: orbit,
             spin,
@@ -98,12 +102,15 @@ impl OrbitSystem<'_> {
         let centring = lead * (self.centring * pocket.radius * pocket.radius);
         let orbital = c + f[2] - v_r * orbit * 2.0 / r - centring / (r * r * bearing.ball_mass);
         let [x, y, z, mx, my, torque] = bearing.ring_action(&state, &loads, &rings.inner);
+        let reaction = bearing.reaction(Side::Outer, &loads.contacts.outer);
+        let [outer_x, outer_y, _] = frame.to_inertial(reaction);
         Evaluation {
             state,
             loads,
             friction,
             rate: [v_a, v_r, rate, a + f[0], b + f[1], orbital, f[3], f[4], f[5]],
             ring: [x, y, z, mx, my],
+            outer: [outer_x, outer_y],
             torque,
             cage_torque: on_ball.cage_torque + centring,
         }

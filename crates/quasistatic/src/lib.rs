@@ -13,6 +13,7 @@ mod secant;
 mod settle;
 mod solution;
 mod solve;
+mod stiffness;
 mod with_traction;
 
 #[cfg(test)]
@@ -26,5 +27,6 @@ pub use problem::{Place, QuasiStaticError};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{BallSolution, Model, Solution};
 pub use solve::{BallMotion, RollingStart, Solved, WarmStart, rolling_start, solve, solve_from};
+pub use stiffness::{StiffnessMatrix, jones_harris_stiffness, traction_stiffness};
 pub use tribodyn_bearing::{Bearing, Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
 pub use tribodyn_traction::PatchRule;

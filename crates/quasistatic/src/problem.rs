@@ -47,6 +47,12 @@ pub enum QuasiStaticError {
         /// The tolerance asked for.
         tolerance: f64,
     },
+    /// A ball whose balances have no unique solution.
+    #[error("ball {ball} has no unique answer to a displacement of the ring")]
+    Singular {
+        /// Its index.
+        ball: usize,
+    },
     /// Patch quadrature.
     #[error(transparent)]
     Traction(#[from] TractionError),

@@ -377,3 +377,22 @@ pub fn rolling_start(bearing: &Bearing, point: &OperatingPoint) -> Result<Rollin
     let warm = WarmStart { state, rule, speeds: system.speeds };
     Ok(RollingStart { balls: warm.balls().collect(), inner_loads, ring: warm.ring(), rule, rule_error, residual })
 }
+
+/// The Jones–Harris equations with their solution.
+pub(crate) fn rolling_system<'a>(
+    bearing: &'a Bearing,
+    point: &OperatingPoint,
+) -> Result<(JonesHarris<'a>, BlockState), QuasiStaticError> {
+    let Rolling { system, solved, .. } = rolling_state(bearing, point);
+    Ok((system, solved?.state))
+}
+
+/// The equations with traction of a solution.
+pub(crate) fn traction_of<'a>(
+    bearing: &'a Bearing,
+    point: &OperatingPoint,
+    at: &WarmStart,
+) -> Result<WithTraction<'a>, QuasiStaticError> {
+    let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
+    traction_system(bearing, point, Typical::new(bearing, &point.ring, speeds), at.rule)
+}
