@@ -44,6 +44,9 @@ pub struct SteadyOrbit {
     pub patch_error_estimate: f64,
     /// Intervals of the mesh.
     pub intervals: usize,
+    /// Estimated relative error of the cage speed by the mesh, where the orbit is of first order only: balls that lose their contacts
+    /// and meet their pockets abruptly leave no other; absent where three points an interval make it negligible.
+    pub cage_speed_error: Option<f64>,
     /// A ball round its orbit, by azimuth.
     pub points: Vec<OrbitPoint>,
 }
@@ -130,7 +133,11 @@ pub(crate) fn point(azimuth: f64, y: &[f64; BALL], e: &Evaluation) -> OrbitPoint
 }
 
 /// The solution of a converged orbit.
-pub(crate) fn solution(newton: &Newton<'_>, orbit: &Orbit, residual: f64, rule_error: f64) -> SteadyOrbit {
+pub(crate) fn solution(
+    newton: &Newton<'_>,
+    orbit: &Orbit,
+    (residual, rule_error, cage_speed_error): (f64, f64, Option<f64>),
+) -> SteadyOrbit {
     let (system, radau) = (&newton.system, &newton.radau);
     let balls = system.bearing.geometry.ball_count as f64;
     let mut means = Means::default();
@@ -167,6 +174,7 @@ pub(crate) fn solution(newton: &Newton<'_>, orbit: &Orbit, residual: f64, rule_e
         residual,
         patch_error_estimate: rule_error,
         intervals: orbit.intervals(),
+        cage_speed_error,
         points,
     }
 }

@@ -20,13 +20,20 @@ const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
 const ROUNDS: usize = 25;
 /// Border residual, over its scales, at which the neighbourhood is found.
 const FOUND: f64 = 3e-2;
+/// The same where Newton's method on all unknowns takes over from that on cage and ring.
+const CLOSE: f64 = 1e-4;
+/// Change over the scales at which an interval is solved while the neighbourhood is looked for, and when it is found.
+const ROUGHLY: f64 = 1e-4;
+const CLOSELY: f64 = 1e-8;
 /// Change of cage speed in one round, relative; of the ring, over its scale.
 const SPEED_CHANGE: f64 = 0.02;
 const RING_CHANGE: f64 = 5.0;
 /// Jacobians of a first and of any other attempt on a mesh.
 const PATIENCE: usize = 14;
-/// Attempts, each on a mesh half as fine again.
-const ATTEMPTS: usize = 4;
+/// Turns in which the balls settle.
+const TURNS: usize = 5;
+/// Meshes on which the orbit of first order is solved where three points an interval fail.
+const FIRST_ORDER: [usize; 3] = [144, 288, 576];
 
 /// Settings of the solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,6 +62,7 @@ pub struct OrbitStart {
     orbit: Orbit,
     rule: PatchRule,
     rule_error: f64,
+    speed_error: Option<f64>,
     scales: Scales,
     speeds: Races<f64>,
 }
@@ -122,8 +130,8 @@ pub fn steady_orbit(
     let sent = start::sent_round(&newton.system, &newton.scales, &rolling, speed);
     let near = neighbourhood(&mut newton, sent)?;
     newton.system.kernel = fine;
-    let (orbit, residual) = collocated(&mut newton, &near, settings)?;
-    finish(&newton, orbit, &residual, (point, rolling.rule, rolling.rule_error))
+    let found = collocated(&mut newton, &near, settings)?;
+    finish(&newton, found, (point, rolling.rule, rolling.rule_error))
 }
 
 /// Solves from the orbit of a neighbouring problem, on its mesh and with its patch rule; from a cold start where that fails.
@@ -150,9 +158,13 @@ pub fn steady_orbit_from(
     }
     let system = system(&warm, (point, cage), (near.rule, orbit.cage_speed), settings)?;
     let mut newton = Newton::new(system, near.scales);
+    if orbit.stages == 1 {
+        newton.radau = Radau::euler();
+    }
     let (orbit, residual) = newton.run(orbit, settings.tolerance, PATIENCE);
     if residual.worst.relative <= settings.tolerance {
-        return finish(&newton, orbit, &residual, (point, near.rule, near.rule_error));
+        let found = Found { orbit, residual, speed_error: near.speed_error };
+        return finish(&newton, found, (point, near.rule, near.rule_error));
     }
     steady_orbit(bearing, point, cage, settings)
 }
@@ -165,7 +177,11 @@ fn at<'a>(
     solved: &OrbitStart,
 ) -> Result<Newton<'a>, OrbitError> {
     let system = system(bearing, (point, cage), (solved.rule, solved.orbit.cage_speed), settings)?;
-    Ok(Newton::new(system, solved.scales))
+    let mut newton = Newton::new(system, solved.scales);
+    if solved.orbit.stages == 1 {
+        newton.radau = Radau::euler();
+    }
+    Ok(newton)
 }
 
 /// Stiffness of the inner ring on its steady orbit: mean forces (N) and moments (N m) against displacements x, y, z (m) and tilts
@@ -202,7 +218,7 @@ pub fn orbit_modes(
 /// Cage speed and ring nearly right, the balls sent round with them by Euler's implicit method.
 fn neighbourhood(newton: &mut Newton<'_>, mut orbit: Orbit) -> Result<Orbit, OrbitError> {
     for _ in 0..ROUNDS {
-        let moved = newton.sweep(&mut orbit);
+        let moved = newton.sweep(&mut orbit, ROUGHLY);
         let residual = newton.residual(&orbit);
         let off = residual.border.iter().map(|v| v * v).sum::<f64>().sqrt();
         if off < FOUND && moved < 1.0 {
@@ -218,42 +234,107 @@ fn neighbourhood(newton: &mut Newton<'_>, mut orbit: Orbit) -> Result<Orbit, Orb
     Ok(orbit)
 }
 
-/// The collocated orbit from the neighbourhood, on finer meshes where the first one is too coarse.
-fn collocated(
-    newton: &mut Newton<'_>,
-    near: &Orbit,
-    settings: &OrbitSettings,
-) -> Result<(Orbit, Residual), OrbitError> {
-    let (euler, third) = (Radau::euler(), Radau::third());
-    let mut intervals = settings.intervals;
+/// Newton's method on cage speed and ring alone, the balls sent round to their periodic motion after each step. Slower than that on
+/// all unknowns, but no ball is asked to follow a slope over a contact that it loses.
+fn reduced(newton: &mut Newton<'_>, mut orbit: Orbit) -> Result<Orbit, OrbitError> {
+    let settle = |newton: &mut Newton<'_>, orbit: &mut Orbit| {
+        for _ in 0..TURNS {
+            let moved = newton.sweep(orbit, CLOSELY);
+            if moved < 1e-2 {
+                break;
+            }
+        }
+        let residual = newton.residual(orbit);
+        let off = residual.border.iter().map(|v| v * v).sum::<f64>().sqrt();
+        (off, residual)
+    };
+    let (mut off, mut residual) = settle(newton, &mut orbit);
+    for _ in 0..ROUNDS {
+        if off < CLOSE {
+            break;
+        }
+        let linear = newton.linearise(&orbit)?;
+        let step = newton.step(&linear, &residual);
+        let faster = (step.border[0] * newton.scales.border[0]).abs();
+        let ring = step.border[1..].iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let mut share = 1f64.min(SPEED_CHANGE * orbit.cage_speed.abs() / faster).min(RING_CHANGE / ring);
+        loop {
+            let mut trial = newton.apply(&orbit, &step, share);
+            if share < newton.longest(&step) {
+            } else {
+                trial.values.clone_from(&orbit.values);
+            }
+            let (after, r) = settle(newton, &mut trial);
+            if after < (1.0 - 0.1 * share) * off || share < 0.05 {
+                (orbit, off, residual) = (trial, after, r);
+                break;
+            }
+            share *= 0.4;
+        }
+    }
+    Ok(orbit)
+}
+
+/// The orbit from its neighbourhood: by three points an interval where Newton's method finds it from there, else from the orbit of
+/// first order on a finer mesh, else that itself.
+fn collocated(newton: &mut Newton<'_>, near: &Orbit, settings: &OrbitSettings) -> Result<Found, OrbitError> {
+    let euler = Radau::euler();
+    if let Some(found) = third_order(newton, near, settings, settings.intervals) {
+        return Ok(found);
+    }
+    let mut before = None;
+    let mut near = near.clone();
     let mut left = None;
-    for attempt in 0..ATTEMPTS {
-        let ends = mesh::graded(&newton.system, &euler, near, intervals);
-        newton.radau = third;
-        let mut orbit = near.on(&euler, ends, &third);
-        if attempt > 0 {
-            newton.sweep(&mut orbit);
-            newton.sweep(&mut orbit);
-        }
+    for refined in 0..FIRST_ORDER.len() {
+        newton.radau = euler;
+        let fine = FIRST_ORDER[refined];
+        let ends = (0..=fine).map(|j| j as f64 / fine as f64).collect();
+        let orbit = reduced(newton, near.on(&euler, ends, &euler))?;
         let (orbit, residual) = newton.run(orbit, settings.tolerance, PATIENCE);
-        if residual.worst.relative <= settings.tolerance {
-            return Ok((orbit, residual));
+        if residual.worst.relative > settings.tolerance {
+            left = Some((residual, orbit));
+            continue;
         }
-        left = Some((residual, orbit));
-        intervals += intervals / 2;
+        near = orbit;
+        if let Some(found) = third_order(newton, &near, settings, settings.intervals * (3 + refined) / 2) {
+            return Ok(found);
+        }
+        newton.radau = euler;
+        // The error of first order halves with the step.
+        let error = before.map(|speed: f64| (near.cage_speed / speed - 1.0).abs());
+        before = Some(near.cage_speed);
+        if refined + 1 == FIRST_ORDER.len() {
+            return Ok(Found { orbit: near, residual, speed_error: error });
+        }
     }
     let (residual, orbit) = left.ok_or(OrbitError::Singular)?;
     Err(OrbitError::not_converged(&newton.system, &orbit, &residual.worst, settings.tolerance))
 }
 
+/// An orbit that meets its equations.
+struct Found {
+    orbit: Orbit,
+    residual: Residual,
+    /// Of the cage, relative, where the orbit is of first order.
+    speed_error: Option<f64>,
+}
+
+fn third_order(newton: &mut Newton<'_>, near: &Orbit, settings: &OrbitSettings, intervals: usize) -> Option<Found> {
+    let (euler, third) = (Radau::euler(), Radau::third());
+    let ends = mesh::graded(&newton.system, &euler, near, intervals);
+    newton.radau = third;
+    let (orbit, residual) = newton.run(near.on(&euler, ends, &third), settings.tolerance, PATIENCE);
+    (residual.worst.relative <= settings.tolerance).then_some(Found { orbit, residual, speed_error: None })
+}
+
 fn finish(
     newton: &Newton<'_>,
-    orbit: Orbit,
-    residual: &Residual,
+    found: Found,
     (point, rule, rule_error): (&OperatingPoint, PatchRule, f64),
 ) -> Result<SolvedOrbit, OrbitError> {
-    let solution = solution(newton, &orbit, residual.worst.relative, rule_error);
+    let Found { orbit, residual, speed_error } = found;
+    let solution = solution(newton, &orbit, (residual.worst.relative, rule_error, speed_error));
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
-    let start = OrbitStart { orbit, rule, rule_error, scales: newton.scales, speeds };
+    let start = OrbitStart { orbit, rule, rule_error, speed_error, scales: newton.scales, speeds };
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
 }

@@ -52,6 +52,7 @@ pub(crate) fn at_rest(
         residual: start.residual,
         patch_error_estimate: start.rule_error,
         intervals: 0,
+        cage_speed_error: None,
         points,
     };
     SolvedOrbit { solution, statistics: OrbitStatistics::default(), start: None }

@@ -8,17 +8,17 @@ use crate::start::implicit_step;
 use crate::system::BALL;
 
 /// Newton steps of an interval.
-const ITERATIONS: usize = 8;
-/// Change over the scales at which an interval is solved.
-const SOLVED: f64 = 1e-4;
+const ITERATIONS: usize = 14;
+/// Newton steps after which they are shortened, for balances that swing to and fro.
+const STEADY: usize = 5;
 
 impl Newton<'_> {
-    /// Goes round once. Gives the largest change of an interval's end over the scales.
-    pub fn sweep(&mut self, orbit: &mut Orbit) -> f64 {
+    /// Goes round once, each interval solved to a change over the scales. Gives the largest change of an interval's end over the scales.
+    pub fn sweep(&mut self, orbit: &mut Orbit, solved: f64) -> f64 {
         let mut largest = 0f64;
         for j in 0..orbit.intervals() {
             let old = *orbit.end(j);
-            if !self.solve_interval(orbit, j) {
+            if !self.solve_interval(orbit, j, solved) {
                 self.go_on(orbit, j);
             }
             let new = orbit.end(j);
@@ -29,12 +29,12 @@ impl Newton<'_> {
         largest
     }
 
-    fn solve_interval(&mut self, orbit: &mut Orbit, j: usize) -> bool {
+    fn solve_interval(&mut self, orbit: &mut Orbit, j: usize, solved: f64) -> bool {
         let mut last = f64::INFINITY;
-        for _ in 0..ITERATIONS {
+        for iteration in 0..ITERATIONS {
             let change = self.change_of(orbit, j);
             let s = &self.scales;
-            let mut share = 1f64;
+            let mut share = if iteration < STEADY { 1f64 } else { 0.5 };
             for (n, c) in change.iter().enumerate().take(self.radau.stack()) {
                 share = share.min(s.limits[n % BALL] / (c * s.ball[n % BALL]).abs().max(1e-300));
             }
@@ -42,7 +42,7 @@ impl Newton<'_> {
                 orbit.values[j][n / BALL][n % BALL] += share * s.ball[n % BALL] * c;
             }
             let size = change.iter().map(|c| c * c).sum::<f64>().sqrt() / STACK as f64;
-            if share == 1.0 && size < SOLVED {
+            if size < solved {
                 return true;
             }
             if !size.is_finite() || size > 1e3 * last {
