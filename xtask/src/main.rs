@@ -10,6 +10,8 @@ mod ci;
 mod error;
 mod figures;
 mod page;
+mod python;
+mod quantities;
 mod sensitivity;
 mod terminal;
 mod validate;
@@ -34,6 +36,8 @@ enum Command {
     Sensitivity(sensitivity::Arguments),
     /// Draw the paper's result figures from our own runs
     Figures(figures::Arguments),
+    /// Rewrite the page of all quantities from their tables
+    Quantities,
     /// Measure kernels, transient schemes and the quasi-static solver
     Bench(bench::Arguments),
     /// Open a report in headless Chromium and look for what is wrong
@@ -48,6 +52,7 @@ fn main() -> ExitCode {
         Command::Fixtures => validate::rewrite_fixtures(),
         Command::Sensitivity(arguments) => sensitivity::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
+        Command::Quantities => quantities::write(),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
         Command::Ci => ci::run(),

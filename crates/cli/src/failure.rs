@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use tribodyn_case::CaseError;
 use tribodyn_dynamics::DynamicsError;
 use tribodyn_identify::IdentifyError;
+use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_study::{RefusedCase, StudyError, SweepDifference, with_causes};
 
@@ -100,6 +101,10 @@ impl From<StudyError> for Failure {
 fn study_exit_code(error: &StudyError) -> u8 {
     match error {
         StudyError::Solver { source: QuasiStaticError::NotConverged { .. }, .. }
+        | StudyError::Orbit {
+            source: OrbitError::NotConverged { .. } | OrbitError::Singular | OrbitError::Eigenvalues,
+            ..
+        }
         | StudyError::Write { .. }
         | StudyError::RefusalLost { .. }
         | StudyError::Busy { .. }
@@ -139,8 +144,8 @@ fn in_options(error: &StudyError) -> String {
         StudyError::OtherCase { .. } => {
             format!("{error}: give the same file and the same --set and --duration, or start anew with --restart")
         }
-        // Where a reader finds what a case for `solve` does not need.
-        StudyError::CannotStart { source: DynamicsError::Missing { .. }, .. } => {
+        // Where a reader finds what the case does not have.
+        StudyError::Lacking { .. } => {
             format!("{error}; docs/case-file.md has the fields, fixtures/cases/paper-ag-worn.ron an example of each")
         }
         StudyError::NotRecorded { active, .. } | StudyError::NoCheckpoint { active, .. } => {

@@ -1,17 +1,19 @@
-//! `tribodyn solve`: quasi-static equilibrium.
+//! `tribodyn solve`: quasi-static equilibrium, or the steady orbit.
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
+use crate::orbit::{self, Problem};
 use crate::table::{self, number};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tribodyn_quasistatic::{BallRoots, BallSolution, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
+use tribodyn_case::Purpose;
+use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
 use tribodyn_record::{SolutionRecording, write_solution};
 use tribodyn_study::StagedFiles;
 use tribodyn_study::{CaseFile, Change, StudyError};
 
-/// Solve the quasi-static equilibrium of ring and balls.
+/// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -45,6 +47,8 @@ enum ModelName {
     JonesHarris,
     /// Traction integrals of both contacts
     Traction,
+    /// The periodic motion of balls and cage that a run settles to
+    SteadyOrbit,
 }
 
 impl Arguments {
@@ -64,7 +68,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(path) = &arguments.output {
         check_output(path, &arguments.case.path, "recording")?;
     }
-    let Answer { solution, roots } = answer(arguments, &file)?;
+    let model = match arguments.model {
+        ModelName::JonesHarris => Model::JonesHarris,
+        ModelName::Traction => Model::Traction,
+        ModelName::SteadyOrbit => return orbit(arguments, &file),
+    };
+    let Answer { solution, roots } = answer(arguments, model, &file)?;
     let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &solution)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
@@ -83,16 +92,47 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     roots.as_deref().map_or(Ok(()), print_roots)
 }
 
-fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
-    let model = match arguments.model {
-        ModelName::JonesHarris => Model::JonesHarris,
-        ModelName::Traction => Model::Traction,
-    };
+/// The steady orbit: figures of a ball round it, a recording of the balls where an equilibrium has them.
+fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
+    if arguments.roots {
+        let message = "the steady orbit is not searched for other equilibria".to_owned();
+        return Err(Failure::Option { option: "roots", value: "with --model steady-orbit".to_owned(), message });
+    }
+    let problem = Problem::new(file)?;
+    let solution = problem.solve(file)?.solution;
+    let speeds = [problem.point.inner_speed, problem.point.outer_speed];
+    let round = solution.as_solution(&solution.points, speeds);
+    let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &round)).transpose()?;
+    if let Some(path) = &arguments.output {
+        let recording = SolutionRecording {
+            case_text: &file.text,
+            case: &file.case,
+            solution: &solution.as_solution(&solution.balls, speeds),
+            generator: concat!("tribodyn ", env!("CARGO_PKG_VERSION")),
+        };
+        write_solution(path, &recording)?;
+    }
+    plots.map_or(Ok(()), StagedFiles::publish)?;
+    if arguments.json {
+        return orbit::print_json(&solution);
+    }
+    let columns = [&HEADER[..], &["F_c N"]].concat();
+    orbit::print(&file.name, &solution, |balls| {
+        let row = |b: &BallResult| ball_row(b).into_iter().chain([number(b.pocket.force_n, 1)]).collect();
+        table::print_rows(&columns, balls.iter().map(row))
+    })
+}
+
+fn answer(arguments: &Arguments, model: Model, file: &CaseFile) -> Result<Answer, Failure> {
     if arguments.roots && model == Model::JonesHarris {
         let message = "without traction there are no other equilibria to search for".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model jones-harris".to_owned(), message });
     }
-    let bearing = file.bearing()?;
+    let purpose = match model {
+        Model::JonesHarris => Purpose::JonesHarris,
+        Model::Traction => Purpose::Traction,
+    };
+    let bearing = file.bearing_for(purpose)?;
     let point = file.case.operating_point();
     let failed = |source| StudyError::Solver { file: file.name.clone(), source };
     let Solved { mut solution, warm_start, .. } = solve(&bearing, &point, model).map_err(failed)?;
@@ -148,8 +188,10 @@ fn print(name: &str, s: &Solution) -> Result<(), Failure> {
         ("largest relative residual", format!("{:.1e}", s.residual), ""),
         ("Newton steps", s.iterations.to_string(), ""),
     ];
+    if let Some(torque) = s.shaft_torque_nm {
+        rows.push(("shaft torque", number(torque, 3), "N m"));
+    }
     if let Some(error) = s.patch_error_estimate {
-        rows.push(("shaft torque", number(s.shaft_torque_nm, 3), "N m"));
         rows.push(("patch error estimate (of load)", format!("{error:.1e}"), ""));
     }
     table::print_line(&format!("{name}\n"))?;
@@ -169,20 +211,20 @@ fn print(name: &str, s: &Solution) -> Result<(), Failure> {
 const HEADER: [&str; 12] =
     ["φ °", "α_i °", "α_o °", "Q_i N", "Q_o N", "p_i GPa", "p_o GPa", "ω_m r/min", "T_i N", "T_o N", "ξ_i ‰", "ξ_o ‰"];
 
-fn ball_row(b: &BallSolution) -> [String; HEADER.len()] {
+fn ball_row(b: &BallResult) -> [String; HEADER.len()] {
     [
-        number(b.azimuth_deg, 1),
-        number(b.contact_angle_inner_deg, 3),
-        number(b.contact_angle_outer_deg, 3),
-        number(b.load_inner_n, 1),
-        number(b.load_outer_n, 1),
-        number(b.peak_pressure_inner_pa * 1e-9, 3),
-        number(b.peak_pressure_outer_pa * 1e-9, 3),
+        number(b.azimuth_rad.to_degrees(), 1),
+        number(b.contacts.inner.angle_rad.to_degrees(), 3),
+        number(b.contacts.outer.angle_rad.to_degrees(), 3),
+        number(b.contacts.inner.load_n, 1),
+        number(b.contacts.outer.load_n, 1),
+        number(b.contacts.inner.peak_pressure_pa * 1e-9, 3),
+        number(b.contacts.outer.peak_pressure_pa * 1e-9, 3),
         number(b.orbital_speed_rad_s * 30.0 / std::f64::consts::PI, 2),
-        number(b.traction_inner_n, 1),
-        number(b.traction_outer_n, 1),
-        number(b.slide_to_roll_inner * 1e3, 3),
-        number(b.slide_to_roll_outer * 1e3, 3),
+        number(b.contacts.inner.friction_or_nan().traction_n[0], 1),
+        number(b.contacts.outer.friction_or_nan().traction_n[0], 1),
+        number(b.contacts.inner.friction_or_nan().slide_to_roll[0] * 1e3, 3),
+        number(b.contacts.outer.friction_or_nan().slide_to_roll[0] * 1e3, 3),
     ]
 }
 

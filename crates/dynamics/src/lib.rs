@@ -10,6 +10,7 @@ mod layout;
 mod linear;
 mod machine;
 mod observer;
+mod power;
 mod rk4;
 mod run;
 mod sample;
@@ -25,6 +26,12 @@ mod fast_test;
 
 pub use error::DynamicsError;
 pub use observer::{Event, EventKind, Observer};
+pub use power::{POWER_IN, POWER_LOST, PowerSample};
 pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
-pub use sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
+pub use sample::{CageSample, RingSample, Sample, WearSample};
 pub use stiffness::Stiffness;
+pub use tribodyn_bearing::{
+    Bearing, BearingSpec, Cage, CoatingState, Dimensions, ElasticBody, Fit, Geometry, GuidingLand, Modelling,
+    MovingCage, Races, RingCentre, RingLoads, RunInputs, RunOptions, Scheme, SpeedHistory, Start, Support, Supports,
+    Tilt, Translation, Tribology,
+};

@@ -1,10 +1,10 @@
 //! The figures that a set of parameter values gives.
 
 use crate::IdentifyError;
-use crate::problem::{Hypothesis, Problem, Quantity};
+use crate::problem::{Datum, Hypothesis, Problem, Quantity, Relation};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use tribodyn_case::{Case, locate, set_value};
+use tribodyn_case::{Case, Purpose, locate, set_value};
 use tribodyn_quasistatic::{Model, OverAzimuth, Solution, WarmStart, solve, solve_from};
 
 /// A case file's text with holes where the free parameters stand.
@@ -105,6 +105,10 @@ impl ForwardModel {
         let mut out = Evaluation::default();
         for (name, variant) in &self.variants {
             let case = Case::from_ron(&variant.template.fill(values))?;
+            case.require(match variant.model {
+                Model::JonesHarris => Purpose::JonesHarris,
+                Model::Traction => Purpose::Traction,
+            })?;
             let bearing = case.bearing()?;
             let point = case.operating_point();
             let warm = near.and_then(|n| n.warm.get(name));
@@ -127,6 +131,30 @@ pub(crate) fn free(problem: &Problem, hypothesis: Option<&Hypothesis>) -> Vec<us
     (0..problem.parameters.len()).filter(|&i| !held(&problem.parameters[i].name)).collect()
 }
 
+impl Datum {
+    /// The model's figure: the value, the ratio, or the difference to the other quantity.
+    pub fn computed(&self, evaluation: &Evaluation) -> f64 {
+        let of = |run: &str, quantity: Quantity| quantity.of(&evaluation.solutions[run]);
+        let here = of(&self.run, self.quantity);
+        match &self.relation {
+            Relation::Value => here,
+            Relation::RatioTo { run, quantity } => here / of(run, *quantity),
+            Relation::Above { run, quantity } => here - of(run, *quantity),
+        }
+    }
+
+    /// Deviation of the model's figure: computed − value, and 0 where an order holds by more than its margin.
+    pub fn deviation(&self, computed: f64) -> f64 {
+        let deviation = computed - self.value;
+        if matches!(self.relation, Relation::Above { .. }) { deviation.min(0.0) } else { deviation }
+    }
+
+    /// Unit of the figure.
+    pub fn unit(&self) -> &'static str {
+        if matches!(self.relation, Relation::RatioTo { .. }) { "–" } else { self.quantity.unit() }
+    }
+}
+
 impl Quantity {
     /// Its value in a solution, in its unit.
     pub fn of(&self, solution: &Solution) -> f64 {
@@ -137,15 +165,15 @@ impl Quantity {
                 let outer = solution.outer_speed_rad_s * 30.0 / std::f64::consts::PI;
                 (solution.cage_speed_rpm - outer).abs() / 60.0 * solution.balls.len() as f64
             }
-            Self::PeakPressureInner { azimuth } => ball(azimuth).peak_pressure_inner_pa * 1e-9,
-            Self::PeakPressureOuter { azimuth } => ball(azimuth).peak_pressure_outer_pa * 1e-9,
-            Self::LoadInner { azimuth } => ball(azimuth).load_inner_n,
-            Self::LoadOuter { azimuth } => ball(azimuth).load_outer_n,
-            Self::ContactAngleInner { azimuth } => ball(azimuth).contact_angle_inner_deg,
-            Self::ContactAngleOuter { azimuth } => ball(azimuth).contact_angle_outer_deg,
+            Self::PeakPressureInner { azimuth } => ball(azimuth).contacts.inner.peak_pressure_pa * 1e-9,
+            Self::PeakPressureOuter { azimuth } => ball(azimuth).contacts.outer.peak_pressure_pa * 1e-9,
+            Self::LoadInner { azimuth } => ball(azimuth).contacts.inner.load_n,
+            Self::LoadOuter { azimuth } => ball(azimuth).contacts.outer.load_n,
+            Self::ContactAngleInner { azimuth } => ball(azimuth).contacts.inner.angle_rad.to_degrees(),
+            Self::ContactAngleOuter { azimuth } => ball(azimuth).contacts.outer.angle_rad.to_degrees(),
             Self::RingDisplacementAxial => solution.ring_displacement_m[2] * 1e6,
             Self::RingDisplacementRadial => solution.ring_displacement_m[0] * 1e6,
-            Self::ShaftTorque => solution.shaft_torque_nm,
+            Self::ShaftTorque => solution.shaft_torque_nm.unwrap_or(f64::NAN),
         }
     }
 

@@ -15,9 +15,9 @@ mod sweep;
 mod system;
 
 pub use error::{OrbitError, OrbitPlace};
-pub use modes::{Bodies, EnergyShares, Mode, RingBody};
+pub use modes::{Bodies, EnergyShares, Mode};
 pub use newton::OrbitStatistics;
-pub use solution::{OrbitPoint, POINTS, SteadyOrbit};
+pub use solution::{POINTS, SteadyOrbit};
 pub use solve::{
     OrbitSettings, OrbitStart, SolvedOrbit, orbit_modes, orbit_stiffness, steady_orbit, steady_orbit_from,
 };

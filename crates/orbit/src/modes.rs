@@ -16,20 +16,7 @@ use nalgebra::SVector;
 use num_dual::DualSVec64;
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::{CageBody, LoadedPatch, Races, RingState};
-
-/// A ring between its springs and dampers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RingBody<const N: usize> {
-    /// Mass, kg.
-    pub mass: f64,
-    /// Stiffness of the support along x, y (and z), N/m.
-    pub stiffness: [f64; N],
-    /// Damping of the support, N s/m.
-    pub damping: [f64; N],
-    /// Whether it moves along the axis.
-    pub free: [bool; N],
-}
+use tribodyn_bearing::{CageBody, LoadedPatch, Races, RingFreedom, RingState, Support, Supports};
 
 /// Masses of all that moves besides the balls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,10 +25,8 @@ pub struct Bodies {
     pub cage: CageBody,
     /// Damping ratio of the ball–race contacts.
     pub contact_damping: f64,
-    /// Inner ring with what turns with it.
-    pub inner: RingBody<3>,
-    /// Outer ring with its housing.
-    pub outer: RingBody<2>,
+    /// Masses and supports of the rings.
+    pub supports: Supports,
 }
 
 /// One natural mode: a pair of complex eigenvalues or a real one.
@@ -122,7 +107,7 @@ pub(crate) fn modes(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Resu
             continue;
         }
         let size = |row: usize| vectors[(row, k)].re.hypot(vectors[(row, k)].im);
-        modes.push(shape(system, bodies, count, (re, im), &size, orbit));
+        modes.push(shape(system, bodies, count, (re, im), &size));
     }
     modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     Ok(modes)
@@ -134,7 +119,6 @@ fn shape(
     count: usize,
     (re, im): (f64, f64),
     size: &dyn Fn(usize) -> f64,
-    orbit: &Orbit,
 ) -> Mode {
     let edge = BALL * count;
     let (inner, outer) = (edge + CAGE, edge + CAGE + INNER);
@@ -147,8 +131,8 @@ fn shape(
         parts.spin += j * (0..3).map(|k| at(SPIN + k).powi(2)).sum::<f64>();
     }
     parts.cage = bodies.cage.inertia * size(edge + 1).powi(2);
-    parts.inner_ring = bodies.inner.mass * (0..3).map(|k| size(inner + 3 + k).powi(2)).sum::<f64>();
-    parts.outer_ring = bodies.outer.mass * (0..2).map(|k| size(outer + 2 + k).powi(2)).sum::<f64>();
+    parts.inner_ring = bodies.supports.inner.mass * (0..3).map(|k| size(inner + 3 + k).powi(2)).sum::<f64>();
+    parts.outer_ring = bodies.supports.outer.mass * (0..2).map(|k| size(outer + 2 + k).powi(2)).sum::<f64>();
     let total = (parts.balls + parts.spin + parts.cage + parts.inner_ring + parts.outer_ring).max(f64::MIN_POSITIVE);
     let EnergyShares { inner_ring, outer_ring, balls, spin, cage } = parts;
     let energy_shares = EnergyShares {
@@ -158,7 +142,6 @@ fn shape(
         spin: spin / total,
         cage: cage / total,
     };
-    let _ = orbit;
     let mut inner_ring: [f64; 3] = std::array::from_fn(|k| size(inner + k));
     let mut outer_ring: [f64; 2] = std::array::from_fn(|k| size(outer + k));
     let mut balls: Vec<[f64; 3]> =
@@ -207,12 +190,13 @@ fn matrix(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Mat<f64> {
             if cage_moves {
                 a[(edge + 1, place(c))] += e.cage[c] / inertia;
             }
-            (0..3).for_each(|k| a[(inner + 3 + k, place(c))] -= e.inner[k][c] / bodies.inner.mass);
-            (0..2).for_each(|k| a[(outer + 2 + k, place(c))] -= e.outer[k][c] / bodies.outer.mass);
+            (0..3).for_each(|k| a[(inner + 3 + k, place(c))] -= e.inner[k][c] / bodies.supports.inner.mass);
+            (0..2).for_each(|k| a[(outer + 2 + k, place(c))] -= e.outer[k][c] / bodies.supports.outer.mass);
         }
     }
-    support(&mut a, inner, &bodies.inner);
-    support(&mut a, outer, &bodies.outer);
+    let free = |k: usize| !matches!(newton.system.ring[k], RingFreedom::Held(_));
+    support(&mut a, inner, &bodies.supports.inner, std::array::from_fn(free));
+    support(&mut a, outer, &bodies.supports.outer, [true; 2]);
     if !cage_moves {
         clear(&mut a, edge);
         clear(&mut a, edge + 1);
@@ -221,9 +205,9 @@ fn matrix(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Mat<f64> {
 }
 
 /// Springs and dampers of a ring whose displacements begin at `at`; an axis that is held does not move.
-fn support<const N: usize>(a: &mut Mat<f64>, at: usize, body: &RingBody<N>) {
+fn support<const N: usize>(a: &mut Mat<f64>, at: usize, body: &Support<N>, free: [bool; N]) {
     for k in 0..N {
-        if body.free[k] {
+        if free[k] {
             a[(at + k, at + N + k)] = 1.0;
             a[(at + N + k, at + k)] -= body.stiffness[k] / body.mass;
             a[(at + N + k, at + N + k)] -= body.damping[k] / body.mass;

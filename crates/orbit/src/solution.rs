@@ -2,10 +2,11 @@
 
 use crate::collocation::Orbit;
 use crate::newton::Newton;
-use crate::system::{BALL, Evaluation, LEAD, ORBIT};
+use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::Side;
+use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult, Side};
+use tribodyn_quasistatic::{Model, Solution};
 
 /// Places round the orbit at which a solution is given: every two degrees.
 pub const POINTS: usize = 180;
@@ -47,43 +48,46 @@ pub struct SteadyOrbit {
     /// Estimated relative error of the cage speed by the mesh, where the orbit is of first order only: balls that lose their contacts
     /// and meet their pockets abruptly leave no other; absent where three points an interval make it negligible.
     pub cage_speed_error: Option<f64>,
-    /// A ball round its orbit, by azimuth.
-    pub points: Vec<OrbitPoint>,
+    /// The balls when they stand where those of an equilibrium do, the first at azimuth 0.
+    pub balls: Vec<BallResult>,
+    /// A ball round its orbit, every two degrees of azimuth.
+    pub points: Vec<BallResult>,
 }
 
-/// One ball at one azimuth. Vectors are (axial, radial, tangential) in its azimuth frame.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct OrbitPoint {
-    /// Azimuth, degrees.
-    pub azimuth_deg: f64,
-    /// Inner contact angle, degrees.
-    pub contact_angle_inner_deg: f64,
-    /// Outer contact angle, degrees.
-    pub contact_angle_outer_deg: f64,
-    /// Inner contact load, N.
-    pub load_inner_n: f64,
-    /// Outer contact load, N.
-    pub load_outer_n: f64,
-    /// Inner peak pressure, Pa.
-    pub peak_pressure_inner_pa: f64,
-    /// Outer peak pressure, Pa.
-    pub peak_pressure_outer_pa: f64,
-    /// Orbital speed, rad/s.
-    pub orbital_speed_rad_s: f64,
-    /// Absolute spin, rad/s.
-    pub spin_rad_s: [f64; 3],
-    /// Lead of the ball over the middle of its pocket, rad.
-    pub pocket_lead_rad: f64,
-    /// Pocket force on the ball along the orbit, N.
-    pub pocket_force_n: f64,
-    /// Traction on the ball along the orbit at the inner contact, N.
-    pub traction_inner_n: f64,
-    /// Traction on the ball along the orbit at the outer contact, N.
-    pub traction_outer_n: f64,
-    /// Frictional power of the inner contact, W.
-    pub power_inner_w: f64,
-    /// Frictional power of the outer contact, W.
-    pub power_outer_w: f64,
+impl SteadyOrbit {
+    /// The balls of the orbit, or the points round it, in the form of an equilibrium with traction: for figures and recordings.
+    pub fn as_solution(&self, balls: &[BallResult], [inner_speed, outer_speed]: [f64; 2]) -> Solution {
+        Solution {
+            model: Model::Traction,
+            converged: true,
+            cage_speed_rpm: self.cage_speed_rpm,
+            ring_displacement_m: self.ring_displacement_m,
+            ring_tilt_rad: self.ring_tilt_rad,
+            ring_load_n: self.ring_load_n,
+            ring_moment_nm: self.ring_moment_nm,
+            shaft_torque_nm: Some(self.shaft_torque_nm),
+            inner_speed_rad_s: inner_speed,
+            outer_speed_rad_s: outer_speed,
+            residual: self.residual,
+            iterations: 0,
+            patch_error_estimate: Some(self.patch_error_estimate),
+            warnings: self.warnings(),
+            balls: balls.to_vec(),
+        }
+    }
+
+    /// Sentences on what is unusual about it.
+    pub fn warnings(&self) -> Vec<String> {
+        let lost = self.points.iter().filter(|p| p.contacts.inner.load_n == 0.0).count();
+        let first_order = self.cage_speed_error.map(|error| {
+            format!("balls lose and meet their contacts abruptly: the cage speed is good to {error:.0e} only, pocket forces to a few per cent")
+        });
+        let lost = (lost > 0).then(|| {
+            let part = 100.0 * lost as f64 / self.points.len() as f64;
+            format!("balls have no inner contact over {part:.0} % of their orbit")
+        });
+        lost.into_iter().chain(first_order).collect()
+    }
 }
 
 /// Means over the turn of what all balls do.
@@ -110,25 +114,22 @@ impl Means {
     }
 }
 
-pub(crate) fn point(azimuth: f64, y: &[f64; BALL], e: &Evaluation) -> OrbitPoint {
-    let [i, o] = Side::BOTH.map(|side| &e.loads.contacts[side]);
-    let angle = |c: &tribodyn_bearing::RaceContact| c.normal.pose.sin.atan2(c.normal.pose.cos).to_degrees();
-    OrbitPoint {
-        azimuth_deg: azimuth.to_degrees(),
-        contact_angle_inner_deg: angle(i),
-        contact_angle_outer_deg: angle(o),
-        load_inner_n: i.normal.load,
-        load_outer_n: o.normal.load,
-        peak_pressure_inner_pa: i.ellipse.peak_pressure,
-        peak_pressure_outer_pa: o.ellipse.peak_pressure,
-        orbital_speed_rad_s: y[ORBIT],
-        spin_rad_s: e.state.spin,
-        pocket_lead_rad: y[LEAD],
-        pocket_force_n: e.friction.pocket.force,
-        traction_inner_n: i.traction_force[2],
-        traction_outer_n: o.traction_force[2],
-        power_inner_w: i.traction.power,
-        power_outer_w: o.traction.power,
+/// A ball as a result, with what a motion has besides an equilibrium.
+pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL], e: &Evaluation) -> BallResult {
+    let pocket = &e.friction.pocket;
+
+    BallResult {
+        pocket: PocketResult {
+            lead_rad: y[LEAD],
+            force_n: pocket.force,
+            friction_n: Some(pocket.friction),
+            wear_rate_m3_s: system.bearing.pocket_wear_rate(pocket.sliding * pocket.force.abs()),
+        },
+        motion: Some(BallMotionResult {
+            orbital_acceleration_rad_s2: e.rate[ORBIT],
+            velocity_m_s: [y[VELOCITY], y[VELOCITY + 1]],
+        }),
+        ..system.bearing.ball_result(azimuth, &e.state, &e.loads, system.speeds.inner)
     }
 }
 
@@ -149,14 +150,16 @@ pub(crate) fn solution(
             means.add(&e, balls * width * radau.weights[i]);
         }
     }
-    let points: Vec<OrbitPoint> = (0..POINTS)
-        .map(|n| {
-            let azimuth = TAU * n as f64 / POINTS as f64;
+    let round = |count: usize| -> Vec<BallResult> {
+        let at = |n| {
+            let azimuth = TAU * n as f64 / count as f64;
             let (turn, y) = at_azimuth(newton, orbit, azimuth);
             let e = system.value(system.azimuth(turn), &y, orbit.cage_speed, orbit.ring);
-            point(azimuth, &y, &e)
-        })
-        .collect();
+            ball_result(system, azimuth, &y, &e)
+        };
+        (0..count).map(at).collect()
+    };
+    let points = round(POINTS);
     let [x, y, z, tilt @ ..] = orbit.ring;
     let [fx, fy, fz, moment @ ..] = means.ring;
     SteadyOrbit {
@@ -169,12 +172,13 @@ pub(crate) fn solution(
         friction_w: means.friction,
         fluid_w: means.fluid,
         pocket_w: means.pocket,
-        pocket_force_max_n: points.iter().map(|p| p.pocket_force_n.abs()).fold(0.0, f64::max),
+        pocket_force_max_n: points.iter().map(|p| p.pocket.force_n.abs()).fold(0.0, f64::max),
         pocket_contact_azimuths_deg: contacts(newton, orbit),
         residual,
         patch_error_estimate: rule_error,
         intervals: orbit.intervals(),
         cage_speed_error,
+        balls: round(system.bearing.geometry.ball_count),
         points,
     }
 }

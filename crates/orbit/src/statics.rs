@@ -1,10 +1,10 @@
 //! A bearing at rest: the elastic equilibrium, balls where they stand.
 
 use crate::newton::OrbitStatistics;
-use crate::solution::{Means, SteadyOrbit, point};
+use crate::solution::{Means, SteadyOrbit, ball_result};
 use crate::solve::SolvedOrbit;
 use crate::system::{BALL, OrbitSystem};
-use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races};
+use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint, Races};
 use tribodyn_quasistatic::RollingStart;
 use tribodyn_traction::FastPatch;
 
@@ -32,9 +32,9 @@ pub(crate) fn at_rest(
         y[..2].copy_from_slice(&[x1, x2]);
         let e = system.value(azimuth, &y, 0.0, start.ring);
         means.add(&e, 1.0);
-        point(azimuth, &y, &e)
+        ball_result(&system, azimuth, &y, &e)
     };
-    let points = start.balls.iter().enumerate().map(at).collect();
+    let balls: Vec<BallResult> = start.balls.iter().enumerate().map(at).collect();
     let [x, y, z, tilt @ ..] = start.ring;
     let [fx, fy, fz, moment @ ..] = means.ring;
     let solution = SteadyOrbit {
@@ -53,7 +53,8 @@ pub(crate) fn at_rest(
         patch_error_estimate: start.rule_error,
         intervals: 0,
         cage_speed_error: None,
-        points,
+        points: balls.clone(),
+        balls,
     };
     SolvedOrbit { solution, statistics: OrbitStatistics::default(), start: None }
 }

@@ -6,6 +6,7 @@ mod cage;
 mod driver;
 mod jones_harris;
 mod methods;
+mod needs;
 mod problem;
 mod report;
 mod roots;
@@ -21,12 +22,15 @@ mod branch_test;
 #[cfg(test)]
 mod jacobian_test;
 
-pub use azimuth::{AzimuthRule, OverAzimuth, ball_numbers};
+pub use azimuth::{AzimuthRule, OverAzimuth};
 pub use block::SolverStatistics;
 pub use problem::{Place, QuasiStaticError};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
-pub use solution::{BallSolution, Model, Solution};
+pub use solution::{Model, SOLUTION, Solution};
 pub use solve::{BallMotion, RollingStart, Solved, WarmStart, rolling_start, solve, solve_from};
-pub use stiffness::{StiffnessMatrix, jones_harris_stiffness, traction_stiffness};
-pub use tribodyn_bearing::{Bearing, Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
+pub use stiffness::{StiffnessMatrix, compliance, jones_harris_stiffness, traction_stiffness};
+pub use tribodyn_bearing::{
+    BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl, Races, RingFreedom, Side,
+    SolverSettings,
+};
 pub use tribodyn_traction::PatchRule;

@@ -53,6 +53,14 @@ pub enum QuasiStaticError {
         /// Its index.
         ball: usize,
     },
+    /// The bearing or the operating point lacks what the model uses.
+    #[error("{model:?} model needs what is not given: {}", missing.join(", "))]
+    Missing {
+        /// Which equations.
+        model: Model,
+        /// All that is missing.
+        missing: Vec<&'static str>,
+    },
     /// Patch quadrature.
     #[error(transparent)]
     Traction(#[from] TractionError),

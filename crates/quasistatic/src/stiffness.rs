@@ -31,6 +31,12 @@ pub fn jones_harris_stiffness(bearing: &Bearing, point: &OperatingPoint) -> Resu
     condensed(&system, &state)
 }
 
+/// Displacements and tilts by unit forces and moments; none where one of them meets no resistance.
+pub fn compliance(stiffness: &StiffnessMatrix) -> Option<StiffnessMatrix> {
+    let inverse = SMatrix::<f64, RING, RING>::from(*stiffness).try_inverse()?;
+    inverse.iter().all(|c| c.is_finite()).then(|| inverse.into())
+}
+
 /// −dF/dq with the balls eliminated.
 fn condensed<S: BlockSystem>(system: &S, state: &BlockState) -> Result<StiffnessMatrix, QuasiStaticError> {
     let mut sum = SMatrix::<f64, RING, RING>::zeros();

@@ -28,10 +28,12 @@ mod units;
 pub mod wire;
 mod write;
 
+pub use ball::read_ball;
 pub use error::RecordError;
 pub use layout::{Layout, LayoutKind};
 #[cfg(feature = "live")]
 pub use live::{LIVE_ADDRESS, LiveServer, LiveSummary, LiveWarning};
+pub use messages::read_state;
 pub use output::Channel;
 pub use read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
 pub use recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};

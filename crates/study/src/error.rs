@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
-use tribodyn_case::CaseError;
+use tribodyn_case::{CaseError, Lacking};
 use tribodyn_dynamics::DynamicsError;
+use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
 
@@ -45,6 +46,14 @@ pub enum StudyError {
         /// Reason.
         source: BearingError,
     },
+    /// A case without what a model needs.
+    #[error("{file}: {source}")]
+    Lacking {
+        /// Name of the case file.
+        file: String,
+        /// All that is missing.
+        source: Lacking,
+    },
     /// An equilibrium that is not found.
     #[error("{file}: {source}")]
     Solver {
@@ -52,6 +61,14 @@ pub enum StudyError {
         file: String,
         /// Reason.
         source: QuasiStaticError,
+    },
+    /// A steady orbit that is not found.
+    #[error("{file}: {source}")]
+    Orbit {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: OrbitError,
     },
     /// Two lists of values for one place of the case.
     #[error("{first} and {second} sweep the same value")]

@@ -12,13 +12,14 @@ mod recording;
 use crate::built::cargo_program;
 use crate::error::Failure;
 use crate::page::{self, Checked};
+use crate::quantities;
 use crate::validate;
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
 use tribodyn_paper::files;
 
-/// How a step that did not fail ended.
+/// End of a step that did not fail.
 pub enum Outcome {
     Done,
     /// Not run, with the reason.
@@ -27,7 +28,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 13] = [
+const STEPS: [Step; 14] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -36,6 +37,7 @@ const STEPS: [Step; 13] = [
     ("layers", layers::check),
     ("hygiene", hygiene::check),
     ("licences", licences::check),
+    ("page of quantities", || quantities::check().map(|()| Outcome::Done)),
     ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
     ("figures", figures::check),
     ("recording read by Python", || recording::check(&recordings())),

@@ -1,8 +1,8 @@
 //! Stiffness and modes against differences of solutions and closed forms.
 
 use crate::support::fixture;
-use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, RingFreedom};
-use tribodyn_orbit::{Bodies, OrbitSettings, RingBody, orbit_modes, orbit_stiffness, steady_orbit, steady_orbit_from};
+use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, RingFreedom, Support, Supports};
+use tribodyn_orbit::{Bodies, OrbitSettings, orbit_modes, orbit_stiffness, steady_orbit, steady_orbit_from};
 use tribodyn_quasistatic::{Model, PatchRule, jones_harris_stiffness, solve, solve_from, traction_stiffness};
 
 const MICROMETRE: f64 = 1e-6;
@@ -13,7 +13,7 @@ const STEPS: [f64; 5] = [1e-7, 1e-7, 1e-7, 1e-6, 1e-6];
 /// with the slip meet to their own error only.
 fn paper() -> (Bearing, OperatingPoint, CageBody) {
     let (_, bearing, mut point, cage) = fixture("paper-ag");
-    point.patch = PatchRule::GaussJacobi { radial: 6, angles: 12 };
+    point.patch = Some(PatchRule::GaussJacobi { radial: 6, angles: 12 });
     (bearing, point, cage)
 }
 
@@ -98,12 +98,12 @@ fn limit_axial_stiffness_at_rest_is_that_of_hertz_springs() {
     let s = solve(&bearing, &point, Model::JonesHarris).unwrap().solution;
     let k = jones_harris_stiffness(&bearing, &point).unwrap();
     let ball = &s.balls[0];
-    let (load, angle) = (ball.load_inner_n, ball.contact_angle_inner_deg.to_radians());
+    let (load, angle) = (ball.contacts.inner.load_n, ball.contacts.inner.angle_rad);
     let spring = |approach: f64| 1.5 * load / approach;
-    let (inner, outer) = (spring(ball.approach_inner_m), spring(ball.approach_outer_m));
+    let (inner, outer) = (spring(ball.contacts.inner.approach_m), spring(ball.contacts.outer.approach_m));
     let in_row = 1.0 / (1.0 / inner + 1.0 / outer);
     // The groove centres stand this far apart under load.
-    let apart = bearing.geometry.centre_distance() + ball.approach_inner_m + ball.approach_outer_m;
+    let apart = bearing.geometry.centre_distance() + ball.contacts.inner.approach_m + ball.contacts.outer.approach_m;
     let one = in_row * angle.sin().powi(2) + load / apart * angle.cos().powi(2);
     let expected = one * s.balls.len() as f64;
     assert!((k[2][2] / expected - 1.0).abs() < 1e-9, "{} {expected}", k[2][2]);
@@ -116,18 +116,21 @@ fn limit_free_ring_swings_on_its_supports() {
     point.ring = [0.0, 0.0, -200.0 * MICROMETRE, 0.0, 0.0].map(RingFreedom::Held);
     // The outer ring carries balls and cage along.
     point.outer_speed = 0.5 * point.inner_speed;
+    let free = OperatingPoint { ring: [RingFreedom::Loaded(0.0); 5], ..point.clone() };
     // How fast such balls roll hardly matters here.
     let settings = OrbitSettings { tolerance: 1e-4, ..OrbitSettings::default() };
     let solved = steady_orbit(&bearing, &point, &cage, &settings).unwrap();
-    assert!(solved.solution.points.iter().all(|p| p.load_inner_n == 0.0));
+    assert!(solved.solution.points.iter().all(|p| p.contacts.inner.load_n == 0.0));
     let (mass, stiffness, damping) = (3.0, [4e7, 5e7, 9e7], [200.0, 300.0, 400.0]);
     let bodies = Bodies {
         cage,
         contact_damping: 0.02,
-        inner: RingBody { mass, stiffness, damping, free: [true; 3] },
-        outer: RingBody { mass: 5.0, stiffness: [0.0; 2], damping: [0.0; 2], free: [false; 2] },
+        supports: Supports {
+            inner: Support { mass, stiffness, damping },
+            outer: Support { mass: 5.0, stiffness: [5e8; 2], damping: [5e3; 2] },
+        },
     };
-    let modes = orbit_modes(&bearing, &point, &bodies, &settings, &solved.start.unwrap()).unwrap();
+    let modes = orbit_modes(&bearing, &free, &bodies, &settings, &solved.start.unwrap()).unwrap();
     for k in 0..3 {
         let decay: f64 = damping[k] / (2.0 * mass);
         let frequency = (stiffness[k] / mass - decay * decay).sqrt() / std::f64::consts::TAU;

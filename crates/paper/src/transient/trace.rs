@@ -1,15 +1,13 @@
-//! What is kept of a run.
+//! Values kept of a run.
 
 use crate::mean::mean;
 use std::ops::ControlFlow;
+use tribodyn_bearing::BallResult;
 use tribodyn_case::Case;
-use tribodyn_dynamics::{BallSample, Event, EventKind, Observer, Sample};
+use tribodyn_dynamics::{Event, EventKind, Observer, Sample};
 use tribodyn_record::{FileSink, RecordError, RunRecorder};
 
-/// Sampling rate of a case that has no recording section, Hz: the solver's.
-const DEFAULT_RATE: f64 = 25_600.0;
-
-/// What every sample leaves behind, SI.
+/// Values kept of every sample, SI.
 #[derive(Debug, Clone, Copy)]
 pub struct StateSample {
     pub time_s: f64,
@@ -39,17 +37,17 @@ pub struct Trace {
     pub rate_hz: f64,
     pub states: Vec<StateSample>,
     /// Time and all balls, at the ball rate.
-    pub balls: Vec<(f64, Vec<BallSample>)>,
+    pub balls: Vec<(f64, Vec<BallResult>)>,
     pub impacts: Vec<Impact>,
     pub warnings: Vec<String>,
-    /// What is missing in the power balance over what was put in, at the end.
+    /// Imbalance of work over the work put in, at the end.
     pub imbalance: f64,
 }
 
 impl Trace {
     pub fn new(case: &Case) -> Self {
         Self {
-            rate_hz: case.recording.map_or(DEFAULT_RATE, |r| r.state_rate),
+            rate_hz: case.rates().state_rate,
             states: Vec::new(),
             balls: Vec::new(),
             impacts: Vec::new(),
@@ -67,7 +65,7 @@ impl Trace {
             cage_speed: sample.cage.speed_rad_s,
             mean_orbit: mean(sample.balls.iter().map(|b| b.orbital_speed_rad_s)),
             orbit: first.orbital_speed_rad_s,
-            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket_force_n.abs().max(most)),
+            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket.force_n.abs().max(most)),
         });
         if with_balls {
             self.balls.push((sample.time_s, sample.balls.clone()));

@@ -125,7 +125,7 @@ fn identity_a_viewer_gets_what_the_file_gets() {
     let (id, _, first) = viewer.data().unwrap();
     let state = tribodyn::TransientState::decode(first.as_slice()).unwrap();
     assert_eq!((id, state.time_s), (70, 0.0));
-    assert_eq!(state.inner_x_um, sample(0.0).inner.displacement_m[0] * 1e6);
+    assert_eq!(state.inner_displacement_x_um, sample(0.0).inner.displacement_m[0] * 1e6);
 
     // After the only message of the topic.
     let (mut late, _, _) = Viewer::open(address);

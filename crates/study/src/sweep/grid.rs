@@ -7,7 +7,7 @@ use crate::error::StudyError;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::Range;
-use tribodyn_case::set_value;
+use tribodyn_case::{Purpose, set_value};
 
 /// Most rows of a grid, far beyond any computing time.
 const MAX_ROWS: usize = 1_000_000_000;
@@ -126,7 +126,9 @@ impl Grid {
     fn refusal(&self, row: usize) -> StudyError {
         let swept = self.axes.iter().zip(self.indices(row)).map(|(axis, i)| axis.setting.change(i));
         let changes: Vec<Change> = self.fixed.iter().cloned().chain(swept).collect();
-        match CaseFile::from_text(&self.name, self.original.clone(), &changes).and_then(|file| file.bearing()) {
+        match CaseFile::from_text(&self.name, self.original.clone(), &changes)
+            .and_then(|file| file.bearing_for(Purpose::Traction))
+        {
             Err(failure) => failure,
             // Texts are refused by the same reader: there is nothing that only one of both refuses.
             Ok(_) => StudyError::RefusalLost { row },
@@ -226,10 +228,10 @@ pub struct AxisSummary {
     pub last: String,
 }
 
-/// Whether a text is a case with a bearing.
+/// True for a case with all that the traction model needs.
 fn sound(text: &str) -> bool {
     use tribodyn_case::Case;
-    Case::from_ron(text).is_ok_and(|case| case.bearing().is_ok())
+    Case::from_ron(text).is_ok_and(|case| case.require(Purpose::Traction).is_ok() && case.bearing().is_ok())
 }
 
 impl Axis {

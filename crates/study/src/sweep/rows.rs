@@ -4,7 +4,7 @@ use super::columns::{self, Unsolved};
 use super::grid::Grid;
 use std::ops::Range;
 use tribodyn_bearing::Bearing;
-use tribodyn_case::Case;
+use tribodyn_case::{Case, Purpose};
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
 use tribodyn_traction::PatchRule;
 
@@ -15,7 +15,7 @@ const SKIDDING: f64 = 0.05;
 /// A solved row that others can start from.
 struct Neighbour {
     indices: Vec<usize>,
-    patch: PatchRule,
+    patch: Option<PatchRule>,
     balls: usize,
     start: WarmStart,
 }
@@ -42,6 +42,7 @@ impl<'a> Chunk<'a> {
     fn solve(&mut self, row: usize) -> Result<Solution, Unsolved> {
         let text = self.grid.text(row).ok_or_else(|| Unsolved::refused("a path is not in the case of this row"))?;
         let case = Case::from_ron(&text).map_err(Unsolved::refused)?;
+        case.require(Purpose::Traction).map_err(Unsolved::refused)?;
         let bearing = case.bearing().map_err(Unsolved::refused)?;
         let point = case.operating_point();
         let indices = self.grid.indices(row);
@@ -70,8 +71,11 @@ impl<'a> Chunk<'a> {
 /// Whether all balls are loaded and roll. Only then does a neighbour lead to the same equilibrium as a cold start does:
 /// a ball that skids may go on to do so where it could roll.
 fn rolls(solution: &Solution) -> bool {
-    let rolls = |b: &tribodyn_quasistatic::BallSolution| {
-        b.load_inner_n > 0.0 && b.load_outer_n > 0.0 && b.slide_to_roll_inner.abs() <= SKIDDING
+    let rolls = |b: &tribodyn_bearing::BallResult| {
+        let (i, o) = (&b.contacts.inner, &b.contacts.outer);
+        // A model without traction slides nowhere.
+        let slide = i.friction.map_or(0.0, |f| f.slide_to_roll[0]);
+        i.load_n > 0.0 && o.load_n > 0.0 && slide.abs() <= SKIDDING
     };
     solution.balls.iter().all(rolls)
 }
@@ -79,7 +83,7 @@ fn rolls(solution: &Solution) -> bool {
 /// Whether the neighbour's patch rule, which a warm start takes over, is good enough here.
 fn within_target(solution: &Solution, point: &OperatingPoint) -> bool {
     match point.patch {
-        PatchRule::TargetError { relative } => solution.patch_error_estimate.is_some_and(|e| e <= relative),
+        Some(PatchRule::TargetError { relative }) => solution.patch_error_estimate.is_some_and(|e| e <= relative),
         _ => true,
     }
 }
