@@ -26,7 +26,7 @@ pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
 pub use history::{RingLoads, SpeedHistory, Tilt, Translation};
 pub use interaction::{ContactForces, Sliding};
-pub use modelling::{Modelling, RaceControl, RingCentre};
+pub use modelling::{Equations, Modelling, OpenChoice, RaceControl, RingCentre};
 pub use motion::BallFriction;
 pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
 pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};

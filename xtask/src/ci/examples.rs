@@ -17,7 +17,7 @@ struct Example {
     tolerance: f64,
 }
 
-const EXAMPLES: [Example; 4] = [
+const EXAMPLES: [Example; 5] = [
     Example { package: "tribodyn-contact", name: "ball_on_race", label: "10000 N:", expected: 2.244, tolerance: 6e-4 },
     Example {
         package: "tribodyn-traction",
@@ -42,6 +42,8 @@ const EXAMPLES: [Example; 4] = [
         expected: 607.8,
         tolerance: 0.6,
     },
+    // Our own: nothing is published of this bearing.
+    Example { package: "tribodyn-dynamics", name: "without_case", label: "cage", expected: 616.9, tolerance: 0.06 },
 ];
 
 pub fn check() -> Result<Outcome, Failure> {
