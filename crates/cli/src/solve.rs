@@ -118,7 +118,9 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
     }
     let columns = [&HEADER[..], &["F_c N"]].concat();
     orbit::print(&file.name, &solution, |balls| {
-        let row = |b: &BallResult| ball_row(b).into_iter().chain([number(b.pocket.force_n, 1)]).collect();
+        let row = |b: &BallResult| {
+            ball_row(b).into_iter().chain([b.pocket.map_or_else(String::new, |p| number(p.force_n, 1))]).collect()
+        };
         table::print_rows(&columns, balls.iter().map(row))
     })
 }

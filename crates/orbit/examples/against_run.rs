@@ -36,7 +36,7 @@ impl Observer for Mean {
         self.load.iter_mut().zip(s.inner.ball_force_n).for_each(|(sum, f)| *sum -= f);
         for ball in &s.balls {
             let bin = (ball.azimuth_rad.rem_euclid(TAU) / TAU * POINTS as f64 + 0.5) as usize % POINTS;
-            let values = [1.0, ball.contacts.inner.load_n, ball.pocket.force_n];
+            let values = [1.0, ball.contacts.inner.load_n, ball.pocket.map_or(0.0, |p| p.force_n)];
             self.bins[bin].iter_mut().zip(values).for_each(|(sum, v)| *sum += v);
         }
         Ok(ControlFlow::Continue(()))
@@ -100,7 +100,7 @@ fn compare(mean: &Mean, orbit: &SteadyOrbit) {
     let (mut load, mut pocket) = (0f64, Vec::new());
     for (p, [count, q, f]) in orbit.points.iter().zip(&mean.bins).filter(|(_, bin)| bin[0] > 0.0) {
         load = load.max((p.contacts.inner.load_n - q / count).abs() / peak);
-        pocket.push((p.pocket.force_n - f / count).abs());
+        pocket.push((p.pocket.map_or(0.0, |p| p.force_n) - f / count).abs());
     }
     pocket.sort_by(f64::total_cmp);
     // A bin in which a ball meets its pocket holds a jump.

@@ -119,12 +119,12 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
     let pocket = &e.friction.pocket;
 
     BallResult {
-        pocket: PocketResult {
+        pocket: Some(PocketResult {
             lead_rad: y[LEAD],
             force_n: pocket.force,
             friction_n: Some(pocket.friction),
             wear_rate_m3_s: system.bearing.pocket_wear_rate(pocket.sliding * pocket.force.abs()),
-        },
+        }),
         motion: Some(BallMotionResult {
             orbital_acceleration_rad_s2: e.rate[ORBIT],
             velocity_m_s: [y[VELOCITY], y[VELOCITY + 1]],
@@ -172,7 +172,7 @@ pub(crate) fn solution(
         friction_w: means.friction,
         fluid_w: means.fluid,
         pocket_w: means.pocket,
-        pocket_force_max_n: points.iter().map(|p| p.pocket.force_n.abs()).fold(0.0, f64::max),
+        pocket_force_max_n: points.iter().filter_map(|p| p.pocket).map(|p| p.force_n.abs()).fold(0.0, f64::max),
         pocket_contact_azimuths_deg: contacts(newton, orbit),
         residual,
         patch_error_estimate: rule_error,

@@ -285,9 +285,8 @@ fn collocated(newton: &mut Newton<'_>, near: &Orbit, settings: &OrbitSettings) -
     let mut before = None;
     let mut near = near.clone();
     let mut left = None;
-    for refined in 0..FIRST_ORDER.len() {
+    for (refined, fine) in FIRST_ORDER.into_iter().enumerate() {
         newton.radau = euler;
-        let fine = FIRST_ORDER[refined];
         let ends = (0..=fine).map(|j| j as f64 / fine as f64).collect();
         let orbit = reduced(newton, near.on(&euler, ends, &euler))?;
         let (orbit, residual) = newton.run(orbit, settings.tolerance, PATIENCE);
