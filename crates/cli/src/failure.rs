@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use tribodyn_case::CaseError;
 use tribodyn_dynamics::DynamicsError;
 use tribodyn_identify::IdentifyError;
+use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_study::{RefusedCase, StudyError, SweepDifference, with_causes};
 
@@ -102,6 +103,10 @@ impl From<StudyError> for Failure {
 fn study_exit_code(error: &StudyError) -> u8 {
     match error {
         StudyError::Solver { source: QuasiStaticError::NotConverged { .. }, .. }
+        | StudyError::Orbit {
+            source: OrbitError::NotConverged { .. } | OrbitError::Singular | OrbitError::Eigenvalues,
+            ..
+        }
         | StudyError::Write { .. }
         | StudyError::RefusalLost { .. }
         | StudyError::SweepStopped { .. }

@@ -1,7 +1,8 @@
-//! `tribodyn solve`: quasi-static equilibrium.
+//! `tribodyn solve`: quasi-static equilibrium, or the steady orbit.
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
+use crate::orbit::{self, Problem};
 use crate::table::{self, number};
 use serde::Serialize;
 use std::fs;
@@ -15,7 +16,7 @@ use tribodyn_study::plausibility;
 use tribodyn_study::rating::rating;
 use tribodyn_study::{CaseFile, Change, StudyError};
 
-/// Solve the quasi-static equilibrium of ring and balls.
+/// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -49,13 +50,17 @@ pub enum ModelName {
     JonesHarris,
     /// Traction integrals of both contacts
     Traction,
+    /// The periodic motion of balls and cage that a run settles to
+    SteadyOrbit,
 }
 
-impl From<ModelName> for Model {
-    fn from(name: ModelName) -> Self {
-        match name {
-            ModelName::JonesHarris => Self::JonesHarris,
-            ModelName::Traction => Self::Traction,
+impl ModelName {
+    /// The equations of an equilibrium; none for the steady orbit.
+    pub fn equilibrium(self) -> Option<Model> {
+        match self {
+            Self::JonesHarris => Some(Model::JonesHarris),
+            Self::Traction => Some(Model::Traction),
+            Self::SteadyOrbit => None,
         }
     }
 }
@@ -77,7 +82,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(path) = &arguments.output {
         check_output(path, &arguments.case.path, "recording")?;
     }
-    let Answer { solution, lives, roots } = answer(arguments, &file)?;
+    let Some(model) = arguments.model.equilibrium() else { return orbit(arguments, &file) };
+    let Answer { solution, lives, roots } = answer(arguments, model, &file)?;
     let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &solution)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
@@ -96,8 +102,40 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     roots.as_deref().map_or(Ok(()), print_roots)
 }
 
-fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
-    let model = arguments.model.into();
+/// The steady orbit: figures of a ball round it, a recording of the balls where an equilibrium has them.
+fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
+    if arguments.roots {
+        let message = "the steady orbit is not searched for other equilibria".to_owned();
+        return Err(Failure::Option { option: "roots", value: "with --model steady-orbit".to_owned(), message });
+    }
+    let problem = Problem::new(file)?;
+    let solution = problem.solve(file)?.solution;
+    let speeds = [problem.point.inner_speed, problem.point.outer_speed];
+    let round = solution.as_solution(&solution.points, speeds);
+    let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &round)).transpose()?;
+    if let Some(path) = &arguments.output {
+        let recording = SolutionRecording {
+            case_text: &file.text,
+            case: &file.case,
+            solution: &solution.as_solution(&solution.balls, speeds),
+            generator: concat!("tribodyn ", env!("CARGO_PKG_VERSION")),
+        };
+        write_solution(path, &recording)?;
+    }
+    plots.map_or(Ok(()), StagedFiles::publish)?;
+    if arguments.json {
+        return orbit::print_json(&solution);
+    }
+    let columns = [&HEADER[..], &["F_c N"]].concat();
+    orbit::print(&file.name, &solution, |balls| {
+        let row = |b: &BallResult| {
+            ball_row(b).into_iter().chain([b.pocket.map_or_else(String::new, |p| number(p.force_n, 1))]).collect()
+        };
+        table::print_rows(&columns, balls.iter().map(row))
+    })
+}
+
+fn answer(arguments: &Arguments, model: Model, file: &CaseFile) -> Result<Answer, Failure> {
     if arguments.roots && model == Model::JonesHarris {
         let message = "without traction there are no other equilibria to search for".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model jones-harris".to_owned(), message });

@@ -16,6 +16,7 @@ mod secant;
 mod settle;
 mod solution;
 mod solve;
+mod stiffness;
 mod with_traction;
 
 #[cfg(test)]
@@ -28,7 +29,8 @@ pub use block::SolverStatistics;
 pub use problem::{Place, QuasiStaticError, Reason};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{Model, SOLUTION, Solution};
-pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
+pub use solve::{BallMotion, RollingStart, Solved, WarmStart, rolling_start, solve, solve_from};
+pub use stiffness::{StiffnessMatrix, compliance, jones_harris_stiffness, traction_stiffness};
 pub use tribodyn_bearing::{
     BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl, Races, RingFreedom, Side,
     SolverSettings,

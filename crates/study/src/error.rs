@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};
 use tribodyn_dynamics::DynamicsError;
+use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
 
@@ -69,6 +70,14 @@ pub enum StudyError {
         file: String,
         /// Reason.
         source: tribodyn_rating::RatingError,
+    },
+    /// A steady orbit that is not found.
+    #[error("{file}: {source}")]
+    Orbit {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: OrbitError,
     },
     /// Two lists of values for one place of the case.
     #[error("{first} and {second} sweep the same value")]
