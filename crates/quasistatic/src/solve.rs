@@ -362,3 +362,7 @@ fn check(
         reason: reason(),
     })
 }
+
+#[cfg(test)]
+#[path = "rescue_test.rs"]
+mod rescue_test;
