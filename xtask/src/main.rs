@@ -8,6 +8,7 @@ mod bench;
 mod built;
 mod ci;
 mod error;
+mod faults;
 mod figures;
 mod page;
 mod python;
@@ -45,6 +46,8 @@ enum Command {
     Page(page::Arguments),
     /// Solve and run random bearings, and write a case file for each failure
     Survey(survey::Arguments),
+    /// Try kills, full disks, two at once, damaged files, hostile viewers on the built command
+    Faults(faults::Arguments),
     /// Run everything that continuous integration runs
     Ci,
 }
@@ -59,6 +62,7 @@ fn main() -> ExitCode {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
         Command::Survey(arguments) => survey::run(&arguments),
+        Command::Faults(arguments) => faults::run(&arguments),
         Command::Ci => ci::run(),
     };
     match done {

@@ -120,7 +120,7 @@ impl Bearing {
         let orbit_radius = x2 + o.radial + g.groove_centre_radius(Side::Outer);
         let lean = shift.map(|shift| self.lean(&shift, orbit_radius));
         let axial = i.axial - o.axial + g.centre_distance() * g.sin_contact_angle() - x1;
-        let radial = i.radial - o.radial + g.centre_distance() * g.cos_contact_angle() - x2 - lean.inner.farther;
+        let radial = i.radial - o.radial + g.radial_distance() - x2 - lean.inner.farther;
         let contacts = Races {
             inner: ContactPose::new(axial, radial, g.groove_offset(Side::Inner) + self.worn.inner.depth),
             outer: ContactPose::new(x1, x2 + lean.outer.farther, g.groove_offset(Side::Outer) + self.worn.outer.depth),

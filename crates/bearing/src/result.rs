@@ -32,8 +32,8 @@ pub struct BallResult {
     pub contacts: Races<ContactResult>,
     /// Drag and churning; absent where the model has no fluid, as that of Jones and Harris.
     pub fluid: Option<FluidResult>,
-    /// Contact with the cage pocket.
-    pub pocket: PocketResult,
+    /// Contact with the cage pocket; absent without a cage.
+    pub pocket: Option<PocketResult>,
     /// Motion besides orbit and spin; absent in an equilibrium.
     pub motion: Option<BallMotionResult>,
 }
@@ -68,6 +68,8 @@ pub struct FrictionResult {
     pub traction_n: [f64; 2],
     /// Slide-to-roll ratios: longitudinal ξ_x, lateral ξ_y.
     pub slide_to_roll: [f64; 2],
+    /// Sliding speed, the mean over the contact weighted by pressure, m/s: the speed of a PV value; 0 without load.
+    pub sliding_speed_m_s: f64,
     /// Frictional power, W.
     pub power_loss_w: f64,
     /// Archard wear rate of the race, m³/s.
@@ -126,6 +128,7 @@ impl ContactResult {
         self.friction.unwrap_or(FrictionResult {
             traction_n: [f64::NAN; 2],
             slide_to_roll: [f64::NAN; 2],
+            sliding_speed_m_s: f64::NAN,
             power_loss_w: f64::NAN,
             wear_rate_m3_s: f64::NAN,
         })
@@ -217,6 +220,8 @@ impl Bearing {
         let friction = FrictionResult {
             traction_n: [t.force_rolling, t.force_lateral],
             slide_to_roll: [along, across],
+            // ∬ p |Δv| dA / Q.
+            sliding_speed_m_s: if normal.load > 0.0 { t.wear_integral / normal.load } else { 0.0 },
             power_loss_w: t.power,
             wear_rate_m3_s: self.wear_rate(side, t.wear_integral),
         };

@@ -62,6 +62,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
         speed(&format!("speed.{name}"), history)?;
     }
     super::validate_transient::validate(case)?;
+    super::mounting::validate(case)?;
     numerics(&case.numerics)?;
     super::validate_bounds::validate(case)
 }

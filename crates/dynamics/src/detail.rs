@@ -77,12 +77,12 @@ impl Machine {
             let transient = self.bearing.transient_contact(side, &f.contacts[side], &f.surfaces[side]);
             result.contacts[side].transient = Some(transient);
         }
-        result.pocket = PocketResult {
+        result.pocket = Some(PocketResult {
             lead_rad: f.lead,
             force_n: friction.pocket.force,
             friction_n: Some(friction.pocket.friction),
             wear_rate_m3_s: self.pocket_wear(&friction.pocket),
-        };
+        });
         result.motion = Some(BallMotionResult {
             orbital_acceleration_rad_s2: f.acceleration[2],
             velocity_m_s: [b[VELOCITY], b[VELOCITY + 1]],

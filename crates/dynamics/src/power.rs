@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::place;
-use tribodyn_bearing::quantities::{Quantity, Scope, WATT};
+use tribodyn_bearing::quantities::{Get, Quantity, Scope, Set, WATT};
 
 /// Where power comes from and where it goes, W, and the energy stored, J. In is what drives, every loss is positive:
 /// shaft + loads = friction + drag + churning + damping + pocket + cage + supports + d(energy)/dt.
@@ -44,10 +44,7 @@ pub struct PowerSample {
 
 type P = Quantity<PowerSample>;
 
-const fn term(
-    [name, label, about]: [&'static str; 3],
-    at: (fn(&PowerSample) -> Option<f64>, fn(&mut PowerSample, f64)),
-) -> P {
+const fn term([name, label, about]: [&'static str; 3], at: (Get<PowerSample>, Set<PowerSample>)) -> P {
     P::new([name, label, about], [WATT; 2], at).in_scope(Scope::Run)
 }
 

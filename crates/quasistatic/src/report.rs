@@ -116,7 +116,7 @@ fn solution(
             let [axial, radial, _] = ball.spin_rad_s;
             let sliding = axial.hypot(radial) * bearing.geometry.ball_radius();
             let wear_rate_m3_s = bearing.pocket_wear_rate(force.abs() * sliding);
-            ball.pocket = PocketResult { lead_rad: lead, force_n: force, friction_n: None, wear_rate_m3_s };
+            ball.pocket = Some(PocketResult { lead_rad: lead, force_n: force, friction_n: None, wear_rate_m3_s });
         }
     }
     let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;

@@ -70,7 +70,7 @@ fn motion(b: &BallResult) -> Motion {
 
 /// The force of the pocket on the ball drives the ball where it points along the orbit.
 fn pocket(b: &BallResult) -> Pocket {
-    let along = b.pocket.force_n * b.orbital_speed_rad_s;
+    let along = b.pocket.unwrap_or_default().force_n * b.orbital_speed_rad_s;
     match along {
         _ if along > 0.0 => Pocket::CagePushes,
         _ if along < 0.0 => Pocket::BallPushes,

@@ -130,10 +130,10 @@ fn pockets(drawing: &Drawing, moment: &Moment, balls: &[BallResult]) -> SceneEnt
     let (diameter, scales) = (drawing.geometry.ball_diameter, drawing.scales);
     let mut entity = scene::entity(timestamp(moment.log_time), frames::CAGE.into(), "pocket_forces".into());
     for ball in balls {
-        let part = POCKET_MAGNIFICATION * ball.pocket.force_n.abs() / scales.load_n;
+        let part = POCKET_MAGNIFICATION * ball.pocket.unwrap_or_default().force_n.abs() / scales.load_n;
         let length = LONGEST_ARROW * diameter * part.min(OVERLONG);
         // Behind a ball that is driven along the orbit, ahead of one that is held back.
-        let sign = ball.pocket.force_n.signum();
+        let sign = ball.pocket.unwrap_or_default().force_n.signum();
         let (sin, cos) = (ball.azimuth_rad - moment.cage_angle_rad).sin_cos();
         let back = -sign * (0.5 * diameter + length);
         let tail =

@@ -8,6 +8,10 @@ use crate::result::{BallResult, ContactResult};
 type B = Quantity<BallResult>;
 type C = Quantity<ContactResult>;
 
+fn friction(ball: &mut BallResult) -> &mut [f64; 2] {
+    ball.pocket.get_or_insert_default().friction_n.get_or_insert_default()
+}
+
 /// Quantities of a ball.
 pub static BALL: [Quantity<BallResult>; 24] = [
     B::new(["azimuth", "Azimuth", "Azimuth from X towards Y"], [DEGREE, DEGREE], place!(.azimuth_rad)),
@@ -106,7 +110,7 @@ pub static BALL: [Quantity<BallResult>; 24] = [
             "Lead of the ball over the middle of its cage pocket; negative where it lags",
         ],
         [RADIAN, MILLIRADIAN],
-        place!(.pocket.lead_rad),
+        place!(pocket ? lead_rad),
     ),
     B::new(
         [
@@ -115,7 +119,7 @@ pub static BALL: [Quantity<BallResult>; 24] = [
             "Force of the cage pocket on the ball along the orbit; negative where it retards the ball",
         ],
         [NEWTON, NEWTON],
-        place!(.pocket.force_n),
+        place!(pocket ? force_n),
     )
     .along(Course::Threshold)
     .signed()
@@ -123,14 +127,14 @@ pub static BALL: [Quantity<BallResult>; 24] = [
     B::new(
         ["wear_rate_cage", "Wear rate", "Archard wear rate of the cage pocket"],
         [CUBIC_METRE_PER_SECOND, CUBIC_MICROMETRE_PER_SECOND],
-        place!(.pocket.wear_rate_m3_s),
+        place!(pocket ? wear_rate_m3_s),
     )
     .along(Course::Threshold)
     .over(&[Over::Sum]),
     B::new(
         ["pocket_friction_axial", "Pocket friction, axial", "Friction of the cage pocket on the ball, axial component"],
         [NEWTON, NEWTON],
-        (|b| b.pocket.friction_n.map(|f| f[0]), |b, v| b.pocket.friction_n.get_or_insert_default()[0] = v),
+        (|b| b.pocket?.friction_n.map(|f| f[0]), |b, v| friction(b)[0] = v),
     )
     .in_scope(Scope::Run),
     B::new(
@@ -140,7 +144,7 @@ pub static BALL: [Quantity<BallResult>; 24] = [
             "Friction of the cage pocket on the ball, radial component",
         ],
         [NEWTON, NEWTON],
-        (|b| b.pocket.friction_n.map(|f| f[1]), |b, v| b.pocket.friction_n.get_or_insert_default()[1] = v),
+        (|b| b.pocket?.friction_n.map(|f| f[1]), |b, v| friction(b)[1] = v),
     )
     .in_scope(Scope::Run),
     B::new(
@@ -164,7 +168,7 @@ pub static BALL: [Quantity<BallResult>; 24] = [
 ];
 
 /// Quantities of a ball–race contact.
-pub static CONTACT: [Quantity<ContactResult>; 17] = [
+pub static CONTACT: [Quantity<ContactResult>; 18] = [
     C::new(["contact_angle", "Contact angle", "Contact angle"], [DEGREE, DEGREE], place!(.angle_rad))
         .over(&[Over::Min, Over::Max])
         .reported(3),
@@ -243,6 +247,19 @@ pub static CONTACT: [Quantity<ContactResult>; 17] = [
         [METRE_PER_SECOND, METRE_PER_SECOND],
         place!(.rolling_speed_m_s),
     ),
+    C::new(
+        [
+            "sliding_speed",
+            "Sliding speed",
+            "Sliding speed, the mean over the contact weighted by pressure: V of a PV value",
+        ],
+        [METRE_PER_SECOND, METRE_PER_SECOND],
+        place!(friction ? sliding_speed_m_s),
+    )
+    .in_scope(Scope::Traction)
+    .along(Course::Positive)
+    .over(&[Over::Max])
+    .reported(3),
     C::new(
         ["power_loss", "Power loss", "Frictional power of the contact"],
         [WATT, WATT],

@@ -133,7 +133,10 @@ mod tests {
     fn limit_a_model_without_traction_has_no_such_numbers() {
         let ball = BallResult::default();
         for q in OfBall::all() {
-            assert_eq!(q.get(&ball).is_some(), q.facts().scope == Scope::All, "{}", q.name());
+            // A bearing may have no cage.
+            let held =
+                q.facts().scope == Scope::All && !["pocket", "wear_rate_cage"].iter().any(|n| q.name().starts_with(n));
+            assert_eq!(q.get(&ball).is_some(), held, "{}", q.name());
         }
     }
 }

@@ -1,9 +1,11 @@
 //! A run: stepping, samples, events, wear, and what can be saved and taken up again.
 
 mod after;
+mod blame;
 mod filter;
 mod step;
 
+pub use blame::{Blame, StepBound};
 pub use filter::FilterBands;
 
 use crate::dp54::{DormandPrince, StepControl};
@@ -17,6 +19,7 @@ use crate::rk4::Rk4;
 use crate::sample::Sample;
 use crate::start::{Started, start};
 use crate::stiffness::Stiffness;
+use blame::Looked;
 use filter::{Filter, FilterMemory, steps_of_sample};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{Races, RunInputs, RunOptions};
@@ -69,6 +72,7 @@ pub struct Checkpoint {
     stiffness: Stiffness,
     thinnest: Races<f64>,
     warned: bool,
+    looked: Looked,
 }
 
 /// What the scheme did.
@@ -179,6 +183,7 @@ impl Run {
             stiffness: machine.stiffness(0.0, &state),
             thinnest: machine.thinnest,
             warned: false,
+            looked: Looked { time: 0.0, state: state.clone() },
             state: state.clone(),
         };
         let mut run = Self {
@@ -213,7 +218,7 @@ impl Run {
     /// state rate or step.
     pub fn resume(&mut self, checkpoint: Checkpoint) -> Result<(), DynamicsError> {
         let (found, expected) = (checkpoint.state.len(), self.start.len());
-        if found != expected || checkpoint.derivative.len() != expected {
+        if [found, checkpoint.derivative.len(), checkpoint.looked.state.len()] != [expected; 3] {
             return Err(DynamicsError::Checkpoint { found, expected });
         }
         if !self.filter.remembers(&checkpoint.filter) {

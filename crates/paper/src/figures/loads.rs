@@ -47,8 +47,8 @@ pub const SPINS: [Plan; 2] = [
 pub const RACE_WEAR: [Plan; 1] = [("", WEAR, |b| {
     Some(1e12 * (b.contacts.inner.friction_or_nan().wear_rate_m3_s + b.contacts.outer.friction_or_nan().wear_rate_m3_s))
 })];
-const POCKET_WEAR: Plan = ("", WEAR, |b| Some(1e12 * b.pocket.wear_rate_m3_s));
-const POCKET_FORCE: Plan = ("", FORCE, |b| Some(b.pocket.force_n.abs()));
+const POCKET_WEAR: Plan = ("", WEAR, |b| Some(1e12 * b.pocket.unwrap_or_default().wear_rate_m3_s));
+const POCKET_FORCE: Plan = ("", FORCE, |b| Some(b.pocket.unwrap_or_default().force_n.abs()));
 /// Fig. 21b: what goes with the wear of a pocket.
 pub const POCKET: [Plan; 3] = [
     ("Wear of the pocket", POCKET_WEAR.1, POCKET_WEAR.2),

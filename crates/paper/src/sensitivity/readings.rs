@@ -186,7 +186,7 @@ fn impacts(set: &Set) -> Vec<Reading> {
     };
     let weighed = |wall: f64| {
         move |run: &Transient| {
-            let force = |b: &BallResult| (wall * b.pocket.force_n).max(0.0);
+            let force = |b: &BallResult| (wall * b.pocket.unwrap_or_default().force_n).max(0.0);
             let all = samples(run, force);
             let inside = |azimuth: f64| (245.0..=330.0).contains(&azimuth.rem_euclid(TAU).to_degrees());
             let total: f64 = all.iter().map(|p| p.1).sum();
@@ -200,12 +200,12 @@ fn impacts(set: &Set) -> Vec<Reading> {
         says: Says::Above(0.5),
     };
     vec![
-        near("greatest pocket force", &|run| place(run, |b| b.pocket.force_n.abs())),
-        near("greatest force of the front wall", &|run| place(run, |b| -b.pocket.force_n)),
-        near("greatest force of the rear wall", &|run| place(run, |b| b.pocket.force_n)),
+        near("greatest pocket force", &|run| place(run, |b| b.pocket.unwrap_or_default().force_n.abs())),
+        near("greatest force of the front wall", &|run| place(run, |b| -b.pocket.unwrap_or_default().force_n)),
+        near("greatest force of the rear wall", &|run| place(run, |b| b.pocket.unwrap_or_default().force_n)),
         near("greatest orbital speed", &|run| place(run, |b| b.orbital_speed_rad_s)),
         near("least orbital speed", &|run| place(run, |b| -b.orbital_speed_rad_s)),
-        near("greatest lead", &|run| place(run, |b| b.pocket.lead_rad)),
+        near("greatest lead", &|run| place(run, |b| b.pocket.unwrap_or_default().lead_rad)),
         share("share of the impulse of the front wall", &weighed(-1.0)),
         share("share of the impulse of the rear wall", &weighed(1.0)),
     ]
@@ -275,8 +275,12 @@ fn coatings(set: &Set) -> Vec<Reading> {
 fn cage(set: &Set) -> Vec<Reading> {
     let mut out = Vec::new();
     for average in AVERAGES {
-        let force = loads(set).map(|run| (average.of)(&mut samples(run, |b| b.pocket.force_n.abs()))).to_vec();
-        let wear = loads(set).map(|run| (average.of)(&mut samples(run, |b| 1e12 * b.pocket.wear_rate_m3_s))).to_vec();
+        let force = loads(set)
+            .map(|run| (average.of)(&mut samples(run, |b| b.pocket.unwrap_or_default().force_n.abs())))
+            .to_vec();
+        let wear = loads(set)
+            .map(|run| (average.of)(&mut samples(run, |b| 1e12 * b.pocket.unwrap_or_default().wear_rate_m3_s)))
+            .to_vec();
         out.push(Reading { row: "F23.2.text", text: average.name.to_owned(), values: force, says: Says::Rises });
         out.push(Reading { row: "F24.1.cage", text: average.name.to_owned(), values: wear, says: Says::Falls });
     }

@@ -65,7 +65,7 @@ impl Trace {
             cage_speed: sample.cage.speed_rad_s,
             mean_orbit: mean(sample.balls.iter().map(|b| b.orbital_speed_rad_s)),
             orbit: first.orbital_speed_rad_s,
-            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket.force_n.abs().max(most)),
+            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket.unwrap_or_default().force_n.abs().max(most)),
         });
         if with_balls {
             self.balls.push((sample.time_s, sample.balls.clone()));

@@ -119,7 +119,13 @@ fn wear_order(runs: &Runs) -> [Row; 3] {
             |b| b.contacts.inner.friction_or_nan().wear_rate_m3_s,
             true,
         ),
-        row("F18.1.cage", "less wear of the cage in cases 1, 2", least_favourable, |b| b.pocket.wear_rate_m3_s, true),
+        row(
+            "F18.1.cage",
+            "less wear of the cage in cases 1, 2",
+            least_favourable,
+            |b| b.pocket.unwrap_or_default().wear_rate_m3_s,
+            true,
+        ),
         row(
             "F18.1.outer",
             "more wear of the outer race in cases 1, 2",
@@ -157,11 +163,13 @@ fn race_wear_zone(runs: &Runs, id: &'static str, get: Quantity) -> Row {
 /// F18.3, cage: most wear in the light zone.
 fn cage_wear_zone(runs: &Runs) -> Row {
     let share = |run: &Run| {
-        let light: f64 = run.solution.balls.iter().filter(|b| !heavy(b)).map(|b| b.pocket.wear_rate_m3_s).sum();
-        light / total(run, |b| b.pocket.wear_rate_m3_s)
+        let light: f64 =
+            run.solution.balls.iter().filter(|b| !heavy(b)).map(|b| b.pocket.unwrap_or_default().wear_rate_m3_s).sum();
+        light / total(run, |b| b.pocket.unwrap_or_default().wear_rate_m3_s)
     };
     let worst = least(runs.cases.iter().map(share));
-    let touching = |run: &Run| values(run, |b| b.pocket.force_n).filter(|f| *f != 0.0).count() as f64;
+    let touching =
+        |run: &Run| values(run, |b| b.pocket.unwrap_or_default().force_n).filter(|f| *f != 0.0).count() as f64;
     let note = format!(
         "met above {MOSTLY} in every case (NaN: no ball touches its pocket); {}; balls that touch: {}",
         by_case(runs, 3, share),

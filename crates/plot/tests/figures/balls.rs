@@ -124,7 +124,7 @@ fn identity_signed_quantities_are_over_degrees_and_magnitudes_on_circles() {
 fn limit_wear_that_is_zero_has_zero_alone_on_its_axis() {
     let mut none = solution(Model::Traction, 1.0, 1.0);
     for ball in &mut none.balls {
-        ball.pocket.wear_rate_m3_s = 0.0;
+        ball.pocket.as_mut().unwrap().wear_rate_m3_s = 0.0;
         for side in Side::BOTH {
             friction(&mut ball.contacts[side]).wear_rate_m3_s = 0.0;
         }

@@ -22,6 +22,7 @@ pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
             slide_to_roll: [1e-3 * ((0.2 - 1.5 * cos + 0.3 * swing * sin) * (0.25 + 0.75 * slip) - 0.3), 4e-4],
             power_loss_w: 900.0 + 700.0 * heavy - 40.0 * slip,
             wear_rate_m3_s: 1e-12 * (2.1 + 1.7 * heavy - 0.12 * slip + 0.02 * swing),
+            ..FrictionResult::default()
         }),
         transient: None,
     };
@@ -38,6 +39,7 @@ pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
             slide_to_roll: [1e-3 * (0.35 * cos - 0.4 - 0.12 * slip), -3e-4],
             power_loss_w: 210.0 + 90.0 * heavy + 60.0 * slip,
             wear_rate_m3_s: 1e-12 * (0.42 + 0.2 * heavy + 0.1 * slip),
+            ..FrictionResult::default()
         }),
         transient: None,
     };
@@ -56,12 +58,12 @@ pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
             power_loss_w: 6100.0 + 60.0 * cos - 20.0 * slip,
             ..FluidResult::default()
         }),
-        pocket: PocketResult {
+        pocket: Some(PocketResult {
             lead_rad: 1e-3 * sin,
             force_n: -(340.0 * (-cos - 0.55)).max(0.0) * (1.0 - 0.4 * slip),
             friction_n: None,
             wear_rate_m3_s: 3e-14 * (-cos - 0.55).max(0.0) * (1.0 - 0.4 * slip),
-        },
+        }),
         motion: None,
     }
 }

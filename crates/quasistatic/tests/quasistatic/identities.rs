@@ -155,7 +155,7 @@ fn identity_common_rotation_matters_by_inertia_alone() {
         let mut bearing = case.bearing().unwrap();
         bearing.fluid = None;
         let point = OperatingPoint { ring: paper_ring(0.0, 0.0, 44e3), ..case.operating_point() };
-        solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution.balls[0].clone()
+        solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution.balls[0]
     };
     let light = ("materials.ball.density", "kg_per_m3(1e-6)");
     let both = [("speed.inner", "Constant(rpm(17000))"), ("speed.outer", "Constant(rpm(3000))")];

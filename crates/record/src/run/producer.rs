@@ -158,7 +158,7 @@ impl Producer {
         let ring_load_n = sample.inner.ball_force_n.map(|x| -x);
         let scales = Scales::of_first(&sample.balls, ring_load_n);
         self.memory.scales = Some(scales);
-        let first = sample.balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket.lead_rad);
+        let first = sample.balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket.unwrap_or_default().lead_rad);
         let bodies = Bodies {
             geometry: &self.geometry,
             pocket_gap: self.pocket_gap,

@@ -41,6 +41,7 @@ fn ball(azimuth: f64) -> BallResult {
             slide_to_roll: [-0.002 * one, 0.001],
             power_loss_w: 900.0 + 200.0 * one,
             wear_rate_m3_s: 3e-14 + 1e-14 * one,
+            ..FrictionResult::default()
         }),
         transient: None,
     };
@@ -57,6 +58,7 @@ fn ball(azimuth: f64) -> BallResult {
             slide_to_roll: [0.001 + 0.0005 * two, 0.002 * one],
             power_loss_w: 400.0 + 90.0 * one,
             wear_rate_m3_s: 1e-14 + 3e-15 * one,
+            ..FrictionResult::default()
         }),
         transient: None,
     };
@@ -71,12 +73,12 @@ fn ball(azimuth: f64) -> BallResult {
         gyroscopic_moment_nm: 6.0 + 0.1 * one,
         contacts: Races { inner, outer },
         fluid: Some(FluidResult { drag_n: 170.0, power_loss_w: 8600.0, ..FluidResult::default() }),
-        pocket: PocketResult {
+        pocket: Some(PocketResult {
             lead_rad: 2e-3 * one,
             force_n: (80.0 * one - 40.0).max(0.0),
             friction_n: None,
             wear_rate_m3_s: (2e-15 * one - 1e-15).max(0.0),
-        },
+        }),
         motion: None,
     }
 }

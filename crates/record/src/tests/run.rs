@@ -76,7 +76,7 @@ fn identity_a_run_comes_back_as_it_was_recorded() {
         let exact = sample(*time);
         for (row, ball) in balls.iter().zip(&exact.balls) {
             assert_eq!(row.load_outer_n, ball.contacts.outer.load_n as f32);
-            assert_eq!(row.pocket_force_n, ball.pocket.force_n as f32);
+            assert_eq!(row.pocket_force_n, ball.pocket.unwrap_or_default().force_n as f32);
             assert_eq!((row.damping_inner_n, row.bare_outer_percent), (12.5, 25.0));
             assert!((row.depth_inner_um - 1.5).abs() < 1e-6);
             let turn = (f64::from(row.azimuth_deg) - ball.azimuth_rad.to_degrees() + 180.0).rem_euclid(360.0) - 180.0;

@@ -34,6 +34,7 @@ fn contact(angle_deg: f64, load: f64) -> ContactResult {
             slide_to_roll: [-0.002, 0.001],
             power_loss_w: 900.0,
             wear_rate_m3_s: 3e-14,
+            ..FrictionResult::default()
         }),
         transient: Some(TransientContact { damping_n: 12.5, bare: 0.25, depth_m: 1.5e-6 }),
     }
@@ -59,12 +60,12 @@ fn ball(index: usize, time: f64) -> BallResult {
             churning_w: 70.0,
             power_loss_w: 8700.0,
         }),
-        pocket: PocketResult {
+        pocket: Some(PocketResult {
             lead_rad: lead,
             force_n: -1.0e4 * lead,
             friction_n: Some([2.0, -1.0]),
             wear_rate_m3_s: 1e-15,
-        },
+        }),
         motion: Some(BallMotionResult {
             orbital_acceleration_rad_s2: -12.8 * (80.0 * time + index as f64).sin(),
             velocity_m_s: [0.001, -0.002],

@@ -58,9 +58,9 @@ fn identity_words_in_the_picture_are_short_and_true() {
 #[test]
 fn identity_pocket_forces_push_the_balls() {
     let mut start = sample(0.0);
-    start.balls.iter_mut().for_each(|ball| ball.pocket.force_n = 0.0);
-    start.balls[0].pocket.force_n = 100.0;
-    start.balls[4].pocket.force_n = -200.0;
+    start.balls.iter_mut().for_each(|ball| ball.pocket.as_mut().unwrap().force_n = 0.0);
+    start.balls[0].pocket.as_mut().unwrap().force_n = 100.0;
+    start.balls[4].pocket.as_mut().unwrap().force_n = -200.0;
     let file = record(&case::case(BALLS), &[start]);
     let contacts: Vec<SceneUpdate> = of_topic(&file, "/bearing/contacts");
     let forces = entity(&contacts[0], "pocket_forces");

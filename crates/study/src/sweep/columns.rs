@@ -52,14 +52,17 @@ impl Column {
 /// The column that says whether a row is a solution.
 pub const CONVERGED: &str = "converged";
 
+/// A column of results: its name, and its value for a solution.
+type Figure = (String, Box<dyn Fn(&Solution) -> Option<f64>>);
+
 /// Numbers of a solution by name and in the unit of `solve --json`: those of the bearing, then those that the table of
 /// quantities has for all balls.
-fn figures() -> impl Iterator<Item = (String, Box<dyn Fn(&Solution) -> Option<f64>>)> {
-    let of_bearing = SOLUTION.iter().map(|q| -> (String, Box<dyn Fn(&Solution) -> Option<f64>>) {
+fn figures() -> impl Iterator<Item = Figure> {
+    let of_bearing = SOLUTION.iter().map(|q| -> Figure {
         let unit = q.facts.unit;
         (joined(&[q.facts.name, unit.suffix]), Box::new(move |s| (q.get)(s).map(|value| value * unit.per_si)))
     });
-    let of_balls = OfBall::over_balls().map(|(q, over)| -> (String, Box<dyn Fn(&Solution) -> Option<f64>>) {
+    let of_balls = OfBall::over_balls().map(|(q, over)| -> Figure {
         let unit = q.facts().unit;
         (q.over_name(over, unit), Box::new(move |s| q.over(over, &s.balls).map(|value| value * unit.per_si)))
     });

@@ -174,7 +174,7 @@ fn cage(set: &Set) -> Vec<Row> {
     let force = |run: &Transient| run.settled().pocket_peak();
     let forces = || format!("largest pocket force in N: {}", by_load(set, force, 0));
     let race = |run: &Transient| run.settled().ball_mean(race_wear) * 1e12;
-    let pocket = |run: &Transient| run.settled().ball_mean(|b| b.pocket.wear_rate_m3_s) * 1e12;
+    let pocket = |run: &Transient| run.settled().ball_mean(|b| b.pocket.unwrap_or_default().wear_rate_m3_s) * 1e12;
     let per_ball = |text: String| format!("mean of a ball in 1e-12 m³/s: {text}");
     vec![
         rising(set, "F23.2.text", "peak ball–cage force grows with axial load (text on Fig. 23d)", force, forces()),
