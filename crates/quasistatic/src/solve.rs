@@ -423,3 +423,7 @@ pub(crate) fn traction_of<'a>(
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     traction_system(bearing, point, Typical::new(bearing, &point.ring, speeds), at.rule)
 }
+
+#[cfg(test)]
+#[path = "rescue_test.rs"]
+mod rescue_test;
