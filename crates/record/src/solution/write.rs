@@ -1,7 +1,8 @@
 //! Writing a recording: checks first, then everything into `<path>.active`, which gets its name when it is whole.
 
+use super::check::check;
+use super::messages;
 use crate::ball::{self, Derived};
-use crate::check::check;
 use crate::contacts::{self, Drawing, Moment, Scales};
 use crate::frames::{self, Spins};
 use crate::layout::{Layout, LayoutKind};
@@ -9,7 +10,7 @@ use crate::output::{Channel, Entries, Output, SMALL, active_path, file_error, fn
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, Timeline, timestamp};
 use crate::wire::foxglove::{Log, SceneUpdate, log};
-use crate::{RecordError, RecordingSummary, messages, read_summary};
+use crate::{RecordError, RecordingSummary, read_summary};
 use mcap::McapResult;
 use std::fs::{self, File};
 use std::io::{BufWriter, Seek, Write};

@@ -1,0 +1,7 @@
+//! MCAP files: writing, reading, and what can be saved of a damaged one.
+
+pub(crate) mod output;
+pub(crate) mod read;
+pub(crate) mod recover;
+pub(crate) mod replay;
+pub(crate) mod scan;

@@ -1,0 +1,5 @@
+//! The messages of a recording, and how a ball becomes one.
+
+pub(crate) mod ball;
+pub(crate) mod units;
+pub mod wire;
