@@ -6,7 +6,6 @@ use crate::table::{self, number};
 use serde::Serialize;
 use tribodyn_bearing::Bearing;
 use tribodyn_case::{Case, Source};
-use tribodyn_study::CaseFile;
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
 #[derive(clap::Args)]
@@ -85,13 +84,13 @@ fn answer(case: &Case, bearing: &Bearing) -> Answer {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
+    let file = arguments.case.read()?;
     let bearing = file.bearing()?;
     let a = answer(&file.case, &bearing);
     if arguments.json {
         return table::print_json(&a);
     }
-    table::print_line(&format!("{}: {}\n", file.name, a.name))?;
+    table::print_line(&format!("{}: {}\n", file.name, table::visible(&a.name)))?;
     let mut rows = vec![
         ("free contact angle", number(a.contact_angle_deg, 4), "°"),
         ("radial clearance (diametral)", number(a.radial_clearance_m * 1e6, 2), "µm"),

@@ -25,8 +25,10 @@ pub use file::read::{AttachmentSummary, RecordingSummary, TopicSummary, read_sum
 pub use file::recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};
 pub use file::replay::{
     BallRow, LogRow, OrbitRow, Run, RunItem, RunReader, SolutionRow, SpectrumRow, StateRow, WearRow, read_recording,
-    read_run,
+    read_recording_within, read_run,
 };
+pub use file::scan::Damage;
+pub use file::temporary::TemporaryFile;
 pub use layout::{Layout, LayoutKind};
 #[cfg(feature = "live")]
 pub use live::{LIVE_ADDRESS, LiveServer, LiveSummary, LiveWarning};

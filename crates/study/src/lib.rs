@@ -5,6 +5,8 @@ mod error;
 pub mod evaluation;
 mod files;
 mod life;
+mod limits;
+mod ours;
 pub mod run;
 pub mod sweep;
 
@@ -12,3 +14,5 @@ pub use case_file::{CaseFile, Change, read_text};
 pub use error::{RefusedCase, StudyError, SweepDifference, with_causes};
 pub use files::StagedFiles;
 pub use life::{Life, LifeOptions, LifeStride, wear_life};
+pub use limits::Limits;
+pub use ours::Ours;

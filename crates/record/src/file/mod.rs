@@ -5,3 +5,4 @@ pub(crate) mod read;
 pub(crate) mod recover;
 pub(crate) mod replay;
 pub(crate) mod scan;
+pub(crate) mod temporary;

@@ -37,6 +37,9 @@ pub struct LogRow {
     pub message: String,
 }
 
+/// Longest message with numbers, bytes: five thousand balls. A message of empty balls takes a hundred times its length in memory.
+const LONGEST_MESSAGE: usize = 1 << 20;
+
 /// A part of a run, in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(clippy::large_enum_variant)] // most items are states, the largest
@@ -63,8 +66,25 @@ pub enum RunItem {
     Log(LogRow),
 }
 
-/// Goes through a recorded run with the memory of one chunk (about 1 MiB). Damaged chunks are skipped, as in
-/// [`crate::recover()`]; messages for the eye only (frames and scene) are left out.
+impl RunItem {
+    /// Memory that it takes, about.
+    fn bytes(&self) -> usize {
+        let own = match self {
+            Self::State(_) => return size_of::<StateRow>(),
+            Self::Solution(_) => return size_of::<SolutionRow>(),
+            Self::Balls(_, balls) => balls.len() * size_of::<BallRow>(),
+            Self::Case(text) | Self::Layout(text) => text.len(),
+            Self::Metadata(_, entries) => entries.iter().map(|(key, value)| key.len() + value.len() + 64).sum(),
+            Self::Wear(_) | Self::Log(_) => 512,
+            Self::Spectrum(row) => 4 * (row.amplitude.len() + row.frequency_hz.len()),
+            Self::Orbit(row) => 8 * row.x_um.len(),
+        };
+        own + 64
+    }
+}
+
+/// Goes through a recorded run with the memory of one chunk (about 1 MiB). Of damaged chunks it gives what
+/// [`crate::recover()`] saves; messages for the eye only (frames and scene) are left out.
 #[derive(Debug)]
 pub struct RunReader<R> {
     scanner: Scanner<R>,
@@ -115,17 +135,8 @@ impl<R: Read + Seek> RunReader<R> {
         Self { balls: false, ..self }
     }
 
-    /// Whether the file ends before its end mark; known once all items are read.
-    pub fn truncated(&self) -> bool {
-        self.damage().truncated
-    }
-
-    /// Damaged chunks skipped so far.
-    pub fn chunks_bad(&self) -> u64 {
-        self.damage().chunks_bad
-    }
-
-    fn damage(&self) -> Damage {
+    /// What was found wrong with the file so far; final once all items are read.
+    pub fn damage(&self) -> Damage {
         self.scanner.damage()
     }
 
@@ -161,6 +172,9 @@ impl<R: Read + Seek> RunReader<R> {
         let Some((topic, schema)) = self.channels.get(&channel) else {
             return Ok(None);
         };
+        if data.len() > LONGEST_MESSAGE {
+            return Err(RecordError::LongMessage { topic: topic.clone(), bytes: data.len(), most: LONGEST_MESSAGE });
+        }
         let schema = self.schemas.get(schema).map_or("", String::as_str);
         let item = match schema {
             "tribodyn.v1.TransientState" => StateRow::decode(data).map(RunItem::State),
@@ -227,10 +241,8 @@ pub struct Run {
     pub wear: Vec<WearRow>,
     /// The log.
     pub events: Vec<LogRow>,
-    /// Whether the file ends before its end mark: the run was killed, or is still going on.
-    pub truncated: bool,
-    /// Damaged chunks that are missing.
-    pub chunks_bad: u64,
+    /// What is wrong with the file; of a run that was killed or is still going on it is truncated.
+    pub damage: Damage,
 }
 
 /// Reads a whole run.
@@ -251,10 +263,24 @@ pub fn read_run(path: &Path) -> Result<Run, RecordError> {
 /// As [`RunReader::open`]; [`RecordError::Decode`] if a message is not what its topic says,
 /// [`RecordError::NothingToRecover`] if no state of either kind can be read.
 pub fn read_recording(path: &Path) -> Result<Run, RecordError> {
+    read_recording_within(path, u64::MAX)
+}
+
+/// [`read_recording`] for a file from elsewhere, whose content may be a thousand times as long as the file.
+///
+/// # Errors
+/// As [`read_recording`]; [`RecordError::TooLong`] if the numbers take more than `most` bytes of memory.
+pub fn read_recording_within(path: &Path, most: u64) -> Result<Run, RecordError> {
     let mut reader = RunReader::open(path)?;
+    let mut taken = 0;
     let mut run = Run::default();
     for item in &mut reader {
-        match item? {
+        let item = item?;
+        taken += item.bytes() as u64;
+        if taken > most {
+            return Err(RecordError::TooLong { path: path.to_owned(), most });
+        }
+        match item {
             RunItem::Case(text) => run.case_text = Some(text),
             RunItem::Layout(text) => run.layout_text = Some(text),
             RunItem::Metadata(name, entries) => {
@@ -270,7 +296,7 @@ pub fn read_recording(path: &Path) -> Result<Run, RecordError> {
             RunItem::Spectrum(_) | RunItem::Orbit(_) => {}
         }
     }
-    (run.truncated, run.chunks_bad) = (reader.truncated(), reader.chunks_bad());
+    run.damage = reader.damage();
     if run.states.is_empty() && run.solution.is_none() {
         return Err(RecordError::NothingToRecover { path: path.to_owned() });
     }

@@ -56,7 +56,7 @@ fn identity_the_filter_of_a_run_stands_in_its_metadata() {
 fn identity_a_run_comes_back_as_it_was_recorded() {
     let run = recorded("run-back", 300, 10_000.0, 5);
     assert_eq!((run.states.len(), run.balls.len()), (300, 60));
-    assert!(!run.truncated && run.chunks_bad == 0);
+    assert!(run.damage.is_none());
     assert_eq!(run.case_text.as_deref(), Some(case::TEXT));
     let simulation = &run.metadata["simulation"];
     assert_eq!((simulation["kind"].as_str(), simulation["seed"].as_str()), ("transient run", "none"));
@@ -237,7 +237,7 @@ fn limit_a_run_that_ends_early_leaves_a_file_that_can_be_read() {
     assert!(!path.exists());
     assert_eq!(read_run(&active).unwrap().states.len(), 40);
     // Into the name that the run would have had.
-    assert_eq!(recover(&active, &path).unwrap().chunks_bad, 0);
+    assert_eq!(recover(&active, &path).unwrap().damage.chunks_bad, 0);
     assert_eq!(read_run(&path).unwrap().states.len(), 40);
     std::fs::remove_file(&path).unwrap();
     std::fs::remove_file(&active).unwrap();
@@ -346,4 +346,70 @@ fn limit_a_full_disk_is_an_error_with_the_name_of_the_file() {
     let missing = path("nowhere").join("run.mcap");
     let error = RunRecorder::<FileSink>::create(&missing, &recording(&case)).unwrap_err();
     assert!(matches!(error, RecordError::File { action: "create", .. }), "{error}");
+}
+
+/// A checkpoint names topics by their place.
+#[test]
+fn limit_a_message_for_no_topic_is_refused() {
+    let case = super::case::case(super::BALLS);
+    let sink = StreamSink::new(Cursor::new(Vec::new()), Path::new("memory"));
+    let shared = Shared(std::rc::Rc::new(std::cell::RefCell::new(sink)));
+    assert!(matches!(shared.clone().message(0, 0, b""), Err(RecordError::NotBegun)));
+    let _recorder = RunRecorder::new(shared.clone(), &super::sample::recording(&case)).unwrap();
+    let refused = shared.clone().message(usize::MAX, 0, b"");
+    assert!(matches!(refused, Err(RecordError::NoTopic { channel: usize::MAX, topics: 13 })), "{refused:?}");
+}
+
+/// The memory of a recorder comes from a checkpoint: lists that do not fit and times that cannot be are refused.
+#[test]
+fn limit_an_impossible_memory_is_refused() {
+    let case = super::case::case(super::BALLS);
+    let new = || {
+        let sink = StreamSink::new(Cursor::new(Vec::new()), Path::new("memory"));
+        RunRecorder::new(sink, &super::sample::recording(&case)).unwrap()
+    };
+    let mut recorder = new();
+    super::sample::feed(&mut recorder, 300, 1_000.0, 4).unwrap();
+    let sound = serde_json::to_value(recorder.memory()).unwrap();
+    let edits = [
+        ("/last_time_s", serde_json::json!(-1.0)),
+        ("/next_slow_s", serde_json::json!(-1e300)),
+        ("/next_flush_s", serde_json::json!(1e300)),
+        ("/last_log_time", serde_json::json!(u64::MAX)),
+        ("/found/inner", serde_json::json!([])),
+        ("/recent/values/0", serde_json::json!([])),
+        ("/motion/last/1", serde_json::json!([])),
+        ("/pending/impacts", serde_json::json!(u64::MAX)),
+    ];
+    for (place, value) in edits {
+        let mut edited = sound.clone();
+        *edited.pointer_mut(place).unwrap_or_else(|| panic!("{place}")) = value.clone();
+        let refused = new().remember(serde_json::from_value(edited).unwrap());
+        assert!(matches!(refused, Err(RecordError::Memory { .. })), "{place} = {value}: {refused:?}");
+    }
+    new().remember(serde_json::from_value(sound).unwrap()).unwrap();
+}
+
+/// A sink that somebody else may write to, as a run's session does when it copies what was recorded before.
+#[derive(Clone)]
+struct Shared(std::rc::Rc<std::cell::RefCell<StreamSink<Cursor<Vec<u8>>>>>);
+
+impl Sink for Shared {
+    type Output = ();
+
+    fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError> {
+        self.0.borrow_mut().begin(preamble)
+    }
+
+    fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
+        self.0.borrow_mut().message(channel, log_time, data)
+    }
+
+    fn flush(&mut self) -> Result<(), RecordError> {
+        self.0.borrow_mut().flush()
+    }
+
+    fn finish(self) -> Result<(), RecordError> {
+        Ok(())
+    }
 }

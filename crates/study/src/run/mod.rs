@@ -9,6 +9,9 @@ mod summary;
 mod tape;
 pub mod warnings;
 
+pub(crate) use checkpoint::FORMAT as CHECKPOINT_FORMAT;
+#[doc(hidden)]
+pub use checkpoint::is_checkpoint;
 pub use outcome::{RunOutcome, RunReport, Stopped};
 pub use session::{Beginning, PreparedRun, RunSession};
 pub use settled::Settled;
