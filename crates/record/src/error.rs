@@ -141,6 +141,26 @@ pub enum RecordError {
         /// Longest that is read.
         most: usize,
     },
+    /// A number of a recording is infinite or none.
+    #[error("{field} of a message on {topic} is {value}: the recording holds numbers that are none")]
+    NotANumber {
+        /// Which topic.
+        topic: String,
+        /// Which field.
+        field: String,
+        /// Its value.
+        value: f64,
+    },
+    /// Times of a recording that go back.
+    #[error("times of {} go back: {time_s} s follows {last_s} s", path.display())]
+    Disordered {
+        /// Which file.
+        path: PathBuf,
+        /// The later message's time, s.
+        time_s: f64,
+        /// The time before it, s.
+        last_s: f64,
+    },
     /// A message of a recording is not what its topic says.
     #[error("a message on {topic} cannot be decoded: {source}")]
     Decode {

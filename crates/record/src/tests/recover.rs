@@ -262,3 +262,43 @@ fn limit_a_run_still_going_on_can_be_read() {
     assert!((100..160).contains(&states), "{states}");
     assert!(items.iter().any(|item| matches!(item, RunItem::Case(text) if text == super::case::TEXT)));
 }
+
+/// A recording of states at these times, with a cage speed, r/min.
+fn states(name: &str, rows: &[(f64, f64)]) -> std::path::PathBuf {
+    let mut writer = crate::output::writer(Cursor::new(Vec::new()), "tribodyn test", crate::output::SMALL).unwrap();
+    let schema = writer.add_schema("tribodyn.v1.TransientState", "protobuf", &[]).unwrap();
+    let channel = writer.add_channel(schema, "/bearing/state", "protobuf", &std::collections::BTreeMap::new()).unwrap();
+    for &(time_s, cage_speed_rpm) in rows {
+        let row = crate::StateRow { time_s, cage_speed_rpm, ..Default::default() };
+        let header = mcap::records::MessageHeader { channel_id: channel, sequence: 0, log_time: 7, publish_time: 7 };
+        writer.write_to_known_channel(&header, &prost::Message::encode_to_vec(&row)).unwrap();
+    }
+    writer.finish().unwrap();
+    let path = super::path(name);
+    std::fs::write(&path, writer.into_inner().into_inner()).unwrap();
+    path
+}
+
+#[test]
+fn limit_numbers_that_are_none_and_times_that_go_back_are_refused() {
+    let read = |name, rows: &[(f64, f64)]| {
+        let path = states(name, rows);
+        let read = crate::read_recording(&path);
+        std::fs::remove_file(path).unwrap();
+        read
+    };
+    assert_eq!(read("ordered", &[(0.0, 1.0), (0.1, 2.0), (0.1, 3.0)]).unwrap().states.len(), 3);
+    let error = read("back", &[(0.0, 1.0), (0.2, 2.0), (0.1, 3.0)]).unwrap_err();
+    assert!(error.to_string().ends_with("go back: 0.1 s follows 0.2 s"), "{error}");
+    let error = read("none", &[(0.0, 1.0), (0.1, f64::NAN)]).unwrap_err();
+    assert!(error.to_string().starts_with("cage_speed_rpm of a message on /bearing/state is NaN"), "{error}");
+}
+
+#[test]
+fn limit_a_recording_does_not_fill_the_memory() {
+    let path = states("long", &[(0.0, 1.0); 4000]);
+    let within = |most| crate::read_recording_within(&path, most).map(|run| run.states.len());
+    assert_eq!(within(1 << 24).unwrap(), 4000);
+    assert!(matches!(within(1 << 16), Err(RecordError::TooLong { most: 65_536, .. })));
+    std::fs::remove_file(path).unwrap();
+}
