@@ -9,6 +9,7 @@ mod built;
 mod ci;
 mod error;
 mod figures;
+mod fuzz;
 mod page;
 mod sensitivity;
 mod terminal;
@@ -36,6 +37,8 @@ enum Command {
     Figures(figures::Arguments),
     /// Measure kernels, transient schemes and the quasi-static solver
     Bench(bench::Arguments),
+    /// Try inputs by the million on everything that reads files and messages from elsewhere
+    Fuzz(fuzz::Arguments),
     /// Open a report in headless Chromium and look for what is wrong
     Page(page::Arguments),
     /// Run everything that continuous integration runs
@@ -49,6 +52,7 @@ fn main() -> ExitCode {
         Command::Sensitivity(arguments) => sensitivity::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
+        Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
         Command::Ci => ci::run(),
     };

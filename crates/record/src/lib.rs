@@ -31,6 +31,9 @@ pub use file::scan::Damage;
 pub use file::temporary::TemporaryFile;
 pub use layout::{Layout, LayoutKind};
 #[cfg(feature = "live")]
+#[doc(hidden)]
+pub use live::is_live_request;
+#[cfg(feature = "live")]
 pub use live::{LIVE_ADDRESS, LiveServer, LiveSummary, LiveWarning};
 pub use run::{FileSink, Preamble, RecorderMemory, RunRecorder, RunRecording, Sink, StreamSink};
 pub use solution::write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};

@@ -42,6 +42,11 @@ impl Setting {
         }
     }
 
+    /// Number of values.
+    pub fn count(&self) -> usize {
+        self.values.len()
+    }
+
     /// With a text that stands before the setting in messages, such as the name of an option.
     pub fn prefixed(self, prefix: &'static str) -> Self {
         Self { prefix, ..self }
