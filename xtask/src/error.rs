@@ -1,4 +1,4 @@
-//! What can stop a task.
+//! Failures of a task.
 
 use tribodyn_paper::{PaperError, listed};
 

@@ -11,6 +11,7 @@ mod error;
 mod figures;
 mod fuzz;
 mod page;
+mod python;
 mod sensitivity;
 mod terminal;
 mod validate;

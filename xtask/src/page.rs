@@ -22,7 +22,7 @@ pub struct Arguments {
     browser: Option<String>,
 }
 
-/// Where the page of the short run is made.
+/// Folder in which the page of the short run is made.
 const FOLDER: &str = "target/page";
 /// Duration of that run, s: two turns of the cage, so that there are spectra and charts over an orbit.
 const DURATION_S: &str = "0.03";
@@ -67,7 +67,7 @@ fn check(arguments: &Arguments) -> Result<Checked, Failure> {
     Ok(Checked::Passed)
 }
 
-/// Whether a program can be started.
+/// True if a program can be started.
 fn answers(program: &str) -> bool {
     let status = Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     status.is_ok_and(|status| status.success())

@@ -3,6 +3,7 @@
 use crate::error::Failure;
 use crate::terminal::{notes, print, progress};
 use std::path::PathBuf;
+use tribodyn_paper::sensitivity;
 use tribodyn_paper::validate::{Validation, paper_case};
 
 /// Options of `validate`.
@@ -41,6 +42,7 @@ fn compare(validation: &Validation, check: bool) -> Result<(), Failure> {
     if check {
         findings.extend(differences.outdated);
         findings.extend(validation.outdated_documents()?);
+        findings.extend(sensitivity::outdated()?);
     } else {
         notes(&differences.outdated);
     }
@@ -59,5 +61,6 @@ pub fn check(output: PathBuf) -> Result<(), Failure> {
 pub fn rewrite_fixtures() -> Result<(), Failure> {
     let validation = Validation::new(&paper_case(), None, &progress)?;
     notes(&validation.rewrite()?);
+    sensitivity::rewrite()?;
     print(&format!("{}\n", validation.summary()))
 }

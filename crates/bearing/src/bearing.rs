@@ -2,13 +2,14 @@
 
 use crate::BearingError;
 use crate::geometry::Geometry;
+use crate::modelling::Modelling;
 use crate::normal::RingOffset;
 use crate::races::{Races, Side};
+use crate::tribology::Tribology;
 use std::f64::consts::PI;
 use tribodyn_contact::{ContactError, ElasticBody, HertzContact, Scalar, effective_modulus};
 use tribodyn_fluid::{BallDrag, Churning};
-use tribodyn_traction::{Law, MomentArm, PressureChoice, SlipUnit};
-use tribodyn_wear::{Archard, LocalSurface};
+use tribodyn_wear::LocalSurface;
 
 /// All that a [`Bearing`] is made of, SI.
 #[derive(Debug, Clone)]
@@ -21,36 +22,37 @@ pub struct BearingSpec {
     pub ball_density: f64,
     /// Elastic constants of the rings.
     pub rings: Races<ElasticBody>,
-    /// Traction law of the coating on each race.
-    pub laws: Races<Law>,
-    /// Traction law of the bare steel under the coatings, where one is known.
-    pub bare_law: Option<Law>,
-    /// True if the deformed contact is curved across the groove, so that it has differential (Heathcote) slip.
-    pub differential_slip: bool,
-    /// Unit of the slip axis.
-    pub slip_unit: SlipUnit,
-    /// Pressure at which the curve is taken.
-    pub pressure_choice: PressureChoice,
-    /// Arm of the traction moment.
-    pub moment_arm: MomentArm,
+    /// Modelling choices.
+    pub modelling: Modelling,
+    /// Traction and wear of the contacts; models with traction need it.
+    pub tribology: Option<Tribology>,
     /// Forces of the fluid; absent in a dry bearing.
     pub fluid: Option<FluidForces>,
-    /// True if contact constants follow the actual contact angle.
-    pub contact_at_actual_angle: bool,
-    /// True if each ring turns about its own displaced centre, false if about the inertial axis.
-    pub ring_turns_about_own_centre: bool,
     /// Surfaces of the raceways all round at the beginning; [`LocalSurface::NEW`] where nothing is worn.
     pub worn: Races<LocalSurface>,
-    /// Wear of the races.
-    pub wear: Races<Archard>,
-    /// Wear of the cage.
-    pub wear_cage: Archard,
+}
+
+impl BearingSpec {
+    /// A new, dry bearing with balls and rings of one material (density in kg/m³), its surfaces not known: enough for
+    /// Jones–Harris.
+    pub fn new(geometry: Geometry, (material, density): (ElasticBody, f64), modelling: Modelling) -> Self {
+        Self {
+            geometry,
+            ball: material,
+            ball_density: density,
+            rings: Races { inner: material, outer: material },
+            modelling,
+            tribology: None,
+            fluid: None,
+            worn: Races { inner: LocalSurface::NEW, outer: LocalSurface::NEW },
+        }
+    }
 }
 
 /// A bearing that the solvers can work with, SI.
 ///
-/// Its fields may be changed before it is solved: `bearing.races.inner.law = Law::Custom(…)` puts a traction law of one's
-/// own on the inner race.
+/// Its fields may be changed before it is solved: another law in the `laws` of its `tribology` is a traction law of one's
+/// own on that race.
 #[derive(Debug, Clone)]
 pub struct Bearing {
     /// Unloaded geometry.
@@ -63,16 +65,10 @@ pub struct Bearing {
     pub races: Races<Race>,
     /// Forces of the fluid; absent in a dry bearing.
     pub fluid: Option<FluidForces>,
-    /// Unit of the slip axis.
-    pub slip_unit: SlipUnit,
-    /// Pressure at which the curve is taken.
-    pub pressure_choice: PressureChoice,
-    /// Arm of the traction moment.
-    pub moment_arm: MomentArm,
-    /// True if contact constants follow the actual contact angle.
-    pub contact_at_actual_angle: bool,
-    /// True if each ring turns about its own displaced centre, false if about the inertial axis.
-    pub ring_turns_about_own_centre: bool,
+    /// Modelling choices.
+    pub modelling: Modelling,
+    /// Traction and wear of the contacts; models with traction need it.
+    pub tribology: Option<Tribology>,
     /// How the rings' offsets are taken: to first order unless a transient solver asks for more.
     pub ring_offset: RingOffset,
     /// Surfaces of the raceways all round when the case begins. Their depth is part of the pose of a ball, so both solvers
@@ -81,10 +77,6 @@ pub struct Bearing {
     /// Damping of the contacts along their normals, a fraction ζ of the critical one; 0 unless a transient solver sets
     /// it, since an equilibrium is at rest only in the mean where a ring is off centre.
     pub contact_damping: f64,
-    /// Wear of the races.
-    pub wear: Races<Archard>,
-    /// Wear of the cage.
-    pub wear_cage: Archard,
 }
 
 /// One raceway.
@@ -94,10 +86,6 @@ pub struct Race {
     hertz: HertzContact,
     /// Radius of the deformed contact across the groove, m; infinite without differential slip.
     pub surface_radius: f64,
-    /// Traction law of the coating.
-    pub law: Law,
-    /// Traction law of the bare steel under it, where the case has one.
-    pub bare_law: Option<Law>,
 }
 
 impl Race {
@@ -134,10 +122,10 @@ impl Bearing {
     /// Works out masses and contact constants.
     ///
     /// ```
-    /// use tribodyn_bearing::{Bearing, BearingSpec, Dimensions, Fit, Geometry, Races};
+    /// use tribodyn_bearing::*;
     /// use tribodyn_contact::ElasticBody;
-    /// use tribodyn_traction::{Coating, CoatingLaw, Law, MomentArm, PressureChoice, SlipUnit};
-    /// use tribodyn_wear::{Archard, LocalSurface};
+    /// use tribodyn_traction::{Coating, CoatingLaw, Law, PressureChoice, SlipUnit};
+    /// use tribodyn_wear::Archard;
     ///
     /// let geometry = Geometry::new(Dimensions {
     ///     ball_count: 13,
@@ -150,24 +138,23 @@ impl Bearing {
     /// let steel = ElasticBody { young: 200e9, poisson: 0.28 };
     /// let silver: Law = CoatingLaw::varying(&Coating::library("ag")?, 2)?.into();
     /// let wear = Archard { coefficient: 1e-6, hardness: 250e6 };
-    /// let bearing = Bearing::new(BearingSpec {
-    ///     geometry,
-    ///     ball: steel,
-    ///     ball_density: 7800.0,
-    ///     rings: Races { inner: steel, outer: steel },
+    /// let tribology = Tribology {
     ///     laws: Races { inner: silver.clone(), outer: silver },
     ///     bare_law: None,
     ///     differential_slip: true,
     ///     slip_unit: SlipUnit::Scaled { per_m_s: 22.0 },
     ///     pressure_choice: PressureChoice::Peak,
-    ///     moment_arm: MomentArm::Curved,
-    ///     fluid: None,
-    ///     contact_at_actual_angle: false,
-    ///     ring_turns_about_own_centre: true,
-    ///     worn: Races { inner: LocalSurface::NEW, outer: LocalSurface::NEW },
     ///     wear: Races { inner: wear, outer: wear },
     ///     wear_cage: Archard { coefficient: 1e-6, hardness: 60e6 },
-    /// })?;
+    /// };
+    /// let modelling = Modelling {
+    ///     contact_at_actual_angle: false,
+    ///     ring_centre: Some(RingCentre::Displaced),
+    ///     race_control: None,
+    ///     centrifugal_at_free_pitch: None,
+    /// };
+    /// let dry = BearingSpec::new(geometry, (steel, 7800.0), modelling);
+    /// let bearing = Bearing::new(BearingSpec { tribology: Some(tribology), ..dry })?;
     /// assert!((bearing.ball_mass - 0.112).abs() < 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -175,35 +162,28 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] for elastic constants and curvatures that do not make a point contact.
     pub fn new(spec: BearingSpec) -> Result<Self, BearingError> {
-        let BearingSpec { geometry, bare_law, .. } = spec;
+        let geometry = spec.geometry;
+        let differential_slip = spec.tribology.as_ref().is_some_and(|t| t.differential_slip);
         let radius = geometry.ball_radius();
         let ball_mass = spec.ball_density * 4.0 / 3.0 * PI * radius.powi(3);
-        let race = |side, ring: &ElasticBody, law| {
+        let race = |side, ring: &ElasticBody| {
             let modulus = effective_modulus(&spec.ball, ring);
             let [rolling, lateral] = geometry.curvatures(side, geometry.cos_contact_angle());
             let hertz = HertzContact::new(rolling, lateral, modulus)?;
-            let surface_radius = if spec.differential_slip { geometry.surface_radius(side) } else { f64::INFINITY };
-            Ok::<_, BearingError>(Race { hertz, surface_radius, law, bare_law: bare_law.clone() })
+            let surface_radius = if differential_slip { geometry.surface_radius(side) } else { f64::INFINITY };
+            Ok::<_, BearingError>(Race { hertz, surface_radius })
         };
         Ok(Self {
             geometry,
             ball_mass,
             ball_inertia: 0.4 * ball_mass * radius * radius,
-            races: Races {
-                inner: race(Side::Inner, &spec.rings.inner, spec.laws.inner)?,
-                outer: race(Side::Outer, &spec.rings.outer, spec.laws.outer)?,
-            },
+            races: Races { inner: race(Side::Inner, &spec.rings.inner)?, outer: race(Side::Outer, &spec.rings.outer)? },
             fluid: spec.fluid,
-            slip_unit: spec.slip_unit,
-            pressure_choice: spec.pressure_choice,
-            moment_arm: spec.moment_arm,
-            contact_at_actual_angle: spec.contact_at_actual_angle,
-            ring_turns_about_own_centre: spec.ring_turns_about_own_centre,
+            modelling: spec.modelling,
+            tribology: spec.tribology,
             ring_offset: RingOffset::FirstOrder,
             worn: spec.worn,
             contact_damping: 0.0,
-            wear: spec.wear,
-            wear_cage: spec.wear_cage,
         })
     }
 
@@ -229,9 +209,13 @@ mod tests {
 
     #[test]
     fn limit_without_differential_slip_the_contact_is_flat() {
-        let flat = Bearing::new(BearingSpec { differential_slip: false, ..spec() }).unwrap();
+        let with = |differential_slip| {
+            let tribology = spec().tribology.map(|t| crate::Tribology { differential_slip, ..t });
+            Bearing::new(BearingSpec { tribology, ..spec() }).unwrap()
+        };
+        let flat = with(false);
         assert!(flat.races.inner.surface_radius.is_infinite() && flat.races.outer.surface_radius.is_infinite());
-        let curved = Bearing::new(BearingSpec { differential_slip: true, ..spec() }).unwrap();
+        let curved = with(true);
         assert!(curved.races.inner.surface_radius < 2.0 * curved.geometry.ball_radius());
     }
 }

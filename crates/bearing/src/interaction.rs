@@ -4,12 +4,13 @@
 //! [a, r, t]. Forces and moments are those on the ball.
 
 use crate::bearing::{Bearing, Race};
+use crate::modelling::RingCentre;
 use crate::normal::NormalContact;
 use crate::races::{Races, Side};
 use crate::state::{BallLoads, BallState, LoadedPatch, RaceContact, RingState, add};
 use tribodyn_contact::{Ellipse, Scalar};
-use tribodyn_traction::{FastPatch, Law, fast_patch_traction, linear_patch_traction};
-use tribodyn_traction::{Patch, PatchLaw, PatchTraction, Quadrature, RelativeMotion, patch_traction};
+use tribodyn_traction::{FastPatch, fast_patch_traction, linear_patch_traction};
+use tribodyn_traction::{Patch, PatchTraction, Quadrature, RelativeMotion, patch_traction};
 use tribodyn_wear::LocalSurface;
 
 /// A loaded contact's motion in the axes of its patch.
@@ -69,17 +70,17 @@ impl Bearing {
     /// The traction of a patch by the generic quadrature; where the coating is partly gone, of both surfaces by their
     /// shares.
     pub fn plain_traction<D: Scalar>(&self, p: &LoadedPatch<'_, D>, quadrature: &Quadrature) -> PatchTraction<D> {
-        p.blend(|law| patch_traction(&p.patch, &p.motion, p.rolling_speed, &self.patch_law(law), quadrature))
+        p.blend(|law| patch_traction(&p.patch, &p.motion, p.rolling_speed, law, quadrature))
     }
 
     /// [`Self::plain_traction`] by the kernel that works on several nodes at a time.
     pub fn fast_traction(&self, p: &LoadedPatch<'_, f64>, kernel: &FastPatch) -> PatchTraction {
-        p.blend(|law| fast_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, &self.patch_law(law)))
+        p.blend(|law| fast_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, law))
     }
 
     /// [`Self::fast_traction`] with first derivatives, under the conditions of [`linear_patch_traction`].
     pub fn linear_traction<D: Scalar>(&self, p: &LoadedPatch<'_, D>, kernel: &FastPatch) -> PatchTraction<D> {
-        p.blend(|law| linear_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, &self.patch_law(law)))
+        p.blend(|law| linear_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, law))
     }
 
     /// All that races and fluid do to a ball, given the surfaces where it stands and a function that integrates traction
@@ -160,8 +161,10 @@ impl Bearing {
         bare: f64,
     ) -> LoadedPatch<'_, D> {
         let race = &self.races[side];
+        let tribology = self.tribology.as_ref();
         let Sliding { motion, rolling_speed, .. } = *sliding;
-        LoadedPatch { side, race, load: contact.load, patch: self.patch(race, ellipse), motion, rolling_speed, bare }
+        let patch = self.patch(race, ellipse);
+        LoadedPatch { side, race, tribology, load: contact.load, patch, motion, rolling_speed, bare }
     }
 
     /// The contact ellipse under a normal contact.
@@ -204,7 +207,10 @@ impl Bearing {
     /// Where the axis about which a ring turns stands, in the ball's azimuth frame, m.
     #[inline]
     fn axis_of_rotation<D: Scalar>(&self, ball: &BallState<D>, ring: &RingState<D>) -> [D; 3] {
-        if self.ring_turns_about_own_centre { ball.frame.from_inertial(ring.displacement) } else { [D::zero(); 3] }
+        match self.modelling.ring_centre {
+            Some(RingCentre::Inertial) => [D::zero(); 3],
+            _ => ball.frame.from_inertial(ring.displacement),
+        }
     }
 
     /// The patch under a contact ellipse.
@@ -216,13 +222,7 @@ impl Bearing {
             peak_pressure: ellipse.peak_pressure,
             ball_radius: self.geometry.ball_radius(),
             surface_radius: race.surface_radius,
-            moment_arm: self.moment_arm,
         }
-    }
-
-    /// A traction law with the case's choices.
-    pub fn patch_law<'a>(&self, law: &'a Law) -> PatchLaw<'a, Law> {
-        PatchLaw { law, slip_unit: self.slip_unit, pressure: self.pressure_choice }
     }
 
     /// Force of a ring on a ball as its reaction on the ring has it [a, r, t], N.

@@ -3,24 +3,32 @@
 mod bearing;
 mod frame;
 mod geometry;
+mod history;
 mod interaction;
+mod modelling;
 mod normal;
 mod operation;
 mod races;
+mod run_inputs;
 mod state;
 #[cfg(test)]
 mod test_bearing;
+mod tribology;
 
 pub use bearing::{Bearing, BearingSpec, FluidForces, Race};
 pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
+pub use history::{RingLoads, SpeedHistory, Tilt, Translation};
 pub use interaction::{ContactForces, Sliding};
+pub use modelling::{Modelling, RaceControl, RingCentre};
 pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
-pub use operation::{Cage, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
+pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};
 pub use races::{Races, Side};
+pub use run_inputs::{CoatingState, GuidingLand, MovingCage, RunInputs, RunOptions, Scheme, Start, Support, Supports};
 pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
-pub use tribodyn_contact::{Ellipse, Scalar};
+pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};
 pub use tribodyn_wear::LocalSurface;
+pub use tribology::Tribology;
 
 /// Why data do not make a bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

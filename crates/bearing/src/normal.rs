@@ -151,7 +151,7 @@ impl Bearing {
     #[inline]
     pub(crate) fn hertz<D: Scalar>(&self, side: Side, pose: &ContactPose<D>) -> HertzContact<D> {
         let race = &self.races[side];
-        if self.contact_at_actual_angle {
+        if self.modelling.contact_at_actual_angle {
             let [rolling, lateral] = self.geometry.curvatures(side, pose.cos);
             if let Ok(hertz) = race.hertz_at(rolling, lateral) {
                 return hertz;

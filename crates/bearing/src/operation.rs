@@ -1,7 +1,6 @@
 //! An operating point of a bearing: what its ring carries, how fast it turns, and what a solver needs to know besides.
 //! It stands below the solvers, so that case files can give one without them.
 
-use serde::{Deserialize, Serialize};
 use tribodyn_traction::PatchRule;
 
 /// A bearing at an operating point, with the solver's settings.
@@ -13,10 +12,10 @@ pub struct OperatingPoint {
     pub inner_speed: f64,
     /// Speed of the outer ring, rad/s.
     pub outer_speed: f64,
-    /// Quadrature over the contact patches.
-    pub patch: PatchRule,
-    /// The cage, for the pocket forces.
-    pub cage: Cage,
+    /// Quadrature over the contact patches; models with traction need it.
+    pub patch: Option<PatchRule>,
+    /// The cage, for the pocket forces; models with traction need it.
+    pub cage: Option<Cage>,
     /// Solver settings.
     pub numerics: SolverSettings,
 }
@@ -44,23 +43,19 @@ pub struct Cage {
 /// Settings of a quasi-static solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SolverSettings {
-    /// Largest relative residual of any balance at which the solver stops; case files take 1e-10 by default.
+    /// Largest relative residual of any balance at which the solver stops.
     pub tolerance: f64,
     /// Newton steps before the solver gives up; a cold start takes 10 to 40.
     pub max_iterations: usize,
-    /// Whether the Jones–Harris model takes the centrifugal force at the undeformed pitch radius.
-    pub centrifugal_at_free_pitch: bool,
-    /// Which race controls the ball in the Jones–Harris model.
-    pub race_control: RaceControl,
 }
 
-/// Which race carries the gyroscopic moment in the Jones–Harris model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum RaceControl {
-    /// Outer raceway control for every ball.
-    Outer,
-    /// Inner raceway control for every ball.
-    Inner,
-    /// Per ball, by Harris's criterion on the spin-resisting moments of the two contacts.
-    Criterion,
+impl Default for SolverSettings {
+    fn default() -> Self {
+        Self {
+            // Each balance to ten digits: five more than any published figure has, five above rounding.
+            tolerance: 1e-10,
+            // A cold start takes 10 to 40 steps; more means that it will not converge.
+            max_iterations: 200,
+        }
+    }
 }

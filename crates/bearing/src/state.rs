@@ -7,8 +7,9 @@ use crate::frame::AzimuthFrame;
 use crate::geometry::ContactPose;
 use crate::normal::{Lean, NormalContact};
 use crate::races::{Races, Side};
+use crate::tribology::Tribology;
 use tribodyn_contact::{Ellipse, Scalar};
-use tribodyn_traction::{Law, Patch, PatchTraction, RelativeMotion};
+use tribodyn_traction::{Law, Patch, PatchLaw, PatchTraction, RelativeMotion};
 
 /// Position and motion of a ring against the inertial frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -123,6 +124,8 @@ pub struct LoadedPatch<'a, D> {
     pub side: Side,
     /// The race.
     pub race: &'a Race,
+    /// Traction laws; absent in a bearing whose surfaces are not known.
+    pub tribology: Option<&'a Tribology>,
     /// Normal load under it, N.
     pub load: D,
     /// Contact ellipse and surface.
@@ -136,13 +139,16 @@ pub struct LoadedPatch<'a, D> {
 }
 
 impl<D: Scalar> LoadedPatch<'_, D> {
-    /// The traction on coating and bare steel by their shares. Where the case has no curve for bare steel the coating
-    /// stands for it.
-    pub fn blend(&self, by: impl Fn(&Law) -> PatchTraction<D>) -> PatchTraction<D> {
-        match &self.race.bare_law {
+    /// The traction on coating and bare steel by their shares. Where no curve of bare steel is known the coating stands for
+    /// it; where nothing is known of the surfaces they are without friction.
+    pub fn blend(&self, by: impl Fn(&PatchLaw<'_, Law>) -> PatchTraction<D>) -> PatchTraction<D> {
+        let Some(tribology) = self.tribology else { return PatchTraction::zero() };
+        let coating = &tribology.laws[self.side];
+        let by = |law| by(&tribology.patch_law(law));
+        match &tribology.bare_law {
             Some(bare) if self.bare >= 1.0 => by(bare),
-            Some(bare) if self.bare > 0.0 => by(&self.race.law).mixed_with(&by(bare), self.bare),
-            _ => by(&self.race.law),
+            Some(bare) if self.bare > 0.0 => by(coating).mixed_with(&by(bare), self.bare),
+            _ => by(coating),
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The 13-ball bearing of `fixtures/cases/paper-handset.ron` for tests, in plain numbers and without its fluid.
 
-use crate::{BearingSpec, Dimensions, Fit, Geometry, Races};
+use crate::{BearingSpec, Dimensions, Fit, Geometry, Modelling, Races, RingCentre, Tribology};
 use tribodyn_contact::ElasticBody;
-use tribodyn_traction::{Coating, CoatingLaw, Law, MomentArm, PressureChoice, SlipUnit};
-use tribodyn_wear::{Archard, LocalSurface};
+use tribodyn_traction::{Coating, CoatingLaw, Law, PressureChoice, SlipUnit};
+use tribodyn_wear::Archard;
 
 pub fn spec() -> BearingSpec {
     let geometry = Geometry::new(Dimensions {
@@ -17,22 +17,21 @@ pub fn spec() -> BearingSpec {
     let steel = ElasticBody { young: 200e9, poisson: 0.28 };
     let law: Law = CoatingLaw::varying(&Coating::library("ag").unwrap(), 2).unwrap().into();
     let silver = Archard { coefficient: 1e-6, hardness: 250e6 };
-    BearingSpec {
-        geometry: geometry.unwrap(),
-        ball: steel,
-        ball_density: 7800.0,
-        rings: Races { inner: steel, outer: steel },
+    let tribology = Tribology {
         laws: Races { inner: law.clone(), outer: law },
         bare_law: None,
         differential_slip: true,
         slip_unit: SlipUnit::Scaled { per_m_s: 22.0 },
         pressure_choice: PressureChoice::Peak,
-        moment_arm: MomentArm::Curved,
-        fluid: None,
-        contact_at_actual_angle: false,
-        ring_turns_about_own_centre: true,
-        worn: Races { inner: LocalSurface::NEW, outer: LocalSurface::NEW },
         wear: Races { inner: silver, outer: silver },
         wear_cage: Archard { coefficient: 1e-6, hardness: 60e6 },
-    }
+    };
+    let modelling = Modelling {
+        contact_at_actual_angle: false,
+        ring_centre: Some(RingCentre::Displaced),
+        race_control: None,
+        centrifugal_at_free_pitch: None,
+    };
+    let dry = BearingSpec::new(geometry.unwrap(), (steel, 7800.0), modelling);
+    BearingSpec { tribology: Some(tribology), ..dry }
 }

@@ -1,45 +1,54 @@
 //! From a case to the bearing that the solvers work with.
 
 use crate::{
-    ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, Groove, MaterialSpec, Medium, RingCentre,
+    ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, Groove, MaterialSpec, Medium, TractionSpec,
 };
-use tribodyn_bearing::{Bearing, BearingError, BearingSpec, Dimensions, FluidForces, Geometry, Races};
+use tribodyn_bearing::{Bearing, BearingError, BearingSpec, Dimensions, FluidForces, Geometry, Races, Tribology};
 use tribodyn_contact::ElasticBody;
 use tribodyn_fluid::{BallDrag, Churning, Fluid, effective_density, frontal_area};
 use tribodyn_traction::{Coating, CoatingLaw, Law, Peak, TestedCurve};
 use tribodyn_wear::{Archard, LocalSurface, Raceway};
 
 impl Case {
-    /// The bearing of the case.
+    /// The bearing of the case; without traction and wear unless the case has all of coatings, traction and wear.
     ///
     /// # Errors
     /// [`BearingError`] where coating, fluid or contact data do not make sense together.
     pub fn bearing(&self) -> Result<Bearing, BearingError> {
         let geometry = self.geometry.resolve()?;
         let radius = geometry.ball_radius();
-        let (coatings, traction) = (&self.coatings, &self.traction);
-        let bare_law = coatings.bare.as_ref().map(|bare| coating_law(self, &bare.curve)).transpose()?;
+        let worn = match &self.coatings {
+            Some(coatings) => Races { inner: worn(&coatings.inner)?, outer: worn(&coatings.outer)? },
+            None => Races { inner: LocalSurface::NEW, outer: LocalSurface::NEW },
+        };
         Bearing::new(BearingSpec {
             geometry,
             ball: elastic(&self.materials.ball),
             ball_density: self.materials.ball.density,
             rings: Races { inner: elastic(&self.materials.inner), outer: elastic(&self.materials.outer) },
+            modelling: self.modelling,
+            tribology: self.tribology()?,
+            fluid: self.fluid.as_ref().map(|f| fluid_forces(f, radius)).transpose()?,
+            worn,
+        })
+    }
+
+    fn tribology(&self) -> Result<Option<Tribology>, BearingError> {
+        let (Some(coatings), Some(traction), Some(wear)) = (&self.coatings, &self.traction, &self.wear) else {
+            return Ok(None);
+        };
+        Ok(Some(Tribology {
             laws: Races {
-                inner: coating_law(self, &coatings.inner.curve)?,
-                outer: coating_law(self, &coatings.outer.curve)?,
+                inner: coating_law(traction, &coatings.inner.curve)?,
+                outer: coating_law(traction, &coatings.outer.curve)?,
             },
-            bare_law,
+            bare_law: coatings.bare.as_ref().map(|bare| coating_law(traction, &bare.curve)).transpose()?,
             differential_slip: traction.differential_slip,
             slip_unit: traction.slip_unit,
             pressure_choice: traction.pressure,
-            moment_arm: traction.moment_arm,
-            fluid: self.fluid.as_ref().map(|f| fluid_forces(f, radius)).transpose()?,
-            contact_at_actual_angle: self.numerics.contact_at_actual_angle,
-            ring_turns_about_own_centre: self.numerics.ring_centre == RingCentre::Displaced,
-            worn: Races { inner: worn(&coatings.inner)?, outer: worn(&coatings.outer)? },
-            wear: Races { inner: archard(&self.wear.inner), outer: archard(&self.wear.outer) },
-            wear_cage: archard(&self.wear.cage),
-        })
+            wear: Races { inner: archard(&wear.inner), outer: archard(&wear.outer) },
+            wear_cage: archard(&wear.cage),
+        }))
     }
 }
 
@@ -82,7 +91,7 @@ fn elastic(material: &MaterialSpec) -> ElasticBody {
     ElasticBody { young: material.young, poisson: material.poisson }
 }
 
-fn coating_law(case: &Case, curve: &CurveSpec) -> Result<Law, BearingError> {
+fn coating_law(t: &TractionSpec, curve: &CurveSpec) -> Result<Law, BearingError> {
     let coating = match curve {
         CurveSpec::Library(name) => Coating::library(name)?,
         CurveSpec::Tested(points) => {
@@ -93,7 +102,6 @@ fn coating_law(case: &Case, curve: &CurveSpec) -> Result<Law, BearingError> {
             Coating::from_tests("tested", tested.collect())?
         }
     };
-    let t = &case.traction;
     let law = if t.varying {
         CoatingLaw::varying(&coating, t.order)?
     } else {
@@ -129,6 +137,7 @@ fn properties(fluid: Fluid, temperature: f64, pressure: f64) -> Result<(f64, f64
 mod tests {
     use super::*;
     use crate::set_value;
+    use tribodyn_bearing::RingCentre;
 
     const AG: &str = include_str!("../../../fixtures/cases/paper-handset.ron");
 
@@ -154,12 +163,13 @@ mod tests {
     /// Each choice of the case arrives at its own place of the bearing.
     #[test]
     fn identity_choices_and_wear_reach_the_bearing() {
-        let plain = bearing("numerics.ring_centre", "Displaced");
-        assert!(plain.ring_turns_about_own_centre && !plain.contact_at_actual_angle && plain.fluid.is_some());
-        assert!(!bearing("numerics.ring_centre", "Inertial").ring_turns_about_own_centre);
+        let plain = bearing("modelling.ring_centre", "Displaced");
+        assert!(plain.modelling.ring_centre == Some(RingCentre::Displaced) && plain.fluid.is_some());
+        assert!(!plain.modelling.contact_at_actual_angle);
+        assert_eq!(bearing("modelling.ring_centre", "Inertial").modelling.ring_centre, Some(RingCentre::Inertial));
         assert!(bearing("traction.differential_slip", "false").races.inner.surface_radius.is_infinite());
-        assert_eq!(bearing("wear.outer.coefficient", "3e-6").wear.outer.coefficient, 3e-6);
-        assert_eq!(plain.wear_cage.hardness, 60e6);
+        assert_eq!(bearing("wear.outer.coefficient", "3e-6").tribology.unwrap().wear.outer.coefficient, 3e-6);
+        assert_eq!(plain.tribology.as_ref().unwrap().wear_cage.hardness, 60e6);
         let stiff = bearing("materials.outer.young", "GPa(400)");
         let moduli = |b: &Bearing| b.races.each_ref().map(|race| race.frozen::<f64>().effective_modulus);
         assert_eq!(moduli(&stiff).inner, moduli(&plain).inner);

@@ -2,14 +2,13 @@
 
 mod bearing;
 mod error;
-mod history;
 mod locate;
+mod needs;
 mod operation;
 mod outline;
 mod schema;
 mod sources;
 mod tokens;
-mod transient;
 mod units;
 mod validate;
 mod validate_transient;
@@ -17,12 +16,15 @@ mod validate_transient;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
+mod tests_needs;
+#[cfg(test)]
 mod tests_transient;
 
 pub use error::CaseError;
 pub use locate::{locate, set_value, values};
+pub use needs::{Lacking, Purpose};
+pub use operation::InputError;
 pub use schema::*;
-pub use transient::*;
 
 use outline::{Outline, Path};
 use ron::extensions::Extensions;

@@ -1,7 +1,25 @@
-//! From a case to an operating point of its bearing.
+//! From a case to an operating point and to the inputs of a run.
 
-use crate::{Case, Tilt, Translation};
-use tribodyn_bearing::{Cage, OperatingPoint, RingFreedom, SolverSettings};
+use crate::{CageSpec, Case, CoatingSpec, Lacking, Purpose, RecordingSpec, RingSpec, SupportSpec};
+use tribodyn_bearing::{
+    BearingError, Cage, CoatingState, GuidingLand, MovingCage, OperatingPoint, Races, RingLoads, RunInputs, RunOptions,
+    Side, SolverSettings, Support, Supports,
+};
+use tribodyn_wear::Defect;
+
+/// Rates where a case has no recording section: the rig's acquisition and a fifth of it.
+const RATES: RecordingSpec = RecordingSpec { state_rate: 25_600.0, ball_rate: 5_120.0 };
+
+/// Why a case gives no inputs for a model.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum InputError {
+    /// Parts that the case does not have.
+    #[error(transparent)]
+    Lacking(#[from] Lacking),
+    /// Data that do not make a bearing.
+    #[error(transparent)]
+    Bearing(#[from] BearingError),
+}
 
 impl Case {
     /// The case's operating point; where loads or speeds are tables in time, their last row, the steady state.
@@ -11,31 +29,96 @@ impl Case {
 
     /// The case's operating point with the loads and speeds of a time in s.
     pub fn operating_point_at(&self, time: f64) -> OperatingPoint {
-        let translation = |t: &Translation| match t {
-            Translation::Held(x) => RingFreedom::Held(*x),
-            loaded => RingFreedom::Loaded(loaded.at(time)),
-        };
-        let tilt = |t: &Tilt| match t {
-            Tilt::Held(angle) => RingFreedom::Held(*angle),
-            loaded => RingFreedom::Loaded(loaded.at(time)),
-        };
-        let (r, cage, numerics) = (&self.ring, &self.cage, &self.numerics);
         OperatingPoint {
-            ring: [translation(&r.x), translation(&r.y), translation(&r.z), tilt(&r.tilt_x), tilt(&r.tilt_y)],
+            ring: self.ring.loads().at(time),
             inner_speed: self.speed.inner.at(time),
             outer_speed: self.speed.outer.at(time),
-            patch: self.traction.patch,
-            cage: Cage {
-                pocket_gap: cage.pocket_gap,
-                pocket_stiffness: cage.pocket_stiffness,
-                drag_torque: cage.drag_torque,
-            },
-            numerics: SolverSettings {
-                tolerance: numerics.tolerance,
-                max_iterations: numerics.max_iterations,
-                centrifugal_at_free_pitch: numerics.centrifugal_at_free_pitch,
-                race_control: numerics.race_control,
-            },
+            patch: self.traction.as_ref().map(|traction| traction.patch),
+            cage: self.cage.as_ref().map(CageSpec::pockets),
+            numerics: self.solver_settings(),
         }
+    }
+
+    /// Inputs of a transient run.
+    ///
+    /// # Errors
+    /// [`InputError::Lacking`] where the case lacks what a run needs, [`InputError::Bearing`] where its data make no bearing.
+    pub fn run_inputs(&self) -> Result<RunInputs, InputError> {
+        self.require(Purpose::Transient)?;
+        let (Some(coatings), Some(traction), Some(cage), Some(supports), Some(transient)) =
+            (&self.coatings, &self.traction, &self.cage, &self.supports, &self.transient)
+        else {
+            return Err(self.lacking(Purpose::Transient).into());
+        };
+        let RecordingSpec { state_rate, ball_rate } = self.rates();
+        let coating = |spec: &CoatingSpec| CoatingState { thickness: spec.thickness, worn: spec.worn };
+        Ok(RunInputs {
+            bearing: self.bearing()?,
+            ring: self.ring.loads(),
+            speeds: Races { inner: self.speed.inner.clone(), outer: self.speed.outer.clone() },
+            cage: cage.moving().ok_or_else(|| self.lacking(Purpose::Transient))?,
+            supports: Supports { inner: supports.inner.support(), outer: supports.outer.support() },
+            coatings: Races { inner: coating(&coatings.inner), outer: coating(&coatings.outer) },
+            defects: Races::from_fn(|side| self.defects_of(side)),
+            patch: traction.patch,
+            numerics: self.solver_settings(),
+            options: RunOptions {
+                duration: transient.duration,
+                start: transient.start,
+                scheme: transient.scheme,
+                contact_damping: transient.contact_damping,
+                wear_acceleration: transient.wear_acceleration,
+                state_rate,
+                ball_rate,
+            },
+        })
+    }
+
+    /// Rates of a run's samples, also where the case has no recording section.
+    pub fn rates(&self) -> RecordingSpec {
+        self.recording.unwrap_or(RATES)
+    }
+
+    fn defects_of(&self, side: Side) -> Vec<Defect> {
+        let of_side = self.defects.iter().filter(|d| d.race == side);
+        of_side.map(|d| Defect { azimuth: d.azimuth, width: d.width, depth: d.depth, bare: d.bare }).collect()
+    }
+
+    fn solver_settings(&self) -> SolverSettings {
+        SolverSettings { tolerance: self.numerics.tolerance, max_iterations: self.numerics.max_iterations }
+    }
+}
+
+impl RingSpec {
+    /// Loads over time.
+    fn loads(&self) -> RingLoads {
+        let Self { x, y, z, tilt_x, tilt_y } = self.clone();
+        RingLoads { x, y, z, tilt_x, tilt_y }
+    }
+}
+
+impl CageSpec {
+    fn pockets(&self) -> Cage {
+        let Self { pocket_gap, pocket_stiffness, drag_torque, .. } = *self;
+        Cage { pocket_gap, pocket_stiffness, drag_torque }
+    }
+
+    /// The cage in motion; none without a moment of inertia.
+    fn moving(&self) -> Option<MovingCage> {
+        let land = self.guidance;
+        Some(MovingCage {
+            pockets: self.pockets(),
+            pocket_friction: self.pocket_friction,
+            pocket_damping: self.pocket_damping,
+            inertia: self.inertia?,
+            guidance: land.map(|l| GuidingLand { side: l.land, radius: l.radius, width: l.width, gap: l.gap }),
+        })
+    }
+}
+
+impl<const N: usize> SupportSpec<N> {
+    fn support(&self) -> Support<N> {
+        let Self { mass, stiffness, damping } = *self;
+        Support { mass, stiffness, damping }
     }
 }

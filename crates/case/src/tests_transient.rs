@@ -2,6 +2,7 @@
 
 use super::tests::{Refused, check_refusal};
 use super::*;
+use tribodyn_bearing::{Scheme, Start};
 
 const WORN: &str = include_str!("../../../fixtures/cases/paper-ag-worn.ron");
 const AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
@@ -90,7 +91,7 @@ fn limit_worn_coatings_and_bare_defects_need_the_curve_of_bare_steel() {
     let text = text.replacen("worn: 0.5", "worn: 0", 2);
     check_refusal(&text, ("bare: 1)", "bare: «1»)", "defects[0].bare", "add coatings.bare"));
     let case = Case::from_ron(&text.replacen("bare: 1)", "bare: 0)", 1)).unwrap();
-    assert_eq!((case.coatings.bare, case.defects[0].bare), (None, 0.0));
+    assert_eq!((case.coatings.unwrap().bare, case.defects[0].bare), (None, 0.0));
 }
 
 /// A curve for bare steel obeys the order of the polynomials as the coatings' do.
@@ -116,9 +117,10 @@ fn identity_sections_are_read_to_si() {
     let supports = case.supports.unwrap();
     assert_eq!((supports.inner.mass, supports.inner.stiffness), (12.0, [1e8, 1e8, 5e7]));
     assert_eq!((supports.outer.stiffness, supports.outer.damping), ([2e8; 2], [2000.0; 2]));
-    assert_eq!((case.coatings.inner.worn, case.coatings.outer.worn), (0.5, 0.5));
-    assert_eq!((case.cage.inertia, case.cage.pocket_damping), (Some(0.0021), 0.5));
-    let land = case.cage.guidance.unwrap();
+    let (coatings, cage) = (case.coatings.unwrap(), case.cage.unwrap());
+    assert_eq!((coatings.inner.worn, coatings.outer.worn), (0.5, 0.5));
+    assert_eq!((cage.inertia, cage.pocket_damping), (Some(0.0021), 0.5));
+    let land = cage.guidance.unwrap();
     assert_eq!(
         (land.land, land.radius, land.width, land.gap),
         (tribodyn_bearing::Side::Outer, 0.09025, 0.012, 0.00025)
@@ -130,8 +132,8 @@ fn identity_sections_are_read_to_si() {
     );
     assert_eq!(defect.width, 3f64.to_radians());
     let transient = case.transient.unwrap();
-    assert_eq!((transient.duration, transient.start), (0.05, StartSpec::QuasiStatic));
-    assert_eq!(transient.scheme, SchemeSpec::DormandPrince { tolerance: 1e-6, longest: 1e-5 });
+    assert_eq!((transient.duration, transient.start), (0.05, Start::QuasiStatic));
+    assert_eq!(transient.scheme, Scheme::DormandPrince { tolerance: 1e-6, longest: 1e-5 });
     assert_eq!(case.recording, Some(RecordingSpec { state_rate: 25600.0, ball_rate: 6400.0 }));
 }
 
@@ -139,8 +141,9 @@ fn identity_sections_are_read_to_si() {
 fn limit_everything_of_a_transient_run_can_be_left_out_or_written_as_an_option() {
     let case = Case::from_ron(include_str!("../../../fixtures/cases/paper-handset.ron")).unwrap();
     assert!(case.supports.is_none() && case.defects.is_empty() && case.transient.is_none());
-    assert!(case.recording.is_none() && case.coatings.bare.is_none() && case.coatings.inner.worn == 0.0);
-    assert!(case.cage.inertia.is_none() && case.cage.guidance.is_none() && case.cage.pocket_damping == 0.0);
+    let (coatings, cage) = (case.coatings.unwrap(), case.cage.unwrap());
+    assert!(case.recording.is_none() && coatings.bare.is_none() && coatings.inner.worn == 0.0);
+    assert!(cage.inertia.is_none() && cage.guidance.is_none() && cage.pocket_damping == 0.0);
     let expected = Case::from_ron(WORN).unwrap();
     for path in ["supports", "transient", "recording", "cage.guidance", "cage.inertia", "coatings.bare"] {
         let value = &WORN[locate(WORN, path).unwrap()];

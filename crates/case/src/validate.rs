@@ -5,6 +5,7 @@
 
 use super::*;
 use std::f64::consts::PI;
+use tribodyn_bearing::{SpeedHistory, Tilt, Translation};
 use tribodyn_fluid::Fluid;
 use tribodyn_traction::{Coating, PatchRule, SlipUnit, coating_names};
 
@@ -38,17 +39,23 @@ pub(super) fn validate(case: &Case) -> Verdict {
     for (name, body) in [("ball", ball), ("inner", inner), ("outer", outer)] {
         material(&format!("materials.{name}"), body)?;
     }
-    traction(&case.traction)?;
-    for (name, spec) in [("inner", &case.coatings.inner), ("outer", &case.coatings.outer)] {
-        coating(&format!("coatings.{name}"), spec, case.traction.order)?;
+    if let Some(spec) = &case.traction {
+        traction(spec)?;
+    }
+    let order = case.traction.as_ref().map(|spec| spec.order);
+    if let Some(coatings) = &case.coatings {
+        for (name, spec) in [("inner", &coatings.inner), ("outer", &coatings.outer)] {
+            coating(&format!("coatings.{name}"), spec, order)?;
+        }
     }
     if let Some(spec) = &case.fluid {
         fluid(spec)?;
     }
-    cage(&case.cage)?;
-    for (name, spec) in [("inner", &case.wear.inner), ("outer", &case.wear.outer), ("cage", &case.wear.cage)] {
-        not_negative(&format!("wear.{name}.coefficient"), spec.coefficient)?;
-        positive(&format!("wear.{name}.hardness"), spec.hardness)?;
+    if let Some(spec) = &case.cage {
+        cage(spec)?;
+    }
+    if let Some(spec) = &case.wear {
+        wear(spec)?;
     }
     ring(&case.ring)?;
     for (name, history) in [("inner", &case.speed.inner), ("outer", &case.speed.outer)] {
@@ -156,13 +163,13 @@ fn material(path: &str, spec: &MaterialSpec) -> Verdict {
     positive(&format!("{path}.density"), spec.density)
 }
 
-fn coating(path: &str, spec: &CoatingSpec, order: usize) -> Verdict {
+fn coating(path: &str, spec: &CoatingSpec, order: Option<usize>) -> Verdict {
     curve(path, &spec.curve, order)?;
     not_negative(&format!("{path}.thickness"), spec.thickness)
 }
 
-/// The curve of a coating or of bare steel, with tests enough for the polynomials.
-pub(super) fn curve(path: &str, spec: &CurveSpec, order: usize) -> Verdict {
+/// The curve of a coating or of bare steel, with tests enough for polynomials of an order.
+pub(super) fn curve(path: &str, spec: &CurveSpec, order: Option<usize>) -> Verdict {
     let tests = match spec {
         CurveSpec::Library(name) => {
             let known = || format!("no coating of this name in the library; allowed: {}", coating_names().join(", "));
@@ -175,6 +182,7 @@ pub(super) fn curve(path: &str, spec: &CurveSpec, order: usize) -> Verdict {
             points.len()
         }
     };
+    let order = order.unwrap_or_default();
     // An order that needs more tests than there are, written so that it cannot overflow.
     require(
         order < tests,
@@ -249,6 +257,14 @@ fn medium(spec: Medium) -> Verdict {
     };
     let state = fluid.state(temperature, pressure);
     state.map(drop).map_err(|error| Refusal { path: "fluid.medium".into(), message: error.to_string() })
+}
+
+fn wear(spec: &WearSpec) -> Verdict {
+    for (name, spec) in [("inner", &spec.inner), ("outer", &spec.outer), ("cage", &spec.cage)] {
+        not_negative(&format!("wear.{name}.coefficient"), spec.coefficient)?;
+        positive(&format!("wear.{name}.hardness"), spec.hardness)?;
+    }
+    Ok(())
 }
 
 fn cage(spec: &CageSpec) -> Verdict {

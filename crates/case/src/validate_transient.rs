@@ -3,6 +3,7 @@
 use super::validate::{Verdict, curve, fraction, not_negative, positive, require};
 use super::*;
 use std::f64::consts::TAU;
+use tribodyn_bearing::Scheme;
 
 /// Longest step of a fixed-step scheme, s: ten times that of the paper, at which no contact is resolved any more.
 const STEP_MAX: f64 = 1e-4;
@@ -14,17 +15,8 @@ const GAP_MAX: f64 = 0.1;
 const SAMPLES_MAX: f64 = 1e9;
 
 pub(super) fn validate(case: &Case) -> Verdict {
-    if let Some(spec) = &case.coatings.bare {
-        curve("coatings.bare", &spec.curve, case.traction.order)?;
-    }
-    for (name, spec) in [("inner", &case.coatings.inner), ("outer", &case.coatings.outer)] {
-        let path = format!("coatings.{name}.worn");
-        fraction(&path, spec.worn)?;
-        require(
-            spec.worn == 0.0 || case.coatings.bare.is_some(),
-            &path,
-            "a worn coating needs the curve of what lies bare: add coatings.bare",
-        )?;
+    if let Some(spec) = &case.coatings {
+        coatings(spec, case.traction.as_ref().map(|spec| spec.order))?;
     }
     if let Some(spec) = &case.supports {
         support("supports.inner", &spec.inner)?;
@@ -37,12 +29,30 @@ pub(super) fn validate(case: &Case) -> Verdict {
     for (i, defect) in case.defects.iter().enumerate() {
         self::defect(&format!("defects[{i}]"), defect, case)?;
     }
-    cage(&case.cage)?;
+    if let Some(spec) = &case.cage {
+        cage(spec)?;
+    }
     if let Some(spec) = &case.transient {
         transient(spec)?;
     }
     if let Some(recording) = &case.recording {
         rates(recording, case.transient.as_ref().map_or(0.0, |spec| spec.duration))?;
+    }
+    Ok(())
+}
+
+fn coatings(spec: &Coatings, order: Option<usize>) -> Verdict {
+    if let Some(bare) = &spec.bare {
+        curve("coatings.bare", &bare.curve, order)?;
+    }
+    for (name, coating) in [("inner", &spec.inner), ("outer", &spec.outer)] {
+        let path = format!("coatings.{name}.worn");
+        fraction(&path, coating.worn)?;
+        require(
+            coating.worn == 0.0 || spec.bare.is_some(),
+            &path,
+            "a worn coating needs the curve of what lies bare: add coatings.bare",
+        )?;
     }
     Ok(())
 }
@@ -70,7 +80,7 @@ fn defect(path: &str, spec: &DefectSpec, case: &Case) -> Verdict {
     )?;
     fraction(&format!("{path}.bare"), spec.bare)?;
     require(
-        spec.bare == 0.0 || case.coatings.bare.is_some(),
+        spec.bare == 0.0 || case.coatings.as_ref().is_some_and(|coatings| coatings.bare.is_some()),
         &format!("{path}.bare"),
         "where the coating is gone the curve of what lies bare is needed: add coatings.bare",
     )
@@ -104,9 +114,9 @@ fn transient(spec: &TransientSpec) -> Verdict {
         )
     };
     match spec.scheme {
-        SchemeSpec::RungeKutta4 { step: h } => step("RungeKutta4.step", h)?,
-        SchemeSpec::Fast { step: h } => step("Fast.step", h)?,
-        SchemeSpec::DormandPrince { tolerance, longest } => {
+        Scheme::RungeKutta4 { step: h } => step("RungeKutta4.step", h)?,
+        Scheme::Fast { step: h } => step("Fast.step", h)?,
+        Scheme::DormandPrince { tolerance, longest } => {
             let allowed = (1e-13..=1e-2).contains(&tolerance);
             require(allowed, "transient.scheme.DormandPrince.tolerance", "must lie between 1e-13 and 0.01")?;
             step("DormandPrince.longest", longest)?;

@@ -186,8 +186,8 @@ fn in_options(error: &StudyError) -> String {
         StudyError::OtherCase { .. } => {
             format!("{error}: give the same file and the same --set and --duration, or start anew with --restart")
         }
-        // Where a reader finds what a case for `solve` does not need.
-        StudyError::CannotStart { source: DynamicsError::Missing { .. }, .. } => {
+        // Where a reader finds what the case does not have.
+        StudyError::Lacking { .. } => {
             format!("{error}; docs/case-file.md has the fields, fixtures/cases/paper-ag-worn.ron an example of each")
         }
         StudyError::NotRecorded { active, .. } | StudyError::NoCheckpoint { active, .. } => {

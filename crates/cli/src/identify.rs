@@ -5,7 +5,7 @@ use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
-use tribodyn_identify::{Identification, Problem, identify};
+use tribodyn_identify::{Identification, Problem, Relation, identify};
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
 use tribodyn_study::{StagedFiles, read_text};
 
@@ -77,11 +77,36 @@ fn title(answer: &Identification) -> &str {
 
 fn print(answer: &Identification) -> Result<(), Failure> {
     table::print_line(&format!(
-        "{}: weighted squares {:.3}, of the data {:.3}\n",
+        "{}: weighted squares {:.3}, of the data {:.3}, ln of the evidence {:.2} (Laplace)\n",
         title(answer),
         answer.cost,
-        answer.data_cost
+        answer.data_cost,
+        answer.log_evidence
     ))?;
+    print_parameters(answer)?;
+    table::print_line("")?;
+    print_data(answer)?;
+    table::print_line("")?;
+    print_minima(answer)?;
+    let strongest = strongest_correlations(answer);
+    if !strongest.is_empty() {
+        table::print_line(&format!("strongest correlations: {strongest}"))?;
+    }
+    let check = answer.sensitivity_check;
+    table::print_line(&format!("sensitivities change by {check:.1e} when their step is halved"))?;
+    if answer.failed_starts > 0 {
+        table::print_line(&format!("{} starts had no equilibrium", answer.failed_starts))?;
+    }
+    for conflict in &answer.conflicts {
+        table::print_line(&format!("conflict: {conflict}"))?;
+    }
+    for warning in &answer.warnings {
+        table::print_line(&format!("warning: {warning}"))?;
+    }
+    table::print_line("")
+}
+
+fn print_parameters(answer: &Identification) -> Result<(), Failure> {
     let rows = answer.parameters.iter().map(|p| {
         let verdict = match (p.determined, p.at_bound) {
             (true, true) => "at its bound",
@@ -103,13 +128,16 @@ fn print(answer: &Identification) -> Result<(), Failure> {
             format!("{} is not determined by these data (the search ended at {:.4}); {measure}", p.name, p.value);
         table::print_line(&note)?;
     }
-    table::print_line("")?;
+    Ok(())
+}
+
+fn print_data(answer: &Identification) -> Result<(), Failure> {
     let rows = answer.data.iter().map(|d| {
         let digits = if d.unit == "GPa" { 4 } else { 2 };
         vec![
             d.id.clone(),
             d.run.clone(),
-            format!("{}", d.value),
+            if matches!(d.relation, Relation::Above { .. }) { format!("≥ {}", d.value) } else { d.value.to_string() },
             format!("{:.digits$}", d.computed),
             format!("{:+.digits$}", d.deviation),
             format!("{}", d.uncertainty),
@@ -117,26 +145,15 @@ fn print(answer: &Identification) -> Result<(), Failure> {
             d.unit.to_owned(),
         ]
     });
-    table::print_rows(&["datum", "run", "figure", "computed", "deviation", "σ", "deviation/σ", "unit"], rows)?;
-    table::print_line("")?;
+    table::print_rows(&["datum", "run", "figure", "computed", "deviation", "σ", "deviation/σ", "unit"], rows)
+}
+
+fn print_minima(answer: &Identification) -> Result<(), Failure> {
     let rows = answer.minima.iter().take(SHOWN_MINIMA).map(|m| {
         let values: Vec<String> = m.values.iter().map(|v| format!("{v:.5}")).collect();
         vec![format!("{:.3}", m.cost), m.starts.to_string(), values.join("  ")]
     });
-    table::print_rows(&["minimum", "starts", "values in the order above"], rows)?;
-    let strongest = strongest_correlations(answer);
-    if !strongest.is_empty() {
-        table::print_line(&format!("strongest correlations: {strongest}"))?;
-    }
-    let check = answer.sensitivity_check;
-    table::print_line(&format!("sensitivities change by {check:.1e} when their step is halved"))?;
-    if answer.failed_starts > 0 {
-        table::print_line(&format!("{} starts had no equilibrium", answer.failed_starts))?;
-    }
-    for warning in &answer.warnings {
-        table::print_line(&format!("warning: {warning}"))?;
-    }
-    table::print_line("")
+    table::print_rows(&["minimum", "starts", "values in the order above"], rows)
 }
 
 /// Distinct minima in the table.
@@ -159,12 +176,14 @@ fn print_comparison(answers: &[Identification]) -> Result<(), Failure> {
     if answers.len() < 2 {
         return Ok(());
     }
+    let best = answers.iter().map(|a| a.log_evidence).fold(f64::NEG_INFINITY, f64::max);
     let rows = answers.iter().map(|a| {
         let worst = a.data.iter().max_by(|x, y| x.normalised.abs().total_cmp(&y.normalised.abs()));
         let worst = worst.map_or_else(String::new, |d| format!("{} {:+.4} {}", d.id, d.deviation, d.unit));
-        vec![title(a).to_owned(), format!("{:.3}", a.cost), format!("{:.3}", a.data_cost), worst]
+        let evidence = format!("{:+.2}", a.log_evidence - best);
+        vec![title(a).to_owned(), format!("{:.3}", a.cost), format!("{:.3}", a.data_cost), evidence, worst]
     });
-    table::print_rows(&["hypothesis", "squares", "of the data", "worst datum"], rows)
+    table::print_rows(&["hypothesis", "squares", "of the data", "ln evidence to the best", "worst datum"], rows)
 }
 
 fn stage(folder: &Path, force: bool, problem: &Problem, answers: &[Identification]) -> Result<StagedFiles, Failure> {

@@ -5,6 +5,7 @@ use crate::input::{CaseArguments, ReplaceArguments};
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use tribodyn_case::Purpose;
 use tribodyn_quasistatic::{BallRoots, BallSolution, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
 use tribodyn_record::{SolutionRecording, write_solution};
 use tribodyn_study::{CaseFile, Change, Ours, StagedFiles, StudyError};
@@ -93,7 +94,11 @@ fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
         let message = "without traction there are no other equilibria to search for".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model jones-harris".to_owned(), message });
     }
-    let bearing = file.bearing()?;
+    let purpose = match model {
+        Model::JonesHarris => Purpose::JonesHarris,
+        Model::Traction => Purpose::Traction,
+    };
+    let bearing = file.bearing_for(purpose)?;
     let point = file.case.operating_point();
     let failed = |source| StudyError::Solver { file: file.name.clone(), source };
     let Solved { mut solution, warm_start, .. } = solve(&bearing, &point, model).map_err(failed)?;

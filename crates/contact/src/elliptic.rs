@@ -1,6 +1,6 @@
 //! Complete elliptic integrals by the arithmetic-geometric mean, as functions of the axis ratio.
 
-use crate::{ContactError, Scalar};
+use crate::{ContactError, Real, Scalar};
 use std::f64::consts::FRAC_PI_2;
 
 /// Relative size of c_n at which two more steps of the mean reach the last bit, in value and in derivatives.
@@ -44,7 +44,9 @@ impl<D: Scalar> CompleteElliptic<D> {
         let value = axis_ratio.re();
         if value > 0.0 && value <= 1.0 { Ok(Self::by_mean(axis_ratio)) } else { Err(ContactError::AxisRatio { value }) }
     }
+}
 
+impl<D: Real> CompleteElliptic<D> {
     /// Arithmetic-geometric mean from (1, k'). With 1 − E/K = Σ 2^(n−1) c_n² and q_n = c_n²/m, D/K = Σ 2^(n−1) q_n
     /// needs no division by m: q_0 = 1, q_1 = (1 − k')/(4 (1 + k')), c_{n+1} = c_n²/(4 a_{n+1}).
     pub(crate) fn by_mean(axis_ratio: D) -> Self {

@@ -1,7 +1,7 @@
 //! Hertz's elliptical point contact.
 
+use crate::scalar::Sloped;
 use crate::{CompleteElliptic, ContactError, Scalar};
-use num_dual::Dual64;
 use std::f64::consts::PI;
 
 /// Largest ellipticity that [`HertzContact::new`] takes: beyond it the contact is a line for every practical purpose.
@@ -246,10 +246,10 @@ fn real_ellipticity(ratio: f64) -> (f64, usize) {
 
 /// λ = k² B/D and dλ/dk.
 fn ratio_and_slope(ellipticity: f64) -> (f64, f64) {
-    let k = Dual64::new(ellipticity, 1.0);
-    let integrals = CompleteElliptic::by_mean(Dual64::from(1.0) / k);
+    let k = Sloped { value: ellipticity, slope: 1.0 };
+    let integrals = CompleteElliptic::by_mean(Sloped::from(1.0) / k);
     let ratio = k * k * integrals.b / integrals.d;
-    (ratio.re, ratio.eps)
+    (ratio.value, ratio.slope)
 }
 
 #[cfg(test)]
@@ -260,6 +260,18 @@ mod tests {
     fn regress_newton_steps_to_the_ellipticity() {
         let ratios = [1.0, 1.0 + 1e-12, 1.001, 1.2, 3.0, 20.0, 579.0, 1e4, 1e7];
         assert_eq!(ratios.map(|ratio| real_ellipticity(ratio).1), [1, 1, 2, 3, 3, 3, 3, 4, 4]);
+    }
+
+    /// The slope is that of dual numbers, to the last bit.
+    #[cfg(feature = "dual")]
+    #[test]
+    fn identity_the_slope_of_the_ratio_equals_dual_numbers() {
+        for ellipticity in [1.0, 1.0 + 1e-9, 1.3, 7.0, 50.0, 9e3] {
+            let k = num_dual::Dual64::new(ellipticity, 1.0);
+            let integrals = CompleteElliptic::by_mean(num_dual::Dual64::from(1.0) / k);
+            let exact = k * k * integrals.b / integrals.d;
+            assert_eq!(ratio_and_slope(ellipticity), (exact.re, exact.eps), "{ellipticity}");
+        }
     }
 
     #[test]

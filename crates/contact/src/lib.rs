@@ -3,16 +3,12 @@
 mod bodies;
 mod elliptic;
 mod hertz;
+mod scalar;
 
 pub use bodies::{Body, ElasticBody, RelativeCurvatures, effective_modulus, relative_curvatures};
 pub use elliptic::{CompleteElliptic, curvature_difference, curvature_ratio};
 pub use hertz::{Ellipse, HertzContact, MAX_ELLIPTICITY, MajorAxis, NEGLIGIBLE};
-
-use num_dual::DualNum;
-
-/// A real number or a dual number over `f64`: the physics is written once and differentiated exactly.
-pub trait Scalar: DualNum<Primitive = f64> + Copy {}
-impl<T: DualNum<Primitive = f64> + Copy> Scalar for T {}
+pub use scalar::{Real, Scalar};
 
 /// Faults in the description of a contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -28,9 +24,9 @@ pub enum ContactError {
         "principal radius {plane} of {body} is {value} m: it must differ from 0, infinity is allowed, concave is negative"
     )]
     Radius {
-        /// Which body.
+        /// Name of the body.
         body: &'static str,
-        /// Which plane, `x` or `y`.
+        /// The plane, `x` or `y`.
         plane: &'static str,
         /// The radius given, m.
         value: f64,
@@ -46,7 +42,7 @@ pub enum ContactError {
         "curvature sum in the {plane} plane is {value} 1/m: a point contact needs it finite and above 0 (the concave radius larger than the convex one)"
     )]
     Curvature {
-        /// Which plane, `x` (rolling) or `y` (lateral).
+        /// The plane, `x` (rolling) or `y` (lateral).
         plane: &'static str,
         /// The sum given, 1/m.
         value: f64,

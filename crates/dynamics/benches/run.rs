@@ -32,7 +32,7 @@ impl Observer for Silent {
 fn run(scheme: &str, rule: &str) -> Run {
     let set = |text: String, (path, value)| set_value(&text, path, value).expect("a path of the case");
     let text = [("transient.scheme", scheme), ("traction.patch", rule)].into_iter().fold(PAPER_AG.to_owned(), set);
-    Run::new(&Case::from_ron(&text).expect("the paper's case")).expect("a start")
+    Run::new(Case::from_ron(&text).expect("the paper's case").run_inputs().unwrap()).expect("a start")
 }
 
 fn revolutions(c: &mut Criterion) {

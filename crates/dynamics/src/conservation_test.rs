@@ -8,8 +8,8 @@ use crate::machine::Machine;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
 use std::sync::Arc;
-use tribodyn_bearing::{AzimuthFrame, RingOffset, Side};
-use tribodyn_case::{Case, Translation, set_value};
+use tribodyn_bearing::{AzimuthFrame, Races, RingOffset, Translation};
+use tribodyn_case::{Case, set_value};
 use tribodyn_traction::{CustomLaw, Law, OverSlip};
 
 /// No friction at any slip.
@@ -33,14 +33,13 @@ fn free(case: &str, friction: bool) -> (Machine, Vec<f64>) {
     ];
     let text = changes.iter().fold(case.to_owned(), |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
-    let Started { mut machine, mut state, .. } = start(&case, case.bearing().unwrap()).unwrap();
+    let Started { mut machine, mut state, .. } = start(case.run_inputs().unwrap()).unwrap();
     machine.bearing.fluid = None;
     machine.cage.guidance = None;
     if !friction {
-        for side in Side::BOTH {
-            machine.bearing.races[side].law = Law::Custom(Arc::new(Frictionless));
-            machine.bearing.races[side].bare_law = None;
-        }
+        let tribology = machine.bearing.tribology.as_mut().unwrap();
+        tribology.laws = Races::from_fn(|_| Law::Custom(Arc::new(Frictionless)));
+        tribology.bare_law = None;
     }
     machine.loads[0] = Translation::Force(0.0);
     machine.loads[1] = Translation::Force(0.0);

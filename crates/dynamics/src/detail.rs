@@ -48,8 +48,8 @@ impl Machine {
                 volume_inner_m3: worn[0],
                 volume_outer_m3: worn[1],
                 volume_cage_m3: worn[2],
-                coating_inner_min_m: self.thinnest[0],
-                coating_outer_min_m: self.thinnest[1],
+                coating_inner_min_m: self.thinnest.inner,
+                coating_outer_min_m: self.thinnest.outer,
             },
             balls,
         }
@@ -101,7 +101,7 @@ impl Machine {
             spin_ratio_per_m: spin,
             rolling_speed_m_s: c.rolling_speed.abs(),
             power_loss_w: c.traction.power,
-            wear_rate_m3_s: self.bearing.wear[side].rate(c.traction.wear_integral),
+            wear_rate_m3_s: self.bearing.wear_rate(side, c.traction.wear_integral),
             bare: surface.bare,
             depth_m: surface.depth + self.bearing.worn[side].depth,
         }

@@ -203,13 +203,13 @@ impl Machine {
             displacement: [y[i], y[i + 1], y[i + 2]],
             tilt: self.tilt,
             velocity: [y[i + 3], y[i + 4], y[i + 5]],
-            speed: self.speeds[0].at(t),
+            speed: self.speeds.inner.at(t),
         };
         let outer = RingState {
             displacement: [y[o], y[o + 1], 0.0],
             tilt: [0.0; 2],
             velocity: [y[o + 2], y[o + 3], 0.0],
-            speed: self.speeds[1].at(t),
+            speed: self.speeds.outer.at(t),
         };
         Frame { rings: Races { inner, outer }, angles: [y[a], y[a + 1]].into(), cage: [y[c], y[c + 1]] }
     }
@@ -231,7 +231,7 @@ impl Machine {
     /// Surface of a raceway at an azimuth of its ring; what had worn off all round at the start is in the pose of the ball.
     #[inline]
     fn surface(&self, side: Side, azimuth: f64) -> LocalSurface {
-        let mut surface = self.raceways[side as usize].at(azimuth);
+        let mut surface = self.raceways[side].at(azimuth);
         surface.depth -= self.bearing.worn[side].depth;
         surface
     }

@@ -1,6 +1,5 @@
 //! Why a run cannot start or go on.
 
-use tribodyn_bearing::BearingError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_signal::SignalError;
 use tribodyn_traction::TractionError;
@@ -9,21 +8,12 @@ use tribodyn_wear::WearError;
 /// Why a run cannot start or go on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DynamicsError {
-    /// The case lacks what a transient run needs.
-    #[error("a transient run needs `{path}`, which the case does not have")]
-    Missing {
-        /// Path of the value.
-        path: &'static str,
-    },
     /// Nothing holds a ring that is free to move.
     #[error("`{path}` is 0: nothing would hold the outer ring, which carries the load")]
     Unsupported {
         /// Path of the value.
         path: &'static str,
     },
-    /// The bearing.
-    #[error(transparent)]
-    Bearing(#[from] BearingError),
     /// The start from the quasi-static solution.
     #[error("no quasi-static solution to start from: {0}")]
     Start(#[from] QuasiStaticError),
@@ -35,10 +25,10 @@ pub enum DynamicsError {
     Wear(#[from] WearError),
     /// A checkpoint of another state rate or step.
     #[error(
-        "the filter in the checkpoint is not that of the case, {internal_rate_hz} values a second: state rate or step differ"
+        "the filter in the checkpoint is not that of the run, {internal_rate_hz} values a second: state rate or step differ"
     )]
     CheckpointFilter {
-        /// Internal rate of the case, Hz.
+        /// Internal rate of the run, Hz.
         internal_rate_hz: f64,
     },
     /// The filter of the samples.
@@ -84,12 +74,12 @@ pub enum DynamicsError {
         /// The tolerance.
         tolerance: f64,
     },
-    /// A checkpoint of another case.
+    /// A checkpoint of another bearing.
     #[error("the checkpoint has {found} unknowns, the case {expected}: it belongs to another case")]
     Checkpoint {
         /// Unknowns of the checkpoint.
         found: usize,
-        /// Unknowns of the case.
+        /// Unknowns of the run.
         expected: usize,
     },
     /// A checkpoint with a value that no run of the case has.

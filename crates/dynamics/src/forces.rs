@@ -211,27 +211,29 @@ pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// State of a ball's contacts after a step, as wear and events need it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Watch {
-    /// Wear rates of inner race, outer race and cage, m³/s.
-    pub wear: [f64; 3],
+    /// Wear rates of the races, m³/s.
+    pub wear: Races<f64>,
+    /// Wear rate of the pocket, m³/s.
+    pub pocket_wear: f64,
     /// Lateral semi-axes of the contacts, m.
-    pub semi_lateral: [f64; 2],
-    /// Whether the contacts carry load.
-    pub loaded: [bool; 2],
+    pub semi_lateral: Races<f64>,
+    /// True where a contact carries load.
+    pub loaded: Races<bool>,
 }
 
 impl Machine {
     pub fn watch(&self, ball: &BallForces) -> Watch {
         let contacts = &ball.contacts;
-        let wear = |side: Side| self.bearing.wear[side].rate(contacts[side].traction.wear_integral);
         Watch {
-            wear: [wear(Side::Inner), wear(Side::Outer), self.pocket_wear(&ball.friction.pocket)],
-            semi_lateral: Side::BOTH.map(|side| contacts[side].ellipse.semi_lateral()),
-            loaded: Side::BOTH.map(|side| contacts[side].normal.load > 0.0),
+            wear: Races::from_fn(|side| self.bearing.wear_rate(side, contacts[side].traction.wear_integral)),
+            pocket_wear: self.pocket_wear(&ball.friction.pocket),
+            semi_lateral: contacts.each_ref().map(|contact| contact.ellipse.semi_lateral()),
+            loaded: contacts.each_ref().map(|contact| contact.normal.load > 0.0),
         }
     }
 
     /// Wear rate of a pocket, m³/s.
     pub fn pocket_wear(&self, pocket: &PocketLoad) -> f64 {
-        self.bearing.wear_cage.rate(pocket.sliding * pocket.force.abs())
+        self.bearing.pocket_wear_rate(pocket.sliding * pocket.force.abs())
     }
 }

@@ -29,3 +29,8 @@ pub use observer::{Event, EventKind, Observer};
 pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
 pub use sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
 pub use stiffness::Stiffness;
+pub use tribodyn_bearing::{
+    Bearing, BearingSpec, Cage, CoatingState, Dimensions, ElasticBody, Fit, Geometry, GuidingLand, Modelling,
+    MovingCage, Races, RingCentre, RingLoads, RunInputs, RunOptions, Scheme, SpeedHistory, Start, Support, Supports,
+    Tilt, Translation, Tribology,
+};

@@ -111,7 +111,7 @@ impl LinearTraction {
     /// The integral over the patch, from which the linear form starts anew; the distance that it may serve over follows
     /// from the error found now, which grows with its square.
     pub fn refresh(&mut self, machine: &Machine, p: &LoadedPatch<'_, f64>, tolerance: f64) -> PatchTraction {
-        let Some(d) = machine.kernel.derivative(&machine.bearing, p) else {
+        let Some(d) = machine.kernel.derivative(p) else {
             self.reach = 0.0;
             return machine.kernel.traction(&machine.bearing, p);
         };

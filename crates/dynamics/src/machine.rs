@@ -4,8 +4,10 @@ use crate::error::DynamicsError;
 use crate::forces::Watch;
 use crate::layout::Layout;
 use crate::pocket::Pocket;
-use tribodyn_bearing::{Bearing, LoadedPatch, Races, RingOffset, Side};
-use tribodyn_case::{Case, CoatingSpec, GuidanceSpec, SpeedHistory, SupportSpec, Tilt, Translation};
+use tribodyn_bearing::{
+    Bearing, CoatingState, GuidingLand, LoadedPatch, MovingCage, Races, RingOffset, RunInputs, Side, SpeedHistory,
+    Translation,
+};
 use tribodyn_fluid::AnnulusDrag;
 use tribodyn_traction::{
     FastPatch, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
@@ -24,11 +26,10 @@ pub(crate) struct Machine {
     pub tilt: [f64; 2],
     pub cage: CageBody,
     pub loads: [Translation; 3],
-    pub speeds: [SpeedHistory; 2],
-    /// Inner, outer.
-    pub raceways: [Raceway; 2],
+    pub speeds: Races<SpeedHistory>,
+    pub raceways: Races<Raceway>,
     /// Thinnest coating left on each, m, as of the last look.
-    pub thinnest: [f64; 2],
+    pub thinnest: Races<f64>,
     /// Factor on wear in what it does to the raceways.
     pub wear_acceleration: f64,
     /// What the last evaluation of the derivative saw of each ball.
@@ -57,29 +58,32 @@ impl Kernel {
     pub fn has_derivative(&self, bearing: &Bearing) -> bool {
         // Any pressure: a law is of that kind or is not.
         const PRESSURE: f64 = 2e9;
-        let curve = |side| bearing.races[side].law.kragelskii_slope(PRESSURE).is_some();
+        let Some(tribology) = &bearing.tribology else { return false };
+        let curve = |side| tribology.laws[side].kragelskii_slope(PRESSURE).is_some();
         matches!(self, Self::Fast(_))
-            && bearing.pressure_choice == PressureChoice::Peak
+            && tribology.pressure_choice == PressureChoice::Peak
             && curve(Side::Inner)
             && curve(Side::Outer)
     }
 
     /// Traction with its derivatives by motion and load, of coating and bare steel by their shares; none for laws without
     /// a Kragelskii curve.
-    pub fn derivative(&self, bearing: &Bearing, p: &LoadedPatch<'_, f64>) -> Option<PatchDerivative> {
+    pub fn derivative(&self, p: &LoadedPatch<'_, f64>) -> Option<PatchDerivative> {
         let Self::Fast(fast) = self else { return None };
-        if bearing.pressure_choice != PressureChoice::Peak {
+        let tribology = p.tribology?;
+        if tribology.pressure_choice != PressureChoice::Peak {
             return None;
         }
         let of = |law: &Law| {
             let curve = law.kragelskii(p.patch.peak_pressure)?;
             let slope = law.kragelskii_slope(p.patch.peak_pressure)?;
-            Some(fast.derivative(&p.patch, &p.motion, p.rolling_speed, (&curve, &slope), bearing.slip_unit))
+            Some(fast.derivative(&p.patch, &p.motion, p.rolling_speed, (&curve, &slope), tribology.slip_unit))
         };
-        match &p.race.bare_law {
+        let coating = &tribology.laws[p.side];
+        match &tribology.bare_law {
             Some(bare) if p.bare >= 1.0 => of(bare),
-            Some(bare) if p.bare > 0.0 => Some(of(&p.race.law)?.mixed_with(&of(bare)?, p.bare)),
-            _ => of(&p.race.law),
+            Some(bare) if p.bare > 0.0 => Some(of(coating)?.mixed_with(&of(bare)?, p.bare)),
+            _ => of(coating),
         }
     }
 
@@ -134,8 +138,8 @@ impl CageBody {
 }
 
 impl<const N: usize> Support<N> {
-    fn new(spec: &SupportSpec<N>, free: [bool; N]) -> Self {
-        let SupportSpec { mass, stiffness, damping } = *spec;
+    fn new(support: &tribodyn_bearing::Support<N>, free: [bool; N]) -> Self {
+        let tribodyn_bearing::Support { mass, stiffness, damping } = *support;
         Self { mass, stiffness, damping, reference: [0.0; N], free }
     }
 
@@ -146,73 +150,66 @@ impl<const N: usize> Support<N> {
 }
 
 impl Machine {
-    /// The machine of a case, its springs not yet set.
-    pub fn new(case: &Case, mut bearing: Bearing, quadrature: Quadrature) -> Result<Self, DynamicsError> {
-        let missing = |path| DynamicsError::Missing { path };
-        let supports = case.supports.as_ref().ok_or(missing("supports"))?;
-        let transient = case.transient.as_ref().ok_or(missing("transient"))?;
-        let inertia = case.cage.inertia.ok_or(missing("cage.inertia"))?;
+    /// The machine of a run, its springs not yet set.
+    pub fn new(inputs: RunInputs, quadrature: Quadrature) -> Result<Self, DynamicsError> {
+        let RunInputs { mut bearing, ring, speeds, cage, supports, coatings, defects, options, .. } = inputs;
         if supports.outer.stiffness.contains(&0.0) {
             return Err(DynamicsError::Unsupported { path: "supports.outer.stiffness" });
         }
-        (bearing.contact_damping, bearing.ring_offset) = (transient.contact_damping, RingOffset::Exact);
-        let loads = [&case.ring.x, &case.ring.y, &case.ring.z].map(Clone::clone);
+        (bearing.contact_damping, bearing.ring_offset) = (options.contact_damping, RingOffset::Exact);
+        let tilt = [ring.tilt_x.at(0.0), ring.tilt_y.at(0.0)];
+        let loads = [ring.x, ring.y, ring.z];
         let free = [0, 1, 2].map(|i| !matches!(loads[i], Translation::Held(_)));
-        let tilt = |t: &Tilt| t.at(0.0);
-        let raceways = raceways(case, &bearing)?;
+        let raceways = Races::try_from_fn(|side| raceway(&bearing, side, &coatings[side], &defects[side]))?;
         Ok(Self {
             layout: Layout { balls: bearing.geometry.ball_count },
             watch: vec![Watch::default(); bearing.geometry.ball_count],
             inner: Support::new(&supports.inner, free),
             outer: Support::new(&supports.outer, [true; 2]),
-            tilt: [tilt(&case.ring.tilt_x), tilt(&case.ring.tilt_y)],
-            cage: cage_body(case, &bearing, inertia),
+            tilt,
+            cage: cage_body(&cage, &bearing),
             loads,
-            speeds: [case.speed.inner.clone(), case.speed.outer.clone()],
+            speeds,
             thinnest: raceways.each_ref().map(Raceway::thinnest),
             raceways,
-            wear_acceleration: transient.wear_acceleration,
+            wear_acceleration: options.wear_acceleration,
             kernel: Kernel::Fast(FastPatch::of(quadrature)),
             bearing,
         })
     }
 }
 
-fn cage_body(case: &Case, bearing: &Bearing, inertia: f64) -> CageBody {
-    let spec = &case.cage;
+fn cage_body(cage: &MovingCage, bearing: &Bearing) -> CageBody {
+    let MovingCage { pockets, pocket_friction, pocket_damping, inertia, guidance: land } = *cage;
     let radius = 0.5 * bearing.geometry.pitch_diameter;
     let pocket = Pocket {
         radius,
-        clearance: spec.pocket_gap / radius,
-        stiffness: spec.pocket_stiffness,
-        damping: spec.pocket_damping,
-        friction: spec.pocket_friction,
+        clearance: pockets.pocket_gap / radius,
+        stiffness: pockets.pocket_stiffness,
+        damping: pocket_damping,
+        friction: pocket_friction,
         ball_radius: 0.5 * bearing.geometry.ball_diameter,
     };
-    let guidance = spec.guidance.and_then(|land| guidance(&land, bearing));
-    CageBody { pocket, inertia, drag_torque: spec.drag_torque, guidance }
+    let guidance = land.and_then(|land| guidance(&land, bearing));
+    CageBody { pocket, inertia, drag_torque: pockets.drag_torque, guidance }
 }
 
 /// The land's film; a dry bearing has none.
-fn guidance(spec: &GuidanceSpec, bearing: &Bearing) -> Option<Guidance> {
-    let GuidanceSpec { radius, width, gap, .. } = *spec;
+fn guidance(land: &GuidingLand, bearing: &Bearing) -> Option<Guidance> {
+    let GuidingLand { side, radius, width, gap } = *land;
     let land = bearing.fluid.map(|f| AnnulusDrag { density: f.density, viscosity: f.viscosity, radius, width, gap })?;
-    Some(Guidance { land, side: spec.land })
+    Some(Guidance { land, side })
 }
 
-fn raceways(case: &Case, bearing: &Bearing) -> Result<[Raceway; 2], DynamicsError> {
-    let of = |side: Side, spec: &CoatingSpec| {
-        let defects: Vec<Defect> = case
-            .defects
-            .iter()
-            .filter(|d| d.race == side)
-            .map(|d| Defect { azimuth: d.azimuth, width: d.width, depth: d.depth, bare: d.bare })
-            .collect();
-        let g = &bearing.geometry;
-        // Where the balls touch at the free contact angle.
-        let outwards = g.ball_radius() * g.cos_contact_angle();
-        let track = 0.5 * g.pitch_diameter + if side == Side::Inner { -outwards } else { outwards };
-        Raceway::new(spec.thickness, spec.worn, track, &defects)
-    };
-    Ok([of(Side::Inner, &case.coatings.inner)?, of(Side::Outer, &case.coatings.outer)?])
+fn raceway(
+    bearing: &Bearing,
+    side: Side,
+    coating: &CoatingState,
+    defects: &[Defect],
+) -> Result<Raceway, DynamicsError> {
+    let g = &bearing.geometry;
+    // Where the balls touch at the free contact angle.
+    let outwards = g.ball_radius() * g.cos_contact_angle();
+    let track = 0.5 * g.pitch_diameter + if side == Side::Inner { -outwards } else { outwards };
+    Ok(Raceway::new(coating.thickness, coating.worn, track, defects)?)
 }

@@ -5,10 +5,9 @@ use crate::error::DynamicsError;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN};
 use crate::machine::Machine;
-use tribodyn_bearing::{Bearing, RingOffset, Side};
-use tribodyn_case::{Case, StartSpec};
+use tribodyn_bearing::{RingOffset, RunInputs, Side, Start};
 use tribodyn_quasistatic::{BallMotion, Model, Solution, WarmStart, solve};
-use tribodyn_traction::Quadrature;
+use tribodyn_traction::{PatchRule, Quadrature};
 
 /// A machine at its start.
 pub(crate) struct Started {
@@ -19,18 +18,17 @@ pub(crate) struct Started {
 
 /// Solves the quasi-static problem of time 0 (of a standstill, where the run starts from rest), takes its patch rule and
 /// puts balls, cage and rings there.
-pub(crate) fn start(case: &Case, mut bearing: Bearing) -> Result<Started, DynamicsError> {
-    let rest = case.transient.as_ref().ok_or(DynamicsError::Missing { path: "transient" })?.start == StartSpec::Rest;
-    let mut point = case.operating_point_at(0.0);
-    if rest {
+pub(crate) fn start(mut inputs: RunInputs) -> Result<Started, DynamicsError> {
+    let mut point = inputs.operating_point_at(0.0);
+    if inputs.options.start == Start::Rest {
         (point.inner_speed, point.outer_speed) = (0.0, 0.0);
     }
-    bearing.ring_offset = RingOffset::Exact;
-    let solved = solve(&bearing, &point, Model::Traction)?;
+    inputs.bearing.ring_offset = RingOffset::Exact;
+    let solved = solve(&inputs.bearing, &point, Model::Traction)?;
     // A traction solution always comes with its unknowns.
     let Some(warm) = solved.warm_start else { unreachable!("a traction solution has unknowns") };
-    let quadrature = Quadrature::new(rule_of_the_run(case, &bearing, &warm)?)?;
-    let mut machine = Machine::new(case, bearing, quadrature)?;
+    let quadrature = Quadrature::new(rule_of_the_run(&inputs, &warm)?)?;
+    let mut machine = Machine::new(inputs, quadrature)?;
     let [x, y, z, tilt @ ..] = warm.ring();
     machine.tilt = tilt;
     let mut state = vec![0.0; machine.layout.len()];
@@ -52,16 +50,11 @@ pub(crate) fn start(case: &Case, mut bearing: Bearing) -> Result<Started, Dynami
 }
 
 /// At a standstill no slip tells which rule a target error needs: it is taken from the solution at the end of the ramp.
-fn rule_of_the_run(
-    case: &Case,
-    bearing: &Bearing,
-    at_start: &WarmStart,
-) -> Result<tribodyn_traction::PatchRule, DynamicsError> {
-    let rest = case.transient.as_ref().is_some_and(|t| t.start == StartSpec::Rest);
-    if !rest {
+fn rule_of_the_run(inputs: &RunInputs, at_start: &WarmStart) -> Result<PatchRule, DynamicsError> {
+    if inputs.options.start != Start::Rest {
         return Ok(at_start.rule());
     }
-    let solved = solve(bearing, &case.operating_point(), Model::Traction)?;
+    let solved = solve(&inputs.bearing, &inputs.operating_point_at(f64::INFINITY), Model::Traction)?;
     Ok(solved.warm_start.map_or(at_start.rule(), |warm| warm.rule()))
 }
 

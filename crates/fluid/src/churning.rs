@@ -14,7 +14,7 @@ pub const TRANSITION_REYNOLDS: f64 = 3e5;
 /// squares of the components nor the reciprocals in the derivatives leave the range of f64.
 const REST: f64 = 1e-100;
 
-/// How the churning coefficient passes from laminar to turbulent.
+/// Passage of the churning coefficient from laminar to turbulent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Transition {
     /// The published switch at [`TRANSITION_REYNOLDS`]. The two laws do not meet there: C_n jumps from 0.00707 to

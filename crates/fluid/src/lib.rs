@@ -22,7 +22,7 @@ use num_dual::DualNum;
 pub trait Scalar: DualNum<Primitive = f64> + Copy {}
 impl<T: DualNum<Primitive = f64> + Copy> Scalar for T {}
 
-/// Why a fluid state cannot be given.
+/// Errors of a fluid state.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FluidError {
     /// Temperature outside the range of the liquid.
@@ -30,7 +30,7 @@ pub enum FluidError {
         "{fluid} at {temperature} K is outside {min} to {max} K (triple point to 0.95 of the critical {critical} K)"
     )]
     Temperature {
-        /// Which fluid.
+        /// Name of the fluid.
         fluid: Fluid,
         /// Temperature asked for, K.
         temperature: f64,
@@ -47,7 +47,7 @@ pub enum FluidError {
          pressure, {saturation} Pa"
     )]
     Vapour {
-        /// Which fluid.
+        /// Name of the fluid.
         fluid: Fluid,
         /// Temperature asked for, K.
         temperature: f64,
@@ -62,7 +62,7 @@ pub enum FluidError {
          pressure, {melting} Pa"
     )]
     Solid {
-        /// Which fluid.
+        /// Name of the fluid.
         fluid: Fluid,
         /// Temperature asked for, K.
         temperature: f64,
@@ -74,7 +74,7 @@ pub enum FluidError {
     /// Pressure above what this crate is checked for, or not a number.
     #[error("{fluid} at {pressure} Pa: the pressure must be a number up to {max} Pa")]
     Pressure {
-        /// Which fluid.
+        /// Name of the fluid.
         fluid: Fluid,
         /// Pressure asked for, Pa.
         pressure: f64,
@@ -84,7 +84,7 @@ pub enum FluidError {
     /// The density iteration did not settle.
     #[error("{fluid} at {temperature} K and {pressure} Pa: no density found in {iterations} iterations")]
     Density {
-        /// Which fluid.
+        /// Name of the fluid.
         fluid: Fluid,
         /// Temperature, K.
         temperature: f64,

@@ -64,7 +64,7 @@ impl Parameter {
     }
 
     /// (value − prior mean)/spread; on a log scale of the logarithms.
-    fn prior_residual(&self, value: f64) -> Option<f64> {
+    pub(crate) fn prior_residual(&self, value: f64) -> Option<f64> {
         self.prior.map(|p| match self.scale {
             Scale::Linear => (value - p.mean) / p.spread,
             Scale::Log => (value / p.mean).ln() / p.spread,
@@ -98,8 +98,7 @@ impl<'a> LeastSquares<'a> {
     pub fn point(&self, coordinates: DVector<f64>, near: Option<&Evaluation>) -> Result<Point, IdentifyError> {
         let values = self.values(&coordinates);
         let evaluation = self.model.evaluate(&values, near)?;
-        let data =
-            self.problem.data.iter().map(|d| (d.quantity.of(&evaluation.solutions[&d.run]) - d.value) / d.uncertainty);
+        let data = self.problem.data.iter().map(|d| d.deviation(d.computed(&evaluation)) / d.uncertainty);
         let priors = self.parameters().zip(&values).filter_map(|(p, &v)| p.prior_residual(v));
         let residuals: Vec<f64> = data.chain(priors).collect();
         Ok(Point { coordinates, residuals: DVector::from_vec(residuals), evaluation })

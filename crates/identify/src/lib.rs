@@ -9,16 +9,16 @@ mod uncertainty;
 
 pub use fit::{LeastSquares, Point, fit};
 pub use model::{Evaluation, ForwardModel};
-pub use problem::{Datum, Hypothesis, ModelName, Parameter, Prior, Problem, Quantity, Run, Scale};
+pub use problem::{Datum, Hypothesis, ModelName, Parameter, Prior, Problem, Quantity, Relation, Run, Scale};
 pub use report::{DatumResult, Identification, MinimumResult, ParameterResult, identify};
 pub use search::{Minimum, Search, search};
 pub use uncertainty::{Uncertainty, uncertainty};
 
 use tribodyn_bearing::BearingError;
-use tribodyn_case::CaseError;
+use tribodyn_case::{CaseError, Lacking};
 use tribodyn_quasistatic::QuasiStaticError;
 
-/// Why there is no answer.
+/// Errors of an identification.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum IdentifyError {
     /// The problem file is not RON of the right shape.
@@ -28,7 +28,7 @@ pub enum IdentifyError {
         line: usize,
         /// Column, from 1.
         column: usize,
-        /// What is wrong.
+        /// The fault.
         message: String,
     },
     /// A value of the problem file that makes no sense.
@@ -38,7 +38,7 @@ pub enum IdentifyError {
         field: String,
         /// Its value.
         value: String,
-        /// What is allowed.
+        /// The allowed values.
         allowed: &'static str,
     },
     /// A path that leads nowhere in the case.
@@ -52,7 +52,7 @@ pub enum IdentifyError {
     NotANumber {
         /// The path.
         path: String,
-        /// What stands there.
+        /// The text in that place.
         value: String,
     },
     /// Nothing to begin with.
@@ -60,12 +60,15 @@ pub enum IdentifyError {
     NoStart {
         /// Starts tried.
         count: usize,
-        /// Why the first failed.
+        /// Error of the first.
         reason: String,
     },
     /// The case.
     #[error("the case, {0}")]
     Case(#[from] CaseError),
+    /// A case without what a model needs.
+    #[error(transparent)]
+    Lacking(#[from] Lacking),
     /// The bearing.
     #[error(transparent)]
     Bearing(#[from] BearingError),

@@ -1,10 +1,10 @@
 //! The figures that a set of parameter values gives.
 
 use crate::IdentifyError;
-use crate::problem::{Hypothesis, Problem, Quantity};
+use crate::problem::{Datum, Hypothesis, Problem, Quantity, Relation};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use tribodyn_case::{Case, locate, set_value};
+use tribodyn_case::{Case, Purpose, locate, set_value};
 use tribodyn_quasistatic::{Model, OverAzimuth, Solution, WarmStart, solve, solve_from};
 
 /// A case file's text with holes where the free parameters stand.
@@ -105,6 +105,10 @@ impl ForwardModel {
         let mut out = Evaluation::default();
         for (name, variant) in &self.variants {
             let case = Case::from_ron(&variant.template.fill(values))?;
+            case.require(match variant.model {
+                Model::JonesHarris => Purpose::JonesHarris,
+                Model::Traction => Purpose::Traction,
+            })?;
             let bearing = case.bearing()?;
             let point = case.operating_point();
             let warm = near.and_then(|n| n.warm.get(name));
@@ -125,6 +129,30 @@ impl ForwardModel {
 pub(crate) fn free(problem: &Problem, hypothesis: Option<&Hypothesis>) -> Vec<usize> {
     let held = |name: &String| hypothesis.is_some_and(|h| h.hold.contains(name));
     (0..problem.parameters.len()).filter(|&i| !held(&problem.parameters[i].name)).collect()
+}
+
+impl Datum {
+    /// The model's figure: the value, the ratio, or the difference to the other quantity.
+    pub fn computed(&self, evaluation: &Evaluation) -> f64 {
+        let of = |run: &str, quantity: Quantity| quantity.of(&evaluation.solutions[run]);
+        let here = of(&self.run, self.quantity);
+        match &self.relation {
+            Relation::Value => here,
+            Relation::RatioTo { run, quantity } => here / of(run, *quantity),
+            Relation::Above { run, quantity } => here - of(run, *quantity),
+        }
+    }
+
+    /// Deviation of the model's figure: computed − value, and 0 where an order holds by more than its margin.
+    pub fn deviation(&self, computed: f64) -> f64 {
+        let deviation = computed - self.value;
+        if matches!(self.relation, Relation::Above { .. }) { deviation.min(0.0) } else { deviation }
+    }
+
+    /// Unit of the figure.
+    pub fn unit(&self) -> &'static str {
+        if matches!(self.relation, Relation::RatioTo { .. }) { "–" } else { self.quantity.unit() }
+    }
 }
 
 impl Quantity {

@@ -37,14 +37,14 @@ pub struct Problem {
 pub struct Parameter {
     /// Name in reports.
     pub name: String,
-    /// Where the number stands, inside its unit: `geometry.pitch_diameter.mm`. Several places take the same number.
+    /// Places of the number, inside its unit: `geometry.pitch_diameter.mm`. Several places take the same number.
     pub paths: Vec<String>,
     /// Smallest and largest value, in the unit of the file.
     pub bounds: (f64, f64),
-    /// What is known beforehand: mean and standard deviation, in the unit of the file (of ln value on a log scale).
+    /// Prior knowledge: mean and standard deviation, in the unit of the file (of ln value on a log scale).
     #[serde(default)]
     pub prior: Option<Prior>,
-    /// Whether steps are taken in the value or in its logarithm.
+    /// Linear or logarithmic steps.
     #[serde(default)]
     pub scale: Scale,
 }
@@ -73,7 +73,7 @@ pub enum Scale {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
-    /// Which equations.
+    /// The equations.
     pub model: ModelName,
     /// Values that replace the case's, by path.
     #[serde(default)]
@@ -104,17 +104,44 @@ impl From<ModelName> for Model {
 pub struct Datum {
     /// Name in reports.
     pub id: String,
-    /// Which run it belongs to.
+    /// Name of the run it belongs to.
     pub run: String,
-    /// What was measured.
+    /// Measured quantity.
     pub quantity: Quantity,
-    /// The figure, in the unit of the quantity.
+    /// Comparison that the figure is about.
+    #[serde(default)]
+    pub relation: Relation,
+    /// The figure, in the unit of the quantity; of a ratio without one.
     pub value: f64,
     /// Its standard uncertainty, in the same unit.
     pub uncertainty: f64,
 }
 
-/// What can be measured. Azimuths in degrees; a ball's value there is interpolated over the solved balls.
+/// Kinds of data.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Relation {
+    /// The quantity is the figure.
+    #[default]
+    Value,
+    /// The quantity is the figure times another one: papers often print ratios, or units that cancel in them.
+    RatioTo {
+        /// Name of the other's run.
+        run: String,
+        /// The other quantity.
+        quantity: Quantity,
+    },
+    /// The quantity exceeds another one by the figure or more: an order that a text states. Beyond the figure nothing
+    /// more is gained.
+    Above {
+        /// Name of the other's run.
+        run: String,
+        /// The other quantity, in the same unit.
+        quantity: Quantity,
+    },
+}
+
+/// Quantities that can be measured. Azimuths in degrees; a ball's value there is interpolated over the solved balls.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Quantity {
@@ -194,51 +221,20 @@ impl Problem {
     /// # Errors
     /// [`IdentifyError::Value`] with the field.
     pub fn check(&self) -> Result<(), IdentifyError> {
-        let refuse =
-            |field: String, value: String, allowed: &'static str| Err(IdentifyError::Value { field, value, allowed });
         if self.starts == 0 || self.starts > 10_000 {
             return refuse("starts".into(), self.starts.to_string(), "1 to 10000");
         }
         if self.parameters.is_empty() {
             return refuse("parameters".into(), "[]".into(), "at least one free parameter");
         }
-        for (index, p) in self.parameters.iter().enumerate() {
-            let field = |name: &str| format!("parameters[{index}].{name} ({})", p.name);
-            let (low, high) = p.bounds;
-            if !(low.is_finite() && high.is_finite() && low < high) {
-                return refuse(field("bounds"), format!("({low}, {high})"), "finite, lower below upper");
-            }
-            if p.scale == Scale::Log && low <= 0.0 {
-                return refuse(field("bounds"), format!("({low}, {high})"), "positive on a log scale");
-            }
-            if p.paths.is_empty() {
-                return refuse(field("paths"), "[]".into(), "at least one path into the case");
-            }
-            if let Some(prior) = p.prior {
-                let inside = prior.mean.is_finite() && (p.scale == Scale::Linear || prior.mean > 0.0);
-                if !(inside && prior.spread > 0.0 && prior.spread.is_finite()) {
-                    return refuse(
-                        field("prior"),
-                        format!("{prior:?}"),
-                        "finite mean (positive on a log scale), spread above 0",
-                    );
-                }
-            }
+        for (index, parameter) in self.parameters.iter().enumerate() {
+            parameter.check(index)?;
         }
         if self.data.is_empty() {
             return refuse("data".into(), "[]".into(), "at least one datum");
         }
-        for (index, d) in self.data.iter().enumerate() {
-            let field = |name: &str| format!("data[{index}].{name} ({})", d.id);
-            if !self.runs.contains_key(&d.run) {
-                return refuse(field("run"), d.run.clone(), "the name of one of the runs");
-            }
-            if !d.value.is_finite() {
-                return refuse(field("value"), d.value.to_string(), "a finite number");
-            }
-            if !(d.uncertainty > 0.0 && d.uncertainty.is_finite()) {
-                return refuse(field("uncertainty"), d.uncertainty.to_string(), "a finite number above 0");
-            }
+        for (index, datum) in self.data.iter().enumerate() {
+            datum.check(index, &self.runs)?;
         }
         for (index, h) in self.hypotheses.iter().enumerate() {
             for name in &h.hold {
@@ -246,6 +242,59 @@ impl Problem {
                     return refuse(format!("hypotheses[{index}].hold"), name.clone(), "names of parameters");
                 }
             }
+        }
+        Ok(())
+    }
+}
+
+fn refuse(field: String, value: String, allowed: &'static str) -> Result<(), IdentifyError> {
+    Err(IdentifyError::Value { field, value, allowed })
+}
+
+impl Parameter {
+    fn check(&self, index: usize) -> Result<(), IdentifyError> {
+        let field = |name: &str| format!("parameters[{index}].{name} ({})", self.name);
+        let (low, high) = self.bounds;
+        if !(low.is_finite() && high.is_finite() && low < high) {
+            return refuse(field("bounds"), format!("({low}, {high})"), "finite, lower below upper");
+        }
+        if self.scale == Scale::Log && low <= 0.0 {
+            return refuse(field("bounds"), format!("({low}, {high})"), "positive on a log scale");
+        }
+        if self.paths.is_empty() {
+            return refuse(field("paths"), "[]".into(), "at least one path into the case");
+        }
+        let Some(prior) = self.prior else { return Ok(()) };
+        let inside = prior.mean.is_finite() && (self.scale == Scale::Linear || prior.mean > 0.0);
+        if !(inside && prior.spread > 0.0 && prior.spread.is_finite()) {
+            let allowed = "finite mean (positive on a log scale), spread above 0";
+            return refuse(field("prior"), format!("{prior:?}"), allowed);
+        }
+        Ok(())
+    }
+}
+
+impl Datum {
+    fn check(&self, index: usize, runs: &BTreeMap<String, Run>) -> Result<(), IdentifyError> {
+        let field = |name: &str| format!("data[{index}].{name} ({})", self.id);
+        if !runs.contains_key(&self.run) {
+            return refuse(field("run"), self.run.clone(), "the name of one of the runs");
+        }
+        match &self.relation {
+            Relation::Value => {}
+            Relation::RatioTo { run, .. } | Relation::Above { run, .. } if !runs.contains_key(run) => {
+                return refuse(field("relation.run"), run.clone(), "the name of one of the runs");
+            }
+            Relation::Above { quantity, .. } if quantity.unit() != self.quantity.unit() => {
+                return refuse(field("relation.quantity"), format!("{quantity:?}"), "a quantity of the same unit");
+            }
+            Relation::RatioTo { .. } | Relation::Above { .. } => {}
+        }
+        if !self.value.is_finite() {
+            return refuse(field("value"), self.value.to_string(), "a finite number");
+        }
+        if !(self.uncertainty > 0.0 && self.uncertainty.is_finite()) {
+            return refuse(field("uncertainty"), self.uncertainty.to_string(), "a finite number above 0");
         }
         Ok(())
     }

@@ -2,9 +2,10 @@
 
 use crate::IdentifyError;
 use crate::fit::LeastSquares;
-use crate::problem::{Hypothesis, Problem};
+use crate::model::Evaluation;
+use crate::problem::{Datum, Hypothesis, Parameter, Problem, Relation};
 use crate::search::{Search, search};
-use crate::uncertainty::uncertainty;
+use crate::uncertainty::{Uncertainty, uncertainty};
 use serde::Serialize;
 use tribodyn_case::{locate, set_value};
 
@@ -17,6 +18,11 @@ pub struct Identification {
     pub cost: f64,
     /// The same of the data alone.
     pub data_cost: f64,
+    /// Natural logarithm of the evidence by Laplace's approximation, up to a constant of the data: what a hypothesis
+    /// gains over another one on the same data, its free parameters and priors taken into account.
+    pub log_evidence: f64,
+    /// Signs that a figure is read wrongly or that the model lacks something.
+    pub conflicts: Vec<String>,
     /// Parameters at the best minimum.
     pub parameters: Vec<ParameterResult>,
     /// Correlation coefficients, in the order of the parameters.
@@ -29,7 +35,7 @@ pub struct Identification {
     pub failed_starts: usize,
     /// Largest relative change of the sensitivities when the difference step is halved.
     pub sensitivity_check: f64,
-    /// What the solutions warn of, by run.
+    /// Warnings of the solutions, by run.
     pub warnings: Vec<String>,
     /// The case file with the identified values and their sources.
     pub case_text: String,
@@ -50,15 +56,17 @@ pub struct ParameterResult {
     pub bounds: (f64, f64),
     /// Prior mean and spread, where there is one.
     pub prior: Option<(f64, f64)>,
-    /// Whether the data determine it; where not, the value is only what prior or bounds make of it.
+    /// True where the data determine it; elsewhere the value is only what prior or bounds make of it.
     pub determined: bool,
     /// Share of the prior's variance that the data remove.
     pub information: f64,
-    /// Whether it lies at a bound.
+    /// True where it lies at a bound.
     pub at_bound: bool,
+    /// Distance from the prior's mean in spreads of the prior, where there is one.
+    pub prior_deviation: Option<f64>,
     /// The residuals with the largest shares in its variance.
     pub determined_by: Vec<(String, f64)>,
-    /// What to measure to determine it: run, quantity, and the spread it would then have.
+    /// The measurement that would determine it best: run, quantity, and the spread it would then have.
     pub measure: Option<String>,
 }
 
@@ -69,13 +77,15 @@ pub struct DatumResult {
     pub id: String,
     /// Run.
     pub run: String,
+    /// Kind of the datum.
+    pub relation: Relation,
     /// Unit of the next four.
     pub unit: &'static str,
     /// The figure to be met.
     pub value: f64,
-    /// What the model gives.
+    /// The model's figure.
     pub computed: f64,
-    /// computed − value.
+    /// computed − value; of an order that holds by more than its margin, 0.
     pub deviation: f64,
     /// Uncertainty of the figure.
     pub uncertainty: f64,
@@ -125,80 +135,102 @@ fn answer(
     found: &Search,
     hypothesis: Option<&Hypothesis>,
 ) -> Result<Identification, IdentifyError> {
-    let problem = squares.problem;
     let best = &found.minima[0].point;
-    let u = uncertainty(squares, best)?;
+    let curvature = uncertainty(squares, best)?;
     let values = squares.values(&best.coordinates);
-    let data: Vec<DatumResult> = problem
-        .data
-        .iter()
-        .map(|d| {
-            let computed = d.quantity.of(&best.evaluation.solutions[&d.run]);
-            let deviation = computed - d.value;
-            DatumResult {
-                id: d.id.clone(),
-                run: d.run.clone(),
-                unit: d.quantity.unit(),
-                value: d.value,
-                computed,
-                deviation,
-                uncertainty: d.uncertainty,
-                normalised: deviation / d.uncertainty,
-            }
-        })
-        .collect();
-    let priors = squares.parameters().filter(|p| p.prior.is_some()).map(|p| format!("prior of {}", p.name));
-    let names: Vec<String> = problem.data.iter().map(|d| d.id.clone()).chain(priors).collect();
-    let parameters = squares.parameters().enumerate().map(|(k, p)| {
-        let mut shares: Vec<(String, f64)> =
-            names.iter().cloned().zip(u.shares.row(k).iter().copied()).filter(|(_, s)| *s > 0.01).collect();
-        shares.sort_by(|a, b| b.1.total_cmp(&a.1));
-        shares.truncate(NAMED_SHARES);
-        let measure = u.wanted[k].as_ref().map(|(run, quantity, spread)| {
-            format!("{quantity:?} of run \"{run}\" would bring its spread to {spread:.3e}")
-        });
-        ParameterResult {
-            name: p.name.clone(),
-            paths: p.paths.clone(),
-            value: values[k],
-            spread: u.spread[k],
-            bounds: p.bounds,
-            prior: p.prior.map(|prior| (prior.mean, prior.spread)),
-            determined: u.determined[k],
-            information: u.information[k],
-            at_bound: u.at_bound[k],
-            determined_by: shares,
-            measure,
-        }
-    });
-    let parameters: Vec<ParameterResult> = parameters.collect();
+    let data = data_results(squares.problem, &best.evaluation);
+    let parameters = parameter_results(squares, &curvature, &values);
     let case_text = completed_case(squares, &values, &parameters, hypothesis)?;
-    let warnings = best
-        .evaluation
-        .solutions
-        .iter()
-        .flat_map(|(run, solution)| solution.warnings.iter().map(move |w| format!("{run}: {w}")));
+    let solutions = best.evaluation.solutions.iter();
+    let warnings = solutions.flat_map(|(run, solution)| solution.warnings.iter().map(move |w| format!("{run}: {w}")));
+    let minima = found.minima.iter().map(|m| MinimumResult {
+        cost: m.point.cost(),
+        values: squares.values(&m.point.coordinates),
+        starts: m.starts,
+    });
     Ok(Identification {
         hypothesis: hypothesis.map(|h| h.name.clone()),
         cost: best.cost(),
         data_cost: data.iter().map(|d| d.normalised.powi(2)).sum(),
-        correlation: u.correlation.row_iter().map(|row| row.iter().copied().collect()).collect(),
+        log_evidence: curvature.log_evidence,
+        conflicts: conflicts(&parameters, &data),
+        correlation: curvature.correlation.row_iter().map(|row| row.iter().copied().collect()).collect(),
         data,
-        minima: found
-            .minima
-            .iter()
-            .map(|m| MinimumResult {
-                cost: m.point.cost(),
-                values: squares.values(&m.point.coordinates),
-                starts: m.starts,
-            })
-            .collect(),
+        minima: minima.collect(),
         failed_starts: found.failed.0,
-        sensitivity_check: u.sensitivity_check,
+        sensitivity_check: curvature.sensitivity_check,
         warnings: warnings.collect(),
         parameters,
         case_text,
     })
+}
+
+/// Distance from its prior, in spreads, beyond which a parameter speaks against the problem.
+const FAR_FROM_PRIOR: f64 = 2.0;
+/// The same of a datum, in uncertainties.
+const FAR_FROM_DATUM: f64 = 3.0;
+
+fn conflicts(parameters: &[ParameterResult], data: &[DatumResult]) -> Vec<String> {
+    let reason = "a figure is read wrongly, or the model lacks something";
+    let bounds = parameters.iter().filter(|p| p.at_bound);
+    let bounds = bounds.map(|p| format!("{} lies at a bound of {:?}: {reason}", p.name, p.bounds));
+    let far = |p: &&ParameterResult| p.prior_deviation.is_some_and(|d| d.abs() > FAR_FROM_PRIOR);
+    let priors = parameters
+        .iter()
+        .filter(far)
+        .map(|p| format!("{} is {:+.1} prior spreads off: {reason}", p.name, p.prior_deviation.unwrap_or_default()));
+    let missed = data.iter().filter(|d| d.normalised.abs() > FAR_FROM_DATUM);
+    let missed = missed.map(|d| format!("{} is missed by {:+.1} uncertainties: {reason}", d.id, d.normalised));
+    bounds.chain(priors).chain(missed).collect()
+}
+
+fn data_results(problem: &Problem, evaluation: &Evaluation) -> Vec<DatumResult> {
+    let result = |d: &Datum| {
+        let computed = d.computed(evaluation);
+        let deviation = d.deviation(computed);
+        DatumResult {
+            id: d.id.clone(),
+            run: d.run.clone(),
+            relation: d.relation.clone(),
+            unit: d.unit(),
+            value: d.value,
+            computed,
+            deviation,
+            uncertainty: d.uncertainty,
+            normalised: deviation / d.uncertainty,
+        }
+    };
+    problem.data.iter().map(result).collect()
+}
+
+fn parameter_results(squares: &LeastSquares<'_>, curvature: &Uncertainty, values: &[f64]) -> Vec<ParameterResult> {
+    let priors = squares.parameters().filter(|p| p.prior.is_some()).map(|p| format!("prior of {}", p.name));
+    let residuals: Vec<String> = squares.problem.data.iter().map(|d| d.id.clone()).chain(priors).collect();
+    let result = |(k, p): (usize, &Parameter)| ParameterResult {
+        name: p.name.clone(),
+        paths: p.paths.clone(),
+        value: values[k],
+        spread: curvature.spread[k],
+        bounds: p.bounds,
+        prior: p.prior.map(|prior| (prior.mean, prior.spread)),
+        determined: curvature.determined[k],
+        information: curvature.information[k],
+        at_bound: curvature.at_bound[k],
+        prior_deviation: p.prior_residual(values[k]),
+        determined_by: largest_shares(&residuals, curvature.shares.row(k).iter().copied()),
+        measure: curvature.wanted[k].as_ref().map(|(run, quantity, spread)| {
+            format!("{quantity:?} of run \"{run}\" would bring its spread to {spread:.3e}")
+        }),
+    };
+    squares.parameters().enumerate().map(result).collect()
+}
+
+/// The residuals with the largest shares above 1 %, the largest first.
+fn largest_shares(names: &[String], shares: impl Iterator<Item = f64>) -> Vec<(String, f64)> {
+    let mut named: Vec<(String, f64)> = names.iter().cloned().zip(shares).filter(|(_, share)| *share > 0.01).collect();
+    named.sort_by(|a, b| b.1.total_cmp(&a.1));
+    named.truncate(NAMED_SHARES);
+    named
 }
 
 /// The case with the identified values rounded to a hundredth of their spread, and where each comes from.

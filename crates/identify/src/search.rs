@@ -10,13 +10,13 @@ use rayon::prelude::*;
 /// A minimum and how many starts ended there.
 #[derive(Debug, Clone)]
 pub struct Minimum {
-    /// Where it is.
+    /// Its place.
     pub point: Point,
     /// Starts that ended here.
     pub starts: usize,
 }
 
-/// What the starts came to.
+/// Result of all starts.
 #[derive(Debug, Clone)]
 pub struct Search {
     /// Distinct minima, the best first.

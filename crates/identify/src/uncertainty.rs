@@ -1,4 +1,4 @@
-//! Spreads, correlations and what determines what, from the curvature at a minimum.
+//! Spreads, correlations, and the data that determine each parameter, from the curvature at a minimum.
 //!
 //! With J the sensitivities of the normalised residuals, C = (JᵀJ + P)⁻¹ is the covariance of the coordinates; P holds
 //! 12 for parameters without a prior (the variance 1/12 of a uniform one over the bounds), so that C always exists and
@@ -6,11 +6,14 @@
 
 use crate::IdentifyError;
 use crate::fit::{DIFFERENCE, LeastSquares, Point};
-use crate::problem::Quantity;
+use crate::problem::{Parameter, Quantity, Scale};
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
 
 /// A parameter counts as determined when the data make its variance at least this much smaller than its prior's.
 const INFORMATIVE: f64 = 0.5;
+/// Variance of a uniform distribution over the bounds, which the coordinates 0 and 1 stand for.
+const UNIFORM_VARIANCE: f64 = 1.0 / 12.0;
 /// A coordinate this close to 0 or 1 is at its bound.
 const AT_BOUND: f64 = 1e-6;
 
@@ -23,14 +26,17 @@ pub struct Uncertainty {
     pub correlation: DMatrix<f64>,
     /// Share of the prior's variance that the data remove, 0 to 1.
     pub information: Vec<f64>,
-    /// Whether the data determine it.
+    /// True where the data determine a parameter.
     pub determined: Vec<bool>,
-    /// Whether it lies at one of its bounds, where the spread is not that of a normal distribution.
+    /// True at one of its bounds, where the spread is not that of a normal distribution.
     pub at_bound: Vec<bool>,
     /// For each parameter the share of each residual (data, then priors) in its variance.
     pub shares: DMatrix<f64>,
     /// For each undetermined parameter the figure that would determine it best: run, quantity, spread with it.
     pub wanted: Vec<Option<(String, Quantity, f64)>>,
+    /// Natural logarithm of the evidence by Laplace's approximation, without the constant −Σ ln(σ √2π) of the data:
+    /// −½ Σ r² + Σ ln π(x) + ½ n ln 2π − ½ ln det(JᵀJ + P), π the prior density in the coordinates, 1 without a prior.
+    pub log_evidence: f64,
     /// Largest relative difference of the sensitivities when the step is halved.
     pub sensitivity_check: f64,
 }
@@ -74,53 +80,75 @@ pub fn uncertainty(squares: &LeastSquares<'_>, at: &Point) -> Result<Uncertainty
     let scale = jacobian.amax().max(f64::MIN_POSITIVE);
     let sensitivity_check = (jacobian.clone() - finer.rows(0, residual_count)).amax() / scale;
 
+    let (normal, prior_variance) = normal_matrix(squares, at, &jacobian);
     let count = squares.free.len();
-    let mut normal = jacobian.transpose() * &jacobian;
-    let prior_variance: Vec<f64> = squares
-        .parameters()
-        .zip(squares.values(&at.coordinates))
-        .map(|(p, value)| match p.prior {
-            Some(prior) => {
-                let spread = if p.scale == crate::Scale::Log { prior.spread * value } else { prior.spread };
-                (spread / p.slope(value)).powi(2).min(1.0 / 12.0)
-            }
-            None => 1.0 / 12.0,
-        })
-        .collect();
-    for (k, parameter) in squares.parameters().enumerate() {
-        if parameter.prior.is_none() {
-            normal[(k, k)] += 12.0;
-        }
-    }
-    let covariance = normal.cholesky().map_or_else(|| DMatrix::identity(count, count), |c| c.inverse());
+    let factor = normal.cholesky();
+    let log_determinant = factor.as_ref().map_or(0.0, |c| 2.0 * c.l_dirty().diagonal().map(f64::ln).sum());
+    let log_evidence = log_prior_density(squares, at) + 0.5 * (count as f64 * TAU.ln() - log_determinant - at.cost());
+    let covariance = factor.map_or_else(|| DMatrix::identity(count, count), |c| c.inverse());
     let deviation = |k: usize| covariance[(k, k)].sqrt();
     let values = squares.values(&at.coordinates);
-    let spread = squares.parameters().zip(&values).enumerate().map(|(k, (p, &v))| deviation(k) * p.slope(v)).collect();
-    let correlation = DMatrix::from_fn(count, count, |i, j| covariance[(i, j)] / (deviation(i) * deviation(j)));
+    let slope = |k: usize| squares.parameters().nth(k).map_or(1.0, |p| p.slope(values[k]));
     let information: Vec<f64> =
         (0..count).map(|k| (1.0 - covariance[(k, k)] / prior_variance[k]).clamp(0.0, 1.0)).collect();
     let determined: Vec<bool> = information.iter().map(|i| *i > INFORMATIVE).collect();
     let gain = &covariance * jacobian.transpose();
-    let shares = DMatrix::from_fn(count, residual_count, |k, j| gain[(k, j)].powi(2) / covariance[(k, k)]);
-    let wanted = (0..count)
-        .map(|k| {
-            if determined[k] {
-                return None;
-            }
-            let best = (0..runs.len() * wishes.len())
-                .map(|row| {
-                    let slope = slopes.row(residual_count + row).transpose();
-                    let gain = &covariance * &slope;
-                    let left = covariance[(k, k)] - gain[k].powi(2) / (1.0 + slope.dot(&gain));
-                    (row, left.max(0.0).sqrt())
-                })
-                .min_by(|a, b| a.1.total_cmp(&b.1))?;
-            let (row, left) = best;
-            let parameter = squares.parameters().nth(k)?;
-            let (run, wish) = (runs[row / wishes.len()], wishes[row % wishes.len()].0);
-            Some((run.clone(), wish, left * parameter.slope(values[k])))
-        })
-        .collect();
-    let at_bound = at.coordinates.iter().map(|c| *c < AT_BOUND || *c > 1.0 - AT_BOUND).collect();
-    Ok(Uncertainty { spread, correlation, information, determined, at_bound, shares, wanted, sensitivity_check })
+    let wanted = (0..count).map(|k| {
+        if determined[k] {
+            return None;
+        }
+        let (row, left) = best_measurement(k, &covariance, &slopes.rows_range(residual_count..).into_owned())?;
+        Some((runs[row / wishes.len()].clone(), wishes[row % wishes.len()].0, left * slope(k)))
+    });
+    Ok(Uncertainty {
+        spread: (0..count).map(|k| deviation(k) * slope(k)).collect(),
+        correlation: DMatrix::from_fn(count, count, |i, j| covariance[(i, j)] / (deviation(i) * deviation(j))),
+        shares: DMatrix::from_fn(count, residual_count, |k, j| gain[(k, j)].powi(2) / covariance[(k, k)]),
+        wanted: wanted.collect(),
+        at_bound: at.coordinates.iter().map(|c| *c < AT_BOUND || *c > 1.0 - AT_BOUND).collect(),
+        information,
+        determined,
+        log_evidence,
+        sensitivity_check,
+    })
+}
+
+/// JᵀJ + P, and the variance of each coordinate before there were data.
+fn normal_matrix(squares: &LeastSquares<'_>, at: &Point, jacobian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
+    let mut normal = jacobian.transpose() * jacobian;
+    let values = squares.values(&at.coordinates);
+    let variance = |(k, p): (usize, &Parameter)| match p.prior {
+        Some(prior) => {
+            let spread = if p.scale == Scale::Log { prior.spread * values[k] } else { prior.spread };
+            (spread / p.slope(values[k])).powi(2).min(UNIFORM_VARIANCE)
+        }
+        None => UNIFORM_VARIANCE,
+    };
+    let prior_variance = squares.parameters().enumerate().map(variance).collect();
+    for (k, parameter) in squares.parameters().enumerate() {
+        if parameter.prior.is_none() {
+            normal[(k, k)] += 1.0 / UNIFORM_VARIANCE;
+        }
+    }
+    (normal, prior_variance)
+}
+
+/// Σ ln of the normal priors' densities at their means, in coordinates; the exponents are in the residuals.
+fn log_prior_density(squares: &LeastSquares<'_>, at: &Point) -> f64 {
+    let density = |(p, value): (&Parameter, f64)| {
+        let spread = p.prior.map(|prior| if p.scale == Scale::Log { prior.spread * value } else { prior.spread });
+        spread.map_or(0.0, |spread| (p.slope(value) / spread).ln() - 0.5 * TAU.ln())
+    };
+    squares.parameters().zip(squares.values(&at.coordinates)).map(density).sum()
+}
+
+/// The row of `slopes` (a measurement each, over its uncertainty) that would leave coordinate `k` the smallest standard
+/// deviation, and that deviation.
+fn best_measurement(k: usize, covariance: &DMatrix<f64>, slopes: &DMatrix<f64>) -> Option<(usize, f64)> {
+    let left = |row: usize| {
+        let slope = slopes.row(row).transpose();
+        let gain = covariance * &slope;
+        (covariance[(k, k)] - gain[k].powi(2) / (1.0 + slope.dot(&gain))).max(0.0).sqrt()
+    };
+    (0..slopes.nrows()).map(|row| (row, left(row))).min_by(|a, b| a.1.total_cmp(&b.1))
 }

@@ -3,7 +3,7 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 use tribodyn_case::{Case, set_value};
-use tribodyn_identify::{Datum, IdentifyError, Problem, Quantity, identify};
+use tribodyn_identify::{Datum, Hypothesis, IdentifyError, LeastSquares, Problem, Quantity, Relation, identify};
 use tribodyn_quasistatic::{Model, solve};
 
 const CASE: &str = include_str!("../../../fixtures/cases/bearing-218.ron");
@@ -16,7 +16,7 @@ const PROBLEM: &str = r#"(
         (name: "inner coefficient", paths: ["geometry.inner_groove.Coefficient"], bounds: (0.515, 0.54)),
         (name: "outer coefficient", paths: ["geometry.outer_groove.Coefficient"], bounds: (0.515, 0.54)),
     ],
-    runs: { "jh": (model: JonesHarris, set: {"numerics.contact_at_actual_angle": "false"}) },
+    runs: { "jh": (model: JonesHarris, set: {"modelling.contact_at_actual_angle": "false"}) },
     data: [
         (id: "speed", run: "jh", quantity: CageSpeed, value: 0, uncertainty: 0.5),
         (id: "p_i", run: "jh", quantity: PeakPressureInner(azimuth: 0), value: 0, uncertainty: 0.002),
@@ -32,7 +32,7 @@ const TRUTH: [(&str, f64); 3] = [
 ];
 
 fn true_figure(quantity: Quantity) -> f64 {
-    let frozen = set_value(CASE, "numerics.contact_at_actual_angle", "false").unwrap();
+    let frozen = set_value(CASE, "modelling.contact_at_actual_angle", "false").unwrap();
     let set = |text: String, (path, value): &(&str, f64)| set_value(&text, path, &format!("{value:?}")).unwrap();
     let text = TRUTH.iter().fold(frozen, set);
     let case = Case::from_ron(&text).unwrap();
@@ -129,12 +129,83 @@ fn limit_the_completed_case_is_a_case_with_sources() {
     assert!((case.geometry.ball_diameter - 0.02223).abs() < 1e-15, "published values stay");
 }
 
+/// Data of the three kinds for the true loads and grooves.
+fn with_relations() -> Problem {
+    let mut problem = synthetic(None);
+    let inner = |datum: &Datum| Relation::RatioTo { run: datum.run.clone(), quantity: problem.data[1].quantity };
+    let relation = inner(&problem.data[2]);
+    let ratio = true_figure(problem.data[2].quantity) / true_figure(problem.data[1].quantity);
+    problem.data[2] = Datum { relation, value: ratio, uncertainty: 1e-3, ..problem.data[2].clone() };
+    let relation = Relation::Above { run: "jh".into(), quantity: problem.data[4].quantity };
+    let order = Datum { id: "order".into(), relation, value: 2.0, uncertainty: 0.1, ..problem.data[3].clone() };
+    problem.data.push(order);
+    problem
+}
+
+#[test]
+fn identity_ratios_and_orders_are_data() {
+    let problem = with_relations();
+    problem.check().unwrap();
+    let answer = &identify(&problem, CASE, &|| ()).unwrap()[0];
+    for (p, (_, truth)) in answer.parameters.iter().zip(TRUTH) {
+        assert!((p.value - truth).abs() < 1e-2 * p.spread, "{}: {} against {truth}", p.name, p.value);
+    }
+    let order = answer.data.last().unwrap();
+    assert!(order.computed > 2.0 && order.deviation == 0.0, "an order that holds says more: {order:?}");
+    assert_eq!(answer.data[2].unit, "–");
+    assert!(answer.conflicts.is_empty(), "{:?}", answer.conflicts);
+    // An order that does not hold pulls as a value does.
+    let mut broken = problem;
+    broken.data.last_mut().unwrap().value = 40.0;
+    let answer = &identify(&broken, CASE, &|| ()).unwrap()[0];
+    let order = answer.data.last().unwrap();
+    assert!(order.deviation < 0.0 && (order.deviation - (order.computed - 40.0)).abs() < 1e-12, "{order:?}");
+    assert!(answer.conflicts.iter().any(|c| c.starts_with("order is missed")), "{:?}", answer.conflicts);
+}
+
+#[test]
+fn limit_the_evidence_is_the_integral_over_one_parameter() {
+    let mut problem = synthetic(Some(4));
+    problem.parameters.truncate(1);
+    let found = &identify(&problem, CASE, &|| ()).unwrap()[0];
+    let squares = LeastSquares::new(&problem, CASE, None).unwrap();
+    let (best, wide) = (&found.parameters[0], 15_000.0);
+    let cost = |coordinate: f64| squares.point(nalgebra::DVector::from_element(1, coordinate), None).unwrap().cost();
+    let (from, to) = (best.value - 6.0 * best.spread, best.value + 6.0 * best.spread);
+    let step = (to - from) / 120.0 / wide;
+    let density = |k: usize| (-0.5 * cost((from - 15_000.0) / wide + k as f64 * step)).exp();
+    let integral: f64 = (0..=120).map(density).sum::<f64>() * step;
+    assert!((found.log_evidence - integral.ln()).abs() < 0.02, "{} against {}", found.log_evidence, integral.ln());
+}
+
+#[test]
+fn limit_evidence_prefers_the_value_that_made_the_data() {
+    let mut problem = synthetic(Some(4));
+    let hypothesis = |name: &str, set: &[(&str, &str)]| Hypothesis {
+        name: name.into(),
+        set: set.iter().map(|(path, value)| ((*path).to_owned(), (*value).to_owned())).collect(),
+        hold: if set.is_empty() { vec![] } else { vec!["inner coefficient".into()] },
+    };
+    let groove = "geometry.inner_groove.Coefficient";
+    problem.hypotheses = vec![
+        hypothesis("true", &[(groove, "0.5232")]),
+        hypothesis("free", &[]),
+        hypothesis("false", &[(groove, "0.53")]),
+    ];
+    let evidence: Vec<f64> = identify(&problem, CASE, &|| ()).unwrap().iter().map(|a| a.log_evidence).collect();
+    // A free value explains as much and could have been anything; a false one explains nothing.
+    assert!(evidence[0] > evidence[1] + 1.0 && evidence[1] > evidence[2] + 10.0, "{evidence:?}");
+}
+
 #[test]
 fn limit_bad_problems_are_refused_with_their_place() {
     let with = |from: &str, to: &str| Problem::from_ron(&PROBLEM.replacen(from, to, 1)).unwrap_err().to_string();
     assert!(with("starts: 4", "starts: 0").contains("starts"));
     assert!(with("(15000, 30000)", "(30000, 15000)").contains("parameters[0].bounds"));
     assert!(with("run: \"jh\"", "run: \"x\"").contains("data[0].run"));
+    let above = "value: 0, relation: Above(run: \"jh\", quantity: ShaftTorque)";
+    assert!(with("value: 0", above).contains("data[0].relation.quantity"));
+    assert!(with("value: 0", &above.replace("jh", "none")).contains("data[0].relation.run"));
     assert!(with("uncertainty: 0.5", "uncertainty: -1").contains("data[0].uncertainty"));
     assert!(with("seed: 5", "seeds: 5").contains("line 2"));
     let mut problem = synthetic(None);

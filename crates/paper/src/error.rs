@@ -47,6 +47,14 @@ pub enum PaperError {
         /// The values that exclude each other.
         source: tribodyn_bearing::BearingError,
     },
+    /// A case does not describe a run.
+    #[error("run {run}: {source}")]
+    Inputs {
+        /// Name of the run.
+        run: String,
+        /// What is missing or impossible.
+        source: Box<tribodyn_case::InputError>,
+    },
     /// A quasi-static solution is not found.
     #[error("{run}: {source}")]
     Solver {

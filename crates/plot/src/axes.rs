@@ -22,7 +22,7 @@ pub(crate) fn head(heading: &str) -> f64 {
     if heading.is_empty() { 10.0 } else { 30.0 }
 }
 
-/// How strongly the band of a series is tinted.
+/// Strength of the tint of a series' band.
 pub(crate) const BAND: f64 = 0.25;
 
 /// An axis ready for drawing.
@@ -93,7 +93,7 @@ pub(crate) fn steps(length: f64, pitch: f64) -> usize {
     (length / pitch).floor().max(2.0) as usize
 }
 
-/// Where values lie on the page.
+/// Map from values to places on the page.
 pub(crate) struct Area {
     pub corner: [f64; 2],
     pub size: [f64; 2],

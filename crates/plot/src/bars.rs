@@ -1,10 +1,11 @@
 //! Bar charts: values of groups side by side or stacked.
 
 use crate::axes::{AREA_PX, Area, RIGHT, Ruler, head, steps};
+use crate::book::Drawn;
 use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
 use crate::references::Reference;
-use crate::series::{Axis, Drawn, Series, check_all};
+use crate::series::{Axis, Series, check_all};
 use crate::style::{HEADING_PX, TICK_PX};
 use crate::svg::{Anchor, Svg, Type};
 use crate::text::{axis_title, short_number, width};
@@ -36,7 +37,7 @@ const OFF: f64 = 4.0;
 /// Least height of a stacked bar that has its value inside, px.
 const TALL: f64 = 19.0;
 
-/// How values are written.
+/// Format of written values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Values {
     Lying,

@@ -1,11 +1,13 @@
 //! Line charts: traction curves, convergence, histories.
 
 use crate::axes::{AREA_PX, Area, BAND, FOOT, RIGHT, Ruler, head, steps};
+use crate::book::Drawn;
 use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
 use crate::marks::{Layout, Mark};
-use crate::references::{self, Drawing, Place, Reference, Shape};
-use crate::series::{Axis, Drawn, Series, check_all};
+use crate::reference_marks::{Drawing, Shape};
+use crate::references::{self, Place, Reference};
+use crate::series::{Axis, Series, check_all};
 use crate::style::HEADING_PX;
 use crate::svg::Svg;
 use crate::symbols::{draw_absent, draw_markers, draw_points};

@@ -1,8 +1,9 @@
 //! The common interface of charts in a figure.
 
+use crate::book::StyleBook;
 use crate::error::PlotError;
 use crate::references::Reference;
-use crate::series::{Series, StyleBook};
+use crate::series::Series;
 use crate::svg::Svg;
 
 /// A chart of any kind.
@@ -30,7 +31,7 @@ pub(crate) trait Chart {
     fn draw(&self, svg: &mut Svg, spot: &Spot) -> Result<(), PlotError>;
 }
 
-/// Where a chart is drawn and with what.
+/// Place of a chart and its means of drawing.
 pub(crate) struct Spot<'a> {
     /// Upper left corner, px.
     pub at: [f64; 2],

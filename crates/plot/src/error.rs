@@ -1,6 +1,6 @@
 //! Faults in the data of a figure.
 
-/// Why a figure cannot be drawn.
+/// Errors of drawing a figure.
 #[derive(Debug, thiserror::Error)]
 pub enum PlotError {
     /// A figure was asked for without a panel.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use resvg::{tiny_skia, usvg};
 
 use crate::bars::BarChart;
+use crate::book::{StyleBook, absent_entry};
 use crate::cartesian::LineChart;
 use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
@@ -12,7 +13,7 @@ use crate::legend::{draw_legend, entry_width};
 use crate::map::MapChart;
 use crate::polar::PolarChart;
 use crate::references::Reference;
-use crate::series::{Series, StyleBook, absent_entry};
+use crate::series::Series;
 use crate::style::TITLE_PX;
 use crate::svg::{Anchor, Svg, Type};
 use crate::text::{BOLD, FAMILY, FONT, width};

@@ -1,7 +1,8 @@
 //! The legend of a figure: one entry for each label, in centred rows.
 
-use crate::references;
-use crate::series::{Entry, Kind, SeriesKind};
+use crate::book::{Entry, Kind};
+use crate::reference_marks;
+use crate::series::SeriesKind;
 use crate::style::LABEL_PX;
 use crate::svg::{Svg, Type};
 use crate::text::width;
@@ -20,7 +21,7 @@ fn sample_width(entry: &Entry) -> f64 {
         Kind::Series(SeriesKind::Points) | Kind::Absent => 12.0,
         Kind::Series(SeriesKind::Bars) => SWATCH[0],
         Kind::Series(SeriesKind::Line | SeriesKind::MarkedLine | SeriesKind::Dense) => SAMPLE,
-        Kind::Reference { range, upright } => references::sample_width(range, upright),
+        Kind::Reference { range, upright } => reference_marks::sample_width(range, upright),
     }
 }
 
@@ -61,7 +62,7 @@ fn draw_sample(svg: &mut Svg, entry: &Entry, [x, y]: [f64; 2], wide: f64) {
         Kind::Series(kind) => kind,
         Kind::Absent => return svg.cross(middle, entry.stroke.colour),
         Kind::Reference { range, upright } => {
-            return references::draw_sample(svg, [x, y], range, upright, &entry.stroke);
+            return reference_marks::draw_sample(svg, [x, y], range, upright, &entry.stroke);
         }
     };
     match kind {

@@ -2,6 +2,7 @@
 
 mod axes;
 mod bars;
+mod book;
 mod cartesian;
 mod chart;
 mod colours;
@@ -14,6 +15,7 @@ mod marks;
 mod orbit;
 mod polar;
 mod quantity;
+mod reference_marks;
 mod references;
 mod run;
 mod series;

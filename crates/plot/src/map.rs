@@ -50,7 +50,7 @@ impl MapAxis {
         }
     }
 
-    /// Where cells begin and end: half-way to the next place, on a logarithmic axis by ratio.
+    /// Edges of cells: half-way to the next place, on a logarithmic axis by ratio.
     fn edges(&self) -> Vec<f64> {
         let to = |v: f64| if self.log { v.ln() } else { v };
         let back = |v: f64| if self.log { v.exp() } else { v };

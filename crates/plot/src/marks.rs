@@ -43,7 +43,7 @@ impl<'a> Layout<'a> {
     /// Places the labels of the marks between the ends of an area of a width, px; `position` gives their places, 0 to 1
     /// inside.
     ///
-    /// Where even standing labels do not all fit, the first marks keep theirs.
+    /// If even standing labels do not all fit, the first marks keep theirs.
     pub fn new(marks: &'a [Mark], wide: f64, position: impl Fn(f64) -> f64) -> Self {
         let inside =
             |mark: &'a Mark| Some(position(mark.at)).filter(|p| (0.0..=1.0).contains(p)).map(|p| (mark, p * wide));

@@ -1,10 +1,12 @@
 //! Charts over the azimuth: 0° (the direction of the radial load) at the right, counter-clockwise.
 
 use crate::axes::BAND;
+use crate::book::Drawn;
 use crate::chart::{Chart, Spot};
 use crate::error::PlotError;
-use crate::references::{self, Drawing, Place, Reference, Shape};
-use crate::series::{Axis, Drawn, Series, SeriesKind, check_all};
+use crate::reference_marks::{Drawing, Shape};
+use crate::references::{self, Place, Reference};
+use crate::series::{Axis, Series, SeriesKind, check_all};
 use crate::style::{GRID, HEADING_PX, INK, LABEL_PX, TICK_PX};
 use crate::svg::{Anchor, Svg, Type};
 use crate::symbols::{draw_absent, draw_markers, draw_points};
@@ -44,7 +46,7 @@ const FREE_CENTRE: f64 = 0.2;
 /// Distance of the first series' crosses from the rim and of the others' from each other, px.
 const ABSENT: f64 = 9.0;
 
-/// Where values lie on the page.
+/// Map from values to places on the page.
 struct Dial {
     centre: [f64; 2],
     scale: Scale,
@@ -246,7 +248,7 @@ impl RingLabel<'_> {
     }
 }
 
-/// Which labels are written on a ray: those of centre and rim, and those between that no curve crosses and no other
+/// Labels written on a ray: those of centre and rim, and those between that no curve crosses and no other
 /// label.
 fn written<'a>(dial: &Dial, curves: &[[f64; 2]], labels: &'a [RingLabel<'a>], phi_deg: f64) -> Vec<&'a RingLabel<'a>> {
     let (sin, cos) = phi_deg.to_radians().sin_cos();

@@ -1,4 +1,4 @@
-//! Which numbers of a ball are drawn, and in which unit.
+//! Numbers of a ball that are drawn, with their units.
 
 use tribodyn_quasistatic::BallSolution;
 

@@ -43,7 +43,7 @@ const MARKER: [f64; 2] = [4.2, 1.3];
 /// Most lines on top of a line that still widen it and its markers.
 const WIDENED: usize = 4;
 
-/// How one series is drawn.
+/// Style of one series.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stroke {
     pub colour: &'static str,

@@ -3,7 +3,7 @@
 use crate::style::{INK, LABEL_PX, Marker, PAPER, Stroke, reference_stroke};
 use crate::text::{SUBSCRIPT_SIZE, escape, runs};
 
-/// Where a text hangs on its point.
+/// Anchor of a text on its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Start,
@@ -11,7 +11,7 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// How a text is set.
+/// Setting of a text.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Type {
     pub size: f64,
@@ -40,7 +40,7 @@ pub(crate) fn px(value: f64) -> String {
 
 /// Half the size of a cross, px.
 const CROSS: f64 = 3.6;
-/// How far the cells of a map reach over those after them, px.
+/// Overlap of the cells of a map with those after them, px.
 const OVERLAP: f64 = 0.4;
 
 /// The drawing so far.

@@ -1,6 +1,7 @@
 //! Markers on lines and published points, for charts of any coordinates.
 
-use crate::series::{Drawn, Series, SeriesKind};
+use crate::book::Drawn;
+use crate::series::{Series, SeriesKind};
 use crate::svg::Svg;
 
 /// Half the length of the caps of an error bar, px.

@@ -70,7 +70,7 @@ fn step(least: f64) -> (f64, i32) {
 
 /// A linear axis of at most `intervals` steps over the range; `snap` moves the ends out to the next step.
 ///
-/// Where all is zero only zero is labelled, in the middle: any other label would claim a magnitude that nothing has.
+/// If all is zero only zero is labelled, in the middle: any other label would claim a magnitude that nothing has.
 pub(crate) fn linear((low, high): (f64, f64), intervals: usize, snap: bool) -> Scale {
     let (low, high) = spread((low, high));
     if is_zero((low, high)) {

@@ -98,8 +98,8 @@ fn identity_jacobian_with_traction_is_that_of_differences() {
         (RELATIVE, &[("traction.differential_slip", "false"), ("traction.varying", "false")]),
         (RELATIVE, &[("traction.slip_unit", "PercentOfRolling")]),
         (RELATIVE, &[("traction.pressure", "Local"), ("traction.slip_unit", "PercentOfRolling")]),
-        (ELLIPSE, &[("numerics", "(contact_at_actual_angle: true)")]),
-        (RELATIVE, &[("numerics", "(ring_centre: Inertial)")]),
+        (ELLIPSE, &[("modelling.contact_at_actual_angle", "true")]),
+        (RELATIVE, &[("modelling.ring_centre", "Inertial")]),
     ] {
         let bearing = bearing(changes);
         let speeds = Races::from([1466.0, -50.0]);

@@ -47,6 +47,14 @@ pub enum QuasiStaticError {
         /// The tolerance asked for.
         tolerance: f64,
     },
+    /// The bearing or the operating point lacks what the model uses.
+    #[error("{model:?} model needs what is not given: {}", missing.join(", "))]
+    Missing {
+        /// Which equations.
+        model: Model,
+        /// All that is missing.
+        missing: Vec<&'static str>,
+    },
     /// Patch quadrature.
     #[error(transparent)]
     Traction(#[from] TractionError),

@@ -90,7 +90,8 @@ pub(crate) fn with_traction(
         let churning: f64 = loads.churning.iter().zip(state.spin).map(|(m, w)| -m * w).sum();
         entry.power_loss_fluid_w = loads.drag * against_fluid + churning;
         let out_of_range = |contact: &RaceContact, side| {
-            contact.normal.load > 0.0 && bearing.races[side].law.clamps(contact.ellipse.peak_pressure)
+            let law = bearing.tribology.as_ref().map(|t| &t.laws[side]);
+            contact.normal.load > 0.0 && law.is_some_and(|law| law.clamps(contact.ellipse.peak_pressure))
         };
         if out_of_range(&loads.contacts.inner, Side::Inner) || out_of_range(&loads.contacts.outer, Side::Outer) {
             clamped.push(index);
@@ -127,20 +128,21 @@ fn solution(
 ) -> Solution {
     let speeds: Vec<f64> = balls.iter().map(|b| b.orbital_speed_rad_s).collect();
     let radius = 0.5 * bearing.geometry.pitch_diameter;
-    let cage = &point.cage;
-    let pocket = Pocket {
-        stiffness: cage.pocket_stiffness,
-        clearance: cage.pocket_gap / radius,
-        radius,
-        drag_torque: cage.drag_torque,
-    };
-    let pockets = pocket_forces(&speeds, &pocket);
-    for ((ball, lead), force) in balls.iter_mut().zip(pockets.lead).zip(pockets.force) {
-        let [axial, radial, _] = ball.spin_rad_s;
-        let sliding = axial.hypot(radial) * bearing.geometry.ball_radius();
-        ball.pocket_lead_rad = lead;
-        ball.cage_force_n = force;
-        ball.wear_rate_cage_m3_s = bearing.wear_cage.rate(force.abs() * sliding);
+    if let Some(cage) = &point.cage {
+        let pocket = Pocket {
+            stiffness: cage.pocket_stiffness,
+            clearance: cage.pocket_gap / radius,
+            radius,
+            drag_torque: cage.drag_torque,
+        };
+        let pockets = pocket_forces(&speeds, &pocket);
+        for ((ball, lead), force) in balls.iter_mut().zip(pockets.lead).zip(pockets.force) {
+            let [axial, radial, _] = ball.spin_rad_s;
+            let sliding = axial.hypot(radial) * bearing.geometry.ball_radius();
+            ball.pocket_lead_rad = lead;
+            ball.cage_force_n = force;
+            ball.wear_rate_cage_m3_s = bearing.pocket_wear_rate(force.abs() * sliding);
+        }
     }
     let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
     Solution {
@@ -197,14 +199,14 @@ fn fill_race(entry: &mut BallSolution, side: Side, contact: &RaceContact, bearin
             (entry.slide_to_roll_inner, entry.lateral_slide_to_roll_inner) = (along, across);
             (entry.spin_ratio_inner, entry.rolling_speed_inner_m_s) = (spin, speed);
             entry.power_loss_inner_w = t.power;
-            entry.wear_rate_inner_m3_s = bearing.wear.inner.rate(t.wear_integral);
+            entry.wear_rate_inner_m3_s = bearing.wear_rate(Side::Inner, t.wear_integral);
         }
         Side::Outer => {
             (entry.traction_outer_n, entry.lateral_traction_outer_n) = (t.force_rolling, t.force_lateral);
             (entry.slide_to_roll_outer, entry.lateral_slide_to_roll_outer) = (along, across);
             (entry.spin_ratio_outer, entry.rolling_speed_outer_m_s) = (spin, speed);
             entry.power_loss_outer_w = t.power;
-            entry.wear_rate_outer_m3_s = bearing.wear.outer.rate(t.wear_integral);
+            entry.wear_rate_outer_m3_s = bearing.wear_rate(Side::Outer, t.wear_integral);
         }
     }
 }

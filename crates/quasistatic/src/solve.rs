@@ -14,13 +14,16 @@ use crate::methods::{Downhill, NewtonOrNested, settle};
 use crate::problem::{Place, QuasiStaticError};
 use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::with_traction::{self, WithTraction};
-use crate::{Model, Solution, report};
+use crate::{Model, Solution, needs, report};
 use tribodyn_bearing::{Bearing, OperatingPoint, RaceControl, Races, Side};
 use tribodyn_traction::{FastPatch, Law, PatchRule, Probe, choose_rule, rule_error};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.
 const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
+/// The Jones–Harris state that traction starts from where the case does not say how that is read: a first guess only.
+const GUESSED_CONTROL: RaceControl = RaceControl::Outer;
+const GUESSED_AT_FREE_PITCH: bool = true;
 /// How often the residual may rise where balls fall into skidding: each ball can do so about once.
 const JUMPS: usize = 8;
 /// Rounds of asking which race controls before a ball on the border counts as decided.
@@ -103,8 +106,10 @@ pub struct Solved {
 /// Solves one of the two models from its own initial guess.
 ///
 /// # Errors
-/// [`QuasiStaticError::NotConverged`] names the ball, the equation and the residual.
+/// [`QuasiStaticError::NotConverged`] names the ball, the equation and the residual, [`QuasiStaticError::Missing`] what the
+/// model needs and is not there.
 pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<Solved, QuasiStaticError> {
+    needs::check(bearing, point, model)?;
     let Rolling { system, elastic, solved } = rolling_state(bearing, point);
     match model {
         Model::JonesHarris => {
@@ -130,6 +135,7 @@ pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<
 /// # Errors
 /// As [`solve`].
 pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) -> Result<Solved, QuasiStaticError> {
+    needs::check(bearing, point, Model::Traction)?;
     let typical = Typical::new(bearing, &point.ring, Races { inner: point.inner_speed, outer: point.outer_speed });
     let traction = traction_system(bearing, point, typical, start.rule)?;
     finish(&traction, start.at_speeds(traction.speeds), point, SolverStatistics::default(), None)
@@ -155,13 +161,14 @@ fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint) -> Rolling<'a
     let g = &bearing.geometry;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let typical = Typical::new(bearing, &point.ring, speeds);
-    let inner_everywhere = point.numerics.race_control == RaceControl::Inner;
+    let control = bearing.modelling.race_control.unwrap_or(GUESSED_CONTROL);
+    let inner_everywhere = control == RaceControl::Inner;
     let mut system = JonesHarris {
         bearing,
         ring: point.ring,
         speeds,
         inner_control: vec![inner_everywhere; g.ball_count],
-        centrifugal_at_free_pitch: point.numerics.centrifugal_at_free_pitch,
+        centrifugal_at_free_pitch: bearing.modelling.centrifugal_at_free_pitch.unwrap_or(GUESSED_AT_FREE_PITCH),
         frozen: None,
         typical,
     };
@@ -183,13 +190,13 @@ fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint) -> Rolling<'a
     for round in 0.. {
         let mut solved = newton(&system, state, point);
         statistics = statistics_sum(statistics, solved.statistics);
-        let control = controlling_races(&system, &solved.state, point.numerics.race_control);
-        if round == CONTROL_ROUNDS || control == system.inner_control {
+        let inner_control = controlling_races(&system, &solved.state, control);
+        if round == CONTROL_ROUNDS || inner_control == system.inner_control {
             solved.statistics = statistics;
             let checked = check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point);
             return Rolling { system, elastic, solved: checked.map(|()| solved) };
         }
-        system.inner_control = control;
+        system.inner_control = inner_control;
         state = solved.state;
     }
     unreachable!("the loop returns in its last round")
@@ -259,12 +266,13 @@ fn choose_quadrature(
     state: &BlockState,
     point: &OperatingPoint,
 ) -> Result<Option<f64>, QuasiStaticError> {
-    if let PatchRule::TargetError { relative } = point.patch {
+    let Some(wanted) = point.patch else { return Ok(None) };
+    if let PatchRule::TargetError { relative } = wanted {
         let (rule, error) = choose_rule(relative, &probes(system, state))?;
         system.kernel = FastPatch::new(rule)?;
         return Ok(Some(error));
     }
-    system.kernel = FastPatch::new(point.patch)?;
+    system.kernel = FastPatch::new(wanted)?;
     Ok(None)
 }
 
@@ -276,15 +284,16 @@ fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, La
     let middle = loads.len() / 2;
     let picked = [0, middle, loads.len() - 1];
     let bearing = system.bearing;
+    let Some(tribology) = &bearing.tribology else { return Vec::new() };
     picked
         .iter()
-        .flat_map(|&k| Side::BOTH.map(|side| (&bearing.races[side], loads[k].contacts[side])))
+        .flat_map(|&k| Side::BOTH.map(|side| (side, loads[k].contacts[side])))
         .filter(|(_, contact)| contact.normal.load > 0.0)
-        .map(|(race, contact)| Probe {
-            patch: bearing.patch(race, &contact.ellipse),
+        .map(|(side, contact)| Probe {
+            patch: bearing.patch(&bearing.races[side], &contact.ellipse),
             motion: contact.motion,
             rolling_speed: contact.rolling_speed,
-            law: bearing.patch_law(&race.law),
+            law: tribology.patch_law(&tribology.laws[side]),
         })
         .collect()
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{SignalError, check_setting};
 
-/// How often cage, balls and races meet, Hz; all as magnitudes.
+/// Characteristic frequencies at which cage, balls and races meet, Hz; all as magnitudes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BearingFrequencies {
     /// Turns of the inner ring relative to the outer ring.

@@ -1,6 +1,6 @@
 //! Errors of samples and settings, and the checks that all functions share.
 
-/// Why a signal cannot be evaluated.
+/// Errors of the evaluation of a signal.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SignalError {
     /// Fewer samples than the evaluation needs.

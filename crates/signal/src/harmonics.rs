@@ -14,7 +14,7 @@ pub struct HarmonicLine {
     pub frequency_hz: f64,
     /// Its amplitude, in the unit of the samples.
     pub amplitude: f64,
-    /// How far the peak is above (positive) or below the exact multiple, in lines.
+    /// Distance of the peak above (positive) or below the exact multiple, in lines.
     pub off_lines: f64,
     /// Median amplitude of the lines around, half a fundamental to each side without the lobe: what noise would give.
     pub floor_amplitude: f64,

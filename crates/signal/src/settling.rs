@@ -1,4 +1,4 @@
-//! When a signal has become steady: by its running mean and ripple.
+//! The time at which a signal has become steady, by its running mean and ripple.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ pub struct SettlingRule {
     pub rms_tolerance: f64,
 }
 
-/// When a signal settled and what it settled to.
+/// The time at which a signal settled, and the value it settled to.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Settling {
     /// Start of the first window from which on all are within the tolerances, s from the first sample; nothing where

@@ -7,7 +7,7 @@ use crate::spectrum::{LEAST_SAMPLES, amplitudes};
 use crate::transform::has_partner;
 use crate::window::Window;
 
-/// How the samples are cut into segments.
+/// Segments into which the samples are cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Segments {
     /// Samples in a segment: the line spacing is the rate divided by it.

@@ -67,7 +67,7 @@ impl Window {
         (a[0] * shifted(0.0) + (1..a.len()).map(pair).sum::<f64>()) / a[0]
     }
 
-    /// Where a sine lies beside the highest line, in lines from −½ to ½, from that line and its neighbours.
+    /// Place of a sine beside the highest line, in lines from −½ to ½, from that line and its neighbours.
     ///
     /// For Hann and no window in closed form from the highest line and its higher neighbour, after T. Grandke, IEEE
     /// Trans. Instrum. Meas. 32 (1983) 350, doi:10.1109/TIM.1983.4314077; for the flat top, whose top says little, from

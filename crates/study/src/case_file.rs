@@ -6,7 +6,8 @@ use crate::limits::Limits;
 use std::fmt;
 use std::path::Path;
 use tribodyn_bearing::Bearing;
-use tribodyn_case::{Case, CaseError, set_value};
+use tribodyn_case::{Case, CaseError, InputError, Purpose, set_value};
+use tribodyn_dynamics::RunInputs;
 
 /// A value of the case file to be replaced.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,7 +88,26 @@ impl CaseFile {
 
     /// The bearing that the solvers work with.
     pub fn bearing(&self) -> Result<Bearing, StudyError> {
-        self.case.bearing().map_err(|source| StudyError::Bearing { file: self.name.clone(), source })
+        self.case.bearing().map_err(|source| self.not_usable(source.into()))
+    }
+
+    /// [`Self::bearing`], where the case has all that a model needs.
+    pub fn bearing_for(&self, purpose: Purpose) -> Result<Bearing, StudyError> {
+        self.case.require(purpose).map_err(|source| self.not_usable(source.into()))?;
+        self.bearing()
+    }
+
+    /// Inputs of a transient run.
+    pub fn run_inputs(&self) -> Result<RunInputs, StudyError> {
+        self.case.run_inputs().map_err(|source| self.not_usable(source))
+    }
+
+    pub(crate) fn not_usable(&self, error: InputError) -> StudyError {
+        let file = self.name.clone();
+        match error {
+            InputError::Lacking(source) => StudyError::Lacking { file, source },
+            InputError::Bearing(source) => StudyError::Bearing { file, source },
+        }
     }
 }
 

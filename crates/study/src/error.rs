@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
-use tribodyn_case::CaseError;
+use tribodyn_case::{CaseError, Lacking};
 use tribodyn_dynamics::DynamicsError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
@@ -44,6 +44,14 @@ pub enum StudyError {
         file: String,
         /// Reason.
         source: BearingError,
+    },
+    /// A case without what a model needs.
+    #[error("{file}: {source}")]
+    Lacking {
+        /// Name of the case file.
+        file: String,
+        /// All that is missing.
+        source: Lacking,
     },
     /// An equilibrium that is not found.
     #[error("{file}: {source}")]

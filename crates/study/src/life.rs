@@ -9,7 +9,7 @@ use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use tribodyn_bearing::{Bearing, Side};
-use tribodyn_case::{Case, Fit};
+use tribodyn_case::{Case, Coatings, Fit, Purpose};
 use tribodyn_quasistatic::{BallSolution, Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
 use tribodyn_traction::PatchRule;
 use tribodyn_wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
@@ -137,7 +137,7 @@ pub fn wear_life(
         worn_through: through.iter().filter(|(_, r)| r.worn_through().is_some()).map(|(name, _)| *name).collect(),
         end_h: end.time_h,
         end_revolutions: end.revolutions,
-        steel_shows_h: steel_shows(&rows, &file.case),
+        steel_shows_h: steel_shows(&rows, worn.coatings),
         loss_per_stride,
         strides: rows,
         warnings,
@@ -147,6 +147,7 @@ pub fn wear_life(
 /// A bearing as it wears.
 struct Worn<'a> {
     file: &'a CaseFile,
+    coatings: &'a Coatings,
     point: OperatingPoint,
     new: Bearing,
     start: Option<WarmStart>,
@@ -154,12 +155,14 @@ struct Worn<'a> {
 
 impl<'a> Worn<'a> {
     fn new(file: &'a CaseFile) -> Result<Self, StudyError> {
-        Ok(Self { file, point: file.case.operating_point(), new: file.bearing()?, start: None })
+        let new = file.bearing_for(Purpose::Traction)?;
+        let coatings = file.case.coatings.as_ref().ok_or_else(|| StudyError::NoWear { file: file.name.clone() })?;
+        Ok(Self { file, coatings, point: file.case.operating_point(), new, start: None })
     }
 
     /// As the case has them; defects are too small to wear a race round.
     fn raceways(&self) -> Result<[Raceway; 2], StudyError> {
-        let (g, coatings) = (&self.new.geometry, &self.file.case.coatings);
+        let (g, coatings) = (&self.new.geometry, self.coatings);
         // Where the balls touch at the free contact angle.
         let outwards = g.ball_radius() * g.cos_contact_angle();
         let race = |spec: &tribodyn_case::CoatingSpec, outwards: f64| {
@@ -185,7 +188,9 @@ impl<'a> Worn<'a> {
         let angle = if depths == WearDepths::NONE { g.contact_angle() } else { grooves.free_contact_angle(depths)? };
         case.geometry.fit = Fit::ContactAngle(angle);
         // The clearance has all that is worn, what was so at the start too.
-        (case.coatings.inner.worn, case.coatings.outer.worn) = (0.0, 0.0);
+        if let Some(coatings) = &mut case.coatings {
+            (coatings.inner.worn, coatings.outer.worn) = (0.0, 0.0);
+        }
         Ok(case)
     }
 
@@ -196,7 +201,9 @@ impl<'a> Worn<'a> {
         let name = || self.file.name.clone();
         let bearing = self.case(life)?.bearing().map_err(|source| StudyError::Bearing { file: name(), source })?;
         let fine = |solved: &Solved| match self.point.patch {
-            PatchRule::TargetError { relative } => solved.solution.patch_error_estimate.is_some_and(|e| e <= relative),
+            Some(PatchRule::TargetError { relative }) => {
+                solved.solution.patch_error_estimate.is_some_and(|e| e <= relative)
+            }
             _ => true,
         };
         let near = self.start.as_ref().and_then(|start| solve_from(&bearing, &self.point, start).ok()).filter(fine);
@@ -276,10 +283,10 @@ impl<'a> Worn<'a> {
 type Left = fn(&LifeStride) -> f64;
 
 /// When the first of the coatings came down to a third, h: depths are linear in time within a stride.
-fn steel_shows(rows: &[LifeStride], case: &Case) -> Option<f64> {
+fn steel_shows(rows: &[LifeStride], coatings: &Coatings) -> Option<f64> {
     let races: [(f64, Left); 2] = [
-        (case.coatings.inner.thickness * 1e6, |row| row.coating_inner_min_um),
-        (case.coatings.outer.thickness * 1e6, |row| row.coating_outer_min_um),
+        (coatings.inner.thickness * 1e6, |row| row.coating_inner_min_um),
+        (coatings.outer.thickness * 1e6, |row| row.coating_outer_min_um),
     ];
     let times = races.into_iter().filter(|(new, _)| *new > 0.0).filter_map(|(new, left)| {
         let limit = STEEL_SHOWS * new;

@@ -5,7 +5,8 @@
 //! bearings have. Who knows a file can lift the limits.
 
 use std::fmt::Display;
-use tribodyn_case::{Case, CaseError, SchemeSpec, locate};
+use tribodyn_bearing::Scheme;
+use tribodyn_case::{Case, CaseError, locate};
 use tribodyn_traction::PatchRule;
 
 /// Bounds on what a file may ask for.
@@ -56,12 +57,12 @@ impl Limits {
     pub fn check(&self, text: &str, case: &Case) -> Result<(), CaseError> {
         let balls = case.geometry.ball_count;
         above("geometry.ball_count", balls as f64, self.balls as f64, "balls", text)?;
-        let nodes = 2.0 * nodes(case.traction.patch) * balls as f64;
+        let nodes = case.traction.as_ref().map_or(0.0, |traction| 2.0 * nodes(traction.patch) * balls as f64);
         above("traction.patch", nodes, self.nodes as f64, "nodes at all contacts", text)?;
         let iterations = case.numerics.max_iterations;
         above("numerics.max_iterations", iterations as f64, self.iterations as f64, "iterations", text)?;
         let Some(transient) = &case.transient else { return Ok(()) };
-        if let SchemeSpec::RungeKutta4 { step } | SchemeSpec::Fast { step } = transient.scheme {
+        if let Scheme::RungeKutta4 { step } | Scheme::Fast { step } = transient.scheme {
             above("transient.scheme", transient.duration / step, self.steps, "steps", text)?;
         }
         let rate = case.recording.map_or(0.0, |recording| recording.state_rate);

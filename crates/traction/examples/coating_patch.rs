@@ -7,8 +7,7 @@ fn main() -> Result<(), TractionError> {
     let unit = SlipUnit::Scaled { per_m_s: 22.0 };
     let law = PatchLaw { law: &law, slip_unit: unit, pressure: PressureChoice::Peak };
     let (semi_lateral, semi_rolling, ball_radius, surface_radius) = (3e-3, 0.4e-3, 0.015, 0.0153);
-    let moment_arm = MomentArm::Curved;
-    let patch = Patch { semi_lateral, semi_rolling, peak_pressure: 2.4e9, ball_radius, surface_radius, moment_arm };
+    let patch = Patch { semi_lateral, semi_rolling, peak_pressure: 2.4e9, ball_radius, surface_radius };
     let load = 2.0 / 3.0 * std::f64::consts::PI * patch.peak_pressure * semi_lateral * semi_rolling;
     let kernel = FastPatch::new(PatchRule::SplitStrip { across: 8, along: 3 })?;
     for rolling in [0.01, 0.1, 1.0] {

@@ -8,8 +8,8 @@
 
 use std::{env, process::ExitCode};
 use tribodyn_traction::{
-    Coating, CoatingLaw, FastPatch, MomentArm, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipField,
-    SlipUnit, TractionLaw, fast_patch_traction, patch_traction,
+    Coating, CoatingLaw, FastPatch, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipField, SlipUnit,
+    TractionLaw, fast_patch_traction, patch_traction,
 };
 
 /// A loaded and a light contact, and one without spin.
@@ -20,7 +20,6 @@ fn contacts() -> [(Patch, RelativeMotion); 3] {
         peak_pressure,
         ball_radius: 0.01508,
         surface_radius: 0.0155,
-        moment_arm: MomentArm::Curved,
     };
     let motion = |rolling: f64, lateral: f64, spin: f64| RelativeMotion {
         rolling,

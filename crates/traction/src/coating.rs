@@ -16,7 +16,7 @@ pub struct TestedCurve {
 pub struct Coating {
     /// Its name in case files.
     pub name: String,
-    /// Where the data come from.
+    /// Source of the data.
     pub source: String,
     /// Tested curves, by rising pressure.
     pub tested: Vec<TestedCurve>,

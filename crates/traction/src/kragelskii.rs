@@ -12,7 +12,7 @@ pub trait SlipCurve<D: Scalar> {
         self.over_slip(slip) * slip
     }
 
-    /// Where the curve turns to falling and how steeply it falls; None where it never falls.
+    /// The slip at which the curve turns to falling, and its steepness there; None if it never falls.
     ///
     /// Unless a curve knows better, from a scan of κ(s) at 16 slips a decade from 1e-6 to 1e6, without derivatives.
     fn fall(&self) -> Option<Fall<D>> {

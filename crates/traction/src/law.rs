@@ -111,7 +111,7 @@ impl TractionLaw for Law {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Coating, FastPatch, MomentArm, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipUnit};
+    use crate::{Coating, FastPatch, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipUnit};
     use crate::{fast_patch_traction, linear_patch_traction};
     use num_dual::Dual64;
 
@@ -140,7 +140,6 @@ mod tests {
             peak_pressure: plain(2.2e9),
             ball_radius: 0.015,
             surface_radius: 0.0153,
-            moment_arm: MomentArm::Curved,
         };
         let motion = RelativeMotion {
             rolling: plain(0.3).derivative(),

@@ -25,7 +25,7 @@ pub use kragelskii::{Fall, Kragelskii, Peak, SlipCurve};
 pub use law::{CustomLaw, Law, LawCurve, OverSlip};
 pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};
 pub use quadrature::Quadrature;
-pub use settings::{MomentArm, PatchRule, PressureChoice, SlipUnit};
+pub use settings::{PatchRule, PressureChoice, SlipUnit};
 pub use tribodyn_contact::Scalar;
 pub use varying::{CoatingLaw, PressureFit, TractionLaw};
 

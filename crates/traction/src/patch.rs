@@ -1,6 +1,6 @@
 //! Traction of one contact patch: force, moment, power and wear integral with spin, lateral and differential slip.
 
-use crate::{MomentArm, PressureChoice, Quadrature, Scalar, SlipCurve, SlipUnit, TractionLaw};
+use crate::{PressureChoice, Quadrature, Scalar, SlipCurve, SlipUnit, TractionLaw};
 
 /// The contact ellipse and the surface it lies on.
 ///
@@ -18,8 +18,6 @@ pub struct Patch<D = f64> {
     /// Radius of the deformed contact across the groove R_c = 2 r_b r_e/(r_b + r_e), m; infinite without
     /// differential slip.
     pub surface_radius: f64,
-    /// Arm of the moment.
-    pub moment_arm: MomentArm,
 }
 
 impl<D: Scalar> Patch<D> {
@@ -31,7 +29,6 @@ impl<D: Scalar> Patch<D> {
             peak_pressure: self.peak_pressure.re(),
             ball_radius: self.ball_radius,
             surface_radius: self.surface_radius,
-            moment_arm: self.moment_arm,
         }
     }
 }
@@ -128,8 +125,7 @@ impl<D: Scalar> PatchTraction<D> {
         }
     }
 
-    /// Work of forces and moments on the relative rigid motion, W: the negative of the power where the moment arm
-    /// is the curved one.
+    /// Work of forces and moments on the relative rigid motion, W: the negative of the power.
     pub fn work_on(&self, motion: &RelativeMotion<D>) -> D {
         self.force_rolling * motion.rolling
             + self.force_lateral * motion.lateral
@@ -186,7 +182,6 @@ pub fn patch_traction<D: Scalar, L: TractionLaw>(
     let peak_curve = law.law.at(patch.peak_pressure);
     let (a, b) = (patch.semi_lateral, patch.semi_rolling);
     let flatness = 0.5 / patch.surface_radius;
-    let arm_flatness = if patch.moment_arm == MomentArm::Curved { flatness } else { 0.0 };
     quadrature.for_each(&SlipField::new(patch, motion), |unit_x, unit_y, weight| {
         let (x, y) = (b * unit_x, a * unit_y);
         let [u, v] = motion.slip_at(x, y, patch);
@@ -199,7 +194,7 @@ pub fn patch_traction<D: Scalar, L: TractionLaw>(
         // κ/|Δv| = (κ/s)·scale stays finite where the slip vanishes.
         let share = weight * over_slip * scale;
         let (fx, fy) = (-(share * u), -(share * v));
-        let arm = D::from(patch.ball_radius) - y * y * arm_flatness;
+        let arm = D::from(patch.ball_radius) - y * y * flatness;
         sum.force_rolling += fx;
         sum.force_lateral += fy;
         sum.moment_lateral += arm * fx;

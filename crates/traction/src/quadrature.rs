@@ -103,7 +103,7 @@ impl Quadrature {
         }
     }
 
-    /// How many points a contact with this slip takes.
+    /// Number of points for a contact with this slip.
     pub fn point_count(&self, slip: &SlipField<f64>) -> usize {
         match &self.nodes {
             Nodes::Fixed(points) => points.len(),

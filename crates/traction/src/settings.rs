@@ -22,7 +22,7 @@ pub enum SlipUnit {
     },
 }
 
-/// How the integral over the contact ellipse is evaluated.
+/// Rule for the integral over the contact ellipse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize, Deserialize), serde(deny_unknown_fields))]
 pub enum PatchRule {
@@ -62,14 +62,4 @@ pub enum PressureChoice {
     Peak,
     /// The local Hertz pressure at each point of the patch.
     Local,
-}
-
-/// The arm of the traction moment about the ball centre.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
-pub enum MomentArm {
-    /// From the ball centre to the curved contact surface: consistent with the slip field, so power balances.
-    Curved,
-    /// The ball radius at every point.
-    Constant,
 }

@@ -78,7 +78,7 @@ impl AlongNode {
             .collect()
     }
 
-    /// How many points it stands for.
+    /// Number of points it stands for.
     pub(crate) fn multiplicity(&self) -> usize {
         if self.t > 0.0 { 2 } else { 1 }
     }

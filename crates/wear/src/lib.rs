@@ -14,13 +14,13 @@ pub use life::{BallWear, CoatingLife, RaceWear, Stride, WearRates};
 pub use raceway::{BINS, ProfilePoint, Raceway};
 pub use surface::LocalSurface;
 
-/// Why a worn bearing has no contact angle, or what a raceway or its wear cannot be.
+/// Errors of worn geometry, raceways and wear data.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WearError {
     /// A ball diameter or groove-bottom radius that is not a length.
     #[error("{name} is {value} m: it must be finite and above 0")]
     Length {
-        /// Which length.
+        /// Name of the length.
         name: &'static str,
         /// The value given, m.
         value: f64,
@@ -30,7 +30,7 @@ pub enum WearError {
         "groove radius of the {race} race is {value} m: it must be finite and above the ball's radius {ball_radius} m"
     )]
     Groove {
-        /// Which race.
+        /// The race.
         race: &'static str,
         /// The groove radius given, m.
         value: f64,
@@ -40,7 +40,7 @@ pub enum WearError {
     /// A wear depth below zero.
     #[error("wear depth of the {race} race is {value} m: it must be finite and at least 0")]
     Depth {
-        /// Which race.
+        /// The race.
         race: &'static str,
         /// The depth given, m.
         value: f64,
@@ -64,7 +64,7 @@ pub enum WearError {
     /// A share outside 0 to 1.
     #[error("{name} is {value}: it must lie between 0 and 1")]
     Fraction {
-        /// Which part.
+        /// Name of the part.
         name: &'static str,
         /// The value given.
         value: f64,
@@ -72,7 +72,7 @@ pub enum WearError {
     /// A value that no defect has.
     #[error("{name} of a defect is {value}: allowed is {allowed}")]
     Defect {
-        /// Which value.
+        /// Name of the value.
         name: &'static str,
         /// The value given, m, rad or a fraction.
         value: f64,

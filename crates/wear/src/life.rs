@@ -128,9 +128,9 @@ pub struct Stride {
     pub inner_depth_rate: f64,
     /// Largest rate of depth on the outer race during it, m/s.
     pub outer_depth_rate: f64,
-    /// Where the coating of the inner race is worn through at its end, rad.
+    /// Azimuth at which the coating of the inner race is worn through at its end, rad.
     pub inner_through: Option<f64>,
-    /// Where the coating of the outer race is worn through at its end, rad.
+    /// Azimuth at which the coating of the outer race is worn through at its end, rad.
     pub outer_through: Option<f64>,
 }
 
@@ -229,7 +229,7 @@ impl CoatingLife {
         self.elapsed
     }
 
-    /// Where a coating is worn through, rad: the inner race's place before the outer's.
+    /// Azimuth at which a coating is worn through, rad: the inner race's place before the outer's.
     pub fn worn_through(&self) -> Option<f64> {
         self.inner.worn_through().or_else(|| self.outer.worn_through())
     }

@@ -226,7 +226,7 @@ impl Raceway {
         middles().fold(0.5 * TAU / BINS as f64, |best, next| if by_depth(next) > by_depth(best) { next } else { best })
     }
 
-    /// Where the coating is worn through, rad: the azimuth where wear is deepest, if no coating is left there. Without
+    /// Place at which the coating is worn through, rad: the azimuth where wear is deepest, if no coating is left there. Without
     /// a coating there is none, and defects do not count.
     pub fn worn_through(&self) -> Option<f64> {
         let deepest = self.deepest();

@@ -1,7 +1,7 @@
 //! Errors of the paper's patch and step and of the fast scheme against a converged run from the same start.
 
-use super::changed;
 use super::row::{Limit, Row};
+use super::run_inputs;
 use super::speed::{FAST, PAPER_RULE, PAPER_STEP, STRIPS_5X3, STRIPS_8X3, failed};
 use crate::error::Failure;
 use std::convert::Infallible;
@@ -14,7 +14,7 @@ const GROUP: &str = "error";
 /// Scheme and patch rule of the converged run.
 const REFERENCE: [&str; 2] = ["RungeKutta4(step: us(2.5))", "SplitStrip(across: 16, along: 8)"];
 
-/// What is compared of one sample.
+/// Compared values of one sample.
 struct Moment {
     time: f64,
     cage_angle: f64,
@@ -63,7 +63,7 @@ fn trace(
     let length = format!("s({duration})");
     let changes = [("transient.scheme", scheme), ("traction.patch", rule), ("transient.duration", &length)];
     let failure = |source| failed(RunError::Dynamics(source));
-    let mut run = Run::new(&changed(text, &changes)?).map_err(failure)?;
+    let mut run = Run::new(run_inputs(text, &changes)?).map_err(failure)?;
     if let Some(start) = start {
         run.resume(start.clone()).map_err(failure)?;
     }

@@ -8,7 +8,7 @@ use std::process::Command;
 const GROUP: &str = "instructions";
 const EXAMPLE: &str = "kernel_instructions";
 const BUILD: &str = "cargo build --release -p tribodyn-traction --example kernel_instructions";
-/// How often the example runs its three contacts.
+/// Repetitions of the three contacts in the example.
 const REPEATS: &str = "100";
 
 pub fn rows() -> Vec<Row> {

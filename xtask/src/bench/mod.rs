@@ -10,6 +10,7 @@ mod document;
 mod equilibrium;
 mod instructions;
 mod patch;
+mod peers;
 mod row;
 mod speed;
 
@@ -19,6 +20,7 @@ use row::Row;
 use serde::Serialize;
 use std::process::Command;
 use tribodyn_case::{Case, set_value};
+use tribodyn_dynamics::RunInputs;
 use tribodyn_paper::{PaperError, files, table};
 
 /// The case on which everything is measured.
@@ -36,6 +38,9 @@ pub struct Arguments {
     /// Rewrite the table in docs/performance.md
     #[arg(long)]
     write: bool,
+    /// Also run another program, in turn with ours: Exudyn, from the Python package index
+    #[arg(long)]
+    peers: bool,
     /// Measure this build, whatever its profile
     #[arg(long, hide = true)]
     inner: bool,
@@ -49,7 +54,7 @@ struct Report {
     rows: Vec<Row>,
 }
 
-/// Where it was measured.
+/// The machine of the measurement.
 #[derive(Debug, Serialize)]
 struct Machine {
     processor: String,
@@ -72,6 +77,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     rows.extend(speed::rows(&text, quick)?);
     rows.extend(accuracy::rows(&text, quick)?);
     rows.extend(equilibrium::rows(&text, quick)?);
+    if arguments.peers {
+        rows.extend(peers::rows(&text, quick)?);
+    }
     let report = Report { machine: machine(), case: CASE, rows };
     let mut out = if arguments.json {
         serde_json::to_string_pretty(&report)?
@@ -88,7 +96,12 @@ fn in_release(arguments: &Arguments) -> Result<(), Failure> {
     let program = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let mut command = Command::new(&program);
     command.current_dir(files::root()).args(["run", "--release", "--package", "xtask", "--", "bench", "--inner"]);
-    let options = [("--json", arguments.json), ("--quick", arguments.quick), ("--write", arguments.write)];
+    let options = [
+        ("--json", arguments.json),
+        ("--quick", arguments.quick),
+        ("--write", arguments.write),
+        ("--peers", arguments.peers),
+    ];
     command.args(options.iter().filter(|(_, wanted)| *wanted).map(|(option, _)| option));
     let status = command.status().map_err(|source| Failure::Start { program, source })?;
     if status.success() {
@@ -105,6 +118,12 @@ fn changed<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<Case, Fai
         text = set_value(&text, path, value.as_ref()).map_err(refused)?;
     }
     Ok(Case::from_ron(&text).map_err(refused)?)
+}
+
+/// Inputs of a run of the case with changes.
+fn run_inputs<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<RunInputs, Failure> {
+    let wrong = |source| PaperError::Inputs { run: "bench".to_owned(), source: Box::new(source) };
+    Ok(changed(text, changes)?.run_inputs().map_err(wrong)?)
 }
 
 fn machine() -> Machine {

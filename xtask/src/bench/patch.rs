@@ -6,8 +6,8 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 use tribodyn_paper::table::Table;
 use tribodyn_traction::{
-    Coating, CoatingLaw, FastPatch, MomentArm, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipField,
-    SlipUnit, TractionLaw, fast_patch_traction, patch_traction,
+    Coating, CoatingLaw, FastPatch, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipField, SlipUnit,
+    TractionLaw, fast_patch_traction, patch_traction,
 };
 
 const GROUP: &str = "patch";
@@ -91,7 +91,6 @@ fn contacts() -> Result<Vec<Contact>, Failure> {
             peak_pressure: row.number("peak_pressure_pa")?,
             ball_radius: BALL_RADIUS,
             surface_radius: 2.0 * BALL_RADIUS * GROOVE_RADIUS / (BALL_RADIUS + GROOVE_RADIUS),
-            moment_arm: MomentArm::Curved,
         };
         let motion = RelativeMotion {
             rolling: row.number("rolling_m_s")?,

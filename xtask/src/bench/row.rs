@@ -5,13 +5,13 @@ use serde::Serialize;
 /// A line of the table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
-    /// What it belongs to.
+    /// The group it belongs to.
     pub group: &'static str,
     pub quantity: String,
     /// None where it could not be measured; the note says why.
     pub value: Option<f64>,
     pub unit: &'static str,
-    /// What it must not fall below, or exceed.
+    /// Bound that it must not fall below, or exceed.
     pub limit: Option<Limit>,
     pub met: Option<bool>,
     pub note: String,

@@ -1,9 +1,9 @@
 //! Time of transient runs: the paper's method, the same with the fast kernel, fewer points, the fast scheme.
 
-use super::changed;
 use super::clock::timed;
 use super::patch::mean_points;
 use super::row::{Limit, Row};
+use super::run_inputs;
 use crate::error::Failure;
 use std::convert::Infallible;
 use tribodyn_dynamics::{Checkpoint, Run, RunError};
@@ -50,7 +50,7 @@ const FAST_KERNEL: usize = 1;
 const FAST_SCHEME: usize = 3;
 
 /// A run that starts over from its beginning.
-struct Prepared {
+pub struct Prepared {
     run: Run,
     start: Checkpoint,
     least: f64,
@@ -59,16 +59,21 @@ struct Prepared {
 }
 
 impl Prepared {
-    fn new(text: &str, changes: &[(&str, &str)], plain: bool) -> Result<Self, Failure> {
-        let case = changed(text, changes)?;
-        let run = Run::new(&case).map_err(|source| failed(RunError::Dynamics(source)))?;
+    pub fn new<V: AsRef<str>>(text: &str, changes: &[(&str, V)], plain: bool) -> Result<Self, Failure> {
+        let inputs = run_inputs(text, changes)?;
+        let run = Run::new(inputs).map_err(|source| failed(RunError::Dynamics(source)))?;
         let run =
             if plain { run.with_plain_kernel().map_err(|source| failed(RunError::Dynamics(source)))? } else { run };
         Ok(Self { start: run.checkpoint(), run, least: f64::INFINITY, evaluations: 0.0, patches: [0.0; 2] })
     }
 
+    /// Least processor time of a repetition so far, s.
+    pub fn least(&self) -> f64 {
+        self.least
+    }
+
     /// Once more from the start to `until`; only stepping and sampling are timed.
-    fn repeat(&mut self, until: f64) -> Result<(), Failure> {
+    pub fn repeat(&mut self, until: f64) -> Result<(), Failure> {
         self.run.resume(self.start.clone()).map_err(|source| failed(RunError::Dynamics(source)))?;
         let before = self.run.statistics();
         let (time, result) = timed(|| self.run.advance(until, &mut ()));

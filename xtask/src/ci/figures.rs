@@ -43,7 +43,7 @@ fn drawn(folder: &Path) -> Result<BTreeSet<String>, Failure> {
     Ok(names.filter_map(|name| name.strip_suffix(".svg").map(str::to_owned)).collect())
 }
 
-/// Where what the page shows, what was made and what is committed are not the same figures.
+/// Differences between the figures that the page shows, those made, and those committed.
 fn differences(linked: &BTreeSet<String>, made: &BTreeSet<String>, committed: &BTreeSet<String>) -> Vec<String> {
     let lacks = |all: &BTreeSet<String>, of: &BTreeSet<String>, what: &str| -> Vec<String> {
         all.difference(of).map(|name| format!("{name} {what}")).collect()
@@ -57,7 +57,7 @@ fn differences(linked: &BTreeSet<String>, made: &BTreeSet<String>, committed: &B
     .concat()
 }
 
-/// What is wrong with an SVG: nothing drawn, or coordinates that are no numbers.
+/// Faults of an SVG: nothing drawn, or coordinates that are no numbers.
 fn flaws(svg: &str) -> impl Iterator<Item = String> {
     let whole = svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>");
     let empty = !whole || !(svg.contains("<path") || svg.contains("<rect x="));

@@ -1,4 +1,4 @@
-//! What no committed file may hold.
+//! Things that no committed file may hold.
 
 use super::{Outcome, finish};
 use crate::error::Failure;
@@ -14,7 +14,7 @@ const SIZE: u64 = 1_000_000;
 /// Leftovers, in pieces so that this file does not hold them.
 const LEFTOVERS: [&str; 4] =
     [concat!("todo", "!("), concat!("unimplemented", "!("), concat!("#[", "ignore"), concat!("dbg", "!(")];
-/// What a core crate leaves to its callers.
+/// Output that a core crate leaves to its callers.
 const OUTPUT: [&str; 5] = [
     concat!("println", "!("),
     concat!("eprintln", "!("),

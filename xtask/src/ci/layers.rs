@@ -1,4 +1,4 @@
-//! Which crate may use which: the table of docs/architecture.md, held against `cargo metadata`, and against re-exports that
+//! The layers of the workspace: the table of docs/architecture.md, held against `cargo metadata`, and against re-exports that
 //! would hand on a whole crate behind it.
 
 use super::metadata::{Dependency, Metadata};
@@ -29,7 +29,6 @@ const LAYERS: [(&str, &[&str]); 13] = [
             "tribodyn-wear",
             "tribodyn-fluid",
             "tribodyn-bearing",
-            "tribodyn-case",
             "tribodyn-quasistatic",
             "tribodyn-signal",
         ],
@@ -57,12 +56,12 @@ const LAYERS: [(&str, &[&str]); 13] = [
         ],
     ),
 ];
-/// What may use every crate, each with what it may not: the published command not the study of the paper, which is not
+/// Crates that may use every other one, each with its exceptions: the published command not the study of the paper, which is not
 /// published, and the study no program.
 const TOP: [(&str, &[&str]); 3] =
     [("tribodyn-paper", &["tribodyn-cli", "xtask"]), ("tribodyn-cli", &["tribodyn-paper", "xtask"]), ("xtask", &[])];
-/// What tests and benches may use besides: those of the solvers read the case files of `fixtures`.
-const IN_TESTS: [(&str, &str); 1] = [("tribodyn-quasistatic", "tribodyn-case")];
+/// Crates that tests and benches may use besides: those of the solvers read the case files of `fixtures`.
+const IN_TESTS: [(&str, &str); 2] = [("tribodyn-quasistatic", "tribodyn-case"), ("tribodyn-dynamics", "tribodyn-case")];
 
 pub fn check() -> Result<Outcome, Failure> {
     let metadata = Metadata::read(&["--no-deps"])?;

@@ -39,7 +39,7 @@ fn host() -> Option<String> {
     text.lines().find_map(|line| line.strip_prefix("host: ").map(str::to_owned))
 }
 
-/// Whether an SPDX expression can be met with allowed licences; `/` is the old way to write OR.
+/// True if an SPDX expression can be met with allowed licences; `/` is the old way to write OR.
 fn allowed(expression: &str) -> bool {
     let spaced = expression.replace('/', " OR ").replace('(', " ( ").replace(')', " ) ");
     let tokens: Vec<&str> = spaced.split_whitespace().collect();

@@ -1,4 +1,4 @@
-//! What `cargo metadata` says about packages.
+//! Packages as `cargo metadata` has them.
 
 use super::cargo_program;
 use crate::error::Failure;

@@ -18,7 +18,7 @@ use std::process::Command;
 use std::time::Instant;
 use tribodyn_paper::files;
 
-/// How a step that did not fail ended.
+/// End of a step that did not fail.
 pub enum Outcome {
     Done,
     /// Not run, with the reason.

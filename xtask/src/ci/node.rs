@@ -1,8 +1,9 @@
 //! The recordings, read by the reader that viewers have inside; skipped where Node or its packages are not to be had.
 
 use super::Outcome;
-use super::recording::{mcap_files, quiet};
+use super::recording::mcap_files;
 use crate::error::Failure;
+use crate::python::quiet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -48,5 +49,5 @@ fn install(environment: &Path) -> Result<Result<(), String>, Failure> {
     let mut npm = Command::new("npm");
     npm.current_dir(environment).args(["install", "--no-save", "--no-audit", "--no-fund", "--ignore-scripts"]);
     let installed = quiet(npm.args(["--fetch-retries", "1", "--prefix", "."]).args(PACKAGES));
-    Ok(installed.map_err(|reason| format!("{} not installed: {reason}", PACKAGES.join(", "))))
+    Ok(installed.map(drop).map_err(|reason| format!("{} not installed: {reason}", PACKAGES.join(", "))))
 }

@@ -2,6 +2,7 @@
 
 use super::Outcome;
 use crate::error::Failure;
+use crate::python;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -9,7 +10,7 @@ use tribodyn_paper::{PaperError, files};
 
 /// The readers, pinned.
 const PACKAGES: [&str; 2] = ["mcap==1.6.0", "mcap-protobuf-support==0.6.0"];
-/// How the recordings of transient runs begin; there are none where the runs were not asked for.
+/// First letters of the recordings of transient runs; there are none where the runs were not asked for.
 const RUN_PREFIX: &str = "dynamic-";
 /// Folder of what was torn and recovered, below that of the recordings.
 pub const RECOVERED: &str = "recovered";
@@ -21,7 +22,7 @@ pub fn check(folder: &Path) -> Result<Outcome, Failure> {
         return Err(Failure::Check { what: "the validation step has left nothing to read", findings });
     }
     let environment = files::root().join("target/python-reader");
-    let python = match interpreter(&environment) {
+    let python = match python::environment(&environment, &PACKAGES) {
         Ok(python) => python,
         Err(reason) => return Ok(Outcome::Skipped(reason)),
     };
@@ -43,7 +44,7 @@ pub fn mcap_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(found)
 }
 
-/// What can be saved of the first recording of a kind that ends at three fifths of its bytes, for a run and a solution.
+/// Recoveries of the first recording of each kind, cut at three fifths of its bytes, for a run and a solution.
 fn recovered(folder: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let is_run = |path: &Path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(RUN_PREFIX));
     let folder = folder.join(RECOVERED);
@@ -64,26 +65,4 @@ fn recovered(folder: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>, Fail
         made.push(saved);
     }
     Ok(made)
-}
-
-/// A Python with the readers, in a folder of its own; or why there is none.
-fn interpreter(environment: &Path) -> Result<PathBuf, String> {
-    let python = environment.join("bin/python");
-    if !python.exists() {
-        quiet(Command::new("python3").args(["-m", "venv"]).arg(environment))
-            .map_err(|reason| format!("no Python environment: {reason}"))?;
-    }
-    let mut install = Command::new(&python);
-    install.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--retries", "1"]).args(PACKAGES);
-    quiet(&mut install).map_err(|reason| format!("{} not installed: {reason}", PACKAGES.join(", ")))?;
-    Ok(python)
-}
-
-pub fn quiet(command: &mut Command) -> Result<(), String> {
-    let output = command.output().map_err(|error| error.to_string())?;
-    if output.status.success() {
-        return Ok(());
-    }
-    let text = String::from_utf8_lossy(&output.stderr);
-    Err(text.trim().lines().last().unwrap_or("no reason given").to_owned())
 }

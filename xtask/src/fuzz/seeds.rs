@@ -15,7 +15,7 @@ use tribodyn_study::run::{Beginning, PreparedRun};
 use tribodyn_study::{CaseFile, Limits};
 
 /// The case whose recording and checkpoint are seeds, and in which values are changed: it can run.
-pub const RUN_CASE: &str = include_str!("../../../fixtures/cases/paper-handset.ron");
+pub const RUN_CASE: &str = include_str!("../../../fixtures/cases/paper-ag-worn.ron");
 
 const SETTINGS: [&str; 6] = [
     "ring.z.Force=kN(30)",
@@ -91,7 +91,7 @@ fn folder(path: &Path, extension: &str) -> Result<Vec<Vec<u8>>, Failure> {
 /// that changed bytes are read.
 fn recordings() -> Result<Vec<Vec<u8>>, Failure> {
     let case = Case::from_ron(RUN_CASE).map_err(refused)?;
-    let mut run = Run::new(&case).map_err(failed)?;
+    let mut run = Run::new(case.run_inputs().map_err(failed)?).map_err(failed)?;
     let sink = Thin::new();
     let input = RunRecording { case_text: "(name: \"seed\")", case: &case, generator: "tribodyn fuzz" };
     let mut recorder = RunRecorder::new(sink, &input)?;

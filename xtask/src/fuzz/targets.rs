@@ -78,8 +78,11 @@ pub struct Subject {
 impl Subject {
     pub fn new(target: Target) -> Result<Self, Failure> {
         let case = Case::from_ron(seeds::RUN_CASE).map_err(seeds::refused)?;
-        let run = (target == Target::Checkpoint).then(|| Run::new(&case)).transpose();
-        Ok(Self { target, run: run.map_err(seeds::failed)?, case })
+        let run = match target {
+            Target::Checkpoint => Some(Run::new(case.run_inputs().map_err(seeds::failed)?).map_err(seeds::failed)?),
+            _ => None,
+        };
+        Ok(Self { target, run, case })
     }
 
     /// Reads an input. The number tells kinds of answers apart: an input with a new one is worth further changes.

@@ -68,20 +68,20 @@ fn described(source: &Source) -> (&'static str, String) {
 fn defaults(case: &Case) -> Vec<(String, String)> {
     let n = &case.numerics;
     let mut all = vec![
-        ("coatings.inner.worn".to_owned(), case.coatings.inner.worn.to_string()),
-        ("coatings.outer.worn".to_owned(), case.coatings.outer.worn.to_string()),
-        ("cage.pocket_damping".to_owned(), format!("{} s/m", case.cage.pocket_damping)),
         ("numerics.tolerance".to_owned(), format!("{:e}", n.tolerance)),
         ("numerics.max_iterations".to_owned(), n.max_iterations.to_string()),
-        ("numerics.contact_at_actual_angle".to_owned(), n.contact_at_actual_angle.to_string()),
-        ("numerics.centrifugal_at_free_pitch".to_owned(), n.centrifugal_at_free_pitch.to_string()),
-        ("numerics.race_control".to_owned(), format!("{:?}", n.race_control)),
-        ("numerics.ring_centre".to_owned(), format!("{:?}", n.ring_centre)),
     ];
+    if let Some(coatings) = &case.coatings {
+        all.push(("coatings.inner.worn".to_owned(), coatings.inner.worn.to_string()));
+        all.push(("coatings.outer.worn".to_owned(), coatings.outer.worn.to_string()));
+    }
+    if let Some(cage) = &case.cage {
+        all.push(("cage.pocket_damping".to_owned(), format!("{} s/m", cage.pocket_damping)));
+    }
     let absent = [
         ("fluid", case.fluid.is_none(), "none: no drag, no churning"),
         ("defects", case.defects.is_empty(), "none"),
-        ("cage.guidance", case.cage.guidance.is_none(), "none: guided by the balls"),
+        ("cage.guidance", case.cage.as_ref().is_some_and(|cage| cage.guidance.is_none()), "none: guided by the balls"),
     ];
     all.extend(absent.into_iter().filter(|(_, is, _)| *is).map(|(path, _, value)| (path.to_owned(), value.to_owned())));
     all
@@ -236,14 +236,15 @@ mod tests {
             let value = found.iter().find(|v| v.path == path).unwrap_or_else(|| panic!("{path} is not listed"));
             (value.value.as_str(), value.class, value.source.as_str())
         };
-        assert_eq!(found.len(), values(text).len() + 6, "and the defaults of what is left out");
+        assert_eq!(found.len(), values(text).len() + 3, "and the defaults of what is left out");
         assert_eq!(of("geometry.ball_diameter").0, "30.16 mm");
         assert_eq!(of("geometry.pitch_diameter").1, "identified");
         assert!(of("geometry.pitch_diameter").2.starts_with("spread 0.46; "));
         assert_eq!(of("materials.ball.young"), ("208.06 GPa", "reference", of("materials.ball.density").2));
         assert_eq!(of("defects[0].width"), ("4°", "assumed", "the paper prints a picture only"));
         assert_eq!(of("transient.scheme.RungeKutta4.step").0, "2.5 µs");
-        assert_eq!(of("numerics.race_control"), ("Outer", "default", "not in the case file"));
+        assert_eq!((of("modelling.race_control").0, of("modelling.race_control").1), ("Outer", "assumed"));
+        assert_eq!(of("coatings.inner.worn"), ("0", "default", "not in the case file"));
         assert_eq!((of("transient.duration").0, of("transient.duration").1), ("0.1 s", ""));
         assert!(found.iter().all(|v| !v.value.is_empty()));
     }

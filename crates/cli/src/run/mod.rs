@@ -18,7 +18,6 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use tribodyn_dynamics::DynamicsError;
 use tribodyn_study::run::{Beginning, PreparedRun};
 use tribodyn_study::{CaseFile, Change, Ours, StudyError};
 
@@ -87,13 +86,13 @@ impl Arguments {
             Change::new(format!("--duration {seconds}"), "transient.duration", &format!("s({seconds})"))
         });
         let changes: Vec<Change> = self.case.changes.iter().cloned().chain(duration).collect();
-        self.case.read_with(&changes).map_err(|error| match error {
-            // Only a section can be missing on the way to a duration: the news is that, and not the path.
-            StudyError::Change { ref option, .. } if option.starts_with("--duration") => StudyError::CannotStart {
-                file: self.case.path.display().to_string(),
-                source: DynamicsError::Missing { path: "transient" },
-            },
-            other => other,
+        self.case.read_with(&changes).or_else(|error| match &error {
+            // Only a section can be missing on the way to a duration: the news is all that is missing, and not the path.
+            StudyError::Change { option, .. } if option.starts_with("--duration") => {
+                let file = self.case.read()?;
+                Err(file.run_inputs().err().unwrap_or(error))
+            }
+            _ => Err(error),
         })
     }
 

@@ -271,3 +271,28 @@ fn limit_what_asks_for_too_much_is_refused_unless_the_limits_are_lifted() {
     run(&[&"check", &long]).fails(2, &["long.ron", "it is too long", "--no-limits"]);
     run(&[&"check", &long, &"--no-limits"]).table();
 }
+
+/// What the models with traction need of a case for Jones–Harris is named at once, with what it must hold.
+#[test]
+fn limit_a_model_that_the_case_has_no_sections_for_is_refused() {
+    let scratch = Scratch::new();
+    let (run_file, case) = (scratch.0.join("run.mcap"), fixture("bearing-218.ron"));
+    let coatings = "`coatings` (inner and outer, each with curve and thickness)";
+    let needs = format!("{}: the traction model needs what the case does not have: {coatings}", case.display());
+    let parts = [
+        "`traction` (slip_unit",
+        "`cage` (pocket_gap",
+        "`wear` (inner",
+        "`modelling.ring_centre` (Displaced or Inertial)",
+    ];
+    let texts: Vec<&str> = [needs.as_str()].into_iter().chain(parts).collect();
+    run(&[&"solve", &case, &"-o", &run_file]).fails(2, &texts);
+    run(&[&"life", &case]).fails(2, &texts);
+    let table = scratch.0.join("table.csv");
+    run(&[&"sweep", &case, &"--set", &"geometry.ball_count=14,15", &"-o", &table]).fails(2, &["`coatings`", "`wear`"]);
+    let run_needs = ["a transient run needs what the case does not have", "`supports`", "`transient` (duration"];
+    run(&[&"run", &case, &"-o", &run_file]).fails(2, &run_needs);
+    run(&[&"run", &case, &"--duration", &"0.1", &"-o", &run_file]).fails(2, &run_needs);
+    assert!(scratch.names().is_empty(), "{:?}", scratch.names());
+    run(&[&"check", &case, &"--json"]).json();
+}

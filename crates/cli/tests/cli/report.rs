@@ -176,14 +176,14 @@ fn limit_a_hostile_case_in_a_recording_is_not_solved() {
     use tribodyn_record::{FileSink, RunRecorder, RunRecording};
     let scratch = Scratch::new();
     let path = scratch.0.join("hostile.mcap");
-    let case = tribodyn_case::Case::from_ron(AG).unwrap();
-    let text =
-        set_value(&set_value(AG, "geometry.ball_count", "100000000").unwrap(), "geometry.pitch_diameter", "m(1e10)");
-    let input = RunRecording { case_text: &text.unwrap(), case: &case, generator: "tribodyn test" };
-    let recorder = RunRecorder::new(FileSink::create(&path).unwrap(), &input).unwrap();
-    let mut run_of = tribodyn_dynamics::Run::new(&case).unwrap();
-    let mut recorder = recorder;
-    run_of.advance(0.002, &mut recorder).unwrap();
+    let worn = fs::read_to_string(fixture("paper-ag-worn.ron")).unwrap();
+    let case = tribodyn_case::Case::from_ron(&worn).unwrap();
+    let many = set_value(&worn, "geometry.ball_count", "100000000").unwrap();
+    let case_text = &set_value(&many, "geometry.pitch_diameter", "m(1e10)").unwrap();
+    let input = RunRecording { case_text, case: &case, generator: "tribodyn test" };
+    let mut recorder = RunRecorder::new(FileSink::create(&path).unwrap(), &input).unwrap();
+    let mut transient = tribodyn_dynamics::Run::new(case.run_inputs().unwrap()).unwrap();
+    transient.advance(0.002, &mut recorder).unwrap();
     recorder.finish().unwrap();
     let answer = run(&[&"report", &path, &"-o", &scratch.0.join("report"), &"--json"]).json();
     assert!(answer["notes"].as_array().unwrap().iter().any(|note| note.as_str().unwrap().contains("no readable case")));

@@ -5,7 +5,7 @@ use tribodyn_contact::*;
 
 const HERTZ: &str = include_str!("../../../../fixtures/reference/mpmath/hertz.csv");
 const ELLIPTIC: &str = include_str!("../../../../fixtures/reference/mpmath/elliptic.csv");
-/// What the crate promises; the references themselves are good to 1e-29.
+/// Accuracy that the crate promises; the references themselves are good to 1e-29.
 const PROMISED: f64 = 1e-14;
 
 fn rows<const N: usize>(text: &str) -> Vec<[f64; N]> {

@@ -77,7 +77,7 @@ pub(super) fn glide(machine: &Machine, t: f64, y: &mut [f64], h: f64) {
         y[k] += h * y[k + 2];
     }
     // Prescribed speeds: the middle of the step is exact for speeds that change in proportion to time.
-    for (k, speed) in machine.speeds.iter().enumerate() {
-        y[l.angles() + k] += h * speed.at(t + 0.5 * h);
+    for (side, speed) in machine.speeds.iter() {
+        y[l.angles() + side as usize] += h * speed.at(t + 0.5 * h);
     }
 }

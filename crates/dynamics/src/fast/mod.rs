@@ -113,11 +113,10 @@ impl Grip {
     }
 
     fn add(&mut self, machine: &Machine, side: Side, sliding: &Sliding, traction: &PatchTraction, semi_lateral: f64) {
-        let k = side as usize;
         self.traction[side] = sliding.on_ball(traction);
-        self.watch.wear[k] = machine.bearing.wear[side].rate(traction.wear_integral);
-        self.watch.semi_lateral[k] = semi_lateral;
-        self.watch.loaded[k] = true;
+        self.watch.wear[side] = machine.bearing.wear_rate(side, traction.wear_integral);
+        self.watch.semi_lateral[side] = semi_lateral;
+        self.watch.loaded[side] = true;
     }
 }
 
@@ -199,7 +198,7 @@ impl Fast {
             cage_torque += part.pocket.cage_torque;
             let machine = equations.machine_mut();
             machine.watch[index] = grip.watch;
-            machine.watch[index].wear[2] = machine.pocket_wear(&part.pocket);
+            machine.watch[index].pocket_wear = machine.pocket_wear(&part.pocket);
             let friction = &self.friction[index];
             let common = Vector6::from_column_slice(&self.given_back[at + VELOCITY..at + BALL]);
             let acceleration = Vector6::from(equations.friction_acceleration(&grip.state, &part, r));

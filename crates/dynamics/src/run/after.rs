@@ -8,6 +8,7 @@ use crate::observer::{Event, EventKind, Observer};
 use crate::sample::Sample;
 use crate::stiffness::Stiffness;
 use std::ops::ControlFlow;
+use tribodyn_bearing::Side;
 
 impl Run {
     /// Takes the step to time `t`: samples on the way, events, wear.
@@ -118,14 +119,14 @@ impl Run {
     /// Contacts lost and made since the last step.
     pub(super) fn contact_events<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
         for ball in 0..self.machine.layout.balls {
-            for side in 0..2 {
+            for side in Side::BOTH {
                 let now = self.machine.watch[ball].loaded[side];
                 if now == self.progress.loaded[ball][side] {
                     continue;
                 }
                 self.progress.loaded[ball][side] = now;
                 let azimuth_deg = degrees(self.progress.state[self.machine.layout.ball(ball) + AZIMUTH]);
-                let inner = side == 0;
+                let inner = side == Side::Inner;
                 let kind = if now {
                     EventKind::ContactMade { ball, inner, azimuth_deg }
                 } else {
@@ -142,13 +143,16 @@ impl Run {
         let l = self.machine.layout;
         for ball in 0..l.balls {
             let watch = self.machine.watch[ball];
-            (0..3).for_each(|k| self.progress.worn[k] += watch.wear[k] * h);
+            let [inner, outer, cage] = &mut self.progress.worn;
+            *inner += watch.wear.inner * h;
+            *outer += watch.wear.outer * h;
+            *cage += watch.pocket_wear * h;
             if self.machine.wear_acceleration == 0.0 {
                 continue;
             }
-            for side in 0..2 {
+            for side in Side::BOTH {
                 let volume = watch.wear[side] * h * self.machine.wear_acceleration;
-                let angle = self.progress.state[l.angles() + side];
+                let angle = self.progress.state[l.angles() + side as usize];
                 let azimuth = self.progress.state[l.ball(ball) + AZIMUTH] - angle;
                 self.machine.raceways[side].remove(azimuth, volume, watch.semi_lateral[side]);
             }
@@ -156,14 +160,14 @@ impl Run {
         if self.machine.wear_acceleration == 0.0 || !self.progress.statistics.steps.is_multiple_of(WEAR_LOOK_EVERY) {
             return Ok(());
         }
-        for side in 0..2 {
+        for side in Side::BOTH {
             self.machine.thinnest[side] = self.machine.raceways[side].thinnest();
             if self.progress.through[side] {
                 continue;
             }
             if let Some(azimuth) = self.machine.raceways[side].worn_through() {
                 self.progress.through[side] = true;
-                let kind = EventKind::CoatingThrough { inner: side == 0, azimuth_deg: degrees(azimuth) };
+                let kind = EventKind::CoatingThrough { inner: side == Side::Inner, azimuth_deg: degrees(azimuth) };
                 observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)?;
             }
         }

@@ -3,11 +3,10 @@
 //!
 //! Velocities at an internal rate cost no forces, and their differences are exact means of the accelerations between.
 
-use super::STATE_RATE;
 use super::step::hermite;
 use crate::layout::Layout;
 use serde::{Deserialize, Serialize};
-use tribodyn_case::{Case, SchemeSpec};
+use tribodyn_bearing::Scheme;
 use tribodyn_signal::{Decimator, DecimatorMemory};
 
 /// Least internal rate of the Runge–Kutta methods, Hz: ten times and more above contact modes and their harmonics.
@@ -29,17 +28,16 @@ pub struct FilterBands {
 }
 
 impl FilterBands {
-    /// The filter of a run of a case; none for a case without a transient run.
-    pub fn of(case: &Case) -> Option<Self> {
-        let state_rate = case.recording.map_or(STATE_RATE, |recording| recording.state_rate);
-        let intervals = match case.transient.as_ref()?.scheme {
+    /// The filter of a run by a scheme, with samples at a rate in Hz.
+    pub fn new(scheme: Scheme, state_rate: f64) -> Self {
+        let intervals = match scheme {
             // Its velocities are known at the ends of the steps, which divide the interval of samples.
-            SchemeSpec::Fast { step } => steps_of_sample(step, state_rate),
-            SchemeSpec::RungeKutta4 { step: longest } | SchemeSpec::DormandPrince { longest, .. } => {
+            Scheme::Fast { step } => steps_of_sample(step, state_rate),
+            Scheme::RungeKutta4 { step: longest } | Scheme::DormandPrince { longest, .. } => {
                 ((1.0 / longest).max(INTERNAL_RATE) / state_rate - 1e-9).ceil().max(2.0)
             }
         };
-        Some(Self { state_rate, factor: intervals.min(MOST) as usize })
+        Self { state_rate, factor: intervals.min(MOST) as usize }
     }
 
     /// Rate at which velocities are taken, Hz.

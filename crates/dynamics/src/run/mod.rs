@@ -20,13 +20,12 @@ use crate::start::{Started, start};
 use crate::stiffness::Stiffness;
 use filter::{Filter, FilterMemory, steps_of_sample};
 use serde::{Deserialize, Serialize};
-use tribodyn_bearing::Bearing;
-use tribodyn_case::{Case, SchemeSpec};
+use tribodyn_bearing::{Races, RunInputs, RunOptions};
 use tribodyn_quasistatic::Solution;
 use tribodyn_traction::{PatchRule, Quadrature};
 use tribodyn_wear::Raceway;
 
-/// A transient run of a case.
+/// A transient run.
 pub struct Run {
     machine: Machine,
     scheme: Scheme,
@@ -55,9 +54,9 @@ pub struct Checkpoint {
     derivative: Vec<f64>,
     energy_at_start: f64,
     worn: [f64; 3],
-    raceways: [Raceway; 2],
-    loaded: Vec<[bool; 2]>,
-    through: [bool; 2],
+    raceways: Races<Raceway>,
+    loaded: Vec<Races<bool>>,
+    through: Races<bool>,
     control: StepControl,
     fast: Fast,
     /// Work put in, lost and put in by magnitude, J, up to the last sample of the fast scheme, and their rates there, W.
@@ -67,7 +66,7 @@ pub struct Checkpoint {
     /// Looks at stiffness and coating come by the number of steps, and what they saw last goes into steps and samples.
     statistics: Statistics,
     stiffness: Stiffness,
-    thinnest: [f64; 2],
+    thinnest: Races<f64>,
     warned: bool,
 }
 
@@ -115,9 +114,6 @@ pub enum RunError<E> {
     Observer(E),
 }
 
-/// Default rates where the case has no recording section: the rig's acquisition and a fifth of it, Hz.
-const STATE_RATE: f64 = 25_600.0;
-const BALL_RATE: f64 = 5_120.0;
 /// Steps between looks at the stiffness and at balls that leave.
 const LOOK_EVERY: u64 = 1000;
 /// Steps between looks at the thinnest coating.
@@ -135,14 +131,6 @@ const SHORTEST_STEP: f64 = 1e-12;
 const CUT_MARGIN: f64 = 1e-6;
 
 impl Run {
-    /// A run of a case from its start.
-    ///
-    /// # Errors
-    /// [`DynamicsError`] where the case lacks something or there is no quasi-static solution to start from.
-    pub fn new(case: &Case) -> Result<Self, DynamicsError> {
-        Self::with_bearing(case, case.bearing()?)
-    }
-
     /// The same run with traction integrated node by node by the generic quadrature: the plain reference of the fast kernel.
     ///
     /// # Errors
@@ -153,23 +141,23 @@ impl Run {
         Ok(self)
     }
 
-    /// A run with a bearing of one's own, with other traction laws for instance.
+    /// A run from its start.
     ///
     /// # Errors
-    /// As [`Run::new`].
-    pub fn with_bearing(case: &Case, bearing: Bearing) -> Result<Self, DynamicsError> {
-        let Started { machine, state, solution } = start(case, bearing)?;
-        let transient = case.transient.as_ref().ok_or(DynamicsError::Missing { path: "transient" })?;
-        let (state_rate, ball_rate) = case.recording.map_or((STATE_RATE, BALL_RATE), |r| (r.state_rate, r.ball_rate));
-        let scheme = match transient.scheme {
-            SchemeSpec::RungeKutta4 { step } => Scheme::Rk4 { step, method: Rk4::default() },
-            SchemeSpec::Fast { step } => Scheme::Fast { step: 1.0 / (state_rate * steps_of_sample(step, state_rate)) },
-            SchemeSpec::DormandPrince { tolerance, longest } => {
+    /// [`DynamicsError`] where nothing holds the outer ring or there is no quasi-static solution to start from.
+    pub fn new(inputs: RunInputs) -> Result<Self, DynamicsError> {
+        let RunOptions { duration, scheme, state_rate, ball_rate, .. } = inputs.options;
+        let Started { machine, state, solution } = start(inputs)?;
+        let filter = Filter::new(FilterBands::new(scheme, state_rate))?;
+        let scheme = match scheme {
+            tribodyn_bearing::Scheme::RungeKutta4 { step } => Scheme::Rk4 { step, method: Rk4::default() },
+            tribodyn_bearing::Scheme::Fast { step } => {
+                Scheme::Fast { step: 1.0 / (state_rate * steps_of_sample(step, state_rate)) }
+            }
+            tribodyn_bearing::Scheme::DormandPrince { tolerance, longest } => {
                 Scheme::DormandPrince { tolerance, longest, method: DormandPrince::default() }
             }
         };
-        let bands = FilterBands::of(case).ok_or(DynamicsError::Missing { path: "transient" })?;
-        let filter = Filter::new(bands)?;
         let progress = Checkpoint {
             time: 0.0,
             steps: 0,
@@ -178,8 +166,8 @@ impl Run {
             energy_at_start: machine.energy(0.0, &state),
             worn: [0.0; 3],
             raceways: machine.raceways.clone(),
-            loaded: vec![[false; 2]; machine.layout.balls],
-            through: [false; 2],
+            loaded: vec![Races::default(); machine.layout.balls],
+            through: Races::default(),
             control: StepControl::new(FIRST_STEP),
             fast: Fast::default(),
             work: [0.0; 3],
@@ -193,7 +181,7 @@ impl Run {
         };
         let mut run = Self {
             scheme,
-            duration: transient.duration,
+            duration,
             state_rate,
             balls_every: (state_rate / ball_rate).round().max(1.0) as u64,
             filter,

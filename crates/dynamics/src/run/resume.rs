@@ -141,7 +141,7 @@ impl Run {
         if !(c.control.step > 0.0 && c.control.step.is_finite()) {
             return Err(refused("control.step", c.control.step, "above 0 s".to_owned()));
         }
-        let worn = c.worn.iter().chain(&c.thinnest).find(|v| !(**v >= 0.0 && v.is_finite()));
+        let worn = c.worn.iter().chain([&c.thinnest.inner, &c.thinnest.outer]).find(|v| !(**v >= 0.0 && v.is_finite()));
         if let Some(&value) = worn {
             return Err(refused("worn", value, "at least 0".to_owned()));
         }

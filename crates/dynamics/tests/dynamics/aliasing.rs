@@ -33,7 +33,7 @@ fn case(race: &str, rate_hz: f64) -> Case {
 
 fn samples(case: &Case) -> Vec<Sample> {
     let mut keep = Keep::default();
-    Run::new(case).unwrap().advance(f64::INFINITY, &mut keep).unwrap();
+    Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap();
     keep.samples
 }
 
@@ -63,7 +63,8 @@ fn worst(found: &[f64], exact: &[f64]) -> f64 {
 /// have lines that did not occur: without the filter this fails.
 fn check(race: &str, lines: impl Fn(&BearingFrequencies) -> Vec<f64>) {
     let coarse_case = case(race, RATE);
-    let delay = FilterBands::of(&coarse_case).unwrap().delay_s() * RATE;
+    let options = coarse_case.run_inputs().unwrap().options;
+    let delay = FilterBands::new(options.scheme, options.state_rate).delay_s() * RATE;
     assert_eq!(delay, Decimator::DELAY as f64);
     let (coarse, fine) = (samples(&coarse_case), samples(&case(race, RATE * FINER as f64)));
     // What the filtered samples show is as much earlier as the filter is late.

@@ -53,7 +53,7 @@ impl Observer for Keep {
 
 /// Runs a case to its end.
 fn run(case: &Case) -> (Run, Keep) {
-    let mut run = Run::new(case).unwrap_or_else(|e| panic!("{e}"));
+    let mut run = Run::new(case.run_inputs().unwrap()).unwrap_or_else(|e| panic!("{e}"));
     let mut keep = Keep::default();
     run.advance(f64::INFINITY, &mut keep).unwrap_or_else(|e| panic!("{e}"));
     (run, keep)

@@ -107,7 +107,8 @@ fn regress_the_fast_scheme_stands_falling_friction() {
 /// Local pressure leaves the patch without a derivative in closed form: friction is explicit then, and bounds the step.
 #[test]
 fn limit_the_fast_step_is_bounded_by_friction_without_a_derivative() {
-    let bound = |pressure: &str| Run::new(&case(&[("traction.pressure", pressure)])).unwrap().stiffness();
+    let bound =
+        |pressure: &str| Run::new(case(&[("traction.pressure", pressure)]).run_inputs().unwrap()).unwrap().stiffness();
     let (peak, local) = (bound("Peak"), bound("Local"));
     assert_eq!(peak.fast_step_s, 0.45 / peak.contact_frequency_hz);
     assert_eq!(local.fast_step_s, 2.0 / local.traction_rate_per_s);
@@ -129,8 +130,8 @@ fn identity_fast_kernel_gives_the_run_of_the_plain_one() {
         run.advance(f64::INFINITY, &mut keep).unwrap();
         keep.samples.pop().unwrap()
     };
-    let fast = last(Run::new(&case).unwrap());
-    let plain = last(Run::new(&case).unwrap().with_plain_kernel().unwrap());
+    let fast = last(Run::new(case.run_inputs().unwrap()).unwrap());
+    let plain = last(Run::new(case.run_inputs().unwrap()).unwrap().with_plain_kernel().unwrap());
     assert!(distance(&fast, &plain) < 1e-8, "{:e}", distance(&fast, &plain));
 }
 
@@ -158,11 +159,11 @@ fn identity_halving_the_step_hardly_moves_the_cage() {
 
 /// A run of a case, stopped after so many samples, saved as text and taken up again.
 fn resumed(case: &Case, stop_after: usize) -> (Run, Keep) {
-    let mut first = Run::new(case).unwrap();
+    let mut first = Run::new(case.run_inputs().unwrap()).unwrap();
     let mut keep = Keep { stop_after, ..Default::default() };
     first.advance(f64::INFINITY, &mut keep).unwrap();
     let text = serde_json::to_string(&first.checkpoint()).unwrap();
-    let mut second = Run::new(case).unwrap();
+    let mut second = Run::new(case.run_inputs().unwrap()).unwrap();
     second.resume(serde_json::from_str(&text).unwrap()).unwrap();
     keep.stop_after = 0;
     second.advance(f64::INFINITY, &mut keep).unwrap();

@@ -8,7 +8,7 @@ use tribodyn_dynamics::{DynamicsError, Ending, EventKind, Run, RunError};
 fn limit_a_step_far_too_long_ends_with_the_stable_one_named() {
     let case = case(&[("transient.scheme", "RungeKutta4(step: us(90))"), ("transient.duration", "s(0.5)")]);
     let mut keep = Keep::default();
-    let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
+    let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
     let RunError::Dynamics(DynamicsError::NotFinite { limit_s, .. } | DynamicsError::BallLost { limit_s, .. }) = error
     else {
         panic!("{error}")
@@ -34,16 +34,17 @@ fn paper_step_is_beyond_the_bound_without_differential_slip() {
 }
 
 #[test]
-fn limit_a_case_without_supports_is_refused_by_name() {
-    let text = include_str!("../../../../fixtures/cases/paper-handset.ron");
-    let case = tribodyn_case::Case::from_ron(text).unwrap();
-    assert!(matches!(Run::new(&case).map(drop), Err(DynamicsError::Missing { .. })));
+fn limit_an_outer_ring_that_nothing_holds_is_refused() {
+    let mut inputs = case(&[]).run_inputs().unwrap();
+    inputs.supports.outer.stiffness[1] = 0.0;
+    let path = "supports.outer.stiffness";
+    assert_eq!(Run::new(inputs).map(drop), Err(DynamicsError::Unsupported { path }));
 }
 
 #[test]
 fn limit_an_observer_can_break_off() {
     let case = case(&[("transient.duration", "s(0.01)")]);
-    let mut run = Run::new(&case).unwrap();
+    let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
     let mut keep = Keep { stop_after: 5, ..Default::default() };
     assert_eq!(run.advance(f64::INFINITY, &mut keep).unwrap(), Ending::Stopped);
     assert_eq!(keep.samples.len(), 5);
@@ -52,8 +53,8 @@ fn limit_an_observer_can_break_off() {
 
 #[test]
 fn limit_a_checkpoint_of_another_bearing_is_refused() {
-    let mut run = Run::new(&case(&[])).unwrap();
-    let other = Run::new(&case(&[("geometry.ball_count", "12")])).unwrap();
+    let mut run = Run::new(case(&[]).run_inputs().unwrap()).unwrap();
+    let other = Run::new(case(&[("geometry.ball_count", "12")]).run_inputs().unwrap()).unwrap();
     let refused = run.resume(other.checkpoint());
     assert!(matches!(refused, Err(DynamicsError::Checkpoint { found, expected }) if expected - found == 9));
 }
@@ -63,7 +64,7 @@ fn limit_a_checkpoint_of_another_bearing_is_refused() {
 fn limit_a_checkpoint_with_impossible_values_is_refused() {
     let case = case(&[("transient.scheme", "Fast(step: us(10))"), ("transient.duration", "s(0.01)")]);
     let begun = || {
-        let mut run = Run::new(&case).unwrap();
+        let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
         run.advance(0.001, &mut Keep::default()).unwrap();
         run
     };
@@ -105,7 +106,7 @@ fn limit_a_ball_thrown_out_is_named() {
         ("ring.x", "ForceTable([(s(0), kN(22.98)), (s(0.001), kN(60))])"),
     ]);
     let mut keep = Keep::default();
-    let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
+    let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
     let RunError::Dynamics(DynamicsError::BallLost { distance_mm, time_s, .. }) = error else { panic!("{error}") };
     // A tenth of the ball's diameter.
     assert!(distance_mm > 3.0 && time_s < 0.05, "{error}");
@@ -121,7 +122,7 @@ fn limit_numbers_that_are_none_end_a_run_with_time_and_step() {
         ("recording.state_rate", "kHz(1)"),
         ("recording.ball_rate", "kHz(1)"),
     ]);
-    let error = Run::new(&case).unwrap().advance(f64::INFINITY, &mut Keep::default()).unwrap_err();
+    let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut Keep::default()).unwrap_err();
     let RunError::Dynamics(DynamicsError::NotFinite { step_s, limit_s, .. }) = &error else { panic!("{error}") };
     assert!((step_s - 1e-4).abs() < 1e-12 && *limit_s < 5e-5, "{error}");
     assert!(error.to_string().contains("not a number"), "{error}");

@@ -1,7 +1,7 @@
 //! Figures 9 and 15: the traction curves at the tested pressures and what of them varies with pressure.
 
 use super::runs::Made;
-use super::specs::Spec;
+use super::spec::Spec;
 use crate::error::PaperError;
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Place, Reference, Series};
 use tribodyn_traction::{Coating, CoatingLaw, Peak, SlipCurve, TractionLaw};
@@ -18,7 +18,7 @@ const PARABOLA: usize = 2;
 const OF_THE_BEARING: Place = Place::Between(1.79, 2.46);
 const LIMITS: [f64; 2] = [1.5, 4.0];
 
-/// What varies with pressure: title, axis and value.
+/// A parameter that varies with pressure: title, axis and value.
 type Parameter = (&'static str, &'static str, &'static str, fn(Peak) -> f64);
 
 const PARAMETERS: [Parameter; 3] = [

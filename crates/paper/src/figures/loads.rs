@@ -2,7 +2,7 @@
 //! shakes.
 
 use super::runs::Made;
-use super::specs::Spec;
+use super::spec::Spec;
 use super::steady::twice_the_least;
 use crate::error::PaperError;
 use crate::transient::{RPM, Transient};

@@ -6,6 +6,7 @@ mod loads;
 mod over_time;
 mod page;
 mod runs;
+mod spec;
 mod specs;
 mod steady;
 
@@ -13,19 +14,20 @@ use crate::error::PaperError;
 use crate::files;
 use crate::progress::Progress;
 use runs::{Length, Made};
-use specs::{SPECS, Spec};
+use spec::Spec;
+use specs::SPECS;
 use std::path::{Path, PathBuf};
 
 pub use page::{PAGE, linked, page};
 
 /// Wide enough for a page at 200 dots per inch.
 const PNG_WIDTH: u32 = 1600;
-/// Where the page looks for figures.
+/// Folder in which the page looks for figures.
 pub const FOLDER: &str = "docs/figures";
-/// Where those of short runs go.
+/// Folder of those of short runs.
 pub const QUICK_FOLDER: &str = "target/figures";
 
-/// Which figures, and where.
+/// Selection of figures, and their folder.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Options {
     /// Only figures whose names begin so, as `fig19`; makes only the runs that they need and leaves the page as it is.
@@ -67,7 +69,7 @@ pub fn quick(folder: &Path, progress: Progress) -> Result<(), PaperError> {
     write(&SPECS.iter().collect::<Vec<_>>(), folder, Length::Quick, progress)
 }
 
-/// Whether a folder is that of the committed figures, however it is written.
+/// True for the folder of the committed figures, however it is written.
 fn is_committed(folder: &Path) -> bool {
     let plain = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
     plain(folder) == plain(&files::root().join(FOLDER))

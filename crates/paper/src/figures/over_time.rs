@@ -2,7 +2,7 @@
 
 use super::loads::{SPEEDS, over_orbits};
 use super::runs::Made;
-use super::specs::Spec;
+use super::spec::Spec;
 use crate::error::PaperError;
 use crate::transient::{RPM, StateSample, Transient};
 use tribodyn_plot::{
@@ -145,7 +145,7 @@ fn spectrum_of(title: &str, label: &str, run: &Transient) -> Result<LineChart, P
     Ok(LineChart { title: title.to_owned(), area_px: SPECTRUM_PX, ..chart })
 }
 
-/// What the passing frequency of Fig. 13c comes from: a defect of the outer race, in the envelope of the acceleration.
+/// Source of the passing frequency of Fig. 13c: a defect of the outer race, in the envelope of the acceleration.
 pub fn defect(spec: &Spec, made: &Made) -> Result<Figure, PaperError> {
     let runs = [("with a defect of the outer race", made.defect()?), ("without", made.ag()?)];
     let mut spectra = Vec::new();

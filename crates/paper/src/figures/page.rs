@@ -1,6 +1,7 @@
 //! The page with all figures: the numbers that the paper gives, case and command under each.
 
-use super::specs::{SPECS, Spec};
+use super::spec::Spec;
+use super::specs::SPECS;
 
 /// The page.
 pub const PAGE: &str = "docs/figures.md";

@@ -12,7 +12,7 @@ const PRELOADS: [u32; 3] = [25, 50, 75];
 /// there.
 const QUICK: &str = "s(0.024)";
 
-/// How long transient runs are.
+/// Lengths of transient runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Length {
     /// As the case files have it.
@@ -20,7 +20,7 @@ pub enum Length {
     Quick,
 }
 
-/// What a figure is made from.
+/// Input of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cases {
     /// The coatings' curves, without a run.
@@ -47,7 +47,7 @@ impl Cases {
         }
     }
 
-    /// Where the input of the figure stands.
+    /// Place of the figure's input.
     pub fn text(self) -> &'static str {
         match self {
             Self::Curves => "Coatings `ag` and `ptfe` of the library",

@@ -1,43 +1,14 @@
-//! Which figures there are.
+//! The figures.
 
-use super::runs::{Cases, Made};
+use super::runs::Cases;
+use super::spec::{Draw, Spec, spec};
 use super::{curves, loads, over_time, steady};
-use crate::error::PaperError;
-use tribodyn_plot::Figure;
-
-/// A figure of the page.
-pub struct Spec {
-    /// Name of its files.
-    pub name: &'static str,
-    /// Part of the page.
-    pub section: &'static str,
-    /// The paper's figure.
-    pub of: &'static str,
-    pub title: &'static str,
-    pub cases: Cases,
-    /// What is seen, and what the paper says of it without a place on the axes; may be empty.
-    pub note: &'static str,
-    pub draw: Draw,
-}
 
 const CURVES: &str = "Traction curves";
 const VALIDATION: &str = "Transient: start and passing frequency";
 const STEADY: &str = "Quasi-static cases";
 const COATING: &str = "Transient: coatings";
 const PRELOAD: &str = "Transient: axial loads";
-
-type Draw = fn(&Spec, &Made) -> Result<Figure, PaperError>;
-
-const fn spec(section: &'static str, cases: Cases, [name, of, title]: [&'static str; 3], draw: Draw) -> Spec {
-    Spec { name, section, of, title, cases, note: "", draw }
-}
-
-impl Spec {
-    const fn noted(mut self, note: &'static str) -> Self {
-        self.note = note;
-        self
-    }
-}
 
 /// All figures in the order of the page.
 pub static SPECS: [Spec; 31] = [

@@ -1,7 +1,7 @@
 //! Figures 14 and 16 to 18: the quasi-static cases, with Tables 4 and 5.
 
 use super::runs::Made;
-use super::specs::Spec;
+use super::spec::Spec;
 use crate::error::PaperError;
 use tribodyn_plot::{Figure, Panel, Place, Quantity, Reference};
 

@@ -1,4 +1,4 @@
-//! What is changed, one thing at a time.
+//! Changes, one at a time.
 
 use crate::transient::Change;
 use std::f64::consts::TAU;
@@ -21,7 +21,7 @@ pub const HIDDEN: [(&str, [&str; 2]); 11] = [
 
 /// Further changes that are one value each: a name, a path, a value. Local pressure is not among them: it leaves the
 /// fast scheme without its derivative, and 20 µs are too long without.
-const SINGLE: [(&str, &str, &str); 42] = [
+const SINGLE: [(&str, &str, &str); 41] = [
     ("step 10 µs", "transient.scheme", "Fast(step: us(10))"),
     ("Runge–Kutta 5 µs", "transient.scheme", "RungeKutta4(step: us(5))"),
     ("0.4 s", "transient.duration", "s(0.4)"),
@@ -48,7 +48,7 @@ const SINGLE: [(&str, &str, &str); 42] = [
     ("outer ring on 50 N/µm", "supports.outer.stiffness", "(N_per_um(50), N_per_um(50))"),
     ("outer ring on 10 kN/µm", "supports.outer.stiffness", "(N_per_um(10000), N_per_um(10000))"),
     ("contact damping 0.1", "transient.contact_damping", "0.1"),
-    ("rings about the inertial axis", "numerics.ring_centre", "Inertial"),
+    ("rings about the inertial axis", "modelling.ring_centre", "Inertial"),
     ("slip in m/s", "traction.slip_unit", "MeterPerSecond"),
     ("slip in percent of rolling", "traction.slip_unit", "PercentOfRolling"),
     ("λ 5 per m/s", "traction.slip_unit", "Scaled(per_m_s: 5.0)"),
@@ -56,7 +56,6 @@ const SINGLE: [(&str, &str, &str); 42] = [
     ("straight lines", "traction.order", "1"),
     ("fixed traction parameters", "traction.varying", "false"),
     ("no differential slip", "traction.differential_slip", "false"),
-    ("constant moment arm", "traction.moment_arm", "Constant"),
     ("drag coefficient 0.1", "fluid.drag_coefficient", "0.1"),
     ("drag coefficient 0.32", "fluid.drag_coefficient", "0.32"),
     ("drag coefficient 0.75", "fluid.drag_coefficient", "0.75"),
@@ -95,7 +94,7 @@ fn guided(land: &str, radius_mm: f64) -> Change {
     Change::none(&format!("cage guided by the {} ring", land.to_lowercase())).with("cage", &cage)
 }
 
-/// What the paper's percentages may be parts of.
+/// Loads that the paper's percentages may refer to.
 fn loads() -> [Change; 6] {
     let axial = |name: &str, axial_share: f64| Change { axial_share, ..Change::none(name) };
     let drag = "drag coefficient 0.32 and radial load lowered with the axial one";

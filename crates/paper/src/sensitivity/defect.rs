@@ -1,4 +1,4 @@
-//! What the defect's size, which the paper does not print, and the scheme do to its rows.
+//! Effect of the defect's size, which the paper does not print, and of the scheme on its rows.
 
 use crate::error::PaperError;
 use crate::files;

@@ -1,4 +1,4 @@
-//! Which change turns which missed row of the dynamic model.
+//! Missed rows of the dynamic model, and the changes that turn them.
 
 use super::changes;
 use crate::error::PaperError;
@@ -124,7 +124,7 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-/// How many of the changes that turn a row leave the met rows alone.
+/// Number of changes that turn a row and leave the met rows alone.
 fn costs(changes: &[crate::table::Row<'_>]) -> Result<String, PaperError> {
     let mut free = Vec::new();
     for row in changes.iter().skip(1) {

@@ -18,7 +18,7 @@ use crate::progress::Progress;
 use crate::table::{Table, markdown};
 use crate::transient::{Change, FAST, Plan, Set, Transient, run_all};
 
-/// Where the result is committed, and the document that shows it.
+/// File of the committed result, and the document that shows it.
 const RESULT: &str = "fixtures/expected/sensitivity.csv";
 const DOCUMENT: &str = "docs/validation.md";
 const BEGIN: &str = "<!-- sensitivity:begin -->";
@@ -143,7 +143,11 @@ pub fn rewrite() -> Result<(), PaperError> {
 }
 
 /// Says so where the document's block is not that of the committed results.
-pub(crate) fn outdated() -> Result<Option<String>, PaperError> {
+///
+/// # Errors
+///
+/// A result or the document cannot be read.
+pub fn outdated() -> Result<Option<String>, PaperError> {
     let [was, now] = document()?;
     Ok((was != now).then(|| {
         format!("{DOCUMENT}: the sensitivity table is not that of the committed result: run `cargo xtask fixtures`")

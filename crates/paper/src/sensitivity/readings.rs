@@ -13,7 +13,7 @@ const RESULT: &str = "fixtures/expected/sensitivity-readings.csv";
 type OfBall = fn(&BallSample) -> f64;
 type OfState = fn(&StateSample) -> f64;
 
-/// What a claim about loads, zones or coatings says of its values.
+/// Statement of a claim about loads, zones or coatings.
 #[derive(Clone, Copy)]
 enum Says {
     Rises,

@@ -71,7 +71,9 @@ fn run(plan: &Plan, recording: Option<PathBuf>) -> Result<Transient, PaperError>
     }
     let case = Case::from_ron(&text).map_err(refused)?;
     let failed = |source| PaperError::Transient { run: plan.id.clone(), source: Box::new(source) };
-    let mut solver = Run::new(&case).map_err(failed)?;
+    let inputs =
+        case.run_inputs().map_err(|source| PaperError::Inputs { run: plan.id.clone(), source: Box::new(source) })?;
+    let mut solver = Run::new(inputs).map_err(failed)?;
     let recorder = match &recording {
         None => None,
         Some(path) => {

@@ -75,9 +75,9 @@ pub struct Change {
     pub name: String,
     /// Paths of the case file and their values, set last.
     pub values: Vec<(String, String)>,
-    /// What the percentages of the axial load are parts of, over the case's.
+    /// Load that the percentages of the axial load refer to, over the case's.
     pub axial_share: f64,
-    /// Whether the radial load is lowered with the axial one.
+    /// True if the radial load is lowered with the axial one.
     pub radial_follows: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What is kept of a run.
+//! Values kept of a run.
 
 use crate::mean::mean;
 use std::ops::ControlFlow;
@@ -6,10 +6,7 @@ use tribodyn_case::Case;
 use tribodyn_dynamics::{BallSample, Event, EventKind, Observer, Sample};
 use tribodyn_record::{FileSink, RecordError, RunRecorder};
 
-/// Sampling rate of a case that has no recording section, Hz: the solver's.
-const DEFAULT_RATE: f64 = 25_600.0;
-
-/// What every sample leaves behind, SI.
+/// Values kept of every sample, SI.
 #[derive(Debug, Clone, Copy)]
 pub struct StateSample {
     pub time_s: f64,
@@ -42,14 +39,14 @@ pub struct Trace {
     pub balls: Vec<(f64, Vec<BallSample>)>,
     pub impacts: Vec<Impact>,
     pub warnings: Vec<String>,
-    /// What is missing in the power balance over what was put in, at the end.
+    /// Imbalance of work over the work put in, at the end.
     pub imbalance: f64,
 }
 
 impl Trace {
     pub fn new(case: &Case) -> Self {
         Self {
-            rate_hz: case.recording.map_or(DEFAULT_RATE, |r| r.state_rate),
+            rate_hz: case.rates().state_rate,
             states: Vec::new(),
             balls: Vec::new(),
             impacts: Vec::new(),

@@ -4,7 +4,7 @@ use super::over_azimuth::{Quantity, largest, least, limits, values};
 use super::row::{Claim, Evidence, Row};
 use super::runs::{Run, Runs};
 
-/// How close curves of a polar plot must be to look identical: 1 % of the largest value, about a line's width.
+/// Distance at which curves of a polar plot look identical: 1 % of the largest value, about a line's width.
 const IDENTICAL: f64 = 0.01;
 /// "Nearly twice": a quarter to either side.
 const TWICE: [f64; 2] = [1.75, 2.25];

@@ -9,7 +9,7 @@ use crate::{files, table};
 const BEGIN: &str = "<!-- validation:begin -->";
 const END: &str = "<!-- validation:end -->";
 
-/// What a document's block shows.
+/// Content of a document's block.
 #[derive(Clone, Copy)]
 enum Extent {
     /// Counts by class of evidence.

@@ -1,4 +1,4 @@
-//! What is committed of our own earlier results: regression, never validation.
+//! Committed results of our own: regression, never validation.
 
 use super::published::Published;
 use super::row::{Row, Verdict};
@@ -88,7 +88,7 @@ pub fn verdicts_text(rows: &[Row]) -> Fixture {
     (VERDICTS, format!("# declared verdicts; rewritten by `cargo xtask fixtures`\nid,verdict\n{body}"))
 }
 
-/// What a comparison with the declared verdicts brings up.
+/// Findings of a comparison with the declared verdicts.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub struct Declared {
     /// Rows that are declared met and are not, or that the declaration does not match.

@@ -16,7 +16,6 @@ mod tables;
 use crate::error::PaperError;
 use crate::files;
 use crate::progress::{Progress, in_time};
-use crate::sensitivity;
 use crate::transient::Set;
 pub(crate) use dynamic::{defect_rows, rows as dynamic_rows};
 use published::Published;
@@ -27,7 +26,7 @@ use std::path::{Path, PathBuf};
 use tables::PressuresOver;
 use tribodyn_quasistatic::Model;
 
-/// What a solution warns of.
+/// Warnings of a solution.
 #[derive(Debug, Serialize)]
 struct Warning {
     run: String,
@@ -39,9 +38,9 @@ struct Warning {
 struct Report {
     /// Case file.
     case: String,
-    /// How the case's unpublished values were found.
+    /// Origin of the case's unpublished values.
     provenance: String,
-    /// How Table 5's values come from those of the balls.
+    /// Rule by which Table 5's values follow from those of the balls.
     interpolation: String,
     rows: Vec<Row>,
     warnings: Vec<Warning>,
@@ -100,7 +99,9 @@ fn warnings(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Vec<Wa
                 .map(|text| Warning { run: run.label.to_owned(), text: text.clone() }),
         );
         // Only where the curve follows the pressure is it extrapolated.
-        if run.solution.model == Model::JonesHarris || !run.case.traction.varying {
+        if run.solution.model == Model::JonesHarris
+            || !run.case.traction.as_ref().is_some_and(|traction| traction.varying)
+        {
             continue;
         }
         let pressures: Vec<f64> = over_azimuth::values(run, |b| b.peak_pressure_inner_pa * 1e-9)
@@ -196,15 +197,13 @@ impl Validation {
         Ok(Differences { broken, outdated: declared.outdated })
     }
 
-    /// Documents whose generated blocks are not what the rows and the committed sensitivities give.
+    /// Documents whose generated blocks are not what the rows give.
     ///
     /// # Errors
     ///
     /// A document without the place of its block.
     pub fn outdated_documents(&self) -> Result<Vec<String>, PaperError> {
-        let mut findings = document::outdated(&self.report)?;
-        findings.extend(sensitivity::outdated()?);
-        Ok(findings)
+        document::outdated(&self.report)
     }
 
     /// Rewrites the committed results, the declared verdicts and the documents' blocks; returns the documents that
@@ -217,9 +216,7 @@ impl Validation {
         let folder = expected::folder();
         expected::write(&folder, &self.fixtures)?;
         expected::write(&folder, &[expected::verdicts_text(&self.report.rows)])?;
-        let missing = document::rewrite(&self.report)?;
-        sensitivity::rewrite()?;
-        Ok(missing)
+        document::rewrite(&self.report)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// What a row is evidence of.
+/// Kind of evidence of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Evidence {
@@ -24,7 +24,7 @@ impl Evidence {
     }
 }
 
-/// What came out.
+/// Verdict of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
@@ -48,7 +48,7 @@ impl Verdict {
     }
 }
 
-/// What the paper states: a number, or a sentence.
+/// Statement of the paper: a number, or a sentence.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Stated {
@@ -61,7 +61,7 @@ pub enum Stated {
 pub struct Row {
     pub id: String,
     pub evidence: Evidence,
-    /// What is compared, in words.
+    /// Compared quantity, in words.
     pub quantity: String,
     pub published: Stated,
     pub computed: Option<f64>,

@@ -6,7 +6,7 @@ use std::path::Path;
 use tribodyn_case::{Case, Source, set_value};
 use tribodyn_quasistatic::{Model, Solution, other_roots, root_warnings, solve};
 
-/// Which equations a row of Table 4 stands for.
+/// Equations that a row of Table 4 stands for.
 struct Plan {
     id: &'static str,
     label: &'static str,
@@ -62,7 +62,7 @@ impl Runs {
         std::iter::once(&self.jones_harris).chain(&self.cases)
     }
 
-    /// How the parameters that the paper does not print were found.
+    /// Origin of the parameters that the paper does not print.
     pub fn provenance(&self) -> String {
         let (mut assumed, mut identified) = (0, 0);
         for source in self.cases[0].case.sources.values() {

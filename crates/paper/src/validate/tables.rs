@@ -128,7 +128,7 @@ impl<'a> PressuresOver<'a> {
         [ball.peak_pressure_inner_pa * 1e-9, ball.peak_pressure_outer_pa * 1e-9]
     }
 
-    /// How the values between balls come about.
+    /// Rule for values between balls.
     pub fn explanation(&self) -> String {
         let rule = self.rule.name();
         format!(

@@ -89,7 +89,7 @@ fn identity_balls_carry_the_load_of_the_ring() {
             assert_near("ring load", *carried, load, 1e-8);
         }
     }
-    let dry = [("numerics", "(race_control: Inner)"), ("materials.ball.density", "kg_per_m3(1e-6)")];
+    let dry = [("modelling.race_control", "Inner"), ("materials.ball.density", "kg_per_m3(1e-6)")];
     let s = with_ring(&dry, paper_ring(20e3, 5e3, 44e3), JonesHarris);
     let sum = |part: fn(&BallSolution) -> f64| -> f64 { s.balls.iter().map(part).sum() };
     let radial = |ball: &BallSolution| ball.load_inner_n * ball.contact_angle_inner_deg.to_radians().cos();

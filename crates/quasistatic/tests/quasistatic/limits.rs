@@ -6,7 +6,7 @@ use tribodyn_bearing::{Bearing, Side};
 use tribodyn_quasistatic::Model::{JonesHarris, Traction};
 
 const AT_REST: (&str, &str) = ("speed.inner", "Constant(rpm(0))");
-const FROZEN: (&str, &str) = ("numerics", "(contact_at_actual_angle: false)");
+const FROZEN: (&str, &str) = ("modelling.contact_at_actual_angle", "false");
 
 /// Stiffness of both contacts of a ball in series, N/m^1.5: δ_i + δ_o = (Q/K)^(2/3).
 fn series_stiffness(bearing: &Bearing) -> f64 {

@@ -48,7 +48,7 @@ fn paper_orbit_and_pitch_angle_under_outer_control() {
 /// Under inner control the pitch angle follows the inner contact: tan β = sin α_i/(cos α_i − γ').
 #[test]
 fn paper_pitch_angle_under_inner_control() {
-    let s = solution(PAPER_AG, &[("numerics", "(race_control: Inner)")], JonesHarris);
+    let s = solution(PAPER_AG, &[("modelling.race_control", "Inner")], JonesHarris);
     let ratio = 0.03016 / 0.165;
     for ball in &s.balls {
         let i = ball.contact_angle_inner_deg.to_radians();
@@ -66,7 +66,7 @@ fn limit_criterion_follows_the_longer_contact() {
             ("geometry.inner_groove", inner_groove),
             ("geometry.outer_groove", outer_groove),
             ("speed.inner", speed),
-            ("numerics", "(race_control: Criterion)"),
+            ("modelling.race_control", "Criterion"),
         ];
         let ball = &solution(BEARING_218, &changes, JonesHarris).balls[0];
         let (i, o) = (ball.contact_angle_inner_deg.to_radians(), ball.contact_angle_outer_deg.to_radians());

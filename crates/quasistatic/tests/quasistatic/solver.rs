@@ -1,6 +1,7 @@
 //! How the solver gets there: steps, warm starts, failures.
 
 use crate::{BEARING_218, PAPER_AG, STRIPS, assert_near, assert_same_ball, solve_case, variant};
+use tribodyn_case::Case;
 use tribodyn_quasistatic::Model::{JonesHarris, Traction};
 use tribodyn_quasistatic::{Place, QuasiStaticError, RingFreedom, SolverStatistics, solve, solve_from};
 
@@ -84,6 +85,24 @@ fn limit_too_few_iterations_name_the_worst_balance() {
         };
         assert!(text.contains(&name) && text.contains(equation) && text.contains(&format!("{residual:.3e}")), "{text}");
     }
+}
+
+/// A bearing without traction is enough for Jones–Harris; what a model lacks is named.
+#[test]
+fn limit_a_model_without_what_it_uses_is_refused() {
+    let missing = |case: &Case, model| match solve(&case.bearing().unwrap(), &case.operating_point(), model) {
+        Err(QuasiStaticError::Missing { model: of, missing }) if of == model => missing.len(),
+        other => panic!("{other:?}"),
+    };
+    let mut case = variant(BEARING_218, &[]);
+    assert_eq!(missing(&case, Traction), 4);
+    case.modelling.race_control = None;
+    assert_eq!(missing(&case, JonesHarris), 1);
+    let mut case = variant(PAPER_AG, &[STRIPS]);
+    case.modelling.ring_centre = None;
+    assert_eq!(missing(&case, Traction), 1);
+    (case.modelling.race_control, case.modelling.centrifugal_at_free_pitch) = (None, None);
+    assert_eq!(missing(&case, JonesHarris), 2);
 }
 
 /// A close inner and a wide open outer groove, light thrust, twice the speed: the balls without inner contact have no

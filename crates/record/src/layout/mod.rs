@@ -12,8 +12,9 @@ use crate::mesh;
 use panels::Panel;
 pub(crate) use panels::round_up;
 use serde_json::{Map, Value, json};
+use tribodyn_bearing::SpeedHistory;
 use tribodyn_bearing::{BearingError, Geometry, Side};
-use tribodyn_case::{Case, SpeedHistory};
+use tribodyn_case::Case;
 use tribodyn_signal::BearingFrequencies;
 
 /// What a recording shows.

@@ -151,7 +151,8 @@ fn entries(input: &RunRecording, geometry: &Geometry) -> Entries {
         entries.push(("state_rate_hz", recording.state_rate.to_string()));
         entries.push(("ball_rate_hz", recording.ball_rate.to_string()));
     }
-    if let Some(bands) = FilterBands::of(case) {
+    if let Some(transient) = &case.transient {
+        let bands = FilterBands::new(transient.scheme, case.rates().state_rate);
         entries.push(("filtered", FILTERED.to_owned()));
         entries.push(("point_samples", POINT_SAMPLES.to_owned()));
         entries.push(("filter", "linear-phase FIR, Kaiser window, then decimation".to_owned()));

@@ -31,7 +31,7 @@ const ROUNDING_S: f64 = 1e-9;
 #[derive(Debug)]
 pub(super) struct Producer {
     pub(super) geometry: Geometry,
-    pocket_gap: f64,
+    pocket_gap: Option<f64>,
     defects: Vec<Defect>,
     constants: BallConstants,
     memory: RecorderMemory,
@@ -134,7 +134,7 @@ impl Producer {
         let geometry = input.case.geometry.resolve()?;
         Ok(Self {
             geometry,
-            pocket_gap: input.case.cage.pocket_gap,
+            pocket_gap: input.case.cage.as_ref().map(|cage| cage.pocket_gap),
             defects: raceway::defects(input.case),
             constants: BallConstants::new(&geometry, input.case.materials.ball.density),
             memory: RecorderMemory::new(geometry.ball_count),

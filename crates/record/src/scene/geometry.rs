@@ -14,8 +14,8 @@ use tribodyn_bearing::{Geometry, Side};
 pub(crate) struct Bodies<'a> {
     /// Unloaded bearing.
     pub(crate) geometry: &'a Geometry,
-    /// Circumferential gap of a ball in its pocket, m.
-    pub(crate) pocket_gap: f64,
+    /// Circumferential gap of a ball in its pocket, m; absent without a cage.
+    pub(crate) pocket_gap: Option<f64>,
     /// Azimuth of ball 0 at the start, rad.
     pub(crate) first_azimuth: f64,
     /// Scales of arrows and patches.
@@ -42,7 +42,8 @@ pub(crate) fn entity(stamp: Timestamp, frame: String, id: String) -> SceneEntity
 
 /// All bodies.
 pub(crate) fn geometry(bodies: &Bodies, stamp: Timestamp) -> SceneUpdate {
-    let mut entities = vec![ring(bodies, Side::Outer, stamp), ring(bodies, Side::Inner, stamp), cage(bodies, stamp)];
+    let mut entities = vec![ring(bodies, Side::Outer, stamp), ring(bodies, Side::Inner, stamp)];
+    entities.extend(bodies.pocket_gap.map(|gap| cage(bodies, gap, stamp)));
     entities.extend(guide::entities(bodies.geometry, bodies.scales, bodies.with_coating, stamp));
     entities.extend(guide::radial_mark(bodies.geometry, bodies.ring_load_n, stamp));
     let defect = |(index, defect): (usize, &Defect)| defect.entity(bodies.geometry, index, stamp);
@@ -76,8 +77,8 @@ fn ring(bodies: &Bodies, side: Side, stamp: Timestamp) -> SceneEntity {
     }
 }
 
-fn cage(bodies: &Bodies, stamp: Timestamp) -> SceneEntity {
-    let (body, rims) = mesh::cage(bodies.geometry, bodies.pocket_gap, bodies.first_azimuth);
+fn cage(bodies: &Bodies, pocket_gap: f64, stamp: Timestamp) -> SceneEntity {
+    let (body, rims) = mesh::cage(bodies.geometry, pocket_gap, bodies.first_azimuth);
     let point = |p: [f64; 3]| Point3 { x: grid(p[0]), y: grid(p[1]), z: grid(p[2]) };
     let outline = |rim: Vec<[f64; 3]>| LinePrimitive {
         r#type: line_primitive::Type::LineLoop.into(),

@@ -93,7 +93,7 @@ impl<'a> Recording<'a> {
     fn write_start<W: Write + Seek>(&self, out: &mut Output<W>) -> McapResult<()> {
         let bodies = Bodies {
             geometry: &self.geometry,
-            pocket_gap: self.input.case.cage.pocket_gap,
+            pocket_gap: self.input.case.cage.as_ref().map(|cage| cage.pocket_gap),
             first_azimuth: self.over.start(0),
             scales: Scales::of(self.input.solution),
             ring_load_n: self.input.solution.ring_load_n,

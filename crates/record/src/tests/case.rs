@@ -29,7 +29,6 @@ pub(crate) const TEXT: &str = r#"(
         reference_pressure: GPa(2.5),
         differential_slip: true,
         pressure: Peak,
-        moment_arm: Curved,
         patch: TargetError(relative: 1e-5),
     ),
     cage: (
@@ -51,6 +50,7 @@ pub(crate) const TEXT: &str = r#"(
         tilt_y: Held(rad(2e-5)),
     ),
     speed: (inner: Constant(rpm(14000.0)), outer: Constant(rpm(0.0))),
+    modelling: (contact_at_actual_angle: false, ring_centre: Displaced),
 )
 "#;
 

@@ -64,7 +64,7 @@ fn limit_the_delay_is_a_whole_number_of_outputs() {
     }
 }
 
-/// What would fold into the band is gone; sampled as it is it would come back whole.
+/// Vibration that would fold into the band is gone; sampled as it is it would come back whole.
 #[test]
 fn limit_nothing_folds() {
     let filter = Decimator::new(16).unwrap();

@@ -14,7 +14,8 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
-use tribodyn_case::{Case, SchemeSpec};
+use tribodyn_bearing::Scheme;
+use tribodyn_case::Case;
 use tribodyn_dynamics::{DynamicsError, Event, EventKind, Observer, Run, RunError as Advance};
 use tribodyn_record::{RecordError, RunRecorder, RunRecording};
 
@@ -64,7 +65,8 @@ impl<'a> PreparedRun<'a> {
         let files = Files::new(recording);
         let saved = earlier(beginning, &files, &file.text)?;
         let cannot_start = |source| StudyError::CannotStart { file: file.name.clone(), source };
-        Ok(Self { file, run: Run::new(&file.case).map_err(cannot_start)?, files, saved })
+        let run = Run::new(file.run_inputs()?).map_err(cannot_start)?;
+        Ok(Self { file, run, files, saved })
     }
 
     /// Opens the recording; `viewers` get all of it as it is written.
@@ -264,14 +266,11 @@ struct Slices {
     count: f64,
 }
 
-/// Samples where the case does not say how many, Hz.
-const STATE_RATE: f64 = 25_600.0;
-
 impl Slices {
     fn new(case: &Case) -> Self {
-        let rate = case.recording.map_or(STATE_RATE, |recording| recording.state_rate);
+        let rate = case.rates().state_rate;
         let unit = match case.transient.as_ref().map(|transient| transient.scheme) {
-            Some(SchemeSpec::RungeKutta4 { step }) => step,
+            Some(Scheme::RungeKutta4 { step }) => step,
             // The steps of the fast scheme end at samples, those of the adaptive one anywhere.
             _ => 1.0 / rate,
         };

@@ -3,7 +3,8 @@
 use super::settled::Settled;
 use super::warnings;
 use serde::Serialize;
-use tribodyn_case::{Case, SchemeSpec};
+use tribodyn_bearing::Scheme;
+use tribodyn_case::Case;
 use tribodyn_dynamics::ACCELERATION_ERROR;
 use tribodyn_record::{LogRow, StateRow, WearRow};
 use tribodyn_signal::Statistics;
@@ -194,11 +195,11 @@ fn off_balance(imbalance_percent: f64, case: &Case) -> Option<String> {
     let transient = case.transient.as_ref()?;
     // Wear takes energy out of the contacts, and contact constants that follow the angle have no potential: neither is
     // in the balance.
-    if transient.wear_acceleration > 0.0 || case.numerics.contact_at_actual_angle {
+    if transient.wear_acceleration > 0.0 || case.modelling.contact_at_actual_angle {
         return None;
     }
     let most = match transient.scheme {
-        SchemeSpec::Fast { .. } => OFF_BALANCE_FAST_PERCENT,
+        Scheme::Fast { .. } => OFF_BALANCE_FAST_PERCENT,
         _ => OFF_BALANCE_EXPLICIT_PERCENT,
     };
     (imbalance_percent.abs() > most).then(|| {

@@ -66,12 +66,13 @@ impl Tested {
     /// For the races whose traction parameters vary with pressure; those that do not are taken at one pressure, whatever
     /// the contacts have.
     pub fn of(case: &Case) -> Vec<Self> {
-        let races = [("inner", true, &case.coatings.inner.curve), ("outer", false, &case.coatings.outer.curve)];
+        let (Some(coatings), Some(traction)) = (&case.coatings, &case.traction) else { return Vec::new() };
+        let races = [("inner", true, &coatings.inner.curve), ("outer", false, &coatings.outer.curve)];
         let one = |(race, inner, curve): (&'static str, bool, &CurveSpec)| {
             let tested_gpa = tested_gpa(curve)?;
             Some(Self { race, inner, tested_gpa, least: f64::INFINITY, most: 0.0, all: 0, outside: 0 })
         };
-        races.into_iter().filter(|_| case.traction.varying).filter_map(one).collect()
+        races.into_iter().filter(|_| traction.varying).filter_map(one).collect()
     }
 
     /// Takes in the balls of a sample; a contact that is lost has no pressure.

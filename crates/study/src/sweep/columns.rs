@@ -137,7 +137,7 @@ impl From<QuasiStaticError> for Unsolved {
     fn from(error: QuasiStaticError) -> Self {
         let tried = match &error {
             QuasiStaticError::NotConverged { residual, iterations, .. } => Some((*residual, *iterations)),
-            QuasiStaticError::Traction(_) => None,
+            QuasiStaticError::Missing { .. } | QuasiStaticError::Traction(_) => None,
         };
         Self { tried, message: error.to_string() }
     }

@@ -8,7 +8,7 @@ use crate::limits::Limits;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::Range;
-use tribodyn_case::{Case, CaseError, set_value};
+use tribodyn_case::{Case, CaseError, Purpose, set_value};
 
 /// Most rows of a grid, far beyond any computing time.
 const MAX_ROWS: usize = 1_000_000_000;
@@ -138,7 +138,7 @@ impl Grid {
         let swept = self.axes.iter().zip(self.indices(row)).map(|(axis, i)| axis.setting.change(i));
         let changes: Vec<Change> = self.fixed.iter().cloned().chain(swept).collect();
         match CaseFile::from_text(&self.name, self.original.clone(), &changes, &self.limits)
-            .and_then(|file| file.bearing())
+            .and_then(|file| file.bearing_for(Purpose::Traction))
         {
             Err(failure) => failure,
             // Texts are refused by the same reader: there is nothing that only one of both refuses.
@@ -146,9 +146,9 @@ impl Grid {
         }
     }
 
-    /// Whether a text is a case with a bearing, within the limits.
+    /// True for a case with all that the traction model needs, within the limits.
     fn sound(&self, text: &str) -> bool {
-        self.case(text).is_ok_and(|case| case.bearing().is_ok())
+        self.case(text).is_ok_and(|case| case.require(Purpose::Traction).is_ok() && case.bearing().is_ok())
     }
 
     /// The case of a row's text, within the limits.

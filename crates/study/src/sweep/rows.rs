@@ -4,6 +4,7 @@ use super::columns::{self, Unsolved};
 use super::grid::Grid;
 use std::ops::Range;
 use tribodyn_bearing::Bearing;
+use tribodyn_case::Purpose;
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
 use tribodyn_traction::PatchRule;
 
@@ -14,7 +15,7 @@ const SKIDDING: f64 = 0.05;
 /// A solved row that others can start from.
 struct Neighbour {
     indices: Vec<usize>,
-    patch: PatchRule,
+    patch: Option<PatchRule>,
     balls: usize,
     start: WarmStart,
 }
@@ -41,6 +42,7 @@ impl<'a> Chunk<'a> {
     fn solve(&mut self, row: usize) -> Result<Solution, Unsolved> {
         let text = self.grid.text(row).ok_or_else(|| Unsolved::refused("a path is not in the case of this row"))?;
         let case = self.grid.case(&text).map_err(Unsolved::refused)?;
+        case.require(Purpose::Traction).map_err(Unsolved::refused)?;
         let bearing = case.bearing().map_err(Unsolved::refused)?;
         let point = case.operating_point();
         let indices = self.grid.indices(row);
@@ -78,7 +80,7 @@ fn rolls(solution: &Solution) -> bool {
 /// Whether the neighbour's patch rule, which a warm start takes over, is good enough here.
 fn within_target(solution: &Solution, point: &OperatingPoint) -> bool {
     match point.patch {
-        PatchRule::TargetError { relative } => solution.patch_error_estimate.is_some_and(|e| e <= relative),
+        Some(PatchRule::TargetError { relative }) => solution.patch_error_estimate.is_some_and(|e| e <= relative),
         _ => true,
     }
 }

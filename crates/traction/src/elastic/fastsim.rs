@@ -5,7 +5,7 @@ use super::elasticity::TangentialElasticity;
 use super::grid::{Fastsim, Node};
 use crate::strips::panels;
 use crate::{Fall, TractionLaw};
-use crate::{MomentArm, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipCurve, SlipField};
+use crate::{Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipCurve, SlipField};
 use num_dual::Dual64;
 
 /// The traction of a patch whose surfaces give way tangentially: [`crate::patch_traction`] with the true slip in place
@@ -17,7 +17,7 @@ use num_dual::Dual64;
 /// Steel at a creep of 1e-4 carries far less than the friction bound, which rigid surfaces reach at any creep:
 /// ```
 /// use tribodyn_traction::{
-///     Coating, CoatingLaw, Fastsim, FastsimRule, MomentArm, Patch, PatchLaw, PressureChoice, RelativeMotion, SlipUnit,
+///     Coating, CoatingLaw, Fastsim, FastsimRule, Patch, PatchLaw, PressureChoice, RelativeMotion, SlipUnit,
 ///     TangentialElasticity, elastic_patch_traction,
 /// };
 ///
@@ -27,7 +27,6 @@ use num_dual::Dual64;
 ///     peak_pressure: 2e9,
 ///     ball_radius: 0.015,
 ///     surface_radius: f64::INFINITY,
-///     moment_arm: MomentArm::Curved,
 /// };
 /// let speed = 60.0;
 /// let motion =
@@ -68,7 +67,7 @@ pub fn elastic_patch_traction<D: Scalar, L: TractionLaw>(
     sum.scaled(patch.peak_pressure * patch.semi_lateral * patch.semi_rolling)
 }
 
-/// What the strips of a patch have in common.
+/// Values that the strips of a patch have in common.
 struct Strips<'a, D, L> {
     grid: &'a Fastsim,
     law: &'a PatchLaw<'a, L>,
@@ -94,7 +93,7 @@ struct StripSums<D> {
 /// A law at one pressure in the scalar, and in dual numbers for the cell's root.
 type Frictions<D, L> = (Friction<<L as TractionLaw>::Curve<D>, D>, Friction<<L as TractionLaw>::Curve<Dual64>, Dual64>);
 
-/// What passes from cell to cell.
+/// State that passes from cell to cell.
 struct March<D> {
     /// Traction over the strip's peak pressure, here and one cell before.
     traction: [[D; 2]; 2],
@@ -216,7 +215,7 @@ impl<D: Scalar> StripSums<D> {
     fn add_to(&self, sum: &mut PatchTraction<D>, patch: &Patch<D>, y: D, share: D) {
         let [fx, fy] = self.force.map(|f| f * share);
         let lateral = y * patch.semi_lateral;
-        let flatness = if patch.moment_arm == MomentArm::Curved { 0.5 / patch.surface_radius } else { 0.0 };
+        let flatness = 0.5 / patch.surface_radius;
         let arm = D::from(patch.ball_radius) - lateral * lateral * flatness;
         sum.force_rolling += fx;
         sum.force_lateral += fy;

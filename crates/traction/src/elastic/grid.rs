@@ -5,7 +5,7 @@ use crate::quadrature::gauss_legendre;
 use fearless_simd::Level;
 use std::f64::consts::PI;
 
-/// How finely the patch is divided.
+/// Division of the patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FastsimRule {
     /// Strips (Gauss–Legendre nodes) across the groove in each panel between zeros of the longitudinal slip.

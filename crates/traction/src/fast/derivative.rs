@@ -16,8 +16,7 @@ pub struct PatchDerivative {
     pub traction: PatchTraction,
     /// Derivatives of (force_rolling, force_lateral, moment_normal, moment_lateral, moment_rolling), by row, with
     /// respect to (rolling, lateral, spin, about_lateral, about_rolling) of the motion: the outputs that do work on the
-    /// inputs. N s/m, N s, N m s. Symmetric for [`crate::MomentArm::Curved`], and negative semidefinite where κ rises
-    /// with slip.
+    /// inputs. N s/m, N s, N m s. Symmetric, and negative semidefinite where κ rises with slip.
     pub by_motion: [[f64; 5]; 5],
     /// Derivatives with respect to the contact load in N, with semi-axes and peak pressure as its cube root, and the
     /// curve by its slope over pressure.
@@ -199,24 +198,19 @@ impl<S: Simd> Sums<'_, S> {
 /// Σ w k X^i Y^j of one entry of K, under the names of their powers.
 struct Moments<'a> {
     patch: &'a Patch,
-    /// y²/(2R_c) over Y² in the slip field and in the arm, m.
-    bow: [f64; 2],
+    /// y²/(2R_c) over Y², m.
+    bow: f64,
 }
 
 impl Moments<'_> {
-    /// Sum with the height h of the slip field, from the sums with 1 and Y².
+    /// Sum with the height h of the contact, from the sums with 1 and Y².
     fn height(&self, one: f64, y2: f64) -> f64 {
-        self.patch.ball_radius * one - self.bow[0] * y2
+        self.patch.ball_radius * one - self.bow * y2
     }
 
-    /// Sum with the moment's arm.
-    fn arm(&self, one: f64, y2: f64) -> f64 {
-        self.patch.ball_radius * one - self.bow[1] * y2
-    }
-
-    /// Sum with both.
-    fn both(&self, [one, y2, y4]: [f64; 3]) -> f64 {
-        self.arm(self.height(one, y2), self.height(y2, y4))
+    /// Sum with its square.
+    fn squared(&self, [one, y2, y4]: [f64; 3]) -> f64 {
+        self.height(self.height(one, y2), self.height(y2, y4))
     }
 }
 
@@ -247,8 +241,7 @@ pub(super) fn assemble(
     PatchDerivative { traction, by_motion, by_load, by_rolling_speed }
 }
 
-/// −p a b λ Σ w Jᵀ K J with (u, v) = J motion: J_u = (1, 0, −y, h, 0), J_v = (0, 1, x, 0, −h), the arm in place of h on
-/// the left.
+/// −p a b λ Σ w Jᵀ K J with (u, v) = J motion: J_u = (1, 0, −y, h, 0), J_v = (0, 1, x, 0, −h).
 fn stiffness(patch: &Patch, scale: f64, sums: &[f64; SUMS]) -> [[f64; 5]; 5] {
     let (a, b) = (patch.semi_lateral, patch.semi_rolling);
     let k11: [f64; 5] = std::array::from_fn(|i| sums[8 + i]);
@@ -260,14 +253,13 @@ fn stiffness(patch: &Patch, scale: f64, sums: &[f64; SUMS]) -> [[f64; 5]; 5] {
     let turn_v = [b * k22_x - a * k12_1, b * k22_xy2 - a * k12_3];
     let turn = a * a * k11[2] - 2.0 * a * b * k12_xy + b * b * k22_xx;
     let (h11, h12, h22) = (m.height(k11[0], k11[2]), m.height(k12_0, k12_2), m.height(k22_0, k22_2));
-    let (g11, g12, g22) = (m.arm(k11[0], k11[2]), m.arm(k12_0, k12_2), m.arm(k22_0, k22_2));
-    let both12 = m.both([k12_0, k12_2, k12_4]);
+    let both12 = m.squared([k12_0, k12_2, k12_4]);
     let rows = [
         [k11[0], k12_0, turn_u[0], h11, -h12],
         [k12_0, k22_0, turn_v[0], h12, -h22],
         [turn_u[0], turn_v[0], turn, m.height(turn_u[0], turn_u[1]), -m.height(turn_v[0], turn_v[1])],
-        [g11, g12, m.arm(turn_u[0], turn_u[1]), m.both([k11[0], k11[2], k11[4]]), -both12],
-        [-g12, -g22, -m.arm(turn_v[0], turn_v[1]), -both12, m.both([k22_0, k22_2, k22_4])],
+        [h11, h12, m.height(turn_u[0], turn_u[1]), m.squared([k11[0], k11[2], k11[4]]), -both12],
+        [-h12, -h22, -m.height(turn_v[0], turn_v[1]), -both12, m.squared([k22_0, k22_2, k22_4])],
     ];
     let factor = -patch.peak_pressure * a * b * scale;
     rows.map(|row| row.map(|entry| factor * entry))
@@ -283,7 +275,7 @@ fn load_slope(patch: &Patch, of: &Scaled, traction: &PatchTraction, sums: &[f64;
     let load = 2.0 / 3.0 * PI * volume;
     let factor = 1.0 / (3.0 * load);
     // The arm falls by twice its bow.
-    let sag = 2.0 * flatness(patch)[1] * volume * of.scale;
+    let sag = 2.0 * flatness(patch) * volume * of.scale;
     PatchTraction {
         force_rolling: factor * (3.0 * traction.force_rolling + slopes.force_rolling),
         force_lateral: factor * (3.0 * traction.force_lateral + slopes.force_lateral),

@@ -22,8 +22,8 @@ pub use derivative::PatchDerivative;
 pub use linear::linear_patch_traction;
 
 use crate::{
-    Kragelskii, MomentArm, Patch, PatchLaw, PatchTraction, PressureChoice, Quadrature, RelativeMotion, SlipField,
-    SlipUnit, TractionError, TractionLaw, patch_traction,
+    Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, Quadrature, RelativeMotion, SlipField, SlipUnit,
+    TractionError, TractionLaw, patch_traction,
 };
 use crate::{PatchRule, patch::LEAST_ROLLING};
 use fearless_simd::{Level, dispatch, f64x4, prelude::*};
@@ -150,10 +150,9 @@ pub(crate) fn total<S: Simd>(v: f64x4<S>) -> f64 {
     (v[0] + v[2]) + (v[1] + v[3])
 }
 
-/// Flatness y²/(2R_c) of the slip field and of the moment's arm over Y², m.
-pub(crate) fn flatness(patch: &Patch) -> [f64; 2] {
-    let bow = patch.semi_lateral * patch.semi_lateral * (0.5 / patch.surface_radius);
-    [bow, if patch.moment_arm == MomentArm::Curved { bow } else { 0.0 }]
+/// Flatness y²/(2R_c) of the contact over Y², m: of the slip field and of the moment's arm.
+pub(crate) fn flatness(patch: &Patch) -> f64 {
+    patch.semi_lateral * patch.semi_lateral * (0.5 / patch.surface_radius)
 }
 
 /// Forces and moments from the sums of [`Values`], whose forces have the sign of the slip.
@@ -161,7 +160,7 @@ pub(crate) fn assemble(patch: &Patch, scale: f64, sums: [f64; 8]) -> PatchTracti
     let (a, b) = (patch.semi_lateral, patch.semi_rolling);
     let load = patch.peak_pressure * a * b;
     let [fx, fy, x_fy, y_fx, y2_fx, y2_fy, power, wear] = sums;
-    let (r, [_, bow]) = (patch.ball_radius, flatness(patch));
+    let (r, bow) = (patch.ball_radius, flatness(patch));
     let factor = load * scale;
     PatchTraction {
         force_rolling: -factor * fx,

@@ -23,7 +23,7 @@ pub(super) struct Block<S: Simd> {
     /// X and the weight of the nodes, row by row.
     pub(super) x: [[f64x4<S>; NODES]; ROWS],
     pub(super) w: [[f64x4<S>; NODES]; ROWS],
-    /// How many of these are in use.
+    /// Number of these in use.
     pub(super) rows: usize,
     pub(super) nodes: usize,
 }

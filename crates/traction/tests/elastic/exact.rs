@@ -3,8 +3,8 @@
 use crate::{Dry, steel};
 use std::f64::consts::PI;
 use tribodyn_traction::{
-    Fastsim, FastsimRule, MomentArm, Patch, PatchLaw, PatchRule, PatchTraction, PressureChoice, Quadrature,
-    RelativeMotion, SlipUnit, TangentialElasticity, elastic_patch_traction, patch_traction,
+    Fastsim, FastsimRule, Patch, PatchLaw, PatchRule, PatchTraction, PressureChoice, Quadrature, RelativeMotion,
+    SlipUnit, TangentialElasticity, elastic_patch_traction, patch_traction,
 };
 
 const FRICTION: f64 = 0.05;
@@ -21,7 +21,6 @@ fn patch() -> Patch {
         peak_pressure: 1119.274e6,
         ball_radius: BALL_RADIUS,
         surface_radius: f64::INFINITY,
-        moment_arm: MomentArm::Curved,
     }
 }
 

@@ -70,7 +70,6 @@ fn identity_first_order_numbers_carry_the_closed_derivatives() {
             peak_pressure: real(p.peak_pressure),
             ball_radius: p.ball_radius,
             surface_radius: p.surface_radius,
-            moment_arm: p.moment_arm,
         };
         let motion = RelativeMotion {
             rolling: real(m.rolling),
@@ -153,7 +152,6 @@ fn dual(contact: &Contact, law: &PatchLaw<'_, CoatingLaw>, grid: &Fastsim, input
         peak_pressure: growth * p.peak_pressure,
         ball_radius: p.ball_radius,
         surface_radius: p.surface_radius,
-        moment_arm: p.moment_arm,
     };
     let v = Dual64::new(contact.rolling_speed, eps(6));
     let t = elastic_patch_traction(&patch, &motion, v, law, &steel(), grid);

@@ -5,9 +5,8 @@ use crate::{Dry, steel};
 use num_dual::Dual64;
 use std::f64::consts::PI;
 use tribodyn_traction::{
-    Fastsim, FastsimRule, MomentArm, Patch, PatchLaw, PatchRule, PatchTraction, PressureChoice, Quadrature,
-    RelativeMotion, SlipUnit, TangentialElasticity, TractionLaw, elastic_patch_traction, fast_elastic_patch_traction,
-    patch_traction,
+    Fastsim, FastsimRule, Patch, PatchLaw, PatchRule, PatchTraction, PressureChoice, Quadrature, RelativeMotion,
+    SlipUnit, TangentialElasticity, TractionLaw, elastic_patch_traction, fast_elastic_patch_traction, patch_traction,
 };
 
 const STILL: RelativeMotion =
@@ -22,14 +21,7 @@ fn per_meter_second<L>(law: &L) -> PatchLaw<'_, L> {
 }
 
 fn patch(semi_lateral: f64, semi_rolling: f64) -> Patch {
-    Patch {
-        semi_lateral,
-        semi_rolling,
-        peak_pressure: 2e9,
-        ball_radius: 0.01508,
-        surface_radius: 0.0155,
-        moment_arm: MomentArm::Curved,
-    }
+    Patch { semi_lateral, semi_rolling, peak_pressure: 2e9, ball_radius: 0.01508, surface_radius: 0.0155 }
 }
 
 fn load(p: &Patch) -> f64 {
@@ -141,7 +133,6 @@ fn limit_rest_and_no_load_are_finite_with_their_derivatives() {
                 peak_pressure: d(p.peak_pressure),
                 ball_radius: p.ball_radius,
                 surface_radius: p.surface_radius,
-                moment_arm: p.moment_arm,
             };
             let zero = d(0.0);
             let motion = RelativeMotion {

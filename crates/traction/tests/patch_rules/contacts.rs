@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use tribodyn_traction::{
-    Coating, CoatingLaw, MomentArm, Patch, PatchLaw, PatchRule, PatchTraction, PressureChoice, Probe, Quadrature,
-    RelativeMotion, SlipField, SlipUnit, TractionError, TractionLaw, patch_traction,
+    Coating, CoatingLaw, Patch, PatchLaw, PatchRule, PatchTraction, PressureChoice, Probe, Quadrature, RelativeMotion,
+    SlipField, SlipUnit, TractionError, TractionLaw, patch_traction,
 };
 
 /// Ball radius, m, and groove radius, m, of the case behind the contacts.
@@ -51,7 +51,6 @@ fn contact(line: &str) -> Contact {
             peak_pressure: number(5),
             ball_radius: BALL_RADIUS,
             surface_radius: 2.0 * BALL_RADIUS * GROOVE_RADIUS / (BALL_RADIUS + GROOVE_RADIUS),
-            moment_arm: MomentArm::Curved,
         },
         motion: RelativeMotion {
             rolling: number(6),

@@ -5,8 +5,8 @@ use crate::contacts::{Contact, contacts, silver};
 use num_dual::Dual64;
 use proptest::prelude::*;
 use tribodyn_traction::{
-    CoatingLaw, MomentArm, Patch, PatchLaw, PatchRule, PatchTraction, PressureChoice, Quadrature, RelativeMotion,
-    Scalar, SlipUnit, patch_traction,
+    CoatingLaw, Patch, PatchLaw, PatchRule, PatchTraction, PressureChoice, Quadrature, RelativeMotion, Scalar,
+    SlipUnit, patch_traction,
 };
 
 const INPUTS: usize = 9;
@@ -32,15 +32,15 @@ const SIZES: [f64; INPUTS] = [4e-3, 5e-4, 2e9, 0.3, 0.3, 300.0, 20.0, 20.0, 60.0
 
 struct Case<'a> {
     law: PatchLaw<'a, CoatingLaw>,
-    surface: (f64, f64, MomentArm),
+    surface: (f64, f64),
     quadrature: Quadrature,
 }
 
 impl Case<'_> {
     fn of<D: Scalar>(&self, x: [D; INPUTS]) -> [D; 7] {
         let [semi_lateral, semi_rolling, peak_pressure, rolling, lateral, spin, about_lateral, about_rolling, v] = x;
-        let (ball_radius, surface_radius, moment_arm) = self.surface;
-        let patch = Patch { semi_lateral, semi_rolling, peak_pressure, ball_radius, surface_radius, moment_arm };
+        let (ball_radius, surface_radius) = self.surface;
+        let patch = Patch { semi_lateral, semi_rolling, peak_pressure, ball_radius, surface_radius };
         let motion = RelativeMotion { rolling, lateral, spin, about_lateral, about_rolling };
         let t: PatchTraction<D> = patch_traction(&patch, &motion, v, &self.law, &self.quadrature);
         [
@@ -83,7 +83,7 @@ fn check(contact: &Contact, at: [f64; INPUTS], rule: PatchRule, slip_unit: SlipU
     let p = &contact.patch;
     let case = Case {
         law: PatchLaw { law: &law, slip_unit, pressure },
-        surface: (p.ball_radius, p.surface_radius, p.moment_arm),
+        surface: (p.ball_radius, p.surface_radius),
         quadrature: Quadrature::new(rule).unwrap(),
     };
     // The largest friction that the contact can have.

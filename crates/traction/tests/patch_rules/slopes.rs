@@ -3,11 +3,11 @@
 use crate::contacts::{Contact, SCALES, contacts, silver};
 use num_dual::{Dual64, DualNum};
 use tribodyn_traction::{
-    CoatingLaw, FastPatch, MomentArm, Patch, PatchDerivative, PatchLaw, PatchRule, PatchTraction, PressureChoice,
-    Quadrature, RelativeMotion, SlipUnit, TractionLaw, patch_traction,
+    CoatingLaw, FastPatch, Patch, PatchDerivative, PatchLaw, PatchRule, PatchTraction, PressureChoice, Quadrature,
+    RelativeMotion, SlipUnit, TractionLaw, patch_traction,
 };
 
-/// What is differentiated: five components of the motion, the load and the rolling speed.
+/// Variables of the derivative: five components of the motion, the load and the rolling speed.
 const INPUTS: usize = 7;
 
 fn outputs<D: Copy>(t: &PatchTraction<D>) -> [D; 7] {
@@ -27,14 +27,13 @@ fn dual(contact: &Contact, law: &PatchLaw<'_, CoatingLaw>, quadrature: &Quadratu
     x[k].eps = 1.0;
     let [rolling, lateral, spin, about_lateral, about_rolling, load_now, rolling_speed] = x;
     let growth = (load_now / load).powf(1.0 / 3.0);
-    let Patch { semi_lateral, semi_rolling, peak_pressure, ball_radius, surface_radius, moment_arm } = contact.patch;
+    let Patch { semi_lateral, semi_rolling, peak_pressure, ball_radius, surface_radius } = contact.patch;
     let patch = Patch {
         semi_lateral: growth * semi_lateral,
         semi_rolling: growth * semi_rolling,
         peak_pressure: growth * peak_pressure,
         ball_radius,
         surface_radius,
-        moment_arm,
     };
     let motion = RelativeMotion { rolling, lateral, spin, about_lateral, about_rolling };
     outputs(&patch_traction(&patch, &motion, rolling_speed, law, quadrature)).map(|d| d.eps)
@@ -98,13 +97,10 @@ fn identity_derivative_of_fixed_nodes_equals_dual_numbers() {
     ] {
         let fast = FastPatch::new(rule).unwrap();
         let mut largest = 0.0f64;
-        for mut contact in SCALES.into_iter().flat_map(contacts) {
+        for contact in SCALES.into_iter().flat_map(contacts) {
             for unit in UNITS {
-                for arm in [MomentArm::Curved, MomentArm::Constant] {
-                    contact.patch.moment_arm = arm;
-                    let law = law(&silver, unit(contact.scale));
-                    largest = largest.max(worst(&contact, &law, &fast, fast.quadrature(), 0..INPUTS));
-                }
+                let law = law(&silver, unit(contact.scale));
+                largest = largest.max(worst(&contact, &law, &fast, fast.quadrature(), 0..INPUTS));
             }
         }
         println!("{rule:?}: {largest:.1e}");

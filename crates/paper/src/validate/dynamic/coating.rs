@@ -76,7 +76,9 @@ fn slips(ag: &Window, ptfe: &Window) -> Vec<Row> {
 /// F21: wear of both races.
 fn wear(set: &Set, ag: &Window, ptfe: &Window) -> Vec<Row> {
     let ratio = ptfe.ball_mean(race_wear) / ag.ball_mean(race_wear);
-    let constant = |case: &tribodyn_case::Case| case.wear.inner.coefficient / case.wear.inner.hardness;
+    let constant = |case: &tribodyn_case::Case| {
+        case.wear.as_ref().map_or(f64::NAN, |wear| wear.inner.coefficient / wear.inner.hardness)
+    };
     let same_hardness = ratio * constant(&set.ag.case) / constant(&set.ptfe.case);
     let zones = [ag, ptfe].map(|w| w.zone_mean(true, race_wear) / w.zone_mean(false, race_wear));
     let slip = |b: &BallSample| SLIP[0](b) + SLIP[1](b);

@@ -42,7 +42,7 @@ pub fn defect_rows(with: &Transient, without: &Transient) -> Result<Vec<Row>, Pa
     defect::rows(with, without)
 }
 
-/// Where no transient runs are made: another case than the paper's.
+/// Reason without transient runs: another case than the paper's.
 pub fn not_yet() -> Vec<Row> {
     let text = "claims of sections 4.3 and 5.2, decided for the paper's case only";
     vec![Row {

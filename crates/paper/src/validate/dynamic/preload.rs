@@ -8,7 +8,7 @@ use tribodyn_dynamics::BallSample;
 
 /// The paper's first impacts, percent of the axial load and degrees.
 const FIRST_IMPACTS: [f64; 4] = [310.0, 290.0, 260.0, 240.0];
-/// Where the first impact is looked for: on the way from light to heavy zone, as the paper sees all of them.
+/// Range in which the first impact is looked for: on the way from light to heavy zone, as the paper sees all of them.
 const RISING_HALF: [f64; 2] = [180.0, 360.0];
 
 /// Least ratio of a value to the one before it, from 25 to 100 %: above 1 it rises all the way.

@@ -19,7 +19,7 @@ const LATERAL: usize = 3;
 const LOAD: usize = 4;
 const ROLLING: usize = 5;
 
-/// What the derivative is taken of.
+/// Quantities of which the derivative is taken.
 #[derive(Clone, Copy)]
 pub(super) struct Inputs<'a> {
     pub(super) patch: &'a Patch,
@@ -52,7 +52,6 @@ impl Inputs<'_> {
             peak_pressure: tau * p.peak_pressure,
             ball_radius: p.ball_radius,
             surface_radius: p.surface_radius,
-            moment_arm: p.moment_arm,
         }
     }
 
@@ -129,14 +128,14 @@ impl<'a> Sums<'a> {
     /// Forces, moments (in the order of [`PatchDerivative::by_motion`]), power and wear of a strip's sums.
     fn outputs(&self, y: f64, [fx, fy, x_fy, power, wear]: [f64; 5]) -> [f64; 7] {
         let p = self.inputs.patch;
-        let arm = p.ball_radius - flatness(p)[1] * y * y;
+        let arm = p.ball_radius - flatness(p) * y * y;
         [-fx, -fy, p.semi_lateral * y * fx - p.semi_rolling * x_fy, -arm * fx, arm * fy, power, wear]
     }
 
     fn strip(&mut self, y: f64, sums: [f64; 5], changes: [[f64; 5]; CHANGES]) {
         let p = self.inputs.patch;
-        let [bow, sag] = flatness(p).map(|bow| bow * y * y);
-        let height = p.ball_radius - bow;
+        let sag = flatness(p) * y * y;
+        let height = p.ball_radius - sag;
         let values = self.outputs(y, sums);
         let changes = changes.map(|change| self.outputs(y, change));
         let [by_lateral, by_spin] = self.lateral_yielding;

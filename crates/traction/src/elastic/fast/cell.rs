@@ -122,7 +122,7 @@ impl<S: Simd> Cell<S> {
         self.found = [lanes(0.0); 2];
     }
 
-    /// Whether every lane has its root.
+    /// True when every lane has its root.
     #[inline(always)]
     pub(super) fn is_done(&self) -> bool {
         self.done.all_true()

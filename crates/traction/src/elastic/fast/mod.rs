@@ -192,7 +192,7 @@ fn varying(x: f64) -> Dual64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FastsimRule, MomentArm};
+    use crate::FastsimRule;
     use fearless_simd::Level;
 
     #[test]
@@ -203,7 +203,6 @@ mod tests {
             peak_pressure: 2.1e9,
             ball_radius: 0.01508,
             surface_radius: 0.0155,
-            moment_arm: MomentArm::Curved,
         };
         let curve = Kragelskii { a: -0.124, b: 0.079, c: 0.698 };
         let slope = Kragelskii { a: 1e-11, b: -2e-11, c: -1e-10 };

@@ -1,4 +1,4 @@
-//! What all strips of a patch share, worked out once.
+//! Values that all strips of a patch share, worked out once.
 
 use crate::elastic::TangentialElasticity;
 use crate::elastic::cell::MEMORY;

@@ -1,9 +1,8 @@
 //! The parts of a case file that only a transient run needs: supports, defects, the run itself and its recording.
 
-use super::CurveSpec;
-use super::units;
-use serde::{Deserialize, Serialize};
-use tribodyn_bearing::Side;
+use crate::units;
+use serde::Deserialize;
+use tribodyn_bearing::{Scheme, Side, Start};
 
 /// Masses and supports of the rings.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -31,23 +30,6 @@ pub struct SupportSpec<const N: usize> {
     pub damping: [f64; N],
 }
 
-/// A land that guides the cage: the fluid in its gap turns the cage with the ring or holds it back.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct GuidanceSpec {
-    /// The ring whose land it is.
-    pub land: Side,
-    /// Radius of the land, m.
-    #[serde(deserialize_with = "units::length")]
-    pub radius: f64,
-    /// Width of the land, m.
-    #[serde(deserialize_with = "units::length")]
-    pub width: f64,
-    /// Radial gap between land and cage, m.
-    #[serde(deserialize_with = "units::length")]
-    pub gap: f64,
-}
-
 /// A local defect of a raceway: a pit over an azimuth sector of the ring, where the coating may be gone.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -67,14 +49,6 @@ pub struct DefectSpec {
     pub bare: f64,
 }
 
-/// How bare, uncoated steel slides: what a worn or pitted coating leaves.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct BareSpec {
-    /// Traction curve data.
-    pub curve: CurveSpec,
-}
-
 /// The transient run.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -82,46 +56,40 @@ pub struct TransientSpec {
     /// Simulated time, s.
     #[serde(deserialize_with = "units::time")]
     pub duration: f64,
-    /// Where the run starts.
-    pub start: StartSpec,
+    /// The state from which the run starts.
+    #[serde(with = "StartDef")]
+    pub start: Start,
     /// Time stepping.
-    pub scheme: SchemeSpec,
+    #[serde(with = "SchemeDef")]
+    pub scheme: Scheme,
     /// Damping of the ball–race contacts along their normals as a fraction of the critical one, ζ in c = 2ζ sqrt(m dQ/dδ).
     pub contact_damping: f64,
     /// Factor on all wear rates in what they do to coating and grooves, 0 for races that do not change during the run.
     pub wear_acceleration: f64,
 }
 
-/// Where a transient run starts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum StartSpec {
-    /// From the quasi-static solution at the loads and speeds of time 0.
+/// [`Start`] as a file has it.
+#[derive(Deserialize)]
+#[serde(remote = "Start")]
+enum StartDef {
     QuasiStatic,
-    /// From a standstill: rings, cage and balls at rest under the loads of time 0.
     Rest,
 }
 
-/// Time stepping.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub enum SchemeSpec {
-    /// The classical Runge–Kutta method of fourth order, the paper's at 1e-5 s.
+/// [`Scheme`] as a file has it.
+#[derive(Deserialize)]
+#[serde(remote = "Scheme", deny_unknown_fields)]
+enum SchemeDef {
     RungeKutta4 {
-        /// Step, s.
         #[serde(deserialize_with = "units::time")]
         step: f64,
     },
-    /// The embedded pair 5(4) of Dormand and Prince.
     DormandPrince {
-        /// Largest error of a step relative to the typical size of each unknown.
         tolerance: f64,
-        /// Longest step, s.
         #[serde(deserialize_with = "units::time")]
         longest: f64,
     },
-    /// The fast fixed-step scheme: contact springs explicit, the friction of spin and orbit linearly implicit.
     Fast {
-        /// Step, s.
         #[serde(deserialize_with = "units::time")]
         step: f64,
     },

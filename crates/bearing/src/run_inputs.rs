@@ -1,0 +1,194 @@
+//! All that a transient run is made of. It stands below the solvers, so that case files can give it without them.
+
+use crate::bearing::Bearing;
+use crate::history::{RingLoads, SpeedHistory};
+use crate::operation::{Cage, OperatingPoint, SolverSettings};
+use crate::races::{Races, Side};
+use tribodyn_traction::PatchRule;
+use tribodyn_wear::Defect;
+
+/// A bearing with what loads, holds and drives it over time, SI.
+#[derive(Debug, Clone)]
+pub struct RunInputs {
+    /// The bearing, with traction laws on its races.
+    pub bearing: Bearing,
+    /// What each degree of freedom of the inner ring carries over time, or where it is held.
+    pub ring: RingLoads,
+    /// Rotational speeds of the rings.
+    pub speeds: Races<SpeedHistory>,
+    /// The cage.
+    pub cage: MovingCage,
+    /// Masses and supports of the rings.
+    pub supports: Supports,
+    /// Coatings of the races when the run starts.
+    pub coatings: Races<CoatingState>,
+    /// Local defects of the races.
+    pub defects: Races<Vec<Defect>>,
+    /// Quadrature over the contact patches.
+    pub patch: PatchRule,
+    /// Settings of the quasi-static solution at the start.
+    pub numerics: SolverSettings,
+    /// Duration, scheme and samples.
+    pub options: RunOptions,
+}
+
+impl RunInputs {
+    /// A run of races without defects, of whose coatings no thickness is known: nothing wears through. The patch rule keeps
+    /// its error below 1e-5 of the load, at which accelerations settle.
+    pub fn new(
+        bearing: Bearing,
+        (ring, speeds): (RingLoads, Races<SpeedHistory>),
+        cage: MovingCage,
+        supports: Supports,
+        options: RunOptions,
+    ) -> Self {
+        let bare = CoatingState { thickness: 0.0, worn: 0.0 };
+        Self {
+            bearing,
+            ring,
+            speeds,
+            cage,
+            supports,
+            coatings: Races { inner: bare, outer: bare },
+            defects: Races::default(),
+            patch: PatchRule::TargetError { relative: 1e-5 },
+            numerics: SolverSettings::default(),
+            options,
+        }
+    }
+
+    /// The operating point with the loads and speeds of a time in s.
+    pub fn operating_point_at(&self, time: f64) -> OperatingPoint {
+        OperatingPoint {
+            ring: self.ring.at(time),
+            inner_speed: self.speeds.inner.at(time),
+            outer_speed: self.speeds.outer.at(time),
+            patch: Some(self.patch),
+            cage: Some(self.cage.pockets),
+            numerics: self.numerics,
+        }
+    }
+}
+
+/// A cage that turns about the bearing's axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MovingCage {
+    /// Pockets and the drag on the cage.
+    pub pockets: Cage,
+    /// Friction coefficient between ball and pocket.
+    pub pocket_friction: f64,
+    /// Damping of the pocket contact χ in F = K δ (1 + χ δ̇) (Hunt and Crossley), s/m.
+    pub pocket_damping: f64,
+    /// Moment of inertia about the bearing's axis, kg m².
+    pub inertia: f64,
+    /// The land that guides the cage; absent for a cage that the balls alone guide.
+    pub guidance: Option<GuidingLand>,
+}
+
+/// A land that guides the cage: the fluid in its gap turns the cage with the ring or holds it back.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GuidingLand {
+    /// The ring whose land it is.
+    pub side: Side,
+    /// Radius of the land, m.
+    pub radius: f64,
+    /// Width of the land, m.
+    pub width: f64,
+    /// Radial gap between land and cage, m.
+    pub gap: f64,
+}
+
+/// Masses and supports of the rings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Supports {
+    /// Inner ring with what turns with it: three translations.
+    pub inner: Support<3>,
+    /// Outer ring with its housing: the two radial translations.
+    pub outer: Support<2>,
+}
+
+/// Mass of a ring and the springs and dampers between it and the frame, along x, y (and z). The springs are without
+/// stretch at the quasi-static solution of the starting loads, except that those of the outer ring carry its load there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Support<const N: usize> {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Stiffness, N/m.
+    pub stiffness: [f64; N],
+    /// Damping constant, N s/m.
+    pub damping: [f64; N],
+}
+
+/// The coating of a race at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoatingState {
+    /// Thickness when new, m.
+    pub thickness: f64,
+    /// Part of the thickness that is worn off, 0 to 1.
+    pub worn: f64,
+}
+
+/// Duration, start, scheme and samples of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RunOptions {
+    /// Simulated time, s.
+    pub duration: f64,
+    /// The state from which it starts.
+    pub start: Start,
+    /// Time stepping.
+    pub scheme: Scheme,
+    /// Damping of the ball–race contacts along their normals as a fraction of the critical one, ζ in c = 2ζ sqrt(m dQ/dδ).
+    pub contact_damping: f64,
+    /// Factor on all wear rates in what they do to coating and grooves, 0 for races that do not change during the run.
+    pub wear_acceleration: f64,
+    /// Samples of rings, cage and powers, Hz.
+    pub state_rate: f64,
+    /// Samples of every ball, Hz.
+    pub ball_rate: f64,
+}
+
+impl RunOptions {
+    /// From the quasi-static solution, races as they are, states at the 25.6 kHz of test rigs and balls at a fifth of it.
+    pub fn new(duration: f64, scheme: Scheme, contact_damping: f64) -> Self {
+        Self {
+            duration,
+            start: Start::QuasiStatic,
+            scheme,
+            contact_damping,
+            wear_acceleration: 0.0,
+            state_rate: 25_600.0,
+            ball_rate: 5_120.0,
+        }
+    }
+}
+
+/// The state from which a transient run starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Start {
+    /// The quasi-static solution at the loads and speeds of time 0.
+    QuasiStatic,
+    /// A standstill: rings, cage and balls at rest under the loads of time 0.
+    Rest,
+}
+
+/// Time stepping.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Scheme {
+    /// The classical Runge–Kutta method of fourth order.
+    RungeKutta4 {
+        /// Step, s.
+        step: f64,
+    },
+    /// The embedded pair 5(4) of Dormand and Prince.
+    DormandPrince {
+        /// Largest error of a step relative to the typical size of each unknown.
+        tolerance: f64,
+        /// Longest step, s.
+        longest: f64,
+    },
+    /// The fast fixed-step scheme: contact springs explicit, the friction of spin and orbit linearly implicit.
+    Fast {
+        /// Step, s.
+        step: f64,
+    },
+}

@@ -1,0 +1,60 @@
+//! What the surfaces of a bearing do to each other: traction laws and wear.
+
+use crate::bearing::Bearing;
+use crate::races::{Races, Side};
+use tribodyn_traction::{Law, PatchLaw, PressureChoice, SlipUnit};
+use tribodyn_wear::Archard;
+
+/// Traction and wear of the contacts. A bearing without it is enough for Jones–Harris, whose contacts carry normal loads
+/// only.
+#[derive(Debug, Clone)]
+pub struct Tribology {
+    /// Traction law of the coating on each race.
+    pub laws: Races<Law>,
+    /// Traction law of the bare steel under the coatings, where one is known.
+    pub bare_law: Option<Law>,
+    /// True if the deformed contact is curved across the groove, so that it has differential (Heathcote) slip. Read when the
+    /// bearing is made.
+    pub differential_slip: bool,
+    /// Unit of the slip axis.
+    pub slip_unit: SlipUnit,
+    /// Pressure at which the curve is taken.
+    pub pressure_choice: PressureChoice,
+    /// Wear of the races.
+    pub wear: Races<Archard>,
+    /// Wear of the cage.
+    pub wear_cage: Archard,
+}
+
+impl Tribology {
+    /// One coating on both races, sheared at the peak pressure of each contact and with differential slip, and one wear
+    /// constant for races and cage.
+    pub fn of_one(law: Law, slip_unit: SlipUnit, wear: Archard) -> Self {
+        Self {
+            laws: Races { inner: law.clone(), outer: law },
+            bare_law: None,
+            differential_slip: true,
+            slip_unit,
+            pressure_choice: PressureChoice::Peak,
+            wear: Races { inner: wear, outer: wear },
+            wear_cage: wear,
+        }
+    }
+
+    /// A traction law with the choices of the bearing.
+    pub fn patch_law<'a>(&self, law: &'a Law) -> PatchLaw<'a, Law> {
+        PatchLaw { law, slip_unit: self.slip_unit, pressure: self.pressure_choice }
+    }
+}
+
+impl Bearing {
+    /// Wear rate of a race, m³/s, from the wear integral of its patch; 0 where nothing is known of the surfaces.
+    pub fn wear_rate(&self, side: Side, wear_integral: f64) -> f64 {
+        self.tribology.as_ref().map_or(0.0, |t| t.wear[side].rate(wear_integral))
+    }
+
+    /// Wear rate of a pocket, m³/s, from pocket force times sliding speed, W.
+    pub fn pocket_wear_rate(&self, sliding_power: f64) -> f64 {
+        self.tribology.as_ref().map_or(0.0, |t| t.wear_cage.rate(sliding_power))
+    }
+}
