@@ -1,11 +1,11 @@
-//! What several commands have in common: case files with changes, limits on what files may ask for, what may be replaced.
+//! Arguments of several commands: case files with changes, limits on what files may ask for, permission to replace.
 
 use crate::failure::Failure;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tribodyn_study::{CaseFile, Change, Limits, Ours, StudyError};
 
-/// What a file may ask for.
+/// Limits on what a file may ask for.
 #[derive(clap::Args)]
 pub struct LimitArguments {
     /// Lift the limits on what a file may ask for: balls, nodes, steps, sizes. Without them it can fill the memory
@@ -19,7 +19,7 @@ impl LimitArguments {
     }
 }
 
-/// What may be replaced.
+/// Permission to replace.
 #[derive(clap::Args)]
 pub struct ReplaceArguments {
     /// Replace files that stand in the way, whoever wrote them; otherwise only those that tribodyn wrote

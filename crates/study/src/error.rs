@@ -123,7 +123,7 @@ pub enum StudyError {
     NotOurs {
         /// The file.
         path: PathBuf,
-        /// What may be replaced.
+        /// Kind of file that may be replaced.
         wanted: &'static str,
     },
     /// An earlier run that would be lost.

@@ -26,7 +26,7 @@ pub(crate) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
 /// dropped, with the folders that were made for it.
 pub struct StagedFiles {
     folder: PathBuf,
-    /// Whether files of other makers are replaced too.
+    /// True if files of other makers are replaced too.
     force: bool,
     files: Vec<(PathBuf, TemporaryFile)>,
     made: Vec<PathBuf>,

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{Read, Result, Seek, SeekFrom};
 use std::path::Path;
 
-/// What a file of ours holds.
+/// The content of a file of ours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ours {
     /// A recording (MCAP).
@@ -28,7 +28,7 @@ const SVG: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
 const PAGE: &str = "<meta name=\"generator\" content=\"tribodyn\">";
 
 impl Ours {
-    /// What the file at a path holds if tribodyn wrote it, told by its content; none for a file of anybody else's.
+    /// The content of the file at a path if tribodyn wrote it, told by its bytes; none for a file of anybody else's.
     ///
     /// # Errors
     /// The file cannot be read.
@@ -54,7 +54,7 @@ impl Ours {
         })
     }
 
-    /// What another file is by its beginning alone; none where there is none.
+    /// The kind of another file by its beginning alone; none where there is none.
     fn of_text(path: &Path) -> Option<Self> {
         let mut head = Vec::new();
         File::open(path).ok()?.take(LOOK).read_to_end(&mut head).ok()?;
@@ -81,7 +81,7 @@ fn told(text: &str) -> Option<Ours> {
     }
 }
 
-/// Whether the header of an MCAP file names one of our writers.
+/// True if the header of an MCAP file names one of our writers.
 fn recorded(head: &[u8]) -> bool {
     // Opcode and length, then profile and library, each with its length.
     let text_at = |at: usize| {

@@ -58,7 +58,7 @@ const WRITTEN: usize = 10;
 /// Stack of the thread that reads, bytes: that of the threads of the standard library.
 const STACK: usize = 2 << 20;
 
-/// What a target came to.
+/// The outcome of a target.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct Tried {
     pub target: &'static str,
@@ -247,7 +247,7 @@ fn peak() -> Option<u64> {
 mod tests {
     use super::*;
 
-    /// What once did harm, or could, is read by its target without a panic and in no time; so are some thousand changes.
+    /// An input that once did harm, or could, is read by its target without a panic and in no time; so are some thousand changes.
     #[test]
     fn limit_the_kept_inputs_and_some_of_their_changes_do_no_harm() {
         for target in Target::ALL {

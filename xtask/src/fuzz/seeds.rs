@@ -68,7 +68,7 @@ pub fn of(target: Target) -> Result<Vec<Vec<u8>>, Failure> {
     Ok(seeds)
 }
 
-/// What is kept of a target in `fixtures/fuzz`: the smallest inputs of each kind that once did harm, or could.
+/// The inputs of a target in `fixtures/fuzz`: the smallest inputs of each kind that once did harm, or could.
 pub fn kept(target: Target) -> Result<Vec<Vec<u8>>, Failure> {
     let path = files::root().join("fixtures/fuzz").join(target.name());
     if path.exists() { folder(&path, "") } else { Ok(Vec::new()) }

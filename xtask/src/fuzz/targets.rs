@@ -1,4 +1,4 @@
-//! What reads files and messages from elsewhere, each as a function of bytes that must neither panic nor take long.
+//! Readers of files and messages from elsewhere, each as a function of bytes that must neither panic nor take long.
 
 use super::mutate::Form;
 use super::seeds;
@@ -189,7 +189,7 @@ fn reader(input: &[u8]) -> u64 {
         ^ kind(&(items.min(8), damage.chunks_bad.min(3), damage.bytes_lost > 0, damage.truncated, damage.summary_bad))
 }
 
-/// What is recovered is whole: it is recovered again, without damage and with as many messages.
+/// A recovered recording is whole: it is recovered again, without damage and with as many messages.
 fn recovery(input: &[u8]) -> u64 {
     match recover_stream(Cursor::new(input), Cursor::new(Vec::new())) {
         Ok((done, whole)) => {

@@ -116,7 +116,7 @@ fn limit_a_full_disk_under_standard_output_is_a_failure() {
     assert!(String::from_utf8(output.stderr).unwrap().contains("cannot write the answer"));
 }
 
-/// What stands at the path of an output is replaced where tribodyn wrote such a file, and otherwise with `--force` only.
+/// An output replaces a file of its kind that tribodyn wrote, and any other with `--force` only.
 #[test]
 fn limit_an_output_replaces_nothing_of_others() {
     let scratch = Scratch::new();
@@ -157,7 +157,7 @@ fn limit_figures_replace_nothing_of_others() {
     assert_eq!(names(&folder).len(), 10);
 }
 
-/// What stands under the name of a temporary file is not written through.
+/// A link under the name of a temporary file is not written through.
 #[cfg(unix)]
 #[test]
 fn limit_a_link_under_a_temporary_name_leads_nowhere() {

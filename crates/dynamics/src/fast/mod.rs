@@ -271,7 +271,7 @@ impl Fast {
         [self.friction.len(), self.contacts.len(), self.drift.len(), self.common.len(), self.given_back.len()]
     }
 
-    /// Whether accelerations of the drift are there.
+    /// True once accelerations of the drift are there.
     pub fn is_ready(&self) -> bool {
         self.ready
     }

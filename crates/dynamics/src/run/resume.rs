@@ -132,7 +132,7 @@ impl Run {
         Ok(())
     }
 
-    /// What the schemes remember is finite, and what was worn off was there.
+    /// The memory of the schemes is finite, and the wear is not below zero.
     fn check_memory(&self, c: &Checkpoint) -> Result<(), DynamicsError> {
         let rate = c.stiffness.contact_frequency_hz;
         if !(0.0..=HIGHEST_HZ).contains(&rate) {

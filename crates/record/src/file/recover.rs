@@ -23,7 +23,7 @@ pub struct Recovered {
     pub messages_lost: u64,
     /// Log time of the last message, ns since the Unix epoch.
     pub last_time_ns: u64,
-    /// What is wrong with the original.
+    /// Damage of the original.
     pub damage: Damage,
 }
 

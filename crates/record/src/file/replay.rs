@@ -155,7 +155,7 @@ impl<R: Read + Seek> RunReader<R> {
         Self { balls: false, ..self }
     }
 
-    /// What was found wrong with the file so far; final once all items are read.
+    /// Damage found so far; final once all items are read.
     pub fn damage(&self) -> Damage {
         self.scanner.damage()
     }
@@ -267,7 +267,7 @@ pub struct Run {
     pub wear: Vec<WearRow>,
     /// The log.
     pub events: Vec<LogRow>,
-    /// What is wrong with the file; of a run that was killed or is still going on it is truncated.
+    /// Damage of the file; that of a run that was killed or is still going on is truncated.
     pub damage: Damage,
 }
 

@@ -14,7 +14,7 @@ const MOST: usize = 100;
 pub struct TemporaryFile {
     path: PathBuf,
     file: File,
-    /// Whether it has its own name.
+    /// True once it has its own name.
     published: bool,
 }
 
@@ -22,7 +22,7 @@ impl TemporaryFile {
     /// Creates the file beside `target`, which need not exist.
     ///
     /// # Errors
-    /// What the system says; a path without a file name is no target.
+    /// That of the system; a path without a file name is no target.
     pub fn beside(target: &Path) -> io::Result<Self> {
         let Some(name) = target.file_name() else {
             return Err(io::ErrorKind::InvalidInput.into());
@@ -57,7 +57,7 @@ impl TemporaryFile {
     /// Gives it its name, replacing what stands there, once its bytes are on the disk: they survive a power cut from then on.
     ///
     /// # Errors
-    /// What the system says; the temporary file is removed then.
+    /// That of the system; the temporary file is removed then.
     pub fn publish(self, target: &Path) -> io::Result<()> {
         self.file.sync_all()?;
         self.rename(target)?;
@@ -71,7 +71,7 @@ impl TemporaryFile {
     /// is made again in a moment.
     ///
     /// # Errors
-    /// What the system says; the temporary file is removed then.
+    /// That of the system; the temporary file is removed then.
     pub fn rename(mut self, target: &Path) -> io::Result<()> {
         fs::rename(&self.path, target)?;
         self.published = true;

@@ -86,7 +86,7 @@ const LONGEST_S: f64 = 1e9;
 const MOST_EVENTS: f64 = 1e15;
 
 impl RecorderMemory {
-    /// Whether a recorder of so many balls can remember this: it may come from a file.
+    /// Refuses a memory that no recorder of so many balls has: it may come from a file.
     fn check(&self, balls: usize) -> Result<(), RecordError> {
         let found = self.motion.balls();
         if found != balls {

@@ -22,7 +22,7 @@ pub(crate) struct ChunkHead {
     pub(crate) compressed_size: u64,
 }
 
-/// What could be had of a chunk that was cut off or is damaged.
+/// The beginning of a chunk that was cut off or is damaged.
 pub(crate) struct Tail {
     /// Whole records.
     pub(crate) bytes: Vec<u8>,
@@ -76,7 +76,7 @@ impl ChunkHead {
     /// The content, if it has the size and the checksum that the head names.
     ///
     /// # Errors
-    /// What stands before the fault, where the fault can be placed: where zstd stops, or where records of content that is
+    /// The records before the fault, where the fault can be placed: where zstd stops, or where records of content that is
     /// not compressed no longer fit each other. Wrong content that decompresses may be wrong anywhere, so nothing of it is
     /// taken.
     pub(crate) fn content(&self, compressed: &[u8]) -> Result<Vec<u8>, Tail> {

@@ -31,7 +31,7 @@ const FOOTER_LENGTH: u64 = 20;
 /// Bytes that are read at once where there is no record to tell how many.
 const WINDOW: u64 = 1 << 20;
 
-/// What is wrong with a file.
+/// Damage of a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 pub struct Damage {
     /// Chunks whose checksum, lengths or compression are wrong, and chunks with records that cannot be read.
@@ -44,15 +44,15 @@ pub struct Damage {
     pub messages_unchecked: u64,
     /// Whether the file ends before its end mark.
     pub truncated: bool,
-    /// Whether the summary at the end cannot be used: it does not fit its checksum, or is not where the file says.
+    /// True if the summary at the end cannot be used: it does not fit its checksum, or is not where the file says.
     pub summary_bad: bool,
-    /// Whether the data do not have the checksum that stands at their end. With no other damage it is metadata or the
+    /// True if the data do not have the checksum that stands at their end. With no other damage it is metadata or the
     /// head of a chunk that was altered.
     pub checksum_bad: bool,
 }
 
 impl Damage {
-    /// Whether the file is whole and every checksum that it has fits.
+    /// True for a file that is whole and whose checksums all fit.
     pub fn is_none(&self) -> bool {
         *self == Self::default()
     }
@@ -245,7 +245,7 @@ impl<R: Read + Seek> Scanner<R> {
         }
     }
 
-    /// What stands before a fault, counted.
+    /// The piece before a fault, its messages counted.
     fn unchecked(&mut self, bytes: Vec<u8>) -> Option<Piece> {
         let piece = Piece { bytes };
         let messages = piece.records().filter(|record| matches!(record, Record::Message { .. })).count();

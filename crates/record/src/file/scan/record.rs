@@ -154,7 +154,7 @@ pub(crate) fn parse(code: u8, body: &[u8]) -> Option<Record<'_>> {
     (fields.left() == 0).then_some(record)
 }
 
-/// Whether a record among the data is of a kind that nobody here reads, or one of those above and sound.
+/// True for a record among the data that is of a kind that nobody here reads, or one of those above and sound.
 pub(crate) fn is_sound(code: u8, body: &[u8]) -> bool {
     match code {
         opcode::SCHEMA | opcode::CHANNEL | opcode::MESSAGE | opcode::ATTACHMENT | opcode::METADATA => {
