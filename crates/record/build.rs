@@ -2,7 +2,13 @@
 //! the two cannot disagree. `protox` is a compiler written in Rust: nothing has to be installed.
 
 use prost::Message;
+use prost_types::field_descriptor_proto::{Label, Type};
+use prost_types::{DescriptorProto, FileDescriptorSet};
+use std::fmt::Write;
 use std::{env, error::Error, fs, path::PathBuf};
+
+/// Messages whose numbers are filled and read by their names.
+const BY_NAME: [&str; 3] = ["Ball", "BearingState", "TransientState"];
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=proto");
@@ -10,6 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for name in ["foxglove", "tribodyn"] {
         let mut set = protox::compile([format!("{name}.proto")], ["proto"])?;
         prost_build::Config::new().compile_fds(set.clone())?;
+        fs::write(out.join(format!("{name}_numbers.rs")), numbers(&set)?)?;
         // Readers of the file need the types; the comments have done their work in the generated docs.
         for file in &mut set.file {
             file.source_code_info = None;
@@ -17,4 +24,37 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::write(out.join(format!("{name}.binpb")), set.encode_to_vec())?;
     }
     Ok(())
+}
+
+/// Access to the numbers of some messages by their places in a list of names.
+fn numbers(set: &FileDescriptorSet) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    let messages = set.file.iter().flat_map(|file| &file.message_type);
+    for message in messages.filter(|message| BY_NAME.contains(&message.name())) {
+        implementation(message, &mut text)?;
+    }
+    Ok(text)
+}
+
+fn implementation(message: &DescriptorProto, text: &mut String) -> std::fmt::Result {
+    let single = message.field.iter().filter(|field| field.label() != Label::Repeated);
+    let numbers: Vec<(&str, &str)> = single
+        .filter_map(|field| match field.r#type() {
+            Type::Float => Some((field.name(), "f32")),
+            Type::Double => Some((field.name(), "f64")),
+            _ => None,
+        })
+        .collect();
+    writeln!(text, "impl super::Numbers for super::tribodyn::{} {{", message.name())?;
+    writeln!(text, "const NAMES: &'static [&'static str] = &{:?};", numbers.iter().map(|n| n.0).collect::<Vec<_>>())?;
+    writeln!(text, "fn number(&self, place: usize) -> f64 {{ match place {{")?;
+    for (place, (name, _)) in numbers.iter().enumerate() {
+        writeln!(text, "{place} => self.{name} as f64,")?;
+    }
+    writeln!(text, "_ => f64::NAN }} }}")?;
+    writeln!(text, "fn set_number(&mut self, place: usize, value: f64) {{ match place {{")?;
+    for (place, (name, kind)) in numbers.iter().enumerate() {
+        writeln!(text, "{place} => self.{name} = value as {kind},")?;
+    }
+    writeln!(text, "_ => {{}} }} }} }}")
 }

@@ -8,11 +8,14 @@ mod bench;
 mod built;
 mod ci;
 mod error;
+mod faults;
 mod figures;
 mod fuzz;
 mod page;
 mod python;
+mod quantities;
 mod sensitivity;
+mod survey;
 mod terminal;
 mod validate;
 
@@ -36,12 +39,18 @@ enum Command {
     Sensitivity(sensitivity::Arguments),
     /// Draw the paper's result figures from our own runs
     Figures(figures::Arguments),
+    /// Rewrite the page of all quantities from their tables
+    Quantities,
     /// Measure kernels, transient schemes and the quasi-static solver
     Bench(bench::Arguments),
     /// Try inputs by the million on everything that reads files and messages from elsewhere
     Fuzz(fuzz::Arguments),
     /// Open a report in headless Chromium and look for what is wrong
     Page(page::Arguments),
+    /// Solve and run random bearings, and write a case file for each failure
+    Survey(survey::Arguments),
+    /// Try kills, full disks, two at once, damaged files, hostile viewers on the built command
+    Faults(faults::Arguments),
     /// Run everything that continuous integration runs
     Ci,
 }
@@ -52,9 +61,12 @@ fn main() -> ExitCode {
         Command::Fixtures => validate::rewrite_fixtures(),
         Command::Sensitivity(arguments) => sensitivity::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
+        Command::Quantities => quantities::write(),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Survey(arguments) => survey::run(&arguments),
+        Command::Faults(arguments) => faults::run(&arguments),
         Command::Ci => ci::run(),
     };
     match done {

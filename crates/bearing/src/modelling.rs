@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 /// The modelling choices of a calculation, each under its name in case files. None has a default: a choice that a model
 /// uses must be made, one that it does not use may be left out.
 ///
-/// A further choice is a field here with an enumeration of its readings; the model that uses it asks for it by name.
+/// A further choice is a field here with an enumeration of its readings, and a line in [`Self::open`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Modelling {
@@ -22,7 +22,38 @@ pub struct Modelling {
     pub centrifugal_at_free_pitch: Option<bool>,
 }
 
+/// Models by the modelling choices that they use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Equations {
+    /// Jones–Harris with raceway control.
+    JonesHarris,
+    /// Balances with traction, in equilibrium or in motion.
+    Traction,
+}
+
+/// A choice that a model uses and that is not made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OpenChoice {
+    /// Its path in a case.
+    pub path: &'static str,
+    /// Its readings.
+    pub readings: &'static str,
+}
+
 impl Modelling {
+    /// The choices that a model uses and that are not made.
+    pub fn open(&self, equations: Equations) -> Vec<OpenChoice> {
+        use Equations::{JonesHarris, Traction};
+        let (centre, control, pitch) = (self.ring_centre, self.race_control, self.centrifugal_at_free_pitch);
+        let choices = [
+            (Traction, centre.is_some(), "modelling.ring_centre", "Displaced or Inertial"),
+            (JonesHarris, control.is_some(), "modelling.race_control", "Outer, Inner or Criterion"),
+            (JonesHarris, pitch.is_some(), "modelling.centrifugal_at_free_pitch", "true or false"),
+        ];
+        let open = choices.into_iter().filter(|(of, made, ..)| *of == equations && !made);
+        open.map(|(_, _, path, readings)| OpenChoice { path, readings }).collect()
+    }
+
     /// The choices that models with traction use.
     pub fn with_traction(contact_at_actual_angle: bool, ring_centre: RingCentre) -> Self {
         Self {

@@ -15,6 +15,14 @@ pub enum Side {
 impl Side {
     /// Both, inner first: the order of all tables and sums.
     pub const BOTH: [Self; 2] = [Self::Inner, Self::Outer];
+
+    /// Its name as part of the names of quantities.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inner => "inner",
+            Self::Outer => "outer",
+        }
+    }
 }
 
 /// One value for each race, indexed by [`Side`].

@@ -1,7 +1,8 @@
-//! What each model needs of a case, in one table.
+//! What each model needs of a case: sections by the table here, modelling choices by that of [`tribodyn_bearing::Modelling`].
 
 use crate::Case;
 use std::fmt;
+use tribodyn_bearing::Equations;
 
 /// A model that a case is used for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,24 +79,6 @@ const PARTS: &[Part] = &[
         needed_by: &[Purpose::Transient],
         present: |case| case.transient.is_some(),
     },
-    Part {
-        path: "modelling.ring_centre",
-        holds: "Displaced or Inertial",
-        needed_by: WITH_TRACTION,
-        present: |case| case.modelling.ring_centre.is_some(),
-    },
-    Part {
-        path: "modelling.race_control",
-        holds: "Outer, Inner or Criterion",
-        needed_by: &[Purpose::JonesHarris],
-        present: |case| case.modelling.race_control.is_some(),
-    },
-    Part {
-        path: "modelling.centrifugal_at_free_pitch",
-        holds: "true or false",
-        needed_by: &[Purpose::JonesHarris],
-        present: |case| case.modelling.centrifugal_at_free_pitch.is_some(),
-    },
 ];
 
 /// Parts of a case that a model needs and that are not there.
@@ -126,7 +109,12 @@ impl Case {
     }
 
     pub(crate) fn lacking(&self, purpose: Purpose) -> Lacking {
-        let missing = PARTS.iter().filter(|part| part.needed_by.contains(&purpose) && !(part.present)(self));
-        Lacking { purpose, missing: missing.map(|part| (part.path, part.holds)).collect() }
+        let parts = PARTS.iter().filter(|part| part.needed_by.contains(&purpose) && !(part.present)(self));
+        let equations = match purpose {
+            Purpose::JonesHarris => Equations::JonesHarris,
+            Purpose::Traction | Purpose::Transient => Equations::Traction,
+        };
+        let choices = self.modelling.open(equations).into_iter().map(|choice| (choice.path, choice.readings));
+        Lacking { purpose, missing: parts.map(|part| (part.path, part.holds)).chain(choices).collect() }
     }
 }

@@ -7,6 +7,8 @@ use std::ops::ControlFlow;
 use tribodyn_study::{Life, LifeOptions, LifeStride, wear_life};
 
 /// Wear the coatings of a bearing until one is through.
+///
+/// The fatigue life of its steel is another question: `tribodyn rating` answers it.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -54,7 +56,7 @@ fn print(a: &Life) -> Result<(), Failure> {
             number(r.contact_angle_free_deg, 3),
             range(r.contact_angle_inner_min_deg, r.contact_angle_inner_max_deg),
             range(r.contact_angle_outer_min_deg, r.contact_angle_outer_max_deg),
-            number(r.pressure_inner_max_gpa, 3),
+            number(r.peak_pressure_inner_max_gpa, 3),
             number(r.cage_speed_rpm, 2),
             format!("{:.4e}", r.wear_rate_inner_um3_s),
             format!("{:.4e}", r.wear_rate_outer_um3_s),

@@ -5,9 +5,12 @@ use crate::input::{CaseArguments, ReplaceArguments};
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use tribodyn_bearing::Bearing;
 use tribodyn_case::Purpose;
-use tribodyn_quasistatic::{BallRoots, BallSolution, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
+use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
 use tribodyn_record::{SolutionRecording, write_solution};
+use tribodyn_study::plausibility;
+use tribodyn_study::rating::rating;
 use tribodyn_study::{CaseFile, Change, Ours, StagedFiles, StudyError};
 
 /// Solve the quasi-static equilibrium of ring and balls.
@@ -41,11 +44,20 @@ pub struct Arguments {
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
-enum ModelName {
+pub enum ModelName {
     /// Raceway control, no traction
     JonesHarris,
     /// Traction integrals of both contacts
     Traction,
+}
+
+impl From<ModelName> for Model {
+    fn from(name: ModelName) -> Self {
+        match name {
+            ModelName::JonesHarris => Self::JonesHarris,
+            ModelName::Traction => Self::Traction,
+        }
+    }
 }
 
 impl Arguments {
@@ -65,7 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(path) = &arguments.output {
         arguments.replace.check(path, &arguments.case.path, Ours::Recording)?;
     }
-    let Answer { solution, roots } = answer(arguments, &file)?;
+    let Answer { solution, lives, roots } = answer(arguments, &file)?;
     let plots =
         arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, &solution)).transpose()?;
     if let Some(path) = &arguments.output {
@@ -79,33 +91,61 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     plots.map_or(Ok(()), StagedFiles::publish)?;
     if arguments.json {
-        return table::print_json(&Answer { solution, roots });
+        return table::print_json(&Answer { solution, lives, roots });
     }
     print(&file.name, &solution)?;
     roots.as_deref().map_or(Ok(()), print_roots)
 }
 
 fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
-    let model = match arguments.model {
-        ModelName::JonesHarris => Model::JonesHarris,
-        ModelName::Traction => Model::Traction,
-    };
+    let model = arguments.model.into();
     if arguments.roots && model == Model::JonesHarris {
         let message = "without traction there are no other equilibria to search for".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model jones-harris".to_owned(), message });
     }
+    let (bearing, Solved { mut solution, warm_start, .. }) = solved(file, model)?;
+    let start = warm_start.filter(|_| arguments.roots);
+    let point = file.case.operating_point();
+    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
+    let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
+    solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
+    solution.warnings.extend(plausibility::of_case(file, &bearing));
+    let unusable = |source| StudyError::Bearing { file: file.name.clone(), source };
+    let unusual = plausibility::solution_findings(&file.case, &bearing, &solution).map_err(unusable)?;
+    solution.warnings.extend(unusual);
+    // A bearing that the standards do not rate has no rating life; `tribodyn rating` says why.
+    let lives = rating(&file.case, &solution).ok().map(|r| Lives {
+        rating_life_l10_mrev: r.rating_life_l10_mrev,
+        rating_life_l10r_mrev: r.rating_life_l10r_mrev,
+        rating_life_hours: r.rating_life_hours,
+        static_safety: r.static_safety,
+    });
+    Ok(Answer { solution, lives, roots })
+}
+
+/// The bearing of a case and its equilibrium.
+pub fn solved(file: &CaseFile, model: Model) -> Result<(Bearing, Solved), Failure> {
     let purpose = match model {
         Model::JonesHarris => Purpose::JonesHarris,
         Model::Traction => Purpose::Traction,
     };
     let bearing = file.bearing_for(purpose)?;
-    let point = file.case.operating_point();
     let failed = |source| StudyError::Solver { file: file.name.clone(), source };
-    let Solved { mut solution, warm_start, .. } = solve(&bearing, &point, model).map_err(failed)?;
-    let start = warm_start.filter(|_| arguments.roots);
-    let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
-    solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
-    Ok(Answer { solution, roots })
+    let solved = solve(&bearing, &file.case.operating_point(), model).map_err(failed)?;
+    Ok((bearing, solved))
+}
+
+/// Rating life of the steel and static safety, under the names of `tribodyn rating`.
+#[derive(Serialize)]
+struct Lives {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rating_life_l10_mrev: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rating_life_l10r_mrev: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rating_life_hours: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    static_safety: Option<f64>,
 }
 
 /// The solution, and what `--roots` adds to it.
@@ -113,6 +153,8 @@ fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
 struct Answer {
     #[serde(flatten)]
     solution: Solution,
+    #[serde(flatten)]
+    lives: Option<Lives>,
     #[serde(skip_serializing_if = "Option::is_none")]
     roots: Option<Vec<BallRoots>>,
 }
@@ -140,8 +182,10 @@ fn print(name: &str, s: &Solution) -> Result<(), Failure> {
         ("largest relative residual", format!("{:.1e}", s.residual), ""),
         ("Newton steps", s.iterations.to_string(), ""),
     ];
+    if let Some(torque) = s.shaft_torque_nm {
+        rows.push(("shaft torque", number(torque, 3), "N m"));
+    }
     if let Some(error) = s.patch_error_estimate {
-        rows.push(("shaft torque", number(s.shaft_torque_nm, 3), "N m"));
         rows.push(("patch error estimate (of load)", format!("{error:.1e}"), ""));
     }
     table::print_line(&format!("{name}\n"))?;
@@ -161,20 +205,20 @@ fn print(name: &str, s: &Solution) -> Result<(), Failure> {
 const HEADER: [&str; 12] =
     ["φ °", "α_i °", "α_o °", "Q_i N", "Q_o N", "p_i GPa", "p_o GPa", "ω_m r/min", "T_i N", "T_o N", "ξ_i ‰", "ξ_o ‰"];
 
-fn ball_row(b: &BallSolution) -> [String; HEADER.len()] {
+fn ball_row(b: &BallResult) -> [String; HEADER.len()] {
     [
-        number(b.azimuth_deg, 1),
-        number(b.contact_angle_inner_deg, 3),
-        number(b.contact_angle_outer_deg, 3),
-        number(b.load_inner_n, 1),
-        number(b.load_outer_n, 1),
-        number(b.peak_pressure_inner_pa * 1e-9, 3),
-        number(b.peak_pressure_outer_pa * 1e-9, 3),
+        number(b.azimuth_rad.to_degrees(), 1),
+        number(b.contacts.inner.angle_rad.to_degrees(), 3),
+        number(b.contacts.outer.angle_rad.to_degrees(), 3),
+        number(b.contacts.inner.load_n, 1),
+        number(b.contacts.outer.load_n, 1),
+        number(b.contacts.inner.peak_pressure_pa * 1e-9, 3),
+        number(b.contacts.outer.peak_pressure_pa * 1e-9, 3),
         number(b.orbital_speed_rad_s * 30.0 / std::f64::consts::PI, 2),
-        number(b.traction_inner_n, 1),
-        number(b.traction_outer_n, 1),
-        number(b.slide_to_roll_inner * 1e3, 3),
-        number(b.slide_to_roll_outer * 1e3, 3),
+        number(b.contacts.inner.friction_or_nan().traction_n[0], 1),
+        number(b.contacts.outer.friction_or_nan().traction_n[0], 1),
+        number(b.contacts.inner.friction_or_nan().slide_to_roll[0] * 1e3, 3),
+        number(b.contacts.outer.friction_or_nan().slide_to_roll[0] * 1e3, 3),
     ]
 }
 

@@ -1,11 +1,12 @@
 //! From a state to a sample.
 
 use crate::equations::{BallForces, Frame};
-use crate::forces::{BodyForces, Sums, dot, evaluate, evaluate_with};
+use crate::forces::{BodyForces, Sums, evaluate, evaluate_with};
 use crate::layout::{AZIMUTH, VELOCITY};
 use crate::machine::Machine;
-use crate::sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
-use tribodyn_bearing::{LoadedPatch, Side};
+use crate::power::PowerSample;
+use crate::sample::{CageSample, RingSample, Sample, WearSample};
+use tribodyn_bearing::{BallLoads, BallMotionResult, BallResult, LoadedPatch, PocketResult, Side};
 use tribodyn_traction::PatchTraction;
 
 /// Volumes worn off so far, m³: inner race, outer race, cage.
@@ -21,8 +22,9 @@ impl Machine {
         traction: impl FnMut(usize, &LoadedPatch<'_, f64>) -> PatchTraction,
     ) -> Sample {
         let mut balls = Vec::with_capacity(self.layout.balls);
+        let inner_speed = self.frame(t, y).rings.inner.speed;
         let (frame, sums, bodies) = evaluate_with(self, t, y, traction, |index, forces| {
-            balls.push(self.ball_sample(self.unknowns(index, y), forces));
+            balls.push(self.ball_result((self.unknowns(index, y), inner_speed), forces));
         });
         let energy = sums.powers.energy + bodies.energy;
         let w = self.layout.work();
@@ -41,7 +43,7 @@ impl Machine {
             power: PowerSample {
                 energy_j: energy,
                 imbalance_j: y[w] - y[w + 1] - (energy - energy_at_start),
-                throughput_j: y[w + 2],
+                throughput_j: y[w + 2].max(y[w + 1].abs()),
                 ..powers(&sums, &bodies)
             },
             wear: WearSample {
@@ -61,50 +63,31 @@ impl Machine {
         sums.powers.energy + bodies.energy
     }
 
-    fn ball_sample(&self, b: &[f64], f: &BallForces) -> BallSample {
-        let g = &self.bearing.geometry;
-        let s = &f.state;
-        BallSample {
-            azimuth_rad: b[AZIMUTH],
-            orbital_speed_rad_s: s.orbital_speed,
+    /// The ball's result, with what only a run has.
+    fn ball_result(&self, (b, inner_speed): (&[f64], f64), f: &BallForces) -> BallResult {
+        let friction = &f.friction;
+        let loads = BallLoads {
+            contacts: f.contacts,
+            orbit_radius: f.orbit_radius,
+            drag: friction.drag,
+            churning: friction.churning,
+        };
+        let mut result = self.bearing.ball_result(b[AZIMUTH], &f.state, &loads, inner_speed);
+        for side in Side::BOTH {
+            let transient = self.bearing.transient_contact(side, &f.contacts[side], &f.surfaces[side]);
+            result.contacts[side].transient = Some(transient);
+        }
+        result.pocket = Some(PocketResult {
+            lead_rad: f.lead,
+            force_n: friction.pocket.force,
+            friction_n: Some(friction.pocket.friction),
+            wear_rate_m3_s: self.pocket_wear(&friction.pocket),
+        });
+        result.motion = Some(BallMotionResult {
             orbital_acceleration_rad_s2: f.acceleration[2],
-            orbit_radius_m: f.orbit_radius,
-            axial_displacement_m: s.position[0] - g.groove_offset(Side::Outer) * g.sin_contact_angle(),
             velocity_m_s: [b[VELOCITY], b[VELOCITY + 1]],
-            spin_rad_s: [s.spin[0] - s.orbital_speed, s.spin[1], s.spin[2]],
-            inner: self.contact_sample(Side::Inner, f),
-            outer: self.contact_sample(Side::Outer, f),
-            drag_n: f.friction.drag,
-            churning_nm: f.friction.churning,
-            churning_w: -dot(f.friction.churning, s.spin),
-            pocket_lead_rad: f.lead,
-            pocket_force_n: f.friction.pocket.force,
-            pocket_friction_n: f.friction.pocket.friction,
-            wear_rate_cage_m3_s: self.pocket_wear(&f.friction.pocket),
-        }
-    }
-
-    fn contact_sample(&self, side: Side, f: &BallForces) -> ContactSample {
-        let c = &f.contacts[side];
-        let normal = &c.normal;
-        let [along, across, spin] = c.slide_to_roll(self.bearing.geometry.ball_radius());
-        let surface = &f.surfaces[side];
-        ContactSample {
-            angle_rad: normal.pose.sin.atan2(normal.pose.cos),
-            approach_m: normal.pose.approach,
-            load_n: normal.load,
-            normal_force_n: normal.force,
-            semi_axes_m: [c.ellipse.semi_lateral(), c.ellipse.semi_rolling()],
-            peak_pressure_pa: c.ellipse.peak_pressure,
-            traction_n: [c.traction.force_rolling, c.traction.force_lateral],
-            slide_to_roll: [along, across],
-            spin_ratio_per_m: spin,
-            rolling_speed_m_s: c.rolling_speed.abs(),
-            power_loss_w: c.traction.power,
-            wear_rate_m3_s: self.bearing.wear_rate(side, c.traction.wear_integral),
-            bare: surface.bare,
-            depth_m: surface.depth + self.bearing.worn[side].depth,
-        }
+        });
+        result
     }
 }
 

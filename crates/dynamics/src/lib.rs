@@ -11,6 +11,7 @@ mod linear;
 mod machine;
 mod observer;
 mod pocket;
+mod power;
 mod rk4;
 mod run;
 mod sample;
@@ -26,8 +27,9 @@ mod fast_test;
 
 pub use error::DynamicsError;
 pub use observer::{Event, EventKind, Observer};
-pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
-pub use sample::{BallSample, CageSample, ContactSample, PowerSample, RingSample, Sample, WearSample};
+pub use power::{POWER_IN, POWER_LOST, PowerSample};
+pub use run::{ACCELERATION_ERROR, Blame, Checkpoint, Ending, FilterBands, Run, RunError, Statistics, StepBound};
+pub use sample::{CageSample, RingSample, Sample, WearSample};
 pub use stiffness::Stiffness;
 pub use tribodyn_bearing::{
     Bearing, BearingSpec, Cage, CoatingState, Dimensions, ElasticBody, Fit, Geometry, GuidingLand, Modelling,

@@ -165,15 +165,15 @@ impl Quantity {
                 let outer = solution.outer_speed_rad_s * 30.0 / std::f64::consts::PI;
                 (solution.cage_speed_rpm - outer).abs() / 60.0 * solution.balls.len() as f64
             }
-            Self::PeakPressureInner { azimuth } => ball(azimuth).peak_pressure_inner_pa * 1e-9,
-            Self::PeakPressureOuter { azimuth } => ball(azimuth).peak_pressure_outer_pa * 1e-9,
-            Self::LoadInner { azimuth } => ball(azimuth).load_inner_n,
-            Self::LoadOuter { azimuth } => ball(azimuth).load_outer_n,
-            Self::ContactAngleInner { azimuth } => ball(azimuth).contact_angle_inner_deg,
-            Self::ContactAngleOuter { azimuth } => ball(azimuth).contact_angle_outer_deg,
+            Self::PeakPressureInner { azimuth } => ball(azimuth).contacts.inner.peak_pressure_pa * 1e-9,
+            Self::PeakPressureOuter { azimuth } => ball(azimuth).contacts.outer.peak_pressure_pa * 1e-9,
+            Self::LoadInner { azimuth } => ball(azimuth).contacts.inner.load_n,
+            Self::LoadOuter { azimuth } => ball(azimuth).contacts.outer.load_n,
+            Self::ContactAngleInner { azimuth } => ball(azimuth).contacts.inner.angle_rad.to_degrees(),
+            Self::ContactAngleOuter { azimuth } => ball(azimuth).contacts.outer.angle_rad.to_degrees(),
             Self::RingDisplacementAxial => solution.ring_displacement_m[2] * 1e6,
             Self::RingDisplacementRadial => solution.ring_displacement_m[0] * 1e6,
-            Self::ShaftTorque => solution.shaft_torque_nm,
+            Self::ShaftTorque => solution.shaft_torque_nm.unwrap_or(f64::NAN),
         }
     }
 

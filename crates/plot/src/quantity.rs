@@ -1,6 +1,7 @@
 //! Numbers of a ball that are drawn, with their units.
 
-use tribodyn_quasistatic::BallSolution;
+use tribodyn_bearing::quantities::{OfBall, RPM_PER_RAD_S, Scope};
+use tribodyn_bearing::{BallResult, Side};
 
 /// A quantity of one ball, or of one of its contacts, that is drawn over the azimuth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -47,100 +48,99 @@ pub enum Quantity {
     PowerLossFluid,
 }
 
-/// Revolutions per minute in one rad/s.
-const RPM: f64 = 30.0 / std::f64::consts::PI;
-
 /// Load up to which a contact counts as open, N: what the balance leaves at the outer race of a ball that nothing
 /// drives.
 const LEAST_LOAD_N: f64 = 1e-3;
 
 impl Quantity {
+    /// Its row in the table of quantities: its race, and its name without race and unit.
+    fn key(self) -> (Option<Side>, &'static str) {
+        let (inner, outer) = (Some(Side::Inner), Some(Side::Outer));
+        match self {
+            Self::ContactAngleInner => (inner, "contact_angle"),
+            Self::ContactAngleOuter => (outer, "contact_angle"),
+            Self::LoadInner => (inner, "load"),
+            Self::LoadOuter => (outer, "load"),
+            Self::ApproachInner => (inner, "approach"),
+            Self::ApproachOuter => (outer, "approach"),
+            Self::PeakPressureInner => (inner, "peak_pressure"),
+            Self::PeakPressureOuter => (outer, "peak_pressure"),
+            Self::TractionInner => (inner, "traction"),
+            Self::TractionOuter => (outer, "traction"),
+            Self::SlideToRollInner => (inner, "slide_to_roll"),
+            Self::SlideToRollOuter => (outer, "slide_to_roll"),
+            Self::WearRateInner => (inner, "wear_rate"),
+            Self::WearRateOuter => (outer, "wear_rate"),
+            Self::WearRateCage => (None, "wear_rate_cage"),
+            Self::OrbitalSpeed => (None, "orbital_speed"),
+            Self::CageForce => (None, "pocket_force"),
+            Self::PowerLossInner => (inner, "power_loss"),
+            Self::PowerLossOuter => (outer, "power_loss"),
+            Self::PowerLossFluid => (None, "power_loss_fluid"),
+        }
+    }
+
+    /// Its row; a test holds every key against the table.
+    fn row(self) -> Option<OfBall> {
+        match self.key() {
+            (Some(side), name) => OfBall::contact(side, name),
+            (None, name) => OfBall::ball(name),
+        }
+    }
+
     /// The value where the ball has one: `None` for a contact without load, and for the motion and wear in the cage of
     /// a ball that the inner race does not drive.
-    pub fn found(self, ball: &BallSolution) -> Option<f64> {
-        let load = match self {
-            Self::ContactAngleOuter
-            | Self::LoadOuter
-            | Self::ApproachOuter
-            | Self::PeakPressureOuter
-            | Self::TractionOuter
-            | Self::SlideToRollOuter
-            | Self::WearRateOuter
-            | Self::PowerLossOuter => ball.load_outer_n,
-            _ => ball.load_inner_n,
-        };
+    pub fn found(self, ball: &BallResult) -> Option<f64> {
+        let side = self.key().0.unwrap_or(Side::Inner);
+        let load = ball.contacts[side].load_n;
         // A load that is no number is not an absent one: it is refused with its place.
-        (load.is_nan() || load > LEAST_LOAD_N).then(|| self.of(ball))
+        (load.is_nan() || load > LEAST_LOAD_N).then(|| self.of(ball)).flatten()
     }
 
     /// True if the sign has a meaning.
     pub(crate) fn signed(self) -> bool {
-        matches!(
-            self,
-            Self::TractionInner
-                | Self::TractionOuter
-                | Self::SlideToRollInner
-                | Self::SlideToRollOuter
-                | Self::CageForce
-        )
+        self.row().is_some_and(|row| row.facts().signed)
     }
 
-    /// The value in the unit of [`BallSolution`]: SI, angles in degrees.
-    pub fn of(self, ball: &BallSolution) -> f64 {
-        match self {
-            Self::ContactAngleInner => ball.contact_angle_inner_deg,
-            Self::ContactAngleOuter => ball.contact_angle_outer_deg,
-            Self::LoadInner => ball.load_inner_n,
-            Self::LoadOuter => ball.load_outer_n,
-            Self::ApproachInner => ball.approach_inner_m,
-            Self::ApproachOuter => ball.approach_outer_m,
-            Self::PeakPressureInner => ball.peak_pressure_inner_pa,
-            Self::PeakPressureOuter => ball.peak_pressure_outer_pa,
-            Self::TractionInner => ball.traction_inner_n,
-            Self::TractionOuter => ball.traction_outer_n,
-            Self::SlideToRollInner => ball.slide_to_roll_inner,
-            Self::SlideToRollOuter => ball.slide_to_roll_outer,
-            Self::WearRateInner => ball.wear_rate_inner_m3_s,
-            Self::WearRateOuter => ball.wear_rate_outer_m3_s,
-            Self::WearRateCage => ball.wear_rate_cage_m3_s,
-            Self::OrbitalSpeed => ball.orbital_speed_rad_s,
-            Self::CageForce => ball.cage_force_n,
-            Self::PowerLossInner => ball.power_loss_inner_w,
-            Self::PowerLossOuter => ball.power_loss_outer_w,
-            Self::PowerLossFluid => ball.power_loss_fluid_w,
-        }
+    /// The value in the unit of results: SI, angles in degrees; absent where the model does not have it.
+    pub fn of(self, ball: &BallResult) -> Option<f64> {
+        let row = self.row()?;
+        row.get(ball).map(|value| value * row.facts().unit.per_si)
     }
 
-    /// Label, unit on the axis, and that unit's count in the unit of [`BallSolution`].
+    /// Label, unit on the axis, and that unit's count in the unit of results.
     pub(crate) fn axis(self) -> (&'static str, &'static str, f64) {
-        match self {
-            Self::ContactAngleInner | Self::ContactAngleOuter => ("Contact angle", "°", 1.0),
-            Self::LoadInner | Self::LoadOuter => ("Contact load", "kN", 1e-3),
-            Self::ApproachInner | Self::ApproachOuter => ("Elastic approach", "µm", 1e6),
-            Self::PeakPressureInner | Self::PeakPressureOuter => ("Peak pressure", "GPa", 1e-9),
-            Self::TractionInner | Self::TractionOuter => ("Longitudinal traction on the ball", "N", 1.0),
-            Self::SlideToRollInner | Self::SlideToRollOuter => ("Slide-to-roll ratio", "", 1.0),
-            Self::WearRateInner | Self::WearRateOuter | Self::WearRateCage => ("Wear rate", "m³/s", 1.0),
-            Self::OrbitalSpeed => ("Orbital speed", "r/min", RPM),
-            Self::CageForce => ("Pocket force on the ball", "N", 1.0),
-            Self::PowerLossInner | Self::PowerLossOuter | Self::PowerLossFluid => ("Power loss", "W", 1.0),
-        }
+        let (unit, count) = match self {
+            Self::ContactAngleInner | Self::ContactAngleOuter => ("°", 1.0),
+            Self::LoadInner | Self::LoadOuter => ("kN", 1e-3),
+            Self::ApproachInner | Self::ApproachOuter => ("µm", 1e6),
+            Self::PeakPressureInner | Self::PeakPressureOuter => ("GPa", 1e-9),
+            Self::SlideToRollInner | Self::SlideToRollOuter => ("", 1.0),
+            Self::WearRateInner | Self::WearRateOuter | Self::WearRateCage => ("m³/s", 1.0),
+            Self::OrbitalSpeed => ("r/min", RPM_PER_RAD_S),
+            Self::TractionInner | Self::TractionOuter | Self::CageForce => ("N", 1.0),
+            Self::PowerLossInner | Self::PowerLossOuter | Self::PowerLossFluid => ("W", 1.0),
+        };
+        (self.row().map_or("", |row| row.facts().label), unit, count)
     }
 
     /// True if the quantity comes from the traction integrals or from the slip they fix, which Jones–Harris does not
     /// solve.
     pub(crate) fn needs_traction(self) -> bool {
-        !matches!(
-            self,
-            Self::ContactAngleInner
-                | Self::ContactAngleOuter
-                | Self::LoadInner
-                | Self::LoadOuter
-                | Self::ApproachInner
-                | Self::ApproachOuter
-                | Self::PeakPressureInner
-                | Self::PeakPressureOuter
-                | Self::OrbitalSpeed
-        )
+        let in_cage = matches!(self, Self::CageForce | Self::WearRateCage);
+        in_cage || self.row().is_some_and(|row| row.facts().scope != Scope::All)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::solution::drawn;
+
+    #[test]
+    fn identity_all_that_is_drawn_is_in_the_table() {
+        assert_eq!(drawn().count(), 20);
+        for quantity in drawn() {
+            assert!(quantity.row().is_some(), "{quantity:?}");
+        }
     }
 }

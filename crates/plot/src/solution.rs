@@ -1,6 +1,7 @@
 //! The standard figures of quasi-static solutions: one run, or several compared.
 
-use tribodyn_quasistatic::{BallSolution, Model, Solution};
+use tribodyn_bearing::BallResult;
+use tribodyn_quasistatic::{Model, Solution};
 
 use crate::cartesian::LineChart;
 use crate::error::PlotError;
@@ -102,6 +103,12 @@ const PLANS: [Plan; 10] = [
     },
 ];
 
+/// All quantities of the set.
+#[cfg(test)]
+pub(crate) fn drawn() -> impl Iterator<Item = Quantity> {
+    PLANS.iter().flat_map(|plan| plan.panels.iter().map(|(_, quantity)| *quantity))
+}
+
 /// Draws the standard set over the azimuth: contact angles, loads, elastic approaches, peak pressures, longitudinal
 /// traction, slide-to-roll ratios, wear rates, orbital speed, pocket force and power losses.
 ///
@@ -202,11 +209,12 @@ fn series(runs: &[(&str, &Solution)], published: &[Published], quantity: Quantit
         if solution.model == Model::JonesHarris && quantity.needs_traction() {
             return None;
         }
-        let found = |ball: &BallSolution| quantity.found(ball).map(|value| (ball.azimuth_deg, factor * value));
+        let found =
+            |ball: &BallResult| quantity.found(ball).map(|value| (ball.azimuth_rad.to_degrees(), factor * value));
         let points = solution.balls.iter().filter_map(found).collect();
         let unloaded = solution.balls.iter().filter(|ball| quantity.found(ball).is_none());
         let line = Series::marked(legend_label(label, solution), points);
-        let line = line.without(NO_CONTACT, unloaded.map(|ball| ball.azimuth_deg).collect());
+        let line = line.without(NO_CONTACT, unloaded.map(|ball| ball.azimuth_rad.to_degrees()).collect());
         Some(Series { slot: Some(slot), ..line })
     });
     let points = published.iter().filter(|p| p.quantity == quantity).map(|p| {

@@ -11,8 +11,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let solution = solve(&case.bearing()?, &case.operating_point(), Model::Traction)?.solution;
     println!("cage speed {:.1} r/min", solution.cage_speed_rpm);
     for ball in &solution.balls {
-        let [inner, outer] = [ball.peak_pressure_inner_pa, ball.peak_pressure_outer_pa].map(|pressure| pressure * 1e-9);
-        println!("{:>5.1} deg: inner {inner:.3} GPa, outer {outer:.3} GPa", ball.azimuth_deg);
+        let [inner, outer] = [ball.contacts.inner.peak_pressure_pa, ball.contacts.outer.peak_pressure_pa]
+            .map(|pressure| pressure * 1e-9);
+        println!("{:>5.1} deg: inner {inner:.3} GPa, outer {outer:.3} GPa", ball.azimuth_rad.to_degrees());
     }
     Ok(())
 }

@@ -7,8 +7,9 @@
 //! A ball that loses contact makes the data kink, and the interpolant would ring through zero load: then every
 //! quantity is interpolated linearly. Pocket force and pocket wear have a dead band and are always linear.
 
-use crate::{BallSolution, Solution};
+use crate::{BallResult, Solution};
 use std::f64::consts::TAU;
+use tribodyn_bearing::quantities::{Course, OfBall};
 
 /// How quantities are interpolated over azimuth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +23,7 @@ pub enum AzimuthRule {
 impl AzimuthRule {
     /// The rule that suits a solution.
     pub fn of(solution: &Solution) -> Self {
-        let loaded = |ball: &BallSolution| ball.load_inner_n > 0.0 && ball.load_outer_n > 0.0;
+        let loaded = |ball: &BallResult| ball.contacts.inner.load_n > 0.0 && ball.contacts.outer.load_n > 0.0;
         if solution.balls.iter().all(loaded) { AzimuthRule::Trigonometric } else { AzimuthRule::Linear }
     }
 
@@ -67,65 +68,26 @@ fn cardinal(count: usize, x: f64) -> f64 {
     (0.5 * n * x).sin() * even / (n * half)
 }
 
-/// Writes down each scalar field of [`BallSolution`] once: what interpolates it, and its name for error messages.
-macro_rules! ball_scalars {
-    (smooth: $($smooth:ident),*; positive: $($positive:ident),*; threshold: $($threshold:ident),*;) => {
-        /// A ball at `azimuth_deg`, from the weights of the solution's rule and the linear ones.
-        fn blend(balls: &[BallSolution], rule: &[f64], linear: &[f64], azimuth_deg: f64) -> BallSolution {
-            let sum = |weights: &[f64], get: fn(&BallSolution) -> f64| -> f64 {
-                weights.iter().zip(balls).map(|(w, ball)| w * get(ball)).sum()
-            };
-            BallSolution {
-                azimuth_deg,
-                $($smooth: sum(rule, |b| b.$smooth),)*
-                // The interpolant of a positive quantity may undershoot.
-                $($positive: sum(rule, |b| b.$positive).max(0.0),)*
-                $($threshold: sum(linear, |b| b.$threshold),)*
-                semi_axes_inner_m: [0, 1].map(|i| axis(balls, rule, |b| b.semi_axes_inner_m, i).max(0.0)),
-                semi_axes_outer_m: [0, 1].map(|i| axis(balls, rule, |b| b.semi_axes_outer_m, i).max(0.0)),
-                spin_rad_s: [0, 1, 2].map(|i| axis(balls, rule, |b| b.spin_rad_s, i)),
-            }
+/// A ball at an azimuth (rad), from the weights of the solution's rule and the linear ones.
+fn blend(balls: &[BallResult], rule: &[f64], linear: &[f64], azimuth: f64) -> BallResult {
+    let mut out = BallResult::default();
+    for quantity in OfBall::all() {
+        let course = quantity.facts().course;
+        let weights = if course == Course::Threshold { linear } else { rule };
+        let sum = weights.iter().zip(balls).map(|(w, ball)| Some(w * quantity.get(ball)?)).sum::<Option<f64>>();
+        // The interpolant of a positive quantity may undershoot.
+        let value = if course == Course::Positive { sum.map(|v| v.max(0.0)) } else { sum };
+        if let Some(value) = value {
+            quantity.set(&mut out, value);
         }
-
-        /// Every number of a ball with the name of its field.
-        pub fn ball_numbers(ball: &BallSolution) -> Vec<(&'static str, f64)> {
-            let mut out = vec![("azimuth_deg", ball.azimuth_deg)];
-            $(out.push((stringify!($smooth), ball.$smooth));)*
-            $(out.push((stringify!($positive), ball.$positive));)*
-            $(out.push((stringify!($threshold), ball.$threshold));)*
-            out.extend(ball.semi_axes_inner_m.map(|v| ("semi_axes_inner_m", v)));
-            out.extend(ball.semi_axes_outer_m.map(|v| ("semi_axes_outer_m", v)));
-            out.extend(ball.spin_rad_s.map(|v| ("spin_rad_s", v)));
-            out
-        }
-    };
-}
-
-ball_scalars! {
-    smooth: contact_angle_inner_deg, contact_angle_outer_deg, approach_inner_m, approach_outer_m,
-        orbital_speed_rad_s, orbit_radius_m, axial_displacement_m, drag_n,
-        traction_inner_n, traction_outer_n, lateral_traction_inner_n, lateral_traction_outer_n,
-        slide_to_roll_inner, slide_to_roll_outer, lateral_slide_to_roll_inner, lateral_slide_to_roll_outer,
-        spin_ratio_inner, spin_ratio_outer, rolling_speed_inner_m_s, rolling_speed_outer_m_s, pocket_lead_rad;
-    positive: load_inner_n, load_outer_n, peak_pressure_inner_pa, peak_pressure_outer_pa,
-        centrifugal_force_n, gyroscopic_moment_nm, power_loss_inner_w, power_loss_outer_w, power_loss_fluid_w,
-        wear_rate_inner_m3_s, wear_rate_outer_m3_s;
-    threshold: cage_force_n, wear_rate_cage_m3_s;
-}
-
-fn axis<const N: usize>(
-    balls: &[BallSolution],
-    weights: &[f64],
-    get: fn(&BallSolution) -> [f64; N],
-    index: usize,
-) -> f64 {
-    weights.iter().zip(balls).map(|(w, ball)| w * get(ball)[index]).sum()
+    }
+    BallResult { azimuth_rad: azimuth, ..out }
 }
 
 /// The solution as a function of azimuth.
 #[derive(Debug, Clone)]
 pub struct OverAzimuth<'a> {
-    balls: &'a [BallSolution],
+    balls: &'a [BallResult],
     rule: AzimuthRule,
     first: f64,
 }
@@ -133,11 +95,7 @@ pub struct OverAzimuth<'a> {
 impl<'a> OverAzimuth<'a> {
     /// Takes the balls of a solution: at least one, equispaced, as the solver gives them.
     pub fn new(solution: &'a Solution) -> Self {
-        Self {
-            balls: &solution.balls,
-            rule: AzimuthRule::of(solution),
-            first: solution.balls[0].azimuth_deg.to_radians(),
-        }
+        Self { balls: &solution.balls, rule: AzimuthRule::of(solution), first: solution.balls[0].azimuth_rad }
     }
 
     /// Azimuth of a ball at the start, rad.
@@ -146,11 +104,11 @@ impl<'a> OverAzimuth<'a> {
     }
 
     /// The state of a ball at this azimuth, rad, between those of the solution.
-    pub fn at(&self, azimuth: f64) -> BallSolution {
+    pub fn at(&self, azimuth: f64) -> BallResult {
         let count = self.balls.len();
         let rule = weights(self.rule, count, self.first, azimuth);
         let linear = weights(AzimuthRule::Linear, count, self.first, azimuth);
-        blend(self.balls, &rule, &linear, azimuth.rem_euclid(TAU).to_degrees())
+        blend(self.balls, &rule, &linear, azimuth)
     }
 }
 

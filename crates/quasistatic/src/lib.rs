@@ -8,7 +8,9 @@ mod jones_harris;
 mod methods;
 mod needs;
 mod problem;
+mod relax;
 mod report;
+mod rescue;
 mod roots;
 mod secant;
 mod settle;
@@ -21,11 +23,14 @@ mod branch_test;
 #[cfg(test)]
 mod jacobian_test;
 
-pub use azimuth::{AzimuthRule, OverAzimuth, ball_numbers};
+pub use azimuth::{AzimuthRule, OverAzimuth};
 pub use block::SolverStatistics;
-pub use problem::{Place, QuasiStaticError};
+pub use problem::{Place, QuasiStaticError, Reason};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
-pub use solution::{BallSolution, Model, Solution};
+pub use solution::{Model, SOLUTION, Solution};
 pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
-pub use tribodyn_bearing::{Bearing, Cage, Modelling, OperatingPoint, RaceControl, RingFreedom, SolverSettings};
+pub use tribodyn_bearing::{
+    BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl, Races, RingFreedom, Side,
+    SolverSettings,
+};
 pub use tribodyn_traction::PatchRule;

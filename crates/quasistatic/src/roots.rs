@@ -14,7 +14,7 @@ use crate::settle::{Evaluated, FROM_AFAR, settle_ball};
 use crate::solve::{WarmStart, is_idle, traction_system};
 use crate::with_traction::WithTraction;
 use nalgebra::{Matrix2, Matrix4, Matrix4x2};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use tribodyn_bearing::{BallPose, Bearing, OperatingPoint, Races};
 
 /// Orbital speeds at which the search starts, as shares of the rolling one.
@@ -30,6 +30,7 @@ pub struct Root {
     /// Orbital speed ω_m, rad/s.
     pub orbital_speed_rad_s: f64,
     /// Spin ω relative to the orbiting frame: axial, radial, tangential, rad/s.
+    #[serde(flatten, serialize_with = "components")]
     pub spin_rad_s: [f64; 3],
     /// Inner contact load, N.
     pub load_inner_n: f64,
@@ -44,6 +45,11 @@ pub struct Root {
     /// Largest real part of the eigenvalues of spin and orbit, 1/s: negative where the equilibrium is stable. Absent
     /// where they cannot be worked out.
     pub growth_rate_per_s: Option<f64>,
+}
+
+/// A spin as the fields of a ball.
+fn components<S: Serializer>(spin: &[f64; 3], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(["spin_axial_rad_s", "spin_radial_rad_s", "spin_tangential_rad_s"].into_iter().zip(spin))
 }
 
 impl Root {

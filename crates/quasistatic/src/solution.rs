@@ -1,9 +1,12 @@
-//! Results of a quasi-static solution: names and units as in the `--json` output of `tribodyn solve`.
+//! Results of a quasi-static solution, and their table. What `tribodyn solve --json` prints is made of the table.
 
-use serde::Serialize;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use tribodyn_bearing::quantities::{Fields, NEWTON, NEWTON_METRE, ONE, Quantity, RADIAN_PER_SECOND, RPM, joined};
+use tribodyn_bearing::quantities::{METRE, MICROMETRE, MILLIRADIAN, RADIAN, Scope, Unit};
+use tribodyn_bearing::{BallResult, place};
 
 /// Which equations were solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Model {
     /// Jones–Harris with raceway control.
@@ -13,7 +16,7 @@ pub enum Model {
 }
 
 /// The equilibrium of ring and balls.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
     /// Which equations were solved.
     pub model: Model,
@@ -29,8 +32,8 @@ pub struct Solution {
     pub ring_load_n: [f64; 3],
     /// Moment that the inner ring puts on the balls about X and Y, N m.
     pub ring_moment_nm: [f64; 2],
-    /// Torque that the shaft needs, N m, against rotation at the inner ring's speed.
-    pub shaft_torque_nm: f64,
+    /// Torque that the shaft needs, N m, against rotation at the inner ring's speed; absent for Jones–Harris.
+    pub shaft_torque_nm: Option<f64>,
     /// Speed of the inner ring, rad/s.
     pub inner_speed_rad_s: f64,
     /// Speed of the outer ring, rad/s.
@@ -44,86 +47,113 @@ pub struct Solution {
     /// Warnings: clamped pressure range, lost contacts, several or no roots, by ball.
     pub warnings: Vec<String>,
     /// One entry per ball, by azimuth.
-    pub balls: Vec<BallSolution>,
+    pub balls: Vec<BallResult>,
 }
 
-/// One ball in equilibrium. Vectors are (axial, radial, tangential) in the ball's azimuth frame.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct BallSolution {
-    /// Azimuth, degrees.
-    pub azimuth_deg: f64,
-    /// Inner contact angle, degrees.
-    pub contact_angle_inner_deg: f64,
-    /// Outer contact angle, degrees.
-    pub contact_angle_outer_deg: f64,
-    /// Inner contact load, N.
-    pub load_inner_n: f64,
-    /// Outer contact load, N.
-    pub load_outer_n: f64,
-    /// Inner elastic approach, m.
-    pub approach_inner_m: f64,
-    /// Outer elastic approach, m.
-    pub approach_outer_m: f64,
-    /// Inner peak pressure, Pa.
-    pub peak_pressure_inner_pa: f64,
-    /// Outer peak pressure, Pa.
-    pub peak_pressure_outer_pa: f64,
-    /// Semi-axes of the inner contact: across the groove, along rolling, m.
-    pub semi_axes_inner_m: [f64; 2],
-    /// Semi-axes of the outer contact: across the groove, along rolling, m.
-    pub semi_axes_outer_m: [f64; 2],
-    /// Orbital speed ω_m, rad/s.
-    pub orbital_speed_rad_s: f64,
-    /// Radius of the orbit of the ball centre about the bearing axis, m.
-    pub orbit_radius_m: f64,
-    /// Axial position of the ball centre against the unloaded one, m.
-    pub axial_displacement_m: f64,
-    /// Spin ω relative to the orbiting frame: axial, radial, tangential, rad/s.
-    pub spin_rad_s: [f64; 3],
-    /// Centrifugal force, N.
-    pub centrifugal_force_n: f64,
-    /// Gyroscopic moment (magnitude), N m.
-    pub gyroscopic_moment_nm: f64,
-    /// Fluid drag, N, positive against the orbit.
-    pub drag_n: f64,
-    /// Longitudinal (rolling direction e_t) traction on the ball at the inner contact, N.
-    pub traction_inner_n: f64,
-    /// Longitudinal traction on the ball at the outer contact, N.
-    pub traction_outer_n: f64,
-    /// Lateral traction on the ball at the inner contact, N.
-    pub lateral_traction_inner_n: f64,
-    /// Lateral traction on the ball at the outer contact, N.
-    pub lateral_traction_outer_n: f64,
-    /// Longitudinal slide-to-roll ratio ξ_x at the inner contact (paper's Eq. 3).
-    pub slide_to_roll_inner: f64,
-    /// Longitudinal slide-to-roll ratio ξ_x at the outer contact.
-    pub slide_to_roll_outer: f64,
-    /// Lateral slide-to-roll ratio ξ_y at the inner contact.
-    pub lateral_slide_to_roll_inner: f64,
-    /// Lateral slide-to-roll ratio ξ_y at the outer contact.
-    pub lateral_slide_to_roll_outer: f64,
-    /// Spin ratio φ at the inner contact, 1/m.
-    pub spin_ratio_inner: f64,
-    /// Spin ratio φ at the outer contact, 1/m.
-    pub spin_ratio_outer: f64,
-    /// Rolling speed V at the inner contact, m/s.
-    pub rolling_speed_inner_m_s: f64,
-    /// Rolling speed V at the outer contact, m/s.
-    pub rolling_speed_outer_m_s: f64,
-    /// Frictional power at the inner contact, W.
-    pub power_loss_inner_w: f64,
-    /// Frictional power at the outer contact, W.
-    pub power_loss_outer_w: f64,
-    /// Power taken by drag and churning, W.
-    pub power_loss_fluid_w: f64,
-    /// Archard wear rate at the inner race, m³/s.
-    pub wear_rate_inner_m3_s: f64,
-    /// Archard wear rate at the outer race, m³/s.
-    pub wear_rate_outer_m3_s: f64,
-    /// Lead of the ball over its cage pocket, rad (negative: it lags).
-    pub pocket_lead_rad: f64,
-    /// Cage pocket force on the ball along the orbit, N (negative: it retards the ball).
-    pub cage_force_n: f64,
-    /// Archard wear rate at the cage pocket, m³/s.
-    pub wear_rate_cage_m3_s: f64,
+type S = Quantity<Solution>;
+
+/// The cage speed is held in r/min.
+const TURNS: Unit = Unit { per_si: 1.0, ..RPM };
+
+/// Quantities of a solution.
+pub static SOLUTION: [Quantity<Solution>; 15] = [
+    S::new(["cage_speed", "Cage speed", "Mean orbital speed of the balls"], [TURNS, TURNS], place!(.cage_speed_rpm)),
+    S::new(
+        [
+            "ring_displacement_x",
+            "Ring displacement along X",
+            "Displacement of the inner against the outer ring along X",
+        ],
+        [METRE, MICROMETRE],
+        place!(.ring_displacement_m[0]),
+    ),
+    S::new(
+        [
+            "ring_displacement_y",
+            "Ring displacement along Y",
+            "Displacement of the inner against the outer ring along Y",
+        ],
+        [METRE, MICROMETRE],
+        place!(.ring_displacement_m[1]),
+    ),
+    S::new(
+        ["ring_displacement_z", "Ring displacement along Z", "Axial displacement of the inner against the outer ring"],
+        [METRE, MICROMETRE],
+        place!(.ring_displacement_m[2]),
+    ),
+    S::new(
+        ["ring_tilt_x", "Ring tilt about X", "Tilt of the inner ring about X"],
+        [RADIAN, MILLIRADIAN],
+        place!(.ring_tilt_rad[0]),
+    ),
+    S::new(
+        ["ring_tilt_y", "Ring tilt about Y", "Tilt of the inner ring about Y"],
+        [RADIAN, MILLIRADIAN],
+        place!(.ring_tilt_rad[1]),
+    ),
+    S::new(
+        ["ring_load_x", "Ring load along X", "Force of the inner ring on the balls along X"],
+        [NEWTON, NEWTON],
+        place!(.ring_load_n[0]),
+    ),
+    S::new(
+        ["ring_load_y", "Ring load along Y", "Force of the inner ring on the balls along Y"],
+        [NEWTON, NEWTON],
+        place!(.ring_load_n[1]),
+    ),
+    S::new(
+        ["ring_load_z", "Ring load along Z", "Force of the inner ring on the balls along Z"],
+        [NEWTON, NEWTON],
+        place!(.ring_load_n[2]),
+    ),
+    S::new(
+        ["ring_moment_x", "Ring moment about X", "Moment of the inner ring on the balls about X"],
+        [NEWTON_METRE, NEWTON_METRE],
+        place!(.ring_moment_nm[0]),
+    ),
+    S::new(
+        ["ring_moment_y", "Ring moment about Y", "Moment of the inner ring on the balls about Y"],
+        [NEWTON_METRE, NEWTON_METRE],
+        place!(.ring_moment_nm[1]),
+    ),
+    S::new(
+        ["shaft_torque", "Shaft torque", "Torque that the shaft needs, against rotation at the inner ring's speed"],
+        [NEWTON_METRE, NEWTON_METRE],
+        (|s| s.shaft_torque_nm, |s, value| s.shaft_torque_nm = Some(value)),
+    )
+    .in_scope(Scope::Traction),
+    S::new(
+        ["inner_speed", "Speed of the inner ring", "Speed of the inner ring"],
+        [RADIAN_PER_SECOND, RPM],
+        place!(.inner_speed_rad_s),
+    ),
+    S::new(
+        ["outer_speed", "Speed of the outer ring", "Speed of the outer ring"],
+        [RADIAN_PER_SECOND, RPM],
+        place!(.outer_speed_rad_s),
+    ),
+    S::new(
+        ["patch_error_estimate", "Patch error estimate", "Quadrature error of the traction force over the load"],
+        [ONE, ONE],
+        (|s| s.patch_error_estimate, |s, value| s.patch_error_estimate = Some(value)),
+    )
+    .in_scope(Scope::Traction),
+];
+
+impl Serialize for Solution {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("model", &self.model)?;
+        map.serialize_entry("converged", &self.converged)?;
+        for Quantity { facts, get, .. } in &SOLUTION {
+            if let Some(value) = get(self) {
+                map.serialize_entry(&joined(&[facts.name, facts.unit.suffix]), &(value * facts.unit.per_si))?;
+            }
+        }
+        map.serialize_entry("residual", &self.residual)?;
+        map.serialize_entry("iterations", &self.iterations)?;
+        map.serialize_entry("warnings", &self.warnings)?;
+        map.serialize_entry("balls", &self.balls.iter().map(Fields).collect::<Vec<_>>())?;
+        map.end()
+    }
 }

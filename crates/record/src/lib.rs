@@ -19,6 +19,7 @@ use messages::{ball, units};
 use scene::{colour, contacts, frames, guide, mesh, quaternion, raceway};
 use solution::{timeline, write};
 
+pub use ball::read_ball;
 pub use error::RecordError;
 pub use file::output::Channel;
 pub use file::read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
@@ -34,6 +35,7 @@ pub use layout::{Layout, LayoutKind};
 #[doc(hidden)]
 pub use live::is_live_request;
 #[cfg(feature = "live")]
-pub use live::{LIVE_ADDRESS, LiveServer, LiveSummary, LiveWarning};
+pub use live::{LIVE_ADDRESS, LiveName, LiveServer, LiveSummary, LiveWarning};
 pub use run::{FileSink, Preamble, RecorderMemory, RunRecorder, RunRecording, Sink, StreamSink};
+pub use solution::messages::read_state;
 pub use solution::write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};

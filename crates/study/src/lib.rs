@@ -6,8 +6,12 @@ pub mod evaluation;
 mod files;
 mod life;
 mod limits;
+mod lock;
 mod ours;
+pub mod plausibility;
+pub mod rating;
 pub mod run;
+pub mod survey;
 pub mod sweep;
 
 pub use case_file::{CaseFile, Change, read_text};
@@ -15,4 +19,5 @@ pub use error::{RefusedCase, StudyError, SweepDifference, with_causes};
 pub use files::StagedFiles;
 pub use life::{Life, LifeOptions, LifeStride, wear_life};
 pub use limits::Limits;
+pub use lock::Holder;
 pub use ours::Ours;

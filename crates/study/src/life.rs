@@ -8,9 +8,10 @@ use crate::error::StudyError;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
+use tribodyn_bearing::quantities::{OfBall, Over};
 use tribodyn_bearing::{Bearing, Side};
 use tribodyn_case::{Case, Coatings, Fit, Purpose};
-use tribodyn_quasistatic::{BallSolution, Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
+use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
 use tribodyn_traction::PatchRule;
 use tribodyn_wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
 
@@ -80,9 +81,9 @@ pub struct LifeStride {
     /// Largest contact angle of the balls at the outer race, degrees.
     pub contact_angle_outer_max_deg: f64,
     /// Highest peak pressure at the inner race, GPa.
-    pub pressure_inner_max_gpa: f64,
+    pub peak_pressure_inner_max_gpa: f64,
     /// Highest peak pressure at the outer race, GPa.
-    pub pressure_outer_max_gpa: f64,
+    pub peak_pressure_outer_max_gpa: f64,
     /// Cage speed, r/min.
     pub cage_speed_rpm: f64,
     /// Wear rate of the inner race, µm³/s.
@@ -216,30 +217,31 @@ impl<'a> Worn<'a> {
     }
 
     fn rates(&self, solution: &Solution) -> WearRates {
-        let race = |speed: f64, ball: fn(&BallSolution) -> (f64, f64)| RaceWear {
+        let race = |speed: f64, side: Side| RaceWear {
             along_orbit: solution
                 .balls
                 .iter()
                 .map(|b| {
-                    let (volume_rate, semi_lateral) = ball(b);
-                    BallWear { azimuth: b.azimuth_deg.to_radians(), volume_rate, semi_lateral }
+                    let contact = &b.contacts[side];
+                    let volume_rate = contact.friction_or_nan().wear_rate_m3_s;
+                    BallWear { azimuth: b.azimuth_rad, volume_rate, semi_lateral: contact.semi_axes_m[0] }
                 })
                 .collect(),
             ball_count: solution.balls.len(),
             turning: speed != 0.0,
         };
-        WearRates {
-            inner: race(self.point.inner_speed, |b| (b.wear_rate_inner_m3_s, b.semi_axes_inner_m[0])),
-            outer: race(self.point.outer_speed, |b| (b.wear_rate_outer_m3_s, b.semi_axes_outer_m[0])),
-        }
+        WearRates { inner: race(self.point.inner_speed, Side::Inner), outer: race(self.point.outer_speed, Side::Outer) }
     }
 
     fn row(&self, life: &CoatingLife, s: &Solution) -> LifeStride {
-        let (time, um3) = (life.elapsed(), 1e18);
+        let time = life.elapsed();
         let turns = (self.point.inner_speed - self.point.outer_speed).abs() / TAU;
-        let least = |get: fn(&BallSolution) -> f64| s.balls.iter().map(get).fold(f64::INFINITY, f64::min);
-        let most = |get: fn(&BallSolution) -> f64| s.balls.iter().map(get).fold(f64::NEG_INFINITY, f64::max);
-        let sum = |get: fn(&BallSolution) -> f64| s.balls.iter().map(get).sum::<f64>();
+        // A life is solved with traction, which has all of these.
+        let of = |quantity: Option<OfBall>, over| {
+            let value = quantity.and_then(|q| Some(q.over(over, &s.balls)? * q.facts().shown.per_si));
+            value.unwrap_or(f64::NAN)
+        };
+        let race = |side, name, over| of(OfBall::contact(side, name), over);
         let depths = [life.inner().mean_depth(), life.outer().mean_depth()];
         let angle = self.case(life).map_or(f64::NAN, |case| match case.geometry.fit {
             Fit::ContactAngle(angle) => angle,
@@ -253,16 +255,16 @@ impl<'a> Worn<'a> {
             wear_depth_inner_mean_um: depths[0] * 1e6,
             wear_depth_outer_mean_um: depths[1] * 1e6,
             contact_angle_free_deg: angle * 180.0 / PI,
-            contact_angle_inner_min_deg: least(|b| b.contact_angle_inner_deg),
-            contact_angle_inner_max_deg: most(|b| b.contact_angle_inner_deg),
-            contact_angle_outer_min_deg: least(|b| b.contact_angle_outer_deg),
-            contact_angle_outer_max_deg: most(|b| b.contact_angle_outer_deg),
-            pressure_inner_max_gpa: most(|b| b.peak_pressure_inner_pa) * 1e-9,
-            pressure_outer_max_gpa: most(|b| b.peak_pressure_outer_pa) * 1e-9,
+            contact_angle_inner_min_deg: race(Side::Inner, "contact_angle", Over::Min),
+            contact_angle_inner_max_deg: race(Side::Inner, "contact_angle", Over::Max),
+            contact_angle_outer_min_deg: race(Side::Outer, "contact_angle", Over::Min),
+            contact_angle_outer_max_deg: race(Side::Outer, "contact_angle", Over::Max),
+            peak_pressure_inner_max_gpa: race(Side::Inner, "peak_pressure", Over::Max),
+            peak_pressure_outer_max_gpa: race(Side::Outer, "peak_pressure", Over::Max),
             cage_speed_rpm: s.cage_speed_rpm,
-            wear_rate_inner_um3_s: sum(|b| b.wear_rate_inner_m3_s) * um3,
-            wear_rate_outer_um3_s: sum(|b| b.wear_rate_outer_m3_s) * um3,
-            wear_rate_cage_um3_s: sum(|b| b.wear_rate_cage_m3_s) * um3,
+            wear_rate_inner_um3_s: race(Side::Inner, "wear_rate", Over::Sum),
+            wear_rate_outer_um3_s: race(Side::Outer, "wear_rate", Over::Sum),
+            wear_rate_cage_um3_s: of(OfBall::ball("wear_rate_cage"), Over::Sum),
         }
     }
 

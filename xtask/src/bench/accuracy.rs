@@ -38,11 +38,18 @@ impl Observer for Trace {
             time: s.time_s,
             cage_angle: s.cage.angle_rad,
             acceleration: [x, y],
-            loads: s.balls.iter().map(|b| [b.inner.load_n, b.outer.load_n]).collect(),
+            loads: s.balls.iter().map(|b| [b.contacts.inner.load_n, b.contacts.outer.load_n]).collect(),
             tractions: s
                 .balls
                 .iter()
-                .map(|b| [b.inner.traction_n[0], b.inner.traction_n[1], b.outer.traction_n[0], b.outer.traction_n[1]])
+                .map(|b| {
+                    [
+                        b.contacts.inner.friction_or_nan().traction_n[0],
+                        b.contacts.inner.friction_or_nan().traction_n[1],
+                        b.contacts.outer.friction_or_nan().traction_n[0],
+                        b.contacts.outer.friction_or_nan().traction_n[1],
+                    ]
+                })
                 .collect(),
         });
         Ok(ControlFlow::Continue(()))

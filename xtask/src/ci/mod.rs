@@ -8,10 +8,12 @@ mod licences;
 mod metadata;
 mod node;
 mod recording;
+mod supply;
 
 use crate::built::cargo_program;
 use crate::error::Failure;
 use crate::page::{self, Checked};
+use crate::quantities;
 use crate::validate;
 use std::path::PathBuf;
 use std::process::Command;
@@ -27,7 +29,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 13] = [
+const STEPS: [Step; 15] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -36,6 +38,8 @@ const STEPS: [Step; 13] = [
     ("layers", layers::check),
     ("hygiene", hygiene::check),
     ("licences", licences::check),
+    ("supply chain", supply::check),
+    ("page of quantities", || quantities::check().map(|()| Outcome::Done)),
     ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
     ("figures", figures::check),
     ("recording read by Python", || recording::check(&recordings())),

@@ -136,9 +136,13 @@ impl Kind {
                 Quantities(all)
             }
             Self::Solution(answer) => {
-                let p = &answer.power;
                 let mut all = answer.operation.0.clone();
-                all.extend(of_powers([p.shaft_w, p.friction_inner_w, p.friction_outer_w, p.fluid_w]));
+                all.extend(
+                    answer
+                        .power
+                        .iter()
+                        .flat_map(|p| of_powers([p.shaft_w, p.friction_inner_w, p.friction_outer_w, p.fluid_w])),
+                );
                 all.extend(of_frequencies(&answer.frequencies));
                 Quantities(all)
             }
@@ -149,7 +153,7 @@ impl Kind {
 type Named = (&'static str, &'static str, &'static str, &'static str, usize, f64);
 
 fn one((key, name, unit, suffix, digits, value): Named) -> Quantity {
-    Quantity { key, name, unit, suffix, digits, values: Values::One(value) }
+    Quantity { key: key.into(), name: name.into(), unit, suffix, digits, values: Values::One(value) }
 }
 
 fn of_powers([shaft, inner, outer, fluid]: [f64; 4]) -> Vec<Quantity> {
@@ -176,7 +180,7 @@ fn of_frequencies(f: &BearingFrequencies) -> Vec<Quantity> {
 
 /// What only a run has, and its powers.
 fn of_run(answer: &Answer) -> Vec<Quantity> {
-    let (s, p) = (&answer.summary, &answer.summary.power);
+    let (s, p) = (&answer.summary, &answer.summary.power.mean);
     let mut all = of_powers([p.shaft_w, p.friction_inner_w, p.friction_outer_w, p.drag_w + p.churning_w]);
     all.extend(
         [
@@ -215,7 +219,7 @@ fn differences(a: &Quantities, b: &Quantities) -> Vec<Difference> {
             );
         }
         let (key, name, _) = if spans[0] { qa.fields().swap_remove(1) } else { qb.fields().swap_remove(1) };
-        Some(vec![Difference::new((key, name), unit, digits, [a.mean(qa.key)?, b.mean(qb.key)?])])
+        Some(vec![Difference::new((key, name), unit, digits, [a.mean(&qa.key)?, b.mean(&qb.key)?])])
     };
     a.0.iter().filter_map(both).flatten().collect()
 }

@@ -3,7 +3,7 @@
 use super::{Evaluated, Kind};
 use tribodyn_plot::{Axis, Figure, History, LineChart, Panel, PlotError, Samples, Series, time_history};
 use tribodyn_record::{BallRow, StateRow};
-use tribodyn_study::evaluation::quantities::{deflection_um, friction_torque_nm};
+use tribodyn_study::evaluation::quantities::{friction_torque_nm, ring_displacement_um};
 
 /// Sectors of the azimuth in which samples are averaged, 5° each.
 const SECTORS: usize = 72;
@@ -19,8 +19,8 @@ const CURVES: [Curve; 8] = [
     ("Outer race", "Contact angle", "°", |b| b.contact_angle_outer_deg, |b| b.load_outer_n),
     ("Inner race", "Contact load", "N", |b| b.load_inner_n, |_| 1.0),
     ("Outer race", "Contact load", "N", |b| b.load_outer_n, |_| 1.0),
-    ("Inner race", "Peak pressure", "GPa", |b| b.pressure_inner_gpa, |b| b.load_inner_n),
-    ("Outer race", "Peak pressure", "GPa", |b| b.pressure_outer_gpa, |b| b.load_outer_n),
+    ("Inner race", "Peak pressure", "GPa", |b| b.peak_pressure_inner_gpa, |b| b.load_inner_n),
+    ("Outer race", "Peak pressure", "GPa", |b| b.peak_pressure_outer_gpa, |b| b.load_outer_n),
     ("Inner race", "Slide-to-roll ratio", "%", |b| b.slide_to_roll_inner_percent, |b| b.load_inner_n),
     ("Outer race", "Slide-to-roll ratio", "%", |b| b.slide_to_roll_outer_percent, |b| b.load_outer_n),
 ];
@@ -31,8 +31,8 @@ type Line = (&'static str, &'static str, fn(&StateRow) -> f64);
 const LINES: [Line; 6] = [
     ("Cage speed", "r/min", |r| r.cage_speed_rpm),
     ("Friction torque", "N m", friction_torque_nm),
-    ("Deflection X", "µm", |r| deflection_um(r)[0]),
-    ("Deflection Z", "µm", |r| deflection_um(r)[2]),
+    ("Ring displacement X", "µm", |r| ring_displacement_um(r)[0]),
+    ("Ring displacement Z", "µm", |r| ring_displacement_um(r)[2]),
     ("Largest inner load", "N", |r| r.load_inner_max_n),
     ("Largest pocket force", "N", |r| r.pocket_force_max_n),
 ];

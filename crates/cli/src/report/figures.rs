@@ -41,10 +41,15 @@ const HISTORIES: [(&str, &str, &[Plan]); 6] = [
         "displacements",
         "Displacements of the rings",
         &[
-            ("Inner ring, X", "Displacement", "µm", &[("X", |r| r.inner_x_um)]),
-            ("Inner ring, Y", "Displacement", "µm", &[("Y", |r| r.inner_y_um)]),
-            ("Inner ring, Z", "Displacement", "µm", &[("Z", |r| r.inner_z_um)]),
-            ("Outer ring, X and Y", "Displacement", "µm", &[("X", |r| r.outer_x_um), ("Y", |r| r.outer_y_um)]),
+            ("Inner ring, X", "Displacement", "µm", &[("X", |r| r.inner_displacement_x_um)]),
+            ("Inner ring, Y", "Displacement", "µm", &[("Y", |r| r.inner_displacement_y_um)]),
+            ("Inner ring, Z", "Displacement", "µm", &[("Z", |r| r.inner_displacement_z_um)]),
+            (
+                "Outer ring, X and Y",
+                "Displacement",
+                "µm",
+                &[("X", |r| r.outer_displacement_x_um), ("Y", |r| r.outer_displacement_y_um)],
+            ),
         ],
     ),
     (
@@ -69,7 +74,7 @@ const HISTORIES: [(&str, &str, &[Plan]); 6] = [
                 "Peak pressure",
                 "Pressure",
                 "GPa",
-                &[("inner", |r| r.pressure_inner_max_gpa), ("outer", |r| r.pressure_outer_max_gpa)],
+                &[("inner", |r| r.peak_pressure_inner_max_gpa), ("outer", |r| r.peak_pressure_outer_max_gpa)],
             ),
         ],
     ),
@@ -81,7 +86,7 @@ const HISTORIES: [(&str, &str, &[Plan]); 6] = [
             "Power",
             "kW",
             &[
-                ("shaft", |r| 1e-3 * r.shaft_power_w),
+                ("shaft", |r| 1e-3 * r.shaft_w),
                 ("friction, inner race", |r| 1e-3 * r.friction_inner_w),
                 ("friction, outer race", |r| 1e-3 * r.friction_outer_w),
                 ("drag on the balls", |r| 1e-3 * r.drag_w),
@@ -163,9 +168,10 @@ pub fn balances(summary: &Summary, worn: &[BallWear]) -> Result<Vec<Figure>, Plo
         figures.push(bars("wear", "Wear caused by each ball, by its number", quantity, &names, &series)?);
     }
     let p = &summary.power;
-    let all = p.shaft_w.abs() + p.load_w.abs();
-    let sources = [("shaft", p.shaft_w), ("loads on the rings", p.load_w)].map(|(name, w)| (name, vec![1e-3 * w, 0.0]));
-    let losses = p.out().map(|(name, w)| (name, vec![0.0, 1e-3 * w]));
+    let all = p.mean.shaft_w.abs() + p.mean.load_w.abs();
+    let sources =
+        [("shaft", p.mean.shaft_w), ("loads on the rings", p.mean.load_w)].map(|(name, w)| (name, vec![1e-3 * w, 0.0]));
+    let losses = p.out().into_iter().map(|(name, w)| (name, vec![0.0, 1e-3 * w]));
     let seen = |(_, values): &(&str, Vec<f64>)| values.iter().any(|kw| 1e3 * kw.abs() > SEEN * all);
     let series: Vec<(&str, Vec<f64>)> = sources.into_iter().chain(losses).filter(seen).collect();
     if !series.is_empty() {

@@ -33,7 +33,7 @@ const PLANS: [(&str, &str, &str, &str, [Line; 2]); 6] = [
         "Peak contact pressure",
         "Pressure",
         "GPa",
-        [("inner contact", |b| b.pressure_inner_gpa), ("outer contact", |b| b.pressure_outer_gpa)],
+        [("inner contact", |b| b.peak_pressure_inner_gpa), ("outer contact", |b| b.peak_pressure_outer_gpa)],
     ),
     (
         "orbit-slide-to-roll",

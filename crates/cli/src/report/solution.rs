@@ -6,12 +6,14 @@ use super::values::CaseValue;
 use crate::failure::Failure;
 use crate::run::shown;
 use crate::table::number;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
+use tribodyn_bearing::quantities::{Fields, OfBall, Over, RPM_PER_RAD_S, Scope};
+use tribodyn_bearing::{BallResult, Side};
 use tribodyn_plot::Figure;
-use tribodyn_quasistatic::{BallSolution, Model, Solution};
-use tribodyn_record::{BallRow, Damage, Run, SolutionRow};
+use tribodyn_quasistatic::{Model, Solution};
+use tribodyn_record::{Damage, Run, SolutionRow, read_ball, read_state};
 use tribodyn_signal::BearingFrequencies;
 use tribodyn_study::CaseFile;
 use tribodyn_study::evaluation::facts::{self, Rolling, said};
@@ -31,23 +33,38 @@ pub struct SolutionAnswer {
     damage: Damage,
     pub cage_speed_rpm: f64,
     pub operation: Quantities,
-    pub power: SolutionPower,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub power: Option<SolutionPower>,
     pub frequencies: BearingFrequencies,
     pub rolling: Option<Rolling>,
-    balls: Vec<BallSolution>,
+    #[serde(serialize_with = "as_fields")]
+    balls: Vec<BallResult>,
     pub case_values: Vec<CaseValue>,
     pub warnings: Vec<String>,
     pub figures: Vec<String>,
     pub notes: Vec<String>,
 }
 
-/// Powers of a solution, W.
+/// Powers of a solution with traction, W.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct SolutionPower {
     pub shaft_w: f64,
     pub friction_inner_w: f64,
     pub friction_outer_w: f64,
     pub fluid_w: f64,
+}
+
+impl SolutionPower {
+    /// None where the model has no friction.
+    fn of(solution: &Solution) -> Option<Self> {
+        let sum = |q: Option<OfBall>| q?.over(Over::Sum, &solution.balls);
+        Some(Self {
+            shaft_w: solution.shaft_torque_nm? * solution.inner_speed_rad_s,
+            friction_inner_w: sum(OfBall::contact(Side::Inner, "power_loss"))?,
+            friction_outer_w: sum(OfBall::contact(Side::Outer, "power_loss"))?,
+            fluid_w: sum(OfBall::ball("power_loss_fluid"))?,
+        })
+    }
 }
 
 /// Evaluates the recording of a solution.
@@ -64,7 +81,6 @@ pub fn evaluate(
     let text = |key: &str| said(run, key).unwrap_or_default().to_owned();
     let mut warnings = at_start(solution.warnings.clone());
     warnings.extend(case.iter().flat_map(|file| facts::untested(&file.case, run)));
-    let sum = |get: fn(&BallSolution) -> f64| solution.balls.iter().map(get).sum::<f64>();
     let answer = SolutionAnswer {
         recording: path.to_owned(),
         kind: "solution",
@@ -76,12 +92,7 @@ pub fn evaluate(
         cage_speed_rpm: row.cage_speed_rpm,
         rolling: facts::rolling(run, &operation, speeds),
         operation,
-        power: SolutionPower {
-            shaft_w: row.shaft_torque_nm * solution.inner_speed_rad_s,
-            friction_inner_w: sum(|b| b.power_loss_inner_w),
-            friction_outer_w: sum(|b| b.power_loss_outer_w),
-            fluid_w: sum(|b| b.power_loss_fluid_w),
-        },
+        power: SolutionPower::of(&solution),
         frequencies: facts::frequencies(run, 0.0, row.cage_speed_rpm * TAU / 60.0, speeds)?,
         balls: solution.balls,
         case_values,
@@ -94,70 +105,38 @@ pub fn evaluate(
 
 /// The solution from the first sample of its orbit, where the balls stand at their solved azimuths.
 fn solved(run: &Run, row: &SolutionRow) -> Solution {
-    let model = if said(run, "model") == Some("JonesHarris") { Model::JonesHarris } else { Model::Traction };
+    let (model, scope) = match said(run, "model") {
+        Some("JonesHarris") => (Model::JonesHarris, Scope::All),
+        _ => (Model::Traction, Scope::Traction),
+    };
     let number = |key: &str| said(run, key).and_then(|text| text.parse().ok());
-    Solution {
+    let mut solution = Solution {
         model,
         converged: said(run, "converged") == Some("true"),
-        cage_speed_rpm: row.cage_speed_rpm,
-        ring_displacement_m: [row.shaft_x_um, row.shaft_y_um, row.shaft_z_um].map(|um| 1e-6 * um),
-        ring_tilt_rad: [row.tilt_x_mrad, row.tilt_y_mrad].map(|mrad| 1e-3 * mrad),
-        ring_load_n: [row.load_x_n, row.load_y_n, row.load_z_n],
-        ring_moment_nm: [row.moment_x_nm, row.moment_y_nm],
-        shaft_torque_nm: row.shaft_torque_nm,
-        inner_speed_rad_s: row.inner_speed_rpm * TAU / 60.0,
-        outer_speed_rad_s: row.outer_speed_rpm * TAU / 60.0,
+        cage_speed_rpm: 0.0,
+        ring_displacement_m: [0.0; 3],
+        ring_tilt_rad: [0.0; 2],
+        ring_load_n: [0.0; 3],
+        ring_moment_nm: [0.0; 2],
+        shaft_torque_nm: None,
+        inner_speed_rad_s: 0.0,
+        outer_speed_rad_s: 0.0,
         residual: number("residual").unwrap_or_default(),
         iterations: number("iterations").map_or(0, |steps| steps as usize),
         patch_error_estimate: None,
         warnings: run.events.iter().filter(|row| row.warning).map(|row| row.message.clone()).collect(),
-        balls: run.balls.first().map_or_else(Vec::new, |(_, balls)| balls.iter().map(ball).collect()),
-    }
+        balls: run
+            .balls
+            .first()
+            .map_or_else(Vec::new, |(_, balls)| balls.iter().map(|ball| read_ball(ball, scope)).collect()),
+    };
+    read_state(&mut solution, row);
+    solution
 }
 
-/// A ball in the units of solutions.
-fn ball(b: &BallRow) -> BallSolution {
-    let wide = |value: f32| f64::from(value);
-    BallSolution {
-        azimuth_deg: wide(b.azimuth_deg),
-        contact_angle_inner_deg: wide(b.contact_angle_inner_deg),
-        contact_angle_outer_deg: wide(b.contact_angle_outer_deg),
-        load_inner_n: wide(b.load_inner_n),
-        load_outer_n: wide(b.load_outer_n),
-        approach_inner_m: 1e-6 * wide(b.approach_inner_um),
-        approach_outer_m: 1e-6 * wide(b.approach_outer_um),
-        peak_pressure_inner_pa: 1e9 * wide(b.pressure_inner_gpa),
-        peak_pressure_outer_pa: 1e9 * wide(b.pressure_outer_gpa),
-        semi_axes_inner_m: [b.semi_axis_across_inner_mm, b.semi_axis_rolling_inner_mm].map(|mm| 1e-3 * wide(mm)),
-        semi_axes_outer_m: [b.semi_axis_across_outer_mm, b.semi_axis_rolling_outer_mm].map(|mm| 1e-3 * wide(mm)),
-        orbital_speed_rad_s: wide(b.orbital_speed_rpm) * TAU / 60.0,
-        axial_displacement_m: 1e-6 * wide(b.axial_displacement_um),
-        spin_rad_s: [b.spin_axial_rad_s, b.spin_radial_rad_s, b.spin_tangential_rad_s].map(wide),
-        centrifugal_force_n: wide(b.centrifugal_force_n),
-        gyroscopic_moment_nm: 1e-3 * wide(b.gyroscopic_moment_nmm),
-        drag_n: wide(b.drag_n),
-        traction_inner_n: wide(b.traction_inner_n),
-        traction_outer_n: wide(b.traction_outer_n),
-        lateral_traction_inner_n: wide(b.lateral_traction_inner_n),
-        lateral_traction_outer_n: wide(b.lateral_traction_outer_n),
-        slide_to_roll_inner: 1e-2 * wide(b.slide_to_roll_inner_percent),
-        slide_to_roll_outer: 1e-2 * wide(b.slide_to_roll_outer_percent),
-        lateral_slide_to_roll_inner: 1e-2 * wide(b.lateral_slide_to_roll_inner_percent),
-        lateral_slide_to_roll_outer: 1e-2 * wide(b.lateral_slide_to_roll_outer_percent),
-        spin_ratio_inner: wide(b.spin_ratio_inner_per_m),
-        spin_ratio_outer: wide(b.spin_ratio_outer_per_m),
-        rolling_speed_inner_m_s: wide(b.rolling_speed_inner_m_s),
-        rolling_speed_outer_m_s: wide(b.rolling_speed_outer_m_s),
-        power_loss_inner_w: wide(b.power_loss_inner_w),
-        power_loss_outer_w: wide(b.power_loss_outer_w),
-        power_loss_fluid_w: wide(b.power_loss_fluid_w),
-        wear_rate_inner_m3_s: 1e-18 * wide(b.wear_rate_inner_um3_s),
-        wear_rate_outer_m3_s: 1e-18 * wide(b.wear_rate_outer_um3_s),
-        pocket_lead_rad: 1e-3 * wide(b.pocket_lead_mrad),
-        cage_force_n: wide(b.cage_force_n),
-        wear_rate_cage_m3_s: 1e-18 * wide(b.wear_rate_cage_um3_s),
-        ..BallSolution::default()
-    }
+/// Balls as `solve --json` has them.
+fn as_fields<S: Serializer>(balls: &[BallResult], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(balls.iter().map(Fields))
 }
 
 /// What was solved.
@@ -181,12 +160,15 @@ pub fn content(answer: &SolutionAnswer, case: Option<&CaseFile>, run: &Run) -> C
         subtitle: "Quasi-static solution",
         warnings: shown(&warnings),
         opening,
-        tables: vec![
-            tables::operation(&answer.operation, text),
-            powers(&answer.power),
-            tables::frequencies(&answer.frequencies, answer.rolling.as_ref()),
-            balls(answer),
-        ],
+        tables: [
+            Some(tables::operation(&answer.operation, text)),
+            answer.power.as_ref().map(powers),
+            Some(tables::frequencies(&answer.frequencies, answer.rolling.as_ref())),
+            Some(balls(answer)),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
         notes: answer.notes.clone(),
         case_text: run.case_text.clone(),
     }
@@ -213,25 +195,25 @@ fn powers(p: &SolutionPower) -> Table {
 
 /// One row for each ball; Jones–Harris says nothing about traction and slip.
 fn balls(answer: &SolutionAnswer) -> Table {
-    type Column = (&'static str, usize, fn(&BallSolution) -> f64);
+    type Column = (&'static str, usize, fn(&BallResult) -> f64);
     let columns: [Column; 14] = [
-        ("φ, °", 1, |b| b.azimuth_deg),
-        ("α_i, °", 3, |b| b.contact_angle_inner_deg),
-        ("α_o, °", 3, |b| b.contact_angle_outer_deg),
-        ("Q_i, N", 1, |b| b.load_inner_n),
-        ("Q_o, N", 1, |b| b.load_outer_n),
-        ("p_i, GPa", 3, |b| 1e-9 * b.peak_pressure_inner_pa),
-        ("p_o, GPa", 3, |b| 1e-9 * b.peak_pressure_outer_pa),
-        ("ω_m, r/min", 2, |b| b.orbital_speed_rad_s * 60.0 / TAU),
-        ("T_i, N", 2, |b| b.traction_inner_n),
-        ("T_o, N", 2, |b| b.traction_outer_n),
-        ("ξ_i, %", 4, |b| 100.0 * b.slide_to_roll_inner),
-        ("ξ_o, %", 4, |b| 100.0 * b.slide_to_roll_outer),
-        ("P_i, W", 2, |b| b.power_loss_inner_w),
-        ("P_o, W", 2, |b| b.power_loss_outer_w),
+        ("φ, °", 1, |b| b.azimuth_rad.to_degrees()),
+        ("α_i, °", 3, |b| b.contacts.inner.angle_rad.to_degrees()),
+        ("α_o, °", 3, |b| b.contacts.outer.angle_rad.to_degrees()),
+        ("Q_i, N", 1, |b| b.contacts.inner.load_n),
+        ("Q_o, N", 1, |b| b.contacts.outer.load_n),
+        ("p_i, GPa", 3, |b| 1e-9 * b.contacts.inner.peak_pressure_pa),
+        ("p_o, GPa", 3, |b| 1e-9 * b.contacts.outer.peak_pressure_pa),
+        ("ω_m, r/min", 2, |b| b.orbital_speed_rad_s * RPM_PER_RAD_S),
+        ("T_i, N", 2, |b| b.contacts.inner.friction_or_nan().traction_n[0]),
+        ("T_o, N", 2, |b| b.contacts.outer.friction_or_nan().traction_n[0]),
+        ("ξ_i, %", 4, |b| 100.0 * b.contacts.inner.friction_or_nan().slide_to_roll[0]),
+        ("ξ_o, %", 4, |b| 100.0 * b.contacts.outer.friction_or_nan().slide_to_roll[0]),
+        ("P_i, W", 2, |b| b.contacts.inner.friction_or_nan().power_loss_w),
+        ("P_o, W", 2, |b| b.contacts.outer.friction_or_nan().power_loss_w),
     ];
     let shown = if answer.model == Model::JonesHarris { &columns[..8] } else { &columns[..] };
-    let row = |b: &BallSolution| shown.iter().map(|(_, digits, get)| number(get(b), *digits)).collect();
+    let row = |b: &BallResult| shown.iter().map(|(_, digits, get)| number(get(b), *digits)).collect();
     Table {
         title: "Balls".to_owned(),
         text: "Azimuth φ, contact angles α, loads Q, peak pressures p, orbital speed ω_m, traction along the orbit T, slide-to-roll ratio ξ and frictional power P at the inner (i) and outer (o) race.".to_owned(),

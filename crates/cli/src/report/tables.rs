@@ -28,7 +28,11 @@ pub fn results(answer: &Answer) -> Table {
         row("Acceleration of the outer ring, rms, X / Y", rms, rms_unit),
         row("Acceleration of the outer ring, peak, X / Y", peak, peak_unit),
         row("Largest contact load, inner / outer", pair(s.load_inner_max_n, s.load_outer_max_n, 1), "N"),
-        row("Largest pressure, inner / outer", pair(s.pressure_inner_max_gpa, s.pressure_outer_max_gpa, 3), "GPa"),
+        row(
+            "Largest pressure, inner / outer",
+            pair(s.peak_pressure_inner_max_gpa, s.peak_pressure_outer_max_gpa, 3),
+            "GPa",
+        ),
         row("Largest pocket force", number(s.pocket_force_max_n, 1), "N"),
         row("Impacts on pockets, whole run", s.impacts.to_string(), ""),
         row("Fewest balls in contact, whole run", s.balls_in_contact_min.to_string(), ""),
@@ -54,13 +58,13 @@ pub fn results(answer: &Answer) -> Table {
 
 pub fn powers(s: &Summary) -> Table {
     let p = &s.power;
-    let total = p.shaft_w + p.load_w;
+    let total = p.mean.shaft_w + p.mean.load_w;
     let share = |w: f64| if total == 0.0 { String::new() } else { number(100.0 * w / total, 2) };
     let mut rows = vec![
-        vec!["In: shaft".to_owned(), number(p.shaft_w, 1), share(p.shaft_w)],
-        vec!["In: loads on the rings".to_owned(), number(p.load_w, 1), share(p.load_w)],
+        vec!["In: shaft".to_owned(), number(p.mean.shaft_w, 1), share(p.mean.shaft_w)],
+        vec!["In: loads on the rings".to_owned(), number(p.mean.load_w, 1), share(p.mean.load_w)],
     ];
-    rows.extend(p.out().map(|(name, w)| vec![format!("Out: {name}"), number(w, 1), share(w)]));
+    rows.extend(p.out().into_iter().map(|(name, w)| vec![format!("Out: {name}"), number(w, 1), share(w)]));
     let text = format!(
         "Means from {} to {} s. Work missing over the whole run: {} % of all work put in.",
         number(s.averaged_from_s, 4),
@@ -111,7 +115,7 @@ pub fn frequencies(measured: &BearingFrequencies, rolling: Option<&Rolling>) -> 
     }
 }
 
-/// Angles, loads, slip and spin of the contacts, torque, deflection and load zone.
+/// Angles, loads, slip and spin of the contacts, torque, displacement and load zone.
 pub fn operation(all: &Quantities, text: &str) -> Table {
     let rows = all.0.iter().map(|q| {
         let shown = |value: f64| number(value, q.digits);
@@ -119,7 +123,7 @@ pub fn operation(all: &Quantities, text: &str) -> Table {
             Values::One(value) => [String::new(), shown(value), String::new()],
             Values::Span { min, mean, max } => [min, mean, max].map(shown),
         };
-        vec![q.name.to_owned(), min, mean, max, q.unit.to_owned()]
+        vec![q.name.to_string(), min, mean, max, q.unit.to_owned()]
     });
     Table {
         title: "Operation".to_owned(),

@@ -45,7 +45,7 @@ fn motion_rows(s: &Summary, r: &RunReport) -> Vec<Row> {
         ("orbital speeds, least and most", pair(s.orbital_speed_min_rpm, s.orbital_speed_max_rpm, 2), "r/min"),
         ("outer ring acceleration, rms x y", rms, rms_unit),
         ("outer ring acceleration, peak x y", peak, peak_unit),
-        ("peak pressure, inner outer", pair(s.pressure_inner_max_gpa, s.pressure_outer_max_gpa, 3), "GPa"),
+        ("peak pressure, inner outer", pair(s.peak_pressure_inner_max_gpa, s.peak_pressure_outer_max_gpa, 3), "GPa"),
         ("pocket force, largest", number(s.pocket_force_max_n, 1), "N"),
         ("pocket impacts, whole run", s.impacts.to_string(), ""),
     ]
@@ -53,8 +53,9 @@ fn motion_rows(s: &Summary, r: &RunReport) -> Vec<Row> {
 
 fn power_rows(s: &Summary) -> Vec<Row> {
     let p = &s.power;
-    let mut rows = vec![("power in: shaft", number(p.shaft_w, 1), "W"), ("power in: loads", number(p.load_w, 1), "W")];
-    rows.extend(p.out().map(|(name, value)| (name, number(value, 1), "W")));
+    let (shaft, loads) = (number(p.mean.shaft_w, 1), number(p.mean.load_w, 1));
+    let mut rows = vec![("power in: shaft", shaft, "W"), ("power in: loads", loads, "W")];
+    rows.extend(p.out().into_iter().map(|(name, value)| (name, number(value, 1), "W")));
     rows.push(("imbalance of all work done", imbalance(p.imbalance_percent), "%"));
     rows
 }

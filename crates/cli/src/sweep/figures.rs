@@ -108,7 +108,7 @@ const PLANS: [Plan; 15] = [
             ("cage pockets", "wear_rate_cage_m3_s"),
         ],
     ),
-    plan("cage-force", "Largest pocket force", ("Pocket force", "N", 1.0), &[("largest", "cage_force_max_n")]),
+    plan("cage-force", "Largest pocket force", ("Pocket force", "N", 1.0), &[("largest", "pocket_force_max_n")]),
     plan(
         "ring-load",
         "Force of the inner ring on the balls",

@@ -19,7 +19,7 @@ impl Run {
     /// state rate or step, [`DynamicsError::CheckpointValue`] for one with values that no run of the case can have.
     pub fn resume(&mut self, checkpoint: Checkpoint) -> Result<(), DynamicsError> {
         let (found, expected) = (checkpoint.state.len(), self.start.len());
-        if found != expected || checkpoint.derivative.len() != expected {
+        if [found, checkpoint.derivative.len(), checkpoint.looked.state.len()] != [expected; 3] {
             return Err(DynamicsError::Checkpoint { found, expected });
         }
         if !self.filter.remembers(&checkpoint.filter) {

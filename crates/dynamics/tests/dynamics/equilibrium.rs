@@ -25,9 +25,9 @@ fn stays(scheme: &str, changes: &[(&str, &str)], tolerance: f64) {
             ("orbital speed", a.orbital_speed_rad_s, b.orbital_speed_rad_s, a.orbital_speed_rad_s),
             ("spin", a.spin_rad_s[0], b.spin_rad_s[0], a.spin_rad_s[0]),
             ("radial spin", a.spin_rad_s[1], b.spin_rad_s[1], a.spin_rad_s[0]),
-            ("inner load", a.inner.load_n, b.inner.load_n, a.inner.load_n),
-            ("outer load", a.outer.load_n, b.outer.load_n, a.outer.load_n),
-            ("inner angle", a.inner.angle_rad, b.inner.angle_rad, a.inner.angle_rad),
+            ("inner load", a.contacts.inner.load_n, b.contacts.inner.load_n, a.contacts.inner.load_n),
+            ("outer load", a.contacts.outer.load_n, b.contacts.outer.load_n, a.contacts.outer.load_n),
+            ("inner angle", a.contacts.inner.angle_rad, b.contacts.inner.angle_rad, a.contacts.inner.angle_rad),
         ];
         for (what, a, b, scale) in pairs {
             assert!((a - b).abs() <= tolerance * scale.abs(), "{scheme}, {what}: {a:.15e} became {b:.15e}");

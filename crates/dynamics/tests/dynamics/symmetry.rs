@@ -24,14 +24,15 @@ fn near(what: &str, a: f64, b: f64, tolerance: f64) {
 fn identity_drag_and_churning_of_the_balls_sum_to_the_powers() {
     for scheme in ["RungeKutta4(step: us(5))", "Fast(step: us(20))"] {
         let last = end(&[("transient.scheme", scheme)]);
-        let churning: f64 = last.balls.iter().map(|b| b.churning_w).sum();
+        let churning: f64 = last.balls.iter().map(|b| b.fluid.unwrap().churning_w).sum();
         near("churning", churning, last.power.churning_w, 1e-12 * churning);
-        let drag: f64 = last.balls.iter().map(|b| b.drag_n * b.orbit_radius_m * b.orbital_speed_rad_s).sum();
+        let drag: f64 =
+            last.balls.iter().map(|b| b.fluid.unwrap().drag_n * b.orbit_radius_m * b.orbital_speed_rad_s).sum();
         near("drag", drag, last.power.drag_w, 1e-12 * drag.abs());
         // The moment is against the spin: each ball loses power, by each of its axes.
         for ball in &last.balls {
-            let [_, radial, _] = ball.churning_nm;
-            assert!(ball.churning_w > 0.0 && radial * ball.spin_rad_s[1] < 0.0, "{ball:?}");
+            let [_, radial, _] = ball.fluid.unwrap().churning_nm;
+            assert!(ball.fluid.unwrap().churning_w > 0.0 && radial * ball.spin_rad_s[1] < 0.0, "{ball:?}");
         }
     }
 }
@@ -45,9 +46,14 @@ fn identity_loads_turned_by_one_pitch_permute_the_balls() {
     for ball in 0..13 {
         let (a, b) = (&plain.balls[ball], &other.balls[(ball + 1) % 13]);
         near("orbital speed", a.orbital_speed_rad_s, b.orbital_speed_rad_s, 1e-7);
-        near("inner load", a.inner.load_n, b.inner.load_n, 1e-5);
+        near("inner load", a.contacts.inner.load_n, b.contacts.inner.load_n, 1e-5);
         near("spin", a.spin_rad_s[0], b.spin_rad_s[0], 1e-6);
-        near("traction", a.outer.traction_n[0], b.outer.traction_n[0], 1e-4);
+        near(
+            "traction",
+            a.contacts.outer.friction_or_nan().traction_n[0],
+            b.contacts.outer.friction_or_nan().traction_n[0],
+            1e-4,
+        );
     }
     near("cage", plain.cage.speed_rad_s, other.cage.speed_rad_s, 1e-8);
 }
@@ -59,8 +65,13 @@ fn identity_mirrored_rotation_mirrors_the_run() {
         let (a, b) = (&plain.balls[ball], &mirrored.balls[(13 - ball) % 13]);
         near("orbital speed", a.orbital_speed_rad_s, -b.orbital_speed_rad_s, 1e-7);
         near("spin", a.spin_rad_s[0], -b.spin_rad_s[0], 1e-6);
-        near("inner load", a.inner.load_n, b.inner.load_n, 1e-5);
-        near("traction", a.inner.traction_n[0], -b.inner.traction_n[0], 1e-4);
+        near("inner load", a.contacts.inner.load_n, b.contacts.inner.load_n, 1e-5);
+        near(
+            "traction",
+            a.contacts.inner.friction_or_nan().traction_n[0],
+            -b.contacts.inner.friction_or_nan().traction_n[0],
+            1e-4,
+        );
     }
     near("cage", plain.cage.speed_rad_s, -mirrored.cage.speed_rad_s, 1e-8);
     near("ring across the load", plain.inner.displacement_m[1], -mirrored.inner.displacement_m[1], 1e-15);

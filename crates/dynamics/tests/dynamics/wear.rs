@@ -21,7 +21,9 @@ const SHORT: [(&str, &str); 3] = [
 #[test]
 fn identity_volumes_are_the_rates_summed() {
     let (_, keep) = run(&case(&[("transient.duration", "s(0.002)"), ("recording.ball_rate", "kHz(25.6)")]));
-    let rate = |s: &tribodyn_dynamics::Sample| s.balls.iter().map(|b| b.inner.wear_rate_m3_s).sum::<f64>();
+    let rate = |s: &tribodyn_dynamics::Sample| {
+        s.balls.iter().map(|b| b.contacts.inner.friction_or_nan().wear_rate_m3_s).sum::<f64>()
+    };
     let summed: f64 = keep.samples.windows(2).map(|w| 0.5 * (rate(&w[0]) + rate(&w[1])) / 25_600.0).sum();
     let last = keep.samples.last().unwrap();
     let volume = last.wear.volume_inner_m3;
@@ -32,9 +34,16 @@ fn identity_volumes_are_the_rates_summed() {
 #[test]
 fn identity_a_defect_is_felt_by_the_ball_that_passes() {
     let (_, keep) = run(&with(WORN, &SHORT));
-    let hit = |s: &tribodyn_dynamics::Sample| s.balls.iter().any(|b| b.outer.bare > 0.5);
+    let hit = |s: &tribodyn_dynamics::Sample| {
+        s.balls.iter().any(|b| b.contacts.outer.transient.unwrap_or_default().bare > 0.5)
+    };
     assert!(keep.samples.iter().any(hit) && !keep.samples.iter().all(hit));
-    let deepest = keep.samples.iter().flat_map(|s| &s.balls).map(|b| b.outer.depth_m).fold(0.0, f64::max);
+    let deepest = keep
+        .samples
+        .iter()
+        .flat_map(|s| &s.balls)
+        .map(|b| b.contacts.outer.transient.unwrap_or_default().depth_m)
+        .fold(0.0, f64::max);
     assert!(deepest > 6e-6, "{deepest:e}");
     let quiet = run(&with(WORN, &[&SHORT[..], &[("defects", "[]")]].concat())).1;
     let strongest = |k: &Keep| k.samples.iter().map(|s| s.outer.acceleration_m_s2[0].abs()).fold(0.0, f64::max);
@@ -63,5 +72,8 @@ fn limit_accelerated_wear_goes_through_the_coating_and_says_so() {
     run.advance(f64::INFINITY, &mut keep).unwrap();
     let through = keep.events.iter().filter(|e| matches!(e.kind, EventKind::CoatingThrough { .. })).count();
     assert!(through >= 1, "{:?}", keep.samples.last().unwrap().wear);
-    assert!(keep.samples.last().unwrap().balls.iter().any(|b| b.inner.bare > 0.0 || b.outer.bare > 0.0));
+    assert!(
+        keep.samples.last().unwrap().balls.iter().any(|b| b.contacts.inner.transient.unwrap_or_default().bare > 0.0
+            || b.contacts.outer.transient.unwrap_or_default().bare > 0.0)
+    );
 }

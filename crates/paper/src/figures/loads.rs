@@ -6,11 +6,11 @@ use super::spec::Spec;
 use super::steady::twice_the_least;
 use crate::error::PaperError;
 use crate::transient::{RPM, Transient};
-use tribodyn_dynamics::{BallSample, ContactSample};
+use tribodyn_bearing::{BallResult, ContactResult};
 use tribodyn_plot::{Axis, Figure, OrbitSamples, Panel, Place, Reference, bars, orbit_panels};
 
 /// A number of a ball; `None` where it has none, as the angle of a contact without load.
-type Quantity = fn(&BallSample) -> Option<f64>;
+type Quantity = fn(&BallResult) -> Option<f64>;
 /// Label and unit of an axis.
 type Unit = (&'static str, &'static str);
 /// Heading of a panel, its axis and values.
@@ -24,35 +24,37 @@ const WEAR: Unit = ("Wear rate", "10⁻¹² m³/s");
 const FORCE: Unit = ("Pocket force", "N");
 
 /// A value of a contact that carries load.
-fn loaded(contact: &ContactSample, value: f64) -> Option<f64> {
+fn loaded(contact: &ContactResult, value: f64) -> Option<f64> {
     (contact.load_n > 0.0).then_some(value)
 }
 
 pub const ANGLES: [Plan; 2] = [
-    ("Inner contact", ANGLE, |b| loaded(&b.inner, b.inner.angle_rad.to_degrees())),
-    ("Outer contact", ANGLE, |b| loaded(&b.outer, b.outer.angle_rad.to_degrees())),
+    ("Inner contact", ANGLE, |b| loaded(&b.contacts.inner, b.contacts.inner.angle_rad.to_degrees())),
+    ("Outer contact", ANGLE, |b| loaded(&b.contacts.outer, b.contacts.outer.angle_rad.to_degrees())),
 ];
 pub const LOADS: [Plan; 2] = [
-    ("Inner contact", LOAD, |b| loaded(&b.inner, 1e-3 * b.inner.load_n)),
-    ("Outer contact", LOAD, |b| loaded(&b.outer, 1e-3 * b.outer.load_n)),
+    ("Inner contact", LOAD, |b| loaded(&b.contacts.inner, 1e-3 * b.contacts.inner.load_n)),
+    ("Outer contact", LOAD, |b| loaded(&b.contacts.outer, 1e-3 * b.contacts.outer.load_n)),
 ];
 pub const SLIPS: [Plan; 2] = [
-    ("Inner contact", SLIP, |b| loaded(&b.inner, 1e3 * b.inner.slide_to_roll[0])),
-    ("Outer contact", SLIP, |b| loaded(&b.outer, 1e3 * b.outer.slide_to_roll[0])),
+    ("Inner contact", SLIP, |b| loaded(&b.contacts.inner, 1e3 * b.contacts.inner.friction_or_nan().slide_to_roll[0])),
+    ("Outer contact", SLIP, |b| loaded(&b.contacts.outer, 1e3 * b.contacts.outer.friction_or_nan().slide_to_roll[0])),
 ];
 pub const SPINS: [Plan; 2] = [
-    ("Inner contact", SPIN, |b| loaded(&b.inner, b.inner.spin_ratio_per_m)),
-    ("Outer contact", SPIN, |b| loaded(&b.outer, b.outer.spin_ratio_per_m)),
+    ("Inner contact", SPIN, |b| loaded(&b.contacts.inner, b.contacts.inner.spin_ratio_per_m)),
+    ("Outer contact", SPIN, |b| loaded(&b.contacts.outer, b.contacts.outer.spin_ratio_per_m)),
 ];
-pub const RACE_WEAR: [Plan; 1] = [("", WEAR, |b| Some(1e12 * (b.inner.wear_rate_m3_s + b.outer.wear_rate_m3_s)))];
-const POCKET_WEAR: Plan = ("", WEAR, |b| Some(1e12 * b.wear_rate_cage_m3_s));
-const POCKET_FORCE: Plan = ("", FORCE, |b| Some(b.pocket_force_n.abs()));
+pub const RACE_WEAR: [Plan; 1] = [("", WEAR, |b| {
+    Some(1e12 * (b.contacts.inner.friction_or_nan().wear_rate_m3_s + b.contacts.outer.friction_or_nan().wear_rate_m3_s))
+})];
+const POCKET_WEAR: Plan = ("", WEAR, |b| Some(1e12 * b.pocket.unwrap_or_default().wear_rate_m3_s));
+const POCKET_FORCE: Plan = ("", FORCE, |b| Some(b.pocket.unwrap_or_default().force_n.abs()));
 /// Fig. 21b: what goes with the wear of a pocket.
 pub const POCKET: [Plan; 3] = [
     ("Wear of the pocket", POCKET_WEAR.1, POCKET_WEAR.2),
     ("Force of the pocket", FORCE, POCKET_FORCE.2),
     ("Longitudinal traction, both races", ("Force on the ball", "N"), |b| {
-        Some(b.inner.traction_n[0] + b.outer.traction_n[0])
+        Some(b.contacts.inner.friction_or_nan().traction_n[0] + b.contacts.outer.friction_or_nan().traction_n[0])
     }),
 ];
 pub const FORCES: [Plan; 1] = [POCKET_FORCE];

@@ -6,11 +6,11 @@ use crate::mean::{mean, rms};
 use crate::table::{Table, markdown};
 use crate::transient::{RPM, Set, StateSample, Transient};
 use std::f64::consts::TAU;
-use tribodyn_dynamics::BallSample;
+use tribodyn_bearing::BallResult;
 
 const RESULT: &str = "fixtures/expected/sensitivity-readings.csv";
 
-type OfBall = fn(&BallSample) -> f64;
+type OfBall = fn(&BallResult) -> f64;
 type OfState = fn(&StateSample) -> f64;
 
 /// Statement of a claim about loads, zones or coatings.
@@ -46,7 +46,8 @@ struct Reading {
 
 const INNER: [OfState; 3] = [|s| s.inner_acceleration[0], |s| s.inner_acceleration[1], |s| s.inner_acceleration[2]];
 const OUTER: [OfState; 2] = [|s| s.outer_acceleration[0], |s| s.outer_acceleration[1]];
-const SLIP: [OfBall; 2] = [|b| b.inner.slide_to_roll[0], |b| b.outer.slide_to_roll[0]];
+const SLIP: [OfBall; 2] =
+    [|b| b.contacts.inner.friction_or_nan().slide_to_roll[0], |b| b.contacts.outer.friction_or_nan().slide_to_roll[0]];
 const SIDES: [&str; 2] = ["inner", "outer"];
 
 /// Ways to average a number of the balls; a ball without inner contact has no angle and no slip that would mean
@@ -72,7 +73,7 @@ fn middle(values: &mut [(f64, f64)]) -> f64 {
 }
 
 /// Azimuth and number of all balls at all times.
-fn samples(run: &Transient, get: impl Fn(&BallSample) -> f64) -> Vec<(f64, f64)> {
+fn samples(run: &Transient, get: impl Fn(&BallResult) -> f64) -> Vec<(f64, f64)> {
     run.settled().all_balls().map(|b| (b.azimuth_rad, get(b))).collect()
 }
 
@@ -185,7 +186,7 @@ fn impacts(set: &Set) -> Vec<Reading> {
     };
     let weighed = |wall: f64| {
         move |run: &Transient| {
-            let force = |b: &BallSample| (wall * b.pocket_force_n).max(0.0);
+            let force = |b: &BallResult| (wall * b.pocket.unwrap_or_default().force_n).max(0.0);
             let all = samples(run, force);
             let inside = |azimuth: f64| (245.0..=330.0).contains(&azimuth.rem_euclid(TAU).to_degrees());
             let total: f64 = all.iter().map(|p| p.1).sum();
@@ -199,12 +200,12 @@ fn impacts(set: &Set) -> Vec<Reading> {
         says: Says::Above(0.5),
     };
     vec![
-        near("greatest pocket force", &|run| place(run, |b| b.pocket_force_n.abs())),
-        near("greatest force of the front wall", &|run| place(run, |b| -b.pocket_force_n)),
-        near("greatest force of the rear wall", &|run| place(run, |b| b.pocket_force_n)),
+        near("greatest pocket force", &|run| place(run, |b| b.pocket.unwrap_or_default().force_n.abs())),
+        near("greatest force of the front wall", &|run| place(run, |b| -b.pocket.unwrap_or_default().force_n)),
+        near("greatest force of the rear wall", &|run| place(run, |b| b.pocket.unwrap_or_default().force_n)),
         near("greatest orbital speed", &|run| place(run, |b| b.orbital_speed_rad_s)),
         near("least orbital speed", &|run| place(run, |b| -b.orbital_speed_rad_s)),
-        near("greatest lead", &|run| place(run, |b| b.pocket_lead_rad)),
+        near("greatest lead", &|run| place(run, |b| b.pocket.unwrap_or_default().lead_rad)),
         share("share of the impulse of the front wall", &weighed(-1.0)),
         share("share of the impulse of the rear wall", &weighed(1.0)),
     ]
@@ -213,7 +214,8 @@ fn impacts(set: &Set) -> Vec<Reading> {
 /// F23.1: angles and slip.
 fn contacts(set: &Set) -> Vec<Reading> {
     let mut out = Vec::new();
-    let angles: [OfBall; 2] = [|b| b.inner.angle_rad.to_degrees(), |b| b.outer.angle_rad.to_degrees()];
+    let angles: [OfBall; 2] =
+        [|b| b.contacts.inner.angle_rad.to_degrees(), |b| b.contacts.outer.angle_rad.to_degrees()];
     for (side, get) in SIDES.into_iter().zip(angles) {
         for average in [AVERAGES[1], AVERAGES[3], AVERAGES[4], AVERAGES[5]] {
             let values = loads(set).map(|run| (average.of)(&mut samples(run, get))).to_vec();
@@ -244,8 +246,14 @@ fn coatings(set: &Set) -> Vec<Reading> {
     let mut out = Vec::new();
     let runs = [&set.ag, &set.ptfe];
     let total: [OfBall; 2] = [
-        |b| b.inner.slide_to_roll[0].hypot(b.inner.slide_to_roll[1]),
-        |b| b.outer.slide_to_roll[0].hypot(b.outer.slide_to_roll[1]),
+        |b| {
+            b.contacts.inner.friction_or_nan().slide_to_roll[0]
+                .hypot(b.contacts.inner.friction_or_nan().slide_to_roll[1])
+        },
+        |b| {
+            b.contacts.outer.friction_or_nan().slide_to_roll[0]
+                .hypot(b.contacts.outer.friction_or_nan().slide_to_roll[1])
+        },
     ];
     for (side, (along, both)) in SIDES.into_iter().zip(SLIP.into_iter().zip(total)) {
         for (what, get) in [("", along), (", with the lateral part", both)] {
@@ -267,8 +275,12 @@ fn coatings(set: &Set) -> Vec<Reading> {
 fn cage(set: &Set) -> Vec<Reading> {
     let mut out = Vec::new();
     for average in AVERAGES {
-        let force = loads(set).map(|run| (average.of)(&mut samples(run, |b| b.pocket_force_n.abs()))).to_vec();
-        let wear = loads(set).map(|run| (average.of)(&mut samples(run, |b| 1e12 * b.wear_rate_cage_m3_s))).to_vec();
+        let force = loads(set)
+            .map(|run| (average.of)(&mut samples(run, |b| b.pocket.unwrap_or_default().force_n.abs())))
+            .to_vec();
+        let wear = loads(set)
+            .map(|run| (average.of)(&mut samples(run, |b| 1e12 * b.pocket.unwrap_or_default().wear_rate_m3_s)))
+            .to_vec();
         out.push(Reading { row: "F23.2.text", text: average.name.to_owned(), values: force, says: Says::Rises });
         out.push(Reading { row: "F24.1.cage", text: average.name.to_owned(), values: wear, says: Says::Falls });
     }

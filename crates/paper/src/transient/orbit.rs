@@ -3,10 +3,10 @@
 use super::trace::{Impact, StateSample, Trace};
 use crate::mean::{mean, rms};
 use std::f64::consts::TAU;
-use tribodyn_dynamics::BallSample;
+use tribodyn_bearing::BallResult;
 
 /// A number of a ball.
-pub type Quantity = fn(&BallSample) -> f64;
+pub type Quantity = fn(&BallResult) -> f64;
 
 /// r/min in rad/s.
 pub const RPM: f64 = TAU / 60.0;
@@ -17,7 +17,7 @@ pub const SECTORS: usize = 36;
 #[derive(Debug, Clone, Copy)]
 pub struct Window<'a> {
     pub states: &'a [StateSample],
-    pub balls: &'a [(f64, Vec<BallSample>)],
+    pub balls: &'a [(f64, Vec<BallResult>)],
     trace: &'a Trace,
     pub orbits: usize,
 }
@@ -93,17 +93,17 @@ impl<'a> Window<'a> {
     }
 
     /// All balls at all times of the window.
-    pub fn all_balls(&self) -> impl Iterator<Item = &'a BallSample> {
+    pub fn all_balls(&self) -> impl Iterator<Item = &'a BallResult> {
         self.balls.iter().flat_map(|(_, balls)| balls)
     }
 
     /// Mean over balls and time.
-    pub fn ball_mean(&self, get: impl Fn(&BallSample) -> f64) -> f64 {
+    pub fn ball_mean(&self, get: impl Fn(&BallResult) -> f64) -> f64 {
         mean(self.all_balls().map(get))
     }
 
     /// Mean over a part of the orbit.
-    pub fn zone_mean(&self, heavy_zone: bool, get: impl Fn(&BallSample) -> f64) -> f64 {
+    pub fn zone_mean(&self, heavy_zone: bool, get: impl Fn(&BallResult) -> f64) -> f64 {
         mean(self.all_balls().filter(|b| (b.azimuth_rad.cos() > 0.0) == heavy_zone).map(get))
     }
 

@@ -2,8 +2,9 @@
 
 use crate::mean::mean;
 use std::ops::ControlFlow;
+use tribodyn_bearing::BallResult;
 use tribodyn_case::Case;
-use tribodyn_dynamics::{BallSample, Event, EventKind, Observer, Sample};
+use tribodyn_dynamics::{Event, EventKind, Observer, Sample};
 use tribodyn_record::{FileSink, RecordError, RunRecorder};
 
 /// Values kept of every sample, SI.
@@ -36,7 +37,7 @@ pub struct Trace {
     pub rate_hz: f64,
     pub states: Vec<StateSample>,
     /// Time and all balls, at the ball rate.
-    pub balls: Vec<(f64, Vec<BallSample>)>,
+    pub balls: Vec<(f64, Vec<BallResult>)>,
     pub impacts: Vec<Impact>,
     pub warnings: Vec<String>,
     /// Imbalance of work over the work put in, at the end.
@@ -64,7 +65,7 @@ impl Trace {
             cage_speed: sample.cage.speed_rad_s,
             mean_orbit: mean(sample.balls.iter().map(|b| b.orbital_speed_rad_s)),
             orbit: first.orbital_speed_rad_s,
-            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket_force_n.abs().max(most)),
+            pocket_peak: sample.balls.iter().fold(0.0, |most, b| b.pocket.unwrap_or_default().force_n.abs().max(most)),
         });
         if with_balls {
             self.balls.push((sample.time_s, sample.balls.clone()));

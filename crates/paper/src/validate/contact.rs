@@ -16,17 +16,20 @@ pub fn figure_14(runs: &Runs) -> Vec<Row> {
     vec![
         same(runs, "F14.1.load", "largest difference of a load between cases, of the largest load", LOADS),
         same(runs, "F14.1.angle", "largest difference of an angle between cases, of the largest angle", ANGLES),
-        above(runs, "F14.2.load", "Q_o > Q_i at every azimuth", "least Q_o/Q_i", |b| b.load_outer_n / b.load_inner_n),
+        above(runs, "F14.2.load", "Q_o > Q_i at every azimuth", "least Q_o/Q_i", |b| {
+            b.contacts.outer.load_n / b.contacts.inner.load_n
+        }),
         above(runs, "F14.2.angle", "α_i > α_o", "least α_i/α_o", |b| {
-            b.contact_angle_inner_deg / b.contact_angle_outer_deg
+            b.contacts.inner.angle_rad.to_degrees() / b.contacts.outer.angle_rad.to_degrees()
         }),
         twice(runs),
         pressures(&runs.cases[0]),
     ]
 }
 
-const LOADS: [Quantity; 2] = [|b| b.load_inner_n, |b| b.load_outer_n];
-const ANGLES: [Quantity; 2] = [|b| b.contact_angle_inner_deg, |b| b.contact_angle_outer_deg];
+const LOADS: [Quantity; 2] = [|b| b.contacts.inner.load_n, |b| b.contacts.outer.load_n];
+const ANGLES: [Quantity; 2] =
+    [|b| b.contacts.inner.angle_rad.to_degrees(), |b| b.contacts.outer.angle_rad.to_degrees()];
 
 /// F14.1: how far apart the four cases are.
 fn same(runs: &Runs, id: &'static str, measured: &'static str, quantities: [Quantity; 2]) -> Row {
@@ -94,7 +97,8 @@ fn pressures(run: &Run) -> Row {
         measured: "balls with p_i > p_o, case 1",
         unit: "balls",
     };
-    let excess: Vec<f64> = values(run, |b| (b.peak_pressure_inner_pa - b.peak_pressure_outer_pa) * 1e-9).collect();
+    let excess: Vec<f64> =
+        values(run, |b| (b.contacts.inner.peak_pressure_pa - b.contacts.outer.peak_pressure_pa) * 1e-9).collect();
     let (count, most) = (excess.iter().filter(|&&e| e > 0.0).count(), largest(excess.iter().copied()));
     let met = 2 * count > excess.len() && most <= SLIGHTLY;
     let note = format!(

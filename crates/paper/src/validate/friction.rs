@@ -12,16 +12,16 @@ const MOSTLY: f64 = 0.5;
 /// All rows of Figures 16 to 18.
 pub fn figures_16_to_18(runs: &Runs) -> Vec<Row> {
     let mut rows = vec![
-        traction_zone(runs, "F16.1.i", |b| b.traction_inner_n.abs(), true),
-        traction_zone(runs, "F16.1.o", |b| b.traction_outer_n.abs(), false),
+        traction_zone(runs, "F16.1.i", |b| b.contacts.inner.friction_or_nan().traction_n[0].abs(), true),
+        traction_zone(runs, "F16.1.o", |b| b.contacts.outer.friction_or_nan().traction_n[0].abs(), false),
         traction_range(runs),
         slip_size(runs),
         slip_sign(runs),
     ];
     rows.extend(wear_order(runs));
     rows.push(wear_sides(runs));
-    rows.push(race_wear_zone(runs, "F18.3.inner", |b| b.wear_rate_inner_m3_s));
-    rows.push(race_wear_zone(runs, "F18.3.outer", |b| b.wear_rate_outer_m3_s));
+    rows.push(race_wear_zone(runs, "F18.3.inner", |b| b.contacts.inner.friction_or_nan().wear_rate_m3_s));
+    rows.push(race_wear_zone(runs, "F18.3.outer", |b| b.contacts.outer.friction_or_nan().wear_rate_m3_s));
     rows.push(cage_wear_zone(runs));
     rows
 }
@@ -47,8 +47,8 @@ fn traction_zone(runs: &Runs, id: &'static str, get: Quantity, falls: bool) -> R
 fn traction_range(runs: &Runs) -> Row {
     let [one, two, three, four] = &runs.cases;
     let ratio = |varying: &Run, fixed: &Run, get: Quantity| range(varying, get) / range(fixed, get);
-    let inner: Quantity = |b| b.traction_inner_n;
-    let outer: Quantity = |b| b.traction_outer_n;
+    let inner: Quantity = |b| b.contacts.inner.friction_or_nan().traction_n[0];
+    let outer: Quantity = |b| b.contacts.outer.friction_or_nan().traction_n[0];
     let ratios = [ratio(one, two, inner), ratio(one, two, outer), ratio(three, four, inner), ratio(three, four, outer)];
     let worst = largest(ratios.into_iter());
     let [a, b, c, d] = ratios;
@@ -65,7 +65,7 @@ fn traction_range(runs: &Runs) -> Row {
 
 /// F17.1: differential slip enlarges |ξ_i|.
 fn slip_size(runs: &Runs) -> Row {
-    let size = |run: &Run| median(run, |b| b.slide_to_roll_inner.abs());
+    let size = |run: &Run| median(run, |b| b.contacts.inner.friction_or_nan().slide_to_roll[0].abs());
     let [one, two, three, four] = &runs.cases;
     let ratio = size(one).min(size(two)) / size(three).max(size(four));
     let permille = |run: &Run| 1e3 * size(run);
@@ -82,10 +82,10 @@ fn slip_sign(runs: &Runs) -> Row {
     for run in &runs.cases[..2] {
         for ball in &run.solution.balls {
             count += 1;
-            if (ball.slide_to_roll_inner < 0.0) == heavy(ball) {
+            if (ball.contacts.inner.friction_or_nan().slide_to_roll[0] < 0.0) == heavy(ball) {
                 right += 1;
             } else {
-                wrong.push(format!("{} {:.0}°", run.label, ball.azimuth_deg));
+                wrong.push(format!("{} {:.0}°", run.label, ball.azimuth_rad.to_degrees()));
             }
         }
     }
@@ -116,15 +116,21 @@ fn wear_order(runs: &Runs) -> [Row; 3] {
             "F18.1.inner",
             "less wear of the inner race in cases 1, 2",
             least_favourable,
-            |b| b.wear_rate_inner_m3_s,
+            |b| b.contacts.inner.friction_or_nan().wear_rate_m3_s,
             true,
         ),
-        row("F18.1.cage", "less wear of the cage in cases 1, 2", least_favourable, |b| b.wear_rate_cage_m3_s, true),
+        row(
+            "F18.1.cage",
+            "less wear of the cage in cases 1, 2",
+            least_favourable,
+            |b| b.pocket.unwrap_or_default().wear_rate_m3_s,
+            true,
+        ),
         row(
             "F18.1.outer",
             "more wear of the outer race in cases 1, 2",
             "smaller of cases 1, 2 over larger of 3, 4",
-            |b| b.wear_rate_outer_m3_s,
+            |b| b.contacts.outer.friction_or_nan().wear_rate_m3_s,
             false,
         ),
     ]
@@ -132,7 +138,10 @@ fn wear_order(runs: &Runs) -> [Row; 3] {
 
 /// F18.2: inner against outer race.
 fn wear_sides(runs: &Runs) -> Row {
-    let ratio = |run: &Run| total(run, |b| b.wear_rate_inner_m3_s) / total(run, |b| b.wear_rate_outer_m3_s);
+    let ratio = |run: &Run| {
+        total(run, |b| b.contacts.inner.friction_or_nan().wear_rate_m3_s)
+            / total(run, |b| b.contacts.outer.friction_or_nan().wear_rate_m3_s)
+    };
     let worst = least(runs.cases.iter().map(ratio));
     let note = format!("sums over the balls; met above {CLEARLY}; {}", by_case(runs, 3, ratio));
     let text = "inner-race wear rate well above outer";
@@ -154,11 +163,13 @@ fn race_wear_zone(runs: &Runs, id: &'static str, get: Quantity) -> Row {
 /// F18.3, cage: most wear in the light zone.
 fn cage_wear_zone(runs: &Runs) -> Row {
     let share = |run: &Run| {
-        let light: f64 = run.solution.balls.iter().filter(|b| !heavy(b)).map(|b| b.wear_rate_cage_m3_s).sum();
-        light / total(run, |b| b.wear_rate_cage_m3_s)
+        let light: f64 =
+            run.solution.balls.iter().filter(|b| !heavy(b)).map(|b| b.pocket.unwrap_or_default().wear_rate_m3_s).sum();
+        light / total(run, |b| b.pocket.unwrap_or_default().wear_rate_m3_s)
     };
     let worst = least(runs.cases.iter().map(share));
-    let touching = |run: &Run| values(run, |b| b.cage_force_n).filter(|f| *f != 0.0).count() as f64;
+    let touching =
+        |run: &Run| values(run, |b| b.pocket.unwrap_or_default().force_n).filter(|f| *f != 0.0).count() as f64;
     let note = format!(
         "met above {MOSTLY} in every case (NaN: no ball touches its pocket); {}; balls that touch: {}",
         by_case(runs, 3, share),

@@ -104,8 +104,8 @@ fn warnings(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Vec<Wa
         {
             continue;
         }
-        let pressures: Vec<f64> = over_azimuth::values(run, |b| b.peak_pressure_inner_pa * 1e-9)
-            .chain(over_azimuth::values(run, |b| b.peak_pressure_outer_pa * 1e-9))
+        let pressures: Vec<f64> = over_azimuth::values(run, |b| b.contacts.inner.peak_pressure_pa * 1e-9)
+            .chain(over_azimuth::values(run, |b| b.contacts.outer.peak_pressure_pa * 1e-9))
             .collect();
         let [low, high] = over_azimuth::limits(pressures.iter().copied());
         let below = pressures.iter().filter(|&&p| p < lowest).count();

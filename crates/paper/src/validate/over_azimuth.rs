@@ -2,14 +2,14 @@
 
 use super::runs::{Run, Runs};
 use crate::mean::mean;
-use tribodyn_quasistatic::BallSolution;
+use tribodyn_quasistatic::BallResult;
 
 /// A number of a ball.
-pub type Quantity = fn(&BallSolution) -> f64;
+pub type Quantity = fn(&BallResult) -> f64;
 
 /// The paper's heavy zone, −90° to 90°.
-pub fn heavy(ball: &BallSolution) -> bool {
-    ball.azimuth_deg.to_radians().cos() > 0.0
+pub fn heavy(ball: &BallResult) -> bool {
+    ball.azimuth_rad.cos() > 0.0
 }
 
 pub fn values(run: &Run, get: Quantity) -> impl Iterator<Item = f64> {

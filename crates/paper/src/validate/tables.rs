@@ -125,7 +125,7 @@ impl<'a> PressuresOver<'a> {
     /// Inner and outer peak pressure, GPa, at an azimuth in degrees.
     pub fn at(&self, azimuth: f64) -> [f64; 2] {
         let ball = self.over.at(azimuth.to_radians());
-        [ball.peak_pressure_inner_pa * 1e-9, ball.peak_pressure_outer_pa * 1e-9]
+        [ball.contacts.inner.peak_pressure_pa * 1e-9, ball.contacts.outer.peak_pressure_pa * 1e-9]
     }
 
     /// Rule for values between balls.

@@ -2,18 +2,31 @@
 
 use crate::parse;
 use crate::synthetic::{ball, borrowed, figures, runs, solution};
+use tribodyn_bearing::{BallResult, ContactResult, FrictionResult, Side};
 use tribodyn_plot::{Axis, Figure, OrbitSamples, orbit_figure, solution_figures};
 use tribodyn_quasistatic::{Model, Solution};
 
 const BLUE: &str = "#0072B2";
 
+fn friction(contact: &mut ContactResult) -> &mut FrictionResult {
+    contact.friction.as_mut().expect("a ball under traction")
+}
+
+/// Takes the load off both contacts.
+fn unload(ball: &mut BallResult) {
+    for side in Side::BOTH {
+        (ball.contacts[side].load_n, ball.contacts[side].peak_pressure_pa) = (0.0, 0.0);
+    }
+}
+
 /// A bearing under radial load: five of 13 balls carry it.
 fn partly_loaded() -> Solution {
     let mut all = solution(Model::Traction, 1.0, 1.0);
-    for ball in all.balls.iter_mut().filter(|ball| ball.azimuth_deg.to_radians().cos() < 0.5) {
-        (ball.load_inner_n, ball.load_outer_n, ball.orbital_speed_rad_s) = (0.0, 0.0, 0.0);
-        (ball.peak_pressure_inner_pa, ball.peak_pressure_outer_pa) = (0.0, 0.0);
-        (ball.contact_angle_outer_deg, ball.slide_to_roll_inner) = (0.0, -2.0);
+    for ball in all.balls.iter_mut().filter(|ball| ball.azimuth_rad.cos() < 0.5) {
+        unload(ball);
+        ball.orbital_speed_rad_s = 0.0;
+        ball.contacts.outer.angle_rad = 0.0;
+        friction(&mut ball.contacts.inner).slide_to_roll[0] = -2.0;
     }
     all
 }
@@ -86,13 +99,14 @@ fn identity_balls_without_contact_are_crosses_and_no_line_goes_over_them() {
 #[test]
 fn limit_a_ball_between_two_without_contact_is_a_marker_and_no_line() {
     let mut alone = partly_loaded();
-    alone.balls.iter_mut().skip(1).for_each(|ball| (ball.load_inner_n, ball.load_outer_n) = (0.0, 0.0));
+    alone.balls.iter_mut().skip(1).for_each(unload);
     let figures = solution_figures(&[("this case", &alone)], &[]).unwrap();
     let loads = named(&figures, "contact-loads");
     assert_eq!((markers(loads, BLUE), crosses(loads, BLUE)), (3, 24));
     // None but the sample in the legend.
     assert_eq!(lines(loads, BLUE).len(), 1);
-    alone.balls[0] = tribodyn_quasistatic::BallSolution { load_inner_n: 0.0, load_outer_n: 0.0, ..ball(0.0, 0.0, 0.0) };
+    alone.balls[0] = ball(0.0, 0.0, 0.0);
+    unload(&mut alone.balls[0]);
     let none = solution_figures(&[("this case", &alone)], &[]).unwrap();
     assert_eq!(crosses(named(&none, "contact-loads"), BLUE), 26);
 }
@@ -110,7 +124,10 @@ fn identity_signed_quantities_are_over_degrees_and_magnitudes_on_circles() {
 fn limit_wear_that_is_zero_has_zero_alone_on_its_axis() {
     let mut none = solution(Model::Traction, 1.0, 1.0);
     for ball in &mut none.balls {
-        (ball.wear_rate_inner_m3_s, ball.wear_rate_outer_m3_s, ball.wear_rate_cage_m3_s) = (0.0, 0.0, 0.0);
+        ball.pocket.as_mut().unwrap().wear_rate_m3_s = 0.0;
+        for side in Side::BOTH {
+            friction(&mut ball.contacts[side]).wear_rate_m3_s = 0.0;
+        }
     }
     let figures = solution_figures(&[("this case", &none)], &[]).unwrap();
     let wear = named(&figures, "wear-rates");

@@ -210,7 +210,7 @@ fn limit_bad_input_is_refused_with_its_place() {
     assert!(matches!(solution_figures(&[("a", &good)], &no_points), Err(PlotError::EmptySeries { .. })));
 
     let mut bad = good.clone();
-    bad.balls[4].load_inner_n = f64::NAN;
+    bad.balls[4].contacts.inner.load_n = f64::NAN;
     let error = solution_figures(&[("a", &bad)], &[]).unwrap_err();
     assert!(matches!(&error, PlotError::NotFinite { series, index: 4, .. } if series == "a"), "{error}");
     bad.balls.clear();

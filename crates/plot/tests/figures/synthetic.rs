@@ -1,52 +1,70 @@
 //! Numbers of the size of those of a 13-ball bearing under combined load at 14 000 r/min. They are no result of any model.
 
+use tribodyn_bearing::{BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, Races};
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Published, Quantity, Series, solution_figures};
-use tribodyn_quasistatic::{BallSolution, Model, Solution};
+use tribodyn_quasistatic::{Model, Solution};
 
 /// A ball whose numbers vary with azimuth; `slip` scales what differential slip changes, `swing` what varying traction changes.
-pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallSolution {
+pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
     let (sin, cos) = azimuth_deg.to_radians().sin_cos();
     let heavy = (0.5 * (1.0 + cos)).powf(1.4);
     let (load_inner_n, load_outer_n) = (6000.0 + 5000.0 * heavy, 7900.0 + 4100.0 * heavy);
-    BallSolution {
-        azimuth_deg,
-        contact_angle_inner_deg: 26.1 - 3.2 * cos + 0.01 * slip,
-        contact_angle_outer_deg: 17.4 - 1.9 * cos - 0.01 * slip,
-        load_inner_n: load_inner_n + 3.0 * slip,
-        load_outer_n: load_outer_n - 2.0 * slip,
-        approach_inner_m: 38e-6 * (load_inner_n / 9000.0).powf(2.0 / 3.0),
-        approach_outer_m: 36e-6 * (load_outer_n / 9000.0).powf(2.0 / 3.0),
-        peak_pressure_inner_pa: 1.79e9 + 0.67e9 * heavy + 1e6 * slip,
-        peak_pressure_outer_pa: 1.85e9 + 0.45e9 * heavy - 1e6 * slip,
-        semi_axes_inner_m: [3.1e-3, 0.36e-3],
-        semi_axes_outer_m: [2.9e-3, 0.44e-3],
+    let inner = ContactResult {
+        angle_rad: (26.1 - 3.2 * cos + 0.01 * slip).to_radians(),
+        approach_m: 38e-6 * (load_inner_n / 9000.0).powf(2.0 / 3.0),
+        load_n: load_inner_n + 3.0 * slip,
+        peak_pressure_pa: 1.79e9 + 0.67e9 * heavy + 1e6 * slip,
+        semi_axes_m: [3.1e-3, 0.36e-3],
+        rolling_speed_m_s: 54.0,
+        spin_ratio_per_m: 5.2,
+        friction: Some(FrictionResult {
+            traction_n: [64.0 + (9.0 - 6.0 * swing) * cos + 5.0 * slip, 20.0],
+            slide_to_roll: [1e-3 * ((0.2 - 1.5 * cos + 0.3 * swing * sin) * (0.25 + 0.75 * slip) - 0.3), 4e-4],
+            power_loss_w: 900.0 + 700.0 * heavy - 40.0 * slip,
+            wear_rate_m3_s: 1e-12 * (2.1 + 1.7 * heavy - 0.12 * slip + 0.02 * swing),
+            ..FrictionResult::default()
+        }),
+        transient: None,
+    };
+    let outer = ContactResult {
+        angle_rad: (17.4 - 1.9 * cos - 0.01 * slip).to_radians(),
+        approach_m: 36e-6 * (load_outer_n / 9000.0).powf(2.0 / 3.0),
+        load_n: load_outer_n - 2.0 * slip,
+        peak_pressure_pa: 1.85e9 + 0.45e9 * heavy - 1e6 * slip,
+        semi_axes_m: [2.9e-3, 0.44e-3],
+        rolling_speed_m_s: 54.2,
+        spin_ratio_per_m: -0.4,
+        friction: Some(FrictionResult {
+            traction_n: [58.0 - (11.0 - 7.0 * swing) * cos + 4.0 * slip, -18.0],
+            slide_to_roll: [1e-3 * (0.35 * cos - 0.4 - 0.12 * slip), -3e-4],
+            power_loss_w: 210.0 + 90.0 * heavy + 60.0 * slip,
+            wear_rate_m3_s: 1e-12 * (0.42 + 0.2 * heavy + 0.1 * slip),
+            ..FrictionResult::default()
+        }),
+        transient: None,
+    };
+    BallResult {
+        azimuth_rad: azimuth_deg.to_radians(),
         orbital_speed_rad_s: 607.6 + 2.1 * cos + 0.4 * sin - 5.9 * slip,
         orbit_radius_m: 0.0837,
+        radial_displacement_m: 0.0012,
         axial_displacement_m: 4e-5,
         spin_rad_s: [-3600.0, 1050.0, 4.0],
         centrifugal_force_n: 3500.0,
         gyroscopic_moment_nm: 2.2,
-        drag_n: 120.0,
-        traction_inner_n: 64.0 + (9.0 - 6.0 * swing) * cos + 5.0 * slip,
-        traction_outer_n: 58.0 - (11.0 - 7.0 * swing) * cos + 4.0 * slip,
-        lateral_traction_inner_n: 20.0,
-        lateral_traction_outer_n: -18.0,
-        slide_to_roll_inner: 1e-3 * ((0.2 - 1.5 * cos + 0.3 * swing * sin) * (0.25 + 0.75 * slip) - 0.3),
-        slide_to_roll_outer: 1e-3 * (0.35 * cos - 0.4 - 0.12 * slip),
-        lateral_slide_to_roll_inner: 4e-4,
-        lateral_slide_to_roll_outer: -3e-4,
-        spin_ratio_inner: 5.2,
-        spin_ratio_outer: -0.4,
-        rolling_speed_inner_m_s: 54.0,
-        rolling_speed_outer_m_s: 54.2,
-        power_loss_inner_w: 900.0 + 700.0 * heavy - 40.0 * slip,
-        power_loss_outer_w: 210.0 + 90.0 * heavy + 60.0 * slip,
-        power_loss_fluid_w: 6100.0 + 60.0 * cos - 20.0 * slip,
-        wear_rate_inner_m3_s: 1e-12 * (2.1 + 1.7 * heavy - 0.12 * slip + 0.02 * swing),
-        wear_rate_outer_m3_s: 1e-12 * (0.42 + 0.2 * heavy + 0.1 * slip),
-        pocket_lead_rad: 1e-3 * sin,
-        cage_force_n: -(340.0 * (-cos - 0.55)).max(0.0) * (1.0 - 0.4 * slip),
-        wear_rate_cage_m3_s: 3e-14 * (-cos - 0.55).max(0.0) * (1.0 - 0.4 * slip),
+        contacts: Races { inner, outer },
+        fluid: Some(FluidResult {
+            drag_n: 120.0,
+            power_loss_w: 6100.0 + 60.0 * cos - 20.0 * slip,
+            ..FluidResult::default()
+        }),
+        pocket: Some(PocketResult {
+            lead_rad: 1e-3 * sin,
+            force_n: -(340.0 * (-cos - 0.55)).max(0.0) * (1.0 - 0.4 * slip),
+            friction_n: None,
+            wear_rate_m3_s: 3e-14 * (-cos - 0.55).max(0.0) * (1.0 - 0.4 * slip),
+        }),
+        motion: None,
     }
 }
 
@@ -59,7 +77,7 @@ pub fn solution(model: Model, slip: f64, swing: f64) -> Solution {
         ring_tilt_rad: [0.0; 2],
         ring_load_n: [20_000.0, 0.0, 40_000.0],
         ring_moment_nm: [0.0; 2],
-        shaft_torque_nm: 30.0,
+        shaft_torque_nm: Some(30.0),
         inner_speed_rad_s: 1466.0,
         outer_speed_rad_s: 0.0,
         residual: 1e-12,

@@ -36,10 +36,10 @@ fn limit_thrust_at_rest_is_one_equation_for_the_contact_angle() {
         let angle = bisect(free, 1.4, |angle| 16.0 * ball_load(angle) * angle.sin() - thrust);
         let s = solution(BEARING_218, &changes, JonesHarris);
         for ball in &s.balls {
-            assert_near("α_i", ball.contact_angle_inner_deg, angle.to_degrees(), 1e-9);
-            assert_near("α_o", ball.contact_angle_outer_deg, angle.to_degrees(), 1e-9);
-            assert_near("Q_i", ball.load_inner_n, ball_load(angle), 1e-9);
-            assert_near("Q_o", ball.load_outer_n, ball_load(angle), 1e-9);
+            assert_near("α_i", ball.contacts.inner.angle_rad.to_degrees(), angle.to_degrees(), 1e-9);
+            assert_near("α_o", ball.contacts.outer.angle_rad.to_degrees(), angle.to_degrees(), 1e-9);
+            assert_near("Q_i", ball.contacts.inner.load_n, ball_load(angle), 1e-9);
+            assert_near("Q_o", ball.contacts.outer.load_n, ball_load(angle), 1e-9);
         }
         let shift = distance * (free.cos() * angle.tan() - free.sin());
         assert_near("axial displacement", s.ring_displacement_m[2], shift, 1e-8);
@@ -65,9 +65,13 @@ fn limit_radial_load_at_rest_is_a_sum_over_balls_in_the_load_zone() {
     assert_near("x", s.ring_displacement_m[0], x, 1e-9);
     for (index, ball) in s.balls.iter().enumerate() {
         let expected = stiffness * approach(x, index).powf(1.5);
-        assert!((ball.load_inner_n - expected).abs() < 1e-6 * 10e3, "ball {index}: {} {expected}", ball.load_inner_n);
+        assert!(
+            (ball.contacts.inner.load_n - expected).abs() < 1e-6 * 10e3,
+            "ball {index}: {} {expected}",
+            ball.contacts.inner.load_n
+        );
     }
-    assert!(s.balls.iter().any(|ball| ball.load_inner_n == 0.0), "half of the balls are out of the load zone");
+    assert!(s.balls.iter().any(|ball| ball.contacts.inner.load_n == 0.0), "half of the balls are out of the load zone");
 }
 
 /// At rest nothing tells the inner from the outer contact of a ball.
@@ -76,8 +80,13 @@ fn limit_at_rest_both_contacts_of_a_ball_carry_the_same() {
     for model in [JonesHarris, Traction] {
         let s = solution(PAPER_AG, &[AT_REST], model);
         for ball in &s.balls {
-            assert_near("load", ball.load_inner_n, ball.load_outer_n, 1e-8);
-            assert_near("angle", ball.contact_angle_inner_deg, ball.contact_angle_outer_deg, 1e-8);
+            assert_near("load", ball.contacts.inner.load_n, ball.contacts.outer.load_n, 1e-8);
+            assert_near(
+                "angle",
+                ball.contacts.inner.angle_rad.to_degrees(),
+                ball.contacts.outer.angle_rad.to_degrees(),
+                1e-8,
+            );
             assert!(ball.centrifugal_force_n < 1e-6, "{} N", ball.centrifugal_force_n);
         }
     }
@@ -88,9 +97,17 @@ fn limit_at_rest_both_contacts_of_a_ball_carry_the_same() {
 fn limit_without_load_the_outer_race_carries_the_centrifugal_force() {
     let s = solution(BEARING_218, &[("ring.z", "Force(N(0))"), FROZEN], JonesHarris);
     for ball in &s.balls {
-        assert!(ball.load_inner_n < 1e-6 * ball.load_outer_n, "inner load {}", ball.load_inner_n);
-        assert_near("Q_o", ball.load_outer_n, ball.centrifugal_force_n, 1e-9);
-        assert!(ball.contact_angle_outer_deg.abs() < 1e-4, "outer angle {}", ball.contact_angle_outer_deg);
+        assert!(
+            ball.contacts.inner.load_n < 1e-6 * ball.contacts.outer.load_n,
+            "inner load {}",
+            ball.contacts.inner.load_n
+        );
+        assert_near("Q_o", ball.contacts.outer.load_n, ball.centrifugal_force_n, 1e-9);
+        assert!(
+            ball.contacts.outer.angle_rad.to_degrees().abs() < 1e-4,
+            "outer angle {}",
+            ball.contacts.outer.angle_rad.to_degrees()
+        );
     }
 }
 
@@ -100,10 +117,13 @@ fn identity_pocket_forces_carry_the_drag_of_the_cage() {
     for torque in [3.0, -3.0] {
         let drag = format!("Nm({torque})");
         let s = solution(PAPER_AG, &[("cage.drag_torque", drag.as_str())], JonesHarris);
-        let on_cage: f64 = s.balls.iter().map(|ball| -ball.cage_force_n * 0.5 * 0.165).sum();
+        let on_cage: f64 = s.balls.iter().map(|ball| -ball.pocket.unwrap_or_default().force_n * 0.5 * 0.165).sum();
         assert_near("torque on the cage", on_cage, torque, 1e-6);
-        for ball in s.balls.iter().filter(|ball| ball.cage_force_n != 0.0) {
-            assert!(ball.cage_force_n * ball.pocket_lead_rad < 0.0, "a leading ball is retarded");
+        for ball in s.balls.iter().filter(|ball| ball.pocket.unwrap_or_default().force_n != 0.0) {
+            assert!(
+                ball.pocket.unwrap_or_default().force_n * ball.pocket.unwrap_or_default().lead_rad < 0.0,
+                "a leading ball is retarded"
+            );
         }
     }
 }

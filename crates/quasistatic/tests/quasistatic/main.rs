@@ -8,7 +8,7 @@ mod roots;
 mod solver;
 
 use tribodyn_case::{Case, set_value};
-use tribodyn_quasistatic::{BallSolution, Model, Solution, Solved, solve};
+use tribodyn_quasistatic::{BallResult, Model, Solution, Solved, solve};
 
 /// The 218 angular-contact bearing of the Jones–Harris literature.
 const BEARING_218: &str = include_str!("../../../../fixtures/cases/bearing-218.ron");
@@ -58,21 +58,21 @@ fn assert_near(what: &str, actual: f64, expected: f64, tolerance: f64) {
 
 /// Fails unless two balls are in the same state: loads, speeds, spins, slips and losses.
 #[track_caller]
-fn assert_same_ball(what: &str, a: &BallSolution, b: &BallSolution, tolerance: f64) {
-    let numbers = |ball: &BallSolution| {
+fn assert_same_ball(what: &str, a: &BallResult, b: &BallResult, tolerance: f64) {
+    let numbers = |ball: &BallResult| {
         [
-            ("inner load", ball.load_inner_n, 1e4),
-            ("outer load", ball.load_outer_n, 1e4),
-            ("inner angle", ball.contact_angle_inner_deg, 20.0),
-            ("outer angle", ball.contact_angle_outer_deg, 20.0),
+            ("inner load", ball.contacts.inner.load_n, 1e4),
+            ("outer load", ball.contacts.outer.load_n, 1e4),
+            ("inner angle", ball.contacts.inner.angle_rad.to_degrees(), 20.0),
+            ("outer angle", ball.contacts.outer.angle_rad.to_degrees(), 20.0),
             ("orbital speed", ball.orbital_speed_rad_s, 600.0),
             ("axial spin", ball.spin_rad_s[0], 3000.0),
             ("radial spin", ball.spin_rad_s[1], 3000.0),
             ("tangential spin", ball.spin_rad_s[2], 3000.0),
-            ("inner traction", ball.traction_inner_n, 1e3),
-            ("outer lateral traction", ball.lateral_traction_outer_n, 1e3),
-            ("inner loss", ball.power_loss_inner_w, 1e3),
-            ("fluid loss", ball.power_loss_fluid_w, 1e3),
+            ("inner traction", ball.contacts.inner.friction.unwrap_or_default().traction_n[0], 1e3),
+            ("outer lateral traction", ball.contacts.outer.friction.unwrap_or_default().traction_n[1], 1e3),
+            ("inner loss", ball.contacts.inner.friction.unwrap_or_default().power_loss_w, 1e3),
+            ("fluid loss", ball.fluid.unwrap_or_default().power_loss_w, 1e3),
         ]
     };
     for ((name, x, size), (_, y, _)) in numbers(a).into_iter().zip(numbers(b)) {

@@ -10,16 +10,16 @@ use tribodyn_quasistatic::Model::JonesHarris;
 fn code_jones_harris_218_bearing_under_thrust() {
     let s = solution(BEARING_218, &[], JonesHarris);
     for ball in &s.balls {
-        assert_near("α_i", ball.contact_angle_inner_deg, 48.702286, 1e-5);
-        assert_near("α_o", ball.contact_angle_outer_deg, 33.613374, 1e-5);
-        assert_near("Q_i", ball.load_inner_n, 1850.98183, 1e-5);
-        assert_near("Q_o", ball.load_outer_n, 2304.92649, 1e-5);
+        assert_near("α_i", ball.contacts.inner.angle_rad.to_degrees(), 48.702286, 1e-5);
+        assert_near("α_o", ball.contacts.outer.angle_rad.to_degrees(), 33.613374, 1e-5);
+        assert_near("Q_i", ball.contacts.inner.load_n, 1850.98183, 1e-5);
+        assert_near("Q_o", ball.contacts.outer.load_n, 2304.92649, 1e-5);
         assert_near("ω_m", ball.orbital_speed_rad_s, 470.38053, 1e-5);
         let [axial, radial, _] = ball.spin_rad_s;
         assert_near("ω_R", axial.hypot(radial), 3053.31935, 1e-5);
         assert_near("β", radial.atan2(-axial).to_degrees(), 28.72108, 1e-5);
-        assert_near("p_i", ball.peak_pressure_inner_pa, 1.560601e9, 1e-5);
-        assert_near("p_o", ball.peak_pressure_outer_pa, 1.491434e9, 1e-5);
+        assert_near("p_i", ball.contacts.inner.peak_pressure_pa, 1.560601e9, 1e-5);
+        assert_near("p_o", ball.contacts.outer.peak_pressure_pa, 1.491434e9, 1e-5);
         assert_near("F_c", ball.centrifugal_force_n, 621.71693, 1e-5);
         assert_near("M_g", ball.gyroscopic_moment_nm, 1.53019654, 1e-5);
     }
@@ -35,7 +35,10 @@ fn paper_orbit_and_pitch_angle_under_outer_control() {
         let s = solution(PAPER_AG, &changes, JonesHarris);
         let ratio = 0.03016 / 0.165;
         for ball in &s.balls {
-            let (i, o) = (ball.contact_angle_inner_deg.to_radians(), ball.contact_angle_outer_deg.to_radians());
+            let (i, o) = (
+                ball.contacts.inner.angle_rad.to_degrees().to_radians(),
+                ball.contacts.outer.angle_rad.to_degrees().to_radians(),
+            );
             let (turn, near) = ((i - o).cos(), ratio * i.cos());
             let expected = (s.inner_speed_rad_s * (1.0 - near) + s.outer_speed_rad_s * (turn + near)) / (1.0 + turn);
             assert_near("ω_m", ball.orbital_speed_rad_s, expected, 1e-10);
@@ -51,7 +54,7 @@ fn paper_pitch_angle_under_inner_control() {
     let s = solution(PAPER_AG, &[("modelling.race_control", "Inner")], JonesHarris);
     let ratio = 0.03016 / 0.165;
     for ball in &s.balls {
-        let i = ball.contact_angle_inner_deg.to_radians();
+        let i = ball.contacts.inner.angle_rad.to_degrees().to_radians();
         assert_near("tan β", ball.spin_rad_s[1] / -ball.spin_rad_s[0], i.sin() / (i.cos() - ratio), 1e-8);
     }
 }
@@ -69,7 +72,10 @@ fn limit_criterion_follows_the_longer_contact() {
             ("modelling.race_control", "Criterion"),
         ];
         let ball = &solution(BEARING_218, &changes, JonesHarris).balls[0];
-        let (i, o) = (ball.contact_angle_inner_deg.to_radians(), ball.contact_angle_outer_deg.to_radians());
+        let (i, o) = (
+            ball.contacts.inner.angle_rad.to_degrees().to_radians(),
+            ball.contacts.outer.angle_rad.to_degrees().to_radians(),
+        );
         let tangent = ball.spin_rad_s[1] / -ball.spin_rad_s[0];
         let (by_inner, by_outer) = (i.sin() / (i.cos() - ratio), o.sin() / (o.cos() + ratio));
         let inner = (tangent - by_inner).abs() < 1e-8;

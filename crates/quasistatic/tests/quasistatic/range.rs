@@ -38,7 +38,7 @@ fn limit_converges_from_nothing_to_twice_the_loads_and_speeds() {
             let s = solved.unwrap_or_else(|e| panic!("{name}: {e}")).solution;
             assert!(s.converged && s.residual <= 1e-10, "{name}: {}", s.residual);
             assert!(s.balls.iter().all(|ball| ball.orbital_speed_rad_s.is_finite()), "{name}");
-            let lost = s.balls.iter().filter(|ball| ball.load_inner_n == 0.0).count();
+            let lost = s.balls.iter().filter(|ball| ball.contacts.inner.load_n == 0.0).count();
             let warned = s.warnings.iter().any(|text| text.starts_with("no contact with the inner race"));
             assert_eq!(lost > 0, warned, "{name}: {:?}", s.warnings);
             lost_contact += lost;

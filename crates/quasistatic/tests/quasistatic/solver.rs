@@ -121,5 +121,5 @@ fn limit_traction_converges_where_raceway_control_does_not() {
     let (bearing, point) = (case.bearing().unwrap(), case.operating_point());
     assert!(solve(&bearing, &point, JonesHarris).is_err());
     let s = solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution;
-    assert!(s.residual <= 1e-10 && s.balls.iter().any(|ball| ball.load_inner_n == 0.0));
+    assert!(s.residual <= 1e-10 && s.balls.iter().any(|ball| ball.contacts.inner.load_n == 0.0));
 }

@@ -116,9 +116,9 @@ mod tests {
     #[test]
     fn limit_a_number_that_is_none_is_found_wherever_it_stands() {
         let numbers = Numbers::new();
-        let state = TransientState { time_s: 1.0, inner_x_um: f64::NAN, ..TransientState::default() };
+        let state = TransientState { time_s: 1.0, inner_displacement_x_um: f64::NAN, ..TransientState::default() };
         let (field, value) = numbers.not_finite("tribodyn.v1.TransientState", &state.encode_to_vec()).unwrap();
-        assert!(field == "inner_x_um" && value.is_nan());
+        assert!(field == "inner_displacement_x_um" && value.is_nan());
         let ball = Ball { load_inner_n: f32::INFINITY, ..Ball::default() };
         let mut balls = Balls { time_s: 1.0, balls: vec![Ball::default(), ball], ..Balls::default() };
         let found = numbers.not_finite("tribodyn.v1.Balls", &balls.encode_to_vec());

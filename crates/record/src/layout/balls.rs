@@ -16,7 +16,7 @@ pub(super) fn load() -> Panel {
 
 pub(super) fn pressure() -> Panel {
     let quantity = ("Peak pressure over azimuth", "GPa");
-    both("azimuth_pressure", quantity, "pressure_inner_gpa", "pressure_outer_gpa")
+    both("azimuth_pressure", quantity, "peak_pressure_inner_gpa", "peak_pressure_outer_gpa")
 }
 
 pub(super) fn contact_angle() -> Panel {
@@ -45,7 +45,7 @@ pub(super) fn pocket(ball_count: usize) -> Panel {
     chosen.dedup();
     let texts: Vec<[String; 2]> = chosen
         .into_iter()
-        .map(|ball| [format!("/bearing/balls.balls[{ball}].cage_force_n"), format!("ball {ball}")])
+        .map(|ball| [format!("/bearing/balls.balls[{ball}].pocket_force_n"), format!("ball {ball}")])
         .collect();
     let curves: Vec<(&str, &str)> = texts.iter().map(|[path, label]| (path.as_str(), label.as_str())).collect();
     over_time("pocket", "Pocket force on the ball along its orbit", "N", &curves)

@@ -74,9 +74,9 @@ fn displacement() -> Panel {
         "Displacement of the inner ring",
         "µm",
         &[
-            ("/bearing/state.inner_x_um", "X"),
-            ("/bearing/state.inner_y_um", "Y"),
-            ("/bearing/state.inner_z_um", "Z, axial"),
+            ("/bearing/state.inner_displacement_x_um", "X"),
+            ("/bearing/state.inner_displacement_y_um", "Y"),
+            ("/bearing/state.inner_displacement_z_um", "Z, axial"),
         ],
     )
 }
@@ -183,8 +183,8 @@ fn loads() -> Panel {
 
 fn balls_pressure() -> Panel {
     let curves = [
-        ("/bearing/balls.balls[0].pressure_inner_gpa", "inner"),
-        ("/bearing/balls.balls[0].pressure_outer_gpa", "outer"),
+        ("/bearing/balls.balls[0].peak_pressure_inner_gpa", "inner"),
+        ("/bearing/balls.balls[0].peak_pressure_outer_gpa", "outer"),
     ];
     over_time("ball_pressure", "Peak pressure of ball 0", "GPa", &curves)
 }

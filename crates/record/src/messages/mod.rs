@@ -3,3 +3,5 @@
 pub(crate) mod ball;
 pub(crate) mod units;
 pub mod wire;
+
+pub(crate) use crate::solution::messages::{fields, fill, fill_over, in_contact, over_fields};

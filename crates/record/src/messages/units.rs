@@ -2,11 +2,8 @@
 
 use std::f64::consts::TAU;
 
-pub(crate) const RPM_PER_RAD_S: f64 = 60.0 / TAU;
 pub(crate) const MICRO_PER_UNIT: f64 = 1e6;
 pub(crate) const MILLI_PER_UNIT: f64 = 1e3;
-pub(crate) const GIGA: f64 = 1e-9;
-pub(crate) const PERCENT: f64 = 100.0;
 pub(crate) const CUBIC_MICROMETRE: f64 = 1e18;
 pub(crate) const BILLION: f64 = 1e9;
 

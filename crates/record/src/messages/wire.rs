@@ -12,6 +12,28 @@ pub mod tribodyn {
     include!(concat!(env!("OUT_DIR"), "/tribodyn.v1.rs"));
 }
 
+/// A message whose single numbers can be reached by name.
+pub trait Numbers {
+    /// Names of the numbers, in the order of their places.
+    const NAMES: &'static [&'static str];
+
+    /// The number at a place; NaN beyond the last one.
+    fn number(&self, place: usize) -> f64;
+
+    /// Writes the number at a place, in the precision of its field; nothing beyond the last one.
+    fn set_number(&mut self, place: usize, value: f64);
+
+    /// The place of a name.
+    fn place(name: &str) -> Option<usize> {
+        Self::NAMES.iter().position(|known| *known == name)
+    }
+}
+
+mod numbers {
+    #![allow(clippy::all)] // generated from the `.proto` file
+    include!(concat!(env!("OUT_DIR"), "/tribodyn_numbers.rs"));
+}
+
 /// Descriptor set of [`foxglove`] with its imports, as the schema record holds it.
 pub(crate) const FOXGLOVE_DESCRIPTORS: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/foxglove.binpb"));
 

@@ -4,7 +4,7 @@ use super::check;
 use super::events::Pending;
 use super::frames::Motion;
 use super::history::{self, LastTurn, QUANTITIES, Recent};
-use super::messages::{self, BallConstants};
+use super::messages;
 use super::{RunRecording, Sink, Topic, log_time};
 use crate::RecordError;
 use crate::ball;
@@ -33,7 +33,6 @@ pub(super) struct Producer {
     pub(super) geometry: Geometry,
     pocket_gap: Option<f64>,
     defects: Vec<Defect>,
-    constants: BallConstants,
     memory: RecorderMemory,
     /// The last messages of their kind and the last encoded one, kept for their memory and their names.
     transforms: FrameTransforms,
@@ -136,7 +135,6 @@ impl Producer {
             geometry,
             pocket_gap: input.case.cage.as_ref().map(|cage| cage.pocket_gap),
             defects: raceway::defects(input.case),
-            constants: BallConstants::new(&geometry, input.case.materials.ball.density),
             memory: RecorderMemory::new(geometry.ball_count),
             transforms: FrameTransforms::default(),
             contacts: SceneUpdate::default(),
@@ -186,7 +184,7 @@ impl Producer {
         self.send(sink, Topic::State, time, &state)?;
         if with_balls {
             self.memory.found.push(sample);
-            let balls = messages::balls(&self.constants, sample, time);
+            let balls = messages::balls(sample, time);
             self.send(sink, Topic::Balls, time, &balls)?;
             self.scene(sink, sample, scales, time)?;
         }
@@ -206,7 +204,7 @@ impl Producer {
         let ring_load_n = sample.inner.ball_force_n.map(|x| -x);
         let scales = Scales::of_first(&sample.balls, ring_load_n);
         self.memory.scales = Some(scales);
-        let first = sample.balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket_lead_rad);
+        let first = sample.balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket.unwrap_or_default().lead_rad);
         let bodies = Bodies {
             geometry: &self.geometry,
             pocket_gap: self.pocket_gap,
@@ -234,7 +232,6 @@ impl Producer {
             self.transforms = transforms;
         }
         if self.memory.motion.contacts_due(s) {
-            let balls: Vec<_> = s.balls.iter().collect();
             let mut update = std::mem::take(&mut self.contacts);
             let drawing = Drawing { geometry: &self.geometry, scales, defects: &self.defects };
             let moment = Moment {
@@ -243,9 +240,9 @@ impl Producer {
                 cage_angle_rad: s.cage.angle_rad,
                 ring_angles_rad: [s.inner.angle_rad, s.outer.angle_rad],
             };
-            contacts::update(&mut update, &drawing, &moment, &balls);
+            contacts::update(&mut update, &drawing, &moment, &s.balls);
             self.send(sink, Topic::Contacts, time, &update)?;
-            self.send(sink, Topic::Azimuth, time, &ball::around(timestamp(time), s.time_s, &balls))?;
+            self.send(sink, Topic::Azimuth, time, &ball::around(timestamp(time), s.time_s, &s.balls))?;
             self.contacts = update;
         }
         Ok(())

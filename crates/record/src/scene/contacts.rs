@@ -16,9 +16,8 @@ use crate::wire::foxglove::{ArrowPrimitive, SceneEntity, SceneUpdate, SpherePrim
 use crate::{colour, frames, layout, scene};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
-use tribodyn_bearing::{Geometry, Side};
-use tribodyn_dynamics::{BallSample, ContactSample};
-use tribodyn_quasistatic::{BallSolution, Solution};
+use tribodyn_bearing::{BallResult, ContactResult, Geometry, Side};
+use tribodyn_quasistatic::Solution;
 
 /// Semi-axes of a patch over the true ones: true ones are hard to see on a ball.
 pub(crate) const PATCH_EXAGGERATION: f64 = 2.0;
@@ -48,24 +47,26 @@ pub(crate) struct Scales {
 
 impl Scales {
     pub(crate) fn of(solution: &Solution) -> Self {
-        let largest = |get: fn(&BallSolution) -> f64| solution.balls.iter().map(get).fold(0.0, f64::max);
+        let largest = |get: fn(&ContactResult) -> f64| layout::round_up(largest(&solution.balls, get));
         Self {
-            load_n: layout::round_up(largest(|b| b.load_inner_n.max(b.load_outer_n))),
-            pressure_pa: layout::round_up(largest(|b| b.peak_pressure_inner_pa.max(b.peak_pressure_outer_pa))),
+            load_n: largest(|c| c.load_n),
+            pressure_pa: largest(|c| c.peak_pressure_pa),
             ring_n: size(solution.ring_load_n),
         }
     }
 
     /// Scales of a run from its first sample, with some room, since loads will vary.
-    pub(crate) fn of_first(balls: &[BallSample], ring_load_n: [f64; 3]) -> Self {
-        let largest = |get: fn(&ContactSample) -> f64| {
-            layout::round_up(1.1 * balls.iter().map(|b| get(&b.inner).max(get(&b.outer))).fold(0.0, f64::max))
-        };
+    pub(crate) fn of_first(balls: &[BallResult], ring_load_n: [f64; 3]) -> Self {
+        let largest = |get: fn(&ContactResult) -> f64| layout::round_up(1.1 * largest(balls, get));
         let (load_n, pressure_pa) = (largest(|c| c.load_n), largest(|c| c.peak_pressure_pa));
         let scales =
             if load_n > 0.0 && pressure_pa > 0.0 { Self { load_n, pressure_pa, ring_n: 0.0 } } else { UNLOADED };
         Self { ring_n: size(ring_load_n), ..scales }
     }
+}
+
+fn largest(balls: &[BallResult], get: fn(&ContactResult) -> f64) -> f64 {
+    balls.iter().map(|b| get(&b.contacts.inner).max(get(&b.contacts.outer))).fold(0.0, f64::max)
 }
 
 fn size(vector: [f64; 3]) -> f64 {
@@ -99,7 +100,7 @@ pub(crate) struct Moment {
 }
 
 /// All entities at one time. `message` is empty or that of another time, whose names stay.
-pub(crate) fn update(message: &mut SceneUpdate, drawing: &Drawing, moment: &Moment, balls: &[&BallSample]) {
+pub(crate) fn update(message: &mut SceneUpdate, drawing: &Drawing, moment: &Moment, balls: &[BallResult]) {
     let stamp = timestamp(moment.log_time);
     let diameter = drawing.geometry.ball_diameter;
     for (index, ball) in balls.iter().enumerate() {
@@ -110,7 +111,7 @@ pub(crate) fn update(message: &mut SceneUpdate, drawing: &Drawing, moment: &Mome
         entity.timestamp = Some(stamp);
         entity.arrows.clear();
         entity.spheres.clear();
-        for contact in of_sample(ball) {
+        for contact in of_ball(ball) {
             if contact.load_n > 0.0 {
                 add(entity, diameter, drawing.scales, &contact);
             }
@@ -125,14 +126,14 @@ pub(crate) fn update(message: &mut SceneUpdate, drawing: &Drawing, moment: &Mome
 }
 
 /// The forces of the pockets on the balls, heads at the balls.
-fn pockets(drawing: &Drawing, moment: &Moment, balls: &[&BallSample]) -> SceneEntity {
+fn pockets(drawing: &Drawing, moment: &Moment, balls: &[BallResult]) -> SceneEntity {
     let (diameter, scales) = (drawing.geometry.ball_diameter, drawing.scales);
     let mut entity = scene::entity(timestamp(moment.log_time), frames::CAGE.into(), "pocket_forces".into());
     for ball in balls {
-        let part = POCKET_MAGNIFICATION * ball.pocket_force_n.abs() / scales.load_n;
+        let part = POCKET_MAGNIFICATION * ball.pocket.unwrap_or_default().force_n.abs() / scales.load_n;
         let length = LONGEST_ARROW * diameter * part.min(OVERLONG);
         // Behind a ball that is driven along the orbit, ahead of one that is held back.
-        let sign = ball.pocket_force_n.signum();
+        let sign = ball.pocket.unwrap_or_default().force_n.signum();
         let (sin, cos) = (ball.azimuth_rad - moment.cage_angle_rad).sin_cos();
         let back = -sign * (0.5 * diameter + length);
         let tail =
@@ -147,7 +148,7 @@ fn pockets(drawing: &Drawing, moment: &Moment, balls: &[&BallSample]) -> SceneEn
 }
 
 /// The load of the ring as an arrow, and the highest load and pressure there are now.
-fn present(drawing: &Drawing, moment: &Moment, balls: &[&BallSample]) -> SceneEntity {
+fn present(drawing: &Drawing, moment: &Moment, balls: &[BallResult]) -> SceneEntity {
     let stage = Stage::new(drawing.geometry);
     let mut entity = scene::entity(timestamp(moment.log_time), frames::BEARING.into(), "present".into());
     let (load, scales) = (size(moment.ring_load_n), drawing.scales);
@@ -158,7 +159,7 @@ fn present(drawing: &Drawing, moment: &Moment, balls: &[&BallSample]) -> SceneEn
         let end = moment.ring_load_n.map(|x| x / load * (length + 0.13 * radius));
         entity.texts.push(stage.label(end, format!("ring load {}", guide::force(load))));
     }
-    let pressure = balls.iter().map(|b| b.inner.peak_pressure_pa.max(b.outer.peak_pressure_pa)).fold(0.0, f64::max);
+    let pressure = largest(balls, |c| c.peak_pressure_pa);
     entity.texts.push(stage.label(guide::now_at(&stage), format!("now up to {:.2} GPa", pressure * 1e-9)));
     entity
 }
@@ -173,10 +174,10 @@ impl Contact {
 }
 
 /// Inner and outer contact of a ball.
-fn of_sample(ball: &BallSample) -> [Contact; 2] {
+fn of_ball(ball: &BallResult) -> [Contact; 2] {
     let contact =
-        |side, c: &ContactSample| Contact::new(side, c.angle_rad, c.load_n, c.peak_pressure_pa, c.semi_axes_m);
-    [contact(Side::Inner, &ball.inner), contact(Side::Outer, &ball.outer)]
+        |side, c: &ContactResult| Contact::new(side, c.angle_rad, c.load_n, c.peak_pressure_pa, c.semi_axes_m);
+    [contact(Side::Inner, &ball.contacts.inner), contact(Side::Outer, &ball.contacts.outer)]
 }
 
 fn add(entity: &mut SceneEntity, diameter: f64, scales: Scales, contact: &Contact) {

@@ -9,8 +9,9 @@ use crate::quaternion::{Rotation, vector};
 use crate::timeline::{Timeline, timestamp};
 use crate::wire::foxglove::{FrameTransform, FrameTransforms};
 use serde::{Deserialize, Serialize};
+use tribodyn_bearing::BallResult;
 use tribodyn_quasistatic::OverAzimuth;
-use tribodyn_quasistatic::{BallSolution, Solution};
+use tribodyn_quasistatic::Solution;
 
 /// Frame of the bearing: origin at the plane of the unloaded ball centres, Z axial.
 pub(crate) const BEARING: &str = "bearing";
@@ -82,12 +83,12 @@ pub(crate) struct Poses<'a> {
     pub(crate) spins: &'a Spins,
 }
 
-/// All frames at one sample of a solution. `balls` holds each ball with its azimuth unwrapped, rad.
+/// All frames at one sample of a solution. Azimuths of `balls` are not wrapped.
 pub(crate) fn transforms(
     solution: &Solution,
     timeline: &Timeline,
     sample: usize,
-    balls: &[(f64, BallSolution)],
+    balls: &[BallResult],
     spins: &Spins,
 ) -> FrameTransforms {
     let time = timeline.seconds(sample);
@@ -101,7 +102,7 @@ pub(crate) fn transforms(
         spins,
     };
     let mut message = FrameTransforms::default();
-    poses.update(&mut message, balls.iter().map(|(azimuth, b)| [*azimuth, b.orbit_radius_m, b.axial_displacement_m]));
+    poses.update(&mut message, balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]));
     message
 }
 

@@ -120,12 +120,14 @@ impl Found {
     /// Looks below every loaded ball.
     pub(crate) fn push(&mut self, sample: &Sample) {
         for ball in &sample.balls {
-            let sides = [(&mut self.inner, &ball.inner, &sample.inner), (&mut self.outer, &ball.outer, &sample.outer)];
+            let contacts = &ball.contacts;
+            let sides =
+                [(&mut self.inner, &contacts.inner, &sample.inner), (&mut self.outer, &contacts.outer, &sample.outer)];
             for (sectors, contact, ring) in sides {
-                if contact.load_n > 0.0 {
+                if let Some(surface) = contact.transient.filter(|_| contact.load_n > 0.0) {
                     let turn = (ball.azimuth_rad - ring.angle_rad).rem_euclid(TAU) / TAU;
                     let sector = (turn * SECTORS as f64) as usize % SECTORS;
-                    sectors[sector] = Some((1.0 - contact.bare) as f32);
+                    sectors[sector] = Some((1.0 - surface.bare) as f32);
                 }
             }
         }

@@ -2,8 +2,8 @@
 
 use crate::RecordError;
 use tribodyn_bearing::Geometry;
-use tribodyn_quasistatic::Solution;
-use tribodyn_quasistatic::ball_numbers as numbers;
+use tribodyn_bearing::quantities::{OfBall, joined};
+use tribodyn_quasistatic::{SOLUTION, Solution};
 
 /// Refuses what cannot be recorded: numbers that are not finite, another bearing's solution, uneven azimuths.
 pub(crate) fn check(solution: &Solution, geometry: &Geometry) -> Result<(), RecordError> {
@@ -20,37 +20,25 @@ pub(crate) fn check(solution: &Solution, geometry: &Geometry) -> Result<(), Reco
     let finite = |field: String, value: f64| {
         if value.is_finite() { Ok(()) } else { Err(RecordError::NotFinite { field, value }) }
     };
-    for (field, value) in ring_numbers(solution) {
-        finite(field.to_owned(), value)?;
+    for quantity in &SOLUTION {
+        if let Some(value) = (quantity.get)(solution) {
+            finite(joined(&[quantity.facts.name, quantity.facts.unit.suffix]), value)?;
+        }
     }
     let spacing = 360.0 / geometry.ball_count as f64;
     for (index, ball) in solution.balls.iter().enumerate() {
-        for (field, value) in numbers(ball) {
-            finite(format!("balls[{index}].{field}"), value)?;
+        for quantity in OfBall::all() {
+            if let Some(value) = quantity.get(ball) {
+                finite(format!("balls[{index}].{}", quantity.name_in(quantity.facts().unit)), value)?;
+            }
         }
-        let expected = solution.balls[0].azimuth_deg + spacing * index as f64;
-        let off = (ball.azimuth_deg - expected + 180.0).rem_euclid(360.0) - 180.0;
+        let found_deg = ball.azimuth_rad.to_degrees();
+        let expected = solution.balls[0].azimuth_rad.to_degrees() + spacing * index as f64;
+        let off = (found_deg - expected + 180.0).rem_euclid(360.0) - 180.0;
         // Azimuths that went through a table of a few digits still pass.
         if off.abs() > 1e-4 {
-            return Err(RecordError::UnevenAzimuth {
-                ball: index,
-                expected_deg: expected,
-                found_deg: ball.azimuth_deg,
-            });
+            return Err(RecordError::UnevenAzimuth { ball: index, expected_deg: expected, found_deg });
         }
     }
     Ok(())
-}
-
-fn ring_numbers(solution: &Solution) -> Vec<(&'static str, f64)> {
-    let mut out = vec![
-        ("shaft_torque_nm", solution.shaft_torque_nm),
-        ("inner_speed_rad_s", solution.inner_speed_rad_s),
-        ("outer_speed_rad_s", solution.outer_speed_rad_s),
-    ];
-    out.extend(solution.ring_displacement_m.map(|v| ("ring_displacement_m", v)));
-    out.extend(solution.ring_tilt_rad.map(|v| ("ring_tilt_rad", v)));
-    out.extend(solution.ring_load_n.map(|v| ("ring_load_n", v)));
-    out.extend(solution.ring_moment_nm.map(|v| ("ring_moment_nm", v)));
-    out
 }

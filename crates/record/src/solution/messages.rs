@@ -1,70 +1,100 @@
-//! `/bearing/state` and `/bearing/balls`: the solution's numbers in the units that a plot wants.
+//! `/bearing/state` and `/bearing/balls` of a solution, filled from the tables of quantities.
 
-use crate::ball::{self, Derived};
+use crate::ball;
 use crate::timeline::{Timeline, timestamp};
-use crate::units::{CUBIC_MICROMETRE, GIGA, MICRO_PER_UNIT, MILLI_PER_UNIT, RPM_PER_RAD_S, degrees};
+use crate::units::degrees;
+use crate::wire::Numbers;
 use crate::wire::tribodyn::{Balls, BearingState};
-use tribodyn_dynamics::BallSample;
-use tribodyn_quasistatic::{BallSolution, Solution};
+use std::sync::LazyLock;
+use tribodyn_bearing::BallResult;
+use tribodyn_bearing::quantities::{OfBall, Over, Quantity, Scope, joined};
+use tribodyn_quasistatic::{Model, SOLUTION, Solution};
+
+/// Each number for all balls that a message `M` holds, with the place of its field.
+pub(crate) fn over_fields<M: Numbers>() -> Vec<(OfBall, Over, usize)> {
+    let place = |q: &OfBall, over| M::place(&q.over_name(over, q.facts().shown));
+    OfBall::over_balls().filter_map(|(q, over)| Some((q, over, place(&q, over)?))).collect()
+}
+
+/// Each quantity of a table that a message `M` holds, with the place of its field.
+pub(crate) fn fields<M: Numbers, T>(table: &'static [Quantity<T>]) -> Vec<(&'static Quantity<T>, usize)> {
+    let place = |q: &Quantity<T>| M::place(&joined(&[q.facts.name, q.facts.shown.suffix]));
+    table.iter().filter_map(|q| Some((q, place(q)?))).collect()
+}
+
+/// Writes the numbers for all balls that a message holds.
+pub(crate) fn fill_over<M: Numbers>(message: &mut M, fields: &[(OfBall, Over, usize)], balls: &[BallResult]) {
+    for (quantity, over, place) in fields {
+        if let Some(value) = quantity.over(*over, balls) {
+            message.set_number(*place, value * quantity.facts().shown.per_si);
+        }
+    }
+}
+
+/// Writes the quantities of `of` that a message holds.
+pub(crate) fn fill<M: Numbers, T>(message: &mut M, fields: &[(&Quantity<T>, usize)], of: &T) {
+    for (quantity, place) in fields {
+        if let Some(value) = (quantity.get)(of) {
+            message.set_number(*place, value * quantity.facts.shown.per_si);
+        }
+    }
+}
+
+static OF_SOLUTION: LazyLock<Vec<(&Quantity<Solution>, usize)>> =
+    LazyLock::new(|| fields::<BearingState, _>(&SOLUTION));
+static OVER_BALLS: LazyLock<Vec<(OfBall, Over, usize)>> = LazyLock::new(over_fields::<BearingState>);
+
+/// Writes to a solution what a state of its recording holds, and its model has.
+pub fn read_state(solution: &mut Solution, state: &BearingState) {
+    let held = |scope: Scope| scope == Scope::All || solution.model == Model::Traction;
+    let of_model: Vec<_> = OF_SOLUTION.iter().filter(|(quantity, _)| held(quantity.facts.scope)).collect();
+    for (quantity, place) in of_model {
+        (quantity.set)(solution, state.number(*place) / quantity.facts.shown.per_si);
+    }
+}
+
+/// Balls that carry load at both races.
+pub(crate) fn in_contact(balls: &[BallResult]) -> u32 {
+    let loaded = |b: &&BallResult| b.contacts.inner.load_n > 0.0 && b.contacts.outer.load_n > 0.0;
+    balls.iter().filter(loaded).count() as u32
+}
 
 /// Ring, cage and sums over the balls at one sample.
-pub(crate) fn state(
-    solution: &Solution,
-    timeline: &Timeline,
-    sample: usize,
-    balls: &[(f64, BallSolution)],
-) -> BearingState {
-    let sum = |get: fn(&BallSolution) -> f64| balls.iter().map(|(_, b)| get(b)).sum::<f64>();
-    let largest = |get: fn(&BallSolution) -> f64| balls.iter().map(|(_, b)| get(b)).fold(f64::MIN, f64::max);
-    let smallest = |get: fn(&BallSolution) -> f64| balls.iter().map(|(_, b)| get(b)).fold(f64::MAX, f64::min);
+pub(crate) fn state(solution: &Solution, timeline: &Timeline, sample: usize, balls: &[BallResult]) -> BearingState {
     let time_s = timeline.seconds(sample);
-    let [shaft_x_um, shaft_y_um, shaft_z_um] = solution.ring_displacement_m.map(|x| x * MICRO_PER_UNIT);
-    let [tilt_x_mrad, tilt_y_mrad] = solution.ring_tilt_rad.map(|x| x * MILLI_PER_UNIT);
-    let [load_x_n, load_y_n, load_z_n] = solution.ring_load_n;
-    let [moment_x_nm, moment_y_nm] = solution.ring_moment_nm;
-    let loaded = |(_, b): &&(f64, BallSolution)| b.load_inner_n > 0.0 && b.load_outer_n > 0.0;
-    BearingState {
+    let mut message = BearingState {
         timestamp: Some(timestamp(timeline.log_time(sample))),
         time_s,
         cage_angle_deg: degrees(timeline.cage_angle(sample)),
         shaft_angle_deg: degrees(solution.inner_speed_rad_s * time_s),
-        shaft_x_um,
-        shaft_y_um,
-        shaft_z_um,
-        tilt_x_mrad,
-        tilt_y_mrad,
-        cage_speed_rpm: solution.cage_speed_rpm,
-        inner_speed_rpm: solution.inner_speed_rad_s * RPM_PER_RAD_S,
-        outer_speed_rpm: solution.outer_speed_rad_s * RPM_PER_RAD_S,
-        shaft_torque_nm: solution.shaft_torque_nm,
-        load_x_n,
-        load_y_n,
-        load_z_n,
-        moment_x_nm,
-        moment_y_nm,
-        power_loss_inner_w: sum(|b| b.power_loss_inner_w),
-        power_loss_outer_w: sum(|b| b.power_loss_outer_w),
-        power_loss_fluid_w: sum(|b| b.power_loss_fluid_w),
-        load_inner_max_n: largest(|b| b.load_inner_n),
-        load_outer_max_n: largest(|b| b.load_outer_n),
-        pressure_inner_max_gpa: largest(|b| b.peak_pressure_inner_pa) * GIGA,
-        pressure_outer_max_gpa: largest(|b| b.peak_pressure_outer_pa) * GIGA,
-        orbital_speed_min_rpm: smallest(|b| b.orbital_speed_rad_s) * RPM_PER_RAD_S,
-        orbital_speed_max_rpm: largest(|b| b.orbital_speed_rad_s) * RPM_PER_RAD_S,
-        wear_rate_inner_um3_s: sum(|b| b.wear_rate_inner_m3_s) * CUBIC_MICROMETRE,
-        wear_rate_outer_um3_s: sum(|b| b.wear_rate_outer_m3_s) * CUBIC_MICROMETRE,
-        wear_rate_cage_um3_s: sum(|b| b.wear_rate_cage_m3_s) * CUBIC_MICROMETRE,
-        balls_in_contact: balls.iter().filter(loaded).count() as u32,
-    }
+        balls_in_contact: in_contact(balls),
+        ..BearingState::default()
+    };
+    fill(&mut message, &OF_SOLUTION, solution);
+    fill_over(&mut message, &OVER_BALLS, balls);
+    message
 }
 
 /// All balls at one sample.
-pub(crate) fn balls(pitch_diameter: f64, timeline: &Timeline, sample: usize, balls: &[(BallSample, Derived)]) -> Balls {
-    let message =
-        |(i, (b, derived)): (usize, &(BallSample, Derived))| ball::message(i, 0.5 * pitch_diameter, b, derived);
+pub(crate) fn balls(timeline: &Timeline, sample: usize, balls: &[BallResult]) -> Balls {
     Balls {
         timestamp: Some(timestamp(timeline.log_time(sample))),
         time_s: timeline.seconds(sample),
-        balls: balls.iter().enumerate().map(message).collect(),
+        balls: balls.iter().enumerate().map(|(i, ball)| ball::message(i, ball)).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A number that is renamed in a table alone would be 0 in all recordings.
+    #[test]
+    fn identity_every_number_of_a_state_is_filled() {
+        let filled: Vec<usize> = OF_SOLUTION.iter().map(|f| f.1).chain(OVER_BALLS.iter().map(|f| f.2)).collect();
+        for (place, name) in BearingState::NAMES.iter().enumerate() {
+            let own = ["time_s", "cage_angle_deg", "shaft_angle_deg"].contains(name);
+            assert_eq!(filled.iter().filter(|p| **p == place).count(), usize::from(!own), "{name}");
+        }
     }
 }

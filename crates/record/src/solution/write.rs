@@ -2,7 +2,7 @@
 
 use super::check::check;
 use super::messages;
-use crate::ball::{self, Derived};
+use crate::ball;
 use crate::contacts::{self, Drawing, Moment, Scales};
 use crate::frames::{self, Spins};
 use crate::layout::{Layout, LayoutKind};
@@ -14,11 +14,10 @@ use crate::{RecordError, RecordingSummary, TemporaryFile, read_summary};
 use mcap::McapResult;
 use std::io::{BufWriter, Seek, Write};
 use std::path::Path;
-use tribodyn_bearing::Geometry;
+use tribodyn_bearing::{BallResult, Geometry};
 use tribodyn_case::Case;
-use tribodyn_dynamics::BallSample;
+use tribodyn_quasistatic::Solution;
 use tribodyn_quasistatic::{AzimuthRule, OverAzimuth};
-use tribodyn_quasistatic::{BallSolution, Solution};
 
 /// Name of the attachment that holds the case file.
 pub const CASE_ATTACHMENT: &str = "case.ron";
@@ -118,11 +117,8 @@ impl<'a> Recording<'a> {
     fn write_sample<W: Write + Seek>(&self, out: &mut Output<W>, sample: usize, spins: &Spins) -> McapResult<()> {
         let (solution, timeline) = (self.input.solution, &self.timeline);
         let turned = timeline.cage_angle(sample);
-        let at = |azimuth: f64| (azimuth, self.over.at(azimuth));
-        let balls: Vec<(f64, BallSolution)> =
-            (0..self.geometry.ball_count).map(|ball| at(self.over.start(ball) + turned)).collect();
-        let as_samples: Vec<(BallSample, Derived)> =
-            balls.iter().map(|(azimuth, b)| ball::of_solution(*azimuth, b)).collect();
+        let balls: Vec<BallResult> =
+            (0..self.geometry.ball_count).map(|ball| self.over.at(self.over.start(ball) + turned)).collect();
         let time = timeline.log_time(sample);
         if sample.is_multiple_of(timeline.frame_stride) {
             out.log(Topic::Transforms as usize, time, &frames::transforms(solution, timeline, sample, &balls, spins))?;
@@ -134,18 +130,13 @@ impl<'a> Recording<'a> {
                 cage_angle_rad: turned,
                 ring_angles_rad: [solution.inner_speed_rad_s, solution.outer_speed_rad_s].map(|speed| speed * seconds),
             };
-            let drawn: Vec<&BallSample> = as_samples.iter().map(|(b, _)| b).collect();
             let mut update = SceneUpdate::default();
-            contacts::update(&mut update, &drawing, &moment, &drawn);
-            out.log(Topic::Azimuth as usize, time, &ball::around(timestamp(time), seconds, &drawn))?;
+            contacts::update(&mut update, &drawing, &moment, &balls);
+            out.log(Topic::Azimuth as usize, time, &ball::around(timestamp(time), seconds, &balls))?;
             out.log(Topic::Contacts as usize, time, &update)?;
         }
         out.log(Topic::State as usize, time, &messages::state(solution, timeline, sample, &balls))?;
-        out.log(
-            Topic::Balls as usize,
-            time,
-            &messages::balls(self.geometry.pitch_diameter, timeline, sample, &as_samples),
-        )
+        out.log(Topic::Balls as usize, time, &messages::balls(timeline, sample, &balls))
     }
 
     fn layout(&self) -> String {

@@ -63,14 +63,18 @@ fn identity_recorded_balls_follow_the_solution_over_azimuth() {
             let exact = ball(azimuth);
             // f32 has 6e-8; 3e-7 leaves room for the conversion of units.
             let same = |a: f32, b: f64, scale: f64| (f64::from(a) - b).abs() < 3e-7 * scale;
-            assert!(same(recorded.load_inner_n, exact.load_inner_n, 5e3));
-            assert!(same(recorded.pressure_outer_gpa, exact.peak_pressure_outer_pa * 1e-9, 3.0));
-            assert!(same(recorded.semi_axis_across_outer_mm, exact.semi_axes_outer_m[0] * 1e3, 3.0));
+            assert!(same(recorded.load_inner_n, exact.contacts.inner.load_n, 5e3));
+            assert!(same(recorded.peak_pressure_outer_gpa, exact.contacts.outer.peak_pressure_pa * 1e-9, 3.0));
+            assert!(same(recorded.semi_axis_across_outer_mm, exact.contacts.outer.semi_axes_m[0] * 1e3, 3.0));
             assert!(same(recorded.spin_radial_rad_s, exact.spin_rad_s[1], 1e3));
-            assert!(same(recorded.slide_to_roll_inner_percent, exact.slide_to_roll_inner * 100.0, 1.0));
+            assert!(same(
+                recorded.slide_to_roll_inner_percent,
+                exact.contacts.inner.friction_or_nan().slide_to_roll[0] * 100.0,
+                1.0
+            ));
             let turn = (f64::from(recorded.azimuth_deg) - azimuth.to_degrees() + 180.0).rem_euclid(360.0) - 180.0;
             assert!(turn.abs() < 1e-4, "azimuth is {turn}° off");
-            assert!(recorded.cage_force_n >= 0.0, "a dead band rings");
+            assert!(recorded.pocket_force_n >= 0.0, "a dead band rings");
             checked += 1;
         }
     }
@@ -173,9 +177,9 @@ fn identity_arrows_end_at_the_contact_points_and_push_on_the_ball() {
     let (radius, mut lengths) = (0.5 * 0.03016, Vec::new());
     for (index, entity) in contacts.entities.iter().take(BALLS).enumerate() {
         let exact = ball(TAU * index as f64 / BALLS as f64);
-        let (si, ci) = exact.contact_angle_inner_deg.to_radians().sin_cos();
-        let (so, co) = exact.contact_angle_outer_deg.to_radians().sin_cos();
-        let sides = [([-si, -ci, 0.0], exact.load_inner_n), ([so, co, 0.0], exact.load_outer_n)];
+        let (si, ci) = exact.contacts.inner.angle_rad.sin_cos();
+        let (so, co) = exact.contacts.outer.angle_rad.sin_cos();
+        let sides = [([-si, -ci, 0.0], exact.contacts.inner.load_n), ([so, co, 0.0], exact.contacts.outer.load_n)];
         assert_eq!((entity.arrows.len(), entity.spheres.len()), (2, 2));
         for ((arrow, patch), (normal, load)) in entity.arrows.iter().zip(&entity.spheres).zip(sides) {
             let pose = arrow.pose.as_ref().unwrap();
@@ -194,8 +198,8 @@ fn identity_arrows_end_at_the_contact_points_and_push_on_the_ball() {
             assert!((across[0] * normal[0] + across[1] * normal[1]).abs() < DRAWN && across[2].abs() < DRAWN);
         }
         let size = entity.spheres[1].size.as_ref().unwrap();
-        assert!((size.y / (4.0 * exact.semi_axes_outer_m[0]) - 1.0).abs() < 1e-5);
-        assert!((size.z / (4.0 * exact.semi_axes_outer_m[1]) - 1.0).abs() < 1e-4);
+        assert!((size.y / (4.0 * exact.contacts.outer.semi_axes_m[0]) - 1.0).abs() < 1e-5);
+        assert!((size.z / (4.0 * exact.contacts.outer.semi_axes_m[1]) - 1.0).abs() < 1e-4);
     }
     assert!(lengths.iter().all(|x| (x / lengths[0] - 1.0).abs() < 1e-9), "length is proportional to load");
 }
@@ -205,8 +209,9 @@ fn limit_a_ball_without_load_has_no_arrow_and_nothing_rings_below_zero() {
     let mut loose = solution(BALLS);
     for index in 5..9 {
         let ball = &mut loose.balls[index];
-        (ball.load_inner_n, ball.peak_pressure_inner_pa, ball.approach_inner_m) = (0.0, 0.0, 0.0);
-        ball.semi_axes_inner_m = [0.0; 2];
+        let inner = &mut ball.contacts.inner;
+        (inner.load_n, inner.peak_pressure_pa, inner.approach_m) = (0.0, 0.0, 0.0);
+        inner.semi_axes_m = [0.0; 2];
     }
     let file = bytes(&loose);
     let contacts = scenes(&file, "/bearing/contacts");
@@ -219,7 +224,7 @@ fn limit_a_ball_without_load_has_no_arrow_and_nothing_rings_below_zero() {
             continue;
         };
         for ball in &message.balls {
-            assert!(ball.load_inner_n >= 0.0 && ball.pressure_inner_gpa >= 0.0);
+            assert!(ball.load_inner_n >= 0.0 && ball.peak_pressure_inner_gpa >= 0.0);
             assert_eq!(ball.contact_inner, ball.load_inner_n > 0.0);
             lost += usize::from(!ball.contact_inner);
             largest = largest.max(ball.load_inner_n);

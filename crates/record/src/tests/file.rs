@@ -91,7 +91,7 @@ fn identity_no_number_in_the_file_is_infinite_or_not_a_number() {
 fn identity_same_input_gives_the_same_bytes() {
     assert_eq!(bytes(&solution(BALLS)), bytes(&solution(BALLS)));
     let mut other = solution(BALLS);
-    other.balls[3].load_inner_n += 1.0;
+    other.balls[3].contacts.inner.load_n += 1.0;
     assert_ne!(bytes(&solution(BALLS)), bytes(&other));
 }
 
@@ -176,11 +176,11 @@ fn limit_solutions_that_cannot_be_recorded_are_refused_by_name() {
         assert!(!path.exists());
         error.to_string()
     };
-    let text = refused(|s| s.balls[4].drag_n = f64::NAN);
+    let text = refused(|s| s.balls[4].fluid.as_mut().unwrap().drag_n = f64::NAN);
     assert!(text.contains("balls[4].drag_n"), "{text}");
     let text = refused(|s| s.ring_tilt_rad[1] = f64::INFINITY);
-    assert!(text.contains("ring_tilt_rad"), "{text}");
-    let text = refused(|s| s.balls[7].azimuth_deg += 0.5);
+    assert!(text.contains("ring_tilt_y_rad"), "{text}");
+    let text = refused(|s| s.balls[7].azimuth_rad += 0.5_f64.to_radians());
     assert!(text.contains("ball 7"), "{text}");
     let text = refused(|s| s.cage_speed_rpm = 0.0);
     assert!(text.contains("0 r/min"), "{text}");

@@ -19,54 +19,68 @@ use crate::write::Recording;
 use prost::Message;
 use std::io::Cursor;
 use std::path::PathBuf;
+use tribodyn_bearing::{BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, Races};
 use tribodyn_case::Case;
-use tribodyn_quasistatic::{BallSolution, Model, Solution};
+use tribodyn_quasistatic::{Model, Solution};
 
 const BALLS: usize = 13;
 
 /// A ball as a function of azimuth, rad: harmonics up to the second.
-fn ball(azimuth: f64) -> BallSolution {
+fn ball(azimuth: f64) -> BallResult {
     let (one, two) = (azimuth.cos(), (2.0 * azimuth).sin());
     let load = 4000.0 + 1500.0 * one + 60.0 * two;
-    BallSolution {
-        azimuth_deg: azimuth.to_degrees(),
-        contact_angle_inner_deg: 24.0 - 2.0 * one,
-        contact_angle_outer_deg: 17.0 + one,
-        load_inner_n: load,
-        load_outer_n: load + 2300.0,
-        approach_inner_m: 2.1e-5 + 4e-6 * one,
-        approach_outer_m: 2.9e-5 + 4e-6 * one,
-        peak_pressure_inner_pa: 2.1e9 + 3.3e8 * one,
-        peak_pressure_outer_pa: 2.0e9 + 2.2e8 * one,
-        semi_axes_inner_m: [2.6e-3 + 4e-4 * one, 3.4e-4 + 5e-5 * one],
-        semi_axes_outer_m: [2.9e-3 + 4e-4 * one, 4.4e-4 + 5e-5 * one],
+    let inner = ContactResult {
+        angle_rad: (24.0 - 2.0 * one).to_radians(),
+        approach_m: 2.1e-5 + 4e-6 * one,
+        load_n: load,
+        peak_pressure_pa: 2.1e9 + 3.3e8 * one,
+        semi_axes_m: [2.6e-3 + 4e-4 * one, 3.4e-4 + 5e-5 * one],
+        rolling_speed_m_s: 57.0,
+        spin_ratio_per_m: 21.0 + one,
+        friction: Some(FrictionResult {
+            traction_n: [95.0 + 8.0 * one, -120.0 + 5.0 * two],
+            slide_to_roll: [-0.002 * one, 0.001],
+            power_loss_w: 900.0 + 200.0 * one,
+            wear_rate_m3_s: 3e-14 + 1e-14 * one,
+            ..FrictionResult::default()
+        }),
+        transient: None,
+    };
+    let outer = ContactResult {
+        angle_rad: (17.0 + one).to_radians(),
+        approach_m: 2.9e-5 + 4e-6 * one,
+        load_n: load + 2300.0,
+        peak_pressure_pa: 2.0e9 + 2.2e8 * one,
+        semi_axes_m: [2.9e-3 + 4e-4 * one, 4.4e-4 + 5e-5 * one],
+        rolling_speed_m_s: 61.0,
+        spin_ratio_per_m: 3.0 + one,
+        friction: Some(FrictionResult {
+            traction_n: [60.0 - 8.0 * one, 118.0 + 5.0 * two],
+            slide_to_roll: [0.001 + 0.0005 * two, 0.002 * one],
+            power_loss_w: 400.0 + 90.0 * one,
+            wear_rate_m3_s: 1e-14 + 3e-15 * one,
+            ..FrictionResult::default()
+        }),
+        transient: None,
+    };
+    BallResult {
+        azimuth_rad: azimuth,
         orbital_speed_rad_s: 607.6 + 1.5 * two,
         orbit_radius_m: 0.083_79 + 2e-5 * one,
+        radial_displacement_m: 1.29e-3 + 2e-5 * one,
         axial_displacement_m: 3e-5 - 1e-5 * one,
         spin_rad_s: [-3900.0 - 20.0 * one, 900.0 + 40.0 * one, 15.0 * two],
         centrifugal_force_n: 3400.0,
         gyroscopic_moment_nm: 6.0 + 0.1 * one,
-        drag_n: 170.0,
-        traction_inner_n: 95.0 + 8.0 * one,
-        traction_outer_n: 60.0 - 8.0 * one,
-        lateral_traction_inner_n: -120.0 + 5.0 * two,
-        lateral_traction_outer_n: 118.0 + 5.0 * two,
-        slide_to_roll_inner: -0.002 * one,
-        slide_to_roll_outer: 0.001 + 0.0005 * two,
-        lateral_slide_to_roll_inner: 0.001,
-        lateral_slide_to_roll_outer: 0.002 * one,
-        spin_ratio_inner: 21.0 + one,
-        spin_ratio_outer: 3.0 + one,
-        rolling_speed_inner_m_s: 57.0,
-        rolling_speed_outer_m_s: 61.0,
-        power_loss_inner_w: 900.0 + 200.0 * one,
-        power_loss_outer_w: 400.0 + 90.0 * one,
-        power_loss_fluid_w: 8600.0,
-        wear_rate_inner_m3_s: 3e-14 + 1e-14 * one,
-        wear_rate_outer_m3_s: 1e-14 + 3e-15 * one,
-        pocket_lead_rad: 2e-3 * one,
-        cage_force_n: (80.0 * one - 40.0).max(0.0),
-        wear_rate_cage_m3_s: (2e-15 * one - 1e-15).max(0.0),
+        contacts: Races { inner, outer },
+        fluid: Some(FluidResult { drag_n: 170.0, power_loss_w: 8600.0, ..FluidResult::default() }),
+        pocket: Some(PocketResult {
+            lead_rad: 2e-3 * one,
+            force_n: (80.0 * one - 40.0).max(0.0),
+            friction_n: None,
+            wear_rate_m3_s: (2e-15 * one - 1e-15).max(0.0),
+        }),
+        motion: None,
     }
 }
 
@@ -81,7 +95,7 @@ fn solution(balls: usize) -> Solution {
         ring_tilt_rad: [1e-5, 2e-5],
         ring_load_n: [9000.0, 0.0, 21_000.0],
         ring_moment_nm: [0.0, 0.0],
-        shaft_torque_nm: 11.0,
+        shaft_torque_nm: Some(11.0),
         inner_speed_rad_s: 14_000.0 * std::f64::consts::TAU / 60.0,
         outer_speed_rad_s: 0.0,
         residual: 3e-12,

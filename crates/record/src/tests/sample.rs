@@ -6,10 +6,11 @@ use std::f64::consts::TAU;
 use std::io::Cursor;
 use std::ops::Range;
 use std::path::Path;
-use tribodyn_case::Case;
-use tribodyn_dynamics::{
-    BallSample, CageSample, ContactSample, Event, EventKind, Observer, PowerSample, RingSample, Sample, WearSample,
+use tribodyn_bearing::{
+    BallMotionResult, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, Races, TransientContact,
 };
+use tribodyn_case::Case;
+use tribodyn_dynamics::{CageSample, Event, EventKind, Observer, PowerSample, RingSample, Sample, WearSample};
 
 /// Speeds of shaft and cage, rad/s.
 pub(super) const SHAFT: f64 = 14_000.0 * TAU / 60.0;
@@ -19,46 +20,56 @@ pub(super) const CAGE: f64 = 5_802.0 * TAU / 60.0;
 pub(super) const TONE_HZ: f64 = 10_000.0 * 200.0 / 2048.0;
 pub(super) const TONE_M_S2: f64 = 0.7;
 
-fn contact(angle_deg: f64, load: f64) -> ContactSample {
-    ContactSample {
+fn contact(angle_deg: f64, load: f64) -> ContactResult {
+    ContactResult {
         angle_rad: angle_deg.to_radians(),
         approach_m: 2.1e-5,
         load_n: load,
-        normal_force_n: load + 12.5,
         semi_axes_m: [2.6e-3, 3.4e-4],
         peak_pressure_pa: 2.1e9 * (load / 4000.0).cbrt(),
-        traction_n: [95.0, -120.0],
-        slide_to_roll: [-0.002, 0.001],
         spin_ratio_per_m: 21.0,
         rolling_speed_m_s: 57.0,
-        power_loss_w: 900.0,
-        wear_rate_m3_s: 3e-14,
-        bare: 0.25,
-        depth_m: 1.5e-6,
+        friction: Some(FrictionResult {
+            traction_n: [95.0, -120.0],
+            slide_to_roll: [-0.002, 0.001],
+            power_loss_w: 900.0,
+            wear_rate_m3_s: 3e-14,
+            ..FrictionResult::default()
+        }),
+        transient: Some(TransientContact { damping_n: 12.5, bare: 0.25, depth_m: 1.5e-6 }),
     }
 }
 
-fn ball(index: usize, time: f64) -> BallSample {
+fn ball(index: usize, time: f64) -> BallResult {
     let lead = 2e-3 * (80.0 * time + index as f64).sin();
     let azimuth = TAU * index as f64 / BALLS as f64 + CAGE * time + lead;
     let load = 4000.0 + 1500.0 * azimuth.cos();
-    BallSample {
+    BallResult {
         azimuth_rad: azimuth,
         orbital_speed_rad_s: CAGE + 0.16 * (80.0 * time + index as f64).cos(),
-        orbital_acceleration_rad_s2: -12.8 * (80.0 * time + index as f64).sin(),
         orbit_radius_m: 0.083_79,
+        radial_displacement_m: 1.29e-3,
         axial_displacement_m: 3e-5,
-        velocity_m_s: [0.001, -0.002],
         spin_rad_s: [-3900.0, 900.0, 15.0],
-        inner: contact(24.0, load),
-        outer: contact(17.0, load + 2300.0),
-        drag_n: 170.0,
-        churning_nm: [0.02, -0.005, 0.0],
-        churning_w: 70.0,
-        pocket_lead_rad: lead,
-        pocket_force_n: -1.0e4 * lead,
-        pocket_friction_n: [2.0, -1.0],
-        wear_rate_cage_m3_s: 1e-15,
+        centrifugal_force_n: 3400.0,
+        gyroscopic_moment_nm: 6.0,
+        contacts: Races { inner: contact(24.0, load), outer: contact(17.0, load + 2300.0) },
+        fluid: Some(FluidResult {
+            drag_n: 170.0,
+            churning_nm: [0.02, -0.005, 0.0],
+            churning_w: 70.0,
+            power_loss_w: 8700.0,
+        }),
+        pocket: Some(PocketResult {
+            lead_rad: lead,
+            force_n: -1.0e4 * lead,
+            friction_n: Some([2.0, -1.0]),
+            wear_rate_m3_s: 1e-15,
+        }),
+        motion: Some(BallMotionResult {
+            orbital_acceleration_rad_s2: -12.8 * (80.0 * time + index as f64).sin(),
+            velocity_m_s: [0.001, -0.002],
+        }),
     }
 }
 

@@ -48,7 +48,7 @@ fn identity_words_in_the_picture_are_short_and_true() {
         assert!(words.contains(&label), "{label} is not among {words:?}");
     }
     let contacts: Vec<SceneUpdate> = of_topic(&file, "/bearing/contacts");
-    let highest = start.balls.iter().map(|b| b.outer.peak_pressure_pa).fold(0.0, f64::max) * 1e-9;
+    let highest = start.balls.iter().map(|b| b.contacts.outer.peak_pressure_pa).fold(0.0, f64::max) * 1e-9;
     let now = texts(&contacts[0]);
     assert!(now.contains(&format!("now up to {highest:.2} GPa").as_str()), "{now:?}");
     // 9 and 21 kN.
@@ -58,9 +58,9 @@ fn identity_words_in_the_picture_are_short_and_true() {
 #[test]
 fn identity_pocket_forces_push_the_balls() {
     let mut start = sample(0.0);
-    start.balls.iter_mut().for_each(|ball| ball.pocket_force_n = 0.0);
-    start.balls[0].pocket_force_n = 100.0;
-    start.balls[4].pocket_force_n = -200.0;
+    start.balls.iter_mut().for_each(|ball| ball.pocket.as_mut().unwrap().force_n = 0.0);
+    start.balls[0].pocket.as_mut().unwrap().force_n = 100.0;
+    start.balls[4].pocket.as_mut().unwrap().force_n = -200.0;
     let file = record(&case::case(BALLS), &[start]);
     let contacts: Vec<SceneUpdate> = of_topic(&file, "/bearing/contacts");
     let forces = entity(&contacts[0], "pocket_forces");
@@ -78,10 +78,10 @@ fn identity_pocket_forces_push_the_balls() {
 #[test]
 fn limit_states_of_balls() {
     let mut start = sample(0.0);
-    start.balls[1].inner.slide_to_roll[0] = -0.2;
-    start.balls[2].inner.load_n = 0.0;
-    start.balls[3].outer.load_n = 0.0;
-    (start.balls[4].inner.load_n, start.balls[4].outer.load_n) = (0.0, 0.0);
+    start.balls[1].contacts.inner.friction.as_mut().unwrap().slide_to_roll[0] = -0.2;
+    start.balls[2].contacts.inner.load_n = 0.0;
+    start.balls[3].contacts.outer.load_n = 0.0;
+    (start.balls[4].contacts.inner.load_n, start.balls[4].contacts.outer.load_n) = (0.0, 0.0);
     let balls: Vec<Balls> = of_topic(&record(&case::case(BALLS), &[start]), "/bearing/balls");
     let states: Vec<Motion> = balls[0].balls.iter().take(5).map(|ball| ball.motion()).collect();
     assert_eq!(states, [Motion::Rolling, Motion::Skidding, Motion::InnerLost, Motion::OuterLost, Motion::Free]);

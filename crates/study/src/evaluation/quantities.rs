@@ -1,7 +1,11 @@
 //! Operating quantities of a run or a solution: one list for tables, JSON and comparisons.
 
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
+use tribodyn_bearing::Side;
+use tribodyn_bearing::quantities::{OfBall, Unit, joined};
+use tribodyn_record::wire::Numbers;
 use tribodyn_record::{BallRow, Run, SolutionRow, StateRow};
 
 /// Least, mean and greatest value, or one value.
@@ -24,9 +28,9 @@ pub enum Values {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
     /// Its name in JSON, without unit.
-    pub key: &'static str,
+    pub key: Cow<'static, str>,
     /// Its name for people.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// The unit for people, and as the end of the name in JSON; both empty for a ratio or a count.
     pub unit: &'static str,
     /// The unit as the end of the name in JSON.
@@ -41,11 +45,11 @@ impl Quantity {
     /// The numbers with their names in JSON, which end in the unit, and for people.
     pub fn fields(&self) -> Vec<(String, String, f64)> {
         let named = |part: &str| {
-            let parts = [self.key, part, self.suffix];
-            parts.into_iter().filter(|p| !p.is_empty()).collect::<Vec<_>>().join("_")
+            let parts = [&self.key, part, self.suffix];
+            joined(&parts)
         };
         match self.values {
-            Values::One(value) => vec![(named(""), self.name.to_owned(), value)],
+            Values::One(value) => vec![(named(""), self.name.to_string(), value)],
             Values::Span { min, mean, max } => {
                 [("min", "least", min), ("mean", "mean", mean), ("max", "greatest", max)]
                     .map(|(part, word, value)| (named(part), format!("{}, {word}", self.name), value))
@@ -90,40 +94,23 @@ fn span(values: impl Iterator<Item = f64>) -> Option<Values> {
 type Names = (&'static str, &'static str, &'static str, &'static str, usize);
 
 fn quantity((key, name, unit, suffix, digits): Names, values: Values) -> Quantity {
-    Quantity { key, name, unit, suffix, digits, values }
+    Quantity { key: key.into(), name: name.into(), unit, suffix, digits, values }
 }
 
 const TORQUE: Names = ("friction_torque", "Friction torque", "N m", "nm", 4);
 const CAGE: Names = ("cage_speed", "Cage speed", "r/min", "rpm", 3);
 const DEFLECTIONS: [Names; 3] = [
-    ("deflection_x", "Ring deflection along X", "µm", "um", 3),
-    ("deflection_y", "Ring deflection along Y", "µm", "um", 3),
-    ("deflection_z", "Ring deflection along Z", "µm", "um", 3),
+    ("ring_displacement_x", "Ring displacement along X", "µm", "um", 3),
+    ("ring_displacement_y", "Ring displacement along Y", "µm", "um", 3),
+    ("ring_displacement_z", "Ring displacement along Z", "µm", "um", 3),
 ];
 
 /// A number of a ball where a contact carries load.
-type OfContact = (Names, bool, fn(&BallRow) -> f32);
-
-const CONTACTS: [OfContact; 10] = [
-    (("contact_angle_inner", "Contact angle, inner race", "°", "deg", 3), true, |b| b.contact_angle_inner_deg),
-    (("contact_angle_outer", "Contact angle, outer race", "°", "deg", 3), false, |b| b.contact_angle_outer_deg),
-    (("load_inner", "Contact load, inner race", "N", "n", 1), true, |b| b.load_inner_n),
-    (("load_outer", "Contact load, outer race", "N", "n", 1), false, |b| b.load_outer_n),
-    (("pressure_inner", "Peak pressure, inner race", "GPa", "gpa", 3), true, |b| b.pressure_inner_gpa),
-    (("pressure_outer", "Peak pressure, outer race", "GPa", "gpa", 3), false, |b| b.pressure_outer_gpa),
-    (("slip_inner", "Slip (slide-to-roll), inner race", "%", "percent", 4), true, |b| b.slide_to_roll_inner_percent),
-    (("slip_outer", "Slip (slide-to-roll), outer race", "%", "percent", 4), false, |b| b.slide_to_roll_outer_percent),
-    (("lateral_slip_inner", "Lateral slip, inner race", "%", "percent", 4), true, |b| {
-        b.lateral_slide_to_roll_inner_percent
-    }),
-    (("lateral_slip_outer", "Lateral slip, outer race", "%", "percent", 4), false, |b| {
-        b.lateral_slide_to_roll_outer_percent
-    }),
-];
+type OfContact = (Names, Side, fn(&BallRow) -> f32);
 
 const SPINS: [OfContact; 2] = [
-    (("spin_to_roll_inner", "Spin-to-roll ratio, inner race", "", "", 4), true, |b| b.spin_ratio_inner_per_m),
-    (("spin_to_roll_outer", "Spin-to-roll ratio, outer race", "", "", 4), false, |b| b.spin_ratio_outer_per_m),
+    (("spin_to_roll_inner", "Spin-to-roll ratio, inner race", "", "", 4), Side::Inner, |b| b.spin_ratio_inner_per_m),
+    (("spin_to_roll_outer", "Spin-to-roll ratio, outer race", "", "", 4), Side::Outer, |b| b.spin_ratio_outer_per_m),
 ];
 
 /// Friction torque at a time: that of the drive of the ring that turns, N m, positive where it takes power.
@@ -136,8 +123,12 @@ pub fn friction_torque_nm(row: &StateRow) -> f64 {
 }
 
 /// Displacement of the inner against the outer ring, µm.
-pub fn deflection_um(row: &StateRow) -> [f64; 3] {
-    [row.inner_x_um - row.outer_x_um, row.inner_y_um - row.outer_y_um, row.inner_z_um - row.outer_z_um]
+pub fn ring_displacement_um(row: &StateRow) -> [f64; 3] {
+    [
+        row.inner_displacement_x_um - row.outer_displacement_x_um,
+        row.inner_displacement_y_um - row.outer_displacement_y_um,
+        row.inner_displacement_z_um - row.outer_displacement_z_um,
+    ]
 }
 
 /// Of the part of a run from a time on.
@@ -147,7 +138,10 @@ pub fn of_run(run: &Run, from_s: f64, ball_radius_m: Option<f64>) -> Quantities 
         [(CAGE, span(states().map(|row| row.cage_speed_rpm))), (TORQUE, span(states().map(friction_torque_nm)))]
             .into_iter()
             .chain(
-                DEFLECTIONS.into_iter().enumerate().map(|(k, n)| (n, span(states().map(|row| deflection_um(row)[k])))),
+                DEFLECTIONS
+                    .into_iter()
+                    .enumerate()
+                    .map(|(k, n)| (n, span(states().map(|row| ring_displacement_um(row)[k])))),
             )
             .filter_map(|(names, values)| values.map(|values| quantity(names, values)))
             .collect();
@@ -161,7 +155,7 @@ pub fn of_solution(run: &Run, solution: &SolutionRow, ball_radius_m: Option<f64>
     let s = solution;
     let torque = s.shaft_torque_nm * if s.inner_speed_rpm < 0.0 { -1.0 } else { 1.0 };
     let mut all = vec![quantity(CAGE, Values::One(s.cage_speed_rpm)), quantity(TORQUE, Values::One(torque))];
-    let moved = [s.shaft_x_um, s.shaft_y_um, s.shaft_z_um];
+    let moved = [s.ring_displacement_x_um, s.ring_displacement_y_um, s.ring_displacement_z_um];
     all.extend(DEFLECTIONS.into_iter().zip(moved).map(|(names, um)| quantity(names, Values::One(um))));
     let rows: Vec<&[BallRow]> = run.balls.iter().map(|(_, balls)| balls.as_slice()).collect();
     all.extend(of_balls(&rows[..rows.len().min(1)], &rows, ball_radius_m));
@@ -181,18 +175,32 @@ pub fn of_start(run: &Run, until_s: f64) -> Quantities {
     Quantities(all.into_iter().filter_map(|(names, values)| values.map(|v| quantity(names, v))).collect())
 }
 
+/// A quantity of the table, where reports have it.
+fn reported(q: &OfBall, values: Values) -> Option<Quantity> {
+    let facts = q.facts();
+    let name = q.side().map_or(facts.label.into(), |side| format!("{}, {} race", facts.label, side.name()).into());
+    let Unit { suffix, symbol, .. } = facts.shown;
+    Some(Quantity { key: q.name().into(), name, unit: symbol, suffix, digits: facts.digits?, values })
+}
+
 fn of_balls(rows: &[&[BallRow]], orbit: &[&[BallRow]], ball_radius_m: Option<f64>) -> Vec<Quantity> {
     let balls = || rows.iter().flat_map(|balls| balls.iter());
-    let loaded = |inner: bool| balls().filter(move |b| if inner { b.load_inner_n > 0.0 } else { b.load_outer_n > 0.0 });
-    let speed = ("orbital_speed", "Orbital speed of the balls", "r/min", "rpm", 2);
-    let mut all: Vec<Quantity> =
-        span(balls().map(|b| f64::from(b.orbital_speed_rpm))).map(|v| quantity(speed, v)).into_iter().collect();
-    all.extend(CONTACTS.iter().filter_map(|(names, inner, get)| {
-        span(loaded(*inner).map(|b| f64::from(get(b)))).map(|values| quantity(*names, values))
-    }));
+    let loaded = |side: Side| {
+        balls().filter(move |b| if side == Side::Inner { b.load_inner_n > 0.0 } else { b.load_outer_n > 0.0 })
+    };
+    let mut all: Vec<Quantity> = OfBall::all()
+        .filter_map(|q| {
+            let place = BallRow::place(&q.name_in(q.facts().shown))?;
+            let values = match q.side() {
+                None => span(balls().map(|b| b.number(place))),
+                Some(side) => span(loaded(side).map(|b| b.number(place))),
+            };
+            reported(&q, values?)
+        })
+        .collect();
     if let Some(radius) = ball_radius_m {
-        all.extend(SPINS.iter().filter_map(|(names, inner, get)| {
-            span(loaded(*inner).map(|b| radius * f64::from(get(b)))).map(|values| quantity(*names, values))
+        all.extend(SPINS.iter().filter_map(|(names, side, get)| {
+            span(loaded(*side).map(|b| radius * f64::from(get(b)))).map(|values| quantity(*names, values))
         }));
     }
     all.extend(load_zone(rows, orbit));
@@ -258,8 +266,8 @@ mod tests {
             time_s,
             inner_torque_nm,
             inner_speed_rpm: -100.0,
-            inner_x_um: 12.0,
-            outer_x_um: 2.0,
+            inner_displacement_x_um: 12.0,
+            outer_displacement_x_um: 2.0,
             ..StateRow::default()
         };
         Run {
@@ -280,7 +288,7 @@ mod tests {
             ("friction_torque_min_nm", 2.0),
             ("friction_torque_mean_nm", 3.0),
             ("friction_torque_max_nm", 4.0),
-            ("deflection_x_mean_um", 10.0),
+            ("ring_displacement_x_mean_um", 10.0),
             ("contact_angle_inner_min_deg", 10.02),
             ("contact_angle_inner_max_deg", 13.0),
             ("load_zone_deg", 135.0),

@@ -4,7 +4,7 @@
 
 use super::tape::{Loose, SharedTape};
 use crate::error::StudyError;
-use crate::files::read_at_most;
+use crate::files::{read_at_most, with_suffix};
 use serde::{Deserialize, Serialize};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -127,12 +127,6 @@ impl Files {
             earlier: with_suffix(recording, ".earlier"),
         }
     }
-}
-
-fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(suffix);
-    PathBuf::from(name)
 }
 
 #[cfg(test)]

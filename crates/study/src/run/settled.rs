@@ -29,7 +29,7 @@ impl Settled {
         let (Some(first), Some(last)) = (states.first(), states.last()) else { return Self::TooShort };
         let half = &states[states.len() / 2..];
         let mean = |get: fn(&StateRow) -> f64| half.iter().map(get).sum::<f64>() / half.len() as f64;
-        let (speed, power) = (mean(|r| r.cage_speed_rpm).abs(), mean(|r| r.shaft_power_w).abs());
+        let (speed, power) = (mean(|r| r.cage_speed_rpm).abs(), mean(|r| r.shaft_w).abs());
         let turn_s = 60.0 / speed;
         let span_s = last.time_s - first.time_s;
         if !turn_s.is_finite() || span_s < FEWEST_TURNS * turn_s {
@@ -43,7 +43,7 @@ impl Settled {
             let rule = SettlingRule { window_s: turn_s, mean_tolerance: part * mean, rms_tolerance: 2.0 * far };
             settling(&samples, rate_hz, rule).ok()
         };
-        let judged = [time_of(|r| r.cage_speed_rpm, speed, SPEED), time_of(|r| r.shaft_power_w, power, POWER)];
+        let judged = [time_of(|r| r.cage_speed_rpm, speed, SPEED), time_of(|r| r.shaft_w, power, POWER)];
         let [Some(speed), Some(power)] = judged else { return Self::TooShort };
         match (speed.time_s, power.time_s) {
             (Some(a), Some(b)) => Self::At(first.time_s + a.max(b)),
@@ -85,7 +85,7 @@ mod tests {
             // Ten samples long, so that whole ripples fit a turn.
             let ripple = (f64::from(k) * std::f64::consts::TAU / 10.0).sin();
             let cage_speed_rpm = 3000.0 * (1.0 - start) + ripple;
-            StateRow { time_s, cage_speed_rpm, shaft_power_w: 100.0 + 50.0 * ripple, ..StateRow::default() }
+            StateRow { time_s, cage_speed_rpm, shaft_w: 100.0 + 50.0 * ripple, ..StateRow::default() }
         };
         (0..=1000).map(row).collect()
     }

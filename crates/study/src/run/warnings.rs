@@ -78,7 +78,8 @@ impl Tested {
     /// Takes in the balls of a sample; a contact that is lost has no pressure.
     pub fn add(&mut self, balls: &[BallRow]) {
         for ball in balls {
-            let pressure = f64::from(if self.inner { ball.pressure_inner_gpa } else { ball.pressure_outer_gpa });
+            let pressure =
+                f64::from(if self.inner { ball.peak_pressure_inner_gpa } else { ball.peak_pressure_outer_gpa });
             if pressure > 0.0 {
                 (self.least, self.most) = (self.least.min(pressure), self.most.max(pressure));
                 self.all += 1;
@@ -161,8 +162,8 @@ mod tests {
         let text = include_str!("../../../../fixtures/cases/paper-handset.ron");
         let mut races = Tested::of(&Case::from_ron(text).unwrap());
         let ball = |inner: f32, outer: f32| BallRow {
-            pressure_inner_gpa: inner,
-            pressure_outer_gpa: outer,
+            peak_pressure_inner_gpa: inner,
+            peak_pressure_outer_gpa: outer,
             ..BallRow::default()
         };
         races.iter_mut().for_each(|race| race.add(&[ball(2.4, 3.0), ball(3.0, 3.1), ball(0.0, 2.6), ball(2.0, 2.7)]));

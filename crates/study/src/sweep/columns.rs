@@ -1,7 +1,8 @@
 //! What a row of the table holds.
 
 use std::fmt::Write;
-use tribodyn_quasistatic::{BallSolution, QuasiStaticError, Solution};
+use tribodyn_bearing::quantities::{OfBall, joined};
+use tribodyn_quasistatic::{QuasiStaticError, SOLUTION, Solution};
 
 /// One field of a row.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,7 +15,7 @@ pub enum Cell {
     Truth(bool),
     /// Words.
     Text(String),
-    /// What a row without a solution has in place of numbers.
+    /// Absent: a number that the model does not have, or a row without a solution.
     Null,
 }
 
@@ -52,57 +53,20 @@ impl Column {
 pub const CONVERGED: &str = "converged";
 
 /// A column of results: its name, and its value for a solution.
-type Figure = (&'static str, fn(&Solution) -> f64);
+type Figure = (String, Box<dyn Fn(&Solution) -> Option<f64>>);
 
-/// Figures of a solution; names and units as in the answer of `solve --json`, `max` and `min` over the balls, magnitudes
-/// where the sign only says which body is faster, powers and wear rates summed over the balls.
-const FIGURES: [Figure; 34] = [
-    ("cage_speed_rpm", |s| s.cage_speed_rpm),
-    ("ring_displacement_x_m", |s| s.ring_displacement_m[0]),
-    ("ring_displacement_y_m", |s| s.ring_displacement_m[1]),
-    ("ring_displacement_z_m", |s| s.ring_displacement_m[2]),
-    ("ring_tilt_x_rad", |s| s.ring_tilt_rad[0]),
-    ("ring_tilt_y_rad", |s| s.ring_tilt_rad[1]),
-    ("shaft_torque_nm", |s| s.shaft_torque_nm),
-    ("power_loss_inner_w", |s| sum(s, |b| b.power_loss_inner_w)),
-    ("power_loss_outer_w", |s| sum(s, |b| b.power_loss_outer_w)),
-    ("power_loss_fluid_w", |s| sum(s, |b| b.power_loss_fluid_w)),
-    ("load_inner_min_n", |s| min(s, |b| b.load_inner_n)),
-    ("load_inner_max_n", |s| max(s, |b| b.load_inner_n)),
-    ("load_outer_min_n", |s| min(s, |b| b.load_outer_n)),
-    ("load_outer_max_n", |s| max(s, |b| b.load_outer_n)),
-    ("peak_pressure_inner_max_pa", |s| max(s, |b| b.peak_pressure_inner_pa)),
-    ("peak_pressure_outer_max_pa", |s| max(s, |b| b.peak_pressure_outer_pa)),
-    ("slide_to_roll_inner_max", |s| max(s, |b| b.slide_to_roll_inner.abs())),
-    ("slide_to_roll_outer_max", |s| max(s, |b| b.slide_to_roll_outer.abs())),
-    ("spin_ratio_inner_max_per_m", |s| max(s, |b| b.spin_ratio_inner.abs())),
-    ("spin_ratio_outer_max_per_m", |s| max(s, |b| b.spin_ratio_outer.abs())),
-    ("wear_rate_inner_m3_s", |s| sum(s, |b| b.wear_rate_inner_m3_s)),
-    ("wear_rate_outer_m3_s", |s| sum(s, |b| b.wear_rate_outer_m3_s)),
-    ("wear_rate_cage_m3_s", |s| sum(s, |b| b.wear_rate_cage_m3_s)),
-    ("contact_angle_inner_min_deg", |s| min(s, |b| b.contact_angle_inner_deg)),
-    ("contact_angle_inner_max_deg", |s| max(s, |b| b.contact_angle_inner_deg)),
-    ("contact_angle_outer_min_deg", |s| min(s, |b| b.contact_angle_outer_deg)),
-    ("contact_angle_outer_max_deg", |s| max(s, |b| b.contact_angle_outer_deg)),
-    ("orbital_speed_min_rad_s", |s| min(s, |b| b.orbital_speed_rad_s)),
-    ("orbital_speed_max_rad_s", |s| max(s, |b| b.orbital_speed_rad_s)),
-    ("cage_force_max_n", |s| max(s, |b| b.cage_force_n.abs())),
-    ("ring_load_x_n", |s| s.ring_load_n[0]),
-    ("ring_load_y_n", |s| s.ring_load_n[1]),
-    ("ring_load_z_n", |s| s.ring_load_n[2]),
-    ("patch_error_estimate", |s| s.patch_error_estimate.unwrap_or(f64::NAN)),
-];
-
-fn sum(s: &Solution, of: impl Fn(&BallSolution) -> f64) -> f64 {
-    s.balls.iter().map(of).sum()
-}
-
-fn max(s: &Solution, of: impl Fn(&BallSolution) -> f64) -> f64 {
-    s.balls.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
-}
-
-fn min(s: &Solution, of: impl Fn(&BallSolution) -> f64) -> f64 {
-    s.balls.iter().map(of).fold(f64::INFINITY, f64::min)
+/// Numbers of a solution by name and in the unit of `solve --json`: those of the bearing, then those that the table of
+/// quantities has for all balls.
+fn figures() -> impl Iterator<Item = Figure> {
+    let of_bearing = SOLUTION.iter().map(|q| -> Figure {
+        let unit = q.facts.unit;
+        (joined(&[q.facts.name, unit.suffix]), Box::new(move |s| (q.get)(s).map(|value| value * unit.per_si)))
+    });
+    let of_balls = OfBall::over_balls().map(|(q, over)| -> Figure {
+        let unit = q.facts().unit;
+        (q.over_name(over, unit), Box::new(move |s| q.over(over, &s.balls).map(|value| value * unit.per_si)))
+    });
+    of_bearing.chain(of_balls)
 }
 
 /// All columns: the row's number, the swept values, what came of it.
@@ -112,7 +76,7 @@ pub(crate) fn columns(swept: impl Iterator<Item = Column>) -> Vec<Column> {
     columns.push(Column::new(CONVERGED, Kind::Truth, false));
     columns.push(Column::new("residual", Kind::Number, true));
     columns.push(Column::new("iterations", Kind::Integer, true));
-    columns.extend(FIGURES.iter().map(|(name, _)| Column::new(name, Kind::Number, true)));
+    columns.extend(figures().map(|(name, _)| Column::new(&name, Kind::Number, true)));
     columns.push(Column::new("balls_in_contact", Kind::Integer, true));
     columns.push(Column::new("warnings", Kind::Integer, true));
     columns.push(Column::new("error", Kind::Text, true));
@@ -150,9 +114,9 @@ pub(crate) fn line(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Resu
     cells.extend(swept);
     match outcome {
         Ok(s) => {
-            let touching = s.balls.iter().filter(|b| b.load_inner_n > 0.0).count();
+            let touching = s.balls.iter().filter(|b| b.contacts.inner.load_n > 0.0).count();
             cells.extend([Cell::Truth(true), Cell::Number(s.residual), count(s.iterations)]);
-            cells.extend(FIGURES.iter().map(|(_, figure)| Cell::Number(figure(s))));
+            cells.extend(figures().map(|(_, figure)| figure(s).map_or(Cell::Null, Cell::Number)));
             cells.extend([count(touching), count(s.warnings.len()), Cell::Null]);
         }
         Err(unsolved) => {
@@ -162,7 +126,7 @@ pub(crate) fn line(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Resu
             };
             cells.extend([Cell::Truth(false), residual, iterations]);
             // Figures, balls in contact, warnings.
-            cells.extend(std::iter::repeat_n(Cell::Null, FIGURES.len() + 2));
+            cells.extend(std::iter::repeat_n(Cell::Null, figures().count() + 2));
             cells.push(Cell::Text(unsolved.message.clone()));
         }
     }

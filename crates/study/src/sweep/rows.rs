@@ -71,8 +71,11 @@ impl<'a> Chunk<'a> {
 /// Whether all balls are loaded and roll. Only then does a neighbour lead to the same equilibrium as a cold start does:
 /// a ball that skids may go on to do so where it could roll.
 fn rolls(solution: &Solution) -> bool {
-    let rolls = |b: &tribodyn_quasistatic::BallSolution| {
-        b.load_inner_n > 0.0 && b.load_outer_n > 0.0 && b.slide_to_roll_inner.abs() <= SKIDDING
+    let rolls = |b: &tribodyn_bearing::BallResult| {
+        let (i, o) = (&b.contacts.inner, &b.contacts.outer);
+        // A model without traction slides nowhere.
+        let slide = i.friction.map_or(0.0, |f| f.slide_to_roll[0]);
+        i.load_n > 0.0 && o.load_n > 0.0 && slide.abs() <= SKIDDING
     };
     solution.balls.iter().all(rolls)
 }

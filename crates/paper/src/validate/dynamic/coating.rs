@@ -3,16 +3,19 @@
 use super::{CLEARLY, IDENTICAL, claim};
 use crate::transient::{SECTORS, Set, Window};
 use crate::validate::row::Row;
-use tribodyn_dynamics::BallSample;
+use tribodyn_bearing::BallResult;
 
-type Quantity = fn(&BallSample) -> f64;
+type Quantity = fn(&BallResult) -> f64;
 
-const SLIP: [Quantity; 2] = [|b| b.inner.slide_to_roll[0].abs(), |b| b.outer.slide_to_roll[0].abs()];
-const SPIN: [Quantity; 2] = [|b| b.inner.spin_ratio_per_m.abs(), |b| b.outer.spin_ratio_per_m.abs()];
+const SLIP: [Quantity; 2] = [
+    |b| b.contacts.inner.friction_or_nan().slide_to_roll[0].abs(),
+    |b| b.contacts.outer.friction_or_nan().slide_to_roll[0].abs(),
+];
+const SPIN: [Quantity; 2] = [|b| b.contacts.inner.spin_ratio_per_m.abs(), |b| b.contacts.outer.spin_ratio_per_m.abs()];
 
 /// Wear of both races of a ball.
-pub(super) fn race_wear(ball: &BallSample) -> f64 {
-    ball.inner.wear_rate_m3_s + ball.outer.wear_rate_m3_s
+pub(super) fn race_wear(ball: &BallResult) -> f64 {
+    ball.contacts.inner.friction_or_nan().wear_rate_m3_s + ball.contacts.outer.friction_or_nan().wear_rate_m3_s
 }
 
 pub(super) fn rows(set: &Set) -> Vec<Row> {
@@ -42,8 +45,8 @@ fn same(ag: &Window, ptfe: &Window) -> Vec<Row> {
     let load = "largest difference of a load, of the largest load";
     let angle = "largest difference of an angle, of the largest angle";
     vec![
-        row("F20.1.load", load, |b| b.inner.load_n, |b| b.outer.load_n),
-        row("F20.1.angle", angle, |b| b.inner.angle_rad, |b| b.outer.angle_rad),
+        row("F20.1.load", load, |b| b.contacts.inner.load_n, |b| b.contacts.outer.load_n),
+        row("F20.1.angle", angle, |b| b.contacts.inner.angle_rad, |b| b.contacts.outer.angle_rad),
     ]
 }
 
@@ -81,7 +84,7 @@ fn wear(set: &Set, ag: &Window, ptfe: &Window) -> Vec<Row> {
     };
     let same_hardness = ratio * constant(&set.ag.case) / constant(&set.ptfe.case);
     let zones = [ag, ptfe].map(|w| w.zone_mean(true, race_wear) / w.zone_mean(false, race_wear));
-    let slip = |b: &BallSample| SLIP[0](b) + SLIP[1](b);
+    let slip = |b: &BallResult| SLIP[0](b) + SLIP[1](b);
     let slips = [ag, ptfe].map(|w| w.zone_mean(true, slip) / w.zone_mean(false, slip));
     let text = "ball–race wear with PTFE well above Ag";
     vec![

@@ -4,7 +4,7 @@ use super::coating::race_wear;
 use super::{AZIMUTH, by_load, claim, number};
 use crate::transient::{Set, Transient};
 use crate::validate::row::{Evidence, Row};
-use tribodyn_dynamics::BallSample;
+use tribodyn_bearing::BallResult;
 
 /// The paper's first impacts, percent of the axial load and degrees.
 const FIRST_IMPACTS: [f64; 4] = [310.0, 290.0, 260.0, 240.0];
@@ -55,7 +55,7 @@ fn vibration(run: &Transient) -> f64 {
     [0, 1, 2].map(|k| window.rms(|s| s.inner_acceleration[k]).powi(2)).iter().sum::<f64>().sqrt()
 }
 
-fn mean(run: &Transient, get: fn(&BallSample) -> f64) -> f64 {
+fn mean(run: &Transient, get: fn(&BallResult) -> f64) -> f64 {
     run.settled().ball_mean(get)
 }
 
@@ -133,16 +133,19 @@ fn direction(set: &Set) -> Row {
 }
 
 fn contacts(set: &Set) -> Vec<Row> {
-    let load: [fn(&BallSample) -> f64; 2] = [|b| b.inner.load_n, |b| b.outer.load_n];
-    let angle: [fn(&BallSample) -> f64; 2] = [|b| b.inner.angle_rad.to_degrees(), |b| b.outer.angle_rad.to_degrees()];
-    let slip: [fn(&BallSample) -> f64; 2] =
-        [|b| 1e3 * b.inner.slide_to_roll[0].abs(), |b| 1e3 * b.outer.slide_to_roll[0].abs()];
-    let both = |get: [fn(&BallSample) -> f64; 2], decimals| {
+    let load: [fn(&BallResult) -> f64; 2] = [|b| b.contacts.inner.load_n, |b| b.contacts.outer.load_n];
+    let angle: [fn(&BallResult) -> f64; 2] =
+        [|b| b.contacts.inner.angle_rad.to_degrees(), |b| b.contacts.outer.angle_rad.to_degrees()];
+    let slip: [fn(&BallResult) -> f64; 2] = [
+        |b| 1e3 * b.contacts.inner.friction_or_nan().slide_to_roll[0].abs(),
+        |b| 1e3 * b.contacts.outer.friction_or_nan().slide_to_roll[0].abs(),
+    ];
+    let both = |get: [fn(&BallResult) -> f64; 2], decimals| {
         let [i, o] = get.map(|get| by_load(set, |run| mean(run, get), decimals));
         format!("means over balls and time: inner {i}; outer {o}")
     };
     let text = "angles and loads rise with axial load";
-    let least = |get: [fn(&BallSample) -> f64; 2]| {
+    let least = |get: [fn(&BallResult) -> f64; 2]| {
         get.map(|get| least_step(set, |run| mean(run, get))).iter().fold(f64::INFINITY, |l: f64, v| l.min(*v))
     };
     let most = slip.map(|get| largest_step(set, |run| mean(run, get))).iter().fold(0.0, |h: f64, v| h.max(*v));
@@ -171,7 +174,7 @@ fn cage(set: &Set) -> Vec<Row> {
     let force = |run: &Transient| run.settled().pocket_peak();
     let forces = || format!("largest pocket force in N: {}", by_load(set, force, 0));
     let race = |run: &Transient| run.settled().ball_mean(race_wear) * 1e12;
-    let pocket = |run: &Transient| run.settled().ball_mean(|b| b.wear_rate_cage_m3_s) * 1e12;
+    let pocket = |run: &Transient| run.settled().ball_mean(|b| b.pocket.unwrap_or_default().wear_rate_m3_s) * 1e12;
     let per_ball = |text: String| format!("mean of a ball in 1e-12 m³/s: {text}");
     vec![
         rising(set, "F23.2.text", "peak ball–cage force grows with axial load (text on Fig. 23d)", force, forces()),
