@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod check;
+mod excerpt;
 mod failure;
 mod hertz;
 mod identify;
@@ -123,5 +124,5 @@ fn report(failure: Failure) {
     // Messages hold their causes. Should the hook be set already, it is ours; if nobody listens, nothing can be done.
     let options = || miette::MietteHandlerOpts::new().wrap_lines(false).without_cause_chain().context_lines(1);
     let _ = miette::set_hook(Box::new(move |_| Box::new(options().build())));
-    let _ = writeln!(std::io::stderr(), "{:?}", miette::Report::new(failure));
+    let _ = writeln!(std::io::stderr(), "{:?}", failure.into_report());
 }

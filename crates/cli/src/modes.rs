@@ -1,7 +1,7 @@
 //! `tribodyn modes`: natural modes of balls, cage and rings in the steady orbit.
 
 use crate::failure::Failure;
-use crate::input::CaseArguments;
+use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit::{Problem, write_table};
 use crate::table::{self, number};
 use serde::Serialize;
@@ -21,6 +21,8 @@ pub struct Arguments {
     /// Write the modes as a table (CSV)
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
+    #[command(flatten)]
+    replace: ReplaceArguments,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
@@ -35,7 +37,7 @@ struct Answer {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
+    let file = arguments.case.read()?;
     if arguments.up_to.is_nan() || arguments.up_to <= 0.0 {
         let message = "allowed is a frequency above 0 Hz".to_owned();
         return Err(Failure::Option { option: "up-to", value: arguments.up_to.to_string(), message });
@@ -54,7 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let modes = orbit_modes(&problem.bearing, &problem.point, &bodies, &problem.settings, start).map_err(failed)?;
     let modes: Vec<Mode> = modes.into_iter().filter(|mode| mode.frequency_hz <= arguments.up_to).collect();
     if let Some(path) = &arguments.csv {
-        write_table(path, &arguments.case.path, &csv(&modes))?;
+        write_table(path, &arguments.case.path, &csv(&modes), &arguments.replace)?;
     }
     let unstable = modes.iter().filter(|mode| mode.growth_rate_per_s > 0.0).count();
     let answer = Answer { cage_speed_rpm: solved.solution.cage_speed_rpm, unstable, modes };

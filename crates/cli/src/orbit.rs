@@ -1,7 +1,7 @@
 //! The steady orbit as an answer: of `solve --model steady-orbit`, and where `stiffness` and `modes` start.
 
 use crate::failure::Failure;
-use crate::solve::check_output;
+use crate::input::ReplaceArguments;
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::Path;
@@ -9,7 +9,7 @@ use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, Purpose};
 use tribodyn_orbit::{OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
 use tribodyn_quasistatic::Solution;
-use tribodyn_study::{CaseFile, StagedFiles, StudyError};
+use tribodyn_study::{CaseFile, Ours, StagedFiles, StudyError};
 
 /// A bearing with its cage at an operating point.
 pub struct Problem {
@@ -100,15 +100,15 @@ pub fn print(
     Ok(())
 }
 
-/// Writes a table under a temporary name first; it may not replace the case.
-pub fn write_table(path: &Path, case: &Path, text: &str) -> Result<(), Failure> {
-    check_output(path, case, "table")?;
+/// Writes a table under a temporary name first; it may not replace the case, nor a file of others unasked.
+pub fn write_table(path: &Path, case: &Path, text: &str, replace: &ReplaceArguments) -> Result<(), Failure> {
+    replace.check(path, case, Ours::Table)?;
     let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
         let message = "allowed is the path of a file".to_owned();
         return Err(Failure::Option { option: "csv", value: path.display().to_string(), message });
     };
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut staged = StagedFiles::new(folder)?;
+    let mut staged = StagedFiles::new(folder, replace.force)?;
     staged.write(name.to_owned(), text.as_bytes())?;
     Ok(staged.publish()?)
 }

@@ -33,7 +33,7 @@ struct Answer<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
+    let file = arguments.case.read()?;
     let solution = match arguments.model.equilibrium() {
         Some(model) => solved(&file, model)?.1.solution,
         None => orbit::Problem::new(&file)?.round(&file)?,

@@ -1,20 +1,18 @@
 //! `tribodyn solve`: quasi-static equilibrium, or the steady orbit.
 
 use crate::failure::Failure;
-use crate::input::CaseArguments;
+use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit::{self, Problem};
 use crate::table::{self, number};
 use serde::Serialize;
-use std::fs;
 use std::path::{Path, PathBuf};
 use tribodyn_bearing::Bearing;
 use tribodyn_case::Purpose;
 use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
 use tribodyn_record::{SolutionRecording, write_solution};
-use tribodyn_study::StagedFiles;
 use tribodyn_study::plausibility;
 use tribodyn_study::rating::rating;
-use tribodyn_study::{CaseFile, Change, StudyError};
+use tribodyn_study::{CaseFile, Change, Ours, StagedFiles, StudyError};
 
 /// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
 #[derive(clap::Args)]
@@ -42,6 +40,8 @@ pub struct Arguments {
     /// Write a recording (MCAP, opens in Foxglove) of one orbit
     #[arg(short, long, value_name = "RUN.mcap")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    replace: ReplaceArguments,
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
@@ -78,13 +78,14 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.changes())?;
+    let file = arguments.case.read_with(&arguments.changes())?;
     if let Some(path) = &arguments.output {
-        check_output(path, &arguments.case.path, "recording")?;
+        arguments.replace.check(path, &arguments.case.path, Ours::Recording)?;
     }
     let Some(model) = arguments.model.equilibrium() else { return orbit(arguments, &file) };
     let Answer { solution, lives, roots } = answer(arguments, model, &file)?;
-    let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &solution)).transpose()?;
+    let plots =
+        arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, &solution)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
             case_text: &file.text,
@@ -112,7 +113,7 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
     let solution = problem.solve(file)?.solution;
     let speeds = [problem.point.inner_speed, problem.point.outer_speed];
     let round = solution.as_solution(&solution.points, speeds);
-    let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &round)).transpose()?;
+    let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, &round)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
             case_text: &file.text,
@@ -196,23 +197,9 @@ struct Answer {
     roots: Option<Vec<BallRoots>>,
 }
 
-/// A recording or table replaces what stands at its path: that may be neither the case nor anything but a plain file.
-pub fn check_output(path: &Path, case: &Path, kind: &str) -> Result<(), Failure> {
-    let Ok(standing) = fs::canonicalize(path) else { return Ok(()) };
-    if fs::canonicalize(case).is_ok_and(|case| case == standing) {
-        let message = format!("the {kind} would replace the case file");
-        return Err(Failure::Option { option: "output", value: path.display().to_string(), message });
-    }
-    if !standing.is_file() {
-        let source = std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is not a regular file");
-        return Err(StudyError::Write { path: path.to_owned(), source }.into());
-    }
-    Ok(())
-}
-
-fn stage_plots(folder: &Path, solution: &Solution) -> Result<StagedFiles, Failure> {
+fn stage_plots(folder: &Path, force: bool, solution: &Solution) -> Result<StagedFiles, Failure> {
     let figures = tribodyn_plot::solution_figures(&[("this case", solution)], &[])?;
-    let mut staged = StagedFiles::new(folder)?;
+    let mut staged = StagedFiles::new(folder, force)?;
     for figure in figures {
         staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
         staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?;

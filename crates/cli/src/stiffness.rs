@@ -1,7 +1,7 @@
 //! `tribodyn stiffness`: the 5 × 5 stiffness of the inner ring at the operating point.
 
 use crate::failure::Failure;
-use crate::input::CaseArguments;
+use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit::{Problem, write_table};
 use crate::table;
 use serde::Serialize;
@@ -29,6 +29,8 @@ pub struct Arguments {
     /// Write the bearing coefficients over speed for rotor programs: frequency in rad/s, kxx … kzz in N/m (CSV)
     #[arg(long, value_name = "FILE.csv")]
     ross: Option<PathBuf>,
+    #[command(flatten)]
+    replace: ReplaceArguments,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
@@ -59,7 +61,7 @@ const RPM_PER_RAD_S: f64 = 30.0 / std::f64::consts::PI;
 const AXES: [&str; 5] = ["x", "y", "z", "tilt_x", "tilt_y"];
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
+    let file = arguments.case.read()?;
     if let Some(speed) = arguments.speeds.iter().find(|speed| !speed.is_finite()) {
         let message = "allowed are finite speeds in r/min".to_owned();
         return Err(Failure::Option { option: "speeds", value: speed.to_string(), message });
@@ -67,7 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let answers = answers(arguments, &file)?;
     for (path, text) in [(&arguments.csv, csv(&answers)), (&arguments.ross, ross(&answers))] {
         if let Some(path) = path {
-            write_table(path, &arguments.case.path, &text)?;
+            write_table(path, &arguments.case.path, &text, &arguments.replace)?;
         }
     }
     if arguments.json {

@@ -1,13 +1,13 @@
 //! A whole recording from one that was cut off or damaged.
 
-use crate::RecordError;
-use crate::output::{SMALL, file_error, mcap_error, with_suffix, writer};
-use crate::scan::{ChannelRecord, Piece, Record, Scanner};
+use crate::output::{SMALL, file_error, mcap_error, writer};
+use crate::scan::{ChannelRecord, Damage, Piece, Record, Scanner, SchemaRecord};
+use crate::{RecordError, TemporaryFile};
 use mcap::records::{MessageHeader, Metadata};
 use mcap::{Attachment, McapResult, Writer};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{BufWriter, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
@@ -19,17 +19,12 @@ pub const RECOVERY_METADATA: &str = "recovery";
 pub struct Recovered {
     /// Messages in the new file.
     pub messages: u64,
-    /// Chunks left out: their checksum, their lengths or their compression is wrong.
-    pub chunks_bad: u64,
-    /// Bytes that gave nothing: damaged chunks and records, what had to be skipped to find the next chunk, and the
-    /// decompressed rest after the last whole message of a chunk that the end of the file cuts off.
-    pub bytes_lost: u64,
-    /// Messages that were read but belong to no known channel.
+    /// Messages that were read but belong to no known channel, or to one that the file describes in two ways.
     pub messages_lost: u64,
     /// Log time of the last message, ns since the Unix epoch.
     pub last_time_ns: u64,
-    /// Whether the original ended before its end mark.
-    pub truncated: bool,
+    /// Damage of the original.
+    pub damage: Damage,
 }
 
 impl Recovered {
@@ -59,9 +54,9 @@ impl From<mcap::McapError> for Failure {
     }
 }
 
-/// Writes a whole MCAP file with all messages of the sound chunks of another one, and with what can be decompressed of
-/// a chunk that the end of the file cuts off. Damaged chunks are skipped; memory is bounded whatever lengths the
-/// damaged file names.
+/// Writes a whole MCAP file with all messages of the sound chunks of another one, and with those before the fault of a
+/// chunk that is damaged or that the end of the file cuts off; [`Damage`] counts the latter. Memory is bounded whatever
+/// lengths the damaged file names. Names of topics and types come from checked chunks before they come from the summary.
 ///
 /// `to` is replaced when the new file is whole, and may be the damaged file itself. The content is taken as it is, from
 /// any writer that compresses with zstd or not at all; chunks compressed with lz4 count as bad.
@@ -71,24 +66,14 @@ impl From<mcap::McapError> for Failure {
 /// of it is whole, [`RecordError::File`] and [`RecordError::Mcap`] if a file cannot be read or written. Nothing is left
 /// behind then.
 pub fn recover(from: &Path, to: &Path) -> Result<Recovered, RecordError> {
-    // `.active` may be the very file that is read.
-    let part = with_suffix(to, ".recovering");
-    let result = recover_file(from, &part)
-        .and_then(|done| fs::rename(&part, to).map(|()| done).map_err(|e| file_error("move into place", &part, e)));
-    if result.is_err() {
-        // It may not exist; the error that counts is the first.
-        let _ = fs::remove_file(&part);
-    }
-    result
-}
-
-fn recover_file(from: &Path, part: &Path) -> Result<Recovered, RecordError> {
     let input = File::open(from).map_err(|source| file_error("open", from, source))?;
-    let output = File::create(part).map_err(|source| file_error("create", part, source))?;
-    let (recovered, buffer) = copy(input, BufWriter::new(output)).map_err(|failure| named(failure, from, part))?;
-    let file = buffer.into_inner().map_err(|error| file_error("flush", part, error.into_error()))?;
-    file.sync_all().map_err(|source| file_error("close", part, source))?;
-    Ok(recovered)
+    // `to` may be the very file that is read.
+    let mut part = TemporaryFile::beside(to).map_err(|source| file_error("create", to, source))?;
+    let (done, mut buffer) = copy(input, BufWriter::new(part.file())).map_err(|failure| named(failure, from, to))?;
+    buffer.flush().map_err(|source| file_error("write", to, source))?;
+    drop(buffer);
+    part.publish(to).map_err(|source| file_error("write", to, source))?;
+    Ok(done)
 }
 
 /// [`recover`] from any stream to any stream, which is handed back.
@@ -114,15 +99,16 @@ fn copy<R: Read + Seek, W: Write + Seek>(input: R, output: W) -> Result<(Recover
     let generator = concat!("tribodyn-record ", env!("CARGO_PKG_VERSION"), " recover");
     let mut copy = Copy {
         writer: writer(output, generator, SMALL)?,
-        known: Known::default(),
+        data: Known::default(),
+        summary: Known::default(),
         open: BTreeSet::new(),
-        done: nothing(),
+        done: Recovered { messages: 0, messages_lost: 0, last_time_ns: 0, damage: Damage::default() },
     };
     if let Some(summary) = scanner.summary()? {
-        copy.known.learn(&summary);
+        copy.summary.learn(&summary);
     }
     while let Some(piece) = scanner.next_piece()? {
-        copy.known.learn(&piece);
+        copy.data.learn(&piece);
         for record in piece.records() {
             copy.record(record)?;
         }
@@ -130,52 +116,49 @@ fn copy<R: Read + Seek, W: Write + Seek>(input: R, output: W) -> Result<(Recover
     if copy.done.messages == 0 {
         return Err(Failure::Nothing);
     }
-    let damage = scanner.damage();
-    let done = Recovered {
-        chunks_bad: damage.chunks_bad,
-        bytes_lost: damage.bytes_lost,
-        truncated: damage.truncated,
-        ..copy.done
-    };
+    let done = Recovered { damage: scanner.damage(), ..copy.done };
     copy.writer.write_metadata(&report(&done))?;
     copy.writer.finish()?;
     Ok((done, copy.writer.into_inner()))
 }
 
-fn nothing() -> Recovered {
-    Recovered { messages: 0, chunks_bad: 0, bytes_lost: 0, messages_lost: 0, last_time_ns: 0, truncated: false }
-}
-
 fn report(done: &Recovered) -> Metadata {
+    let damage = &done.damage;
     let entries = [
         ("messages", done.messages.to_string()),
-        ("chunks_bad", done.chunks_bad.to_string()),
-        ("bytes_lost", done.bytes_lost.to_string()),
+        ("chunks_bad", damage.chunks_bad.to_string()),
+        ("bytes_lost", damage.bytes_lost.to_string()),
         ("messages_lost", done.messages_lost.to_string()),
-        ("truncated", done.truncated.to_string()),
+        ("messages_unchecked", damage.messages_unchecked.to_string()),
+        ("truncated", damage.truncated.to_string()),
+        ("summary_bad", damage.summary_bad.to_string()),
+        ("checksum_bad", damage.checksum_bad.to_string()),
     ];
     let metadata = entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
     Metadata { name: RECOVERY_METADATA.to_owned(), metadata }
 }
 
-/// Schemas and channels seen so far, from the data and from the summary.
+/// A schema: name, encoding, definition.
+type Schema = (String, String, Vec<u8>);
+/// A channel: schema, topic, encoding, keys and values.
+type Channel = (u16, String, String, BTreeMap<String, String>);
+
+/// Schemas and channels seen so far, none where the file describes one number in two ways.
 #[derive(Default)]
 struct Known {
-    schemas: BTreeMap<u16, (String, String, Vec<u8>)>,
-    channels: BTreeMap<u16, (u16, String, String, BTreeMap<String, String>)>,
+    schemas: BTreeMap<u16, Option<Schema>>,
+    channels: BTreeMap<u16, Option<Channel>>,
 }
 
 impl Known {
     fn learn(&mut self, piece: &Piece) {
         for record in piece.records() {
             match record {
-                Record::Schema(s) => {
-                    let content = || (s.name.to_owned(), s.encoding.to_owned(), s.data.to_owned());
-                    self.schemas.entry(s.id).or_insert_with(content);
+                Record::Schema(SchemaRecord { id, name, encoding, data }) => {
+                    settle(&mut self.schemas, id, (name.to_owned(), encoding.to_owned(), data.to_owned()));
                 }
                 Record::Channel(ChannelRecord { id, schema, topic, encoding, entries }) => {
-                    let content = || (schema, topic.to_owned(), encoding.to_owned(), entries);
-                    self.channels.entry(id).or_insert_with(content);
+                    settle(&mut self.channels, id, (schema, topic.to_owned(), encoding.to_owned(), entries));
                 }
                 _ => {}
             }
@@ -183,9 +166,17 @@ impl Known {
     }
 }
 
+fn settle<T: PartialEq>(known: &mut BTreeMap<u16, Option<T>>, id: u16, found: T) {
+    let contradicts = known.get(&id).is_some_and(|before| before.as_ref() != Some(&found));
+    known.insert(id, (!contradicts).then_some(found));
+}
+
 struct Copy<W: Write + Seek> {
     writer: Writer<W>,
-    known: Known,
+    /// From the data.
+    data: Known,
+    /// From the summary, for what the data do not say.
+    summary: Known,
     /// Channels that the new file knows.
     open: BTreeSet<u16>,
     done: Recovered,
@@ -220,16 +211,18 @@ impl<W: Write + Seek> Copy<W> {
         }
     }
 
-    /// Makes a channel known to the new file; false if the old one does not say what it is.
+    /// Makes a channel known to the new file; false if the old one does not say, or not clearly, what it is.
     fn open_channel(&mut self, id: u16) -> McapResult<bool> {
+        let channel = self.data.channels.get(&id).or_else(|| self.summary.channels.get(&id));
+        let Some(Some((schema, topic, encoding, entries))) = channel else {
+            return Ok(false);
+        };
         if self.open.contains(&id) {
             return Ok(true);
         }
-        let Some((schema, topic, encoding, entries)) = self.known.channels.get(&id) else {
-            return Ok(false);
-        };
         if *schema != 0 {
-            let Some((name, schema_encoding, data)) = self.known.schemas.get(schema) else {
+            let definition = self.data.schemas.get(schema).or_else(|| self.summary.schemas.get(schema));
+            let Some(Some((name, schema_encoding, data))) = definition else {
                 return Ok(false);
             };
             self.writer.add_schema_with_id(*schema, name, schema_encoding, data)?;

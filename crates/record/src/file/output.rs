@@ -95,6 +95,11 @@ impl<W: Write + Seek> Output<W> {
         Ok(Self { writer: writer(stream, generator, level)?, topics: channels.to_vec(), channels: Vec::new() })
     }
 
+    /// Number of topics.
+    pub(crate) fn topics(&self) -> usize {
+        self.topics.len()
+    }
+
     fn declare(&mut self) -> McapResult<()> {
         for channel in &self.topics {
             let schema = self.writer.add_schema(channel.schema, "protobuf", channel.descriptors)?;

@@ -14,7 +14,7 @@ use tribodyn_case::Case;
 use tribodyn_dynamics::Sample;
 
 /// Sectors of a raceway.
-const SECTORS: usize = 180;
+pub(crate) const SECTORS: usize = 180;
 /// How far the drawn coating reaches across the groove to either side of the contact, rad.
 const COATING_HALF_WIDTH: f64 = 0.2;
 /// The same of a defect.
@@ -112,6 +112,11 @@ impl Default for Found {
 }
 
 impl Found {
+    /// Sectors that are remembered, those of the shorter list.
+    pub(crate) fn sectors(&self) -> usize {
+        self.inner.len().min(self.outer.len())
+    }
+
     /// Looks below every loaded ball.
     pub(crate) fn push(&mut self, sample: &Sample) {
         for ball in &sample.balls {

@@ -3,15 +3,16 @@
 //! A reader that trusts the file's own lengths stops at the first wrong one, or asks for the memory that it names.
 //! Here every record at the top of the file must fit its own length: a record that does not is damaged, and the next
 //! chunk is looked for by its signature (opcode, plausible length, name of the compression, both sizes consistent).
-//! The content of a chunk is believed if its checksum fits. Of a chunk that the end of the file cuts off, whole
-//! messages are taken as far as they can be decompressed.
+//! The content of a chunk is believed if its checksum fits. Of a chunk that the end of the file cuts off, and of a damaged
+//! one whose fault can be placed, the messages before the fault are taken and counted as unchecked. The checksum over all
+//! data, where the file has one, shows what no other check sees.
 //!
 //! Memory: one chunk, compressed and not, each within [`CHUNK_LIMIT`]; records that are longer count as damage.
 
 mod chunk;
 mod record;
 
-pub(crate) use record::{ChannelRecord, Record};
+pub(crate) use record::{ChannelRecord, Record, SchemaRecord};
 
 use chunk::{ChunkHead, Tail};
 use record::{Fields, Judgement, opcode};
@@ -27,16 +28,34 @@ const HEAD: u64 = 9;
 const END_LENGTH: u64 = 4;
 /// Length of the last record of a closed file.
 const FOOTER_LENGTH: u64 = 20;
+/// Bytes that are read at once where there is no record to tell how many.
+const WINDOW: u64 = 1 << 20;
 
-/// What was found wrong so far.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Damage {
-    /// Chunks whose content cannot be believed.
-    pub(crate) chunks_bad: u64,
-    /// Bytes of the file that gave nothing because of that or of other damage.
-    pub(crate) bytes_lost: u64,
+/// Damage of a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+pub struct Damage {
+    /// Chunks whose checksum, lengths or compression are wrong, and chunks with records that cannot be read.
+    pub chunks_bad: u64,
+    /// Bytes that gave nothing: of damaged chunks and records, what had to be skipped to find the next chunk, and the
+    /// decompressed rest after the last whole message of a chunk that was cut off.
+    pub bytes_lost: u64,
+    /// Messages that stand before the fault of a damaged chunk, or in a chunk that the end of the file cuts off: they are
+    /// read, but no checksum vouches for them.
+    pub messages_unchecked: u64,
     /// Whether the file ends before its end mark.
-    pub(crate) truncated: bool,
+    pub truncated: bool,
+    /// True if the summary at the end cannot be used: it does not fit its checksum, or is not where the file says.
+    pub summary_bad: bool,
+    /// True if the data do not have the checksum that stands at their end. With no other damage it is metadata or the
+    /// head of a chunk that was altered.
+    pub checksum_bad: bool,
+}
+
+impl Damage {
+    /// True for a file that is whole and whose checksums all fit.
+    pub fn is_none(&self) -> bool {
+        *self == Self::default()
+    }
 }
 
 /// A piece of the file: the records of one chunk, or one record outside of chunks.
@@ -85,8 +104,8 @@ impl<R: Read + Seek> Scanner<R> {
         self.damage
     }
 
-    /// Schemas and channels of the summary at the end of a closed file: with them, messages can be read even where
-    /// the chunk that first names them is damaged.
+    /// Schemas and channels of the summary at the end of a closed file, if its checksum fits: with them, messages can be
+    /// read even where the chunk that first names them is damaged. What chunks say comes first.
     pub(crate) fn summary(&mut self) -> io::Result<Option<Piece>> {
         // Footer: head, two places and a checksum, then the end mark.
         let footer = HEAD + FOOTER_LENGTH;
@@ -94,14 +113,28 @@ impl<R: Read + Seek> Scanner<R> {
             return Ok(None);
         };
         let bytes = self.read(start, footer + MAGIC.len() as u64)?;
-        if !bytes.ends_with(&MAGIC) || bytes.first() != Some(&opcode::FOOTER) {
+        if !bytes.ends_with(&MAGIC) {
             return Ok(None);
         }
-        let summary = Fields::new(&bytes[HEAD as usize..]).u64().unwrap_or(0);
-        if summary == 0 || summary >= start || start - summary > CHUNK_LIMIT {
+        let mut fields = Fields::new(&bytes);
+        let head = fields.head();
+        let (summary, _offsets, crc) = (fields.u64(), fields.u64(), fields.u32());
+        let (Some(summary), Some(crc)) = (summary, crc) else {
+            return Ok(None);
+        };
+        self.damage.summary_bad = true;
+        let first = if summary == 0 { start } else { summary };
+        if head != Some((opcode::FOOTER, FOOTER_LENGTH)) || first > start || start - first > CHUNK_LIMIT {
             return Ok(None);
         }
-        Ok(Some(Piece { bytes: self.read(summary, start - summary)? }))
+        // The checksum covers the footer too, up to the checksum itself.
+        let mut covered = self.read(first, start - first + footer - 4)?;
+        if crc != 0 && crc != crc32fast::hash(&covered) {
+            return Ok(None);
+        }
+        self.damage.summary_bad = false;
+        covered.truncate((start - first) as usize);
+        Ok((!covered.is_empty()).then_some(Piece { bytes: covered }))
     }
 
     /// The next piece that can be believed.
@@ -119,7 +152,16 @@ impl<R: Read + Seek> Scanner<R> {
             let piece = match code {
                 opcode::CHUNK => self.chunk(length)?,
                 // Their lengths are fixed. Behind the data is a summary that repeats what has been read.
-                opcode::DATA_END | opcode::FOOTER if length == END_LENGTH || length == FOOTER_LENGTH => {
+                opcode::DATA_END if length == END_LENGTH => {
+                    let crc = self.read(self.place + HEAD, END_LENGTH)?;
+                    let crc = Fields::new(&crc).u32().unwrap_or(0);
+                    self.damage.checksum_bad = crc != 0 && crc != self.checksum(self.place)?;
+                    self.end()?;
+                    None
+                }
+                opcode::FOOTER if length == FOOTER_LENGTH => {
+                    // The record that ends the data is missing.
+                    self.damage.bytes_lost += HEAD + END_LENGTH;
                     self.end()?;
                     None
                 }
@@ -160,6 +202,18 @@ impl<R: Read + Seek> Scanner<R> {
         Ok(())
     }
 
+    /// Checksum of the file up to a place.
+    fn checksum(&mut self, end: u64) -> io::Result<u32> {
+        let mut hasher = crc32fast::Hasher::new();
+        let mut place = 0;
+        while place < end {
+            let bytes = self.read(place, WINDOW.min(end - place))?;
+            hasher.update(&bytes);
+            place += (bytes.len() as u64).max(1);
+        }
+        Ok(hasher.finalize())
+    }
+
     /// A chunk, whole or cut off by the end of the file.
     fn chunk(&mut self, length: u64) -> io::Result<Option<Piece>> {
         let head = self.read(self.place, chunk::LONGEST_HEAD)?;
@@ -176,12 +230,27 @@ impl<R: Read + Seek> Scanner<R> {
         }
         let compressed = self.read(data, head.compressed_size)?;
         self.place = data + head.compressed_size;
-        let content = head.content(&compressed);
-        if content.is_none() {
-            self.damage.chunks_bad += 1;
-            self.damage.bytes_lost += head.bytes + head.compressed_size;
+        match head.content(&compressed) {
+            Ok(bytes) => {
+                let unread = unsound_bytes(&bytes);
+                self.damage.chunks_bad += u64::from(unread > 0);
+                self.damage.bytes_lost += unread;
+                Ok(Some(Piece { bytes }))
+            }
+            Err(tail) => {
+                self.damage.chunks_bad += 1;
+                self.damage.bytes_lost += if tail.bytes.is_empty() { head.compressed_size } else { tail.lost };
+                Ok(self.unchecked(tail.bytes))
+            }
         }
-        Ok(content.map(|bytes| Piece { bytes }))
+    }
+
+    /// The piece before a fault, its messages counted.
+    fn unchecked(&mut self, bytes: Vec<u8>) -> Option<Piece> {
+        let piece = Piece { bytes };
+        let messages = piece.records().filter(|record| matches!(record, Record::Message { .. })).count();
+        self.damage.messages_unchecked += messages as u64;
+        (!piece.bytes.is_empty()).then_some(piece)
     }
 
     /// A chunk that was never closed, or that lies beyond the end of the file: the whole messages at its start. If
@@ -197,7 +266,7 @@ impl<R: Read + Seek> Scanner<R> {
         let compressed = self.read(data, CHUNK_LIMIT)?;
         let Tail { bytes, lost } = head.beginning(&compressed);
         self.damage.bytes_lost += lost;
-        Ok((!bytes.is_empty()).then_some(Piece { bytes }))
+        Ok(self.unchecked(bytes))
     }
 
     /// Goes on at the next chunk or at the end of the data; false where there is neither.
@@ -219,7 +288,6 @@ impl<R: Read + Seek> Scanner<R> {
 
     /// Place of the first chunk at or after a place, or of the end of the data.
     fn find(&mut self, from: u64) -> io::Result<Option<u64>> {
-        const WINDOW: u64 = 1 << 20;
         let end_head: Vec<u8> = [opcode::DATA_END].into_iter().chain(END_LENGTH.to_le_bytes()).collect();
         let mut start = from;
         while start < self.length {
@@ -250,4 +318,16 @@ impl<R: Read + Seek> Scanner<R> {
         (&mut self.stream).take(count).read_to_end(&mut bytes)?;
         Ok(bytes)
     }
+}
+
+/// Bytes of a chunk's content that make no record, or one that cannot be read.
+fn unsound_bytes(content: &[u8]) -> u64 {
+    let mut fields = Fields::new(content);
+    let mut unsound = 0;
+    while let Some((code, body)) = fields.record() {
+        if !record::is_sound(code, body) {
+            unsound += HEAD + body.len() as u64;
+        }
+    }
+    unsound + fields.left() as u64
 }

@@ -1,7 +1,7 @@
 //! Chunks: their head, their content if it can be believed, and the beginning of one that was cut off.
 
 use super::CHUNK_LIMIT;
-use super::record::{Fields, opcode, parse};
+use super::record::{Fields, is_sound, opcode};
 use std::io::Read;
 
 /// Fixed part of a chunk's fields: times, uncompressed size, checksum, length of the name, compressed size.
@@ -22,7 +22,7 @@ pub(crate) struct ChunkHead {
     pub(crate) compressed_size: u64,
 }
 
-/// What could be had of a chunk that was cut off.
+/// The beginning of a chunk that was cut off or is damaged.
 pub(crate) struct Tail {
     /// Whole records.
     pub(crate) bytes: Vec<u8>,
@@ -74,26 +74,25 @@ impl ChunkHead {
     }
 
     /// The content, if it has the size and the checksum that the head names.
-    pub(crate) fn content(&self, compressed: &[u8]) -> Option<Vec<u8>> {
+    ///
+    /// # Errors
+    /// The records before the fault, where the fault can be placed: where zstd stops, or where records of content that is
+    /// not compressed no longer fit each other. Wrong content that decompresses may be wrong anywhere, so nothing of it is
+    /// taken.
+    pub(crate) fn content(&self, compressed: &[u8]) -> Result<Vec<u8>, Tail> {
         let (content, sound) = self.decompress(compressed, self.uncompressed_size);
         let checked = self.uncompressed_crc == 0 || self.uncompressed_crc == crc32fast::hash(&content);
-        (sound && content.len() as u64 == self.uncompressed_size && checked).then_some(content)
+        if sound && content.len() as u64 == self.uncompressed_size && checked {
+            return Ok(content);
+        }
+        let whole = whole_records(&content);
+        let placed = if self.compression.is_empty() { whole < content.len() } else { !sound };
+        Err(if placed { Tail::new(content) } else { Tail { bytes: Vec::new(), lost: content.len() as u64 } })
     }
 
     /// The whole records at the start of content that was cut off.
     pub(crate) fn beginning(&self, compressed: &[u8]) -> Tail {
-        let (mut bytes, _) = self.decompress(compressed, CHUNK_LIMIT);
-        let mut fields = Fields::new(&bytes);
-        let mut whole = 0;
-        while let Some((code, body)) = fields.record() {
-            if parse(code, body).is_none() {
-                break;
-            }
-            whole = bytes.len() - fields.left();
-        }
-        let lost = (bytes.len() - whole) as u64;
-        bytes.truncate(whole);
-        Tail { bytes, lost }
+        Tail::new(self.decompress(compressed, CHUNK_LIMIT).0)
     }
 
     /// Decompresses up to `limit` bytes; false where there are more, or where the data is damaged or ends early.
@@ -102,14 +101,46 @@ impl ChunkHead {
             "" => (compressed.to_vec(), true),
             "zstd" => {
                 let mut content = Vec::new();
-                // What was decompressed before an error stays in the vector.
-                let read = zstd::stream::read::Decoder::with_buffer(compressed)
-                    .map(|decoder| decoder.take(limit + 1).read_to_end(&mut content));
-                let sound = matches!(read, Ok(Ok(_))) && content.len() as u64 <= limit;
+                let sound = decompress_zstd(compressed, limit, &mut content).is_ok() && content.len() as u64 <= limit;
                 (content, sound)
             }
             // Our recordings have no others.
             _ => (Vec::new(), false),
+        }
+    }
+}
+
+impl Tail {
+    fn new(mut bytes: Vec<u8>) -> Self {
+        let whole = whole_records(&bytes);
+        let lost = (bytes.len() - whole) as u64;
+        bytes.truncate(whole);
+        Self { bytes, lost }
+    }
+}
+
+/// Length of the records at the start of a chunk's content that are whole and sound.
+fn whole_records(bytes: &[u8]) -> usize {
+    let mut fields = Fields::new(bytes);
+    let mut whole = 0;
+    while let Some((code, body)) = fields.record() {
+        if !is_sound(code, body) {
+            break;
+        }
+        whole = bytes.len() - fields.left();
+    }
+    whole
+}
+
+/// Decompresses up to one byte above `limit`; before an error, all but the last few thousand bytes before the fault.
+fn decompress_zstd(compressed: &[u8], limit: u64, content: &mut Vec<u8>) -> std::io::Result<()> {
+    // What one call has decompressed before it meets a fault is lost with it: small calls lose little.
+    let mut part = [0; 4096];
+    let mut decoder = zstd::stream::read::Decoder::with_buffer(compressed)?.take(limit + 1);
+    loop {
+        match decoder.read(&mut part)? {
+            0 => return Ok(()),
+            count => content.extend_from_slice(&part[..count]),
         }
     }
 }

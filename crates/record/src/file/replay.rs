@@ -1,5 +1,6 @@
 //! Reading a run back: its case, its numbers in the recorded units, its log; from whole and from torn files.
 
+use super::numbers::Numbers;
 use crate::RecordError;
 use crate::output::file_error;
 use crate::scan::{Damage, Piece, Record, Scanner};
@@ -37,6 +38,9 @@ pub struct LogRow {
     pub message: String,
 }
 
+/// Longest message with numbers, bytes: five thousand balls. A message of empty balls takes a hundred times its length in memory.
+const LONGEST_MESSAGE: usize = 1 << 20;
+
 /// A part of a run, in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(clippy::large_enum_variant)] // most items are states, the largest
@@ -63,8 +67,41 @@ pub enum RunItem {
     Log(LogRow),
 }
 
-/// Goes through a recorded run with the memory of one chunk (about 1 MiB). Damaged chunks are skipped, as in
-/// [`crate::recover()`]; messages for the eye only (frames and scene) are left out.
+const STATE: &str = "tribodyn.v1.TransientState";
+const SOLUTION: &str = "tribodyn.v1.BearingState";
+const BALLS: &str = "tribodyn.v1.Balls";
+const WEAR: &str = "tribodyn.v1.Wear";
+
+impl RunItem {
+    /// Simulated time of what comes in order of time, s, with a number for its kind.
+    fn time(&self) -> Option<(usize, f64)> {
+        match self {
+            Self::State(row) => Some((0, row.time_s)),
+            Self::Solution(row) => Some((1, row.time_s)),
+            Self::Balls(time_s, _) => Some((2, *time_s)),
+            Self::Wear(row) => Some((3, row.time_s)),
+            _ => None,
+        }
+    }
+
+    /// Memory that it takes, about.
+    fn bytes(&self) -> usize {
+        let own = match self {
+            Self::State(_) => return size_of::<StateRow>(),
+            Self::Solution(_) => return size_of::<SolutionRow>(),
+            Self::Balls(_, balls) => balls.len() * size_of::<BallRow>(),
+            Self::Case(text) | Self::Layout(text) => text.len(),
+            Self::Metadata(_, entries) => entries.iter().map(|(key, value)| key.len() + value.len() + 64).sum(),
+            Self::Wear(_) | Self::Log(_) => 512,
+            Self::Spectrum(row) => 4 * (row.amplitude.len() + row.frequency_hz.len()),
+            Self::Orbit(row) => 8 * row.x_um.len(),
+        };
+        own + 64
+    }
+}
+
+/// Goes through a recorded run with the memory of one chunk (about 1 MiB). Of damaged chunks it gives what
+/// [`crate::recover()`] saves; messages for the eye only (frames and scene) are left out.
 #[derive(Debug)]
 pub struct RunReader<R> {
     scanner: Scanner<R>,
@@ -72,6 +109,8 @@ pub struct RunReader<R> {
     /// Topics and message types by channel.
     channels: BTreeMap<u16, (String, u16)>,
     schemas: BTreeMap<u16, String>,
+    /// Which fields are numbers.
+    numbers: Numbers,
     /// Whether balls are wanted.
     balls: bool,
     /// Items of the piece that was read last.
@@ -101,7 +140,8 @@ impl<R: Read + Seek> RunReader<R> {
         let summary = scanner.summary().map_err(error)?;
         let (channels, schemas) = (BTreeMap::new(), BTreeMap::new());
         let name = name.to_owned();
-        let mut reader = Self { scanner, name, channels, schemas, balls: true, ready: VecDeque::new(), failed: false };
+        let (numbers, ready) = (Numbers::new(), VecDeque::new());
+        let mut reader = Self { scanner, name, channels, schemas, numbers, balls: true, ready, failed: false };
         if let Some(summary) = summary {
             reader.absorb(&summary);
             reader.ready.clear();
@@ -115,17 +155,8 @@ impl<R: Read + Seek> RunReader<R> {
         Self { balls: false, ..self }
     }
 
-    /// Whether the file ends before its end mark; known once all items are read.
-    pub fn truncated(&self) -> bool {
-        self.damage().truncated
-    }
-
-    /// Damaged chunks skipped so far.
-    pub fn chunks_bad(&self) -> u64 {
-        self.damage().chunks_bad
-    }
-
-    fn damage(&self) -> Damage {
+    /// Damage found so far; final once all items are read.
+    pub fn damage(&self) -> Damage {
         self.scanner.damage()
     }
 
@@ -161,13 +192,22 @@ impl<R: Read + Seek> RunReader<R> {
         let Some((topic, schema)) = self.channels.get(&channel) else {
             return Ok(None);
         };
+        if data.len() > LONGEST_MESSAGE {
+            return Err(RecordError::LongMessage { topic: topic.clone(), bytes: data.len(), most: LONGEST_MESSAGE });
+        }
         let schema = self.schemas.get(schema).map_or("", String::as_str);
+        if matches!(schema, STATE | SOLUTION | BALLS | WEAR)
+            && (self.balls || schema != BALLS)
+            && let Some((field, value)) = self.numbers.not_finite(schema, data)
+        {
+            return Err(RecordError::NotANumber { topic: topic.clone(), field, value });
+        }
         let item = match schema {
-            "tribodyn.v1.TransientState" => StateRow::decode(data).map(RunItem::State),
-            "tribodyn.v1.BearingState" => SolutionRow::decode(data).map(RunItem::Solution),
-            "tribodyn.v1.Balls" if !self.balls => return Ok(None),
-            "tribodyn.v1.Balls" => tribodyn::Balls::decode(data).map(|balls| RunItem::Balls(balls.time_s, balls.balls)),
-            "tribodyn.v1.Wear" => WearRow::decode(data).map(RunItem::Wear),
+            STATE => StateRow::decode(data).map(RunItem::State),
+            SOLUTION => SolutionRow::decode(data).map(RunItem::Solution),
+            BALLS if !self.balls => return Ok(None),
+            BALLS => tribodyn::Balls::decode(data).map(|balls| RunItem::Balls(balls.time_s, balls.balls)),
+            WEAR => WearRow::decode(data).map(RunItem::Wear),
             "tribodyn.v1.Spectrum" => SpectrumRow::decode(data).map(RunItem::Spectrum),
             "tribodyn.v1.Orbit" => OrbitRow::decode(data).map(RunItem::Orbit),
             "foxglove.Log" => foxglove::Log::decode(data).map(|line| RunItem::Log(log_row(line))),
@@ -227,10 +267,8 @@ pub struct Run {
     pub wear: Vec<WearRow>,
     /// The log.
     pub events: Vec<LogRow>,
-    /// Whether the file ends before its end mark: the run was killed, or is still going on.
-    pub truncated: bool,
-    /// Damaged chunks that are missing.
-    pub chunks_bad: u64,
+    /// Damage of the file; that of a run that was killed or is still going on is truncated.
+    pub damage: Damage,
 }
 
 /// Reads a whole run.
@@ -248,13 +286,34 @@ pub fn read_run(path: &Path) -> Result<Run, RecordError> {
 /// Reads a whole recording, of a run or of a solution, whose orbit is then in [`Run::balls`].
 ///
 /// # Errors
-/// As [`RunReader::open`]; [`RecordError::Decode`] if a message is not what its topic says,
+/// As [`RunReader::open`]; [`RecordError::Decode`] if a message is not what its topic says, [`RecordError::NotANumber`] if
+/// a number of it is none, [`RecordError::Disordered`] if times go back,
 /// [`RecordError::NothingToRecover`] if no state of either kind can be read.
 pub fn read_recording(path: &Path) -> Result<Run, RecordError> {
+    read_recording_within(path, u64::MAX)
+}
+
+/// [`read_recording`] for a file from elsewhere, whose content may be a thousand times as long as the file.
+///
+/// # Errors
+/// As [`read_recording`]; [`RecordError::TooLong`] if the numbers take more than `most` bytes of memory.
+pub fn read_recording_within(path: &Path, most: u64) -> Result<Run, RecordError> {
     let mut reader = RunReader::open(path)?;
+    let (mut taken, mut last) = (0, [f64::NEG_INFINITY; 4]);
     let mut run = Run::default();
     for item in &mut reader {
-        match item? {
+        let item = item?;
+        taken += item.bytes() as u64;
+        if taken > most {
+            return Err(RecordError::TooLong { path: path.to_owned(), most });
+        }
+        if let Some((kind, time_s)) = item.time() {
+            let last_s = std::mem::replace(&mut last[kind], time_s);
+            if time_s < last_s {
+                return Err(RecordError::Disordered { path: path.to_owned(), time_s, last_s });
+            }
+        }
+        match item {
             RunItem::Case(text) => run.case_text = Some(text),
             RunItem::Layout(text) => run.layout_text = Some(text),
             RunItem::Metadata(name, entries) => {
@@ -270,7 +329,7 @@ pub fn read_recording(path: &Path) -> Result<Run, RecordError> {
             RunItem::Spectrum(_) | RunItem::Orbit(_) => {}
         }
     }
-    (run.truncated, run.chunks_bad) = (reader.truncated(), reader.chunks_bad());
+    run.damage = reader.damage();
     if run.states.is_empty() && run.solution.is_none() {
         return Err(RecordError::NothingToRecover { path: path.to_owned() });
     }

@@ -1,17 +1,17 @@
-//! Writing a recording: checks first, then everything into `<path>.active`, which gets its name when it is whole.
+//! Writing a recording: checks first, then everything into a temporary file, which gets its name when it is whole.
 
+use super::check::check;
+use super::messages;
 use crate::ball;
-use crate::check::check;
 use crate::contacts::{self, Drawing, Moment, Scales};
 use crate::frames::{self, Spins};
 use crate::layout::{Layout, LayoutKind};
-use crate::output::{Channel, Entries, Output, SMALL, active_path, file_error, fnv1a};
+use crate::output::{Channel, Entries, Output, SMALL, file_error, fnv1a};
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, Timeline, timestamp};
 use crate::wire::foxglove::{Log, SceneUpdate, log};
-use crate::{RecordError, RecordingSummary, messages, read_summary};
+use crate::{RecordError, RecordingSummary, TemporaryFile, read_summary};
 use mcap::McapResult;
-use std::fs::{self, File};
 use std::io::{BufWriter, Seek, Write};
 use std::path::Path;
 use tribodyn_bearing::{BallResult, Geometry};
@@ -46,26 +46,16 @@ pub struct SolutionRecording<'a> {
 /// file cannot be written in full.
 pub fn write_solution(path: &Path, input: &SolutionRecording) -> Result<RecordingSummary, RecordError> {
     let recording = Recording::new(input)?;
-    let active = active_path(path);
-    let written = write_active(&active, &recording)
-        .and_then(|()| fs::rename(&active, path).map_err(|source| file_error("move into place", &active, source)));
-    if let Err(error) = written {
-        // The file may not exist; the error that counts is the first.
-        let _ = fs::remove_file(&active);
-        return Err(error);
-    }
-    read_summary(path)
-}
-
-fn write_active(active: &Path, recording: &Recording) -> Result<(), RecordError> {
-    let file = File::create(active).map_err(|source| file_error("create", active, source))?;
-    let buffer = recording.write(BufWriter::new(file)).map_err(|source| RecordError::Mcap {
+    let mut part = TemporaryFile::beside(path).map_err(|source| file_error("create", path, source))?;
+    let mut buffer = recording.write(BufWriter::new(part.file())).map_err(|source| RecordError::Mcap {
         action: "write",
-        path: active.to_owned(),
+        path: path.to_owned(),
         source,
     })?;
-    let file = buffer.into_inner().map_err(|error| file_error("flush", active, error.into_error()))?;
-    file.sync_all().map_err(|source| file_error("close", active, source))
+    buffer.flush().map_err(|source| file_error("write", path, source))?;
+    drop(buffer);
+    part.publish(path).map_err(|source| file_error("write", path, source))?;
+    read_summary(path)
 }
 
 /// Everything checked and ready to be written.

@@ -49,6 +49,11 @@ impl Spins {
         self.rotations.len()
     }
 
+    /// All numbers.
+    pub(crate) fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        self.rotations.iter().flat_map(|r| r.vector.into_iter().chain([r.real]))
+    }
+
     /// Advances all balls from a sample to the next.
     pub(crate) fn advance(&mut self, over: &OverAzimuth, timeline: &Timeline, sample: usize) {
         let middle = 0.5 * (timeline.cage_angle(sample) + timeline.cage_angle(sample + 1));

@@ -103,10 +103,13 @@ impl<'a> Fields<'a> {
         Some((code, self.u64()?))
     }
 
-    /// A whole record: opcode and body.
+    /// A whole record: opcode and body; where there is none, nothing is taken.
     pub(crate) fn record(&mut self) -> Option<(u8, &'a [u8])> {
-        let (code, length) = self.head()?;
-        Some((code, self.bytes(usize::try_from(length).ok()?)?))
+        let mut ahead = *self;
+        let (code, length) = ahead.head()?;
+        let body = ahead.bytes(usize::try_from(length).ok()?)?;
+        *self = ahead;
+        Some((code, body))
     }
 }
 
@@ -149,6 +152,17 @@ pub(crate) fn parse(code: u8, body: &[u8]) -> Option<Record<'_>> {
         _ => return None,
     };
     (fields.left() == 0).then_some(record)
+}
+
+/// True for a record among the data that is of a kind that nobody here reads, or one of those above and sound.
+pub(crate) fn is_sound(code: u8, body: &[u8]) -> bool {
+    match code {
+        opcode::SCHEMA | opcode::CHANNEL | opcode::MESSAGE | opcode::ATTACHMENT | opcode::METADATA => {
+            parse(code, body).is_some()
+        }
+        0 => false,
+        _ => true,
+    }
 }
 
 /// What a record outside of chunks is worth.
