@@ -8,11 +8,13 @@ mod bench;
 mod built;
 mod ci;
 mod error;
+mod faults;
 mod figures;
 mod page;
 mod python;
 mod quantities;
 mod sensitivity;
+mod survey;
 mod terminal;
 mod validate;
 
@@ -42,6 +44,10 @@ enum Command {
     Bench(bench::Arguments),
     /// Open a report in headless Chromium and look for what is wrong
     Page(page::Arguments),
+    /// Solve and run random bearings, and write a case file for each failure
+    Survey(survey::Arguments),
+    /// Try kills, full disks, two at once, damaged files, hostile viewers on the built command
+    Faults(faults::Arguments),
     /// Run everything that continuous integration runs
     Ci,
 }
@@ -55,6 +61,8 @@ fn main() -> ExitCode {
         Command::Quantities => quantities::write(),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Survey(arguments) => survey::run(&arguments),
+        Command::Faults(arguments) => faults::run(&arguments),
         Command::Ci => ci::run(),
     };
     match done {

@@ -7,6 +7,10 @@ use tribodyn_bearing::Scheme;
 
 /// Longest step of a fixed-step scheme, s: ten times that of the paper, at which no contact is resolved any more.
 const STEP_MAX: f64 = 1e-4;
+/// Shortest one, s: ten thousand times shorter than friction on bare steel asks for. The adaptive scheme gives up there too.
+const STEP_MIN: f64 = 1e-12;
+/// Most steps of a run: weeks of calculation, and the time still has four digits of a step.
+const STEPS_MAX: f64 = 1e12;
 /// Longest run, s.
 const DURATION_MAX: f64 = 1e4;
 /// Largest gap of a guiding land over its radius: the film in it is treated as flat.
@@ -106,12 +110,11 @@ fn transient(spec: &TransientSpec) -> Verdict {
     let allowed = spec.duration > 0.0 && spec.duration <= DURATION_MAX;
     require(allowed, "transient.duration", format!("must be greater than 0 s and at most {DURATION_MAX} s"))?;
     let step = |path: &str, value: f64| {
-        let allowed = value > 0.0 && value <= STEP_MAX;
-        require(
-            allowed,
-            &format!("transient.scheme.{path}"),
-            format!("must be greater than 0 s and at most {STEP_MAX} s"),
-        )
+        let path = format!("transient.scheme.{path}");
+        let least = STEP_MIN.max(spec.duration / STEPS_MAX);
+        let allowed = (least..=STEP_MAX).contains(&value);
+        let why = if least > STEP_MIN { format!(", {STEPS_MAX:e} of which make the duration") } else { String::new() };
+        require(allowed, &path, format!("must lie between {least:e} s{why} and {STEP_MAX:e} s"))
     };
     match spec.scheme {
         Scheme::RungeKutta4 { step: h } => step("RungeKutta4.step", h)?,

@@ -27,6 +27,8 @@ pub enum Failure {
     Contact(#[from] tribodyn_contact::ContactError),
     #[error(transparent)]
     Traction(#[from] tribodyn_traction::TractionError),
+    #[error(transparent)]
+    Catalogue(#[from] tribodyn_catalogue::CatalogueError),
     #[error("{}", with_causes(.0))]
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]
@@ -107,7 +109,6 @@ fn study_exit_code(error: &StudyError) -> u8 {
         }
         | StudyError::Write { .. }
         | StudyError::RefusalLost { .. }
-        | StudyError::Busy { .. }
         | StudyError::SweepStopped { .. }
         | StudyError::NoCheckpoint { .. }
         | StudyError::Incomplete { .. }

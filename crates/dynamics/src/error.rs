@@ -1,5 +1,6 @@
 //! Why a run cannot start or go on.
 
+use crate::run::Blame;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_signal::SignalError;
 use tribodyn_traction::TractionError;
@@ -35,22 +36,19 @@ pub enum DynamicsError {
     #[error(transparent)]
     Filter(#[from] SignalError),
     /// A value that is not finite.
-    #[error(
-        "{what} became infinite or not a number after {time_s} s: the step of {step_s:.2e} s is too long; fixed steps are stable up to about {limit_s:.2e} s here"
-    )]
+    #[error("{what} became infinite or not a number after {time_s} s: {}", beyond(blame))]
     NotFinite {
         /// Which unknown.
         what: String,
         /// Simulated time, s.
         time_s: f64,
-        /// Step, s.
-        step_s: f64,
-        /// Longest stable step by the bound on the stiffness at the start, s.
-        limit_s: f64,
+        /// Why.
+        blame: Blame,
     },
     /// A ball has left its races.
     #[error(
-        "ball {ball} was thrown out after {time_s} s: it stands {distance_mm:.3} mm off its place; the step of {step_s:.2e} s may be too long (stable up to about {limit_s:.2e} s here) or the loads too low to hold it"
+        "ball {ball} was thrown out after {time_s} s: it stands {distance_mm:.3} mm off its place; {}",
+        lost(blame)
     )]
     BallLost {
         /// The ball.
@@ -59,10 +57,16 @@ pub enum DynamicsError {
         time_s: f64,
         /// How far it is from where an unloaded ball stands, mm.
         distance_mm: f64,
-        /// Step, s.
+        /// Why.
+        blame: Blame,
+    },
+    /// A step that is lost in the rounding of the time.
+    #[error("the run cannot go on after {time_s} s: a step of {step_s:.1e} s is lost in the rounding of the time")]
+    NoProgress {
+        /// Simulated time, s.
+        time_s: f64,
+        /// The step, s.
         step_s: f64,
-        /// Longest stable step by the bound on the stiffness at the start, s.
-        limit_s: f64,
     },
     /// The adaptive scheme cannot hold its tolerance.
     #[error("the step fell below {step_s:.1e} s after {time_s} s without meeting the tolerance {tolerance:.1e}")]
@@ -82,4 +86,30 @@ pub enum DynamicsError {
         /// Unknowns of the run.
         expected: usize,
     },
+}
+
+/// Why a motion left all numbers.
+fn beyond(blame: &Blame) -> String {
+    match blame {
+        Blame::Step { step_s, bound } => format!(
+            "the step of {step_s:.2e} s is too long for {}, stable up to about {:.2e} s here",
+            bound.motion, bound.limit_s
+        ),
+        Blame::Case { step_s } => format!(
+            "not for the step, {step_s:.2e} s is below all bounds of stability; see the loads, speeds, supports and damping of the case"
+        ),
+    }
+}
+
+/// Why a ball left its place.
+fn lost(blame: &Blame) -> String {
+    match blame {
+        Blame::Step { step_s, bound } => format!(
+            "the step of {step_s:.2e} s may be too long for {} (stable up to about {:.2e} s here) or the loads too low to hold the ball",
+            bound.motion, bound.limit_s
+        ),
+        Blame::Case { .. } => {
+            "the loads are too low to hold the ball, or the supports too soft to hold the rings: no motion asks for a shorter step".to_owned()
+        }
+    }
 }

@@ -27,7 +27,7 @@ mod fast_test;
 pub use error::DynamicsError;
 pub use observer::{Event, EventKind, Observer};
 pub use power::{POWER_IN, POWER_LOST, PowerSample};
-pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
+pub use run::{ACCELERATION_ERROR, Blame, Checkpoint, Ending, FilterBands, Run, RunError, Statistics, StepBound};
 pub use sample::{CageSample, RingSample, Sample, WearSample};
 pub use stiffness::Stiffness;
 pub use tribodyn_bearing::{

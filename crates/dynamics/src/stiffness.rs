@@ -3,8 +3,8 @@
 use crate::equations::{BallForces, Equations, Frame};
 use crate::layout::{BALL, VELOCITY};
 use crate::machine::Machine;
-use nalgebra::Matrix6;
-use serde::{Deserialize, Serialize};
+use nalgebra::{Matrix6, Schur};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// The stiffest modes at a state.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -15,25 +15,45 @@ pub struct Stiffness {
     pub ball: usize,
     /// Highest frequency of a ball between its races, Hz.
     pub contact_frequency_hz: f64,
-    /// Longest step at which the classical Runge–Kutta method is stable, s.
+    /// Longest step at which the classical Runge–Kutta method is stable, s; infinite where nothing is stiff.
+    #[serde(deserialize_with = "or_infinite")]
     pub runge_kutta_step_s: f64,
     /// Longest step of the fast scheme, s; with a law or a choice of pressure for which the patch has no derivative in closed
-    /// form, friction is explicit there and bounds it too.
+    /// form, friction is explicit there and bounds it too. Infinite where no contact carries load.
+    #[serde(deserialize_with = "or_infinite")]
     pub fast_step_s: f64,
+}
+
+/// A number that JSON has as `null` because it is infinite.
+fn or_infinite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    Ok(Option::deserialize(deserializer)?.unwrap_or(f64::INFINITY))
 }
 
 /// Longest step of the fast scheme over the period of the contact springs. At half a period the kicks would drive them in
 /// resonance; with the test bearing 0.4 runs well and 0.58 does not.
-const FAST_PERIOD: f64 = 0.45;
+pub(crate) const FAST_PERIOD: f64 = 0.45;
 
 /// Where the stability region of the classical Runge–Kutta method ends on the negative real axis, and on the imaginary.
-const REAL_LIMIT: f64 = 2.785;
-const IMAGINARY_LIMIT: f64 = 2.828;
+pub(crate) const REAL_LIMIT: f64 = 2.785;
+pub(crate) const IMAGINARY_LIMIT: f64 = 2.828;
 /// Where that of Euler's explicit method ends.
-const EULER_LIMIT: f64 = 2.0;
+pub(crate) const EULER_LIMIT: f64 = 2.0;
 /// Relative change of a speed for the difference quotients, and the least change, m/s or rad/s.
 const RELATIVE_CHANGE: f64 = 1e-7;
 const LEAST_CHANGE: f64 = 1e-5;
+
+/// Most iterations for the eigenvalues of a ball: it takes some ten.
+const MOST_ITERATIONS: usize = 1000;
+
+/// Fastest decay of a linear system, 1/s. Where there are no eigenvalues, since a motion has gone beyond all numbers, it is
+/// the largest number: no step is short enough.
+fn fastest_decay(matrix: Matrix6<f64>) -> f64 {
+    // The iteration need not end for what is not a number.
+    match Schur::try_new(matrix, f64::EPSILON, MOST_ITERATIONS) {
+        Some(schur) => schur.complex_eigenvalues().iter().fold(0.0f64, |most, e| most.max(-e.re)).min(f64::MAX),
+        None => f64::MAX,
+    }
+}
 
 impl Machine {
     /// Stiffest modes of the balls, each by itself.
@@ -42,8 +62,7 @@ impl Machine {
         let (mut rate, mut worst, mut frequency) = (0.0f64, 0, 0.0f64);
         for index in 0..self.layout.balls {
             let b = self.unknowns(index, y);
-            let eigenvalues = self.velocity_jacobian(index, b, &frame).complex_eigenvalues();
-            let fastest = eigenvalues.iter().fold(0.0f64, |most, e| most.max(-e.re));
+            let fastest = fastest_decay(self.velocity_jacobian(index, b, &frame));
             if fastest > rate {
                 (rate, worst) = (fastest, index);
             }
@@ -93,5 +112,35 @@ impl Machine {
             if normal.load > 0.0 { 1.5 * normal.load / normal.pose.approach } else { 0.0 }
         });
         ((stiffness.inner + stiffness.outer) / self.bearing.ball_mass).sqrt() / std::f64::consts::TAU
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_what_is_not_a_number_has_no_stable_step_and_ends() {
+        let mut matrix = Matrix6::from_diagonal_element(-3.0);
+        assert_eq!(fastest_decay(matrix), 3.0);
+        for value in [f64::NAN, f64::INFINITY, 1e300] {
+            matrix.fill(value);
+            assert!(fastest_decay(matrix) >= 0.0);
+        }
+        matrix.fill(f64::NAN);
+        assert_eq!(fastest_decay(matrix), f64::MAX);
+    }
+
+    #[test]
+    fn identity_a_bearing_without_loaded_contacts_goes_through_a_checkpoint() {
+        let free = Stiffness {
+            traction_rate_per_s: 0.0,
+            ball: 0,
+            contact_frequency_hz: 0.0,
+            runge_kutta_step_s: f64::INFINITY,
+            fast_step_s: f64::INFINITY,
+        };
+        let text = serde_json::to_string(&free).unwrap();
+        assert_eq!(serde_json::from_str::<Stiffness>(&text).unwrap(), free);
     }
 }

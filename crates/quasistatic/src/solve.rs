@@ -11,7 +11,8 @@ use crate::block::{AXIAL, BALL, BlockState, BlockSystem, Iterate, ORBIT, RADIAL,
 use crate::driver;
 use crate::jones_harris::{self, JonesHarris, Kinematics, Typical, kinematics};
 use crate::methods::{Downhill, NewtonOrNested, settle};
-use crate::problem::{Place, QuasiStaticError};
+use crate::problem::{Place, QuasiStaticError, Reason};
+use crate::rescue;
 use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, needs, report};
@@ -20,7 +21,7 @@ use tribodyn_traction::{FastPatch, Law, PatchRule, Probe, choose_rule, rule_erro
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.
-const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
+pub(crate) const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
 /// The Jones–Harris state that traction starts from where the case does not say how that is read: a first guess only.
 const GUESSED_CONTROL: RaceControl = RaceControl::Outer;
 const GUESSED_AT_FREE_PITCH: bool = true;
@@ -42,7 +43,7 @@ pub struct WarmStart {
     pub(crate) state: BlockState,
     pub(crate) rule: PatchRule,
     /// Of inner and outer ring, rad/s.
-    speeds: Races<f64>,
+    pub(crate) speeds: Races<f64>,
 }
 
 impl WarmStart {
@@ -110,7 +111,7 @@ pub struct Solved {
 /// model needs and is not there.
 pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<Solved, QuasiStaticError> {
     needs::check(bearing, point, model)?;
-    let Rolling { system, elastic, solved } = rolling_state(bearing, point);
+    let Rolling { system, elastic, solved } = rolling_state(bearing, point, model == Model::JonesHarris);
     match model {
         Model::JonesHarris => {
             let rolling = solved?;
@@ -125,7 +126,7 @@ pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<
             let scouted = settle(&traction, &start, SCOUTED, FROM_AFAR);
             let estimate = choose_quadrature(&mut traction, &scouted, point)?;
             let settled = settle(&traction, &scouted, SETTLED, FROM_NEAR);
-            finish(&traction, settled, point, rolling.statistics, estimate)
+            finish(&traction, [settled, start], point, rolling.statistics, estimate)
         }
     }
 }
@@ -138,10 +139,11 @@ pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) 
     needs::check(bearing, point, Model::Traction)?;
     let typical = Typical::new(bearing, &point.ring, Races { inner: point.inner_speed, outer: point.outer_speed });
     let traction = traction_system(bearing, point, typical, start.rule)?;
-    finish(&traction, start.at_speeds(traction.speeds), point, SolverStatistics::default(), None)
+    let start = start.at_speeds(traction.speeds);
+    finish(&traction, [start.clone(), start], point, SolverStatistics::default(), None)
 }
 
-fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics {
+pub(crate) fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics {
     SolverStatistics {
         accepted: a.accepted + b.accepted,
         rejected: a.rejected + b.rejected,
@@ -150,14 +152,14 @@ fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics 
 }
 
 /// The elastic state, and the Jones–Harris one that starts from it.
-struct Rolling<'a> {
-    system: JonesHarris<'a>,
-    elastic: Iterate,
-    solved: Result<Iterate, QuasiStaticError>,
+pub(crate) struct Rolling<'a> {
+    pub system: JonesHarris<'a>,
+    pub elastic: Iterate,
+    pub solved: Result<Iterate, QuasiStaticError>,
 }
 
-/// Phases 1 and 2.
-fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint) -> Rolling<'a> {
+/// Phases 1 and 2; `wanted` where Jones–Harris is the goal and not a guess.
+pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wanted: bool) -> Rolling<'a> {
     let g = &bearing.geometry;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let typical = Typical::new(bearing, &point.ring, speeds);
@@ -189,11 +191,16 @@ fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint) -> Rolling<'a
     // stands.
     for round in 0.. {
         let mut solved = newton(&system, state, point);
+        let mut reached = 1.0;
+        if wanted && solved.worst().residual > point.numerics.tolerance {
+            (solved, reached) = rescue::jones_harris(&mut system, solved, &elastic, point);
+        }
         statistics = statistics_sum(statistics, solved.statistics);
         let inner_control = controlling_races(&system, &solved.state, control);
         if round == CONTROL_ROUNDS || inner_control == system.inner_control {
             solved.statistics = statistics;
-            let checked = check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point);
+            let reason = || rescue::why_no_raceway_control(&system, &solved, reached);
+            let checked = check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point, reason);
             return Rolling { system, elastic, solved: checked.map(|()| solved) };
         }
         system.inner_control = inner_control;
@@ -261,7 +268,7 @@ pub(crate) fn traction_system<'a>(
 }
 
 /// Takes the rule of the problem, by its target error at the scouted state where it is not named. Gives the estimate.
-fn choose_quadrature(
+pub(crate) fn choose_quadrature(
     system: &mut WithTraction<'_>,
     state: &BlockState,
     point: &OperatingPoint,
@@ -277,7 +284,7 @@ fn choose_quadrature(
 }
 
 /// The contacts of the most, the middle and the least loaded ball: where a rule is judged.
-fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, Law>> {
+pub(crate) fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, Law>> {
     let mut loads: Vec<_> =
         state.balls.iter().enumerate().map(|(index, &ball)| system.evaluate(index, ball, state.ring).1).collect();
     loads.sort_by(|a, b| a.contacts.inner.normal.load.total_cmp(&b.contacts.inner.normal.load));
@@ -298,17 +305,22 @@ fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, La
         .collect()
 }
 
-/// Phase 3's second half: all unknowns together, and the report.
+/// Phase 3's second half: all unknowns together, and the report. Starts from the first of two states; where Newton's
+/// method finds no way from there, from both in pseudo-time.
 fn finish(
     system: &WithTraction<'_>,
-    start: BlockState,
+    [settled, rolling]: [BlockState; 2],
     point: &OperatingPoint,
     before: SolverStatistics,
     estimate: Option<f64>,
 ) -> Result<Solved, QuasiStaticError> {
-    let mut solved = newton(system, start, point);
+    let mut solved = newton(system, settled.clone(), point);
     solved.statistics = statistics_sum(before, solved.statistics);
-    check(&solved, Model::Traction, &with_traction::EQUATIONS, system.bearing, point)?;
+    if solved.worst().residual > point.numerics.tolerance {
+        solved = rescue::with_traction(system, solved, [rolling, settled], point);
+    }
+    let reason = || rescue::why_no_steady_state(system, &solved);
+    check(&solved, Model::Traction, &with_traction::EQUATIONS, system.bearing, point, reason)?;
     let estimate = match estimate {
         Some(error) => error,
         None => rule_error(system.kernel.quadrature().rule(), &probes(system, &solved.state))?,
@@ -328,6 +340,7 @@ fn check(
     equations: &[&'static str],
     bearing: &Bearing,
     point: &OperatingPoint,
+    reason: impl FnOnce() -> Reason,
 ) -> Result<(), QuasiStaticError> {
     let worst = solved.worst();
     if worst.residual <= point.numerics.tolerance {
@@ -346,66 +359,6 @@ fn check(
         residual: worst.residual,
         iterations: solved.statistics.accepted,
         tolerance: point.numerics.tolerance,
+        reason: Box::new(reason()),
     })
-}
-
-/// A rolling state of balls and ring, for solvers that go on with equations of their own.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RollingStart {
-    /// Position and motion of each ball.
-    pub balls: Vec<BallMotion>,
-    /// Load of each ball on the inner race, N.
-    pub inner_loads: Vec<f64>,
-    /// Displacement x, y, z (m) and tilt about X and Y (rad) of the inner ring.
-    pub ring: [f64; RING],
-    /// The patch rule of the operating point, by its target error at this state where it is not named.
-    pub rule: PatchRule,
-    /// Estimated error of the rule's traction over the load, against a finer rule.
-    pub rule_error: f64,
-    /// Largest relative residual of the state's balances.
-    pub residual: f64,
-}
-
-/// The state of Jones–Harris, or the elastic one where raceway control has no solution. It always exists and needs no traction.
-///
-/// # Errors
-/// [`QuasiStaticError::Missing`] names what the traction model needs and is not there, [`QuasiStaticError::Traction`] a patch rule that
-/// cannot be laid out.
-pub fn rolling_start(bearing: &Bearing, point: &OperatingPoint) -> Result<RollingStart, QuasiStaticError> {
-    needs::check(bearing, point, Model::Traction)?;
-    let Rolling { system, elastic, solved } = rolling_state(bearing, point);
-    let mut traction = traction_system(bearing, point, system.typical, SCOUT)?;
-    let rolling = solved.unwrap_or(elastic);
-    let (residual, state) = (rolling.worst().residual, rolling.state);
-    let chosen = choose_quadrature(&mut traction, &state, point)?;
-    let rule = traction.kernel.quadrature().rule();
-    let rule_error = match chosen {
-        Some(error) => error,
-        None => rule_error(rule, &probes(&traction, &state))?,
-    };
-    let load = |(index, &ball)| traction.evaluate(index, ball, state.ring).1.contacts.inner.normal.load;
-    let inner_loads = state.balls.iter().enumerate().map(load).collect();
-    let warm = WarmStart { state, rule, speeds: system.speeds };
-    Ok(RollingStart { balls: warm.balls().collect(), inner_loads, ring: warm.ring(), rule, rule_error, residual })
-}
-
-/// The Jones–Harris equations with their solution.
-pub(crate) fn rolling_system<'a>(
-    bearing: &'a Bearing,
-    point: &OperatingPoint,
-) -> Result<(JonesHarris<'a>, BlockState), QuasiStaticError> {
-    needs::check(bearing, point, Model::JonesHarris)?;
-    let Rolling { system, solved, .. } = rolling_state(bearing, point);
-    Ok((system, solved?.state))
-}
-
-/// The equations with traction of a solution.
-pub(crate) fn traction_of<'a>(
-    bearing: &'a Bearing,
-    point: &OperatingPoint,
-    at: &WarmStart,
-) -> Result<WithTraction<'a>, QuasiStaticError> {
-    needs::check(bearing, point, Model::Traction)?;
-    let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
-    traction_system(bearing, point, Typical::new(bearing, &point.ring, speeds), at.rule)
 }

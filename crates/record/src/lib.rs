@@ -32,7 +32,7 @@ pub use ball::read_ball;
 pub use error::RecordError;
 pub use layout::{Layout, LayoutKind};
 #[cfg(feature = "live")]
-pub use live::{LIVE_ADDRESS, LiveServer, LiveSummary, LiveWarning};
+pub use live::{LIVE_ADDRESS, LiveName, LiveServer, LiveSummary, LiveWarning};
 pub use messages::read_state;
 pub use output::Channel;
 pub use read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};

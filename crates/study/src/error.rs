@@ -1,5 +1,6 @@
 //! Why a procedure does not start, or ends before its time.
 
+use crate::lock::Holder;
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};
@@ -70,6 +71,14 @@ pub enum StudyError {
         /// Reason.
         source: OrbitError,
     },
+    /// A bearing that the standards do not rate.
+    #[error("{file}: {source}")]
+    Rating {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: tribodyn_rating::RatingError,
+    },
     /// Two lists of values for one place of the case.
     #[error("{first} and {second} sweep the same value")]
     Overlap {
@@ -106,10 +115,18 @@ pub enum StudyError {
         /// First difference from this sweep.
         difference: SweepDifference,
     },
-    /// Two sweeps with one table.
-    #[error("{}: another sweep is writing there", path.display())]
+    /// Two processes with one output.
+    #[error("{}: another process is writing it{}", output.display(), .holder.as_ref().map_or(String::new(), |holder| format!(", {holder}")))]
     Busy {
-        /// File of finished rows.
+        /// The recording or table.
+        output: PathBuf,
+        /// Who writes it, where that is known.
+        holder: Option<Holder>,
+    },
+    /// A file where a lock should be.
+    #[error("{} is no lock of this program: move it away, or choose another output", path.display())]
+    NoLock {
+        /// The file.
         path: PathBuf,
     },
     /// A sweep that its caller stopped; what is finished is kept.
@@ -205,7 +222,7 @@ pub enum StudyError {
         /// Name of the case file.
         file: String,
         /// Reason.
-        source: DynamicsError,
+        source: Box<DynamicsError>,
         /// The recording up to there.
         recording: PathBuf,
     },

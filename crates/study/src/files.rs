@@ -66,6 +66,13 @@ impl Drop for StagedFiles {
     }
 }
 
+/// A path with something after its whole name.
+pub(crate) fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(suffix);
+    PathBuf::from(name)
+}
+
 fn temporary(name: &str) -> String {
     format!(".{name}.part")
 }

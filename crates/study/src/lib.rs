@@ -5,10 +5,15 @@ mod error;
 pub mod evaluation;
 mod files;
 mod life;
+mod lock;
+pub mod plausibility;
+pub mod rating;
 pub mod run;
+pub mod survey;
 pub mod sweep;
 
 pub use case_file::{CaseFile, Change, read_text};
 pub use error::{RefusedCase, StudyError, SweepDifference, with_causes};
 pub use files::StagedFiles;
 pub use life::{Life, LifeOptions, LifeStride, wear_life};
+pub use lock::Holder;

@@ -7,12 +7,16 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 14] = [
+const LAYERS: [(&str, &[&str]); 16] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
     ("tribodyn-fluid", &[]),
     ("tribodyn-signal", &[]),
+    // The standards' formulas; static ratings are Hertz contacts.
+    ("tribodyn-rating", &["tribodyn-contact"]),
+    // Balls from load ratings.
+    ("tribodyn-catalogue", &["tribodyn-rating"]),
     ("tribodyn-bearing", &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid"]),
     (
         "tribodyn-case",
@@ -67,6 +71,7 @@ const LAYERS: [(&str, &[&str]); 14] = [
             "tribodyn-dynamics",
             "tribodyn-orbit",
             "tribodyn-record",
+            "tribodyn-rating",
         ],
     ),
 ];

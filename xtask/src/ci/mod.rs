@@ -8,6 +8,7 @@ mod licences;
 mod metadata;
 mod node;
 mod recording;
+mod supply;
 
 use crate::built::cargo_program;
 use crate::error::Failure;
@@ -28,7 +29,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 14] = [
+const STEPS: [Step; 15] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -37,6 +38,7 @@ const STEPS: [Step; 14] = [
     ("layers", layers::check),
     ("hygiene", hygiene::check),
     ("licences", licences::check),
+    ("supply chain", supply::check),
     ("page of quantities", || quantities::check().map(|()| Outcome::Done)),
     ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
     ("figures", figures::check),

@@ -2,15 +2,16 @@
 
 use crate::failure::Failure;
 use std::io::Write;
-use tribodyn_record::{LIVE_ADDRESS, LiveServer, Preamble, RecordError, Sink};
+use tribodyn_record::{LIVE_ADDRESS, LiveName, LiveServer, Preamble, RecordError, Sink};
 use tribodyn_study::run::Viewers;
 
 /// Where to listen unless an address is given.
 pub const ADDRESS: &str = LIVE_ADDRESS;
 
 /// Starts the server, and says on standard error where it listens.
-pub fn start(address: &str) -> Result<Box<dyn Viewers>, Failure> {
-    let (server, warning) = LiveServer::start(address)?;
+pub fn start(address: &str, allowed: &[LiveName]) -> Result<Box<dyn Viewers>, Failure> {
+    let (mut server, warning) = LiveServer::start(address)?;
+    server.allow(allowed);
     // If nobody reads the address, nothing is lost.
     let _ = writeln!(std::io::stderr(), "live at ws://{}", server.address());
     if let Some(warning) = warning {

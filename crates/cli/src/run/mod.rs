@@ -43,6 +43,10 @@ pub struct Arguments {
     #[cfg(feature = "live")]
     #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, require_equals = true, default_missing_value = live::ADDRESS)]
     live: Option<String>,
+    /// Let viewers in that come by this host name, or from pages of this host or origin; may be repeated
+    #[cfg(feature = "live")]
+    #[arg(long, value_name = "NAME", requires = "live")]
+    live_allow: Vec<tribodyn_record::LiveName>,
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
@@ -55,12 +59,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.read()?;
     check_output(&arguments.output, &arguments.case.path, "recording")?;
     let prepared = PreparedRun::new(&file, &arguments.output, arguments.beginning())?;
-    let stop = stop_flag()?;
     #[cfg(feature = "live")]
-    let viewers = arguments.live.as_deref().map(live::start).transpose()?;
+    let viewers = arguments.live.as_deref().map(|address| live::start(address, &arguments.live_allow)).transpose()?;
     #[cfg(not(feature = "live"))]
     let viewers = None;
     let session = prepared.begin(viewers)?;
+    // Until here nothing is lost by the end of the program, and a signal may do what it does.
+    let stop = stop_flag()?;
     let progress = Progress::new(arguments.quiet, session.duration_s(), session.time_s());
     let outcome = session.complete(|time_s| {
         progress.show(time_s);

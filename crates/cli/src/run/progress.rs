@@ -34,11 +34,17 @@ impl Progress {
         let left = indicatif::HumanDuration(left);
         let factor = done / wall;
         self.bar.set_message(format!(
-            "{time_s:.4} of {} s, {} times real time, {left} left",
+            "{} of {} s, {} times real time, {left} left",
+            time(time_s),
             self.duration_s,
             significant(factor)
         ));
     }
+}
+
+/// A simulated time in s, with more digits where a run is slow.
+fn time(time_s: f64) -> String {
+    if time_s < 1e-3 { format!("{time_s:.3e}") } else { format!("{time_s:.4}") }
 }
 
 /// Two digits that matter.
@@ -56,7 +62,12 @@ impl Drop for Progress {
 
 #[cfg(test)]
 mod tests {
-    use super::significant;
+    use super::{significant, time};
+
+    #[test]
+    fn limit_times_of_slow_runs_are_seen_to_grow() {
+        assert_eq!([time(1.2345e-9), time(0.01234)], ["1.235e-9", "0.0123"]);
+    }
 
     #[test]
     fn limit_factors_keep_two_digits() {

@@ -124,7 +124,7 @@ fn identity_a_killed_run_goes_on_to_the_same_samples() {
     let scratch = Scratch::new();
     let case = case(&scratch);
     let [whole, killed] = ["whole.mcap", "killed.mcap"].map(|name| scratch.0.join(name));
-    // Long enough for a checkpoint, which comes once a second.
+    // Long enough for a checkpoint, which comes twice a second.
     let words = |path: &PathBuf| -> Vec<String> {
         let path = path.to_str().unwrap().to_owned();
         ["run", case.to_str().unwrap(), "-o", &path, "--duration", "0.1"].map(str::to_owned).to_vec()
@@ -137,7 +137,8 @@ fn identity_a_killed_run_goes_on_to_the_same_samples() {
     wait_for(&scratch.0.join("killed.mcap.checkpoint"));
     child.kill().unwrap();
     assert!(!child.wait().unwrap().success(), "the run was over before it could be killed");
-    assert_eq!(scratch.names(), ["case.ron", "killed.mcap.active", "killed.mcap.checkpoint"]);
+    // The lock of a dead process stays and blocks nobody.
+    assert_eq!(scratch.names(), ["case.ron", "killed.mcap.active", "killed.mcap.checkpoint", "killed.mcap.lock"]);
     // Nothing is lost by giving the command again, and no other case goes on.
     let again: [&dyn AsRef<OsStr>; 2] = [&"--duration", &"0.1"];
     go(&case, &killed, &again).fails(2, &["killed.mcap.checkpoint", "--resume goes on", "--restart forgets"]);
@@ -181,6 +182,69 @@ fn identity_an_interrupted_run_is_closed_and_goes_on() {
     let states = |path: &Path| items(path).iter().filter(|item| matches!(item, RunItem::State(_))).count();
     assert_eq!(states(&recording) as f64, number(&answer, "samples"));
     go(&case, &scratch.0.join("other.mcap"), &[&"--resume"]).fails(2, &["there is no run to go on with"]);
+}
+
+/// Simulated time of a checkpoint, s.
+fn saved_s(checkpoint: &Path) -> Option<f64> {
+    let text = fs::read_to_string(checkpoint).ok()?;
+    let rest = text.split_once("\"simulated_s\":")?.1;
+    rest.split(',').next()?.parse().ok()
+}
+
+/// A step of a nanosecond: a millisecond of such a run takes minutes.
+#[cfg(unix)]
+#[test]
+fn limit_a_run_that_hardly_moves_is_saved_and_obeys() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let recording = scratch.0.join("run.mcap");
+    let set = "transient.scheme=RungeKutta4(step: us(0.001))";
+    let words: [&dyn AsRef<OsStr>; 8] = [&"run", &case, &"-o", &recording, &"--duration", &"30", &"--set", &set];
+    let child = command(&words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let checkpoint = scratch.0.join("run.mcap.checkpoint");
+    wait_for(&checkpoint);
+    let saved = saved_s(&checkpoint).unwrap();
+    assert!(saved < 5e-4, "{saved} s is no part of a millisecond");
+    let asked = Instant::now();
+    let asking = std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap();
+    assert!(asking.success());
+    let output = child.wait_with_output().unwrap();
+    // `cargo xtask faults` measures how long; here other tests run beside it.
+    assert!(asked.elapsed() < Duration::from_secs(10), "it took {:?} to obey", asked.elapsed());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(saved_s(&checkpoint).unwrap() >= saved);
+    assert_eq!(scratch.names(), ["case.ron", "run.mcap", "run.mcap.checkpoint"]);
+    go(&case, &recording, &[&"--set", &"transient.scheme=RungeKutta4(step: s(1e-300))", &"--restart"])
+        .fails(2, &["transient.scheme.RungeKutta4.step", "must lie between 1e-12 s and 1e-4 s"]);
+}
+
+#[test]
+fn limit_two_runs_of_one_recording_do_not_meet() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let recording = scratch.0.join("run.mcap");
+    let words: [&dyn AsRef<OsStr>; 6] = [&"run", &case, &"-o", &recording, &"--duration", &"30"];
+    let mut child = command(&words).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    let pid = format!("pid {}", child.id());
+    let lock = scratch.0.join("run.mcap.lock");
+    while !fs::read_to_string(&lock).is_ok_and(|text| text.ends_with('}')) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    // Before there is a checkpoint, and when there is one.
+    for _ in 0..2 {
+        for rest in ["--duration=30", "--resume", "--restart"] {
+            go(&case, &recording, &[&rest]).fails(2, &["run.mcap: another process is writing it", &pid, " since "]);
+        }
+        wait_for(&scratch.0.join("run.mcap.checkpoint"));
+    }
+    assert!(child.try_wait().unwrap().is_none(), "the first run ended");
+    child.kill().unwrap();
+    child.wait().unwrap();
+    go(&case, &recording, &[&"--restart", &"--duration", &"0.001"]).table();
+    assert_eq!(scratch.names(), ["case.ron", "run.mcap"]);
+    scratch.file("run.mcap.lock", "somebody's notes");
+    go(&case, &recording, &[]).fails(2, &["run.mcap.lock is no lock of this program"]);
+    assert_eq!(fs::read_to_string(&lock).unwrap(), "somebody's notes");
 }
 
 #[test]

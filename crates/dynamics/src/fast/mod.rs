@@ -60,6 +60,11 @@ const BEFORE_REFRESH: f64 = 1.5;
 /// Longest step of the drift over the period of the contact springs, as an angle: leapfrog is stable up to 2.
 const DRIFT_ANGLE: f64 = 1.4;
 
+/// Pieces of half a step's drift: `highest` is the frequency of the contact springs in Hz.
+pub(crate) fn pieces(h: f64, highest: f64) -> usize {
+    (0.5 * h * TAU * highest / DRIFT_ANGLE).ceil().max(1.0) as usize
+}
+
 /// Memory of the scheme.
 #[derive(Debug, Clone, Serialize, Deserialize, PartialEq)]
 pub(crate) struct Fast {
@@ -148,7 +153,7 @@ impl Fast {
 
     /// From `y` at `t` over `h`, in place. `highest` is the frequency of the contact springs in Hz.
     pub fn step<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64, highest: f64) {
-        let pieces = (0.5 * h * TAU * highest / DRIFT_ANGLE).ceil().max(1.0) as usize;
+        let pieces = pieces(h, highest);
         self.drift(equations, t, y, 0.5 * h, pieces);
         self.kick(equations, t + 0.5 * h, y, h);
         self.drift(equations, t + 0.5 * h, y, 0.5 * h, pieces);

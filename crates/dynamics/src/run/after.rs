@@ -1,9 +1,9 @@
 //! What happens after a step: samples, events, wear, and a look at whether all is well.
 
 use super::filter::Between;
-use super::{ACCELERATION_ERROR, LOOK_EVERY, Run, RunError, Scheme, THROWN_OUT, WEAR_LOOK_EVERY};
+use super::{ACCELERATION_ERROR, LOOK_EVERY, Run, RunError, Scheme, WEAR_LOOK_EVERY};
 use crate::error::DynamicsError;
-use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS};
+use crate::layout::{AZIMUTH, BALL, ORBIT};
 use crate::observer::{Event, EventKind, Observer};
 use crate::sample::Sample;
 use crate::stiffness::Stiffness;
@@ -20,7 +20,7 @@ impl Run {
         self.progress.statistics.steps += 1;
         let from = self.progress.time;
         self.pocket_events(t, observer)?;
-        let flow = self.samples_within(from, t, observer)?;
+        let mut flow = self.samples_within(from, t, observer)?;
         std::mem::swap(&mut self.progress.state, &mut self.next);
         std::mem::swap(&mut self.progress.derivative, &mut self.next_derivative);
         self.progress.time = t;
@@ -28,6 +28,9 @@ impl Run {
         self.contact_events(observer)?;
         if self.progress.statistics.steps.is_multiple_of(LOOK_EVERY) {
             self.look()?;
+        }
+        if observer.stepped(t).is_break() {
+            flow = ControlFlow::Break(());
         }
         Ok(flow)
     }
@@ -91,8 +94,9 @@ impl Run {
         }
         self.progress.rates = rates;
         let [put_in, lost, throughput] = self.progress.work;
-        sample.power.imbalance_j = put_in - lost - (sample.power.energy_j - self.progress.energy_at_start);
-        sample.power.throughput_j = throughput;
+        let stored = sample.power.energy_j - self.progress.energy_at_start;
+        sample.power.imbalance_j = put_in - lost - sample.power.wear_work_j - stored;
+        sample.power.throughput_j = throughput.max(lost.abs());
     }
 
     pub(super) fn pocket_events<O: Observer>(&self, t: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
@@ -141,6 +145,7 @@ impl Run {
     /// Wear of a step of length `h` at the rates of its end.
     pub(super) fn deposit<O: Observer>(&mut self, h: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
         let l = self.machine.layout;
+        let before = self.elastic_energy_where_worn();
         for ball in 0..l.balls {
             let watch = self.machine.watch[ball];
             let [inner, outer, cage] = &mut self.progress.worn;
@@ -157,6 +162,7 @@ impl Run {
                 self.machine.raceways[side].remove(azimuth, volume, watch.semi_lateral[side]);
             }
         }
+        self.progress.wear_work += before - self.elastic_energy_where_worn();
         if self.machine.wear_acceleration == 0.0 || !self.progress.statistics.steps.is_multiple_of(WEAR_LOOK_EVERY) {
             return Ok(());
         }
@@ -174,6 +180,19 @@ impl Run {
         Ok(())
     }
 
+    /// Elastic energy of all ball–race contacts, J: what a change of the raceways under the balls takes away or gives. Nothing
+    /// changes, and 0 stands for it, where wear leaves the raceways alone.
+    fn elastic_energy_where_worn(&self) -> f64 {
+        if self.machine.wear_acceleration == 0.0 {
+            return 0.0;
+        }
+        let y = &self.progress.state;
+        let frame = self.machine.frame(self.progress.time, y);
+        (0..self.machine.layout.balls)
+            .map(|ball| self.machine.elastic_energy(self.machine.unknowns(ball, y), &frame))
+            .sum()
+    }
+
     /// Length of a whole step, s.
     pub(super) fn step(&self) -> f64 {
         match self.scheme {
@@ -184,25 +203,15 @@ impl Run {
 
     /// Looks at stiffness and at balls that leave.
     pub(super) fn look<E>(&mut self) -> Result<(), RunError<E>> {
-        let step_s = self.step();
+        let known = self.progress.stiffness;
         self.progress.stiffness = self.machine.stiffness(self.progress.time, &self.progress.state);
-        let p = &self.progress;
-        let l = self.machine.layout;
-        let limit = THROWN_OUT * self.machine.bearing.geometry.ball_diameter;
-        for ball in 0..l.balls {
-            let off = |k: usize| p.state[l.ball(ball) + k] - self.start[l.ball(ball) + k];
-            let distance = off(AXIAL).hypot(off(RADIUS));
-            if distance > limit {
-                return Err(DynamicsError::BallLost {
-                    ball,
-                    time_s: p.time,
-                    distance_mm: distance * 1e3,
-                    step_s,
-                    limit_s: self.longest_step(),
-                }
-                .into());
-            }
+        let time_s = self.progress.time;
+        if let Some((ball, distance)) = self.thrown_out(&self.progress.state) {
+            let blame = self.blame(known);
+            return Err(DynamicsError::BallLost { ball, time_s, distance_mm: distance * 1e3, blame }.into());
         }
+        self.progress.looked.time = time_s;
+        self.progress.looked.state.copy_from_slice(&self.progress.state);
         Ok(())
     }
 

@@ -1,9 +1,11 @@
 //! A run: stepping, samples, events, wear, and what can be saved and taken up again.
 
 mod after;
+mod blame;
 mod filter;
 mod step;
 
+pub use blame::{Blame, StepBound};
 pub use filter::FilterBands;
 
 use crate::dp54::{DormandPrince, StepControl};
@@ -17,6 +19,7 @@ use crate::rk4::Rk4;
 use crate::sample::Sample;
 use crate::start::{Started, start};
 use crate::stiffness::Stiffness;
+use blame::Looked;
 use filter::{Filter, FilterMemory, steps_of_sample};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{Races, RunInputs, RunOptions};
@@ -53,6 +56,8 @@ pub struct Checkpoint {
     derivative: Vec<f64>,
     energy_at_start: f64,
     worn: [f64; 3],
+    /// Elastic energy that wear has taken out of the contacts, J.
+    wear_work: f64,
     raceways: Races<Raceway>,
     loaded: Vec<Races<bool>>,
     through: Races<bool>,
@@ -67,6 +72,7 @@ pub struct Checkpoint {
     stiffness: Stiffness,
     thinnest: Races<f64>,
     warned: bool,
+    looked: Looked,
 }
 
 /// What the scheme did.
@@ -164,6 +170,7 @@ impl Run {
             derivative: vec![0.0; state.len()],
             energy_at_start: machine.energy(0.0, &state),
             worn: [0.0; 3],
+            wear_work: 0.0,
             raceways: machine.raceways.clone(),
             loaded: vec![Races::default(); machine.layout.balls],
             through: Races::default(),
@@ -176,6 +183,7 @@ impl Run {
             stiffness: machine.stiffness(0.0, &state),
             thinnest: machine.thinnest,
             warned: false,
+            looked: Looked { time: 0.0, state: state.clone() },
             state: state.clone(),
         };
         let mut run = Self {
@@ -210,7 +218,7 @@ impl Run {
     /// state rate or step.
     pub fn resume(&mut self, checkpoint: Checkpoint) -> Result<(), DynamicsError> {
         let (found, expected) = (checkpoint.state.len(), self.start.len());
-        if found != expected || checkpoint.derivative.len() != expected {
+        if [found, checkpoint.derivative.len(), checkpoint.looked.state.len()] != [expected; 3] {
             return Err(DynamicsError::Checkpoint { found, expected });
         }
         if !self.filter.remembers(&checkpoint.filter) {
@@ -282,6 +290,8 @@ impl Run {
             _ => machine.sample((t, y), so_far, |_, patch| machine.kernel.traction(&machine.bearing, patch)),
         };
         [sample.inner.acceleration_m_s2, sample.outer.acceleration_m_s2] = p.filter.accelerations();
+        sample.power.wear_work_j = p.wear_work;
+        sample.power.imbalance_j -= p.wear_work;
         sample.cage.speed_filtered_rad_s = p.filter.cage_speed();
         sample
     }

@@ -32,6 +32,9 @@ impl Run {
             };
             let adaptive = matches!(self.scheme, Scheme::DormandPrince { .. });
             let reached = t + h >= target * (1.0 - 1e-15);
+            if !reached && t + h <= t {
+                return Err(DynamicsError::NoProgress { time_s: t, step_s: h }.into());
+            }
             let done = reached || adaptive;
             self.progress.steps += u64::from(done);
             let flow = self.accept(if reached { target } else { t + h }, observer)?;
@@ -91,11 +94,11 @@ impl Run {
         };
         match self.next.iter().position(|v| !v.is_finite()) {
             None => Ok(error),
-            Some(at) => Err(self.not_finite(at, h).into()),
+            Some(at) => Err(self.not_finite(at).into()),
         }
     }
 
-    pub(super) fn not_finite(&self, at: usize, step_s: f64) -> DynamicsError {
+    pub(super) fn not_finite(&self, at: usize) -> DynamicsError {
         let l = self.machine.layout;
         let what = if at < l.cage() {
             format!("the motion of ball {}", at / BALL)
@@ -106,7 +109,7 @@ impl Run {
         } else {
             "the work done".to_owned()
         };
-        DynamicsError::NotFinite { what, time_s: self.progress.time, step_s, limit_s: self.longest_step() }
+        DynamicsError::NotFinite { what, time_s: self.progress.time, blame: self.blame(self.progress.stiffness) }
     }
 
     /// The part of the step after which the first ball meets or leaves its pocket wall.

@@ -1,17 +1,29 @@
 //! What goes wrong is said, and samples before it are good.
 
 use crate::{Keep, case, run};
-use tribodyn_dynamics::{DynamicsError, Ending, EventKind, Run, RunError};
+use std::convert::Infallible;
+use std::ops::ControlFlow;
+use tribodyn_dynamics::{Blame, DynamicsError, Ending, Event, EventKind, Observer, Run, RunError, Sample, StepBound};
+
+/// The bound that a broken-off run names.
+fn bound(error: &RunError<Infallible>) -> Option<(f64, StepBound)> {
+    match error {
+        RunError::Dynamics(DynamicsError::NotFinite { blame, .. } | DynamicsError::BallLost { blame, .. }) => {
+            match blame {
+                Blame::Step { step_s, bound } => Some((*step_s, (**bound).clone())),
+                Blame::Case { .. } => None,
+            }
+        }
+        other => panic!("{other}"),
+    }
+}
 
 #[test]
 fn limit_a_step_far_too_long_ends_with_the_stable_one_named() {
     let case = case(&[("transient.scheme", "RungeKutta4(step: us(90))"), ("transient.duration", "s(0.5)")]);
     let mut keep = Keep::default();
     let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
-    let RunError::Dynamics(DynamicsError::NotFinite { limit_s, .. } | DynamicsError::BallLost { limit_s, .. }) = error
-    else {
-        panic!("{error}")
-    };
+    let limit_s = bound(&error).unwrap().1.limit_s;
     assert!(limit_s > 1e-8 && limit_s < 5e-5, "{limit_s}");
     assert!(!keep.samples.is_empty());
     let warned =
@@ -69,6 +81,9 @@ fn limit_a_ball_thrown_out_is_named() {
     ]);
     let mut keep = Keep::default();
     let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
+    // No shorter step would hold it, and none is named.
+    assert_eq!(bound(&error), None, "{error}");
+    assert!(error.to_string().contains("supports too soft"), "{error}");
     let RunError::Dynamics(DynamicsError::BallLost { distance_mm, time_s, .. }) = error else { panic!("{error}") };
     // A tenth of the ball's diameter.
     assert!(distance_mm > 3.0 && time_s < 0.05, "{error}");
@@ -85,7 +100,69 @@ fn limit_numbers_that_are_none_end_a_run_with_time_and_step() {
         ("recording.ball_rate", "kHz(1)"),
     ]);
     let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut Keep::default()).unwrap_err();
-    let RunError::Dynamics(DynamicsError::NotFinite { step_s, limit_s, .. }) = &error else { panic!("{error}") };
-    assert!((step_s - 1e-4).abs() < 1e-12 && *limit_s < 5e-5, "{error}");
+    let RunError::Dynamics(DynamicsError::NotFinite { blame: Blame::Step { step_s, bound }, .. }) = &error else {
+        panic!("{error}")
+    };
+    assert!((step_s - 1e-4).abs() < 1e-12 && bound.limit_s < 5e-5, "{error}");
     assert!(error.to_string().contains("not a number"), "{error}");
+}
+
+/// What makes a step too long may be no ball: the bound that is named is below the step that was used, with the motion it is of.
+#[test]
+fn limit_a_bound_that_is_named_is_below_the_step_that_was_used() {
+    let soft = ("supports.outer.damping", "(N_s_per_m(5e6), N_s_per_m(5e6))");
+    let light = ("supports.outer.mass", "kg(0.005)");
+    for (change, scheme, motion) in [
+        (soft, "RungeKutta4(step: us(10))", "the outer ring"),
+        (light, "RungeKutta4(step: us(8))", "the outer ring"),
+        (light, "Fast(step: us(10))", "the outer ring"),
+    ] {
+        let case = case(&[change, ("transient.scheme", scheme), ("transient.duration", "s(0.02)")]);
+        let mut keep = Keep::default();
+        let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
+        let (step_s, bound) = bound(&error).unwrap_or_else(|| panic!("{scheme}: {error}"));
+        assert!(bound.limit_s < step_s && bound.motion.starts_with(motion), "{scheme}: {error}");
+    }
+}
+
+/// Stops after every few steps, wherever that is.
+#[derive(Default)]
+struct Pauses {
+    keep: Keep,
+    steps: usize,
+}
+
+impl Observer for Pauses {
+    type Error = Infallible;
+
+    fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, Infallible> {
+        self.keep.sample(sample, with_balls)
+    }
+
+    fn event(&mut self, event: &Event) -> Result<(), Infallible> {
+        self.keep.event(event)
+    }
+
+    fn stepped(&mut self, _: f64) -> ControlFlow<()> {
+        self.steps += 1;
+        if self.steps.is_multiple_of(7) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+#[test]
+fn identity_a_run_taken_up_after_any_step_makes_the_samples_of_one_that_went_on() {
+    for scheme in ["RungeKutta4(step: us(5))", "DormandPrince(tolerance: 1e-5, longest: us(10))", "Fast(step: us(5))"] {
+        let case = case(&[("transient.scheme", scheme), ("transient.duration", "s(0.001)")]);
+        let whole = run(&case).1;
+        let mut pauses = Pauses::default();
+        let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
+        while run.advance(f64::INFINITY, &mut pauses).unwrap() == Ending::Stopped {
+            let saved = serde_json::to_string(&run.checkpoint()).unwrap();
+            run = Run::new(case.run_inputs().unwrap()).unwrap();
+            run.resume(serde_json::from_str(&saved).unwrap()).unwrap();
+        }
+        assert!(pauses.steps > 100, "{} steps", pauses.steps);
+        assert_eq!(pauses.keep.samples, whole.samples, "{scheme}");
+        assert_eq!(pauses.keep.events, whole.events, "{scheme}");
+    }
 }

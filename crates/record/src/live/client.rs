@@ -21,7 +21,7 @@ const MOST_ANSWERS: usize = 1024;
 const BATCH: usize = 256 << 10;
 /// Longest request.
 const MOST_REQUEST: usize = 64 << 10;
-/// Longest pause within a handshake, and of a client that takes nothing.
+/// Longest handshake, however its bytes come, and longest pause of a client that takes nothing.
 const HANDSHAKE: Duration = Duration::from_secs(5);
 const STALLED: Duration = Duration::from_secs(10);
 /// Between two lines that tell a client what it has missed.
@@ -61,6 +61,8 @@ enum Stage {
     /// The handshake is not over: nothing may be sent.
     #[default]
     Shaking,
+    /// It has a viewer's place; the answer to the handshake is under way.
+    Admitted,
     Open,
     /// To be closed when the queues are empty.
     Closing,
@@ -76,6 +78,26 @@ impl Client {
 
     fn queue(&self) -> MutexGuard<'_, Queue> {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Whether it has not shaken hands yet.
+    pub(super) fn shakes(&self) -> bool {
+        self.queue().stage == Stage::Shaking
+    }
+
+    /// Whether it has a viewer's place.
+    pub(super) fn has_place(&self) -> bool {
+        (Stage::Admitted..=Stage::Closing).contains(&self.queue().stage)
+    }
+
+    /// Takes a viewer's place, unless its time is over.
+    pub(super) fn take_place(&self) -> bool {
+        let mut queue = self.queue();
+        let shaking = queue.stage == Stage::Shaking;
+        if shaking {
+            queue.stage = Stage::Admitted;
+        }
+        shaking
     }
 
     /// Hands out a message, whose bytes are asked for only if the client wants it. Kept ones are never left out.
@@ -121,7 +143,7 @@ impl Client {
     pub(super) fn close(&self) {
         let mut queue = self.queue();
         match queue.stage {
-            Stage::Shaking => {
+            Stage::Shaking | Stage::Admitted => {
                 queue.stage = Stage::Over;
                 self.cut();
             }
@@ -227,10 +249,19 @@ impl Queue {
 struct Half {
     client: Arc<Client>,
     queued: bool,
+    /// When the handshake has to be over.
+    deadline: Option<Instant>,
 }
 
 impl Read for Half {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        if let Some(deadline) = self.deadline {
+            let left = deadline.saturating_duration_since(Instant::now());
+            if left.is_zero() {
+                return Err(io::ErrorKind::TimedOut.into());
+            }
+            self.client.stream.set_read_timeout(Some(left))?;
+        }
         (&self.client.stream).read(buffer)
     }
 }
@@ -251,11 +282,11 @@ impl Write for Half {
 
 /// Serves a client until either side ends it.
 pub(super) fn serve(client: &Arc<Client>, shared: &Arc<Shared>) -> Counts {
-    if let Ok(mut socket) = shake_hands(client) {
+    if let Ok(mut socket) = shake_hands(client, shared) {
         {
             let mut queue = client.queue();
             queue.control.extend(shared.hello.iter().cloned());
-            if queue.stage == Stage::Shaking {
+            if queue.stage == Stage::Admitted {
                 queue.stage = Stage::Open;
             }
         }
@@ -274,31 +305,41 @@ pub(super) fn serve(client: &Arc<Client>, shared: &Arc<Shared>) -> Counts {
 
 // The callback's type is the WebSocket layer's.
 #[allow(clippy::result_large_err)]
-fn shake_hands(client: &Arc<Client>) -> Result<WebSocket<Half>, io::Error> {
+fn shake_hands(client: &Arc<Client>, shared: &Shared) -> Result<WebSocket<Half>, io::Error> {
     client.stream.set_nonblocking(false)?;
     client.stream.set_nodelay(true)?;
-    client.stream.set_read_timeout(Some(HANDSHAKE))?;
     client.stream.set_write_timeout(Some(STALLED))?;
     let limits = WebSocketConfig::default()
         .read_buffer_size(4 << 10)
         .write_buffer_size(0)
         .max_message_size(Some(MOST_REQUEST))
         .max_frame_size(Some(MOST_REQUEST));
-    let half = Half { client: Arc::clone(client), queued: false };
+    let half = Half { client: Arc::clone(client), queued: false, deadline: Some(Instant::now() + HANDSHAKE) };
     let agree = |request: &Handshake, mut response: Response| {
+        if let Some(reason) = shared.access.refusal(request) {
+            return Err(refuse(StatusCode::FORBIDDEN, reason));
+        }
         let Some(name) = subprotocol(request) else {
-            let mut refusal = ErrorResponse::new(Some(format!("subprotocols: {}", SUBPROTOCOLS.join(", "))));
-            *refusal.status_mut() = StatusCode::BAD_REQUEST;
-            return Err(refusal);
+            return Err(refuse(StatusCode::BAD_REQUEST, format!("subprotocols: {}", SUBPROTOCOLS.join(", "))));
         };
+        if !shared.admit(client) {
+            return Err(refuse(StatusCode::SERVICE_UNAVAILABLE, "all places of viewers are taken".to_owned()));
+        }
         response.headers_mut().insert(SEC_WEBSOCKET_PROTOCOL, HeaderValue::from_static(name));
         Ok(response)
     };
     let mut socket = tungstenite::accept_hdr_with_config(half, agree, Some(limits))
         .map_err(|error| io::Error::other(error.to_string()))?;
     client.stream.set_read_timeout(None)?;
-    socket.get_mut().queued = true;
+    let half = socket.get_mut();
+    (half.queued, half.deadline) = (true, None);
     Ok(socket)
+}
+
+fn refuse(status: StatusCode, reason: String) -> ErrorResponse {
+    let mut refusal = ErrorResponse::new(Some(reason));
+    *refusal.status_mut() = status;
+    refusal
 }
 
 /// The first of ours that the client offers.

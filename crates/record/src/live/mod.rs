@@ -8,17 +8,25 @@
 //! in a run; they are kept and sent to whoever subscribes later.
 //!
 //! What is sent is neither encrypted nor is anybody asked who they are. Nobody can change a run by it. The address
-//! should be one of this machine, and even there any program, also a page in a browser, can read.
+//! should be one of this machine, and even there any program can read. Pages in a browser cannot, but for those of this machine
+//! and of the viewers that are known or were allowed ([`LiveServer::allow`]).
+//!
+//! A handshake has five seconds in all. Connections that have not shaken hands yet take no viewer's place; the oldest of
+//! them makes room for a new one.
 //!
 //! The server is written on the crate `tungstenite`, with two threads for each viewer: ten crates more than without it,
 //! and at most 13 s of processor time to build. The one in the Foxglove SDK 0.30.3 needs 118 crates, an asynchronous
 //! runtime among them.
 
+mod access;
 mod client;
 mod protocol;
 
+pub use access::LiveName;
+
 use crate::RecordError;
 use crate::run::{Preamble, Sink};
+use access::Access;
 use client::{Client, Counts};
 use protocol::Frame;
 use std::fmt;
@@ -34,6 +42,8 @@ pub const LIVE_ADDRESS: &str = "127.0.0.1:8765";
 
 /// Most viewers at a time.
 const MOST_CLIENTS: usize = 8;
+/// Most connections at a time that have not shaken hands yet, each with a thread of its own.
+const MOST_SHAKING: usize = 32;
 /// Wall time between looks for new viewers.
 const ACCEPT_STEP: Duration = Duration::from_millis(20);
 /// Wall time between broadcasts of the simulated time.
@@ -80,6 +90,7 @@ pub struct LiveServer {
     address: SocketAddr,
     /// None once the recording has begun.
     listener: Option<TcpListener>,
+    access: Access,
     running: Option<Running>,
     /// When the time was broadcast last.
     broadcast: Option<Instant>,
@@ -96,6 +107,7 @@ struct Running {
 struct Shared {
     /// What every client gets first.
     hello: [Frame; 2],
+    access: Access,
     clients: Mutex<Vec<Arc<Client>>>,
     /// A client has gone.
     ended: Condvar,
@@ -119,12 +131,13 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl Shared {
-    fn new(preamble: &Preamble) -> Self {
+    fn new(preamble: &Preamble, access: Access) -> Self {
         let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         // Tells a viewer that connects again whether it is the same run.
         let session = format!("{}-{}", std::process::id(), since.as_nanos());
         Self {
             hello: [Frame::server_info(preamble, &session), Frame::advertise(preamble.channels)],
+            access,
             clients: Mutex::default(),
             ended: Condvar::new(),
             connected: AtomicUsize::new(0),
@@ -144,14 +157,25 @@ impl Shared {
         lock(&self.kept).get(channel).cloned().flatten()
     }
 
+    /// Takes a new connection, for which the oldest one that has not shaken hands may have to go.
     fn add(&self, client: &Arc<Client>) -> bool {
         let mut clients = lock(&self.clients);
-        let room = clients.len() < MOST_CLIENTS && !self.closing.load(Ordering::Relaxed);
-        if room {
-            clients.push(Arc::clone(client));
-            self.connected.store(clients.len(), Ordering::Release);
+        if self.closing.load(Ordering::Relaxed) {
+            return false;
         }
-        room
+        let shaking: Vec<_> = clients.iter().filter(|client| client.shakes()).collect();
+        if let Some(oldest) = shaking.first().filter(|_| shaking.len() >= MOST_SHAKING) {
+            oldest.close();
+        }
+        clients.push(Arc::clone(client));
+        self.connected.store(clients.len(), Ordering::Release);
+        true
+    }
+
+    /// Gives a client that has shaken hands one of the places, if there is one.
+    fn admit(&self, client: &Client) -> bool {
+        let clients = lock(&self.clients);
+        clients.iter().filter(|client| client.has_place()).count() < MOST_CLIENTS && client.take_place()
     }
 
     fn remove(&self, client: &Arc<Client>, counts: Counts) {
@@ -188,8 +212,16 @@ impl LiveServer {
         listener.set_nonblocking(true).map_err(error)?;
         let local = listener.local_addr().map_err(error)?;
         let warning = (!local.ip().is_loopback()).then_some(LiveWarning { address: local });
-        let server = Self { address: local, listener: Some(listener), running: None, broadcast: None };
+        let host = address.rsplit_once(':').map_or(address, |(host, _)| host);
+        let access = Access { listens: host.to_ascii_lowercase(), names: Vec::new() };
+        let server = Self { address: local, listener: Some(listener), access, running: None, broadcast: None };
         Ok((server, warning))
+    }
+
+    /// Lets viewers in that come by these host names or from pages of these hosts or origins, besides those of this machine and
+    /// the known ones; to be called before the recording begins.
+    pub fn allow(&mut self, names: &[LiveName]) {
+        self.access.names.extend_from_slice(names);
     }
 
     /// Where it listens.
@@ -223,7 +255,7 @@ impl Sink for LiveServer {
 
     fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError> {
         let listener = self.listener.take().ok_or(RecordError::NotBegun)?;
-        let shared = Arc::new(Shared::new(preamble));
+        let shared = Arc::new(Shared::new(preamble, self.access.clone()));
         let serving = Arc::clone(&shared);
         let acceptor = thread::Builder::new().name("live".to_owned()).spawn(move || accept(&listener, &serving));
         let error = |source| RecordError::Listen { address: self.address.to_string(), source };

@@ -9,7 +9,7 @@ use crate::{LIVE_ADDRESS, LiveServer, RecordError, RunRecorder, Sink, StreamSink
 use data_encoding::BASE64;
 use prost::Message as _;
 use serde_json::{Value, json};
-use std::io::Cursor;
+use std::io::{Cursor, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -259,6 +259,74 @@ fn limit_what_is_not_of_the_protocol_is_refused_in_words() {
         Ok(other) => panic!("{other:?}"),
         Err(_) => true,
     }));
+}
+
+/// Asks for a WebSocket as a page of a browser would; the answer's status.
+fn as_page(address: SocketAddr, host: &str, origin: &str) -> Result<(), String> {
+    let stream = TcpStream::connect(address).unwrap();
+    stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
+    let request = ClientRequestBuilder::new(format!("ws://{host}/").parse().unwrap())
+        .with_header("Origin", origin)
+        .with_sub_protocol("foxglove.sdk.v1");
+    tungstenite::client(request, stream).map(drop).map_err(|error| error.to_string())
+}
+
+#[test]
+fn limit_pages_of_strangers_read_nothing() {
+    let mut server = start();
+    server.allow(&["https://lab.example".parse().unwrap(), "lab.example".parse().unwrap()]);
+    server.begin(&preamble()).unwrap();
+    let address = server.address();
+    let here = address.to_string();
+    for (host, origin) in [
+        (here.as_str(), "http://localhost:8080"),
+        (&here, "file://"),
+        (&here, "https://lab.example"),
+        ("lab.example:8765", "http://127.0.0.1"),
+    ] {
+        assert_eq!(as_page(address, host, origin), Ok(()), "{host} {origin}");
+    }
+    for (host, origin) in [(here.as_str(), "https://evil.example"), (&here, "null"), ("evil.example:8765", "file://")] {
+        let refused = as_page(address, host, origin).unwrap_err();
+        assert!(refused.contains("403"), "{host} {origin}: {refused}");
+    }
+}
+
+/// Connections that send a byte now and then, as many as they like, keep no viewer out, and each is ended in its time.
+#[test]
+fn limit_clients_that_drip_through_the_handshake_lock_nobody_out() {
+    let mut server = start();
+    server.begin(&preamble()).unwrap();
+    let address = server.address();
+    let mut dripping: Vec<TcpStream> = (0..40).map(|_| TcpStream::connect(address).unwrap()).collect();
+    let begun = Instant::now();
+    let drip = |dripping: &mut Vec<TcpStream>| dripping.retain_mut(|stream| stream.write_all(b"G").is_ok());
+    drip(&mut dripping);
+    let (mut viewer, _, _) = Viewer::open(address);
+    assert!(begun.elapsed() < Duration::from_secs(4), "a viewer waited {:?}", begun.elapsed());
+    while !dripping.is_empty() {
+        assert!(begun.elapsed() < Duration::from_secs(9), "{} still drip", dripping.len());
+        std::thread::sleep(Duration::from_millis(250));
+        drip(&mut dripping);
+    }
+    viewer.subscribe(0, 0);
+    server.message(0, 1, b"one").unwrap();
+    assert_eq!(viewer.data(), Some((0, 1, b"one".to_vec())));
+}
+
+#[test]
+fn limit_a_viewer_beyond_the_places_is_told_so() {
+    let mut server = start();
+    server.begin(&preamble()).unwrap();
+    let mut viewers: Vec<Viewer> = (0..8).map(|_| Viewer::open(server.address()).0).collect();
+    let connect = || Viewer::connect(server.address(), &["foxglove.sdk.v1"]).map(drop);
+    assert!(connect().unwrap_err().contains("503"));
+    viewers.pop().unwrap().socket.close(None).unwrap();
+    let begun = Instant::now();
+    while connect().is_err() {
+        assert!(begun.elapsed() < Duration::from_secs(20), "the place of a viewer that left is not free");
+        std::thread::sleep(Duration::from_millis(50));
+    }
 }
 
 #[test]

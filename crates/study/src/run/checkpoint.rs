@@ -2,6 +2,7 @@
 
 use super::tape::{Loose, SharedTape};
 use crate::error::StudyError;
+use crate::files::with_suffix;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -103,12 +104,6 @@ impl Files {
             earlier: with_suffix(recording, ".earlier"),
         }
     }
-}
-
-fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(suffix);
-    PathBuf::from(name)
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! A transient run, recorded.
 //!
-//! The run goes in slices of about a millisecond of simulated time whose ends depend on the case alone: between them the
-//! session reports its progress, can be stopped and, about once a second of wall time, writes a checkpoint. Neither changes a step, so
-//! that a resumed run makes the samples of one that was never stopped.
+//! After each step the session looks at the clock: some times a second it reports its progress and can be stopped, and twice a
+//! second it writes a checkpoint. Neither changes a step, so that a resumed run makes the samples of one that was never
+//! stopped.
 
 use super::checkpoint::{Files, Saved};
 use super::outcome::{RunOutcome, RunReport, Stopped};
@@ -10,19 +10,20 @@ use super::resume;
 use super::tape::{SharedTape, Viewers};
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
+use crate::lock::OutputLock;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
-use tribodyn_bearing::Scheme;
-use tribodyn_case::Case;
-use tribodyn_dynamics::{DynamicsError, Event, EventKind, Observer, Run, RunError as Advance};
+use tribodyn_dynamics::{
+    DynamicsError, Ending as Advanced, Event, EventKind, Observer, Run, RunError as Advance, Sample,
+};
 use tribodyn_record::{RecordError, RunRecorder, RunRecording};
 
-/// Simulated time between looks at the clock and at the caller, s.
-const SLICE_S: f64 = 1e-3;
-/// Wall time between checkpoints.
-const CHECKPOINT_EVERY: Duration = Duration::from_secs(1);
+/// Wall time between looks at the caller.
+const LOOK_EVERY: Duration = Duration::from_millis(50);
+/// Wall time between checkpoints: half of the second that a kill may cost, the other half is for a slow disk.
+const CHECKPOINT_EVERY: Duration = Duration::from_millis(500);
 const GENERATOR: &str = concat!("tribodyn ", env!("CARGO_PKG_VERSION"));
 
 /// How a run begins where an earlier one of the same recording was stopped or killed.
@@ -36,7 +37,8 @@ pub enum Beginning {
     Restart,
 }
 
-/// A run that can begin: its case and the files of an earlier run are accepted, nothing is written yet.
+/// A run that can begin: its case and the files of an earlier run are accepted, nothing but a lock is written yet. No other
+/// process can write the same recording until this or its session is dropped.
 ///
 /// ```no_run
 /// use std::ops::ControlFlow;
@@ -54,19 +56,21 @@ pub struct PreparedRun<'a> {
     run: Run,
     files: Files,
     saved: Option<Saved>,
+    lock: OutputLock,
 }
 
 impl<'a> PreparedRun<'a> {
     /// For a recording at a path; it is `<recording>.active` until it is whole, with a checkpoint beside it.
     ///
     /// # Errors
-    /// The case cannot be run, or the files of an earlier run forbid this beginning.
+    /// Another process writes the recording, the case cannot be run, or the files of an earlier run forbid this beginning.
     pub fn new(file: &'a CaseFile, recording: &Path, beginning: Beginning) -> Result<Self, StudyError> {
+        let lock = OutputLock::take(recording)?;
         let files = Files::new(recording);
         let saved = earlier(beginning, &files, &file.text)?;
         let cannot_start = |source| StudyError::CannotStart { file: file.name.clone(), source };
         let run = Run::new(file.run_inputs()?).map_err(cannot_start)?;
-        Ok(Self { file, run, files, saved })
+        Ok(Self { file, run, files, saved, lock })
     }
 
     /// Opens the recording; `viewers` get all of it as it is written.
@@ -74,11 +78,17 @@ impl<'a> PreparedRun<'a> {
     /// # Errors
     /// The recording cannot be written, or the earlier one cannot be read.
     pub fn begin(self, viewers: Option<Box<dyn Viewers>>) -> Result<RunSession<'a>, StudyError> {
-        let Self { file, run, files, saved } = self;
-        match saved {
-            None => RunSession::start(file, run, files, viewers),
-            Some(saved) => RunSession::resume(file, run, files, saved, viewers),
+        let Self { file, mut run, files, saved, lock } = self;
+        let (tape, recorder) = match saved {
+            None => RunSession::start(file, &files, viewers),
+            Some(saved) => RunSession::resume(file, &mut run, &files, saved, viewers),
+        }?;
+        let session = RunSession { file, from_s: run.time(), run, files, tape, recorder, _lock: lock };
+        if session.from_s > 0.0 {
+            // The new recording holds everything up to here; from now on a kill may take what comes after it.
+            session.save()?;
         }
+        Ok(session)
     }
 }
 
@@ -105,6 +115,8 @@ enum Ending {
     BrokenOff(DynamicsError),
 }
 
+type Recording = (SharedTape, RunRecorder<SharedTape>);
+
 /// A run with its recording.
 pub struct RunSession<'a> {
     file: &'a CaseFile,
@@ -114,49 +126,38 @@ pub struct RunSession<'a> {
     files: Files,
     tape: SharedTape,
     recorder: RunRecorder<SharedTape>,
-    slices: Slices,
+    /// Let go of after everything else.
+    _lock: OutputLock,
 }
 
 impl<'a> RunSession<'a> {
-    fn start(
-        file: &'a CaseFile,
-        run: Run,
-        files: Files,
-        viewers: Option<Box<dyn Viewers>>,
-    ) -> Result<Self, StudyError> {
+    fn start(file: &CaseFile, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recording, StudyError> {
         for old in [&files.checkpoint, &files.active, &files.earlier] {
             remove(old)?;
         }
-        let (tape, recorder) = Self::record(file, &files, viewers)?;
-        Ok(Self { file, from_s: run.time(), slices: Slices::new(&file.case), run, files, tape, recorder })
+        Self::record(file, files, viewers)
     }
 
     fn resume(
-        file: &'a CaseFile,
-        mut run: Run,
-        files: Files,
+        file: &CaseFile,
+        run: &mut Run,
+        files: &Files,
         saved: Saved,
         viewers: Option<Box<dyn Viewers>>,
-    ) -> Result<Self, StudyError> {
-        resume::set_aside(&files)?;
-        let (tape, mut recorder) = Self::record(file, &files, viewers)?;
-        resume::copy(&files, &saved, &tape)?;
+    ) -> Result<Recording, StudyError> {
+        resume::set_aside(files)?;
+        let (tape, mut recorder) = Self::record(file, files, viewers)?;
+        resume::copy(files, &saved, &tape)?;
         recorder.remember(saved.recorder)?;
         let resumed = run.resume(saved.run);
         resumed.map_err(|source| StudyError::CannotStart { file: file.name.clone(), source })?;
-        let from_s = run.time();
-        let session = Self { file, from_s, slices: Slices::new(&file.case), run, files, tape, recorder };
-        // The new file holds everything from here on.
-        session.save()?;
-        remove(&session.files.earlier)?;
-        Ok(session)
+        // The new file holds what the checkpoint counts and more. A newer checkpoint would count on messages that only the
+        // new one has, and with the old file still there a resumption would look for them in that.
+        remove(&files.earlier)?;
+        Ok((tape, recorder))
     }
 
-    fn record(
-        file: &CaseFile,
-        files: &Files,
-        viewers: Option<Box<dyn Viewers>>,
-    ) -> Result<(SharedTape, RunRecorder<SharedTape>), StudyError> {
+    fn record(file: &CaseFile, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recording, StudyError> {
         let tape = SharedTape::create(&files.recording, viewers)?;
         let recording = RunRecording { case_text: &file.text, case: &file.case, generator: GENERATOR };
         Ok((tape.clone(), RunRecorder::new(tape, &recording)?))
@@ -172,8 +173,8 @@ impl<'a> RunSession<'a> {
         self.run.duration()
     }
 
-    /// Runs to the end of the duration and closes the recording. `progress` gets the simulated time, s, about every
-    /// millisecond of it; a break stops the run there, with a checkpoint from which it can be taken up again.
+    /// Runs to the end of the duration and closes the recording. `progress` gets the simulated time, s, about twenty
+    /// times a second of wall time; a break stops the run there, with a checkpoint from which it can be taken up again.
     ///
     /// # Errors
     /// The solver or the disk fails; what was recorded before is kept.
@@ -185,24 +186,19 @@ impl<'a> RunSession<'a> {
 
     /// Steps to the end of the duration, or to a stop.
     fn go(&mut self, mut progress: impl FnMut(f64) -> ControlFlow<()>) -> Result<Ending, StudyError> {
-        let mut saved = Instant::now();
+        let mut clock = Clock { looked: Instant::now(), saved: Instant::now(), stopped: false };
         loop {
-            let until = self.slices.after(self.run.time());
-            let stopped = match self.run.advance(until, &mut self.recorder) {
-                Ok(_) => progress(self.run.time()).is_break(),
+            let mut watch = Watch { recorder: &mut self.recorder, progress: &mut progress, clock: &mut clock };
+            match self.run.advance(f64::INFINITY, &mut watch) {
+                Ok(Advanced::Complete) => return Ok(Ending::Complete),
+                Ok(Advanced::Stopped) => self.save()?,
                 Err(Advance::Dynamics(error)) => return Ok(Ending::BrokenOff(error)),
                 Err(Advance::Observer(error)) => return Err(self.not_recorded(error)),
-            };
-            if until >= self.run.duration() {
-                return Ok(Ending::Complete);
             }
-            if stopped || saved.elapsed() >= CHECKPOINT_EVERY {
-                self.save()?;
-                saved = Instant::now();
-            }
-            if stopped {
+            if clock.stopped {
                 return Ok(Ending::Stopped);
             }
+            clock.saved = Instant::now();
         }
     }
 
@@ -241,7 +237,7 @@ impl<'a> RunSession<'a> {
         }
         if let Ending::BrokenOff(source) = ending {
             let recording = files.recording.clone();
-            return Err(StudyError::BrokenOff { file: file.name.clone(), source, recording });
+            return Err(StudyError::BrokenOff { file: file.name.clone(), source: Box::new(source), recording });
         }
         let stopped = matches!(ending, Ending::Stopped).then_some(Stopped { simulated_s: time_s, duration_s });
         Ok(RunOutcome { report: report.complete(&files.recording, &file.case, self.from_s)?, stopped })
@@ -257,45 +253,38 @@ fn remove(path: &Path) -> Result<(), StudyError> {
     }
 }
 
-/// The ends of the slices: multiples of a time that fits the scheme, so that no step is cut that would not be cut anyway.
-#[derive(Debug, Clone, Copy)]
-struct Slices {
-    /// Step of the scheme or distance of samples, s.
-    unit: f64,
-    /// Units in a slice.
-    count: f64,
+/// Hands all to the recorder, and looks at the clock after each step.
+struct Watch<'a, P> {
+    recorder: &'a mut RunRecorder<SharedTape>,
+    progress: &'a mut P,
+    clock: &'a mut Clock,
 }
 
-impl Slices {
-    fn new(case: &Case) -> Self {
-        let rate = case.rates().state_rate;
-        let unit = match case.transient.as_ref().map(|transient| transient.scheme) {
-            Some(Scheme::RungeKutta4 { step }) => step,
-            // The steps of the fast scheme end at samples, those of the adaptive one anywhere.
-            _ => 1.0 / rate,
-        };
-        Self { unit, count: (SLICE_S / unit).round().max(1.0) }
-    }
-
-    /// The end after a time, s.
-    fn after(self, time_s: f64) -> f64 {
-        let slices = (time_s / (self.unit * self.count) + 1e-6).floor() + 1.0;
-        self.unit * (self.count * slices)
-    }
+/// When the caller and the disk had their turn, and whether the caller has stopped the run.
+struct Clock {
+    looked: Instant,
+    saved: Instant,
+    stopped: bool,
 }
 
-#[cfg(test)]
-mod tests {
-    use super::Slices;
+impl<P: FnMut(f64) -> ControlFlow<()>> Observer for Watch<'_, P> {
+    type Error = RecordError;
 
-    #[test]
-    fn identity_slices_end_at_steps_and_go_on() {
-        let slices = Slices { unit: 1e-5, count: 100.0 };
-        let mut time = 0.0;
-        for slice in 1..=500 {
-            time = slices.after(time);
-            // The very expression of a fixed step, so that the last digit agrees.
-            assert_eq!(time, 1e-5 * f64::from(100 * slice));
+    fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, RecordError> {
+        self.recorder.sample(sample, with_balls)
+    }
+
+    fn event(&mut self, event: &Event) -> Result<(), RecordError> {
+        self.recorder.event(event)
+    }
+
+    fn stepped(&mut self, time_s: f64) -> ControlFlow<()> {
+        let now = Instant::now();
+        if now.duration_since(self.clock.looked) >= LOOK_EVERY {
+            self.clock.looked = now;
+            self.clock.stopped = (self.progress)(time_s).is_break();
         }
+        let due = now.duration_since(self.clock.saved) >= CHECKPOINT_EVERY;
+        if due || self.clock.stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

@@ -8,9 +8,10 @@ use super::columns::{Cell, Column, decode};
 use super::grid::Grid;
 use super::shard::Shard;
 use crate::error::{StudyError, SweepDifference};
+use crate::files::with_suffix;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::{File, OpenOptions};
 use std::io::{BufRead, BufReader, Error, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -67,16 +68,9 @@ impl Journal {
         columns: &[Column],
         restart: bool,
     ) -> Result<Self, StudyError> {
-        let mut name = table.as_os_str().to_owned();
-        name.push(".rows");
-        let path = PathBuf::from(name);
+        let path = with_suffix(table, ".rows");
         let write = |source| StudyError::Write { path: path.clone(), source };
         let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(write)?;
-        match file.try_lock() {
-            Err(TryLockError::WouldBlock) => return Err(StudyError::Busy { path }),
-            // Some file systems know no locks: then the user has to take care.
-            Ok(()) | Err(TryLockError::Error(_)) => {}
-        }
         let mut head = serde_json::to_vec(identity)?;
         head.push(b'\n');
         let mut reader = BufReader::new(&file);

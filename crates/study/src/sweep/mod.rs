@@ -22,6 +22,7 @@ pub use shard::Shard;
 pub use table::{Count, Format, Rows};
 
 use crate::error::StudyError;
+use crate::lock::OutputLock;
 use journal::{Identity, Journal};
 use rayon::prelude::*;
 use rows::Chunk;
@@ -68,21 +69,24 @@ pub struct Sweep<'a> {
     columns: Vec<Column>,
     identity: Identity,
     journal: Journal,
+    /// Let go of after everything else.
+    _lock: OutputLock,
 }
 
 impl<'a> Sweep<'a> {
     /// Opens the finished rows of the table, or begins with none.
     ///
     /// # Errors
-    /// The name of the table has no known ending, its finished rows are of another sweep or are being written, or cannot
-    /// be read.
+    /// The name of the table has no known ending, another process writes it, or its finished rows are of another sweep or
+    /// cannot be read.
     pub fn open(grid: &'a Grid, options: &Options) -> Result<Self, StudyError> {
         let format = Format::of(&options.table)?;
+        let lock = OutputLock::take(&options.table)?;
         let columns = columns::columns(grid.columns());
         let identity = Identity::new(grid, options.shard, options.cold);
         let journal = Journal::open(&options.table, &identity, grid, &columns, options.restart)?;
         let Options { shard, cold, .. } = *options;
-        Ok(Self { grid, shard, cold, table: options.table.clone(), format, columns, identity, journal })
+        Ok(Self { grid, shard, cold, table: options.table.clone(), format, columns, identity, journal, _lock: lock })
     }
 
     /// Rows of the shard.
