@@ -44,7 +44,8 @@ pub struct Arguments {
     replace: ReplaceArguments,
 }
 
-#[derive(Clone, Copy, clap::ValueEnum)]
+/// Equations of an operating point.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum ModelName {
     /// Raceway control, no traction
     JonesHarris,

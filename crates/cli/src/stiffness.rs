@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit::{Problem, write_table};
+use crate::solve::ModelName;
 use crate::table;
 use serde::Serialize;
 use std::fmt::Write;
@@ -34,16 +35,6 @@ pub struct Arguments {
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
-}
-
-#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
-enum ModelName {
-    /// Raceway control, no traction
-    JonesHarris,
-    /// Quasi-static equilibrium with traction
-    Traction,
-    /// Periodic motion of balls and cage
-    SteadyOrbit,
 }
 
 /// One speed.

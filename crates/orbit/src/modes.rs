@@ -93,7 +93,8 @@ const CREEP: f64 = 1e-3;
 pub(crate) fn modes(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Result<Vec<Mode>, OrbitError> {
     let system = &newton.system;
     let count = system.bearing.geometry.ball_count;
-    let matrix = matrix(newton, orbit, bodies);
+    let mut matrix = matrix(newton, orbit, bodies);
+    balance(&mut matrix, count);
     let eigen = matrix.eigen().map_err(|_| OrbitError::Eigenvalues)?;
     let (values, vectors) = (eigen.S(), eigen.U());
     let mut modes = Vec::new();
@@ -214,6 +215,22 @@ fn support<const N: usize>(a: &mut Mat<f64>, at: usize, body: &Support<N>, free:
         } else {
             clear(a, at + k);
             clear(a, at + N + k);
+        }
+    }
+}
+
+/// A frequency between those of rings and of contacts, rad/s: displacements are counted in velocities over it, so that stiffness over
+/// mass does not drown the small entries.
+const MIDDLE: f64 = 3e4;
+
+fn balance(a: &mut Mat<f64>, count: usize) {
+    let edge = BALL * count;
+    let (inner, outer) = (edge + CAGE, edge + CAGE + INNER);
+    let of_balls = (0..count).flat_map(|ball| (0..VELOCITY).map(move |k| BALL * ball + k));
+    for at in of_balls.chain([edge]).chain(inner..inner + 3).chain(outer..outer + 2) {
+        for k in 0..a.nrows() {
+            a[(at, k)] *= MIDDLE;
+            a[(k, at)] /= MIDDLE;
         }
     }
 }

@@ -21,7 +21,7 @@ use tribodyn_traction::{FastPatch, Law, PatchRule, Probe, choose_rule, rule_erro
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.
-const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
+pub(crate) const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
 /// The Jones–Harris state that traction starts from where the case does not say how that is read: a first guess only.
 const GUESSED_CONTROL: RaceControl = RaceControl::Outer;
 const GUESSED_AT_FREE_PITCH: bool = true;
@@ -43,7 +43,7 @@ pub struct WarmStart {
     pub(crate) state: BlockState,
     pub(crate) rule: PatchRule,
     /// Of inner and outer ring, rad/s.
-    speeds: Races<f64>,
+    pub(crate) speeds: Races<f64>,
 }
 
 impl WarmStart {
@@ -152,14 +152,14 @@ pub(crate) fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> Solver
 }
 
 /// The elastic state, and the Jones–Harris one that starts from it.
-struct Rolling<'a> {
-    system: JonesHarris<'a>,
-    elastic: Iterate,
-    solved: Result<Iterate, QuasiStaticError>,
+pub(crate) struct Rolling<'a> {
+    pub system: JonesHarris<'a>,
+    pub elastic: Iterate,
+    pub solved: Result<Iterate, QuasiStaticError>,
 }
 
 /// Phases 1 and 2; `wanted` where Jones–Harris is the goal and not a guess.
-fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wanted: bool) -> Rolling<'a> {
+pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wanted: bool) -> Rolling<'a> {
     let g = &bearing.geometry;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let typical = Typical::new(bearing, &point.ring, speeds);
@@ -268,7 +268,7 @@ pub(crate) fn traction_system<'a>(
 }
 
 /// Takes the rule of the problem, by its target error at the scouted state where it is not named. Gives the estimate.
-fn choose_quadrature(
+pub(crate) fn choose_quadrature(
     system: &mut WithTraction<'_>,
     state: &BlockState,
     point: &OperatingPoint,
@@ -284,7 +284,7 @@ fn choose_quadrature(
 }
 
 /// The contacts of the most, the middle and the least loaded ball: where a rule is judged.
-fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, Law>> {
+pub(crate) fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, Law>> {
     let mut loads: Vec<_> =
         state.balls.iter().enumerate().map(|(index, &ball)| system.evaluate(index, ball, state.ring).1).collect();
     loads.sort_by(|a, b| a.contacts.inner.normal.load.total_cmp(&b.contacts.inner.normal.load));
@@ -361,67 +361,6 @@ fn check(
         tolerance: point.numerics.tolerance,
         reason: Box::new(reason()),
     })
-}
-
-/// A rolling state of balls and ring, for solvers that go on with equations of their own.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RollingStart {
-    /// Position and motion of each ball.
-    pub balls: Vec<BallMotion>,
-    /// Load of each ball on the inner race, N.
-    pub inner_loads: Vec<f64>,
-    /// Displacement x, y, z (m) and tilt about X and Y (rad) of the inner ring.
-    pub ring: [f64; RING],
-    /// The patch rule of the operating point, by its target error at this state where it is not named.
-    pub rule: PatchRule,
-    /// Estimated error of the rule's traction over the load, against a finer rule.
-    pub rule_error: f64,
-    /// Largest relative residual of the state's balances.
-    pub residual: f64,
-}
-
-/// The state of Jones–Harris, or the elastic one where raceway control has no solution. It always exists and needs no traction.
-///
-/// # Errors
-/// [`QuasiStaticError::Missing`] names what the traction model needs and is not there, [`QuasiStaticError::Traction`] a patch rule that
-/// cannot be laid out.
-pub fn rolling_start(bearing: &Bearing, point: &OperatingPoint) -> Result<RollingStart, QuasiStaticError> {
-    needs::check(bearing, point, Model::Traction)?;
-    let Rolling { system, elastic, solved } = rolling_state(bearing, point, false);
-    let mut traction = traction_system(bearing, point, system.typical, SCOUT)?;
-    let rolling = solved.unwrap_or(elastic);
-    let (residual, state) = (rolling.worst().residual, rolling.state);
-    let chosen = choose_quadrature(&mut traction, &state, point)?;
-    let rule = traction.kernel.quadrature().rule();
-    let rule_error = match chosen {
-        Some(error) => error,
-        None => rule_error(rule, &probes(&traction, &state))?,
-    };
-    let load = |(index, &ball)| traction.evaluate(index, ball, state.ring).1.contacts.inner.normal.load;
-    let inner_loads = state.balls.iter().enumerate().map(load).collect();
-    let warm = WarmStart { state, rule, speeds: system.speeds };
-    Ok(RollingStart { balls: warm.balls().collect(), inner_loads, ring: warm.ring(), rule, rule_error, residual })
-}
-
-/// The Jones–Harris equations with their solution.
-pub(crate) fn rolling_system<'a>(
-    bearing: &'a Bearing,
-    point: &OperatingPoint,
-) -> Result<(JonesHarris<'a>, BlockState), QuasiStaticError> {
-    needs::check(bearing, point, Model::JonesHarris)?;
-    let Rolling { system, solved, .. } = rolling_state(bearing, point, true);
-    Ok((system, solved?.state))
-}
-
-/// The equations with traction of a solution.
-pub(crate) fn traction_of<'a>(
-    bearing: &'a Bearing,
-    point: &OperatingPoint,
-    at: &WarmStart,
-) -> Result<WithTraction<'a>, QuasiStaticError> {
-    needs::check(bearing, point, Model::Traction)?;
-    let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
-    traction_system(bearing, point, Typical::new(bearing, &point.ring, speeds), at.rule)
 }
 
 #[cfg(test)]

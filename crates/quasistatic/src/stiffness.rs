@@ -3,7 +3,8 @@
 
 use crate::block::{BlockState, BlockSystem, RING, linearise};
 use crate::problem::QuasiStaticError;
-use crate::solve::{WarmStart, rolling_system, traction_of};
+use crate::rolling::{rolling_system, traction_of};
+use crate::solve::WarmStart;
 use nalgebra::SMatrix;
 use tribodyn_bearing::{Bearing, OperatingPoint};
 

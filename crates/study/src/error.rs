@@ -63,14 +63,6 @@ pub enum StudyError {
         /// Reason.
         source: QuasiStaticError,
     },
-    /// A bearing that the standards do not rate.
-    #[error("{file}: {source}")]
-    Rating {
-        /// Name of the case file.
-        file: String,
-        /// Reason.
-        source: tribodyn_rating::RatingError,
-    },
     /// A steady orbit that is not found.
     #[error("{file}: {source}")]
     Orbit {
@@ -78,6 +70,14 @@ pub enum StudyError {
         file: String,
         /// Reason.
         source: OrbitError,
+    },
+    /// A bearing that the standards do not rate.
+    #[error("{file}: {source}")]
+    Rating {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: tribodyn_rating::RatingError,
     },
     /// Two lists of values for one place of the case.
     #[error("{first} and {second} sweep the same value")]
