@@ -107,7 +107,7 @@ pub enum QuasiStaticError {
         /// The tolerance asked for.
         tolerance: f64,
         /// What is the matter, and what helps.
-        reason: Reason,
+        reason: Box<Reason>,
     },
     /// The bearing or the operating point lacks what the model uses.
     #[error("{model:?} model needs what is not given: {}", missing.join(", "))]

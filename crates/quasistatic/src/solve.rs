@@ -359,6 +359,6 @@ fn check(
         residual: worst.residual,
         iterations: solved.statistics.accepted,
         tolerance: point.numerics.tolerance,
-        reason: reason(),
+        reason: Box::new(reason()),
     })
 }

@@ -213,7 +213,7 @@ pub enum StudyError {
         /// Name of the case file.
         file: String,
         /// Reason.
-        source: DynamicsError,
+        source: Box<DynamicsError>,
         /// The recording up to there.
         recording: PathBuf,
     },
