@@ -103,7 +103,7 @@ impl Growth {
 fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
     let half = 0.5e6 * bearing.geometry.axial_play();
     let datum = format!(
-        "axial position z = 0: the balls just touch both races without load, {} um from the middle of the axial play",
+        "axial position z = 0: the balls just touch both races without load, {} µm from the middle of the axial play",
         number(half, 1)
     );
     let mut notes = vec![datum];
@@ -111,7 +111,7 @@ fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
         && half > 0.0
     {
         notes.push(format!(
-            "the ring is held at z = {} um: from z = 0 on every ball bears on one side; a bearing that floats in its play is held at the middle, z = Held(um({}))",
+            "the ring is held at z = {} µm: from z = 0 on every ball bears on one side; a bearing that floats in its play is held at the middle, z = Held(um({}))",
             number(z * 1e6, 3),
             number(-half, 1)
         ));
