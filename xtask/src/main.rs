@@ -14,6 +14,7 @@ mod page;
 mod python;
 mod quantities;
 mod sensitivity;
+mod survey;
 mod terminal;
 mod validate;
 
@@ -43,6 +44,8 @@ enum Command {
     Bench(bench::Arguments),
     /// Open a report in headless Chromium and look for what is wrong
     Page(page::Arguments),
+    /// Solve and run random bearings, and write a case file for each failure
+    Survey(survey::Arguments),
     /// Try kills, full disks, two at once, damaged files, hostile viewers on the built command
     Faults(faults::Arguments),
     /// Run everything that continuous integration runs
@@ -58,6 +61,7 @@ fn main() -> ExitCode {
         Command::Quantities => quantities::write(),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Survey(arguments) => survey::run(&arguments),
         Command::Faults(arguments) => faults::run(&arguments),
         Command::Ci => ci::run(),
     };

@@ -26,7 +26,8 @@ pub struct Dimensions {
 pub enum Fit {
     /// Free contact angle α0, rad.
     ContactAngle(f64),
-    /// Diametral (radial internal) clearance P_d, m: cos α0 = 1 − P_d/(2A).
+    /// Diametral (radial internal) clearance P_d, m: cos α0 = 1 − P_d/(2A). Below 0 the balls are pressed radially, and
+    /// α0 is 0.
     RadialClearance(f64),
 }
 
@@ -45,7 +46,12 @@ pub struct Geometry {
     pub outer_coefficient: f64,
     /// Free contact angle α0, rad, its sine and cosine: every contact of every ball asks for them.
     contact_angle: [f64; 3],
+    /// Diametral interference of balls that are pressed radially without load, m; 0 where there is clearance.
+    interference: f64,
 }
+
+/// Largest diametral interference over the distance of the groove centres: beyond it no ring is still elastic.
+const INTERFERENCE_MAX: f64 = 0.1;
 
 impl Geometry {
     /// Works out the free contact angle.
@@ -55,15 +61,17 @@ impl Geometry {
     pub fn new(dimensions: Dimensions) -> Result<Self, BearingError> {
         let Dimensions { ball_count, ball_diameter, pitch_diameter, inner_coefficient, outer_coefficient, fit } =
             dimensions;
-        let contact_angle = match fit {
-            Fit::ContactAngle(angle) => angle,
+        let (contact_angle, interference) = match fit {
+            Fit::ContactAngle(angle) => (angle, 0.0),
             Fit::RadialClearance(clearance) => {
                 let centre_distance = (inner_coefficient + outer_coefficient - 1.0) * ball_diameter;
-                let cosine = 1.0 - clearance / (2.0 * centre_distance);
-                if !(0.0..=1.0).contains(&cosine) {
-                    return Err(BearingError::Clearance { clearance, limit: 2.0 * centre_distance });
+                let (least, most) = (-INTERFERENCE_MAX * centre_distance, 2.0 * centre_distance);
+                if !(least..=most).contains(&clearance) {
+                    return Err(BearingError::Clearance { clearance, least, most });
                 }
-                cosine.acos()
+                // At most 1, where rounding of a clearance of 0 would leave more.
+                let cosine = (1.0 - clearance / most).min(1.0);
+                (cosine.acos(), (-clearance).max(0.0))
             }
         };
         Ok(Self {
@@ -73,6 +81,7 @@ impl Geometry {
             inner_coefficient,
             outer_coefficient,
             contact_angle: [contact_angle, contact_angle.sin(), contact_angle.cos()],
+            interference,
         })
     }
 
@@ -105,9 +114,16 @@ impl Geometry {
         (self.inner_coefficient + self.outer_coefficient - 1.0) * self.ball_diameter
     }
 
-    /// Diametral clearance that belongs to the free contact angle, P_d = 2A (1 − cos α0), m.
+    /// Diametral clearance that belongs to the free contact angle, P_d = 2A (1 − cos α0), m; below 0 where the balls are
+    /// pressed radially.
     pub fn radial_clearance(&self) -> f64 {
-        2.0 * self.centre_distance() * (1.0 - self.cos_contact_angle())
+        2.0 * self.centre_distance() * (1.0 - self.cos_contact_angle()) - self.interference
+    }
+
+    /// Radial distance of the circles of groove centres, A cos α0 without interference, m.
+    #[inline]
+    pub fn radial_distance(&self) -> f64 {
+        self.centre_distance() * self.cos_contact_angle() + 0.5 * self.interference
     }
 
     /// Axial play from one contact side to the other under no load, 2A sin α0, m.
@@ -135,8 +151,17 @@ impl Geometry {
     pub fn groove_centre_radius(&self, side: Side) -> f64 {
         let offset = self.groove_offset(side) * self.cos_contact_angle();
         match side {
-            Side::Inner => 0.5 * self.pitch_diameter + offset,
+            Side::Inner => 0.5 * self.pitch_diameter + offset + 0.5 * self.interference,
             Side::Outer => 0.5 * self.pitch_diameter - offset,
+        }
+    }
+
+    /// Radius of the bottom of a groove, m.
+    pub fn groove_bottom_radius(&self, side: Side) -> f64 {
+        let groove = self.coefficient(side) * self.ball_diameter;
+        match side {
+            Side::Inner => self.groove_centre_radius(side) - groove,
+            Side::Outer => self.groove_centre_radius(side) + groove,
         }
     }
 

@@ -1,8 +1,10 @@
 #![doc = include_str!("../README.md")]
 
 mod bearing;
+mod cylinder;
 mod frame;
 mod geometry;
+mod growth;
 mod history;
 mod interaction;
 mod modelling;
@@ -18,8 +20,10 @@ mod test_bearing;
 mod tribology;
 
 pub use bearing::{Bearing, BearingSpec, FluidForces, Race};
+pub use cylinder::{Cylinder, Solid};
 pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
+pub use growth::{GrownBearing, Growth, MountedRing, Seat};
 pub use history::{RingLoads, SpeedHistory, Tilt, Translation};
 pub use interaction::{ContactForces, Sliding};
 pub use modelling::{Equations, Modelling, OpenChoice, RaceControl, RingCentre};
@@ -39,12 +43,16 @@ pub use tribology::Tribology;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BearingError {
     /// A clearance that no contact angle has.
-    #[error("radial clearance {clearance} m is outside 0 to {limit} m, twice the distance of the groove centres")]
+    #[error(
+        "radial clearance {clearance} m is outside {least} to {most} m: at most twice the distance of the groove centres, and no more interference than a tenth of it"
+    )]
     Clearance {
         /// Diametral clearance, m.
         clearance: f64,
-        /// Largest possible, m.
-        limit: f64,
+        /// Largest interference, m, below 0.
+        least: f64,
+        /// Largest possible clearance, m.
+        most: f64,
     },
     /// Contact constants.
     #[error(transparent)]

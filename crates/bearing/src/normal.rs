@@ -14,7 +14,8 @@ pub enum RingOffset {
     /// Along the radius of the ball alone, as in Jones's equations and the programs built on them: energy and angular
     /// momentum hold, linear momentum to first order in the offset over the radius.
     FirstOrder,
-    /// By the distance of the ball from the ring's own axis: linear momentum holds too. Transient runs take it.
+    /// By the distance of the ball from the ring's own axis, and with the climb of a tilted groove along the orbit: linear
+    /// momentum holds too, and so does energy where a ring is tilted. Transient runs take it.
     Exact,
 }
 
@@ -29,6 +30,8 @@ pub struct Lean<D = f64> {
     pub arm: D,
     /// Growth of that distance by the offset along the orbit, m.
     farther: D,
+    /// Axial climb of the groove of a tilted ring along the orbit, over the way.
+    climb: D,
 }
 
 impl<D: Scalar> Lean<D> {
@@ -46,6 +49,8 @@ struct GrooveShift<D> {
     axial: D,
     radial: D,
     tangential: D,
+    /// Derivative of the axial shift by the azimuth, m/rad.
+    climb: D,
 }
 
 /// One contact without its traction.
@@ -75,14 +80,14 @@ pub struct NormalLoads<D = f64> {
 }
 
 impl<D: Scalar> NormalContact<D> {
-    /// The normal force on the ball [a, r, t], N. It has a part along the orbit where the ring is off centre and where the
-    /// groove is not round.
+    /// The normal force on the ball [a, r, t], N. It has a part along the orbit where the ring is off centre or tilted and
+    /// where the groove is not round.
     #[inline]
     pub fn on_ball(&self, side: Side) -> [D; 3] {
         let [n_a, n_r] = self.pose.normal(side);
         let (outward, round) = (-(self.force * n_r), self.slope_moment / self.lean.arm);
-        let (sin, cos) = (self.lean.sin, self.lean.cos);
-        [-(self.force * n_a), outward * cos + round * sin, round * cos - outward * sin]
+        let (sin, cos, axial) = (self.lean.sin, self.lean.cos, -(self.force * n_a));
+        [axial, outward * cos + round * sin, round * cos - outward * sin - axial * self.lean.climb]
     }
 
     /// The normal force on the ring [a, r, t], N: the opposite of that on the ball, or its axial and radial part where the
@@ -115,7 +120,7 @@ impl Bearing {
         let orbit_radius = x2 + o.radial + g.groove_centre_radius(Side::Outer);
         let lean = shift.map(|shift| self.lean(&shift, orbit_radius));
         let axial = i.axial - o.axial + g.centre_distance() * g.sin_contact_angle() - x1;
-        let radial = i.radial - o.radial + g.centre_distance() * g.cos_contact_angle() - x2 - lean.inner.farther;
+        let radial = i.radial - o.radial + g.radial_distance() - x2 - lean.inner.farther;
         let contacts = Races {
             inner: ContactPose::new(axial, radial, g.groove_offset(Side::Inner) + self.worn.inner.depth),
             outer: ContactPose::new(x1, x2 + lean.outer.farther, g.groove_offset(Side::Outer) + self.worn.outer.depth),
@@ -128,8 +133,17 @@ impl Bearing {
     fn groove_shift<D: Scalar>(&self, frame: AzimuthFrame<D>, ring: &RingState<D>) -> GrooveShift<D> {
         let [axial, radial, tangential] = frame.from_inertial(ring.displacement);
         let lever = self.geometry.groove_centre_radius(Side::Inner);
-        let axial = axial + (ring.tilt[0] * frame.sin - ring.tilt[1] * frame.cos) * lever;
-        GrooveShift { axial, radial, tangential }
+        let slope = ring.tilt[0] * frame.sin - ring.tilt[1] * frame.cos;
+        let axial = axial + slope * lever;
+        let climb = ring.tilt[0] * frame.cos + ring.tilt[1] * frame.sin;
+        match self.ring_offset {
+            RingOffset::FirstOrder => GrooveShift { axial, radial, tangential, climb: D::zero() },
+            // A ring that is off centre has its slope a little farther along.
+            RingOffset::Exact => {
+                let (axial, by_azimuth) = (axial - climb * tangential, climb * (radial + lever) + slope * tangential);
+                GrooveShift { axial, radial, tangential, climb: by_azimuth }
+            }
+        }
     }
 
     #[inline]
@@ -137,12 +151,14 @@ impl Bearing {
         let x = shift.tangential;
         match self.ring_offset {
             RingOffset::FirstOrder => {
-                Lean { sin: x / orbit_radius, cos: D::one(), arm: orbit_radius, farther: D::zero() }
+                let zero = D::zero();
+                Lean { sin: x / orbit_radius, cos: D::one(), arm: orbit_radius, farther: zero, climb: zero }
             }
             RingOffset::Exact => {
                 let along = orbit_radius - shift.radial;
                 let arm = (along * along + x * x).sqrt();
-                Lean { sin: x / arm, cos: along / arm, arm, farther: x * x / (arm + along) }
+                let climb = shift.climb / orbit_radius;
+                Lean { sin: x / arm, cos: along / arm, arm, farther: x * x / (arm + along), climb }
             }
         }
     }
@@ -200,7 +216,7 @@ impl Bearing {
             let along = ball_pose.orbit_radius * ball.orbital_speed;
             let [outward, round] = lean.turn([ball.velocity[1] - v_r, along - v_t]);
             let sinking = (round / lean.arm - ring.speed) * surface.slope;
-            closing_speed = n_a * (ball.velocity[0] - v_a) + n_r * outward - sinking;
+            closing_speed = n_a * (ball.velocity[0] - v_a - (along - v_t) * lean.climb) + n_r * outward - sinking;
             if load.re() > 0.0 {
                 let stiffness = load / pose.approach * 1.5;
                 let damping = (stiffness * self.ball_mass).sqrt() * (2.0 * self.contact_damping);

@@ -1,7 +1,7 @@
 //! From a case to the bearing that the solvers work with.
 
 use crate::{
-    ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, Groove, MaterialSpec, Medium, TractionSpec,
+    ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, MaterialSpec, Medium, TractionSpec,
 };
 use tribodyn_bearing::{Bearing, BearingError, BearingSpec, Dimensions, FluidForces, Geometry, Races, Tribology};
 use tribodyn_contact::ElasticBody;
@@ -15,7 +15,7 @@ impl Case {
     /// # Errors
     /// [`BearingError`] where coating, fluid or contact data do not make sense together.
     pub fn bearing(&self) -> Result<Bearing, BearingError> {
-        let geometry = self.geometry.resolve()?;
+        let geometry = self.running_geometry()?;
         let radius = geometry.ball_radius();
         let worn = match &self.coatings {
             Some(coatings) => Races { inner: worn(&coatings.inner)?, outer: worn(&coatings.outer)? },
@@ -58,10 +58,7 @@ impl GeometrySpec {
     /// # Errors
     /// [`BearingError::Clearance`] for a radial clearance that no contact angle has.
     pub fn resolve(&self) -> Result<Geometry, BearingError> {
-        let coefficient = |groove: Groove| match groove {
-            Groove::Coefficient(f) => f,
-            Groove::Radius(r) => r / self.ball_diameter,
-        };
+        let [inner_coefficient, outer_coefficient] = self.coefficients();
         let fit = match self.fit {
             Fit::ContactAngle(angle) => tribodyn_bearing::Fit::ContactAngle(angle),
             Fit::RadialClearance(clearance) => tribodyn_bearing::Fit::RadialClearance(clearance),
@@ -70,8 +67,8 @@ impl GeometrySpec {
             ball_count: self.ball_count,
             ball_diameter: self.ball_diameter,
             pitch_diameter: self.pitch_diameter,
-            inner_coefficient: coefficient(self.inner_groove),
-            outer_coefficient: coefficient(self.outer_groove),
+            inner_coefficient,
+            outer_coefficient,
             fit,
         })
     }

@@ -3,18 +3,24 @@
 mod bearing;
 mod error;
 mod locate;
+mod mounting;
 mod needs;
 mod operation;
+mod optional;
 mod outline;
+mod quantity;
 mod schema;
 mod sources;
 mod tokens;
 mod units;
 mod validate;
+mod validate_bounds;
 mod validate_transient;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_mounting;
 #[cfg(test)]
 mod tests_needs;
 #[cfg(test)]
@@ -22,8 +28,10 @@ mod tests_transient;
 
 pub use error::CaseError;
 pub use locate::{locate, set_value, values};
+pub use mounting::Growths;
 pub use needs::{Lacking, Purpose};
 pub use operation::InputError;
+pub use quantity::{Quantity, quantities};
 pub use schema::*;
 
 use outline::{Outline, Path};

@@ -1,6 +1,7 @@
 //! Finding and replacing a value by its path, comments and layout left alone.
 
 use super::CaseError;
+use super::optional::added;
 use super::outline::{Missing, Outline, Path, Segment};
 use std::ops::Range;
 
@@ -21,7 +22,8 @@ pub fn values(text: &str) -> Vec<(String, Range<usize>)> {
     leaves.into_iter().filter(|(path, _)| of_case(path)).map(|(path, range)| (path.to_string(), range)).collect()
 }
 
-/// The text with the value at `path` replaced by `value`, everything else as it was.
+/// The text with the value at `path` replaced by `value`, everything else as it was. A field that a case may leave out is
+/// added, with the sections around it.
 ///
 /// # Errors
 /// [`CaseError`] where the text or the value is not well-formed RON, or where the path leads nowhere: it then says what
@@ -35,11 +37,19 @@ pub fn set_value(text: &str, path: &str, value: &str) -> Result<String, CaseErro
     let Some(outline) = Outline::new(text) else {
         return Err(fail(&Path::default(), "the text is not well-formed RON: brackets or strings do not match"));
     };
-    let range = outline.find(&parsed).map_err(|missing| unknown_path(text, &parsed, missing))?;
+    let found = outline.find(&parsed);
     if Outline::new(value).is_none() {
         let message = format!("`{value}` is not one value in RON, such as mm(30.16)");
+        let range = found.unwrap_or_else(|missing| missing.deepest);
         return Err(CaseError::new(text, range, &parsed, message));
     }
+    let range = match found {
+        Ok(range) => range,
+        Err(missing) => {
+            let with_field = added(text, &parsed, &missing, value);
+            return with_field.ok_or_else(|| unknown_path(text, &parsed, missing));
+        }
+    };
     // A line comment at the end of the value would swallow what follows it.
     let gap = if value.rfind("//") > value.rfind('\n') { "\n" } else { "" };
     Ok([&text[..range.start], value, gap, &text[range.end..]].concat())

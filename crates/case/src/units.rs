@@ -106,7 +106,14 @@ dimension!(SLOWNESS, "a time per length", "s_per_m(0.5)", {
     "s_per_m" => |v| v,
 });
 
-const ALL: [&Dimension; 16] = [
+dimension!(EXPANSION, "a coefficient of thermal expansion", "per_K(11.5e-6)", {
+    "per_K" => |v| v,
+});
+dimension!(TEMPERATURE_DIFFERENCE, "a temperature difference", "K(40)", {
+    "K" => |v| v,
+});
+
+const ALL: [&Dimension; 18] = [
     &LENGTH,
     &ANGLE,
     &PRESSURE,
@@ -123,11 +130,22 @@ const ALL: [&Dimension; 16] = [
     &DAMPING,
     &FREQUENCY,
     &SLOWNESS,
+    &EXPANSION,
+    &TEMPERATURE_DIFFERENCE,
 ];
 
 /// Whether `name` is a unit of any dimension.
 pub(super) fn is_unit(name: &str) -> bool {
     ALL.iter().any(|dimension| dimension.names.contains(&name))
+}
+
+/// A number with a unit in SI, and what it would be with the other units of the same dimension; `None` for a word that is
+/// no unit.
+pub(super) fn readings(unit: &str, number: f64) -> Option<(f64, Vec<(&'static str, f64)>)> {
+    let dimension = ALL.iter().find(|dimension| dimension.names.contains(&unit))?;
+    let all = || dimension.names.iter().zip(dimension.to_si).map(|(name, to_si)| (*name, to_si(number)));
+    let written = all().find(|(name, _)| *name == unit)?.1;
+    Some((written, all().filter(|(name, _)| *name != unit).collect()))
 }
 
 macro_rules! readers {
@@ -170,17 +188,34 @@ readers! {
     frequency: FREQUENCY;
     /// Time per length, s/m.
     slowness: SLOWNESS;
+    /// Coefficient of thermal expansion, 1/K.
+    expansion: EXPANSION;
+    /// Temperature difference, K.
+    temperature_difference: TEMPERATURE_DIFFERENCE;
 }
 
-/// A moment of inertia that may be left out, kg m².
-pub(super) fn optional_inertia<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<f64>, D::Error> {
-    struct Value(f64);
-    impl<'de> Deserialize<'de> for Value {
-        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            inertia(deserializer).map(Value)
-        }
-    }
-    Ok(Option::<Value>::deserialize(deserializer)?.map(|value| value.0))
+macro_rules! optionals {
+    ($($(#[$doc:meta])* $function:ident: $reader:ident;)+) => {
+        $($(#[$doc])*
+        pub(super) fn $function<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<f64>, D::Error> {
+            struct Value(f64);
+            impl<'de> Deserialize<'de> for Value {
+                fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                    $reader(deserializer).map(Value)
+                }
+            }
+            Ok(Option::<Value>::deserialize(deserializer)?.map(|value| value.0))
+        })+
+    };
+}
+
+optionals! {
+    /// A moment of inertia that may be left out, kg m².
+    optional_inertia: inertia;
+    /// An angle that may be left out, rad.
+    optional_angle: angle;
+    /// A force that may be left out, N.
+    optional_force: force;
 }
 
 macro_rules! triples {

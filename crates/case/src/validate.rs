@@ -62,7 +62,9 @@ pub(super) fn validate(case: &Case) -> Verdict {
         speed(&format!("speed.{name}"), history)?;
     }
     super::validate_transient::validate(case)?;
-    numerics(&case.numerics)
+    super::mounting::validate(case)?;
+    numerics(&case.numerics)?;
+    super::validate_bounds::validate(case)
 }
 
 pub(super) fn require(allowed: bool, path: &str, message: impl Into<String>) -> Verdict {

@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::input::CaseArguments;
 use crate::table::{self, number};
 use serde::Serialize;
-use tribodyn_bearing::Bearing;
-use tribodyn_case::{Case, Source};
-use tribodyn_study::CaseFile;
+use tribodyn_bearing::{Bearing, BearingError, Geometry, Translation};
+use tribodyn_case::{Case, Growths, Source};
+use tribodyn_study::{CaseFile, StudyError, plausibility};
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
 #[derive(clap::Args)]
@@ -36,18 +36,98 @@ struct Answer {
     cage_speed_free_rpm: f64,
     drag_per_ball_n: Option<f64>,
     effective_fluid_density_kg_m3: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    growth: Option<Growth>,
     sources: std::collections::BTreeMap<String, Source>,
+    notes: Vec<String>,
     warnings: Vec<String>,
 }
 
-fn answer(case: &Case, bearing: &Bearing) -> Answer {
+/// The bearing of the drawing, mounted and running; the answer's other fields are those of the running one.
+#[derive(Serialize)]
+struct Growth {
+    contact_angle_drawn_deg: f64,
+    contact_angle_mounted_deg: f64,
+    contact_angle_running_deg: f64,
+    radial_clearance_drawn_m: f64,
+    radial_clearance_mounted_m: f64,
+    radial_clearance_running_m: f64,
+    raceway_growth_inner_m: f64,
+    raceway_growth_outer_m: f64,
+    seat_pressure_inner_pa: Option<f64>,
+    seat_pressure_outer_pa: Option<f64>,
+}
+
+fn growth(case: &Case) -> Result<Option<Growth>, BearingError> {
+    let drawn = case.geometry.resolve()?;
+    let Some(Growths { mounted, running }) = case.growths()? else { return Ok(None) };
+    let degrees = |geometry: &Geometry| geometry.contact_angle().to_degrees();
+    Ok(Some(Growth {
+        contact_angle_drawn_deg: degrees(&drawn),
+        contact_angle_mounted_deg: degrees(&mounted.geometry),
+        contact_angle_running_deg: degrees(&running.geometry),
+        radial_clearance_drawn_m: drawn.radial_clearance(),
+        radial_clearance_mounted_m: mounted.geometry.radial_clearance(),
+        radial_clearance_running_m: running.geometry.radial_clearance(),
+        raceway_growth_inner_m: running.raceway_growth.inner,
+        raceway_growth_outer_m: running.raceway_growth.outer,
+        seat_pressure_inner_pa: running.seat_pressure.inner,
+        seat_pressure_outer_pa: running.seat_pressure.outer,
+    }))
+}
+
+impl Growth {
+    fn rows(&self) -> Vec<(&'static str, String, &'static str)> {
+        let row = |values: &[f64], digits| values.iter().map(|v| number(*v, digits)).collect::<Vec<_>>().join("  ");
+        let angles = [self.contact_angle_drawn_deg, self.contact_angle_mounted_deg, self.contact_angle_running_deg];
+        let clearances =
+            [self.radial_clearance_drawn_m, self.radial_clearance_mounted_m, self.radial_clearance_running_m];
+        let growth = [self.raceway_growth_inner_m, self.raceway_growth_outer_m];
+        let mut rows = vec![
+            ("contact angle, drawn mounted running", row(&angles, 3), "°"),
+            ("radial clearance, drawn mounted running", row(&clearances.map(|c| c * 1e6), 2), "µm"),
+            ("growth of the races, inner outer", row(&growth.map(|g| g * 1e6), 2), "µm"),
+        ];
+        let pressures = [
+            ("pressure in the inner ring's seat", self.seat_pressure_inner_pa),
+            ("pressure in the outer ring's seat", self.seat_pressure_outer_pa),
+        ];
+        for (name, pressure) in pressures {
+            rows.extend(pressure.map(|pressure| (name, number(pressure * 1e-6, 2), "MPa")));
+        }
+        rows
+    }
+}
+
+/// Where z = 0 is, and what a held axial position means.
+fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
+    let half = 0.5e6 * bearing.geometry.axial_play();
+    let datum = format!(
+        "axial position z = 0: the balls just touch both races without load, {} um from the middle of the axial play",
+        number(half, 1)
+    );
+    let mut notes = vec![datum];
+    if let Translation::Held(z) = case.ring.z
+        && half > 0.0
+    {
+        notes.push(format!(
+            "the ring is held at z = {} um: from z = 0 on every ball bears on one side; a bearing that floats in its play is held at the middle, z = Held(um({}))",
+            number(z * 1e6, 3),
+            number(-half, 1)
+        ));
+    }
+    notes
+}
+
+fn answer(file: &CaseFile, bearing: &Bearing, growth: Option<Growth>) -> Answer {
+    let case = &file.case;
     let g = &bearing.geometry;
     let point = case.operating_point();
     let (inner, outer) = (bearing.races.inner.frozen::<f64>(), bearing.races.outer.frozen::<f64>());
     // No-slip orbit at the free contact angle: the speed at which drag is quoted.
     let gamma = g.ball_diameter * g.cos_contact_angle() / g.pitch_diameter;
     let orbit = 0.5 * (point.inner_speed * (1.0 - gamma) + point.outer_speed * (1.0 + gamma));
-    let mut warnings = Vec::new();
+    let mut warnings = plausibility::of_case(file, bearing);
     let drag =
         bearing.fluid.as_ref().map(|f| f.drag.force(0.5 * g.pitch_diameter * (orbit - f.swirl * point.inner_speed)));
     if let Some(drag) = drag {
@@ -79,7 +159,9 @@ fn answer(case: &Case, bearing: &Bearing) -> Answer {
         cage_speed_free_rpm: orbit * 30.0 / std::f64::consts::PI,
         drag_per_ball_n: drag,
         effective_fluid_density_kg_m3: bearing.fluid.as_ref().map(|f| f.drag.density_effective),
+        growth,
         sources: case.sources.clone(),
+        notes: notes(case, bearing),
         warnings,
     }
 }
@@ -87,7 +169,8 @@ fn answer(case: &Case, bearing: &Bearing) -> Answer {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
     let bearing = file.bearing()?;
-    let a = answer(&file.case, &bearing);
+    let unusable = |source| StudyError::Bearing { file: file.name.clone(), source };
+    let a = answer(&file, &bearing, growth(&file.case).map_err(unusable)?);
     if arguments.json {
         return table::print_json(&a);
     }
@@ -111,7 +194,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         rows.push(("effective fluid density", number(density, 2), "kg/m³"));
         rows.push(("drag per ball at that speed", number(drag, 1), "N"));
     }
+    rows.extend(a.growth.iter().flat_map(Growth::rows));
     table::print_pairs(&rows)?;
+    for note in &a.notes {
+        table::print_line(&format!("note: {note}"))?;
+    }
     for warning in &a.warnings {
         table::print_line(&format!("warning: {warning}"))?;
     }

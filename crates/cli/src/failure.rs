@@ -26,6 +26,8 @@ pub enum Failure {
     Contact(#[from] tribodyn_contact::ContactError),
     #[error(transparent)]
     Traction(#[from] tribodyn_traction::TractionError),
+    #[error(transparent)]
+    Catalogue(#[from] tribodyn_catalogue::CatalogueError),
     #[error("{}", with_causes(.0))]
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]

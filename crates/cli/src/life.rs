@@ -7,6 +7,8 @@ use std::ops::ControlFlow;
 use tribodyn_study::{CaseFile, Life, LifeOptions, LifeStride, wear_life};
 
 /// Wear the coatings of a bearing until one is through.
+///
+/// The fatigue life of its steel is another question: `tribodyn rating` answers it.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]

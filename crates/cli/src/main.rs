@@ -7,6 +7,8 @@ mod identify;
 mod input;
 mod layout;
 mod life;
+mod new;
+mod rating;
 mod recover;
 mod report;
 mod run;
@@ -30,12 +32,14 @@ struct Arguments {
 
 const AFTER_HELP: &str = "\
 Examples:
+  tribodyn new 7210 --angle 40
   tribodyn check fixtures/cases/paper-ag.ron
   tribodyn solve fixtures/cases/paper-ag.ron --plot figures -o run.mcap
   tribodyn solve fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(30)' --json
   tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
   tribodyn report run.mcap -o report
   tribodyn life fixtures/cases/paper-ag.ron
+  tribodyn rating fixtures/cases/bearing-218.ron
   tribodyn sweep fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(10..60 by 5)' -o table.parquet
   tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
   tribodyn traction --coating ag --pressure 2.5 --slip 0,1,3,10
@@ -45,6 +49,8 @@ Exit codes: 0 done, 1 did not converge or could not be written, 2 bad input.";
 
 #[derive(Subcommand)]
 enum Command {
+    /// A complete case file from a designation or a few catalogue numbers
+    New(new::Arguments),
     /// Check a case file; print what follows from it
     Check(check::Arguments),
     /// Hertz contact of two bodies from their principal radii
@@ -55,8 +61,10 @@ enum Command {
     Solve(solve::Arguments),
     /// Transient run of a bearing, recorded
     Run(run::Arguments),
-    /// Wear of the coatings over many revolutions, until one is through
+    /// Life of the coatings: their wear over many revolutions, until one is through
     Life(life::Arguments),
+    /// Rating life of the bearing's steel and static safety: ISO 281, ISO/TS 16281, ISO 76
+    Rating(rating::Arguments),
     /// A whole recording from one that was cut off or damaged
     Recover(recover::Arguments),
     /// Figures, spectra and a summary of a recorded run
@@ -71,12 +79,14 @@ enum Command {
 
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
+        Command::New(arguments) => new::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Hertz(arguments) => hertz::run(&arguments),
         Command::Traction(arguments) => traction::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Life(arguments) => life::run(&arguments),
+        Command::Rating(arguments) => rating::run(&arguments),
         Command::Recover(arguments) => recover::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Layout(arguments) => layout::run(&arguments),

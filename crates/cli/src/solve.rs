@@ -6,10 +6,13 @@ use crate::table::{self, number};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
+use tribodyn_bearing::Bearing;
 use tribodyn_case::Purpose;
 use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
 use tribodyn_record::{SolutionRecording, write_solution};
 use tribodyn_study::StagedFiles;
+use tribodyn_study::plausibility;
+use tribodyn_study::rating::rating;
 use tribodyn_study::{CaseFile, Change, StudyError};
 
 /// Solve the quasi-static equilibrium of ring and balls.
@@ -41,11 +44,20 @@ pub struct Arguments {
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
-enum ModelName {
+pub enum ModelName {
     /// Raceway control, no traction
     JonesHarris,
     /// Traction integrals of both contacts
     Traction,
+}
+
+impl From<ModelName> for Model {
+    fn from(name: ModelName) -> Self {
+        match name {
+            ModelName::JonesHarris => Self::JonesHarris,
+            ModelName::Traction => Self::Traction,
+        }
+    }
 }
 
 impl Arguments {
@@ -65,7 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(path) = &arguments.output {
         check_output(path, &arguments.case.path, "recording")?;
     }
-    let Answer { solution, roots } = answer(arguments, &file)?;
+    let Answer { solution, lives, roots } = answer(arguments, &file)?;
     let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &solution)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
@@ -78,33 +90,61 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     plots.map_or(Ok(()), StagedFiles::publish)?;
     if arguments.json {
-        return table::print_json(&Answer { solution, roots });
+        return table::print_json(&Answer { solution, lives, roots });
     }
     print(&file.name, &solution)?;
     roots.as_deref().map_or(Ok(()), print_roots)
 }
 
 fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
-    let model = match arguments.model {
-        ModelName::JonesHarris => Model::JonesHarris,
-        ModelName::Traction => Model::Traction,
-    };
+    let model = arguments.model.into();
     if arguments.roots && model == Model::JonesHarris {
         let message = "without traction there are no other equilibria to search for".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model jones-harris".to_owned(), message });
     }
+    let (bearing, Solved { mut solution, warm_start, .. }) = solved(file, model)?;
+    let start = warm_start.filter(|_| arguments.roots);
+    let point = file.case.operating_point();
+    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
+    let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
+    solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
+    solution.warnings.extend(plausibility::of_case(file, &bearing));
+    let unusable = |source| StudyError::Bearing { file: file.name.clone(), source };
+    let unusual = plausibility::solution_findings(&file.case, &bearing, &solution).map_err(unusable)?;
+    solution.warnings.extend(unusual);
+    // A bearing that the standards do not rate has no rating life; `tribodyn rating` says why.
+    let lives = rating(&file.case, &solution).ok().map(|r| Lives {
+        rating_life_l10_mrev: r.rating_life_l10_mrev,
+        rating_life_l10r_mrev: r.rating_life_l10r_mrev,
+        rating_life_hours: r.rating_life_hours,
+        static_safety: r.static_safety,
+    });
+    Ok(Answer { solution, lives, roots })
+}
+
+/// The bearing of a case and its equilibrium.
+pub fn solved(file: &CaseFile, model: Model) -> Result<(Bearing, Solved), Failure> {
     let purpose = match model {
         Model::JonesHarris => Purpose::JonesHarris,
         Model::Traction => Purpose::Traction,
     };
     let bearing = file.bearing_for(purpose)?;
-    let point = file.case.operating_point();
     let failed = |source| StudyError::Solver { file: file.name.clone(), source };
-    let Solved { mut solution, warm_start, .. } = solve(&bearing, &point, model).map_err(failed)?;
-    let start = warm_start.filter(|_| arguments.roots);
-    let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
-    solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
-    Ok(Answer { solution, roots })
+    let solved = solve(&bearing, &file.case.operating_point(), model).map_err(failed)?;
+    Ok((bearing, solved))
+}
+
+/// Rating life of the steel and static safety, under the names of `tribodyn rating`.
+#[derive(Serialize)]
+struct Lives {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rating_life_l10_mrev: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rating_life_l10r_mrev: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rating_life_hours: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    static_safety: Option<f64>,
 }
 
 /// The solution, and what `--roots` adds to it.
@@ -112,6 +152,8 @@ fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
 struct Answer {
     #[serde(flatten)]
     solution: Solution,
+    #[serde(flatten)]
+    lives: Option<Lives>,
     #[serde(skip_serializing_if = "Option::is_none")]
     roots: Option<Vec<BallRoots>>,
 }

@@ -12,6 +12,10 @@ mod documents;
 mod files;
 #[path = "cli/life.rs"]
 mod life;
+#[path = "cli/new.rs"]
+mod new;
+#[path = "cli/rating.rs"]
+mod rating;
 #[path = "cli/report.rs"]
 mod report;
 #[path = "cli/run.rs"]

@@ -43,7 +43,7 @@ impl Machine {
             power: PowerSample {
                 energy_j: energy,
                 imbalance_j: y[w] - y[w + 1] - (energy - energy_at_start),
-                throughput_j: y[w + 2],
+                throughput_j: y[w + 2].max(y[w + 1].abs()),
                 ..powers(&sums, &bodies)
             },
             wear: WearSample {

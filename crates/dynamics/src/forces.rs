@@ -4,7 +4,7 @@ use crate::equations::{BallForces, Equations, Frame};
 use crate::layout::{BALL, Layout, VELOCITY};
 use crate::machine::Machine;
 use crate::pocket::PocketLoad;
-use tribodyn_bearing::{AzimuthFrame, LoadedPatch, Races, Side};
+use tribodyn_bearing::{AzimuthFrame, LoadedPatch, NormalContact, Races, Side};
 use tribodyn_traction::PatchTraction;
 
 /// A system of ordinary differential equations.
@@ -71,8 +71,7 @@ impl Machine {
             sums.powers.friction[side] += contact.traction.power;
             let normal = &contact.normal;
             sums.powers.contact_damping += (normal.force - normal.load) * normal.closing_speed;
-            // Work of a force that grows with the power 3/2 of the approach.
-            sums.powers.energy += 0.4 * normal.load * normal.pose.approach.max(0.0);
+            sums.powers.energy += elastic_energy(normal);
         }
         let (f, p) = (&b.friction, &mut sums.powers);
         sums.cage_torque += f.pocket.cage_torque;
@@ -85,6 +84,13 @@ impl Machine {
         p.energy += 0.5 * self.bearing.ball_mass * speed
             + 0.5 * self.bearing.ball_inertia * dot(s.spin, s.spin)
             + f.pocket.energy;
+    }
+
+    /// Elastic energy of the contacts of a ball with the unknowns `b`, J.
+    pub fn elastic_energy(&self, b: &[f64], frame: &Frame) -> f64 {
+        let (axes, position, surfaces) = self.place(b, frame);
+        let springs = self.springs(&self.state_at(axes, position, b), &surfaces, frame);
+        springs.normal.contacts.iter().map(|(_, contact)| elastic_energy(contact)).sum()
     }
 
     /// Rings and cage under the sums of the balls.
@@ -126,6 +132,11 @@ impl Machine {
         f.shaft_power = f.torque.inner * speeds.inner + f.torque.outer * speeds.outer;
         f
     }
+}
+
+/// Elastic energy of a contact, J: the work of a force that grows with the power 3/2 of the approach.
+fn elastic_energy(normal: &NormalContact) -> f64 {
+    0.4 * normal.load * normal.pose.approach.max(0.0)
 }
 
 /// All balls at a time and state, traction by the machine's kernel; `each` sees every one.

@@ -89,7 +89,11 @@ impl Worst {
 pub(crate) struct Residuals {
     /// Forces on each ball, and the negative of what the ring puts on it.
     pub balls: Vec<(SVector<f64, BALL>, SVector<f64, RING>)>,
-    ring: SVector<f64, RING>,
+    /// What the forces on each ball are measured against.
+    pub ball_scales: Vec<[f64; BALL]>,
+    /// Forces on the ring, and what they are measured against.
+    pub ring: SVector<f64, RING>,
+    pub ring_scale: [f64; RING],
     pub worst: Worst,
 }
 
@@ -97,6 +101,7 @@ impl Residuals {
     pub fn new<S: BlockSystem>(system: &S, state: &BlockState) -> Self {
         let mut worst = Worst::NONE;
         let (mut ring, mut scale) = (external(system), SVector::<f64, RING>::zeros());
+        let mut ball_scales = Vec::with_capacity(state.balls.len());
         let balls = state.balls.iter().enumerate().map(|(index, &ball)| {
             let balance = system.ball_value(index, ball, state.ring);
             for k in 0..BALL {
@@ -105,15 +110,17 @@ impl Residuals {
             let on_ring = -SVector::from(balance.ring);
             ring += on_ring;
             scale += SVector::from(balance.ring_scale);
+            ball_scales.push(balance.scale);
             (SVector::from(balance.residual), on_ring)
         });
         let balls = balls.collect();
         for (k, freedom) in system.ring().iter().enumerate() {
             if let RingFreedom::Loaded(load) = freedom {
-                worst.take(ring[k], load.abs() + scale[k], None, k);
+                scale[k] += load.abs();
+                worst.take(ring[k], scale[k], None, k);
             }
         }
-        Self { balls, ring, worst }
+        Self { balls, ball_scales, ring, ring_scale: scale.into(), worst }
     }
 }
 
@@ -121,13 +128,13 @@ impl Residuals {
 #[derive(Debug, Clone)]
 pub(crate) struct Linearised {
     pub balls: Vec<BallBlock>,
-    ring_residual: SVector<f64, RING>,
+    pub ring_residual: SVector<f64, RING>,
 }
 
 /// Forces on a ball and slopes of these and of what it puts on the ring.
 #[derive(Debug, Clone)]
 pub(crate) struct BallBlock {
-    residual: SVector<f64, BALL>,
+    pub residual: SVector<f64, BALL>,
     pub own: SMatrix<f64, BALL, BALL>,
     pub by_ring: SMatrix<f64, BALL, RING>,
     pub on_ring: SMatrix<f64, RING, BALL>,
@@ -196,20 +203,38 @@ fn external<S: BlockSystem>(system: &S) -> SVector<f64, RING> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Singular;
 
-/// Solves (J − μ W) Δ = −F by eliminating the balls.
+/// What is taken off the diagonal of the Jacobian, for ball and ring unknowns.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Shift {
+    pub ball: [f64; BALL],
+    pub ring: [f64; RING],
+}
+
+/// Solves (J − μ W) Δ = −F.
 pub(crate) fn step<S: BlockSystem>(
     system: &S,
     linear: &Linearised,
     mu: f64,
 ) -> Result<(Vec<SVector<f64, BALL>>, SVector<f64, RING>), Singular> {
     let (ball_weight, ring_weight) = system.weights();
+    // The tiny share keeps a ring without any stiffness (all loads zero) solvable; it vanishes against contacts.
+    let shift = Shift { ball: ball_weight.map(|w| mu * w), ring: ring_weight.map(|w| (mu + 1e-13) * w) };
+    step_with(system, linear, &shift)
+}
+
+/// Solves (J − shift) Δ = −F by eliminating the balls.
+pub(crate) fn step_with<S: BlockSystem>(
+    system: &S,
+    linear: &Linearised,
+    shift: &Shift,
+) -> Result<(Vec<SVector<f64, BALL>>, SVector<f64, RING>), Singular> {
     let mut schur = SMatrix::<f64, RING, RING>::zeros();
     let mut right = -linear.ring_residual;
     let mut eliminated = Vec::with_capacity(linear.balls.len());
     for block in &linear.balls {
         let mut own = block.own;
         for k in 0..BALL {
-            own[(k, k)] -= mu * ball_weight[k];
+            own[(k, k)] -= shift.ball[k];
         }
         let factors = own.lu();
         let by_ring = factors.solve(&block.by_ring).ok_or(Singular)?;
@@ -220,9 +245,7 @@ pub(crate) fn step<S: BlockSystem>(
     }
     for (k, freedom) in system.ring().iter().enumerate() {
         match freedom {
-            // The tiny share keeps a ring without any stiffness (all loads zero) solvable; it vanishes against
-            // contacts.
-            RingFreedom::Loaded(_) => schur[(k, k)] -= (mu + 1e-13) * ring_weight[k],
+            RingFreedom::Loaded(_) => schur[(k, k)] -= shift.ring[k],
             RingFreedom::Held(_) => {
                 schur.set_row(k, &SMatrix::<f64, 1, RING>::zeros());
                 schur.set_column(k, &SVector::<f64, RING>::zeros());

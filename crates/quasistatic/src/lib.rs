@@ -8,7 +8,9 @@ mod jones_harris;
 mod methods;
 mod needs;
 mod problem;
+mod relax;
 mod report;
+mod rescue;
 mod roots;
 mod secant;
 mod settle;
@@ -23,7 +25,7 @@ mod jacobian_test;
 
 pub use azimuth::{AzimuthRule, OverAzimuth};
 pub use block::SolverStatistics;
-pub use problem::{Place, QuasiStaticError};
+pub use problem::{Place, QuasiStaticError, Reason};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{Model, SOLUTION, Solution};
 pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};

@@ -46,13 +46,20 @@ pub(crate) struct NewtonOrNested {
     pub settle_to: f64,
     /// Steps that may still be taken although the residual rises.
     pub jumps: usize,
+    /// Halvings of the ring's step with the balls settled, before giving up; none where balls are not settled one by one.
+    halvings: i32,
     /// Slopes of an earlier step, while they still serve.
     chord: Option<Linearised>,
 }
 
 impl NewtonOrNested {
     pub fn new(settle_to: f64, jumps: usize) -> Self {
-        Self { settle_to, jumps, chord: None }
+        Self { settle_to, jumps, halvings: HALVINGS, chord: None }
+    }
+
+    /// Newton alone, for states that are near already.
+    pub fn newton_alone() -> Self {
+        Self { settle_to: 0.0, jumps: 0, halvings: 0, chord: None }
     }
 
     /// A step with the slopes of an earlier one and what the steps since have taught.
@@ -140,7 +147,7 @@ impl Method for NewtonOrNested {
         }
         let before = iterate.worst().residual;
         let mut least: Option<(BlockState, Residuals)> = None;
-        for halving in 0..HALVINGS {
+        for halving in 0..self.halvings {
             let share = 0.5f64.powi(halving);
             let predicted = apply(system, &iterate.state, &balls, &ring, share);
             let settled = settle(system, &predicted, self.settle_to, FROM_AFAR);

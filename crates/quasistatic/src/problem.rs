@@ -26,12 +26,72 @@ impl std::fmt::Display for Place {
     }
 }
 
+/// What keeps a bearing from an equilibrium, by the state that came nearest to one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reason {
+    /// All balances are met as far as rounding lets them.
+    Rounding {
+        /// A tolerance that can be met.
+        attainable: f64,
+    },
+    /// Drag is stronger than the friction of the inner race, or nearly: no steady rolling.
+    Skidding {
+        /// Balls that skid, and balls that the inner race does not press on.
+        skidding: usize,
+        /// Balls without inner contact.
+        idle: usize,
+        /// All balls.
+        balls: usize,
+        /// Mean orbital speed at the nearest state, r/min.
+        cage_speed_rpm: f64,
+        /// The same if all balls rolled, r/min.
+        rolling_rpm: f64,
+    },
+    /// The race that controls would have to hold the gyroscopic moment by more friction than there is.
+    RacewayControl {
+        /// Friction over load that the controlling race would need, the largest of all balls.
+        friction: f64,
+        /// Speed of the rings up to which there is an equilibrium, over the speed asked for.
+        speed_share: f64,
+    },
+    /// None of these.
+    Unknown,
+}
+
+impl std::fmt::Display for Reason {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Rounding { attainable } => write!(
+                f,
+                "the balances are met as far as rounding allows at this slip scale; set numerics.tolerance to {attainable:.0e} or more"
+            ),
+            Self::Skidding { skidding, idle, balls, cage_speed_rpm, rolling_rpm } => write!(
+                f,
+                "no steady state was found; at the nearest {skidding} of {balls} balls skid, {idle} are off the inner race, and the cage turns at {cage_speed_rpm:.0} r/min instead of {rolling_rpm:.0} r/min rolling: more axial load or less drag lets the balls roll, and a transient run shows what they do without"
+            ),
+            Self::RacewayControl { friction, speed_share } => {
+                let share = 100.0 * speed_share;
+                write!(f, "raceway control has an equilibrium up to {share:.0} % of this speed only; ")?;
+                if friction.is_finite() {
+                    write!(f, "the controlling race holds the gyroscopic moment with a friction of {friction:.2} of its load")?;
+                } else {
+                    f.write_str("a ball without load at the controlling race is not held by it")?;
+                }
+                f.write_str(": take another race_control, more load, or the model with traction")
+            }
+            Self::Unknown => f.write_str(
+                "neither Newton's method nor pseudo-time found a way; more max_iterations, a neighbouring load or speed, or a transient run may"
+            ),
+        }
+    }
+}
+
 /// Why there is no solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum QuasiStaticError {
     /// The iteration stopped above the tolerance.
     #[error(
-        "{model:?} model did not converge: {equation} of {place} has a relative residual of {residual:.3e} after {iterations} steps (tolerance {tolerance:.1e})"
+        "{model:?} model did not converge: {equation} of {place} has a relative residual of {residual:.3e} after {iterations} steps (tolerance {tolerance:.1e}): {reason}"
     )]
     NotConverged {
         /// Which equations.
@@ -46,6 +106,8 @@ pub enum QuasiStaticError {
         iterations: usize,
         /// The tolerance asked for.
         tolerance: f64,
+        /// What is the matter, and what helps.
+        reason: Box<Reason>,
     },
     /// The bearing or the operating point lacks what the model uses.
     #[error("{model:?} model needs what is not given: {}", missing.join(", "))]

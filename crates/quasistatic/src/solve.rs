@@ -11,7 +11,8 @@ use crate::block::{AXIAL, BALL, BlockState, BlockSystem, Iterate, ORBIT, RADIAL,
 use crate::driver;
 use crate::jones_harris::{self, JonesHarris, Kinematics, Typical, kinematics};
 use crate::methods::{Downhill, NewtonOrNested, settle};
-use crate::problem::{Place, QuasiStaticError};
+use crate::problem::{Place, QuasiStaticError, Reason};
+use crate::rescue;
 use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, needs, report};
@@ -110,7 +111,7 @@ pub struct Solved {
 /// model needs and is not there.
 pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<Solved, QuasiStaticError> {
     needs::check(bearing, point, model)?;
-    let Rolling { system, elastic, solved } = rolling_state(bearing, point);
+    let Rolling { system, elastic, solved } = rolling_state(bearing, point, model == Model::JonesHarris);
     match model {
         Model::JonesHarris => {
             let rolling = solved?;
@@ -125,7 +126,7 @@ pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<
             let scouted = settle(&traction, &start, SCOUTED, FROM_AFAR);
             let estimate = choose_quadrature(&mut traction, &scouted, point)?;
             let settled = settle(&traction, &scouted, SETTLED, FROM_NEAR);
-            finish(&traction, settled, point, rolling.statistics, estimate)
+            finish(&traction, [settled, start], point, rolling.statistics, estimate)
         }
     }
 }
@@ -138,10 +139,11 @@ pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) 
     needs::check(bearing, point, Model::Traction)?;
     let typical = Typical::new(bearing, &point.ring, Races { inner: point.inner_speed, outer: point.outer_speed });
     let traction = traction_system(bearing, point, typical, start.rule)?;
-    finish(&traction, start.at_speeds(traction.speeds), point, SolverStatistics::default(), None)
+    let start = start.at_speeds(traction.speeds);
+    finish(&traction, [start.clone(), start], point, SolverStatistics::default(), None)
 }
 
-fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics {
+pub(crate) fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics {
     SolverStatistics {
         accepted: a.accepted + b.accepted,
         rejected: a.rejected + b.rejected,
@@ -156,8 +158,8 @@ struct Rolling<'a> {
     solved: Result<Iterate, QuasiStaticError>,
 }
 
-/// Phases 1 and 2.
-fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint) -> Rolling<'a> {
+/// Phases 1 and 2; `wanted` where Jones–Harris is the goal and not a guess.
+fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wanted: bool) -> Rolling<'a> {
     let g = &bearing.geometry;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let typical = Typical::new(bearing, &point.ring, speeds);
@@ -189,11 +191,16 @@ fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint) -> Rolling<'a
     // stands.
     for round in 0.. {
         let mut solved = newton(&system, state, point);
+        let mut reached = 1.0;
+        if wanted && solved.worst().residual > point.numerics.tolerance {
+            (solved, reached) = rescue::jones_harris(&mut system, solved, &elastic, point);
+        }
         statistics = statistics_sum(statistics, solved.statistics);
         let inner_control = controlling_races(&system, &solved.state, control);
         if round == CONTROL_ROUNDS || inner_control == system.inner_control {
             solved.statistics = statistics;
-            let checked = check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point);
+            let reason = || rescue::why_no_raceway_control(&system, &solved, reached);
+            let checked = check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point, reason);
             return Rolling { system, elastic, solved: checked.map(|()| solved) };
         }
         system.inner_control = inner_control;
@@ -298,17 +305,22 @@ fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, La
         .collect()
 }
 
-/// Phase 3's second half: all unknowns together, and the report.
+/// Phase 3's second half: all unknowns together, and the report. Starts from the first of two states; where Newton's
+/// method finds no way from there, from both in pseudo-time.
 fn finish(
     system: &WithTraction<'_>,
-    start: BlockState,
+    [settled, rolling]: [BlockState; 2],
     point: &OperatingPoint,
     before: SolverStatistics,
     estimate: Option<f64>,
 ) -> Result<Solved, QuasiStaticError> {
-    let mut solved = newton(system, start, point);
+    let mut solved = newton(system, settled.clone(), point);
     solved.statistics = statistics_sum(before, solved.statistics);
-    check(&solved, Model::Traction, &with_traction::EQUATIONS, system.bearing, point)?;
+    if solved.worst().residual > point.numerics.tolerance {
+        solved = rescue::with_traction(system, solved, [rolling, settled], point);
+    }
+    let reason = || rescue::why_no_steady_state(system, &solved);
+    check(&solved, Model::Traction, &with_traction::EQUATIONS, system.bearing, point, reason)?;
     let estimate = match estimate {
         Some(error) => error,
         None => rule_error(system.kernel.quadrature().rule(), &probes(system, &solved.state))?,
@@ -328,6 +340,7 @@ fn check(
     equations: &[&'static str],
     bearing: &Bearing,
     point: &OperatingPoint,
+    reason: impl FnOnce() -> Reason,
 ) -> Result<(), QuasiStaticError> {
     let worst = solved.worst();
     if worst.residual <= point.numerics.tolerance {
@@ -346,5 +359,6 @@ fn check(
         residual: worst.residual,
         iterations: solved.statistics.accepted,
         tolerance: point.numerics.tolerance,
+        reason: Box::new(reason()),
     })
 }

@@ -62,6 +62,14 @@ pub enum StudyError {
         /// Reason.
         source: QuasiStaticError,
     },
+    /// A bearing that the standards do not rate.
+    #[error("{file}: {source}")]
+    Rating {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: tribodyn_rating::RatingError,
+    },
     /// Two lists of values for one place of the case.
     #[error("{first} and {second} sweep the same value")]
     Overlap {
@@ -205,7 +213,7 @@ pub enum StudyError {
         /// Name of the case file.
         file: String,
         /// Reason.
-        source: DynamicsError,
+        source: Box<DynamicsError>,
         /// The recording up to there.
         recording: PathBuf,
     },

@@ -6,7 +6,10 @@ pub mod evaluation;
 mod files;
 mod life;
 mod lock;
+pub mod plausibility;
+pub mod rating;
 pub mod run;
+pub mod survey;
 pub mod sweep;
 
 pub use case_file::{CaseFile, Change, read_text};

@@ -7,12 +7,16 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 13] = [
+const LAYERS: [(&str, &[&str]); 15] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
     ("tribodyn-fluid", &[]),
     ("tribodyn-signal", &[]),
+    // The standards' formulas; static ratings are Hertz contacts.
+    ("tribodyn-rating", &["tribodyn-contact"]),
+    // Balls from load ratings.
+    ("tribodyn-catalogue", &["tribodyn-rating"]),
     ("tribodyn-bearing", &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid"]),
     (
         "tribodyn-case",
@@ -53,6 +57,7 @@ const LAYERS: [(&str, &[&str]); 13] = [
             "tribodyn-quasistatic",
             "tribodyn-dynamics",
             "tribodyn-record",
+            "tribodyn-rating",
         ],
     ),
 ];

@@ -3,11 +3,15 @@
 //! Every dimensional value carries its unit in the text (`mm(30.16)`, `rpm(14000)`); the deserialisers of
 //! [`super::units`] turn it into the SI number held here.
 
+mod mounting;
 mod operation;
+mod rating;
 mod transient;
 mod tribology;
 
+pub use mounting::*;
 pub use operation::*;
+pub use rating::*;
 pub use transient::*;
 pub use tribology::*;
 
@@ -43,6 +47,12 @@ pub struct Case {
     /// Archard constants of the three sliding pairs.
     #[serde(default)]
     pub wear: Option<WearSpec>,
+    /// Fits and temperatures of the rings; without it the bearing runs as it is drawn.
+    #[serde(default)]
+    pub mounting: Option<MountingSpec>,
+    /// Catalogue numbers for the rating life.
+    #[serde(default)]
+    pub rating: Option<RatingSpec>,
     /// What each degree of freedom of the inner ring carries, or where it is held.
     pub ring: RingSpec,
     /// Rotational speeds of the rings.
@@ -87,6 +97,12 @@ pub struct GeometrySpec {
     pub outer_groove: Groove,
     /// Contact angle or radial clearance, one gives the other.
     pub fit: Fit,
+    /// Edge of the inner groove on the side on which the balls bear.
+    #[serde(default)]
+    pub inner_shoulder: Option<Shoulder>,
+    /// Edge of the outer groove there.
+    #[serde(default)]
+    pub outer_shoulder: Option<Shoulder>,
 }
 
 /// The transverse radius of a raceway groove.

@@ -68,7 +68,8 @@ fn run_examples(name: &str, text: &str, folder: &Path) -> usize {
 fn regress_examples_of_the_documents() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut examples = 0;
-    for name in ["README.md", "docs/case-file.md", "docs/sweep.md", "docs/running.md", "docs/life.md"] {
+    for name in ["README.md", "docs/case-file.md", "docs/sweep.md", "docs/running.md", "docs/life.md", "docs/rating.md"]
+    {
         let text = std::fs::read_to_string(root.join(name)).unwrap();
         examples += run_examples(name, &text, &root);
     }
@@ -84,6 +85,16 @@ fn regress_tutorial() {
     let case = text.split("```ron\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     scratch.file("7210.ron", case);
     assert!(run_examples("docs/tutorial.md", &text, &scratch.0) >= 5);
+    assert!(scratch.0.join("report/foxglove-layout.json").exists());
+}
+
+/// The first bearings work as they are written, one command after the other in one folder.
+#[test]
+fn regress_first_bearing() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/first-bearing.md");
+    let text = std::fs::read_to_string(path).unwrap();
+    let scratch = Scratch::new();
+    assert!(run_examples("docs/first-bearing.md", &text, &scratch.0) >= 9);
     assert!(scratch.0.join("report/foxglove-layout.json").exists());
 }
 

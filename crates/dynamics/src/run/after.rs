@@ -94,8 +94,9 @@ impl Run {
         }
         self.progress.rates = rates;
         let [put_in, lost, throughput] = self.progress.work;
-        sample.power.imbalance_j = put_in - lost - (sample.power.energy_j - self.progress.energy_at_start);
-        sample.power.throughput_j = throughput;
+        let stored = sample.power.energy_j - self.progress.energy_at_start;
+        sample.power.imbalance_j = put_in - lost - sample.power.wear_work_j - stored;
+        sample.power.throughput_j = throughput.max(lost.abs());
     }
 
     pub(super) fn pocket_events<O: Observer>(&self, t: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
@@ -144,6 +145,7 @@ impl Run {
     /// Wear of a step of length `h` at the rates of its end.
     pub(super) fn deposit<O: Observer>(&mut self, h: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
         let l = self.machine.layout;
+        let before = self.elastic_energy_where_worn();
         for ball in 0..l.balls {
             let watch = self.machine.watch[ball];
             let [inner, outer, cage] = &mut self.progress.worn;
@@ -160,6 +162,7 @@ impl Run {
                 self.machine.raceways[side].remove(azimuth, volume, watch.semi_lateral[side]);
             }
         }
+        self.progress.wear_work += before - self.elastic_energy_where_worn();
         if self.machine.wear_acceleration == 0.0 || !self.progress.statistics.steps.is_multiple_of(WEAR_LOOK_EVERY) {
             return Ok(());
         }
@@ -175,6 +178,19 @@ impl Run {
             }
         }
         Ok(())
+    }
+
+    /// Elastic energy of all ball–race contacts, J: what a change of the raceways under the balls takes away or gives. Nothing
+    /// changes, and 0 stands for it, where wear leaves the raceways alone.
+    fn elastic_energy_where_worn(&self) -> f64 {
+        if self.machine.wear_acceleration == 0.0 {
+            return 0.0;
+        }
+        let y = &self.progress.state;
+        let frame = self.machine.frame(self.progress.time, y);
+        (0..self.machine.layout.balls)
+            .map(|ball| self.machine.elastic_energy(self.machine.unknowns(ball, y), &frame))
+            .sum()
     }
 
     /// Length of a whole step, s.

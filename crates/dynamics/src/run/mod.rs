@@ -56,6 +56,8 @@ pub struct Checkpoint {
     derivative: Vec<f64>,
     energy_at_start: f64,
     worn: [f64; 3],
+    /// Elastic energy that wear has taken out of the contacts, J.
+    wear_work: f64,
     raceways: Races<Raceway>,
     loaded: Vec<Races<bool>>,
     through: Races<bool>,
@@ -175,6 +177,7 @@ impl Run {
             derivative: vec![0.0; state.len()],
             energy_at_start: machine.energy(0.0, &state),
             worn: [0.0; 3],
+            wear_work: 0.0,
             raceways: machine.raceways.clone(),
             loaded: vec![Races::default(); machine.layout.balls],
             through: Races::default(),
@@ -294,6 +297,8 @@ impl Run {
             _ => machine.sample((t, y), so_far, |_, patch| machine.kernel.traction(&machine.bearing, patch)),
         };
         [sample.inner.acceleration_m_s2, sample.outer.acceleration_m_s2] = p.filter.accelerations();
+        sample.power.wear_work_j = p.wear_work;
+        sample.power.imbalance_j -= p.wear_work;
         sample.cage.speed_filtered_rad_s = p.filter.cage_speed();
         sample
     }

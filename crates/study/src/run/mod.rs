@@ -1,5 +1,6 @@
 //! Transient runs, recorded, and what a recorded run comes to.
 
+pub mod balance;
 mod checkpoint;
 mod outcome;
 mod resume;
@@ -9,8 +10,9 @@ mod summary;
 mod tape;
 pub mod warnings;
 
+pub use balance::imbalance;
 pub use outcome::{RunOutcome, RunReport, Stopped};
 pub use session::{Beginning, PreparedRun, RunSession};
 pub use settled::Settled;
-pub use summary::{Powers, Summary, Worn, carries_accelerations, imbalance};
+pub use summary::{Powers, Summary, Worn, carries_accelerations};
 pub use tape::Viewers;

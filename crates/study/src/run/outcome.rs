@@ -4,10 +4,12 @@ use super::summary::{Summary, carries_accelerations};
 use super::warnings::{self, Tested};
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
+use crate::plausibility;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tribodyn_case::Case;
 use tribodyn_dynamics::{Run, Statistics, Stiffness};
+use tribodyn_quasistatic::Solution;
 use tribodyn_record::{RecordError, RunItem, RunReader};
 
 /// A run that has ended.
@@ -65,6 +67,17 @@ pub struct RunReport {
     pub untested_pressures: Vec<String>,
 }
 
+/// Warnings of the solution that a run starts from, and what is unusual about it and its case.
+fn unusual(file: &CaseFile, solution: &Solution) -> Vec<String> {
+    let mut all = warnings::at_start(solution.warnings.clone());
+    // A case that runs has a bearing.
+    if let Ok(bearing) = file.bearing() {
+        all.extend(plausibility::of_case(file, &bearing));
+        all.extend(plausibility::solution_findings(&file.case, &bearing, solution).unwrap_or_default());
+    }
+    all
+}
+
 impl RunReport {
     /// What the solver knows at the end of a run.
     pub(super) fn begin(run: &Run, file: &CaseFile, wall_s: f64) -> Self {
@@ -84,7 +97,7 @@ impl RunReport {
             scheme_statistics: run.statistics(),
             stiffness: run.stiffness(),
             summary: None,
-            warnings_at_start: warnings::at_start(solution.warnings.clone()),
+            warnings_at_start: unusual(file, solution),
             untested_pressures: Vec::new(),
         }
     }

@@ -237,7 +237,7 @@ impl<'a> RunSession<'a> {
         }
         if let Ending::BrokenOff(source) = ending {
             let recording = files.recording.clone();
-            return Err(StudyError::BrokenOff { file: file.name.clone(), source, recording });
+            return Err(StudyError::BrokenOff { file: file.name.clone(), source: Box::new(source), recording });
         }
         let stopped = matches!(ending, Ending::Stopped).then_some(Stopped { simulated_s: time_s, duration_s });
         Ok(RunOutcome { report: report.complete(&files.recording, &file.case, self.from_s)?, stopped })

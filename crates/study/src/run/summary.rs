@@ -1,9 +1,9 @@
 //! What a recorded run comes to in a few numbers.
 
+use super::balance::{Judgement, judge};
 use super::settled::Settled;
 use super::warnings;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use tribodyn_bearing::Scheme;
 use tribodyn_bearing::quantities::joined;
 use tribodyn_case::Case;
 use tribodyn_dynamics::{ACCELERATION_ERROR, POWER_IN, POWER_LOST, PowerSample};
@@ -159,41 +159,15 @@ impl Summary {
 
     /// With a warning where the work of the run does not balance as it should by this case's scheme.
     pub fn judged(mut self, case: &Case) -> Self {
-        self.warnings.extend(off_balance(self.power.imbalance_percent, case));
+        if let Judgement::Off { reason, .. } = judge(self.power.imbalance_percent, case) {
+            self.warnings.push(reason);
+        }
         self
     }
 }
 
-/// Part of the work put in, %, beyond which a run is warned of. Below their bound explicit schemes leave some 10⁻⁷ %;
-/// the fast one leaves up to 0.1 % at the steps that it is meant for.
-const OFF_BALANCE_EXPLICIT_PERCENT: f64 = 1e-3;
-const OFF_BALANCE_FAST_PERCENT: f64 = 1.0;
 /// Parts per billion, the unit of recordings, in one percent.
 const PPB_PER_PERCENT: f64 = 1e7;
-
-/// An imbalance of work for people, %.
-pub fn imbalance(percent: f64) -> String {
-    if percent.abs() < 1e-3 { format!("{percent:.1e}") } else { format!("{percent:.4}") }
-}
-
-fn off_balance(imbalance_percent: f64, case: &Case) -> Option<String> {
-    let transient = case.transient.as_ref()?;
-    // Wear takes energy out of the contacts, and contact constants that follow the angle have no potential: neither is
-    // in the balance.
-    if transient.wear_acceleration > 0.0 || case.modelling.contact_at_actual_angle {
-        return None;
-    }
-    let most = match transient.scheme {
-        Scheme::Fast { .. } => OFF_BALANCE_FAST_PERCENT,
-        _ => OFF_BALANCE_EXPLICIT_PERCENT,
-    };
-    (imbalance_percent.abs() > most).then(|| {
-        format!(
-            "{} % of the work put in is not accounted for at the end: the steps are too long for this run, and its powers and accelerations may be wrong; shorten them or take another scheme",
-            imbalance(imbalance_percent.abs())
-        )
-    })
-}
 
 fn worn(row: &WearRow) -> Worn {
     Worn {
@@ -262,7 +236,7 @@ mod tests {
         assert!(warnings(9e3, &[]).is_empty() && warnings(-9e6, &fast).is_empty());
         assert!(warnings(-2e4, &[])[0].starts_with("0.0020 % of the work"));
         assert!(warnings(5e8, &fast)[0].starts_with("50.0000 % of the work"));
-        // What the balance does not hold cannot be missing in it.
-        assert!(warnings(5e8, &[("transient.wear_acceleration", "10")]).is_empty());
+        // What wear takes is in the balance.
+        assert_eq!(warnings(5e8, &[("transient.wear_acceleration", "10")]).len(), 1);
     }
 }

@@ -1,0 +1,89 @@
+//! Fields that a case may leave out, and how a value is put in where one of them is missing.
+
+use super::outline::{Missing, Path, Segment};
+
+/// Paths of fields that may be left out; `*` is any one step.
+const OPTIONAL: &[&str] = &[
+    "geometry.inner_shoulder",
+    "geometry.outer_shoulder",
+    "coatings",
+    "coatings.bare",
+    "coatings.*.worn",
+    "traction",
+    "fluid",
+    "cage",
+    "cage.inertia",
+    "cage.pocket_damping",
+    "cage.guidance",
+    "wear",
+    "supports",
+    "defects",
+    "transient",
+    "recording",
+    "mounting",
+    "mounting.*.seat",
+    "rating",
+    "rating.*",
+    "modelling.*",
+    "numerics",
+    "numerics.*",
+];
+
+/// The text with a field added that it leaves out: at the beginning of the section that can be reached, and with the
+/// sections between. `None` where the path does not lead to a field that may be left out.
+pub(super) fn added(text: &str, path: &Path, missing: &Missing, value: &str) -> Option<String> {
+    let names: Vec<&str> = path.0.iter().map(name).collect::<Option<_>>()?;
+    let (first, inner) = names.get(missing.steps..)?.split_first()?;
+    if !OPTIONAL.iter().any(|pattern| matches(pattern, &names[..=missing.steps])) {
+        return None;
+    }
+    let open = missing.deepest.start + text.get(missing.deepest.clone())?.find('(')? + 1;
+    // A line comment at the end of the value would swallow what follows it.
+    let gap = if value.rfind("//") > value.rfind('\n') { "\n" } else { "" };
+    let nested = inner.iter().rev().fold(format!("{value}{gap}"), |value, name| format!("({name}: {value})"));
+    Some([&text[..open], &format!("{first}: {nested}, "), &text[open..]].concat())
+}
+
+fn name(segment: &Segment) -> Option<&str> {
+    if let Segment::Name(name) = segment { Some(name) } else { None }
+}
+
+fn matches(pattern: &str, names: &[&str]) -> bool {
+    let steps: Vec<&str> = pattern.split('.').collect();
+    steps.len() == names.len() && steps.iter().zip(names).all(|(step, name)| *step == "*" || step == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Case, set_value};
+
+    const HARRIS: &str = include_str!("../../../fixtures/cases/bearing-218.ron");
+    const AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
+
+    #[test]
+    fn identity_a_field_that_is_left_out_can_be_set() {
+        let with = |text: &str, changes: &[(&str, &str)]| {
+            let set = |text: String, (path, value): &(&str, &str)| set_value(&text, path, value).unwrap();
+            Case::from_ron(&changes.iter().fold(text.to_owned(), set)).unwrap()
+        };
+        let rated = with(HARRIS, &[("rating.dynamic", "kN(23.4)"), ("rating.static_load", "N(9000)")]).rating.unwrap();
+        assert_eq!((rated.dynamic, rated.static_load), (Some(23_400.0), Some(9000.0)));
+        assert_eq!(with(HARRIS, &[("numerics.tolerance", "1e-9")]).numerics.tolerance, 1e-9);
+        let bare = "(curve: Library(\"bare-440c\"))";
+        let worn = with(AG, &[("coatings.inner.worn", "0.25 // a quarter"), ("coatings.bare", bare)]);
+        assert_eq!(worn.coatings.unwrap().inner.worn, 0.25);
+        let guided = "(land: Inner, radius: mm(60), width: mm(5), gap: mm(0.2))";
+        assert!(with(AG, &[("cage.guidance", guided)]).cage.unwrap().guidance.is_some());
+    }
+
+    #[test]
+    fn limit_a_field_that_no_case_has_is_refused_as_before() {
+        let refused = |path: &str| set_value(HARRIS, path, "1").unwrap_err().message;
+        assert!(refused("geometry.bal_count").contains("no such path: `geometry` has ball_count"));
+        assert!(set_value(AG, "coatings.worn", "1").is_err());
+        assert!(refused("ratings.dynamic").contains("no such path"));
+        // A field that the section does not know is refused by the reader.
+        let text = set_value(HARRIS, "rating.dinamic", "N(1)").unwrap();
+        assert!(Case::from_ron(&text).unwrap_err().message.contains("dinamic"));
+    }
+}

@@ -1,0 +1,78 @@
+#![doc = include_str!("../README.md")]
+
+mod ball_set;
+mod clearance;
+mod list;
+mod new_case;
+
+pub use ball_set::{BallSet, KnownBalls, Origin, Ratings, USUAL_GROOVES};
+pub use clearance::normal_clearance;
+pub use list::{ListedBearing, SOURCE, find, listed};
+pub use new_case::NewCase;
+
+/// Boundary dimensions of a bearing and its nominal contact angle, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Envelope {
+    /// Bore d, m.
+    pub bore: f64,
+    /// Outside diameter D, m.
+    pub outside: f64,
+    /// Width B, m.
+    pub width: f64,
+    /// Nominal contact angle, rad: 0 for a deep-groove bearing.
+    pub contact_angle: f64,
+}
+
+/// Why there is no bearing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CatalogueError {
+    /// A designation that the list does not have.
+    #[error("no bearing `{designation}` in the list; allowed: {allowed}; any other by --bore, --outside and --width")]
+    Unknown {
+        /// What was asked for.
+        designation: String,
+        /// What there is.
+        allowed: String,
+    },
+    /// A contact angle that does not fit the designation.
+    #[error("`{designation}` {why}")]
+    Angle {
+        /// The bearing.
+        designation: String,
+        /// What is wrong and what is allowed.
+        why: String,
+    },
+    /// A dimension that no bearing has.
+    #[error("{quantity} is {value_mm} mm: it must be {allowed}")]
+    Dimension {
+        /// Which dimension.
+        quantity: &'static str,
+        /// Its value, mm.
+        value_mm: f64,
+        /// What is allowed.
+        allowed: String,
+    },
+    /// A nominal contact angle beyond those of radial bearings.
+    #[error("contact angle {angle_deg}°: allowed is 0° to 45°")]
+    ContactAngle {
+        /// The angle, degrees.
+        angle_deg: f64,
+    },
+    /// Balls that do not stand side by side on the pitch circle.
+    #[error("{count} balls of {diameter_mm} mm: at least 3, and as many as fit on the pitch circle side by side")]
+    Count {
+        /// Number of balls.
+        count: usize,
+        /// Ball diameter, mm.
+        diameter_mm: f64,
+    },
+    /// A bearing that the standards do not rate.
+    #[error(transparent)]
+    Rating(tribodyn_rating::RatingError),
+    /// No balls between the rings.
+    #[error("no standard balls fit into the {space_mm} mm between bore and outside radius: give number and diameter")]
+    NoBalls {
+        /// Space between the radii, mm.
+        space_mm: f64,
+    },
+}

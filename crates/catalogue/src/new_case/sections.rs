@@ -1,0 +1,244 @@
+//! The sections of a new case and the sources of their values.
+
+use super::numbers::{MODERATE_SPEED, Numbers, STEEL};
+use super::{NewCase, Sources, trim};
+use crate::Origin;
+
+pub(super) const MODELLING: &str = "    modelling: (
+        contact_at_actual_angle: false,
+        ring_centre: Displaced,
+        race_control: Outer,
+        centrifugal_at_free_pitch: true,
+    ),
+
+";
+
+pub(super) fn ball_sources(origin: &Origin, sources: &mut Sources) {
+    match origin {
+        Origin::Given => {
+            sources.catalogue("geometry.ball_count", "as given");
+            sources.catalogue("geometry.ball_diameter", "as given");
+        }
+        Origin::Ratings { dynamic, at_rest } => {
+            let why = format!(
+                "the standard balls whose ratings by ISO 281 and ISO 76 come nearest to the catalogue's, {:+.1} % in C_r and {:+.1} % in C_0r",
+                100.0 * dynamic,
+                100.0 * at_rest
+            );
+            sources.assumed("geometry.ball_count", &why);
+            sources.assumed("geometry.ball_diameter", &why);
+        }
+        Origin::Thumb => {
+            sources.assumed("geometry.ball_count", "rule of thumb: as many as can be put in; usual two more or fewer");
+            sources.assumed(
+                "geometry.ball_diameter",
+                "rule of thumb: 0.3 of the outside diameter less the bore; usual 0.25 to 0.35",
+            );
+        }
+    }
+}
+
+pub(super) fn materials(sources: &mut Sources) -> String {
+    sources.reference(
+        "materials",
+        "bearing steel 100Cr6 (SAE 52100), usual handbook values: 200 to 212 GPa, 7750 to 7850 kg/m3",
+    );
+    let steel = format!("(young: GPa(208), poisson: 0.3, density: kg_per_m3({STEEL}))");
+    format!(
+        "    materials: (
+        // Silicon nitride balls: (young: GPa(310), poisson: 0.27, density: kg_per_m3(3200)).
+        ball: {steel},
+        inner: {steel},
+        outer: {steel},
+    ),
+
+"
+    )
+}
+
+pub(super) fn tribology(sources: &mut Sources) -> String {
+    let coating = "a solid lubricant of the library; the model has no oil or grease film. Films are 0.2 to 20 um thick";
+    sources.assumed("coatings.inner", coating);
+    sources.assumed("coatings.outer", coating);
+    sources.assumed(
+        "traction.slip_unit",
+        "how steeply traction rises with slip; the tests do not tell, usual 20 to 100 per m/s",
+    );
+    sources.assumed("traction.reference_pressure", "middle of the tested pressures, 1.5 to 4 GPa");
+    sources.assumed("traction.patch", "quick and good for a first look; 1e-5 for numbers to rely on");
+    sources.assumed("wear", "orders of magnitude: wear coefficients 1e-7 to 1e-4, silver 250 MPa, cage 60 to 200 MPa");
+    "    coatings: (
+        inner: (curve: Library(\"ag\"), thickness: um(2)),
+        outer: (curve: Library(\"ag\"), thickness: um(2)),
+    ),
+
+    traction: (
+        slip_unit: Scaled(per_m_s: 22),
+        order: 2,
+        varying: true,
+        reference_pressure: GPa(2.5),
+        differential_slip: true,
+        pressure: Peak,
+        patch: SplitStrip(across: 5, along: 3),
+    ),
+
+    // No `fluid`: the bearing runs in air, without drag and churning.
+
+    wear: (
+        inner: (coefficient: 1e-6, hardness: MPa(250)),
+        outer: (coefficient: 1e-6, hardness: MPa(250)),
+        cage: (coefficient: 1e-6, hardness: MPa(100)),
+    ),
+
+"
+    .to_owned()
+}
+
+pub(super) fn cage(numbers: &Numbers, sources: &mut Sources) -> String {
+    sources.assumed("cage.pocket_gap", "0.01 of the ball diameter; usual 0.005 to 0.03");
+    sources.assumed("cage.pocket_stiffness", "a polymer pocket; usual 1 to 50 N/um, steel and brass the stiffest");
+    sources.assumed("cage.pocket_friction", "dry or poorly lubricated; usual 0.05 to 0.2");
+    sources.assumed("cage.drag_torque", "a cage that the balls alone guide, in air");
+    sources.assumed(
+        "cage.inertia",
+        "a cage of glass-filled polyamide; mass times pitch radius squared, steel and brass up to six times as much",
+    );
+    sources
+        .assumed("cage.pocket_damping", "loses a few percent of the speed in an impact of 0.1 m/s; usual 0.1 to 1 s/m");
+    format!(
+        "    cage: (
+        pocket_gap: mm({}),
+        pocket_stiffness: N_per_um(5),
+        pocket_friction: 0.1,
+        drag_torque: Nm(0),
+        inertia: kg_m2({:e}),
+        pocket_damping: s_per_m(0.5),
+    ),
+
+",
+        trim(numbers.pocket_gap * 1e3, 4),
+        numbers.cage_inertia,
+    )
+}
+
+pub(super) fn operation(case: &NewCase, numbers: &Numbers, sources: &mut Sources) -> String {
+    let mut load = |path: &str, given: bool, share: f64| {
+        if given {
+            sources.reference(path, "as given");
+        } else {
+            let why = format!("a moderate load, {:.0} % of C_r; usual 2 to 30 %: put in your own", 100.0 * share);
+            sources.assumed(path, &why);
+        }
+    };
+    load("ring.x", case.radial_load.is_some(), numbers.radial_load / numbers.dynamic_rating);
+    load("ring.z", case.axial_load.is_some(), numbers.axial_load / numbers.dynamic_rating);
+    if case.speed.is_some() {
+        sources.reference("speed.inner", "as given");
+    } else {
+        let why = format!(
+            "moderate: pitch diameter times speed about {MODERATE_SPEED} mm r/min, grease allows some 500000: put in your own"
+        );
+        sources.assumed("speed.inner", &why);
+    }
+    sources.assumed("ring.tilt_x", "aligned; usual misalignment 0.1 to 1 mrad");
+    sources.assumed("ring.tilt_y", "aligned; usual misalignment 0.1 to 1 mrad");
+    format!(
+        "    // Loads on the inner ring: x and y radial, z axial, against the side on which the balls bear. The axial position
+    // z = 0 is the one in which the balls just touch both races.
+    ring: (
+        x: Force(N({})),
+        y: Force(N(0)),
+        z: Force(N({})),
+        tilt_x: Held(mrad(0)),
+        tilt_y: Held(mrad(0)),
+    ),
+
+    speed: (
+        inner: Constant(rpm({})),
+        outer: Constant(rpm(0)),
+    ),
+
+",
+        trim(numbers.radial_load, 3),
+        trim(numbers.axial_load, 3),
+        trim(numbers.speed_rpm, 3),
+    )
+}
+
+pub(super) fn transient(numbers: &Numbers, sources: &mut Sources) -> String {
+    sources.assumed("supports.inner", "a steel shaft of the bore, four diameters long, carried by the balls alone");
+    sources.assumed(
+        "supports.outer",
+        "a housing twice as large on a support of 10 N/um for each mm of ball diameter; usual 50 to 1000 N/um, 2 to 10 % of critical damping",
+    );
+    sources.assumed(
+        "transient.scheme",
+        "the fast scheme, a quarter of its longest step or less; halve it to see what it does",
+    );
+    sources.assumed("transient.duration", "five turns of the shaft, enough to look at; means need some tens");
+    sources.assumed("transient.contact_damping", "steel on steel with a solid film; 0.005 to 0.1 change little");
+    sources.assumed("recording", "twenty samples for each ball that passes, or more; every ball at a fifth of it");
+    let [stiffness, damping] = numbers.support;
+    let inner = trim(numbers.inner_damping, 3);
+    format!(
+        "    // From here on what a transient run needs besides: masses, springs and dampers of the rings.
+    supports: (
+        inner: (
+            mass: kg({}),
+            stiffness: (N_per_um(0), N_per_um(0), N_per_um(0)),
+            damping: (N_s_per_m({inner}), N_s_per_m({inner}), N_s_per_m({inner})),
+        ),
+        outer: (
+            mass: kg({}),
+            stiffness: (N_per_um({k}), N_per_um({k})),
+            damping: (N_s_per_m({c}), N_s_per_m({c})),
+        ),
+    ),
+
+    transient: (
+        duration: s({}),
+        start: QuasiStatic,
+        scheme: Fast(step: us({})),
+        contact_damping: 0.02,
+        wear_acceleration: 0,
+    ),
+
+    recording: (state_rate: kHz({}), ball_rate: kHz({})),
+
+",
+        trim(numbers.inner_mass, 4),
+        trim(numbers.outer_mass, 4),
+        trim(numbers.duration, 3),
+        trim(numbers.step_us, 2),
+        trim(numbers.state_rate_khz, 2),
+        trim(numbers.state_rate_khz / 5.0, 3),
+        k = trim(stiffness * 1e-6, 3),
+        c = trim(damping, 3),
+    )
+}
+
+pub(super) fn rating(case: &NewCase, numbers: &Numbers, sources: &mut Sources) -> String {
+    let angle = trim(case.envelope.contact_angle.to_degrees(), 3);
+    let mut fields = format!("        contact_angle: deg({angle}),\n");
+    match case.ratings {
+        Some(ratings) => {
+            sources.catalogue("rating", case.source());
+            let [dynamic, at_rest] = [ratings.dynamic, ratings.at_rest].map(|n| trim(n, 3));
+            fields += &format!("        dynamic: N({dynamic}),\n        static_load: N({at_rest}),\n");
+        }
+        None => {
+            sources.assumed(
+                "rating",
+                "the nominal angle; no ratings are given, so they are computed by ISO 281 and ISO 76",
+            );
+            fields += &format!(
+                "        // From the catalogue: dynamic: N({:.0}), static_load: N(…). Left out, they are computed.\n",
+                numbers.dynamic_rating
+            );
+        }
+    }
+    fields += "        // With a lubricant film: viscosity_ratio: 2, contamination: 0.5, reliability: 90.\n";
+    format!(
+        "    // For `tribodyn rating`: the nominal contact angle and the load ratings.\n    rating: (\n{fields}    ),\n\n"
+    )
+}

@@ -1,0 +1,80 @@
+//! `tribodyn rating`: fatigue life and static safety by the standards.
+
+use crate::failure::Failure;
+use crate::input::CaseArguments;
+use crate::solve::{ModelName, solved};
+use crate::table::{self, number};
+use serde::Serialize;
+use tribodyn_quasistatic::{Model, Solved};
+use tribodyn_study::rating::{Rating, RatingSource, rating};
+use tribodyn_study::{CaseFile, StudyError};
+
+/// Rating life of the bearing's steel by ISO 281 and ISO/TS 16281, and static safety by ISO 76.
+///
+/// How long the coatings last is another question: `tribodyn life` answers it.
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    case: CaseArguments,
+    /// Equations of the load distribution
+    #[arg(long, value_enum, default_value_t = ModelName::JonesHarris)]
+    model: ModelName,
+    /// Print JSON, and nothing else, to standard output
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    model: Model,
+    #[serde(flatten)]
+    rating: &'a Rating,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
+    let (_, Solved { solution, .. }) = solved(&file, arguments.model.into())?;
+    let refused = |source| StudyError::Rating { file: file.name.clone(), source };
+    let found = rating(&file.case, &solution).map_err(refused)?;
+    if arguments.json {
+        return table::print_json(&Answer { model: solution.model, rating: &found });
+    }
+    table::print_line(&format!("{}: {}\n", file.name, table::visible(&file.case.name)))?;
+    table::print_pairs(&rows(&found))?;
+    Ok(())
+}
+
+type Row = (&'static str, String, &'static str);
+
+fn rows(r: &Rating) -> Vec<Row> {
+    // Shown beside the value, where other rows have their unit.
+    let rated = |value: f64, source| match source {
+        RatingSource::Catalogue => (number(value, 0), "N, catalogue"),
+        RatingSource::Computed => (number(value, 0), "N, computed"),
+    };
+    let (dynamic, dynamic_unit) = rated(r.dynamic_rating_n, r.dynamic_rating_source);
+    let (at_rest, static_unit) = rated(r.static_rating_n, r.static_rating_source);
+    let (limit, limit_unit) = rated(r.fatigue_load_limit_n, r.fatigue_load_limit_source);
+    let mut rows = vec![
+        ("nominal contact angle", number(r.nominal_contact_angle_deg, 2), "°"),
+        ("dynamic load rating C_r", dynamic, dynamic_unit),
+        ("static load rating C_0r", at_rest, static_unit),
+        ("fatigue load limit C_u", limit, limit_unit),
+        ("loads, radial axial", format!("{}  {}", number(r.radial_load_n, 1), number(r.axial_load_n, 1)), "N"),
+        ("equivalent load P", number(r.equivalent_load_n, 1), "N"),
+        ("equivalent load of the ball loads P_ref", number(r.reference_load_n, 1), "N"),
+    ];
+    let mut row = |name, value: Option<f64>, digits, unit| {
+        rows.extend(value.map(|value| (name, number(value, digits), unit)));
+    };
+    let turns = "million turns";
+    row("basic rating life L_10, from P", r.rating_life_l10_mrev, 2, turns);
+    row("reference rating life L_10r, from ball loads", r.rating_life_l10r_mrev, 2, turns);
+    row("life modification factor a_ISO", r.life_modification_factor, 3, "");
+    row("reliability factor a_1", (r.reliability_factor != 1.0).then_some(r.reliability_factor), 3, "");
+    row("modified reference rating life L_nmr", r.rating_life_lnmr_mrev, 2, turns);
+    row("rating life of the steel", r.rating_life_hours, 0, "h");
+    row("static safety s_0", r.static_safety, 2, "");
+    row("load to 4.2 GPa over load", r.pressure_safety, 2, "");
+    rows
+}

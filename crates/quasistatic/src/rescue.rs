@@ -1,0 +1,149 @@
+//! What is tried where Newton's method finds no way, and what is said where nothing helps.
+//!
+//! With traction: pseudo-time for ring and balls together, from rolling and from skidding. Jones–Harris: from a slower
+//! bearing up. Nothing here runs while the usual way succeeds, so that its solutions keep their digits.
+
+use crate::block::{BlockState, Iterate, ORBIT, SPIN};
+use crate::driver;
+use crate::jones_harris::{JonesHarris, kinematics};
+use crate::methods::NewtonOrNested;
+use crate::problem::Reason;
+use crate::relax::relax;
+use crate::report::SKIDDING;
+use crate::settle::FROM_AFAR;
+use crate::solve::{is_idle, statistics_sum};
+use crate::with_traction::WithTraction;
+use tribodyn_bearing::{OperatingPoint, Races, Side};
+
+/// Residual at which pseudo-time gives way to Newton's method.
+const RELAXED: f64 = 1e-7;
+/// Steps of pseudo-time over the iterations that the case allows: a fall from rolling to rest takes some hundred.
+const STEPS_OF_PSEUDO_TIME: usize = 2;
+/// Shares of the rolling speed at which skidding balls start.
+const SKIDDING_STARTS: [f64; 2] = [0.3, 0.05];
+/// Relative residual of the balances below which only rounding is left: slip in the last digit of a surface speed.
+const ROUNDING: f64 = 1e-9;
+/// The same where pseudo-time and Newton's method have both come to rest.
+const ROUNDING_AT_REST: f64 = 1e-7;
+/// First and least share of the speed by which Jones–Harris goes up.
+const SPEED_STRIDES: [f64; 2] = [0.25, 0.01];
+const RPM_PER_RAD_S: f64 = 30.0 / std::f64::consts::PI;
+
+/// Tries again from several states; gives what came nearest to balance.
+pub(crate) fn with_traction(
+    system: &WithTraction<'_>,
+    mut nearest: Iterate,
+    [rolling, settled]: [BlockState; 2],
+    point: &OperatingPoint,
+) -> Iterate {
+    let (tolerance, limit) = (point.numerics.tolerance, point.numerics.max_iterations);
+    let slow = SKIDDING_STARTS.map(|share| slowed(system, &rolling, share));
+    let starts = [settled, rolling].into_iter().chain(slow);
+    for start in starts {
+        if nearest.worst().residual <= tolerance.max(ROUNDING) {
+            break;
+        }
+        let relaxed = relax(system, start, RELAXED, FROM_AFAR, STEPS_OF_PSEUDO_TIME * limit);
+        let method = NewtonOrNested::new(0.1 * tolerance, 0);
+        let mut solved = driver::run(system, Iterate::new(system, relaxed), method, tolerance, limit);
+        solved.statistics = statistics_sum(nearest.statistics, solved.statistics);
+        if solved.worst().residual < nearest.worst().residual {
+            nearest = solved;
+        } else {
+            nearest.statistics = solved.statistics;
+        }
+    }
+    nearest
+}
+
+/// A state whose balls turn and orbit at a share of their speed, seen from the outer ring.
+fn slowed(system: &WithTraction<'_>, state: &BlockState, share: f64) -> BlockState {
+    let outer = system.speeds.outer;
+    let mut slow = state.clone();
+    for ball in &mut slow.balls {
+        (SPIN..ORBIT).for_each(|k| ball[k] *= share);
+        ball[ORBIT] = outer + (ball[ORBIT] - outer) * share;
+    }
+    slow
+}
+
+/// Why the nearest state with traction is no equilibrium.
+pub(crate) fn why_no_steady_state(system: &WithTraction<'_>, nearest: &Iterate) -> Reason {
+    let residual = nearest.worst().residual;
+    if residual <= ROUNDING_AT_REST {
+        return rounding(residual);
+    }
+    let radius = system.bearing.geometry.ball_radius();
+    let (mut skidding, mut idle, mut speed, mut rolling) = (0, 0, 0.0, 0.0);
+    for (index, &ball) in nearest.state.balls.iter().enumerate() {
+        let (_, loads, _) = system.evaluate(index, ball, nearest.state.ring);
+        let inner = &loads.contacts.inner;
+        let off = is_idle(inner.normal.load, &system.typical);
+        idle += usize::from(off);
+        skidding += usize::from(!off && inner.slide_to_roll(radius)[0].abs() > SKIDDING);
+        speed += ball[ORBIT];
+        rolling += kinematics(system.bearing, &loads.pose(), system.speeds, false, true).orbital_speed;
+    }
+    let balls = nearest.state.balls.len();
+    if skidding + idle == 0 {
+        return Reason::Unknown;
+    }
+    let mean_rpm = |sum: f64| sum / balls as f64 * RPM_PER_RAD_S;
+    Reason::Skidding { skidding, idle, balls, cage_speed_rpm: mean_rpm(speed), rolling_rpm: mean_rpm(rolling) }
+}
+
+/// With room for the next digit to be unlucky.
+fn rounding(residual: f64) -> Reason {
+    Reason::Rounding { attainable: 10f64.powf((3.0 * residual).log10().ceil()) }
+}
+
+/// Goes from slow to fast; gives what came nearest and the share of the speed that was reached.
+pub(crate) fn jones_harris(
+    system: &mut JonesHarris<'_>,
+    failed: Iterate,
+    elastic: &Iterate,
+    point: &OperatingPoint,
+) -> (Iterate, f64) {
+    let speeds = system.speeds;
+    let (mut state, mut reached, mut stride) = (elastic.state.clone(), 0.0, SPEED_STRIDES[0]);
+    let mut statistics = failed.statistics;
+    while stride >= SPEED_STRIDES[1] {
+        let share = f64::min(reached + stride, 1.0);
+        system.speeds = speeds.map(|speed| share * speed);
+        let start = Iterate::new(system, state.clone());
+        let (tolerance, limit) = (point.numerics.tolerance, point.numerics.max_iterations);
+        let mut solved = driver::run(system, start, NewtonOrNested::newton_alone(), tolerance, limit);
+        statistics = statistics_sum(statistics, solved.statistics);
+        solved.statistics = statistics;
+        if solved.worst().residual > point.numerics.tolerance {
+            stride *= 0.5;
+        } else if share >= 1.0 {
+            system.speeds = speeds;
+            return (solved, 1.0);
+        } else {
+            (state, reached, stride) = (solved.state, share, 1.5 * stride);
+        }
+    }
+    system.speeds = speeds;
+    (Iterate { statistics, ..failed }, reached)
+}
+
+/// Why raceway control has no equilibrium.
+pub(crate) fn why_no_raceway_control(system: &JonesHarris<'_>, nearest: &Iterate, speed_share: f64) -> Reason {
+    let residual = nearest.worst().residual;
+    if residual <= ROUNDING_AT_REST {
+        return rounding(residual);
+    }
+    let mut friction = 0.0f64;
+    for (index, &ball) in nearest.state.balls.iter().enumerate() {
+        let pose = system.pose(index, ball, nearest.state.ring);
+        let inner = system.inner_control[index];
+        let side = if inner { Side::Inner } else { Side::Outer };
+        let Races { inner: at_inner, outer: at_outer } = &pose.contacts;
+        let (load, _) = system.bearing.contact_load(side, if inner { at_inner } else { at_outer });
+        let moment = kinematics(system.bearing, &pose, system.speeds, inner, true).gyroscopic_moment;
+        let needed = (2.0 * moment / system.bearing.geometry.ball_diameter).abs() / load;
+        friction = friction.max(if needed.is_nan() { f64::INFINITY } else { needed });
+    }
+    Reason::RacewayControl { friction, speed_share }
+}

@@ -1,0 +1,220 @@
+//! What is unusual about values that count against each other, and about a solution.
+
+use super::shown;
+use tribodyn_bearing::{BallResult, Bearing, BearingError, Races, Side};
+use tribodyn_case::{Case, Fit};
+use tribodyn_quasistatic::Solution;
+use tribodyn_rating::PERMISSIBLE_PRESSURE;
+
+/// Pitch diameter times speed of the fastest rolling bearings, mm r/min.
+const SPEED_MAX: f64 = 3e6;
+/// Radial clearance over ball diameter: group C5 of small bearings.
+const CLEARANCE_MAX: f64 = 0.02;
+/// Pocket gap over ball diameter.
+const POCKET_GAP: [f64; 2] = [5e-4, 0.1];
+/// Inertia of the cage over that of all balls about the bearing's axis.
+const CAGE_INERTIA: [f64; 2] = [0.01, 10.0];
+/// Contact angle beyond which no shoulder reaches, degrees: at 75° it would be 0.39 of the ball diameter high.
+const SHOULDER_MAX_DEG: f64 = 75.0;
+/// Angular velocity of spin over that of rolling.
+const SPIN_TO_ROLL_MAX: f64 = 1.0;
+/// Slide-to-roll ratio beyond which a contact skids, as a fraction.
+const SLIDE_MAX: f64 = 0.1;
+
+/// Sentences on values of a case that are unusual against each other.
+pub fn case_findings(case: &Case, bearing: &Bearing) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut note = |unusual: bool, sentence: String| found.extend(unusual.then_some(sentence));
+    let geometry = &bearing.geometry;
+    let point = case.operating_point();
+    let rpm = (point.inner_speed - point.outer_speed).abs() * 30.0 / std::f64::consts::PI;
+    let speed = rpm * geometry.pitch_diameter * 1e3;
+    note(
+        speed > SPEED_MAX,
+        format!(
+            "pitch diameter times speed is {} mm r/min: usual is up to 3e6 (main-shaft and turbopump bearings)",
+            shown(speed)
+        ),
+    );
+    if let Fit::RadialClearance(clearance) = case.geometry.fit {
+        let share = clearance / geometry.ball_diameter;
+        note(
+            share > CLEARANCE_MAX,
+            format!(
+                "`geometry.fit` is a radial clearance of {} of the ball diameter: usual is up to {CLEARANCE_MAX} (ISO 5753-1, group C5)",
+                shown(share)
+            ),
+        );
+    }
+    if let Some(cage) = &case.cage {
+        let gap = cage.pocket_gap / geometry.ball_diameter;
+        note(
+            gap > 0.0 && !within(gap, POCKET_GAP),
+            format!(
+                "`cage.pocket_gap` is {} of the ball diameter: usual is {} to {} (the project's cases)",
+                shown(gap),
+                POCKET_GAP[0],
+                POCKET_GAP[1]
+            ),
+        );
+        let balls = geometry.ball_count as f64 * bearing.ball_mass * (0.5 * geometry.pitch_diameter).powi(2);
+        let share = cage.inertia.map(|inertia| inertia / balls);
+        note(
+            share.is_some_and(|share| !within(share, CAGE_INERTIA)),
+            format!(
+                "`cage.inertia` is {} of that of the balls about the bearing's axis: usual is {} to {} (the project's cases)",
+                shown(share.unwrap_or_default()),
+                CAGE_INERTIA[0],
+                CAGE_INERTIA[1]
+            ),
+        );
+    }
+    found
+}
+
+fn within(value: f64, [least, most]: [f64; 2]) -> bool {
+    (least..=most).contains(&value)
+}
+
+/// Sentences on a solution that is unusual, or that the quasi-static model cannot mean.
+///
+/// # Errors
+/// [`BearingError`] where the case has no geometry.
+pub fn solution_findings(case: &Case, bearing: &Bearing, solution: &Solution) -> Result<Vec<String>, BearingError> {
+    let mut found = Vec::new();
+    let shoulders = case.geometry.shoulder_angles()?;
+    for (side, race) in [(Side::Inner, "inner"), (Side::Outer, "outer")] {
+        found.extend(pressure(solution, side, race));
+        found.extend(edge(bearing, solution, &shoulders, side, race));
+        found.extend(sliding(solution, side, race));
+        found.extend(spinning(bearing, solution, side, race));
+    }
+    found.extend(pocket(solution));
+    found.extend(cage(solution));
+    Ok(found)
+}
+
+/// The ball with the largest value of something, and that value, where it is a number.
+fn largest(solution: &Solution, of: impl Fn(&BallResult) -> Option<f64>) -> Option<(&BallResult, f64)> {
+    let known = solution.balls.iter().filter_map(|ball| of(ball).filter(|value| value.is_finite()).map(|v| (ball, v)));
+    known.max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+fn at(ball: &BallResult) -> String {
+    format!("ball at {:.1}°", ball.azimuth_rad.to_degrees())
+}
+
+fn pressure(solution: &Solution, side: Side, race: &str) -> Option<String> {
+    let (ball, pressure) = largest(solution, |ball| Some(ball.contacts[side].peak_pressure_pa))?;
+    (pressure > PERMISSIBLE_PRESSURE).then(|| {
+        format!(
+            "{} GPa on the {race} race, {}: steel takes 4.2 GPa at rest (ISO 76), and elastic theory ends near it",
+            shown(pressure * 1e-9),
+            at(ball)
+        )
+    })
+}
+
+/// The contact ellipse against the edge of the groove: its far end is a/r_e of an angle beyond the contact angle.
+fn edge(
+    bearing: &Bearing,
+    solution: &Solution,
+    shoulders: &Races<Option<f64>>,
+    side: Side,
+    race: &str,
+) -> Option<String> {
+    let radius = bearing.geometry.coefficient(side) * bearing.geometry.ball_diameter;
+    let loaded = |ball: &BallResult| ball.contacts[side].load_n > 0.0;
+    let angle = |ball: &BallResult| loaded(ball).then(|| ball.contacts[side].angle_rad.abs());
+    let (ball, contact) = largest(solution, angle)?;
+    let degrees = |rad: f64| shown(rad.to_degrees());
+    let Some(shoulder) = shoulders[side] else {
+        return (contact.to_degrees() > SHOULDER_MAX_DEG).then(|| {
+            format!(
+                "contact angle of {}° on the {race} race, {}: no shoulder reaches beyond {SHOULDER_MAX_DEG}°, the ball would climb out of the groove",
+                degrees(contact),
+                at(ball)
+            )
+        });
+    };
+    if contact > shoulder {
+        let (contact, shoulder) = (degrees(contact), degrees(shoulder));
+        return Some(format!(
+            "contact angle of {contact}° on the {race} race, {}, is beyond the shoulder at {shoulder}°: the ball would climb out of the groove",
+            at(ball)
+        ));
+    }
+    let end = |ball: &BallResult| angle(ball).map(|angle| angle + ball.contacts[side].semi_axes_m[0] / radius);
+    let (ball, end) = largest(solution, end)?;
+    (end > shoulder).then(|| {
+        format!(
+            "contact ellipse cut by the shoulder of the {race} race, {}: it ends at {}°, the groove at {}°; pressures at the edge are higher than Hertz's",
+            at(ball),
+            degrees(end),
+            degrees(shoulder)
+        )
+    })
+}
+
+fn sliding(solution: &Solution, side: Side, race: &str) -> Option<String> {
+    let slide = |ball: &BallResult| {
+        let contact = &ball.contacts[side];
+        contact.friction.as_ref().filter(|_| contact.load_n > 0.0).map(|f| f.slide_to_roll[0].abs())
+    };
+    let (ball, slide) = largest(solution, slide)?;
+    (slide > SLIDE_MAX).then(|| {
+        format!(
+            "slide-to-roll ratio of {} on the {race} race, {}: usual is below {SLIDE_MAX}; the ball skids",
+            shown(slide),
+            at(ball)
+        )
+    })
+}
+
+fn spinning(bearing: &Bearing, solution: &Solution, side: Side, race: &str) -> Option<String> {
+    let radius = bearing.geometry.ball_radius();
+    let spin = |ball: &BallResult| {
+        let contact = &ball.contacts[side];
+        (contact.load_n > 0.0).then(|| contact.spin_ratio_per_m.abs() * radius)
+    };
+    let (ball, ratio) = largest(solution, spin)?;
+    (ratio > SPIN_TO_ROLL_MAX).then(|| {
+        format!(
+            "spin-to-roll ratio of {} on the {race} race, {}: usual is below {SPIN_TO_ROLL_MAX} up to 45° of contact angle (Harris and Kotzalas)",
+            shown(ratio),
+            at(ball)
+        )
+    })
+}
+
+/// A pocket holds a ball back by friction, which is a small share of what loads the bearing.
+fn pocket(solution: &Solution) -> Option<String> {
+    let [x, y, z] = solution.ring_load_n;
+    let load = x.hypot(y).hypot(z);
+    let (ball, force) = largest(solution, |ball| ball.pocket.map(|pocket| pocket.force_n.abs()))?;
+    (force > load && load > 0.0).then(|| {
+        format!(
+            "pocket force of {} N, {}, above the bearing's load of {} N: the quasi-static model takes pockets to follow from free orbits, which idle balls do not have; a transient run tells",
+            shown(force),
+            at(ball),
+            shown(load)
+        )
+    })
+}
+
+fn cage(solution: &Solution) -> Option<String> {
+    let rpm = |rad_s: f64| rad_s * 30.0 / std::f64::consts::PI;
+    let [a, b] = [rpm(solution.inner_speed_rad_s), rpm(solution.outer_speed_rad_s)];
+    let (least, most) = (a.min(b), a.max(b));
+    let speed = solution.cage_speed_rpm;
+    // A thousandth of the difference for rounding.
+    let slack = 1e-3 * (most - least);
+    (speed < least - slack || speed > most + slack).then(|| {
+        format!(
+            "cage speed of {} r/min is outside the rings' speeds, {} and {} r/min: nothing in the bearing drives it there",
+            shown(speed),
+            shown(a),
+            shown(b)
+        )
+    })
+}

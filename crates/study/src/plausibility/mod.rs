@@ -1,0 +1,72 @@
+//! Plausibility: values and results that are possible, but not usual.
+//!
+//! A validated case may still say that steel has 208 MPa. What lies outside its usual range is named with value, range and
+//! source of the range, and where another unit or a decimal point would bring it back, that is said too. Nothing is refused.
+
+mod findings;
+mod ranges;
+
+pub use findings::{case_findings, solution_findings};
+pub use ranges::{USUAL_RANGES, UsualRange, usual_range};
+
+use crate::CaseFile;
+use tribodyn_bearing::Bearing;
+use tribodyn_case::{Quantity, quantities};
+
+/// All that is unusual about the values of a case.
+pub fn of_case(file: &CaseFile, bearing: &Bearing) -> Vec<String> {
+    let mut found = unusual_values(&file.text);
+    found.extend(case_findings(&file.case, bearing));
+    found
+}
+
+/// Sentences on single values of a case's text outside their usual ranges.
+pub fn unusual_values(text: &str) -> Vec<String> {
+    quantities(text).iter().filter_map(unusual).collect()
+}
+
+fn unusual(quantity: &Quantity) -> Option<String> {
+    let range = usual_range(&quantity.path)?;
+    if range.holds(quantity.value) {
+        return None;
+    }
+    let Quantity { path, written, .. } = quantity;
+    let (unit, size) = range.unit;
+    let in_unit =
+        |value: f64| format!("{}{}{unit}", shown(value / size), if matches!(unit, "" | "°") { "" } else { " " });
+    let usual = format!("usual is {} to {}", shown(range.least / size), in_unit(range.most));
+    let slip = slip(quantity, range).map(|slip| format!("; {slip}")).unwrap_or_default();
+    Some(format!("`{path}` is {written}, {}: {usual} ({}){slip}", in_unit(quantity.value), range.source))
+}
+
+/// The slip of the unit or of the decimal point that the value looks like.
+fn slip(quantity: &Quantity, range: &UsualRange) -> Option<String> {
+    let meant: Vec<&str> =
+        quantity.otherwise.iter().filter(|(_, si)| range.holds(*si)).map(|(text, _)| text.as_str()).collect();
+    if !meant.is_empty() {
+        return Some(format!("{} would be: a slip of the unit?", meant.join(" or ")));
+    }
+    let factors = [(10.0, "ten"), (1e3, "a thousand"), (1e6, "a million")];
+    let times = |factor: f64| range.holds(quantity.value * factor) && quantity.value != 0.0;
+    factors.iter().find_map(|(factor, word)| {
+        let how = match (times(*factor), times(1.0 / factor)) {
+            (true, _) => "small",
+            (_, true) => "large",
+            _ => return None,
+        };
+        Some(format!("{word} times too {how}: a slip of the unit or of the decimal point?"))
+    })
+}
+
+/// A number with three digits, as a person writes it.
+fn shown(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
+        let digits = (2 - value.abs().max(1e-3).log10().floor() as i32).clamp(0, 6) as usize;
+        let text = format!("{value:.digits$}");
+        return if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text };
+    }
+    format!("{value:.2e}")
+}
+
+#[cfg(test)]
+mod tests;

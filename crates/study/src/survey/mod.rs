@@ -1,0 +1,71 @@
+//! Random bearings, tried at scale: do all models converge, do runs of every scheme stay finite, balance their work and
+//! say where they do not?
+//!
+//! A bearing is drawn as the text of a case file, so that each failure is a file that can be looked at by itself.
+
+mod bearing;
+mod random;
+mod table;
+mod trial;
+
+pub use bearing::{Kind, RandomBearing, random_bearing};
+pub use random::Random;
+pub use table::{Counts, Regime, SchemeCounts, Tally};
+pub use trial::{Running, Solving, Verdict, run_short, solve_both};
+
+use rayon::prelude::*;
+use std::time::Duration;
+use tribodyn_case::CaseError;
+
+/// What to try.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Seed of the family of bearings.
+    pub seed: u64,
+    /// Number of the first bearing.
+    pub first: u64,
+    /// Bearings to solve by both models.
+    pub cases: u64,
+    /// Bearings to run, from the first on.
+    pub runs: u64,
+    /// Wall time after which a run is stopped.
+    pub longest_run: Duration,
+}
+
+/// One bearing with what was tried on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trial {
+    /// The bearing.
+    pub bearing: RandomBearing,
+    /// By both models; empty where only a run was asked for.
+    pub solvings: Vec<Solving>,
+    /// The run, where one was asked for.
+    pub running: Option<Running>,
+}
+
+/// Bearings tried at a time, between calls of `progress`.
+const CHUNK: u64 = 16;
+
+/// Tries bearings by the threads of the current rayon pool; `progress` gets each chunk of finished trials, in order.
+///
+/// # Errors
+/// A bearing that the reader of case files refuses.
+pub fn survey(options: &Options, mut progress: impl FnMut(&[Trial])) -> Result<Vec<Trial>, CaseError> {
+    let end = options.cases.max(options.runs);
+    let mut trials = Vec::new();
+    for from in (0..end).step_by(CHUNK as usize) {
+        let chunk: Result<Vec<Trial>, CaseError> =
+            (from..end.min(from + CHUNK)).into_par_iter().map(|offset| try_one(options, offset)).collect();
+        let chunk = chunk?;
+        progress(&chunk);
+        trials.extend(chunk);
+    }
+    Ok(trials)
+}
+
+fn try_one(options: &Options, offset: u64) -> Result<Trial, CaseError> {
+    let bearing = random_bearing(options.seed, options.first + offset)?;
+    let solvings = if offset < options.cases { solve_both(&bearing).to_vec() } else { Vec::new() };
+    let running = (offset < options.runs).then(|| run_short(&bearing, options.longest_run));
+    Ok(Trial { bearing, solvings, running })
+}

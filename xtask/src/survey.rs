@@ -1,0 +1,155 @@
+//! `cargo xtask survey`: random bearings by the hundred, solved by both models and run by every scheme.
+//!
+//! The bearings and what is tried on them are `tribodyn_study::survey`; here are arguments, the table, and a case file
+//! for each failure.
+
+use crate::error::Failure;
+use crate::terminal::{print, progress};
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::time::Duration;
+use tribodyn_paper::{PaperError, files, markers, table};
+use tribodyn_quasistatic::Model;
+use tribodyn_study::survey::{Options, RandomBearing, Regime, Tally, Trial, Verdict, survey};
+
+const BEGIN: &str = "<!-- survey:begin -->";
+const END: &str = "<!-- survey:end -->";
+const DOCUMENT: &str = "docs/reliability.md";
+
+/// Options of `cargo xtask survey`.
+#[derive(Debug, Clone, clap::Args)]
+pub struct Arguments {
+    /// Bearings to solve by both models
+    #[arg(long, default_value_t = 200)]
+    cases: u64,
+    /// Bearings to run, from the first on
+    #[arg(long, default_value_t = 0)]
+    runs: u64,
+    /// Seed of the family of bearings
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Number of the first bearing
+    #[arg(long, default_value_t = 0)]
+    first: u64,
+    /// Wall time after which a run is stopped, s
+    #[arg(long, default_value_t = 60.0)]
+    longest_run: f64,
+    /// Folder for a case file of each failure
+    #[arg(long, default_value = "target/survey")]
+    out: PathBuf,
+    /// Rewrite the block in docs/reliability.md
+    #[arg(long)]
+    write: bool,
+}
+
+/// Tries, prints, and writes the cases that failed.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let options = Options {
+        seed: arguments.seed,
+        first: arguments.first,
+        cases: arguments.cases,
+        runs: arguments.runs,
+        longest_run: Duration::from_secs_f64(arguments.longest_run.max(0.0)),
+    };
+    let (end, mut done) = (options.cases.max(options.runs), 0);
+    let refused = |source| PaperError::Case { file: "a random bearing".to_owned(), source: Box::new(source) };
+    let trials = survey(&options, |chunk| {
+        done += chunk.len();
+        progress(&format!("{done} of {end}"));
+    })
+    .map_err(refused)?;
+    for trial in &trials {
+        write_failure(&arguments.out, trial)?;
+    }
+    let tally = Tally::of(&trials);
+    let mut block = block(&tally, arguments);
+    block.push('\n');
+    print(&block)?;
+    if arguments.write {
+        let path = files::root().join(DOCUMENT);
+        let text = markers::replaced(DOCUMENT, &files::read(&path)?, block.trim_end(), [BEGIN, END])?;
+        files::write(&path, text.as_bytes())?;
+    }
+    let failed = tally.solutions.values().map(|c| c.failed).sum::<usize>()
+        + tally.runs.values().map(|scheme| scheme.counts.failed).sum::<usize>();
+    if failed > 0 {
+        let findings =
+            vec![format!("{failed} trials failed without a reason; their cases are in {}", arguments.out.display())];
+        return Err(Failure::Check { what: "survey", findings });
+    }
+    Ok(())
+}
+
+/// The case of a trial that was not good, with what was wrong at its head.
+fn write_failure(folder: &std::path::Path, trial: &Trial) -> Result<(), Failure> {
+    let mut head = String::new();
+    let mut note = |what: String, verdict: &Verdict| {
+        let (word, message) = match verdict {
+            Verdict::Good => return,
+            Verdict::Explained(message) => ("explained", message),
+            Verdict::Failed(message) => ("FAILED", message),
+        };
+        let _ = writeln!(head, "// {what}, {word}: {}", message.replace('\n', " "));
+    };
+    for solving in &trial.solvings {
+        note(format!("solve {:?}, {:.2} s", solving.model, solving.wall.as_secs_f64()), &solving.verdict);
+    }
+    if let Some(running) = &trial.running {
+        note(format!("run {}, {:.2} s", running.scheme, running.wall.as_secs_f64()), &running.verdict);
+    }
+    if head.is_empty() {
+        return Ok(());
+    }
+    std::fs::create_dir_all(folder).map_err(|source| PaperError::Write { path: folder.to_owned(), source })?;
+    let RandomBearing { origin: (seed, index), text, .. } = &trial.bearing;
+    Ok(files::write(&folder.join(format!("{seed}-{index:05}.ron")), format!("{head}{text}").as_bytes())?)
+}
+
+fn block(tally: &Tally, arguments: &Arguments) -> String {
+    let Arguments { cases, runs, seed, first, .. } = arguments;
+    let mut text = format!("Bearings {first} to {} of seed {seed}.\n\n", first + cases.max(runs) - 1);
+    let mut rows = Vec::new();
+    for ((Regime { pressure, pitch_speed }, model), counts) in &tally.solutions {
+        rows.push(vec![
+            Regime::PRESSURES[*pressure].to_owned(),
+            Regime::PITCH_SPEEDS[*pitch_speed].to_owned(),
+            (*model).to_owned(),
+            counts.all().to_string(),
+            counts.good.to_string(),
+            counts.explained.to_string(),
+            counts.failed.to_string(),
+        ]);
+    }
+    if !rows.is_empty() {
+        let head = ["nominal pressure", "d_m n", "model", "bearings", "solved", "with reason", "failed"];
+        text.push_str(&table::markdown(&head, &rows));
+        for model in [Model::JonesHarris, Model::Traction] {
+            let counts = tally.working(model);
+            let share = 100.0 * counts.good as f64 / counts.all().max(1) as f64;
+            let _ = write!(
+                text,
+                "\n\n{model:?} at 0.5 GPa and more: {} of {} solved ({share:.2} %).",
+                counts.good,
+                counts.all()
+            );
+        }
+    }
+    let mut rows = Vec::new();
+    for (scheme, of) in &tally.runs {
+        rows.push(vec![
+            (*scheme).to_owned(),
+            of.counts.all().to_string(),
+            of.counts.good.to_string(),
+            of.counts.explained.to_string(),
+            of.counts.failed.to_string(),
+            of.above_one_percent.to_string(),
+            format!("{:.1e} %", of.worst_good_percent),
+            format!("{:.1} s", of.longest_s),
+        ]);
+    }
+    if !rows.is_empty() {
+        let head = ["scheme", "runs", "balanced", "with reason", "failed", "above 1 %", "worst balanced", "longest"];
+        let _ = write!(text, "\n\n{}", table::markdown(&head, &rows));
+    }
+    text
+}
