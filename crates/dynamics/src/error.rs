@@ -60,8 +60,8 @@ pub enum DynamicsError {
         /// Why.
         blame: Blame,
     },
-    /// A step that is lost in the rounding of the time.
-    #[error("the run cannot go on after {time_s} s: a step of {step_s:.1e} s is lost in the rounding of the time")]
+    /// A step that is too short, or lost in the rounding of the time.
+    #[error("the run cannot go on after {time_s} s: a step of {step_s:.1e} s is too short to come to an end")]
     NoProgress {
         /// Simulated time, s.
         time_s: f64,

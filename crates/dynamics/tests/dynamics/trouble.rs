@@ -4,7 +4,9 @@ use crate::{Keep, case, run};
 use serde_json::json;
 use std::convert::Infallible;
 use std::ops::ControlFlow;
-use tribodyn_dynamics::{Blame, DynamicsError, Ending, Event, EventKind, Observer, Run, RunError, Sample, StepBound};
+use tribodyn_dynamics::{
+    Blame, DynamicsError, Ending, Event, EventKind, Observer, Run, RunError, Sample, Scheme, StepBound,
+};
 
 /// The bound that a broken-off run names.
 fn bound(error: &RunError<Infallible>) -> Option<(f64, StepBound)> {
@@ -160,6 +162,16 @@ fn limit_a_bound_that_is_named_is_below_the_step_that_was_used() {
         let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
         let (step_s, bound) = bound(&error).unwrap_or_else(|| panic!("{scheme}: {error}"));
         assert!(bound.limit_s < step_s && bound.motion.starts_with(motion), "{scheme}: {error}");
+    }
+}
+
+#[test]
+fn limit_a_step_that_never_comes_to_an_end_is_refused() {
+    let case = case(&[]);
+    for scheme in [Scheme::RungeKutta4 { step: 1e-300 }, Scheme::DormandPrince { tolerance: 1e-6, longest: 0.0 }] {
+        let mut inputs = case.run_inputs().unwrap();
+        inputs.options.scheme = scheme;
+        assert!(matches!(Run::new(inputs).map(drop), Err(DynamicsError::NoProgress { .. })));
     }
 }
 
