@@ -2,8 +2,8 @@
 
 use crate::BearingError;
 use crate::geometry::Geometry;
+use crate::lean::RingOffset;
 use crate::modelling::Modelling;
-use crate::normal::RingOffset;
 use crate::races::{Races, Side};
 use crate::tribology::Tribology;
 use std::f64::consts::PI;
@@ -190,6 +190,16 @@ impl Bearing {
     /// Azimuth of ball `index` when ball 0 is at 0, rad.
     pub fn azimuth(&self, index: usize) -> f64 {
         2.0 * PI * index as f64 / self.geometry.ball_count as f64
+    }
+
+    /// Wear rate of a race, m³/s, from the wear integral of its patch; 0 where nothing is known of the surfaces.
+    pub fn wear_rate(&self, side: Side, wear_integral: f64) -> f64 {
+        self.tribology.as_ref().map_or(0.0, |t| t.wear[side].rate(wear_integral))
+    }
+
+    /// Wear rate of a pocket, m³/s, from pocket force times sliding speed, W.
+    pub fn pocket_wear_rate(&self, sliding_power: f64) -> f64 {
+        self.tribology.as_ref().map_or(0.0, |t| t.wear_cage.rate(sliding_power))
     }
 }
 

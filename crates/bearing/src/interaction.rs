@@ -4,10 +4,11 @@
 //! [a, r, t]. Forces and moments are those on the ball.
 
 use crate::bearing::{Bearing, Race};
+use crate::contact::NormalContact;
+use crate::contact::{BallLoads, LoadedPatch, RaceContact, add};
 use crate::modelling::RingCentre;
-use crate::normal::NormalContact;
 use crate::races::{Races, Side};
-use crate::state::{BallLoads, BallState, LoadedPatch, RaceContact, RingState, add};
+use crate::state::{BallState, RingState};
 use tribodyn_contact::{Ellipse, Scalar};
 use tribodyn_traction::{FastPatch, fast_patch_traction, linear_patch_traction};
 use tribodyn_traction::{Patch, PatchTraction, Quadrature, RelativeMotion, patch_traction};

@@ -2,12 +2,14 @@
 
 mod bearing;
 mod cage;
+mod contact;
 mod cylinder;
 mod frame;
 mod geometry;
 mod growth;
 mod history;
 mod interaction;
+mod lean;
 mod modelling;
 mod motion;
 mod normal;
@@ -24,15 +26,16 @@ mod tribology;
 
 pub use bearing::{Bearing, BearingSpec, FluidForces, Race};
 pub use cage::{CageBody, Guidance};
+pub use contact::{BallLoads, BallPose, LoadedPatch, NormalContact, NormalLoads, RaceContact};
 pub use cylinder::{Cylinder, Solid};
 pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
 pub use growth::{GrownBearing, Growth, MountedRing, Seat};
 pub use history::{RingLoads, SpeedHistory, Tilt, Translation};
 pub use interaction::{ContactForces, Sliding};
+pub use lean::{Lean, RingOffset};
 pub use modelling::{Equations, Modelling, OpenChoice, RaceControl, RingCentre};
 pub use motion::BallFriction;
-pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
 pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};
 pub use pocket::{Pocket, PocketLoad, PocketMotion};
 pub use races::{Races, Side};
@@ -40,7 +43,7 @@ pub use result::{
     BallMotionResult, BallPlace, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, TransientContact,
 };
 pub use run_inputs::{CoatingState, GuidingLand, MovingCage, RunInputs, RunOptions, Scheme, Start, Support, Supports};
-pub use state::{BallLoads, BallPose, BallState, LoadedPatch, RaceContact, RingState};
+pub use state::{BallState, RingState};
 pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};
 pub use tribodyn_wear::LocalSurface;
 pub use tribology::Tribology;

@@ -1,47 +1,14 @@
 //! The normal part of the ball–race contacts: where the ball stands between the grooves and how hard it is pressed.
 
 use crate::bearing::Bearing;
+use crate::contact::{BallPose, NormalContact, NormalLoads};
 use crate::frame::AzimuthFrame;
 use crate::geometry::ContactPose;
+use crate::lean::{Lean, RingOffset};
 use crate::races::{Races, Side};
-use crate::state::{BallPose, BallState, RingState};
+use crate::state::{BallState, RingState};
 use tribodyn_contact::{Ellipse, HertzContact, Scalar};
 use tribodyn_wear::LocalSurface;
-
-/// How the offset of a ring's axis enters the distance of a ball from its groove.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RingOffset {
-    /// Along the radius of the ball alone, as in Jones's equations and the programs built on them: energy and angular
-    /// momentum hold, linear momentum to first order in the offset over the radius.
-    FirstOrder,
-    /// By the distance of the ball from the ring's own axis, and with the climb of a tilted groove along the orbit: linear
-    /// momentum holds too, and so does energy where a ring is tilted. Transient runs take it.
-    Exact,
-}
-
-/// The direction from a ring's axis to a ball against the radius of the ball's orbit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Lean<D = f64> {
-    /// Sine of the angle between them, positive where the ring's axis lies ahead of the ball.
-    pub sin: D,
-    /// Cosine of it.
-    pub cos: D,
-    /// Distance of the ball centre from the ring's axis, m.
-    pub arm: D,
-    /// Growth of that distance by the offset along the orbit, m.
-    farther: D,
-    /// Axial climb of the groove of a tilted ring along the orbit, over the way.
-    climb: D,
-}
-
-impl<D: Scalar> Lean<D> {
-    /// (radial, tangential) components in the ball's azimuth frame as components along and across the direction from the
-    /// ring's axis.
-    #[inline]
-    fn turn(&self, [r, t]: [D; 2]) -> [D; 2] {
-        [r * self.cos - t * self.sin, t * self.cos + r * self.sin]
-    }
-}
 
 /// Shift of a groove centre at a ball's azimuth, m.
 #[derive(Debug, Clone, Copy)]
@@ -51,57 +18,6 @@ struct GrooveShift<D> {
     tangential: D,
     /// Derivative of the axial shift by the azimuth, m/rad.
     climb: D,
-}
-
-/// One contact without its traction.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NormalContact<D = f64> {
-    /// Contact angle and approach.
-    pub pose: ContactPose<D>,
-    /// Where the ring's axis stands.
-    pub lean: Lean<D>,
-    /// Normal load Q, N, of the elastic approach.
-    pub load: D,
-    /// Normal force N on ball and race, N: the load and the contact's damping, never pulling.
-    pub force: D,
-    /// Rate of the elastic approach, m/s; 0 where the bearing has no contact damping.
-    pub closing_speed: D,
-    /// Moment about the ring's axis by which the ball slides down the slope of a groove that is not round, N m.
-    pub slope_moment: D,
-}
-
-/// Both contacts of a ball without their traction.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NormalLoads<D = f64> {
-    /// Both contacts.
-    pub contacts: Races<NormalContact<D>>,
-    /// Radius of the orbit, m.
-    pub orbit_radius: D,
-}
-
-impl<D: Scalar> NormalContact<D> {
-    /// The normal force on the ball [a, r, t], N. It has a part along the orbit where the ring is off centre or tilted and
-    /// where the groove is not round.
-    #[inline]
-    pub fn on_ball(&self, side: Side) -> [D; 3] {
-        let [n_a, n_r] = self.pose.normal(side);
-        let (outward, round) = (-(self.force * n_r), self.slope_moment / self.lean.arm);
-        let (sin, cos, axial) = (self.lean.sin, self.lean.cos, -(self.force * n_a));
-        [axial, outward * cos + round * sin, round * cos - outward * sin - axial * self.lean.climb]
-    }
-
-    /// The normal force on the ring [a, r, t], N: the opposite of that on the ball, or its axial and radial part where the
-    /// ring's offset is taken to first order, which is the derivative of the same potential.
-    #[inline]
-    pub fn on_ring(&self, side: Side, offset: RingOffset) -> [D; 3] {
-        match offset {
-            RingOffset::Exact => self.on_ball(side).map(|f| -f),
-            RingOffset::FirstOrder => {
-                let [n_a, n_r] = self.pose.normal(side);
-                [self.force * n_a, self.force * n_r, D::zero()]
-            }
-        }
-    }
 }
 
 impl Bearing {

@@ -2,9 +2,10 @@
 //! [axial, radial, tangential] in the ball's azimuth frame. What a model does not have is absent.
 
 use crate::bearing::Bearing;
+use crate::contact::{BallLoads, RaceContact};
 use crate::geometry::ContactPose;
 use crate::races::{Races, Side};
-use crate::state::{BallLoads, BallState, RaceContact};
+use crate::state::BallState;
 use serde::{Deserialize, Serialize};
 use tribodyn_contact::Ellipse;
 use tribodyn_wear::LocalSurface;

@@ -1,15 +1,9 @@
-//! What the interaction of ball, races and fluid takes and gives: states and loads.
+//! States of rings and balls.
 //!
 //! Vectors are [a, r, t]: axial, radial, along the orbit. Forces and moments are those on the ball.
 
-use crate::bearing::Race;
 use crate::frame::AzimuthFrame;
-use crate::geometry::ContactPose;
-use crate::normal::{Lean, NormalContact};
-use crate::races::{Races, Side};
-use crate::tribology::Tribology;
-use tribodyn_contact::{Ellipse, Scalar};
-use tribodyn_traction::{Law, Patch, PatchLaw, PatchTraction, RelativeMotion};
+use tribodyn_contact::Scalar;
 
 /// Position and motion of a ring against the inertial frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,126 +39,4 @@ pub struct BallState<D = f64> {
     pub orbital_speed: D,
     /// Absolute angular velocity Ω, rad/s.
     pub spin: [D; 3],
-}
-
-/// One ball–race contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RaceContact<D = f64> {
-    /// Contact angle, approach, load and normal force.
-    pub normal: NormalContact<D>,
-    /// Contact ellipse and peak pressure.
-    pub ellipse: Ellipse<D>,
-    /// The ball's motion against the race.
-    pub motion: RelativeMotion<D>,
-    /// Mean of the two surface speeds along e_t in the orbiting frame, m/s: positive at the inner, negative at the
-    /// outer race for a positive inner speed. Its magnitude is V of the paper's Eq. 3.
-    pub rolling_speed: D,
-    /// Traction integrals.
-    pub traction: PatchTraction<D>,
-    /// Traction, N.
-    pub traction_force: [D; 3],
-    /// Normal force and traction together, N.
-    pub force: [D; 3],
-    /// Moment of the traction about the ball centre, N m.
-    pub moment: [D; 3],
-}
-
-impl<D: Scalar> RaceContact<D> {
-    /// Slide-to-roll ratios ξ_x (positive where the ball's surface is the faster) and ξ_y and spin ratio φ in 1/m, as in the paper's Eq. 3;
-    /// zeros where nothing rolls.
-    pub fn slide_to_roll(&self, ball_radius: f64) -> [D; 3] {
-        let [along, across] = self.motion.centre_slip(ball_radius);
-        let v = self.rolling_speed;
-        if v.re() == 0.0 {
-            return [D::zero(); 3];
-        }
-        [along / v, across / v.abs(), self.motion.spin / v]
-    }
-}
-
-/// Everything that acts on one ball, without inertia.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallLoads<D = f64> {
-    /// Both contacts.
-    pub contacts: Races<RaceContact<D>>,
-    /// Radius of the orbit, m.
-    pub orbit_radius: D,
-    /// Fluid drag against the orbit, N.
-    pub drag: D,
-    /// Churning moment, N m.
-    pub churning: [D; 3],
-}
-
-impl<D: Scalar> BallLoads<D> {
-    /// Sum of the forces, N.
-    pub fn force(&self) -> [D; 3] {
-        let [a, r, t] = add(self.contacts.inner.force, self.contacts.outer.force);
-        [a, r, t - self.drag]
-    }
-
-    /// Contact angles and orbit radius.
-    pub fn pose(&self) -> BallPose<D> {
-        BallPose {
-            contacts: self.contacts.map(|c| c.normal.pose),
-            lean: self.contacts.map(|c| c.normal.lean),
-            orbit_radius: self.orbit_radius,
-        }
-    }
-
-    /// Sum of the moments about the ball centre, N m.
-    pub fn moment(&self) -> [D; 3] {
-        add(add(self.contacts.inner.moment, self.contacts.outer.moment), self.churning)
-    }
-}
-
-/// A patch under load, for whoever integrates its traction.
-#[derive(Debug, Clone, Copy)]
-pub struct LoadedPatch<'a, D> {
-    /// Which race.
-    pub side: Side,
-    /// The race.
-    pub race: &'a Race,
-    /// Traction laws; absent in a bearing whose surfaces are not known.
-    pub tribology: Option<&'a Tribology>,
-    /// Normal load under it, N.
-    pub load: D,
-    /// Contact ellipse and surface.
-    pub patch: Patch<D>,
-    /// The ball's motion against the race.
-    pub motion: RelativeMotion<D>,
-    /// Mean of the two surface speeds, m/s.
-    pub rolling_speed: D,
-    /// Part of the coating that is gone, 0 to 1.
-    pub bare: f64,
-}
-
-impl<D: Scalar> LoadedPatch<'_, D> {
-    /// The traction on coating and bare steel by their shares. Where no curve of bare steel is known the coating stands for
-    /// it; where nothing is known of the surfaces they are without friction.
-    pub fn blend(&self, by: impl Fn(&PatchLaw<'_, Law>) -> PatchTraction<D>) -> PatchTraction<D> {
-        let Some(tribology) = self.tribology else { return PatchTraction::zero() };
-        let coating = &tribology.laws[self.side];
-        let by = |law| by(&tribology.patch_law(law));
-        match &tribology.bare_law {
-            Some(bare) if self.bare >= 1.0 => by(bare),
-            Some(bare) if self.bare > 0.0 => by(coating).mixed_with(&by(bare), self.bare),
-            _ => by(coating),
-        }
-    }
-}
-
-/// The kinematics of one ball between two rings that need no traction: enough for Jones–Harris.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallPose<D = f64> {
-    /// Both contacts.
-    pub contacts: Races<ContactPose<D>>,
-    /// Where the axes of the rings stand.
-    pub lean: Races<Lean<D>>,
-    /// Radius of the orbit, m.
-    pub orbit_radius: D,
-}
-
-/// Sum of two vectors.
-pub(crate) fn add<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }

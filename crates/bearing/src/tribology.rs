@@ -1,7 +1,6 @@
 //! What the surfaces of a bearing do to each other: traction laws and wear.
 
-use crate::bearing::Bearing;
-use crate::races::{Races, Side};
+use crate::races::Races;
 use tribodyn_traction::{Law, PatchLaw, PressureChoice, SlipUnit};
 use tribodyn_wear::Archard;
 
@@ -44,17 +43,5 @@ impl Tribology {
     /// A traction law with the choices of the bearing.
     pub fn patch_law<'a>(&self, law: &'a Law) -> PatchLaw<'a, Law> {
         PatchLaw { law, slip_unit: self.slip_unit, pressure: self.pressure_choice }
-    }
-}
-
-impl Bearing {
-    /// Wear rate of a race, m³/s, from the wear integral of its patch; 0 where nothing is known of the surfaces.
-    pub fn wear_rate(&self, side: Side, wear_integral: f64) -> f64 {
-        self.tribology.as_ref().map_or(0.0, |t| t.wear[side].rate(wear_integral))
-    }
-
-    /// Wear rate of a pocket, m³/s, from pocket force times sliding speed, W.
-    pub fn pocket_wear_rate(&self, sliding_power: f64) -> f64 {
-        self.tribology.as_ref().map_or(0.0, |t| t.wear_cage.rate(sliding_power))
     }
 }

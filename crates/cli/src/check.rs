@@ -174,7 +174,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.json {
         return table::print_json(&a);
     }
-    table::print_line(&format!("{}: {}\n", file.name, table::visible(&a.name)))?;
+    table::print_line(&format!("{}: {}\n", file.name, crate::harmless::visible(&a.name)))?;
     let mut rows = vec![
         ("free contact angle", number(a.contact_angle_deg, 4), "°"),
         ("radial clearance (diametral)", number(a.radial_clearance_m * 1e6, 2), "µm"),

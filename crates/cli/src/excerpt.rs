@@ -98,7 +98,11 @@ fn floor(text: &str, mut at: usize) -> usize {
 fn visible(text: &str) -> String {
     let mut seen = String::with_capacity(text.len());
     for c in text.chars() {
-        if crate::table::steers(c) && c != '\n' { (0..c.len_utf8()).for_each(|_| seen.push('?')) } else { seen.push(c) }
+        if crate::harmless::steers(c) && c != '\n' {
+            (0..c.len_utf8()).for_each(|_| seen.push('?'))
+        } else {
+            seen.push(c)
+        }
     }
     seen
 }

@@ -1,7 +1,7 @@
 //! What can go wrong, as a person reads it.
 
 use crate::excerpt::Excerpt;
-use crate::table::harmless;
+use crate::harmless::harmless;
 use miette::{Diagnostic, MietteDiagnostic, SourceSpan};
 use std::path::PathBuf;
 use tribodyn_case::CaseError;

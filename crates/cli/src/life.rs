@@ -42,7 +42,7 @@ const HEADER: [&str; 10] =
     ["turns", "h_i µm", "h_o µm", "α_0 °", "α_i °", "α_o °", "p_i GPa", "ω_c r/min", "w_i µm³/s", "w_o µm³/s"];
 
 fn print(a: &Life) -> Result<(), Failure> {
-    table::print_line(&format!("{}: {}\n", a.case, table::visible(&a.bearing)))?;
+    table::print_line(&format!("{}: {}\n", a.case, crate::harmless::visible(&a.bearing)))?;
     // Lives go from seconds to months.
     let (unit, per_hour) = if a.end_h < 1.0 { ("s", HOUR) } else { ("h", 1.0) };
     let time = |hours: f64| number(hours * per_hour, 2);

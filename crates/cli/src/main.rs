@@ -3,6 +3,7 @@
 mod check;
 mod excerpt;
 mod failure;
+mod harmless;
 mod hertz;
 mod identify;
 mod input;

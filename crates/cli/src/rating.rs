@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.json {
         return table::print_json(&Answer { model: solution.model, rating: &found });
     }
-    table::print_line(&format!("{}: {}\n", file.name, table::visible(&file.case.name)))?;
+    table::print_line(&format!("{}: {}\n", file.name, crate::harmless::visible(&file.case.name)))?;
     table::print_pairs(&rows(&found))?;
     Ok(())
 }

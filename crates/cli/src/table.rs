@@ -1,6 +1,7 @@
 //! Answers on standard output: tables for people, JSON for programs.
 
 use crate::failure::Failure;
+use crate::harmless::{harmless, steers};
 use comfy_table::{CellAlignment, Table, presets};
 use serde::Serialize;
 use std::io::Write;
@@ -18,28 +19,6 @@ pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
 /// an error to the caller, not a panic.
 pub fn print_line(text: &str) -> Result<(), Failure> {
     Ok(writeln!(std::io::stdout(), "{}", harmless(text))?)
-}
-
-/// A text of several lines that cannot steer a terminal.
-pub fn harmless(text: &str) -> String {
-    text.chars().map(|c| if steers(c) { '\u{fffd}' } else { c }).collect()
-}
-
-/// True for a character that can steer a terminal: control characters but for line ends and tabs, and marks that turn the
-/// direction of writing.
-pub fn steers(c: char) -> bool {
-    (c.is_control() && !matches!(c, '\n' | '\t')) || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-}
-
-/// A text on one line that cannot steer a terminal: line ends and tabs are spaces, other control characters, and marks
-/// that turn the direction of writing, are `\u{fffd}`.
-pub fn visible(text: &str) -> String {
-    let one = |c: char| match c {
-        '\n' | '\r' | '\t' => ' ',
-        c if steers(c) => '\u{fffd}',
-        c => c,
-    };
-    text.chars().map(one).collect()
 }
 
 /// A number with fixed digits; what rounds to zero has no sign.
@@ -88,7 +67,8 @@ fn right_align(table: &mut Table, columns: std::ops::Range<usize>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{number, visible};
+    use super::number;
+    use crate::harmless::visible;
 
     #[test]
     fn limit_a_text_cannot_steer_a_terminal() {

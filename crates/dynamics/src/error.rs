@@ -1,6 +1,6 @@
 //! Why a run cannot start or go on.
 
-use crate::run::Blame;
+use crate::blame::Blame;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_signal::SignalError;
 use tribodyn_traction::TractionError;

@@ -3,6 +3,7 @@
 use crate::equations::{BallForces, Equations, Frame};
 use crate::layout::{BALL, Layout, VELOCITY};
 use crate::machine::Machine;
+use crate::watch::Watch;
 use tribodyn_bearing::{AzimuthFrame, LoadedPatch, NormalContact, PocketLoad, Races, Side};
 use tribodyn_traction::PatchTraction;
 
@@ -216,19 +217,6 @@ pub(crate) fn body_derivative(l: Layout, frame: &Frame, sums: &Sums, f: &BodyFor
 
 pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// State of a ball's contacts after a step, as wear and events need it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Watch {
-    /// Wear rates of the races, m³/s.
-    pub wear: Races<f64>,
-    /// Wear rate of the pocket, m³/s.
-    pub pocket_wear: f64,
-    /// Lateral semi-axes of the contacts, m.
-    pub semi_lateral: Races<f64>,
-    /// True where a contact carries load.
-    pub loaded: Races<bool>,
 }
 
 impl Machine {

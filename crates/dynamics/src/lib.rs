@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod blame;
 mod detail;
 mod dp54;
 mod equations;
@@ -16,6 +17,7 @@ mod run;
 mod sample;
 mod start;
 mod stiffness;
+mod watch;
 
 #[cfg(test)]
 mod balance_test;
@@ -24,10 +26,11 @@ mod conservation_test;
 #[cfg(test)]
 mod fast_test;
 
+pub use blame::{Blame, StepBound};
 pub use error::DynamicsError;
 pub use observer::{Event, EventKind, Observer};
 pub use power::{POWER_IN, POWER_LOST, PowerSample};
-pub use run::{ACCELERATION_ERROR, Blame, Checkpoint, Ending, FilterBands, Run, RunError, Statistics, StepBound};
+pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
 pub use sample::{CageSample, RingSample, Sample, WearSample};
 pub use stiffness::Stiffness;
 pub use tribodyn_bearing::{

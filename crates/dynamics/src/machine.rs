@@ -1,8 +1,8 @@
 //! The bearing as a system of bodies: what moves, what holds it and what drives it.
 
 use crate::error::DynamicsError;
-use crate::forces::Watch;
 use crate::layout::Layout;
+use crate::watch::Watch;
 use tribodyn_bearing::{
     Bearing, CageBody, CoatingState, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory, Translation,
 };

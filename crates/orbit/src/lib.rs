@@ -8,6 +8,7 @@ mod newton;
 mod residual;
 mod solution;
 mod solve;
+mod solved;
 mod start;
 mod statics;
 mod stiffness;
@@ -18,6 +19,5 @@ pub use error::{OrbitError, OrbitPlace};
 pub use modes::{Bodies, EnergyShares, Mode};
 pub use newton::OrbitStatistics;
 pub use solution::{POINTS, SteadyOrbit};
-pub use solve::{
-    OrbitSettings, OrbitStart, SolvedOrbit, orbit_modes, orbit_stiffness, steady_orbit, steady_orbit_from,
-};
+pub use solve::{OrbitSettings, orbit_modes, orbit_stiffness, steady_orbit, steady_orbit_from};
+pub use solved::{OrbitStart, SolvedOrbit};

@@ -2,9 +2,10 @@
 
 use crate::collocation::{Orbit, Radau};
 use crate::modes::{Bodies, Mode, modes};
-use crate::newton::{Newton, OrbitStatistics};
-use crate::residual::{Residual, Scales};
-use crate::solution::{SteadyOrbit, solution};
+use crate::newton::Newton;
+use crate::residual::Residual;
+use crate::solution::solution;
+use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::stiffness::stiffness;
 use crate::system::{BALL, OrbitSystem};
 use crate::{OrbitError, mesh, start, statics};
@@ -56,28 +57,6 @@ impl Default for OrbitSettings {
     fn default() -> Self {
         Self { intervals: 60, tolerance: 1e-10, contact_damping: 0.1, pocket_damping: 10.0 }
     }
-}
-
-/// An orbit to start a neighbouring problem from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct OrbitStart {
-    orbit: Orbit,
-    rule: PatchRule,
-    rule_error: f64,
-    speed_error: Option<f64>,
-    scales: Scales,
-    speeds: Races<f64>,
-}
-
-/// A steady orbit with what is needed to go on from it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SolvedOrbit {
-    /// The orbit.
-    pub solution: SteadyOrbit,
-    /// Statistics of the solver.
-    pub statistics: OrbitStatistics,
-    /// Start for a neighbouring problem; none for a bearing at rest.
-    pub start: Option<OrbitStart>,
 }
 
 /// The bearing as the orbit has it: offsets of the rings exact, contacts damped.

@@ -2,7 +2,7 @@
 
 use crate::newton::OrbitStatistics;
 use crate::solution::{Means, SteadyOrbit, ball_result};
-use crate::solve::SolvedOrbit;
+use crate::solved::SolvedOrbit;
 use crate::system::{BALL, OrbitSystem};
 use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint, Races};
 use tribodyn_quasistatic::RollingStart;

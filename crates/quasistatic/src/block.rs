@@ -296,6 +296,18 @@ pub struct SolverStatistics {
     pub jacobians: usize,
 }
 
+impl std::ops::Add for SolverStatistics {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            accepted: self.accepted + other.accepted,
+            rejected: self.rejected + other.rejected,
+            jacobians: self.jacobians + other.jacobians,
+        }
+    }
+}
+
 /// A state on its way to equilibrium.
 #[derive(Debug, Clone)]
 pub(crate) struct Iterate {

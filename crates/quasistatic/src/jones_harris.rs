@@ -27,6 +27,9 @@ pub(crate) struct JonesHarris<'a> {
     pub typical: Typical,
 }
 
+/// Share of a typical contact load below which the inner race drives nothing: far below any drag.
+const DRIVING_LOAD: f64 = 1e-6;
+
 /// Typical magnitudes for weights, step limits and the floor of relative residuals.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Typical {
@@ -43,6 +46,11 @@ pub(crate) struct Typical {
 }
 
 impl Typical {
+    /// True if an inner load is too small to drive a ball.
+    pub fn is_idle(&self, inner_load: f64) -> bool {
+        inner_load <= DRIVING_LOAD * self.force
+    }
+
     pub fn new(bearing: &Bearing, ring: &[RingFreedom; RING], speeds: Races<f64>) -> Self {
         let g = &bearing.geometry;
         let balls = g.ball_count as f64;

@@ -11,7 +11,6 @@ use crate::problem::Reason;
 use crate::relax::relax;
 use crate::report::SKIDDING;
 use crate::settle::FROM_AFAR;
-use crate::solve::{is_idle, statistics_sum};
 use crate::with_traction::WithTraction;
 use tribodyn_bearing::{OperatingPoint, Races, Side};
 
@@ -46,7 +45,7 @@ pub(crate) fn with_traction(
         let relaxed = relax(system, start, RELAXED, FROM_AFAR, STEPS_OF_PSEUDO_TIME * limit);
         let method = NewtonOrNested::new(0.1 * tolerance, 0);
         let mut solved = driver::run(system, Iterate::new(system, relaxed), method, tolerance, limit);
-        solved.statistics = statistics_sum(nearest.statistics, solved.statistics);
+        solved.statistics = nearest.statistics + solved.statistics;
         if solved.worst().residual < nearest.worst().residual {
             nearest = solved;
         } else {
@@ -78,7 +77,7 @@ pub(crate) fn why_no_steady_state(system: &WithTraction<'_>, nearest: &Iterate) 
     for (index, &ball) in nearest.state.balls.iter().enumerate() {
         let (_, loads, _) = system.evaluate(index, ball, nearest.state.ring);
         let inner = &loads.contacts.inner;
-        let off = is_idle(inner.normal.load, &system.typical);
+        let off = system.typical.is_idle(inner.normal.load);
         idle += usize::from(off);
         skidding += usize::from(!off && inner.slide_to_roll(radius)[0].abs() > SKIDDING);
         speed += ball[ORBIT];
@@ -113,7 +112,7 @@ pub(crate) fn jones_harris(
         let start = Iterate::new(system, state.clone());
         let (tolerance, limit) = (point.numerics.tolerance, point.numerics.max_iterations);
         let mut solved = driver::run(system, start, NewtonOrNested::newton_alone(), tolerance, limit);
-        statistics = statistics_sum(statistics, solved.statistics);
+        statistics = statistics + solved.statistics;
         solved.statistics = statistics;
         if solved.worst().residual > point.numerics.tolerance {
             stride *= 0.5;

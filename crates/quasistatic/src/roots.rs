@@ -11,7 +11,7 @@ use crate::jones_harris::{Typical, kinematics};
 use crate::problem::QuasiStaticError;
 use crate::report::SKIDDING;
 use crate::settle::{Evaluated, FROM_AFAR, settle_ball};
-use crate::solve::{WarmStart, is_idle, traction_system};
+use crate::solve::{WarmStart, traction_system};
 use crate::with_traction::WithTraction;
 use nalgebra::{Matrix2, Matrix4, Matrix4x2};
 use serde::{Serialize, Serializer};
@@ -153,7 +153,7 @@ fn root(system: &WithTraction<'_>, index: usize, ball: [f64; BALL], ring: [f64; 
         spin_rad_s: [ball[SPIN], ball[SPIN + 1], ball[SPIN + 2]],
         load_inner_n: loads.contacts.inner.normal.load,
         load_outer_n: loads.contacts.outer.normal.load,
-        driven: !is_idle(loads.contacts.inner.normal.load, &system.typical),
+        driven: !system.typical.is_idle(loads.contacts.inner.normal.load),
         slide_to_roll_inner: loads.contacts.inner.slide_to_roll(radius)[0],
         slide_to_roll_outer: loads.contacts.outer.slide_to_roll(radius)[0],
         growth_rate_per_s: growth_rate(system, index, ball, ring, loads.orbit_radius),

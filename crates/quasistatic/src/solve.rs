@@ -29,8 +29,6 @@ const GUESSED_AT_FREE_PITCH: bool = true;
 const JUMPS: usize = 8;
 /// Rounds of asking which race controls before a ball on the border counts as decided.
 const CONTROL_ROUNDS: usize = 4;
-/// Share of a typical contact load below which the inner race drives nothing: far below any drag.
-const DRIVING_LOAD: f64 = 1e-6;
 /// Residual at which the balls are settled enough for the wanted patch rule, which leaves about 5e-3 of them; a ball on
 /// its slow way past a lost rolling state must not pass for a settled one.
 const SCOUTED: f64 = 1e-4;
@@ -143,14 +141,6 @@ pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) 
     finish(&traction, [start.clone(), start], point, SolverStatistics::default(), None)
 }
 
-pub(crate) fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> SolverStatistics {
-    SolverStatistics {
-        accepted: a.accepted + b.accepted,
-        rejected: a.rejected + b.rejected,
-        jacobians: a.jacobians + b.jacobians,
-    }
-}
-
 /// The elastic state, and the Jones–Harris one that starts from it.
 pub(crate) struct Rolling<'a> {
     pub system: JonesHarris<'a>,
@@ -195,7 +185,7 @@ pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wa
         if wanted && solved.worst().residual > point.numerics.tolerance {
             (solved, reached) = rescue::jones_harris(&mut system, solved, &elastic, point);
         }
-        statistics = statistics_sum(statistics, solved.statistics);
+        statistics = statistics + solved.statistics;
         let inner_control = controlling_races(&system, &solved.state, control);
         if round == CONTROL_ROUNDS || inner_control == system.inner_control {
             solved.statistics = statistics;
@@ -234,11 +224,6 @@ fn controlling_races(system: &JonesHarris<'_>, state: &BlockState, wanted: RaceC
     state.balls.iter().enumerate().map(inner).collect()
 }
 
-/// True if an inner load is too small to drive a ball.
-pub(crate) fn is_idle(inner_load: f64, typical: &Typical) -> bool {
-    inner_load <= DRIVING_LOAD * typical.force
-}
-
 /// Balls without inner contact have no drive: they start from where friction and fluid will leave them, with the
 /// fluid, or with the outer ring in a dry bearing.
 fn release_idle_balls(system: &JonesHarris<'_>, mut state: BlockState) -> BlockState {
@@ -247,7 +232,7 @@ fn release_idle_balls(system: &JonesHarris<'_>, mut state: BlockState) -> BlockS
     for (index, ball) in state.balls.iter_mut().enumerate() {
         let pose = system.pose(index, *ball, state.ring);
         let (inner_load, _) = system.bearing.contact_load(Side::Inner, &pose.contacts.inner);
-        if is_idle(inner_load, &system.typical) && ball[ORBIT] != outer_speed {
+        if system.typical.is_idle(inner_load) && ball[ORBIT] != outer_speed {
             let share = (idle - outer_speed) / (ball[ORBIT] - outer_speed);
             (SPIN..ORBIT).for_each(|k| ball[k] *= share);
             ball[ORBIT] = idle;
@@ -315,7 +300,7 @@ fn finish(
     estimate: Option<f64>,
 ) -> Result<Solved, QuasiStaticError> {
     let mut solved = newton(system, settled.clone(), point);
-    solved.statistics = statistics_sum(before, solved.statistics);
+    solved.statistics = before + solved.statistics;
     if solved.worst().residual > point.numerics.tolerance {
         solved = rescue::with_traction(system, solved, [rolling, settled], point);
     }

@@ -1,6 +1,6 @@
 //! Why a procedure does not start, or ends before its time.
 
-use crate::lock::Holder;
+use crate::holder::Holder;
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};

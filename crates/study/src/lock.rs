@@ -5,8 +5,7 @@
 
 use crate::error::StudyError;
 use crate::files::with_suffix;
-use serde::{Deserialize, Serialize};
-use std::fmt;
+use crate::holder::Holder;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -17,17 +16,6 @@ const LOOKS: usize = 5;
 const LOOK_STEP: Duration = Duration::from_millis(10);
 /// Longest name of a holder, bytes.
 const LONGEST: u64 = 4096;
-
-/// The process that writes an output.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Holder {
-    /// Number of the process.
-    pub pid: u32,
-    /// Name of its machine; empty where the system does not tell.
-    pub host: String,
-    /// Date and time at which it began, UTC.
-    pub since: String,
-}
 
 impl Holder {
     fn this() -> Self {
@@ -40,13 +28,6 @@ impl Holder {
         let mut text = String::new();
         File::open(path).ok()?.take(LONGEST).read_to_string(&mut text).ok()?;
         serde_json::from_str(&text).ok()
-    }
-}
-
-impl fmt::Display for Holder {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let host = if self.host.is_empty() { String::new() } else { format!(" on {}", self.host) };
-        write!(f, "pid {}{host} since {}", self.pid, self.since)
     }
 }
 

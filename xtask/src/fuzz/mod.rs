@@ -7,6 +7,7 @@
 mod document;
 mod mutate;
 mod seeds;
+mod target;
 mod targets;
 
 use crate::error::Failure;
@@ -18,7 +19,8 @@ use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
-use targets::{Subject, Target};
+use target::Target;
+use targets::Subject;
 use tribodyn_paper::{files, table};
 
 /// Try inputs by the million on everything that reads files and messages from elsewhere.

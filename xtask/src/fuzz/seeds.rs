@@ -1,7 +1,7 @@
 //! Inputs to begin with: the files of the project, recordings and a checkpoint of a short run, and what is kept in
 //! `fixtures/fuzz`.
 
-use super::targets::Target;
+use super::target::Target;
 use crate::error::Failure;
 use std::fs;
 use std::io::Cursor;

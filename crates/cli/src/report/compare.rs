@@ -1,6 +1,7 @@
 //! `tribodyn report A.mcap B.mcap`: what two recordings differ in.
 
-use super::content::{Content, Table};
+use super::content::Content;
+use super::page_table::Table;
 use super::values::CaseValue;
 use super::{Answer, Evaluated, Kind, compare_figures, opening};
 use crate::failure::Failure;

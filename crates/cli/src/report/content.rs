@@ -2,6 +2,7 @@
 
 use super::Answer;
 use super::opening;
+use super::page_table::Table;
 use super::tables;
 use super::values::CaseValue;
 use crate::run::shown;
@@ -23,18 +24,6 @@ pub struct Content {
     pub notes: Vec<String>,
     /// Text of the case file.
     pub case_text: Option<String>,
-}
-
-pub struct Table {
-    pub title: String,
-    /// A sentence below the title; may be empty.
-    pub text: String,
-    pub header: Vec<&'static str>,
-    pub rows: Vec<Vec<String>>,
-    /// Columns with numbers, aligned right.
-    pub numbers: std::ops::Range<usize>,
-    /// As wide as the page.
-    pub wide: bool,
 }
 
 impl Content {

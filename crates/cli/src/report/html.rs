@@ -1,8 +1,9 @@
 //! The report as one HTML page that needs nothing else: figures are inline SVG, which a script covers with interactive ones on screen;
 //! nothing is loaded from anywhere.
 
-use super::content::{Content, Table};
+use super::content::Content;
 use super::live::Live;
+use super::page_table::Table;
 use tribodyn_plot::Figure;
 
 /// Light and dark; colours carry no meaning that words do not carry too.

@@ -1,7 +1,8 @@
 //! The report as Markdown, and its first tables as plain text for the terminal.
 
-use super::content::{Content, Table};
-use crate::table::visible;
+use super::content::Content;
+use super::page_table::Table;
+use crate::harmless::visible;
 use tribodyn_plot::Figure;
 
 /// `summary.md`.

@@ -9,6 +9,7 @@ mod live;
 mod markdown;
 mod opening;
 mod orbit;
+mod page_table;
 mod solution;
 mod spectra;
 mod tables;

@@ -1,7 +1,7 @@
 //! What was run or solved, in a table that a report opens with.
 
 use super::Answer;
-use super::content::Table;
+use super::page_table::Table;
 use super::values::readable;
 use crate::table::number;
 use tribodyn_case::locate;

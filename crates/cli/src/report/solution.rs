@@ -1,6 +1,7 @@
 //! The report of a recorded quasi-static solution.
 
-use super::content::{Content, Table, damage, values};
+use super::content::{Content, damage, values};
+use super::page_table::Table;
 use super::tables;
 use super::values::CaseValue;
 use crate::failure::Failure;

@@ -1,7 +1,7 @@
 //! Tables of results.
 
 use super::Answer;
-use super::content::Table;
+use super::page_table::Table;
 use crate::run::acceleration;
 use crate::table::number;
 use tribodyn_record::Run;

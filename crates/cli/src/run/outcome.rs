@@ -8,7 +8,7 @@ use tribodyn_study::run::{RunReport, Summary, imbalance};
 
 /// Prints the report of a run.
 pub fn print(r: &RunReport) -> Result<(), Failure> {
-    table::print_line(&table::visible(&format!("{}: {}", r.case, r.bearing)))?;
+    table::print_line(&crate::harmless::visible(&format!("{}: {}", r.case, r.bearing)))?;
     table::print_line("")?;
     let mut rows = Vec::new();
     if let Some(summary) = &r.summary {

@@ -31,10 +31,10 @@ mod drift;
 mod friction;
 
 use crate::equations::{Equations, Frame};
-use crate::forces::Watch;
 use crate::layout::{AZIMUTH, BALL, Layout, VELOCITY};
 use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
 use crate::machine::Machine;
+use crate::watch::Watch;
 use drift::{drift_acceleration, glide, push};
 use friction::{LinearFriction, in_inertial_axes, inverse_with_held, linear_friction, ring_in_ball_axes};
 use nalgebra::{Matrix5, Vector5, Vector6};

@@ -5,6 +5,7 @@
 //! once more and looks for what has become stiff on it.
 
 use super::{FIRST_STEP, Run, SHORTEST_STEP, Scheme, THROWN_OUT};
+use crate::blame::{Blame, StepBound};
 use crate::dp54::{DormandPrince, StepControl};
 use crate::equations::Equations;
 use crate::fast::pieces;
@@ -14,32 +15,6 @@ use crate::machine::Machine;
 use crate::stiffness::{EULER_LIMIT, FAST_PERIOD, IMAGINARY_LIMIT, REAL_LIMIT, Stiffness};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-
-/// A motion and the longest step at which it is stable.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StepBound {
-    /// The motion, such as "friction of ball 3".
-    pub motion: String,
-    /// Longest stable step, s.
-    pub limit_s: f64,
-}
-
-/// What drove a motion beyond all bounds.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Blame {
-    /// The step is longer than a motion allows.
-    Step {
-        /// The step, s.
-        step_s: f64,
-        /// The motion with its bound, which is below the step.
-        bound: Box<StepBound>,
-    },
-    /// Loads, speeds, supports or damping of the case: no motion asks for a shorter step.
-    Case {
-        /// The step, s.
-        step_s: f64,
-    },
-}
 
 /// Changes of a position (m, rad) and a speed (m/s, rad/s) for difference quotients: bounds need no digits.
 const SHIFT: f64 = 1e-9;

@@ -6,7 +6,6 @@ mod filter;
 mod resume;
 mod step;
 
-pub use blame::{Blame, StepBound};
 pub use filter::FilterBands;
 
 use crate::dp54::{DormandPrince, StepControl};

@@ -1,0 +1,30 @@
+//! A solved orbit, and what is needed to go on from it.
+
+use crate::collocation::Orbit;
+use crate::newton::OrbitStatistics;
+use crate::residual::Scales;
+use crate::solution::SteadyOrbit;
+use tribodyn_bearing::Races;
+use tribodyn_traction::PatchRule;
+
+/// An orbit to start a neighbouring problem from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OrbitStart {
+    pub(crate) orbit: Orbit,
+    pub(crate) rule: PatchRule,
+    pub(crate) rule_error: f64,
+    pub(crate) speed_error: Option<f64>,
+    pub(crate) scales: Scales,
+    pub(crate) speeds: Races<f64>,
+}
+
+/// A steady orbit with what is needed to go on from it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SolvedOrbit {
+    /// The orbit.
+    pub solution: SteadyOrbit,
+    /// Statistics of the solver.
+    pub statistics: OrbitStatistics,
+    /// Start for a neighbouring problem; none for a bearing at rest.
+    pub start: Option<OrbitStart>,
+}
