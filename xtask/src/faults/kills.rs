@@ -1,5 +1,5 @@
-//! Kills at random times: what is safe on disk then, how much wall time is lost, and whether the resumed run records the
-//! messages of one that was never killed.
+//! Kills at random times: what is safe on disk then, how much wall time is lost, and whether the resumed run records
+//! the messages of one that was never killed.
 
 use super::lab::{Lab, Reference, beside, messages, names, same, told, words};
 use super::row::{Row, ensure};
