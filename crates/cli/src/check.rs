@@ -103,7 +103,7 @@ impl Growth {
 fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
     let half = 0.5e6 * bearing.geometry.axial_play();
     let datum = format!(
-        "axial position z = 0: the balls just touch both races without load, {} um from the middle of the axial play",
+        "axial position z = 0: the balls just touch both races without load, {} µm from the middle of the axial play",
         number(half, 1)
     );
     let mut notes = vec![datum];
@@ -111,7 +111,7 @@ fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
         && half > 0.0
     {
         notes.push(format!(
-            "the ring is held at z = {} um: from z = 0 on every ball bears on one side; a bearing that floats in its play is held at the middle, z = Held(um({}))",
+            "the ring is held at z = {} µm: from z = 0 on every ball bears on one side; a bearing that floats in its play is held at the middle, z = Held(um({}))",
             number(z * 1e6, 3),
             number(-half, 1)
         ));
@@ -167,14 +167,14 @@ fn answer(file: &CaseFile, bearing: &Bearing, growth: Option<Growth>) -> Answer 
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
+    let file = arguments.case.read()?;
     let bearing = file.bearing()?;
     let unusable = |source| StudyError::Bearing { file: file.name.clone(), source };
     let a = answer(&file, &bearing, growth(&file.case).map_err(unusable)?);
     if arguments.json {
         return table::print_json(&a);
     }
-    table::print_line(&format!("{}: {}\n", file.name, a.name))?;
+    table::print_line(&format!("{}: {}\n", file.name, table::visible(&a.name)))?;
     let mut rows = vec![
         ("free contact angle", number(a.contact_angle_deg, 4), "°"),
         ("radial clearance (diametral)", number(a.radial_clearance_m * 1e6, 2), "µm"),

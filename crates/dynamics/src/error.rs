@@ -86,6 +86,16 @@ pub enum DynamicsError {
         /// Unknowns of the run.
         expected: usize,
     },
+    /// A checkpoint with a value that no run of the case has.
+    #[error("the checkpoint is damaged: {field} is {value}, allowed is {allowed}")]
+    CheckpointValue {
+        /// Which value.
+        field: &'static str,
+        /// The value, SI.
+        value: f64,
+        /// What is allowed.
+        allowed: String,
+    },
 }
 
 /// Why a motion left all numbers.

@@ -83,7 +83,7 @@ impl NewCase {
         text += &sections::operation(self, &numbers, &mut sources);
         text += &sections::transient(&numbers, &mut sources);
         text += &sections::rating(self, &numbers, &mut sources);
-        text += sections::MODELLING;
+        text += sections::modelling(&mut sources);
         text += "    // Where each value comes from. What is assumed may be wrong for your bearing: replace it by what you know.\n";
         text += &format!("    sources: {{\n{}\n    }},\n)\n", sources.lines.join("\n"));
         Ok(text)
@@ -140,8 +140,9 @@ impl NewCase {
     fn opening(&self) -> String {
         let title = self.title();
         format!(
-            "// {title}: a first case, complete. All that no catalogue tells is assumed and marked so in the sources\n\
-             // at the end, with the usual range: replace what you know. docs/case-file.md has every field.\n\
+            "// {title}: a first case, complete.\n\
+             // All that no catalogue tells is assumed and marked so in the sources at the end, with the usual range: replace what\n\
+             // you know. docs/case-file.md has every field.\n\
              (\n    name: \"{title}\",\n\n"
         )
     }

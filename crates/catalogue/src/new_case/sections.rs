@@ -4,7 +4,7 @@ use super::numbers::{MODERATE_SPEED, Numbers, STEEL};
 use super::{NewCase, Sources, trim};
 use crate::Origin;
 
-pub(super) const MODELLING: &str = "    modelling: (
+const MODELLING: &str = "    modelling: (
         contact_at_actual_angle: false,
         ring_centre: Displaced,
         race_control: Outer,
@@ -12,6 +12,14 @@ pub(super) const MODELLING: &str = "    modelling: (
     ),
 
 ";
+
+pub(super) fn modelling(sources: &mut Sources) -> &'static str {
+    sources.assumed(
+        "modelling",
+        "the usual choices of Jones-Harris programs; a displaced ring turns about its own centre",
+    );
+    MODELLING
+}
 
 pub(super) fn ball_sources(origin: &Origin, sources: &mut Sources) {
     match origin {
@@ -64,8 +72,12 @@ pub(super) fn tribology(sources: &mut Sources) -> String {
         "traction.slip_unit",
         "how steeply traction rises with slip; the tests do not tell, usual 20 to 100 per m/s",
     );
-    sources.assumed("traction.reference_pressure", "middle of the tested pressures, 1.5 to 4 GPa");
-    sources.assumed("traction.patch", "quick and good for a first look; 1e-5 for numbers to rely on");
+    sources.assumed(
+        "traction.reference_pressure",
+        "the lowest tested pressure; the tests go from 2.5 to 3.5 GPa, bearings usually run at 1 to 2.5",
+    );
+    sources.assumed("traction.patch", "accelerations and pocket forces settle at this error; 1e-3 for a quick look");
+    sources.assumed("traction", "the fullest model: parameters that vary with pressure, and differential slip");
     sources.assumed("wear", "orders of magnitude: wear coefficients 1e-7 to 1e-4, silver 250 MPa, cage 60 to 200 MPa");
     "    coatings: (
         inner: (curve: Library(\"ag\"), thickness: um(2)),
@@ -79,7 +91,7 @@ pub(super) fn tribology(sources: &mut Sources) -> String {
         reference_pressure: GPa(2.5),
         differential_slip: true,
         pressure: Peak,
-        patch: SplitStrip(across: 5, along: 3),
+        patch: TargetError(relative: 1e-5),
     ),
 
     // No `fluid`: the bearing runs in air, without drag and churning.
@@ -140,6 +152,8 @@ pub(super) fn operation(case: &NewCase, numbers: &Numbers, sources: &mut Sources
         );
         sources.assumed("speed.inner", &why);
     }
+    sources.assumed("ring.y", "the radial load acts along x");
+    sources.assumed("speed.outer", "a fixed outer ring");
     sources.assumed("ring.tilt_x", "aligned; usual misalignment 0.1 to 1 mrad");
     sources.assumed("ring.tilt_y", "aligned; usual misalignment 0.1 to 1 mrad");
     format!(
@@ -175,6 +189,8 @@ pub(super) fn transient(numbers: &Numbers, sources: &mut Sources) -> String {
         "transient.scheme",
         "the fast scheme, a quarter of its longest step or less; halve it to see what it does",
     );
+    sources.assumed("transient.start", "from the equilibrium; a start from rest needs a table of speeds");
+    sources.assumed("transient.wear_acceleration", "no wear: coatings hold much longer than a run");
     sources.assumed("transient.duration", "five turns of the shaft, enough to look at; means need some tens");
     sources.assumed("transient.contact_damping", "steel on steel with a solid film; 0.005 to 0.1 change little");
     sources.assumed("recording", "twenty samples for each ball that passes, or more; every ball at a fifth of it");

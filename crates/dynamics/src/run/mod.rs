@@ -3,6 +3,7 @@
 mod after;
 mod blame;
 mod filter;
+mod resume;
 mod step;
 
 pub use blame::{Blame, StepBound};
@@ -218,25 +219,6 @@ impl Run {
         let p = &mut self.progress;
         self.machine.derivative(p.time, &p.state, &mut p.derivative);
         p.loaded = self.machine.watch.iter().map(|w| w.loaded).collect();
-    }
-
-    /// Goes on from a checkpoint of the same inputs.
-    ///
-    /// # Errors
-    /// [`DynamicsError::Checkpoint`] for a checkpoint of another bearing, [`DynamicsError::CheckpointFilter`] for one of another
-    /// state rate or step.
-    pub fn resume(&mut self, checkpoint: Checkpoint) -> Result<(), DynamicsError> {
-        let (found, expected) = (checkpoint.state.len(), self.start.len());
-        if [found, checkpoint.derivative.len(), checkpoint.looked.state.len()] != [expected; 3] {
-            return Err(DynamicsError::Checkpoint { found, expected });
-        }
-        if !self.filter.remembers(&checkpoint.filter) {
-            return Err(DynamicsError::CheckpointFilter { internal_rate_hz: self.filter.internal_rate_hz() });
-        }
-        self.machine.raceways = checkpoint.raceways.clone();
-        self.machine.thinnest = checkpoint.thinnest;
-        self.progress = checkpoint;
-        Ok(())
     }
 
     /// What [`Self::resume`] needs.

@@ -1,6 +1,7 @@
 //! What goes wrong is said, and samples before it are good.
 
 use crate::{Keep, case, run};
+use serde_json::json;
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 use tribodyn_dynamics::{
@@ -71,6 +72,43 @@ fn limit_a_checkpoint_of_another_bearing_is_refused() {
     let other = Run::new(case(&[("geometry.ball_count", "12")]).run_inputs().unwrap()).unwrap();
     let refused = run.resume(other.checkpoint());
     assert!(matches!(refused, Err(DynamicsError::Checkpoint { found, expected }) if expected - found == 9));
+}
+
+/// Checkpoints come from files: whatever number of one is changed, the run says which or goes on with it, and none panics.
+#[test]
+fn limit_a_checkpoint_with_impossible_values_is_refused() {
+    let case = case(&[("transient.scheme", "Fast(step: us(10))"), ("transient.duration", "s(0.01)")]);
+    let begun = || {
+        let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
+        run.advance(0.001, &mut Keep::default()).unwrap();
+        run
+    };
+    let sound = serde_json::to_value(begun().checkpoint()).unwrap();
+    let edits: [(&str, serde_json::Value); 14] = [
+        ("/time", json!(-1.0)),
+        ("/time", json!(0.5)),
+        ("/state/1", json!(1.0)),
+        ("/state/5", json!(1e12)),
+        ("/state/3", json!(-1e300)),
+        ("/steps", json!(u64::MAX)),
+        ("/samples", json!(0)),
+        ("/samples", json!(u64::MAX)),
+        ("/filter/passed", json!(1)),
+        ("/loaded", json!([])),
+        ("/fast/contacts", json!([])),
+        ("/fast/common", json!([1.0])),
+        ("/stiffness/contact_frequency_hz", json!(1e300)),
+        ("/worn/0", json!(-1.0)),
+    ];
+    for (place, value) in edits {
+        let mut edited = sound.clone();
+        *edited.pointer_mut(place).unwrap_or_else(|| panic!("{place}")) = value.clone();
+        let refused = begun().resume(serde_json::from_value(edited).unwrap());
+        assert!(matches!(refused, Err(DynamicsError::CheckpointValue { .. })), "{place} = {value}: {refused:?}");
+    }
+    let mut run = begun();
+    run.resume(serde_json::from_value(sound).unwrap()).unwrap();
+    run.advance(0.002, &mut Keep::default()).unwrap();
 }
 
 /// The radial load grows beyond what a soft support holds: balls and rings leave their place together.
