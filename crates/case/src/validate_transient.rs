@@ -7,7 +7,8 @@ use tribodyn_bearing::Scheme;
 
 /// Longest step of a fixed-step scheme, s: ten times that of the paper, at which no contact is resolved any more.
 const STEP_MAX: f64 = 1e-4;
-/// Shortest one, s: ten thousand times shorter than friction on bare steel asks for. The adaptive scheme gives up there too.
+/// Shortest one, s: ten thousand times shorter than friction on bare steel asks for. The adaptive scheme gives up
+/// there too.
 const STEP_MIN: f64 = 1e-12;
 /// Most steps of a run: weeks of calculation, and the time still has four digits of a step.
 const STEPS_MAX: f64 = 1e12;

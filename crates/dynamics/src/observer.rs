@@ -24,8 +24,8 @@ pub trait Observer {
     /// Whatever the observer cannot do.
     fn event(&mut self, event: &Event) -> Result<(), Self::Error>;
 
-    /// A step was made, to a time in s. Break ends the run there, without an error; taken up again it makes the samples of a
-    /// run that went on.
+    /// A step was made, to a time in s. Break ends the run there, without an error; taken up again it makes the
+    /// samples of a run that went on.
     fn stepped(&mut self, time_s: f64) -> ControlFlow<()> {
         let _ = time_s;
         ControlFlow::Continue(())

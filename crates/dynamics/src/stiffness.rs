@@ -18,8 +18,8 @@ pub struct Stiffness {
     /// Longest step at which the classical Runge–Kutta method is stable, s; infinite where nothing is stiff.
     #[serde(deserialize_with = "or_infinite")]
     pub runge_kutta_step_s: f64,
-    /// Longest step of the fast scheme, s; with a law or a choice of pressure for which the patch has no derivative in closed
-    /// form, friction is explicit there and bounds it too. Infinite where no contact carries load.
+    /// Longest step of the fast scheme, s; with a law or a choice of pressure for which the patch has no derivative in
+    /// closed form, friction is explicit there and bounds it too. Infinite where no contact carries load.
     #[serde(deserialize_with = "or_infinite")]
     pub fast_step_s: f64,
 }
@@ -29,8 +29,8 @@ fn or_infinite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Err
     Ok(Option::deserialize(deserializer)?.unwrap_or(f64::INFINITY))
 }
 
-/// Longest step of the fast scheme over the period of the contact springs. At half a period the kicks would drive them in
-/// resonance; with the test bearing 0.4 runs well and 0.58 does not.
+/// Longest step of the fast scheme over the period of the contact springs. At half a period the kicks would drive them
+/// in resonance; with the test bearing 0.4 runs well and 0.58 does not.
 pub(crate) const FAST_PERIOD: f64 = 0.45;
 
 /// Where the stability region of the classical Runge–Kutta method ends on the negative real axis, and on the imaginary.
@@ -45,8 +45,8 @@ const LEAST_CHANGE: f64 = 1e-5;
 /// Most iterations for the eigenvalues of a ball: it takes some ten.
 const MOST_ITERATIONS: usize = 1000;
 
-/// Fastest decay of a linear system, 1/s. Where there are no eigenvalues, since a motion has gone beyond all numbers, it is
-/// the largest number: no step is short enough.
+/// Fastest decay of a linear system, 1/s. Where there are no eigenvalues, since a motion has gone beyond all numbers,
+/// it is the largest number: no step is short enough.
 fn fastest_decay(matrix: Matrix6<f64>) -> f64 {
     // The iteration need not end for what is not a number.
     match Schur::try_new(matrix, f64::EPSILON, MOST_ITERATIONS) {

@@ -116,7 +116,7 @@ pub enum StudyError {
         difference: SweepDifference,
     },
     /// Two processes with one output.
-    #[error("{}: another process is writing it{}", output.display(), .holder.as_ref().map_or(String::new(), |holder| format!(", {holder}")))]
+    #[error("{}: another process is writing it{}", output.display(), by(holder))]
     Busy {
         /// The recording or table.
         output: PathBuf,
@@ -334,6 +334,11 @@ pub struct RefusedCase {
     pub text: String,
     /// Reason, with the place in the text.
     pub error: CaseError,
+}
+
+/// Who writes an output, after the sentence that somebody does.
+fn by(holder: &Option<Holder>) -> String {
+    holder.as_ref().map_or_else(String::new, |holder| format!(", {holder}"))
 }
 
 /// The message of an error with those of its causes that it does not repeat: a full disk lies deep.

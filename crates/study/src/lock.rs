@@ -71,7 +71,8 @@ impl OutputLock {
 
 impl Drop for OutputLock {
     fn drop(&mut self) {
-        // Removed while it is locked: who has opened it meanwhile sees that it is gone. A file that stays blocks nobody.
+        // Removed while it is locked: who has opened it meanwhile sees that it is gone. A file that stays blocks
+        // nobody.
         let _ = fs::remove_file(&self.path);
     }
 }
@@ -113,8 +114,8 @@ fn host() -> String {
     of_system.or_else(of_environment).map_or(String::new(), |name| name.trim().to_owned())
 }
 
-/// Seconds since 1970 as date and time, UTC. The date counts in eras of 400 years that begin in March, so that the leap day is
-/// the last of its year (Reingold, Dershowitz, Calendrical Calculations, 2018, chapter 2).
+/// Seconds since 1970 as date and time, UTC. The date counts in eras of 400 years that begin in March, so that the
+/// leap day is the last of its year (Reingold, Dershowitz, Calendrical Calculations, 2018, chapter 2).
 fn date_and_time(seconds: u64) -> String {
     let (days, rest) = (seconds / 86_400 + 719_468, seconds % 86_400);
     let (era, day_of_era) = (days / 146_097, days % 146_097);

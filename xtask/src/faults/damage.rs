@@ -1,4 +1,5 @@
-//! Recordings that were cut, flipped or overwritten: what is recovered is a part of the original and every loss is said.
+//! Recordings that were cut, flipped or overwritten: what is recovered is a part of the original and every loss is
+//! said.
 
 use super::lab::{Lab, Message, Reference, beside, messages, told, words};
 use super::random::Random;
@@ -88,7 +89,8 @@ fn damage(whole: &[u8], random: &mut Random) -> (String, Vec<u8>) {
     }
 }
 
-/// Whether a command has made something; a clear error is as good. An error is if it panics, hangs or leaves half of it.
+/// Whether a command has made something; a clear error is as good. An error is if it panics, hangs or leaves half of
+/// it.
 fn ends_well(output: &Output, took: Duration, made: &Path) -> Result<bool, String> {
     ensure(took < HANGS, || format!("it took {took:?}"))?;
     let text = String::from_utf8_lossy(&output.stderr);

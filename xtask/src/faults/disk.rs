@@ -69,7 +69,7 @@ pub fn full(lab: &mut Lab, references: &[Reference]) -> Result<Vec<Row>, Failure
     for words in small_ones(lab, &references[0]) {
         let folder = lab.scratch()?;
         let Some(disk) = Disk::mount(&folder, 8) else { continue };
-        let words: Vec<OsString> = words.into_iter().chain([folder.join("out.mcap").into()]).collect();
+        let words = with_output(words, &folder);
         let output = lab.output(&words)?;
         answers.count(nothing_is_left(&output, &folder, &[]).map_err(|why| format!("{:?}: {why}", words[0])));
         drop(disk);
@@ -133,11 +133,17 @@ fn small_ones(lab: &Lab, reference: &Reference) -> Vec<Vec<OsString>> {
     ]
 }
 
+/// The words with the output after them; tables are known by their ending.
+fn with_output(words: Vec<OsString>, folder: &Path) -> Vec<OsString> {
+    let name = if words.first().is_some_and(|word| word == "sweep") { "out.csv" } else { "out.mcap" };
+    words.into_iter().chain([folder.join(name).into()]).collect()
+}
+
 /// Failed with 1, said so, and wrote nothing under its own name.
 fn nothing_is_left(output: &Output, folder: &Path, allowed: &[&str]) -> Result<(), String> {
     ensure(output.status.code() == Some(1) && !output.stderr.is_empty(), || told(output))?;
     let left: Vec<String> = names(folder).into_iter().filter(|name| !allowed.contains(&name.as_str())).collect();
-    let whole = left.iter().any(|name| name == "out.mcap");
+    let whole = left.iter().any(|name| name == "out.mcap" || name == "out.csv");
     ensure(!whole, || format!("left behind: {}", left.join(", ")))
 }
 
@@ -153,7 +159,7 @@ pub fn read_only(lab: &mut Lab, references: &[Reference]) -> Result<Vec<Row>, Fa
     may(0o555).map_err(|source| lab.no_start(source))?;
     let root = fs::metadata("/proc/self").is_ok_and(|own| own.uid() == 0);
     for words in small_ones(lab, &references[0]) {
-        let words: Vec<OsString> = words.into_iter().chain([folder.join("out.mcap").into()]).collect();
+        let words = with_output(words, &folder);
         let mut command = lab.command(&words);
         if root {
             command.uid(NOBODY).gid(NOBODY);

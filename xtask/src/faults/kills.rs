@@ -1,5 +1,5 @@
-//! Kills at random times: what is safe on disk then, how much wall time is lost, and whether the resumed run records the
-//! messages of one that was never killed.
+//! Kills at random times: what is safe on disk then, how much wall time is lost, and whether the resumed run records
+//! the messages of one that was never killed.
 
 use super::lab::{Lab, Reference, beside, messages, names, same, told, words};
 use super::row::{Row, ensure};
@@ -66,13 +66,15 @@ fn next_step(recording: &Path) -> &'static [&'static str] {
     }
 }
 
-/// Wall time between the last moment that is safe and the kill. Before the recording there is nothing to lose.
+/// Wall time between the last moment that is safe and the kill. Before the recording there is nothing to lose, and none while
+/// a resumed run still copies: it makes no step before its own first checkpoint.
 fn since_safe(recording: &Path, at: SystemTime) -> Duration {
-    let times = [
-        fs::metadata(beside(recording, ".checkpoint")).and_then(|m| m.modified()),
-        fs::metadata(beside(recording, ".active")).and_then(|m| m.created()),
-    ];
-    let last = times.into_iter().flatten().max();
+    let checkpoint = fs::metadata(beside(recording, ".checkpoint")).and_then(|m| m.modified()).ok();
+    let begun = fs::metadata(beside(recording, ".active")).and_then(|m| m.created()).ok();
+    let last = match (checkpoint, begun) {
+        (Some(checkpoint), Some(begun)) if begun > checkpoint => None,
+        (checkpoint, begun) => checkpoint.max(begun),
+    };
     last.and_then(|last| at.duration_since(last).ok()).unwrap_or_default()
 }
 

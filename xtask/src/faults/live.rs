@@ -1,5 +1,5 @@
-//! Viewers of a live run that are slow, silent or hostile: none of them changes the recording, stops the run or keeps a good
-//! viewer out, and pages of strangers read nothing.
+//! Viewers of a live run that are slow, silent or hostile: none of them changes the recording, stops the run or keeps
+//! a good viewer out, and pages of strangers read nothing.
 
 use super::kills::is_whole;
 use super::lab::{Lab, Reference, told};

@@ -1,5 +1,6 @@
-//! `cargo xtask faults`: what the command survives, tried many times with what a machine and its users do to it: kills, stops,
-//! full disks, folders without permission, two commands at once, clocks that jump, damaged files, hostile viewers.
+//! `cargo xtask faults`: what the command survives, tried many times with what a machine and its users do to it:
+//! kills, stops, full disks, folders without permission, two commands at once, clocks that jump, damaged files,
+//! hostile viewers.
 //!
 //! The command under test is the program as it is built, not the library: each trial is a process of its own.
 

@@ -1,8 +1,8 @@
 //! Why a motion went beyond all bounds: the step, where some motion allows only a shorter one, else the case.
 //!
-//! The state at the failure is far from any that is meant, and what is stiff there says nothing. Bounds are therefore those of
-//! the last look, of balls, rings, cage and pockets; where they allow the step, the adaptive scheme goes the way from there
-//! once more and looks for what has become stiff on it.
+//! The state at the failure is far from any that is meant, and what is stiff there says nothing. Bounds are therefore
+//! those of the last look, of balls, rings, cage and pockets; where they allow the step, the adaptive scheme goes the
+//! way from there once more and looks for what has become stiff on it.
 
 use super::{FIRST_STEP, Run, SHORTEST_STEP, Scheme, THROWN_OUT};
 use crate::blame::{Blame, StepBound};
@@ -40,8 +40,8 @@ pub(super) struct Looked {
 }
 
 impl Run {
-    /// Whether the step or the case is to blame for what happened at the present time. `known` is the stiffness of the last
-    /// look before it.
+    /// Whether the step or the case is to blame for what happened at the present time. `known` is the stiffness of the
+    /// last look before it.
     pub(super) fn blame(&self, known: Stiffness) -> Blame {
         let step_s = self.step();
         let limits = match self.scheme {
@@ -64,8 +64,8 @@ impl Run {
         }
     }
 
-    /// The lowest bound that the adaptive scheme finds between the last look and the present time; its mean step where that is
-    /// lower. None where it cannot go that way either, or loses a ball on it.
+    /// The lowest bound that the adaptive scheme finds between the last look and the present time; its mean step where
+    /// that is lower. None where it cannot go that way either, or loses a ball on it.
     fn on_the_way(&self, limits: Limits) -> Option<StepBound> {
         let Looked { time: from, state } = &self.progress.looked;
         let (mut t, mut y, end) = (*from, state.clone(), self.progress.time);

@@ -63,7 +63,8 @@ pub struct Checkpoint {
     through: Races<bool>,
     control: StepControl,
     fast: Fast,
-    /// Work put in, lost and put in by magnitude, J, up to the last sample of the fast scheme, and their rates there, W.
+    /// Work put in, lost and put in by magnitude, J, up to the last sample of the fast scheme, and their rates there,
+    /// W.
     work: [f64; 3],
     rates: [f64; 3],
     filter: FilterMemory,
@@ -125,8 +126,8 @@ const LOOK_EVERY: u64 = 1000;
 const WEAR_LOOK_EVERY: u64 = 64;
 /// Distance from its place at which a ball counts as thrown out, in ball diameters.
 const THROWN_OUT: f64 = 0.1;
-/// Error of the patch rule over the load above which accelerations and pocket forces are not to be trusted: they scatter by a
-/// quarter until it is about 1e-5, and the cage speed does not change with it.
+/// Error of the patch rule over the load above which accelerations and pocket forces are not to be trusted: they
+/// scatter by a quarter until it is about 1e-5, and the cage speed does not change with it.
 pub const ACCELERATION_ERROR: f64 = 1e-4;
 /// First step of the adaptive scheme, s: the paper's.
 const FIRST_STEP: f64 = 1e-6;
@@ -136,7 +137,8 @@ const SHORTEST_STEP: f64 = 1e-12;
 const CUT_MARGIN: f64 = 1e-6;
 
 impl Run {
-    /// The same run with traction integrated node by node by the generic quadrature: the plain reference of the fast kernel.
+    /// The same run with traction integrated node by node by the generic quadrature: the plain reference of the fast
+    /// kernel.
     ///
     /// # Errors
     /// [`DynamicsError`] for a rule that no quadrature can be made of.

@@ -34,7 +34,8 @@ fn limit_a_step_far_too_long_ends_with_the_stable_one_named() {
     assert!(warned, "{:?}", keep.events);
 }
 
-/// At this slip scale and without differential slip 1e-5 s is beyond the bound: nothing blows up, but a warning says so.
+/// At this slip scale and without differential slip 1e-5 s is beyond the bound: nothing blows up, but a warning says
+/// so.
 #[test]
 fn paper_step_is_beyond_the_bound_without_differential_slip() {
     let changes = [
@@ -147,7 +148,8 @@ fn limit_numbers_that_are_none_end_a_run_with_time_and_step() {
     assert!(error.to_string().contains("not a number"), "{error}");
 }
 
-/// What makes a step too long may be no ball: the bound that is named is below the step that was used, with the motion it is of.
+/// What makes a step too long may be no ball: the bound that is named is below the step that was used, with the motion
+/// it is of.
 #[test]
 fn limit_a_bound_that_is_named_is_below_the_step_that_was_used() {
     let soft = ("supports.outer.damping", "(N_s_per_m(5e6), N_s_per_m(5e6))");

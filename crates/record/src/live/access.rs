@@ -1,16 +1,16 @@
 //! Who may watch: the names under which a server answers, and the pages that may read from it.
 //!
-//! A browser lets every page open a WebSocket to this machine, and says in `Origin` which page it is. A page can also let
-//! its own name lead to this machine (DNS rebinding); then `Host` has that name. Programs send no `Origin` and any `Host` they
-//! like: this keeps out pages, not people.
+//! A browser lets every page open a WebSocket to this machine, and says in `Origin` which page it is. A page can also
+//! let its own name lead to this machine (DNS rebinding); then `Host` has that name. Programs send no `Origin` and any
+//! `Host` they like: this keeps out pages, not people.
 
 use std::net::{IpAddr, Ipv6Addr};
 use std::str::FromStr;
 use tungstenite::handshake::server::Request;
 use tungstenite::http::header::{HOST, ORIGIN};
 
-/// Origins of viewers that are no pages of this machine: the Foxglove app on the web, and desktop programs, whose windows
-/// are files.
+/// Origins of viewers that are no pages of this machine: the Foxglove app on the web, and desktop programs, whose
+/// windows are files.
 const VIEWERS: [&str; 2] = ["https://app.foxglove.dev", "file://"];
 
 /// A host name or an origin that may watch a run besides those of this machine.

@@ -8,11 +8,11 @@
 //! in a run; they are kept and sent to whoever subscribes later.
 //!
 //! What is sent is neither encrypted nor is anybody asked who they are. Nobody can change a run by it. The address
-//! should be one of this machine, and even there any program can read. Pages in a browser cannot, but for those of this machine
-//! and of the viewers that are known or were allowed ([`LiveServer::allow`]).
+//! should be one of this machine, and even there any program can read. Pages in a browser cannot, but for those of
+//! this machine and of the viewers that are known or were allowed ([`LiveServer::allow`]).
 //!
-//! A handshake has five seconds in all. Connections that have not shaken hands yet take no viewer's place; the oldest of
-//! them makes room for a new one.
+//! A handshake has five seconds in all. Connections that have not shaken hands yet take no viewer's place; the oldest
+//! of them makes room for a new one.
 //!
 //! The server is written on the crate `tungstenite`, with two threads for each viewer: ten crates more than without it,
 //! and at most 13 s of processor time to build. The one in the Foxglove SDK 0.30.3 needs 118 crates, an asynchronous
@@ -20,6 +20,7 @@
 
 mod access;
 mod client;
+mod handshake;
 mod protocol;
 
 pub use access::LiveName;
@@ -218,8 +219,8 @@ impl LiveServer {
         Ok((server, warning))
     }
 
-    /// Lets viewers in that come by these host names or from pages of these hosts or origins, besides those of this machine and
-    /// the known ones; to be called before the recording begins.
+    /// Lets viewers in that come by these host names or from pages of these hosts or origins, besides those of this
+    /// machine and the known ones; to be called before the recording begins.
     pub fn allow(&mut self, names: &[LiveName]) {
         self.access.names.extend_from_slice(names);
     }

@@ -1,8 +1,8 @@
 //! A transient run, recorded.
 //!
-//! After each step the session looks at the clock: some times a second it reports its progress and can be stopped, and twice a
-//! second it writes a checkpoint. Neither changes a step, so that a resumed run makes the samples of one that was never
-//! stopped.
+//! After each step the session looks at the clock: some times a second it reports its progress and can be stopped, and
+//! twice a second it writes a checkpoint. Neither changes a step, so that a resumed run makes the samples of one that
+//! was never stopped.
 
 use super::checkpoint::{Files, Saved};
 use super::outcome::{RunOutcome, RunReport, Stopped};
@@ -37,8 +37,8 @@ pub enum Beginning {
     Restart,
 }
 
-/// A run that can begin: its case and the files of an earlier run are accepted, nothing but a lock is written yet. No other
-/// process can write the same recording until this or its session is dropped.
+/// A run that can begin: its case and the files of an earlier run are accepted, nothing but a lock is written yet. No
+/// other process can write the same recording until this or its session is dropped.
 ///
 /// ```no_run
 /// use std::ops::ControlFlow;
@@ -151,8 +151,8 @@ impl<'a> RunSession<'a> {
         recorder.remember(saved.recorder)?;
         let resumed = run.resume(saved.run);
         resumed.map_err(|source| StudyError::CannotStart { file: file.name.clone(), source })?;
-        // The new file holds what the checkpoint counts and more. A newer checkpoint would count on messages that only the
-        // new one has, and with the old file still there a resumption would look for them in that.
+        // The new file holds what the checkpoint counts and more. A newer checkpoint would count on messages that only
+        // the new one has, and with the old file still there a resumption would look for them in that.
         remove(&files.earlier)?;
         Ok((tape, recorder))
     }
