@@ -61,9 +61,10 @@ impl Subject {
         let whole = tribodyn_study::run::is_checkpoint(input);
         let body = input.split(|byte| *byte == b'\n').nth(1).unwrap_or(input);
         let Ok(mut value) = serde_json::from_slice::<serde_json::Value>(body) else { return u64::from(whole) };
+        let mut part = |name: &str| value.get_mut(name).map(serde_json::Value::take).unwrap_or_default();
+        let (run, recorder) = (part("run"), part("recorder"));
         let mut answer = 2;
-        if let (Some(run), Ok(checkpoint)) = (&mut self.run, serde_json::from_value::<Checkpoint>(value["run"].take()))
-        {
+        if let (Some(run), Ok(checkpoint)) = (&mut self.run, serde_json::from_value::<Checkpoint>(run)) {
             answer = match run.resume(checkpoint) {
                 Ok(()) => {
                     let until = run.time() + 1e-5;
@@ -75,9 +76,7 @@ impl Subject {
         }
         let input = RunRecording { case_text: seeds::RUN_CASE, case: &self.case, generator: "tribodyn fuzz" };
         let sink = StreamSink::new(Cursor::new(Vec::new()), Path::new("memory"));
-        if let (Ok(mut recorder), Ok(memory)) =
-            (RunRecorder::new(sink, &input), serde_json::from_value(value["recorder"].take()))
-        {
+        if let (Ok(mut recorder), Ok(memory)) = (RunRecorder::new(sink, &input), serde_json::from_value(recorder)) {
             answer ^= kind(&recorder.remember(memory).map_err(|error| error.to_string()));
             return answer ^ kind(&recorder.finish().is_ok());
         }
