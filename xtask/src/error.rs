@@ -13,6 +13,8 @@ pub enum Failure {
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]
     Json(#[from] serde_json::Error),
+    #[error("an input to begin with cannot be made: {0}")]
+    Seed(String),
     #[error("cannot print: {0}")]
     Print(std::io::Error),
     #[error("cannot run {program}: {source}")]

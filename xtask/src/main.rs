@@ -10,6 +10,7 @@ mod ci;
 mod error;
 mod faults;
 mod figures;
+mod fuzz;
 mod page;
 mod python;
 mod quantities;
@@ -42,6 +43,8 @@ enum Command {
     Quantities,
     /// Measure kernels, transient schemes and the quasi-static solver
     Bench(bench::Arguments),
+    /// Try inputs by the million on everything that reads files and messages from elsewhere
+    Fuzz(fuzz::Arguments),
     /// Open a report in headless Chromium and look for what is wrong
     Page(page::Arguments),
     /// Solve and run random bearings, and write a case file for each failure
@@ -60,6 +63,7 @@ fn main() -> ExitCode {
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Quantities => quantities::write(),
         Command::Bench(arguments) => bench::run(&arguments),
+        Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
         Command::Survey(arguments) => survey::run(&arguments),
         Command::Faults(arguments) => faults::run(&arguments),

@@ -22,16 +22,15 @@ const BALLS: &str = "
 ## Of a ball
 
 In `balls[]` of `solve --json`, `/bearing/balls` of a recording. Vectors are axial, radial and tangential in the
-azimuth frame of the ball. The last column says what sweeps and states have of all balls: `NAME_min_UNIT`,
-`NAME_max_UNIT` (of magnitudes where so marked), or the sum as `NAME_UNIT`.
+azimuth frame of the ball. The last column has the columns of sweeps: least and greatest value of any ball, or the
+sum. States of recordings have some of them, in the unit of recordings.
 
 ";
 
 const CONTACTS: &str = "
 ## Of a ball–race contact
 
-As those of a ball; `…` is `inner` or `outer`. In the columns of sweeps and states the race comes before `min` and
-`max`.
+As those of a ball; `…` is `inner` or `outer`.
 
 ";
 
@@ -80,7 +79,7 @@ fn page() -> String {
 }
 
 fn table<'a>(text: &mut String, rows: impl Iterator<Item = &'a Facts>, race: &str) {
-    text.push_str("| quantity | results | recordings, reports | models | of all balls |\n|---|---|---|---|---|\n");
+    text.push_str("| quantity | results | recordings, reports | models | sweeps |\n|---|---|---|---|---|\n");
     for facts in rows {
         let name = |suffix: &str| format!("`{}`", joined(&[facts.name, race, suffix]));
         let unit = |symbol: &str| if symbol.is_empty() { String::new() } else { format!(", {symbol}") };
@@ -94,7 +93,11 @@ fn table<'a>(text: &mut String, rows: impl Iterator<Item = &'a Facts>, race: &st
             Scope::Traction => "traction",
             Scope::Run => "run",
         };
-        let over: Vec<&str> = facts.over_balls.iter().map(|over| word(*over)).collect();
+        let column = |over: &Over| {
+            let name = joined(&[facts.name, race, over.name(), facts.unit.suffix]);
+            format!("`{name}`{}", kind(*over))
+        };
+        let over: Vec<String> = facts.over_balls.iter().map(column).collect();
         // Writing to a string does not fail.
         let _ = writeln!(
             text,
@@ -107,11 +110,10 @@ fn table<'a>(text: &mut String, rows: impl Iterator<Item = &'a Facts>, race: &st
     }
 }
 
-fn word(over: Over) -> &'static str {
+fn kind(over: Over) -> &'static str {
     match over {
-        Over::Sum => "sum",
-        Over::Min => "min",
-        Over::Max => "max",
-        Over::Largest => "max of magnitude",
+        Over::Sum => " (sum)",
+        Over::Largest => " (of magnitudes)",
+        Over::Min | Over::Max => "",
     }
 }

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod bearing;
+mod cage;
 mod cylinder;
 mod frame;
 mod geometry;
@@ -8,8 +9,10 @@ mod growth;
 mod history;
 mod interaction;
 mod modelling;
+mod motion;
 mod normal;
 mod operation;
+mod pocket;
 pub mod quantities;
 mod races;
 mod result;
@@ -20,6 +23,7 @@ mod test_bearing;
 mod tribology;
 
 pub use bearing::{Bearing, BearingSpec, FluidForces, Race};
+pub use cage::{CageBody, Guidance};
 pub use cylinder::{Cylinder, Solid};
 pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
@@ -27,8 +31,10 @@ pub use growth::{GrownBearing, Growth, MountedRing, Seat};
 pub use history::{RingLoads, SpeedHistory, Tilt, Translation};
 pub use interaction::{ContactForces, Sliding};
 pub use modelling::{Equations, Modelling, OpenChoice, RaceControl, RingCentre};
+pub use motion::BallFriction;
 pub use normal::{Lean, NormalContact, NormalLoads, RingOffset};
 pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};
+pub use pocket::{Pocket, PocketLoad, PocketMotion};
 pub use races::{Races, Side};
 pub use result::{
     BallMotionResult, BallPlace, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, TransientContact,

@@ -39,6 +39,19 @@ impl Case {
         }
     }
 
+    /// The cage in steady motion, where the case has one; without a moment of inertia it has none.
+    pub fn moving_cage(&self) -> Option<MovingCage> {
+        let cage = self.cage.as_ref()?;
+        let still = MovingCage {
+            pockets: cage.pockets(),
+            pocket_friction: cage.pocket_friction,
+            pocket_damping: cage.pocket_damping,
+            inertia: 0.0,
+            guidance: cage.land(),
+        };
+        Some(cage.moving().unwrap_or(still))
+    }
+
     /// Inputs of a transient run.
     ///
     /// # Errors
@@ -105,14 +118,18 @@ impl CageSpec {
 
     /// The cage in motion; none without a moment of inertia.
     fn moving(&self) -> Option<MovingCage> {
-        let land = self.guidance;
         Some(MovingCage {
             pockets: self.pockets(),
             pocket_friction: self.pocket_friction,
             pocket_damping: self.pocket_damping,
             inertia: self.inertia?,
-            guidance: land.map(|l| GuidingLand { side: l.land, radius: l.radius, width: l.width, gap: l.gap }),
+            guidance: self.land(),
         })
+    }
+
+    /// The land that guides it.
+    fn land(&self) -> Option<GuidingLand> {
+        self.guidance.map(|l| GuidingLand { side: l.land, radius: l.radius, width: l.width, gap: l.gap })
     }
 }
 

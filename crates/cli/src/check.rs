@@ -167,14 +167,14 @@ fn answer(file: &CaseFile, bearing: &Bearing, growth: Option<Growth>) -> Answer 
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
+    let file = arguments.case.read()?;
     let bearing = file.bearing()?;
     let unusable = |source| StudyError::Bearing { file: file.name.clone(), source };
     let a = answer(&file, &bearing, growth(&file.case).map_err(unusable)?);
     if arguments.json {
         return table::print_json(&a);
     }
-    table::print_line(&format!("{}: {}\n", file.name, a.name))?;
+    table::print_line(&format!("{}: {}\n", file.name, table::visible(&a.name)))?;
     let mut rows = vec![
         ("free contact angle", number(a.contact_angle_deg, 4), "°"),
         ("radial clearance (diametral)", number(a.radial_clearance_m * 1e6, 2), "µm"),

@@ -1,17 +1,21 @@
 //! What can go wrong, as a person reads it.
 
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use crate::excerpt::Excerpt;
+use crate::table::harmless;
+use miette::{Diagnostic, MietteDiagnostic, SourceSpan};
 use std::path::PathBuf;
 use tribodyn_case::CaseError;
 use tribodyn_dynamics::DynamicsError;
 use tribodyn_identify::IdentifyError;
+use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
+use tribodyn_record::RecordError;
 use tribodyn_study::{RefusedCase, StudyError, SweepDifference, with_causes};
 
 /// A failed command; its exit code says whether the input or the calculation is to blame.
 #[derive(Debug, thiserror::Error, Diagnostic)]
 pub enum Failure {
-    #[error("{}{}:{}:{}: {}", .0.options, .0.file, .0.error.line, .0.error.column, .0.error)]
+    #[error("{}", .0.line())]
     #[diagnostic(transparent)]
     Case(Box<CaseFailure>),
     #[error("{}", in_options(.0))]
@@ -28,7 +32,7 @@ pub enum Failure {
     Traction(#[from] tribodyn_traction::TractionError),
     #[error(transparent)]
     Catalogue(#[from] tribodyn_catalogue::CatalogueError),
-    #[error("{}", with_causes(.0))]
+    #[error("{}{}", with_causes(.0), lifts(.0))]
     Record(#[from] tribodyn_record::RecordError),
     #[error(transparent)]
     Plot(#[from] tribodyn_plot::PlotError),
@@ -57,13 +61,44 @@ pub struct CaseFailure {
     /// The options that brought the value in, each with a colon; empty where it stands in the file.
     pub options: String,
     #[source_code]
-    pub text: NamedSource<String>,
+    pub excerpt: Excerpt,
     #[label("here")]
     pub span: SourceSpan,
     pub error: CaseError,
 }
 
+impl CaseFailure {
+    /// The message on one line.
+    fn line(&self) -> String {
+        let Self { file, options, error, .. } = self;
+        shown(&format!("{options}{file}:{}:{}: {error}", error.line, error.column))
+    }
+}
+
+/// Characters of a message that are shown: names and values in it come from files.
+const LONGEST: usize = 2000;
+
+/// A message that cannot steer a terminal, its middle left out where it is too long.
+fn shown(message: &str) -> String {
+    let message = harmless(message);
+    let count = message.chars().count();
+    if count <= LONGEST {
+        return message;
+    }
+    let start: String = message.chars().take(LONGEST / 2).collect();
+    let end: String = message.chars().skip(count - LONGEST / 2).collect();
+    format!("{start} … {end}")
+}
+
 impl Failure {
+    /// The failure as it is shown: with the place in the case file, or its message alone.
+    pub fn into_report(self) -> miette::Report {
+        match self {
+            Self::Case(_) => miette::Report::new(self),
+            other => miette::Report::new(MietteDiagnostic::new(shown(&other.to_string()))),
+        }
+    }
+
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Study(error) => study_exit_code(error),
@@ -89,12 +124,21 @@ impl From<StudyError> for Failure {
         match error {
             StudyError::Case(refused) => {
                 let RefusedCase { file, options, text, error } = *refused;
-                let span = (error.offset, error.length).into();
-                let text = NamedSource::new(&file, text);
-                Self::Case(Box::new(CaseFailure { file, options, text, span, error }))
+                let excerpt = Excerpt::new(&file, &text, error.offset, error.length);
+                let span = excerpt.span;
+                Self::Case(Box::new(CaseFailure { file, options, excerpt, span, error }))
             }
             other => Self::Study(other),
         }
+    }
+}
+
+/// The option that a failed reading may need.
+fn lifts(error: &RecordError) -> &'static str {
+    if matches!(error, RecordError::TooLong { .. }) {
+        ", the limit for files that may come from elsewhere; --no-limits lifts it"
+    } else {
+        ""
     }
 }
 
@@ -102,6 +146,10 @@ impl From<StudyError> for Failure {
 fn study_exit_code(error: &StudyError) -> u8 {
     match error {
         StudyError::Solver { source: QuasiStaticError::NotConverged { .. }, .. }
+        | StudyError::Orbit {
+            source: OrbitError::NotConverged { .. } | OrbitError::Singular | OrbitError::Eigenvalues,
+            ..
+        }
         | StudyError::Write { .. }
         | StudyError::RefusalLost { .. }
         | StudyError::SweepStopped { .. }
@@ -133,8 +181,12 @@ fn in_options(error: &StudyError) -> String {
         StudyError::NoWear { .. } => {
             "--until is missing: nothing wears a coating through in this case: give a time in h".to_owned()
         }
+        StudyError::NotOurs { .. } => format!("{error} without --force"),
         StudyError::Unfinished { .. } => format!("{error}: --resume goes on with it, --restart forgets it"),
-        StudyError::OtherVersion { .. } | StudyError::Incomplete { .. } => {
+        StudyError::OtherVersion { .. }
+        | StudyError::Altered { .. }
+        | StudyError::Damaged { .. }
+        | StudyError::Incomplete { .. } => {
             format!("{error}: start anew with --restart")
         }
         StudyError::OtherCase { .. } => {

@@ -1,13 +1,13 @@
 //! `tribodyn identify`: unknown parameters from published or measured figures.
 
 use crate::failure::Failure;
+use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use tribodyn_identify::{Identification, Problem, Relation, identify};
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
-use tribodyn_study::StagedFiles;
-use tribodyn_study::StudyError;
+use tribodyn_study::{StagedFiles, read_text};
 
 /// Identify unknown parameters of a case from published or measured figures.
 #[derive(clap::Args)]
@@ -26,11 +26,16 @@ pub struct Arguments {
     /// Write the answer (JSON), the completed case files and plots to this folder
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    replace: ReplaceArguments,
+    #[command(flatten)]
+    limits: LimitArguments,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let path = &arguments.problem;
-    let text = read(path)?;
+    let limits = arguments.limits.limits();
+    let text = read_text(path, &limits)?;
     let name = path.display().to_string();
     let refused = |source| Failure::Identify { file: name.clone(), source: Box::new(source) };
     let mut problem = Problem::from_ron(&text).map_err(refused)?;
@@ -38,12 +43,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     problem.starts = arguments.starts.unwrap_or(problem.starts);
     problem.check().map_err(refused)?;
     let case_path = path.parent().unwrap_or(Path::new("")).join(&problem.case);
-    let case = read(&case_path)?;
+    let case = read_text(&case_path, &limits)?;
     let progress = progress_bar(problem.starts * problem.hypotheses.len().max(1));
     let answers = identify(&problem, &case, &|| progress.inc(1)).map_err(refused);
     progress.finish_and_clear();
     let answers = answers?;
-    let files = arguments.output.as_ref().map(|folder| stage(folder, &problem, &answers)).transpose()?;
+    let files = arguments
+        .output
+        .as_ref()
+        .map(|folder| stage(folder, arguments.replace.force, &problem, &answers))
+        .transpose()?;
     if arguments.json {
         table::print_json(&answers)?;
     } else {
@@ -53,10 +62,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         print_comparison(&answers)?;
     }
     Ok(files.map_or(Ok(()), StagedFiles::publish)?)
-}
-
-fn read(path: &Path) -> Result<String, StudyError> {
-    std::fs::read_to_string(path).map_err(|source| StudyError::Read { path: path.to_owned(), source })
 }
 
 /// On standard error; it hides itself where that is no terminal.
@@ -181,8 +186,8 @@ fn print_comparison(answers: &[Identification]) -> Result<(), Failure> {
     table::print_rows(&["hypothesis", "squares", "of the data", "ln evidence to the best", "worst datum"], rows)
 }
 
-fn stage(folder: &Path, problem: &Problem, answers: &[Identification]) -> Result<StagedFiles, Failure> {
-    let mut staged = StagedFiles::new(folder)?;
+fn stage(folder: &Path, force: bool, problem: &Problem, answers: &[Identification]) -> Result<StagedFiles, Failure> {
+    let mut staged = StagedFiles::new(folder, force)?;
     staged.write("identification.json".into(), serde_json::to_string_pretty(answers)?.as_bytes())?;
     for answer in answers {
         staged.write(format!("case-{}.ron", file_name(title(answer))), answer.case_text.as_bytes())?;

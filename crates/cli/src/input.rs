@@ -1,7 +1,58 @@
-//! Case files as arguments, with the changes that the command line makes to them.
+//! Arguments of several commands: case files with changes, limits on what files may ask for, permission to replace.
 
-use std::path::PathBuf;
-use tribodyn_study::Change;
+use crate::failure::Failure;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tribodyn_study::{CaseFile, Change, Limits, Ours, StudyError};
+
+/// Limits on what a file may ask for.
+#[derive(clap::Args)]
+pub struct LimitArguments {
+    /// Lift the limits on what a file may ask for: balls, nodes, steps, sizes. Without them it can fill the memory
+    #[arg(long)]
+    no_limits: bool,
+}
+
+impl LimitArguments {
+    pub fn limits(&self) -> Limits {
+        if self.no_limits { Limits::NONE } else { Limits::NORMAL }
+    }
+}
+
+/// Permission to replace.
+#[derive(clap::Args)]
+pub struct ReplaceArguments {
+    /// Replace files that stand in the way, whoever wrote them; otherwise only those that tribodyn wrote
+    #[arg(long)]
+    pub force: bool,
+}
+
+impl ReplaceArguments {
+    /// Refuses a path of output at which something stands that may not be replaced: the case, what is no plain file, and,
+    /// without `--force`, what is not of ours or not of the `wanted` kind.
+    pub fn check(&self, path: &Path, case: &Path, wanted: Ours) -> Result<(), Failure> {
+        let (kind, replaceable) = match wanted {
+            Ours::Recording => ("recording", "a recording"),
+            Ours::Table => ("table", "a table"),
+            _ => ("layout", "a layout"),
+        };
+        let Ok(standing) = fs::canonicalize(path) else { return Ok(()) };
+        if fs::canonicalize(case).is_ok_and(|case| case == standing) {
+            let message = format!("the {kind} would replace the case file");
+            return Err(Failure::Option { option: "output", value: path.display().to_string(), message });
+        }
+        let failure = |source| StudyError::Write { path: path.to_owned(), source };
+        if !standing.is_file() {
+            let source = std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is not a regular file");
+            return Err(failure(source).into());
+        }
+        let ours = |found: Ours| found == wanted || found == Ours::Empty;
+        if self.force || Ours::of(&standing).map_err(failure)?.is_some_and(ours) {
+            return Ok(());
+        }
+        Err(StudyError::NotOurs { path: path.to_owned(), wanted: replaceable }.into())
+    }
+}
 
 /// A case file and what to change in it for this run.
 #[derive(clap::Args)]
@@ -12,6 +63,20 @@ pub struct CaseArguments {
     /// Replace one value of the case for this run, such as 'ring.z.Force=kN(30)'; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = change)]
     pub changes: Vec<Change>,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+impl CaseArguments {
+    /// The case with the changes of `--set`.
+    pub fn read(&self) -> Result<CaseFile, StudyError> {
+        self.read_with(&self.changes)
+    }
+
+    /// The case with changes.
+    pub fn read_with(&self, changes: &[Change]) -> Result<CaseFile, StudyError> {
+        CaseFile::read_within(&self.path, changes, &self.limits.limits())
+    }
 }
 
 fn change(text: &str) -> Result<Change, String> {

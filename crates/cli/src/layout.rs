@@ -1,11 +1,10 @@
 //! `tribodyn layout`: the Foxglove layout as a file, for viewers of a live run. Recordings carry theirs.
 
 use crate::failure::Failure;
-use crate::solve::check_output;
+use crate::input::{LimitArguments, ReplaceArguments};
 use std::path::{Path, PathBuf};
 use tribodyn_record::{Layout, LayoutKind};
-use tribodyn_study::StagedFiles;
-use tribodyn_study::{CaseFile, StudyError};
+use tribodyn_study::{CaseFile, Ours, StagedFiles, StudyError};
 
 /// Write the Foxglove layout.
 #[derive(clap::Args)]
@@ -16,6 +15,10 @@ pub struct Arguments {
     /// File to write
     #[arg(short, long, value_name = "LAYOUT.json")]
     output: PathBuf,
+    #[command(flatten)]
+    replace: ReplaceArguments,
+    #[command(flatten)]
+    limits: LimitArguments,
     /// For recordings of `solve`, not of `run`
     #[arg(long)]
     solution: bool,
@@ -25,20 +28,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let kind = if arguments.solution { LayoutKind::Solution } else { LayoutKind::Run };
     let layout = match &arguments.case {
         Some(path) => {
-            let file = CaseFile::read(path, &[])?;
+            let file = CaseFile::read_within(path, &[], &arguments.limits.limits())?;
             Layout::new(kind, &file.case).map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?
         }
         None => Layout::general(kind),
     };
     let case = arguments.case.as_deref().unwrap_or(Path::new(""));
-    check_output(&arguments.output, case, "layout")?;
+    arguments.replace.check(&arguments.output, case, Ours::Layout)?;
     let path = &arguments.output;
     let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
         let message = "the name of a file is wanted".to_owned();
         return Err(Failure::Option { option: "output", value: path.display().to_string(), message });
     };
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut staged = StagedFiles::new(folder)?;
+    let mut staged = StagedFiles::new(folder, true)?;
     staged.write(name.to_owned(), layout.json().as_bytes())?;
     Ok(staged.publish()?)
 }

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::input::CaseArguments;
 use crate::table::{self, number};
 use std::ops::ControlFlow;
-use tribodyn_study::{CaseFile, Life, LifeOptions, LifeStride, wear_life};
+use tribodyn_study::{Life, LifeOptions, LifeStride, wear_life};
 
 /// Wear the coatings of a bearing until one is through.
 ///
@@ -32,7 +32,7 @@ fn hours(text: &str) -> Result<f64, String> {
 const HOUR: f64 = 3600.0;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
+    let file = arguments.case.read()?;
     let options = LifeOptions { strides: arguments.strides, until_s: arguments.until.map(|hours| hours * HOUR) };
     let life = wear_life(&file, options, |_| ControlFlow::Continue(()))?;
     if arguments.json { table::print_json(&life) } else { print(&life) }
@@ -42,7 +42,7 @@ const HEADER: [&str; 10] =
     ["turns", "h_i µm", "h_o µm", "α_0 °", "α_i °", "α_o °", "p_i GPa", "ω_c r/min", "w_i µm³/s", "w_o µm³/s"];
 
 fn print(a: &Life) -> Result<(), Failure> {
-    table::print_line(&format!("{}: {}\n", a.case, a.bearing))?;
+    table::print_line(&format!("{}: {}\n", a.case, table::visible(&a.bearing)))?;
     // Lives go from seconds to months.
     let (unit, per_hour) = if a.end_h < 1.0 { ("s", HOUR) } else { ("h", 1.0) };
     let time = |hours: f64| number(hours * per_hour, 2);

@@ -1,18 +1,22 @@
 #![doc = include_str!("../README.md")]
 
 mod check;
+mod excerpt;
 mod failure;
 mod hertz;
 mod identify;
 mod input;
 mod layout;
 mod life;
+mod modes;
 mod new;
+mod orbit;
 mod rating;
 mod recover;
 mod report;
 mod run;
 mod solve;
+mod stiffness;
 mod sweep;
 mod table;
 mod traction;
@@ -36,6 +40,9 @@ Examples:
   tribodyn check fixtures/cases/paper-ag.ron
   tribodyn solve fixtures/cases/paper-ag.ron --plot figures -o run.mcap
   tribodyn solve fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(30)' --json
+  tribodyn solve fixtures/cases/paper-ag.ron --model steady-orbit
+  tribodyn stiffness fixtures/cases/paper-ag.ron --speeds 5000,10000,14000 --ross coefficients.csv
+  tribodyn modes fixtures/cases/paper-ag.ron --up-to 5000
   tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
   tribodyn report run.mcap -o report
   tribodyn life fixtures/cases/paper-ag.ron
@@ -57,8 +64,12 @@ enum Command {
     Hertz(hertz::Arguments),
     /// Traction curve of a coating at a contact pressure
     Traction(traction::Arguments),
-    /// Quasi-static equilibrium of a bearing
+    /// Quasi-static equilibrium or steady orbit of a bearing
     Solve(solve::Arguments),
+    /// Stiffness of the inner ring at the operating point
+    Stiffness(stiffness::Arguments),
+    /// Natural modes of balls, cage and rings in the steady orbit
+    Modes(modes::Arguments),
     /// Transient run of a bearing, recorded
     Run(run::Arguments),
     /// Life of the coatings: their wear over many revolutions, until one is through
@@ -84,6 +95,8 @@ fn main() -> ExitCode {
         Command::Hertz(arguments) => hertz::run(&arguments),
         Command::Traction(arguments) => traction::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Stiffness(arguments) => stiffness::run(&arguments),
+        Command::Modes(arguments) => modes::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Life(arguments) => life::run(&arguments),
         Command::Rating(arguments) => rating::run(&arguments),
@@ -111,5 +124,5 @@ fn report(failure: Failure) {
     // Messages hold their causes. Should the hook be set already, it is ours; if nobody listens, nothing can be done.
     let options = || miette::MietteHandlerOpts::new().wrap_lines(false).without_cause_chain().context_lines(1);
     let _ = miette::set_hook(Box::new(move |_| Box::new(options().build())));
-    let _ = writeln!(std::io::stderr(), "{:?}", miette::Report::new(failure));
+    let _ = writeln!(std::io::stderr(), "{:?}", failure.into_report());
 }

@@ -5,7 +5,7 @@ use crate::table;
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use tribodyn_catalogue::{Envelope, KnownBalls, NewCase, Ratings, find};
-use tribodyn_study::{CaseFile, StudyError};
+use tribodyn_study::{CaseFile, Limits, StudyError};
 
 /// Make a complete, commented case file from a designation, or from boundary dimensions.
 ///
@@ -96,7 +96,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let text = case.text()?;
     let path = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.ron", file_name(&case))));
     // A case that `check` would refuse is not written.
-    CaseFile::from_text(&path.display().to_string(), text.clone(), &[])?;
+    CaseFile::from_text(&path.display().to_string(), text.clone(), &[], &Limits::NORMAL)?;
     write_new(&path, &text)?;
     table::print_line(&format!("wrote {}: check it with `tribodyn check {0}`", path.display()))?;
     let assumed = text.lines().filter(|line| line.contains(": Assumed(")).count();

@@ -2,10 +2,11 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
+use crate::orbit;
 use crate::solve::{ModelName, solved};
 use crate::table::{self, number};
 use serde::Serialize;
-use tribodyn_quasistatic::{Model, Solved};
+use tribodyn_quasistatic::Model;
 use tribodyn_study::rating::{Rating, RatingSource, rating};
 use tribodyn_study::{CaseFile, StudyError};
 
@@ -32,8 +33,11 @@ struct Answer<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.case.changes)?;
-    let (_, Solved { solution, .. }) = solved(&file, arguments.model.into())?;
+    let file = arguments.case.read()?;
+    let solution = match arguments.model.equilibrium() {
+        Some(model) => solved(&file, model)?.1.solution,
+        None => orbit::Problem::new(&file)?.round(&file)?,
+    };
     let refused = |source| StudyError::Rating { file: file.name.clone(), source };
     let found = rating(&file.case, &solution).map_err(refused)?;
     if arguments.json {

@@ -1,10 +1,12 @@
 //! `tribodyn recover`: a whole recording from one that was cut off or damaged.
 
 use crate::failure::Failure;
-use crate::solve::check_output;
+use crate::input::ReplaceArguments;
 use crate::table::{number, print_json, print_pairs};
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use tribodyn_record::Damage;
+use tribodyn_study::Ours;
 
 /// Make a whole recording of one that was cut off or damaged.
 #[derive(clap::Args)]
@@ -15,6 +17,8 @@ pub struct Arguments {
     /// Recording to write; may be the damaged one itself
     #[arg(short, long, value_name = "OUT.mcap")]
     output: PathBuf,
+    #[command(flatten)]
+    replace: ReplaceArguments,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
@@ -26,37 +30,36 @@ struct Answer {
     output: PathBuf,
     messages: u64,
     messages_lost: u64,
-    chunks_bad: u64,
-    bytes_lost: u64,
     simulated_s: f64,
-    truncated: bool,
+    #[serde(flatten)]
+    damage: Damage,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if arguments.output.exists() {
-        // The case is no part of this: nothing but a plain file may be replaced.
-        check_output(&arguments.output, &PathBuf::new(), "recording")?;
-    }
+    // There is no case here that could be replaced.
+    arguments.replace.check(&arguments.output, Path::new(""), Ours::Recording)?;
     let done = tribodyn_record::recover(&arguments.recording, &arguments.output)?;
     let answer = Answer {
         recording: arguments.recording.clone(),
         output: arguments.output.clone(),
         messages: done.messages,
         messages_lost: done.messages_lost,
-        chunks_bad: done.chunks_bad,
-        bytes_lost: done.bytes_lost,
         simulated_s: done.last_time_s(),
-        truncated: done.truncated,
+        damage: done.damage,
     };
     if arguments.json {
         return print_json(&answer);
     }
+    let (damage, said) = (&answer.damage, |yes: bool| if yes { "yes" } else { "no" }.to_owned());
     print_pairs(&[
         ("messages saved", answer.messages.to_string(), ""),
+        ("of these without a checksum", damage.messages_unchecked.to_string(), ""),
         ("messages of unknown topics", answer.messages_lost.to_string(), ""),
-        ("damaged chunks", answer.chunks_bad.to_string(), ""),
-        ("bytes lost", answer.bytes_lost.to_string(), ""),
+        ("damaged chunks", damage.chunks_bad.to_string(), ""),
+        ("bytes lost", damage.bytes_lost.to_string(), ""),
         ("simulated time of the last message", number(answer.simulated_s, 6), "s"),
-        ("cut off before its end", if answer.truncated { "yes" } else { "no" }.to_owned(), ""),
+        ("cut off before its end", said(damage.truncated), ""),
+        ("summary damaged", said(damage.summary_bad), ""),
+        ("checksum of all data wrong", said(damage.checksum_bad), ""),
     ])
 }

@@ -1,21 +1,20 @@
-//! `tribodyn solve`: quasi-static equilibrium.
+//! `tribodyn solve`: quasi-static equilibrium, or the steady orbit.
 
 use crate::failure::Failure;
-use crate::input::CaseArguments;
+use crate::input::{CaseArguments, ReplaceArguments};
+use crate::orbit::{self, Problem};
 use crate::table::{self, number};
 use serde::Serialize;
-use std::fs;
 use std::path::{Path, PathBuf};
 use tribodyn_bearing::Bearing;
 use tribodyn_case::Purpose;
 use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
 use tribodyn_record::{SolutionRecording, write_solution};
-use tribodyn_study::StagedFiles;
 use tribodyn_study::plausibility;
 use tribodyn_study::rating::rating;
-use tribodyn_study::{CaseFile, Change, StudyError};
+use tribodyn_study::{CaseFile, Change, Ours, StagedFiles, StudyError};
 
-/// Solve the quasi-static equilibrium of ring and balls.
+/// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -41,21 +40,28 @@ pub struct Arguments {
     /// Write a recording (MCAP, opens in Foxglove) of one orbit
     #[arg(short, long, value_name = "RUN.mcap")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    replace: ReplaceArguments,
 }
 
-#[derive(Clone, Copy, clap::ValueEnum)]
+/// Equations of an operating point.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum ModelName {
     /// Raceway control, no traction
     JonesHarris,
     /// Traction integrals of both contacts
     Traction,
+    /// The periodic motion of balls and cage that a run settles to
+    SteadyOrbit,
 }
 
-impl From<ModelName> for Model {
-    fn from(name: ModelName) -> Self {
-        match name {
-            ModelName::JonesHarris => Self::JonesHarris,
-            ModelName::Traction => Self::Traction,
+impl ModelName {
+    /// The equations of an equilibrium; none for the steady orbit.
+    pub fn equilibrium(self) -> Option<Model> {
+        match self {
+            Self::JonesHarris => Some(Model::JonesHarris),
+            Self::Traction => Some(Model::Traction),
+            Self::SteadyOrbit => None,
         }
     }
 }
@@ -73,12 +79,14 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = CaseFile::read(&arguments.case.path, &arguments.changes())?;
+    let file = arguments.case.read_with(&arguments.changes())?;
     if let Some(path) = &arguments.output {
-        check_output(path, &arguments.case.path, "recording")?;
+        arguments.replace.check(path, &arguments.case.path, Ours::Recording)?;
     }
-    let Answer { solution, lives, roots } = answer(arguments, &file)?;
-    let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, &solution)).transpose()?;
+    let Some(model) = arguments.model.equilibrium() else { return orbit(arguments, &file) };
+    let Answer { solution, lives, roots } = answer(arguments, model, &file)?;
+    let plots =
+        arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, &solution)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
             case_text: &file.text,
@@ -96,8 +104,40 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     roots.as_deref().map_or(Ok(()), print_roots)
 }
 
-fn answer(arguments: &Arguments, file: &CaseFile) -> Result<Answer, Failure> {
-    let model = arguments.model.into();
+/// The steady orbit: figures of a ball round it, a recording of the balls where an equilibrium has them.
+fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
+    if arguments.roots {
+        let message = "the steady orbit is not searched for other equilibria".to_owned();
+        return Err(Failure::Option { option: "roots", value: "with --model steady-orbit".to_owned(), message });
+    }
+    let problem = Problem::new(file)?;
+    let solution = problem.solve(file)?.solution;
+    let speeds = [problem.point.inner_speed, problem.point.outer_speed];
+    let round = solution.as_solution(&solution.points, speeds);
+    let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, &round)).transpose()?;
+    if let Some(path) = &arguments.output {
+        let recording = SolutionRecording {
+            case_text: &file.text,
+            case: &file.case,
+            solution: &solution.as_solution(&solution.balls, speeds),
+            generator: concat!("tribodyn ", env!("CARGO_PKG_VERSION")),
+        };
+        write_solution(path, &recording)?;
+    }
+    plots.map_or(Ok(()), StagedFiles::publish)?;
+    if arguments.json {
+        return orbit::print_json(&solution);
+    }
+    let columns = [&HEADER[..], &["F_c N"]].concat();
+    orbit::print(&file.name, &solution, |balls| {
+        let row = |b: &BallResult| {
+            ball_row(b).into_iter().chain([b.pocket.map_or_else(String::new, |p| number(p.force_n, 1))]).collect()
+        };
+        table::print_rows(&columns, balls.iter().map(row))
+    })
+}
+
+fn answer(arguments: &Arguments, model: Model, file: &CaseFile) -> Result<Answer, Failure> {
     if arguments.roots && model == Model::JonesHarris {
         let message = "without traction there are no other equilibria to search for".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model jones-harris".to_owned(), message });
@@ -158,23 +198,9 @@ struct Answer {
     roots: Option<Vec<BallRoots>>,
 }
 
-/// A recording or table replaces what stands at its path: that may be neither the case nor anything but a plain file.
-pub fn check_output(path: &Path, case: &Path, kind: &str) -> Result<(), Failure> {
-    let Ok(standing) = fs::canonicalize(path) else { return Ok(()) };
-    if fs::canonicalize(case).is_ok_and(|case| case == standing) {
-        let message = format!("the {kind} would replace the case file");
-        return Err(Failure::Option { option: "output", value: path.display().to_string(), message });
-    }
-    if !standing.is_file() {
-        let source = std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is not a regular file");
-        return Err(StudyError::Write { path: path.to_owned(), source }.into());
-    }
-    Ok(())
-}
-
-fn stage_plots(folder: &Path, solution: &Solution) -> Result<StagedFiles, Failure> {
+fn stage_plots(folder: &Path, force: bool, solution: &Solution) -> Result<StagedFiles, Failure> {
     let figures = tribodyn_plot::solution_figures(&[("this case", solution)], &[])?;
-    let mut staged = StagedFiles::new(folder)?;
+    let mut staged = StagedFiles::new(folder, force)?;
     for figure in figures {
         staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
         staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?;

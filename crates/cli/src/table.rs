@@ -7,13 +7,28 @@ use std::io::Write;
 
 /// Prints a value as indented JSON.
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
+    // What steers a terminal stands in strings only, where it may be escaped; JSON asks for that below a blank only.
     let text = serde_json::to_string_pretty(value)?;
+    let text: String =
+        text.chars().map(|c| if steers(c) { format!("\\u{:04x}", u32::from(c)) } else { c.to_string() }).collect();
     print_line(&text)
 }
 
-/// Prints a line; a closed pipe is an error to the caller, not a panic.
+/// Prints a line, or several; what would steer a terminal, from names in files for instance, is `\u{fffd}`. A closed pipe is
+/// an error to the caller, not a panic.
 pub fn print_line(text: &str) -> Result<(), Failure> {
-    Ok(writeln!(std::io::stdout(), "{text}")?)
+    Ok(writeln!(std::io::stdout(), "{}", harmless(text))?)
+}
+
+/// A text of several lines that cannot steer a terminal.
+pub fn harmless(text: &str) -> String {
+    text.chars().map(|c| if steers(c) { '\u{fffd}' } else { c }).collect()
+}
+
+/// True for a character that can steer a terminal: control characters but for line ends and tabs, and marks that turn the
+/// direction of writing.
+pub fn steers(c: char) -> bool {
+    (c.is_control() && !matches!(c, '\n' | '\t')) || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// A text on one line that cannot steer a terminal: line ends and tabs are spaces, other control characters, and marks
@@ -21,7 +36,7 @@ pub fn print_line(text: &str) -> Result<(), Failure> {
 pub fn visible(text: &str) -> String {
     let one = |c: char| match c {
         '\n' | '\r' | '\t' => ' ',
-        c if c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}') => '\u{fffd}',
+        c if steers(c) => '\u{fffd}',
         c => c,
     };
     text.chars().map(one).collect()

@@ -14,6 +14,8 @@ mod files;
 mod life;
 #[path = "cli/new.rs"]
 mod new;
+#[path = "cli/orbit.rs"]
+mod orbit;
 #[path = "cli/rating.rs"]
 mod rating;
 #[path = "cli/report.rs"]

@@ -3,19 +3,14 @@
 //! Both parts are written once. The explicit schemes add them, the fast scheme takes its drift from the first and its kick
 //! from the second, samples and energies come from the same two. A test leaves a term out by replacing a part.
 //!
-//! ```text
-//! spring part    axial  (N on the ball)_a/m,  radial  (N)_r/m + r ω_m²,  orbital  (N)_t/(m r)
-//! friction part  the same of traction, drag and pocket;  spin  M/J − ω_m e_a × Ω
-//! orbital speed, besides: −2 ṙ ω_m/r
-//! ```
+//! What a force does to a ball is in `tribodyn_bearing::BallFriction` and beside it.
 
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
-use crate::pocket::{PocketLoad, PocketMotion};
 use std::f64::consts::TAU;
 use tribodyn_bearing::{
-    AzimuthFrame, BallState, ContactForces, LoadedPatch, NormalContact, NormalLoads, RaceContact, Races, RingState,
-    Side, Sliding,
+    AzimuthFrame, BallFriction, BallState, ContactForces, LoadedPatch, NormalContact, NormalLoads, PocketLoad,
+    PocketMotion, RaceContact, Races, RingState, Side, Sliding,
 };
 use tribodyn_traction::PatchTraction;
 use tribodyn_wear::LocalSurface;
@@ -39,18 +34,7 @@ pub(crate) struct Springs {
 }
 
 /// The friction part: traction, drag, churning and the pocket.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Friction {
-    pub pocket: PocketLoad,
-    /// Fluid drag against the orbit, N.
-    pub drag: f64,
-    /// Churning moment, N m.
-    pub churning: [f64; 3],
-    /// Sum of the forces on the ball [a, r, t], N.
-    pub force: [f64; 3],
-    /// Sum of the moments about the ball centre, N m.
-    pub moment: [f64; 3],
-}
+pub(crate) type Friction = BallFriction;
 
 /// One ball with all that acts on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,42 +99,19 @@ pub(crate) trait Equations {
         let machine = self.machine();
         let (drag, churning) = machine.bearing.fluid_loads(state, orbit_radius, frame.rings.inner.speed);
         let pocket = machine.pocket_load(index, b, frame);
-        let Races { inner: i, outer: o } = traction;
-        // The pocket turns ball and cage with one torque.
-        let along = pocket.force * machine.cage.pocket.radius / orbit_radius;
-        Friction {
-            force: [
-                i.force[0] + o.force[0] + pocket.friction[0],
-                i.force[1] + o.force[1] + pocket.friction[1],
-                i.force[2] + o.force[2] - drag + along,
-            ],
-            moment: [
-                i.moment[0] + o.moment[0] + churning[0] + pocket.moment[0],
-                i.moment[1] + o.moment[1] + churning[1] + pocket.moment[1],
-                i.moment[2] + o.moment[2] + churning[2],
-            ],
-            pocket,
-            drag,
-            churning,
-        }
+        BallFriction::new(traction, (drag, churning), (pocket, machine.cage.pocket.radius), orbit_radius)
     }
 
     /// Accelerations of a ball by the spring part: axial, radial, orbital.
     #[inline]
     fn spring_acceleration(&self, springs: &Springs, orbital_speed: f64) -> [f64; 3] {
-        let (m, r) = (self.machine().bearing.ball_mass, springs.normal.orbit_radius);
-        let [a, r_force, t] = springs.force;
-        [a / m, r_force / m + r * orbital_speed * orbital_speed, t / (m * r)]
+        self.machine().bearing.spring_acceleration(springs.force, springs.normal.orbit_radius, orbital_speed)
     }
 
-    /// Accelerations of a ball by the friction part, that of the spin by the turning of the azimuth frame included:
-    /// ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t).
+    /// Accelerations of a ball by the friction part.
     #[inline]
     fn friction_acceleration(&self, state: &BallState, friction: &Friction, orbit_radius: f64) -> [f64; 6] {
-        let (m, j) = (self.machine().bearing.ball_mass, self.machine().bearing.ball_inertia);
-        let (w, [_, spin_r, spin_t]) = (state.orbital_speed, state.spin);
-        let ([a, r, t], moment) = (friction.force, friction.moment);
-        [a / m, r / m, t / (m * orbit_radius), moment[0] / j, moment[1] / j + w * spin_t, moment[2] / j - w * spin_r]
+        self.machine().bearing.friction_acceleration(state, friction, orbit_radius)
     }
 
     /// One ball with all that acts on it; `b` are its unknowns, `traction` integrates over a patch.

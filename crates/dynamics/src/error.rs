@@ -60,8 +60,8 @@ pub enum DynamicsError {
         /// Why.
         blame: Blame,
     },
-    /// A step that is lost in the rounding of the time.
-    #[error("the run cannot go on after {time_s} s: a step of {step_s:.1e} s is lost in the rounding of the time")]
+    /// A step that is too short, or lost in the rounding of the time.
+    #[error("the run cannot go on after {time_s} s: a step of {step_s:.1e} s is too short to come to an end")]
     NoProgress {
         /// Simulated time, s.
         time_s: f64,
@@ -85,6 +85,16 @@ pub enum DynamicsError {
         found: usize,
         /// Unknowns of the run.
         expected: usize,
+    },
+    /// A checkpoint with a value that no run of the case has.
+    #[error("the checkpoint is damaged: {field} is {value}, allowed is {allowed}")]
+    CheckpointValue {
+        /// Which value.
+        field: &'static str,
+        /// The value, SI.
+        value: f64,
+        /// What is allowed.
+        allowed: String,
     },
 }
 

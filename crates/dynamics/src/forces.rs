@@ -3,8 +3,7 @@
 use crate::equations::{BallForces, Equations, Frame};
 use crate::layout::{BALL, Layout, VELOCITY};
 use crate::machine::Machine;
-use crate::pocket::PocketLoad;
-use tribodyn_bearing::{AzimuthFrame, LoadedPatch, NormalContact, Races, Side};
+use tribodyn_bearing::{AzimuthFrame, LoadedPatch, NormalContact, PocketLoad, Races, Side};
 use tribodyn_traction::PatchTraction;
 
 /// A system of ordinary differential equations.

@@ -10,7 +10,6 @@ mod layout;
 mod linear;
 mod machine;
 mod observer;
-mod pocket;
 mod power;
 mod rk4;
 mod run;

@@ -48,6 +48,12 @@ pub(crate) struct LinearTraction {
 }
 
 impl LinearTraction {
+    /// All its numbers.
+    pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        let slopes = self.slopes.iter().flatten();
+        self.inputs.iter().chain(&self.value).chain(slopes).copied().chain([self.bare, self.semi_lateral, self.reach])
+    }
+
     /// The linear traction, where a motion, a load, N, and the bare part of the surface are near enough: within `share` of
     /// the reach.
     pub fn at(

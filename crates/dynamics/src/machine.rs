@@ -3,12 +3,9 @@
 use crate::error::DynamicsError;
 use crate::forces::Watch;
 use crate::layout::Layout;
-use crate::pocket::Pocket;
 use tribodyn_bearing::{
-    Bearing, CoatingState, GuidingLand, LoadedPatch, MovingCage, Races, RingOffset, RunInputs, Side, SpeedHistory,
-    Translation,
+    Bearing, CageBody, CoatingState, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory, Translation,
 };
-use tribodyn_fluid::AnnulusDrag;
 use tribodyn_traction::{
     FastPatch, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
 };
@@ -107,36 +104,6 @@ pub(crate) struct Support<const N: usize> {
     pub free: [bool; N],
 }
 
-/// The cage.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct CageBody {
-    pub pocket: Pocket,
-    /// About the bearing's axis, kg m².
-    pub inertia: f64,
-    /// Constant torque against the rotation, N m.
-    pub drag_torque: f64,
-    pub guidance: Option<Guidance>,
-}
-
-/// The land that guides the cage.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Guidance {
-    pub land: AnnulusDrag,
-    /// The ring with the land.
-    pub side: Side,
-}
-
-/// Cage speed below which a constant drag torque falls off in proportion, rad/s, so that it does not start a cage at rest.
-const STANDSTILL: f64 = 1.0;
-
-impl CageBody {
-    /// Torques of guidance and drag on the cage, N m. The ring with the land carries the reaction of the first.
-    pub fn fluid_torques(&self, speed: f64, rings: Races<f64>) -> [f64; 2] {
-        let guidance = self.guidance.map_or(0.0, |g| g.land.torque_on_cage(rings[g.side], speed));
-        [guidance, -self.drag_torque * speed / speed.hypot(STANDSTILL)]
-    }
-}
-
 impl<const N: usize> Support<N> {
     fn new(support: &tribodyn_bearing::Support<N>, free: [bool; N]) -> Self {
         let tribodyn_bearing::Support { mass, stiffness, damping } = *support;
@@ -167,7 +134,7 @@ impl Machine {
             inner: Support::new(&supports.inner, free),
             outer: Support::new(&supports.outer, [true; 2]),
             tilt,
-            cage: cage_body(&cage, &bearing),
+            cage: CageBody::new(&cage, &bearing),
             loads,
             speeds,
             thinnest: raceways.each_ref().map(Raceway::thinnest),
@@ -177,28 +144,6 @@ impl Machine {
             bearing,
         })
     }
-}
-
-fn cage_body(cage: &MovingCage, bearing: &Bearing) -> CageBody {
-    let MovingCage { pockets, pocket_friction, pocket_damping, inertia, guidance: land } = *cage;
-    let radius = 0.5 * bearing.geometry.pitch_diameter;
-    let pocket = Pocket {
-        radius,
-        clearance: pockets.pocket_gap / radius,
-        stiffness: pockets.pocket_stiffness,
-        damping: pocket_damping,
-        friction: pocket_friction,
-        ball_radius: 0.5 * bearing.geometry.ball_diameter,
-    };
-    let guidance = land.and_then(|land| guidance(&land, bearing));
-    CageBody { pocket, inertia, drag_torque: pockets.drag_torque, guidance }
-}
-
-/// The land's film; a dry bearing has none.
-fn guidance(land: &GuidingLand, bearing: &Bearing) -> Option<Guidance> {
-    let GuidingLand { side, radius, width, gap } = *land;
-    let land = bearing.fluid.map(|f| AnnulusDrag { density: f.density, viscosity: f.viscosity, radius, width, gap })?;
-    Some(Guidance { land, side })
 }
 
 fn raceway(

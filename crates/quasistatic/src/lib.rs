@@ -11,11 +11,13 @@ mod problem;
 mod relax;
 mod report;
 mod rescue;
+mod rolling;
 mod roots;
 mod secant;
 mod settle;
 mod solution;
 mod solve;
+mod stiffness;
 mod with_traction;
 
 #[cfg(test)]
@@ -26,9 +28,11 @@ mod jacobian_test;
 pub use azimuth::{AzimuthRule, OverAzimuth};
 pub use block::SolverStatistics;
 pub use problem::{Place, QuasiStaticError, Reason};
+pub use rolling::{RollingStart, rolling_start};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{Model, SOLUTION, Solution};
 pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
+pub use stiffness::{StiffnessMatrix, compliance, jones_harris_stiffness, traction_stiffness};
 pub use tribodyn_bearing::{
     BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl, Races, RingFreedom, Side,
     SolverSettings,

@@ -109,6 +109,12 @@ pub enum QuasiStaticError {
         /// What is the matter, and what helps.
         reason: Box<Reason>,
     },
+    /// A ball whose balances have no unique solution.
+    #[error("ball {ball} has no unique answer to a displacement of the ring")]
+    Singular {
+        /// Its index.
+        ball: usize,
+    },
     /// The bearing or the operating point lacks what the model uses.
     #[error("{model:?} model needs what is not given: {}", missing.join(", "))]
     Missing {

@@ -21,7 +21,7 @@ use tribodyn_traction::{FastPatch, Law, PatchRule, Probe, choose_rule, rule_erro
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.
-const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
+pub(crate) const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
 /// The Jones–Harris state that traction starts from where the case does not say how that is read: a first guess only.
 const GUESSED_CONTROL: RaceControl = RaceControl::Outer;
 const GUESSED_AT_FREE_PITCH: bool = true;
@@ -43,7 +43,7 @@ pub struct WarmStart {
     pub(crate) state: BlockState,
     pub(crate) rule: PatchRule,
     /// Of inner and outer ring, rad/s.
-    speeds: Races<f64>,
+    pub(crate) speeds: Races<f64>,
 }
 
 impl WarmStart {
@@ -152,14 +152,14 @@ pub(crate) fn statistics_sum(a: SolverStatistics, b: SolverStatistics) -> Solver
 }
 
 /// The elastic state, and the Jones–Harris one that starts from it.
-struct Rolling<'a> {
-    system: JonesHarris<'a>,
-    elastic: Iterate,
-    solved: Result<Iterate, QuasiStaticError>,
+pub(crate) struct Rolling<'a> {
+    pub system: JonesHarris<'a>,
+    pub elastic: Iterate,
+    pub solved: Result<Iterate, QuasiStaticError>,
 }
 
 /// Phases 1 and 2; `wanted` where Jones–Harris is the goal and not a guess.
-fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wanted: bool) -> Rolling<'a> {
+pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wanted: bool) -> Rolling<'a> {
     let g = &bearing.geometry;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let typical = Typical::new(bearing, &point.ring, speeds);
@@ -268,7 +268,7 @@ pub(crate) fn traction_system<'a>(
 }
 
 /// Takes the rule of the problem, by its target error at the scouted state where it is not named. Gives the estimate.
-fn choose_quadrature(
+pub(crate) fn choose_quadrature(
     system: &mut WithTraction<'_>,
     state: &BlockState,
     point: &OperatingPoint,
@@ -284,7 +284,7 @@ fn choose_quadrature(
 }
 
 /// The contacts of the most, the middle and the least loaded ball: where a rule is judged.
-fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, Law>> {
+pub(crate) fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, Law>> {
     let mut loads: Vec<_> =
         state.balls.iter().enumerate().map(|(index, &ball)| system.evaluate(index, ball, state.ring).1).collect();
     loads.sort_by(|a, b| a.contacts.inner.normal.load.total_cmp(&b.contacts.inner.normal.load));
@@ -362,3 +362,7 @@ fn check(
         reason: Box::new(reason()),
     })
 }
+
+#[cfg(test)]
+#[path = "rescue_test.rs"]
+mod rescue_test;

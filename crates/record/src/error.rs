@@ -90,6 +90,24 @@ pub enum RecordError {
     /// A sink was used before it was begun, or begun twice.
     #[error("a recording is begun once, before its first message")]
     NotBegun,
+    /// A message for a topic that the recording has not.
+    #[error("there is no topic {channel}: the recording has {topics}")]
+    NoTopic {
+        /// Place of the topic.
+        channel: usize,
+        /// Topics of the recording.
+        topics: usize,
+    },
+    /// The memory of a recorder, from a file, has values that no recorder has.
+    #[error("the recorder's memory is damaged: {field} is {value}, allowed is {allowed}")]
+    Memory {
+        /// Which value.
+        field: &'static str,
+        /// The value, SI, or the number of entries of a list.
+        value: f64,
+        /// What is allowed.
+        allowed: String,
+    },
     /// A spectrum cannot be computed.
     #[error("no spectrum: {0}")]
     Signal(#[from] tribodyn_signal::SignalError),
@@ -104,6 +122,44 @@ pub enum RecordError {
     NothingToRecover {
         /// Which file.
         path: PathBuf,
+    },
+    /// A recording with more numbers than wanted.
+    #[error("the numbers of {} take more than {most} bytes of memory", path.display())]
+    TooLong {
+        /// Which file.
+        path: PathBuf,
+        /// Bytes that are allowed.
+        most: u64,
+    },
+    /// A message that is longer than any of ours.
+    #[error("a message on {topic} has {bytes} bytes; allowed are {most}")]
+    LongMessage {
+        /// Which topic.
+        topic: String,
+        /// Its length.
+        bytes: usize,
+        /// Longest that is read.
+        most: usize,
+    },
+    /// A number of a recording is infinite or none.
+    #[error("{field} of a message on {topic} is {value}: the recording holds numbers that are none")]
+    NotANumber {
+        /// Which topic.
+        topic: String,
+        /// Which field.
+        field: String,
+        /// Its value.
+        value: f64,
+    },
+    /// Times of a recording that go back.
+    #[error("times of {} go back: {time_s} s follows {last_s} s", path.display())]
+    Disordered {
+        /// Which file.
+        path: PathBuf,
+        /// The later message's time, s.
+        time_s: f64,
+        /// The time before it, s.
+        last_s: f64,
     },
     /// A message of a recording is not what its topic says.
     #[error("a message on {topic} cannot be decoded: {source}")]

@@ -1,45 +1,41 @@
 #![doc = include_str!("../README.md")]
 
-mod ball;
-mod check;
-mod colour;
-mod contacts;
 mod error;
-mod frames;
-mod guide;
+mod file;
 mod layout;
 #[cfg(feature = "live")]
 mod live;
-mod mesh;
 mod messages;
-mod output;
-mod quaternion;
-mod raceway;
-mod read;
-mod recover;
-mod replay;
 mod run;
-mod scan;
 mod scene;
+mod solution;
 #[cfg(test)]
 mod tests;
-mod timeline;
-mod units;
-pub mod wire;
-mod write;
+
+pub use messages::wire;
+// Within the crate a module goes by its own name, whatever folder it lies in.
+use file::{output, scan};
+use messages::{ball, units};
+use scene::{colour, contacts, frames, guide, mesh, quaternion, raceway};
+use solution::{timeline, write};
 
 pub use ball::read_ball;
 pub use error::RecordError;
+pub use file::output::Channel;
+pub use file::read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
+pub use file::recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};
+pub use file::replay::{
+    BallRow, LogRow, OrbitRow, Run, RunItem, RunReader, SolutionRow, SpectrumRow, StateRow, WearRow, read_recording,
+    read_recording_within, read_run,
+};
+pub use file::scan::Damage;
+pub use file::temporary::TemporaryFile;
 pub use layout::{Layout, LayoutKind};
 #[cfg(feature = "live")]
+#[doc(hidden)]
+pub use live::is_live_request;
+#[cfg(feature = "live")]
 pub use live::{LIVE_ADDRESS, LiveName, LiveServer, LiveSummary, LiveWarning};
-pub use messages::read_state;
-pub use output::Channel;
-pub use read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
-pub use recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};
-pub use replay::{
-    BallRow, LogRow, OrbitRow, Run, RunItem, RunReader, SolutionRow, SpectrumRow, StateRow, WearRow, read_recording,
-    read_run,
-};
 pub use run::{FileSink, Preamble, RecorderMemory, RunRecorder, RunRecording, Sink, StreamSink};
-pub use write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};
+pub use solution::messages::read_state;
+pub use solution::write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};

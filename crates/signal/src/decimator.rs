@@ -39,6 +39,13 @@ pub struct DecimatorMemory {
     sums: Vec<f64>,
 }
 
+impl DecimatorMemory {
+    /// The sums.
+    pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        self.sums.iter().copied()
+    }
+}
+
 /// Output intervals over which the filter reaches.
 const SPAN: usize = 2 * Decimator::DELAY;
 /// Attenuation that the window is made for, dB: ten more than what is promised.

@@ -1,6 +1,8 @@
 //! Reading case files, with changes to single values.
 
 use crate::error::{RefusedCase, StudyError};
+use crate::files::read_at_most;
+use crate::limits::Limits;
 use std::fmt;
 use std::path::Path;
 use tribodyn_bearing::Bearing;
@@ -53,13 +55,19 @@ pub struct CaseFile {
 }
 
 impl CaseFile {
-    /// Reads, makes the changes, parses and validates.
+    /// Reads, makes the changes, parses and validates, within [`Limits::NORMAL`].
     pub fn read(path: &Path, changes: &[Change]) -> Result<Self, StudyError> {
-        Self::from_text(&path.display().to_string(), read_text(path)?, changes)
+        Self::read_within(path, changes, &Limits::NORMAL)
     }
 
-    /// Makes the changes to a text, parses and validates; `name` is for messages.
-    pub fn from_text(name: &str, original: String, changes: &[Change]) -> Result<Self, StudyError> {
+    /// Reads, makes the changes, parses and validates, within limits of one's own.
+    pub fn read_within(path: &Path, changes: &[Change], limits: &Limits) -> Result<Self, StudyError> {
+        Self::from_text(&path.display().to_string(), read_text(path, limits)?, changes, limits)
+    }
+
+    /// Makes the changes to a text, parses and validates; `name` is for messages. A byte order mark is left out.
+    pub fn from_text(name: &str, original: String, changes: &[Change], limits: &Limits) -> Result<Self, StudyError> {
+        let original = without_mark(original);
         let mut text = original.clone();
         for change in changes {
             text = match change.apply(&text) {
@@ -71,9 +79,10 @@ impl CaseFile {
                 }
             };
         }
-        match Case::from_ron(&text) {
+        let within = |case: Case| limits.check(&text, &case).map(|()| case);
+        match Case::from_ron(&text).and_then(within) {
             Ok(case) => Ok(Self { name: name.to_owned(), text, case }),
-            Err(error) => Err(refused_after(name, &original, &text, changes, error)),
+            Err(error) => Err(refused_after(name, (&original, &text), changes, limits, error)),
         }
     }
 
@@ -102,17 +111,34 @@ impl CaseFile {
     }
 }
 
-/// The text of a case file.
-pub fn read_text(path: &Path) -> Result<String, StudyError> {
+/// The text of a case, a problem or a table of figures, without the byte order mark that some editors put in front.
+///
+/// # Errors
+/// [`StudyError::Read`] for a file that cannot be read, is longer than the limit, or is not UTF-8 text.
+pub fn read_text(path: &Path, limits: &Limits) -> Result<String, StudyError> {
     let read = |source| StudyError::Read { path: path.to_owned(), source };
-    let bytes = std::fs::read(path).map_err(read)?;
-    String::from_utf8(bytes)
+    let bytes = read_at_most(path, limits.text_bytes).map_err(read)?;
+    let text = String::from_utf8(bytes);
+    text.map(without_mark)
         .map_err(|_| read(std::io::Error::new(std::io::ErrorKind::InvalidData, "it is not UTF-8 text")))
 }
 
+fn without_mark(mut text: String) -> String {
+    if text.starts_with('\u{feff}') {
+        text.drain(..'\u{feff}'.len_utf8());
+    }
+    text
+}
+
 /// Blames the file for what is wrong without the changes too, and otherwise the change that the error is about, or all.
-fn refused_after(name: &str, original: &str, text: &str, changes: &[Change], error: CaseError) -> StudyError {
-    if let Err(before) = Case::from_ron(original)
+fn refused_after(
+    name: &str,
+    (original, text): (&str, &str),
+    changes: &[Change],
+    limits: &Limits,
+    error: CaseError,
+) -> StudyError {
+    if let Err(before) = Case::from_ron(original).and_then(|case| limits.check(original, &case))
         && (&before.path, &before.message) == (&error.path, &error.message)
     {
         return refused(name, original, String::new(), before);

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};
 use tribodyn_dynamics::DynamicsError;
+use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
 
@@ -61,6 +62,14 @@ pub enum StudyError {
         file: String,
         /// Reason.
         source: QuasiStaticError,
+    },
+    /// A steady orbit that is not found.
+    #[error("{file}: {source}")]
+    Orbit {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: OrbitError,
     },
     /// A bearing that the standards do not rate.
     #[error("{file}: {source}")]
@@ -135,6 +144,14 @@ pub enum StudyError {
         /// Name of the case file.
         file: String,
     },
+    /// A file of somebody else's that would be lost.
+    #[error("{} stands there and is not {wanted} that tribodyn wrote: it is not replaced", path.display())]
+    NotOurs {
+        /// The file.
+        path: PathBuf,
+        /// Kind of file that may be replaced.
+        wanted: &'static str,
+    },
     /// An earlier run that would be lost.
     #[error("{} is of a run that was not finished", path.display())]
     Unfinished {
@@ -147,13 +164,28 @@ pub enum StudyError {
         /// The checkpoint.
         path: PathBuf,
     },
-    /// A checkpoint of another version.
-    #[error("{} is of version {found}, this is {}", path.display(), env!("CARGO_PKG_VERSION"))]
+    /// A checkpoint of another version, or of another format.
+    #[error(
+        "{} is of version {found}, format {format}; this is version {}, format {}",
+        path.display(), env!("CARGO_PKG_VERSION"), crate::run::CHECKPOINT_FORMAT
+    )]
     OtherVersion {
         /// The checkpoint.
         path: PathBuf,
         /// Its version.
         found: String,
+        /// Its format.
+        format: u32,
+    },
+    /// A checkpoint that is not as it was written.
+    #[error("{} is damaged: its checksum does not fit ({found} of {expected} bytes)", path.display())]
+    Altered {
+        /// The checkpoint.
+        path: PathBuf,
+        /// Bytes of the run in it.
+        found: u64,
+        /// Bytes that were written.
+        expected: u64,
     },
     /// A checkpoint of another case.
     #[error("{} is of another case, which differs from line {line} of this one", path.display())]

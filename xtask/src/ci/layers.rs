@@ -7,7 +7,7 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 15] = [
+const LAYERS: [(&str, &[&str]); 16] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
@@ -37,6 +37,19 @@ const LAYERS: [(&str, &[&str]); 15] = [
             "tribodyn-signal",
         ],
     ),
+    // The orbit that a run settles to, and its linearisation.
+    (
+        "tribodyn-orbit",
+        &[
+            "tribodyn-contact",
+            "tribodyn-traction",
+            "tribodyn-wear",
+            "tribodyn-fluid",
+            "tribodyn-bearing",
+            "tribodyn-quasistatic",
+            "tribodyn-dynamics",
+        ],
+    ),
     // Recordings of runs hold spectra that a viewer cannot compute.
     (
         "tribodyn-record",
@@ -56,6 +69,7 @@ const LAYERS: [(&str, &[&str]); 15] = [
             "tribodyn-case",
             "tribodyn-quasistatic",
             "tribodyn-dynamics",
+            "tribodyn-orbit",
             "tribodyn-record",
             "tribodyn-rating",
         ],
@@ -66,7 +80,11 @@ const LAYERS: [(&str, &[&str]); 15] = [
 const TOP: [(&str, &[&str]); 3] =
     [("tribodyn-paper", &["tribodyn-cli", "xtask"]), ("tribodyn-cli", &["tribodyn-paper", "xtask"]), ("xtask", &[])];
 /// Crates that tests and benches may use besides: those of the solvers read the case files of `fixtures`.
-const IN_TESTS: [(&str, &str); 2] = [("tribodyn-quasistatic", "tribodyn-case"), ("tribodyn-dynamics", "tribodyn-case")];
+const IN_TESTS: [(&str, &str); 3] = [
+    ("tribodyn-quasistatic", "tribodyn-case"),
+    ("tribodyn-dynamics", "tribodyn-case"),
+    ("tribodyn-orbit", "tribodyn-case"),
+];
 
 pub fn check() -> Result<Outcome, Failure> {
     let metadata = Metadata::read(&["--no-deps"])?;

@@ -58,7 +58,7 @@ fn recovered(folder: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>, Fail
         bytes.truncate(bytes.len() / 5 * 3);
         fs::write(&torn, &bytes).map_err(|source| PaperError::Write { path: torn.clone(), source })?;
         let report = tribodyn_record::recover(&torn, &saved)?;
-        if !report.truncated {
+        if !report.damage.truncated {
             let findings = vec![format!("{}: the end was not missed", torn.display())];
             return Err(Failure::Check { what: "a torn recording was taken for a whole one", findings });
         }

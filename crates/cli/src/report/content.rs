@@ -6,7 +6,7 @@ use super::tables;
 use super::values::CaseValue;
 use crate::run::shown;
 use crate::table::number;
-use tribodyn_record::Run;
+use tribodyn_record::{Damage, Run};
 use tribodyn_study::CaseFile;
 
 /// Everything but the figures.
@@ -66,7 +66,7 @@ impl Content {
 }
 
 fn warnings(answer: &Answer) -> Vec<String> {
-    let mut all = damage(answer.truncated, answer.chunks_bad, answer.summary.simulated_s);
+    let mut all = damage(&answer.damage, answer.summary.simulated_s);
     all.extend(answer.warnings_at_start.iter().map(|warning| format!("At the start: {warning}")));
     all.extend(answer.untested_pressures.iter().cloned());
     all.extend(answer.summary.warnings.iter().cloned());
@@ -74,14 +74,36 @@ fn warnings(answer: &Answer) -> Vec<String> {
 }
 
 /// Warnings of a recording that is not whole.
-pub fn damage(truncated: bool, chunks_bad: u64, end_s: f64) -> Vec<String> {
+pub fn damage(damage: &Damage, end_s: f64) -> Vec<String> {
     let mut all = Vec::new();
-    if truncated {
+    if damage.truncated {
         let end = number(end_s, 6);
         all.push(format!("The recording ends before its end mark: the run was killed or is still going on. The last sample is at {end} s."));
     }
-    if chunks_bad > 0 {
-        all.push(format!("{chunks_bad} damaged parts of the recording are missing."));
+    if damage.chunks_bad > 0 {
+        all.push(format!(
+            "{} parts of the recording are damaged; what lies behind the fault in each is missing.",
+            damage.chunks_bad
+        ));
+    } else if damage.bytes_lost > 0 && !damage.truncated {
+        all.push(format!("{} bytes of the recording are damaged and were skipped.", damage.bytes_lost));
+    }
+    if damage.messages_unchecked > 0 {
+        all.push(format!(
+            "No checksum vouches for {} messages before a fault or before the end of a cut file; they are used here.",
+            damage.messages_unchecked
+        ));
+    }
+    if damage.checksum_bad && damage.chunks_bad == 0 {
+        all.push(
+            "The recording was altered after it was written: its checksum does not fit. Metadata may be wrong."
+                .to_owned(),
+        );
+    }
+    if damage.summary_bad {
+        all.push(
+            "The summary at the end of the recording is damaged; names and types were taken from the data.".to_owned(),
+        );
     }
     all
 }

@@ -45,6 +45,7 @@ fn head(title: &str, subtitle: &str) -> String {
     let (title, subtitle) = (escape(title), escape(subtitle));
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"generator\" content=\"tribodyn\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
          <style>{UPLOT_STYLE}\n{STYLE}</style>\n</head>\n<body>\n\

@@ -15,6 +15,7 @@ mod tables;
 mod values;
 
 use crate::failure::Failure;
+use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table;
 use content::Content;
 use live::Live;
@@ -23,14 +24,13 @@ use solution::SolutionAnswer;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 use tribodyn_plot::Figure;
-use tribodyn_record::{RecordError, Run, read_recording};
+use tribodyn_record::{Damage, RecordError, Run, read_recording_within};
 use tribodyn_signal::BearingFrequencies;
-use tribodyn_study::StagedFiles;
 use tribodyn_study::evaluation::facts::{self, BallWear, Rolling, Start, said};
 use tribodyn_study::evaluation::published::{Compared, compared};
 use tribodyn_study::evaluation::quantities::{self, Quantities};
 use tribodyn_study::run::{Summary, carries_accelerations};
-use tribodyn_study::{CaseFile, StudyError};
+use tribodyn_study::{CaseFile, Limits, StagedFiles, StudyError};
 use values::CaseValue;
 
 /// Make figures, spectra and a summary of a recorded run or solution, or compare two recordings.
@@ -42,6 +42,10 @@ pub struct Arguments {
     /// Folder for report.html, summary.md, summary.json, foxglove-layout.json and the figures (SVG and PNG)
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
+    #[command(flatten)]
+    replace: ReplaceArguments,
+    #[command(flatten)]
+    limits: LimitArguments,
     /// Published or measured figures to set beside those of a run: a CSV file with the columns
     /// id,quantity,published,tolerance,source; a quantity is a field of summary.json
     #[arg(long, value_name = "FIGURES.csv")]
@@ -57,9 +61,8 @@ pub struct Answer {
     recording: PathBuf,
     bearing: String,
     generator: String,
-    /// The file ends before its end mark: the run was killed or is still going on.
-    truncated: bool,
-    chunks_bad: u64,
+    #[serde(flatten)]
+    damage: Damage,
     cage_speed_quasi_static_rpm: Option<f64>,
     patch_error_estimate: Option<f64>,
     /// Whether that error is small enough for accelerations.
@@ -108,22 +111,24 @@ pub enum Kind {
 const PNG_WIDTH: u32 = 1600;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let limits = arguments.limits.limits();
     let (answer, content, figures, live, layout) = match arguments.recordings.as_slice() {
         [a, b] => {
             if let Some(path) = &arguments.against {
                 let message = "figures are set beside one recording, not beside two".to_owned();
                 return Err(Failure::Option { option: "against", value: path.display().to_string(), message });
             }
-            let (answer, content, figures) = compare::compared(&Evaluated::read(a)?, &Evaluated::read(b)?)?;
+            let (answer, content, figures) =
+                compare::compared(&Evaluated::read(a, &limits)?, &Evaluated::read(b, &limits)?)?;
             (serde_json::to_value(&answer)?, content, figures, Live::default(), None)
         }
         recordings => {
-            let mut evaluated = Evaluated::read(&recordings[0])?;
-            let (answer, content) = evaluated.say(arguments.against.as_deref())?;
+            let mut evaluated = Evaluated::read(&recordings[0], &limits)?;
+            let (answer, content) = evaluated.say(arguments.against.as_deref(), &limits)?;
             (answer, content, evaluated.figures, evaluated.live, evaluated.run.layout_text)
         }
     };
-    let mut staged = StagedFiles::new(&arguments.output)?;
+    let mut staged = StagedFiles::new(&arguments.output, arguments.replace.force)?;
     staged.write("report.html".to_owned(), html::page(&content, &figures, &live)?.as_bytes())?;
     staged.write("summary.md".to_owned(), markdown::page(&content, &figures).as_bytes())?;
     staged.write("summary.json".to_owned(), format!("{}\n", serde_json::to_string_pretty(&answer)?).as_bytes())?;
@@ -144,9 +149,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 impl Evaluated {
     /// Reads and evaluates a recording; one that is neither of a run nor of a solution is refused.
-    fn read(path: &Path) -> Result<Self, Failure> {
+    fn read(path: &Path, limits: &Limits) -> Result<Self, Failure> {
         let foreign = |source| StudyError::NoRecording { source: Box::new(source) };
-        let run = match read_recording(path) {
+        let run = match read_recording_within(path, limits.recording_bytes) {
             Err(RecordError::NothingToRecover { .. }) => return Err(StudyError::NoRun { path: path.to_owned() }.into()),
             Err(error @ (RecordError::NotMcap { .. } | RecordError::File { action: "open", .. })) => {
                 return Err(foreign(error).into());
@@ -155,7 +160,7 @@ impl Evaluated {
         };
         // A damaged or older file may lack its case, or hold one that is refused now: the numbers are there all the same.
         let name = path.display().to_string();
-        let case = run.case_text.as_ref().and_then(|text| CaseFile::from_text(&name, text.clone(), &[]).ok());
+        let case = run.case_text.as_ref().and_then(|text| CaseFile::from_text(&name, text.clone(), &[], limits).ok());
         let case_values = case.as_ref().map_or_else(Vec::new, |file| values::all(&file.text, &file.case));
         let no_run = || StudyError::NoRun { path: path.to_owned() };
         let (kind, figures, live) = match (&run.solution, run.states.is_empty()) {
@@ -176,12 +181,12 @@ impl Evaluated {
     }
 
     /// The report of this recording alone.
-    fn say(&mut self, against: Option<&Path>) -> Result<(serde_json::Value, Content), Failure> {
+    fn say(&mut self, against: Option<&Path>, limits: &Limits) -> Result<(serde_json::Value, Content), Failure> {
         let case = self.case.as_ref();
         match &mut self.kind {
             Kind::Run(answer) => {
                 if let Some(path) = against {
-                    answer.validation = compared(path, &serde_json::to_value(&*answer)?)?;
+                    answer.validation = compared(path, &serde_json::to_value(&*answer)?, limits)?;
                 }
                 Ok((serde_json::to_value(&*answer)?, Content::of_run(answer, case, &self.run)))
             }
@@ -189,7 +194,7 @@ impl Evaluated {
                 let value = serde_json::to_value(&*answer)?;
                 let mut content = solution::content(answer, case, &self.run);
                 if let Some(path) = against {
-                    content.tables.insert(0, tables::validation(&compared(path, &value)?));
+                    content.tables.insert(0, tables::validation(&compared(path, &value, limits)?));
                 }
                 Ok((value, content))
             }
@@ -225,8 +230,7 @@ fn evaluate(
         recording: path.to_owned(),
         bearing: said("bearing"),
         generator: said("generator"),
-        truncated: run.truncated,
-        chunks_bad: run.chunks_bad,
+        damage: run.damage,
         cage_speed_quasi_static_rpm: start.cage_speed_rpm,
         patch_error_estimate: start.patch_error_estimate,
         accelerations_supported: carries_accelerations(start.patch_error_estimate),

@@ -13,7 +13,7 @@ use tribodyn_bearing::quantities::{Fields, OfBall, Over, RPM_PER_RAD_S, Scope};
 use tribodyn_bearing::{BallResult, Side};
 use tribodyn_plot::Figure;
 use tribodyn_quasistatic::{Model, Solution};
-use tribodyn_record::{Run, SolutionRow, read_ball, read_state};
+use tribodyn_record::{Damage, Run, SolutionRow, read_ball, read_state};
 use tribodyn_signal::BearingFrequencies;
 use tribodyn_study::CaseFile;
 use tribodyn_study::evaluation::facts::{self, Rolling, said};
@@ -29,8 +29,8 @@ pub struct SolutionAnswer {
     generator: String,
     model: Model,
     converged: bool,
-    truncated: bool,
-    chunks_bad: u64,
+    #[serde(flatten)]
+    damage: Damage,
     pub cage_speed_rpm: f64,
     pub operation: Quantities,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -88,8 +88,7 @@ pub fn evaluate(
         generator: text("generator"),
         model: solution.model,
         converged: solution.converged,
-        truncated: run.truncated,
-        chunks_bad: run.chunks_bad,
+        damage: run.damage,
         cage_speed_rpm: row.cage_speed_rpm,
         rolling: facts::rolling(run, &operation, speeds),
         operation,
@@ -148,7 +147,7 @@ pub fn opening(answer: &SolutionAnswer, case: Option<&CaseFile>, run: &Run) -> T
 
 /// The words and tables.
 pub fn content(answer: &SolutionAnswer, case: Option<&CaseFile>, run: &Run) -> Content {
-    let mut warnings = damage(answer.truncated, answer.chunks_bad, run.balls.last().map_or(0.0, |(time, _)| *time));
+    let mut warnings = damage(&answer.damage, run.balls.last().map_or(0.0, |(time, _)| *time));
     if !answer.converged {
         warnings.push("The solution has not converged.".to_owned());
     }

@@ -10,8 +10,7 @@ pub use lines::shown;
 pub use outcome::acceleration;
 
 use crate::failure::Failure;
-use crate::input::CaseArguments;
-use crate::solve::check_output;
+use crate::input::{CaseArguments, ReplaceArguments};
 use crate::table;
 use progress::Progress;
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -20,7 +19,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tribodyn_study::run::{Beginning, PreparedRun};
-use tribodyn_study::{CaseFile, Change, StudyError};
+use tribodyn_study::{CaseFile, Change, Ours, StudyError};
 
 /// Run a bearing in time and record it.
 #[derive(clap::Args)]
@@ -30,6 +29,8 @@ pub struct Arguments {
     /// Recording to write (MCAP, opens in Foxglove); RUN.mcap.active until it is whole
     #[arg(short, long, value_name = "RUN.mcap")]
     output: PathBuf,
+    #[command(flatten)]
+    replace: ReplaceArguments,
     /// Simulated time in s; short for --set transient.duration=s(…)
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     duration: Option<f64>,
@@ -57,7 +58,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.read()?;
-    check_output(&arguments.output, &arguments.case.path, "recording")?;
+    arguments.replace.check(&arguments.output, &arguments.case.path, Ours::Recording)?;
     let prepared = PreparedRun::new(&file, &arguments.output, arguments.beginning())?;
     #[cfg(feature = "live")]
     let viewers = arguments.live.as_deref().map(|address| live::start(address, &arguments.live_allow)).transpose()?;
@@ -90,10 +91,10 @@ impl Arguments {
             Change::new(format!("--duration {seconds}"), "transient.duration", &format!("s({seconds})"))
         });
         let changes: Vec<Change> = self.case.changes.iter().cloned().chain(duration).collect();
-        CaseFile::read(&self.case.path, &changes).or_else(|error| match &error {
+        self.case.read_with(&changes).or_else(|error| match &error {
             // Only a section can be missing on the way to a duration: the news is all that is missing, and not the path.
             StudyError::Change { option, .. } if option.starts_with("--duration") => {
-                let file = CaseFile::read(&self.case.path, &self.case.changes)?;
+                let file = self.case.read()?;
                 Err(file.run_inputs().err().unwrap_or(error))
             }
             _ => Err(error),

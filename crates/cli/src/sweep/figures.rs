@@ -318,10 +318,10 @@ fn no_axis() -> Failure {
 }
 
 /// Draws all figures of the rows into files that get their names when they are published.
-pub fn stage(folder: &Path, grid: &Grid, rows: &Rows) -> Result<StagedFiles, Failure> {
+pub fn stage(folder: &Path, force: bool, grid: &Grid, rows: &Rows) -> Result<StagedFiles, Failure> {
     let swept: Vec<Swept> = grid.columns().zip(grid.axis_cells()).map(|(c, cells)| Swept::new(&c, cells)).collect();
     let answers = Answers::read(rows, &swept)?;
-    let mut staged = StagedFiles::new(folder)?;
+    let mut staged = StagedFiles::new(folder, force)?;
     for (number, plan) in PLANS.iter().enumerate() {
         let panels = match &swept[..] {
             [axis] => answers.curves(number, axis),

@@ -4,7 +4,7 @@ mod figures;
 mod plan;
 
 use crate::failure::Failure;
-use crate::solve::check_output;
+use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table::{number, print_json, print_line, print_pairs};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::Instant;
 use tribodyn_study::sweep::{Format, Grid, Options, Plan, Setting, Shard, Sweep};
-use tribodyn_study::{StagedFiles, read_text};
+use tribodyn_study::{Ours, StagedFiles, read_text};
 
 /// Solve the quasi-static equilibrium for every combination of case values.
 #[derive(clap::Args)]
@@ -28,6 +28,10 @@ pub struct Arguments {
     /// Table to write, .parquet or .csv by its name
     #[arg(short, long, value_name = "TABLE", required_unless_present = "plan")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    replace: ReplaceArguments,
+    #[command(flatten)]
+    limits: LimitArguments,
     /// Do only part I of N (from 0), for several machines; together the parts are the whole
     #[arg(long, value_name = "I/N", value_parser = Shard::parse, default_value_t = Shard::ALL)]
     shard: Shard,
@@ -81,10 +85,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|error| Failure::Output(std::io::Error::other(error)))?;
     arguments.output.as_deref().map(Format::of).transpose()?;
-    let text = read_text(&arguments.case)?;
-    let grid = pool.install(|| Grid::new(&arguments.case.display().to_string(), text, &arguments.settings))?;
+    let limits = arguments.limits.limits();
+    let text = read_text(&arguments.case, &limits)?;
+    let grid = pool.install(|| Grid::new(&arguments.case.display().to_string(), text, &arguments.settings, &limits))?;
     if let Some(path) = &arguments.output {
-        check_output(path, &arguments.case, "table")?;
+        arguments.replace.check(path, &arguments.case, Ours::Table)?;
     }
     arguments.plot.as_ref().map_or(Ok(()), |_| figures::check(&grid))?;
     match &arguments.output {
@@ -110,7 +115,11 @@ fn sweep(arguments: &Arguments, grid: &Grid, table: PathBuf, pool: &rayon::Threa
     });
     progress.finish_and_clear();
     solved?;
-    let plots = arguments.plot.as_ref().map(|folder| figures::stage(folder, grid, &sweep.rows())).transpose()?;
+    let plots = arguments
+        .plot
+        .as_ref()
+        .map(|folder| figures::stage(folder, arguments.replace.force, grid, &sweep.rows()))
+        .transpose()?;
     let count = sweep.write_table()?;
     plots.map_or(Ok(()), StagedFiles::publish)?;
     sweep.forget_rows()?;

@@ -216,6 +216,62 @@ fn limit_no_convergence_names_place_equation_and_residual() {
     assert_eq!(scratch.names(), [""; 0]);
 }
 
+#[test]
+fn identity_a_byte_order_mark_is_left_out() {
+    let scratch = Scratch::new();
+    let marked = scratch.file("marked.ron", format!("\u{feff}{AG}"));
+    let (with, without) =
+        (run(&[&"check", &marked, &"--json"]), run(&[&"check", &fixture("paper-handset.ron"), &"--json"]));
+    assert_eq!(with.json(), without.json());
+    let bad = scratch.file("bad.ron", format!("\u{feff}{}", AG.replacen("ball_count: 13", "ball_count: 1", 1)));
+    let column = AG.lines().find(|line| line.contains("ball_count: 13")).unwrap().find("13").unwrap() + 1;
+    run(&[&"check", &bad]).fails(2, &[&format!(":{column}: geometry.ball_count = 1")]);
+}
+
+/// A name with escape sequences goes through every command that prints it; `run` looks for them in what is printed.
+#[test]
+fn limit_a_name_does_not_steer_the_terminal() {
+    let scratch = Scratch::new();
+    let first = AG.find("name: \"").unwrap() + 7;
+    let name = "\u{1b}]0;owned\u{7}\u{1b}[2J\u{9b}31m";
+    let case = scratch.file("case.ron", format!("{}{name}{}", &AG[..first], &AG[first..]));
+    for words in [&["check"][..], &["solve", "--model", "jones-harris"], &["check", "--json"]] {
+        let words: Vec<&dyn AsRef<std::ffi::OsStr>> = words.iter().map(|word| word as _).collect();
+        let outcome = run(&[&words[..1], &[&case], &words[1..]].concat());
+        assert_eq!(outcome.code, 0, "{}", outcome.err);
+        assert!(!outcome.out.contains(['\u{1b}', '\u{7}', '\u{9b}']));
+    }
+    let bad = scratch.file("bad.ron", format!("({name}"));
+    let outcome = run(&[&"check", &bad]);
+    assert!(outcome.code == 2 && !outcome.err.contains(['\u{1b}', '\u{7}', '\u{9b}']), "{}", outcome.err);
+}
+
+#[test]
+fn limit_a_long_line_is_not_shown_whole() {
+    let scratch = Scratch::new();
+    let code = AG.lines().map(|line| line.split("//").next().unwrap_or_default());
+    let line: String = code.collect::<Vec<_>>().join(" ").replacen("ball_count: 13", "ball_count: 1", 1);
+    let case = scratch.file("case.ron", format!("{}{line}", " ".repeat(100_000)));
+    let outcome = run(&[&"check", &case]);
+    outcome.fails(2, &["geometry.ball_count = 1: a bearing has at least 2 balls"]);
+    assert!(outcome.err.len() < 2000, "{} bytes", outcome.err.len());
+    let outcome = run(&[&"check", &scratch.file("x.ron", "x".repeat(1_000_000))]);
+    assert!(outcome.code == 2 && outcome.err.len() < 4000, "{} bytes", outcome.err.len());
+}
+
+#[test]
+fn limit_what_asks_for_too_much_is_refused_unless_the_limits_are_lifted() {
+    let scratch = Scratch::new();
+    let far =
+        AG.replacen("ball_count: 13", "ball_count: 1000", 1).replacen("pitch_diameter: mm(", "pitch_diameter: m(", 1);
+    let case = scratch.file("case.ron", far);
+    run(&[&"check", &case]).fails(2, &["geometry.ball_count = 1000: 1000 balls", "the limit", "--no-limits"]);
+    run(&[&"check", &case, &"--no-limits"]).table();
+    let long = scratch.file("long.ron", format!("{AG}//{}", "x".repeat(2 << 20)));
+    run(&[&"check", &long]).fails(2, &["long.ron", "it is too long", "--no-limits"]);
+    run(&[&"check", &long, &"--no-limits"]).table();
+}
+
 /// What the models with traction need of a case for Jones–Harris is named at once, with what it must hold.
 #[test]
 fn limit_a_model_that_the_case_has_no_sections_for_is_refused() {

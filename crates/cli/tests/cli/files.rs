@@ -115,3 +115,56 @@ fn limit_a_full_disk_under_standard_output_is_a_failure() {
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8(output.stderr).unwrap().contains("cannot write the answer"));
 }
+
+/// An output replaces a file of its kind that tribodyn wrote, and any other with `--force` only.
+#[test]
+fn limit_an_output_replaces_nothing_of_others() {
+    let scratch = Scratch::new();
+    let (other, layout) = (scratch.file("other.ron", AG), scratch.0.join("layout.json"));
+    solve(&[&"-o", &other]).fails(2, &["other.ron stands there and is not a recording that tribodyn wrote", "--force"]);
+    run(&[&"layout", &"-o", &other]).fails(2, &["is not a layout that tribodyn wrote", "--force"]);
+    let table = scratch.file("table.csv", "my,own,numbers\n1,2,3\n");
+    let swept: [&dyn AsRef<OsStr>; 7] =
+        [&"sweep", &other, &"--set", &"ring.z.Force=kN(40),kN(44)", &"-o", &table, &"--quiet"];
+    run(&swept).fails(2, &["table.csv stands there and is not a table that tribodyn wrote"]);
+    assert_eq!(std::fs::read_to_string(&other).unwrap(), AG);
+    assert_eq!(scratch.names(), ["other.ron", "table.csv"]);
+    // With --force, and then over our own files without it.
+    run(&[&swept[..], &[&"--force"]].concat()).table();
+    run(&swept).table();
+    run(&[&"layout", &"-o", &layout]).table();
+    run(&[&"layout", &"-o", &layout]).table();
+    solve(&[&"-o", &table]).fails(2, &["is not a recording"]);
+    solve(&[&"-o", &table, &"--force"]).table();
+    solve(&[&"-o", &table]).table();
+    // A recording in its own place, and a damaged one of nobody's.
+    run(&[&"recover", &table, &"-o", &table]).table();
+    run(&[&"recover", &table, &"-o", &other]).fails(2, &["other.ron stands there"]);
+    assert_eq!(std::fs::read_to_string(&other).unwrap(), AG);
+}
+
+#[test]
+fn limit_figures_replace_nothing_of_others() {
+    let scratch = Scratch::new();
+    let folder = scratch.0.join("plots");
+    std::fs::create_dir(&folder).unwrap();
+    let mine = scratch.file("plots/contact-loads.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+    solve(&[&"--plot", &folder]).fails(2, &["contact-loads.svg stands there and is not a file that tribodyn wrote"]);
+    assert_eq!(names(&folder), ["contact-loads.svg"]);
+    assert!(std::fs::metadata(&mine).unwrap().len() < 100);
+    solve(&[&"--plot", &folder, &"--force"]).table();
+    solve(&[&"--plot", &folder]).table();
+    assert_eq!(names(&folder).len(), 10);
+}
+
+/// A link under the name of a temporary file is not written through.
+#[cfg(unix)]
+#[test]
+fn limit_a_link_under_a_temporary_name_leads_nowhere() {
+    let scratch = Scratch::new();
+    let victim = scratch.file("victim", "mine");
+    std::os::unix::fs::symlink(&victim, scratch.0.join(".run.mcap.part")).unwrap();
+    std::os::unix::fs::symlink(&victim, scratch.0.join(".contact-loads.svg.part")).unwrap();
+    solve(&[&"-o", &scratch.0.join("run.mcap"), &"--plot", &scratch.0]).table();
+    assert_eq!(std::fs::read_to_string(victim).unwrap(), "mine");
+}

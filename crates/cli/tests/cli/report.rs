@@ -169,3 +169,22 @@ fn limit_a_name_is_neither_markup_nor_a_command_to_the_terminal() {
     assert_eq!(columns(row), 3, "{row}");
     assert!(!read(&folder, "report.html").contains("<script>alert"));
 }
+
+/// A case of a hundred million balls within a recording: the report goes without it.
+#[test]
+fn limit_a_hostile_case_in_a_recording_is_not_solved() {
+    use tribodyn_record::{FileSink, RunRecorder, RunRecording};
+    let scratch = Scratch::new();
+    let path = scratch.0.join("hostile.mcap");
+    let worn = fs::read_to_string(fixture("paper-ag-worn.ron")).unwrap();
+    let case = tribodyn_case::Case::from_ron(&worn).unwrap();
+    let many = set_value(&worn, "geometry.ball_count", "100000000").unwrap();
+    let case_text = &set_value(&many, "geometry.pitch_diameter", "m(1e10)").unwrap();
+    let input = RunRecording { case_text, case: &case, generator: "tribodyn test" };
+    let mut recorder = RunRecorder::new(FileSink::create(&path).unwrap(), &input).unwrap();
+    let mut transient = tribodyn_dynamics::Run::new(case.run_inputs().unwrap()).unwrap();
+    transient.advance(0.002, &mut recorder).unwrap();
+    recorder.finish().unwrap();
+    let answer = run(&[&"report", &path, &"-o", &scratch.0.join("report"), &"--json"]).json();
+    assert!(answer["notes"].as_array().unwrap().iter().any(|note| note.as_str().unwrap().contains("no readable case")));
+}

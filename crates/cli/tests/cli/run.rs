@@ -279,9 +279,9 @@ fn limit_bad_input_writes_nothing() {
     go(&case, &scratch.0.join("no/run.mcap"), &[]).fails(1, &["no/run.mcap"]);
     assert_eq!(scratch.names(), ["case.ron"]);
     let checkpoint = scratch.file("run.mcap.checkpoint", "no JSON");
-    refused(&[&"--resume"], &["run.mcap.checkpoint is no checkpoint"]);
+    refused(&[&"--resume"], &["run.mcap.checkpoint is no checkpoint", "--restart"]);
     fs::write(checkpoint, r#"{"format": 99, "version": "9.9.9"}"#).unwrap();
-    refused(&[&"--resume"], &["is of version 9.9.9"]);
+    refused(&[&"--resume"], &["is of version 9.9.9, format 99"]);
 }
 
 #[cfg(target_os = "linux")]

@@ -41,6 +41,13 @@ impl LinearFriction {
         follow: [Matrix6::zeros(); 2],
     };
 
+    /// All numbers.
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        let own = self.own.iter().flat_map(|m| m.iter());
+        let six = self.response.iter().chain([&self.coupling]).chain(&self.follow).flat_map(|m| m.iter());
+        six.chain(own).copied()
+    }
+
     /// Force on the rings by their own velocities.
     pub(super) fn on_rings(&self, v: &Vector6<f64>) -> Vector6<f64> {
         let inner = self.own[0] * Vector3::new(v[0], v[1], v[2]);

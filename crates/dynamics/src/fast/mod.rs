@@ -33,7 +33,7 @@ mod friction;
 use crate::equations::{Equations, Frame};
 use crate::forces::Watch;
 use crate::layout::{AZIMUTH, BALL, Layout, VELOCITY};
-use crate::linear::{Contacts, LINEAR_ERROR};
+use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
 use crate::machine::Machine;
 use drift::{drift_acceleration, glide, push};
 use friction::{LinearFriction, in_inertial_axes, inverse_with_held, linear_friction, ring_in_ball_axes};
@@ -269,6 +269,24 @@ impl Fast {
                 linear.at(&patch.motion, patch.load, (patch.bare, BEFORE_REFRESH), patch.patch.ball_radius)
             })
             .unwrap_or_else(|| machine.kernel.traction(&machine.bearing, patch))
+    }
+
+    /// Lengths of the memory: friction, contacts, the drift's accelerations, their common part, and what is given back.
+    pub fn sizes(&self) -> [usize; 5] {
+        [self.friction.len(), self.contacts.len(), self.drift.len(), self.common.len(), self.given_back.len()]
+    }
+
+    /// True once accelerations of the drift are there.
+    pub fn is_ready(&self) -> bool {
+        self.ready
+    }
+
+    /// All numbers that are remembered.
+    pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        let lists = self.drift.iter().chain(&self.common).chain(&self.given_back).chain(self.rings.iter());
+        let contacts = self.contacts.iter().flat_map(|c| c.of.iter().flat_map(LinearTraction::values));
+        let friction = self.friction.iter().flat_map(LinearFriction::values);
+        lists.copied().chain([self.step, self.linear_error]).chain(contacts).chain(friction)
     }
 
     /// Contacts integrated over their patch, and contacts used.

@@ -127,6 +127,16 @@ impl Filter {
 }
 
 impl FilterMemory {
+    /// Internal times that have passed.
+    pub fn passed(&self) -> u64 {
+        self.passed
+    }
+
+    /// All numbers that are remembered.
+    pub fn values(&self) -> impl Iterator<Item = f64> {
+        self.last.into_iter().chain(self.output).chain(self.sums.values())
+    }
+
     /// Filtered accelerations of inner and outer ring, m/s².
     pub fn accelerations(&self) -> [[f64; 3]; 2] {
         let [ix, iy, iz, ox, oy, _] = self.output;

@@ -3,6 +3,7 @@
 mod after;
 mod blame;
 mod filter;
+mod resume;
 mod step;
 
 pub use blame::{Blame, StepBound};
@@ -130,7 +131,7 @@ const THROWN_OUT: f64 = 0.1;
 pub const ACCELERATION_ERROR: f64 = 1e-4;
 /// First step of the adaptive scheme, s: the paper's.
 const FIRST_STEP: f64 = 1e-6;
-/// Shortest step of the adaptive scheme, s.
+/// Shortest step of any scheme, s; the adaptive one gives up there.
 const SHORTEST_STEP: f64 = 1e-12;
 /// Nearest to either end of a step that a pocket event is worth a cut, as a part of the step.
 const CUT_MARGIN: f64 = 1e-6;
@@ -149,9 +150,16 @@ impl Run {
     /// A run from its start.
     ///
     /// # Errors
-    /// [`DynamicsError`] where nothing holds the outer ring or there is no quasi-static solution to start from.
+    /// [`DynamicsError`] where nothing holds the outer ring, there is no quasi-static solution to start from, or the step is too
+    /// short to come to an end.
     pub fn new(inputs: RunInputs) -> Result<Self, DynamicsError> {
         let RunOptions { duration, scheme, state_rate, ball_rate, .. } = inputs.options;
+        let (tribodyn_bearing::Scheme::RungeKutta4 { step: step_s }
+        | tribodyn_bearing::Scheme::Fast { step: step_s }
+        | tribodyn_bearing::Scheme::DormandPrince { longest: step_s, .. }) = scheme;
+        if step_s.is_nan() || step_s < SHORTEST_STEP {
+            return Err(DynamicsError::NoProgress { time_s: 0.0, step_s });
+        }
         let Started { machine, state, solution } = start(inputs)?;
         let filter = Filter::new(FilterBands::new(scheme, state_rate))?;
         let scheme = match scheme {
@@ -209,25 +217,6 @@ impl Run {
         let p = &mut self.progress;
         self.machine.derivative(p.time, &p.state, &mut p.derivative);
         p.loaded = self.machine.watch.iter().map(|w| w.loaded).collect();
-    }
-
-    /// Goes on from a checkpoint of the same inputs.
-    ///
-    /// # Errors
-    /// [`DynamicsError::Checkpoint`] for a checkpoint of another bearing, [`DynamicsError::CheckpointFilter`] for one of another
-    /// state rate or step.
-    pub fn resume(&mut self, checkpoint: Checkpoint) -> Result<(), DynamicsError> {
-        let (found, expected) = (checkpoint.state.len(), self.start.len());
-        if [found, checkpoint.derivative.len(), checkpoint.looked.state.len()] != [expected; 3] {
-            return Err(DynamicsError::Checkpoint { found, expected });
-        }
-        if !self.filter.remembers(&checkpoint.filter) {
-            return Err(DynamicsError::CheckpointFilter { internal_rate_hz: self.filter.internal_rate_hz() });
-        }
-        self.machine.raceways = checkpoint.raceways.clone();
-        self.machine.thinnest = checkpoint.thinnest;
-        self.progress = checkpoint;
-        Ok(())
     }
 
     /// What [`Self::resume`] needs.

@@ -1,9 +1,12 @@
 //! What goes wrong is said, and samples before it are good.
 
 use crate::{Keep, case, run};
+use serde_json::json;
 use std::convert::Infallible;
 use std::ops::ControlFlow;
-use tribodyn_dynamics::{Blame, DynamicsError, Ending, Event, EventKind, Observer, Run, RunError, Sample, StepBound};
+use tribodyn_dynamics::{
+    Blame, DynamicsError, Ending, Event, EventKind, Observer, Run, RunError, Sample, Scheme, StepBound,
+};
 
 /// The bound that a broken-off run names.
 fn bound(error: &RunError<Infallible>) -> Option<(f64, StepBound)> {
@@ -70,6 +73,43 @@ fn limit_a_checkpoint_of_another_bearing_is_refused() {
     assert!(matches!(refused, Err(DynamicsError::Checkpoint { found, expected }) if expected - found == 9));
 }
 
+/// Checkpoints come from files: whatever number of one is changed, the run says which or goes on with it, and none panics.
+#[test]
+fn limit_a_checkpoint_with_impossible_values_is_refused() {
+    let case = case(&[("transient.scheme", "Fast(step: us(10))"), ("transient.duration", "s(0.01)")]);
+    let begun = || {
+        let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
+        run.advance(0.001, &mut Keep::default()).unwrap();
+        run
+    };
+    let sound = serde_json::to_value(begun().checkpoint()).unwrap();
+    let edits: [(&str, serde_json::Value); 14] = [
+        ("/time", json!(-1.0)),
+        ("/time", json!(0.5)),
+        ("/state/1", json!(1.0)),
+        ("/state/5", json!(1e12)),
+        ("/state/3", json!(-1e300)),
+        ("/steps", json!(u64::MAX)),
+        ("/samples", json!(0)),
+        ("/samples", json!(u64::MAX)),
+        ("/filter/passed", json!(1)),
+        ("/loaded", json!([])),
+        ("/fast/contacts", json!([])),
+        ("/fast/common", json!([1.0])),
+        ("/stiffness/contact_frequency_hz", json!(1e300)),
+        ("/worn/0", json!(-1.0)),
+    ];
+    for (place, value) in edits {
+        let mut edited = sound.clone();
+        *edited.pointer_mut(place).unwrap_or_else(|| panic!("{place}")) = value.clone();
+        let refused = begun().resume(serde_json::from_value(edited).unwrap());
+        assert!(matches!(refused, Err(DynamicsError::CheckpointValue { .. })), "{place} = {value}: {refused:?}");
+    }
+    let mut run = begun();
+    run.resume(serde_json::from_value(sound).unwrap()).unwrap();
+    run.advance(0.002, &mut Keep::default()).unwrap();
+}
+
 /// The radial load grows beyond what a soft support holds: balls and rings leave their place together.
 #[test]
 fn limit_a_ball_thrown_out_is_named() {
@@ -122,6 +162,16 @@ fn limit_a_bound_that_is_named_is_below_the_step_that_was_used() {
         let error = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap_err();
         let (step_s, bound) = bound(&error).unwrap_or_else(|| panic!("{scheme}: {error}"));
         assert!(bound.limit_s < step_s && bound.motion.starts_with(motion), "{scheme}: {error}");
+    }
+}
+
+#[test]
+fn limit_a_step_that_never_comes_to_an_end_is_refused() {
+    let case = case(&[]);
+    for scheme in [Scheme::RungeKutta4 { step: 1e-300 }, Scheme::DormandPrince { tolerance: 1e-6, longest: 0.0 }] {
+        let mut inputs = case.run_inputs().unwrap();
+        inputs.options.scheme = scheme;
+        assert!(matches!(Run::new(inputs).map(drop), Err(DynamicsError::NoProgress { .. })));
     }
 }
 

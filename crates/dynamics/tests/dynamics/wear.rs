@@ -77,3 +77,42 @@ fn limit_accelerated_wear_goes_through_the_coating_and_says_so() {
             || b.contacts.outer.transient.unwrap_or_default().bare > 0.0)
     );
 }
+
+/// Wear lowers the races under loaded balls: the elastic energy that goes with it is counted. Without it 3e-5 of the work
+/// and more would be missing.
+#[test]
+fn identity_power_balances_while_races_wear() {
+    let changes =
+        [("transient.scheme", "RungeKutta4(step: us(2))"), ("transient.wear_acceleration", "1e5"), ("defects", "[]")];
+    let power = run(&with(WORN, &[&SHORT[..], &changes].concat())).1.samples.pop().unwrap().power;
+    let (off, taken) = (power.imbalance_j / power.throughput_j, power.wear_work_j / power.throughput_j);
+    assert!(taken > 1e-5 && off.abs() < 0.05 * taken, "{off:e} missing, {taken:e} taken by wear");
+}
+
+/// The groove of a tilted ring climbs along the orbit, and the normal force has a part along it.
+#[test]
+fn identity_power_balances_in_a_tilted_ring() {
+    let changes = [
+        ("transient.scheme", "RungeKutta4(step: us(2))"),
+        ("defects", "[]"),
+        ("ring.tilt_x", "Held(mrad(0.4))"),
+        ("ring.tilt_y", "Held(mrad(-0.2))"),
+    ];
+    let power = run(&with(WORN, &[&SHORT[..], &changes].concat())).1.samples.pop().unwrap().power;
+    let off = power.imbalance_j / power.throughput_j;
+    assert!(off.abs() < 1e-8, "{off:e}");
+}
+
+/// Where balls slow down, what they lose was stored and not put in: the balance is measured against what is lost.
+#[test]
+fn identity_throughput_is_no_less_than_what_is_lost() {
+    let changes = [
+        ("transient.scheme", "RungeKutta4(step: us(2))"),
+        ("speed.inner", "Table([(s(0), rpm(14000)), (s(0.002), rpm(13000))])"),
+    ];
+    let samples = run(&with(WORN, &[&SHORT[..], &changes].concat())).1.samples;
+    let (first, last) = (&samples[0].power, &samples[samples.len() - 1].power);
+    let lost = samples.windows(2).map(|w| 0.5 * (w[0].power.lost() + w[1].power.lost()) * (w[1].time_s - w[0].time_s));
+    let lost: f64 = lost.sum();
+    assert!(last.energy_j < first.energy_j && last.throughput_j >= 0.99 * lost, "{last:?}, {lost} J lost");
+}

@@ -5,6 +5,7 @@ mod limits;
 mod published;
 mod range;
 mod roots;
+mod similarity;
 mod solver;
 
 use tribodyn_case::{Case, set_value};

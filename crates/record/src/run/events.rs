@@ -44,6 +44,11 @@ impl Pending {
         self.impacts
     }
 
+    /// Events whose lines wait.
+    pub(super) fn waiting(&self) -> usize {
+        self.windows.iter().flatten().map(|window| window.more).max().unwrap_or(0)
+    }
+
     /// Takes an event and returns its line if it is one that is always written.
     pub(crate) fn add(&mut self, event: &Event) -> Option<Log> {
         self.impacts += u64::from(matches!(event.kind, EventKind::Impact { .. }));

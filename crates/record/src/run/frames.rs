@@ -59,6 +59,20 @@ impl Motion {
         self.spins.balls()
     }
 
+    /// Number of balls at the last sample, if there was one.
+    pub(super) fn last_balls(&self) -> Option<usize> {
+        self.last.as_ref().map(|(_, spins)| spins.len())
+    }
+
+    /// All numbers.
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        let last = self.last.iter().flat_map(|(time, spins)| spins.iter().flatten().chain([time]));
+        let due = [&self.frames, &self.contacts].into_iter().flat_map(|due| &due.last);
+        last.copied()
+            .chain(due.flat_map(|(time, angles)| angles.iter().copied().chain([*time])))
+            .chain(self.spins.values())
+    }
+
     /// Turns the balls from the last sample to this one, by the mean of both spins.
     pub(crate) fn advance(&mut self, sample: &Sample) {
         let now = sample.balls.iter().map(|b| b.spin_rad_s);

@@ -10,9 +10,9 @@ use tribodyn_dynamics::Sample;
 use tribodyn_signal::{BearingFrequencies, Decimator, Window};
 
 /// Most points of an orbit: a shaft that hardly turns would else fill the memory.
-const ORBIT_POINTS: usize = 4096;
+pub(super) const ORBIT_POINTS: usize = 4096;
 /// Most samples behind a spectrum: 6 Hz between lines at 25.6 kHz.
-const SPECTRUM_SAMPLES: usize = 4096;
+pub(super) const SPECTRUM_SAMPLES: usize = 4096;
 /// Fewest samples behind a spectrum.
 const LEAST_SPECTRUM_SAMPLES: usize = 256;
 
@@ -24,6 +24,16 @@ pub(crate) struct LastTurn {
 }
 
 impl LastTurn {
+    /// Number of points.
+    pub(super) fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// All numbers.
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        self.points.iter().flatten().copied()
+    }
+
     pub(crate) fn push(&mut self, sample: &Sample) {
         // Where only the outer ring turns, its turns count.
         let angle = sample.inner.angle_rad.abs().max(sample.outer.angle_rad.abs());
@@ -79,6 +89,22 @@ pub(crate) struct Recent {
 }
 
 impl Recent {
+    /// Number of times.
+    pub(super) fn times(&self) -> usize {
+        self.times.len()
+    }
+
+    /// Lengths of all series.
+    pub(super) fn sizes(&self) -> [usize; 1 + QUANTITIES.len() + SPEEDS.len()] {
+        let mut series = [&self.times].into_iter().chain(&self.values).chain(&self.speeds);
+        std::array::from_fn(|_| series.next().map_or(0, VecDeque::len))
+    }
+
+    /// All numbers.
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        [&self.times].into_iter().chain(&self.values).chain(&self.speeds).flatten().copied()
+    }
+
     pub(crate) fn push(&mut self, sample: &Sample) {
         // Two samples of one time, at an event for instance, are one of an even series.
         if self.times.back().is_some_and(|&last| sample.time_s <= last) {

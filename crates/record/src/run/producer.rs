@@ -3,7 +3,7 @@
 use super::check;
 use super::events::Pending;
 use super::frames::Motion;
-use super::history::{LastTurn, QUANTITIES, Recent};
+use super::history::{self, LastTurn, QUANTITIES, Recent};
 use super::messages;
 use super::{RunRecording, Sink, Topic, log_time};
 use crate::RecordError;
@@ -79,6 +79,55 @@ impl RecorderMemory {
     }
 }
 
+/// Longest simulated time that is believed, s: log times are whole ns in 64 bits.
+const LONGEST_S: f64 = 1e9;
+/// Most events that are believed.
+const MOST_EVENTS: f64 = 1e15;
+
+impl RecorderMemory {
+    /// Refuses a memory that no recorder of so many balls has: it may come from a file.
+    fn check(&self, balls: usize) -> Result<(), RecordError> {
+        let found = self.motion.balls();
+        if found != balls {
+            return Err(RecordError::BallCount { solution: found, case: balls });
+        }
+        let within = |field, value: f64, least: f64, most: f64| {
+            let allowed = || format!("{least} to {most}");
+            (least..=most).contains(&value).then_some(()).ok_or_else(|| RecordError::Memory {
+                field,
+                value,
+                allowed: allowed(),
+            })
+        };
+        within("last_time_s", self.last_time_s, 0.0, LONGEST_S)?;
+        let after =
+            |field, due: f64, step: f64| within(field, due, self.last_time_s - step, self.last_time_s + 2.0 * step);
+        after("next_slow_s", self.next_slow_s, SLOW_STEP_S)?;
+        after("next_flush_s", self.next_flush_s, FLUSH_STEP_S)?;
+        let log_time_s = (self.last_log_time as f64 - EPOCH_NS as f64) * 1e-9;
+        within("last_log_time since the epoch, s", log_time_s, -1e-6, self.last_time_s + 1.0)?;
+        within("impacts", self.pending.impacts() as f64, 0.0, MOST_EVENTS)?;
+        within("events that wait", self.pending.waiting() as f64, 0.0, MOST_EVENTS)?;
+        let lists = [
+            ("entries of motion.last", self.motion.last_balls().unwrap_or(balls), balls, balls),
+            ("points of last_turn", self.last_turn.len(), 0, history::ORBIT_POINTS),
+            ("entries of found", self.found.sectors(), raceway::SECTORS, raceway::SECTORS),
+        ];
+        let recent = self
+            .recent
+            .sizes()
+            .map(|count| ("samples of recent", count, self.recent.times(), history::SPECTRUM_SAMPLES));
+        for (field, count, least, most) in lists.into_iter().chain(recent) {
+            within(field, count as f64, least as f64, most as f64)?;
+        }
+        let numbers = self.motion.values().chain(self.last_turn.values()).chain(self.recent.values());
+        match numbers.into_iter().find(|value| !value.is_finite()) {
+            Some(value) => within("a remembered number", value, f64::MIN, f64::MAX),
+            None => Ok(()),
+        }
+    }
+}
+
 impl Producer {
     pub(super) fn new(input: &RunRecording) -> Result<Self, RecordError> {
         let geometry = input.case.geometry.resolve()?;
@@ -98,10 +147,7 @@ impl Producer {
     }
 
     pub(super) fn remember(&mut self, memory: RecorderMemory) -> Result<(), RecordError> {
-        let (found, expected) = (memory.motion.balls(), self.geometry.ball_count);
-        if found != expected {
-            return Err(RecordError::BallCount { solution: found, case: expected });
-        }
+        memory.check(self.geometry.ball_count)?;
         self.memory = memory;
         Ok(())
     }

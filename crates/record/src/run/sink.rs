@@ -92,7 +92,12 @@ impl<W: Write + Seek> Sink for StreamSink<W> {
     }
 
     fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
-        let written = self.output()?.write(channel, log_time, data);
+        let output = self.output()?;
+        let topics = output.topics();
+        if channel >= topics {
+            return Err(RecordError::NoTopic { channel, topics });
+        }
+        let written = output.write(channel, log_time, data);
         written.map_err(|source| mcap_error("write", &self.name, source))
     }
 

@@ -7,6 +7,7 @@ mod file;
 mod layout;
 #[cfg(feature = "live")]
 mod live;
+mod memory;
 mod recover;
 mod run;
 mod sample;

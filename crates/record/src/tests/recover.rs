@@ -61,7 +61,11 @@ fn limit_a_file_cut_anywhere_keeps_all_whole_chunks() {
                 assert!(saved.len() >= certain, "cut at {cut}: {} of {certain} certain messages", saved.len());
                 assert_eq!(saved[..], all[..saved.len()], "cut at {cut}");
                 assert_eq!(done.messages, saved.len() as u64);
-                assert_eq!((done.chunks_bad, done.messages_lost, done.truncated), (0, 0, true), "cut at {cut}");
+                assert_eq!(
+                    (done.damage.chunks_bad, done.messages_lost, done.damage.truncated),
+                    (0, 0, true),
+                    "cut at {cut}"
+                );
                 assert_eq!(done.last_time_ns, saved.last().unwrap().2);
                 beyond += usize::from(saved.len() > certain);
             }
@@ -79,30 +83,88 @@ fn limit_a_file_cut_anywhere_keeps_all_whole_chunks() {
 }
 
 #[test]
-fn limit_a_flipped_byte_costs_its_own_chunk_at_most() {
+fn limit_a_flipped_byte_costs_the_rest_of_its_own_chunk_at_most() {
     let file = small_run();
     let (all, ends) = (messages(&file), chunk_ends(&file));
+    let counts: Vec<usize> = std::iter::once(0).chain(ends.iter().map(|(_, count)| *count)).collect();
     let mut random = Lehmer(2);
-    let mut bad = 0;
+    let (mut bad, mut beginnings) = (0, 0);
     for _ in 0..100 {
         let place = 8 + random.below(file.len() - 8);
         let mut damaged = file.clone();
         damaged[place] ^= 1 + random.below(255) as u8;
         let (done, whole) = recovered(&damaged).unwrap_or_else(|error| panic!("{place}: {error}"));
+        assert!(!done.damage.is_none(), "byte {place}: nothing is said");
         let saved = messages(&whole);
-        bad += done.chunks_bad;
+        bad += done.damage.chunks_bad;
         if saved.len() == all.len() {
             assert_eq!(saved, all, "byte {place}");
             continue;
         }
-        assert_eq!(done.chunks_bad, 1, "byte {place}: messages are missing, and nothing is said");
-        assert!(done.bytes_lost > 0);
-        // What is missing is the content of one chunk, in one piece.
-        let counts: Vec<usize> = std::iter::once(0).chain(ends.iter().map(|(_, count)| *count)).collect();
-        let without = |pair: &[usize]| [&all[..pair[0]], &all[pair[1]..]].concat();
-        assert!(counts.windows(2).any(|pair| saved == without(pair)), "byte {place}: {} saved", saved.len());
+        assert_eq!(done.damage.chunks_bad, 1, "byte {place}: messages are missing");
+        assert!(done.damage.bytes_lost > 0);
+        // What is missing is the end of one chunk, in one piece.
+        let missing = all.len() - saved.len();
+        let fits = counts.windows(2).any(|pair| {
+            pair[1].checked_sub(missing).is_some_and(|from| {
+                from >= pair[0]
+                    && done.damage.messages_unchecked as usize == from - pair[0]
+                    && saved == [&all[..from], &all[pair[1]..]].concat()
+            })
+        });
+        assert!(fits, "byte {place}: {} saved", saved.len());
+        beginnings += u64::from(done.damage.messages_unchecked > 0);
     }
-    assert!(bad > 50, "{bad}");
+    assert!(bad > 50 && beginnings > 2, "{bad} damaged chunks, of {beginnings} the beginning was saved");
+}
+
+/// Names of topics, schemas, metadata and attachments with what belongs to them.
+fn content(file: &[u8]) -> Vec<String> {
+    let mut all: Vec<String> = messages(file).iter().map(|message| format!("{message:?}")).collect();
+    let mut scanner = Scanner::new(Cursor::new(file.to_vec())).unwrap().unwrap();
+    while let Some(piece) = scanner.next_piece().unwrap() {
+        let described = piece.records().filter(|record| {
+            !matches!(record, Record::Message { .. } | Record::Metadata { name: RECOVERY_METADATA, .. })
+        });
+        all.extend(described.map(|record| format!("{record:?}")));
+    }
+    all
+}
+
+/// The summary repeats the names of all topics behind the data: one flipped letter of them renames nothing and is told.
+#[test]
+fn limit_a_flipped_byte_of_the_summary_renames_nothing() {
+    let file = small_run();
+    let (sound, all) = (content(&recovered(&file).unwrap().1), messages(&file));
+    let summary = mcap::Summary::read(&file).unwrap().unwrap();
+    let data_end = summary.chunk_indexes.iter().map(|c| c.chunk_start_offset + c.chunk_length).max().unwrap() as usize;
+    let names = file[data_end..].windows(14).position(|w| w == b"/bearing/balls").unwrap() + data_end;
+    let last = file.len() - 8;
+    // The letters of a name, then the whole of the index at the end, the place of the summary and its checksum included.
+    for place in
+        (names..names + 14).step_by(3).chain((data_end..last).step_by(4999)).chain((last - 29..last).step_by(4))
+    {
+        let mut damaged = file.clone();
+        damaged[place] ^= 0x0a;
+        let (done, whole) = recovered(&damaged).unwrap();
+        assert!(!done.damage.is_none(), "byte {place}: nothing is said");
+        assert_eq!(content(&whole), sound, "byte {place}");
+        let mut reader = RunReader::new(Cursor::new(&damaged), Path::new("damaged")).unwrap();
+        let balls = (&mut reader).filter(|item| matches!(item, Ok(RunItem::Balls(..)))).count();
+        assert_eq!(balls, all.iter().filter(|m| m.0 == "/bearing/balls").count(), "byte {place}");
+        assert!(!reader.damage().is_none(), "byte {place}: the reader says nothing");
+    }
+}
+
+/// Metadata have no checksum of their own; the one over all data shows that a number in them was changed.
+#[test]
+fn limit_altered_metadata_is_told() {
+    let file = small_run();
+    let place = file.windows(10).position(|w| w == b"ball_count").unwrap() + 14;
+    let mut damaged = file.clone();
+    damaged[place] ^= 1;
+    let done = recovered(&damaged).unwrap().0;
+    assert!(done.damage.checksum_bad && done.damage.chunks_bad == 0 && done.damage.bytes_lost == 0);
 }
 
 #[test]
@@ -116,8 +178,8 @@ fn limit_wrong_lengths_ask_for_no_memory() {
             let mut damaged = file.clone();
             damaged[second + place..second + place + 8].copy_from_slice(&wrong.to_le_bytes());
             let (done, whole) = recovered(&damaged).unwrap();
-            assert_eq!(done.chunks_bad, 1, "{wrong} at {place}");
-            assert!(!done.truncated);
+            assert_eq!(done.damage.chunks_bad, 1, "{wrong} at {place}");
+            assert!(!done.damage.truncated);
             let saved = messages(&whole).len();
             assert!(saved < all.len() && saved > all.len() / 2, "{wrong} at {place}: {saved} of {}", all.len());
         }
@@ -138,7 +200,7 @@ fn limit_a_lost_table_of_channels_is_found_in_the_summary() {
     let mut damaged = file.clone();
     damaged[first + 200] ^= 0x55;
     let (done, whole) = recovered(&damaged).unwrap();
-    assert_eq!((done.chunks_bad, done.messages_lost), (1, 0));
+    assert_eq!((done.damage.chunks_bad, done.messages_lost), (1, 0));
     // The bodies and the wear of the start are in the chunk that declares the channels, and nothing else is.
     let topics: Vec<&str> = all[..2].iter().map(|message| message.0.as_str()).collect();
     assert_eq!(topics, ["/bearing/geometry", "/bearing/wear"]);
@@ -157,7 +219,7 @@ fn limit_what_is_no_recording_is_refused() {
     assert!(matches!(RunReader::new(Cursor::new(b"no"), Path::new("no")), Err(RecordError::NotMcap { .. })));
     let missing = super::path("recover-missing");
     assert!(matches!(recover(&missing, &missing), Err(RecordError::File { action: "open", .. })));
-    assert!(!crate::output::with_suffix(&missing, ".recovering").exists());
+    assert!(!missing.with_file_name(format!(".{}.part", missing.file_name().unwrap().display())).exists());
 }
 
 #[test]
@@ -165,7 +227,7 @@ fn identity_a_sound_file_is_copied_and_says_so() {
     let file = small_run();
     let (done, whole) = recovered(&file).unwrap();
     assert_eq!(messages(&whole), messages(&file));
-    assert_eq!((done.chunks_bad, done.bytes_lost, done.messages_lost, done.truncated), (0, 0, 0, false));
+    assert!(done.damage.is_none() && done.messages_lost == 0);
     assert!((done.last_time_s() - 0.159).abs() < 1e-9);
     let records = |bytes: &[u8]| {
         let mut scanner = Scanner::new(Cursor::new(bytes.to_vec())).unwrap().unwrap();
@@ -195,8 +257,48 @@ fn limit_a_run_still_going_on_can_be_read() {
     let cut = chunk_ends(&file)[2].0 + 2_000;
     let mut reader = RunReader::new(Cursor::new(&file[..cut]), Path::new("run.mcap.active")).unwrap();
     let items: Vec<RunItem> = (&mut reader).map(Result::unwrap).collect();
-    assert!(reader.truncated() && reader.chunks_bad() == 0);
+    assert!(reader.damage().truncated && reader.damage().chunks_bad == 0);
     let states = items.iter().filter(|item| matches!(item, RunItem::State(_))).count();
     assert!((100..160).contains(&states), "{states}");
     assert!(items.iter().any(|item| matches!(item, RunItem::Case(text) if text == super::case::TEXT)));
+}
+
+/// A recording of states at these times, with a cage speed, r/min.
+fn states(name: &str, rows: &[(f64, f64)]) -> std::path::PathBuf {
+    let mut writer = crate::output::writer(Cursor::new(Vec::new()), "tribodyn test", crate::output::SMALL).unwrap();
+    let schema = writer.add_schema("tribodyn.v1.TransientState", "protobuf", &[]).unwrap();
+    let channel = writer.add_channel(schema, "/bearing/state", "protobuf", &std::collections::BTreeMap::new()).unwrap();
+    for &(time_s, cage_speed_rpm) in rows {
+        let row = crate::StateRow { time_s, cage_speed_rpm, ..Default::default() };
+        let header = mcap::records::MessageHeader { channel_id: channel, sequence: 0, log_time: 7, publish_time: 7 };
+        writer.write_to_known_channel(&header, &prost::Message::encode_to_vec(&row)).unwrap();
+    }
+    writer.finish().unwrap();
+    let path = super::path(name);
+    std::fs::write(&path, writer.into_inner().into_inner()).unwrap();
+    path
+}
+
+#[test]
+fn limit_numbers_that_are_none_and_times_that_go_back_are_refused() {
+    let read = |name, rows: &[(f64, f64)]| {
+        let path = states(name, rows);
+        let read = crate::read_recording(&path);
+        std::fs::remove_file(path).unwrap();
+        read
+    };
+    assert_eq!(read("ordered", &[(0.0, 1.0), (0.1, 2.0), (0.1, 3.0)]).unwrap().states.len(), 3);
+    let error = read("back", &[(0.0, 1.0), (0.2, 2.0), (0.1, 3.0)]).unwrap_err();
+    assert!(error.to_string().ends_with("go back: 0.1 s follows 0.2 s"), "{error}");
+    let error = read("none", &[(0.0, 1.0), (0.1, f64::NAN)]).unwrap_err();
+    assert!(error.to_string().starts_with("cage_speed_rpm of a message on /bearing/state is NaN"), "{error}");
+}
+
+#[test]
+fn limit_a_recording_does_not_fill_the_memory() {
+    let path = states("long", &[(0.0, 1.0); 4000]);
+    let within = |most| crate::read_recording_within(&path, most).map(|run| run.states.len());
+    assert_eq!(within(1 << 24).unwrap(), 4000);
+    assert!(matches!(within(1 << 16), Err(RecordError::TooLong { most: 65_536, .. })));
+    std::fs::remove_file(path).unwrap();
 }

@@ -56,7 +56,7 @@ fn identity_the_filter_of_a_run_stands_in_its_metadata() {
 fn identity_a_run_comes_back_as_it_was_recorded() {
     let run = recorded("run-back", 300, 10_000.0, 5);
     assert_eq!((run.states.len(), run.balls.len()), (300, 60));
-    assert!(!run.truncated && run.chunks_bad == 0);
+    assert!(run.damage.is_none());
     assert_eq!(run.case_text.as_deref(), Some(case::TEXT));
     let simulation = &run.metadata["simulation"];
     assert_eq!((simulation["kind"].as_str(), simulation["seed"].as_str()), ("transient run", "none"));
@@ -234,7 +234,7 @@ fn limit_a_run_that_ends_early_leaves_a_file_that_can_be_read() {
     assert!(!path.exists());
     assert_eq!(read_run(&active).unwrap().states.len(), 40);
     // Into the name that the run would have had.
-    assert_eq!(recover(&active, &path).unwrap().chunks_bad, 0);
+    assert_eq!(recover(&active, &path).unwrap().damage.chunks_bad, 0);
     assert_eq!(read_run(&path).unwrap().states.len(), 40);
     std::fs::remove_file(&path).unwrap();
     std::fs::remove_file(&active).unwrap();

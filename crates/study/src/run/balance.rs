@@ -80,6 +80,7 @@ fn by_steps(scheme: Scheme, wear_acceleration: f64) -> String {
         Scheme::DormandPrince { tolerance, .. } => format!(
             "the tolerance of {tolerance:.0e} is too coarse for this run, and its powers and accelerations may be wrong; lower it"
         ),
+        Scheme::Fast { .. } => "the steps are too long for this run, and its powers and accelerations may be wrong, or its powers change faster than recording.state_rate, at which the fast scheme sums its work; shorten the steps, raise that rate or take another scheme".to_owned(),
         _ => "the steps are too long for this run, and its powers and accelerations may be wrong; shorten them or take another scheme".to_owned(),
     };
     steps + &wear

@@ -11,6 +11,9 @@ mod tape;
 pub mod warnings;
 
 pub use balance::imbalance;
+pub(crate) use checkpoint::FORMAT as CHECKPOINT_FORMAT;
+#[doc(hidden)]
+pub use checkpoint::is_checkpoint;
 pub use outcome::{RunOutcome, RunReport, Stopped};
 pub use session::{Beginning, PreparedRun, RunSession};
 pub use settled::Settled;

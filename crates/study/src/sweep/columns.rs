@@ -101,7 +101,9 @@ impl From<QuasiStaticError> for Unsolved {
     fn from(error: QuasiStaticError) -> Self {
         let tried = match &error {
             QuasiStaticError::NotConverged { residual, iterations, .. } => Some((*residual, *iterations)),
-            QuasiStaticError::Missing { .. } | QuasiStaticError::Traction(_) => None,
+            QuasiStaticError::Missing { .. } | QuasiStaticError::Singular { .. } | QuasiStaticError::Traction(_) => {
+                None
+            }
         };
         Self { tried, message: error.to_string() }
     }

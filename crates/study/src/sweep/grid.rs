@@ -4,10 +4,11 @@ use super::columns::{Cell, Column, Kind};
 use super::values;
 use crate::case_file::{CaseFile, Change};
 use crate::error::StudyError;
+use crate::limits::Limits;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::Range;
-use tribodyn_case::{Purpose, set_value};
+use tribodyn_case::{Case, CaseError, Purpose, set_value};
 
 /// Most rows of a grid, far beyond any computing time.
 const MAX_ROWS: usize = 1_000_000_000;
@@ -41,6 +42,11 @@ impl Setting {
         }
     }
 
+    /// Number of values.
+    pub fn count(&self) -> usize {
+        self.values.len()
+    }
+
     /// With a text that stands before the setting in messages, such as the name of an option.
     pub fn prefixed(self, prefix: &'static str) -> Self {
         Self { prefix, ..self }
@@ -69,6 +75,7 @@ pub struct Grid {
     fixed: Vec<Change>,
     /// The case's text with them.
     base: String,
+    limits: Limits,
     axes: Vec<Axis>,
     /// Number of rows.
     pub rows: usize,
@@ -76,7 +83,10 @@ pub struct Grid {
 
 impl Grid {
     /// Checks every value before anything is solved.
-    pub fn new(name: &str, original: String, settings: &[Setting]) -> Result<Self, StudyError> {
+    ///
+    /// # Errors
+    /// Settings that overlap or make too many rows, and the first value that is refused.
+    pub fn new(name: &str, original: String, settings: &[Setting], limits: &Limits) -> Result<Self, StudyError> {
         let (single, swept): (Vec<_>, Vec<_>) = settings.iter().partition(|s| s.values.len() == 1);
         for (i, first) in swept.iter().enumerate() {
             let second = swept[i + 1..].iter().find(|second| first.change(0).concerns(&second.path));
@@ -89,7 +99,8 @@ impl Grid {
         let rows = swept.iter().try_fold(1, count).ok_or(StudyError::TooManyRows { limit: MAX_ROWS })?;
         let fixed: Vec<Change> = single.iter().map(|s| s.change(0)).collect();
         let axes = swept.into_iter().map(Axis::new).collect();
-        let mut grid = Self { name: name.to_owned(), original, fixed, base: String::new(), axes, rows };
+        let mut grid =
+            Self { name: name.to_owned(), original, fixed, base: String::new(), limits: *limits, axes, rows };
         // The first row stands for the case without axes too: messages come from there.
         grid.base = grid.original.clone();
         for change in &grid.fixed {
@@ -109,14 +120,14 @@ impl Grid {
         for (axis, stride) in self.axes.iter().zip(&strides) {
             let far = last - (axis.cells.len() - 1) * stride;
             let bad = |i: &usize| {
-                self.text(i * stride).is_none_or(|t| !sound(&t))
-                    && self.text(far + i * stride).is_none_or(|t| !sound(&t))
+                self.text(i * stride).is_none_or(|t| !self.sound(&t))
+                    && self.text(far + i * stride).is_none_or(|t| !self.sound(&t))
             };
             if let Some(i) = (0..axis.cells.len()).into_par_iter().find_first(bad) {
                 return Err(self.refusal(i * stride));
             }
         }
-        if self.axes.is_empty() && !sound(&self.base) {
+        if self.axes.is_empty() && !self.sound(&self.base) {
             return Err(self.refusal(0));
         }
         Ok(())
@@ -126,13 +137,24 @@ impl Grid {
     fn refusal(&self, row: usize) -> StudyError {
         let swept = self.axes.iter().zip(self.indices(row)).map(|(axis, i)| axis.setting.change(i));
         let changes: Vec<Change> = self.fixed.iter().cloned().chain(swept).collect();
-        match CaseFile::from_text(&self.name, self.original.clone(), &changes)
+        match CaseFile::from_text(&self.name, self.original.clone(), &changes, &self.limits)
             .and_then(|file| file.bearing_for(Purpose::Traction))
         {
             Err(failure) => failure,
             // Texts are refused by the same reader: there is nothing that only one of both refuses.
             Ok(_) => StudyError::RefusalLost { row },
         }
+    }
+
+    /// True for a case with all that the traction model needs, within the limits.
+    fn sound(&self, text: &str) -> bool {
+        self.case(text).is_ok_and(|case| case.require(Purpose::Traction).is_ok() && case.bearing().is_ok())
+    }
+
+    /// The case of a row's text, within the limits.
+    pub(crate) fn case(&self, text: &str) -> Result<Case, CaseError> {
+        let case = Case::from_ron(text)?;
+        self.limits.check(text, &case).map(|()| case)
     }
 
     /// Distance in rows of neighbours along each axis.
@@ -226,12 +248,6 @@ pub struct AxisSummary {
     pub first: String,
     /// Last value, as in a case file.
     pub last: String,
-}
-
-/// True for a case with all that the traction model needs.
-fn sound(text: &str) -> bool {
-    use tribodyn_case::Case;
-    Case::from_ron(text).is_ok_and(|case| case.require(Purpose::Traction).is_ok() && case.bearing().is_ok())
 }
 
 impl Axis {

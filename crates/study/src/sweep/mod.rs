@@ -47,11 +47,12 @@ pub struct Options {
 ///
 /// ```no_run
 /// use std::ops::ControlFlow;
+/// use tribodyn_study::Limits;
 /// use tribodyn_study::sweep::{Grid, Options, Setting, Shard, Sweep};
 ///
 /// let path = std::path::Path::new("case.ron");
 /// let forces = Setting::parse("ring.z.Force=kN(10..60 by 5)")?;
-/// let grid = Grid::new("case.ron", tribodyn_study::read_text(path)?, &[forces])?;
+/// let grid = Grid::new("case.ron", tribodyn_study::read_text(path, &Limits::NORMAL)?, &[forces], &Limits::NORMAL)?;
 /// let options = Options { table: "table.csv".into(), shard: Shard::ALL, cold: false, restart: false };
 /// let mut sweep = Sweep::open(&grid, &options)?;
 /// sweep.solve(|_| ControlFlow::Continue(()))?;

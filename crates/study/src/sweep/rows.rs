@@ -4,7 +4,7 @@ use super::columns::{self, Unsolved};
 use super::grid::Grid;
 use std::ops::Range;
 use tribodyn_bearing::Bearing;
-use tribodyn_case::{Case, Purpose};
+use tribodyn_case::Purpose;
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
 use tribodyn_traction::PatchRule;
 
@@ -41,7 +41,7 @@ impl<'a> Chunk<'a> {
 
     fn solve(&mut self, row: usize) -> Result<Solution, Unsolved> {
         let text = self.grid.text(row).ok_or_else(|| Unsolved::refused("a path is not in the case of this row"))?;
-        let case = Case::from_ron(&text).map_err(Unsolved::refused)?;
+        let case = self.grid.case(&text).map_err(Unsolved::refused)?;
         case.require(Purpose::Traction).map_err(Unsolved::refused)?;
         let bearing = case.bearing().map_err(Unsolved::refused)?;
         let point = case.operating_point();

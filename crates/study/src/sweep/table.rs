@@ -57,7 +57,7 @@ pub(crate) fn write(
     let failure = |source| StudyError::Write { path: path.to_owned(), source };
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or_else(|| failure(Error::new(ErrorKind::InvalidInput, "the name is not UTF-8 text")))?;
-    let mut staged = StagedFiles::new(path.parent().unwrap_or(Path::new("")))?;
+    let mut staged = StagedFiles::new(path.parent().unwrap_or(Path::new("")), true)?;
     let file = staged.create(name.to_owned())?;
     let kept = file.try_clone().map_err(failure)?;
     let writer = BufWriter::new(file);

@@ -2,6 +2,8 @@
 
 /// Most values of one list: a typing error should not fill the memory.
 const MAX_VALUES: usize = 1_000_000;
+/// Most bytes around the numbers of a range.
+const MAX_BYTES: usize = 64 << 20;
 
 /// How the values of a range lie between its ends.
 enum Spacing {
@@ -115,6 +117,13 @@ fn expand_item(item: &str) -> Result<Vec<String>, String> {
     let end = |text: &str| text.parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(syntax);
     let numbers =
         numbers(end(&before[prefix.len()..])?, end(to)?, &spacing).map_err(|why| format!("`{item}`: {why}"))?;
+    // Long texts around many numbers would fill the memory too.
+    if numbers.len().saturating_mul(prefix.len() + suffix.len()) > MAX_BYTES {
+        return Err(format!(
+            "the values of `{}…` have more than {MAX_BYTES} bytes",
+            item.chars().take(40).collect::<String>()
+        ));
+    }
     Ok(numbers.into_iter().map(|number| format!("{prefix}{number}{suffix}")).collect())
 }
 

@@ -1,0 +1,61 @@
+//! The cage as a body: its pockets, and what drives and brakes it.
+
+use crate::bearing::Bearing;
+use crate::pocket::{Pocket, hypot};
+use crate::races::{Races, Side};
+use crate::run_inputs::{GuidingLand, MovingCage};
+use tribodyn_contact::Scalar;
+use tribodyn_fluid::AnnulusDrag;
+
+/// A cage that turns about the bearing's axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CageBody {
+    /// Its pockets.
+    pub pocket: Pocket,
+    /// Moment of inertia about the bearing's axis, kg m².
+    pub inertia: f64,
+    /// Constant torque against the rotation, N m.
+    pub drag_torque: f64,
+    /// The land that guides it; none where the balls alone do.
+    pub guidance: Option<Guidance>,
+}
+
+/// The land that guides a cage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Guidance {
+    /// The fluid film.
+    pub land: AnnulusDrag,
+    /// The ring with the land.
+    pub side: Side,
+}
+
+/// Cage speed below which a constant drag torque falls off in proportion, rad/s, so that it does not start a cage at rest.
+const STANDSTILL: f64 = 1.0;
+
+impl CageBody {
+    /// The cage between the rings of a bearing; its pockets stand on the pitch circle. A dry bearing has no film to guide it.
+    pub fn new(cage: &MovingCage, bearing: &Bearing) -> Self {
+        let MovingCage { pockets, pocket_friction, pocket_damping, inertia, guidance: land } = *cage;
+        let radius = 0.5 * bearing.geometry.pitch_diameter;
+        let pocket = Pocket {
+            radius,
+            clearance: pockets.pocket_gap / radius,
+            stiffness: pockets.pocket_stiffness,
+            damping: pocket_damping,
+            friction: pocket_friction,
+            ball_radius: bearing.geometry.ball_radius(),
+        };
+        let film = |GuidingLand { side, radius, width, gap }| {
+            let fluid = bearing.fluid.as_ref()?;
+            let (density, viscosity) = (fluid.density, fluid.viscosity);
+            Some(Guidance { land: AnnulusDrag { density, viscosity, radius, width, gap }, side })
+        };
+        Self { pocket, inertia, drag_torque: pockets.drag_torque, guidance: land.and_then(film) }
+    }
+
+    /// Torques of guidance and drag on the cage, N m. The ring with the land carries the reaction of the first.
+    pub fn fluid_torques<D: Scalar>(&self, speed: D, rings: Races<D>) -> [D; 2] {
+        let guidance = self.guidance.map_or(D::zero(), |g| g.land.torque_on_cage(rings[g.side], speed));
+        [guidance, speed * -self.drag_torque / hypot(speed, D::from(STANDSTILL))]
+    }
+}

@@ -1,0 +1,201 @@
+//! A ball in its cage pocket: dead band, spring and damper, friction.
+
+use tribodyn_contact::Scalar;
+
+/// The cage's pockets, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pocket {
+    /// Radius of the circle of pocket centres, m: arm of the pocket force on both ball and cage.
+    pub radius: f64,
+    /// Play on either side of the centred ball, rad.
+    pub clearance: f64,
+    /// Stiffness, N/m.
+    pub stiffness: f64,
+    /// Damping χ of Hunt and Crossley, s/m.
+    pub damping: f64,
+    /// Friction coefficient.
+    pub friction: f64,
+    /// Radius of the ball, m.
+    pub ball_radius: f64,
+}
+
+/// Sliding speed below which pocket friction falls off in proportion, m/s. The balls spin past their pockets at tens of
+/// metres per second; this only keeps a bearing at rest from chattering.
+const CREEP: f64 = 0.01;
+
+/// What a ball does against its pocket.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PocketMotion<D = f64> {
+    /// Lead of the ball over the middle of its pocket, rad.
+    pub lead: D,
+    /// Its rate, rad/s.
+    pub rate: D,
+    /// Axial and radial velocity of the ball centre, m/s.
+    pub velocity: [D; 2],
+    /// Absolute spin, axial and radial, rad/s.
+    pub spin: [D; 2],
+    /// Speed of the cage, rad/s.
+    pub cage_speed: D,
+}
+
+/// What the pocket does to the ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PocketLoad<D = f64> {
+    /// Force along the orbit, N.
+    pub force: D,
+    /// Friction (axial, radial), N.
+    pub friction: [D; 2],
+    /// Moment of the friction on the ball (axial, radial), N m.
+    pub moment: [D; 2],
+    /// Torque on the cage of force and friction, N m.
+    pub cage_torque: D,
+    /// Energy of the spring, J.
+    pub energy: D,
+    /// Power lost by damping, W.
+    pub damping_power: D,
+    /// Power lost by friction, W.
+    pub friction_power: D,
+    /// Sliding speed, m/s.
+    pub sliding: D,
+}
+
+impl<D: Scalar> PocketLoad<D> {
+    /// The ball touches no wall.
+    pub fn none() -> Self {
+        let zero = D::zero();
+        Self {
+            force: zero,
+            friction: [zero; 2],
+            moment: [zero; 2],
+            cage_torque: zero,
+            energy: zero,
+            damping_power: zero,
+            friction_power: zero,
+            sliding: zero,
+        }
+    }
+}
+
+impl Pocket {
+    /// How far the ball is pressed into the pocket wall, m; negative where there is a gap.
+    pub fn penetration<D: Scalar>(&self, lead: D) -> D {
+        let size = if lead.re() < 0.0 { -lead } else { lead };
+        (size - self.clearance) * self.radius
+    }
+
+    /// Force and friction. The spring starts at the wall and the damping grows with the penetration, so that the force
+    /// is continuous; together they never pull.
+    pub fn load<D: Scalar>(&self, motion: &PocketMotion<D>) -> PocketLoad<D> {
+        let depth = self.penetration(motion.lead);
+        if depth.re() <= 0.0 {
+            return PocketLoad::none();
+        }
+        // The ball leads: it touches the front wall, at +r_b e_t, and is held back.
+        let side = motion.lead.re().signum();
+        let closing = motion.rate * (side * self.radius);
+        let spring = depth * self.stiffness;
+        let pressed = spring * (closing * self.damping + 1.0);
+        let normal = if pressed.re() > 0.0 { pressed } else { D::zero() };
+        let arm = side * self.ball_radius;
+        let slip = [
+            motion.velocity[0] + motion.spin[1] * arm,
+            motion.velocity[1] - (motion.spin[0] - motion.cage_speed) * arm,
+        ];
+        let sliding = hypot(slip[0], slip[1]);
+        let share = normal * -self.friction / hypot(sliding, D::from(CREEP));
+        let friction = slip.map(|s| share * s);
+        let force = normal * -side;
+        PocketLoad {
+            force,
+            friction,
+            // (arm e_t) × (f_a e_a + f_r e_r) = arm (f_a e_r − f_r e_a).
+            moment: [friction[1] * -arm, friction[0] * arm],
+            cage_torque: force * -self.radius + friction[1] * arm,
+            energy: spring * 0.5 * depth,
+            damping_power: (normal - spring) * closing,
+            friction_power: -share * sliding * sliding,
+            sliding,
+        }
+    }
+}
+
+/// √(a² + b²) to the last digit of [`f64::hypot`], with derivatives; none at zero.
+pub(crate) fn hypot<D: Scalar>(a: D, b: D) -> D {
+    let length = a.re().hypot(b.re());
+    if length == 0.0 {
+        return D::zero();
+    }
+    let root = (a * a + b * b).sqrt();
+    root + (length - root.re())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_dual::first_derivative;
+
+    const POCKET: Pocket =
+        Pocket { radius: 0.08, clearance: 1.5e-3, stiffness: 5e6, damping: 0.3, friction: 0.1, ball_radius: 0.015 };
+
+    fn motion(lead: f64, rate: f64) -> PocketMotion {
+        PocketMotion { lead, rate, velocity: [0.02, -0.01], spin: [-2700.0, 800.0], cage_speed: 608.0 }
+    }
+
+    #[test]
+    fn limit_no_force_within_the_clearance_and_a_continuous_one_at_its_edge() {
+        assert_eq!(POCKET.load(&motion(1.49e-3, 5.0)), PocketLoad::none());
+        let edge = POCKET.load(&motion(1.5e-3 + 1e-12, 5.0));
+        assert!(edge.force.abs() < 1e-5 && edge.damping_power.abs() < 1e-5);
+    }
+
+    #[test]
+    fn identity_pushes_back_on_either_side_and_never_pulls() {
+        for (lead, rate) in [(2e-3, 1.0), (2e-3, -1.0), (-2e-3, 1.0), (2e-3, -1e4), (-2e-3, 1e4)] {
+            let load = POCKET.load(&motion(lead, rate));
+            assert!(load.force * lead <= 0.0, "{lead} {rate}: {}", load.force);
+            assert!(load.damping_power >= 0.0 && load.friction_power >= 0.0);
+        }
+    }
+
+    /// What ball and cage receive together is what spring, damping and friction take.
+    #[test]
+    fn identity_power_of_ball_and_cage() {
+        for (lead, rate) in [(2e-3, 1.3), (-2.5e-3, 0.7), (3e-3, -0.4)] {
+            let m = motion(lead, rate);
+            let orbit = m.cage_speed + rate;
+            let load = POCKET.load(&m);
+            let on_ball = load.force * POCKET.radius * orbit
+                + load.friction[0] * m.velocity[0]
+                + load.friction[1] * m.velocity[1]
+                + load.moment[0] * m.spin[0]
+                + load.moment[1] * m.spin[1];
+            let given = on_ball + load.cage_torque * m.cage_speed;
+            let stored = POCKET.stiffness * POCKET.penetration(lead) * POCKET.radius * rate * lead.signum();
+            let lost = load.damping_power + load.friction_power;
+            assert!((given + stored + lost).abs() < 1e-9 * lost.abs(), "{given} {stored} {lost}");
+        }
+    }
+
+    /// Force and torque on the cage by the lead, with the friction's part.
+    #[test]
+    fn identity_slope_over_the_lead_is_that_of_differences() {
+        for lead in [2e-3, -3e-3] {
+            let at = |lead| POCKET.load(&motion(lead, 1.0)).cage_torque;
+            let (_, slope) = first_derivative(
+                |lead| {
+                    let constant = |v: f64| num_dual::Dual64::from(v);
+                    let m = motion(0.0, 1.0);
+                    let spin = m.spin.map(constant);
+                    let velocity = m.velocity.map(constant);
+                    let rate = constant(m.rate);
+                    POCKET
+                        .load(&PocketMotion { lead, rate, velocity, spin, cage_speed: constant(m.cage_speed) })
+                        .cage_torque
+                },
+                lead,
+            );
+            let difference = (at(lead + 1e-8) - at(lead - 1e-8)) / 2e-8;
+            assert!((slope / difference - 1.0).abs() < 1e-7, "{slope} {difference}");
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! The steady orbit, stiffness and modes as the command gives them.
+
+use super::{Scratch, fixture, run, run_words};
+
+#[test]
+fn identity_the_orbit_is_the_mean_of_a_run() {
+    let case = fixture("paper-ag.ron");
+    let orbit = run(&[&"solve", &case, &"--model", &"steady-orbit", &"--json"]).json();
+    assert_eq!(orbit["model"], "steady-orbit");
+    assert_eq!((orbit["balls"].as_array().unwrap().len(), orbit["points"].as_array().unwrap().len()), (13, 180));
+    // The mean of its run, row T4.dyn of docs/validation.md.
+    let speed = orbit["cage_speed_rpm"].as_f64().unwrap();
+    assert!((speed / 5793.7 - 1.0).abs() < 1e-4, "{speed}");
+    assert!(orbit["residual"].as_f64().unwrap() <= 1e-10);
+}
+
+#[test]
+fn limit_a_steady_orbit_has_no_other_roots() {
+    let answer = run(&[&"solve", &fixture("paper-ag.ron"), &"--model", &"steady-orbit", &"--roots"]);
+    answer.fails(2, &["--roots"]);
+}
+
+#[test]
+fn identity_tables_of_stiffness_hold_the_matrix() {
+    let scratch = Scratch::new();
+    let (csv, ross) = (scratch.0.join("k.csv"), scratch.0.join("ross.csv"));
+    let case = fixture("paper-ag.ron");
+    let words: [&dyn AsRef<std::ffi::OsStr>; 11] = [
+        &"stiffness",
+        &case,
+        &"--model",
+        &"jones-harris",
+        &"--speeds",
+        &"7000,14000",
+        &"--csv",
+        &csv,
+        &"--ross",
+        &ross,
+        &"--json",
+    ];
+    let answers = run(&words).json();
+    let answers = answers.as_array().unwrap();
+    assert_eq!(answers.len(), 2);
+    let k = |row: usize, column: usize| answers[1]["stiffness"][row][column].as_f64().unwrap();
+    assert!((0..5).all(|i| k(i, i) > 0.0));
+    let table = std::fs::read_to_string(csv).unwrap();
+    let last: Vec<f64> = table.lines().last().unwrap().split(',').map(|v| v.parse().unwrap()).collect();
+    assert_eq!((last.len(), last[1], last[2 + 4 * 5 + 3]), (26, k(0, 0), k(4, 4)));
+    let table = std::fs::read_to_string(ross).unwrap();
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("frequency,kxx,kxy,kyx,kyy,kzz"));
+    let first: Vec<f64> = lines.next().unwrap().split(',').map(|v| v.parse().unwrap()).collect();
+    assert!((first[0] - 7000.0 * std::f64::consts::PI / 30.0).abs() < 1e-9);
+}
+
+#[test]
+fn limit_modes_are_by_frequency_and_up_to_the_highest() {
+    let case = fixture("paper-ag.ron");
+    let answer = run(&[&"modes", &case, &"--up-to", &"20000", &"--json"]).json();
+    let modes = answer["modes"].as_array().unwrap();
+    let frequencies: Vec<f64> = modes.iter().map(|mode| mode["frequency_hz"].as_f64().unwrap()).collect();
+    assert!(frequencies.windows(2).all(|pair| pair[0] <= pair[1]) && frequencies.iter().all(|f| *f <= 20000.0));
+    // The outer ring swings between its support and the balls.
+    assert!(modes.iter().any(|mode| mode["energy_shares"]["outer_ring"].as_f64().unwrap() > 0.5));
+    run_words("modes nowhere.ron --up-to 100").fails(2, &["nowhere.ron"]);
+}

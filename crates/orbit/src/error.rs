@@ -1,0 +1,96 @@
+//! The errors of a steady orbit.
+
+use crate::collocation::Orbit;
+use crate::residual::Worst;
+use crate::system::{BALL, OrbitSystem};
+use std::f64::consts::TAU;
+use tribodyn_quasistatic::QuasiStaticError;
+use tribodyn_traction::TractionError;
+
+/// Why there is no steady orbit.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum OrbitError {
+    /// The iteration stopped above the tolerance.
+    #[error(
+        "the steady orbit did not converge: {equation} {place} has a relative residual of {residual:.3e} (tolerance {tolerance:.1e}); the cage turned at {cage_speed_rpm:.1} r/min"
+    )]
+    NotConverged {
+        /// The worst balance.
+        equation: &'static str,
+        /// Where it is.
+        place: OrbitPlace,
+        /// Its relative residual.
+        residual: f64,
+        /// The tolerance asked for.
+        tolerance: f64,
+        /// The cage speed that was reached, r/min.
+        cage_speed_rpm: f64,
+    },
+    /// The linearised equations have no solution.
+    #[error("the linearised equations of the orbit are singular")]
+    Singular,
+    /// The eigenvalues of the linearised motion were not found.
+    #[error("the eigenvalues of the linearised motion did not converge")]
+    Eigenvalues,
+    /// The start.
+    #[error(transparent)]
+    Start(#[from] QuasiStaticError),
+    /// Patch quadrature.
+    #[error(transparent)]
+    Traction(#[from] TractionError),
+}
+
+/// Where a residual is left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum OrbitPlace {
+    /// A ball at an azimuth, degrees.
+    Ball {
+        /// The azimuth.
+        azimuth_deg: f64,
+    },
+    /// Cage or ring.
+    Body,
+}
+
+impl std::fmt::Display for OrbitPlace {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Ball { azimuth_deg } => write!(f, "of a ball at {azimuth_deg:.1}°"),
+            Self::Body => f.write_str("over the turn"),
+        }
+    }
+}
+
+const OF_BALL: [&str; BALL] = [
+    "axial velocity",
+    "radial velocity",
+    "lead over the pocket",
+    "axial force",
+    "radial force",
+    "force along the orbit",
+    "axial moment",
+    "radial moment",
+    "tangential moment",
+];
+const OF_BODIES: [&str; 6] = [
+    "torque on the cage",
+    "force along x on the ring",
+    "force along y on the ring",
+    "axial force on the ring",
+    "moment about x on the ring",
+    "moment about y on the ring",
+];
+
+impl OrbitError {
+    pub(crate) fn not_converged(system: &OrbitSystem<'_>, orbit: &Orbit, worst: &Worst, tolerance: f64) -> Self {
+        let (place, equation) = match worst.interval {
+            Some(j) => {
+                let azimuth_deg = system.azimuth(orbit.interval(j)[0]).to_degrees().rem_euclid(360.0);
+                (OrbitPlace::Ball { azimuth_deg }, OF_BALL[worst.equation])
+            }
+            None => (OrbitPlace::Body, OF_BODIES[worst.equation]),
+        };
+        let cage_speed_rpm = orbit.cage_speed * 60.0 / TAU;
+        Self::NotConverged { equation, place, residual: worst.relative, tolerance, cage_speed_rpm }
+    }
+}

@@ -1,0 +1,215 @@
+//! Results of a steady orbit.
+
+use crate::collocation::Orbit;
+use crate::newton::Newton;
+use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
+use serde::Serialize;
+use std::f64::consts::TAU;
+use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult, Side};
+use tribodyn_quasistatic::{Model, Solution};
+
+/// Places round the orbit at which a solution is given: every two degrees.
+pub const POINTS: usize = 180;
+
+/// r/min per rad/s.
+const RPM_PER_RAD_S: f64 = 60.0 / TAU;
+
+/// The periodic motion of balls and cage under steady loads.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SteadyOrbit {
+    /// Cage speed, r/min.
+    pub cage_speed_rpm: f64,
+    /// Displacement of the inner ring against the outer: x, y (radial), z (axial), m.
+    pub ring_displacement_m: [f64; 3],
+    /// Tilt of the inner ring about X and Y, rad.
+    pub ring_tilt_rad: [f64; 2],
+    /// Mean force that the inner ring puts on the balls: x, y, z, N.
+    pub ring_load_n: [f64; 3],
+    /// Mean moment that the inner ring puts on the balls about X and Y, N m.
+    pub ring_moment_nm: [f64; 2],
+    /// Mean torque that the shaft needs against rotation at the inner ring's speed, N m.
+    pub shaft_torque_nm: f64,
+    /// Mean frictional power of the inner and outer contacts, W.
+    pub friction_w: [f64; 2],
+    /// Mean power of drag and churning, W.
+    pub fluid_w: f64,
+    /// Mean power of friction and damping in the pockets, W.
+    pub pocket_w: f64,
+    /// Largest pocket force of either direction, N.
+    pub pocket_force_max_n: f64,
+    /// Azimuths at which a ball meets a wall of its pocket, degrees.
+    pub pocket_contact_azimuths_deg: Vec<f64>,
+    /// Largest relative residual of all balances.
+    pub residual: f64,
+    /// Estimated quadrature error of the traction force over the load, against a finer rule.
+    pub patch_error_estimate: f64,
+    /// Intervals of the mesh.
+    pub intervals: usize,
+    /// Estimated relative error of the cage speed by the mesh, where the orbit is of first order only: balls that lose their contacts
+    /// and meet their pockets abruptly leave no other; absent where three points an interval make it negligible.
+    pub cage_speed_error: Option<f64>,
+    /// The balls when they stand where those of an equilibrium do, the first at azimuth 0.
+    pub balls: Vec<BallResult>,
+    /// A ball round its orbit, every two degrees of azimuth.
+    pub points: Vec<BallResult>,
+}
+
+impl SteadyOrbit {
+    /// The balls of the orbit, or the points round it, in the form of an equilibrium with traction: for figures and recordings.
+    pub fn as_solution(&self, balls: &[BallResult], [inner_speed, outer_speed]: [f64; 2]) -> Solution {
+        Solution {
+            model: Model::Traction,
+            converged: true,
+            cage_speed_rpm: self.cage_speed_rpm,
+            ring_displacement_m: self.ring_displacement_m,
+            ring_tilt_rad: self.ring_tilt_rad,
+            ring_load_n: self.ring_load_n,
+            ring_moment_nm: self.ring_moment_nm,
+            shaft_torque_nm: Some(self.shaft_torque_nm),
+            inner_speed_rad_s: inner_speed,
+            outer_speed_rad_s: outer_speed,
+            residual: self.residual,
+            iterations: 0,
+            patch_error_estimate: Some(self.patch_error_estimate),
+            warnings: self.warnings(),
+            balls: balls.to_vec(),
+        }
+    }
+
+    /// Sentences on what is unusual about it.
+    pub fn warnings(&self) -> Vec<String> {
+        let lost = self.points.iter().filter(|p| p.contacts.inner.load_n == 0.0).count();
+        let first_order = self.cage_speed_error.map(|error| {
+            format!("balls lose and meet their contacts abruptly: the cage speed is good to {error:.0e} only, pocket forces to a few per cent")
+        });
+        let lost = (lost > 0).then(|| {
+            let part = 100.0 * lost as f64 / self.points.len() as f64;
+            format!("balls have no inner contact over {part:.0} % of their orbit")
+        });
+        lost.into_iter().chain(first_order).collect()
+    }
+}
+
+/// Means over the turn of what all balls do.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Means {
+    pub ring: [f64; 5],
+    pub torque: f64,
+    pub friction: [f64; 2],
+    pub fluid: f64,
+    pub pocket: f64,
+}
+
+impl Means {
+    /// Adds a ball with a weight.
+    pub fn add(&mut self, e: &Evaluation, weight: f64) {
+        self.ring.iter_mut().zip(e.ring).for_each(|(sum, f)| *sum += weight * f);
+        self.torque += weight * e.torque;
+        for side in Side::BOTH {
+            self.friction[side as usize] += weight * e.loads.contacts[side].traction.power;
+        }
+        let churning: f64 = e.friction.churning.iter().zip(e.state.spin).map(|(m, w)| m * w).sum();
+        self.fluid += weight * (e.friction.drag * e.loads.orbit_radius * e.state.orbital_speed - churning);
+        self.pocket += weight * (e.friction.pocket.friction_power + e.friction.pocket.damping_power);
+    }
+}
+
+/// A ball as a result, with what a motion has besides an equilibrium.
+pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL], e: &Evaluation) -> BallResult {
+    let pocket = &e.friction.pocket;
+
+    BallResult {
+        pocket: Some(PocketResult {
+            lead_rad: y[LEAD],
+            force_n: pocket.force,
+            friction_n: Some(pocket.friction),
+            wear_rate_m3_s: system.bearing.pocket_wear_rate(pocket.sliding * pocket.force.abs()),
+        }),
+        motion: Some(BallMotionResult {
+            orbital_acceleration_rad_s2: e.rate[ORBIT],
+            velocity_m_s: [y[VELOCITY], y[VELOCITY + 1]],
+        }),
+        ..system.bearing.ball_result(azimuth, &e.state, &e.loads, system.speeds.inner)
+    }
+}
+
+/// The solution of a converged orbit.
+pub(crate) fn solution(
+    newton: &Newton<'_>,
+    orbit: &Orbit,
+    (residual, rule_error, cage_speed_error): (f64, f64, Option<f64>),
+) -> SteadyOrbit {
+    let (system, radau) = (&newton.system, &newton.radau);
+    let balls = system.bearing.geometry.ball_count as f64;
+    let mut means = Means::default();
+    for j in 0..orbit.intervals() {
+        let [begin, width] = orbit.interval(j);
+        for i in 0..radau.stages {
+            let azimuth = system.azimuth(begin + radau.points[i] * width);
+            let e = system.value(azimuth, &orbit.values[j][i], orbit.cage_speed, orbit.ring);
+            means.add(&e, balls * width * radau.weights[i]);
+        }
+    }
+    let round = |count: usize| -> Vec<BallResult> {
+        let at = |n| {
+            let azimuth = TAU * n as f64 / count as f64;
+            let (turn, y) = at_azimuth(newton, orbit, azimuth);
+            let e = system.value(system.azimuth(turn), &y, orbit.cage_speed, orbit.ring);
+            ball_result(system, azimuth, &y, &e)
+        };
+        (0..count).map(at).collect()
+    };
+    let points = round(POINTS);
+    let [x, y, z, tilt @ ..] = orbit.ring;
+    let [fx, fy, fz, moment @ ..] = means.ring;
+    SteadyOrbit {
+        cage_speed_rpm: orbit.cage_speed * RPM_PER_RAD_S,
+        ring_displacement_m: [x, y, z],
+        ring_tilt_rad: tilt,
+        ring_load_n: [fx, fy, fz],
+        ring_moment_nm: moment,
+        shaft_torque_nm: means.torque,
+        friction_w: means.friction,
+        fluid_w: means.fluid,
+        pocket_w: means.pocket,
+        pocket_force_max_n: points.iter().filter_map(|p| p.pocket).map(|p| p.force_n.abs()).fold(0.0, f64::max),
+        pocket_contact_azimuths_deg: contacts(newton, orbit),
+        residual,
+        patch_error_estimate: rule_error,
+        intervals: orbit.intervals(),
+        cage_speed_error,
+        balls: round(system.bearing.geometry.ball_count),
+        points,
+    }
+}
+
+/// The turn at which a ball is at an azimuth, and its unknowns there.
+fn at_azimuth(newton: &Newton<'_>, orbit: &Orbit, azimuth: f64) -> (f64, [f64; BALL]) {
+    let mut turn = newton.system.direction * azimuth / TAU;
+    let mut y = orbit.at(&newton.radau, turn);
+    // The lead is small and changes slowly: the iteration contracts.
+    for _ in 0..50 {
+        let next = newton.system.direction * (azimuth - y[LEAD]) / TAU;
+        let moved = (next - turn).abs();
+        turn = next;
+        y = orbit.at(&newton.radau, turn);
+        if moved < 1e-13 {
+            break;
+        }
+    }
+    (turn, y)
+}
+
+/// Azimuths at which the pocket closes, degrees.
+fn contacts(newton: &Newton<'_>, orbit: &Orbit) -> Vec<f64> {
+    const LOOKS: usize = 7200;
+    let look = |n: usize| {
+        let turn = n as f64 / LOOKS as f64;
+        let lead = orbit.at(&newton.radau, turn)[LEAD];
+        let azimuth = (newton.system.azimuth(turn) + lead).to_degrees().rem_euclid(360.0);
+        (azimuth, newton.system.cage.pocket.penetration(lead) > 0.0)
+    };
+    let looks: Vec<_> = (0..LOOKS).map(look).collect();
+    let closes = |n: &usize| !looks[*n].1 && looks[(*n + 1) % LOOKS].1;
+    (0..LOOKS).filter(closes).map(|n| looks[(n + 1) % LOOKS].0).collect()
+}

@@ -1,0 +1,60 @@
+//! A bearing at rest: the elastic equilibrium, balls where they stand.
+
+use crate::newton::OrbitStatistics;
+use crate::solution::{Means, SteadyOrbit, ball_result};
+use crate::solve::SolvedOrbit;
+use crate::system::{BALL, OrbitSystem};
+use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint, Races};
+use tribodyn_quasistatic::RollingStart;
+use tribodyn_traction::FastPatch;
+
+/// The start's equilibrium as a solution; nothing moves, so nothing rubs.
+pub(crate) fn at_rest(
+    bearing: &Bearing,
+    point_of: &OperatingPoint,
+    cage: &CageBody,
+    (start, kernel): (&RollingStart, FastPatch),
+) -> SolvedOrbit {
+    let system = OrbitSystem {
+        bearing,
+        surfaces: bearing.surfaces(),
+        cage: *cage,
+        speeds: Races { inner: point_of.inner_speed, outer: point_of.outer_speed },
+        ring: point_of.ring,
+        kernel,
+        direction: 1.0,
+        centring: 0.0,
+    };
+    let mut means = Means::default();
+    let at = |(index, ball): (usize, &tribodyn_quasistatic::BallMotion)| {
+        let ([x1, x2], azimuth) = (ball.position, bearing.azimuth(index));
+        let mut y = [0.0; BALL];
+        y[..2].copy_from_slice(&[x1, x2]);
+        let e = system.value(azimuth, &y, 0.0, start.ring);
+        means.add(&e, 1.0);
+        ball_result(&system, azimuth, &y, &e)
+    };
+    let balls: Vec<BallResult> = start.balls.iter().enumerate().map(at).collect();
+    let [x, y, z, tilt @ ..] = start.ring;
+    let [fx, fy, fz, moment @ ..] = means.ring;
+    let solution = SteadyOrbit {
+        cage_speed_rpm: 0.0,
+        ring_displacement_m: [x, y, z],
+        ring_tilt_rad: tilt,
+        ring_load_n: [fx, fy, fz],
+        ring_moment_nm: moment,
+        shaft_torque_nm: 0.0,
+        friction_w: [0.0; 2],
+        fluid_w: 0.0,
+        pocket_w: 0.0,
+        pocket_force_max_n: 0.0,
+        pocket_contact_azimuths_deg: Vec::new(),
+        residual: start.residual,
+        patch_error_estimate: start.rule_error,
+        intervals: 0,
+        cage_speed_error: None,
+        points: balls.clone(),
+        balls,
+    };
+    SolvedOrbit { solution, statistics: OrbitStatistics::default(), start: None }
+}

@@ -1,0 +1,6 @@
+//! Tests of the steady orbit.
+
+mod support;
+
+mod limits;
+mod linear;

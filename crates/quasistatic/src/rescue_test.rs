@@ -1,0 +1,69 @@
+//! Lightly loaded, fast bearings: where Newton's method finds no way, pseudo-time does.
+
+use super::*;
+use tribodyn_bearing::RingFreedom;
+use tribodyn_case::{Case, set_value};
+
+/// The paper's bearing on a wider pitch circle in much drag, under hardly any thrust: all balls fall from rolling into
+/// skidding, each with the load that the others leave it.
+fn skidding(axial: f64) -> (Bearing, OperatingPoint) {
+    let text = include_str!("../../../fixtures/cases/paper-ag.ron").to_owned();
+    let changes = [
+        ("geometry.pitch_diameter", "mm(165)"),
+        ("traction.slip_unit", "Scaled(per_m_s: 22.0)"),
+        ("fluid.drag_coefficient", "0.32"),
+        ("traction.patch", "SplitStrip(across: 8, along: 3)"),
+    ];
+    let text = changes.iter().fold(text, |text, (path, value)| set_value(&text, path, value).unwrap());
+    let case = Case::from_ron(&text).unwrap();
+    let mut point = case.operating_point();
+    point.ring[0] = RingFreedom::Loaded(0.3 * axial);
+    point.ring[2] = RingFreedom::Loaded(axial);
+    (case.bearing().unwrap(), point)
+}
+
+/// The residual that the way without pseudo-time leaves.
+fn without_rescue(bearing: &Bearing, point: &OperatingPoint) -> f64 {
+    let Rolling { system, elastic, solved } = rolling_state(bearing, point, false);
+    let start = release_idle_balls(&system, solved.unwrap_or(elastic).state);
+    let rule = PatchRule::SplitStrip { across: 8, along: 3 };
+    let traction = traction_system(bearing, point, system.typical, rule).unwrap();
+    let settled = settle(&traction, &settle(&traction, &start, SCOUTED, FROM_AFAR), SETTLED, FROM_NEAR);
+    newton(&traction, settled, point).worst().residual
+}
+
+#[test]
+fn limit_a_bearing_that_skids_as_a_whole_converges() {
+    let mut lost = 0;
+    for axial in [0.5, 2.0, 10.0] {
+        let (bearing, point) = skidding(axial);
+        lost += usize::from(without_rescue(&bearing, &point) > point.numerics.tolerance);
+        let solved = solve(&bearing, &point, Model::Traction).unwrap_or_else(|e| panic!("{axial} N: {e}"));
+        assert!(solved.solution.residual <= point.numerics.tolerance);
+        assert!((solved.solution.ring_load_n[2] - axial).abs() < 1e-6 * axial.max(1.0), "{axial} N");
+    }
+    assert!(lost > 0, "Newton's method alone finds them all: the test needs other loads");
+}
+
+#[test]
+fn limit_reasons_say_what_helps() {
+    let text = |reason: Reason| reason.to_string();
+    assert!(text(Reason::Rounding { attainable: 1e-9 }).contains("numerics.tolerance to 1e-9"));
+    let skidding = Reason::Skidding { skidding: 9, idle: 4, balls: 13, cage_speed_rpm: 812.0, rolling_rpm: 5800.0 };
+    assert!(text(skidding).contains("9 of 13 balls skid, 4 are off the inner race"), "{}", text(skidding));
+    let control = |friction| text(Reason::RacewayControl { friction, speed_share: 0.78 });
+    assert!(control(0.03).contains("up to 78 % of this speed") && control(f64::INFINITY).contains("not held by it"));
+}
+
+/// A tolerance below what rounding leaves is answered with one that can be met, and not with a search for another root.
+#[test]
+fn limit_a_tolerance_below_rounding_is_answered_with_one_that_can_be_met() {
+    let (bearing, mut point) = skidding(44e3);
+    point.numerics.tolerance = 1e-15;
+    let error = solve(&bearing, &point, Model::Traction).unwrap_err();
+    let QuasiStaticError::NotConverged { reason: Reason::Rounding { attainable }, .. } = error else {
+        panic!("another reason: {error}");
+    };
+    point.numerics.tolerance = attainable;
+    assert!(attainable <= 1e-10 && solve(&bearing, &point, Model::Traction).is_ok(), "{attainable:e}");
+}

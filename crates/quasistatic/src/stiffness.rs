@@ -1,0 +1,49 @@
+//! Stiffness of the inner ring at an equilibrium: how the balls' forces on it grow with its displacement while they stay in
+//! balance. It is the Schur complement of Newton's Jacobian, so that it is exact.
+
+use crate::block::{BlockState, BlockSystem, RING, linearise};
+use crate::problem::QuasiStaticError;
+use crate::rolling::{rolling_system, traction_of};
+use crate::solve::WarmStart;
+use nalgebra::SMatrix;
+use tribodyn_bearing::{Bearing, OperatingPoint};
+
+/// Forces (N) and moments (N m) about X and Y against displacements x, y, z (m) and tilts about X and Y (rad), by row.
+pub type StiffnessMatrix = [[f64; RING]; RING];
+
+/// Stiffness at an equilibrium with traction. It is symmetric only without friction.
+///
+/// # Errors
+/// [`QuasiStaticError::Singular`] names a ball that has no unique answer to a displacement.
+pub fn traction_stiffness(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    at: &WarmStart,
+) -> Result<StiffnessMatrix, QuasiStaticError> {
+    condensed(&traction_of(bearing, point, at)?, &at.state)
+}
+
+/// Stiffness at the Jones–Harris equilibrium of an operating point.
+///
+/// # Errors
+/// As [`crate::solve()`], and [`QuasiStaticError::Singular`].
+pub fn jones_harris_stiffness(bearing: &Bearing, point: &OperatingPoint) -> Result<StiffnessMatrix, QuasiStaticError> {
+    let (system, state) = rolling_system(bearing, point)?;
+    condensed(&system, &state)
+}
+
+/// Displacements and tilts by unit forces and moments; none where one of them meets no resistance.
+pub fn compliance(stiffness: &StiffnessMatrix) -> Option<StiffnessMatrix> {
+    let inverse = SMatrix::<f64, RING, RING>::from(*stiffness).try_inverse()?;
+    inverse.iter().all(|c| c.is_finite()).then(|| inverse.into())
+}
+
+/// −dF/dq with the balls eliminated.
+fn condensed<S: BlockSystem>(system: &S, state: &BlockState) -> Result<StiffnessMatrix, QuasiStaticError> {
+    let mut sum = SMatrix::<f64, RING, RING>::zeros();
+    for (ball, block) in linearise(system, state).balls.iter().enumerate() {
+        let by_ring = block.own.lu().solve(&block.by_ring).ok_or(QuasiStaticError::Singular { ball })?;
+        sum -= block.ring - block.on_ring * by_ring;
+    }
+    Ok(sum.transpose().into())
+}

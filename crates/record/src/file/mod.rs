@@ -1,0 +1,9 @@
+//! MCAP files: writing, reading, and what can be saved of a damaged one.
+
+mod numbers;
+pub(crate) mod output;
+pub(crate) mod read;
+pub(crate) mod recover;
+pub(crate) mod replay;
+pub(crate) mod scan;
+pub(crate) mod temporary;

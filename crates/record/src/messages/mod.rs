@@ -1,0 +1,7 @@
+//! The messages of a recording, and how a ball becomes one.
+
+pub(crate) mod ball;
+pub(crate) mod units;
+pub mod wire;
+
+pub(crate) use crate::solution::messages::{fields, fill, fill_over, in_contact, over_fields};
