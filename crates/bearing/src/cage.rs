@@ -29,11 +29,13 @@ pub struct Guidance {
     pub side: Side,
 }
 
-/// Cage speed below which a constant drag torque falls off in proportion, rad/s, so that it does not start a cage at rest.
+/// Cage speed below which a constant drag torque falls off in proportion, rad/s, so that it does not start a cage at
+/// rest.
 const STANDSTILL: f64 = 1.0;
 
 impl CageBody {
-    /// The cage between the rings of a bearing; its pockets stand on the pitch circle. A dry bearing has no film to guide it.
+    /// The cage between the rings of a bearing; its pockets stand on the pitch circle. A dry bearing has no film to
+    /// guide it.
     pub fn new(cage: &MovingCage, bearing: &Bearing) -> Self {
         let MovingCage { pockets, pocket_friction, pocket_damping, inertia, guidance: land } = *cage;
         let radius = 0.5 * bearing.geometry.pitch_diameter;

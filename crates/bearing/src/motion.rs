@@ -67,8 +67,8 @@ impl Bearing {
         [a / m, r_force / m + r * orbital_speed * orbital_speed, t / (r * m)]
     }
 
-    /// Accelerations of a ball by the friction part: axial, radial, orbital, and of the spin with the turning of the azimuth
-    /// frame, ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t).
+    /// Accelerations of a ball by the friction part: axial, radial, orbital, and of the spin with the turning of the
+    /// azimuth frame, ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t).
     #[inline]
     pub fn friction_acceleration<D: Scalar>(
         &self,

@@ -1,8 +1,9 @@
 //! The steady orbit of cases beside the mean of their runs: cage speed, torque, loads and pocket force over azimuth.
 //!
-//! `cargo run --release -p tribodyn-orbit --example against_run -- SETTLING_S CASE.ron…`; runs go on to the end of the case.
-//! Loads over azimuth are those of bins of two degrees. With `--heavy` rings and cage are so heavy and damped that they do not answer
-//! to single balls, and pockets and contacts are damped alike in run and orbit: what the orbit takes for granted.
+//! `cargo run --release -p tribodyn-orbit --example against_run -- SETTLING_S CASE.ron…`; runs go on to the end of
+//! the case. Loads over azimuth are those of bins of two degrees. With `--heavy` rings and cage are so heavy and
+//! damped that they do not answer to single balls, and pockets and contacts are damped alike in run and orbit: what
+//! the orbit takes for granted.
 
 use std::{convert::Infallible, error::Error, f64::consts::TAU, fs, ops::ControlFlow};
 use tribodyn_bearing::{CageBody, RunInputs};
@@ -106,7 +107,8 @@ fn compare(mean: &Mean, orbit: &SteadyOrbit) {
     // A bin in which a ball meets its pocket holds a jump.
     let most = pocket[pocket.len() * 97 / 100];
     println!(
-        "  inner load within {load:.1e} of the largest; pocket force within {most:.2} N in 97 of 100 bins, largest {:.2} N, met at {:.1?} degrees",
+        "  inner load within {load:.1e} of the largest; pocket force within {most:.2} N in 97 of 100 bins, \
+         largest {:.2} N, met at {:.1?} degrees",
         orbit.pocket_force_max_n, orbit.pocket_contact_azimuths_deg
     );
 }

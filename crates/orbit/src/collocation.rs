@@ -1,13 +1,13 @@
-//! Collocation at Radau's points: a polynomial on each interval that meets the equations there, stiffly accurate and L-stable
-//! (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 1996, section IV.5).
+//! Collocation at Radau's points: a polynomial on each interval that meets the equations there, stiffly accurate and
+//! L-stable (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 1996, section IV.5).
 
 use crate::system::BALL;
 
 /// Points of an interval; its degree.
 pub(crate) const STAGES: usize = 3;
 
-/// Radau's right points, the derivatives there of the polynomial through them and the beginning, and the weights of their
-/// quadrature: three points, or one, which is Euler's implicit method.
+/// Radau's right points, the derivatives there of the polynomial through them and the beginning, and the weights of
+/// their quadrature: three points, or one, which is Euler's implicit method.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Radau {
     pub stages: usize,

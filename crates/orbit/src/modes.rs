@@ -1,5 +1,5 @@
-//! Natural modes of a bearing in its steady orbit: the equations of motion of balls, cage and rings made linear where they stand at one
-//! instant, and the eigenvalues of their matrix.
+//! Natural modes of a bearing in its steady orbit: the equations of motion of balls, cage and rings made linear where
+//! they stand at one instant, and the eigenvalues of their matrix.
 //!
 //! ```text
 //! dy/dt = f(y),  A = df/dy,  A v = λ v:   frequency |Im λ|/2π,  damping ratio −Re λ/|λ|,  unstable where Re λ > 0
@@ -88,8 +88,8 @@ type Dual = DualSVec64<INPUTS>;
 /// Frequency below which a mode counts as one that creeps, Hz.
 const CREEP: f64 = 1e-3;
 
-/// Modes of a converged orbit, with the cage's pocket 0 at azimuth 0, by growing frequency; motions that merely creep back are left
-/// out, growing ones are kept.
+/// Modes of a converged orbit, with the cage's pocket 0 at azimuth 0, by growing frequency; motions that merely creep
+/// back are left out, growing ones are kept.
 pub(crate) fn modes(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Result<Vec<Mode>, OrbitError> {
     let system = &newton.system;
     let count = system.bearing.geometry.ball_count;
@@ -219,8 +219,8 @@ fn support<const N: usize>(a: &mut Mat<f64>, at: usize, body: &Support<N>, free:
     }
 }
 
-/// A frequency between those of rings and of contacts, rad/s: displacements are counted in velocities over it, so that stiffness over
-/// mass does not drown the small entries.
+/// A frequency between those of rings and of contacts, rad/s: displacements are counted in velocities over it, so
+/// that stiffness over mass does not drown the small entries.
 const MIDDLE: f64 = 3e4;
 
 fn balance(a: &mut Mat<f64>, count: usize) {

@@ -1,5 +1,6 @@
-//! Newton's method on the collocated orbit. The points within an interval are eliminated first, each interval by itself; what
-//! is left is a cyclic chain of the intervals' ends with a border for cage speed and ring, solved by a sparse LU.
+//! Newton's method on the collocated orbit. The points within an interval are eliminated first, each interval by
+//! itself; what is left is a cyclic chain of the intervals' ends with a border for cage speed and ring, solved by a
+//! sparse LU.
 
 use crate::OrbitError;
 use crate::collocation::{Orbit, Radau};
@@ -75,8 +76,8 @@ impl Pattern {
     }
 }
 
-/// Places of the entries in the order of [`entries`]: of each interval the diagonal, the block of the interval before and the
-/// border's columns, then the border's rows.
+/// Places of the entries in the order of [`entries`]: of each interval the diagonal, the block of the interval before
+/// and the border's columns, then the border's rows.
 fn places(intervals: usize) -> impl Iterator<Item = (usize, usize)> {
     let edge = BALL * intervals;
     let before = move |j: usize| BALL * if j == 0 { intervals - 1 } else { j - 1 };
@@ -174,8 +175,8 @@ impl<'a> Newton<'a> {
         share
     }
 
-    /// Slopes of rates, cage torque and ring forces at a point, over their scales: by the ball's unknowns alone, or by cage
-    /// speed and ring too.
+    /// Slopes of rates, cage torque and ring forces at a point, over their scales: by the ball's unknowns alone, or
+    /// by cage speed and ring too.
     fn derivatives<const N: usize>(&self, azimuth: f64, y: &[f64; BALL], orbit: &Orbit) -> Point<N> {
         let seed = |value: f64, k: usize, scale: f64| {
             if k >= N {
@@ -302,7 +303,8 @@ impl<'a> Newton<'a> {
         Interval { lu, back: right, rows }
     }
 
-    /// Change of an interval's points that solves the linearised equations with its beginning, cage speed and ring held.
+    /// Change of an interval's points that solves the linearised equations with its beginning, cage speed and ring
+    /// held.
     pub fn change_of(&self, orbit: &Orbit, j: usize) -> [f64; STACK] {
         let [begin, width] = orbit.interval(j);
         let time = self.system.time(width, orbit.cage_speed);

@@ -64,7 +64,8 @@ pub(crate) fn magnitudes(system: &OrbitSystem<'_>, scales: &Scales, e: &Evaluati
     let (m, j) = (system.bearing.ball_mass, system.bearing.ball_inertia);
     let force = e.force_scale(m).max(1e-3 * scales.force);
     let contacts = Side::BOTH.map(|side| e.loads.contacts[side].normal.load);
-    // As in the quasi-static solver: slip in the last digit of a surface speed already moves traction by 1e-12 of the load.
+    // As in the quasi-static solver: slip in the last digit of a surface speed already moves traction by 1e-12 of the
+    // load.
     let friction = (0.01 * (contacts[0] + contacts[1])).max(1e-3 * scales.force);
     let gyroscopic = j * e.state.orbital_speed.abs() * e.state.spin[1].hypot(e.state.spin[2]);
     let moments = Side::BOTH.map(|side| e.loads.contacts[side].moment.iter().map(|m| m.abs()).sum::<f64>());

@@ -45,8 +45,9 @@ pub struct SteadyOrbit {
     pub patch_error_estimate: f64,
     /// Intervals of the mesh.
     pub intervals: usize,
-    /// Estimated relative error of the cage speed by the mesh, where the orbit is of first order only: balls that lose their contacts
-    /// and meet their pockets abruptly leave no other; absent where three points an interval make it negligible.
+    /// Estimated relative error of the cage speed by the mesh, where the orbit is of first order only: balls that
+    /// lose their contacts and meet their pockets abruptly leave no other; absent where three points an interval make
+    /// it negligible.
     pub cage_speed_error: Option<f64>,
     /// The balls when they stand where those of an equilibrium do, the first at azimuth 0.
     pub balls: Vec<BallResult>,
@@ -55,7 +56,8 @@ pub struct SteadyOrbit {
 }
 
 impl SteadyOrbit {
-    /// The balls of the orbit, or the points round it, in the form of an equilibrium with traction: for figures and recordings.
+    /// The balls of the orbit, or the points round it, in the form of an equilibrium with traction: for figures and
+    /// recordings.
     pub fn as_solution(&self, balls: &[BallResult], [inner_speed, outer_speed]: [f64; 2]) -> Solution {
         Solution {
             model: Model::Traction,
@@ -80,7 +82,10 @@ impl SteadyOrbit {
     pub fn warnings(&self) -> Vec<String> {
         let lost = self.points.iter().filter(|p| p.contacts.inner.load_n == 0.0).count();
         let first_order = self.cage_speed_error.map(|error| {
-            format!("balls lose and meet their contacts abruptly: the cage speed is good to {error:.0e} only, pocket forces to a few per cent")
+            format!(
+                "balls lose and meet their contacts abruptly: the cage speed is good to {error:.0e} only, pocket forces \
+                 to a few per cent"
+            )
         });
         let lost = (lost > 0).then(|| {
             let part = 100.0 * lost as f64 / self.points.len() as f64;

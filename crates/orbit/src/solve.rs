@@ -12,7 +12,8 @@ use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingOffset};
 use tribodyn_quasistatic::{StiffnessMatrix, rolling_start};
 use tribodyn_traction::{FastPatch, PatchRule};
 
-/// Stiffness that centres a ball in its pocket over that of the pocket: settles where a cage hangs that no ball touches.
+/// Stiffness that centres a ball in its pocket over that of the pocket: settles where a cage hangs that no ball
+/// touches.
 const CENTRING: f64 = 1e-8;
 /// The cheap rule on which the neighbourhood of the orbit is found.
 const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
@@ -44,13 +45,14 @@ pub struct OrbitSettings {
     pub tolerance: f64,
     /// Damping ratio ζ of the ball–race contacts that the orbit has at least.
     pub contact_damping: f64,
-    /// Damping of the pockets that the orbit has at least, as χ of Hunt and Crossley times a hundredth of the orbital velocity.
+    /// Damping of the pockets that the orbit has at least, as χ of Hunt and Crossley times a hundredth of the orbital
+    /// velocity.
     pub pocket_damping: f64,
 }
 
 impl Default for OrbitSettings {
-    /// 60 intervals, 1e-10; damping that ends the bouncing of idle balls, which has no part in a mean: at a χ v of 10 a ball
-    /// keeps a tenth of the velocity with which it meets the wall.
+    /// 60 intervals, 1e-10; damping that ends the bouncing of idle balls, which has no part in a mean: at a χ v of 10
+    /// a ball keeps a tenth of the velocity with which it meets the wall.
     fn default() -> Self {
         Self { intervals: 60, tolerance: 1e-10, contact_damping: 0.1, pocket_damping: 10.0 }
     }
@@ -134,7 +136,8 @@ pub fn steady_orbit(
     finish(&newton, found, (point, rolling.rule, rolling.rule_error))
 }
 
-/// Solves from the orbit of a neighbouring problem, on its mesh and with its patch rule; from a cold start where that fails.
+/// Solves from the orbit of a neighbouring problem, on its mesh and with its patch rule; from a cold start where that
+/// fails.
 ///
 /// # Errors
 /// As [`steady_orbit`].
@@ -184,8 +187,8 @@ fn at<'a>(
     Ok(newton)
 }
 
-/// Stiffness of the inner ring on its steady orbit: mean forces (N) and moments (N m) against displacements x, y, z (m) and tilts
-/// (rad), by row; balls and cage condensed.
+/// Stiffness of the inner ring on its steady orbit: mean forces (N) and moments (N m) against displacements x, y, z
+/// (m) and tilts (rad), by row; balls and cage condensed.
 ///
 /// # Errors
 /// [`OrbitError::Singular`] where a displacement of the ring meets no resistance.
@@ -234,8 +237,8 @@ fn neighbourhood(newton: &mut Newton<'_>, mut orbit: Orbit) -> Result<Orbit, Orb
     Ok(orbit)
 }
 
-/// Newton's method on cage speed and ring alone, the balls sent round to their periodic motion after each step. Slower than that on
-/// all unknowns, but no ball is asked to follow a slope over a contact that it loses.
+/// Newton's method on cage speed and ring alone, the balls sent round to their periodic motion after each step.
+/// Slower than that on all unknowns, but no ball is asked to follow a slope over a contact that it loses.
 fn reduced(newton: &mut Newton<'_>, mut orbit: Orbit) -> Result<Orbit, OrbitError> {
     let settle = |newton: &mut Newton<'_>, orbit: &mut Orbit| {
         for _ in 0..TURNS {
@@ -275,8 +278,8 @@ fn reduced(newton: &mut Newton<'_>, mut orbit: Orbit) -> Result<Orbit, OrbitErro
     Ok(orbit)
 }
 
-/// The orbit from its neighbourhood: by three points an interval where Newton's method finds it from there, else from the orbit of
-/// first order on a finer mesh, else that itself.
+/// The orbit from its neighbourhood: by three points an interval where Newton's method finds it from there, else from
+/// the orbit of first order on a finer mesh, else that itself.
 fn collocated(newton: &mut Newton<'_>, near: &Orbit, settings: &OrbitSettings) -> Result<Found, OrbitError> {
     let euler = Radau::euler();
     if let Some(found) = third_order(newton, near, settings, settings.intervals) {

@@ -1,5 +1,5 @@
-//! Stiffness of the inner ring on its steady orbit: how the mean forces of the balls on it grow with its displacement while balls
-//! and cage keep to their equations. Newton's Jacobian with all else eliminated, so that it is exact.
+//! Stiffness of the inner ring on its steady orbit: how the mean forces of the balls on it grow with its displacement
+//! while balls and cage keep to their equations. Newton's Jacobian with all else eliminated, so that it is exact.
 
 use crate::OrbitError;
 use crate::collocation::Orbit;

@@ -1,5 +1,6 @@
-//! One ball after another interval: the equations of each interval solved with the end of the one before as its beginning. As
-//! motion with friction forgets, a turn or two of it give the orbit for a held cage speed and ring, contacts lost or not.
+//! One ball after another interval: the equations of each interval solved with the end of the one before as its
+//! beginning. As motion with friction forgets, a turn or two of it give the orbit for a held cage speed and ring,
+//! contacts lost or not.
 
 use crate::collocation::Orbit;
 use crate::newton::Newton;
@@ -13,7 +14,8 @@ const ITERATIONS: usize = 14;
 const STEADY: usize = 5;
 
 impl Newton<'_> {
-    /// Goes round once, each interval solved to a change over the scales. Gives the largest change of an interval's end over the scales.
+    /// Goes round once, each interval solved to a change over the scales. Gives the largest change of an interval's
+    /// end over the scales.
     pub fn sweep(&mut self, orbit: &mut Orbit, solved: f64) -> f64 {
         let mut largest = 0f64;
         for j in 0..orbit.intervals() {

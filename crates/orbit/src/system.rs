@@ -9,8 +9,8 @@ use tribodyn_traction::{FastPatch, PatchTraction};
 
 /// Freedoms of the inner ring.
 pub(crate) const RING: usize = 5;
-/// Unknowns of a ball: position X1, X2 against the unmoved outer groove centre (m), lead over its pocket (rad), axial and radial velocity (m/s), orbital speed and
-/// absolute spin (axial, radial, tangential) (rad/s).
+/// Unknowns of a ball: position X1, X2 against the unmoved outer groove centre (m), lead over its pocket (rad), axial
+/// and radial velocity (m/s), orbital speed and absolute spin (axial, radial, tangential) (rad/s).
 pub(crate) const BALL: usize = 9;
 pub(crate) const LEAD: usize = 2;
 pub(crate) const VELOCITY: usize = 3;
@@ -27,8 +27,8 @@ pub(crate) struct OrbitSystem<'a> {
     pub kernel: FastPatch,
     /// 1 where the balls go round with the azimuth, −1 where against it.
     pub direction: f64,
-    /// Stiffness, N/m, that draws a ball to the middle of its pocket: next to nothing, it only settles where a cage hangs that
-    /// no ball touches.
+    /// Stiffness, N/m, that draws a ball to the middle of its pocket: next to nothing, it only settles where a cage
+    /// hangs that no ball touches.
     pub centring: f64,
 }
 

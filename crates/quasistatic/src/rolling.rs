@@ -27,11 +27,12 @@ pub struct RollingStart {
     pub residual: f64,
 }
 
-/// The state of Jones–Harris, or the elastic one where raceway control has no solution. It always exists and needs no traction.
+/// The state of Jones–Harris, or the elastic one where raceway control has no solution. It always exists and needs no
+/// traction.
 ///
 /// # Errors
-/// [`QuasiStaticError::Missing`] names what the traction model needs and is not there, [`QuasiStaticError::Traction`] a patch rule that
-/// cannot be laid out.
+/// [`QuasiStaticError::Missing`] names what the traction model needs and is not there, [`QuasiStaticError::Traction`]
+/// a patch rule that cannot be laid out.
 pub fn rolling_start(bearing: &Bearing, point: &OperatingPoint) -> Result<RollingStart, QuasiStaticError> {
     needs::check(bearing, point, Model::Traction)?;
     let Rolling { system, elastic, solved } = rolling_state(bearing, point, false);

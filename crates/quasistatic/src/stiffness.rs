@@ -1,5 +1,5 @@
-//! Stiffness of the inner ring at an equilibrium: how the balls' forces on it grow with its displacement while they stay in
-//! balance. It is the Schur complement of Newton's Jacobian, so that it is exact.
+//! Stiffness of the inner ring at an equilibrium: how the balls' forces on it grow with its displacement while they
+//! stay in balance. It is the Schur complement of Newton's Jacobian, so that it is exact.
 
 use crate::block::{BlockState, BlockSystem, RING, linearise};
 use crate::problem::QuasiStaticError;

@@ -6,11 +6,12 @@ use tribodyn_orbit::{Bodies, OrbitSettings, orbit_modes, orbit_stiffness, steady
 use tribodyn_quasistatic::{Model, PatchRule, jones_harris_stiffness, solve, solve_from, traction_stiffness};
 
 const MICROMETRE: f64 = 1e-6;
-/// Displacement (m) and tilt (rad) of differences of fourth order: small against approaches of 20 µm, large against rounding.
+/// Displacement (m) and tilt (rad) of differences of fourth order: small against approaches of 20 µm, large against
+/// rounding.
 const STEPS: [f64; 5] = [1e-7, 1e-7, 1e-7, 1e-6, 1e-6];
 
-/// The paper's bearing with a rule of fixed nodes: the derivative of its sum is then just that of its integral, which strips that move
-/// with the slip meet to their own error only.
+/// The paper's bearing with a rule of fixed nodes: the derivative of its sum is then just that of its integral, which
+/// strips that move with the slip meet to their own error only.
 fn paper() -> (Bearing, OperatingPoint, CageBody) {
     let (_, bearing, mut point, cage) = fixture("paper-ag");
     point.patch = Some(PatchRule::GaussJacobi { radial: 6, angles: 12 });
@@ -87,8 +88,8 @@ fn identity_stiffness_of_the_orbit_is_that_of_differences() {
     assert!(worst < 1e-6, "{worst:e}");
 }
 
-/// A ring at rest under thrust, contact angles frozen by symmetry: each ball is two Hertz springs in a row at the contact angle, and
-/// K_zz follows from Q = K_n δ^1.5 and the turning of the line of action.
+/// A ring at rest under thrust, contact angles frozen by symmetry: each ball is two Hertz springs in a row at the
+/// contact angle, and K_zz follows from Q = K_n δ^1.5 and the turning of the line of action.
 #[test]
 fn limit_axial_stiffness_at_rest_is_that_of_hertz_springs() {
     let (mut bearing, mut point, _) = paper();
