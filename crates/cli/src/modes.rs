@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 use tribodyn_orbit::{Bodies, Mode, orbit_modes};
-use tribodyn_study::{CaseFile, StudyError};
+use tribodyn_study::StudyError;
 
 /// Natural modes about the steady orbit: frequencies, damping ratios, shapes; unstable ones are named.
 #[derive(clap::Args)]

@@ -7,8 +7,8 @@ use crate::solve::{ModelName, solved};
 use crate::table::{self, number};
 use serde::Serialize;
 use tribodyn_quasistatic::Model;
+use tribodyn_study::StudyError;
 use tribodyn_study::rating::{Rating, RatingSource, rating};
-use tribodyn_study::{CaseFile, StudyError};
 
 /// Rating life of the bearing's steel by ISO 281 and ISO/TS 16281, and static safety by ISO 76.
 ///

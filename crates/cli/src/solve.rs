@@ -114,7 +114,8 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
     let solution = problem.solve(file)?.solution;
     let speeds = [problem.point.inner_speed, problem.point.outer_speed];
     let round = solution.as_solution(&solution.points, speeds);
-    let plots = arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, &round)).transpose()?;
+    let plots =
+        arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, &round)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
             case_text: &file.text,

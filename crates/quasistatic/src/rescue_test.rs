@@ -61,9 +61,8 @@ fn limit_a_tolerance_below_rounding_is_answered_with_one_that_can_be_met() {
     let (bearing, mut point) = skidding(44e3);
     point.numerics.tolerance = 1e-15;
     let error = solve(&bearing, &point, Model::Traction).unwrap_err();
-    let QuasiStaticError::NotConverged { reason: Reason::Rounding { attainable }, .. } = error else {
-        panic!("another reason: {error}");
-    };
+    let QuasiStaticError::NotConverged { reason, .. } = &error else { panic!("{error}") };
+    let Reason::Rounding { attainable } = **reason else { panic!("another reason: {error}") };
     point.numerics.tolerance = attainable;
     assert!(attainable <= 1e-10 && solve(&bearing, &point, Model::Traction).is_ok(), "{attainable:e}");
 }

@@ -6,8 +6,14 @@ use std::path::Path;
 use std::process::Command;
 use tribodyn_paper::{PaperError, files};
 
-/// Lines of Rust above which a file is named, and above which it is refused.
-const LINES: [usize; 2] = [400, 500];
+/// Most lines of a file of Rust.
+const LINES: usize = 400;
+/// Most lines of a function, its signature and its last bracket included.
+const FUNCTION: usize = 60;
+/// Most columns of a line.
+const COLUMNS: usize = 120;
+/// Files whose lines people read and write.
+const WRITTEN: [&str; 9] = ["rs", "md", "ron", "toml", "proto", "py", "mjs", "js", "css"];
 /// Largest file, bytes.
 const SIZE: u64 = 1_000_000;
 
@@ -42,9 +48,6 @@ pub fn check() -> Result<Outcome, Failure> {
         let bytes = std::fs::read(&path).map_err(|source| PaperError::Read { path: path.clone(), source })?;
         let text = String::from_utf8_lossy(&bytes);
         findings.extend(inspect(&name, &text));
-        if name.ends_with(".rs") && (LINES[0] + 1..=LINES[1]).contains(&text.lines().count()) {
-            println!("note: {name} has {} lines, above {}", text.lines().count(), LINES[0]);
-        }
     }
     finish("hygiene", findings)
 }
@@ -80,10 +83,55 @@ fn inspect(name: &str, text: &str) -> Vec<String> {
         }
     }
     let lines = text.lines().count();
-    if rust && lines > LINES[1] {
-        findings.push(format!("{name}: {lines} lines, above {}", LINES[1]));
+    if rust && lines > LINES {
+        findings.push(format!("{name}: {lines} lines, above {LINES}"));
+    }
+    if rust {
+        let long = functions(text).into_iter().filter(|(_, length)| *length > FUNCTION);
+        findings.extend(
+            long.map(|(line, length)| format!("{name}:{line}: a function of {length} lines, above {FUNCTION}")),
+        );
+    }
+    findings.extend(wide_lines(name, text));
+    findings
+}
+
+/// Lines above [`COLUMNS`] characters in the files that [`WRITTEN`] names. Exempt is what cannot be broken: rows of
+/// Markdown tables, the output of commands in fences, and texts in quotes, which people search for whole.
+fn wide_lines(name: &str, text: &str) -> Vec<String> {
+    let written = Path::new(name).extension().is_some_and(|e| WRITTEN.iter().any(|written| e == *written));
+    if !written || name.contains("/uplot/") {
+        return Vec::new();
+    }
+    let markdown = name.ends_with(".md");
+    let mut fenced = false;
+    let mut findings = Vec::new();
+    for (number, line) in text.lines().enumerate() {
+        fenced ^= markdown && line.trim_start().starts_with("```");
+        let whole = if markdown { fenced || line.starts_with('|') } else { line.contains('"') };
+        let columns = line.chars().count();
+        if columns > COLUMNS && !whole {
+            findings.push(format!("{name}:{}: {columns} columns, above {COLUMNS}", number + 1));
+        }
     }
     findings
+}
+
+/// First line and length of each function that ends on a line of its own. rustfmt puts the closing bracket below the
+/// first letter of the signature, so that no parser is needed.
+fn functions(text: &str) -> Vec<(usize, usize)> {
+    let lines: Vec<&str> = text.lines().collect();
+    let begins = |line: &str| {
+        let words = line.trim_start().split(' ');
+        words.take_while(|word| !word.contains('(') || word.starts_with("pub(")).any(|word| word == "fn")
+    };
+    let length = |start: usize| {
+        let indent = &lines[start][..lines[start].len() - lines[start].trim_start().len()];
+        let end = |line: &&str| line.strip_prefix(indent) == Some("}");
+        lines[start..].iter().position(end).map(|last| last + 1)
+    };
+    let starts = (0..lines.len()).filter(|&i| begins(lines[i]) && !lines[i].ends_with(['}', ';']));
+    starts.filter_map(|start| length(start).map(|length| (start + 1, length))).collect()
 }
 
 #[cfg(test)]
@@ -116,7 +164,23 @@ mod tests {
 
     #[test]
     fn limit_long_files_are_refused() {
-        assert!(inspect("crates/wear/src/lib.rs", &"//\n".repeat(LINES[1])).is_empty());
-        assert_eq!(inspect("crates/wear/src/lib.rs", &"//\n".repeat(LINES[1] + 1)).len(), 1);
+        assert!(inspect("crates/wear/src/lib.rs", &"//\n".repeat(LINES)).is_empty());
+        assert_eq!(inspect("crates/wear/src/lib.rs", &"//\n".repeat(LINES + 1)).len(), 1);
+    }
+
+    #[test]
+    fn limit_long_functions_and_wide_lines_are_refused() {
+        let function =
+            |body: usize| format!("impl A {{\n    pub(crate) fn a() {{\n{}    }}\n}}\n", "x();\n".repeat(body));
+        assert!(inspect("crates/wear/src/a.rs", &function(FUNCTION - 2)).is_empty());
+        let found = inspect("crates/wear/src/a.rs", &function(FUNCTION - 1));
+        assert!(found.len() == 1 && found[0].starts_with("crates/wear/src/a.rs:2: a function of 61"), "{found:?}");
+        let wide = "µ".repeat(COLUMNS + 1);
+        assert!(inspect("docs/a.md", &wide[..2 * COLUMNS]).is_empty());
+        assert_eq!(inspect("docs/a.md", &wide).len(), 1);
+        for whole in [format!("|{wide}"), format!("```text\n{wide}\n```")] {
+            assert!(inspect("docs/a.md", &whole).is_empty());
+        }
+        assert!(inspect("crates/wear/src/a.rs", &format!("\"{wide}\"")).is_empty());
     }
 }

@@ -1,5 +1,6 @@
 //! `cargo xtask ci`: everything that continuous integration checks, in one build profile.
 
+mod circles;
 mod examples;
 mod figures;
 mod hygiene;
@@ -29,13 +30,14 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 15] = [
+const STEPS: [Step; 16] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
     ("examples", examples::check),
     ("documentation", || cargo(&["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
     ("layers", layers::check),
+    ("circles", circles::check),
     ("hygiene", hygiene::check),
     ("licences", licences::check),
     ("supply chain", supply::check),
