@@ -33,7 +33,8 @@ impl GeometrySpec {
         })
     }
 
-    /// Angle from the bottom of each groove to its edge, rad, of the bearing on the drawing; absent where the case does not
+    /// Angle from the bottom of each groove to its edge, rad, of the bearing on the drawing; absent where the case
+    /// does not
     /// give the shoulder.
     ///
     /// # Errors

@@ -2,7 +2,8 @@
 
 use super::{Row, row};
 
-/// NSK, Rolling Bearings, CAT. No. E1102, single-row deep-groove ball bearings: bore, outside diameter and width (ISO 15),
+/// NSK, Rolling Bearings, CAT. No. E1102, single-row deep-groove ball bearings: bore, outside diameter and width (ISO
+/// 15),
 /// mm; C_r and C_0r, N.
 #[rustfmt::skip]
 pub(super) const ROWS: &[Row] = &[
