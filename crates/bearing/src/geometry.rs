@@ -115,8 +115,7 @@ impl Geometry {
     }
 
     /// Diametral clearance that belongs to the free contact angle, P_d = 2A (1 − cos α0), m; below 0 where the balls
-    /// are
-    /// pressed radially.
+    /// are pressed radially.
     pub fn radial_clearance(&self) -> f64 {
         2.0 * self.centre_distance() * (1.0 - self.cos_contact_angle()) - self.interference
     }

@@ -3,8 +3,7 @@
 //! Each ring is a plain cylinder between its seat and the bottom of its groove, on a shaft or in a housing that is one
 //! too. Where the interference left by rotation and heat is positive, a pressure in the seat makes both grow together;
 //! where it is not, the ring is loose and grows freely. Grooves move with the bottom of the race, and their radii and
-//! the
-//! balls grow by heat. Widths, shoulders and the bending of rings are not in it.
+//! the balls grow by heat. Widths, shoulders and the bending of rings are not in it.
 
 use crate::BearingError;
 use crate::cylinder::Cylinder;
@@ -95,8 +94,7 @@ impl Growth {
     ///
     /// # Errors
     /// [`BearingError::Clearance`] where growth leaves no contact angle, or presses the balls by more than a tenth of
-    /// the
-    /// distance of the groove centres.
+    /// the distance of the groove centres.
     pub fn apply(&self, drawn: &Geometry) -> Result<GrownBearing, BearingError> {
         let both = Races::from_fn(|side| self.rings[side].growth(side));
         let (raceway_growth, seat_pressure) = (both.map(|(growth, _)| growth), both.map(|(_, pressure)| pressure));
