@@ -114,8 +114,8 @@ impl Geometry {
         (self.inner_coefficient + self.outer_coefficient - 1.0) * self.ball_diameter
     }
 
-    /// Diametral clearance that belongs to the free contact angle, P_d = 2A (1 − cos α0), m; below 0 where the balls are
-    /// pressed radially.
+    /// Diametral clearance that belongs to the free contact angle, P_d = 2A (1 − cos α0), m; below 0 where the balls
+    /// are pressed radially.
     pub fn radial_clearance(&self) -> f64 {
         2.0 * self.centre_distance() * (1.0 - self.cos_contact_angle()) - self.interference
     }

@@ -2,8 +2,8 @@
 //!
 //! Each ring is a plain cylinder between its seat and the bottom of its groove, on a shaft or in a housing that is one
 //! too. Where the interference left by rotation and heat is positive, a pressure in the seat makes both grow together;
-//! where it is not, the ring is loose and grows freely. Grooves move with the bottom of the race, and their radii and the
-//! balls grow by heat. Widths, shoulders and the bending of rings are not in it.
+//! where it is not, the ring is loose and grows freely. Grooves move with the bottom of the race, and their radii and
+//! the balls grow by heat. Widths, shoulders and the bending of rings are not in it.
 
 use crate::BearingError;
 use crate::cylinder::Cylinder;
@@ -93,8 +93,8 @@ impl Growth {
     /// The bearing that grows out of the one of the drawing.
     ///
     /// # Errors
-    /// [`BearingError::Clearance`] where growth leaves no contact angle, or presses the balls by more than a tenth of the
-    /// distance of the groove centres.
+    /// [`BearingError::Clearance`] where growth leaves no contact angle, or presses the balls by more than a tenth of
+    /// the distance of the groove centres.
     pub fn apply(&self, drawn: &Geometry) -> Result<GrownBearing, BearingError> {
         let both = Races::from_fn(|side| self.rings[side].growth(side));
         let (raceway_growth, seat_pressure) = (both.map(|(growth, _)| growth), both.map(|(_, pressure)| pressure));

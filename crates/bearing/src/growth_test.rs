@@ -52,7 +52,8 @@ fn limit_without_fit_speed_and_heat_nothing_changes() {
     assert_eq!(grown.seat_pressure, Races { inner: None, outer: None });
 }
 
-/// Harris: a ring on a solid shaft of its own material grows by I d/d_race at the race, under p = E I/(2 d) (1 − d²/d_race²).
+/// Harris: a ring on a solid shaft of its own material grows by I d/d_race at the race, under p = E I/(2 d) (1 −
+/// d²/d_race²).
 #[test]
 fn identity_an_interference_fit_on_a_solid_shaft_in_closed_form() {
     let mut growth = unmounted();

@@ -22,8 +22,8 @@ pub fn values(text: &str) -> Vec<(String, Range<usize>)> {
     leaves.into_iter().filter(|(path, _)| of_case(path)).map(|(path, range)| (path.to_string(), range)).collect()
 }
 
-/// The text with the value at `path` replaced by `value`, everything else as it was. A field that a case may leave out is
-/// added, with the sections around it.
+/// The text with the value at `path` replaced by `value`, everything else as it was. A field that a case may leave
+/// out is added, with the sections around it.
 ///
 /// # Errors
 /// [`CaseError`] where the text or the value is not well-formed RON, or where the path leads nowhere: it then says what

@@ -33,8 +33,8 @@ impl GeometrySpec {
         })
     }
 
-    /// Angle from the bottom of each groove to its edge, rad, of the bearing on the drawing; absent where the case does not
-    /// give the shoulder.
+    /// Angle from the bottom of each groove to its edge, rad, of the bearing on the drawing; absent where the case
+    /// does not give the shoulder.
     ///
     /// # Errors
     /// [`BearingError::Clearance`] for a radial clearance that no contact angle has.

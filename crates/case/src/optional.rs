@@ -34,7 +34,9 @@ const OPTIONAL: &[&str] = &[
 pub(super) fn added(text: &str, path: &Path, missing: &Missing, value: &str) -> Option<String> {
     let names: Vec<&str> = path.0.iter().map(name).collect::<Option<_>>()?;
     let (first, inner) = names.get(missing.steps..)?.split_first()?;
-    if !OPTIONAL.iter().any(|pattern| matches(pattern, &names[..=missing.steps])) {
+    // A section around the field is added only where it may hold this field alone.
+    let optional = |length: usize| OPTIONAL.iter().any(|pattern| matches(pattern, &names[..length]));
+    if !(missing.steps + 1..=names.len()).all(optional) {
         return None;
     }
     let open = missing.deepest.start + text.get(missing.deepest.clone())?.find('(')? + 1;
@@ -82,6 +84,8 @@ mod tests {
         assert!(refused("geometry.bal_count").contains("no such path: `geometry` has ball_count"));
         assert!(set_value(AG, "coatings.worn", "1").is_err());
         assert!(refused("ratings.dynamic").contains("no such path"));
+        // A run needs more of this section than a duration.
+        assert!(refused("transient.duration").contains("no such path"));
         // A field that the section does not know is refused by the reader.
         let text = set_value(HARRIS, "rating.dinamic", "N(1)").unwrap();
         assert!(Case::from_ron(&text).unwrap_err().message.contains("dinamic"));

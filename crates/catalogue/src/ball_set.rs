@@ -1,8 +1,8 @@
 //! The balls of a bearing whose catalogue does not tell them.
 //!
-//! Load ratings tell them: ISO 281 and ISO 76 compute C_r and C_0r from number and diameter of the balls, and balls come in
-//! the sizes of ISO 3290. Of all sets that fit between the rings there is as a rule one that gives both ratings of the
-//! catalogue to half a percent.
+//! Load ratings tell them: ISO 281 and ISO 76 compute C_r and C_0r from number and diameter of the balls, and balls
+//! come in the sizes of ISO 3290. Of all sets that fit between the rings there is as a rule one that gives both
+//! ratings of the catalogue to half a percent.
 
 use crate::{CatalogueError, Envelope};
 use std::f64::consts::PI;
@@ -60,8 +60,8 @@ pub struct KnownBalls {
 const USUAL_BALL: f64 = 0.30;
 /// Least and largest of that.
 const BALLS: [f64; 2] = [0.18, 0.38];
-/// Arc that the balls of a deep-groove bearing fill when they are put in eccentrically, first to last, degrees: usual and
-/// largest.
+/// Arc that the balls of a deep-groove bearing fill when they are put in eccentrically, first to last, degrees: usual
+/// and largest.
 const FILLING_DEG: [f64; 2] = [195.0, 210.0];
 /// Arc that the balls of an angular-contact bearing fill, degrees: usual and largest.
 const FULL_DEG: [f64; 2] = [320.0, 350.0];
@@ -149,8 +149,8 @@ impl Envelope {
     }
 }
 
-/// Ball diameters that ISO 3290 prefers, m: 64ths of an inch up to a half, 32nds up to one, 16ths up to two; halves of a
-/// millimetre up to 15 mm, whole ones up to 50 mm.
+/// Ball diameters that ISO 3290 prefers, m: 64ths of an inch up to a half, 32nds up to one, 16ths up to two; halves
+/// of a millimetre up to 15 mm, whole ones up to 50 mm.
 fn standard_diameters() -> impl Iterator<Item = f64> {
     let inch = |step: f64, from: u32, to: u32| (from..=to).map(move |k| f64::from(k) * step * 25.4e-3);
     let metric = |step: f64, from: u32, to: u32| (from..=to).map(move |k| f64::from(k) * step * 1e-3);

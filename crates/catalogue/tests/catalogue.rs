@@ -9,8 +9,8 @@ fn balls(designation: &str, angle: Option<f64>) -> (usize, u32) {
     (set.ball_count, (set.ball_diameter * 1e6).round() as u32)
 }
 
-/// Ball sets that are published: 6203, 6205 (bearing data centre of Case Western Reserve University: 8 of 6.746 mm and 9 of
-/// 7.94 mm); 6204, 6206, 7210 B as usually given.
+/// Ball sets that are published: 6203, 6205 (bearing data centre of Case Western Reserve University: 8 of 6.746 mm
+/// and 9 of 7.94 mm); 6204, 6206, 7210 B as usually given.
 #[test]
 fn paper_ratings_tell_the_balls_of_known_bearings() {
     assert_eq!(balls("6203", None), (8, 6747));

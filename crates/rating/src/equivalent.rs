@@ -89,8 +89,8 @@ const DEEP_GROOVE: Factors = Factors {
     ],
 };
 
-/// ISO 281:2007, table 3, single row, over the nominal contact angle in degrees. Of a single row with 5° it says to take
-/// the values of radial contact.
+/// ISO 281:2007, table 3, single row, over the nominal contact angle in degrees. Of a single row with 5° it says to
+/// take the values of radial contact.
 const FACTORS: [(f64, Factors); 10] = [
     (0.0, DEEP_GROOVE),
     (5.0, DEEP_GROOVE),

@@ -47,7 +47,8 @@ pub fn life_modification_factor(film: Lubrication, fatigue_limit: f64, equivalen
     Ok((0.1 * left.powf(-9.3)).min(FACTOR_MAX))
 }
 
-/// Life factor a_1 for a reliability in percent, 1 at 90 %: the Weibull distribution of ISO/TR 1281-2 with its least life.
+/// Life factor a_1 for a reliability in percent, 1 at 90 %: the Weibull distribution of ISO/TR 1281-2 with its least
+/// life.
 ///
 /// # Errors
 /// [`RatingError::Reliability`] outside 90 % to 99.95 %.

@@ -16,7 +16,8 @@ const STRIBECK: f64 = 5.0;
 const LARGE_PITCH: f64 = 0.1;
 
 impl RatedBearing {
-    /// The factor f_0 of ISO 76, N/mm²: 0.2/D² of the ball load that brings the weaker race to [`PERMISSIBLE_PRESSURE`].
+    /// The factor f_0 of ISO 76, N/mm²: 0.2/D² of the ball load that brings the weaker race to
+    /// [`PERMISSIBLE_PRESSURE`].
     ///
     /// # Errors
     /// [`RatingError`] for dimensions that are not those of a radial ball bearing.

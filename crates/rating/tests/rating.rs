@@ -60,7 +60,8 @@ fn paper_static_factors_of_the_standards_table() {
 ///
 /// By hand: γ = 9.525/46 = 0.20707, f_c = 59.8 from the table, C_r = 1.3 · 59.8 · 9^(2/3) · 9.525^1.8 = 19 450 N;
 /// C_0r = 13.8 · 9 · 9.525² = 11 270 N. With 2 kN radial and 1 kN axial F_a/(Z D²) = 1.2247 N/mm²:
-/// Y = 1.55 − 0.10 · (1.2247 − 1.03)/0.35 = 1.4944, P = 0.56 · 2000 + 1.4944 · 1000 = 2614.4 N, L_10 = (19 500/2614.4)³.
+/// Y = 1.55 − 0.10 · (1.2247 − 1.03)/0.35 = 1.4944, P = 0.56 · 2000 + 1.4944 · 1000 = 2614.4 N, L_10 = (19
+/// 500/2614.4)³.
 #[test]
 fn paper_deep_groove_bearing_6206_by_hand_and_in_the_catalogue() {
     let b = bearing(9, 9.525, 46.0, 0.0);

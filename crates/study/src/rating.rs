@@ -1,4 +1,5 @@
-//! Rating life and static safety of a case: the formulas of `tribodyn-rating` on its catalogue numbers and its solution.
+//! Rating life and static safety of a case: the formulas of `tribodyn-rating` on its catalogue numbers and its
+//! solution.
 
 use serde::Serialize;
 use tribodyn_bearing::Side;
@@ -131,7 +132,8 @@ fn rated_or(
     }
 }
 
-/// The bearing of the drawing as the standards see it. Its contact angle is nominal: 0 where the case gives a clearance.
+/// The bearing of the drawing as the standards see it. Its contact angle is nominal: 0 where the case gives a
+/// clearance.
 fn rated_bearing(case: &Case, spec: &RatingSpec) -> Result<RatedBearing, RatingError> {
     let contact_angle = spec.contact_angle.unwrap_or(match case.geometry.fit {
         Fit::ContactAngle(angle) => angle,

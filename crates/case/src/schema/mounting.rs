@@ -50,8 +50,8 @@ pub struct MountedRingSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SeatSpec {
-    /// Diameter of the shaft over that of the bore, or of the outer ring over that of the housing, m; below 0 for a loose
-    /// fit.
+    /// Diameter of the shaft over that of the bore, or of the outer ring over that of the housing, m; below 0 for a
+    /// loose fit.
     #[serde(deserialize_with = "units::length")]
     pub interference: f64,
     /// Bore of the shaft, 0 for a solid one, or outside diameter of the housing, m.

@@ -15,7 +15,8 @@ pub struct SupportsSpec {
 }
 
 /// Mass of a ring and the springs and dampers between it and the frame, along x, y (and z). The springs are without
-/// stretch at the quasi-static solution of the starting loads, except that those of the outer ring carry its load there.
+/// stretch at the quasi-static solution of the starting loads, except that those of the outer ring carry its load
+/// there.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SupportSpec<const N: usize> {
@@ -62,7 +63,8 @@ pub struct TransientSpec {
     /// Time stepping.
     #[serde(with = "SchemeDef")]
     pub scheme: Scheme,
-    /// Damping of the ball–race contacts along their normals as a fraction of the critical one, ζ in c = 2ζ sqrt(m dQ/dδ).
+    /// Damping of the ball–race contacts along their normals as a fraction of the critical one, ζ in c = 2ζ sqrt(m
+    /// dQ/dδ).
     pub contact_damping: f64,
     /// Factor on all wear rates in what they do to coating and grooves, 0 for races that do not change during the run.
     pub wear_acceleration: f64,

@@ -2,8 +2,8 @@
 
 use super::{Row, row};
 
-/// NSK, Rolling Bearings, CAT. No. E1102, single-row deep-groove ball bearings: bore, outside diameter and width (ISO 15),
-/// mm; C_r and C_0r, N.
+/// NSK, Rolling Bearings, CAT. No. E1102, single-row deep-groove ball bearings: bore, outside diameter and width (ISO
+/// 15), mm; C_r and C_0r, N.
 #[rustfmt::skip]
 pub(super) const ROWS: &[Row] = &[
     row("6000", 0, [10, 26, 8], [4_550, 1_970]),

@@ -141,8 +141,8 @@ impl NewCase {
         let title = self.title();
         format!(
             "// {title}: a first case, complete.\n\
-             // All that no catalogue tells is assumed and marked so in the sources at the end, with the usual range: replace what\n\
-             // you know. docs/case-file.md has every field.\n\
+             // All that no catalogue tells is assumed and marked so in the sources at the end, with the usual range:\n\
+             // replace what you know. docs/case-file.md has every field.\n\
              (\n    name: \"{title}\",\n\n"
         )
     }

@@ -1,7 +1,8 @@
 //! Plausibility: values and results that are possible, but not usual.
 //!
-//! A validated case may still say that steel has 208 MPa. What lies outside its usual range is named with value, range and
-//! source of the range, and where another unit or a decimal point would bring it back, that is said too. Nothing is refused.
+//! A validated case may still say that steel has 208 MPa. What lies outside its usual range is named with value,
+//! range and source of the range, and where another unit or a decimal point would bring it back, that is said too.
+//! Nothing is refused.
 
 mod findings;
 mod ranges;
