@@ -78,13 +78,14 @@ fn identity_loads_scale_with_moduli_and_densities() {
 /// what they changed before, to the second order. Each point is solved cold, so that nothing carries over.
 #[test]
 fn identity_results_are_continuous_in_load_speed_and_friction() {
-    let paths: [(&str, fn(f64) -> String); 4] = [
+    const POINTS: usize = 7;
+    type Value = fn(f64) -> String;
+    let paths: [(&str, Value); 4] = [
         ("ring.z", |s| format!("Force(kN({}))", 40.0 + 12.0 * s)),
         ("ring.x", |s| format!("Force(kN({}))", 12.0 + 8.0 * s)),
         ("speed.inner", |s| format!("Constant(rpm({}))", 12e3 + 4e3 * s)),
         ("traction.slip_unit", |s| format!("Scaled(per_m_s: {})", 15.0 + 10.0 * s)),
     ];
-    const POINTS: usize = 7;
     for model in MODELS {
         for (path, value) in paths {
             let solutions: Vec<Solution> = (0..POINTS)
