@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::process::Command;
 use tribodyn_paper::files;
 
-/// Builds the programs and the examples of the dev profile all at once, with the features that the tests are built with:
-/// each by itself would build the crates below it once more. Returns the folder of the programs.
+/// Builds the programs and the examples of the dev profile all at once, with the features that the tests are built
+/// with: each by itself would build the crates below it once more. Returns the folder of the programs.
 pub fn programs() -> Result<PathBuf, Failure> {
     let cargo = cargo_program();
     let start = |program: &str| {

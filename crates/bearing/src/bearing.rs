@@ -51,8 +51,8 @@ impl BearingSpec {
 
 /// A bearing that the solvers can work with, SI.
 ///
-/// Its fields may be changed before it is solved: another law in the `laws` of its `tribology` is a traction law of one's
-/// own on that race.
+/// Its fields may be changed before it is solved: another law in the `laws` of its `tribology` is a traction law of
+/// one's own on that race.
 #[derive(Debug, Clone)]
 pub struct Bearing {
     /// Unloaded geometry.
@@ -71,8 +71,8 @@ pub struct Bearing {
     pub tribology: Option<Tribology>,
     /// How the rings' offsets are taken: to first order unless a transient solver asks for more.
     pub ring_offset: RingOffset,
-    /// Surfaces of the raceways all round when the case begins. Their depth is part of the pose of a ball, so both solvers
-    /// have it.
+    /// Surfaces of the raceways all round when the case begins. Their depth is part of the pose of a ball, so both
+    /// solvers have it.
     pub worn: Races<LocalSurface>,
     /// Damping of the contacts along their normals, a fraction ζ of the critical one; 0 unless a transient solver sets
     /// it, since an equilibrium is at rest only in the mean where a ring is off centre.

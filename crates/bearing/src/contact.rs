@@ -37,8 +37,8 @@ pub struct NormalLoads<D = f64> {
 }
 
 impl<D: Scalar> NormalContact<D> {
-    /// The normal force on the ball [a, r, t], N. It has a part along the orbit where the ring is off centre or tilted and
-    /// where the groove is not round.
+    /// The normal force on the ball [a, r, t], N. It has a part along the orbit where the ring is off centre or tilted
+    /// and where the groove is not round.
     #[inline]
     pub fn on_ball(&self, side: Side) -> [D; 3] {
         let [n_a, n_r] = self.pose.normal(side);
@@ -47,8 +47,8 @@ impl<D: Scalar> NormalContact<D> {
         [axial, outward * cos + round * sin, round * cos - outward * sin - axial * self.lean.climb]
     }
 
-    /// The normal force on the ring [a, r, t], N: the opposite of that on the ball, or its axial and radial part where the
-    /// ring's offset is taken to first order, which is the derivative of the same potential.
+    /// The normal force on the ring [a, r, t], N: the opposite of that on the ball, or its axial and radial part where
+    /// the ring's offset is taken to first order, which is the derivative of the same potential.
     #[inline]
     pub fn on_ring(&self, side: Side, offset: RingOffset) -> [D; 3] {
         match offset {
@@ -84,8 +84,8 @@ pub struct RaceContact<D = f64> {
 }
 
 impl<D: Scalar> RaceContact<D> {
-    /// Slide-to-roll ratios ξ_x (positive where the ball's surface is the faster) and ξ_y and spin ratio φ in 1/m, as in the paper's Eq. 3;
-    /// zeros where nothing rolls.
+    /// Slide-to-roll ratios ξ_x (positive where the ball's surface is the faster) and ξ_y and spin ratio φ in 1/m, as
+    /// in the paper's Eq. 3; zeros where nothing rolls.
     pub fn slide_to_roll(&self, ball_radius: f64) -> [D; 3] {
         let [along, across] = self.motion.centre_slip(ball_radius);
         let v = self.rolling_speed;
@@ -153,8 +153,8 @@ pub struct LoadedPatch<'a, D> {
 }
 
 impl<D: Scalar> LoadedPatch<'_, D> {
-    /// The traction on coating and bare steel by their shares. Where no curve of bare steel is known the coating stands for
-    /// it; where nothing is known of the surfaces they are without friction.
+    /// The traction on coating and bare steel by their shares. Where no curve of bare steel is known the coating stands
+    /// for it; where nothing is known of the surfaces they are without friction.
     pub fn blend(&self, by: impl Fn(&PatchLaw<'_, Law>) -> PatchTraction<D>) -> PatchTraction<D> {
         let Some(tribology) = self.tribology else { return PatchTraction::zero() };
         let coating = &tribology.laws[self.side];

@@ -84,8 +84,8 @@ impl Bearing {
         p.blend(|law| linear_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, law))
     }
 
-    /// All that races and fluid do to a ball, given the surfaces where it stands and a function that integrates traction
-    /// over a loaded patch.
+    /// All that races and fluid do to a ball, given the surfaces where it stands and a function that integrates
+    /// traction over a loaded patch.
     pub fn ball_loads_with<D: Scalar>(
         &self,
         ball: &BallState<D>,
@@ -174,7 +174,8 @@ impl Bearing {
         self.hertz(side, &contact.pose).ellipse(contact.load)
     }
 
-    /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), and the rolling speed.
+    /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), and the rolling
+    /// speed.
     #[inline]
     pub fn relative_motion<D: Scalar>(
         &self,
@@ -253,8 +254,8 @@ impl Bearing {
         [x, y, z, moment_x, moment_y, self.ring_torque(ball, contact, loads.orbit_radius, ring)]
     }
 
-    /// Torque (N m) about its axis that a ring puts on a ball; the reaction brakes the ring. The normal force points to the
-    /// ring's axis of rotation and has no part in it, but on a groove that is not round.
+    /// Torque (N m) about its axis that a ring puts on a ball; the reaction brakes the ring. The normal force points to
+    /// the ring's axis of rotation and has no part in it, but on a groove that is not round.
     pub fn ring_torque<D: Scalar>(
         &self,
         ball: &BallState<D>,

@@ -8,8 +8,8 @@ pub enum RingOffset {
     /// Along the radius of the ball alone, as in Jones's equations and the programs built on them: energy and angular
     /// momentum hold, linear momentum to first order in the offset over the radius.
     FirstOrder,
-    /// By the distance of the ball from the ring's own axis, and with the climb of a tilted groove along the orbit: linear
-    /// momentum holds too, and so does energy where a ring is tilted. Transient runs take it.
+    /// By the distance of the ball from the ring's own axis, and with the climb of a tilted groove along the orbit:
+    /// linear momentum holds too, and so does energy where a ring is tilted. Transient runs take it.
     Exact,
 }
 
@@ -29,8 +29,8 @@ pub struct Lean<D = f64> {
 }
 
 impl<D: Scalar> Lean<D> {
-    /// (radial, tangential) components in the ball's azimuth frame as components along and across the direction from the
-    /// ring's axis.
+    /// (radial, tangential) components in the ball's azimuth frame as components along and across the direction from
+    /// the ring's axis.
     #[inline]
     pub(crate) fn turn(&self, [r, t]: [D; 2]) -> [D; 2] {
         [r * self.cos - t * self.sin, t * self.cos + r * self.sin]

@@ -9,7 +9,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Modelling {
-    /// True if contact constants follow the actual contact angle, false if they stay those of the free one. For all models.
+    /// True if contact constants follow the actual contact angle, false if they stay those of the free one. For all
+    /// models.
     pub contact_at_actual_angle: bool,
     /// The axis about which a displaced ring turns. For models with traction.
     #[serde(default)]
@@ -17,7 +18,8 @@ pub struct Modelling {
     /// The race that controls a ball. For Jones–Harris.
     #[serde(default)]
     pub race_control: Option<RaceControl>,
-    /// True if the centrifugal force is taken at the undeformed pitch radius, false if at the actual orbit. For Jones–Harris.
+    /// True if the centrifugal force is taken at the undeformed pitch radius, false if at the actual orbit. For
+    /// Jones–Harris.
     #[serde(default)]
     pub centrifugal_at_free_pitch: Option<bool>,
 }

@@ -152,8 +152,8 @@ pub struct BallPlace {
 }
 
 impl Bearing {
-    /// The result for a ball under traction at an azimuth, rad, given the speed of the inner ring, rad/s. Pocket, motion
-    /// and the transient part of the contacts are left for the model that has them.
+    /// The result for a ball under traction at an azimuth, rad, given the speed of the inner ring, rad/s. Pocket,
+    /// motion and the transient part of the contacts are left for the model that has them.
     pub fn ball_result(&self, azimuth: f64, ball: &BallState, loads: &BallLoads, inner_speed: f64) -> BallResult {
         let orbital_speed = ball.orbital_speed;
         let place = BallPlace {

@@ -33,8 +33,8 @@ pub struct RunInputs {
 }
 
 impl RunInputs {
-    /// A run of races without defects, of whose coatings no thickness is known: nothing wears through. The patch rule keeps
-    /// its error below 1e-5 of the load, at which accelerations settle.
+    /// A run of races without defects, of whose coatings no thickness is known: nothing wears through. The patch rule
+    /// keeps its error below 1e-5 of the load, at which accelerations settle.
     pub fn new(
         bearing: Bearing,
         (ring, speeds): (RingLoads, Races<SpeedHistory>),
@@ -108,7 +108,8 @@ pub struct Supports {
 }
 
 /// Mass of a ring and the springs and dampers between it and the frame, along x, y (and z). The springs are without
-/// stretch at the quasi-static solution of the starting loads, except that those of the outer ring carry its load there.
+/// stretch at the quasi-static solution of the starting loads, except that those of the outer ring carry its load
+/// there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Support<const N: usize> {
     /// Mass, kg.
@@ -137,7 +138,8 @@ pub struct RunOptions {
     pub start: Start,
     /// Time stepping.
     pub scheme: Scheme,
-    /// Damping of the ball–race contacts along their normals as a fraction of the critical one, ζ in c = 2ζ sqrt(m dQ/dδ).
+    /// Damping of the ball–race contacts along their normals as a fraction of the critical one, ζ in c = 2ζ sqrt(m
+    /// dQ/dδ).
     pub contact_damping: f64,
     /// Factor on all wear rates in what they do to coating and grooves, 0 for races that do not change during the run.
     pub wear_acceleration: f64,
@@ -148,7 +150,8 @@ pub struct RunOptions {
 }
 
 impl RunOptions {
-    /// From the quasi-static solution, races as they are, states at the 25.6 kHz of test rigs and balls at a fifth of it.
+    /// From the quasi-static solution, races as they are, states at the 25.6 kHz of test rigs and balls at a fifth of
+    /// it.
     pub fn new(duration: f64, scheme: Scheme, contact_damping: f64) -> Self {
         Self {
             duration,

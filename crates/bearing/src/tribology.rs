@@ -4,16 +4,16 @@ use crate::races::Races;
 use tribodyn_traction::{Law, PatchLaw, PressureChoice, SlipUnit};
 use tribodyn_wear::Archard;
 
-/// Traction and wear of the contacts. A bearing without it is enough for Jones–Harris, whose contacts carry normal loads
-/// only.
+/// Traction and wear of the contacts. A bearing without it is enough for Jones–Harris, whose contacts carry normal
+/// loads only.
 #[derive(Debug, Clone)]
 pub struct Tribology {
     /// Traction law of the coating on each race.
     pub laws: Races<Law>,
     /// Traction law of the bare steel under the coatings, where one is known.
     pub bare_law: Option<Law>,
-    /// True if the deformed contact is curved across the groove, so that it has differential (Heathcote) slip. Read when the
-    /// bearing is made.
+    /// True if the deformed contact is curved across the groove, so that it has differential (Heathcote) slip. Read
+    /// when the bearing is made.
     pub differential_slip: bool,
     /// Unit of the slip axis.
     pub slip_unit: SlipUnit,

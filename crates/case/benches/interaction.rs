@@ -1,5 +1,5 @@
-//! Time of reading a case, and of all that races and fluid do to one ball of the paper's bearing, by the generic quadrature
-//! and by the vector kernel.
+//! Time of reading a case, and of all that races and fluid do to one ball of the paper's bearing, by the generic
+//! quadrature and by the vector kernel.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;

@@ -89,8 +89,8 @@ impl CaseError {
     }
 }
 
-/// A value for an error message, on one line: a section of several lines is abridged to its name and brackets, other text
-/// ends in an ellipsis where it is too long or breaks.
+/// A value for an error message, on one line: a section of several lines is abridged to its name and brackets, other
+/// text ends in an ellipsis where it is too long or breaks.
 fn abridged(text: &str) -> String {
     let text = text.trim_matches(tokens::is_blank);
     let line = text.lines().next().unwrap_or_default();

@@ -1,4 +1,5 @@
-//! What each model needs of a case: sections by the table here, modelling choices by that of [`tribodyn_bearing::Modelling`].
+//! What each model needs of a case: sections by the table here, modelling choices by that of
+//! [`tribodyn_bearing::Modelling`].
 
 use crate::Case;
 use std::fmt;

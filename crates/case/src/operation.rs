@@ -55,7 +55,8 @@ impl Case {
     /// Inputs of a transient run.
     ///
     /// # Errors
-    /// [`InputError::Lacking`] where the case lacks what a run needs, [`InputError::Bearing`] where its data make no bearing.
+    /// [`InputError::Lacking`] where the case lacks what a run needs, [`InputError::Bearing`] where its data make no
+    /// bearing.
     pub fn run_inputs(&self) -> Result<RunInputs, InputError> {
         self.require(Purpose::Transient)?;
         let (Some(coatings), Some(traction), Some(cage), Some(supports), Some(transient)) =

@@ -146,9 +146,10 @@ fn limit_impossible_values_are_refused_where_they_stand() {
 #[test]
 fn limit_impossible_tested_points_are_refused_where_they_stand() {
     let tested = set_value(AG, "coatings.inner.curve", POINTS).unwrap();
-    assert!(
-        matches!(Case::from_ron(&tested).unwrap().coatings.unwrap().inner.curve, CurveSpec::Tested(points) if points.len() == 3)
-    );
+    assert!(matches!(
+        Case::from_ron(&tested).unwrap().coatings.unwrap().inner.curve,
+        CurveSpec::Tested(points) if points.len() == 3
+    ));
     TESTED.iter().for_each(|row| check_refusal(&tested, *row));
 }
 

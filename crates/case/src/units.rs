@@ -139,8 +139,8 @@ pub(super) fn is_unit(name: &str) -> bool {
     ALL.iter().any(|dimension| dimension.names.contains(&name))
 }
 
-/// A number with a unit in SI, and what it would be with the other units of the same dimension; `None` for a word that is
-/// no unit.
+/// A number with a unit in SI, and what it would be with the other units of the same dimension; `None` for a word that
+/// is no unit.
 pub(super) fn readings(unit: &str, number: f64) -> Option<(f64, Vec<(&'static str, f64)>)> {
     let dimension = ALL.iter().find(|dimension| dimension.names.contains(&unit))?;
     let all = || dimension.names.iter().zip(dimension.to_si).map(|(name, to_si)| (*name, to_si(number)));
@@ -221,7 +221,9 @@ optionals! {
 macro_rules! triples {
     ($($(#[$doc:meta])* $function:ident: $dimension:ident;)+) => {
         $($(#[$doc])*
-        pub(super) fn $function<'de, D: Deserializer<'de>, const N: usize>(deserializer: D) -> Result<[f64; N], D::Error> {
+        pub(super) fn $function<'de, D: Deserializer<'de>, const N: usize>(
+            deserializer: D,
+        ) -> Result<[f64; N], D::Error> {
             deserializer.deserialize_tuple(N, Components(&$dimension))
         })+
     };

@@ -21,7 +21,8 @@ pub(super) type Verdict = Result<(), Refusal>;
 
 /// Groove radius over ball diameter: conformity ends at ½; a groove above 0.7 no longer guides a ball.
 const GROOVE_COEFFICIENT_MAX: f64 = 0.7;
-/// Largest free contact angle, degrees: beyond it a bearing is a thrust bearing, whose races this geometry does not have.
+/// Largest free contact angle, degrees: beyond it a bearing is a thrust bearing, whose races this geometry does not
+/// have.
 const CONTACT_ANGLE_MAX_DEG: f64 = 60.0;
 /// Fastest ring, rad/s: about 955 000 r/min.
 const SPEED_MAX: f64 = 1e5;

@@ -1,8 +1,8 @@
 //! Bounds of the format: values that no bearing has, however finite they are.
 //!
-//! They are far wider than anything plausible. What they keep out are slips of the pen by many powers of ten and numbers
-//! whose products overflow: a mass of 1e300 kg, a drag of infinitely many kilowatts. A value that is possible but unusual
-//! is not refused here.
+//! They are far wider than anything plausible. What they keep out are slips of the pen by many powers of ten and
+//! numbers whose products overflow: a mass of 1e300 kg, a drag of infinitely many kilowatts. A value that is possible
+//! but unusual is not refused here.
 
 use super::validate::{Refusal, Verdict};
 use super::*;

@@ -5,8 +5,8 @@ pub fn harmless(text: &str) -> String {
     text.chars().map(|c| if steers(c) { '\u{fffd}' } else { c }).collect()
 }
 
-/// True for a character that can steer a terminal: control characters but for line ends and tabs, and marks that turn the
-/// direction of writing.
+/// True for a character that can steer a terminal: control characters but for line ends and tabs, and marks that turn
+/// the direction of writing.
 pub fn steers(c: char) -> bool {
     (c.is_control() && !matches!(c, '\n' | '\t')) || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }

@@ -28,8 +28,8 @@ pub struct ReplaceArguments {
 }
 
 impl ReplaceArguments {
-    /// Refuses a path of output at which something stands that may not be replaced: the case, what is no plain file, and,
-    /// without `--force`, what is not of ours or not of the `wanted` kind.
+    /// Refuses a path of output at which something stands that may not be replaced: the case, what is no plain file,
+    /// and, without `--force`, what is not of ours or not of the `wanted` kind.
     pub fn check(&self, path: &Path, case: &Path, wanted: Ours) -> Result<(), Failure> {
         let (kind, replaceable) = match wanted {
             Ours::Recording => ("recording", "a recording"),

@@ -15,8 +15,8 @@ pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     print_line(&text)
 }
 
-/// Prints a line, or several; what would steer a terminal, from names in files for instance, is `\u{fffd}`. A closed pipe is
-/// an error to the caller, not a panic.
+/// Prints a line, or several; what would steer a terminal, from names in files for instance, is `\u{fffd}`. A closed
+/// pipe is an error to the caller, not a panic.
 pub fn print_line(text: &str) -> Result<(), Failure> {
     Ok(writeln!(std::io::stdout(), "{}", harmless(text))?)
 }

@@ -1,4 +1,5 @@
-//! The numbers that the formulas are written in: `f64`, with the feature `dual` dual numbers too, and a value with its slope.
+//! The numbers that the formulas are written in: `f64`, with the feature `dual` dual numbers too, and a value with its
+//! slope.
 
 #[cfg(not(feature = "dual"))]
 use std::ops::SubAssign;

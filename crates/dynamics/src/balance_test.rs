@@ -12,7 +12,8 @@ use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, NormalContact, Ra
 use tribodyn_case::{Case, set_value};
 use tribodyn_wear::LocalSurface;
 
-/// Short against the contact modes of 14 kHz that the start excites: the error of the scheme must stay below the balance's.
+/// Short against the contact modes of 14 kHz that the start excites: the error of the scheme must stay below the
+/// balance's.
 const STEP: f64 = 2e-6;
 
 /// A term of the equations.
@@ -170,8 +171,8 @@ fn identity_power_balances_and_every_term_is_needed() {
     }
 }
 
-/// The fast scheme sums its work over samples and cannot resolve single terms in it. It has each one all the same: leaving
-/// it out moves the end of a run as it moves that of the Runge–Kutta method.
+/// The fast scheme sums its work over samples and cannot resolve single terms in it. It has each one all the same:
+/// leaving it out moves the end of a run as it moves that of the Runge–Kutta method.
 #[test]
 fn identity_the_fast_scheme_has_every_term() {
     let speeds = |scheme, term| -> Vec<f64> {
@@ -189,8 +190,8 @@ fn identity_the_fast_scheme_has_every_term() {
     }
 }
 
-/// ω_m e_a × Ω is at right angles to Ω and leaves the power alone: the quasi-static state, which has it, tells whether it
-/// is there.
+/// ω_m e_a × Ω is at right angles to Ω and leaves the power alone: the quasi-static state, which has it, tells whether
+/// it is there.
 #[test]
 fn identity_without_spin_transport_the_quasistatic_state_does_not_stay() {
     let spin_up = |term| {

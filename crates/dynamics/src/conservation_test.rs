@@ -52,7 +52,8 @@ fn free(case: &str, friction: bool) -> (Machine, Vec<f64>) {
     (machine, state)
 }
 
-/// Linear momentum along x and y (N s), angular momentum about z (N m s), and energy less the work of the axial load (J).
+/// Linear momentum along x and y (N s), angular momentum about z (N m s), and energy less the work of the axial load
+/// (J).
 fn totals(machine: &Machine, t: f64, y: &[f64]) -> [f64; 4] {
     let l = machine.layout;
     let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
@@ -134,8 +135,8 @@ fn identity_momentum_stays_with_friction_and_a_defect() {
     assert!(x < 1e-7 && y < 1e-7, "with a defect {x:e} {y:e}");
 }
 
-/// In polar coordinates, and with a part of the springs' force handed to the kick, the fast scheme keeps both momenta to its
-/// second order.
+/// In polar coordinates, and with a part of the springs' force handed to the kick, the fast scheme keeps both momenta
+/// to its second order.
 #[test]
 fn identity_the_fast_scheme_keeps_momentum_to_its_order() {
     let [x, y, turning, _] = changes(&Scheme::Fast, free(PAPER, false), 10e-6);

@@ -13,8 +13,8 @@ use tribodyn_traction::PatchTraction;
 pub(crate) type Worn = [f64; 3];
 
 impl Machine {
-    /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's, and `traction` tells who
-    /// integrates it.
+    /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's, and `traction` tells
+    /// who integrates it.
     pub fn sample(
         &self,
         (t, y): (f64, &[f64]),

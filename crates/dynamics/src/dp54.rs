@@ -1,7 +1,8 @@
 //! The embedded pair 5(4) of Dormand and Prince, that behind ode45: adaptive steps.
 //!
-//! Source: J. R. Dormand, P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19, doi:10.1016/0771-050X(80)90013-3; step control:
-//! proportional–integral after Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, 1993, section II.4.
+//! Source: J. R. Dormand, P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19, doi:10.1016/0771-050X(80)90013-3; step
+//! control: proportional–integral after Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, 1993,
+//! section II.4.
 
 use crate::forces::System;
 

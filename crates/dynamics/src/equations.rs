@@ -1,7 +1,7 @@
 //! The equations of motion of section 5 of the model, in two parts: springs and friction.
 //!
-//! Both parts are written once. The explicit schemes add them, the fast scheme takes its drift from the first and its kick
-//! from the second, samples and energies come from the same two. A test leaves a term out by replacing a part.
+//! Both parts are written once. The explicit schemes add them, the fast scheme takes its drift from the first and its
+//! kick from the second, samples and energies come from the same two. A test leaves a term out by replacing a part.
 //!
 //! What a force does to a ball is in `tribodyn_bearing::BallFriction` and beside it.
 
@@ -189,7 +189,8 @@ impl Machine {
         (axes, [b[AXIAL], b[RADIUS] - centre.outer[1] - groove], surfaces)
     }
 
-    /// Surface of a raceway at an azimuth of its ring; what had worn off all round at the start is in the pose of the ball.
+    /// Surface of a raceway at an azimuth of its ring; what had worn off all round at the start is in the pose of the
+    /// ball.
     #[inline]
     fn surface(&self, side: Side, azimuth: f64) -> LocalSurface {
         let mut surface = self.raceways[side].at(azimuth);

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use tribodyn_bearing::LoadedPatch;
 use tribodyn_traction::{PatchDerivative, PatchTraction, RelativeMotion};
 
-/// Error of the linear traction that a refresh may find, over the load: half of that of the paper's 10 × 40 midpoints at a
-/// steep slip scale.
+/// Error of the linear traction that a refresh may find, over the load: half of that of the paper's 10 × 40 midpoints
+/// at a steep slip scale.
 pub(crate) const LINEAR_ERROR: f64 = 2.5e-4;
 /// Slip, m/s, as which a relative change of the load counts: traction is nearly in proportion to the load.
 const LOAD_AS_SLIP: f64 = 1.0;
@@ -15,8 +15,8 @@ const LOAD_AS_SLIP: f64 = 1.0;
 const FIRST_REACH: f64 = 1e-2;
 /// Shortest distance, m/s: an estimate of zero error at a lucky point must not end linearisation for good.
 const SHORTEST_REACH: f64 = 1e-6;
-/// Change of the bare part of the surface beyond which the patch is integrated anew: steel has four times the traction of
-/// silver, so that this is 1e-4 of the load.
+/// Change of the bare part of the surface beyond which the patch is integrated anew: steel has four times the traction
+/// of silver, so that this is 1e-4 of the load.
 const BARE_CHANGE: f64 = 3e-4;
 /// Growth of the distance from one refresh to the next.
 const GROWTH: f64 = 2.0;
@@ -54,8 +54,8 @@ impl LinearTraction {
         self.inputs.iter().chain(&self.value).chain(slopes).copied().chain([self.bare, self.semi_lateral, self.reach])
     }
 
-    /// The linear traction, where a motion, a load, N, and the bare part of the surface are near enough: within `share` of
-    /// the reach.
+    /// The linear traction, where a motion, a load, N, and the bare part of the surface are near enough: within `share`
+    /// of the reach.
     pub fn at(
         &self,
         motion: &RelativeMotion,

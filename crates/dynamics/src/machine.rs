@@ -63,8 +63,8 @@ impl Kernel {
             && curve(Side::Outer)
     }
 
-    /// Traction with its derivatives by motion and load, of coating and bare steel by their shares; none for laws without
-    /// a Kragelskii curve.
+    /// Traction with its derivatives by motion and load, of coating and bare steel by their shares; none for laws
+    /// without a Kragelskii curve.
     pub fn derivative(&self, p: &LoadedPatch<'_, f64>) -> Option<PatchDerivative> {
         let Self::Fast(fast) = self else { return None };
         let tribology = p.tribology?;

@@ -37,8 +37,8 @@ pub struct PowerSample {
     pub wear_work_j: f64,
     /// What is missing in the balance integrated from the start: work in − losses − wear − change of energy, J.
     pub imbalance_j: f64,
-    /// Work put in from the start, all sources, magnitudes summed, or work lost where that is more, as where balls slow down,
-    /// J: what the imbalance is compared with.
+    /// Work put in from the start, all sources, magnitudes summed, or work lost where that is more, as where balls slow
+    /// down, J: what the imbalance is compared with.
     pub throughput_j: f64,
 }
 

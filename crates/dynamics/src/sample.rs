@@ -1,5 +1,5 @@
-//! What a run says at one time: SI, units in the names. Vectors of a ball are (axial, radial, tangential) in its azimuth
-//! frame, those of a ring (x, y, z) in the inertial frame.
+//! What a run says at one time: SI, units in the names. Vectors of a ball are (axial, radial, tangential) in its
+//! azimuth frame, those of a ring (x, y, z) in the inertial frame.
 
 use crate::power::PowerSample;
 use serde::{Deserialize, Serialize};
@@ -35,7 +35,8 @@ pub struct RingSample {
     pub displacement_m: [f64; 3],
     /// Velocity, m/s.
     pub velocity_m_s: [f64; 3],
-    /// Acceleration as a measuring chain gives it, m/s²: low-pass filtered, that of [`crate::FilterBands::delay_s`] before.
+    /// Acceleration as a measuring chain gives it, m/s²: low-pass filtered, that of [`crate::FilterBands::delay_s`]
+    /// before.
     pub acceleration_m_s2: [f64; 3],
     /// Acceleration at this very time, m/s²: its spectrum folds.
     pub acceleration_point_m_s2: [f64; 3],

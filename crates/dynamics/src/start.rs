@@ -16,8 +16,8 @@ pub(crate) struct Started {
     pub solution: Solution,
 }
 
-/// Solves the quasi-static problem of time 0 (of a standstill, where the run starts from rest), takes its patch rule and
-/// puts balls, cage and rings there.
+/// Solves the quasi-static problem of time 0 (of a standstill, where the run starts from rest), takes its patch rule
+/// and puts balls, cage and rings there.
 pub(crate) fn start(mut inputs: RunInputs) -> Result<Started, DynamicsError> {
     let mut point = inputs.operating_point_at(0.0);
     if inputs.options.start == Start::Rest {

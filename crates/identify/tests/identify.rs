@@ -8,7 +8,8 @@ use tribodyn_quasistatic::{Model, solve};
 
 const CASE: &str = include_str!("../../../fixtures/cases/bearing-218.ron");
 
-/// Loads and groove coefficients of the 218 bearing from angles, loads and speeds under raceway control: quick to solve.
+/// Loads and groove coefficients of the 218 bearing from angles, loads and speeds under raceway control: quick to
+/// solve.
 const PROBLEM: &str = r#"(
     name: "synthetic", case: "", seed: 5, starts: 4,
     parameters: [

@@ -1,7 +1,7 @@
 //! Time of one solve of the paper's case 1 (13 balls, silver coating, patch rule by target error).
 //!
-//! `cold` starts from nothing; `warm` goes back and forth between two neighbours of a sweep, 2 % apart in radial load and
-//! 1 % in speed, each from the solution of the other; `warm, nearer` between points a tenth as far apart.
+//! `cold` starts from nothing; `warm` goes back and forth between two neighbours of a sweep, 2 % apart in radial load
+//! and 1 % in speed, each from the solution of the other; `warm, nearer` between points a tenth as far apart.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;

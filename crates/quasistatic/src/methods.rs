@@ -46,7 +46,8 @@ pub(crate) struct NewtonOrNested {
     pub settle_to: f64,
     /// Steps that may still be taken although the residual rises.
     pub jumps: usize,
-    /// Halvings of the ring's step with the balls settled, before giving up; none where balls are not settled one by one.
+    /// Halvings of the ring's step with the balls settled, before giving up; none where balls are not settled one by
+    /// one.
     halvings: i32,
     /// Slopes of an earlier step, while they still serve.
     chord: Option<Linearised>,

@@ -105,8 +105,8 @@ pub struct Solved {
 /// Solves one of the two models from its own initial guess.
 ///
 /// # Errors
-/// [`QuasiStaticError::NotConverged`] names the ball, the equation and the residual, [`QuasiStaticError::Missing`] what the
-/// model needs and is not there.
+/// [`QuasiStaticError::NotConverged`] names the ball, the equation and the residual, [`QuasiStaticError::Missing`] what
+/// the model needs and is not there.
 pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<Solved, QuasiStaticError> {
     needs::check(bearing, point, model)?;
     let Rolling { system, elastic, solved } = rolling_state(bearing, point, model == Model::JonesHarris);

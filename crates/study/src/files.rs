@@ -33,8 +33,8 @@ pub struct StagedFiles {
 }
 
 impl StagedFiles {
-    /// Makes the folder, and those above it, where they are missing. Files that stand there and that tribodyn did not write
-    /// are replaced with `force` only.
+    /// Makes the folder, and those above it, where they are missing. Files that stand there and that tribodyn did not
+    /// write are replaced with `force` only.
     pub fn new(folder: &Path, force: bool) -> std::result::Result<Self, StudyError> {
         let missing = folder.ancestors().take_while(|f| !f.as_os_str().is_empty() && !f.exists());
         let staged =
@@ -78,7 +78,8 @@ impl StagedFiles {
 
 impl Drop for StagedFiles {
     fn drop(&mut self) {
-        // Temporary files first; a folder that is no longer empty stays, and the error that counts is the one that led here.
+        // Temporary files first; a folder that is no longer empty stays, and the error that counts is the one that led
+        // here.
         self.files.clear();
         for folder in &self.made {
             let _ = fs::remove_dir(folder);

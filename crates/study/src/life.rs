@@ -1,7 +1,7 @@
 //! How long a coating lasts, by strides of wear between quasi-static solutions.
 //!
-//! Wear of a race counts as added radial clearance, by its mean depth round the race: the free contact angle grows and the
-//! loads with it. The depth is in no other place, and the solution knows no bare steel.
+//! Wear of a race counts as added radial clearance, by its mean depth round the race: the free contact angle grows and
+//! the loads with it. The depth is in no other place, and the solution knows no bare steel.
 
 use crate::case_file::CaseFile;
 use crate::error::StudyError;

@@ -1,8 +1,8 @@
 //! How much work and memory a file may ask for.
 //!
-//! A case of a few lines can name a hundred million balls, and a recording may hold such a case, or content that grows a
-//! thousandfold when it is decompressed. Files come from elsewhere too, so that what they ask for is bounded, far above what
-//! bearings have. Who knows a file can lift the limits.
+//! A case of a few lines can name a hundred million balls, and a recording may hold such a case, or content that grows
+//! a thousandfold when it is decompressed. Files come from elsewhere too, so that what they ask for is bounded, far
+//! above what bearings have. Who knows a file can lift the limits.
 
 use std::fmt::Display;
 use tribodyn_bearing::Scheme;

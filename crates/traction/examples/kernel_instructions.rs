@@ -1,7 +1,8 @@
 //! Runs a fixed number of patches for an instruction counter: no clock, no random numbers, the same work every time.
 //!
 //!     cargo build --release -p tribodyn-traction --example kernel_instructions
-//!     valgrind --tool=callgrind --toggle-collect='*measured*' target/release/examples/kernel_instructions fast strips 1000
+//!     valgrind --tool=callgrind --toggle-collect='*measured*' \
+//!         target/release/examples/kernel_instructions fast strips 1000
 //!
 //! Arguments: `generic`, `fast` or `derivative`; `midpoint` (10 × 40), `jacobi` (4 × 12) or `strips` (8 × 3); how many
 //! times the three contacts are run. It prints the number of nodes, by which a count is to be divided, and a checksum.

@@ -188,9 +188,10 @@ mod tests {
         let beyond = WearDepths { inner: 0.0, outer: 1e-6 };
         assert!(matches!(g.free_contact_angle(beyond), Err(WearError::Clearance { limit: 0.03125, .. })));
         g.outer_bottom = 1.2499;
-        assert!(
-            matches!(g.free_contact_angle(WearDepths::NONE), Err(WearError::Clearance { clearance, .. }) if clearance < 0.0)
-        );
+        assert!(matches!(
+            g.free_contact_angle(WearDepths::NONE),
+            Err(WearError::Clearance { clearance, .. }) if clearance < 0.0
+        ));
     }
 
     #[test]

@@ -226,8 +226,8 @@ impl Raceway {
         middles().fold(0.5 * TAU / BINS as f64, |best, next| if by_depth(next) > by_depth(best) { next } else { best })
     }
 
-    /// Place at which the coating is worn through, rad: the azimuth where wear is deepest, if no coating is left there. Without
-    /// a coating there is none, and defects do not count.
+    /// Place at which the coating is worn through, rad: the azimuth where wear is deepest, if no coating is left there.
+    /// Without a coating there is none, and defects do not count.
     pub fn worn_through(&self) -> Option<f64> {
         let deepest = self.deepest();
         (self.thickness > 0.0 && self.thickness_at(deepest) == 0.0).then_some(deepest)

@@ -1,5 +1,5 @@
-//! The layers of the workspace: the table of docs/architecture.md, held against `cargo metadata`, and against re-exports that
-//! would hand on a whole crate behind it.
+//! The layers of the workspace: the table of docs/architecture.md, held against `cargo metadata`, and against
+//! re-exports that would hand on a whole crate behind it.
 
 use super::metadata::{Dependency, Metadata};
 use super::{Outcome, finish, hygiene};
@@ -75,8 +75,8 @@ const LAYERS: [(&str, &[&str]); 16] = [
         ],
     ),
 ];
-/// Crates that may use every other one, each with its exceptions: the published command not the study of the paper, which is not
-/// published, and the study no program.
+/// Crates that may use every other one, each with its exceptions: the published command not the study of the paper,
+/// which is not published, and the study no program.
 const TOP: [(&str, &[&str]); 3] =
     [("tribodyn-paper", &["tribodyn-cli", "xtask"]), ("tribodyn-cli", &["tribodyn-paper", "xtask"]), ("xtask", &[])];
 /// Crates that tests and benches may use besides: those of the solvers read the case files of `fixtures`.
@@ -111,8 +111,8 @@ pub fn check() -> Result<Outcome, Failure> {
     finish("dependencies between crates (table in xtask/src/ci/layers.rs and docs/architecture.md)", findings)
 }
 
-/// Statements of a source that re-export a whole crate of the workspace: who uses them would use that crate past the table.
-/// Single items may be handed on.
+/// Statements of a source that re-export a whole crate of the workspace: who uses them would use that crate past the
+/// table. Single items may be handed on.
 fn whole_crates(source: &str) -> Vec<String> {
     let statements = source.match_indices("pub ").filter_map(|(at, _)| source[at..].split(';').next());
     let whole = |statement: &&str| {

@@ -66,8 +66,8 @@ fn next_step(recording: &Path) -> &'static [&'static str] {
     }
 }
 
-/// Wall time between the last moment that is safe and the kill. Before the recording there is nothing to lose, and none while
-/// a resumed run still copies: it makes no step before its own first checkpoint.
+/// Wall time between the last moment that is safe and the kill. Before the recording there is nothing to lose, and none
+/// while a resumed run still copies: it makes no step before its own first checkpoint.
 fn since_safe(recording: &Path, at: SystemTime) -> Duration {
     let checkpoint = fs::metadata(beside(recording, ".checkpoint")).and_then(|m| m.modified()).ok();
     let begun = fs::metadata(beside(recording, ".active")).and_then(|m| m.created()).ok();

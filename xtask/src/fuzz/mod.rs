@@ -1,8 +1,8 @@
 //! `cargo xtask fuzz`: inputs by the million for everything that reads files and messages from elsewhere.
 //!
-//! Seeds are changed at random, with a seed of the numbers, on the stable toolchain. An input whose answer is of a new kind
-//! joins the seeds: what coverage is to other tools, the messages are here. A panic, more than a second of processor time,
-//! or more memory than is allowed is a failure; the input is written to a file.
+//! Seeds are changed at random, with a seed of the numbers, on the stable toolchain. An input whose answer is of a new
+//! kind joins the seeds: what coverage is to other tools, the messages are here. A panic, more than a second of
+//! processor time, or more memory than is allowed is a failure; the input is written to a file.
 
 mod document;
 mod mutate;
@@ -72,6 +72,21 @@ pub struct Tried {
     pub slowest_s: f64,
     /// None where the system does not tell.
     pub memory_bytes: Option<u64>,
+}
+
+impl Tried {
+    fn nothing(target: Target) -> Self {
+        Self {
+            target: target.name(),
+            executions: 0,
+            seconds: 0.0,
+            kinds: 0,
+            panics: 0,
+            slow: 0,
+            slowest_s: 0.0,
+            memory_bytes: None,
+        }
+    }
 }
 
 impl Tried {
@@ -161,29 +176,11 @@ fn tried(
     let mut random = Random::new(seed);
     let mut kinds = BTreeSet::new();
     let began = Instant::now();
-    let mut done = Tried {
-        target: target.name(),
-        executions: 0,
-        seconds: 0.0,
-        kinds: 0,
-        panics: 0,
-        slow: 0,
-        slowest_s: 0.0,
-        memory_bytes: None,
-    };
+    let mut done = Tried::nothing(target);
     forget_peak();
     let mut told = 0;
     while done.executions < executions && began.elapsed() < Duration::from_secs(seconds) {
-        let first = usize::try_from(done.executions)
-            .ok()
-            .and_then(|at| pool.get(at).cloned())
-            .filter(|_| kinds.len() < pool.len());
-        let input = first.unwrap_or_else(|| {
-            let mut input = random.one_of(&pool).clone();
-            let other = random.one_of(&pool).clone();
-            mutate(&mut random, target.form(), &mut input, &other);
-            input
-        });
+        let input = next(&mut random, target, &pool, (done.executions, kinds.len()));
         if trace {
             save(folder, "current", &input)?;
         }
@@ -226,6 +223,17 @@ fn tried(
     Ok(done)
 }
 
+/// The seeds as they are first, then changed ones.
+fn next(random: &mut Random, target: Target, pool: &[Vec<u8>], (executions, kinds): (u64, usize)) -> Vec<u8> {
+    let seed = usize::try_from(executions).ok().and_then(|at| pool.get(at)).filter(|_| kinds < pool.len());
+    seed.cloned().unwrap_or_else(|| {
+        let mut input = random.one_of(pool).clone();
+        let other = random.one_of(pool).clone();
+        mutate(random, target.form(), &mut input, &other);
+        input
+    })
+}
+
 fn save(folder: &Path, name: &str, input: &[u8]) -> Result<PathBuf, Failure> {
     let path = folder.join(name);
     files::write(&path, input)?;
@@ -249,7 +257,8 @@ fn peak() -> Option<u64> {
 mod tests {
     use super::*;
 
-    /// An input that once did harm, or could, is read by its target without a panic and in no time; so are some thousand changes.
+    /// An input that once did harm, or could, is read by its target without a panic and in no time; so are some
+    /// thousand changes.
     #[test]
     fn limit_the_kept_inputs_and_some_of_their_changes_do_no_harm() {
         for target in Target::ALL {

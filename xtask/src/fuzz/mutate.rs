@@ -1,4 +1,5 @@
-//! Inputs made of seeds: bytes, numbers, words and brackets changed, parts moved, repeated, cut and taken from other seeds.
+//! Inputs made of seeds: bytes, numbers, words and brackets changed, parts moved, repeated, cut and taken from other
+//! seeds.
 
 /// A generator of pseudo-random numbers, SplitMix64: the same for the same seed on every machine.
 ///

@@ -87,8 +87,8 @@ fn folder(path: &Path, extension: &str) -> Result<Vec<Vec<u8>>, Failure> {
     Ok(paths.iter().map(|path| fs::read(path).map_err(read(path))).collect::<Result<_, _>>()?)
 }
 
-/// A short run as a recording with compressed chunks, and as one whose chunks are neither compressed nor have checksums, so
-/// that changed bytes are read.
+/// A short run as a recording with compressed chunks, and as one whose chunks are neither compressed nor have
+/// checksums, so that changed bytes are read.
 fn recordings() -> Result<Vec<Vec<u8>>, Failure> {
     let case = Case::from_ron(RUN_CASE).map_err(refused)?;
     let mut run = Run::new(case.run_inputs().map_err(failed)?).map_err(failed)?;

@@ -96,8 +96,8 @@ const HISTORIES: [(&str, &str, &[Plan]); 6] = [
     ),
 ];
 
-/// Quantities over time. The start does not set the scales: what is drawn is the part of the run that the means are of; the
-/// interactive figures have the whole run too.
+/// Quantities over time. The start does not set the scales: what is drawn is the part of the run that the means are of;
+/// the interactive figures have the whole run too.
 pub fn histories(run: &Run, summary: &Summary, live: &mut Live) -> Result<Vec<Figure>, PlotError> {
     let time: Vec<f64> = run.states.iter().map(|row| row.time_s).collect();
     let from = time.partition_point(|t| *t < summary.averaged_from_s);

@@ -1,5 +1,5 @@
-//! The report as one HTML page that needs nothing else: figures are inline SVG, which a script covers with interactive ones on screen;
-//! nothing is loaded from anywhere.
+//! The report as one HTML page that needs nothing else: figures are inline SVG, which a script covers with interactive
+//! ones on screen; nothing is loaded from anywhere.
 
 use super::content::Content;
 use super::live::Live;

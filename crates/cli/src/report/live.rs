@@ -1,7 +1,7 @@
 //! Data of the interactive figures of `report.html`.
 //!
-//! Each is beside a static figure of the same name, which the page's script replaces. Columns of numbers are `f32`, least significant
-//! byte first, in base64; columns that are equal are there once.
+//! Each is beside a static figure of the same name, which the page's script replaces. Columns of numbers are `f32`,
+//! least significant byte first, in base64; columns that are equal are there once.
 
 use serde::Serialize;
 use tribodyn_plot::{Axis, History};

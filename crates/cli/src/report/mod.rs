@@ -159,7 +159,8 @@ impl Evaluated {
             }
             read => read?,
         };
-        // A damaged or older file may lack its case, or hold one that is refused now: the numbers are there all the same.
+        // A damaged or older file may lack its case, or hold one that is refused now: the numbers are there all the
+        // same.
         let name = path.display().to_string();
         let case = run.case_text.as_ref().and_then(|text| CaseFile::from_text(&name, text.clone(), &[], limits).ok());
         let case_values = case.as_ref().map_or_else(Vec::new, |file| values::all(&file.text, &file.case));

@@ -1,4 +1,5 @@
-//! Spectra of the acceleration of the outer ring over frequency and order, with the frequencies at which balls and cage come by.
+//! Spectra of the acceleration of the outer ring over frequency and order, with the frequencies at which balls and cage
+//! come by.
 
 use super::live::{Kind, Live, LiveMark, Plan, View};
 use crate::failure::Failure;
@@ -184,8 +185,8 @@ impl LiveMark {
     }
 }
 
-/// The characteristic frequencies by the names of the field, f_r the turns of the shaft; twice BSF is what a ball defect excites.
-/// Fundamentals come first: where labels crowd, these keep theirs.
+/// The characteristic frequencies by the names of the field, f_r the turns of the shaft; twice BSF is what a ball
+/// defect excites. Fundamentals come first: where labels crowd, these keep theirs.
 fn marks(f: &BearingFrequencies) -> Vec<LiveMark> {
     let hz = [f.ball_pass_outer_hz, f.ball_pass_inner_hz, f.cage_hz, f.ball_spin_hz, f.shaft_hz];
     let most = HARMONICS.iter().map(|(_, count)| *count).max().unwrap_or(0);

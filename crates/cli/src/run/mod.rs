@@ -92,7 +92,8 @@ impl Arguments {
         });
         let changes: Vec<Change> = self.case.changes.iter().cloned().chain(duration).collect();
         self.case.read_with(&changes).or_else(|error| match &error {
-            // Only a section can be missing on the way to a duration: the news is all that is missing, and not the path.
+            // Only a section can be missing on the way to a duration: the news is all that is missing, and not the
+            // path.
             StudyError::Change { option, .. } if option.starts_with("--duration") => {
                 let file = self.case.read()?;
                 Err(file.run_inputs().err().unwrap_or(error))

@@ -1,5 +1,5 @@
-//! The examples of the documents are what the command prints, numbers to 1 %: they show what an answer looks like, while
-//! the tests beside this one say how good it is.
+//! The examples of the documents are what the command prints, numbers to 1 %: they show what an answer looks like,
+//! while the tests beside this one say how good it is.
 
 use super::{Scratch, command};
 use std::ffi::OsStr;

@@ -71,7 +71,8 @@ fn identity_the_first_stride_starts_from_the_solution_and_wears_its_rates() {
     assert!(answer["warnings"].to_string().contains("wear coefficients"), "{answer}");
 }
 
-/// A race that is half worn starts with the clearance of its depth: cos α0 falls by it over the distance of the centres.
+/// A race that is half worn starts with the clearance of its depth: cos α0 falls by it over the distance of the
+/// centres.
 #[test]
 fn identity_what_is_worn_at_the_start_is_clearance() {
     let half = ["coatings.inner.worn=0.5", "coatings.outer.worn=0.5"];
@@ -91,8 +92,8 @@ fn identity_what_is_worn_at_the_start_is_clearance() {
     assert_eq!(life(&half, &[]).code, 2);
 }
 
-/// What is worn at the start counts once: the first stride is the equilibrium of a bearing with new coatings and the free
-/// contact angle that the worn ones leave. Counted again as a depth of the grooves, the loads would be others.
+/// What is worn at the start counts once: the first stride is the equilibrium of a bearing with new coatings and the
+/// free contact angle that the worn ones leave. Counted again as a depth of the grooves, the loads would be others.
 #[test]
 fn identity_what_is_worn_at_the_start_counts_once() {
     let case = fixture("paper-ag-worn.ron");

@@ -12,7 +12,11 @@ use tribodyn_record::{RunItem, RunReader};
 /// What a transient run needs besides the values of the quasi-static case.
 const TRANSIENT: &str = "
     supports: (
-        inner: (mass: kg(12), stiffness: (N_per_um(0), N_per_um(0), N_per_um(0)), damping: (N_s_per_m(2000), N_s_per_m(2000), N_s_per_m(2000))),
+        inner: (
+            mass: kg(12),
+            stiffness: (N_per_um(0), N_per_um(0), N_per_um(0)),
+            damping: (N_s_per_m(2000), N_s_per_m(2000), N_s_per_m(2000)),
+        ),
         outer: (mass: kg(5), stiffness: (N_per_um(500), N_per_um(500)), damping: (N_s_per_m(5000), N_s_per_m(5000))),
     ),
     transient: (
@@ -354,19 +358,24 @@ fn identity_a_report_is_made_of_whole_and_torn_recordings() {
     // The cheap rule of these tests does not carry accelerations: tables do without, JSON says so.
     assert!(page.contains("patch rule too coarse"));
     assert_eq!([&answer["accelerations_supported"], &ran["accelerations_supported"]], [false, false]);
+    report_beside_figures_and_torn(&scratch, &recording);
+}
+
+/// Figures set beside those of a run, and recordings that are cut or none at all.
+fn report_beside_figures_and_torn(scratch: &Scratch, recording: &PathBuf) {
     let figures = scratch.file(
         "figures.csv",
         "id,quantity,published,tolerance,source\nslow,cage_speed_mean_rpm,1,1,nobody\nfast,frequencies.cage_hz,100,1e3,\"all, or none\"\n",
     );
     let folder = scratch.0.join("against");
-    let compared = run(&[&"report", &recording, &"-o", &folder, &"--against", &figures, &"--json"]).json();
+    let compared = run(&[&"report", recording, &"-o", &folder, &"--against", &figures, &"--json"]).json();
     assert_eq!([&compared["validation"][0]["met"], &compared["validation"][1]["met"]], [false, true]);
     let page = fs::read_to_string(folder.join("report.html")).unwrap();
     assert!(page.contains("1 of 2 figures are met") && page.contains("all, or none"));
     let bad = scratch.file("bad.csv", "id,quantity,published,tolerance,source\nA,cage_speed,1,1,nobody\n");
-    run(&[&"report", &recording, &"-o", &scratch.0.join("none"), &"--against", &bad])
+    run(&[&"report", recording, &"-o", &scratch.0.join("none"), &"--against", &bad])
         .fails(2, &["bad.csv:2:3", "cage_speed", "summary.json"]);
-    let torn = scratch.file("torn.mcap.active", &fs::read(&recording).unwrap()[..500_000]);
+    let torn = scratch.file("torn.mcap.active", &fs::read(recording).unwrap()[..500_000]);
     let folder = scratch.0.join("torn");
     let answer = run(&[&"report", &torn, &"-o", &folder, &"--json"]).json();
     assert_eq!(answer["truncated"], true);

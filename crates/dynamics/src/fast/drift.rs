@@ -8,8 +8,8 @@ use crate::machine::Machine;
 use tribodyn_bearing::Side;
 
 /// Accelerations of balls, rings and cage by the spring part, supports and loads; of the orbital speed, the rate of the
-/// angular momentum over m r². The centrifugal force is here and not in the glide so that dampers see the velocity of the
-/// middle of a step and not half a step of it.
+/// angular momentum over m r². The centrifugal force is here and not in the glide so that dampers see the velocity of
+/// the middle of a step and not half a step of it.
 pub(super) fn drift_acceleration<E: Equations>(
     equations: &E,
     t: f64,

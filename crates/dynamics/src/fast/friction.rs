@@ -1,13 +1,14 @@
 //! Friction of balls and rings made linear: what the implicit kick inverts.
 //!
-//! A step H of v' = f + A (v − v₀) + B u(t), with the rings' velocities u changing evenly by Δu, is taken as v − v₀ = H R f +
-//! R₂ H B Δu with rational functions of X = H A that have one pole, W = (1 − γ X)⁻¹:
+//! A step H of v' = f + A (v − v₀) + B u(t), with the rings' velocities u changing evenly by Δu, is taken as v − v₀ = H
+//! R f + R₂ H B Δu with rational functions of X = H A that have one pole, W = (1 − γ X)⁻¹:
 //!
 //! R = γ W + (1 − γ) W²,  R₂ = (R − 1)/X = R − ½ W²,  R₃ = (R₂ − ½)/X = ½ R − γ W².
 //!
-//! The mean change of the velocities over the step is then H R₂ f + R₃ H B Δu, for which v − v₀ is just what the mean force
-//! gives. With γ = 1 − 1/√2 these hold, R agrees with the exact (e^X − 1)/X in two terms, and 1 + X R tends to zero where
-//! friction is stiff: what settles within a step has settled at its end, instead of swinging over to the other side.
+//! The mean change of the velocities over the step is then H R₂ f + R₃ H B Δu, for which v − v₀ is just what the mean
+//! force gives. With γ = 1 − 1/√2 these hold, R agrees with the exact (e^X − 1)/X in two terms, and 1 + X R tends to
+//! zero where friction is stiff: what settles within a step has settled at its end, instead of swinging over to the
+//! other side.
 
 use crate::linear::LinearTraction;
 use crate::machine::Machine;
@@ -15,9 +16,9 @@ use nalgebra::{Matrix3, Matrix5, Matrix6, Vector3, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{AzimuthFrame, BallState, NormalLoads, Side};
 
-/// Friction of one ball linearised: S is the stiffness of a patch, G its motion by the velocities of the ball. Rings move
-/// it by their translation (a, r, t) in the ball's azimuth frame as the ball would the other way: R = −G T, with T the first
-/// three columns of 1, the third over the radius of the orbit.
+/// Friction of one ball linearised: S is the stiffness of a patch, G its motion by the velocities of the ball. Rings
+/// move it by their translation (a, r, t) in the ball's azimuth frame as the ball would the other way: R = −G T, with T
+/// the first three columns of 1, the third over the radius of the orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct LinearFriction {
     /// R and R₂: change of the velocities and its mean over the step, both over H f.
@@ -56,8 +57,8 @@ impl LinearFriction {
     }
 }
 
-/// Least pivot of 1 − γ H A that the step takes as it comes. Friction that damps leaves none below one; where it falls with
-/// growing slip, past its peak, slip grows, and at zero the method breaks down.
+/// Least pivot of 1 − γ H A that the step takes as it comes. Friction that damps leaves none below one; where it falls
+/// with growing slip, past its peak, slip grows, and at zero the method breaks down.
 const LEAST_PIVOT: f64 = 0.7;
 
 /// The friction of a ball, linearised for a step of `h`.
@@ -87,8 +88,8 @@ pub(super) fn linear_friction(
 }
 
 impl LinearFriction {
-    /// From the derivatives Gᵀ S G of the forces of both contacts by the velocities of the ball. Also returns the least pivot
-    /// of 1 − γ H A.
+    /// From the derivatives Gᵀ S G of the forces of both contacts by the velocities of the ball. Also returns the least
+    /// pivot of 1 − γ H A.
     fn new(machine: &Machine, state: &BallState, slopes: [Matrix6<f64>; 2], r: f64, h: f64) -> (Self, f64) {
         let (mut coupling, mut own) = (Matrix6::zeros(), [Matrix3::zeros(); 2]);
         let over = [1.0, 1.0, 1.0 / r];
@@ -121,8 +122,8 @@ impl LinearFriction {
     }
 }
 
-/// S without what lets slip grow: the positive eigenvalues of its symmetric part, with the motion in units of slip, `scale`.
-/// Any approximate A leaves the kick consistent; what is taken out here acts explicitly.
+/// S without what lets slip grow: the positive eigenvalues of its symmetric part, with the motion in units of slip,
+/// `scale`. Any approximate A leaves the kick consistent; what is taken out here acts explicitly.
 fn damping_part(stiffness: &Matrix5<f64>, scale: [f64; 5]) -> Matrix5<f64> {
     let symmetric = |i: usize, k: usize| 0.5 * (stiffness[(i, k)] + stiffness[(k, i)]) / (scale[i] * scale[k]);
     let eigen = Matrix5::from_fn(symmetric).symmetric_eigen();
@@ -131,8 +132,8 @@ fn damping_part(stiffness: &Matrix5<f64>, scale: [f64; 5]) -> Matrix5<f64> {
     Matrix5::from_fn(|i, k| stiffness[(i, k)] - scale[i] * scale[k] * growth[(i, k)])
 }
 
-/// Gᵀ S G, with G the motion of a patch (rolling, lateral, spin, about lateral, about rolling) by the six velocities of the
-/// ball: axial, radial, orbital, and the spin's three.
+/// Gᵀ S G, with G the motion of a patch (rolling, lateral, spin, about lateral, about rolling) by the six velocities of
+/// the ball: axial, radial, orbital, and the spin's three.
 fn by_velocities(stiffness: &Matrix5<f64>, [n_a, n_r]: [f64; 2], r: f64) -> Matrix6<f64> {
     let of = |f: [f64; 5]| [n_r * f[1], -n_a * f[1], r * f[0], n_a * f[2] + n_r * f[3], n_r * f[2] - n_a * f[3], f[4]];
     let rows: [[f64; 6]; 5] = std::array::from_fn(|row| of(std::array::from_fn(|column| stiffness[(row, column)])));
@@ -140,8 +141,8 @@ fn by_velocities(stiffness: &Matrix5<f64>, [n_a, n_r]: [f64; 2], r: f64) -> Matr
     Matrix6::from(columns)
 }
 
-/// Inverse by Gauss and Jordan without a search for pivots, and the least pivot: where friction damps, 1 − γ H A is M⁻¹ times a
-/// matrix whose symmetric part is at least M, and its pivots are at least one.
+/// Inverse by Gauss and Jordan without a search for pivots, and the least pivot: where friction damps, 1 − γ H A is M⁻¹
+/// times a matrix whose symmetric part is at least M, and its pivots are at least one.
 fn inverse_of_damped(m: Matrix6<f64>) -> (Matrix6<f64>, f64) {
     // By columns, which is the order in memory; the inverse of the transpose is the transpose of the inverse.
     let mut m: [[f64; 6]; 6] = m.into();

@@ -2,27 +2,28 @@
 //!
 //! One step of length H is the symmetric composition drift(H/2), kick(H), drift(H/2):
 //!
-//! - The drift moves balls, rings and cage under contact forces, supports and loads, by the leapfrog method in
-//!   polar coordinates, with the angular momentum m r² ω_m held while the radius changes. It needs no traction and costs
+//! - The drift moves balls, rings and cage under contact forces, supports and loads, by the leapfrog method in polar
+//!   coordinates, with the angular momentum m r² ω_m held while the radius changes. It needs no traction and costs
 //!   little, so it may take several steps of its own.
-//! - The kick changes the velocities v of each ball by traction, drag, churning, pocket and gyroscopic moment f at fixed position:
-//!   v ← v + H R(H A) f(v), R(X) = γ W + (1 − γ) W², W = (1 − γ X)⁻¹, γ = 1 − 1/√2. With A = ∂f/∂v this is of second order with
-//!   one evaluation of f, in the manner of Rosenbrock, and L-stable: what is stiff settles, whatever the
-//!   slope of the traction curve. A is symmetric in the velocities that do work, A = −M⁻¹ Gᵀ S G with the patch
-//!   stiffness S, and may be a little old: then the method is still consistent, and the error grows with its age.
+//! - The kick changes the velocities v of each ball by traction, drag, churning, pocket and gyroscopic moment f at
+//!   fixed position: v ← v + H R(H A) f(v), R(X) = γ W + (1 − γ) W², W = (1 − γ X)⁻¹, γ = 1 − 1/√2. With A = ∂f/∂v this
+//!   is of second order with one evaluation of f, in the manner of Rosenbrock, and L-stable: what is stiff settles,
+//!   whatever the slope of the traction curve. A is symmetric in the velocities that do work, A = −M⁻¹ Gᵀ S G with the
+//!   patch stiffness S, and may be a little old: then the method is still consistent, and the error grows with its age.
 //!
-//! Most of the accelerations of the two parts cancel: contact forces push the ball where friction holds it. A common part g,
-//! the drift's acceleration smoothed over some steps, is therefore taken from the drift and given back in the kick. Without it
-//! the steady state would be off by what an inexact A makes of the large terms, in proportion to H. The kick gives back the
-//! mean of g before and after its smoothing, which is just what the two half drifts went without: linear and angular
-//! momentum then hold to second order.
+//! Most of the accelerations of the two parts cancel: contact forces push the ball where friction holds it. A common
+//! part g, the drift's acceleration smoothed over some steps, is therefore taken from the drift and given back in the
+//! kick. Without it the steady state would be off by what an inexact A makes of the large terms, in proportion to H.
+//! The kick gives back the mean of g before and after its smoothing, which is just what the two half drifts went
+//! without: linear and angular momentum then hold to second order.
 //!
-//! Traction itself is linear between refreshes: the closed-form derivative of the patch integral by motion and load serves
-//! until the slip has moved by as much as keeps the error, seen at every refresh, near [`LINEAR_ERROR`] of the load.
+//! Traction itself is linear between refreshes: the closed-form derivative of the patch integral by motion and load
+//! serves until the slip has moved by as much as keeps the error, seen at every refresh, near [`LINEAR_ERROR`] of the
+//! load.
 //!
-//! Both parts are of second order and the composition is symmetric, so the scheme is of second order, down to the error of the
-//! linear traction, below which there is no order.
-//! Its error against a converged run is measured in `cargo xtask bench`.
+//! Both parts are of second order and the composition is symmetric, so the scheme is of second order, down to the error
+//! of the linear traction, below which there is no order. Its error against a converged run is measured in `cargo xtask
+//! bench`.
 //!
 //! Sources: splitting, Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, chapters II.5 and VIII.4
 //! (impulse method); H. H. Rosenbrock, Comput. J. 5 (1963) 329, doi:10.1093/comjnl/5.4.329.
@@ -45,8 +46,9 @@ use tribodyn_bearing::{
 };
 use tribodyn_traction::PatchTraction;
 
-/// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it does
-/// not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an orbit.
+/// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it
+/// does not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an
+/// orbit.
 const SMOOTHING_TIME: f64 = 5e-4;
 /// The same for the rings, s: they vibrate at lower frequencies.
 const RING_SMOOTHING_TIME: f64 = 5e-3;
@@ -54,8 +56,8 @@ const RING_SMOOTHING_TIME: f64 = 5e-3;
 const RINGS_EVERY: usize = 16;
 /// Most steps that a linear traction serves.
 const LONGEST_LINEAR: usize = 64;
-/// Reach of a linear traction for samples, over that for steps: half a step before a refresh the linear form must not give
-/// way to an integral that serves only once.
+/// Reach of a linear traction for samples, over that for steps: half a step before a refresh the linear form must not
+/// give way to an integral that serves only once.
 const BEFORE_REFRESH: f64 = 1.5;
 /// Longest step of the drift over the period of the contact springs, as an angle: leapfrog is stable up to 2.
 const DRIFT_ANGLE: f64 = 1.4;
@@ -72,14 +74,15 @@ pub(crate) struct Fast {
     linear_error: f64,
     friction: Vec<LinearFriction>,
     contacts: Vec<Contacts>,
-    /// Inverse of the rings' masses less what friction gives back, inertial axes: x, y, z of the inner, x, y of the outer.
+    /// Inverse of the rings' masses less what friction gives back, inertial axes: x, y, z of the inner, x, y of the
+    /// outer.
     rings: Matrix5<f64>,
     /// Steps until that matrix is made anew.
     rings_last: usize,
     /// Step for which the inverses are.
     step: f64,
-    /// Accelerations of the drift at the present position, their smoothed part, which the drift goes without, and that part
-    /// as the kick gives it back: the mean of before and after, so that nothing of it is lost or made.
+    /// Accelerations of the drift at the present position, their smoothed part, which the drift goes without, and that
+    /// part as the kick gives it back: the mean of before and after, so that nothing of it is lost or made.
     drift: Vec<f64>,
     common: Vec<f64>,
     given_back: Vec<f64>,
@@ -231,14 +234,7 @@ impl Fast {
             let force = friction.coupling.tr_mul(&mean) + friction.on_rings(&rings) * 0.5;
             on_rings += in_inertial_axes(axes, &force);
         }
-        let [inner, outer] = [h / machine.inner.mass, h / machine.outer.mass];
-        for k in (0..3).filter(|&k| machine.inner.free[k]) {
-            y[l.inner() + 3 + k] += inner * on_rings[k];
-        }
-        for k in (0..2).filter(|&k| machine.outer.free[k]) {
-            y[l.outer() + 2 + k] += outer * on_rings[3 + k];
-        }
-        y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
+        push_bodies(machine, y, (&on_rings, cage_torque), h);
     }
 
     /// Lets the common acceleration follow that of the drift.
@@ -357,4 +353,17 @@ impl Fast {
         }
         inverse_with_held(sum)
     }
+}
+
+/// Velocities of rings and cage after `h` under the balls' forces and their torque on the cage.
+fn push_bodies(machine: &Machine, y: &mut [f64], (on_rings, cage_torque): (&Vector5<f64>, f64), h: f64) {
+    let l = machine.layout;
+    let [inner, outer] = [h / machine.inner.mass, h / machine.outer.mass];
+    for k in (0..3).filter(|&k| machine.inner.free[k]) {
+        y[l.inner() + 3 + k] += inner * on_rings[k];
+    }
+    for k in (0..2).filter(|&k| machine.outer.free[k]) {
+        y[l.outer() + 2 + k] += outer * on_rings[3 + k];
+    }
+    y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
 }

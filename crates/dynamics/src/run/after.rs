@@ -84,7 +84,8 @@ impl Run {
         observer.sample(&sample, with_balls).map_err(RunError::Observer)
     }
 
-    /// The fast scheme has no powers of its own order within its steps: work is summed by the trapezium rule over samples.
+    /// The fast scheme has no powers of its own order within its steps: work is summed by the trapezium rule over
+    /// samples.
     pub(super) fn add_work(&mut self, sample: &mut Sample) {
         let p = &sample.power;
         let rates = [p.put_in(), p.lost(), p.shaft_w.abs() + p.load_w.abs()];
@@ -180,8 +181,8 @@ impl Run {
         Ok(())
     }
 
-    /// Elastic energy of all ball–race contacts, J: what a change of the raceways under the balls takes away or gives. Nothing
-    /// changes, and 0 stands for it, where wear leaves the raceways alone.
+    /// Elastic energy of all ball–race contacts, J: what a change of the raceways under the balls takes away or gives.
+    /// Nothing changes, and 0 stands for it, where wear leaves the raceways alone.
     fn elastic_energy_where_worn(&self) -> f64 {
         if self.machine.wear_acceleration == 0.0 {
             return 0.0;

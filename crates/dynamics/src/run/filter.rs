@@ -1,5 +1,6 @@
-//! The measuring chain of a run: accelerations of the rings and the speed of the cage without what lies beyond the reach of
-//! the samples. Contacts vibrate at 10 kHz and more, and sampled as they are they would fold into the spectrum.
+//! The measuring chain of a run: accelerations of the rings and the speed of the cage without what lies beyond the
+//! reach of the samples. Contacts vibrate at 10 kHz and more, and sampled as they are they would fold into the
+//! spectrum.
 //!
 //! Velocities at an internal rate cost no forces, and their differences are exact means of the accelerations between.
 

@@ -151,8 +151,8 @@ impl Run {
     /// A run from its start.
     ///
     /// # Errors
-    /// [`DynamicsError`] where nothing holds the outer ring, there is no quasi-static solution to start from, or the step is too
-    /// short to come to an end.
+    /// [`DynamicsError`] where nothing holds the outer ring, there is no quasi-static solution to start from, or the
+    /// step is too short to come to an end.
     pub fn new(inputs: RunInputs) -> Result<Self, DynamicsError> {
         let RunOptions { duration, scheme, state_rate, ball_rate, .. } = inputs.options;
         let (tribodyn_bearing::Scheme::RungeKutta4 { step: step_s }

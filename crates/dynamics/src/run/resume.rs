@@ -15,8 +15,9 @@ impl Run {
     /// Goes on from a checkpoint of the same case.
     ///
     /// # Errors
-    /// [`DynamicsError::Checkpoint`] for a checkpoint of another bearing, [`DynamicsError::CheckpointFilter`] for one of another
-    /// state rate or step, [`DynamicsError::CheckpointValue`] for one with values that no run of the case can have.
+    /// [`DynamicsError::Checkpoint`] for a checkpoint of another bearing, [`DynamicsError::CheckpointFilter`] for one
+    /// of another state rate or step, [`DynamicsError::CheckpointValue`] for one with values that no run of the case
+    /// can have.
     pub fn resume(&mut self, checkpoint: Checkpoint) -> Result<(), DynamicsError> {
         let (found, expected) = (checkpoint.state.len(), self.start.len());
         if [found, checkpoint.derivative.len(), checkpoint.looked.state.len()] != [expected; 3] {

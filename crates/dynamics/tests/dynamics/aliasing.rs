@@ -59,8 +59,8 @@ fn worst(found: &[f64], exact: &[f64]) -> f64 {
     counting.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max)
 }
 
-/// Runs a defect at both rates; the lines named must agree, and so must all that count. Sampled as they are, accelerations
-/// have lines that did not occur: without the filter this fails.
+/// Runs a defect at both rates; the lines named must agree, and so must all that count. Sampled as they are,
+/// accelerations have lines that did not occur: without the filter this fails.
 fn check(race: &str, lines: impl Fn(&BearingFrequencies) -> Vec<f64>) {
     let coarse_case = case(race, RATE);
     let options = coarse_case.run_inputs().unwrap().options;

@@ -37,7 +37,8 @@ fn identity_runge_kutta_is_of_fourth_order_without_the_cage() {
     assert!(order > 3.6 && order < 5.0, "order {order:.2}: {coarse:e}, {fine:e}");
 }
 
-/// Pockets with little play, so that balls meet and leave their walls on the way: steps end there, and the order stays four.
+/// Pockets with little play, so that balls meet and leave their walls on the way: steps end there, and the order stays
+/// four.
 #[test]
 fn identity_runge_kutta_is_of_fourth_order_over_impacts() {
     let at = |step: &str| {
@@ -87,8 +88,8 @@ fn identity_the_fast_scheme_carries_stiff_friction() {
     assert!(worst < 1e-3, "orbital speeds {worst:e} apart");
 }
 
-/// At a quarter of the axial load balls skid beyond the peak of the traction curve, where friction falls with growing slip and
-/// an implicit step may divide by nothing: it did so here after 11 ms.
+/// At a quarter of the axial load balls skid beyond the peak of the traction curve, where friction falls with growing
+/// slip and an implicit step may divide by nothing: it did so here after 11 ms.
 #[test]
 fn regress_the_fast_scheme_stands_falling_friction() {
     let changes = [
@@ -170,8 +171,8 @@ fn resumed(case: &Case, stop_after: usize) -> (Run, Keep) {
     (second, keep)
 }
 
-/// Samples, events, counts and the last look at the stiffness. The fast scheme makes more than the 1000 steps between two
-/// looks here, which go by the number of steps from the start, and coatings wear fast enough to get thinner.
+/// Samples, events, counts and the last look at the stiffness. The fast scheme makes more than the 1000 steps between
+/// two looks here, which go by the number of steps from the start, and coatings wear fast enough to get thinner.
 #[test]
 fn regress_a_checkpoint_goes_on_to_the_same_numbers() {
     for scheme in [

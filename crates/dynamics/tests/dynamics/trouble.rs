@@ -74,7 +74,8 @@ fn limit_a_checkpoint_of_another_bearing_is_refused() {
     assert!(matches!(refused, Err(DynamicsError::Checkpoint { found, expected }) if expected - found == 9));
 }
 
-/// Checkpoints come from files: whatever number of one is changed, the run says which or goes on with it, and none panics.
+/// Checkpoints come from files: whatever number of one is changed, the run says which or goes on with it, and none
+/// panics.
 #[test]
 fn limit_a_checkpoint_with_impossible_values_is_refused() {
     let case = case(&[("transient.scheme", "Fast(step: us(10))"), ("transient.duration", "s(0.01)")]);

@@ -50,8 +50,8 @@ fn identity_a_defect_is_felt_by_the_ball_that_passes() {
     assert!(strongest(&keep) > 3.0 * strongest(&quiet), "{} {}", strongest(&keep), strongest(&quiet));
 }
 
-/// The balance holds while balls pass a pit: the slope of the groove does work on the orbit. (At the edges of the pit the
-/// scheme errs by some 1e-8; without a defect by 2e-13.)
+/// The balance holds while balls pass a pit: the slope of the groove does work on the orbit. (At the edges of the pit
+/// the scheme errs by some 1e-8; without a defect by 2e-13.)
 #[test]
 fn identity_power_balances_over_a_defect() {
     let share = |changes: &[(&str, &str)]| {
@@ -78,8 +78,8 @@ fn limit_accelerated_wear_goes_through_the_coating_and_says_so() {
     );
 }
 
-/// Wear lowers the races under loaded balls: the elastic energy that goes with it is counted. Without it 3e-5 of the work
-/// and more would be missing.
+/// Wear lowers the races under loaded balls: the elastic energy that goes with it is counted. Without it 3e-5 of the
+/// work and more would be missing.
 #[test]
 fn identity_power_balances_while_races_wear() {
     let changes =

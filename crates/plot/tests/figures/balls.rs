@@ -1,4 +1,5 @@
-//! Every ball is there: those with a value marked, those without contact crossed out, and no line between where nothing is.
+//! Every ball is there: those with a value marked, those without contact crossed out, and no line between where nothing
+//! is.
 
 use crate::parse;
 use crate::synthetic::{ball, borrowed, figures, runs, solution};

@@ -33,8 +33,8 @@ pub fn both() -> Figure {
     Figure::new("published", "Published numbers", &panels).expect("finite data")
 }
 
-/// Points of the dashed lines of a figure with one panel, the legend's samples left out: they come last, one line for each
-/// published line, two for each range.
+/// Points of the dashed lines of a figure with one panel, the legend's samples left out: they come last, one line for
+/// each published line, two for each range.
 fn drawn(figure: &Figure, samples: usize) -> Vec<Vec<[f64; 2]>> {
     let document = parse(figure);
     let dashed = document.descendants().filter(|n| n.attribute("stroke-dasharray") == Some(DASH));

@@ -1,15 +1,19 @@
-//! Numbers of the size of those of a 13-ball bearing under combined load at 14 000 r/min. They are no result of any model.
+//! Numbers of the size of those of a 13-ball bearing under combined load at 14 000 r/min. They are no result of any
+//! model.
 
 use tribodyn_bearing::{BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, Races};
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Published, Quantity, Series, solution_figures};
 use tribodyn_quasistatic::{Model, Solution};
 
-/// A ball whose numbers vary with azimuth; `slip` scales what differential slip changes, `swing` what varying traction changes.
-pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
-    let (sin, cos) = azimuth_deg.to_radians().sin_cos();
-    let heavy = (0.5 * (1.0 + cos)).powf(1.4);
-    let (load_inner_n, load_outer_n) = (6000.0 + 5000.0 * heavy, 7900.0 + 4100.0 * heavy);
-    let inner = ContactResult {
+/// Share of the heaviest load that a ball at this cosine of its azimuth carries.
+fn load_share(cos: f64) -> f64 {
+    (0.5 * (1.0 + cos)).powf(1.4)
+}
+
+fn inner([sin, cos]: [f64; 2], slip: f64, swing: f64) -> ContactResult {
+    let heavy = load_share(cos);
+    let load_inner_n = 6000.0 + 5000.0 * heavy;
+    ContactResult {
         angle_rad: (26.1 - 3.2 * cos + 0.01 * slip).to_radians(),
         approach_m: 38e-6 * (load_inner_n / 9000.0).powf(2.0 / 3.0),
         load_n: load_inner_n + 3.0 * slip,
@@ -25,8 +29,13 @@ pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
             ..FrictionResult::default()
         }),
         transient: None,
-    };
-    let outer = ContactResult {
+    }
+}
+
+fn outer(cos: f64, slip: f64, swing: f64) -> ContactResult {
+    let heavy = load_share(cos);
+    let load_outer_n = 7900.0 + 4100.0 * heavy;
+    ContactResult {
         angle_rad: (17.4 - 1.9 * cos - 0.01 * slip).to_radians(),
         approach_m: 36e-6 * (load_outer_n / 9000.0).powf(2.0 / 3.0),
         load_n: load_outer_n - 2.0 * slip,
@@ -42,7 +51,13 @@ pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
             ..FrictionResult::default()
         }),
         transient: None,
-    };
+    }
+}
+
+/// A ball whose numbers vary with azimuth; `slip` scales what differential slip changes, `swing` what varying traction
+/// changes.
+pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
+    let (sin, cos) = azimuth_deg.to_radians().sin_cos();
     BallResult {
         azimuth_rad: azimuth_deg.to_radians(),
         orbital_speed_rad_s: 607.6 + 2.1 * cos + 0.4 * sin - 5.9 * slip,
@@ -52,7 +67,7 @@ pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
         spin_rad_s: [-3600.0, 1050.0, 4.0],
         centrifugal_force_n: 3500.0,
         gyroscopic_moment_nm: 2.2,
-        contacts: Races { inner, outer },
+        contacts: Races { inner: inner([sin, cos], slip, swing), outer: outer(cos, slip, swing) },
         fluid: Some(FluidResult {
             drag_n: 120.0,
             power_loss_w: 6100.0 + 60.0 * cos - 20.0 * slip,

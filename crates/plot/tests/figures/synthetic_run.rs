@@ -1,4 +1,5 @@
-//! Signals of the size of those of a transient run of a 13-ball bearing at 14 000 r/min. They are no result of any model.
+//! Signals of the size of those of a transient run of a 13-ball bearing at 14 000 r/min. They are no result of any
+//! model.
 
 use std::f64::consts::TAU;
 

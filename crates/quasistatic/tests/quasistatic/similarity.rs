@@ -74,8 +74,8 @@ fn identity_loads_scale_with_moduli_and_densities() {
     }
 }
 
-/// Along a path on which every ball stays loaded and rolls, results are smooth: from one point to the next they change by
-/// what they changed before, to the second order. Each point is solved cold, so that nothing carries over.
+/// Along a path on which every ball stays loaded and rolls, results are smooth: from one point to the next they change
+/// by what they changed before, to the second order. Each point is solved cold, so that nothing carries over.
 #[test]
 fn identity_results_are_continuous_in_load_speed_and_friction() {
     const POINTS: usize = 7;

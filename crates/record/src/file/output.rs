@@ -61,10 +61,10 @@ pub(crate) fn fnv1a(bytes: &[u8]) -> u64 {
 
 /// The compression of a file that is written in one go: the default level of zstd.
 pub(crate) const SMALL: u32 = 0;
-/// The compression of a run, one of zstd's fast levels, −3: the writer hands the number on as a signed one. With 13 balls,
-/// states at 25.6 kHz and balls at 5 kHz, recording takes 0.43 s of processor time per simulated second and makes 40 MB;
-/// level 1 takes 0.63 s and makes 36 MB, level −1 0.51 s and 38 MB. Level 3, the default, takes 0.3 s more than level 1
-/// for 8 % fewer bytes.
+/// The compression of a run, one of zstd's fast levels, −3: the writer hands the number on as a signed one. With 13
+/// balls, states at 25.6 kHz and balls at 5 kHz, recording takes 0.43 s of processor time per simulated second and
+/// makes 40 MB; level 1 takes 0.63 s and makes 36 MB, level −1 0.51 s and 38 MB. Level 3, the default, takes 0.3 s more
+/// than level 1 for 8 % fewer bytes.
 pub(crate) const QUICK: u32 = (-3_i32) as u32;
 
 /// A writer whose bytes depend on nothing but what is written.

@@ -56,7 +56,8 @@ impl From<mcap::McapError> for Failure {
 
 /// Writes a whole MCAP file with all messages of the sound chunks of another one, and with those before the fault of a
 /// chunk that is damaged or that the end of the file cuts off; [`Damage`] counts the latter. Memory is bounded whatever
-/// lengths the damaged file names. Names of topics and types come from checked chunks before they come from the summary.
+/// lengths the damaged file names. Names of topics and types come from checked chunks before they come from the
+/// summary.
 ///
 /// `to` is replaced when the new file is whole, and may be the damaged file itself. The content is taken as it is, from
 /// any writer that compresses with zstd or not at all; chunks compressed with lz4 count as bad.

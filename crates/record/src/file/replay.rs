@@ -14,7 +14,8 @@ use std::path::{Path, PathBuf};
 
 /// Rings, cage and powers at one time, in the units of the field names.
 pub type StateRow = tribodyn::TransientState;
-/// Ring, cage and sums over all balls of a quasi-static solution at one time of its orbit, in the units of the field names.
+/// Ring, cage and sums over all balls of a quasi-static solution at one time of its orbit, in the units of the field
+/// names.
 pub type SolutionRow = tribodyn::BearingState;
 /// A ball at one time, in the units of the field names, single precision.
 pub type BallRow = tribodyn::Ball;
@@ -38,7 +39,8 @@ pub struct LogRow {
     pub message: String,
 }
 
-/// Longest message with numbers, bytes: five thousand balls. A message of empty balls takes a hundred times its length in memory.
+/// Longest message with numbers, bytes: five thousand balls. A message of empty balls takes a hundred times its length
+/// in memory.
 const LONGEST_MESSAGE: usize = 1 << 20;
 
 /// A part of a run, in the order of the file.
@@ -286,9 +288,9 @@ pub fn read_run(path: &Path) -> Result<Run, RecordError> {
 /// Reads a whole recording, of a run or of a solution, whose orbit is then in [`Run::balls`].
 ///
 /// # Errors
-/// As [`RunReader::open`]; [`RecordError::Decode`] if a message is not what its topic says, [`RecordError::NotANumber`] if
-/// a number of it is none, [`RecordError::Disordered`] if times go back,
-/// [`RecordError::NothingToRecover`] if no state of either kind can be read.
+/// As [`RunReader::open`]; [`RecordError::Decode`] if a message is not what its topic says, [`RecordError::NotANumber`]
+/// if a number of it is none, [`RecordError::Disordered`] if times go back, [`RecordError::NothingToRecover`] if no
+/// state of either kind can be read.
 pub fn read_recording(path: &Path) -> Result<Run, RecordError> {
     read_recording_within(path, u64::MAX)
 }

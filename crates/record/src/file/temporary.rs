@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 const MOST: usize = 100;
 
 /// A file that is being written, beside the one that it will be: `.NAME.part`, `.NAME.2.part`, … It is created by this
-/// program or not at all, so that what stands under such a name already, a link for instance, is not written through. What is
-/// not [published](Self::publish) is removed when this is dropped.
+/// program or not at all, so that what stands under such a name already, a link for instance, is not written through.
+/// What is not [published](Self::publish) is removed when this is dropped.
 #[derive(Debug)]
 pub struct TemporaryFile {
     path: PathBuf,
@@ -54,7 +54,8 @@ impl TemporaryFile {
         &mut self.file
     }
 
-    /// Gives it its name, replacing what stands there, once its bytes are on the disk: they survive a power cut from then on.
+    /// Gives it its name, replacing what stands there, once its bytes are on the disk: they survive a power cut from
+    /// then on.
     ///
     /// # Errors
     /// That of the system; the temporary file is removed then.
@@ -67,8 +68,8 @@ impl TemporaryFile {
         Ok(())
     }
 
-    /// Gives it its name, replacing what stands there, and leaves it to the system when the bytes reach the disk: for what
-    /// is made again in a moment.
+    /// Gives it its name, replacing what stands there, and leaves it to the system when the bytes reach the disk: for
+    /// what is made again in a moment.
     ///
     /// # Errors
     /// That of the system; the temporary file is removed then.

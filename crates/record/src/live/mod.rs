@@ -338,7 +338,8 @@ fn welcome(client: Arc<Client>, shared: &Arc<Shared>) -> Option<JoinHandle<()>> 
     started.ok()
 }
 
-/// True for a text that is a request of a viewer, for trials with damaged ones: none of them may do worse than be refused.
+/// True for a text that is a request of a viewer, for trials with damaged ones: none of them may do worse than be
+/// refused.
 #[doc(hidden)]
 pub fn is_live_request(text: &str) -> bool {
     protocol::request(text).is_some()

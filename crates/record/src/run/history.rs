@@ -125,8 +125,8 @@ impl Recent {
         }
     }
 
-    /// Spectrum of one of [`QUANTITIES`] over the largest power of two of samples, up to the end of the filter's pass band;
-    /// none where there are too few samples or their times are not even.
+    /// Spectrum of one of [`QUANTITIES`] over the largest power of two of samples, up to the end of the filter's pass
+    /// band; none where there are too few samples or their times are not even.
     pub(crate) fn spectrum(
         &self,
         quantity: usize,

@@ -2,9 +2,9 @@
 
 use crate::wire::foxglove::Color;
 
-/// Five colours of plasma at equal distances up to four fifths of it (S. van der Walt and N. Smith, 2015, CC0), 8 bits a
-/// channel. Lightness grows along the scale, so that it survives every kind of colour blindness and printing in grey; the
-/// yellow end would be lost on white.
+/// Five colours of plasma at equal distances up to four fifths of it (S. van der Walt and N. Smith, 2015, CC0), 8 bits
+/// a channel. Lightness grows along the scale, so that it survives every kind of colour blindness and printing in grey;
+/// the yellow end would be lost on white.
 const PLASMA: [[u8; 3]; 5] =
     [[0x0d, 0x08, 0x87], [0x5c, 0x01, 0xa6], [0x9c, 0x17, 0x9e], [0xcc, 0x47, 0x78], [0xf1, 0x84, 0x4b]];
 /// Coating whole and gone: gold and near black, with steps of lightness between.

@@ -1,12 +1,13 @@
-//! `/bearing/contacts`: what changes as the balls go round. Contact loads are arrows and contact ellipses patches, in the
-//! ball's azimuth frame; forces of the pockets are arrows in the frame of the cage; the load of the ring is an arrow from
-//! the middle of the bearing. Defects that a ball passes light up.
+//! `/bearing/contacts`: what changes as the balls go round. Contact loads are arrows and contact ellipses patches, in
+//! the ball's azimuth frame; forces of the pockets are arrows in the frame of the cage; the load of the ring is an
+//! arrow from the middle of the bearing. Defects that a ball passes light up.
 //!
 //! An arrow of a contact is the force of the race on the ball, −Q n: its head touches the contact point and it pushes
-//! towards the ball centre, so outer arrows come from outside and inner ones from the bore. With the outward normals from
-//! the ball centre, n_o = (sin α_o, cos α_o, 0) and n_i = (−sin α_i, −cos α_i, 0) in (a, r, t), the contact point is
-//! r_b n. Length grows linearly with the load from zero, the colour of arrow and patch with the peak pressure. A contact
-//! without load has neither. An arrow of a pocket pushes the ball along its orbit, longer for its load by a factor.
+//! towards the ball centre, so outer arrows come from outside and inner ones from the bore. With the outward normals
+//! from the ball centre, n_o = (sin α_o, cos α_o, 0) and n_i = (−sin α_i, −cos α_i, 0) in (a, r, t), the contact point
+//! is r_b n. Length grows linearly with the load from zero, the colour of arrow and patch with the peak pressure. A
+//! contact without load has neither. An arrow of a pocket pushes the ball along its orbit, longer for its load by a
+//! factor.
 
 use crate::guide::{self, Stage};
 use crate::quaternion::{Rotation, pose, vector};

@@ -110,8 +110,8 @@ pub(crate) fn transforms(
 const FIXED: usize = 4;
 
 impl Poses<'_> {
-    /// All frames; each ball by azimuth (rad), orbit radius and axial position (m). `message` is empty or that of another
-    /// time: making its names anew would cost more than all of the numbers.
+    /// All frames; each ball by azimuth (rad), orbit radius and axial position (m). `message` is empty or that of
+    /// another time: making its names anew would cost more than all of the numbers.
     pub(crate) fn update(&self, message: &mut FrameTransforms, balls: impl Iterator<Item = [f64; 3]>) {
         if message.transforms.is_empty() {
             message.transforms = named(self.spins.balls());

@@ -119,8 +119,8 @@ pub(crate) fn ring(geometry: &Geometry, side: Side) -> Mesh {
     Mesh::revolve(&profile, true)
 }
 
-/// A strip of a raceway, over angles about the axis and angles across the groove (rad, from radial towards the contact), lifted
-/// off the surface by `lift` (m): rows of points along the strip, two or more across it.
+/// A strip of a raceway, over angles about the axis and angles across the groove (rad, from radial towards the
+/// contact), lifted off the surface by `lift` (m): rows of points along the strip, two or more across it.
 pub(crate) fn strip(geometry: &Geometry, side: Side, along: &[f64], across: &[f64], lift: f64) -> Mesh {
     let sign = if side == Side::Outer { 1.0 } else { -1.0 };
     let groove = geometry.coefficient(side) * geometry.ball_diameter - lift;

@@ -13,7 +13,8 @@ pub(crate) struct Rotation {
 impl Rotation {
     pub(crate) const IDENTITY: Self = Self { vector: [0.0; 3], real: 1.0 };
 
-    /// Axes (x, y, z) of the frame along (Z, X, Y) of the parent: at azimuth 0 (axial, radial, tangential) is (Z, X, Y).
+    /// Axes (x, y, z) of the frame along (Z, X, Y) of the parent: at azimuth 0 (axial, radial, tangential) is (Z, X,
+    /// Y).
     pub(crate) const AXIAL_RADIAL_TANGENTIAL: Self = Self { vector: [-0.5; 3], real: 0.5 };
 
     /// Rotation by a vector of length equal to the angle, rad, exp(v/2).

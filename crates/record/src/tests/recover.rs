@@ -140,7 +140,8 @@ fn limit_a_flipped_byte_of_the_summary_renames_nothing() {
     let data_end = summary.chunk_indexes.iter().map(|c| c.chunk_start_offset + c.chunk_length).max().unwrap() as usize;
     let names = file[data_end..].windows(14).position(|w| w == b"/bearing/balls").unwrap() + data_end;
     let last = file.len() - 8;
-    // The letters of a name, then the whole of the index at the end, the place of the summary and its checksum included.
+    // The letters of a name, then the whole of the index at the end, the place of the summary and its checksum
+    // included.
     for place in
         (names..names + 14).step_by(3).chain((data_end..last).step_by(4999)).chain((last - 29..last).step_by(4))
     {

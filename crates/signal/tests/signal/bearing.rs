@@ -6,8 +6,8 @@ use tribodyn_signal::{BearingFrequencies, SignalError};
 
 use crate::assert_near;
 
-/// Case Western Reserve University, Bearing Data Center: SKF 6205-2RS JEM, 9 balls of 0.3126 in on a pitch circle of 1.537 in, in
-/// multiples of the shaft frequency: inner 5.4152, outer 3.5848, cage 0.39828, rolling element 4.7135.
+/// Case Western Reserve University, Bearing Data Center: SKF 6205-2RS JEM, 9 balls of 0.3126 in on a pitch circle of
+/// 1.537 in, in multiples of the shaft frequency: inner 5.4152, outer 3.5848, cage 0.39828, rolling element 4.7135.
 #[test]
 fn paper_deep_groove_6205() {
     let inch = 0.0254;

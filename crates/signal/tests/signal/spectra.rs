@@ -183,7 +183,9 @@ proptest! {
 
     /// Any sine well away from both ends, at any phase, in a record of any length.
     #[test]
-    fn identity_any_sine_is_found(place in 30.0..170.0f64, phase in 0.0..6.3f64, amplitude in 1e-9..1e9f64, count in 400usize..450) {
+    fn identity_any_sine_is_found(
+        place in 30.0..170.0f64, phase in 0.0..6.3f64, amplitude in 1e-9..1e9f64, count in 400usize..450,
+    ) {
         let rate = count as f64;
         let samples = sampled(count, rate, |t| amplitude * (std::f64::consts::TAU * place * t + phase).sin());
         let peak = Spectrum::of(&samples, rate, Window::Hann).unwrap().peaks(1, 0.0)[0];

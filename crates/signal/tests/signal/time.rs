@@ -44,7 +44,8 @@ fn limit_a_constant_has_no_shape() {
     assert!(matches!(Statistics::of(&[0.0, f64::INFINITY]), Err(SignalError::NotFinite { index: 1, .. })));
 }
 
-/// A mean that decays as exp(−t/τ) reaches the tolerance at τ ln(1/tolerance), the running mean by its average over the window.
+/// A mean that decays as exp(−t/τ) reaches the tolerance at τ ln(1/tolerance), the running mean by its average over the
+/// window.
 #[test]
 fn limit_settling_time_of_a_decay() {
     let (tau, tolerance, window) = (0.1f64, 1e-3, 0.02);

@@ -210,7 +210,8 @@ fn of_balls(rows: &[&[BallRow]], orbit: &[&[BallRow]], ball_radius_m: Option<f64
 /// Part of the sum of all loads below which their resultant points nowhere, as under thrust.
 const NO_DIRECTION: f64 = 0.01;
 
-/// Part of the highest load at the inner race below which a ball is outside the load zone: balls rattle in the clearance.
+/// Part of the highest load at the inner race below which a ball is outside the load zone: balls rattle in the
+/// clearance.
 const CARRIED: f64 = 0.01;
 
 /// Extent, direction and balls of the load zone: where the inner race carries a ball.

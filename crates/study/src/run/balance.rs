@@ -1,7 +1,8 @@
 //! Whether the work of a run balances, and what is to blame where it does not.
 //!
-//! Drives, loads, friction, drag, dampers, pockets, the cage, stored energy and what wear takes out of the contacts are all
-//! counted. What is left over is the scheme's, or that of a choice of model whose forces and powers do not belong together.
+//! Drives, loads, friction, drag, dampers, pockets, the cage, stored energy and what wear takes out of the contacts are
+//! all counted. What is left over is the scheme's, or that of a choice of model whose forces and powers do not belong
+//! together.
 
 use tribodyn_bearing::Scheme;
 use tribodyn_case::Case;

@@ -95,7 +95,8 @@ impl Saved {
     }
 }
 
-/// True for bytes that are read as a checkpoint, for trials with damaged ones: none of them may do worse than be refused.
+/// True for bytes that are read as a checkpoint, for trials with damaged ones: none of them may do worse than be
+/// refused.
 #[doc(hidden)]
 pub fn is_checkpoint(bytes: &[u8]) -> bool {
     Saved::from_bytes(bytes, Path::new("checkpoint")).is_ok()

@@ -1,5 +1,5 @@
-//! Taking up a run: the old recording is copied into a new one up to the checkpoint, which has the memories of solver and
-//! recorder.
+//! Taking up a run: the old recording is copied into a new one up to the checkpoint, which has the memories of solver
+//! and recorder.
 
 use super::checkpoint::{Files, Saved};
 use super::tape::{SharedTape, from_hex};

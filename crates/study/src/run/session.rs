@@ -63,7 +63,8 @@ impl<'a> PreparedRun<'a> {
     /// For a recording at a path; it is `<recording>.active` until it is whole, with a checkpoint beside it.
     ///
     /// # Errors
-    /// Another process writes the recording, the case cannot be run, or the files of an earlier run forbid this beginning.
+    /// Another process writes the recording, the case cannot be run, or the files of an earlier run forbid this
+    /// beginning.
     pub fn new(file: &'a CaseFile, recording: &Path, beginning: Beginning) -> Result<Self, StudyError> {
         let lock = OutputLock::take(recording)?;
         let files = Files::new(recording);

@@ -51,8 +51,8 @@ impl Settled {
         }
     }
 
-    /// Where the averages of a run that ends at a time begin: with its second half, or when it is steady if that is later
-    /// and leaves a quarter of the run.
+    /// Where the averages of a run that ends at a time begin: with its second half, or when it is steady if that is
+    /// later and leaves a quarter of the run.
     pub fn averages_from_s(self, end_s: f64) -> f64 {
         match self {
             Self::At(time_s) if time_s <= 0.75 * end_s => time_s.max(0.5 * end_s),

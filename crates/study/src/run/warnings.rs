@@ -63,8 +63,8 @@ pub struct Tested {
 }
 
 impl Tested {
-    /// For the races whose traction parameters vary with pressure; those that do not are taken at one pressure, whatever
-    /// the contacts have.
+    /// For the races whose traction parameters vary with pressure; those that do not are taken at one pressure,
+    /// whatever the contacts have.
     pub fn of(case: &Case) -> Vec<Self> {
         let (Some(coatings), Some(traction)) = (&case.coatings, &case.traction) else { return Vec::new() };
         let races = [("inner", true, &coatings.inner.curve), ("outer", false, &coatings.outer.curve)];

@@ -78,8 +78,8 @@ impl<'a> Sweep<'a> {
     /// Opens the finished rows of the table, or begins with none.
     ///
     /// # Errors
-    /// The name of the table has no known ending, another process writes it, or its finished rows are of another sweep or
-    /// cannot be read.
+    /// The name of the table has no known ending, another process writes it, or its finished rows are of another sweep
+    /// or cannot be read.
     pub fn open(grid: &'a Grid, options: &Options) -> Result<Self, StudyError> {
         let format = Format::of(&options.table)?;
         let lock = OutputLock::take(&options.table)?;

@@ -3,7 +3,7 @@
 //! # Equations
 //! ```text
 //! u = L q                                          (displacement of ball against race, traction on the ball)
-//! s = Δv + V ∂u/∂x,   q = −κ(|s|) p s/|s|                              (true slip, along each strip from the leading edge)
+//! s = Δv + V ∂u/∂x,   q = −κ(|s|) p s/|s|                          (true slip, along each strip from the leading edge)
 //! L_x = 8b/(3 C11 G),   L_y from 8b/(3 C22 G) and πb²/(4 c C23 G)      (Kalker's slopes at small creep)
 //! T = ∬ q dA,   M = ∬ P × q dA,   power = ∬ κ p |s| dA,   wear integral = ∬ p |s| dA
 //! ```

@@ -177,7 +177,7 @@ impl<S: Simd> Sums<'_, S> {
     #[inline(always)]
     fn close(&mut self, row: Row<S>) {
         let (y, y2) = (row.y, row.y2);
-        let [share, fy, x_fy, power, wear, k11, k12, k12_x, k22, k22_x, k22_xx, dfx, dfy, x_dfy, dpower, dwear, dscale] =
+        let [share, fy, x_fy, power, wear, k11, k12, k12_x, k22, k22_x, k22_xx, dfx, dfy, xdfy, dpower, dwear, dscale] =
             row.sums;
         let (fx, y3, y4) = (share * row.u, y * y2, y2 * y2);
         #[rustfmt::skip]
@@ -186,7 +186,7 @@ impl<S: Simd> Sums<'_, S> {
             k11, k11 * y, k11 * y2, k11 * y3, k11 * y4,
             k12, k12 * y, k12 * y2, k12 * y3, k12 * y4, k12_x, k12_x * y, k12_x * y2,
             k22, k22 * y2, k22 * y4, k22_x, k22_x * y2, k22_xx,
-            dfx, dfy, x_dfy, y * dfx, y2 * dfx, y2 * dfy, dpower, dwear,
+            dfx, dfy, xdfy, y * dfx, y2 * dfx, y2 * dfy, dpower, dwear,
             dscale,
         ];
         for (sum, term) in self.sums.iter_mut().zip(terms) {

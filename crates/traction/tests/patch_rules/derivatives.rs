@@ -54,9 +54,9 @@ impl Case<'_> {
         ]
     }
 
-    /// Largest difference between dual and central-difference derivatives over the size of the output. A long step steps
-    /// over the kinks that a rule has where a strip's cut enters the patch, a short one shows rounding: of both steps the
-    /// better one counts, for a wrong derivative agrees with neither.
+    /// Largest difference between dual and central-difference derivatives over the size of the output. A long step
+    /// steps over the kinks that a rule has where a strip's cut enters the patch, a short one shows rounding: of both
+    /// steps the better one counts, for a wrong derivative agrees with neither.
     fn worst(&self, at: [f64; INPUTS], sizes: [f64; 7]) -> f64 {
         let mut worst = 0.0f64;
         for k in 0..INPUTS {

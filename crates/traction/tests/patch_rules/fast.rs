@@ -139,8 +139,8 @@ fn identity_fast_equals_generic_in_the_corners() {
 }
 
 proptest! {
-    // Always the same cases. Of three million others, 54 differed by more than 1e-12: 53 of the one-node strips, by 8.4e-12
-    // at most, and one of a Gauss–Jacobi rule, by 1.2e-12.
+    // Always the same cases. Of three million others, 54 differed by more than 1e-12: 53 of the one-node strips, by
+    // 8.4e-12 at most, and one of a Gauss–Jacobi rule, by 1.2e-12.
     #![proptest_config(ProptestConfig {
         failure_persistence: None,
         rng_seed: proptest::test_runner::RngSeed::Fixed(352),
@@ -161,14 +161,16 @@ proptest! {
         let [rolling, lateral, spin, about_lateral, about_rolling] =
             std::array::from_fn(|i| motion[i] * 10f64.powf(sizes[i]) * [1.0, 1.0, 500.0, 30.0, 30.0][i]);
         let motion = RelativeMotion { rolling, lateral, spin, about_lateral, about_rolling };
-        let curve = Kragelskii::from_peak(Peak { slip: shape.0, coefficient: shape.1 * (1.0 + shape.2), residual: shape.1 }).unwrap();
+        let peak = Peak { slip: shape.0, coefficient: shape.1 * (1.0 + shape.2), residual: shape.1 };
+        let curve = Kragelskii::from_peak(peak).unwrap();
         let mut patch = patch(axes.0, axes.0 * axes.1);
         if flat {
             patch.surface_radius = f64::INFINITY;
         }
         let fast = FastPatch::new(RULES[rule]).unwrap();
         let d = compare(&fast, &patch, &motion, 10f64.powf(log_scale), curve);
-        // A strip's middle node lies where its slip is least: with no other node all that is summed is a small difference.
+        // A strip's middle node lies where its slip is least: with no other node all that is summed is a small
+        // difference.
         let alone = matches!(RULES[rule], PatchRule::SplitStrip { across: 1, along: 1 });
         prop_assert!(d < if alone { 1e-11 } else { 1e-12 }, "{:?} {d:e}", RULES[rule]);
     }

@@ -76,9 +76,9 @@ impl ChunkHead {
     /// The content, if it has the size and the checksum that the head names.
     ///
     /// # Errors
-    /// The records before the fault, where the fault can be placed: where zstd stops, or where records of content that is
-    /// not compressed no longer fit each other. Wrong content that decompresses may be wrong anywhere, so nothing of it is
-    /// taken.
+    /// The records before the fault, where the fault can be placed: where zstd stops, or where records of content that
+    /// is not compressed no longer fit each other. Wrong content that decompresses may be wrong anywhere, so nothing of
+    /// it is taken.
     pub(crate) fn content(&self, compressed: &[u8]) -> Result<Vec<u8>, Tail> {
         let (content, sound) = self.decompress(compressed, self.uncompressed_size);
         let checked = self.uncompressed_crc == 0 || self.uncompressed_crc == crc32fast::hash(&content);

@@ -1,11 +1,11 @@
 //! Reading an MCAP file from its start, whatever state it is in: chunk by chunk, damage skipped and counted.
 //!
-//! A reader that trusts the file's own lengths stops at the first wrong one, or asks for the memory that it names.
-//! Here every record at the top of the file must fit its own length: a record that does not is damaged, and the next
-//! chunk is looked for by its signature (opcode, plausible length, name of the compression, both sizes consistent).
-//! The content of a chunk is believed if its checksum fits. Of a chunk that the end of the file cuts off, and of a damaged
-//! one whose fault can be placed, the messages before the fault are taken and counted as unchecked. The checksum over all
-//! data, where the file has one, shows what no other check sees.
+//! A reader that trusts the file's own lengths stops at the first wrong one, or asks for the memory that it names. Here
+//! every record at the top of the file must fit its own length: a record that does not is damaged, and the next chunk
+//! is looked for by its signature (opcode, plausible length, name of the compression, both sizes consistent). The
+//! content of a chunk is believed if its checksum fits. Of a chunk that the end of the file cuts off, and of a damaged
+//! one whose fault can be placed, the messages before the fault are taken and counted as unchecked. The checksum over
+//! all data, where the file has one, shows what no other check sees.
 //!
 //! Memory: one chunk, compressed and not, each within [`CHUNK_LIMIT`]; records that are longer count as damage.
 
@@ -39,8 +39,8 @@ pub struct Damage {
     /// Bytes that gave nothing: of damaged chunks and records, what had to be skipped to find the next chunk, and the
     /// decompressed rest after the last whole message of a chunk that was cut off.
     pub bytes_lost: u64,
-    /// Messages that stand before the fault of a damaged chunk, or in a chunk that the end of the file cuts off: they are
-    /// read, but no checksum vouches for them.
+    /// Messages that stand before the fault of a damaged chunk, or in a chunk that the end of the file cuts off: they
+    /// are read, but no checksum vouches for them.
     pub messages_unchecked: u64,
     /// Whether the file ends before its end mark.
     pub truncated: bool,
@@ -104,8 +104,8 @@ impl<R: Read + Seek> Scanner<R> {
         self.damage
     }
 
-    /// Schemas and channels of the summary at the end of a closed file, if its checksum fits: with them, messages can be
-    /// read even where the chunk that first names them is damaged. What chunks say comes first.
+    /// Schemas and channels of the summary at the end of a closed file, if its checksum fits: with them, messages can
+    /// be read even where the chunk that first names them is damaged. What chunks say comes first.
     pub(crate) fn summary(&mut self) -> io::Result<Option<Piece>> {
         // Footer: head, two places and a checksum, then the end mark.
         let footer = HEAD + FOOTER_LENGTH;
