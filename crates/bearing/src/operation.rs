@@ -1,7 +1,7 @@
 //! An operating point of a bearing: what its ring carries, how fast it turns, and what a solver needs to know besides.
 //! It stands below the solvers, so that case files can give one without them.
 
-use tribodyn_traction::PatchRule;
+use tribodyn_traction::PatchChoice;
 
 /// A bearing at an operating point, with the solver's settings.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,7 +13,7 @@ pub struct OperatingPoint {
     /// Speed of the outer ring, rad/s.
     pub outer_speed: f64,
     /// Quadrature over the contact patches; models with traction need it.
-    pub patch: Option<PatchRule>,
+    pub patch: Option<PatchChoice>,
     /// The cage, for the pocket forces; models with traction need it.
     pub cage: Option<Cage>,
     /// Solver settings.

@@ -4,7 +4,7 @@ use crate::bearing::Bearing;
 use crate::history::{RingLoads, SpeedHistory};
 use crate::operation::{Cage, OperatingPoint, SolverSettings};
 use crate::races::{Races, Side};
-use tribodyn_traction::PatchRule;
+use tribodyn_traction::PatchChoice;
 use tribodyn_wear::Defect;
 
 /// A bearing with what loads, holds and drives it over time, SI.
@@ -25,7 +25,7 @@ pub struct RunInputs {
     /// Local defects of the races.
     pub defects: Races<Vec<Defect>>,
     /// Quadrature over the contact patches.
-    pub patch: PatchRule,
+    pub patch: PatchChoice,
     /// Settings of the quasi-static solution at the start.
     pub numerics: SolverSettings,
     /// Duration, scheme and samples.
@@ -51,7 +51,7 @@ impl RunInputs {
             supports,
             coatings: Races { inner: bare, outer: bare },
             defects: Races::default(),
-            patch: PatchRule::TargetError { relative: 1e-5 },
+            patch: PatchChoice::TargetError { relative: 1e-5 },
             numerics: SolverSettings::default(),
             options,
         }

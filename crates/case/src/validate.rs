@@ -7,7 +7,7 @@ use super::*;
 use std::f64::consts::PI;
 use tribodyn_bearing::{SpeedHistory, Tilt, Translation};
 use tribodyn_fluid::Fluid;
-use tribodyn_traction::{Coating, PatchRule, SlipUnit, coating_names};
+use tribodyn_traction::{Coating, PatchChoice, PatchRule, SlipUnit, coating_names};
 
 /// A value that is refused, and why.
 pub(super) struct Refusal {
@@ -220,12 +220,16 @@ fn traction(spec: &TractionSpec) -> Verdict {
     }
     positive("traction.reference_pressure", spec.reference_pressure)?;
     let counts = match spec.patch {
-        PatchRule::PolarMidpoint { radial, circumferential } => {
+        PatchChoice::Named(PatchRule::PolarMidpoint { radial, circumferential }) => {
             [("PolarMidpoint.radial", radial), ("PolarMidpoint.circumferential", circumferential)]
         }
-        PatchRule::GaussJacobi { radial, angles } => [("GaussJacobi.radial", radial), ("GaussJacobi.angles", angles)],
-        PatchRule::SplitStrip { across, along } => [("SplitStrip.across", across), ("SplitStrip.along", along)],
-        PatchRule::TargetError { relative } => {
+        PatchChoice::Named(PatchRule::GaussJacobi { radial, angles }) => {
+            [("GaussJacobi.radial", radial), ("GaussJacobi.angles", angles)]
+        }
+        PatchChoice::Named(PatchRule::SplitStrip { across, along }) => {
+            [("SplitStrip.across", across), ("SplitStrip.along", along)]
+        }
+        PatchChoice::TargetError { relative } => {
             let (low, high) = TARGET_ERROR;
             let allowed = relative > low && relative < high;
             let message = format!("must lie between {low:e} and {high}, limits excluded");

@@ -37,4 +37,4 @@ pub use tribodyn_bearing::{
     BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl, Races, RingFreedom, Side,
     SolverSettings,
 };
-pub use tribodyn_traction::PatchRule;
+pub use tribodyn_traction::{PatchChoice, PatchRule};

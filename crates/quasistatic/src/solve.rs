@@ -17,7 +17,7 @@ use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, needs, report};
 use tribodyn_bearing::{Bearing, OperatingPoint, RaceControl, Races, Side};
-use tribodyn_traction::{FastPatch, Law, PatchRule, Probe, choose_rule, rule_error};
+use tribodyn_traction::{FastPatch, Law, PatchChoice, PatchRule, Probe, choose_rule, rule_error};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.
@@ -259,13 +259,15 @@ pub(crate) fn choose_quadrature(
     point: &OperatingPoint,
 ) -> Result<Option<f64>, QuasiStaticError> {
     let Some(wanted) = point.patch else { return Ok(None) };
-    if let PatchRule::TargetError { relative } = wanted {
-        let (rule, error) = choose_rule(relative, &probes(system, state))?;
-        system.kernel = FastPatch::new(rule)?;
-        return Ok(Some(error));
-    }
-    system.kernel = FastPatch::new(wanted)?;
-    Ok(None)
+    let (rule, estimate) = match wanted {
+        PatchChoice::Named(rule) => (rule, None),
+        PatchChoice::TargetError { relative } => {
+            let (rule, error) = choose_rule(relative, &probes(system, state))?;
+            (rule, Some(error))
+        }
+    };
+    system.kernel = FastPatch::new(rule)?;
+    Ok(estimate)
 }
 
 /// The contacts of the most, the middle and the least loaded ball: where a rule is judged.

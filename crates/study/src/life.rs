@@ -12,7 +12,6 @@ use tribodyn_bearing::quantities::{OfBall, Over};
 use tribodyn_bearing::{Bearing, Side};
 use tribodyn_case::{Case, Coatings, Fit, Purpose};
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
-use tribodyn_traction::PatchRule;
 use tribodyn_wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
 
 const HOUR: f64 = 3600.0;
@@ -201,12 +200,8 @@ impl<'a> Worn<'a> {
         let failed = |source| StudyError::Solver { file: self.file.name.clone(), source };
         let name = || self.file.name.clone();
         let bearing = self.case(life)?.bearing().map_err(|source| StudyError::Bearing { file: name(), source })?;
-        let fine = |solved: &Solved| match self.point.patch {
-            Some(PatchRule::TargetError { relative }) => {
-                solved.solution.patch_error_estimate.is_some_and(|e| e <= relative)
-            }
-            _ => true,
-        };
+        let estimate = |solved: &Solved| solved.solution.patch_error_estimate;
+        let fine = |solved: &Solved| self.point.patch.is_none_or(|patch| patch.allows(estimate(solved)));
         let near = self.start.as_ref().and_then(|start| solve_from(&bearing, &self.point, start).ok()).filter(fine);
         let solved = match near {
             Some(solved) => solved,

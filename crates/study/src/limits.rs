@@ -7,7 +7,7 @@
 use std::fmt::Display;
 use tribodyn_bearing::Scheme;
 use tribodyn_case::{Case, CaseError, locate};
-use tribodyn_traction::PatchRule;
+use tribodyn_traction::{PatchChoice, PatchRule};
 
 /// Bounds on what a file may ask for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,12 +77,12 @@ impl Default for Limits {
 }
 
 /// Nodes of a rule in one contact; a rule that is chosen by its error is as fine as the solver makes it.
-fn nodes(rule: PatchRule) -> f64 {
-    let [a, b] = match rule {
-        PatchRule::PolarMidpoint { radial, circumferential } => [radial, circumferential],
-        PatchRule::GaussJacobi { radial, angles } => [radial, angles],
-        PatchRule::SplitStrip { across, along } => [across, along],
-        PatchRule::TargetError { .. } => [1, 1],
+fn nodes(choice: PatchChoice) -> f64 {
+    let [a, b] = match choice {
+        PatchChoice::Named(PatchRule::PolarMidpoint { radial, circumferential }) => [radial, circumferential],
+        PatchChoice::Named(PatchRule::GaussJacobi { radial, angles }) => [radial, angles],
+        PatchChoice::Named(PatchRule::SplitStrip { across, along }) => [across, along],
+        PatchChoice::TargetError { .. } => [1, 1],
     };
     a as f64 * b as f64
 }

@@ -85,6 +85,5 @@ fn name(rule: PatchRule) -> String {
         PatchRule::PolarMidpoint { radial, circumferential } => format!("PolarMidpoint {radial} × {circumferential}"),
         PatchRule::GaussJacobi { radial, angles } => format!("GaussJacobi {radial} × {angles}"),
         PatchRule::SplitStrip { across, along } => format!("SplitStrip {across} × {along}"),
-        PatchRule::TargetError { relative } => format!("TargetError {relative:e}"),
     }
 }

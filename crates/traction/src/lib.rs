@@ -25,7 +25,7 @@ pub use kragelskii::{Fall, Kragelskii, Peak, SlipCurve};
 pub use law::{CustomLaw, Law, LawCurve, OverSlip};
 pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};
 pub use quadrature::Quadrature;
-pub use settings::{PatchRule, PressureChoice, SlipUnit};
+pub use settings::{PatchChoice, PatchRule, PressureChoice, SlipUnit};
 pub use tribodyn_contact::Scalar;
 pub use varying::{CoatingLaw, PressureFit, TractionLaw};
 
@@ -84,9 +84,6 @@ pub enum TractionError {
     /// A rule without points.
     #[error("a patch rule needs at least one point in each direction")]
     NoPoints,
-    /// A target error where nodes are needed.
-    #[error("a rule by target error must be chosen for contacts before its nodes exist")]
-    RuleNotChosen,
     /// A shear modulus that no body has.
     #[error("shear modulus is {value} Pa: it must be finite and above 0")]
     ShearModulus {

@@ -48,11 +48,10 @@ pub(crate) enum Nodes {
 }
 
 impl Quadrature {
-    /// Works out the nodes of a named rule.
+    /// Works out the nodes of a rule.
     ///
     /// # Errors
-    /// [`TractionError::NoPoints`] for a count of zero and [`TractionError::RuleNotChosen`] for
-    /// [`PatchRule::TargetError`], which must first be turned into a named rule by [`crate::choose_rule`].
+    /// [`TractionError::NoPoints`] for a count of zero.
     pub fn new(rule: PatchRule) -> Result<Self, TractionError> {
         let nodes = match rule {
             PatchRule::PolarMidpoint { radial, circumferential } => polar_midpoint(radial, circumferential),
@@ -61,7 +60,6 @@ impl Quadrature {
                 across: gauss_legendre(across).into_iter().map(|(t, w)| (0.5 * (1.0 + t), 0.5 * w)).collect(),
                 along: AlongNode::rule(along),
             },
-            PatchRule::TargetError { .. } => return Err(TractionError::RuleNotChosen),
         };
         let empty = match &nodes {
             Nodes::Fixed(points) => points.is_empty(),
@@ -255,6 +253,5 @@ mod tests {
     #[test]
     fn limit_no_points_and_unchosen_rules_are_refused() {
         assert_eq!(Quadrature::new(PatchRule::GaussJacobi { radial: 0, angles: 4 }), Err(TractionError::NoPoints));
-        assert_eq!(Quadrature::new(PatchRule::TargetError { relative: 1e-4 }), Err(TractionError::RuleNotChosen));
     }
 }

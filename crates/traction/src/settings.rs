@@ -47,11 +47,75 @@ pub enum PatchRule {
         /// Nodes along the rolling direction, per strip.
         along: usize,
     },
-    /// The cheapest rule whose estimated error of force and moment stays below `relative` × load.
+}
+
+/// The rule of a problem: named, or found by the error that is allowed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Serialize, Deserialize), serde(from = "Written", into = "Written"))]
+pub enum PatchChoice {
+    /// This rule.
+    Named(PatchRule),
+    /// The cheapest rule whose estimated error of force and moment stays below `relative` × load; found by
+    /// [`crate::choose_rule`].
     TargetError {
         /// Error of the traction force over the contact load.
         relative: f64,
     },
+}
+
+impl PatchChoice {
+    /// True if an estimated error over the load is allowed; named rules are taken as they are.
+    pub fn allows(&self, estimate: Option<f64>) -> bool {
+        match *self {
+            Self::Named(_) => true,
+            Self::TargetError { relative } => estimate.is_some_and(|estimate| estimate <= relative),
+        }
+    }
+}
+
+impl From<PatchRule> for PatchChoice {
+    fn from(rule: PatchRule) -> Self {
+        Self::Named(rule)
+    }
+}
+
+/// A choice as files have it: the names of rules and of the target stand side by side.
+#[cfg(feature = "serde")]
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+enum Written {
+    PolarMidpoint { radial: usize, circumferential: usize },
+    GaussJacobi { radial: usize, angles: usize },
+    SplitStrip { across: usize, along: usize },
+    TargetError { relative: f64 },
+}
+
+#[cfg(feature = "serde")]
+impl From<Written> for PatchChoice {
+    fn from(written: Written) -> Self {
+        match written {
+            Written::PolarMidpoint { radial, circumferential } => {
+                PatchRule::PolarMidpoint { radial, circumferential }.into()
+            }
+            Written::GaussJacobi { radial, angles } => PatchRule::GaussJacobi { radial, angles }.into(),
+            Written::SplitStrip { across, along } => PatchRule::SplitStrip { across, along }.into(),
+            Written::TargetError { relative } => Self::TargetError { relative },
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<PatchChoice> for Written {
+    fn from(choice: PatchChoice) -> Self {
+        match choice {
+            PatchChoice::Named(PatchRule::PolarMidpoint { radial, circumferential }) => {
+                Self::PolarMidpoint { radial, circumferential }
+            }
+            PatchChoice::Named(PatchRule::GaussJacobi { radial, angles }) => Self::GaussJacobi { radial, angles },
+            PatchChoice::Named(PatchRule::SplitStrip { across, along }) => Self::SplitStrip { across, along },
+            PatchChoice::TargetError { relative } => Self::TargetError { relative },
+        }
+    }
 }
 
 /// The pressure at which the curve's parameters are taken.

@@ -2,7 +2,7 @@
 
 use crate::units;
 use serde::Deserialize;
-use tribodyn_traction::{PatchRule, PressureChoice, SlipUnit};
+use tribodyn_traction::{PatchChoice, PressureChoice, SlipUnit};
 
 /// The lubricant on each race.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -74,7 +74,7 @@ pub struct TractionSpec {
     /// Which pressure enters varying parameters.
     pub pressure: PressureChoice,
     /// Quadrature over the contact ellipse.
-    pub patch: PatchRule,
+    pub patch: PatchChoice,
 }
 
 /// How bare, uncoated steel slides: what a worn or pitted coating leaves.

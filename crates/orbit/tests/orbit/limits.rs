@@ -11,7 +11,7 @@ fn limit_pure_thrust_is_the_quasi_static_equilibrium() {
     let (_, bearing, mut point, cage) = fixture("paper-ag");
     point.ring[0] = RingFreedom::Loaded(0.0);
     // One rule for both: each would choose its own at the state it starts from.
-    point.patch = Some(PatchRule::SplitStrip { across: 10, along: 5 });
+    point.patch = Some(PatchRule::SplitStrip { across: 10, along: 5 }.into());
     let equilibrium = solve(&bearing, &point, Model::Traction).unwrap().solution;
     let orbit = steady_orbit(&bearing, &point, &cage, &OrbitSettings::default()).unwrap().solution;
     assert!((orbit.cage_speed_rpm / equilibrium.cage_speed_rpm - 1.0).abs() < 1e-8);

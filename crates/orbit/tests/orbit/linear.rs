@@ -14,7 +14,7 @@ const STEPS: [f64; 5] = [1e-7, 1e-7, 1e-7, 1e-6, 1e-6];
 /// strips that move with the slip meet to their own error only.
 fn paper() -> (Bearing, OperatingPoint, CageBody) {
     let (_, bearing, mut point, cage) = fixture("paper-ag");
-    point.patch = Some(PatchRule::GaussJacobi { radial: 6, angles: 12 });
+    point.patch = Some(PatchRule::GaussJacobi { radial: 6, angles: 12 }.into());
     (bearing, point, cage)
 }
 

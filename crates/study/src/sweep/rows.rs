@@ -6,7 +6,7 @@ use std::ops::Range;
 use tribodyn_bearing::Bearing;
 use tribodyn_case::Purpose;
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
-use tribodyn_traction::PatchRule;
+use tribodyn_traction::PatchChoice;
 
 /// Inner slide-to-roll ratio beyond which a ball may have left the equilibrium that a rolling ball comes to: where the
 /// library's coatings have their peak at the latest.
@@ -15,7 +15,7 @@ const SKIDDING: f64 = 0.05;
 /// A solved row that others can start from.
 struct Neighbour {
     indices: Vec<usize>,
-    patch: Option<PatchRule>,
+    patch: Option<PatchChoice>,
     balls: usize,
     start: WarmStart,
 }
@@ -82,8 +82,5 @@ fn rolls(solution: &Solution) -> bool {
 
 /// Whether the neighbour's patch rule, which a warm start takes over, is good enough here.
 fn within_target(solution: &Solution, point: &OperatingPoint) -> bool {
-    match point.patch {
-        Some(PatchRule::TargetError { relative }) => solution.patch_error_estimate.is_some_and(|e| e <= relative),
-        _ => true,
-    }
+    point.patch.is_none_or(|patch| patch.allows(solution.patch_error_estimate))
 }
