@@ -55,7 +55,7 @@ const MEMORY: u64 = 512 << 20;
 /// Most inputs that are kept for further changes.
 const POOL: usize = 2000;
 /// Longest of them, bytes, and most failures that are written.
-const LONGEST_KEPT: usize = 100_000;
+const LONGEST_KEPT: usize = 20_000;
 const WRITTEN: usize = 10;
 /// Stack of the thread that reads, bytes: that of the threads of the standard library.
 const STACK: usize = 2 << 20;

@@ -190,7 +190,10 @@ fn change_text(random: &mut Random, input: &mut Vec<u8>, other: &[u8]) {
         _ => {
             // A long word or a long list.
             let count = *random.one_of(&[2, 10, 100, 5_000]);
-            let part = [&input[token.clone()], random.one_of(&["", ",", " ", "\n"]).as_bytes()].concat().repeat(count);
+            // What is cut off afterwards need not be made.
+            let end = token.end.min(token.start + LONGEST / count);
+            let part =
+                [&input[token.start..end], random.one_of(&["", ",", " ", "\n"]).as_bytes()].concat().repeat(count);
             input.splice(token, part);
         }
     }

@@ -262,10 +262,13 @@ fn limit_a_long_line_is_not_shown_whole() {
 #[test]
 fn limit_what_asks_for_too_much_is_refused_unless_the_limits_are_lifted() {
     let scratch = Scratch::new();
-    let far =
-        AG.replacen("ball_count: 13", "ball_count: 1000", 1).replacen("pitch_diameter: mm(", "pitch_diameter: m(", 1);
+    let far = AG.replacen("ball_count: 13", "ball_count: 800", 1).replacen(
+        "pitch_diameter: mm(165)",
+        "pitch_diameter: m(40)",
+        1,
+    );
     let case = scratch.file("case.ron", far);
-    run(&[&"check", &case]).fails(2, &["geometry.ball_count = 1000: 1000 balls", "the limit", "--no-limits"]);
+    run(&[&"check", &case]).fails(2, &["geometry.ball_count = 800: 800 balls", "the limit", "--no-limits"]);
     run(&[&"check", &case, &"--no-limits"]).table();
     let long = scratch.file("long.ron", format!("{AG}//{}", "x".repeat(2 << 20)));
     run(&[&"check", &long]).fails(2, &["long.ron", "it is too long", "--no-limits"]);
