@@ -50,7 +50,7 @@ const BOUNDS: &[Bound] = &[
     bound("geometry.ball_diameter", [1e-5, 1.0], "m", BALL),
     bound("geometry.pitch_diameter", [1e-4, 50.0], "m", PITCH),
     bound("materials.*.young", [1e6, 1e13], "Pa", STEEL),
-    bound("materials.*.density", [1.0, 3e4], "kg/m³", HEAVIEST),
+    bound("materials.*.density", [1e-9, 3e4], "kg/m³", HEAVIEST),
     bound("coatings.*.thickness", [0.0, 0.01], "m", COATING),
     bound("coatings.*.curve.Tested[*].pressure", [1e3, 1e12], "Pa", TEST),
     bound("coatings.*.curve.Tested[*].peak_slip", [1e-9, 1e9], "", SLIP),

@@ -75,7 +75,8 @@ fn identity_loads_scale_with_moduli_and_densities() {
 }
 
 /// Along a path on which every ball stays loaded and rolls, results are smooth: from one point to the next they change
-/// by what they changed before, to the second order. Each point is solved cold, so that nothing carries over.
+/// by what they changed before, to the second order, and where they hardly change, by next to nothing. A ball that fell
+/// into skidding would show as some per cent. Each point is solved cold, so that nothing carries over.
 #[test]
 fn identity_results_are_continuous_in_load_speed_and_friction() {
     const POINTS: usize = 7;
@@ -105,7 +106,7 @@ fn identity_results_are_continuous_in_load_speed_and_friction() {
                 let size = numbers.iter().fold(0.0f64, |most, number| most.max(number.abs()));
                 for pair in steps.windows(2) {
                     let bend = (pair[1] - pair[0]).abs();
-                    assert!(bend <= 0.35 * largest + 1e-7 * size, "{model:?}, {what} along {path}: {numbers:?}");
+                    assert!(bend <= 0.35 * largest + 2e-4 * size, "{model:?}, {what} along {path}: {numbers:?}");
                 }
             }
         }
