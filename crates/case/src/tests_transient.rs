@@ -62,7 +62,7 @@ const IMPOSSIBLE: &[Refused] = &[
     ("duration: s(0.05)", "duration: «s(0)»", "transient.duration", "greater than 0 s and at most 10000 s"),
     ("duration: s(0.05)", "duration: «s(1e5)»", "transient.duration", "at most 10000 s"),
     ("tolerance: 1e-6,", "tolerance: «0.1»,", "transient.scheme.DormandPrince.tolerance", "between 1e-13 and 0.01"),
-    ("longest: us(10)", "longest: «ms(1)»", "transient.scheme.DormandPrince.longest", "at most 0.0001 s"),
+    ("longest: us(10)", "longest: «ms(1)»", "transient.scheme.DormandPrince.longest", "between 1e-12 s and 1e-4 s"),
     ("DormandPrince(tolerance: 1e-6, longest: us(10))", "Fast(step: «us(0)»)", "transient.scheme.Fast.step", "between 1e-12 s and 1e-4 s"),
     ("DormandPrince(tolerance: 1e-6, longest: us(10))", "RungeKutta4(step: «us(200)»)", "transient.scheme.RungeKutta4.step", "between 1e-12 s and 1e-4 s"),
     ("DormandPrince(tolerance: 1e-6, longest: us(10))", "RungeKutta4(step: «s(1e-300)»)", "transient.scheme.RungeKutta4.step", "between 1e-12 s and 1e-4 s"),

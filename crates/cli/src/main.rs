@@ -57,35 +57,35 @@ Exit codes: 0 done, 1 did not converge or could not be written, 2 bad input.";
 
 #[derive(Subcommand)]
 enum Command {
-    /// A complete case file from a designation or a few catalogue numbers
+    /// Write a complete case file from a designation or a few catalogue numbers
     New(new::Arguments),
-    /// Check a case file; print what follows from it
+    /// Check a case file and print what follows from it
     Check(check::Arguments),
-    /// Hertz contact of two bodies from their principal radii
+    /// Compute the Hertz contact of two bodies from their principal radii
     Hertz(hertz::Arguments),
-    /// Traction curve of a coating at a contact pressure
+    /// Compute the traction curve of a coating at a contact pressure
     Traction(traction::Arguments),
-    /// Quasi-static equilibrium or steady orbit of a bearing
+    /// Solve for the quasi-static equilibrium or the steady orbit of a bearing
     Solve(solve::Arguments),
-    /// Stiffness of the inner ring at the operating point
+    /// Compute the stiffness of the inner ring at the operating point
     Stiffness(stiffness::Arguments),
-    /// Natural modes of balls, cage and rings in the steady orbit
+    /// Compute the natural modes of balls, cage and rings in the steady orbit
     Modes(modes::Arguments),
-    /// Transient run of a bearing, recorded
+    /// Simulate a bearing in time and record it
     Run(run::Arguments),
-    /// Life of the coatings: their wear over many revolutions, until one is through
+    /// Compute the life of the coatings: wear over many revolutions until one is worn through
     Life(life::Arguments),
-    /// Rating life of the bearing's steel and static safety: ISO 281, ISO/TS 16281, ISO 76
+    /// Compute rating life and static safety by ISO 281, ISO/TS 16281 and ISO 76
     Rating(rating::Arguments),
-    /// A whole recording from one that was cut off or damaged
+    /// Rescue a whole recording from one that was cut off or damaged
     Recover(recover::Arguments),
-    /// Figures, spectra and a summary of a recorded run
+    /// Write figures, spectra and a summary of a recording
     Report(report::Arguments),
-    /// Layout for viewers of a live run in Foxglove
+    /// Write the Foxglove layout for viewers of a live run
     Layout(layout::Arguments),
-    /// Quasi-static equilibria over a grid of case values
+    /// Solve for equilibria over a grid of case values
     Sweep(sweep::Arguments),
-    /// Unknown parameters of a case from published or measured figures
+    /// Identify unknown parameters of a case from published or measured figures
     Identify(identify::Arguments),
 }
 

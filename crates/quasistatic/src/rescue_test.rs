@@ -32,17 +32,26 @@ fn without_rescue(bearing: &Bearing, point: &OperatingPoint) -> f64 {
     newton(&traction, settled, point).worst().residual
 }
 
+/// Of bearings that skid as a whole pseudo-time finds more than Newton's method alone; what is left says that it skids.
 #[test]
-fn limit_a_bearing_that_skids_as_a_whole_converges() {
-    let mut lost = 0;
-    for axial in [0.5, 2.0, 10.0] {
+fn limit_a_bearing_that_skids_as_a_whole_converges_or_says_so() {
+    let (mut alone, mut found) = (0, 0);
+    for axial in [0.5, 2.0, 10.0, 50.0] {
         let (bearing, point) = skidding(axial);
-        lost += usize::from(without_rescue(&bearing, &point) > point.numerics.tolerance);
-        let solved = solve(&bearing, &point, Model::Traction).unwrap_or_else(|e| panic!("{axial} N: {e}"));
-        assert!(solved.solution.residual <= point.numerics.tolerance);
-        assert!((solved.solution.ring_load_n[2] - axial).abs() < 1e-6 * axial.max(1.0), "{axial} N");
+        alone += usize::from(without_rescue(&bearing, &point) <= point.numerics.tolerance);
+        match solve(&bearing, &point, Model::Traction) {
+            Ok(solved) => {
+                found += 1;
+                assert!(solved.solution.residual <= point.numerics.tolerance);
+                assert!((solved.solution.ring_load_n[2] - axial).abs() < 1e-6 * axial.max(1.0), "{axial} N");
+            }
+            Err(QuasiStaticError::NotConverged { reason, .. }) => {
+                assert!(matches!(*reason, Reason::Skidding { .. }), "{axial} N: {reason}");
+            }
+            Err(other) => panic!("{axial} N: {other}"),
+        }
     }
-    assert!(lost > 0, "Newton's method alone finds them all: the test needs other loads");
+    assert!(found > alone, "{found} of 4 found, {alone} by Newton's method alone");
 }
 
 #[test]

@@ -37,7 +37,7 @@ pub struct Arguments {
     /// Go on with a run of the same case that was stopped or killed
     #[arg(long, conflicts_with = "restart")]
     resume: bool,
-    /// Forget a run of before that was stopped or killed
+    /// Discard a stopped or killed run and start anew
     #[arg(long)]
     restart: bool,
     /// Let viewers such as Foxglove watch over a WebSocket, on this machine only unless an address says otherwise
@@ -87,19 +87,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 impl Arguments {
     /// The case with the changes of `--set` and `--duration`.
     fn read(&self) -> Result<CaseFile, StudyError> {
-        let duration = self.duration.map(|seconds| {
-            Change::new(format!("--duration {seconds}"), "transient.duration", &format!("s({seconds})"))
-        });
-        let changes: Vec<Change> = self.case.changes.iter().cloned().chain(duration).collect();
-        self.case.read_with(&changes).or_else(|error| match &error {
-            // Only a section can be missing on the way to a duration: the news is all that is missing, and not the
-            // path.
-            StudyError::Change { option, .. } if option.starts_with("--duration") => {
-                let file = self.case.read()?;
-                Err(file.run_inputs().err().unwrap_or(error))
-            }
-            _ => Err(error),
-        })
+        let Some(seconds) = self.duration else { return self.case.read() };
+        let plain = self.case.read()?;
+        // A duration alone makes no section: the news is all that is missing, and not the path.
+        if plain.case.transient.is_none() {
+            plain.run_inputs()?;
+        }
+        let duration = Change::new(format!("--duration {seconds}"), "transient.duration", &format!("s({seconds})"));
+        let changes: Vec<Change> = self.case.changes.iter().cloned().chain([duration]).collect();
+        self.case.read_with(&changes)
     }
 
     fn beginning(&self) -> Beginning {

@@ -109,7 +109,7 @@ fn limit_check_and_solve_warn_of_slips() {
         run_words(&line).json()["warnings"].to_string()
     };
     assert_eq!(solve(""), "[]");
-    let pressed = solve("--set ring.z.Force=kN(400)");
+    let pressed = solve("--set ring.z.Force=kN(900)");
     assert!(pressed.contains("4.2 GPa at rest (ISO 76)"), "{pressed}");
     let cut = solve("--set geometry.inner_shoulder=Height(mm(4))");
     assert!(cut.contains("beyond the shoulder") || cut.contains("cut by the shoulder of the inner race"), "{cut}");

@@ -202,7 +202,7 @@ fn limit_a_run_that_hardly_moves_is_saved_and_obeys() {
     let scratch = Scratch::new();
     let case = case(&scratch);
     let recording = scratch.0.join("run.mcap");
-    let set = "transient.scheme=RungeKutta4(step: us(0.001))";
+    let set = "transient.scheme=RungeKutta4(step: us(0.04))";
     let words: [&dyn AsRef<OsStr>; 8] = [&"run", &case, &"-o", &recording, &"--duration", &"30", &"--set", &set];
     let child = command(&words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let checkpoint = scratch.0.join("run.mcap.checkpoint");

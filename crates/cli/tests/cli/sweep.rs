@@ -22,10 +22,25 @@ fn grid(output: &Path, rest: &[&dyn AsRef<OsStr>]) -> Outcome {
     sweep(&[&start[..], rest].concat())
 }
 
-/// Header and rows of a table without commas in its fields.
+/// The fields of a line; quotes may hold commas.
+fn fields(line: &str) -> Vec<String> {
+    let mut fields = vec![String::new()];
+    let mut quoted = false;
+    for letter in line.chars() {
+        match (letter, fields.last_mut()) {
+            ('"', _) => quoted = !quoted,
+            (',', _) if !quoted => fields.push(String::new()),
+            (_, Some(last)) => last.push(letter),
+            (_, None) => {}
+        }
+    }
+    fields
+}
+
+/// Header and rows of a table without line ends and quotes in its fields.
 fn read(path: &Path) -> (Vec<String>, Vec<HashMap<String, String>>) {
     let text = fs::read_to_string(path).unwrap();
-    let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
+    let mut lines = text.lines().map(fields);
     let header = lines.next().unwrap();
     let rows = lines.map(|fields| {
         assert_eq!(fields.len(), header.len());
@@ -216,7 +231,7 @@ fn limit_bad_values_are_refused_before_anything_is_solved() {
     }
     sweep(&[&"-o", &table, &"--threads", &"0"]).fails(2, &["--threads"]);
     let missing = scratch.0.join("missing/table.csv");
-    sweep(&[&"-o", &missing]).fails(1, &["cannot write", "missing/table.csv.rows"]);
+    sweep(&[&"-o", &missing]).fails(1, &["cannot write", "missing/table.csv.lock"]);
     let case = scratch.file("case.csv", AG);
     run(&[&"sweep", &case, &"-o", &case]).fails(2, &["--output", "the table would replace the case file"]);
     assert_eq!(scratch.names(), ["case.csv"]);

@@ -26,7 +26,9 @@ impl FromStr for LiveName {
     /// A text that says what is allowed.
     fn from_str(text: &str) -> Result<Self, String> {
         let name = text.trim_end_matches('/').to_ascii_lowercase();
-        let host = name.split_once("://").map_or(name.as_str(), |(_, host)| host);
+        // The slashes of an origin without a host are gone with those at the end.
+        let host =
+            name.split_once("://").map_or(name.strip_suffix(':').map_or(name.as_str(), |_| ""), |(_, host)| host);
         let plain = |c: char| c.is_ascii_graphic() && !"/\\?#@*,\"'".contains(c);
         if !host.is_empty() && host.chars().all(plain) {
             return Ok(Self(name));
