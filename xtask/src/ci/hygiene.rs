@@ -97,18 +97,24 @@ fn inspect(name: &str, text: &str) -> Vec<String> {
 }
 
 /// Lines above [`COLUMNS`] characters in the files that [`WRITTEN`] names. Exempt is what cannot be broken: rows of
-/// Markdown tables, the output of commands in fences, and texts in quotes, which people search for whole.
+/// Markdown tables, the output of commands in fences, blocks that a command writes, and texts in quotes, which people
+/// search for whole.
 fn wide_lines(name: &str, text: &str) -> Vec<String> {
     let written = Path::new(name).extension().is_some_and(|e| WRITTEN.iter().any(|written| e == *written));
     if !written || ["/uplot/", "fixtures/fuzz/"].iter().any(|foreign| name.contains(foreign)) {
         return Vec::new();
     }
     let markdown = name.ends_with(".md");
+    // A page that is written whole by a command.
+    let mut generated = name == "docs/figures.md";
     let mut fenced = false;
     let mut findings = Vec::new();
     for (number, line) in text.lines().enumerate() {
         fenced ^= markdown && line.trim_start().starts_with("```");
-        let whole = if markdown { fenced || line.starts_with('|') } else { line.contains('"') };
+        if markdown && line.starts_with("<!-- ") {
+            generated = line.ends_with(":begin -->");
+        }
+        let whole = if markdown { generated || fenced || line.starts_with('|') } else { line.contains('"') };
         let columns = line.chars().count();
         if columns > COLUMNS && !whole {
             findings.push(format!("{name}:{}: {columns} columns, above {COLUMNS}", number + 1));
@@ -127,7 +133,8 @@ fn functions(text: &str) -> Vec<(usize, usize)> {
     };
     let length = |start: usize| {
         let indent = &lines[start][..lines[start].len() - lines[start].trim_start().len()];
-        let end = |line: &&str| line.strip_prefix(indent) == Some("}");
+        // In macros more may follow the bracket.
+        let end = |line: &&str| line.strip_prefix(indent).is_some_and(|rest| rest.starts_with('}'));
         lines[start..].iter().position(end).map(|last| last + 1)
     };
     let starts = (0..lines.len()).filter(|&i| begins(lines[i]) && !lines[i].ends_with(['}', ';']));

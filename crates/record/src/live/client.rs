@@ -1,16 +1,10 @@
-//! A connected viewer: what it has subscribed to, what waits for it, and the two threads that read from and write to
-//! it.
+//! A connected viewer: what it has subscribed to and what waits for it.
 
-use super::Shared;
-use super::handshake::{Half, shake_hands};
-use super::protocol::{Frame, Level, Request, request};
+use super::protocol::{Frame, Level};
 use std::collections::VecDeque;
-use std::io::{BufWriter, Write};
 use std::net::{Shutdown, TcpStream};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread;
 use std::time::{Duration, Instant};
-use tungstenite::{Message, WebSocket};
 
 /// Most bytes of messages that wait for a client: about half a second of simulated time with all topics.
 pub(super) const MOST_WAITING: usize = 8 << 20;
@@ -31,18 +25,18 @@ pub(super) struct Client {
 }
 
 #[derive(Debug, Default)]
-struct Queue {
+pub(super) struct Queue {
     /// The client's name for its subscription, by channel.
-    subscriptions: Vec<Option<u32>>,
+    pub(super) subscriptions: Vec<Option<u32>>,
     /// Answers and what must not get lost; goes first.
-    control: VecDeque<Frame>,
-    data: VecDeque<Frame>,
+    pub(super) control: VecDeque<Frame>,
+    pub(super) data: VecDeque<Frame>,
     /// Bytes in `data`.
-    waiting: usize,
-    counts: Counts,
+    pub(super) waiting: usize,
+    pub(super) counts: Counts,
     /// Messages left out that the client knows of, and when it was told.
-    reported: (u64, Option<Instant>),
-    stage: Stage,
+    pub(super) reported: (u64, Option<Instant>),
+    pub(super) stage: Stage,
 }
 
 /// Messages of one client.
@@ -53,7 +47,7 @@ pub(super) struct Counts {
 }
 
 #[derive(Debug, Default, PartialEq, Eq, Clone, Copy, PartialOrd)]
-enum Stage {
+pub(super) enum Stage {
     /// The handshake is not over: nothing may be sent.
     #[default]
     Shaking,
@@ -72,7 +66,7 @@ impl Client {
         Self { stream, queue: Mutex::new(queue), wake: Condvar::new() }
     }
 
-    fn queue(&self) -> MutexGuard<'_, Queue> {
+    pub(super) fn queue(&self) -> MutexGuard<'_, Queue> {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -155,13 +149,13 @@ impl Client {
         let _ = self.stream.shutdown(Shutdown::Both);
     }
 
-    fn over(&self) {
+    pub(super) fn over(&self) {
         self.queue().stage = Stage::Over;
         self.wake.notify_one();
     }
 
     /// Waits for something to write; false when nothing more is to be written.
-    fn next(&self, batch: &mut Vec<Frame>) -> bool {
+    pub(super) fn next(&self, batch: &mut Vec<Frame>) -> bool {
         let mut queue = self.queue();
         while queue.is_empty() && queue.stage == Stage::Open {
             queue = self.wake.wait(queue).unwrap_or_else(PoisonError::into_inner);
@@ -182,19 +176,19 @@ impl Client {
 }
 
 impl Queue {
-    fn is_empty(&self) -> bool {
+    pub(super) fn is_empty(&self) -> bool {
         self.control.is_empty() && self.data.is_empty()
     }
 
     /// Appends a message, the oldest ones making room for it.
-    fn push(&mut self, frame: Frame) {
+    pub(super) fn push(&mut self, frame: Frame) {
         self.counts.sent += 1;
         self.waiting += frame.len();
         self.data.push_back(frame);
         self.make_room();
     }
 
-    fn make_room(&mut self) {
+    pub(super) fn make_room(&mut self) {
         while self.waiting > MOST_WAITING && self.data.len() > 1 {
             let Some(oldest) = self.data.pop_front() else { return };
             self.waiting -= oldest.len();
@@ -202,7 +196,7 @@ impl Queue {
         }
     }
 
-    fn forget(&mut self, frame: &Frame) {
+    pub(super) fn forget(&mut self, frame: &Frame) {
         if !frame.is_time() {
             self.counts.sent -= 1;
             self.counts.dropped += 1;
@@ -210,14 +204,14 @@ impl Queue {
     }
 
     /// The counts at the end, when what still waits will not be sent.
-    fn counts(&mut self) -> Counts {
+    pub(super) fn counts(&mut self) -> Counts {
         while let Some(frame) = self.data.pop_front() {
             self.forget(&frame);
         }
         self.counts
     }
 
-    fn take(&mut self, batch: &mut Vec<Frame>) {
+    pub(super) fn take(&mut self, batch: &mut Vec<Frame>) {
         batch.extend(self.control.drain(..));
         let mut bytes = 0;
         while bytes < BATCH {
@@ -229,91 +223,13 @@ impl Queue {
     }
 
     /// Tells the client what it has missed, now and then.
-    fn report(&mut self) {
+    pub(super) fn report(&mut self) {
         let (known, at) = self.reported;
         if self.counts.dropped > known && at.is_none_or(|at| at.elapsed() >= REPORT_STEP) {
             let missed = self.counts.dropped - known;
             let text = format!("{missed} messages were left out: the run is faster than this connection");
             self.control.push_back(Frame::status(Level::Warning, &text));
             self.reported = (self.counts.dropped, Some(Instant::now()));
-        }
-    }
-}
-
-/// Serves a client until either side ends it.
-pub(super) fn serve(client: &Arc<Client>, shared: &Arc<Shared>) -> Counts {
-    if let Ok(mut socket) = shake_hands(client, shared) {
-        {
-            let mut queue = client.queue();
-            queue.control.extend(shared.hello.iter().cloned());
-            if queue.stage == Stage::Admitted {
-                queue.stage = Stage::Open;
-            }
-        }
-        let writing = Arc::clone(client);
-        let writer = thread::Builder::new().name("live writer".to_owned()).spawn(move || write(&writing));
-        if let Ok(writer) = writer {
-            read(&mut socket, client, shared);
-            client.over();
-            // A thread that panicked has written what it has written.
-            let _ = writer.join();
-        }
-    }
-    client.cut();
-    client.queue().counts()
-}
-
-/// Takes requests until the connection ends.
-fn read(socket: &mut WebSocket<Half>, client: &Client, shared: &Shared) {
-    while let Ok(message) = socket.read() {
-        let Message::Text(text) = message else { continue };
-        match request(&text) {
-            Some(Request::Subscribe(list)) => list.iter().for_each(|&(id, channel)| {
-                subscribe(client, shared, id, channel);
-            }),
-            Some(Request::Unsubscribe(ids)) => {
-                let mut queue = client.queue();
-                let ended = queue.subscriptions.iter_mut().filter(|s| s.is_some_and(|id| ids.contains(&id)));
-                ended.for_each(|subscription| *subscription = None);
-            }
-            Some(Request::Other(op)) => client.answer(Frame::status(Level::Error, &format!("cannot do: {op}"))),
-            None => client.answer(Frame::status(Level::Error, "a request that is not of the protocol")),
-        }
-    }
-}
-
-fn subscribe(client: &Client, shared: &Shared, id: u32, channel: usize) {
-    let refused = {
-        let mut queue = client.queue();
-        let taken = queue.subscriptions.contains(&Some(id));
-        match queue.subscriptions.get_mut(channel) {
-            None => Some(format!("there is no channel {channel}")),
-            Some(_) if taken => Some(format!("subscription {id} exists")),
-            Some(Some(other)) => Some(format!("channel {channel} has subscription {other}")),
-            Some(free) => {
-                *free = Some(id);
-                None
-            }
-        }
-    };
-    if let Some(reason) = refused {
-        return client.answer(Frame::status(Level::Error, &reason));
-    }
-    if let Some((log_time, data)) = shared.kept(channel) {
-        client.answer(Frame::time(shared.now().max(log_time)));
-        client.message(channel, log_time, true, || data);
-    }
-}
-
-/// Writes what waits, until nothing more will come.
-fn write(client: &Client) {
-    let mut out = BufWriter::with_capacity(64 << 10, &client.stream);
-    let mut batch = Vec::new();
-    while client.next(&mut batch) {
-        if batch.drain(..).try_for_each(|frame| frame.write(&mut out)).and_then(|()| out.flush()).is_err() {
-            client.over();
-            client.cut();
-            return;
         }
     }
 }

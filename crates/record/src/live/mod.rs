@@ -22,6 +22,7 @@ mod access;
 mod client;
 mod handshake;
 mod protocol;
+mod serve;
 
 pub use access::LiveName;
 
@@ -328,7 +329,7 @@ fn welcome(client: Arc<Client>, shared: &Arc<Shared>) -> Option<JoinHandle<()>> 
     }
     let (serving, theirs) = (Arc::clone(shared), Arc::clone(&client));
     let serve = move || {
-        let counts = client::serve(&theirs, &serving);
+        let counts = serve::serve(&theirs, &serving);
         serving.remove(&theirs, counts);
     };
     let started: io::Result<JoinHandle<()>> = thread::Builder::new().name("live reader".to_owned()).spawn(serve);
