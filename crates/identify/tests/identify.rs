@@ -218,3 +218,57 @@ fn limit_bad_problems_are_refused_with_their_place() {
     problem.data.push(Datum { value: f64::NAN, ..problem.data[0].clone() });
     assert!(problem.check().is_err());
 }
+
+/// A short run of the paper's bearing with the fast scheme.
+const TRANSIENT: &str = r#"(
+    name: "transient", case: "", seed: 1, starts: 1, difference: 0.02,
+    parameters: [(name: "pocket gap", paths: ["cage.pocket_gap.mm"], bounds: (0.1, 1.0), scale: Log)],
+    runs: {
+        "run": (model: Transient, set: {}),
+        "half": (model: Transient, set: {"ring.z": "Force(kN(27))"}),
+        "solved": (model: Traction, set: {}),
+    },
+    data: [
+        (id: "speed", run: "run", quantity: OrbitalSpeed, value: 0, uncertainty: 3),
+        (id: "order", run: "run", quantity: OrbitalSpeedLeast, relation: Above(run: "run", quantity: OrbitalSpeedGreatest), value: 0, uncertainty: 3),
+        (id: "peak", run: "run", quantity: OuterAccelerationPeak, relation: RatioTo(run: "half", quantity: OuterAccelerationPeak), value: 1, uncertainty: 0.1),
+        (id: "statics", run: "solved", quantity: CageSpeed, value: 0, uncertainty: 3),
+    ],
+    search: {
+        "transient.scheme": "Fast(step: us(20))",
+        "transient.duration": "s(0.022)",
+        "traction.patch": "TargetError(relative: 1e-3)",
+    },
+)"#;
+const PAPER: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
+
+/// Figures of runs stand beside those of solutions, with relations between them.
+#[test]
+fn identity_data_of_short_runs() {
+    let problem = Problem::from_ron(TRANSIENT).unwrap();
+    let squares = LeastSquares::new(&problem, PAPER, None).unwrap();
+    let at = |gap: f64| squares.point(vec![problem.parameters[0].coordinate(gap)].into(), None).unwrap();
+    let point = at(0.71);
+    let of = |id: &str| problem.data.iter().find(|d| d.id == id).unwrap().computed(&point.evaluation);
+    let [low, high] = point.evaluation.settled["run"].orbital_limits_rpm;
+    assert!(low > 5500.0 && high < 6000.0 && (low..high).contains(&of("speed")), "{low} {} {high}", of("speed"));
+    assert_eq!(of("order"), low - high);
+    // Case 1 of Table 4, and the run about it.
+    assert!((of("statics") - 5804.4).abs() < 2.0 && (of("speed") - of("statics")).abs() < 30.0);
+    assert!(of("peak") > 0.0);
+    // A tight pocket narrows what a ball's speed does along its orbit.
+    let [tight_low, tight_high] = at(0.1).evaluation.settled["run"].orbital_limits_rpm;
+    assert!(tight_high - tight_low < 0.95 * (high - low), "{tight_low} {tight_high} {low} {high}");
+}
+
+#[test]
+fn limit_quantities_and_runs_must_fit() {
+    let of = |from: &str, to: &str| match Problem::from_ron(&TRANSIENT.replacen(from, to, 1)) {
+        Err(IdentifyError::Value { field, .. }) => field,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(of("quantity: OrbitalSpeed,", "quantity: CageSpeed,"), "data[0].quantity (speed)");
+    assert_eq!(of("quantity: CageSpeed,", "quantity: FirstImpact,"), "data[3].quantity (statics)");
+    assert_eq!(of("Above(run: \"run\"", "Above(run: \"solved\""), "data[1].relation.quantity (order)");
+    assert_eq!(of("difference: 0.02", "difference: 0"), "difference");
+}

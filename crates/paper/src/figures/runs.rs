@@ -2,7 +2,7 @@
 
 use crate::error::PaperError;
 use crate::progress::{Progress, in_time};
-use crate::transient::{Plan, Transient, run_all};
+use crate::transient::{CLASSICAL, Plan, Transient, run_all};
 use crate::validate;
 use tribodyn_plot::SolutionCharts;
 
@@ -40,10 +40,12 @@ impl Cases {
     fn plans(self) -> Vec<Plan> {
         match self {
             Self::Curves | Self::Steady => Vec::new(),
-            Self::Ag => vec![Plan::ag()],
-            Self::Defect => vec![Plan::defect(), Plan::ag()],
-            Self::Coatings => vec![Plan::ag(), Plan::ptfe()],
-            Self::Loads => PRELOADS.map(Plan::axial).into_iter().chain([Plan::ag()]).collect(),
+            Self::Ag => vec![CLASSICAL.ag()],
+            Self::Defect => vec![CLASSICAL.defect(), CLASSICAL.ag()],
+            Self::Coatings => vec![CLASSICAL.ag(), CLASSICAL.ptfe()],
+            Self::Loads => {
+                PRELOADS.map(|percent| CLASSICAL.axial(percent)).into_iter().chain([CLASSICAL.ag()]).collect()
+            }
         }
     }
 
@@ -111,7 +113,7 @@ impl Made {
 
     /// By rising axial load.
     pub fn loads(&self) -> Result<[(&str, &Transient); 4], PaperError> {
-        let [a, b, c] = PRELOADS.map(|percent| self.run(&Plan::axial(percent).id));
+        let [a, b, c] = PRELOADS.map(|percent| self.run(&CLASSICAL.axial(percent).id));
         Ok([
             ("25 % axial load", a?),
             ("50 % axial load", b?),
@@ -138,7 +140,7 @@ fn plans(cases: impl Iterator<Item = Cases>, length: Length) -> Vec<Plan> {
             wanted.push(plan);
         }
     }
-    let defect = Plan::defect().id;
+    let defect = CLASSICAL.defect().id;
     wanted.sort_by_key(|plan| plan.id != defect);
     if length == Length::Full {
         return wanted;

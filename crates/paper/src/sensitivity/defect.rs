@@ -3,7 +3,7 @@
 use crate::error::PaperError;
 use crate::files;
 use crate::table::{Table, markdown};
-use crate::transient::{FAST, Plan, Set, run_all};
+use crate::transient::{CLASSICAL, FAST, Set, run_all};
 use crate::validate::defect_rows;
 
 const RESULT: &str = "fixtures/expected/sensitivity-defect.csv";
@@ -29,7 +29,7 @@ const DURATION: &str = "s(0.05)";
 pub fn run(base: &Set) -> Result<(), PaperError> {
     let plans = DEFECTS.map(|(_, width, depth, bare, scheme)| {
         let list = format!("[(race: Outer, azimuth: deg(0), width: deg({width}), depth: um({depth}), bare: {bare})]");
-        Plan::defect().with("defects", &list).with("transient.scheme", scheme).with("transient.duration", DURATION)
+        CLASSICAL.defect().with("defects", &list).with("transient.scheme", scheme).with("transient.duration", DURATION)
     });
     let mut lines = Vec::new();
     for ((name, ..), run) in DEFECTS.iter().zip(run_all(&plans, None)?) {

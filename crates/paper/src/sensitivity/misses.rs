@@ -5,7 +5,7 @@ use crate::error::PaperError;
 use crate::files;
 use crate::progress::{Progress, in_time};
 use crate::table::{Table, markdown};
-use crate::transient::{Change, Set};
+use crate::transient::{CLASSICAL, Change, Set};
 use crate::validate::{Evidence, Row, Verdict, dynamic_rows};
 
 const RESULT: &str = "fixtures/expected/sensitivity-rows.csv";
@@ -16,7 +16,8 @@ const BESIDE: [&str; 2] = ["change", "lost"];
 
 /// Rows of a set, or why there are none.
 fn rows(change: &Change, progress: Progress) -> Result<Vec<Row>, String> {
-    let set = in_time(&change.name, progress, || Set::changed(change)).map_err(|failure| failure.to_string())?;
+    let set =
+        in_time(&change.name, progress, || Set::changed(&CLASSICAL, change)).map_err(|failure| failure.to_string())?;
     dynamic_rows(&set).map_err(|failure| failure.to_string())
 }
 

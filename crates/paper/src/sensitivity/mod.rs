@@ -1,4 +1,4 @@
-//! Sensitivity of the dynamic rows to the parameters that the paper hides.
+//! Sensitivity of the dynamic rows to the parameters that the paper hides, with the cases of the classical reading.
 //!
 //! One at a time, each is halved and doubled; and over a grid of pocket gap and pocket stiffness, from which both were
 //! chosen, the residuals of the published figures are listed. Runs of 0.2 s with the fast scheme. Then the whole set of
@@ -16,7 +16,7 @@ use crate::files;
 use crate::markers::replaced;
 use crate::progress::Progress;
 use crate::table::{Table, markdown};
-use crate::transient::{Change, FAST, Plan, Set, Transient, run_all};
+use crate::transient::{CLASSICAL, Change, FAST, Plan, Set, Transient, run_all};
 
 /// File of the committed result, and the document that shows it.
 const RESULT: &str = "fixtures/expected/sensitivity.csv";
@@ -31,7 +31,7 @@ const HEAD: &str = "change,cage_rpm,balls_rpm,orbit_low_rpm,orbit_high_rpm,peak_
 
 /// Both coatings with the same changes.
 fn plans(changes: &[(&str, String)]) -> [Plan; 2] {
-    [Plan::ag(), Plan::ptfe()].map(|plan| {
+    [CLASSICAL.ag(), CLASSICAL.ptfe()].map(|plan| {
         let fast = plan.with("transient.scheme", FAST);
         changes.iter().fold(fast, |plan, (path, value)| plan.with(path, value))
     })
@@ -95,7 +95,7 @@ pub fn pocket() -> Result<String, PaperError> {
 ///
 /// A run that stops before its end.
 pub fn base() -> Result<Base, PaperError> {
-    Set::changed(&Change::none("as identified")).map(Base)
+    Set::changed(&CLASSICAL, &Change::none("as identified")).map(Base)
 }
 
 /// Runs that every change is held against.

@@ -5,7 +5,7 @@ mod plans;
 mod trace;
 
 pub use orbit::{RPM, SECTORS, Window};
-pub use plans::{Change, FAST, Plan, Set};
+pub use plans::{AUTHORS, CLASSICAL, Change, FAST, Plan, Reading, Set};
 pub use trace::{StateSample, Trace};
 
 use crate::error::PaperError;

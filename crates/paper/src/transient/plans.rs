@@ -2,6 +2,7 @@
 
 use super::{Transient, run_all};
 use crate::error::PaperError;
+use crate::files;
 use std::path::Path;
 
 /// A run to make.
@@ -15,14 +16,36 @@ pub struct Plan {
     pub changes: Vec<(String, String)>,
 }
 
-/// Silver, PTFE film, and the outer race with a defect.
-const AG: &str = "fixtures/cases/paper-ag.ron";
-const PTFE: &str = "fixtures/cases/paper-ptfe.ron";
-const DEFECT: &str = "fixtures/cases/paper-ag-defect.ron";
-/// The axial load of the case, N, which the paper's preloads are parts of.
-const AXIAL_LOAD: f64 = 54_760.0;
-/// Its radial load, N.
-const RADIAL_LOAD: f64 = 22_980.0;
+/// Cases of one reading of the paper's models: silver, PTFE film, and the outer race with a defect.
+#[derive(Debug, PartialEq)]
+pub struct Reading {
+    /// Case files, relative to the workspace.
+    pub ag: &'static str,
+    pub ptfe: &'static str,
+    pub defect: &'static str,
+    /// The axial load of the cases, N, which the paper's preloads are parts of.
+    axial_load: f64,
+    /// Their radial load, N.
+    radial_load: f64,
+}
+
+/// The reading with the most evidence: no friction holds the gyroscopic moment in the paper's QSJH.
+pub const AUTHORS: Reading = Reading {
+    ag: "fixtures/cases/paper-authors-ag.ron",
+    ptfe: "fixtures/cases/paper-authors-ptfe.ron",
+    defect: "fixtures/cases/paper-authors-ag-defect.ron",
+    axial_load: 46_140.0,
+    radial_load: 20_370.0,
+};
+/// Jones and Harris as their books have it: the outer race holds the whole gyroscopic moment.
+pub const CLASSICAL: Reading = Reading {
+    ag: "fixtures/cases/paper-ag.ron",
+    ptfe: "fixtures/cases/paper-ptfe.ron",
+    defect: "fixtures/cases/paper-ag-defect.ron",
+    axial_load: 54_760.0,
+    radial_load: 22_980.0,
+};
+
 /// The fast scheme of runs that are many.
 pub const FAST: &str = "Fast(step: us(20))";
 /// Long enough for these rows: they settle within 0.05 s.
@@ -42,30 +65,39 @@ impl Plan {
         self
     }
 
-    pub fn ag() -> Self {
-        Self::new("ag", "Ag coating", AG)
+    #[must_use]
+    pub fn with_all(self, changes: &[(String, String)]) -> Self {
+        changes.iter().fold(self, |plan, (path, value)| plan.with(path, value))
+    }
+}
+
+impl Reading {
+    /// The reading that a case is the silver one of.
+    pub fn of(case: &Path) -> Option<&'static Self> {
+        let place = case.canonicalize().ok()?;
+        let same = |reading: &&Self| files::root().join(reading.ag).canonicalize().is_ok_and(|path| path == place);
+        [&AUTHORS, &CLASSICAL].into_iter().find(same)
     }
 
-    pub fn ptfe() -> Self {
-        Self::new("ptfe", "PTFE film", PTFE)
+    pub fn ag(&self) -> Plan {
+        Plan::new("ag", "Ag coating", self.ag)
+    }
+
+    pub fn ptfe(&self) -> Plan {
+        Plan::new("ptfe", "PTFE film", self.ptfe)
     }
 
     /// A part of the axial load with the whole radial load.
-    pub fn axial(percent: u32) -> Self {
-        let load = AXIAL_LOAD * f64::from(percent) / 100.0;
-        Self::new(&format!("axial-{percent}"), &format!("{percent} % axial load"), AG)
+    pub fn axial(&self, percent: u32) -> Plan {
+        let load = self.axial_load * f64::from(percent) / 100.0;
+        Plan::new(&format!("axial-{percent}"), &format!("{percent} % axial load"), self.ag)
             .with("ring.z", &format!("Force(N({load}))"))
             .with("transient.duration", PRELOAD_DURATION)
             .with("transient.scheme", PRELOAD_SCHEME)
     }
 
-    pub fn defect() -> Self {
-        Self::new("defect", "outer-race defect", DEFECT)
-    }
-
-    #[must_use]
-    pub fn with_all(self, changes: &[(String, String)]) -> Self {
-        changes.iter().fold(self, |plan, (path, value)| plan.with(path, value))
+    pub fn defect(&self) -> Plan {
+        Plan::new("defect", "outer-race defect", self.defect)
     }
 }
 
@@ -92,11 +124,11 @@ impl Change {
         self
     }
 
-    fn plan(&self, plan: Plan, percent: f64) -> Plan {
-        let axial = AXIAL_LOAD * self.axial_share * percent / 100.0;
+    fn plan(&self, reading: &Reading, plan: Plan, percent: f64) -> Plan {
+        let axial = reading.axial_load * self.axial_share * percent / 100.0;
         let plan = plan.with("transient.scheme", FAST).with("ring.z", &format!("Force(N({axial}))"));
         let plan = match self.radial_follows {
-            true => plan.with("ring.x", &format!("Force(N({}))", RADIAL_LOAD * percent / 100.0)),
+            true => plan.with("ring.x", &format!("Force(N({}))", reading.radial_load * percent / 100.0)),
             false => plan,
         };
         plan.with_all(&self.values)
@@ -116,10 +148,10 @@ pub struct Set {
 
 impl Set {
     /// Runs them; recordings go into the folder if there is one.
-    pub fn run(recordings: Option<&Path>) -> Result<Self, PaperError> {
-        let [p25, p50, p75] = [25, 50, 75].map(Plan::axial);
+    pub fn run(reading: &Reading, recordings: Option<&Path>) -> Result<Self, PaperError> {
+        let [p25, p50, p75] = [25, 50, 75].map(|percent| reading.axial(percent));
         // The longest first, so that no core waits at the end.
-        let plans = [Plan::defect(), Plan::ag(), Plan::ptfe(), p25, p50, p75];
+        let plans = [reading.defect(), reading.ag(), reading.ptfe(), p25, p50, p75];
         let runs: [Transient; 6] = run_all(&plans, recordings)?
             .try_into()
             .map_err(|_| PaperError::Check { what: "dynamic runs", findings: vec!["not all came back".to_owned()] })?;
@@ -128,10 +160,10 @@ impl Set {
     }
 
     /// The set without the defect, with something changed and the fast scheme.
-    pub fn changed(change: &Change) -> Result<Self, PaperError> {
-        let part = |percent: u32| change.plan(Plan::axial(percent), f64::from(percent));
-        let whole = |plan: Plan| change.plan(plan, 100.0);
-        let plans = [whole(Plan::ag()), whole(Plan::ptfe()), part(25), part(50), part(75)];
+    pub fn changed(reading: &Reading, change: &Change) -> Result<Self, PaperError> {
+        let part = |percent: u32| change.plan(reading, reading.axial(percent), f64::from(percent));
+        let whole = |plan: Plan| change.plan(reading, plan, 100.0);
+        let plans = [whole(reading.ag()), whole(reading.ptfe()), part(25), part(50), part(75)];
         let [ag, ptfe, a, b, c] = run_all(&plans, None)?
             .try_into()
             .map_err(|_| PaperError::Check { what: "dynamic runs", findings: vec!["not all came back".to_owned()] })?;

@@ -70,15 +70,17 @@ fn block(report: &Report, extent: Extent) -> String {
     out.push_str(&format!("How the rows were decided:\n\n{notes}\nWarnings of the solutions:\n\n"));
     let warnings: String = report.warnings.iter().map(|w| format!("- {}: {}\n", w.run, w.text)).collect();
     out.push_str(if warnings.is_empty() { "- none\n" } else { &warnings });
+    out.push_str(&format!("\nOur own thresholds, varied:\n\n{}", super::thresholds::text(&report.rows)));
     out.push_str("\nReproduced by `cargo xtask validate`.\n");
     out
 }
 
 /// Classes of evidence, the strongest first, with their meaning.
-const EVIDENCE: [(Evidence, &str); 3] = [
+const EVIDENCE: [(Evidence, &str); 4] = [
     (Evidence::Validation, "no parameter was chosen with the figure in view"),
     (Evidence::Calibration, "unpublished parameters were chosen with the figure in view"),
     (Evidence::Verification, "the equations give back what follows from their own input"),
+    (Evidence::Beside, "not claims of the paper, or counted already"),
 ];
 
 /// Counts by class of evidence.
@@ -108,15 +110,27 @@ fn brief(report: &Report) -> String {
 pub fn summary(report: &Report) -> String {
     let [met, missed, contradictory, not_yet] = Verdict::ALL.map(|verdict| report.count(verdict));
     let ids: Vec<&str> =
-        report.rows.iter().filter(|row| row.verdict == Verdict::Missed).map(|row| row.id.as_str()).collect();
+        report.claims().filter(|row| row.verdict == Verdict::Missed).map(|row| row.id.as_str()).collect();
+    let decided = |row: &&Row| matches!(row.verdict, Verdict::Met | Verdict::Missed);
+    let figures = || report.claims().filter(|row| of_figures(&row.id)).filter(decided);
     let which = if ids.is_empty() { String::new() } else { format!(" Missed: {}.", ids.join(", ")) };
     format!(
         "Of {} rows {met} are met, {missed} missed, {contradictory} undecidable because the paper contradicts itself, \
-        {not_yet} not decided. Case `{}`: {}.{which}",
-        report.rows.len(),
+        {not_yet} not decided; {} more are not claims of the paper or counted already. Of the {} rows of Figures 13 to \
+        24 {} are met. Case `{}`: {}.{which}",
+        report.claims().count(),
+        report.rows.len() - report.claims().count(),
+        figures().count(),
+        figures().filter(|row| row.verdict == Verdict::Met).count(),
         report.case,
         report.provenance
     )
+}
+
+/// True of the claims of Figures 13 to 24.
+fn of_figures(id: &str) -> bool {
+    let number = id.strip_prefix('F').and_then(|rest| rest.split('.').next()).and_then(|n| n.parse::<u32>().ok());
+    number.is_some_and(|n| (13..=24).contains(&n))
 }
 
 /// `T4.1, T4.2: note`: decided rows by note, in their order.

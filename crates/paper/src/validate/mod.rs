@@ -11,12 +11,14 @@ mod over_azimuth;
 mod published;
 mod row;
 mod runs;
+mod split;
 mod tables;
+mod thresholds;
 
 use crate::error::PaperError;
 use crate::files;
 use crate::progress::{Progress, in_time};
-use crate::transient::Set;
+use crate::transient::{AUTHORS, CLASSICAL, Reading, Set};
 pub(crate) use dynamic::{defect_rows, rows as dynamic_rows};
 use published::Published;
 pub(crate) use row::{Evidence, Row, Verdict};
@@ -49,22 +51,27 @@ struct Report {
 }
 
 impl Report {
+    /// Rows that are claims of the paper, each counted once.
+    fn claims(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| row.evidence != Evidence::Beside)
+    }
+
     fn count(&self, verdict: Verdict) -> usize {
-        self.rows.iter().filter(|row| row.verdict == verdict).count()
+        self.claims().filter(|row| row.verdict == verdict).count()
     }
 }
 
 /// The case file that the committed results and verdicts are of.
 pub fn paper_case() -> PathBuf {
-    files::root().join("fixtures/cases/paper-ag.ron")
+    files::root().join(AUTHORS.ag)
 }
 
 fn build(case: &Path, recordings: Option<&Path>, progress: Progress) -> Result<(Report, Runs), PaperError> {
     let published = Published::read()?;
     let runs = Runs::solve(case)?;
-    let dynamic = match case == paper_case() {
-        false => None,
-        true => Some(in_time("dynamic runs", progress, || Set::run(recordings))?),
+    let dynamic = match Reading::of(case) {
+        None => None,
+        Some(reading) => Some(in_time("dynamic runs", progress, || Set::run(reading, recordings))?),
     };
     let rows = [
         tables::table_2(&published)?,
@@ -79,7 +86,7 @@ fn build(case: &Path, recordings: Option<&Path>, progress: Progress) -> Result<(
         case: runs.file.clone(),
         provenance: runs.provenance(),
         interpolation: PressuresOver::new(&runs.cases[0]).explanation(),
-        rows: rows.concat(),
+        rows: split::declared(rows.concat())?,
         warnings: warnings(&published, &runs, dynamic.as_ref()),
         published,
     };
@@ -142,7 +149,7 @@ pub struct Differences {
 }
 
 impl Validation {
-    /// Solves the case and decides all rows; those of the dynamic model for the paper's case only. Recordings of its
+    /// Solves the case and decides all rows; those of the dynamic model for the cases of a reading only. Recordings of its
     /// runs go into the folder if there is one.
     ///
     /// # Errors
@@ -222,5 +229,5 @@ impl Validation {
 
 /// The charts of the quasi-static cases with the paper's points.
 pub(crate) fn solution_charts() -> Result<Vec<tribodyn_plot::SolutionCharts>, PaperError> {
-    output::charts(&Runs::solve(&paper_case())?, &Published::read()?)
+    output::charts(&Runs::solve(&files::root().join(CLASSICAL.ag))?, &Published::read()?)
 }

@@ -12,6 +12,8 @@ pub enum Evidence {
     Verification,
     /// No parameter was chosen with this figure in view.
     Validation,
+    /// Not a claim of the paper, or one that is counted already: shown, not counted.
+    Beside,
 }
 
 impl Evidence {
@@ -20,6 +22,7 @@ impl Evidence {
             Self::Calibration => "calibration",
             Self::Verification => "verification",
             Self::Validation => "validation",
+            Self::Beside => "beside",
         }
     }
 }

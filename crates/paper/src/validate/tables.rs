@@ -69,7 +69,8 @@ fn error(printed: &SpeedRow, run: Option<&Run>, tested: f64, runs: &Runs) -> Opt
             explained(Row::number(id, quantity, [published, computed, tolerance]), runs)
         }
     };
-    Some(Row { unit: "%", decimals: 2, ..row })
+    // The speed once more, in percent of the tested one.
+    Some(Row { unit: "%", decimals: 2, evidence: Evidence::Beside, ..row })
 }
 
 fn not_yet(id: String, quantity: String, published: f64) -> Row {

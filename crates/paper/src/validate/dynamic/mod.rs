@@ -42,9 +42,9 @@ pub fn defect_rows(with: &Transient, without: &Transient) -> Result<Vec<Row>, Pa
     defect::rows(with, without)
 }
 
-/// Reason without transient runs: another case than the paper's.
+/// Reason without transient runs: another case than those of the readings.
 pub fn not_yet() -> Vec<Row> {
-    let text = "claims of sections 4.3 and 5.2, decided for the paper's case only";
+    let text = "claims of sections 4.3 and 5.2, decided for the cases of the readings only";
     vec![Row {
         verdict: Verdict::NotYet,
         computed: None,

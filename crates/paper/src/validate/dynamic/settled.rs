@@ -62,7 +62,7 @@ fn speeds(run: &Transient, window: &Window) -> Vec<Row> {
     let errors = [0.20, error(speed), 100.0 * 5799.0 * SPEED / TESTED[0]];
     vec![
         number("T4.dyn", "cage speed, dynamic model", "r/min", dynamic, 1, Evidence::Calibration, note),
-        number("T4.err.dyn", "error against the test, dynamic model", "%", errors, 2, Evidence::Calibration, near),
+        number("T4.err.dyn", "error against the test, dynamic model", "%", errors, 2, Evidence::Beside, near),
     ]
 }
 
