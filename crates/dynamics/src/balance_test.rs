@@ -209,16 +209,17 @@ fn identity_without_spin_transport_the_quasistatic_state_does_not_stay() {
 /// by the true slip and its forces by their sum, which agree as its cells get finer.
 #[test]
 fn identity_power_balances_under_every_reading() {
+    let (plain, whole) = run(Scheme::RungeKutta, 200, &PUSHING, None);
     let readings = [
-        ("modelling.rolling_radius", "Deformed", 1e-8),
-        ("modelling.gyroscopic_moment", "Absent", 1e-8),
-        ("modelling.pocket_force", "AsPrinted", 1e-6),
+        ("modelling.rolling_radius", "Deformed", 3.0 * whole),
+        ("modelling.gyroscopic_moment", "Absent", 3.0 * whole),
+        // The force jumps at the wall, within a step.
+        ("modelling.pocket_force", "AsPrinted", 1e-4),
         ("modelling.patch", "Elastic(strips: 4, cells: 24)", 2e-3),
     ];
     for (path, value, allowed) in readings {
         let (state, off) = run(Scheme::RungeKutta, 200, &[PUSHING[0], (path, value)], None);
-        let (plain, _) = run(Scheme::RungeKutta, 200, &PUSHING, None);
-        assert!(off < allowed, "{value}: {off:e}");
+        assert!(off < allowed, "{value}: {off:e}, without {whole:e}");
         let moved = state.iter().zip(&plain).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
         assert!(moved > 1e-6, "{value} changes nothing: {moved:e}");
     }

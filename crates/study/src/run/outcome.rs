@@ -7,6 +7,7 @@ use crate::error::StudyError;
 use crate::plausibility;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use tribodyn_bearing::PatchSurfaces;
 use tribodyn_case::Case;
 use tribodyn_dynamics::{Run, Statistics, Stiffness};
 use tribodyn_quasistatic::Solution;
@@ -90,7 +91,11 @@ impl RunReport {
             wall_s,
             simulated_per_wall: 0.0,
             cage_speed_quasi_static_rpm: solution.cage_speed_rpm,
-            patch_rule: format!("{:?}", run.patch_rule()),
+            // Elastic patches have strips and cells of their own.
+            patch_rule: match file.case.modelling.patch {
+                Some(PatchSurfaces::Elastic { strips, cells }) => format!("Elastic {{ strips: {strips}, cells: {cells} }}"),
+                _ => format!("{:?}", run.patch_rule()),
+            },
             patch_error_estimate: solution.patch_error_estimate,
             accelerations_supported: carries_accelerations(solution.patch_error_estimate),
             scheme: file.case.transient.as_ref().map_or_else(String::new, |t| format!("{:?}", t.scheme)),
