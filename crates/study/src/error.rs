@@ -23,6 +23,30 @@ pub enum StudyError {
         /// Reason.
         error: Box<CaseError>,
     },
+    /// A value that a question cannot have.
+    #[error("{name} = {value}: {message}")]
+    Argument {
+        /// The value's name: that of the command's option.
+        name: &'static str,
+        /// The value.
+        value: String,
+        /// What is allowed, or why it is refused.
+        message: String,
+    },
+    /// An answer beyond what can be calculated with.
+    #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
+    OutOfRange {
+        /// The quantity.
+        quantity: &'static str,
+        /// What comes out.
+        value: f64,
+    },
+    /// Bodies that make no contact.
+    #[error(transparent)]
+    Contact(#[from] tribodyn_contact::ContactError),
+    /// A coating or a law that is refused.
+    #[error(transparent)]
+    Traction(#[from] tribodyn_traction::TractionError),
     /// A file that cannot be read.
     #[error("cannot read {}: {source}", path.display())]
     Read {
@@ -292,6 +316,13 @@ pub enum StudyError {
     /// Something that cannot be written as JSON.
     #[error("cannot write JSON: {0}")]
     Json(#[from] serde_json::Error),
+}
+
+impl StudyError {
+    /// A value that a question cannot have.
+    pub fn argument(name: &'static str, value: impl ToString, message: impl Into<String>) -> Self {
+        Self::Argument { name, value: value.to_string(), message: message.into() }
+    }
 }
 
 /// How finished rows on disk differ from those that a sweep would make.

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod answers;
 mod case_file;
 mod error;
 pub mod evaluation;
