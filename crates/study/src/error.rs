@@ -1,6 +1,7 @@
 //! Why a procedure does not start, or ends before its time.
 
 use crate::holder::Holder;
+use crate::sweep::SweepDifference;
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};
@@ -138,6 +139,14 @@ pub enum StudyError {
         path: PathBuf,
         /// First difference from this sweep.
         difference: SweepDifference,
+    },
+    /// A table that is no part of the same sweep, or rows that are missing or there twice.
+    #[error("{}: {why}", path.display())]
+    Merge {
+        /// The table.
+        path: PathBuf,
+        /// Reason.
+        why: String,
     },
     /// Two processes with one output.
     #[error("{}: another process is writing it{}", output.display(), by(holder))]
@@ -323,35 +332,6 @@ impl StudyError {
     pub fn argument(name: &'static str, value: impl ToString, message: impl Into<String>) -> Self {
         Self::Argument { name, value: value.to_string(), message: message.into() }
     }
-}
-
-/// How finished rows on disk differ from those that a sweep would make.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum SweepDifference {
-    /// The file holds something else.
-    #[error("this is not a sweep's file of finished rows")]
-    Unknown,
-    /// Another version made them.
-    #[error("these finished rows are of version {found} of the command")]
-    Version {
-        /// Version of the file.
-        found: String,
-    },
-    /// Another case.
-    #[error("these finished rows are of another case")]
-    Case,
-    /// Other swept values.
-    #[error("these finished rows are of other swept values")]
-    Values,
-    /// Another part of the sweep.
-    #[error("these finished rows are of shard {found}")]
-    Shard {
-        /// Part in the file, `I/N`.
-        found: String,
-    },
-    /// Rows that start from neighbours and rows that do not.
-    #[error("these finished rows are of a sweep with another choice of cold starts")]
-    Cold,
 }
 
 /// A refused case with the place to point at.
