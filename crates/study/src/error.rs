@@ -292,6 +292,12 @@ pub enum StudyError {
         /// The recording up to there, not closed.
         active: PathBuf,
     },
+    /// A system that gives the recording no thread.
+    #[error("the system gives no thread for the recording: {source}")]
+    NoThread {
+        /// Reason.
+        source: std::io::Error,
+    },
     /// A run that cannot write its checkpoint.
     #[error("after {simulated_s} s: cannot write {}: {source}", checkpoint.display())]
     NoCheckpoint {

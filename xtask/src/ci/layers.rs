@@ -23,8 +23,6 @@ const LAYERS: [(&str, &[&str]); 16] = [
         &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid", "tribodyn-bearing"],
     ),
     ("tribodyn-quasistatic", &["tribodyn-traction", "tribodyn-bearing"]),
-    // Identification writes its candidates into the case file.
-    ("tribodyn-identify", &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic"]),
     // Samples are filtered before they are thinned out.
     (
         "tribodyn-dynamics",
@@ -37,6 +35,8 @@ const LAYERS: [(&str, &[&str]); 16] = [
             "tribodyn-signal",
         ],
     ),
+    // Identification writes its candidates into the case file, solves it and runs it.
+    ("tribodyn-identify", &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic", "tribodyn-dynamics"]),
     // The orbit that a run settles to, and its linearisation.
     (
         "tribodyn-orbit",

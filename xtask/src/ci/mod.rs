@@ -7,6 +7,7 @@ mod hygiene;
 mod layers;
 mod licences;
 mod metadata;
+mod named;
 mod node;
 mod package;
 mod recording;
