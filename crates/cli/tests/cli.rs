@@ -16,6 +16,8 @@ mod life;
 mod new;
 #[path = "cli/orbit.rs"]
 mod orbit;
+#[path = "cli/pair.rs"]
+mod pair;
 #[path = "cli/rating.rs"]
 mod rating;
 #[path = "cli/report.rs"]
