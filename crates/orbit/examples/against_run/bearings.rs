@@ -1,6 +1,7 @@
 //! The bearings whose orbits are held against runs: case files with changes.
 
 /// A bearing.
+#[allow(dead_code, reason = "tests run no turns")]
 pub struct Compared {
     pub name: &'static str,
     /// Case file in `fixtures/cases`.
@@ -37,8 +38,7 @@ pub fn bearings() -> Vec<Compared> {
         turns: TURNS,
     };
     let explicit = ("transient.scheme", "RungeKutta4(step: us(4))");
-    let paper =
-        |name, file, changes: &[_]| Compared { turns: FEW, ..of(name, file, &[&[explicit], changes].concat()) };
+    let paper = |name, file, changes: &[_]| Compared { turns: FEW, ..of(name, file, &[&[explicit], changes].concat()) };
     let groove = |name, changes: &[_]| of(name, ANGULAR, &[&DEEP_GROOVE, changes].concat());
     let guided = "(land: Outer, radius: mm(90), width: mm(12), gap: mm(0.3))";
     vec![

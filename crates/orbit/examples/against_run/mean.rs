@@ -88,5 +88,5 @@ pub fn weigh_down(inputs: &mut RunInputs, pocket_damping: f64) {
     inputs.options.contact_damping = inputs.options.contact_damping.max(0.1);
     let supports = &mut inputs.supports;
     (supports.inner.mass, supports.outer.mass) = (100.0, 100.0);
-    (supports.inner.damping, supports.outer.damping) = ([2e5; 3], [2e5; 2]);
+    (supports.inner.damping, supports.outer.damping) = ([3e4; 3], [3e4; 2]);
 }
