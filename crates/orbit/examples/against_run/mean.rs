@@ -5,6 +5,9 @@ use tribodyn_bearing::RunInputs;
 use tribodyn_dynamics::{Event, Observer, Run, Sample};
 use tribodyn_orbit::POINTS;
 
+/// Samples of the rings, Hz.
+const RATE: f64 = 26_183.7;
+
 /// Means of a run from a time on.
 #[derive(Default)]
 pub struct Mean {
@@ -86,6 +89,8 @@ impl Mean {
 pub fn weigh_down(inputs: &mut RunInputs, pocket_damping: f64) {
     inputs.cage.pocket_damping = inputs.cage.pocket_damping.max(pocket_damping);
     inputs.options.contact_damping = inputs.options.contact_damping.max(0.1);
+    // No multiple of the balls' passing: samples would see them at a few azimuths only.
+    (inputs.options.state_rate, inputs.options.ball_rate) = (RATE, RATE / 4.0);
     let supports = &mut inputs.supports;
     (supports.inner.mass, supports.outer.mass) = (100.0, 100.0);
     (supports.inner.damping, supports.outer.damping) = ([3e4; 3], [3e4; 2]);
