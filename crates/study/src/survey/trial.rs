@@ -27,6 +27,8 @@ pub struct Solving {
     pub model: Model,
     /// How it went: explained where there is no solution and the error has a reason.
     pub verdict: Verdict,
+    /// True if it was found, and not from the first start of Newton's method.
+    pub rescued: bool,
     /// Wall time.
     pub wall: Duration,
 }
@@ -53,12 +55,16 @@ pub struct Running {
 pub fn solve_both(bearing: &RandomBearing) -> [Solving; 2] {
     [Model::JonesHarris, Model::Traction].map(|model| {
         let began = Instant::now();
+        let mut rescued = false;
         let verdict = match Case::from_ron(&bearing.text).map(|case| (case.bearing(), case.operating_point())) {
-            Ok((Ok(made), point)) => of_solution(solve(&made, &point, model).map(|solved| solved.solution)),
+            Ok((Ok(made), point)) => of_solution(solve(&made, &point, model).map(|solved| {
+                rescued = solved.statistics.rescues > 0;
+                solved.solution
+            })),
             Ok((Err(error), _)) => Verdict::Failed(error.to_string()),
             Err(error) => Verdict::Failed(error.to_string()),
         };
-        Solving { model, verdict, wall: began.elapsed() }
+        Solving { model, verdict, rescued, wall: began.elapsed() }
     })
 }
 
