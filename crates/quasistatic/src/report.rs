@@ -6,7 +6,7 @@ use crate::jones_harris::{JonesHarris, Kinematics, kinematics};
 use crate::with_traction::WithTraction;
 use crate::{Model, Solution};
 use tribodyn_bearing::{
-    BallPlace, BallResult, Bearing, ContactPose, ContactResult, OperatingPoint, PocketResult, RaceControl,
+    BallPlace, BallResult, Bearing, ContactPose, ContactResult, OperatingPoint, PocketForce, PocketResult, RaceControl,
 };
 use tribodyn_bearing::{RaceContact, Races, Side};
 use tribodyn_traction::TractionLaw;
@@ -120,6 +120,7 @@ fn solution(
             clearance: cage.pocket_gap / radius,
             radius,
             drag_torque: cage.drag_torque,
+            force: bearing.modelling.pocket_force.unwrap_or(PocketForce::FromWall),
         };
         let pockets = pocket_forces(&speeds, &pocket);
         for ((ball, lead), force) in balls.iter_mut().zip(pockets.lead).zip(pockets.force) {
