@@ -36,6 +36,7 @@ pub use interaction::{ContactForces, Sliding};
 pub use lean::{Lean, RingOffset};
 pub use modelling::{Equations, Modelling, OpenChoice, RaceControl, RingCentre};
 pub use motion::BallFriction;
+pub use normal::ContactSprings;
 pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};
 pub use pocket::{Pocket, PocketLoad, PocketMotion};
 pub use races::{Races, Side};
