@@ -144,11 +144,26 @@ fn block(tally: &Tally, arguments: &Arguments) -> String {
             of.counts.failed.to_string(),
             of.above_one_percent.to_string(),
             format!("{:.1e} %", of.worst_good_percent),
+            format!("{:.1e} %", of.worst_momentum_percent[0]),
+            format!("{:.1e} %", of.worst_momentum_percent[1]),
+            of.stopped.to_string(),
             format!("{:.1} s", of.longest_s),
         ]);
     }
     if !rows.is_empty() {
-        let head = ["scheme", "runs", "balanced", "with reason", "failed", "above 1 %", "worst balanced", "longest"];
+        let head = [
+            "scheme",
+            "runs",
+            "balanced",
+            "with reason",
+            "failed",
+            "above 1 %",
+            "worst balanced",
+            "linear momentum",
+            "angular momentum",
+            "stopped by the clock",
+            "longest",
+        ];
         let _ = write!(text, "\n\n{}", table::markdown(&head, &rows));
     }
     text

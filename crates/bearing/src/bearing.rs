@@ -1,14 +1,16 @@
 //! A bearing made ready for the solvers: geometry, masses, contact constants, traction laws and fluid forces.
 
 use crate::BearingError;
+use crate::elastic::ElasticPatches;
 use crate::geometry::Geometry;
 use crate::lean::RingOffset;
-use crate::modelling::Modelling;
+use crate::modelling::{Modelling, PatchSurfaces};
 use crate::races::{Races, Side};
 use crate::tribology::Tribology;
 use std::f64::consts::PI;
 use tribodyn_contact::{ContactError, ElasticBody, HertzContact, Scalar, effective_modulus};
 use tribodyn_fluid::{BallDrag, Churning};
+use tribodyn_traction::FastsimRule;
 use tribodyn_wear::LocalSurface;
 
 /// All that a [`Bearing`] is made of, SI.
@@ -77,6 +79,8 @@ pub struct Bearing {
     /// Damping of the contacts along their normals, a fraction ζ of the critical one; 0 unless a transient solver sets
     /// it, since an equilibrium is at rest only in the mean where a ring is off centre.
     pub contact_damping: f64,
+    /// Tangential elasticity of the patches; absent where their surfaces are rigid.
+    pub elastic: Option<ElasticPatches>,
 }
 
 /// One raceway.
@@ -86,6 +90,8 @@ pub struct Race {
     hertz: HertzContact,
     /// Radius of the deformed contact across the groove, m; infinite without differential slip.
     pub surface_radius: f64,
+    /// The ball's part of the elastic approach, 0 to 1: a half between bodies of one material.
+    pub ball_share: f64,
 }
 
 impl Race {
@@ -148,12 +154,7 @@ impl Bearing {
     ///     wear: Races { inner: wear, outer: wear },
     ///     wear_cage: Archard { coefficient: 1e-6, hardness: 60e6 },
     /// };
-    /// let modelling = Modelling {
-    ///     contact_at_actual_angle: false,
-    ///     ring_centre: Some(RingCentre::Displaced),
-    ///     race_control: None,
-    ///     centrifugal_at_free_pitch: None,
-    /// };
+    /// let modelling = Modelling::with_traction(false, RingCentre::Displaced);
     /// let dry = BearingSpec::new(geometry, (steel, 7800.0), modelling);
     /// let bearing = Bearing::new(BearingSpec { tribology: Some(tribology), ..dry })?;
     /// assert!((bearing.ball_mass - 0.112).abs() < 1e-3);
@@ -172,7 +173,14 @@ impl Bearing {
             let [rolling, lateral] = geometry.curvatures(side, geometry.cos_contact_angle());
             let hertz = HertzContact::new(rolling, lateral, modulus)?;
             let surface_radius = if differential_slip { geometry.surface_radius(side) } else { f64::INFINITY };
-            Ok::<_, BearingError>(Race { hertz, surface_radius })
+            let ball_share = spec.ball.compliance() / (spec.ball.compliance() + ring.compliance());
+            Ok::<_, BearingError>(Race { hertz, surface_radius, ball_share })
+        };
+        let elastic = match spec.modelling.patch {
+            Some(PatchSurfaces::Elastic { strips, cells }) => {
+                Some(ElasticPatches::new(FastsimRule { across: strips, cells }, &spec.ball, &spec.rings)?)
+            }
+            Some(PatchSurfaces::Rigid) | None => None,
         };
         Ok(Self {
             geometry,
@@ -185,6 +193,7 @@ impl Bearing {
             ring_offset: RingOffset::FirstOrder,
             worn: spec.worn,
             contact_damping: 0.0,
+            elastic,
         })
     }
 

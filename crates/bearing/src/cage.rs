@@ -1,6 +1,7 @@
 //! The cage as a body: its pockets, and what drives and brakes it.
 
 use crate::bearing::Bearing;
+use crate::modelling::PocketForce;
 use crate::pocket::{Pocket, hypot};
 use crate::races::{Races, Side};
 use crate::run_inputs::{GuidingLand, MovingCage};
@@ -46,6 +47,7 @@ impl CageBody {
             damping: pocket_damping,
             friction: pocket_friction,
             ball_radius: bearing.geometry.ball_radius(),
+            force: bearing.modelling.pocket_force.unwrap_or(PocketForce::FromWall),
         };
         let film = |GuidingLand { side, radius, width, gap }| {
             let fluid = bearing.fluid.as_ref()?;

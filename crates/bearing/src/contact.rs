@@ -3,6 +3,7 @@
 //! Vectors are [a, r, t]: axial, radial, along the orbit. Forces and moments are those on the ball.
 
 use crate::bearing::Race;
+use crate::elastic::ElasticPatches;
 use crate::geometry::ContactPose;
 use crate::lean::{Lean, RingOffset};
 use crate::races::{Races, Side};
@@ -153,6 +154,8 @@ pub struct LoadedPatch<'a, D> {
     pub rolling_speed: D,
     /// Part of the coating that is gone, 0 to 1.
     pub bare: f64,
+    /// Tangential elasticity; absent where the surfaces are rigid.
+    pub elastic: Option<&'a ElasticPatches>,
 }
 
 impl<D: Scalar> LoadedPatch<'_, D> {

@@ -6,12 +6,11 @@
 use crate::bearing::{Bearing, Race};
 use crate::contact::NormalContact;
 use crate::contact::{BallLoads, LoadedPatch, RaceContact, add};
-use crate::modelling::RingCentre;
+use crate::modelling::{RingCentre, RollingRadius};
 use crate::races::{Races, Side};
 use crate::state::{BallState, RingState};
 use tribodyn_contact::{Ellipse, Scalar};
-use tribodyn_traction::{FastPatch, fast_patch_traction, linear_patch_traction};
-use tribodyn_traction::{Patch, PatchTraction, Quadrature, RelativeMotion, patch_traction};
+use tribodyn_traction::{Patch, PatchTraction, Quadrature, RelativeMotion};
 use tribodyn_wear::LocalSurface;
 
 /// A loaded contact's motion in the axes of its patch.
@@ -23,6 +22,9 @@ pub struct Sliding<D = f64> {
     pub motion: RelativeMotion<D>,
     /// Mean of the two surface speeds along e_t in the orbiting frame, m/s.
     pub rolling_speed: D,
+    /// How much nearer than the ball's radius the patch stands to the ball's centre, m: the motion is that of the
+    /// bodies as seen from a centre moved by so much towards the patch.
+    pub sunk: D,
 }
 
 /// Traction of a contact in the axes of the ball [a, r, t].
@@ -41,12 +43,15 @@ impl<D: Scalar> Sliding<D> {
         let [n_a, n_r] = self.normal;
         // e_y = (n_r, −n_a, 0).
         let lateral = traction.force_lateral;
+        // The arm is shorter than the radius that the integrals have.
+        let about_lateral = traction.moment_lateral - traction.force_rolling * self.sunk;
+        let about_rolling = traction.moment_rolling + lateral * self.sunk;
         ContactForces {
             force: [lateral * n_r, -(lateral * n_a), traction.force_rolling],
             moment: [
-                traction.moment_lateral * n_r + traction.moment_normal * n_a,
-                traction.moment_normal * n_r - traction.moment_lateral * n_a,
-                traction.moment_rolling,
+                about_lateral * n_r + traction.moment_normal * n_a,
+                traction.moment_normal * n_r - about_lateral * n_a,
+                about_rolling,
             ],
         }
     }
@@ -66,22 +71,6 @@ impl Bearing {
         quadrature: &Quadrature,
     ) -> BallLoads<D> {
         self.ball_loads_with(ball, rings, self.surfaces().each_ref(), |patch| self.plain_traction(patch, quadrature))
-    }
-
-    /// The traction of a patch by the generic quadrature; where the coating is partly gone, of both surfaces by their
-    /// shares.
-    pub fn plain_traction<D: Scalar>(&self, p: &LoadedPatch<'_, D>, quadrature: &Quadrature) -> PatchTraction<D> {
-        p.blend(|law| patch_traction(&p.patch, &p.motion, p.rolling_speed, law, quadrature))
-    }
-
-    /// [`Self::plain_traction`] by the kernel that works on several nodes at a time.
-    pub fn fast_traction(&self, p: &LoadedPatch<'_, f64>, kernel: &FastPatch) -> PatchTraction {
-        p.blend(|law| fast_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, law))
-    }
-
-    /// [`Self::fast_traction`] with first derivatives, under the conditions of [`linear_patch_traction`].
-    pub fn linear_traction<D: Scalar>(&self, p: &LoadedPatch<'_, D>, kernel: &FastPatch) -> PatchTraction<D> {
-        p.blend(|law| linear_patch_traction(kernel, &p.patch, &p.motion, p.rolling_speed, law))
     }
 
     /// All that races and fluid do to a ball, given the surfaces where it stands and a function that integrates
@@ -147,8 +136,19 @@ impl Bearing {
         (ring, orbit_radius): (&RingState<D>, D),
     ) -> Sliding<D> {
         let normal = contact.pose.normal(side);
-        let (motion, rolling_speed) = self.relative_motion(normal, ball, ring, orbit_radius);
-        Sliding { normal, motion, rolling_speed }
+        let sunk = self.sunk(side, contact);
+        let (motion, rolling_speed) = self.relative_motion((normal, sunk), ball, ring, orbit_radius);
+        Sliding { normal, motion, rolling_speed, sunk }
+    }
+
+    /// How far a patch stands within the sphere of the ball, m; 0 where the ball rolls at its undeformed radius.
+    #[inline]
+    fn sunk<D: Scalar>(&self, side: Side, contact: &NormalContact<D>) -> D {
+        let approach = contact.pose.approach;
+        match self.modelling.rolling_radius {
+            Some(RollingRadius::Deformed) if approach.re() > 0.0 => approach * self.races[side].ball_share,
+            _ => D::zero(),
+        }
     }
 
     /// The patch of a contact, ready for its traction integral.
@@ -165,7 +165,8 @@ impl Bearing {
         let tribology = self.tribology.as_ref();
         let Sliding { motion, rolling_speed, .. } = *sliding;
         let patch = self.patch(race, ellipse);
-        LoadedPatch { side, race, tribology, load: contact.load, patch, motion, rolling_speed, bare }
+        let elastic = self.elastic.as_ref();
+        LoadedPatch { side, race, tribology, load: contact.load, patch, motion, rolling_speed, bare, elastic }
     }
 
     /// The contact ellipse under a normal contact.
@@ -174,12 +175,12 @@ impl Bearing {
         self.hertz(side, &contact.pose).ellipse(contact.load)
     }
 
-    /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), and the rolling
-    /// speed.
+    /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), `sunk` (m) into the
+    /// sphere of the ball, and the rolling speed.
     #[inline(always)]
     pub fn relative_motion<D: Scalar>(
         &self,
-        [n_a, n_r]: [D; 2],
+        ([n_a, n_r], sunk): ([D; 2], D),
         ball: &BallState<D>,
         ring: &RingState<D>,
         orbit_radius: D,
@@ -192,14 +193,16 @@ impl Bearing {
         let axial = ball.velocity[0] - ring_velocity[0];
         let radial = ball.velocity[1] - ring_velocity[1] - ring.speed * centre[2];
         let w = [ball.spin[0] - ring.speed, ball.spin[1], ball.spin[2]];
+        let (about_lateral, about_rolling) = (w[0] * n_r - w[1] * n_a, w[2]);
         let motion = RelativeMotion {
-            rolling: along,
-            lateral: axial * n_r - radial * n_a,
+            rolling: along - about_lateral * sunk,
+            lateral: axial * n_r - radial * n_a + about_rolling * sunk,
             spin: w[0] * n_a + w[1] * n_r,
-            about_lateral: w[0] * n_r - w[1] * n_a,
-            about_rolling: w[2],
+            about_lateral,
+            about_rolling,
         };
-        // Surface speeds along e_t as seen from the orbiting frame: ball ω × r_b n, race (ω_race − ω_m) e_a × r.
+        // Surface speeds along e_t as seen from the orbiting frame: ball ω × r n, race (ω_race − ω_m) e_a × r.
+        let r_b = -sunk + r_b;
         let about_orbit = ball.spin[0] - ball.orbital_speed;
         let ball_surface = (about_orbit * n_r - ball.spin[1] * n_a) * r_b;
         let race_surface = (ring.speed - ball.orbital_speed) * (orbit_radius + n_r * r_b);
@@ -276,9 +279,11 @@ fn cross<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bearing::BearingSpec;
     use crate::frame::AzimuthFrame;
+    use crate::modelling::{Modelling, PatchSurfaces};
     use crate::test_bearing::spec;
-    use tribodyn_traction::PatchRule;
+    use tribodyn_traction::{PatchRule, TangentialElasticity};
 
     const INNER_SPEED: f64 = 1400.0;
 
@@ -323,16 +328,69 @@ mod tests {
     /// What ball and inner ring lose together at their contact is friction: F·v + M·Ω − torque ω_i = −∬ κ p |Δv|.
     #[test]
     fn identity_power_at_the_inner_contact_is_friction() {
-        let bearing = bearing();
-        for (spin, orbit) in [([-3300.0, 1000.0, 0.0], 620.0), ([-2000.0, -300.0, 150.0], 300.0)] {
-            let (ball, loads, inner) = loads(&bearing, spin, orbit, [INNER_SPEED, 0.0]);
-            let [.., torque] = bearing.ring_action(&ball, &loads, &inner);
-            let contact = &loads.contacts.inner;
-            let on_ball: f64 = contact.moment.iter().zip(spin).map(|(m, w)| m * w).sum();
-            let lost = contact.force[2] * loads.orbit_radius * orbit + on_ball - torque * INNER_SPEED;
-            let friction = contact.traction.power;
-            assert!(friction > 1.0, "{friction} W");
-            assert!((lost + friction).abs() < 1e-10 * (torque * INNER_SPEED).abs().max(friction), "{lost} {friction}");
+        let with = |modelling| Bearing::new(BearingSpec { modelling, ..spec() }).unwrap();
+        let plain = spec().modelling;
+        let fine = PatchSurfaces::Elastic { strips: 16, cells: 256 };
+        for (bearing, allowed) in [
+            (bearing(), 1e-10),
+            (with(Modelling { rolling_radius: Some(RollingRadius::Deformed), ..plain }), 1e-10),
+            // True slip and forces agree as the cells get finer.
+            (with(Modelling { patch: Some(fine), ..plain }), 3e-4),
+            (with(Modelling { patch: Some(fine), rolling_radius: Some(RollingRadius::Deformed), ..plain }), 3e-4),
+        ] {
+            for (spin, orbit) in [([-3300.0, 1000.0, 0.0], 620.0), ([-2000.0, -300.0, 150.0], 300.0)] {
+                let (ball, loads, inner) = loads(&bearing, spin, orbit, [INNER_SPEED, 0.0]);
+                let [.., torque] = bearing.ring_action(&ball, &loads, &inner);
+                let contact = &loads.contacts.inner;
+                let on_ball: f64 = contact.moment.iter().zip(spin).map(|(m, w)| m * w).sum();
+                let lost = contact.force[2] * loads.orbit_radius * orbit + on_ball - torque * INNER_SPEED;
+                let friction = contact.traction.power;
+                assert!(friction > 1.0, "{friction} W");
+                let scale = (torque * INNER_SPEED).abs().max(friction);
+                assert!((lost + friction).abs() < allowed * scale, "{lost} {friction} {allowed:e}");
+            }
+        }
+    }
+
+    /// The middle of the patch stands nearer to the ball's centre by its part of the approach, half between bodies of
+    /// one steel: the slip there is that of the bodies at this radius.
+    #[test]
+    fn identity_a_deformed_ball_slides_as_at_the_smaller_radius() {
+        let modelling = Modelling { rolling_radius: Some(RollingRadius::Deformed), ..spec().modelling };
+        let deformed = Bearing::new(BearingSpec { modelling, ..spec() }).unwrap();
+        let at = |bearing: &Bearing| loads(bearing, [-3300.0, 1000.0, 20.0], 620.0, [INNER_SPEED, 0.0]).1;
+        let (plain, sunk) = (at(&bearing()), at(&deformed));
+        for side in Side::BOTH {
+            let (a, b) = (&plain.contacts[side], &sunk.contacts[side]);
+            let radius = 0.01508 - 0.5 * a.normal.pose.approach;
+            let expected = a.motion.centre_slip(radius);
+            let found = b.motion.centre_slip(0.01508);
+            for (e, f) in expected.iter().zip(found) {
+                assert!((e - f).abs() < 1e-10, "{e} {f}");
+            }
+            assert!((a.motion.centre_slip(0.01508)[0] - expected[0]).abs() > 1e-3);
+        }
+    }
+
+    /// Without tangential flexibility the elastic patch is the rigid one.
+    #[test]
+    fn limit_stiff_surfaces_are_the_rigid_patch() {
+        let modelling =
+            Modelling { patch: Some(PatchSurfaces::Elastic { strips: 12, cells: 128 }), ..spec().modelling };
+        let mut elastic = Bearing::new(BearingSpec { modelling, ..spec() }).unwrap();
+        let at = |bearing: &Bearing| loads(bearing, [-3300.0, 1000.0, 20.0], 620.0, [INNER_SPEED, 0.0]).1;
+        let (rigid, soft) = (at(&bearing()), at(&elastic));
+        let stiff = TangentialElasticity::new(1e18, 0.28).unwrap();
+        elastic.elastic.as_mut().unwrap().pairs = Races { inner: stiff.clone(), outer: stiff };
+        let stiff = at(&elastic);
+        for side in Side::BOTH {
+            let apart = |loads: &BallLoads| {
+                let (a, b) = (&rigid.contacts[side], &loads.contacts[side]);
+                let square = |k: usize| (a.traction_force[k] - b.traction_force[k]).powi(2);
+                (0..3).map(square).sum::<f64>().sqrt() / a.normal.load
+            };
+            assert!(apart(&stiff) < 1e-4, "{:e}", apart(&stiff));
+            assert!(apart(&soft) > 3.0 * apart(&stiff), "{:e} {:e}", apart(&soft), apart(&stiff));
         }
     }
 

@@ -4,6 +4,7 @@ mod bearing;
 mod cage;
 mod contact;
 mod cylinder;
+mod elastic;
 mod frame;
 mod geometry;
 mod growth;
@@ -28,13 +29,17 @@ pub use bearing::{Bearing, BearingSpec, FluidForces, Race};
 pub use cage::{CageBody, Guidance};
 pub use contact::{BallLoads, BallPose, LoadedPatch, NormalContact, NormalLoads, RaceContact};
 pub use cylinder::{Cylinder, Solid};
+pub use elastic::ElasticPatches;
 pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
 pub use growth::{GrownBearing, Growth, MountedRing, Seat};
 pub use history::{RingLoads, SpeedHistory, Tilt, Translation};
 pub use interaction::{ContactForces, Sliding};
 pub use lean::{Lean, RingOffset};
-pub use modelling::{Equations, Modelling, OpenChoice, RaceControl, RingCentre};
+pub use modelling::{
+    Equations, GyroscopicFriction, GyroscopicMoment, Modelling, OpenChoice, PatchSurfaces, PocketForce, RaceControl,
+    RingCentre, RollingRadius,
+};
 pub use motion::BallFriction;
 pub use normal::ContactSprings;
 pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};

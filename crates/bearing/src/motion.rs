@@ -66,7 +66,7 @@ impl Bearing {
     }
 
     /// Accelerations of a ball by the friction part: axial, radial, orbital, and of the spin with the turning of the
-    /// azimuth frame, ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t).
+    /// azimuth frame, ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t), unless the gyroscopic moment is left out.
     #[inline]
     pub fn friction_acceleration<D: Scalar>(
         &self,
@@ -75,7 +75,8 @@ impl Bearing {
         orbit_radius: D,
     ) -> [D; 6] {
         let (m, j) = (self.ball_mass, self.ball_inertia);
-        let (w, [_, spin_r, spin_t]) = (state.orbital_speed, state.spin);
+        let [_, spin_r, spin_t] = state.spin;
+        let w = if self.modelling.has_gyroscopic_moment() { state.orbital_speed } else { D::zero() };
         let ([a, r, t], moment) = (friction.force, friction.moment);
         [a / m, r / m, t / (orbit_radius * m), moment[0] / j, moment[1] / j + w * spin_t, moment[2] / j - w * spin_r]
     }

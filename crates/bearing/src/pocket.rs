@@ -1,5 +1,6 @@
 //! A ball in its cage pocket: dead band, spring and damper, friction.
 
+use crate::modelling::PocketForce;
 use tribodyn_contact::Scalar;
 
 /// The cage's pockets, SI.
@@ -17,6 +18,8 @@ pub struct Pocket {
     pub friction: f64,
     /// Radius of the ball, m.
     pub ball_radius: f64,
+    /// Where the force starts.
+    pub force: PocketForce,
 }
 
 /// Sliding speed below which pocket friction falls off in proportion, m/s. The balls spin past their pockets at tens of
@@ -83,8 +86,18 @@ impl Pocket {
         (size - self.clearance) * self.radius
     }
 
-    /// Force and friction. The spring starts at the wall and the damping grows with the penetration, so that the force
-    /// is continuous; together they never pull.
+    /// How far the spring is pressed, m, where the ball is pressed into the wall by `depth`: by as much, or from the middle
+    /// of the pocket on; and the length that it has at the wall.
+    fn pressed<D: Scalar>(&self, depth: D) -> [D; 2] {
+        let before = match self.force {
+            PocketForce::FromWall => 0.0,
+            PocketForce::AsPrinted => self.clearance * self.radius,
+        };
+        [depth + before, D::from(before)]
+    }
+
+    /// Force and friction. The spring starts at the wall, unless it is taken as printed, and the damping grows with it,
+    /// so that the force is continuous; together they never pull.
     pub fn load<D: Scalar>(&self, motion: &PocketMotion<D>) -> PocketLoad<D> {
         let depth = self.penetration(motion.lead);
         if depth.re() <= 0.0 {
@@ -93,7 +106,8 @@ impl Pocket {
         // The ball leads: it touches the front wall, at +r_b e_t, and is held back.
         let side = motion.lead.re().signum();
         let closing = motion.rate * (side * self.radius);
-        let spring = depth * self.stiffness;
+        let [length, at_wall] = self.pressed(depth);
+        let spring = length * self.stiffness;
         let pressed = spring * (closing * self.damping + 1.0);
         let normal = if pressed.re() > 0.0 { pressed } else { D::zero() };
         let arm = side * self.ball_radius;
@@ -111,7 +125,7 @@ impl Pocket {
             // (arm e_t) × (f_a e_a + f_r e_r) = arm (f_a e_r − f_r e_a).
             moment: [friction[1] * -arm, friction[0] * arm],
             cage_torque: force * -self.radius + friction[1] * arm,
-            energy: spring * 0.5 * depth,
+            energy: (spring + at_wall * self.stiffness) * 0.5 * depth,
             damping_power: (normal - spring) * closing,
             friction_power: -share * sliding * sliding,
             sliding,
@@ -134,8 +148,15 @@ mod tests {
     use super::*;
     use num_dual::first_derivative;
 
-    const POCKET: Pocket =
-        Pocket { radius: 0.08, clearance: 1.5e-3, stiffness: 5e6, damping: 0.3, friction: 0.1, ball_radius: 0.015 };
+    const POCKET: Pocket = Pocket {
+        radius: 0.08,
+        clearance: 1.5e-3,
+        stiffness: 5e6,
+        damping: 0.3,
+        friction: 0.1,
+        ball_radius: 0.015,
+        force: PocketForce::FromWall,
+    };
 
     fn motion(lead: f64, rate: f64) -> PocketMotion {
         PocketMotion { lead, rate, velocity: [0.02, -0.01], spin: [-2700.0, 800.0], cage_speed: 608.0 }
@@ -146,6 +167,17 @@ mod tests {
         assert_eq!(POCKET.load(&motion(1.49e-3, 5.0)), PocketLoad::none());
         let edge = POCKET.load(&motion(1.5e-3 + 1e-12, 5.0));
         assert!(edge.force.abs() < 1e-5 && edge.damping_power.abs() < 1e-5);
+    }
+
+    /// As printed the force is K r_p Δθ wherever there is one, and jumps at the wall.
+    #[test]
+    fn paper_pocket_force_as_printed() {
+        let printed = Pocket { force: PocketForce::AsPrinted, ..POCKET };
+        assert_eq!(printed.load(&motion(1.49e-3, 0.0)), PocketLoad::none());
+        for lead in [1.5e-3 + 1e-12, 2e-3, -3e-3] {
+            let force = printed.load(&motion(lead, 0.0)).force;
+            assert!((force + 5e6 * 0.08 * lead).abs() < 1e-9 * force.abs(), "{force}");
+        }
     }
 
     #[test]
@@ -160,19 +192,23 @@ mod tests {
     /// What ball and cage receive together is what spring, damping and friction take.
     #[test]
     fn identity_power_of_ball_and_cage() {
-        for (lead, rate) in [(2e-3, 1.3), (-2.5e-3, 0.7), (3e-3, -0.4)] {
+        let printed = Pocket { force: PocketForce::AsPrinted, ..POCKET };
+        for (lead, rate, pocket) in
+            [(2e-3, 1.3, POCKET), (-2.5e-3, 0.7, POCKET), (3e-3, -0.4, POCKET), (2e-3, 1.3, printed)]
+        {
             let m = motion(lead, rate);
             let orbit = m.cage_speed + rate;
-            let load = POCKET.load(&m);
+            let load = pocket.load(&m);
             let on_ball = load.force * POCKET.radius * orbit
                 + load.friction[0] * m.velocity[0]
                 + load.friction[1] * m.velocity[1]
                 + load.moment[0] * m.spin[0]
                 + load.moment[1] * m.spin[1];
             let given = on_ball + load.cage_torque * m.cage_speed;
-            let stored = POCKET.stiffness * POCKET.penetration(lead) * POCKET.radius * rate * lead.signum();
+            let ahead = PocketMotion { lead: lead + 1e-9, ..m };
+            let stored = (pocket.load(&ahead).energy - load.energy) / 1e-9 * rate;
             let lost = load.damping_power + load.friction_power;
-            assert!((given + stored + lost).abs() < 1e-9 * lost.abs(), "{given} {stored} {lost}");
+            assert!((given + stored + lost).abs() < 1e-5 * lost.abs(), "{given} {stored} {lost}");
         }
     }
 

@@ -26,12 +26,7 @@ pub fn spec() -> BearingSpec {
         wear: Races { inner: silver, outer: silver },
         wear_cage: Archard { coefficient: 1e-6, hardness: 60e6 },
     };
-    let modelling = Modelling {
-        contact_at_actual_angle: false,
-        ring_centre: Some(RingCentre::Displaced),
-        race_control: None,
-        centrifugal_at_free_pitch: None,
-    };
+    let modelling = Modelling::with_traction(false, RingCentre::Displaced);
     let dry = BearingSpec::new(geometry.unwrap(), (steel, 7800.0), modelling);
     BearingSpec { tribology: Some(tribology), ..dry }
 }

@@ -5,7 +5,7 @@
 
 use super::*;
 use std::f64::consts::PI;
-use tribodyn_bearing::{SpeedHistory, Tilt, Translation};
+use tribodyn_bearing::{Modelling, PatchSurfaces, SpeedHistory, Tilt, Translation};
 use tribodyn_fluid::Fluid;
 use tribodyn_traction::{Coating, PatchChoice, PatchRule, SlipUnit, coating_names};
 
@@ -64,6 +64,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
     }
     super::validate_transient::validate(case)?;
     super::mounting::validate(case)?;
+    modelling(&case.modelling)?;
     numerics(&case.numerics)?;
     super::validate_bounds::validate(case)
 }
@@ -316,6 +317,13 @@ fn table(path: &str, rows: &[(f64, f64)]) -> Verdict {
         require(pair[1].0 > pair[0].0, &format!("{path}[{}][0]", i + 1), message)?;
     }
     Ok(())
+}
+
+/// Fewer cells than these resolve no adhesion, more than these no processor wants.
+fn modelling(choices: &Modelling) -> Verdict {
+    let Some(PatchSurfaces::Elastic { strips, cells }) = choices.patch else { return Ok(()) };
+    require((1..=64).contains(&strips), "modelling.patch.Elastic.strips", "must be a whole number between 1 and 64")?;
+    require((2..=512).contains(&cells), "modelling.patch.Elastic.cells", "must be a whole number between 2 and 512")
 }
 
 fn numerics(spec: &Numerics) -> Verdict {

@@ -22,14 +22,8 @@ pub enum Failure {
     Study(StudyError),
     #[error("--{option} {value}: {message}")]
     Option { option: &'static str, value: String, message: String },
-    #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
-    OutOfRange { quantity: &'static str, value: f64 },
     #[error("{file}: {source}")]
     Identify { file: String, source: Box<IdentifyError> },
-    #[error(transparent)]
-    Contact(#[from] tribodyn_contact::ContactError),
-    #[error(transparent)]
-    Traction(#[from] tribodyn_traction::TractionError),
     #[error(transparent)]
     Catalogue(#[from] tribodyn_catalogue::CatalogueError),
     #[error("{}{}", with_causes(.0), lifts(.0))]
@@ -168,6 +162,7 @@ fn study_exit_code(error: &StudyError) -> u8 {
 /// The message with the options of the command that it is about.
 fn in_options(error: &StudyError) -> String {
     match error {
+        StudyError::Argument { name, value, message } => format!("--{name} {value}: {message}"),
         StudyError::Overlap { first, second } => format!("--set {first} and --set {second} sweep the same value"),
         StudyError::TableFormat { .. } => format!("--output {error}"),
         StudyError::OtherSweep { path, difference } => {

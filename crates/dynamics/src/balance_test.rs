@@ -205,3 +205,50 @@ fn identity_without_spin_transport_the_quasistatic_state_does_not_stay() {
     // ω_m Ω_r is some 600 × 800 rad/s².
     assert!(with < 1.0 && without > 1e5, "{with:e} {without:e}");
 }
+
+/// Readings of the equations that change forces: what a ball loses the books still have. An elastic patch knows its power
+/// by the true slip and its forces by their sum, which agree as its cells get finer.
+#[test]
+fn identity_power_balances_under_every_reading() {
+    let readings = [
+        ("modelling.rolling_radius", "Deformed", 1e-8),
+        ("modelling.gyroscopic_moment", "Absent", 1e-8),
+        ("modelling.pocket_force", "AsPrinted", 1e-6),
+        ("modelling.patch", "Elastic(strips: 4, cells: 24)", 2e-3),
+    ];
+    for (path, value, allowed) in readings {
+        let (state, off) = run(Scheme::RungeKutta, 200, &[PUSHING[0], (path, value)], None);
+        let (plain, _) = run(Scheme::RungeKutta, 200, &PUSHING, None);
+        assert!(off < allowed, "{value}: {off:e}");
+        let moved = state.iter().zip(&plain).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
+        assert!(moved > 1e-6, "{value} changes nothing: {moved:e}");
+    }
+    let cells = |cells: u32| {
+        let patch = format!("Elastic(strips: 4, cells: {cells})");
+        run(Scheme::RungeKutta, 50, &[("modelling.patch", &patch)], None).1
+    };
+    let (coarse, fine) = (cells(12), cells(48));
+    assert!(fine < 0.5 * coarse, "{coarse:e} {fine:e}");
+}
+
+/// The fast scheme and the Runge–Kutta method have the same equations under every reading.
+#[test]
+fn identity_the_fast_scheme_has_every_reading() {
+    let speeds = |scheme, changes: &[(&str, &str)]| -> Vec<f64> {
+        let (state, _) = run(scheme, 300, changes, None);
+        (0..13).flat_map(|k| state[BALL * k + VELOCITY..BALL * (k + 1)].to_vec()).collect()
+    };
+    let size = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
+    let whole = [Scheme::RungeKutta, Scheme::Fast].map(|scheme| speeds(scheme, &PUSHING));
+    for (path, value) in [
+        ("modelling.rolling_radius", "Deformed"),
+        ("modelling.gyroscopic_moment", "Absent"),
+        ("modelling.pocket_force", "AsPrinted"),
+        ("modelling.patch", "Elastic(strips: 4, cells: 8)"),
+    ] {
+        let changes = [PUSHING[0], (path, value)];
+        let [exact, fast] = [Scheme::RungeKutta, Scheme::Fast].map(|scheme| speeds(scheme, &changes));
+        let (effect, error) = (size(&exact, &whole[0]), size(&fast, &exact));
+        assert!(error < 0.3 * effect, "{value}: effect {effect:e}, error {error:e}");
+    }
+}

@@ -135,6 +135,21 @@ fn identity_momentum_stays_with_friction_and_a_defect() {
     assert!(x < 1e-7 && y < 1e-7, "with a defect {x:e} {y:e}");
 }
 
+/// The elastic patch and the deformed ball change friction, not what rings and balls do to each other.
+#[test]
+fn identity_momentum_stays_under_every_reading_of_friction() {
+    let readings = [("modelling.patch", "Elastic(strips: 4, cells: 6)"), ("modelling.rolling_radius", "Deformed")];
+    for (path, value) in readings {
+        let case = set_value(PAPER, path, value).unwrap();
+        for (scheme, h, allowed) in
+            [(Scheme::RungeKutta, 4e-6, 1e-9), (Scheme::DormandPrince, 4e-6, 1e-9), (Scheme::Fast, 10e-6, 1e-4)]
+        {
+            let [x, y, ..] = changes(&scheme, free(&case, true), h);
+            assert!(x.hypot(y) < allowed, "{value}: {x:e} {y:e}");
+        }
+    }
+}
+
 /// In polar coordinates, and with a part of the springs' force handed to the kick, the fast scheme keeps both momenta
 /// to its second order.
 #[test]

@@ -74,7 +74,10 @@ impl Kernel {
         let of = |law: &Law| {
             let curve = law.kragelskii(p.patch.peak_pressure)?;
             let slope = law.kragelskii_slope(p.patch.peak_pressure)?;
-            Some(fast.derivative(&p.patch, &p.motion, p.rolling_speed, (&curve, &slope), tribology.slip_unit))
+            Some(match p.elastic {
+                Some(elastic) => elastic.derivative(p, (&curve, &slope, tribology.slip_unit)),
+                None => fast.derivative(&p.patch, &p.motion, p.rolling_speed, (&curve, &slope), tribology.slip_unit),
+            })
         };
         let coating = &tribology.laws[p.side];
         match &tribology.bare_law {

@@ -100,7 +100,7 @@ impl<'a> LeastSquares<'a> {
         let evaluation = self.model.evaluate(&values, near)?;
         let data = self.problem.data.iter().map(|d| d.deviation(d.computed(&evaluation)) / d.uncertainty);
         let priors = self.parameters().zip(&values).filter_map(|(p, &v)| p.prior_residual(v));
-        let residuals: Vec<f64> = data.chain(priors).collect();
+        let residuals: Vec<f64> = data.chain(priors).map(|r| if r.is_nan() { NOTHING } else { r }).collect();
         Ok(Point { coordinates, residuals: DVector::from_vec(residuals), evaluation })
     }
 
@@ -109,7 +109,7 @@ impl<'a> LeastSquares<'a> {
     /// # Errors
     /// Those of [`ForwardModel::evaluate`].
     pub fn jacobian(&self, at: &Point) -> Result<DMatrix<f64>, IdentifyError> {
-        self.differences(at, DIFFERENCE, false, |point| point.residuals.clone())
+        self.differences(at, self.problem.difference, false, |point| point.residuals.clone())
     }
 
     /// Derivatives of a function of the solutions with respect to the coordinates, by differences of `step`, two-sided
@@ -144,9 +144,8 @@ impl<'a> LeastSquares<'a> {
     }
 }
 
-/// Step of the differences in coordinates. Solutions are good to 1e-10 and smooth over 1e-3 of the bounds, so that
-/// 1e-5 costs five digits to either side; halving it is checked at the solution.
-pub(crate) const DIFFERENCE: f64 = 1e-5;
+/// Residual of a figure that a run does not have, such as the place of impacts without any: as bad as ten uncertainties.
+const NOTHING: f64 = 10.0;
 /// Iterations of one fit.
 const MAX_ITERATIONS: u64 = 60;
 /// A fit ends when a step promises less than this share of the cost.

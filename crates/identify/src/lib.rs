@@ -5,6 +5,7 @@ mod model;
 mod problem;
 mod report;
 mod search;
+mod settled;
 mod uncertainty;
 
 pub use fit::{LeastSquares, Point, fit};
@@ -12,10 +13,12 @@ pub use model::{Evaluation, ForwardModel};
 pub use problem::{Datum, Hypothesis, ModelName, Parameter, Prior, Problem, Quantity, Relation, Run, Scale};
 pub use report::{DatumResult, Identification, MinimumResult, ParameterResult, identify};
 pub use search::{Minimum, Search, search};
+pub use settled::Settled;
 pub use uncertainty::{Uncertainty, uncertainty};
 
 use tribodyn_bearing::BearingError;
-use tribodyn_case::{CaseError, Lacking};
+use tribodyn_case::{CaseError, InputError, Lacking};
+use tribodyn_dynamics::DynamicsError;
 use tribodyn_quasistatic::QuasiStaticError;
 
 /// Errors of an identification.
@@ -75,4 +78,10 @@ pub enum IdentifyError {
     /// The solver.
     #[error(transparent)]
     Solver(#[from] QuasiStaticError),
+    /// A case that gives no inputs for a run.
+    #[error(transparent)]
+    Inputs(#[from] InputError),
+    /// A transient run.
+    #[error(transparent)]
+    Run(#[from] DynamicsError),
 }

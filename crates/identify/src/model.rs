@@ -1,7 +1,8 @@
 //! The figures that a set of parameter values gives.
 
 use crate::IdentifyError;
-use crate::problem::{Datum, Hypothesis, Problem, Quantity, Relation};
+use crate::problem::{Datum, Hypothesis, ModelName, Problem, Quantity, Relation};
+use crate::settled::Settled;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use tribodyn_case::{Case, Purpose, locate, set_value};
@@ -47,7 +48,7 @@ impl Template {
 #[derive(Debug, Clone)]
 struct Variant {
     template: Template,
-    model: Model,
+    model: ModelName,
 }
 
 /// The model under one hypothesis: parameter values in, figures out.
@@ -62,6 +63,8 @@ pub struct ForwardModel {
 pub struct Evaluation {
     /// Solutions by the name of the run.
     pub solutions: BTreeMap<String, Solution>,
+    /// What transient runs settled to, by their names.
+    pub settled: BTreeMap<String, Settled>,
     warm: BTreeMap<String, WarmStart>,
 }
 
@@ -87,7 +90,7 @@ impl ForwardModel {
                 text = set_value(&text, path, value)?;
             }
             Case::from_ron(&text)?;
-            Ok((name.clone(), Variant { template: Template::new(text, &paths)?, model: run.model.into() }))
+            Ok((name.clone(), Variant { template: Template::new(text, &paths)?, model: run.model }))
         });
         Ok(Self { variants: variants.collect::<Result<_, IdentifyError>>()?, base })
     }
@@ -97,7 +100,7 @@ impl ForwardModel {
         self.base.fill(values)
     }
 
-    /// Solves all runs, from neighbouring solutions where there are some.
+    /// Works out all runs, equilibria from neighbouring solutions where there are some.
     ///
     /// # Errors
     /// A case that is refused or does not converge.
@@ -105,16 +108,21 @@ impl ForwardModel {
         let mut out = Evaluation::default();
         for (name, variant) in &self.variants {
             let case = Case::from_ron(&variant.template.fill(values))?;
-            case.require(match variant.model {
-                Model::JonesHarris => Purpose::JonesHarris,
-                Model::Traction => Purpose::Traction,
-            })?;
+            let (model, purpose) = match variant.model {
+                ModelName::JonesHarris => (Model::JonesHarris, Purpose::JonesHarris),
+                ModelName::Traction => (Model::Traction, Purpose::Traction),
+                ModelName::Transient => {
+                    out.settled.insert(name.clone(), Settled::of(&case)?);
+                    continue;
+                }
+            };
+            case.require(purpose)?;
             let bearing = case.bearing()?;
             let point = case.operating_point();
             let warm = near.and_then(|n| n.warm.get(name));
             let solved = match warm {
-                Some(start) => solve_from(&bearing, &point, start).or_else(|_| solve(&bearing, &point, variant.model)),
-                None => solve(&bearing, &point, variant.model),
+                Some(start) => solve_from(&bearing, &point, start).or_else(|_| solve(&bearing, &point, model)),
+                None => solve(&bearing, &point, model),
             }?;
             if let Some(start) = solved.warm_start {
                 out.warm.insert(name.clone(), start);
@@ -134,7 +142,10 @@ pub(crate) fn free(problem: &Problem, hypothesis: Option<&Hypothesis>) -> Vec<us
 impl Datum {
     /// The model's figure: the value, the ratio, or the difference to the other quantity.
     pub fn computed(&self, evaluation: &Evaluation) -> f64 {
-        let of = |run: &str, quantity: Quantity| quantity.of(&evaluation.solutions[run]);
+        let of = |run: &str, quantity: Quantity| match evaluation.settled.get(run) {
+            Some(settled) => quantity.of_settled(settled),
+            None => quantity.of(&evaluation.solutions[run]),
+        };
         let here = of(&self.run, self.quantity);
         match &self.relation {
             Relation::Value => here,
@@ -156,7 +167,40 @@ impl Datum {
 }
 
 impl Quantity {
-    /// Its value in a solution, in its unit.
+    /// True if it is one of a transient run.
+    pub fn of_run(&self) -> bool {
+        matches!(
+            self,
+            Self::OrbitalSpeed
+                | Self::OrbitalSpeedLeast
+                | Self::OrbitalSpeedGreatest
+                | Self::OuterAccelerationPeak
+                | Self::OuterAccelerationAmplitude
+                | Self::InnerAccelerationRms
+                | Self::FirstImpact
+                | Self::ImpactShare { .. }
+        )
+    }
+
+    /// Its value in a settled run, in its unit; NaN where it is none of a run.
+    pub fn of_settled(&self, run: &Settled) -> f64 {
+        match *self {
+            Self::OrbitalSpeed => run.orbital_speed_rpm,
+            Self::OrbitalSpeedLeast => run.orbital_limits_rpm[0],
+            Self::OrbitalSpeedGreatest => run.orbital_limits_rpm[1],
+            Self::OuterAccelerationPeak => run.outer_peak_m_s2,
+            Self::OuterAccelerationAmplitude => run.outer_amplitude_m_s2,
+            Self::InnerAccelerationRms => run.inner_rms_m_s2.iter().map(|v| v * v).sum::<f64>().sqrt(),
+            Self::FirstImpact => run.first_impact_deg,
+            Self::ImpactShare { from, to } => {
+                let inside = run.impacts_deg.iter().filter(|a| (from..=to).contains(*a)).count();
+                inside as f64 / run.impacts_deg.len() as f64
+            }
+            _ => f64::NAN,
+        }
+    }
+
+    /// Its value in a solution, in its unit; NaN where it is one of a run.
     pub fn of(&self, solution: &Solution) -> f64 {
         let ball = |azimuth: f64| OverAzimuth::new(solution).at(azimuth.to_radians());
         match *self {
@@ -174,6 +218,7 @@ impl Quantity {
             Self::RingDisplacementAxial => solution.ring_displacement_m[2] * 1e6,
             Self::RingDisplacementRadial => solution.ring_displacement_m[0] * 1e6,
             Self::ShaftTorque => solution.shaft_torque_nm.unwrap_or(f64::NAN),
+            _ => f64::NAN,
         }
     }
 
@@ -187,6 +232,10 @@ impl Quantity {
             Self::ContactAngleInner { .. } | Self::ContactAngleOuter { .. } => "°",
             Self::RingDisplacementAxial | Self::RingDisplacementRadial => "µm",
             Self::ShaftTorque => "N m",
+            Self::OrbitalSpeed | Self::OrbitalSpeedLeast | Self::OrbitalSpeedGreatest => "r/min",
+            Self::OuterAccelerationPeak | Self::OuterAccelerationAmplitude | Self::InnerAccelerationRms => "m/s²",
+            Self::FirstImpact => "°",
+            Self::ImpactShare { .. } => "–",
         }
     }
 }

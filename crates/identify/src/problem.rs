@@ -3,7 +3,6 @@
 use crate::IdentifyError;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use tribodyn_quasistatic::Model;
 
 /// An identification problem as its RON file has it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -26,9 +25,19 @@ pub struct Problem {
     /// Values that hold only while searching, such as a coarser patch rule; the completed case keeps its own.
     #[serde(default)]
     pub search: BTreeMap<String, String>,
+    /// Step of the difference quotients over the bounds of a parameter. Figures of runs are rough: impacts are a
+    /// threshold, so that small differences tell nothing of their trend.
+    #[serde(default = "smooth")]
+    pub difference: f64,
     /// Alternatives to be fitted one after the other; without any, the case as it is.
     #[serde(default)]
     pub hypotheses: Vec<Hypothesis>,
+}
+
+/// Step of the differences in coordinates. Solutions are good to 1e-10 and smooth over 1e-3 of the bounds, so that
+/// 1e-5 costs five digits to either side; halving it is checked at the solution.
+fn smooth() -> f64 {
+    1e-5
 }
 
 /// A free number of the case file.
@@ -87,15 +96,8 @@ pub enum ModelName {
     JonesHarris,
     /// Traction integrals.
     Traction,
-}
-
-impl From<ModelName> for Model {
-    fn from(name: ModelName) -> Self {
-        match name {
-            ModelName::JonesHarris => Self::JonesHarris,
-            ModelName::Traction => Self::Traction,
-        }
-    }
+    /// A run in time, from the equilibrium with traction on: its last whole orbits within the second half.
+    Transient,
 }
 
 /// A figure that the model should meet.
@@ -185,6 +187,27 @@ pub enum Quantity {
     RingDisplacementRadial,
     /// Torque of the shaft, N m.
     ShaftTorque,
+    /// Of a run: mean orbital speed of the balls, r/min.
+    OrbitalSpeed,
+    /// Of a run: least orbital speed of a ball, r/min.
+    OrbitalSpeedLeast,
+    /// Of a run: greatest orbital speed of a ball, r/min.
+    OrbitalSpeedGreatest,
+    /// Of a run: greatest acceleration of the outer ring along x, about its mean, m/s².
+    OuterAccelerationPeak,
+    /// Of a run: amplitude of the outer ring's acceleration along x as that of a sine of its rms, m/s².
+    OuterAccelerationAmplitude,
+    /// Of a run: rms of the inner ring's acceleration in all directions, m/s².
+    InnerAccelerationRms,
+    /// Of a run: median azimuth of the first impact of a ball on its pocket from 180° on, degrees.
+    FirstImpact,
+    /// Of a run: share of the impacts between two azimuths, degrees.
+    ImpactShare {
+        /// First azimuth.
+        from: f64,
+        /// Last azimuth.
+        to: f64,
+    },
 }
 
 /// Values that hold throughout one fit.
@@ -223,6 +246,9 @@ impl Problem {
     pub fn check(&self) -> Result<(), IdentifyError> {
         if self.starts == 0 || self.starts > 10_000 {
             return refuse("starts".into(), self.starts.to_string(), "1 to 10000");
+        }
+        if !(1e-9..=0.25).contains(&self.difference) {
+            return refuse("difference".into(), self.difference.to_string(), "1e-9 to 0.25");
         }
         if self.parameters.is_empty() {
             return refuse("parameters".into(), "[]".into(), "at least one free parameter");
@@ -274,16 +300,27 @@ impl Parameter {
     }
 }
 
+/// Quantities that a datum may have.
+const OF_THE_MODEL: &str = "a quantity of the model: runs (Transient) have speeds of balls, accelerations and impacts";
+
 impl Datum {
     fn check(&self, index: usize, runs: &BTreeMap<String, Run>) -> Result<(), IdentifyError> {
         let field = |name: &str| format!("data[{index}].{name} ({})", self.id);
-        if !runs.contains_key(&self.run) {
+        let Some(run) = runs.get(&self.run) else {
             return refuse(field("run"), self.run.clone(), "the name of one of the runs");
+        };
+        if self.quantity.of_run() != (run.model == ModelName::Transient) {
+            return refuse(field("quantity"), format!("{:?}", self.quantity), OF_THE_MODEL);
         }
         match &self.relation {
             Relation::Value => {}
             Relation::RatioTo { run, .. } | Relation::Above { run, .. } if !runs.contains_key(run) => {
                 return refuse(field("relation.run"), run.clone(), "the name of one of the runs");
+            }
+            Relation::RatioTo { run, quantity } | Relation::Above { run, quantity }
+                if quantity.of_run() != (runs[run].model == ModelName::Transient) =>
+            {
+                return refuse(field("relation.quantity"), format!("{quantity:?}"), OF_THE_MODEL);
             }
             Relation::Above { quantity, .. } if quantity.unit() != self.quantity.unit() => {
                 return refuse(field("relation.quantity"), format!("{quantity:?}"), "a quantity of the same unit");

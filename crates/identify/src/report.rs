@@ -166,7 +166,7 @@ fn answer(
 }
 
 /// Distance from its prior, in spreads, beyond which a parameter speaks against the problem.
-const FAR_FROM_PRIOR: f64 = 2.0;
+const FAR_FROM_PRIOR: f64 = 1.5;
 /// The same of a datum, in uncertainties.
 const FAR_FROM_DATUM: f64 = 3.0;
 

@@ -5,7 +5,7 @@
 //! an undetermined parameter shows as one whose spread is that of its prior.
 
 use crate::IdentifyError;
-use crate::fit::{DIFFERENCE, LeastSquares, Point};
+use crate::fit::{LeastSquares, Point};
 use crate::problem::{Parameter, Quantity, Scale};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -74,8 +74,8 @@ pub fn uncertainty(squares: &LeastSquares<'_>, at: &Point) -> Result<Uncertainty
         });
         DVector::from_iterator(residual_count + runs.len() * wishes.len(), point.residuals.iter().copied().chain(extra))
     };
-    let slopes = squares.differences(at, DIFFERENCE, true, all)?;
-    let finer = squares.differences(at, 0.5 * DIFFERENCE, true, all)?;
+    let slopes = squares.differences(at, squares.problem.difference, true, all)?;
+    let finer = squares.differences(at, 0.5 * squares.problem.difference, true, all)?;
     let jacobian = slopes.rows(0, residual_count).into_owned();
     let scale = jacobian.amax().max(f64::MIN_POSITIVE);
     let sensitivity_check = (jacobian.clone() - finer.rows(0, residual_count)).amax() / scale;

@@ -4,6 +4,7 @@
 //! clearance loads the pocket spring. The cage's own phase is where the pocket forces balance the drag on the cage.
 
 use std::f64::consts::PI;
+use tribodyn_bearing::PocketForce;
 
 /// Lead of each ball over its pocket (rad) and pocket force on it along the orbit (N).
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +21,7 @@ pub(crate) struct Pocket {
     pub clearance: f64,
     pub radius: f64,
     pub drag_torque: f64,
+    pub force: PocketForce,
 }
 
 /// Pocket forces from orbital speeds at equispaced azimuths.
@@ -49,7 +51,11 @@ pub(crate) fn pocket_forces(orbital_speeds: &[f64], pocket: &Pocket) -> PocketFo
 /// Force on the ball: against its lead, none within the clearance.
 fn force(lead: f64, pocket: &Pocket) -> f64 {
     let excess = lead.abs() - pocket.clearance;
-    if excess > 0.0 { -lead.signum() * pocket.stiffness * pocket.radius * excess } else { 0.0 }
+    let pressed = match pocket.force {
+        PocketForce::FromWall => excess,
+        PocketForce::AsPrinted => lead.abs(),
+    };
+    if excess > 0.0 { -lead.signum() * pocket.stiffness * pocket.radius * pressed } else { 0.0 }
 }
 
 /// ∫ (ω − ω_c)/ω_c dφ at the balls, by the trigonometric polynomial through the speeds, with zero mean.
@@ -81,7 +87,8 @@ fn periodic_lead(speeds: &[f64]) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    const POCKET: Pocket = Pocket { stiffness: 1e6, clearance: 1e-3, radius: 0.08, drag_torque: 0.0 };
+    const POCKET: Pocket =
+        Pocket { stiffness: 1e6, clearance: 1e-3, radius: 0.08, drag_torque: 0.0, force: PocketForce::FromWall };
 
     fn speeds(count: usize, f: impl Fn(f64) -> f64) -> Vec<f64> {
         (0..count).map(|j| f(2.0 * PI * j as f64 / count as f64)).collect()

@@ -5,7 +5,8 @@
 //! high-speed chapter; MODEL of the source paper: Lubricants 2025, 13(8), 352, section 4.3.3 ("QSJH").
 //!
 //! Signs: with inner speed and contact angles positive, Ω_r > 0, so the contact must supply +J ω_m Ω_r e_t. Friction
-//! does it by a lateral force on the ball of (−cos α_o, sin α_o) λ_o M_g/D at the outer race.
+//! does it by a lateral force on the ball of (−cos α_o, sin α_o) λ_o M_g/D at the outer race. The shares λ are a
+//! modelling choice ([`tribodyn_bearing::GyroscopicFriction`]).
 
 use crate::block::{AXIAL, BALL, Balance, BlockState, BlockSystem, ORBIT, RADIAL, RING, SPIN};
 use tribodyn_bearing::{AzimuthFrame, BallPose, Bearing, ContactPose, Races, RingFreedom, RingState, Scalar, Side};
@@ -169,9 +170,10 @@ impl BlockSystem for JonesHarris<'_> {
             Some(force) => (D::zero(), D::from(force)),
             None => (k.gyroscopic_moment, k.centrifugal_force),
         };
-        // λ M_g / D with λ = 2 at the controlling race.
-        let friction = moment * (2.0 / self.bearing.geometry.ball_diameter);
-        let (f_i, f_o) = if inner_control { (friction, D::zero()) } else { (D::zero(), friction) };
+        // λ M_g / D.
+        let shares = self.bearing.modelling.gyroscopic_shares(inner_control);
+        let Races { inner: f_i, outer: f_o } =
+            shares.map(|share| moment * (share / self.bearing.geometry.ball_diameter));
         let on_ball_i = [q_i * i.sin + f_i * i.cos, q_i * i.cos - f_i * i.sin];
         let on_ball_o = [-q_o * o.sin - f_o * o.cos, -q_o * o.cos + f_o * o.sin];
         let motion = [k.spin[0], k.spin[1], D::zero(), k.orbital_speed];

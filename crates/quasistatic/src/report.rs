@@ -6,7 +6,7 @@ use crate::jones_harris::{JonesHarris, Kinematics, kinematics};
 use crate::with_traction::WithTraction;
 use crate::{Model, Solution};
 use tribodyn_bearing::{BallPlace, BallResult, Bearing, ContactPose, ContactResult, OperatingPoint, PocketResult};
-use tribodyn_bearing::{RaceContact, Races, Side};
+use tribodyn_bearing::{PocketForce, RaceContact, Races, Side};
 use tribodyn_traction::TractionLaw;
 
 /// Inner slide-to-roll ratio beyond which the ball skids: past the peak of the library's coatings, which lies at 0.1 to
@@ -110,6 +110,7 @@ fn solution(
             clearance: cage.pocket_gap / radius,
             radius,
             drag_torque: cage.drag_torque,
+            force: bearing.modelling.pocket_force.unwrap_or(PocketForce::FromWall),
         };
         let pockets = pocket_forces(&speeds, &pocket);
         for ((ball, lead), force) in balls.iter_mut().zip(pockets.lead).zip(pockets.force) {

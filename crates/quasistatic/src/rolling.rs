@@ -5,10 +5,12 @@ use crate::block::{BlockState, RING};
 use crate::jones_harris::{JonesHarris, Typical};
 use crate::needs;
 use crate::problem::QuasiStaticError;
-use crate::solve::{BallMotion, Rolling, SCOUT, WarmStart, choose_quadrature, probes, rolling_state, traction_system};
+use crate::solve::{
+    BallMotion, Rolling, SCOUT, WarmStart, choose_quadrature, patch_error, rolling_state, traction_system,
+};
 use crate::with_traction::WithTraction;
 use tribodyn_bearing::{Bearing, OperatingPoint, Races};
-use tribodyn_traction::{PatchRule, rule_error};
+use tribodyn_traction::PatchRule;
 
 /// A rolling state of balls and ring, for solvers that go on with equations of their own.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +45,7 @@ pub fn rolling_start(bearing: &Bearing, point: &OperatingPoint) -> Result<Rollin
     let rule = traction.kernel.quadrature().rule();
     let rule_error = match chosen {
         Some(error) => error,
-        None => rule_error(rule, &probes(&traction, &state))?,
+        None => patch_error(&traction, &state)?,
     };
     let load = |(index, &ball)| traction.evaluate(index, ball, state.ring).1.contacts.inner.normal.load;
     let inner_loads = state.balls.iter().enumerate().map(load).collect();

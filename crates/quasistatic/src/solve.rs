@@ -16,8 +16,11 @@ use crate::rescue;
 use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, needs, report};
-use tribodyn_bearing::{Bearing, OperatingPoint, RaceControl, Races, Side};
-use tribodyn_traction::{FastPatch, Law, PatchChoice, PatchRule, Probe, choose_rule, rule_error};
+use tribodyn_bearing::{Bearing, ElasticPatches, OperatingPoint, RaceControl, Races, Side};
+use tribodyn_traction::{
+    ElasticProbe, FastPatch, Law, PatchChoice, PatchRule, Probe, TractionError, choose_rule, fastsim_rule_error,
+    rule_error,
+};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.
@@ -121,7 +124,7 @@ pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<
             // Raceway control may have no solution where traction has one: then the elastic state is the guess.
             let rolling = solved.unwrap_or(elastic);
             let start = release_idle_balls(&system, rolling.state);
-            let scouted = settle(&traction, &start, SCOUTED, FROM_AFAR);
+            let scouted = scout(&traction, &start);
             let estimate = choose_quadrature(&mut traction, &scouted, point)?;
             let settled = settle(&traction, &scouted, SETTLED, FROM_NEAR);
             finish(&traction, [settled, start], point, rolling.statistics, estimate)
@@ -252,17 +255,40 @@ pub(crate) fn traction_system<'a>(
     Ok(WithTraction { bearing, ring: point.ring, speeds, kernel, typical })
 }
 
+/// The neighbourhood of the equilibrium, with rigid patches.
+fn scout(traction: &WithTraction<'_>, start: &BlockState) -> BlockState {
+    if traction.bearing.elastic.is_none() {
+        return settle(traction, start, SCOUTED, FROM_AFAR);
+    }
+    let WithTraction { bearing, ring, speeds, ref kernel, typical } = *traction;
+    let rigid = bearing.with_rigid_patches();
+    settle(&WithTraction { bearing: &rigid, ring, speeds, kernel: kernel.clone(), typical }, start, SCOUTED, FROM_AFAR)
+}
+
+/// Error of the patch integrals at a state, over the load: of the rule, or of strips and cells of elastic patches.
+pub(crate) fn patch_error(system: &WithTraction<'_>, state: &BlockState) -> Result<f64, TractionError> {
+    let probes = probes(system, state);
+    let Some(ElasticPatches { grid, pairs }) = &system.bearing.elastic else {
+        let probes: Vec<_> = probes.into_iter().map(|(_, probe)| probe).collect();
+        return rule_error(system.kernel.quadrature().rule(), &probes);
+    };
+    let elastic = |(side, contact): (Side, _)| ElasticProbe { contact, elasticity: &pairs[side] };
+    fastsim_rule_error(grid.rule(), &probes.into_iter().map(elastic).collect::<Vec<_>>())
+}
+
 /// Takes the rule of the problem, by its target error at the scouted state where it is not named. Gives the estimate.
+/// Elastic patches have their own strips and cells and take no rule.
 pub(crate) fn choose_quadrature(
     system: &mut WithTraction<'_>,
     state: &BlockState,
     point: &OperatingPoint,
 ) -> Result<Option<f64>, QuasiStaticError> {
-    let Some(wanted) = point.patch else { return Ok(None) };
+    let Some(wanted) = point.patch.filter(|_| system.bearing.elastic.is_none()) else { return Ok(None) };
     let (rule, estimate) = match wanted {
         PatchChoice::Named(rule) => (rule, None),
         PatchChoice::TargetError { relative } => {
-            let (rule, error) = choose_rule(relative, &probes(system, state))?;
+            let probes: Vec<_> = probes(system, state).into_iter().map(|(_, probe)| probe).collect();
+            let (rule, error) = choose_rule(relative, &probes)?;
             (rule, Some(error))
         }
     };
@@ -271,7 +297,7 @@ pub(crate) fn choose_quadrature(
 }
 
 /// The contacts of the most, the middle and the least loaded ball: where a rule is judged.
-pub(crate) fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<Probe<'a, Law>> {
+pub(crate) fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<(Side, Probe<'a, Law>)> {
     let mut loads: Vec<_> =
         state.balls.iter().enumerate().map(|(index, &ball)| system.evaluate(index, ball, state.ring).1).collect();
     loads.sort_by(|a, b| a.contacts.inner.normal.load.total_cmp(&b.contacts.inner.normal.load));
@@ -283,11 +309,14 @@ pub(crate) fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<P
         .iter()
         .flat_map(|&k| Side::BOTH.map(|side| (side, loads[k].contacts[side])))
         .filter(|(_, contact)| contact.normal.load > 0.0)
-        .map(|(side, contact)| Probe {
-            patch: bearing.patch(&bearing.races[side], &contact.ellipse),
-            motion: contact.motion,
-            rolling_speed: contact.rolling_speed,
-            law: tribology.patch_law(&tribology.laws[side]),
+        .map(|(side, contact)| {
+            let probe = Probe {
+                patch: bearing.patch(&bearing.races[side], &contact.ellipse),
+                motion: contact.motion,
+                rolling_speed: contact.rolling_speed,
+                law: tribology.patch_law(&tribology.laws[side]),
+            };
+            (side, probe)
         })
         .collect()
 }
@@ -310,7 +339,7 @@ fn finish(
     check(&solved, Model::Traction, &with_traction::EQUATIONS, system.bearing, point, reason)?;
     let estimate = match estimate {
         Some(error) => error,
-        None => rule_error(system.kernel.quadrature().rule(), &probes(system, &solved.state))?,
+        None => patch_error(system, &solved.state)?,
     };
     let solution = report::with_traction(system, &solved, point, estimate);
     let rule = system.kernel.quadrature().rule();

@@ -56,7 +56,8 @@ impl WithTraction<'_> {
     fn balance<D: Scalar>(&self, (state, loads, inner): Loaded<D>) -> Balance<D> {
         let centrifugal = loads.orbit_radius * state.orbital_speed * state.orbital_speed * self.bearing.ball_mass;
         // J ω_m e_a × Ω = J ω_m (−Ω_t e_r + Ω_r e_t).
-        let inertia = state.orbital_speed * self.bearing.ball_inertia;
+        let turning = if self.bearing.modelling.has_gyroscopic_moment() { self.bearing.ball_inertia } else { 0.0 };
+        let inertia = state.orbital_speed * turning;
         let gyroscopic = [-(inertia * state.spin[2]), inertia * state.spin[1]];
         let (force, moment) = (loads.force(), loads.moment());
         let residual = [

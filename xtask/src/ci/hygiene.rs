@@ -1,6 +1,6 @@
 //! Things that no committed file may hold.
 
-use super::{Outcome, finish};
+use super::{Outcome, finish, named};
 use crate::error::Failure;
 use std::path::Path;
 use std::process::Command;
@@ -49,6 +49,7 @@ pub fn check() -> Result<Outcome, Failure> {
         let text = String::from_utf8_lossy(&bytes);
         findings.extend(inspect(&name, &text));
     }
+    findings.extend(named::missing()?);
     finish("hygiene", findings)
 }
 

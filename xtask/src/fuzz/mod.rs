@@ -4,7 +4,7 @@
 //! kind joins the seeds: what coverage is to other tools, the messages are here. A panic, more than a second of
 //! processor time, or more memory than is allowed is a failure; the input is written to a file.
 
-mod document;
+pub mod document;
 mod mutate;
 mod seeds;
 mod target;
@@ -95,8 +95,8 @@ impl Tried {
     }
 }
 
-const HEAD: [&str; 8] =
-    ["target", "inputs", "inputs/s", "kinds of answers", "panics", "over 1 s", "longest, ms", "memory, MB"];
+const HEAD: [&str; 9] =
+    ["target", "inputs", "time, s", "inputs/s", "kinds of answers", "panics", "over 1 s", "longest, ms", "memory, MB"];
 
 fn cells(all: &[Tried]) -> Vec<Vec<String>> {
     let one = |t: &Tried| {
@@ -104,6 +104,7 @@ fn cells(all: &[Tried]) -> Vec<Vec<String>> {
         vec![
             t.target.to_owned(),
             t.executions.to_string(),
+            format!("{:.0}", t.seconds),
             format!("{:.0}", t.executions as f64 / t.seconds.max(1e-9)),
             t.kinds.to_string(),
             t.panics.to_string(),
@@ -142,7 +143,8 @@ thread_local! {
 }
 
 /// The input that is being read, and since when; none between two.
-type Current = Arc<Mutex<Option<(Vec<u8>, Instant)>>>;
+type Current = Arc<Mutex<Option<(Input, Instant)>>>;
+type Input = Arc<Vec<u8>>;
 
 /// Runs a target in a thread of its own; an input that never ends is written and ends the program.
 fn watched(arguments: &Arguments, target: Target, folder: &Path) -> Result<Tried, Failure> {
@@ -171,7 +173,7 @@ fn tried(
     folder: &Path,
     current: &Current,
 ) -> Result<Tried, Failure> {
-    let mut pool = seeds::of(target)?;
+    let mut pool: Vec<Input> = seeds::of(target)?.into_iter().map(Arc::new).collect();
     let mut subject = Subject::new(target)?;
     let mut random = Random::new(seed);
     let mut kinds = BTreeSet::new();
@@ -184,7 +186,7 @@ fn tried(
         if trace {
             save(folder, "current", &input)?;
         }
-        *current.lock().unwrap_or_else(PoisonError::into_inner) = Some((input.clone(), Instant::now()));
+        *current.lock().unwrap_or_else(PoisonError::into_inner) = Some((Arc::clone(&input), Instant::now()));
         let clock = ThreadTime::now();
         let answer = panic::catch_unwind(AssertUnwindSafe(|| subject.read(&input)));
         let time = clock.elapsed();
@@ -224,13 +226,13 @@ fn tried(
 }
 
 /// The seeds as they are first, then changed ones.
-fn next(random: &mut Random, target: Target, pool: &[Vec<u8>], (executions, kinds): (u64, usize)) -> Vec<u8> {
+fn next(random: &mut Random, target: Target, pool: &[Input], (executions, kinds): (u64, usize)) -> Input {
     let seed = usize::try_from(executions).ok().and_then(|at| pool.get(at)).filter(|_| kinds < pool.len());
     seed.cloned().unwrap_or_else(|| {
-        let mut input = random.one_of(pool).clone();
-        let other = random.one_of(pool).clone();
-        mutate(random, target.form(), &mut input, &other);
-        input
+        let mut input = random.one_of(pool).to_vec();
+        let other = random.one_of(pool);
+        mutate(random, target.form(), &mut input, other);
+        Arc::new(input)
     })
 }
 

@@ -104,3 +104,21 @@ fn identity_gyroscopic_moment_and_centrifugal_force_from_speeds() {
 fn wrap(speed: &str) -> String {
     format!("Constant({speed})")
 }
+
+/// The friction that holds the gyroscopic moment, λ M_g/D across the groove, is what a ball's balance lacks of its normal
+/// forces: from both races at each reading of λ.
+#[test]
+fn paper_gyroscopic_friction_by_its_readings() {
+    for (reading, inner, outer) in
+        [("Controlling", 0.0, 2.0), ("Shared", 1.0, 1.0), ("Absent", 0.0, 0.0), ("ControllingAsPrinted", 0.0, -2.0)]
+    {
+        let s = solution(PAPER_AG, &[("modelling.gyroscopic_friction", reading)], JonesHarris);
+        for ball in &s.balls {
+            let (i, o) = (&ball.contacts.inner, &ball.contacts.outer);
+            let friction = ball.gyroscopic_moment_nm / 0.03016;
+            let axial = i.load_n * i.angle_rad.sin() - o.load_n * o.angle_rad.sin();
+            let held = friction * (inner * i.angle_rad.cos() - outer * o.angle_rad.cos());
+            assert!((axial + held).abs() < 1e-7 * o.load_n, "{reading}: {axial} {held}");
+        }
+    }
+}

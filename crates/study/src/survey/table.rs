@@ -66,10 +66,14 @@ impl Counts {
 pub struct SchemeCounts {
     /// Verdicts.
     pub counts: Counts,
-    /// Complete runs that miss more than 1 % of their work.
+    /// Runs that miss more than 1 % of their work.
     pub above_one_percent: usize,
     /// Largest imbalance of a run whose verdict is good, %.
     pub worst_good_percent: f64,
+    /// Most linear and angular momentum missing in a run whose work balances, %.
+    pub worst_momentum_percent: [f64; 2],
+    /// Runs that the clock stopped, judged as far as they came.
+    pub stopped: usize,
     /// Longest wall time, s.
     pub longest_s: f64,
 }
@@ -96,10 +100,14 @@ impl Tally {
             let scheme = tally.runs.entry(running.scheme).or_default();
             scheme.counts.add(&running.verdict);
             scheme.longest_s = scheme.longest_s.max(running.wall.as_secs_f64());
+            scheme.stopped += usize::from(running.stopped);
             let off = running.imbalance_percent.map_or(0.0, f64::abs);
             scheme.above_one_percent += usize::from(off > 1.0);
             if running.verdict == Verdict::Good {
                 scheme.worst_good_percent = scheme.worst_good_percent.max(off);
+                for (worst, missing) in scheme.worst_momentum_percent.iter_mut().zip(running.momentum_percent) {
+                    *worst = worst.max(missing.unwrap_or(0.0));
+                }
             }
         }
         tally
