@@ -14,6 +14,7 @@ mod fuzz;
 mod page;
 mod python;
 mod quantities;
+mod rows;
 mod sensitivity;
 mod survey;
 mod terminal;

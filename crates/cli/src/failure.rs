@@ -10,6 +10,7 @@ use tribodyn_identify::IdentifyError;
 use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
+use tribodyn_study::pair::PairError;
 use tribodyn_study::{RefusedCase, StudyError, SweepDifference, with_causes};
 
 /// A failed command; its exit code says whether the input or the calculation is to blame.
@@ -22,14 +23,8 @@ pub enum Failure {
     Study(StudyError),
     #[error("--{option} {value}: {message}")]
     Option { option: &'static str, value: String, message: String },
-    #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
-    OutOfRange { quantity: &'static str, value: f64 },
     #[error("{file}: {source}")]
     Identify { file: String, source: Box<IdentifyError> },
-    #[error(transparent)]
-    Contact(#[from] tribodyn_contact::ContactError),
-    #[error(transparent)]
-    Traction(#[from] tribodyn_traction::TractionError),
     #[error(transparent)]
     Catalogue(#[from] tribodyn_catalogue::CatalogueError),
     #[error("{}{}", with_causes(.0), lifts(.0))]
@@ -150,6 +145,14 @@ fn study_exit_code(error: &StudyError) -> u8 {
             source: OrbitError::NotConverged { .. } | OrbitError::Singular | OrbitError::Eigenvalues,
             ..
         }
+        | StudyError::Pair {
+            source:
+                PairError::NotConverged { .. }
+                | PairError::Loose
+                | PairError::Equilibrium(QuasiStaticError::NotConverged { .. })
+                | PairError::Orbit(OrbitError::NotConverged { .. }),
+            ..
+        }
         | StudyError::Write { .. }
         | StudyError::RefusalLost { .. }
         | StudyError::SweepStopped { .. }
@@ -168,6 +171,7 @@ fn study_exit_code(error: &StudyError) -> u8 {
 /// The message with the options of the command that it is about.
 fn in_options(error: &StudyError) -> String {
     match error {
+        StudyError::Argument { name, value, message } => format!("--{name} {value}: {message}"),
         StudyError::Overlap { first, second } => format!("--set {first} and --set {second} sweep the same value"),
         StudyError::TableFormat { .. } => format!("--output {error}"),
         StudyError::OtherSweep { path, difference } => {

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::table;
-use serde::Serialize;
-use tribodyn_contact::{Body, ElasticBody, HertzContact, effective_modulus, relative_curvatures};
+use tribodyn_contact::Body;
+use tribodyn_study::answers::{HertzQuestion, hertz};
 
 /// Hertz contact of two bodies, given by their principal radii in mm (negative: concave, inf: flat).
 #[derive(clap::Args)]
@@ -48,62 +48,15 @@ fn radii(text: &str) -> Result<Body, String> {
     }
 }
 
-#[derive(Serialize)]
-struct Answer {
-    ellipticity: f64,
-    semi_major_m: f64,
-    semi_minor_m: f64,
-    peak_pressure_pa: f64,
-    approach_m: f64,
-    stiffness_n_per_m_1_5: f64,
-}
-
-fn within(option: &'static str, value: f64, allowed: &str, ok: bool) -> Result<f64, Failure> {
-    if ok && value.is_finite() {
-        return Ok(value);
-    }
-    Err(Failure::Option { option, value: value.to_string(), message: format!("allowed is {allowed}") })
-}
-
-/// JSON has no infinity: numbers that overflow are refused instead.
-fn check_range(answer: &Answer) -> Result<(), Failure> {
-    let values = [
-        ("the ellipticity", answer.ellipticity),
-        ("the semi-major axis", answer.semi_major_m),
-        ("the semi-minor axis", answer.semi_minor_m),
-        ("the peak pressure", answer.peak_pressure_pa),
-        ("the approach", answer.approach_m),
-        ("the stiffness", answer.stiffness_n_per_m_1_5),
-    ];
-    match values.into_iter().find(|(_, value)| !value.is_finite()) {
-        Some((quantity, value)) => Err(Failure::OutOfRange { quantity, value }),
-        None => Ok(()),
-    }
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let a = arguments;
-    within("load", a.load, "a force in N, 0 or more", a.load >= 0.0)?;
-    within("young1", a.young1, "a modulus in GPa above 0", a.young1 > 0.0)?;
-    within("young2", a.young2, "a modulus in GPa above 0", a.young2 > 0.0)?;
-    let poisson = |v: f64| (0.0..0.5).contains(&v);
-    within("poisson1", a.poisson1, "a ratio from 0 to below 0.5", poisson(a.poisson1))?;
-    within("poisson2", a.poisson2, "a ratio from 0 to below 0.5", poisson(a.poisson2))?;
-    within("angle", a.angle, "an angle in degrees", true)?;
-    let body = |young: f64, poisson| ElasticBody { young: young * 1e9, poisson };
-    let modulus = effective_modulus(&body(a.young1, a.poisson1), &body(a.young2, a.poisson2));
-    let gap = relative_curvatures(&a.body1, &a.body2, a.angle.to_radians())?;
-    let contact = HertzContact::new(gap.x, gap.y, modulus)?;
-    let ellipse = contact.ellipse(a.load);
-    let answer = Answer {
-        ellipticity: contact.ellipticity,
-        semi_major_m: ellipse.semi_major,
-        semi_minor_m: ellipse.semi_minor,
-        peak_pressure_pa: ellipse.peak_pressure,
-        approach_m: contact.approach(a.load),
-        stiffness_n_per_m_1_5: contact.stiffness(),
-    };
-    check_range(&answer)?;
+    let answer = hertz(&HertzQuestion {
+        bodies: [a.body1, a.body2],
+        load_n: a.load,
+        young_gpa: [a.young1, a.young2],
+        poisson: [a.poisson1, a.poisson2],
+        angle_deg: a.angle,
+    })?;
     if a.json {
         return table::print_json(&answer);
     }

@@ -2,13 +2,12 @@
 
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
-use crate::orbit::{Problem, write_table};
+use crate::orbit::write_table;
 use crate::table::{self, number};
-use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
-use tribodyn_orbit::{Bodies, Mode, orbit_modes};
-use tribodyn_study::StudyError;
+use tribodyn_orbit::Mode;
+use tribodyn_study::answers::{ModesAnswer, modes};
 
 /// Natural modes about the steady orbit: frequencies, damping ratios, shapes; unstable ones are named.
 #[derive(clap::Args)]
@@ -28,38 +27,12 @@ pub struct Arguments {
     json: bool,
 }
 
-#[derive(Serialize)]
-struct Answer {
-    cage_speed_rpm: f64,
-    /// Number of modes that grow.
-    unstable: usize,
-    modes: Vec<Mode>,
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    if arguments.up_to.is_nan() || arguments.up_to <= 0.0 {
-        let message = "allowed is a frequency above 0 Hz".to_owned();
-        return Err(Failure::Option { option: "up-to", value: arguments.up_to.to_string(), message });
-    }
-    // Masses and supports are those of a run.
-    let inputs = file.run_inputs()?;
-    let problem = Problem::new(&file)?;
-    let solved = problem.solve(&file)?;
-    let failed = |source| StudyError::Orbit { file: file.name.clone(), source };
-    let Some(start) = &solved.start else {
-        let message = "a bearing at rest has no orbit to swing about".to_owned();
-        return Err(Failure::Option { option: "set", value: "speed".to_owned(), message });
-    };
-    let bodies =
-        Bodies { cage: problem.cage, contact_damping: inputs.options.contact_damping, supports: inputs.supports };
-    let modes = orbit_modes(&problem.bearing, &problem.point, &bodies, &problem.settings, start).map_err(failed)?;
-    let modes: Vec<Mode> = modes.into_iter().filter(|mode| mode.frequency_hz <= arguments.up_to).collect();
+    let answer = modes(&file, arguments.up_to)?;
     if let Some(path) = &arguments.csv {
-        write_table(path, &arguments.case.path, &csv(&modes), &arguments.replace)?;
+        write_table(path, &arguments.case.path, &csv(&answer.modes), &arguments.replace)?;
     }
-    let unstable = modes.iter().filter(|mode| mode.growth_rate_per_s > 0.0).count();
-    let answer = Answer { cage_speed_rpm: solved.solution.cage_speed_rpm, unstable, modes };
     if arguments.json {
         return table::print_json(&answer);
     }
@@ -67,7 +40,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     print(&answer)
 }
 
-fn print(answer: &Answer) -> Result<(), Failure> {
+fn print(answer: &ModesAnswer) -> Result<(), Failure> {
     let header = ["Hz", "damping", "1/s", "mostly", "ring x", "ring y", "ring z", "outer x", "outer y", "ball °"];
     let rows = answer.modes.iter().map(|mode| {
         let ball = leading_ball(mode);

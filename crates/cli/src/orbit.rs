@@ -1,70 +1,12 @@
-//! The steady orbit as an answer: of `solve --model steady-orbit`, and where `stiffness` and `modes` start.
+//! The steady orbit of `solve --model steady-orbit` as a person reads it, and tables as files.
 
 use crate::failure::Failure;
 use crate::input::ReplaceArguments;
 use crate::table::{self, number};
-use serde::Serialize;
 use std::path::Path;
-use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint};
-use tribodyn_case::{Case, Purpose};
-use tribodyn_orbit::{OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
-use tribodyn_quasistatic::Solution;
-use tribodyn_study::{CaseFile, Ours, StagedFiles, StudyError};
-
-/// A bearing with its cage at an operating point.
-pub struct Problem {
-    pub bearing: Bearing,
-    pub point: OperatingPoint,
-    pub cage: CageBody,
-    pub settings: OrbitSettings,
-}
-
-impl Problem {
-    /// That of a case, with the damping of its runs where it has one.
-    pub fn new(file: &CaseFile) -> Result<Self, Failure> {
-        let mut bearing = file.bearing_for(Purpose::Traction)?;
-        let point = file.case.operating_point();
-        bearing.contact_damping = contact_damping(&file.case);
-        let Some(cage) = file.case.moving_cage() else { return Err(no_cage(file)) };
-        let settings = OrbitSettings { tolerance: point.numerics.tolerance, ..OrbitSettings::default() };
-        Ok(Self { cage: CageBody::new(&cage, &bearing), bearing, point, settings })
-    }
-
-    /// The orbit with a ball at each of its nodes.
-    pub fn round(&self, file: &CaseFile) -> Result<Solution, Failure> {
-        let orbit = self.solve(file)?.solution;
-        Ok(orbit.as_solution(&orbit.points, [self.point.inner_speed, self.point.outer_speed]))
-    }
-
-    pub fn solve(&self, file: &CaseFile) -> Result<SolvedOrbit, Failure> {
-        let failed = |source| StudyError::Orbit { file: file.name.clone(), source };
-        Ok(steady_orbit(&self.bearing, &self.point, &self.cage, &self.settings).map_err(failed)?)
-    }
-}
-
-fn contact_damping(case: &Case) -> f64 {
-    case.transient.as_ref().map_or(0.0, |transient| transient.contact_damping)
-}
-
-/// The requirement of the traction model includes a cage, so that this is not met.
-fn no_cage(file: &CaseFile) -> Failure {
-    let message = format!("{} has no cage", file.name);
-    Failure::Option { option: "model", value: "steady-orbit".to_owned(), message }
-}
-
-/// The orbit as `--json` prints it.
-#[derive(Serialize)]
-struct Answer<'a> {
-    model: &'static str,
-    converged: bool,
-    #[serde(flatten)]
-    orbit: &'a SteadyOrbit,
-    warnings: Vec<String>,
-}
-
-pub fn print_json(orbit: &SteadyOrbit) -> Result<(), Failure> {
-    table::print_json(&Answer { model: "steady-orbit", converged: true, orbit, warnings: orbit.warnings() })
-}
+use tribodyn_bearing::BallResult;
+use tribodyn_orbit::SteadyOrbit;
+use tribodyn_study::{Ours, StagedFiles};
 
 /// Summary and balls; `rows` prints the table of balls.
 pub fn print(

@@ -2,13 +2,12 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
-use crate::orbit;
-use crate::solve::{ModelName, solved};
+use crate::solve::ModelName;
 use crate::table::{self, number};
 use serde::Serialize;
 use tribodyn_quasistatic::Model;
-use tribodyn_study::StudyError;
-use tribodyn_study::rating::{Rating, RatingSource, rating};
+use tribodyn_study::answers::rated;
+use tribodyn_study::rating::{Rating, RatingSource};
 
 /// Rating life of the bearing's steel by ISO 281 and ISO/TS 16281, and static safety by ISO 76.
 ///
@@ -34,12 +33,7 @@ struct Answer<'a> {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let solution = match arguments.model.equilibrium() {
-        Some(model) => solved(&file, model)?.1.solution,
-        None => orbit::Problem::new(&file)?.round(&file)?,
-    };
-    let refused = |source| StudyError::Rating { file: file.name.clone(), source };
-    let found = rating(&file.case, &solution).map_err(refused)?;
+    let (solution, found) = rated(&file, arguments.model.equations())?;
     if arguments.json {
         return table::print_json(&Answer { model: solution.model, rating: &found });
     }

@@ -2,17 +2,13 @@
 
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
-use crate::orbit::{self, Problem};
+use crate::orbit;
 use crate::table::{self, number};
-use serde::Serialize;
 use std::path::{Path, PathBuf};
-use tribodyn_bearing::Bearing;
-use tribodyn_case::Purpose;
-use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution, Solved, other_roots, root_warnings, solve};
+use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution};
 use tribodyn_record::{SolutionRecording, write_solution};
-use tribodyn_study::plausibility;
-use tribodyn_study::rating::rating;
-use tribodyn_study::{CaseFile, Change, Ours, StagedFiles, StudyError};
+use tribodyn_study::answers::{Equations, OrbitAnswer, OrbitProblem, equilibrium};
+use tribodyn_study::{CaseFile, Change, Ours, StagedFiles};
 
 /// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
 #[derive(clap::Args)]
@@ -56,12 +52,12 @@ pub enum ModelName {
 }
 
 impl ModelName {
-    /// The equations of an equilibrium; none for the steady orbit.
-    pub fn equilibrium(self) -> Option<Model> {
+    /// The equations as the library knows them.
+    pub fn equations(self) -> Equations {
         match self {
-            Self::JonesHarris => Some(Model::JonesHarris),
-            Self::Traction => Some(Model::Traction),
-            Self::SteadyOrbit => None,
+            Self::JonesHarris => Equations::JonesHarris,
+            Self::Traction => Equations::Traction,
+            Self::SteadyOrbit => Equations::SteadyOrbit,
         }
     }
 }
@@ -83,25 +79,26 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(path) = &arguments.output {
         arguments.replace.check(path, &arguments.case.path, Ours::Recording)?;
     }
-    let Some(model) = arguments.model.equilibrium() else { return orbit(arguments, &file) };
-    let Answer { solution, lives, roots } = answer(arguments, model, &file)?;
+    let Some(model) = arguments.model.equations().equilibrium() else { return orbit(arguments, &file) };
+    let answer = equilibrium(&file, model, arguments.roots)?;
+    let solution = &answer.solution;
     let plots =
-        arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, &solution)).transpose()?;
+        arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, solution)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
             case_text: &file.text,
             case: &file.case,
-            solution: &solution,
+            solution,
             generator: concat!("tribodyn ", env!("CARGO_PKG_VERSION")),
         };
         write_solution(path, &recording)?;
     }
     plots.map_or(Ok(()), StagedFiles::publish)?;
     if arguments.json {
-        return table::print_json(&Answer { solution, lives, roots });
+        return table::print_json(&answer);
     }
-    print(&file.name, &solution)?;
-    roots.as_deref().map_or(Ok(()), print_roots)
+    print(&file.name, solution)?;
+    answer.roots.as_deref().map_or(Ok(()), print_roots)
 }
 
 /// The steady orbit: figures of a ball round it, a recording of the balls where an equilibrium has them.
@@ -110,7 +107,7 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
         let message = "the steady orbit is not searched for other equilibria".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model steady-orbit".to_owned(), message });
     }
-    let problem = Problem::new(file)?;
+    let problem = OrbitProblem::new(file)?;
     let solution = problem.solve(file)?.solution;
     let speeds = [problem.point.inner_speed, problem.point.outer_speed];
     let round = solution.as_solution(&solution.points, speeds);
@@ -127,7 +124,7 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
     }
     plots.map_or(Ok(()), StagedFiles::publish)?;
     if arguments.json {
-        return orbit::print_json(&solution);
+        return table::print_json(&OrbitAnswer::new(&solution));
     }
     let columns = [&HEADER[..], &["F_c N"]].concat();
     orbit::print(&file.name, &solution, |balls| {
@@ -136,67 +133,6 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
         };
         table::print_rows(&columns, balls.iter().map(row))
     })
-}
-
-fn answer(arguments: &Arguments, model: Model, file: &CaseFile) -> Result<Answer, Failure> {
-    if arguments.roots && model == Model::JonesHarris {
-        let message = "without traction there are no other equilibria to search for".to_owned();
-        return Err(Failure::Option { option: "roots", value: "with --model jones-harris".to_owned(), message });
-    }
-    let (bearing, Solved { mut solution, warm_start, .. }) = solved(file, model)?;
-    let start = warm_start.filter(|_| arguments.roots);
-    let point = file.case.operating_point();
-    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
-    let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
-    solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
-    solution.warnings.extend(plausibility::of_case(file, &bearing));
-    let unusable = |source| StudyError::Bearing { file: file.name.clone(), source };
-    let unusual = plausibility::solution_findings(&file.case, &bearing, &solution).map_err(unusable)?;
-    solution.warnings.extend(unusual);
-    // A bearing that the standards do not rate has no rating life; `tribodyn rating` says why.
-    let lives = rating(&file.case, &solution).ok().map(|r| Lives {
-        rating_life_l10_mrev: r.rating_life_l10_mrev,
-        rating_life_l10r_mrev: r.rating_life_l10r_mrev,
-        rating_life_hours: r.rating_life_hours,
-        static_safety: r.static_safety,
-    });
-    Ok(Answer { solution, lives, roots })
-}
-
-/// The bearing of a case and its equilibrium.
-pub fn solved(file: &CaseFile, model: Model) -> Result<(Bearing, Solved), Failure> {
-    let purpose = match model {
-        Model::JonesHarris => Purpose::JonesHarris,
-        Model::Traction => Purpose::Traction,
-    };
-    let bearing = file.bearing_for(purpose)?;
-    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
-    let solved = solve(&bearing, &file.case.operating_point(), model).map_err(failed)?;
-    Ok((bearing, solved))
-}
-
-/// Rating life of the steel and static safety, under the names of `tribodyn rating`.
-#[derive(Serialize)]
-struct Lives {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rating_life_l10_mrev: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rating_life_l10r_mrev: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rating_life_hours: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    static_safety: Option<f64>,
-}
-
-/// The solution, and what `--roots` adds to it.
-#[derive(Serialize)]
-struct Answer {
-    #[serde(flatten)]
-    solution: Solution,
-    #[serde(flatten)]
-    lives: Option<Lives>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    roots: Option<Vec<BallRoots>>,
 }
 
 fn stage_plots(folder: &Path, force: bool, solution: &Solution) -> Result<StagedFiles, Failure> {

@@ -2,16 +2,12 @@
 
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
-use crate::orbit::{Problem, write_table};
+use crate::orbit::write_table;
 use crate::solve::ModelName;
 use crate::table;
-use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
-use tribodyn_case::Purpose;
-use tribodyn_orbit::{OrbitStart, orbit_stiffness, steady_orbit, steady_orbit_from};
-use tribodyn_quasistatic::{Model, StiffnessMatrix, compliance, jones_harris_stiffness, solve, traction_stiffness};
-use tribodyn_study::{CaseFile, StudyError};
+use tribodyn_study::answers::{StiffnessAnswer, stiffness};
 
 /// Stiffness of the inner ring: forces and moments against displacements and tilts, balls and cage in balance.
 #[derive(clap::Args)]
@@ -37,27 +33,12 @@ pub struct Arguments {
     json: bool,
 }
 
-/// One speed.
-#[derive(Serialize)]
-struct Answer {
-    inner_speed_rpm: f64,
-    /// By rows: forces along x, y, z (N) and moments about x, y (N m) against x, y, z (m) and tilts about x, y (rad).
-    stiffness: StiffnessMatrix,
-    /// Its inverse; absent where a displacement meets no resistance.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    compliance: Option<StiffnessMatrix>,
-}
-
 const RPM_PER_RAD_S: f64 = 30.0 / std::f64::consts::PI;
 const AXES: [&str; 5] = ["x", "y", "z", "tilt_x", "tilt_y"];
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    if let Some(speed) = arguments.speeds.iter().find(|speed| !speed.is_finite()) {
-        let message = "allowed are finite speeds in r/min".to_owned();
-        return Err(Failure::Option { option: "speeds", value: speed.to_string(), message });
-    }
-    let answers = answers(arguments, &file)?;
+    let answers = stiffness(&file, arguments.model.equations(), &arguments.speeds)?;
     for (path, text) in [(&arguments.csv, csv(&answers)), (&arguments.ross, ross(&answers))] {
         if let Some(path) = path {
             write_table(path, &arguments.case.path, &text, &arguments.replace)?;
@@ -73,62 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn answers(arguments: &Arguments, file: &CaseFile) -> Result<Vec<Answer>, Failure> {
-    let given = file.case.operating_point().inner_speed;
-    let speeds: Vec<f64> = if arguments.speeds.is_empty() {
-        vec![given]
-    } else {
-        arguments.speeds.iter().map(|rpm| rpm / RPM_PER_RAD_S).collect()
-    };
-    let mut start = None;
-    let mut answers = Vec::with_capacity(speeds.len());
-    for speed in speeds {
-        let stiffness = at_speed(arguments.model, file, speed, &mut start)?;
-        let compliance = compliance(&stiffness);
-        answers.push(Answer { inner_speed_rpm: speed * RPM_PER_RAD_S, stiffness, compliance });
-    }
-    Ok(answers)
-}
-
-fn at_speed(
-    model: ModelName,
-    file: &CaseFile,
-    speed: f64,
-    start: &mut Option<OrbitStart>,
-) -> Result<StiffnessMatrix, Failure> {
-    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
-    let no_orbit = |source| StudyError::Orbit { file: file.name.clone(), source };
-    let mut point = file.case.operating_point();
-    point.inner_speed = speed;
-    match model {
-        ModelName::JonesHarris => {
-            let bearing = file.bearing_for(Purpose::JonesHarris)?;
-            Ok(jones_harris_stiffness(&bearing, &point).map_err(failed)?)
-        }
-        ModelName::Traction => {
-            let bearing = file.bearing_for(Purpose::Traction)?;
-            let solved = solve(&bearing, &point, Model::Traction).map_err(failed)?;
-            // A traction solution always comes with its unknowns.
-            let Some(at) = solved.warm_start else { unreachable!("a traction solution has unknowns") };
-            Ok(traction_stiffness(&bearing, &point, &at).map_err(failed)?)
-        }
-        ModelName::SteadyOrbit => {
-            let Problem { bearing, cage, settings, .. } = Problem::new(file)?;
-            let solved = match start.as_ref() {
-                Some(near) => steady_orbit_from(&bearing, &point, &cage, &settings, near),
-                None => steady_orbit(&bearing, &point, &cage, &settings),
-            };
-            *start = solved.map_err(no_orbit)?.start;
-            match start.as_ref() {
-                Some(at) => Ok(orbit_stiffness(&bearing, &point, &cage, &settings, at).map_err(no_orbit)?),
-                // A bearing at rest: the elastic equilibrium.
-                None => Ok(jones_harris_stiffness(&file.bearing_for(Purpose::JonesHarris)?, &point).map_err(failed)?),
-            }
-        }
-    }
-}
-
-fn print(answer: &Answer) -> Result<(), Failure> {
+fn print(answer: &StiffnessAnswer) -> Result<(), Failure> {
     table::print_line(&format!("stiffness at {} r/min", table::number(answer.inner_speed_rpm, 1)))?;
     let header = ["", "x m", "y m", "z m", "tilt x rad", "tilt y rad"];
     let names = ["F_x N", "F_y N", "F_z N", "M_x N m", "M_y N m"];
@@ -140,7 +66,7 @@ fn print(answer: &Answer) -> Result<(), Failure> {
 }
 
 /// One row a speed: the speed, then the matrix by rows.
-fn csv(answers: &[Answer]) -> String {
+fn csv(answers: &[StiffnessAnswer]) -> String {
     let mut text = "inner_speed_rpm".to_owned();
     for row in AXES {
         for column in AXES {
@@ -157,9 +83,9 @@ fn csv(answers: &[Answer]) -> String {
 }
 
 /// Bearing coefficients over speed, under the names of the arguments of ROSS's `BearingElement`.
-fn ross(answers: &[Answer]) -> String {
+fn ross(answers: &[StiffnessAnswer]) -> String {
     let mut text = "frequency,kxx,kxy,kyx,kyy,kzz\n".to_owned();
-    for Answer { inner_speed_rpm, stiffness: k, .. } in answers {
+    for StiffnessAnswer { inner_speed_rpm, stiffness: k, .. } in answers {
         let speed = inner_speed_rpm / RPM_PER_RAD_S;
         let _ = writeln!(text, "{speed},{},{},{},{},{}", k[0][0], k[0][1], k[1][0], k[1][1], k[2][2]);
     }

@@ -1,18 +1,19 @@
 #![doc = include_str!("../README.md")]
 
+mod chain;
 mod collocation;
 mod error;
-mod mesh;
+mod march;
 mod modes;
 mod newton;
 mod residual;
+mod shooting;
 mod solution;
 mod solve;
 mod solved;
 mod start;
 mod statics;
 mod stiffness;
-mod sweep;
 mod system;
 
 pub use error::{OrbitError, OrbitPlace};

@@ -164,7 +164,8 @@ fn shape(
 
 /// df/dy of balls, cage and rings.
 fn matrix(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Mat<f64> {
-    let count = newton.system.bearing.geometry.ball_count;
+    let system = &newton.system;
+    let count = system.bearing.geometry.ball_count;
     let edge = BALL * count;
     let mut a = Mat::<f64>::zeros(edge + BODIES, edge + BODIES);
     let (inner, outer) = (edge + CAGE, edge + CAGE + INNER);
@@ -183,7 +184,7 @@ fn matrix(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Mat<f64> {
         a[(edge + 1, edge + 1)] = braking / inertia;
     }
     for ball in 0..count {
-        let turn = ball as f64 / count as f64;
+        let turn = system.turn(TAU * ball as f64 / count as f64);
         let e = derivatives(newton, orbit, bodies, turn);
         let place = |c: usize| if c < BALL { BALL * ball + c } else { edge + c - BALL };
         for c in 0..INPUTS {
@@ -262,8 +263,10 @@ fn derivatives(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies, turn: f64) -
         speeds: held.speeds,
         ring: held.ring,
         kernel: held.kernel.clone(),
+        origin: held.origin,
         direction: held.direction,
         centring: 0.0,
+        settling: 0.0,
     };
     let seed = |value: f64, k: usize| {
         let mut direction = SVector::<f64, INPUTS>::zeros();

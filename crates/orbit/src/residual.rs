@@ -9,6 +9,10 @@ pub(crate) const STACK: usize = BALL * STAGES;
 /// Cage speed and ring.
 pub(crate) const BORDER: usize = 1 + RING;
 
+/// Units in the last place of a value that the slope of an interval's polynomial is uncertain by: its coefficients add
+/// up to a dozen.
+const ROUNDING: f64 = 16.0;
+
 /// Typical magnitudes of the unknowns, by which rows and columns are divided.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Scales {
@@ -21,6 +25,8 @@ pub(crate) struct Scales {
     pub force: f64,
     /// Largest change of a ball's unknowns in one step.
     pub limits: [f64; BALL],
+    /// Errors of a ball's unknowns in an interval that count alike, over their scales.
+    pub errors: [f64; BALL],
 }
 
 /// Residuals over their scales.
@@ -56,7 +62,7 @@ impl Worst {
 /// Slope of an interval's polynomial at point `i` over its width, per turn.
 pub(crate) fn slope(radau: &Radau, orbit: &Orbit, j: usize, i: usize) -> [f64; BALL] {
     let (from, values) = (orbit.begin(j), &orbit.values[j]);
-    std::array::from_fn(|k| (0..radau.stages).map(|s| radau.slope[i][s] * (values[s][k] - from[k])).sum())
+    std::array::from_fn(|k| (0..STAGES).map(|s| radau.slope[i][s] * (values[s][k] - from[k])).sum())
 }
 
 /// Magnitude of the terms of each balance of a ball, with rates in proportion to `time`.
@@ -117,7 +123,7 @@ pub(crate) fn residual(system: &OrbitSystem<'_>, radau: &Radau, orbit: &Orbit, s
     for j in 0..orbit.intervals() {
         let [begin, width] = orbit.interval(j);
         let mut stack = [0.0; STACK];
-        for i in 0..radau.stages {
+        for i in 0..STAGES {
             let azimuth = system.azimuth(begin + radau.points[i] * width);
             let e = system.value(azimuth, &orbit.values[j][i], orbit.cage_speed, orbit.ring);
             sums.add(&e, width * radau.weights[i]);
@@ -126,7 +132,9 @@ pub(crate) fn residual(system: &OrbitSystem<'_>, radau: &Radau, orbit: &Orbit, s
             let size = magnitudes(system, scales, &e, time);
             for k in 0..BALL {
                 let r = slope[k] - time * e.rate[k];
-                worst.take(r, size[k], Some(j), k);
+                // The difference of two values has no more digits than they have.
+                let rounding = ROUNDING * f64::EPSILON * orbit.values[j][i][k].abs();
+                worst.take((r.abs() - rounding).max(0.0), size[k], Some(j), k);
                 stack[i * BALL + k] = r / scales.ball[k];
             }
         }

@@ -1,6 +1,6 @@
 //! Results of a steady orbit.
 
-use crate::collocation::Orbit;
+use crate::collocation::{Orbit, STAGES};
 use crate::newton::Newton;
 use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
 use serde::Serialize;
@@ -45,10 +45,9 @@ pub struct SteadyOrbit {
     pub patch_error_estimate: f64,
     /// Intervals of the mesh.
     pub intervals: usize,
-    /// Estimated relative error of the cage speed by the mesh, where the orbit is of first order only: balls that
-    /// lose their contacts and meet their pockets abruptly leave no other; absent where three points an interval make
-    /// it negligible.
-    pub cage_speed_error: Option<f64>,
+    /// Rate over the cage speed at which the orbit lets axial and radial motion of balls die out besides, where they
+    /// swing in their grooves without end; absent where they come to an orbit by themselves.
+    pub swing_damping: Option<f64>,
     /// The balls when they stand where those of an equilibrium do, the first at azimuth 0.
     pub balls: Vec<BallResult>,
     /// A ball round its orbit, every two degrees of azimuth.
@@ -81,17 +80,17 @@ impl SteadyOrbit {
     /// Sentences on what is unusual about it.
     pub fn warnings(&self) -> Vec<String> {
         let lost = self.points.iter().filter(|p| p.contacts.inner.load_n == 0.0).count();
-        let first_order = self.cage_speed_error.map(|error| {
-            format!(
-                "balls lose and meet their contacts abruptly: the cage speed is good to {error:.0e} only, pocket forces \
-                 to a few per cent"
-            )
-        });
         let lost = (lost > 0).then(|| {
             let part = 100.0 * lost as f64 / self.points.len() as f64;
             format!("balls have no inner contact over {part:.0} % of their orbit")
         });
-        lost.into_iter().chain(first_order).collect()
+        let swinging = self.swing_damping.map(|rate| {
+            format!(
+                "balls that little holds swing in their grooves without end: the orbit is the one on which that dies \
+                 out at {rate:.0} times the cage speed"
+            )
+        });
+        lost.into_iter().chain(swinging).collect()
     }
 }
 
@@ -139,17 +138,13 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
 }
 
 /// The solution of a converged orbit.
-pub(crate) fn solution(
-    newton: &Newton<'_>,
-    orbit: &Orbit,
-    (residual, rule_error, cage_speed_error): (f64, f64, Option<f64>),
-) -> SteadyOrbit {
+pub(crate) fn solution(newton: &Newton<'_>, orbit: &Orbit, (residual, rule_error): (f64, f64)) -> SteadyOrbit {
     let (system, radau) = (&newton.system, &newton.radau);
     let balls = system.bearing.geometry.ball_count as f64;
     let mut means = Means::default();
     for j in 0..orbit.intervals() {
         let [begin, width] = orbit.interval(j);
-        for i in 0..radau.stages {
+        for i in 0..STAGES {
             let azimuth = system.azimuth(begin + radau.points[i] * width);
             let e = system.value(azimuth, &orbit.values[j][i], orbit.cage_speed, orbit.ring);
             means.add(&e, balls * width * radau.weights[i]);
@@ -182,7 +177,7 @@ pub(crate) fn solution(
         residual,
         patch_error_estimate: rule_error,
         intervals: orbit.intervals(),
-        cage_speed_error,
+        swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
         balls: round(system.bearing.geometry.ball_count),
         points,
     }
@@ -190,11 +185,11 @@ pub(crate) fn solution(
 
 /// The turn at which a ball is at an azimuth, and its unknowns there.
 fn at_azimuth(newton: &Newton<'_>, orbit: &Orbit, azimuth: f64) -> (f64, [f64; BALL]) {
-    let mut turn = newton.system.direction * azimuth / TAU;
+    let mut turn = newton.system.turn(azimuth);
     let mut y = orbit.at(&newton.radau, turn);
     // The lead is small and changes slowly: the iteration contracts.
     for _ in 0..50 {
-        let next = newton.system.direction * (azimuth - y[LEAD]) / TAU;
+        let next = newton.system.turn(azimuth - y[LEAD]);
         let moved = (next - turn).abs();
         turn = next;
         y = orbit.at(&newton.radau, turn);
@@ -207,14 +202,30 @@ fn at_azimuth(newton: &Newton<'_>, orbit: &Orbit, azimuth: f64) -> (f64, [f64; B
 
 /// Azimuths at which the pocket closes, degrees.
 fn contacts(newton: &Newton<'_>, orbit: &Orbit) -> Vec<f64> {
-    const LOOKS: usize = 7200;
-    let look = |n: usize| {
-        let turn = n as f64 / LOOKS as f64;
-        let lead = orbit.at(&newton.radau, turn)[LEAD];
-        let azimuth = (newton.system.azimuth(turn) + lead).to_degrees().rem_euclid(360.0);
-        (azimuth, newton.system.cage.pocket.penetration(lead) > 0.0)
-    };
-    let looks: Vec<_> = (0..LOOKS).map(look).collect();
-    let closes = |n: &usize| !looks[*n].1 && looks[(*n + 1) % LOOKS].1;
-    (0..LOOKS).filter(closes).map(|n| looks[(n + 1) % LOOKS].0).collect()
+    /// Looks at an interval; closings are then found to the width of an interval over two to the power of halvings.
+    const LOOKS: usize = 6;
+    const HALVINGS: usize = 12;
+    let lead = |turn: f64| orbit.at(&newton.radau, turn)[LEAD];
+    let pressed = |turn: f64| newton.system.cage.pocket.penetration(lead(turn)) > 0.0;
+    let mut azimuths = Vec::new();
+    let mut before = pressed(0.0);
+    for j in 0..orbit.intervals() {
+        let [begin, width] = orbit.interval(j);
+        for look in 1..=LOOKS {
+            let after = begin + width * look as f64 / LOOKS as f64;
+            let now = pressed(after);
+            if now && !before {
+                let (mut open, mut closed) = (after - width / LOOKS as f64, after);
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (open + closed);
+                    *(if pressed(middle) { &mut closed } else { &mut open }) = middle;
+                }
+                let azimuth = newton.system.azimuth(closed) + lead(closed);
+                azimuths.push(azimuth.to_degrees().rem_euclid(360.0));
+            }
+            before = now;
+        }
+    }
+    azimuths.sort_by(f64::total_cmp);
+    azimuths
 }

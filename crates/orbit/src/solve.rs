@@ -1,6 +1,6 @@
 //! From a bearing at an operating point to its steady orbit.
 
-use crate::collocation::{Orbit, Radau};
+use crate::collocation::Orbit;
 use crate::modes::{Bodies, Mode, modes};
 use crate::newton::Newton;
 use crate::residual::Residual;
@@ -8,7 +8,7 @@ use crate::solution::solution;
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::stiffness::stiffness;
 use crate::system::{BALL, OrbitSystem};
-use crate::{OrbitError, mesh, start, statics};
+use crate::{OrbitError, start, statics};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingOffset};
 use tribodyn_quasistatic::{StiffnessMatrix, rolling_start};
 use tribodyn_traction::{FastPatch, PatchRule};
@@ -18,30 +18,31 @@ use tribodyn_traction::{FastPatch, PatchRule};
 const CENTRING: f64 = 1e-8;
 /// The cheap rule on which the neighbourhood of the orbit is found.
 const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
-/// Rounds of sending the balls round and correcting cage and ring.
-const ROUNDS: usize = 25;
-/// Border residual, over its scales, at which the neighbourhood is found.
+/// Error of an interval there, over the scales.
+const SCOUTED: f64 = 0.2;
+/// What cage, ring and the closing of the turn may be off where the neighbourhood is found, and where Newton's method
+/// on all unknowns takes over.
 const FOUND: f64 = 3e-2;
-/// The same where Newton's method on all unknowns takes over from that on cage and ring.
-const CLOSE: f64 = 1e-4;
-/// Change over the scales at which an interval is solved while the neighbourhood is looked for, and when it is found.
-const ROUGHLY: f64 = 1e-4;
-const CLOSELY: f64 = 1e-8;
-/// Change of cage speed in one round, relative; of the ring, over its scale.
-const SPEED_CHANGE: f64 = 0.02;
-const RING_CHANGE: f64 = 5.0;
-/// Jacobians of a first and of any other attempt on a mesh.
+const CLOSE: f64 = 3e-3;
+/// The same above which that is not tried.
+const FAR: f64 = 0.1;
+/// Steps from turn to turn.
+const ROUNDS: usize = 12;
+/// Jacobians of an attempt on a mesh.
 const PATIENCE: usize = 14;
-/// Turns in which the balls settle.
-const TURNS: usize = 5;
-/// Meshes on which the orbit of first order is solved where three points an interval fail.
-const FIRST_ORDER: [usize; 3] = [144, 288, 576];
+/// By how much intervals' errors are lowered where no orbit is found on a mesh.
+const FINER: [f64; 2] = [1.0, 0.3];
+/// Rates over the cage speed at which the swinging of balls dies out besides, one after the other where no orbit is
+/// found: a ball without its inner contact swings in its groove at about ten times the cage speed, and on the falling
+/// part of a traction curve it swings on.
+const SETTLING: [f64; 5] = [0.0, 3.0, 10.0, 30.0, 100.0];
 
 /// Settings of the solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OrbitSettings {
-    /// Intervals round the orbit, each with three points of collocation.
-    pub intervals: usize,
+    /// Largest error of an interval, over a tenth of the elastic approach under the mean load of a ball, 0.001 of the
+    /// orbital speed and 0.001 of the spin: the mesh follows from it.
+    pub mesh_error: f64,
     /// Largest relative residual of any balance.
     pub tolerance: f64,
     /// Damping ratio ζ of the ball–race contacts that the orbit has at least.
@@ -52,10 +53,11 @@ pub struct OrbitSettings {
 }
 
 impl Default for OrbitSettings {
-    /// 60 intervals, 1e-10; damping that ends the bouncing of idle balls, which has no part in a mean: at a χ v of 10
-    /// a ball keeps a tenth of the velocity with which it meets the wall.
+    /// Intervals good to 5e-3 of the approach and 5e-5 of the speeds, 1e-10; damping that ends the bouncing of idle
+    /// balls, which has no part in a mean: at a χ v of 10 a ball keeps a tenth of the velocity with which it meets the
+    /// wall.
     fn default() -> Self {
-        Self { intervals: 60, tolerance: 1e-10, contact_damping: 0.1, pocket_damping: 10.0 }
+        Self { mesh_error: 5e-2, tolerance: 1e-10, contact_damping: 0.1, pocket_damping: 10.0 }
     }
 }
 
@@ -70,7 +72,7 @@ fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
 fn system<'a>(
     bearing: &'a Bearing,
     (point, cage): (&OperatingPoint, &CageBody),
-    (rule, speed): (PatchRule, f64),
+    (rule, speed, origin): (PatchRule, f64, f64),
     settings: &OrbitSettings,
 ) -> Result<OrbitSystem<'a>, OrbitError> {
     let mut cage = *cage;
@@ -82,8 +84,10 @@ fn system<'a>(
         speeds: Races { inner: point.inner_speed, outer: point.outer_speed },
         ring: point.ring,
         kernel: FastPatch::new(rule)?,
+        origin,
         direction: speed.signum(),
         centring: CENTRING * cage.pocket.stiffness,
+        settling: 0.0,
         cage,
     })
 }
@@ -104,14 +108,17 @@ pub fn steady_orbit(
     if speed == 0.0 {
         return Ok(statics::at_rest(bearing, point, cage, (&rolling, FastPatch::new(rolling.rule)?)));
     }
-    let scales = start::scales(bearing, &point.ring, &rolling, speed);
-    let mut newton = Newton::new(system(bearing, (point, cage), (rolling.rule, speed), settings)?, scales);
+    let hardest = start::hardest(&rolling);
+    let origin = bearing.azimuth(hardest);
+    let system = system(bearing, (point, cage), (rolling.rule, speed, origin), settings)?;
+    let scales = start::scales((bearing, &cage.pocket), &point.ring, &rolling, speed);
+    let mut newton = Newton::new(system, scales);
     let fine = std::mem::replace(&mut newton.system.kernel, FastPatch::new(SCOUT)?);
-    newton.radau = Radau::euler();
-    let sent = start::sent_round(&newton.system, &newton.scales, &rolling, speed);
-    let near = neighbourhood(&mut newton, sent)?;
-    newton.system.kernel = fine;
-    let found = collocated(&mut newton, &near, settings)?;
+    let (border, at_start) = ((speed, rolling.ring), start::unknowns(&rolling, hardest, speed));
+    // One turn in which the ball settles.
+    let settled = newton.march(&at_start, border, SCOUTED);
+    let near = newton.shoot(settled.last(), border, (SCOUTED, FOUND, ROUNDS))?;
+    let found = collocated(&mut newton, &near.orbit, (settings, fine))?;
     finish(&newton, found, (point, rolling.rule, rolling.rule_error))
 }
 
@@ -138,17 +145,16 @@ pub fn steady_orbit_from(
             (BALL - 4..BALL).for_each(|k| y[k] = if k == BALL - 4 { faster(y[k]) } else { y[k] * share });
         }
     }
-    let system = system(&warm, (point, cage), (near.rule, orbit.cage_speed), settings)?;
-    let mut newton = Newton::new(system, near.scales);
-    if orbit.stages == 1 {
-        newton.radau = Radau::euler();
-    }
-    let (orbit, residual) = newton.run(orbit, settings.tolerance, PATIENCE);
+    let mut newton = at(&warm, (point, cage), settings, &OrbitStart { orbit: orbit.clone(), ..near.clone() })?;
+    let (met, residual) = newton.run(orbit.clone(), settings.tolerance, PATIENCE);
     if residual.worst.relative <= settings.tolerance {
-        let found = Found { orbit, residual, speed_error: near.speed_error };
-        return finish(&newton, found, (point, near.rule, near.rule_error));
+        return finish(&newton, (met, residual), (point, near.rule, near.rule_error));
     }
-    steady_orbit(bearing, point, cage, settings)
+    let fine = newton.system.kernel.clone();
+    match collocated(&mut newton, &orbit, (settings, fine)) {
+        Ok(found) => finish(&newton, found, (point, near.rule, near.rule_error)),
+        Err(_) => steady_orbit(bearing, point, cage, settings),
+    }
 }
 
 /// The solver at a solution.
@@ -158,12 +164,9 @@ fn at<'a>(
     settings: &OrbitSettings,
     solved: &OrbitStart,
 ) -> Result<Newton<'a>, OrbitError> {
-    let system = system(bearing, (point, cage), (solved.rule, solved.orbit.cage_speed), settings)?;
-    let mut newton = Newton::new(system, solved.scales);
-    if solved.orbit.stages == 1 {
-        newton.radau = Radau::euler();
-    }
-    Ok(newton)
+    let of = (solved.rule, solved.orbit.cage_speed, solved.origin);
+    let system = OrbitSystem { settling: solved.settling, ..system(bearing, (point, cage), of, settings)? };
+    Ok(Newton::new(system, solved.scales))
 }
 
 /// Stiffness of the inner ring on its steady orbit: mean forces (N) and moments (N m) against displacements x, y, z
@@ -197,125 +200,49 @@ pub fn orbit_modes(
     modes(&at(bearing, (point, &bodies.cage), settings, solved)?, &solved.orbit, bodies)
 }
 
-/// Cage speed and ring nearly right, the balls sent round with them by Euler's implicit method.
-fn neighbourhood(newton: &mut Newton<'_>, mut orbit: Orbit) -> Result<Orbit, OrbitError> {
-    for _ in 0..ROUNDS {
-        let moved = newton.sweep(&mut orbit, ROUGHLY);
-        let residual = newton.residual(&orbit);
-        let off = residual.border.iter().map(|v| v * v).sum::<f64>().sqrt();
-        if off < FOUND && moved < 1.0 {
-            break;
-        }
-        let linear = newton.linearise(&orbit)?;
-        let step = newton.step(&linear, &residual);
-        let faster = (step.border[0] * newton.scales.border[0]).abs();
-        let ring = step.border[1..].iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        let share = 1f64.min(SPEED_CHANGE * orbit.cage_speed.abs() / faster).min(RING_CHANGE / ring);
-        orbit = newton.apply(&orbit, &step, share);
-    }
-    Ok(orbit)
-}
-
-/// Newton's method on cage speed and ring alone, the balls sent round to their periodic motion after each step.
-/// Slower than that on all unknowns, but no ball is asked to follow a slope over a contact that it loses.
-fn reduced(newton: &mut Newton<'_>, mut orbit: Orbit) -> Result<Orbit, OrbitError> {
-    let settle = |newton: &mut Newton<'_>, orbit: &mut Orbit| {
-        for _ in 0..TURNS {
-            let moved = newton.sweep(orbit, CLOSELY);
-            if moved < 1e-2 {
-                break;
-            }
-        }
-        let residual = newton.residual(orbit);
-        let off = residual.border.iter().map(|v| v * v).sum::<f64>().sqrt();
-        (off, residual)
-    };
-    let (mut off, mut residual) = settle(newton, &mut orbit);
-    for _ in 0..ROUNDS {
-        if off < CLOSE {
-            break;
-        }
-        let linear = newton.linearise(&orbit)?;
-        let step = newton.step(&linear, &residual);
-        let faster = (step.border[0] * newton.scales.border[0]).abs();
-        let ring = step.border[1..].iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        let mut share = 1f64.min(SPEED_CHANGE * orbit.cage_speed.abs() / faster).min(RING_CHANGE / ring);
-        loop {
-            let mut trial = newton.apply(&orbit, &step, share);
-            if share < newton.longest(&step) {
-            } else {
-                trial.values.clone_from(&orbit.values);
-            }
-            let (after, r) = settle(newton, &mut trial);
-            if after < (1.0 - 0.1 * share) * off || share < 0.05 {
-                (orbit, off, residual) = (trial, after, r);
-                break;
-            }
-            share *= 0.4;
-        }
-    }
-    Ok(orbit)
-}
-
-/// The orbit from its neighbourhood: by three points an interval where Newton's method finds it from there, else from
-/// the orbit of first order on a finer mesh, else that itself.
-fn collocated(newton: &mut Newton<'_>, near: &Orbit, settings: &OrbitSettings) -> Result<Found, OrbitError> {
-    let euler = Radau::euler();
-    if let Some(found) = third_order(newton, near, settings, settings.intervals) {
-        return Ok(found);
-    }
-    let mut before = None;
+/// The orbit from its neighbourhood: turns on meshes of their own until they nearly close, then Newton's method on all
+/// unknowns of the last mesh; by the fine rule, finer, and with damped balls where that does not succeed.
+fn collocated(
+    newton: &mut Newton<'_>,
+    near: &Orbit,
+    (settings, fine): (&OrbitSettings, FastPatch),
+) -> Result<Found, OrbitError> {
     let mut near = near.clone();
-    let mut left = None;
-    for (refined, fine) in FIRST_ORDER.into_iter().enumerate() {
-        newton.radau = euler;
-        let ends = (0..=fine).map(|j| j as f64 / fine as f64).collect();
-        let orbit = reduced(newton, near.on(&euler, ends, &euler))?;
-        let (orbit, residual) = newton.run(orbit, settings.tolerance, PATIENCE);
-        if residual.worst.relative > settings.tolerance {
-            left = Some((residual, orbit));
+    let mut least: Option<Found> = None;
+    for (settling, finer) in SETTLING.into_iter().flat_map(|settling| FINER.map(|finer| (settling, finer))) {
+        newton.system.settling = settling * near.cage_speed.abs();
+        let accuracy = (settings.mesh_error * finer, CLOSE, ROUNDS);
+        let Ok(turn) = newton.shoot(near.last(), (near.cage_speed, near.ring), accuracy) else { continue };
+        near = turn.orbit.clone();
+        newton.system.kernel = fine.clone();
+        if turn.off > FAR {
             continue;
         }
-        near = orbit;
-        if let Some(found) = third_order(newton, &near, settings, settings.intervals * (3 + refined) / 2) {
+        let found = newton.run(turn.orbit, settings.tolerance, PATIENCE);
+        let left = found.1.worst.relative;
+        if left <= settings.tolerance {
             return Ok(found);
         }
-        newton.radau = euler;
-        // The error of first order halves with the step.
-        let error = before.map(|speed: f64| (near.cage_speed / speed - 1.0).abs());
-        before = Some(near.cage_speed);
-        if refined + 1 == FIRST_ORDER.len() {
-            return Ok(Found { orbit: near, residual, speed_error: error });
+        if least.as_ref().is_none_or(|best| left < best.1.worst.relative) {
+            least = Some(found);
         }
     }
-    let (residual, orbit) = left.ok_or(OrbitError::Singular)?;
+    let (orbit, residual) = least.ok_or(OrbitError::Singular)?;
     Err(OrbitError::not_converged(&newton.system, &orbit, &residual.worst, settings.tolerance))
 }
 
-/// An orbit that meets its equations.
-struct Found {
-    orbit: Orbit,
-    residual: Residual,
-    /// Of the cage, relative, where the orbit is of first order.
-    speed_error: Option<f64>,
-}
-
-fn third_order(newton: &mut Newton<'_>, near: &Orbit, settings: &OrbitSettings, intervals: usize) -> Option<Found> {
-    let (euler, third) = (Radau::euler(), Radau::third());
-    let ends = mesh::graded(&newton.system, &euler, near, intervals);
-    newton.radau = third;
-    let (orbit, residual) = newton.run(near.on(&euler, ends, &third), settings.tolerance, PATIENCE);
-    (residual.worst.relative <= settings.tolerance).then_some(Found { orbit, residual, speed_error: None })
-}
+/// An orbit with what its equations lack.
+type Found = (Orbit, Residual);
 
 fn finish(
     newton: &Newton<'_>,
-    found: Found,
+    (orbit, residual): Found,
     (point, rule, rule_error): (&OperatingPoint, PatchRule, f64),
 ) -> Result<SolvedOrbit, OrbitError> {
-    let Found { orbit, residual, speed_error } = found;
-    let solution = solution(newton, &orbit, (residual.worst.relative, rule_error, speed_error));
+    let solution = solution(newton, &orbit, (residual.worst.relative, rule_error));
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
-    let start = OrbitStart { orbit, rule, rule_error, speed_error, scales: newton.scales, speeds };
+    let origin = newton.system.origin;
+    let settling = newton.system.settling;
+    let start = OrbitStart { orbit, rule, rule_error, origin, settling, scales: newton.scales, speeds };
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
 }

@@ -13,7 +13,10 @@ pub struct OrbitStart {
     pub(crate) orbit: Orbit,
     pub(crate) rule: PatchRule,
     pub(crate) rule_error: f64,
-    pub(crate) speed_error: Option<f64>,
+    /// Azimuth at which the turn begins, rad.
+    pub(crate) origin: f64,
+    /// Rate at which the swinging of balls dies out besides, 1/s.
+    pub(crate) settling: f64,
     pub(crate) scales: Scales,
     pub(crate) speeds: Races<f64>,
 }

@@ -22,8 +22,10 @@ pub(crate) fn at_rest(
         speeds: Races { inner: point_of.inner_speed, outer: point_of.outer_speed },
         ring: point_of.ring,
         kernel,
+        origin: 0.0,
         direction: 1.0,
         centring: 0.0,
+        settling: 0.0,
     };
     let mut means = Means::default();
     let at = |(index, ball): (usize, &tribodyn_quasistatic::BallMotion)| {
@@ -52,7 +54,7 @@ pub(crate) fn at_rest(
         residual: start.residual,
         patch_error_estimate: start.rule_error,
         intervals: 0,
-        cage_speed_error: None,
+        swing_damping: None,
         points: balls.clone(),
         balls,
     };

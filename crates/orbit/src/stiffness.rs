@@ -25,7 +25,7 @@ pub(crate) fn stiffness(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<Stiffn
         let mut border = [0.0; BORDER];
         border[1 + load] = 1.0 / scales.border_rows[1 + load];
         let unit = Residual { intervals: vec![[0.0; STACK]; orbit.intervals()], border, worst: Worst::NONE };
-        let step = newton.step(&linear, &unit);
+        let step = linear.step(&unit);
         (0..RING).for_each(|k| compliance[(k, load)] = step.border[1 + k] * scales.border[1 + k]);
     }
     let stiffness = compliance.try_inverse().ok_or(OrbitError::Singular)?;

@@ -25,11 +25,15 @@ pub(crate) struct OrbitSystem<'a> {
     pub speeds: Races<f64>,
     pub ring: [RingFreedom; RING],
     pub kernel: FastPatch,
+    /// Azimuth at which the turn begins, rad: where a ball is pressed hardest.
+    pub origin: f64,
     /// 1 where the balls go round with the azimuth, −1 where against it.
     pub direction: f64,
     /// Stiffness, N/m, that draws a ball to the middle of its pocket: next to nothing, it only settles where a cage
     /// hangs that no ball touches.
     pub centring: f64,
+    /// Rate at which the axial and radial motion of balls dies out besides, 1/s.
+    pub settling: f64,
 }
 
 /// A ball at a state.
@@ -100,6 +104,7 @@ impl OrbitSystem<'_> {
         let [a, b, c] = bearing.spring_acceleration(springs, r, orbit);
         let f = bearing.friction_acceleration(&state, &friction, r);
         let centring = lead * (self.centring * pocket.radius * pocket.radius);
+        let settling = self.settling;
         let orbital = c + f[2] - v_r * orbit * 2.0 / r - centring / (r * r * bearing.ball_mass);
         let [x, y, z, mx, my, torque] = bearing.ring_action(&state, &loads, &rings.inner);
         let reaction = bearing.reaction(Side::Outer, &loads.contacts.outer);
@@ -108,7 +113,7 @@ impl OrbitSystem<'_> {
             state,
             loads,
             friction,
-            rate: [v_a, v_r, rate, a + f[0], b + f[1], orbital, f[3], f[4], f[5]],
+            rate: [v_a, v_r, rate, a + f[0] - v_a * settling, b + f[1] - v_r * settling, orbital, f[3], f[4], f[5]],
             ring: [x, y, z, mx, my],
             outer: [outer_x, outer_y],
             torque,
@@ -118,7 +123,12 @@ impl OrbitSystem<'_> {
 
     /// Azimuth of a pocket after a share of a turn, rad.
     pub fn azimuth(&self, turn: f64) -> f64 {
-        self.direction * TAU * turn
+        self.origin + self.direction * TAU * turn
+    }
+
+    /// Share of a turn after which a pocket stands at an azimuth, rad.
+    pub fn turn(&self, azimuth: f64) -> f64 {
+        (self.direction * (azimuth - self.origin) / TAU).rem_euclid(1.0)
     }
 
     /// Time of a share of a turn, s.

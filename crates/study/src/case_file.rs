@@ -138,6 +138,9 @@ fn refused_after(
     limits: &Limits,
     error: CaseError,
 ) -> StudyError {
+    if changes.is_empty() {
+        return refused(name, text, String::new(), error);
+    }
     if let Err(before) = Case::from_ron(original).and_then(|case| limits.check(original, &case))
         && (&before.path, &before.message) == (&error.path, &error.message)
     {

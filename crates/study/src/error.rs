@@ -1,6 +1,7 @@
 //! Why a procedure does not start, or ends before its time.
 
 use crate::holder::Holder;
+use crate::sweep::SweepDifference;
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};
@@ -23,6 +24,30 @@ pub enum StudyError {
         /// Reason.
         error: Box<CaseError>,
     },
+    /// A value that a question cannot have.
+    #[error("{name} = {value}: {message}")]
+    Argument {
+        /// The value's name: that of the command's option.
+        name: &'static str,
+        /// The value.
+        value: String,
+        /// What is allowed, or why it is refused.
+        message: String,
+    },
+    /// An answer beyond what can be calculated with.
+    #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
+    OutOfRange {
+        /// The quantity.
+        quantity: &'static str,
+        /// What comes out.
+        value: f64,
+    },
+    /// Bodies that make no contact.
+    #[error(transparent)]
+    Contact(#[from] tribodyn_contact::ContactError),
+    /// A coating or a law that is refused.
+    #[error(transparent)]
+    Traction(#[from] tribodyn_traction::TractionError),
     /// A file that cannot be read.
     #[error("cannot read {}: {source}", path.display())]
     Read {
@@ -54,6 +79,14 @@ pub enum StudyError {
         file: String,
         /// All that is missing.
         source: Lacking,
+    },
+    /// A pair that has no equilibrium.
+    #[error("{file}: {source}")]
+    Pair {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: crate::pair::PairError,
     },
     /// An equilibrium that is not found.
     #[error("{file}: {source}")]
@@ -114,6 +147,14 @@ pub enum StudyError {
         path: PathBuf,
         /// First difference from this sweep.
         difference: SweepDifference,
+    },
+    /// A table that is no part of the same sweep, or rows that are missing or there twice.
+    #[error("{}: {why}", path.display())]
+    Merge {
+        /// The table.
+        path: PathBuf,
+        /// Reason.
+        why: String,
     },
     /// Two processes with one output.
     #[error("{}: another process is writing it{}", output.display(), by(holder))]
@@ -259,6 +300,12 @@ pub enum StudyError {
         /// The recording up to there, not closed.
         active: PathBuf,
     },
+    /// A system that gives the recording no thread.
+    #[error("the system gives no thread for the recording: {source}")]
+    NoThread {
+        /// Reason.
+        source: std::io::Error,
+    },
     /// A run that cannot write its checkpoint.
     #[error("after {simulated_s} s: cannot write {}: {source}", checkpoint.display())]
     NoCheckpoint {
@@ -294,33 +341,11 @@ pub enum StudyError {
     Json(#[from] serde_json::Error),
 }
 
-/// How finished rows on disk differ from those that a sweep would make.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum SweepDifference {
-    /// The file holds something else.
-    #[error("this is not a sweep's file of finished rows")]
-    Unknown,
-    /// Another version made them.
-    #[error("these finished rows are of version {found} of the command")]
-    Version {
-        /// Version of the file.
-        found: String,
-    },
-    /// Another case.
-    #[error("these finished rows are of another case")]
-    Case,
-    /// Other swept values.
-    #[error("these finished rows are of other swept values")]
-    Values,
-    /// Another part of the sweep.
-    #[error("these finished rows are of shard {found}")]
-    Shard {
-        /// Part in the file, `I/N`.
-        found: String,
-    },
-    /// Rows that start from neighbours and rows that do not.
-    #[error("these finished rows are of a sweep with another choice of cold starts")]
-    Cold,
+impl StudyError {
+    /// A value that a question cannot have.
+    pub fn argument(name: &'static str, value: impl ToString, message: impl Into<String>) -> Self {
+        Self::Argument { name, value: value.to_string(), message: message.into() }
+    }
 }
 
 /// A refused case with the place to point at.

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod answers;
 mod case_file;
 mod error;
 pub mod evaluation;
@@ -9,6 +10,7 @@ mod life;
 mod limits;
 mod lock;
 mod ours;
+pub mod pair;
 pub mod plausibility;
 pub mod rating;
 pub mod run;
@@ -16,9 +18,10 @@ pub mod survey;
 pub mod sweep;
 
 pub use case_file::{CaseFile, Change, read_text};
-pub use error::{RefusedCase, StudyError, SweepDifference, with_causes};
+pub use error::{RefusedCase, StudyError, with_causes};
 pub use files::StagedFiles;
 pub use holder::Holder;
 pub use life::{Life, LifeOptions, LifeStride, wear_life};
 pub use limits::Limits;
 pub use ours::Ours;
+pub use sweep::SweepDifference;

@@ -76,9 +76,13 @@ const LAYERS: [(&str, &[&str]); 16] = [
     ),
 ];
 /// Crates that may use every other one, each with its exceptions: the published command not the study of the paper,
-/// which is not published, and the study no program.
-const TOP: [(&str, &[&str]); 3] =
-    [("tribodyn-paper", &["tribodyn-cli", "xtask"]), ("tribodyn-cli", &["tribodyn-paper", "xtask"]), ("xtask", &[])];
+/// which is not published, the Python package neither of both, and the study no program.
+const TOP: [(&str, &[&str]); 4] = [
+    ("tribodyn-paper", &["tribodyn-cli", "tribodyn-python", "xtask"]),
+    ("tribodyn-cli", &["tribodyn-paper", "tribodyn-python", "xtask"]),
+    ("tribodyn-python", &["tribodyn-paper", "tribodyn-cli", "xtask"]),
+    ("xtask", &["tribodyn-python"]),
+];
 /// Crates that tests and benches may use besides: those of the solvers read the case files of `fixtures`.
 const IN_TESTS: [(&str, &str); 3] = [
     ("tribodyn-quasistatic", "tribodyn-case"),

@@ -7,7 +7,9 @@ mod hygiene;
 mod layers;
 mod licences;
 mod metadata;
+mod named;
 mod node;
+mod package;
 mod recording;
 mod supply;
 
@@ -30,7 +32,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 16] = [
+const STEPS: [Step; 17] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -47,6 +49,7 @@ const STEPS: [Step; 16] = [
     ("recording read by Python", || recording::check(&recordings())),
     ("report in a browser", report_page),
     ("recording read by Node", || node::check(&recordings())),
+    ("Python package", package::check),
 ];
 
 fn recordings() -> PathBuf {

@@ -7,7 +7,7 @@
 mod clock;
 mod damage;
 mod disk;
-mod document;
+pub mod document;
 mod kills;
 mod lab;
 mod live;

@@ -2,29 +2,12 @@
 
 use super::{HEAD, Tried, cells};
 use crate::error::Failure;
-use tribodyn_paper::{PaperError, files, markers, table};
+use crate::rows::Rows;
 
-const BEGIN: &str = "<!-- fuzz:begin -->";
-const END: &str = "<!-- fuzz:end -->";
-const DOCUMENT: &str = "docs/reliability.md";
+pub const ROWS: Rows<'static> =
+    Rows { document: "docs/reliability.md", marks: ["<!-- fuzz:begin -->", "<!-- fuzz:end -->"], head: &HEAD };
 
+/// Puts the rows of these targets into the table; those of other targets stay.
 pub fn rewrite(tried: &[Tried]) -> Result<(), Failure> {
-    let path = files::root().join(DOCUMENT);
-    let text = replaced(&files::read(&path)?, &table::markdown(&HEAD, &cells(tried)))?;
-    Ok(files::write(&path, text.as_bytes())?)
-}
-
-fn replaced(text: &str, block: &str) -> Result<String, PaperError> {
-    markers::replaced(DOCUMENT, text, block, [BEGIN, END])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn identity_the_document_has_its_block() {
-        let text = files::read(&files::root().join(DOCUMENT)).unwrap();
-        assert!(replaced(&text, "").is_ok());
-    }
+    ROWS.rewrite(&cells(tried))
 }

@@ -4,7 +4,7 @@
 //! kind joins the seeds: what coverage is to other tools, the messages are here. A panic, more than a second of
 //! processor time, or more memory than is allowed is a failure; the input is written to a file.
 
-mod document;
+pub mod document;
 mod mutate;
 mod seeds;
 mod target;
@@ -12,7 +12,7 @@ mod targets;
 
 use crate::error::Failure;
 use crate::terminal;
-use cpu_time::ThreadTime;
+use cpu_time::{ProcessTime, ThreadTime};
 use mutate::{Random, mutate};
 use std::collections::BTreeSet;
 use std::panic::{self, AssertUnwindSafe};
@@ -48,7 +48,8 @@ pub struct Arguments {
 
 /// Longest processor time for an input.
 const SLOW: Duration = Duration::from_secs(1);
-/// Wall time after which an input counts as one that never ends.
+/// Processor time of the program after which an input counts as one that never ends: the wall's clock would blame it for
+/// the work of others.
 const HANGING: Duration = Duration::from_secs(60);
 /// Most memory of the process, bytes.
 const MEMORY: u64 = 512 << 20;
@@ -95,8 +96,8 @@ impl Tried {
     }
 }
 
-const HEAD: [&str; 8] =
-    ["target", "inputs", "inputs/s", "kinds of answers", "panics", "over 1 s", "longest, ms", "memory, MB"];
+const HEAD: [&str; 9] =
+    ["target", "inputs", "time, s", "inputs/s", "kinds of answers", "panics", "over 1 s", "longest, ms", "memory, MB"];
 
 fn cells(all: &[Tried]) -> Vec<Vec<String>> {
     let one = |t: &Tried| {
@@ -104,6 +105,7 @@ fn cells(all: &[Tried]) -> Vec<Vec<String>> {
         vec![
             t.target.to_owned(),
             t.executions.to_string(),
+            format!("{:.0}", t.seconds),
             format!("{:.0}", t.executions as f64 / t.seconds.max(1e-9)),
             t.kinds.to_string(),
             t.panics.to_string(),
@@ -142,7 +144,8 @@ thread_local! {
 }
 
 /// The input that is being read, and since when; none between two.
-type Current = Arc<Mutex<Option<(Vec<u8>, Instant)>>>;
+type Current = Arc<Mutex<Option<(Input, ProcessTime)>>>;
+type Input = Arc<Vec<u8>>;
 
 /// Runs a target in a thread of its own; an input that never ends is written and ends the program.
 fn watched(arguments: &Arguments, target: Target, folder: &Path) -> Result<Tried, Failure> {
@@ -171,7 +174,7 @@ fn tried(
     folder: &Path,
     current: &Current,
 ) -> Result<Tried, Failure> {
-    let mut pool = seeds::of(target)?;
+    let mut pool: Vec<Input> = seeds::of(target)?.into_iter().map(Arc::new).collect();
     let mut subject = Subject::new(target)?;
     let mut random = Random::new(seed);
     let mut kinds = BTreeSet::new();
@@ -184,7 +187,7 @@ fn tried(
         if trace {
             save(folder, "current", &input)?;
         }
-        *current.lock().unwrap_or_else(PoisonError::into_inner) = Some((input.clone(), Instant::now()));
+        *current.lock().unwrap_or_else(PoisonError::into_inner) = Some((Arc::clone(&input), ProcessTime::now()));
         let clock = ThreadTime::now();
         let answer = panic::catch_unwind(AssertUnwindSafe(|| subject.read(&input)));
         let time = clock.elapsed();
@@ -224,13 +227,14 @@ fn tried(
 }
 
 /// The seeds as they are first, then changed ones.
-fn next(random: &mut Random, target: Target, pool: &[Vec<u8>], (executions, kinds): (u64, usize)) -> Vec<u8> {
+fn next(random: &mut Random, target: Target, pool: &[Input], (executions, kinds): (u64, usize)) -> Input {
     let seed = usize::try_from(executions).ok().and_then(|at| pool.get(at)).filter(|_| kinds < pool.len());
     seed.cloned().unwrap_or_else(|| {
-        let mut input = random.one_of(pool).clone();
-        let other = random.one_of(pool).clone();
-        mutate(random, target.form(), &mut input, &other);
-        input
+        let mut input = random.one_of(pool).to_vec();
+        let other = random.one_of(pool);
+        mutate(random, target.form(), &mut input, other);
+        input.truncate(target.longest());
+        Arc::new(input)
     })
 }
 

@@ -122,7 +122,7 @@ fn change_bytes(random: &mut Random, input: &mut Vec<u8>, other: &[u8]) {
         2 if !input.is_empty() => input[at] = *random.one_of(&[0, 1, 0x7f, 0x80, 0xff, b'(', b')', b'"', b',', b'\n']),
         3 => {
             let random_bytes: Vec<u8> = (0..=random.below(8)).map(|_| random.next() as u8).collect();
-            input.splice(at..at, random_bytes);
+            put(input, at..at, &random_bytes);
         }
         4 => {
             let range = range(random, input.len());
@@ -130,12 +130,12 @@ fn change_bytes(random: &mut Random, input: &mut Vec<u8>, other: &[u8]) {
         }
         5 => {
             let part = input[range(random, input.len())].to_vec();
-            input.splice(at..at, part);
+            put(input, at..at, &part);
         }
         6 => {
             let part = &other[range(random, other.len())];
             let end = (at + [0, part.len()][random.below(2)]).min(input.len());
-            input.splice(at..end, part.iter().copied());
+            put(input, at..end, part);
         }
         _ => input.truncate(at),
     }
@@ -151,7 +151,7 @@ fn put_word(random: &mut Random, input: &mut [u8]) {
 }
 
 fn change_text(random: &mut Random, input: &mut Vec<u8>, other: &[u8]) {
-    let tokens = tokens(input);
+    let tokens = tokens(random, input);
     if tokens.is_empty() {
         input.extend_from_slice(random.one_of(&TEXTS).as_bytes());
         return;
@@ -162,21 +162,20 @@ fn change_text(random: &mut Random, input: &mut Vec<u8>, other: &[u8]) {
         0 | 1 => {
             let numbers: Vec<_> = tokens.iter().filter(|t| input[t.start].is_ascii_digit()).collect();
             let at = if numbers.is_empty() { token } else { (*random.one_of(&numbers)).clone() };
-            input.splice(at, random.one_of(&NUMBERS).bytes());
+            put(input, at, random.one_of(&NUMBERS).as_bytes());
         }
         2 => {
             let word = input[random.one_of(&tokens).clone()].to_vec();
-            input.splice(token, word);
+            put(input, token, &word);
         }
         3 => {
-            let words = self::tokens(other);
+            let words = self::tokens(random, other);
             if !words.is_empty() {
-                let word = other[random.one_of(&words).clone()].to_vec();
-                input.splice(token, word);
+                put(input, token, &other[random.one_of(&words).clone()]);
             }
         }
         4 => {
-            input.splice(token.start..token.start, random.one_of(&TEXTS).bytes());
+            put(input, token.start..token.start, random.one_of(&TEXTS).as_bytes());
         }
         5 => {
             // Deep nesting, now and then very deep.
@@ -185,7 +184,7 @@ fn change_text(random: &mut Random, input: &mut Vec<u8>, other: &[u8]) {
                 *random.one_of(&[("(", ")"), ("[", "]"), ("{", "}"), ("Some(", ")"), ("(a:", ")"), ("/*", "*/")]);
             let nested =
                 [open.repeat(depth).as_bytes(), &input[token.clone()], close.repeat(depth).as_bytes()].concat();
-            input.splice(token, nested);
+            put(input, token, &nested);
         }
         _ => {
             // A long word or a long list.
@@ -194,30 +193,40 @@ fn change_text(random: &mut Random, input: &mut Vec<u8>, other: &[u8]) {
             let end = token.end.min(token.start + LONGEST / count);
             let part =
                 [&input[token.start..end], random.one_of(&["", ",", " ", "\n"]).as_bytes()].concat().repeat(count);
-            input.splice(token, part);
+            put(input, token, &part);
         }
     }
 }
 
-/// Words and numbers of a text, at most some thousand from its start.
-fn tokens(text: &[u8]) -> Vec<std::ops::Range<usize>> {
+/// Overwrites a range by something of another length, which shifts what follows.
+fn put(input: &mut Vec<u8>, range: std::ops::Range<usize>, part: &[u8]) {
+    let tail = input.split_off(range.end);
+    input.truncate(range.start);
+    input.extend_from_slice(part);
+    input.extend_from_slice(&tail);
+}
+
+/// Length of the part of a text in which words are looked for: most change one, and long texts have thousands.
+const LOOKED_AT: usize = 1024;
+
+/// Words and numbers of a part of a text.
+fn tokens(random: &mut Random, text: &[u8]) -> Vec<std::ops::Range<usize>> {
     let inside = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.' | b'-' | b'+') || byte >= 0x80;
+    let from = random.below((text.len() + 1).saturating_sub(LOOKED_AT));
+    let to = (from + LOOKED_AT).min(text.len());
     let mut tokens = Vec::new();
     let mut start = None;
-    for (at, &byte) in text.iter().enumerate() {
+    for (at, &byte) in text[from..to].iter().enumerate() {
         match (start, inside(byte)) {
-            (None, true) => start = Some(at),
-            (Some(from), false) => {
-                tokens.push(from..at);
+            (None, true) => start = Some(from + at),
+            (Some(begin), false) => {
+                tokens.push(begin..from + at);
                 start = None;
             }
             _ => {}
         }
-        if tokens.len() == 4096 {
-            return tokens;
-        }
     }
-    tokens.extend(start.map(|from| from..text.len()));
+    tokens.extend(start.map(|begin| begin..to));
     tokens
 }
 

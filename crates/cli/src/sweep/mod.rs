@@ -10,17 +10,17 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
-use tribodyn_study::sweep::{Format, Grid, Options, Plan, Setting, Shard, Sweep};
+use tribodyn_study::sweep::{Format, Grid, Merged, Options, Plan, Setting, Shard, Sweep, merge};
 use tribodyn_study::{Ours, StagedFiles, read_text};
 
 /// Solve the quasi-static equilibrium for every combination of case values.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Case file (RON)
-    #[arg(value_name = "CASE")]
-    case: PathBuf,
+    #[arg(value_name = "CASE", required_unless_present = "merge")]
+    case: Option<PathBuf>,
     /// Values of one place of the case: kN(10),kN(20) or kN(10..60 by 5), kN(10..60 in 11), kN(1..100 log 21); several
     /// options give every combination, the last varying fastest
     #[arg(long = "set", value_name = "PATH=VALUES", value_parser = setting)]
@@ -35,6 +35,10 @@ pub struct Arguments {
     /// Do only part I of N (from 0), for several machines; together the parts are the whole
     #[arg(long, value_name = "I/N", value_parser = Shard::parse, default_value_t = Shard::ALL)]
     shard: Shard,
+    /// Put the tables of all shards together, in the order of the sweep; every row has to be there once
+    #[arg(long, value_name = "TABLE", num_args = 1.., requires = "output",
+          conflicts_with_all = ["case", "settings", "shard", "threads", "cold", "restart", "plot", "plan"])]
+    merge: Vec<PathBuf>,
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -81,15 +85,41 @@ struct Summary {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match (&arguments.case, &arguments.output) {
+        (None, Some(output)) => put_together(arguments, output),
+        // Without a case there are tables to put together, and for those a table to write.
+        (case, _) => solve(arguments, case.as_deref().unwrap_or(Path::new(""))),
+    }
+}
+
+/// The whole table from those of the shards.
+fn put_together(arguments: &Arguments, output: &Path) -> Result<(), Failure> {
+    arguments.replace.check(output, Path::new(""), Ours::Table)?;
+    let merged = merge(&arguments.merge, output, arguments.replace.force)?;
+    if arguments.json {
+        let Merged { tables, rows, failed } = merged;
+        return print_json(&serde_json::json!({
+            "output": output, "tables": tables, "rows": rows, "failed_rows": failed,
+        }));
+    }
+    print_pairs(&[
+        ("tables", merged.tables.to_string(), ""),
+        ("rows", merged.rows.to_string(), ""),
+        ("without solution", merged.failed.to_string(), ""),
+    ])?;
+    print_line(&format!("\n{} is written", output.display()))
+}
+
+fn solve(arguments: &Arguments, case: &Path) -> Result<(), Failure> {
     let threads = arguments.threads.map_or(0, NonZeroUsize::get);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|error| Failure::Output(std::io::Error::other(error)))?;
     arguments.output.as_deref().map(Format::of).transpose()?;
     let limits = arguments.limits.limits();
-    let text = read_text(&arguments.case, &limits)?;
-    let grid = pool.install(|| Grid::new(&arguments.case.display().to_string(), text, &arguments.settings, &limits))?;
+    let text = read_text(case, &limits)?;
+    let grid = pool.install(|| Grid::new(&case.display().to_string(), text, &arguments.settings, &limits))?;
     if let Some(path) = &arguments.output {
-        arguments.replace.check(path, &arguments.case, Ours::Table)?;
+        arguments.replace.check(path, case, Ours::Table)?;
     }
     arguments.plot.as_ref().map_or(Ok(()), |_| figures::check(&grid))?;
     match &arguments.output {

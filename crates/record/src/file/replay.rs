@@ -75,6 +75,24 @@ const BALLS: &str = "tribodyn.v1.Balls";
 const WEAR: &str = "tribodyn.v1.Wear";
 
 impl RunItem {
+    /// The item that an encoded message of a type is; none for messages for the eye only.
+    ///
+    /// # Errors
+    /// Bytes that are no message of that type.
+    pub fn decode(schema: &str, data: &[u8]) -> Result<Option<Self>, prost::DecodeError> {
+        let item = match schema {
+            STATE => StateRow::decode(data).map(Self::State),
+            SOLUTION => SolutionRow::decode(data).map(Self::Solution),
+            BALLS => tribodyn::Balls::decode(data).map(|balls| Self::Balls(balls.time_s, balls.balls)),
+            WEAR => WearRow::decode(data).map(Self::Wear),
+            "tribodyn.v1.Spectrum" => SpectrumRow::decode(data).map(Self::Spectrum),
+            "tribodyn.v1.Orbit" => OrbitRow::decode(data).map(Self::Orbit),
+            "foxglove.Log" => foxglove::Log::decode(data).map(|line| Self::Log(log_row(line))),
+            _ => return Ok(None),
+        };
+        item.map(Some)
+    }
+
     /// Simulated time of what comes in order of time, s, with a number for its kind.
     fn time(&self) -> Option<(usize, f64)> {
         match self {
@@ -204,18 +222,10 @@ impl<R: Read + Seek> RunReader<R> {
         {
             return Err(RecordError::NotANumber { topic: topic.clone(), field, value });
         }
-        let item = match schema {
-            STATE => StateRow::decode(data).map(RunItem::State),
-            SOLUTION => SolutionRow::decode(data).map(RunItem::Solution),
-            BALLS if !self.balls => return Ok(None),
-            BALLS => tribodyn::Balls::decode(data).map(|balls| RunItem::Balls(balls.time_s, balls.balls)),
-            WEAR => WearRow::decode(data).map(RunItem::Wear),
-            "tribodyn.v1.Spectrum" => SpectrumRow::decode(data).map(RunItem::Spectrum),
-            "tribodyn.v1.Orbit" => OrbitRow::decode(data).map(RunItem::Orbit),
-            "foxglove.Log" => foxglove::Log::decode(data).map(|line| RunItem::Log(log_row(line))),
-            _ => return Ok(None),
-        };
-        item.map(Some).map_err(|source| RecordError::Decode { topic: topic.clone(), source })
+        if schema == BALLS && !self.balls {
+            return Ok(None);
+        }
+        RunItem::decode(schema, data).map_err(|source| RecordError::Decode { topic: topic.clone(), source })
     }
 }
 

@@ -88,6 +88,16 @@ impl<S: Sink> RunRecorder<S> {
         Ok(Self { sink, producer })
     }
 
+    /// Where the messages go.
+    pub fn sink(&self) -> &S {
+        &self.sink
+    }
+
+    /// Where the messages go, for those that were recorded before.
+    pub fn sink_mut(&mut self) -> &mut S {
+        &mut self.sink
+    }
+
     /// What a recorder must know to go on from here: with [`Self::remember`] another one sends the same bytes.
     pub fn memory(&self) -> &RecorderMemory {
         self.producer.memory()

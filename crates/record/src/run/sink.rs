@@ -3,7 +3,7 @@
 use crate::output::{Channel, Entries, Output, QUICK, active_path, file_error, mcap_error};
 use crate::{RecordError, RecordingSummary, read_summary};
 use std::fs::{self, File};
-use std::io::{BufWriter, Seek, Write};
+use std::io::{BufWriter, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// What a run says about itself before its first message.
@@ -123,14 +123,18 @@ pub struct FileSink {
 }
 
 impl FileSink {
-    /// Creates `<path>.active`. A file of that name is replaced: what an earlier run left behind should be recovered
-    /// before its path is used again.
+    /// Creates `<path>.active` exclusively. A file or link of that name is removed first, and nothing is written to
+    /// where a link points: what an earlier run left behind should be recovered before its path is used again.
     ///
     /// # Errors
     /// [`RecordError::File`] if that is not possible.
     pub fn create(path: &Path) -> Result<Self, RecordError> {
         let active = active_path(path);
-        let file = File::create(&active).map_err(|source| file_error("create", &active, source))?;
+        match fs::remove_file(&active) {
+            Err(source) if source.kind() != ErrorKind::NotFound => return Err(file_error("replace", &active, source)),
+            _ => {}
+        }
+        let file = File::create_new(&active).map_err(|source| file_error("create", &active, source))?;
         Ok(Self { stream: StreamSink::new(BufWriter::new(file), &active), path: path.to_owned() })
     }
 

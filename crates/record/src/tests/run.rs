@@ -344,3 +344,21 @@ fn limit_a_full_disk_is_an_error_with_the_name_of_the_file() {
     let error = RunRecorder::<FileSink>::create(&missing, &recording(&case)).unwrap_err();
     assert!(matches!(error, RecordError::File { action: "create", .. }), "{error}");
 }
+
+/// A link where the temporary file belongs leads nowhere: what it points at stays as it is.
+#[cfg(unix)]
+#[test]
+fn limit_the_temporary_recording_is_created_exclusively() {
+    let (path, other) = (path("run-exclusive"), path("run-exclusive-other"));
+    let active = Path::new(&format!("{}.active", path.display())).to_owned();
+    std::fs::write(&other, "precious").unwrap();
+    std::os::unix::fs::symlink(&other, &active).unwrap();
+    let case = case::case(BALLS);
+    let mut recorder = RunRecorder::create(&path, &recording(&case)).unwrap();
+    assert!(!active.is_symlink());
+    feed(&mut recorder, 10, 25_600.0, 5).unwrap();
+    recorder.finish().unwrap();
+    assert_eq!(std::fs::read_to_string(&other).unwrap(), "precious");
+    assert!(!path.is_symlink() && read_run(&path).unwrap().states.len() == 10);
+    [path, other].iter().for_each(|file| std::fs::remove_file(file).unwrap());
+}

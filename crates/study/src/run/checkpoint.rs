@@ -2,17 +2,17 @@
 //!
 //! The file is two lines of JSON: a head with format, version, length and checksum of the second line, and the run.
 
-use super::tape::{Loose, SharedTape};
+use super::tape::{Loose, Tape};
 use crate::error::StudyError;
 use crate::files::{read_at_most, with_suffix};
 use serde::{Deserialize, Serialize};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use tribodyn_dynamics::{Checkpoint, Run};
-use tribodyn_record::{RecorderMemory, TemporaryFile};
+use tribodyn_dynamics::Checkpoint;
+use tribodyn_record::{RecorderMemory, RunRecorder, TemporaryFile};
 
 /// Changes with the meaning of the fields.
-pub(crate) const FORMAT: u32 = 4;
+pub(crate) const FORMAT: u32 = 5;
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Longest file that is read, bytes: that of a run with a thousand balls has 20 MB.
@@ -45,13 +45,14 @@ pub(crate) struct Saved {
 }
 
 impl Saved {
-    pub fn new(case_text: &str, run: &Run, recorder: &RecorderMemory, tape: &SharedTape) -> Self {
-        let (safe_messages, loose_messages) = tape.state();
+    /// Of a run at a time (s) whose recorder has everything up to there.
+    pub fn new(case_text: &str, (simulated_s, run): (f64, Checkpoint), recorder: &RunRecorder<Tape>) -> Self {
+        let (safe_messages, loose_messages) = recorder.sink().state();
         Self {
-            simulated_s: run.time(),
+            simulated_s,
             case_text: case_text.to_owned(),
-            run: run.checkpoint(),
-            recorder: recorder.clone(),
+            run,
+            recorder: recorder.memory().clone(),
             safe_messages,
             loose_messages,
         }

@@ -2,11 +2,14 @@
 
 pub mod balance;
 mod checkpoint;
+mod gathered;
 mod outcome;
+mod recording;
 mod resume;
 mod session;
 mod settled;
 mod summary;
+mod tally;
 mod tape;
 pub mod warnings;
 

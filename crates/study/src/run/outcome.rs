@@ -1,6 +1,7 @@
 //! The report of a run: the summary of the recording, and what only the solver knows.
 
 use super::summary::{Summary, carries_accelerations};
+use super::tally::Tally;
 use super::warnings::{self, Tested};
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
@@ -11,7 +12,7 @@ use tribodyn_bearing::PatchSurfaces;
 use tribodyn_case::Case;
 use tribodyn_dynamics::{Run, Statistics, Stiffness};
 use tribodyn_quasistatic::Solution;
-use tribodyn_record::{RecordError, RunItem, RunReader};
+use tribodyn_record::RecordError;
 
 /// A run that has ended.
 pub struct RunOutcome {
@@ -107,24 +108,20 @@ impl RunReport {
         }
     }
 
-    /// Reads the rest from the recording, which shows that it can be read.
-    pub(super) fn complete(mut self, recording: &Path, case: &Case, from_s: f64) -> Result<Self, StudyError> {
-        let (mut states, mut wear, mut log) = (Vec::new(), None, Vec::new());
-        let mut races = Tested::of(case);
-        for item in RunReader::open(recording)? {
-            match item? {
-                RunItem::Balls(_, balls) => races.iter_mut().for_each(|race| race.add(&balls)),
-                RunItem::State(row) => states.push(row),
-                RunItem::Wear(row) => wear = Some(row),
-                RunItem::Log(row) => log.push(row),
-                _ => {}
-            }
-        }
+    /// Adds what was gathered while the run was recorded.
+    pub(super) fn complete(
+        mut self,
+        recording: &Path,
+        case: &Case,
+        tally: &Tally,
+        from_s: f64,
+    ) -> Result<Self, StudyError> {
         let nothing = || RecordError::NothingToRecover { path: recording.to_owned() };
-        let summary = Summary::of(&states, wear.as_ref(), &log).ok_or_else(nothing)?.judged(case);
+        let summary = tally.states.summary(tally.wear.as_ref(), tally.warnings.lines());
+        let summary = summary.ok_or_else(nothing)?.judged(case);
         self.simulated_per_wall = (summary.simulated_s - from_s) / self.wall_s;
         self.summary = Some(summary);
-        self.untested_pressures = races.iter().filter_map(Tested::warning).collect();
+        self.untested_pressures = tally.pressures.iter().filter_map(Tested::warning).collect();
         self.recording = recording.to_owned();
         Ok(self)
     }

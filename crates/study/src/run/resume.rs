@@ -2,10 +2,10 @@
 //! and recorder.
 
 use super::checkpoint::{Files, Saved};
-use super::tape::{SharedTape, from_hex};
+use super::tape::{Tape, from_hex};
 use crate::error::StudyError;
 use std::fs;
-use tribodyn_record::{RecordError, recover};
+use tribodyn_record::{RecordError, Sink, recover};
 
 /// Makes `files.earlier` the recording that the checkpoint belongs to, whole; `.active` is free afterwards.
 pub(crate) fn set_aside(files: &Files) -> Result<(), StudyError> {
@@ -19,7 +19,7 @@ pub(crate) fn set_aside(files: &Files) -> Result<(), StudyError> {
 }
 
 /// Writes what was recorded up to the checkpoint.
-pub(crate) fn copy(files: &Files, saved: &Saved, tape: &SharedTape) -> Result<(), StudyError> {
+pub(crate) fn copy(files: &Files, saved: &Saved, tape: &mut Tape) -> Result<(), StudyError> {
     let read = |source| StudyError::Read { path: files.earlier.clone(), source };
     let bytes = fs::read(&files.earlier).map_err(read)?;
     let damaged = |source| RecordError::Mcap { action: "read", path: files.earlier.clone(), source };
@@ -27,7 +27,7 @@ pub(crate) fn copy(files: &Files, saved: &Saved, tape: &SharedTape) -> Result<()
     for message in mcap::MessageStream::new(&bytes).map_err(damaged)?.take(saved.safe_messages as usize) {
         let message = message.map_err(damaged)?;
         let channel = tape.channel(&message.channel.topic).ok_or_else(|| lost(files, copied, saved))?;
-        tape.put(channel, message.log_time, &message.data)?;
+        tape.message(channel, message.log_time, &message.data)?;
         copied += 1;
     }
     if copied < saved.safe_messages {
@@ -35,7 +35,7 @@ pub(crate) fn copy(files: &Files, saved: &Saved, tape: &SharedTape) -> Result<()
     }
     for loose in &saved.loose_messages {
         let data = from_hex(&loose.hex).ok_or_else(|| lost(files, copied, saved))?;
-        tape.put(loose.channel, loose.log_time_ns, &data)?;
+        tape.message(loose.channel, loose.log_time_ns, &data)?;
     }
     // From now on a reader of the new file sees all of it.
     tape.flush()?;

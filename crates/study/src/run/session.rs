@@ -1,16 +1,18 @@
 //! A transient run, recorded.
 //!
 //! After each step the session looks at the clock: some times a second it reports its progress and can be stopped, and
-//! twice a second it writes a checkpoint. Neither changes a step, so that a resumed run makes the samples of one that
-//! was never stopped.
+//! twice a second it has a checkpoint written. Neither changes a step, so that a resumed run makes the samples of one
+//! that was never stopped. What is recorded is encoded and compressed on a second thread.
 
 use super::checkpoint::{Files, Saved};
 use super::outcome::{RunOutcome, RunReport, Stopped};
+use super::recording::{Failed, Keeper, Reason, Recorder, Recording};
 use super::resume;
-use super::tape::{SharedTape, Viewers};
+use super::tape::{Tape, Viewers};
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use crate::lock::OutputLock;
+use std::convert::Infallible;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -18,7 +20,7 @@ use std::time::{Duration, Instant};
 use tribodyn_dynamics::{
     DynamicsError, Ending as Advanced, Event, EventKind, Observer, Run, RunError as Advance, Sample,
 };
-use tribodyn_record::{RecordError, RunRecorder, RunRecording};
+use tribodyn_record::{RunRecorder, RunRecording};
 
 /// Wall time between looks at the caller.
 const LOOK_EVERY: Duration = Duration::from_millis(50);
@@ -80,16 +82,28 @@ impl<'a> PreparedRun<'a> {
     /// The recording cannot be written, or the earlier one cannot be read.
     pub fn begin(self, viewers: Option<Box<dyn Viewers>>) -> Result<RunSession<'a>, StudyError> {
         let Self { file, mut run, files, saved, lock } = self;
-        let (tape, recorder) = match saved {
+        let recorder = match saved {
             None => RunSession::start(file, &files, viewers),
             Some(saved) => RunSession::resume(file, &mut run, &files, saved, viewers),
         }?;
-        let session = RunSession { file, from_s: run.time(), run, files, tape, recorder, _lock: lock };
-        if session.from_s > 0.0 {
+        let from_s = run.time();
+        let keeper = Keeper { checkpoint: files.checkpoint.clone(), case_text: file.text.clone() };
+        if from_s > 0.0 {
             // The new recording holds everything up to here; from now on a kill may take what comes after it.
-            session.save()?;
+            keeper.save(&recorder, run.checkpoint(), from_s).map_err(|failed| failed.into_error(&files))?;
         }
-        Ok(session)
+        let recording = Recording::start(recorder, keeper).map_err(|source| StudyError::NoThread { source })?;
+        Ok(RunSession { file, from_s, run, files, recording, _lock: lock })
+    }
+}
+
+impl Failed {
+    fn into_error(self, files: &Files) -> StudyError {
+        let (simulated_s, Files { checkpoint, active, .. }) = (self.simulated_s, files.clone());
+        match self.reason {
+            Reason::Recording(source) => StudyError::NotRecorded { simulated_s, source: Box::new(source), active },
+            Reason::Checkpoint(source) => StudyError::NoCheckpoint { simulated_s, checkpoint, source, active },
+        }
     }
 }
 
@@ -116,8 +130,6 @@ enum Ending {
     BrokenOff(DynamicsError),
 }
 
-type Recording = (SharedTape, RunRecorder<SharedTape>);
-
 /// A run with its recording.
 pub struct RunSession<'a> {
     file: &'a CaseFile,
@@ -125,14 +137,13 @@ pub struct RunSession<'a> {
     from_s: f64,
     run: Run,
     files: Files,
-    tape: SharedTape,
-    recorder: RunRecorder<SharedTape>,
+    recording: Recording,
     /// Let go of after everything else.
     _lock: OutputLock,
 }
 
 impl<'a> RunSession<'a> {
-    fn start(file: &CaseFile, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recording, StudyError> {
+    fn start(file: &CaseFile, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recorder, StudyError> {
         for old in [&files.checkpoint, &files.active, &files.earlier] {
             remove(old)?;
         }
@@ -145,23 +156,23 @@ impl<'a> RunSession<'a> {
         files: &Files,
         saved: Saved,
         viewers: Option<Box<dyn Viewers>>,
-    ) -> Result<Recording, StudyError> {
+    ) -> Result<Recorder, StudyError> {
         resume::set_aside(files)?;
-        let (tape, mut recorder) = Self::record(file, files, viewers)?;
-        resume::copy(files, &saved, &tape)?;
+        let mut recorder = Self::record(file, files, viewers)?;
+        resume::copy(files, &saved, recorder.sink_mut())?;
         recorder.remember(saved.recorder)?;
         let resumed = run.resume(saved.run);
         resumed.map_err(|source| StudyError::CannotStart { file: file.name.clone(), source })?;
         // The new file holds what the checkpoint counts and more. A newer checkpoint would count on messages that only
         // the new one has, and with the old file still there a resumption would look for them in that.
         remove(&files.earlier)?;
-        Ok((tape, recorder))
+        Ok(recorder)
     }
 
-    fn record(file: &CaseFile, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recording, StudyError> {
-        let tape = SharedTape::create(&files.recording, viewers)?;
+    fn record(file: &CaseFile, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recorder, StudyError> {
+        let tape = Tape::create(&files.recording, &file.case, viewers)?;
         let recording = RunRecording { case_text: &file.text, case: &file.case, generator: GENERATOR };
-        Ok((tape.clone(), RunRecorder::new(tape, &recording)?))
+        Ok(RunRecorder::new(tape, &recording)?)
     }
 
     /// Simulated time, s.
@@ -181,58 +192,41 @@ impl<'a> RunSession<'a> {
     /// The solver or the disk fails; what was recorded before is kept.
     pub fn complete(mut self, progress: impl FnMut(f64) -> ControlFlow<()>) -> Result<RunOutcome, StudyError> {
         let began = Instant::now();
-        let ending = self.go(progress)?;
-        self.finish(ending, began.elapsed().as_secs_f64())
+        let ending = self.go(progress);
+        self.finish(ending, began)
     }
 
-    /// Steps to the end of the duration, or to a stop.
-    fn go(&mut self, mut progress: impl FnMut(f64) -> ControlFlow<()>) -> Result<Ending, StudyError> {
+    /// Steps to the end of the duration, or to a stop; what cannot be recorded ends it too, and is told by the recorder.
+    fn go(&mut self, mut progress: impl FnMut(f64) -> ControlFlow<()>) -> Ending {
         let mut clock = Clock { looked: Instant::now(), saved: Instant::now(), stopped: false };
         loop {
-            let mut watch = Watch { recorder: &mut self.recorder, progress: &mut progress, clock: &mut clock };
+            let mut watch = Watch { recording: &mut self.recording, progress: &mut progress, clock: &mut clock };
             match self.run.advance(f64::INFINITY, &mut watch) {
-                Ok(Advanced::Complete) => return Ok(Ending::Complete),
-                Ok(Advanced::Stopped) => self.save()?,
-                Err(Advance::Dynamics(error)) => return Ok(Ending::BrokenOff(error)),
-                Err(Advance::Observer(error)) => return Err(self.not_recorded(error)),
+                Ok(Advanced::Complete) => return Ending::Complete,
+                Ok(Advanced::Stopped) => self.recording.save(self.run.checkpoint(), self.run.time()),
+                Err(Advance::Dynamics(error)) => return Ending::BrokenOff(error),
             }
-            if clock.stopped {
-                return Ok(Ending::Stopped);
+            if clock.stopped || self.recording.has_failed() {
+                return Ending::Stopped;
             }
             clock.saved = Instant::now();
         }
     }
 
-    fn not_recorded(&self, source: RecordError) -> StudyError {
-        let active = self.files.active.clone();
-        StudyError::NotRecorded { simulated_s: self.run.time(), source: Box::new(source), active }
-    }
-
-    fn save(&self) -> Result<(), StudyError> {
-        let saved = Saved::new(&self.file.text, &self.run, self.recorder.memory(), &self.tape);
-        let written = saved.write(&self.files.checkpoint);
-        written.map_err(|source| {
-            let Files { checkpoint, active, .. } = self.files.clone();
-            StudyError::NoCheckpoint { simulated_s: self.run.time(), checkpoint, source, active }
-        })
-    }
-
-    /// Closes the recording, whatever the ending.
-    fn finish(mut self, ending: Ending, wall_s: f64) -> Result<RunOutcome, StudyError> {
-        let file = self.file;
-        let time_s = self.run.time();
+    /// Closes the recording, whatever the ending. The wall time of the run is that until all is recorded.
+    fn finish(self, ending: Ending, began: Instant) -> Result<RunOutcome, StudyError> {
+        let Self { file, from_s, run, files, recording, _lock } = self;
+        let time_s = run.time();
+        let mut recorder = recording.end().map_err(|failed| failed.into_error(&files))?;
+        let wall_s = began.elapsed().as_secs_f64();
+        let not_recorded =
+            |source| Failed { simulated_s: time_s, reason: Reason::Recording(source) }.into_error(&files);
         if let Ending::BrokenOff(error) = &ending {
             let kind = EventKind::Warning { message: format!("the run was broken off: {error}") };
-            self.recorder.event(&Event { time_s, kind }).map_err(|error| self.not_recorded(error))?;
+            recorder.event(&Event { time_s, kind }).map_err(not_recorded)?;
         }
-        let report = RunReport::begin(&self.run, file, wall_s);
-        let (files, duration_s) = (self.files.clone(), self.run.duration());
-        let not_recorded = |source| StudyError::NotRecorded {
-            simulated_s: time_s,
-            source: Box::new(source),
-            active: files.active.clone(),
-        };
-        self.recorder.finish().map_err(not_recorded)?;
+        let report = RunReport::begin(&run, file, wall_s);
+        let tally = recorder.finish().map_err(not_recorded)?;
         if !matches!(ending, Ending::Stopped) {
             remove(&files.checkpoint)?;
         }
@@ -240,8 +234,9 @@ impl<'a> RunSession<'a> {
             let recording = files.recording.clone();
             return Err(StudyError::BrokenOff { file: file.name.clone(), source: Box::new(source), recording });
         }
+        let duration_s = run.duration();
         let stopped = matches!(ending, Ending::Stopped).then_some(Stopped { simulated_s: time_s, duration_s });
-        Ok(RunOutcome { report: report.complete(&files.recording, &file.case, self.from_s)?, stopped })
+        Ok(RunOutcome { report: report.complete(&files.recording, &file.case, &tally, from_s)?, stopped })
     }
 }
 
@@ -256,7 +251,7 @@ fn remove(path: &Path) -> Result<(), StudyError> {
 
 /// Hands all to the recorder, and looks at the clock after each step.
 struct Watch<'a, P> {
-    recorder: &'a mut RunRecorder<SharedTape>,
+    recording: &'a mut Recording,
     progress: &'a mut P,
     clock: &'a mut Clock,
 }
@@ -269,14 +264,14 @@ struct Clock {
 }
 
 impl<P: FnMut(f64) -> ControlFlow<()>> Observer for Watch<'_, P> {
-    type Error = RecordError;
+    type Error = Infallible;
 
-    fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, RecordError> {
-        self.recorder.sample(sample, with_balls)
+    fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, Infallible> {
+        self.recording.sample(sample, with_balls)
     }
 
-    fn event(&mut self, event: &Event) -> Result<(), RecordError> {
-        self.recorder.event(event)
+    fn event(&mut self, event: &Event) -> Result<(), Infallible> {
+        self.recording.event(event)
     }
 
     fn stepped(&mut self, time_s: f64) -> ControlFlow<()> {
@@ -284,8 +279,11 @@ impl<P: FnMut(f64) -> ControlFlow<()>> Observer for Watch<'_, P> {
         if now.duration_since(self.clock.looked) >= LOOK_EVERY {
             self.clock.looked = now;
             self.clock.stopped = (self.progress)(time_s).is_break();
+            // Viewers see what there is, however slowly the samples come.
+            self.recording.hand_over();
         }
         let due = now.duration_since(self.clock.saved) >= CHECKPOINT_EVERY;
-        if due || self.clock.stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let ends = due || self.clock.stopped || self.recording.has_failed();
+        if ends { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

@@ -1,7 +1,6 @@
 //! When a run has become steady.
 
 use serde::Serialize;
-use tribodyn_record::StateRow;
 use tribodyn_signal::{SettlingRule, settling};
 
 /// Part of the mean within which the running mean of the cage speed stays in a steady run.
@@ -24,29 +23,27 @@ pub enum Settled {
 }
 
 impl Settled {
-    /// Judges the cage speed and the power of the drives.
-    pub fn of(states: &[StateRow]) -> Self {
-        let (Some(first), Some(last)) = (states.first(), states.last()) else { return Self::TooShort };
-        let half = &states[states.len() / 2..];
-        let mean = |get: fn(&StateRow) -> f64| half.iter().map(get).sum::<f64>() / half.len() as f64;
-        let (speed, power) = (mean(|r| r.cage_speed_rpm).abs(), mean(|r| r.shaft_w).abs());
+    /// Judges the cage speed (r/min) and the power of the drives (W) between two times (s), at a rate in Hz.
+    pub(crate) fn of([first_s, last_s]: [f64; 2], rate_hz: f64, cage_speed: &[f64], shaft: &[f64]) -> Self {
+        let mean = |samples: &[f64]| {
+            let half = &samples[samples.len() / 2..];
+            half.iter().sum::<f64>() / half.len() as f64
+        };
+        let (speed, power) = (mean(cage_speed).abs(), mean(shaft).abs());
         let turn_s = 60.0 / speed;
-        let span_s = last.time_s - first.time_s;
-        if !turn_s.is_finite() || span_s < FEWEST_TURNS * turn_s {
+        if !turn_s.is_finite() || last_s - first_s < FEWEST_TURNS * turn_s {
             return Self::TooShort;
         }
-        let rate_hz = (states.len() - 1) as f64 / span_s;
-        let time_of = |get: fn(&StateRow) -> f64, mean: f64, part: f64| {
-            let samples: Vec<f64> = states.iter().map(get).collect();
+        let time_of = |samples: &[f64], mean: f64, part: f64| {
             // The ripple is none of the question: pockets may rattle for ever.
             let far = samples.iter().fold(f64::MIN_POSITIVE, |most: f64, x| most.max(x.abs()));
             let rule = SettlingRule { window_s: turn_s, mean_tolerance: part * mean, rms_tolerance: 2.0 * far };
-            settling(&samples, rate_hz, rule).ok()
+            settling(samples, rate_hz, rule).ok()
         };
-        let judged = [time_of(|r| r.cage_speed_rpm, speed, SPEED), time_of(|r| r.shaft_w, power, POWER)];
+        let judged = [time_of(cage_speed, speed, SPEED), time_of(shaft, power, POWER)];
         let [Some(speed), Some(power)] = judged else { return Self::TooShort };
         match (speed.time_s, power.time_s) {
-            (Some(a), Some(b)) => Self::At(first.time_s + a.max(b)),
+            (Some(a), Some(b)) => Self::At(first_s + a.max(b)),
             _ => Self::Not,
         }
     }
@@ -75,7 +72,15 @@ impl Settled {
 
 #[cfg(test)]
 mod tests {
+    use super::super::gathered::Gathered;
     use super::*;
+    use tribodyn_record::StateRow;
+
+    fn judged(rows: &[StateRow]) -> Settled {
+        let mut gathered = Gathered::default();
+        rows.iter().for_each(|row| gathered.add(*row));
+        gathered.settled()
+    }
 
     /// A second at 1000 Hz and 3000 r/min with a start that dies away within a time constant, s.
     fn states(constant_s: f64) -> Vec<StateRow> {
@@ -92,12 +97,12 @@ mod tests {
 
     #[test]
     fn limit_a_start_that_dies_away_settles_and_a_drift_does_not() {
-        let Settled::At(time_s) = Settled::of(&states(0.02)) else { panic!("it settles") };
+        let Settled::At(time_s) = judged(&states(0.02)) else { panic!("it settles") };
         // exp(-t/T) = 1e-3 at 6.9 T, the mean over 20 ms ahead of it a little earlier.
         assert!((0.1..0.15).contains(&time_s), "{time_s}");
-        assert_eq!(Settled::of(&states(1.0)), Settled::Not);
-        assert_eq!(Settled::of(&states(0.02)[..60]), Settled::TooShort);
-        assert_eq!(Settled::of(&[]), Settled::TooShort);
+        assert_eq!(judged(&states(1.0)), Settled::Not);
+        assert_eq!(judged(&states(0.02)[..60]), Settled::TooShort);
+        assert_eq!(judged(&[]), Settled::TooShort);
     }
 
     #[test]

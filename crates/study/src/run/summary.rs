@@ -1,15 +1,14 @@
 //! What a recorded run comes to in a few numbers.
 
 use super::balance::{Judgement, judge};
+use super::gathered::Gathered;
 use super::settled::Settled;
 use super::warnings;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use tribodyn_bearing::quantities::joined;
 use tribodyn_case::Case;
 use tribodyn_dynamics::{ACCELERATION_ERROR, POWER_IN, POWER_LOST, PowerSample};
-use tribodyn_record::wire::Numbers;
 use tribodyn_record::{LogRow, StateRow, WearRow};
-use tribodyn_signal::Statistics;
 
 /// Numbers of a run; means, rms and extremes are of its second half, where what is left of the start has faded most, or
 /// of what is left once the run is steady, if that is later.
@@ -121,40 +120,9 @@ pub struct Worn {
 impl Summary {
     /// Of the rows of a recording; none without any.
     pub fn of(states: &[StateRow], wear: Option<&WearRow>, log: &[LogRow]) -> Option<Self> {
-        let last = states.last()?;
-        let settled = Settled::of(states);
-        let from_s = settled.averages_from_s(last.time_s);
-        let from = states.partition_point(|row| row.time_s < from_s).min(states.len() - 1);
-        let half = &states[from..];
-        let statistics = |get: fn(&StateRow) -> f64| Statistics::of(&half.iter().map(get).collect::<Vec<_>>()).ok();
-        let (x, y) = (statistics(|r| r.outer_acceleration_x_m_s2)?, statistics(|r| r.outer_acceleration_y_m_s2)?);
-        let largest = |get: fn(&StateRow) -> f64| half.iter().map(get).fold(f64::NEG_INFINITY, f64::max);
-        let smallest = |get: fn(&StateRow) -> f64| half.iter().map(get).fold(f64::INFINITY, f64::min);
-        Some(Self {
-            simulated_s: last.time_s,
-            averaged_from_s: half[0].time_s,
-            settled_at_s: if let Settled::At(time_s) = settled { Some(time_s) } else { None },
-            settled,
-            samples: states.len(),
-            cage_speed_mean_rpm: statistics(|r| r.cage_speed_rpm)?.mean,
-            cage_speed_end_rpm: last.cage_speed_rpm,
-            orbital_speed_min_rpm: smallest(|r| r.orbital_speed_min_rpm),
-            orbital_speed_max_rpm: largest(|r| r.orbital_speed_max_rpm),
-            outer_acceleration_x_rms_m_s2: x.rms,
-            outer_acceleration_y_rms_m_s2: y.rms,
-            outer_acceleration_x_peak_m_s2: x.peak,
-            outer_acceleration_y_peak_m_s2: y.peak,
-            load_inner_max_n: largest(|r| r.load_inner_max_n),
-            load_outer_max_n: largest(|r| r.load_outer_max_n),
-            peak_pressure_inner_max_gpa: largest(|r| r.peak_pressure_inner_max_gpa),
-            peak_pressure_outer_max_gpa: largest(|r| r.peak_pressure_outer_max_gpa),
-            pocket_force_max_n: largest(|r| r.pocket_force_max_n),
-            impacts: last.impacts,
-            balls_in_contact_min: states.iter().map(|r| r.balls_in_contact).min()?,
-            power: powers(half),
-            wear: wear.map_or_else(Worn::default, worn),
-            warnings: warnings::of_log(log),
-        })
+        let mut gathered = Gathered::default();
+        states.iter().for_each(|row| gathered.add(row.clone()));
+        gathered.summary(wear, warnings::of_log(log))
     }
 
     /// With a warning where the work of the run does not balance as it should by this case's scheme.
@@ -166,34 +134,16 @@ impl Summary {
     }
 }
 
-/// Parts per billion, the unit of recordings, in one percent.
-const PPB_PER_PERCENT: f64 = 1e7;
-
-fn worn(row: &WearRow) -> Worn {
-    Worn {
-        volume_inner_um3: row.volume_inner_um3,
-        volume_outer_um3: row.volume_outer_um3,
-        volume_cage_um3: row.volume_cage_um3,
-        coating_inner_min_um: row.coating_inner_min_um,
-        coating_outer_min_um: row.coating_outer_min_um,
-        at_s: row.time_s,
-    }
-}
-
-/// Means over rows that are not empty.
-fn powers(rows: &[StateRow]) -> Powers {
-    let mut mean = PowerSample::default();
-    for term in POWER_IN.iter().chain(&POWER_LOST) {
-        if let Some(place) = StateRow::place(&joined(&[term.facts.name, term.facts.shown.suffix])) {
-            (term.set)(&mut mean, rows.iter().map(|row| row.number(place)).sum::<f64>() / rows.len() as f64);
+impl Worn {
+    pub(crate) fn of(row: &WearRow) -> Self {
+        Self {
+            volume_inner_um3: row.volume_inner_um3,
+            volume_outer_um3: row.volume_outer_um3,
+            volume_cage_um3: row.volume_cage_um3,
+            coating_inner_min_um: row.coating_inner_min_um,
+            coating_outer_min_um: row.coating_outer_min_um,
+            at_s: row.time_s,
         }
-    }
-    let (first, last) = (&rows[0], &rows[rows.len() - 1]);
-    let span = last.time_s - first.time_s;
-    Powers {
-        mean,
-        stored_w: if span > 0.0 { (last.energy_j - first.energy_j) / span } else { 0.0 },
-        imbalance_percent: last.imbalance_ppb / PPB_PER_PERCENT,
     }
 }
 

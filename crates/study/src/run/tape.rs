@@ -1,10 +1,10 @@
 //! Where the messages of a run go: the file, and a memory of those that a kill could still take from it.
 
+use super::tally::Tally;
 use serde::{Deserialize, Serialize};
-use std::cell::RefCell;
 use std::path::Path;
-use std::rc::Rc;
-use tribodyn_record::{FileSink, Preamble, RecordError, RecordingSummary, Sink};
+use tribodyn_case::Case;
+use tribodyn_record::{Channel, FileSink, Preamble, RecordError, Sink};
 
 /// A message that may not have reached the file yet.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -16,8 +16,8 @@ pub(crate) struct Loose {
     pub hex: String,
 }
 
-/// Who watches a run as it goes, besides the file.
-pub trait Viewers {
+/// Who watches a run as it goes, besides the file; called from the thread that records.
+pub trait Viewers: Send {
     /// Takes what stands before all messages.
     ///
     /// # Errors
@@ -39,11 +39,13 @@ pub trait Viewers {
 /// writer puts into a chunk; the bytes of a file must depend on what is written, not on when.
 const LOOSE_BYTES: usize = 1 << 20;
 
-struct Tape {
+/// The sink of a run's recorder.
+pub(crate) struct Tape {
     /// None once finished.
     file: Option<FileSink>,
     viewers: Option<Box<dyn Viewers>>,
-    topics: Vec<&'static str>,
+    channels: &'static [Channel],
+    tally: Tally,
     /// Messages that the last flush made safe.
     safe: u64,
     /// Those after it: channel, log time, and where their bytes end.
@@ -51,93 +53,74 @@ struct Tape {
     loose_bytes: Vec<u8>,
 }
 
-/// The sink of a run's recorder, shared with the driver of the run, who asks it what is safe.
-#[derive(Clone)]
-pub(crate) struct SharedTape(Rc<RefCell<Tape>>);
-
-impl SharedTape {
-    /// Creates `<path>.active`.
-    pub fn create(path: &Path, viewers: Option<Box<dyn Viewers>>) -> Result<Self, RecordError> {
-        let file = Some(FileSink::create(path)?);
-        let tape = Tape { file, viewers, topics: Vec::new(), safe: 0, loose: Vec::new(), loose_bytes: Vec::new() };
-        Ok(Self(Rc::new(RefCell::new(tape))))
+impl Tape {
+    /// Creates `<path>.active` for a run of a case.
+    pub fn create(path: &Path, case: &Case, viewers: Option<Box<dyn Viewers>>) -> Result<Self, RecordError> {
+        Ok(Self {
+            file: Some(FileSink::create(path)?),
+            viewers,
+            channels: &[],
+            tally: Tally::new(case),
+            safe: 0,
+            loose: Vec::new(),
+            loose_bytes: Vec::new(),
+        })
     }
 
     /// Place of a topic among those of a run.
     pub fn channel(&self, topic: &str) -> Option<usize> {
-        self.0.borrow().topics.iter().position(|t| *t == topic)
-    }
-
-    /// Writes a message that was recorded before.
-    pub fn put(&self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
-        self.0.borrow_mut().write(channel, log_time, data)
-    }
-
-    /// Closes the chunk and counts all messages as safe.
-    pub fn flush(&self) -> Result<(), RecordError> {
-        self.0.borrow_mut().flush()
+        self.channels.iter().position(|channel| channel.topic == topic)
     }
 
     /// Messages in the file that no kill can take, and those after them.
     pub fn state(&self) -> (u64, Vec<Loose>) {
-        let tape = self.0.borrow();
         let mut start = 0;
-        let loose = tape.loose.iter().map(|&(channel, log_time_ns, end)| {
-            let data = &tape.loose_bytes[std::mem::replace(&mut start, end)..end];
+        let loose = self.loose.iter().map(|&(channel, log_time_ns, end)| {
+            let data = &self.loose_bytes[std::mem::replace(&mut start, end)..end];
             Loose { channel, log_time_ns, hex: to_hex(data) }
         });
-        (tape.safe, loose.collect())
+        (self.safe, loose.collect())
+    }
+
+    fn file(&mut self) -> Result<&mut FileSink, RecordError> {
+        self.file.as_mut().ok_or(RecordError::NotBegun)
     }
 }
 
-impl Tape {
-    fn write(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
-        self.file.as_mut().ok_or(RecordError::NotBegun)?.message(channel, log_time, data)?;
+impl Sink for Tape {
+    type Output = Tally;
+
+    fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError> {
+        self.channels = preamble.channels;
+        if let Some(viewers) = &mut self.viewers {
+            viewers.begin(preamble)?;
+        }
+        self.file()?.begin(preamble)
+    }
+
+    fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
+        self.file()?.message(channel, log_time, data)?;
         if let Some(viewers) = &mut self.viewers {
             viewers.message(channel, log_time, data)?;
         }
+        self.tally.add(&self.channels[channel], data)?;
         self.loose_bytes.extend_from_slice(data);
         self.loose.push((channel, log_time, self.loose_bytes.len()));
         if self.loose_bytes.len() >= LOOSE_BYTES { self.flush() } else { Ok(()) }
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {
-        self.file.as_mut().ok_or(RecordError::NotBegun)?.flush()?;
+        self.file()?.flush()?;
         self.safe += self.loose.len() as u64;
         self.loose.clear();
         self.loose_bytes.clear();
         Ok(())
     }
-}
 
-impl Sink for SharedTape {
-    type Output = RecordingSummary;
-
-    fn begin(&mut self, preamble: &Preamble) -> Result<(), RecordError> {
-        let mut tape = self.0.borrow_mut();
-        tape.topics = preamble.channels.iter().map(|channel| channel.topic).collect();
-        if let Some(viewers) = &mut tape.viewers {
-            viewers.begin(preamble)?;
-        }
-        tape.file.as_mut().ok_or(RecordError::NotBegun)?.begin(preamble)
-    }
-
-    fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
-        self.put(channel, log_time, data)
-    }
-
-    fn flush(&mut self) -> Result<(), RecordError> {
-        self.0.borrow_mut().flush()
-    }
-
-    fn finish(self) -> Result<RecordingSummary, RecordError> {
-        let (file, viewers) = {
-            let mut tape = self.0.borrow_mut();
-            (tape.file.take(), tape.viewers.take())
-        };
-        let summary = file.ok_or(RecordError::NotBegun)?.finish()?;
-        viewers.map_or(Ok(()), Viewers::finish)?;
-        Ok(summary)
+    fn finish(self) -> Result<Tally, RecordError> {
+        self.file.ok_or(RecordError::NotBegun)?.finish()?;
+        self.viewers.map_or(Ok(()), Viewers::finish)?;
+        Ok(self.tally)
     }
 }
 

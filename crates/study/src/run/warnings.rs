@@ -11,22 +11,44 @@ const CONTACT_LOST: &str = "contact-lost";
 /// How a quasi-static solution begins to say the same.
 const UNLOADED: &str = "no contact with the ";
 
-/// The warnings of a log: one line for each kind and ball, with the first time and the count.
-pub fn of_log(log: &[LogRow]) -> Vec<String> {
-    let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
-    let mut found: Vec<(&str, usize)> = Vec::new();
-    for row in log.iter().filter(|row| row.warning && row.kind != CONTACT_LOST) {
-        let place = *kinds.entry(format!("{} {}", row.kind, kind(text(row)))).or_insert_with(|| {
-            found.push((&row.message, 0));
+/// The warnings of a log so far: one line for each kind and ball, with the first time and the count.
+#[derive(Debug, Clone, Default)]
+pub struct Warnings {
+    /// Places in `found`.
+    kinds: BTreeMap<String, usize>,
+    /// The first message of a kind, and how many there were.
+    found: Vec<(String, usize)>,
+}
+
+impl Warnings {
+    /// Takes in a line of the log.
+    pub fn add(&mut self, row: &LogRow) {
+        if !row.warning || row.kind == CONTACT_LOST {
+            return;
+        }
+        let found = &mut self.found;
+        let place = *self.kinds.entry(format!("{} {}", row.kind, kind(text(row)))).or_insert_with(|| {
+            found.push((row.message.clone(), 0));
             found.len() - 1
         });
-        found[place].1 += 1;
+        self.found[place].1 += 1;
     }
-    let line = |(first, count)| match count {
-        1 => String::from(first),
-        _ => format!("{first} ({count} times, this is the first)"),
-    };
-    found.into_iter().map(line).collect()
+
+    /// The lines.
+    pub fn lines(&self) -> Vec<String> {
+        let line = |(first, count): &(String, usize)| match count {
+            1 => first.clone(),
+            _ => format!("{first} ({count} times, this is the first)"),
+        };
+        self.found.iter().map(line).collect()
+    }
+}
+
+/// The warnings of a whole log.
+pub fn of_log(log: &[LogRow]) -> Vec<String> {
+    let mut warnings = Warnings::default();
+    log.iter().for_each(|row| warnings.add(row));
+    warnings.lines()
 }
 
 /// The message of a line of the log without its time.

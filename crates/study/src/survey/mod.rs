@@ -4,6 +4,7 @@
 //! A bearing is drawn as the text of a case file, so that each failure is a file that can be looked at by itself.
 
 mod bearing;
+mod momentum;
 mod random;
 mod table;
 mod trial;

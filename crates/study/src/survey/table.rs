@@ -40,6 +40,8 @@ impl Regime {
 pub struct Counts {
     /// As it should be.
     pub good: usize,
+    /// Of these, solutions that Newton's method did not find from its first start.
+    pub rescued: usize,
     /// With a reason.
     pub explained: usize,
     /// Without one, or wrong.
@@ -66,10 +68,14 @@ impl Counts {
 pub struct SchemeCounts {
     /// Verdicts.
     pub counts: Counts,
-    /// Complete runs that miss more than 1 % of their work.
+    /// Runs that miss more than 1 % of their work.
     pub above_one_percent: usize,
     /// Largest imbalance of a run whose verdict is good, %.
     pub worst_good_percent: f64,
+    /// Most linear and angular momentum missing in a run whose work balances, %.
+    pub worst_momentum_percent: [f64; 2],
+    /// Runs that the clock stopped, judged as far as they came.
+    pub stopped: usize,
     /// Longest wall time, s.
     pub longest_s: f64,
 }
@@ -90,16 +96,22 @@ impl Tally {
         for trial in trials {
             let regime = Regime::of(&trial.bearing);
             for solving in &trial.solvings {
-                tally.solutions.entry((regime, model_name(solving.model))).or_default().add(&solving.verdict);
+                let counts = tally.solutions.entry((regime, model_name(solving.model))).or_default();
+                counts.add(&solving.verdict);
+                counts.rescued += usize::from(solving.rescued && solving.verdict == Verdict::Good);
             }
             let Some(running) = &trial.running else { continue };
             let scheme = tally.runs.entry(running.scheme).or_default();
             scheme.counts.add(&running.verdict);
             scheme.longest_s = scheme.longest_s.max(running.wall.as_secs_f64());
+            scheme.stopped += usize::from(running.stopped);
             let off = running.imbalance_percent.map_or(0.0, f64::abs);
             scheme.above_one_percent += usize::from(off > 1.0);
             if running.verdict == Verdict::Good {
                 scheme.worst_good_percent = scheme.worst_good_percent.max(off);
+                for (worst, missing) in scheme.worst_momentum_percent.iter_mut().zip(running.momentum_percent) {
+                    *worst = worst.max(missing.unwrap_or(0.0));
+                }
             }
         }
         tally
@@ -111,6 +123,7 @@ impl Tally {
         let mut sum = Counts::default();
         for ((_, _), counts) in self.solutions.iter().filter(|((regime, of), _)| regime.working() && *of == name) {
             sum.good += counts.good;
+            sum.rescued += counts.rescued;
             sum.explained += counts.explained;
             sum.failed += counts.failed;
         }

@@ -1,11 +1,13 @@
 //! One random bearing tried: its equilibria by both models, and a short run.
 
 use super::bearing::RandomBearing;
+use super::momentum::Balance;
 use crate::run::balance::{Judgement, judge};
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 use tribodyn_bearing::Scheme;
 use tribodyn_case::Case;
-use tribodyn_dynamics::{DynamicsError, Ending, Event, EventKind, Observer, Run, RunError, Sample};
+use tribodyn_dynamics::{DynamicsError, Ending, Event, Observer, Run, RunError, Sample};
 use tribodyn_quasistatic::{Model, QuasiStaticError, Solution, solve};
 
 /// How a trial went.
@@ -26,6 +28,8 @@ pub struct Solving {
     pub model: Model,
     /// How it went: explained where there is no solution and the error has a reason.
     pub verdict: Verdict,
+    /// True if it was found, and not from the first start of Newton's method.
+    pub rescued: bool,
     /// Wall time.
     pub wall: Duration,
 }
@@ -37,8 +41,13 @@ pub struct Running {
     pub scheme: &'static str,
     /// How it went: explained where it was broken off with a reason, or warns that its work does not balance.
     pub verdict: Verdict,
-    /// Work missing at the end over all work put in, %; none for a run that did not start or was broken off.
+    /// Work missing at the end over all work put in, %; none for a run that did not start or broke off.
     pub imbalance_percent: Option<f64>,
+    /// Linear and angular momentum missing at the end over what went to and fro, %; none where there is nothing to
+    /// compare with, for a tilted ring's angular one, and for a run that did not start or was broken off.
+    pub momentum_percent: [Option<f64>; 2],
+    /// True if the clock stopped it before its end; its balances are judged as far as it came.
+    pub stopped: bool,
     /// Wall time.
     pub wall: Duration,
 }
@@ -47,12 +56,16 @@ pub struct Running {
 pub fn solve_both(bearing: &RandomBearing) -> [Solving; 2] {
     [Model::JonesHarris, Model::Traction].map(|model| {
         let began = Instant::now();
+        let mut rescued = false;
         let verdict = match Case::from_ron(&bearing.text).map(|case| (case.bearing(), case.operating_point())) {
-            Ok((Ok(made), point)) => of_solution(solve(&made, &point, model).map(|solved| solved.solution)),
+            Ok((Ok(made), point)) => of_solution(solve(&made, &point, model).map(|solved| {
+                rescued = solved.statistics.rescues > 0;
+                solved.solution
+            })),
             Ok((Err(error), _)) => Verdict::Failed(error.to_string()),
             Err(error) => Verdict::Failed(error.to_string()),
         };
-        Solving { model, verdict, wall: began.elapsed() }
+        Solving { model, verdict, rescued, wall: began.elapsed() }
     })
 }
 
@@ -84,32 +97,33 @@ fn null_in(value: &serde_json::Value, name: &str) -> Option<String> {
 }
 
 /// What a run hands out, as far as the trial looks at it.
-#[derive(Default)]
 struct Watcher {
+    balance: Balance,
     last: Option<Sample>,
     not_finite: Option<String>,
-    warnings: Vec<String>,
-    stop_at: Option<Instant>,
+    stop_at: Instant,
 }
 
 impl Observer for Watcher {
     type Error = std::convert::Infallible;
 
-    fn sample(&mut self, sample: &Sample, _with_balls: bool) -> Result<std::ops::ControlFlow<()>, Self::Error> {
+    fn sample(&mut self, sample: &Sample, _with_balls: bool) -> Result<ControlFlow<()>, Self::Error> {
         let power = &sample.power;
         let numbers = [power.put_in(), power.lost(), power.energy_j, power.imbalance_j, sample.cage.speed_rad_s];
         if self.not_finite.is_none() && numbers.iter().any(|number| !number.is_finite()) {
             self.not_finite = Some(format!("a power or speed is not finite at {} s", sample.time_s));
         }
+        self.balance.take(sample);
         self.last = Some(sample.clone());
-        let late = self.stop_at.is_some_and(|stop| Instant::now() > stop);
-        Ok(if late { std::ops::ControlFlow::Break(()) } else { std::ops::ControlFlow::Continue(()) })
+        Ok(ControlFlow::Continue(()))
     }
 
-    fn event(&mut self, event: &Event) -> Result<(), Self::Error> {
-        if let EventKind::Warning { message } = &event.kind {
-            self.warnings.push(message.clone());
-        }
+    /// Between two samples there may be any number of steps.
+    fn stepped(&mut self, _: f64) -> ControlFlow<()> {
+        if Instant::now() > self.stop_at { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn event(&mut self, _: &Event) -> Result<(), Self::Error> {
         Ok(())
     }
 }
@@ -117,8 +131,10 @@ impl Observer for Watcher {
 /// Runs the case in memory, for at most `longest` of wall time.
 pub fn run_short(bearing: &RandomBearing, longest: Duration) -> Running {
     let began = Instant::now();
-    let ended =
-        |scheme, verdict, imbalance_percent| Running { scheme, verdict, imbalance_percent, wall: began.elapsed() };
+    let ended = |scheme, verdict, imbalance_percent| {
+        let momentum_percent = [None; 2];
+        Running { scheme, verdict, imbalance_percent, momentum_percent, stopped: false, wall: began.elapsed() }
+    };
     let case = match Case::from_ron(&bearing.text) {
         Ok(case) => case,
         Err(error) => return ended("none", Verdict::Failed(error.to_string()), None),
@@ -128,6 +144,7 @@ pub fn run_short(bearing: &RandomBearing, longest: Duration) -> Running {
         Ok(inputs) => inputs,
         Err(error) => return ended(scheme, Verdict::Failed(error.to_string()), None),
     };
+    let balance = Balance::new(&inputs);
     let mut run = match Run::new(inputs) {
         Ok(run) => run,
         Err(DynamicsError::Start(error)) => {
@@ -135,23 +152,37 @@ pub fn run_short(bearing: &RandomBearing, longest: Duration) -> Running {
         }
         Err(error) => return ended(scheme, Verdict::Failed(error.to_string()), None),
     };
-    let mut watcher = Watcher { stop_at: Some(began + longest), ..Watcher::default() };
-    match run.advance(run.duration(), &mut watcher) {
-        Ok(Ending::Complete) => {}
-        Ok(Ending::Stopped) => return ended(scheme, Verdict::Explained("stopped by the clock".to_owned()), None),
+    let mut watcher = Watcher { balance, last: None, not_finite: None, stop_at: began + longest };
+    let stopped = match run.advance(run.duration(), &mut watcher) {
+        Ok(ending) => ending == Ending::Stopped,
         Err(RunError::Dynamics(error)) => return ended(scheme, Verdict::Explained(error.to_string()), None),
         Err(RunError::Observer(never)) => match never {},
-    }
+    };
     if let Some(what) = watcher.not_finite {
         return ended(scheme, Verdict::Failed(what), None);
     }
     let Some(last) = watcher.last else { return ended(scheme, Verdict::Failed("no sample".to_owned()), None) };
     let percent = 100.0 * last.power.imbalance_j / last.power.throughput_j.max(f64::MIN_POSITIVE);
+    let momentum_percent = watcher.balance.missing_percent();
     let verdict = match judge(percent, &case) {
-        Judgement::Balanced => Verdict::Good,
+        Judgement::Balanced => of_momentum(momentum_percent),
         Judgement::Off { reason, .. } => Verdict::Explained(reason),
     };
-    ended(scheme, verdict, Some(percent))
+    Running { momentum_percent, stopped, ..ended(scheme, verdict, Some(percent)) }
+}
+
+/// Part of the momentum that went to and fro, %, beyond which a run whose work balances is wrong: forces are summed over
+/// the samples, between which contacts vibrate.
+const MOMENTUM_PERCENT: f64 = 1.0;
+
+fn of_momentum(missing: [Option<f64>; 2]) -> Verdict {
+    for (percent, name) in missing.into_iter().zip(["linear", "angular"]) {
+        // What is not a number is off as well.
+        if let Some(percent) = percent.filter(|percent| !(*percent <= MOMENTUM_PERCENT)) {
+            return Verdict::Failed(format!("{percent:.2} % of the {name} momentum is missing, and the work balances"));
+        }
+    }
+    Verdict::Good
 }
 
 fn scheme_name(case: &Case) -> &'static str {

@@ -109,8 +109,8 @@ impl From<QuasiStaticError> for Unsolved {
     }
 }
 
-/// A row as a line of text, without its end.
-pub(crate) fn line(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Result<Solution, Unsolved>) -> String {
+/// The fields of a row.
+pub(crate) fn cells(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Result<Solution, Unsolved>) -> Vec<Cell> {
     let count = |n: usize| Cell::Integer(n as i64);
     let mut cells = vec![count(row)];
     cells.extend(swept);
@@ -132,7 +132,7 @@ pub(crate) fn line(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Resu
             cells.push(Cell::Text(unsolved.message.clone()));
         }
     }
-    encode(&cells)
+    cells
 }
 
 /// Fields as one line of CSV: numbers in the shortest form that reads back as the same, strings in quotes where needed.

@@ -1,12 +1,13 @@
-//! The grid: every combination of the swept values, in the order of the options, the last varying fastest.
+//! The rows of a sweep: every combination of the swept values, in the order of the options, the last varying fastest; or
+//! samples, which give each row its own value of every path.
 
-use super::columns::{Cell, Column, Kind};
+use super::axis::{Axis, AxisSummary};
+use super::columns::{Cell, Column};
 use super::values;
 use crate::case_file::{CaseFile, Change};
 use crate::error::StudyError;
 use crate::limits::Limits;
 use rayon::prelude::*;
-use serde::Serialize;
 use std::ops::Range;
 use tribodyn_case::{Case, CaseError, Purpose, set_value};
 
@@ -21,8 +22,8 @@ const CHUNK: Range<usize> = 8..65;
 pub struct Setting {
     /// Stands before the setting in messages.
     prefix: &'static str,
-    path: String,
-    values: Vec<String>,
+    pub(crate) path: String,
+    pub(crate) values: Vec<String>,
 }
 
 impl Setting {
@@ -42,6 +43,11 @@ impl Setting {
         }
     }
 
+    /// Values one by one, each as a case file has it.
+    pub fn of(path: &str, values: Vec<String>) -> Self {
+        Self { prefix: "", path: path.to_owned(), values }
+    }
+
     /// Number of values.
     pub fn count(&self) -> usize {
         self.values.len()
@@ -57,12 +63,22 @@ impl Setting {
     }
 }
 
-/// A path with the values that it takes.
-#[derive(Debug)]
-struct Axis {
-    setting: Setting,
-    column: Column,
-    cells: Vec<Cell>,
+/// How rows take the values of the axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Order {
+    /// Every combination.
+    Product,
+    /// Each row the next value of all axes; these begin with this row.
+    Samples { first: usize },
+}
+
+/// Part of a study by samples that one process has: the rows from `first` on, of so many.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SampleRows {
+    /// First row.
+    pub first: usize,
+    /// Rows of the whole study.
+    pub total: usize,
 }
 
 /// The case and what is swept in it.
@@ -77,6 +93,7 @@ pub struct Grid {
     base: String,
     limits: Limits,
     axes: Vec<Axis>,
+    order: Order,
     /// Number of rows.
     pub rows: usize,
 }
@@ -87,6 +104,16 @@ impl Grid {
     /// # Errors
     /// Settings that overlap or make too many rows, and the first value that is refused.
     pub fn new(name: &str, original: String, settings: &[Setting], limits: &Limits) -> Result<Self, StudyError> {
+        let grid = Self::unchecked(name, original, settings, limits)?;
+        grid.check()?;
+        Ok(grid)
+    }
+
+    /// [`Self::new`] without a look at the values: for one of many processes that share a sweep which was checked.
+    ///
+    /// # Errors
+    /// Settings that overlap or make too many rows, and a single value that is refused.
+    pub fn unchecked(name: &str, original: String, settings: &[Setting], limits: &Limits) -> Result<Self, StudyError> {
         let (single, swept): (Vec<_>, Vec<_>) = settings.iter().partition(|s| s.values.len() == 1);
         for (i, first) in swept.iter().enumerate() {
             let second = swept[i + 1..].iter().find(|second| first.change(0).concerns(&second.path));
@@ -99,8 +126,54 @@ impl Grid {
         let rows = swept.iter().try_fold(1, count).ok_or(StudyError::TooManyRows { limit: MAX_ROWS })?;
         let fixed: Vec<Change> = single.iter().map(|s| s.change(0)).collect();
         let axes = swept.into_iter().map(Axis::new).collect();
-        let mut grid =
-            Self { name: name.to_owned(), original, fixed, base: String::new(), limits: *limits, axes, rows };
+        Self::over(name, original, (fixed, axes, Order::Product, rows), limits)
+    }
+
+    /// Samples: each row has the next value of every setting. Of these, the first and the last row are checked; what
+    /// is wrong with another one stands in its row.
+    ///
+    /// # Errors
+    /// Settings of different lengths, settings that overlap, and a first row that is refused like the last.
+    pub fn samples(
+        name: &str,
+        original: String,
+        settings: &[Setting],
+        rows: SampleRows,
+        limits: &Limits,
+    ) -> Result<Self, StudyError> {
+        let count = settings.first().map_or(0, Setting::count);
+        if let Some(other) = settings.iter().find(|setting| setting.count() != count) {
+            let message = format!("allowed are as many samples of each path: {} has {count}", settings[0].path);
+            return Err(StudyError::argument("samples", format!("{} of {}", other.count(), other.path), message));
+        }
+        for (i, first) in settings.iter().enumerate() {
+            if let Some(second) = settings[i + 1..].iter().find(|second| first.change(0).concerns(&second.path)) {
+                let [first, second] = [first.path.clone(), second.path.clone()];
+                return Err(StudyError::Overlap { first, second });
+            }
+        }
+        if rows.total > MAX_ROWS {
+            return Err(StudyError::TooManyRows { limit: MAX_ROWS });
+        }
+        let axes = settings.iter().map(Axis::new).collect();
+        let order = Order::Samples { first: rows.first };
+        let grid = Self::over(name, original, (Vec::new(), axes, order, rows.total), limits)?;
+        // Values drawn at random may make an impossible case now and then; a wrong unit is wrong in all rows.
+        let bad = |row| grid.text(row).is_none_or(|text| !grid.sound(&text));
+        if rows.first == 0 && bad(0) && bad(count.saturating_sub(1)) {
+            return Err(grid.refusal(0));
+        }
+        Ok(grid)
+    }
+
+    fn over(
+        name: &str,
+        original: String,
+        (fixed, axes, order, rows): (Vec<Change>, Vec<Axis>, Order, usize),
+        limits: &Limits,
+    ) -> Result<Self, StudyError> {
+        let (name, base) = (name.to_owned(), String::new());
+        let mut grid = Self { name, original, fixed, base, limits: *limits, axes, order, rows };
         // The first row stands for the case without axes too: messages come from there.
         grid.base = grid.original.clone();
         for change in &grid.fixed {
@@ -109,7 +182,6 @@ impl Grid {
                 Err(_) => return Err(grid.refusal(0)),
             };
         }
-        grid.check()?;
         Ok(grid)
     }
 
@@ -168,12 +240,26 @@ impl Grid {
 
     /// Which value of each axis a row has.
     pub(crate) fn indices(&self, row: usize) -> Vec<usize> {
+        if let Order::Samples { first } = self.order {
+            return vec![row - first; self.axes.len()];
+        }
         let place = |(axis, stride): (&Axis, usize)| row / stride % axis.cells.len();
         self.axes.iter().zip(self.strides()).map(place).collect()
     }
 
+    /// How far apart two rows are: steps along the axes, or relative differences of samples.
+    pub(crate) fn distance(&self, a: usize, b: usize) -> f64 {
+        let pairs = self.indices(a).into_iter().zip(self.indices(b));
+        let apart = |(axis, (a, b)): (&Axis, (usize, usize))| match (self.order, &axis.cells[a], &axis.cells[b]) {
+            (Order::Product, ..) => a.abs_diff(b) as f64,
+            (_, Cell::Number(a), Cell::Number(b)) if a != b => (a - b).abs() / (a.abs() + b.abs()),
+            (_, a, b) => f64::from(a != b),
+        };
+        self.axes.iter().zip(pairs).map(apart).sum()
+    }
+
     /// The text of a row's case; `None` where a path is not in it.
-    pub(crate) fn text(&self, row: usize) -> Option<String> {
+    pub fn text(&self, row: usize) -> Option<String> {
         let mut text = self.base.clone();
         for (axis, i) in self.axes.iter().zip(self.indices(row)) {
             text = set_value(&text, &axis.setting.path, &axis.setting.values[i]).ok()?;
@@ -182,7 +268,7 @@ impl Grid {
     }
 
     /// The swept values of a row, as they stand in the table.
-    pub(crate) fn cells(&self, row: usize) -> impl Iterator<Item = Cell> {
+    pub fn cells(&self, row: usize) -> impl Iterator<Item = Cell> {
         self.axes.iter().zip(self.indices(row)).map(|(axis, i)| axis.cells[i].clone())
     }
 
@@ -232,82 +318,5 @@ impl Grid {
     /// All values of all axes, by path.
     pub(crate) fn values(&self) -> Vec<(&str, &[String])> {
         self.axes.iter().map(|axis| (axis.setting.path.as_str(), axis.setting.values.as_slice())).collect()
-    }
-}
-
-/// One axis in a few words.
-#[derive(Debug, Clone, Serialize)]
-pub struct AxisSummary {
-    /// Name of its column, with the unit.
-    pub column: String,
-    /// Place in the case.
-    pub path: String,
-    /// Number of values.
-    pub values: usize,
-    /// First value, as in a case file.
-    pub first: String,
-    /// Last value, as in a case file.
-    pub last: String,
-}
-
-impl Axis {
-    /// Numbers of one unit, plain numbers and truth values keep their kind; anything else is text.
-    fn new(setting: &Setting) -> Self {
-        let values = &setting.values;
-        let texts = || values.iter().map(|v| Cell::Text(v.clone())).collect();
-        let quantities: Option<Vec<_>> = values.iter().map(|v| quantity(v)).collect();
-        let truths: Option<Vec<bool>> = values.iter().map(|v| v.parse().ok()).collect();
-        let (name, kind, cells) = match (quantities, truths) {
-            (Some(q), _) if q.iter().all(|(names, _)| *names == q[0].0) => {
-                let name = match q[0].0.split_last() {
-                    None => setting.path.clone(),
-                    // The names around a unit are steps of the path to it.
-                    Some((unit, steps)) => format!("{} [{unit}]", [&[setting.path.as_str()], steps].concat().join(".")),
-                };
-                (name, Kind::Number, q.iter().map(|(_, v)| Cell::Number(*v)).collect())
-            }
-            (_, Some(truths)) => (setting.path.clone(), Kind::Truth, truths.into_iter().map(Cell::Truth).collect()),
-            _ => (setting.path.clone(), Kind::Text, texts()),
-        };
-        Self { setting: setting.clone(), column: Column { name, kind, optional: false }, cells }
-    }
-}
-
-/// `Force(kN(10))` as the names before the number, and the number.
-fn quantity(value: &str) -> Option<(Vec<&str>, f64)> {
-    let (mut names, mut rest) = (Vec::new(), value.trim());
-    while let Some((name, inside)) = rest.split_once('(') {
-        names.push(name.trim());
-        rest = inside.strip_suffix(')')?.trim();
-    }
-    let plain = names.iter().all(|n| !n.is_empty() && n.chars().all(|c| c.is_alphanumeric() || c == '_'));
-    let number = rest.parse::<f64>().ok().filter(|v| v.is_finite() && plain)?;
-    Some((names, number))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn axis(text: &str) -> (String, Kind, Vec<Cell>) {
-        let axis = Axis::new(&Setting::parse(text).unwrap());
-        (axis.column.name, axis.column.kind, axis.cells)
-    }
-
-    #[test]
-    fn limit_columns_are_named_after_path_and_unit() {
-        let numbers = |values: &[f64]| values.iter().map(|v| Cell::Number(*v)).collect::<Vec<_>>();
-        assert_eq!(axis("a.b=kN(1),kN( 2 )"), ("a.b [kN]".to_owned(), Kind::Number, numbers(&[1.0, 2.0])));
-        assert_eq!(
-            axis("a=Force(kN(1)),Force(kN(2))"),
-            ("a.Force [kN]".to_owned(), Kind::Number, numbers(&[1.0, 2.0]))
-        );
-        assert_eq!(axis("a=1,2.5"), ("a".to_owned(), Kind::Number, numbers(&[1.0, 2.5])));
-        assert_eq!(axis("a=true,false"), ("a".to_owned(), Kind::Truth, vec![Cell::Truth(true), Cell::Truth(false)]));
-        for mixed in
-            ["a=N(1),kN(2)", "a=Peak,Local", "a=kN(1),2", "a=(x: 1),(x: 2)", "a=f(1,2),f(3,4)", "a=kN(nan),kN(1)"]
-        {
-            assert_eq!(axis(mixed).1, Kind::Text, "{mixed}");
-        }
     }
 }

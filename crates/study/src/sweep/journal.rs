@@ -5,9 +5,10 @@
 //! end is cut off.
 
 use super::columns::{Cell, Column, decode};
+use super::difference::SweepDifference;
 use super::grid::Grid;
 use super::shard::Shard;
-use crate::error::{StudyError, SweepDifference};
+use crate::error::StudyError;
 use crate::files::with_suffix;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -34,6 +35,17 @@ impl Identity {
         Self { tribodyn: env!("CARGO_PKG_VERSION").to_owned(), case: grid.base().to_owned(), swept, shard, cold }
     }
 
+    /// What the file of a table says of its sweep.
+    pub fn notes(&self) -> Result<Vec<(String, String)>, StudyError> {
+        let note = |name: &str, value| (name.to_owned(), value);
+        Ok(vec![
+            note(NOTES[0], self.tribodyn.clone()),
+            note(NOTES[1], self.case.clone()),
+            note(NOTES[2], serde_json::to_string(&self.swept)?),
+            note(SHARD_NOTE, self.shard.to_string()),
+        ])
+    }
+
     /// How the sweep of a journal differs from this one.
     fn difference(&self, line: &[u8]) -> Option<SweepDifference> {
         let Ok(other) = serde_json::from_slice::<Self>(line) else {
@@ -49,6 +61,11 @@ impl Identity {
         }
     }
 }
+
+/// Keys in the file of a table that are the same for all parts of a sweep: version, case, swept values.
+pub const NOTES: [&str; 3] = ["tribodyn.version", "tribodyn.case", "tribodyn.swept"];
+/// Key of the part.
+pub const SHARD_NOTE: &str = "tribodyn.shard";
 
 /// Finished chunks on disk.
 pub struct Journal {

@@ -4,20 +4,29 @@
 //! chunks go to a journal beside the table, and the table is written from the journal. So a row's numbers depend on the
 //! grid alone, not on threads, shards or stops on the way.
 
+mod axis;
 mod columns;
+mod difference;
 mod grid;
 mod journal;
+mod merge;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod part;
 mod plan;
 mod rows;
 mod shard;
 mod table;
 mod values;
 
+pub use axis::AxisSummary;
 pub use columns::{CONVERGED, Cell, Column, Kind};
-pub use grid::{AxisSummary, Grid, Setting};
+pub use difference::SweepDifference;
+pub use grid::{Grid, SampleRows, Setting};
+pub use merge::{Merged, merge};
+pub use part::{Part, write_part};
 pub use plan::Plan;
+pub use rows::solve_chunks;
 pub use shard::Shard;
 pub use table::{Count, Format, Rows};
 
@@ -136,13 +145,8 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// The table cannot be written, or a finished row cannot be read.
     pub fn write_table(&self) -> Result<Count, StudyError> {
-        let notes = vec![
-            ("tribodyn.version".to_owned(), self.identity.tribodyn.clone()),
-            ("tribodyn.case".to_owned(), self.identity.case.clone()),
-            ("tribodyn.swept".to_owned(), serde_json::to_string(&self.identity.swept)?),
-            ("tribodyn.shard".to_owned(), self.shard.to_string()),
-        ];
-        table::write(&self.table, self.format, &self.columns, &self.journal, notes)
+        let notes = self.identity.notes()?;
+        table::write(&self.rows(), self.format, notes)
     }
 
     /// Removes the finished rows: the table has them all.

@@ -1,6 +1,7 @@
 //! What a sweep would do, and about how long it would take.
 
-use super::grid::{AxisSummary, Grid};
+use super::axis::AxisSummary;
+use super::grid::Grid;
 use super::rows::Chunk;
 use super::shard::Shard;
 use serde::Serialize;

@@ -1,7 +1,8 @@
-//! From a row of the grid to a line of the table.
+//! From a row of the grid to a row of the table.
 
-use super::columns::{self, Unsolved};
+use super::columns::{self, Cell, Unsolved};
 use super::grid::Grid;
+use rayon::prelude::*;
 use std::ops::Range;
 use tribodyn_bearing::Bearing;
 use tribodyn_case::Purpose;
@@ -14,7 +15,7 @@ const SKIDDING: f64 = 0.05;
 
 /// A solved row that others can start from.
 struct Neighbour {
-    indices: Vec<usize>,
+    row: usize,
     patch: Option<PatchChoice>,
     balls: usize,
     start: WarmStart,
@@ -35,8 +36,12 @@ impl<'a> Chunk<'a> {
 
     /// The lines of some rows, each with its end.
     pub fn lines(&mut self, rows: Range<usize>) -> String {
-        let line = |row| columns::line(row, self.grid.cells(row), &self.solve(row)) + "\n";
-        rows.map(line).collect()
+        rows.map(|row| columns::encode(&self.row(row)) + "\n").collect()
+    }
+
+    /// The fields of a row.
+    fn row(&mut self, row: usize) -> Vec<Cell> {
+        columns::cells(row, self.grid.cells(row), &self.solve(row))
     }
 
     fn solve(&mut self, row: usize) -> Result<Solution, Unsolved> {
@@ -45,8 +50,7 @@ impl<'a> Chunk<'a> {
         case.require(Purpose::Traction).map_err(Unsolved::refused)?;
         let bearing = case.bearing().map_err(Unsolved::refused)?;
         let point = case.operating_point();
-        let indices = self.grid.indices(row);
-        let warm = self.nearest(&indices, &bearing, &point).and_then(|near| {
+        let warm = self.nearest(row, &bearing, &point).and_then(|near| {
             let solved = solve_from(&bearing, &point, &near.start).ok();
             solved.filter(|solved| rolls(&solved.solution) && within_target(&solved.solution, &point))
         });
@@ -55,17 +59,34 @@ impl<'a> Chunk<'a> {
             None => solve(&bearing, &point, Model::Traction)?,
         };
         if let Some(start) = warm_start.filter(|_| !self.cold && rolls(&solution)) {
-            self.solved.push(Neighbour { indices, patch: point.patch, balls: solution.balls.len(), start });
+            self.solved.push(Neighbour { row, patch: point.patch, balls: solution.balls.len(), start });
         }
         Ok(solution)
     }
 
-    /// The latest of the rows with the fewest steps in between, among those that are solved by the same rule.
-    fn nearest(&self, indices: &[usize], bearing: &Bearing, point: &OperatingPoint) -> Option<&Neighbour> {
-        let steps = |near: &&Neighbour| near.indices.iter().zip(indices).map(|(a, b)| a.abs_diff(*b)).sum::<usize>();
+    /// The latest of the nearest rows, among those that are solved by the same rule.
+    fn nearest(&self, row: usize, bearing: &Bearing, point: &OperatingPoint) -> Option<&Neighbour> {
         let alike = |near: &&Neighbour| near.patch == point.patch && near.balls == bearing.geometry.ball_count;
-        self.solved.iter().rev().filter(alike).min_by_key(steps)
+        let apart = |near: &Neighbour| self.grid.distance(near.row, row);
+        self.solved.iter().rev().filter(alike).min_by(|a, b| apart(a).total_cmp(&apart(b)))
     }
+}
+
+/// Solves some chunks of a grid in memory, on the threads of the current rayon pool. `take` turns the rows of a chunk
+/// into what is kept of them; where it gives nothing the sweep ends, and so does this with nothing.
+///
+/// Rows are those of [`Sweep`](super::Sweep), bit for bit: a chunk depends on its rows alone.
+pub fn solve_chunks<T: Send>(
+    grid: &Grid,
+    chunks: Range<usize>,
+    cold: bool,
+    take: impl Fn(Vec<Vec<Cell>>) -> Option<T> + Sync,
+) -> Option<Vec<T>> {
+    let solve = |index| {
+        let mut chunk = Chunk::new(grid, cold);
+        take(grid.chunk(index).map(|row| chunk.row(row)).collect())
+    };
+    chunks.into_par_iter().with_max_len(1).map(solve).collect()
 }
 
 /// Whether all balls are loaded and roll. Only then does a neighbour lead to the same equilibrium as a cold start does:

@@ -1,6 +1,6 @@
 //! The finished table: CSV or Parquet, rows in the order of the grid.
 
-use super::columns::{CONVERGED, Cell, Column, decode, header};
+use super::columns::{CONVERGED, Cell, Column, decode, encode, header};
 use super::journal::Journal;
 use crate::error::StudyError;
 use crate::files::StagedFiles;
@@ -47,13 +47,8 @@ pub struct Count {
 
 /// Writes the table from the finished rows, under its name only when it is whole. `notes` go into formats that have a
 /// place for them.
-pub(crate) fn write(
-    path: &Path,
-    format: Format,
-    columns: &[Column],
-    journal: &Journal,
-    notes: Vec<(String, String)>,
-) -> Result<Count, StudyError> {
+pub(crate) fn write(rows: &Rows<'_>, format: Format, notes: Vec<(String, String)>) -> Result<Count, StudyError> {
+    let path = rows.path;
     let failure = |source| StudyError::Write { path: path.to_owned(), source };
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or_else(|| failure(Error::new(ErrorKind::InvalidInput, "the name is not UTF-8 text")))?;
@@ -61,11 +56,10 @@ pub(crate) fn write(
     let file = staged.create(name.to_owned())?;
     let kept = file.try_clone().map_err(failure)?;
     let writer = BufWriter::new(file);
-    let rows = Rows::new(path, columns, journal);
     let count = match format {
         Format::Csv => rows.csv(writer)?,
         #[cfg(feature = "parquet")]
-        Format::Parquet => super::parquet::write(writer, &rows, notes)?,
+        Format::Parquet => super::parquet::write(writer, rows, notes)?,
     };
     #[cfg(not(feature = "parquet"))]
     drop(notes);
@@ -80,13 +74,24 @@ pub struct Rows<'a> {
     path: &'a Path,
     /// Columns in order.
     pub columns: &'a [Column],
-    journal: &'a Journal,
+    source: Source<'a>,
+}
+
+/// Where finished rows are.
+enum Source<'a> {
+    Journal(&'a Journal),
+    Memory(&'a [Vec<Cell>]),
 }
 
 impl<'a> Rows<'a> {
     /// The finished rows of a table that will stand at `path`.
     pub(crate) fn new(path: &'a Path, columns: &'a [Column], journal: &'a Journal) -> Self {
-        Self { path, columns, journal }
+        Self { path, columns, source: Source::Journal(journal) }
+    }
+
+    /// Rows in memory, for a table that will stand at `path`.
+    pub(crate) fn in_memory(path: &'a Path, columns: &'a [Column], rows: &'a [Vec<Cell>]) -> Self {
+        Self { path, columns, source: Source::Memory(rows) }
     }
 
     /// Hands out each row as its line and its fields.
@@ -99,14 +104,21 @@ impl<'a> Rows<'a> {
     ) -> Result<Count, E> {
         let converged = self.columns.iter().position(|column| column.name == CONVERGED);
         let mut count = Count::default();
-        for lines in self.journal.read() {
-            for line in lines?.lines() {
-                let cells = decode(line, self.columns)
-                    .ok_or_else(|| self.failure(Error::new(ErrorKind::InvalidData, "a finished row cannot be read")))?;
-                count.rows += 1;
-                count.failed += usize::from(converged.is_some_and(|at| cells[at] == Cell::Truth(false)));
-                take(line, cells)?;
+        let mut one = |line: &str, cells: Vec<Cell>| {
+            count.rows += 1;
+            count.failed += usize::from(converged.is_some_and(|at| cells[at] == Cell::Truth(false)));
+            take(line, cells)
+        };
+        match self.source {
+            Source::Journal(journal) => {
+                let unread = || self.failure(Error::new(ErrorKind::InvalidData, "a finished row cannot be read"));
+                for lines in journal.read() {
+                    for line in lines?.lines() {
+                        one(line, decode(line, self.columns).ok_or_else(unread)?)?;
+                    }
+                }
             }
+            Source::Memory(rows) => rows.iter().try_for_each(|cells| one(&encode(cells), cells.clone()))?,
         }
         Ok(count)
     }

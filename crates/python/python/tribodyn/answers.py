@@ -1,0 +1,340 @@
+"""Answers to single questions. Names end in their unit; they are those of the command's JSON."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _html
+from ._answer import Answer
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+
+class Growth(Answer):
+    """Growth of the rings by fits and speed."""
+
+    contact_angle_drawn_deg: float
+    contact_angle_mounted_deg: float
+    contact_angle_running_deg: float
+    radial_clearance_drawn_m: float
+    radial_clearance_mounted_m: float
+    radial_clearance_running_m: float
+    raceway_growth_inner_m: float
+    raceway_growth_outer_m: float
+    seat_pressure_inner_pa: Optional[float]
+    seat_pressure_outer_pa: Optional[float]
+
+
+class Derived(Answer):
+    """What follows from a case before anything is solved."""
+
+    name: str
+    #: free contact angle
+    contact_angle_deg: float
+    #: diametral clearance
+    radial_clearance_m: float
+    axial_play_m: float
+    groove_coefficient_inner: float
+    groove_coefficient_outer: float
+    groove_centre_distance_m: float
+    ball_mass_kg: float
+    ball_inertia_kg_m2: float
+    #: load over approach to the power of 1.5
+    contact_stiffness_inner_n_per_m_1_5: float
+    contact_stiffness_outer_n_per_m_1_5: float
+    ellipticity_inner: float
+    ellipticity_outer: float
+    #: balls that roll at the free contact angle
+    cage_speed_free_rpm: float
+    drag_per_ball_n: Optional[float]
+    effective_fluid_density_kg_m3: Optional[float]
+    growth: Growth
+    sources: dict[str, Any]
+    notes: list[str]
+    warnings: list[str]
+
+    def __init__(self, data: dict[str, Any]) -> None:
+        super().__init__(data)
+        if "growth" in data:
+            self.growth = Growth(data["growth"])
+
+
+class Rating(Answer):
+    """Ratings and lives of a bearing's steel by ISO 281, ISO/TS 16281 and ISO 76, under the loads of a model."""
+
+    model: str
+    nominal_contact_angle_deg: float
+    #: basic dynamic load rating C_r
+    dynamic_rating_n: float
+    #: ``catalogue`` or ``computed``
+    dynamic_rating_source: str
+    #: basic static load rating C_0r
+    static_rating_n: float
+    static_rating_source: str
+    #: C_u
+    fatigue_load_limit_n: float
+    fatigue_load_limit_source: str
+    radial_load_n: float
+    axial_load_n: float
+    #: P = X F_r + Y F_a
+    equivalent_load_n: float
+    #: L_10 = (C_r/P)³, million turns
+    rating_life_l10_mrev: Optional[float]
+    #: P_ref, of the load distribution
+    reference_load_n: float
+    #: L_10r, million turns
+    rating_life_l10r_mrev: Optional[float]
+    #: a_ISO; None where the case does not give the lubrication
+    life_modification_factor: Optional[float]
+    #: a_1
+    reliability_factor: float
+    #: L_nmr, million turns
+    rating_life_lnmr_mrev: Optional[float]
+    rating_life_hours: Optional[float]
+    #: P_0
+    static_equivalent_load_n: float
+    #: s_0 = C_0r/P_0
+    static_safety: Optional[float]
+    peak_pressure_max_pa: float
+    #: load to 4.2 GPa over load
+    pressure_safety: Optional[float]
+
+
+class Contact(Answer):
+    """A Hertz contact."""
+
+    ellipticity: float
+    semi_major_m: float
+    semi_minor_m: float
+    peak_pressure_pa: float
+    approach_m: float
+    #: load over approach to the power of 1.5
+    stiffness_n_per_m_1_5: float
+
+
+class TractionCurve(Answer):
+    """Traction coefficient of a coating over slip, at one pressure."""
+
+    slip: NDArray[np.float64]
+    coefficient: NDArray[np.float64]
+    a: float
+    b: float
+    c: float
+    d: float
+    peak_slip: float
+    peak_coefficient: float
+    residual_coefficient: float
+    pressure_gpa: float
+    #: outside the tested pressures
+    extrapolated: bool
+    #: outside the pressures for which the fit may be used, whose nearest end is taken instead
+    clamped: bool
+    source: str
+    #: what the reader must know about the pressure
+    note: Optional[str]
+
+    def __init__(self, data: dict[str, Any]) -> None:
+        super().__init__(data)
+        self.slip = np.asarray(data["slip"], dtype=np.float64)
+        self.coefficient = np.asarray(data["coefficient"], dtype=np.float64)
+
+    def to_pandas(self) -> pd.Series[Any]:
+        """Coefficients over slip."""
+        import pandas
+
+        series: pd.Series[Any] = pandas.Series(
+            self.coefficient, index=pandas.Index(self.slip, name="slip"), name="coefficient"
+        )
+        return series
+
+
+#: Directions of the stiffness: forces and moments by rows, displacements (m) and tilts (rad) by columns.
+AXES = ("x", "y", "z", "tilt_x", "tilt_y")
+
+
+class Stiffness(Answer):
+    """Stiffness of the inner ring over its speed.
+
+    Rows of a matrix are forces along x, y, z (N) and moments about x, y (N m); columns are displacements along x, y, z
+    (m) and tilts about x, y (rad).
+    """
+
+    #: speeds of the inner ring
+    inner_speed_rpm: NDArray[np.float64]
+    #: a matrix for each speed
+    stiffness: NDArray[np.float64]
+    #: its inverse; NaN where a displacement meets no resistance
+    compliance: NDArray[np.float64]
+
+    def __init__(self, answers: list[dict[str, Any]]) -> None:
+        missing = [[float("nan")] * 5] * 5
+        super().__init__(
+            {
+                "inner_speed_rpm": np.array([a["inner_speed_rpm"] for a in answers], dtype=np.float64),
+                "stiffness": np.array([a["stiffness"] for a in answers], dtype=np.float64),
+                "compliance": np.array([a.get("compliance", missing) for a in answers], dtype=np.float64),
+            }
+        )
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """The stiffness at the first speed."""
+        first: NDArray[np.float64] = self.stiffness[0]
+        return first
+
+    def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
+        """A row for each speed, a column for each entry: ``k_x_x`` to ``k_tilt_y_tilt_y``, as ``--csv`` has them."""
+        import pandas
+
+        names = [f"k_{row}_{column}" for row in AXES for column in AXES]
+        speeds = pandas.Index(self.inner_speed_rpm, name="inner_speed_rpm")
+        frame: pd.DataFrame = pandas.DataFrame(self.stiffness.reshape(len(speeds), 25), index=speeds, columns=names)
+        return frame
+
+    def to_xarray(self) -> xr.DataArray:
+        """Entries by speed, row and column."""
+        import xarray
+
+        coordinates = {"inner_speed_rpm": self.inner_speed_rpm, "force": list(AXES), "displacement": list(AXES)}
+        return xarray.DataArray(
+            self.stiffness, dims=("inner_speed_rpm", "force", "displacement"), coords=coordinates, name="stiffness"
+        )
+
+    def to_ross(self) -> dict[str, NDArray[np.float64]]:
+        """Arguments of ROSS's ``BearingElement``: ``kxx``, ``kxy``, ``kyx``, ``kyy``, ``kzz`` in N/m over
+        ``frequency`` in rad/s, by rising speed."""
+        order = np.argsort(self.inner_speed_rpm)
+        matrices = self.stiffness[order]
+        entries = {"kxx": (0, 0), "kxy": (0, 1), "kyx": (1, 0), "kyy": (1, 1), "kzz": (2, 2)}
+        arguments = {name: np.ascontiguousarray(matrices[:, i, j]) for name, (i, j) in entries.items()}
+        arguments["frequency"] = self.inner_speed_rpm[order] * np.pi / 30.0
+        return arguments
+
+    def __repr__(self) -> str:
+        return f"Stiffness({len(self.inner_speed_rpm)} speeds)"
+
+    def _repr_html_(self) -> str:
+        pairs = zip(self.inner_speed_rpm, self.stiffness)
+        return "".join(
+            _html.table(
+                f"stiffness at {speed:.1f} r/min",
+                ("", *AXES),
+                [(name, *map(float, row)) for name, row in zip(("F_x", "F_y", "F_z", "M_x", "M_y"), matrix)],
+            )
+            for speed, matrix in pairs
+        )
+
+
+class Mode(Answer):
+    """A natural mode: frequency, damping, shape."""
+
+    frequency_hz: float
+    damping_ratio: float
+    #: above 0 where the mode grows
+    growth_rate_per_s: float
+    #: shares of the kinetic energy
+    energy_shares: dict[str, float]
+    #: amplitudes along x, y, z over the largest of the translations of all bodies
+    inner_ring: list[float]
+    #: along x, y
+    outer_ring: list[float]
+    #: of each ball: axial, radial, along the orbit
+    balls: list[list[float]]
+
+
+class Modes(Answer):
+    """Natural modes of balls, cage and rings about the steady orbit, by frequency."""
+
+    cage_speed_rpm: float
+    #: number of modes that grow
+    unstable: int
+    modes: list[Mode]
+
+    def __init__(self, data: dict[str, Any]) -> None:
+        super().__init__(data)
+        self.modes = [Mode(mode) for mode in data["modes"]]
+
+    def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
+        """A row for each mode."""
+        import pandas
+
+        rows = [
+            {
+                "frequency_hz": mode.frequency_hz,
+                "damping_ratio": mode.damping_ratio,
+                "growth_rate_per_s": mode.growth_rate_per_s,
+                **{f"energy_{name}": share for name, share in mode.energy_shares.items()},
+            }
+            for mode in self.modes
+        ]
+        frame: pd.DataFrame = pandas.DataFrame(rows)
+        return frame
+
+    def _repr_html_(self) -> str:
+        frame = self.to_pandas()
+        rows = [tuple(row) for row in frame.itertuples(index=False)]
+        return _html.table(f"{len(self.modes)} modes", list(frame.columns), rows)
+
+
+class Life(Answer):
+    """The life of a bearing's coatings."""
+
+    case: str
+    bearing: str
+    #: races whose coating is through at the end: ``inner``, ``outer``
+    worn_through: list[str]
+    end_h: float
+    end_revolutions: float
+    #: when steel first showed in the middle of a track; None where it did not
+    steel_shows_h: Optional[float]
+    #: part of a new coating that a stride takes at its fastest spot
+    loss_per_stride: float
+    #: the state at the start of each stride, and at the end
+    strides: list[dict[str, float]]
+    warnings: list[str]
+
+    def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
+        """A row for each stride; columns with their units in their names."""
+        import pandas
+
+        frame: pd.DataFrame = pandas.DataFrame(self.strides)
+        return frame
+
+
+class Identification(Answer):
+    """Unknown parameters under one hypothesis."""
+
+    hypothesis: Optional[str]
+    #: sum of squared residuals over uncertainties, priors included
+    cost: float
+    data_cost: float
+    #: by Laplace's approximation, up to a constant of the data
+    log_evidence: float
+    conflicts: list[str]
+    parameters: list[dict[str, Any]]
+    correlation: list[list[float]]
+    data: list[dict[str, Any]]
+    #: distinct minima, the best first
+    minima: list[dict[str, Any]]
+    failed_starts: int
+    sensitivity_check: float
+    warnings: list[str]
+    #: the case file with the identified values and their sources
+    case_text: str
+
+    def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
+        """A row for each parameter."""
+        import pandas
+
+        frame: pd.DataFrame = pandas.DataFrame(self.parameters)
+        return frame
+
+    def _repr_html_(self) -> str:
+        rows = [(p["name"], p["value"], p["spread"], p["determined"], p["at_bound"]) for p in self.parameters]
+        head = ("parameter", "value", "spread", "determined", "at bound")
+        return _html.table(self.hypothesis or "the case as it is", head, rows)

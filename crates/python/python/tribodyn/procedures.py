@@ -1,0 +1,99 @@
+"""Single questions about a case or a contact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Literal, Union
+
+from . import _native
+from .answers import Contact, Derived, Modes, Rating, Stiffness, TractionCurve
+from .case import Case
+from .solution import Solution
+
+#: Equations: raceway control without traction, traction integrals of both contacts, or the periodic motion of balls
+#: and cage that a run settles to.
+Model = Literal["jones-harris", "traction", "steady-orbit"]
+
+
+def solve(case: Case, model: Model = "traction", *, roots: bool = False) -> Solution:
+    """The equilibrium of ring and balls, or their steady orbit.
+
+    Args:
+        case: the bearing at its operating point
+        model: the equations
+        roots: also search each ball for other equilibria, the ring held; about as long as a dozen solutions
+
+    Raises:
+        InputError: the model cannot use the case
+        SolveError: no solution was found
+    """
+    return Solution(_native.solve(case._native, model, roots))
+
+
+def stiffness(case: Case, model: Model = "steady-orbit", *, speeds: Union[float, Iterable[float]] = ()) -> Stiffness:
+    """The 5 × 5 stiffness of the inner ring, balls and cage in balance.
+
+    Args:
+        case: the bearing at its operating point
+        model: the equations of the operating point
+        speeds: speeds of the inner ring, r/min; that of the case where none is given
+    """
+    given = [float(speeds)] if isinstance(speeds, (int, float)) else [float(speed) for speed in speeds]
+    return Stiffness(_native.stiffness(case._native, model, given))
+
+
+def modes(case: Case, *, up_to: float = float("inf")) -> Modes:
+    """Natural modes of balls, cage and rings about the steady orbit, up to a frequency in Hz.
+
+    Masses and supports are those of a run: the case needs its sections ``transient`` and ``supports``.
+    """
+    return Modes(_native.modes(case._native, up_to))
+
+
+def rating_life(case: Case, model: Model = "jones-harris") -> Rating:
+    """Rating life of the bearing's steel by ISO 281 and ISO/TS 16281, and static safety by ISO 76.
+
+    How long the coatings last is another question: :func:`life` answers it.
+    """
+    return Rating(_native.rating(case._native, model))
+
+
+def check(case: Case) -> Derived:
+    """What follows from a case before anything is solved; the same as ``case.check()``."""
+    return case.check()
+
+
+def hertz(
+    body1: Sequence[float],
+    body2: Sequence[float],
+    load: float,
+    *,
+    young1: float = 206.0,
+    poisson1: float = 0.3,
+    young2: float = 206.0,
+    poisson2: float = 0.3,
+    angle: float = 0.0,
+) -> Contact:
+    """Hertz contact of two bodies.
+
+    Args:
+        body1, body2: principal radii in the planes x and y, mm; negative for concave, ``inf`` for flat
+        load: normal load, N
+        young1, young2: Young's moduli, GPa
+        poisson1, poisson2: Poisson's ratios
+        angle: angle between the x planes of the two bodies, degrees
+    """
+    radii = [[float(radius) for radius in body] for body in (body1, body2)]
+    return Contact(_native.hertz(radii, load, [young1, young2], [poisson1, poisson2], angle))
+
+
+def traction_curve(coating: str, pressure: float, slip: Iterable[float], *, order: int = 2) -> TractionCurve:
+    """Traction coefficient of a coating of the library over slip.
+
+    Args:
+        coating: ``"ag"`` or ``"ptfe"``
+        pressure: contact pressure, GPa
+        slip: slips in the unit of the coating's own data
+        order: order of the polynomials in pressure; 2 goes through the three tested pressures
+    """
+    return TractionCurve(_native.traction_curve(coating, pressure, [float(value) for value in slip], order))

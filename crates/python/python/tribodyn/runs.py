@@ -1,0 +1,354 @@
+"""What takes long: runs in time, lives of coatings, identification; and recordings read back."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _html, _native
+from ._answer import Answer
+from ._errors import InputError, Stopped
+from ._progress import Bar, Progress
+from .answers import Identification, Life
+from .case import Case
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+PathLike = Union[str, os.PathLike[str]]
+
+
+class Series:
+    """Numbers over time, or one row of them. Attributes are arrays, views of one table; names end in their unit."""
+
+    def __init__(self, names: list[str], values: NDArray[np.float64]) -> None:
+        self._names = list(names)
+        self._columns = {name: place for place, name in enumerate(names)}
+        self._values = values
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the quantities."""
+        return list(self._names)
+
+    @property
+    def values(self) -> NDArray[np.float64]:
+        """The table: a row for each time, a column for each name."""
+        return self._values
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        if name not in self._columns:
+            raise KeyError(f"no {name}; allowed are {', '.join(self._names)}")
+        column: NDArray[np.float64] = self._values[:, self._columns[name]]
+        return column
+
+    def __getattr__(self, name: str) -> NDArray[np.float64]:
+        if name.startswith("_") or name not in self.__dict__.get("_columns", {}):
+            raise AttributeError(f"{type(self).__name__} has no attribute {name}")
+        return self[name]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._names]
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A row for each time, indexed by it; the numbers are not copied."""
+        import pandas
+
+        frame: pd.DataFrame = pandas.DataFrame(self._values, columns=self._names, copy=False)
+        if "time_s" in self._columns:
+            frame = frame.set_index("time_s", drop=False)
+        return frame
+
+    def to_xarray(self) -> xr.Dataset:
+        """Quantities over time."""
+        import xarray
+
+        data = {name: ("time_s", self[name]) for name in self._names if name != "time_s"}
+        return xarray.Dataset(data, coords={"time_s": self["time_s"]})
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({len(self)} times, {len(self._names)} quantities)"
+
+
+class BallSeries:
+    """Numbers of all balls over time, in single precision as they are recorded.
+
+    Attributes are arrays by time and ball, views of one table: ``recording.balls.load_inner_n[:, 0]``.
+    """
+
+    def __init__(self, times: NDArray[np.float64], names: list[str], values: NDArray[np.float32]) -> None:
+        self.time_s = times
+        self._names = list(names)
+        self._columns = {name: place for place, name in enumerate(names)}
+        self._values = values
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the quantities."""
+        return list(self._names)
+
+    def __getitem__(self, name: str) -> NDArray[np.float32]:
+        if name not in self._columns:
+            raise KeyError(f"no {name}; allowed are {', '.join(self._names)}")
+        column: NDArray[np.float32] = self._values[:, :, self._columns[name]]
+        return column
+
+    def __getattr__(self, name: str) -> NDArray[np.float32]:
+        if name.startswith("_") or name not in self.__dict__.get("_columns", {}):
+            raise AttributeError(f"BallSeries has no attribute {name}")
+        return self[name]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._names]
+
+    def __len__(self) -> int:
+        return len(self.time_s)
+
+    def to_xarray(self) -> xr.Dataset:
+        """Quantities by time and ball."""
+        import xarray
+
+        data = {name: (("time_s", "ball"), self[name]) for name in self._names}
+        balls = np.arange(self._values.shape[1])
+        return xarray.Dataset(data, coords={"time_s": self.time_s, "ball": balls})
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A row for each time and ball."""
+        import pandas
+
+        count = self._values.shape[1]
+        index = pandas.MultiIndex.from_product([self.time_s, range(count)], names=["time_s", "ball"])
+        table = self._values.reshape(-1, len(self._names))
+        frame: pd.DataFrame = pandas.DataFrame(table, index=index, columns=self._names)
+        return frame
+
+    def __repr__(self) -> str:
+        return f"BallSeries({len(self)} times, {self._values.shape[1]} balls, {len(self._names)} quantities)"
+
+
+class Recording:
+    """A recording read back: a run in time, or one orbit of a solution."""
+
+    #: rings, cage and powers over time
+    states: Series
+    #: balls over time
+    balls: BallSeries
+    #: what had worn off over time
+    wear: Series
+    #: the bearing of a recorded solution; empty for a run
+    solution: Series
+    #: the log: ``time_s``, ``warning``, ``kind``, ``message``
+    events: list[dict[str, Any]]
+    #: records about the run by name; ``simulation`` describes it
+    metadata: dict[str, dict[str, str]]
+    #: the text of the case; None where that part of the file is damaged
+    case_text: Optional[str]
+    #: False where a part of the file is damaged or missing
+    whole: bool
+
+    def __init__(self, path: PathLike, data: dict[str, Any]) -> None:
+        self.path = os.fspath(path)
+        self.states = Series(*data["states"])
+        self.balls = BallSeries(*data["balls"])
+        self.wear = Series(*data["wear"])
+        self.solution = Series(*data["solution"])
+        self.events = data["events"]
+        self.metadata = data["metadata"]
+        self.case_text = data["case_text"]
+        self.whole = data["whole"]
+
+    @cached_property
+    def case(self) -> Case:
+        """The case that was run."""
+        if self.case_text is None:
+            raise InputError(f"{self.path}: the case in it is damaged", file=self.path)
+        return Case.parse(self.case_text, name=f"{self.path} (case)")
+
+    def to_pandas(self) -> pd.DataFrame:
+        """Rings, cage and powers over time."""
+        return self.states.to_pandas()
+
+    def to_xarray(self) -> xr.Dataset:
+        """Rings, cage and powers over time."""
+        return self.states.to_xarray()
+
+    def __repr__(self) -> str:
+        return f"Recording({self.path!r}, {len(self.states)} states, {len(self.balls)} times of balls)"
+
+    def _repr_html_(self) -> str:
+        rows = [("states", len(self.states)), ("times of balls", len(self.balls)), ("events", len(self.events))]
+        return _html.table(self.path, ("", ""), rows)
+
+
+class Run(Answer):
+    """A run in time: the numbers that the command prints, and what was recorded."""
+
+    case: str
+    bearing: str
+    #: the recording; None where none was asked for
+    recording: Optional[str]
+    duration_s: float
+    wall_s: float
+    simulated_per_wall: float
+    #: of the quasi-static solution from which the run starts
+    cage_speed_quasi_static_rpm: float
+    patch_rule: str
+    patch_error_estimate: Optional[float]
+    #: whether the patch rule is fine enough for accelerations
+    accelerations_supported: bool
+    scheme: str
+    scheme_statistics: dict[str, Any]
+    stiffness: dict[str, Any]
+    simulated_s: float
+    #: from when on averages are taken
+    averaged_from_s: float
+    #: None where the run is not steady, or cannot be judged
+    settled_at_s: Optional[float]
+    samples: int
+    cage_speed_mean_rpm: float
+    cage_speed_end_rpm: float
+    orbital_speed_min_rpm: float
+    orbital_speed_max_rpm: float
+    outer_acceleration_x_rms_m_s2: float
+    outer_acceleration_y_rms_m_s2: float
+    outer_acceleration_x_peak_m_s2: float
+    outer_acceleration_y_peak_m_s2: float
+    load_inner_max_n: float
+    load_outer_max_n: float
+    peak_pressure_inner_max_gpa: float
+    peak_pressure_outer_max_gpa: float
+    pocket_force_max_n: float
+    #: pocket impacts in the whole run
+    impacts: int
+    balls_in_contact_min: int
+    #: mean powers, W
+    power: dict[str, float]
+    #: worn volumes (µm³) and coatings left (µm)
+    wear: dict[str, float]
+    warnings: list[str]
+    warnings_at_start: list[str]
+    untested_pressures: list[str]
+    #: what was recorded
+    data: Recording
+
+    def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
+        """Rings, cage and powers over time."""
+        return self.data.to_pandas()
+
+    def to_xarray(self) -> xr.Dataset:
+        """Rings, cage and powers over time."""
+        return self.data.to_xarray()
+
+
+def run(
+    case: Case,
+    duration: Optional[float] = None,
+    *,
+    record: Optional[PathLike] = None,
+    resume: bool = False,
+    restart: bool = False,
+    progress: Progress = True,
+) -> Run:
+    """Runs a bearing in time.
+
+    Args:
+        case: the bearing; it needs its sections ``transient``, ``supports`` and ``recording``
+        duration: simulated time, s; that of the case where it is left out
+        record: recording to write (MCAP, opens in Foxglove); without it the recording is read into memory and deleted
+        resume: go on with a recording that was stopped or killed
+        restart: forget a run that was stopped
+        progress: a bar where somebody watches; False for none; or a function of simulated time and duration
+
+    Raises:
+        Stopped: Ctrl-C, a ``KeyboardInterrupt``; the recording is closed, and ``resume=True`` goes on with it
+    """
+    if resume and restart:
+        raise InputError("resume and restart exclude each other", path="resume", value="True", allowed="one of both")
+    if record is None:
+        if resume:
+            raise InputError("resume needs a recording", path="record", value="None", allowed="a path")
+        with tempfile.TemporaryDirectory(prefix="tribodyn-") as folder:
+            answer = _run(case, duration, Path(folder) / "run.mcap", "new", progress)
+            answer.data.states  # read before the folder goes
+            answer.__dict__["recording"] = None
+            return answer
+    return _run(case, duration, Path(record), "resume" if resume else "restart" if restart else "new", progress)
+
+
+def _run(case: Case, duration: Optional[float], path: Path, beginning: str, progress: Progress) -> Run:
+    whole = duration if duration is not None else _duration(case)
+    with Bar(whole, "s", progress) as bar:
+        seconds = None if duration is None else float(duration)
+        answer, stopped = _native.run(case._native, os.fspath(path), seconds, beginning, bar)
+    stopped_s = answer.pop("stopped_s")
+    if stopped is not None and stopped_s is not None:
+        if not isinstance(stopped, KeyboardInterrupt):
+            raise stopped
+        message = f"stopped after {stopped_s} of {answer['duration_s']} s; run(..., resume=True) goes on from there"
+        facts = {"simulated_s": stopped_s, "duration_s": answer["duration_s"], "recording": os.fspath(path)}
+        raise Stopped(message, **facts) from stopped
+    answer["data"] = read_recording(path, limits=False)
+    return Run(answer)
+
+
+def _duration(case: Case) -> float:
+    text = case._native.value("transient.duration") or ""
+    factors = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
+    unit, _, number = text.partition("(")
+    try:
+        return float(number.rstrip(") ")) * factors.get(unit.strip(), 1.0)
+    except ValueError:
+        return 0.0
+
+
+def life(case: Case, *, strides: int = 20, until: Optional[float] = None, progress: Progress = True) -> Life:
+    """Wears the coatings of a bearing until one is through.
+
+    Args:
+        case: the bearing with its coatings and wear coefficients
+        strides: strides in which a new coating is worn away at its fastest spot; the error falls with their number
+        until: running time after which a life ends, should the coatings last longer, h
+        progress: a bar where somebody watches; False for none; or a function of strides done and strides
+    """
+    with Bar(float(strides), "strides", progress) as bar:
+        return Life(_native.life(case._native, int(strides), None if until is None else float(until), bar))
+
+
+def identify(
+    problem: PathLike,
+    *,
+    seed: Optional[int] = None,
+    starts: Optional[int] = None,
+    threads: int = 0,
+    progress: Progress = True,
+) -> list[Identification]:
+    """Identifies unknown parameters of a case from published or measured figures, under each hypothesis.
+
+    Args:
+        problem: problem file (RON), which names the case beside it
+        seed: seed of the start points, instead of the problem's
+        starts: number of start points, instead of the problem's
+        threads: threads to use; 0 is one for each core
+        progress: a bar where somebody watches; False for none; or a function of starts done and starts
+    """
+    path = os.fspath(problem)
+    with Bar(float(_native.identification_starts(path, starts)), "starts", progress) as bar:
+        return [Identification(answer) for answer in _native.identify(path, seed, starts, threads, bar)]
+
+
+def read_recording(path: PathLike, *, limits: bool = True) -> Recording:
+    """Reads a recording (MCAP), also one of a run that was killed (``run.mcap.active``).
+
+    ``limits=False`` lifts the bound on the memory that its numbers may take.
+    """
+    return Recording(path, _native.read_recording(os.fspath(path), not limits))

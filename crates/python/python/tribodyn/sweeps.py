@@ -1,0 +1,305 @@
+"""Sweeps: equilibria over a grid of case values, or over samples."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _html, _native
+from ._answer import Answer
+from ._errors import InputError
+from ._progress import Bar, Progress
+from .case import Case, as_text
+from .units import Unit
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+PathLike = Union[str, os.PathLike[str]]
+
+#: Values of a path: text as the command has it (``"kN(10..60 by 5)"``), or one by one.
+Values = Union[str, float, Iterable[Any]]
+
+
+class Plan(Answer):
+    """A sweep that is not begun."""
+
+    grid_rows: int
+    rows: int
+    shard: str
+    #: rows that are solved one after the other
+    chunk_rows: int
+    threads: int
+    axes: list[dict[str, Any]]
+    #: time of one row that starts cold, from one try
+    cold_row_s: float
+    #: mean time of the rows after it
+    next_row_s: float
+    estimated_time_s: float
+
+
+class Sweep:
+    """The rows of a sweep. Columns are arrays by name, in the order of the grid."""
+
+    def __init__(self, columns: dict[str, Any], swept: list[str]) -> None:
+        self._columns = columns
+        #: names of the columns of swept values
+        self.swept = swept
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the columns."""
+        return list(self._columns)
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._columns:
+            raise KeyError(f"no column {name}; allowed are {', '.join(self._columns)}")
+        return self._columns[name]
+
+    def __getattr__(self, name: str) -> Any:
+        columns = self.__dict__.get("_columns", {})
+        if name.startswith("_") or name not in columns:
+            raise AttributeError(f"Sweep has no column {name}")
+        return columns[name]
+
+    def __len__(self) -> int:
+        return len(self._columns["row"])
+
+    @property
+    def failed(self) -> int:
+        """Rows without a solution; the column ``error`` says why."""
+        return int(len(self) - np.count_nonzero(self._columns["converged"]))
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A row for each row of the sweep."""
+        import pandas
+
+        frame: pd.DataFrame = pandas.DataFrame(self._columns).set_index("row", drop=False).rename_axis(None)
+        return frame
+
+    def __repr__(self) -> str:
+        return f"Sweep({len(self)} rows, {self.failed} without solution)"
+
+    def _repr_html_(self) -> str:
+        shown = [*self.swept, "converged", "cage_speed_rpm", "shaft_torque_nm", "error"]
+        shown = [name for name in shown if name in self._columns]
+        rows = list(zip(*(list(self._columns[name]) for name in shown)))
+        return _html.table(repr(self), shown, rows)
+
+
+class Table(Answer):
+    """A sweep that was written to a table."""
+
+    output: str
+    #: rows of the table: those of the shard
+    rows: int
+    #: rows without a solution
+    failed_rows: int
+    #: rows that an earlier sweep had finished
+    resumed_rows: int
+
+    def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
+        """The table, read back."""
+        import warnings
+
+        import pandas
+
+        frame: pd.DataFrame
+        if self.output.endswith(".csv"):
+            with warnings.catch_warnings():
+                # The option goes where it becomes the default.
+                warnings.filterwarnings("ignore", message="The 'float_precision' argument")
+                frame = pandas.read_csv(self.output, float_precision="round_trip")
+        else:
+            frame = pandas.read_parquet(self.output)
+        return frame
+
+
+def grid(
+    case: Case,
+    values: Optional[Mapping[str, Values]] = None,
+    *,
+    samples: Optional[Mapping[str, Iterable[Any]]] = None,
+    cold: bool = False,
+) -> _native.Grid:
+    """The rows of a sweep, checked. Single values of ``values`` are changes of the case beside ``samples``."""
+    if samples is None:
+        return _native.Grid.product(_named(case), product_values(values or {}), cold, True)
+    case = case.replace({path: as_text(single(path, given)) for path, given in (values or {}).items()})
+    drawn = sample_values(samples)
+    count = len(drawn[0][1]) if drawn else 0
+    return _native.Grid.samples(_named(case), drawn, (0, count), cold)
+
+
+def _named(case: Case) -> tuple[str, str]:
+    return case.file, case.text
+
+
+def single(path: str, given: Values) -> Any:
+    """The single value of a path beside samples."""
+    values = [given] if isinstance(given, (str, float, int, bool)) else list(given)
+    if len(values) != 1:
+        allowed = "allowed is a single value beside samples"
+        raise InputError(f"{path} has {len(values)} values; {allowed}", path=path, value=str(given), allowed=allowed)
+    return values[0]
+
+
+def product_values(values: Mapping[str, Values]) -> list[tuple[str, Union[str, list[str]]]]:
+    """Values of a grid as the compiled half takes them."""
+    taken: list[tuple[str, Union[str, list[str]]]] = []
+    for path, given in values.items():
+        if isinstance(given, str):
+            taken.append((path, given))
+        elif isinstance(given, (bool, int, float)):
+            taken.append((path, [as_text(given)]))
+        else:
+            taken.append((path, [as_text(value) for value in given]))
+    return taken
+
+
+def sample_values(samples: Mapping[str, Iterable[Any]]) -> list[tuple[str, list[str]]]:
+    """Samples as the compiled half takes them."""
+    return [(path, [as_text(value) for value in drawn]) for path, drawn in samples.items()]
+
+
+def sweep(
+    case: Case,
+    values: Optional[Mapping[str, Values]] = None,
+    *,
+    samples: Optional[Mapping[str, Iterable[Any]]] = None,
+    threads: int = 0,
+    cold: bool = False,
+    progress: Progress = True,
+) -> Sweep:
+    """Equilibria for every combination of case values, or for samples, on all cores; in memory.
+
+    Rows are those of the command, bit for bit.
+
+    Args:
+        case: the bearing
+        values: values by path: text as the command has it, ``{"ring.z.Force": "kN(10..60 by 5)"}``, or one by one,
+            ``{"ring.z.Force": kN([10, 20])}``; the last path varies fastest
+        samples: values by path, one for each row: see :func:`latin_hypercube` and :func:`sobol`
+        threads: threads to use; 0 is one for each core
+        cold: solve every row from its own initial guess instead of a neighbour's solution
+        progress: a bar where somebody watches; False for none; or a function of rows done and rows
+
+    Raises:
+        InputError: a value is refused, before anything is solved
+    """
+    rows = grid(case, values, samples=samples, cold=cold)
+    with Bar(float(rows.rows), "rows", progress) as bar:
+        columns = rows.solve((0, rows.chunks), threads, bar)
+    return Sweep({name: _array(column) for name, column in columns.items()}, rows.swept())
+
+
+def _array(column: Any) -> Any:
+    if isinstance(column, list):
+        texts = np.empty(len(column), dtype=object)
+        texts[:] = column
+        return texts
+    return column
+
+
+def sweep_to(
+    output: PathLike,
+    case: Case,
+    values: Mapping[str, Values],
+    *,
+    shard: str = "0/1",
+    threads: int = 0,
+    cold: bool = False,
+    restart: bool = False,
+    progress: Progress = True,
+) -> Table:
+    """The command's sweep: rows go to a table (``.parquet`` or ``.csv``), which a stopped sweep goes on with.
+
+    Args:
+        output: the table
+        shard: part ``I/N`` of the grid, for several machines; :func:`merge` puts their tables together
+        restart: forget the finished rows of a sweep that was stopped
+        case, values, threads, cold, progress: as for :func:`sweep`
+    """
+    rows = grid(case, values, cold=cold)
+    path = os.fspath(output)
+    with Bar(float(rows.rows), "rows", progress) as bar:
+        count, failed, resumed = rows.write_table(path, shard, restart, threads, bar)
+    return Table({"output": path, "rows": count, "failed_rows": failed, "resumed_rows": resumed})
+
+
+def plan(case: Case, values: Mapping[str, Values], *, threads: int = 0, cold: bool = False) -> Plan:
+    """What a sweep would do, and about how long it would take; a few rows are solved for that."""
+    return Plan(grid(case, values, cold=cold).plan(threads))
+
+
+def merge(tables: Iterable[PathLike], output: PathLike, *, force: bool = False) -> Table:
+    """The tables of all shards, or of a dataset's partitions, as one: every row once, in the order of the sweep."""
+    found = [os.fspath(table) for table in tables]
+    rows, failed = _native.merge_tables(found, os.fspath(output), force)
+    return Table({"output": os.fspath(output), "rows": rows, "failed_rows": failed, "resumed_rows": 0})
+
+
+Distribution = Any
+#: A range with its ends, a frozen distribution of ``scipy.stats``, or either with a unit before it.
+Spread = Union[tuple[float, float], Distribution, tuple[Union[Unit, str], Any]]
+
+
+def latin_hypercube(
+    spreads: Mapping[str, Spread], count: int, *, seed: Union[int, None] = None
+) -> dict[str, list[str]]:
+    """Samples by a Latin hypercube (SciPy): for :func:`sweep`.
+
+    Args:
+        spreads: for each path ``(unit, (low, high))`` or ``(unit, scipy.stats.norm(mean, spread))``; without a unit
+            for plain numbers
+        count: number of samples
+        seed: seed; the same seed gives the same samples
+    """
+    from scipy.stats import qmc
+
+    return _drawn(qmc.LatinHypercube(len(spreads), seed=seed).random(count), spreads)
+
+
+def sobol(spreads: Mapping[str, Spread], count: int, *, seed: Union[int, None] = None) -> dict[str, list[str]]:
+    """Samples by a scrambled Sobol sequence (SciPy); ``count`` is best a power of two. As :func:`latin_hypercube`."""
+    import warnings
+
+    from scipy.stats import qmc
+
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="The balance properties of Sobol")
+        return _drawn(qmc.Sobol(len(spreads), seed=seed).random(count), spreads)
+
+
+def from_unit_cube(points: NDArray[np.float64], spreads: Mapping[str, Spread]) -> dict[str, list[str]]:
+    """Samples from points in the unit cube, a column for each path: for other samplers, such as SALib's."""
+    return _drawn(np.asarray(points, dtype=np.float64), spreads)
+
+
+def _drawn(points: NDArray[np.float64], spreads: Mapping[str, Spread]) -> dict[str, list[str]]:
+    return {path: _values(points[:, i], path, spread) for i, (path, spread) in enumerate(spreads.items())}
+
+
+def _values(shares: NDArray[np.float64], path: str, spread: Spread) -> list[str]:
+    unit: Optional[Unit] = None
+    given: Any = spread
+    if isinstance(given, Sequence) and len(given) == 2 and isinstance(given[0], (Unit, str)):
+        unit = given[0] if isinstance(given[0], Unit) else Unit(given[0])
+        given = given[1]
+    if hasattr(given, "ppf"):
+        numbers = np.asarray(given.ppf(shares), dtype=np.float64)
+    else:
+        try:
+            low, high = (float(end) for end in given)
+        except (TypeError, ValueError):
+            allowed = "allowed are (low, high), a distribution of scipy.stats, or either with a unit before it"
+            raise InputError(f"{path}: {spread!r}; {allowed}", path=path, value=repr(spread), allowed=allowed) from None
+        numbers = low + (high - low) * shares
+    if not np.all(np.isfinite(numbers)):
+        allowed = "allowed are finite numbers: a distribution is asked for shares from 0 to below 1"
+        raise InputError(f"{path}: {allowed}", path=path, value=repr(spread), allowed=allowed)
+    return unit(numbers) if unit is not None else [repr(float(number)) for number in numbers]

@@ -1,0 +1,160 @@
+//! Single questions about a case or a contact.
+
+use crate::case::NativeCase;
+use crate::convert::to_python;
+use crate::error::{self, internal};
+use crate::solution::NativeSolution;
+use crate::watch::left_alone;
+use pyo3::prelude::*;
+use serde_json::{Value, json};
+use std::sync::Arc;
+use tribodyn_bearing::quantities::{Facts, OfBall, Scope, joined};
+use tribodyn_contact::Body;
+use tribodyn_quasistatic::SOLUTION;
+use tribodyn_study::answers::{self, Equations, HertzQuestion, OrbitAnswer, OrbitProblem};
+use tribodyn_study::{CaseFile, StudyError};
+
+fn equations(py: Python<'_>, model: &str) -> PyResult<Equations> {
+    Equations::parse(model).map_err(|failure| error::study(py, failure))
+}
+
+/// The equilibrium or the steady orbit of a case.
+#[pyfunction]
+pub fn solve(py: Python<'_>, case: &NativeCase, model: &str, roots: bool) -> PyResult<NativeSolution> {
+    let file = Arc::clone(&case.file);
+    let solved = match equations(py, model)?.equilibrium() {
+        Some(model) if !roots => py.detach(|| equilibrium(&file, model, false)),
+        Some(model) => left_alone(py, move || equilibrium(&file, model, true))?,
+        None if roots => {
+            return Err(error::argument(py, "roots", "True", "the steady orbit is not searched for other equilibria"));
+        }
+        None => left_alone(py, move || orbit(&file))?,
+    };
+    solved.map_err(|failure| error::study(py, failure))
+}
+
+fn equilibrium(file: &CaseFile, model: tribodyn_quasistatic::Model, roots: bool) -> Result<NativeSolution, StudyError> {
+    let mut answer = answers::equilibrium(file, model, roots)?;
+    // The head is what the command prints; balls are handed out as an array.
+    let balls = std::mem::take(&mut answer.solution.balls);
+    let head = serde_json::to_value(&answer)?;
+    let mut solution = answer.solution;
+    solution.balls = balls;
+    Ok(NativeSolution::new(head, solution, None))
+}
+
+fn orbit(file: &CaseFile) -> Result<NativeSolution, StudyError> {
+    let problem = OrbitProblem::new(file)?;
+    let orbit = problem.solve(file)?.solution;
+    let head = serde_json::to_value(OrbitAnswer::new(&orbit))?;
+    let speeds = [problem.point.inner_speed, problem.point.outer_speed];
+    let solution = orbit.as_solution(&orbit.balls, speeds);
+    let points = orbit.as_solution(&orbit.points, speeds);
+    Ok(NativeSolution::new(head, solution, Some(points)))
+}
+
+/// A question whose answer is plain data, asked on a thread that an interrupt leaves alone.
+fn ask<'py>(
+    py: Python<'py>,
+    case: &NativeCase,
+    question: impl FnOnce(&CaseFile) -> Result<Value, StudyError> + Send + 'static,
+) -> PyResult<Bound<'py, PyAny>> {
+    let file = Arc::clone(&case.file);
+    let answer = left_alone(py, move || question(&file))?;
+    to_python(py, &answer.map_err(|failure| error::study(py, failure))?)
+}
+
+/// What follows from a case before anything is solved.
+#[pyfunction]
+pub fn check<'py>(py: Python<'py>, case: &NativeCase) -> PyResult<Bound<'py, PyAny>> {
+    ask(py, case, |file| Ok(serde_json::to_value(answers::derived(file)?)?))
+}
+
+/// Rating life and static safety.
+#[pyfunction]
+pub fn rating<'py>(py: Python<'py>, case: &NativeCase, model: &str) -> PyResult<Bound<'py, PyAny>> {
+    let equations = equations(py, model)?;
+    ask(py, case, move |file| {
+        let (solution, rating) = answers::rated(file, equations)?;
+        let mut answer = serde_json::to_value(rating)?;
+        answer["model"] = serde_json::to_value(solution.model)?;
+        Ok(answer)
+    })
+}
+
+/// Stiffness at each of some speeds, r/min.
+#[pyfunction]
+pub fn stiffness<'py>(
+    py: Python<'py>,
+    case: &NativeCase,
+    model: &str,
+    speeds: Vec<f64>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let equations = equations(py, model)?;
+    ask(py, case, move |file| Ok(serde_json::to_value(answers::stiffness(file, equations, &speeds)?)?))
+}
+
+/// Natural modes up to a frequency, Hz.
+#[pyfunction]
+pub fn modes<'py>(py: Python<'py>, case: &NativeCase, up_to: f64) -> PyResult<Bound<'py, PyAny>> {
+    ask(py, case, move |file| Ok(serde_json::to_value(answers::modes(file, up_to)?)?))
+}
+
+/// One Hertz contact; radii in mm, moduli in GPa.
+#[pyfunction]
+pub fn hertz<'py>(
+    py: Python<'py>,
+    radii: [[f64; 2]; 2],
+    load: f64,
+    young: [f64; 2],
+    poisson: [f64; 2],
+    angle: f64,
+) -> PyResult<Bound<'py, PyAny>> {
+    for (name, radii) in ["body1", "body2"].into_iter().zip(radii) {
+        if radii.iter().any(|r| r.is_nan() || *r == 0.0) {
+            let allowed = "allowed are two radii in mm, each a number other than 0 (negative for concave) or inf";
+            return Err(error::argument(py, name, &format!("{radii:?}"), allowed));
+        }
+    }
+    let bodies = radii.map(|[x, y]| Body { radius_x: x / 1000.0, radius_y: y / 1000.0 });
+    let question = HertzQuestion { bodies, load_n: load, young_gpa: young, poisson, angle_deg: angle };
+    to_python(py, &answers::hertz(&question).map_err(|failure| error::study(py, failure))?)
+}
+
+/// The traction curve of a coating at a pressure in GPa.
+#[pyfunction]
+pub fn traction_curve<'py>(
+    py: Python<'py>,
+    coating: &str,
+    pressure: f64,
+    slip: Vec<f64>,
+    order: usize,
+) -> PyResult<Bound<'py, PyAny>> {
+    let curve = answers::traction_curve(coating, pressure, &slip, order);
+    let curve = curve.map_err(|failure| error::study(py, failure))?;
+    let mut answer = serde_json::to_value(&curve).map_err(|failure| internal(py, &failure.to_string()))?;
+    answer["note"] = json!(curve.note);
+    to_python(py, &answer)
+}
+
+/// The table of quantities: of the bearing in equilibrium, and of a ball with its contacts.
+#[pyfunction]
+pub fn quantities<'py>(py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    let row = |name: String, shown: String, facts: &Facts| {
+        let models = match facts.scope {
+            Scope::All => "all",
+            Scope::Traction => "traction",
+            Scope::Run => "run",
+        };
+        json!({
+            "name": name, "unit": facts.unit.symbol, "about": facts.about, "models": models,
+            "recorded_name": shown, "recorded_unit": facts.shown.symbol,
+        })
+    };
+    let bearing = SOLUTION.iter().map(|q| {
+        let f = &q.facts;
+        row(joined(&[f.name, f.unit.suffix]), joined(&[f.name, f.shown.suffix]), f)
+    });
+    let ball = OfBall::all().map(|q| row(q.name_in(q.facts().unit), q.name_in(q.facts().shown), q.facts()));
+    to_python(py, &json!({ "bearing": bearing.collect::<Vec<_>>(), "ball": ball.collect::<Vec<_>>() }))
+}

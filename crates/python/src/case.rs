@@ -1,0 +1,163 @@
+//! Cases: text that has been read and checked, and copies of it with other values.
+
+use crate::error;
+use pyo3::prelude::*;
+use std::path::PathBuf;
+use std::sync::Arc;
+use tribodyn_case::{locate, values};
+use tribodyn_catalogue::{CatalogueError, Envelope, KnownBalls, NewCase, Ratings, find};
+use tribodyn_study::{CaseFile, Change, Limits, StudyError};
+
+/// A case that was accepted. It does not change.
+#[pyclass(frozen, name = "Case", module = "tribodyn._native")]
+pub struct NativeCase {
+    pub file: Arc<CaseFile>,
+    pub limits: Limits,
+}
+
+fn limits(no_limits: bool) -> Limits {
+    if no_limits { Limits::NONE } else { Limits::NORMAL }
+}
+
+impl NativeCase {
+    fn accept(py: Python<'_>, file: Result<CaseFile, StudyError>, limits: Limits) -> PyResult<Self> {
+        let file = file.map_err(|failure| error::study(py, failure))?;
+        Ok(Self { file: Arc::new(file), limits })
+    }
+}
+
+#[pymethods]
+impl NativeCase {
+    /// Reads a case file.
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf, no_limits: bool) -> PyResult<Self> {
+        let limits = limits(no_limits);
+        Self::accept(py, py.detach(|| CaseFile::read_within(&path, &[], &limits)), limits)
+    }
+
+    /// Reads a text; `name` stands for the file in messages.
+    #[staticmethod]
+    fn parse(py: Python<'_>, text: String, name: &str, no_limits: bool) -> PyResult<Self> {
+        let limits = limits(no_limits);
+        Self::accept(py, py.detach(|| CaseFile::from_text(name, text, &[], &limits)), limits)
+    }
+
+    /// A case from a designation of the catalogue, or from boundary dimensions in mm.
+    #[staticmethod]
+    fn make(py: Python<'_>, request: NewRequest) -> PyResult<Self> {
+        let (name, text) = request.text(py)?;
+        Self::accept(py, CaseFile::from_text(&name, text, &[], &Limits::NORMAL), Limits::NORMAL)
+    }
+
+    /// A copy with other values at some paths.
+    fn replaced(&self, py: Python<'_>, changes: Vec<(String, String)>) -> PyResult<Self> {
+        let (file, limits) = (&self.file, self.limits);
+        let changed = py.detach(|| {
+            let options: Vec<Change> =
+                changes.iter().map(|(path, value)| Change::new(format!("{path} = {value}"), path, value)).collect();
+            CaseFile::from_text(&file.name, file.text.clone(), &options, &limits)
+        });
+        Self::accept(py, changed, limits)
+    }
+
+    /// The text at a path; None where there is nothing.
+    fn value(&self, path: &str) -> Option<String> {
+        locate(&self.file.text, path).map(|range| self.file.text[range].to_owned())
+    }
+
+    /// Paths and texts of all single values.
+    fn values(&self) -> Vec<(String, String)> {
+        let text = &self.file.text;
+        values(text).into_iter().map(|(path, range)| (path, text[range].to_owned())).collect()
+    }
+
+    /// The text that was accepted.
+    #[getter]
+    fn text(&self) -> &str {
+        &self.file.text
+    }
+
+    /// The file's name, for messages.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.file.name
+    }
+
+    /// The bearing's name.
+    #[getter]
+    fn bearing(&self) -> &str {
+        &self.file.case.name
+    }
+}
+
+/// What a new case is made from.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct NewRequest {
+    designation: Option<String>,
+    angle: Option<f64>,
+    bore: Option<f64>,
+    outside: Option<f64>,
+    width: Option<f64>,
+    balls: Option<usize>,
+    ball: Option<f64>,
+    dynamic_rating: Option<f64>,
+    static_rating: Option<f64>,
+    radial: Option<f64>,
+    axial: Option<f64>,
+    speed: Option<f64>,
+}
+
+impl NewRequest {
+    /// Name and text of the case.
+    fn text(&self, py: Python<'_>) -> PyResult<(String, String)> {
+        let positive = |value: f64| value.is_finite() && value > 0.0;
+        for (name, value, sound, allowed) in [
+            ("dynamic_rating", self.dynamic_rating, positive as fn(f64) -> bool, "allowed is a load above 0 in N"),
+            ("static_rating", self.static_rating, positive, "allowed is a load above 0 in N"),
+            ("radial", self.radial, f64::is_finite, "allowed is a finite number in N"),
+            ("axial", self.axial, f64::is_finite, "allowed is a finite number in N"),
+            ("speed", self.speed, f64::is_finite, "allowed is a finite number in r/min"),
+            ("angle", self.angle, f64::is_finite, "allowed is a finite number in degrees"),
+        ] {
+            if let Some(value) = value.filter(|value| !sound(*value)) {
+                return Err(error::argument(py, name, &value.to_string(), allowed));
+            }
+        }
+        let refused = |failure: CatalogueError| self.refused(py, &failure);
+        let mut case = self.bearing(py)?;
+        case.balls = KnownBalls { ball_count: self.balls, ball_diameter: self.ball.map(|mm| mm * 1e-3) };
+        if let (Some(dynamic), Some(at_rest)) = (self.dynamic_rating, self.static_rating) {
+            (case.ratings, case.listed) = (Some(Ratings { dynamic, at_rest }), false);
+        }
+        (case.radial_load, case.axial_load) = (self.radial, self.axial);
+        case.speed = self.speed.map(|rpm| rpm * std::f64::consts::PI / 30.0);
+        let name = case.designation.clone().unwrap_or_else(|| "new case".to_owned());
+        Ok((name, case.text().map_err(refused)?))
+    }
+
+    fn bearing(&self, py: Python<'_>) -> PyResult<NewCase> {
+        match (&self.designation, self.bore, self.outside, self.width) {
+            (Some(designation), None, None, None) => {
+                let listed = find(designation, self.angle).map_err(|failure| self.refused(py, &failure))?;
+                let mut case = NewCase::new(listed.envelope);
+                (case.designation, case.ratings, case.listed) = (Some(listed.designation), listed.ratings, true);
+                Ok(case)
+            }
+            (None, Some(bore), Some(outside), Some(width)) => {
+                let [bore, outside, width] = [bore, outside, width].map(|mm| mm * 1e-3);
+                let contact_angle = self.angle.unwrap_or(0.0).to_radians();
+                Ok(NewCase::new(Envelope { bore, outside, width, contact_angle }))
+            }
+            (designation, ..) => {
+                let allowed = "allowed is a designation alone, or bore, outside and width in mm";
+                Err(error::argument(py, "designation", designation.as_deref().unwrap_or("None"), allowed))
+            }
+        }
+    }
+
+    fn refused(&self, py: Python<'_>, failure: &CatalogueError) -> PyErr {
+        let value = self.designation.as_deref().unwrap_or("dimensions");
+        error::argument(py, "designation", value, &failure.to_string())
+    }
+}

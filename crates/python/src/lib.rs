@@ -1,0 +1,42 @@
+//! The compiled half of the Python package `tribodyn`: cases, and the procedures of `tribodyn-study` on them.
+//!
+//! Everything that users see is in the folder `python`: classes with documented attributes. Here are functions that
+//! take and give plain values. A result is what the command prints with `--json`, from the same types.
+//!
+//! There is no `unsafe` block in this crate, as nowhere in the workspace, and a check of the sources holds it to that.
+//! The lint alone cannot: PyO3's attributes write the functions that the interpreter calls, which are unsafe, and they
+//! allow it for themselves, which a forbidden lint does not let them. So it is denied here and not forbidden.
+//!
+//! While something is computed, the interpreter is free for other threads.
+
+mod answers;
+mod case;
+mod convert;
+mod error;
+mod figures;
+mod recording;
+mod runs;
+mod solution;
+mod sweep;
+mod watch;
+
+use pyo3::prelude::*;
+
+/// The compiled half of tribodyn.
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use super::answers::{check, hertz, modes, quantities, rating, solve, stiffness, traction_curve};
+    #[pymodule_export]
+    use super::case::NativeCase;
+    #[pymodule_export]
+    use super::recording::read_recording;
+    #[pymodule_export]
+    use super::runs::{identification_starts, identify, life, run};
+    #[pymodule_export]
+    use super::solution::NativeSolution;
+    #[pymodule_export]
+    use super::sweep::{NativeGrid, merge_tables};
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

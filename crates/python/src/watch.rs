@@ -1,0 +1,90 @@
+//! Long work beside a Python that still listens: progress is told and an interrupt is heard some times a second.
+
+use crate::error::internal;
+use pyo3::prelude::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, mpsc};
+use std::time::Duration;
+
+/// Time between looks at the interpreter.
+const LOOK_EVERY: Duration = Duration::from_millis(50);
+
+/// What work tells of itself, and is told.
+#[derive(Default)]
+pub struct Watch {
+    stop: AtomicBool,
+    done: AtomicU64,
+}
+
+impl Watch {
+    /// Work that is done, in a unit of the caller's.
+    pub fn reached(&self, done: f64) {
+        self.done.store(done.to_bits(), Ordering::Relaxed);
+    }
+
+    /// Adds to the work that is done.
+    pub fn add(&self, part: f64) {
+        let more = |bits| Some((f64::from_bits(bits) + part).to_bits());
+        // The closure always gives a value: there is no failure.
+        let _ = self.done.fetch_update(Ordering::Relaxed, Ordering::Relaxed, more);
+    }
+
+    /// Whether the work is to end.
+    pub fn stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
+
+/// Does work on a thread of its own. `progress` is called with what is done; an interrupt, or an exception of
+/// `progress`, asks the work to end. With `wait` the work is given the time to end in order; without, it is left to
+/// itself, its result lost. Gives the result with the exception that came in between, if any.
+pub fn watched<R: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    wait: bool,
+    work: impl FnOnce(&Watch) -> R + Send + 'static,
+) -> PyResult<(R, Option<PyErr>)> {
+    let watch = Arc::new(Watch::default());
+    let (sender, receiver) = mpsc::channel();
+    let of_work = Arc::clone(&watch);
+    std::thread::spawn(move || {
+        let result = catch_unwind(AssertUnwindSafe(|| work(&of_work)));
+        // Nobody may wait for it any more.
+        let _ = sender.send(result);
+    });
+    let receiver = std::sync::Mutex::new(receiver);
+    let mut exception: Option<PyErr> = None;
+    loop {
+        let received = py.detach(|| receiver.lock().ok().map(|receiver| receiver.recv_timeout(LOOK_EVERY)));
+        match received {
+            Some(Ok(Ok(result))) => return Ok((result, exception)),
+            Some(Ok(Err(_))) => return Err(internal(py, "the calculation has panicked")),
+            Some(Err(mpsc::RecvTimeoutError::Timeout)) => {}
+            _ => return Err(internal(py, "the calculation has vanished")),
+        }
+        if exception.is_none() {
+            exception = look(py, progress, &watch).err();
+            if exception.is_some() {
+                watch.stop.store(true, Ordering::Relaxed);
+            }
+        }
+        if !wait && let Some(exception) = exception.take() {
+            return Err(exception);
+        }
+    }
+}
+
+/// Hears signals and tells the progress.
+fn look(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, watch: &Watch) -> PyResult<()> {
+    py.check_signals()?;
+    match progress {
+        Some(progress) => progress.call1((f64::from_bits(watch.done.load(Ordering::Relaxed)),)).map(drop),
+        None => Ok(()),
+    }
+}
+
+/// Work without progress that can be left to itself.
+pub fn left_alone<R: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> R + Send + 'static) -> PyResult<R> {
+    watched(py, None, false, |_| work()).map(|(result, _)| result)
+}

@@ -1,0 +1,189 @@
+"""Answers: those of the command, number by number."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, get_type_hints
+
+import numpy as np
+import pytest
+import tribodyn
+from tribodyn import Case, InputError, SolveError
+
+
+@pytest.mark.parametrize("model", ["jones-harris", "traction"])
+def test_identity_solutions_are_those_of_the_command(command: Callable[..., Any], cases: Path, model: Any) -> None:
+    file = cases / "paper-ag.ron"
+    printed = command("solve", file, "--model", model, "--json")
+    assert tribodyn.solve(Case.read(file), model).to_dict() == printed
+
+
+def test_identity_a_steady_orbit_is_that_of_the_command(command: Callable[..., Any], cases: Path) -> None:
+    file = cases / "angular-7210.ron"
+    solution = tribodyn.solve(Case.read(file), "steady-orbit")
+    printed = command("solve", file, "--model", "steady-orbit", "--json")
+    points, balls = printed.pop("points", None), printed.pop("balls")
+    ours = solution.to_dict()
+    # The command prints these balls by the fields of its library, not by the table of quantities.
+    assert [ball["orbital_speed_rad_s"] for ball in ours.pop("balls")] == [b["orbital_speed_rad_s"] for b in balls]
+    assert ours == printed
+    assert solution.points is not None and len(solution.points) > 100
+    if points is not None:
+        assert len(points) == len(solution.points)
+
+
+def test_identity_other_answers_are_those_of_the_command(command: Callable[..., Any], cases: Path) -> None:
+    file = cases / "bearing-218.ron"
+    case = Case.read(file)
+    assert tribodyn.rating_life(case).to_dict() == command("rating", file, "--json")
+    assert case.check().to_dict() == command("check", file, "--json")
+    printed = command("stiffness", file, "--model", "jones-harris", "--speeds", "1000,5000", "--json")
+    stiffness = tribodyn.stiffness(case, "jones-harris", speeds=[1000, 5000])
+    assert np.array_equal(stiffness.stiffness, [answer["stiffness"] for answer in printed])
+    printed = command("hertz", "--body1", "6.35,6.35", "--body2", "inf,inf", "--load", 100, "--json")
+    assert tribodyn.hertz((6.35, 6.35), (math.inf, math.inf), 100).to_dict() == printed
+    printed = command("traction", "--coating", "ptfe", "--pressure", 2.5, "--slip", "0,1,3,10", "--json")
+    curve = tribodyn.traction_curve("ptfe", 2.5, [0, 1, 3, 10])
+    assert list(curve.coefficient) == printed["coefficient"] and curve.peak_slip == printed["peak_slip"]
+
+
+def test_identity_modes_and_lives_are_those_of_the_command(command: Callable[..., Any], cases: Path) -> None:
+    file = cases / "paper-ag-worn.ron"
+    case = Case.read(file)
+    modes = tribodyn.modes(case, up_to=5000)
+    printed = command("modes", file, "--up-to", 5000, "--json")
+    assert modes.to_dict() == printed
+    assert len(modes.to_pandas()) == len(printed["modes"])
+    life = tribodyn.life(case, strides=3, progress=False)
+    assert life.to_dict() == command("life", file, "--strides", 3, "--json")
+    assert list(life.to_pandas()["time_h"])[0] == 0.0
+
+
+def test_identity_frames_hold_the_numbers_of_the_balls(paper: Case) -> None:
+    solution = tribodyn.solve(paper)
+    frame = solution.to_pandas()
+    assert list(frame["load_inner_n"]) == [ball.load_inner_n for ball in solution.balls]
+    assert frame.attrs["cage_speed_rpm"] == solution.cage_speed_rpm
+    data = solution.to_xarray()
+    assert data["load_inner_n"].attrs["units"] == "N" and data.sizes["azimuth_deg"] == len(solution.balls)
+    assert np.array_equal(data["load_inner_n"].values, solution.balls.load_inner_n)
+
+
+def test_identity_columns_are_views_of_one_table(paper: Case) -> None:
+    balls = tribodyn.solve(paper).balls
+    assert np.shares_memory(balls.load_inner_n, balls.values)
+    assert np.shares_memory(balls.to_pandas()["load_inner_n"].to_numpy(), balls.values)
+
+
+def test_limit_what_a_model_does_not_have_is_absent(paper: Case) -> None:
+    solution = tribodyn.solve(paper, "jones-harris")
+    assert not hasattr(solution, "shaft_torque_nm") and not hasattr(solution.balls, "traction_inner_n")
+    with pytest.raises(AttributeError, match="model does not give it"):
+        solution.balls.traction_inner_n
+    with pytest.raises(AttributeError, match="model does not give it"):
+        solution.balls[0].traction_inner_n
+    with pytest.raises(AttributeError, match="no attribute colour"):
+        solution.balls.colour  # type: ignore[attr-defined]
+    with pytest.raises(IndexError):
+        solution.balls[99]
+
+
+def test_identity_attributes_are_the_table_of_quantities() -> None:
+    table = tribodyn._native.quantities()
+    quantities = tribodyn._quantities
+    bearing, ball = ({row["name"] for row in table[group]} for group in ("bearing", "ball"))
+    assert set(quantities.BearingQuantities.__annotations__) == bearing
+    assert set(quantities.BallQuantities.__annotations__) == ball == set(quantities.BallArrays.__annotations__)
+
+
+def test_identity_quantities_are_those_of_the_page(cases: Path) -> None:
+    """Names and units of every row of docs/quantities.md, of results and of recordings."""
+    rows = tribodyn._native.quantities()
+    known = {(row["name"], row["unit"]) for group in rows.values() for row in group}
+    page = (cases.parents[1] / "docs" / "quantities.md").read_text(encoding="utf-8")
+    named: set[tuple[str, str]] = set()
+    for line in page.split("## Powers of a run")[0].splitlines():
+        cells = [cell.strip() for cell in line.split("|")]
+        if len(cells) < 6 or not cells[2].startswith("`"):
+            continue
+        name, _, unit = cells[2].partition(",")
+        for race in ("inner", "outer") if "…" in name else ("",):
+            named.add((name.strip("`").replace("…", race), unit.strip()))
+    assert named == known
+
+
+@pytest.mark.parametrize("model", ["jones-harris", "traction", "steady-orbit"])
+def test_identity_attributes_of_answers_are_declared(plain: Case, model: Any) -> None:
+    solution = tribodyn.solve(plain, model)
+    declared = set(get_type_hints(tribodyn.Solution))
+    orbit = {
+        "friction_w", "fluid_w", "pocket_w", "pocket_force_max_n", "pocket_contact_azimuths_deg", "intervals",
+        "cage_speed_error",
+    }  # fmt: skip
+    vectors = {"ring_displacement_m", "ring_tilt_rad", "ring_load_n", "ring_moment_nm"}
+    allowed = declared | (orbit | vectors if model == "steady-orbit" else set())
+    assert {name for name in vars(solution) if not name.startswith("_")} <= allowed
+
+
+def test_identity_attributes_of_other_answers_are_declared(cases: Path) -> None:
+    worn = Case.read(cases / "paper-ag-worn.ron")
+    modes = tribodyn.modes(worn, up_to=1000)
+    answers = [worn.check(), tribodyn.rating_life(worn), tribodyn.hertz((5, 5), (5, 5), 1), modes, modes.modes[0]]
+    answers += [tribodyn.traction_curve("ag", 2, [1]), tribodyn.life(worn, strides=1, progress=False)]
+    for answer in answers:
+        declared = set(get_type_hints(type(answer)))
+        assert {name for name in vars(answer) if not name.startswith("_")} == declared - {"growth"} or set(
+            vars(answer)
+        ) == declared, type(answer)
+
+
+def test_limit_stiffness_goes_to_rotor_programs(plain: Case) -> None:
+    stiffness = tribodyn.stiffness(plain, "jones-harris", speeds=[9000, 3000])
+    arguments = stiffness.to_ross()
+    assert list(arguments["frequency"]) == sorted(arguments["frequency"])
+    assert arguments["kxx"][1] == stiffness.stiffness[0, 0, 0] and stiffness.matrix.shape == (5, 5)
+    assert list(stiffness.to_pandas().columns)[:2] == ["k_x_x", "k_x_y"]
+    assert float(stiffness.to_xarray().sel(force="x", displacement="x")[0]) == stiffness.matrix[0, 0]
+    inverse = stiffness.stiffness @ stiffness.compliance
+    assert np.allclose(inverse, np.eye(5), atol=1e-6)
+
+
+def test_limit_bad_questions_are_refused(paper: Case, plain: Case) -> None:
+    with pytest.raises(InputError, match="jones-harris, traction, steady-orbit"):
+        tribodyn.solve(paper, "newton")  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="roots"):
+        tribodyn.solve(paper, "steady-orbit", roots=True)
+    with pytest.raises(InputError, match="finite speeds"):
+        tribodyn.stiffness(plain, speeds=[float("nan")])
+    with pytest.raises(InputError, match="above 0 Hz"):
+        tribodyn.modes(plain, up_to=-1)
+    with pytest.raises(InputError, match="ag"):
+        tribodyn.traction_curve("gold", 2.0, [1.0])
+    for radii in ((0.0, 1.0), (float("nan"), 1.0)):
+        with pytest.raises(InputError, match="body1"):
+            tribodyn.hertz(radii, (1.0, 1.0), 10)
+    with pytest.raises(InputError, match="load"):
+        tribodyn.hertz((1.0, 1.0), (1.0, 1.0), -10)
+    with pytest.raises(InputError, match="strides"):
+        tribodyn.life(paper, strides=0)
+    with pytest.raises((TypeError, ValueError)):
+        tribodyn.hertz((1.0,), (1.0, 1.0), 10)
+
+
+def test_limit_an_equilibrium_that_is_not_found_says_how_far_it_came(paper: Case) -> None:
+    hard = paper.replace({"numerics.max_iterations": 1})
+    with pytest.raises(SolveError) as caught:
+        tribodyn.solve(hard)
+    assert caught.value.residual is not None and caught.value.residual > 0
+    assert caught.value.iterations is not None and isinstance(caught.value, RuntimeError)
+
+
+def test_limit_notebooks_show_answers(paper: Case) -> None:
+    solution = tribodyn.solve(paper)
+    page = solution._repr_html_()
+    assert "<svg" in page and "cage_speed_rpm" in page and "load_inner_n" in page
+    assert all(figure.count("<svg") == 1 for figure in solution.figures().values()) and len(solution.figures()) > 5
+    assert "k_x" in tribodyn.stiffness(paper, "traction").to_pandas().columns[0]
+    assert "Rating" in tribodyn.rating_life(paper, "traction")._repr_html_()

@@ -1,0 +1,71 @@
+"""Examples of the pages: every block of Python runs, and prints what stands below it."""
+
+from __future__ import annotations
+
+import contextlib
+import doctest
+import importlib
+import io
+import math
+import re
+from pathlib import Path
+
+import pytest
+import tribodyn
+
+from .conftest import ROOT
+
+PAGES = ["docs/python.md", "docs/python-studies.md", "README.md", "crates/python/README.md"]
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_limit_examples_print_what_pages_say(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One after the other in one session, in a folder with the project's case files."""
+    (tmp_path / "fixtures").symlink_to(ROOT / "fixtures")
+    monkeypatch.chdir(tmp_path)
+    blocks = FENCE.findall((ROOT / page).read_text(encoding="utf-8"))
+    session: dict[str, object] = {"__name__": "page"}
+    ran = 0
+    for place, (language, text) in enumerate(blocks):
+        if language != "python":
+            continue
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            exec(compile(text, f"{page}, block {place}", "exec"), session)
+        ran += 1
+        if place + 1 < len(blocks) and blocks[place + 1][0] == "text":
+            agree(printed.getvalue(), blocks[place + 1][1], f"{page}, block {place}")
+        else:
+            assert not printed.getvalue(), f"{page}, block {place} prints: {printed.getvalue()}"
+    assert ran > 0
+
+
+def agree(printed: str, said: str, where: str) -> None:
+    """Words as they are, numbers to 1 %; `…` on a line of its own leaves the rest out."""
+    ours, theirs = printed.strip().splitlines(), said.strip().splitlines()
+    if theirs and theirs[-1].strip() == "…":
+        theirs = theirs[:-1]
+        ours = ours[: len(theirs)]
+    assert len(ours) == len(theirs), f"{where} prints:\n{printed}"
+    for our, their in zip(ours, theirs):
+        words = [" ".join(NUMBER.sub("#", line).split()) for line in (our, their)]
+        assert words[0] == words[1], f"{where} prints:\n{printed}"
+        for number, expected in zip(NUMBER.findall(our), NUMBER.findall(their)):
+            assert math.isclose(float(number), float(expected), rel_tol=1e-2, abs_tol=1e-9), (
+                f"{where} prints:\n{printed}"
+            )
+
+
+@pytest.mark.parametrize("module", ["tribodyn", "tribodyn.case", "tribodyn.units"])
+def test_limit_examples_of_docstrings(module: str) -> None:
+    found = doctest.testmod(importlib.import_module(module))
+    assert found.attempted > 0 and found.failed == 0
+
+
+def test_limit_everything_public_is_documented() -> None:
+    for name in tribodyn.__all__:
+        thing = getattr(tribodyn, name)
+        if callable(thing):
+            assert thing.__doc__, name

@@ -1,0 +1,91 @@
+//! One Hertz contact of two bodies.
+
+use crate::error::StudyError;
+use serde::Serialize;
+use tribodyn_contact::{Body, ElasticBody, HertzContact, effective_modulus, relative_curvatures};
+
+/// Two bodies that are pressed together. Messages about a value call it by the name of the command's option.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HertzQuestion {
+    /// Principal radii of the bodies, m: negative for concave, infinite for flat.
+    pub bodies: [Body; 2],
+    /// Normal load, N.
+    pub load_n: f64,
+    /// Young's moduli, GPa.
+    pub young_gpa: [f64; 2],
+    /// Poisson's ratios.
+    pub poisson: [f64; 2],
+    /// Angle between the x planes of the two bodies, degrees.
+    pub angle_deg: f64,
+}
+
+/// The contact.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct HertzAnswer {
+    /// Semi-major over semi-minor axis.
+    pub ellipticity: f64,
+    /// Semi-major axis, m.
+    pub semi_major_m: f64,
+    /// Semi-minor axis, m.
+    pub semi_minor_m: f64,
+    /// Highest pressure, Pa.
+    pub peak_pressure_pa: f64,
+    /// Elastic approach of the bodies, m.
+    pub approach_m: f64,
+    /// Load over approach to the power of 1.5, N/m^1.5.
+    pub stiffness_n_per_m_1_5: f64,
+}
+
+fn within(option: &'static str, value: f64, allowed: &str, ok: bool) -> Result<(), StudyError> {
+    if ok && value.is_finite() {
+        return Ok(());
+    }
+    Err(StudyError::argument(option, value, format!("allowed is {allowed}")))
+}
+
+/// Size and pressure of the contact.
+///
+/// # Errors
+/// A value that makes no contact, or numbers beyond what can be calculated with.
+pub fn hertz(question: &HertzQuestion) -> Result<HertzAnswer, StudyError> {
+    let HertzQuestion { bodies, load_n, young_gpa, poisson, angle_deg } = question;
+    within("load", *load_n, "a force in N, 0 or more", *load_n >= 0.0)?;
+    for (option, value) in ["young1", "young2"].into_iter().zip(*young_gpa) {
+        within(option, value, "a modulus in GPa above 0", value > 0.0)?;
+    }
+    for (option, value) in ["poisson1", "poisson2"].into_iter().zip(*poisson) {
+        within(option, value, "a ratio from 0 to below 0.5", (0.0..0.5).contains(&value))?;
+    }
+    within("angle", *angle_deg, "an angle in degrees", true)?;
+    let body = |i: usize| ElasticBody { young: young_gpa[i] * 1e9, poisson: poisson[i] };
+    let modulus = effective_modulus(&body(0), &body(1));
+    let gap = relative_curvatures(&bodies[0], &bodies[1], angle_deg.to_radians())?;
+    let contact = HertzContact::new(gap.x, gap.y, modulus)?;
+    let ellipse = contact.ellipse(*load_n);
+    let answer = HertzAnswer {
+        ellipticity: contact.ellipticity,
+        semi_major_m: ellipse.semi_major,
+        semi_minor_m: ellipse.semi_minor,
+        peak_pressure_pa: ellipse.peak_pressure,
+        approach_m: contact.approach(*load_n),
+        stiffness_n_per_m_1_5: contact.stiffness(),
+    };
+    check_range(&answer)?;
+    Ok(answer)
+}
+
+/// JSON has no infinity: numbers that overflow are refused instead.
+fn check_range(answer: &HertzAnswer) -> Result<(), StudyError> {
+    let values = [
+        ("the ellipticity", answer.ellipticity),
+        ("the semi-major axis", answer.semi_major_m),
+        ("the semi-minor axis", answer.semi_minor_m),
+        ("the peak pressure", answer.peak_pressure_pa),
+        ("the approach", answer.approach_m),
+        ("the stiffness", answer.stiffness_n_per_m_1_5),
+    ];
+    match values.into_iter().find(|(_, value)| !value.is_finite()) {
+        Some((quantity, value)) => Err(StudyError::OutOfRange { quantity, value }),
+        None => Ok(()),
+    }
+}

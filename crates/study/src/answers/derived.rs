@@ -1,0 +1,184 @@
+//! What follows from a case before anything is solved.
+
+use crate::case_file::CaseFile;
+use crate::error::StudyError;
+use crate::plausibility;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use tribodyn_bearing::{Bearing, BearingError, Geometry, Translation};
+use tribodyn_case::{Case, Growths, Source};
+
+/// The running bearing.
+#[derive(Debug, Clone, Serialize)]
+pub struct Derived {
+    /// Name of the bearing.
+    pub name: String,
+    /// Free contact angle, degrees.
+    pub contact_angle_deg: f64,
+    /// Diametral clearance, m.
+    pub radial_clearance_m: f64,
+    /// Axial play, m.
+    pub axial_play_m: f64,
+    /// Groove radius over ball diameter, inner.
+    pub groove_coefficient_inner: f64,
+    /// The same, outer.
+    pub groove_coefficient_outer: f64,
+    /// Distance of the groove centres, m.
+    pub groove_centre_distance_m: f64,
+    /// Mass of a ball, kg.
+    pub ball_mass_kg: f64,
+    /// Moment of inertia of a ball, kg m².
+    pub ball_inertia_kg_m2: f64,
+    /// Load over approach to the power of 1.5 at the inner race, N/m^1.5.
+    pub contact_stiffness_inner_n_per_m_1_5: f64,
+    /// The same at the outer race.
+    pub contact_stiffness_outer_n_per_m_1_5: f64,
+    /// Semi-major over semi-minor axis of the contact at the inner race.
+    pub ellipticity_inner: f64,
+    /// The same at the outer race.
+    pub ellipticity_outer: f64,
+    /// Cage speed of balls that roll at the free contact angle, r/min.
+    pub cage_speed_free_rpm: f64,
+    /// Drag on a ball at that speed, N; absent without a fluid.
+    pub drag_per_ball_n: Option<f64>,
+    /// Density of liquid and vapour, kg/m³; absent without a fluid.
+    pub effective_fluid_density_kg_m3: Option<f64>,
+    /// Growth by fits and speed; absent where the case asks for none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub growth: Option<GrowthAnswer>,
+    /// Where the values of the case come from, by path.
+    pub sources: BTreeMap<String, Source>,
+    /// What the datum of the axial position is.
+    pub notes: Vec<String>,
+    /// What is unusual or beyond what was tested.
+    pub warnings: Vec<String>,
+}
+
+/// The bearing of the drawing, mounted and running; the fields of [`Derived`] are those of the running one.
+#[derive(Debug, Clone, Serialize)]
+pub struct GrowthAnswer {
+    /// Contact angle of the drawing, degrees.
+    pub contact_angle_drawn_deg: f64,
+    /// Mounted, at rest, degrees.
+    pub contact_angle_mounted_deg: f64,
+    /// At speed, degrees.
+    pub contact_angle_running_deg: f64,
+    /// Diametral clearance of the drawing, m.
+    pub radial_clearance_drawn_m: f64,
+    /// Mounted, at rest, m.
+    pub radial_clearance_mounted_m: f64,
+    /// At speed, m.
+    pub radial_clearance_running_m: f64,
+    /// Growth of the radius of the inner raceway, m.
+    pub raceway_growth_inner_m: f64,
+    /// The same of the outer raceway, m.
+    pub raceway_growth_outer_m: f64,
+    /// Pressure in the seat of the inner ring, Pa; absent without a fit.
+    pub seat_pressure_inner_pa: Option<f64>,
+    /// The same of the outer ring.
+    pub seat_pressure_outer_pa: Option<f64>,
+}
+
+/// Derived geometry, masses, contact constants and fluid forces of a case.
+///
+/// # Errors
+/// A case that makes no bearing.
+pub fn derived(file: &CaseFile) -> Result<Derived, StudyError> {
+    let bearing = file.bearing()?;
+    let unusable = |source| StudyError::Bearing { file: file.name.clone(), source };
+    Ok(answer(file, &bearing, growth(&file.case).map_err(unusable)?))
+}
+
+/// A number with so many decimals, without the sign of a zero.
+fn number(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match text.strip_prefix('-') {
+        Some(magnitude) if magnitude.bytes().all(|byte| matches!(byte, b'0' | b'.')) => magnitude.to_owned(),
+        _ => text,
+    }
+}
+
+fn growth(case: &Case) -> Result<Option<GrowthAnswer>, BearingError> {
+    let drawn = case.geometry.resolve()?;
+    let Some(Growths { mounted, running }) = case.growths()? else { return Ok(None) };
+    let degrees = |geometry: &Geometry| geometry.contact_angle().to_degrees();
+    Ok(Some(GrowthAnswer {
+        contact_angle_drawn_deg: degrees(&drawn),
+        contact_angle_mounted_deg: degrees(&mounted.geometry),
+        contact_angle_running_deg: degrees(&running.geometry),
+        radial_clearance_drawn_m: drawn.radial_clearance(),
+        radial_clearance_mounted_m: mounted.geometry.radial_clearance(),
+        radial_clearance_running_m: running.geometry.radial_clearance(),
+        raceway_growth_inner_m: running.raceway_growth.inner,
+        raceway_growth_outer_m: running.raceway_growth.outer,
+        seat_pressure_inner_pa: running.seat_pressure.inner,
+        seat_pressure_outer_pa: running.seat_pressure.outer,
+    }))
+}
+
+/// Where z = 0 is, and what a held axial position means.
+fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
+    let half = 0.5e6 * bearing.geometry.axial_play();
+    let datum = format!(
+        "axial position z = 0: the balls just touch both races without load, {} µm from the middle of the axial play",
+        number(half, 1)
+    );
+    let mut notes = vec![datum];
+    if let Translation::Held(z) = case.ring.z
+        && half > 0.0
+    {
+        notes.push(format!(
+            "the ring is held at z = {} µm: from z = 0 on every ball bears on one side; a bearing that floats in its play is held at the middle, z = Held(um({}))",
+            number(z * 1e6, 3),
+            number(-half, 1)
+        ));
+    }
+    notes
+}
+
+fn answer(file: &CaseFile, bearing: &Bearing, growth: Option<GrowthAnswer>) -> Derived {
+    let case = &file.case;
+    let g = &bearing.geometry;
+    let point = case.operating_point();
+    let (inner, outer) = (bearing.races.inner.frozen::<f64>(), bearing.races.outer.frozen::<f64>());
+    // No-slip orbit at the free contact angle: the speed at which drag is quoted.
+    let gamma = g.ball_diameter * g.cos_contact_angle() / g.pitch_diameter;
+    let orbit = 0.5 * (point.inner_speed * (1.0 - gamma) + point.outer_speed * (1.0 + gamma));
+    let mut warnings = plausibility::of_case(file, bearing);
+    let drag =
+        bearing.fluid.as_ref().map(|f| f.drag.force(0.5 * g.pitch_diameter * (orbit - f.swirl * point.inner_speed)));
+    if let Some(drag) = drag {
+        let power = drag * g.ball_count as f64 * orbit.abs() * 0.5 * g.pitch_diameter;
+        if power > 1e5 {
+            warnings.push(format!(
+                "drag of {drag:.0} N on each ball takes {:.0} kW from the shaft: check drag coefficient and liquid fraction",
+                power * 1e-3
+            ));
+        }
+    }
+    if g.contact_angle() == 0.0 {
+        warnings.push("free contact angle is zero: an axial load needs a contact angle".into());
+    }
+    Derived {
+        name: case.name.clone(),
+        contact_angle_deg: g.contact_angle().to_degrees(),
+        radial_clearance_m: g.radial_clearance(),
+        axial_play_m: g.axial_play(),
+        groove_coefficient_inner: g.inner_coefficient,
+        groove_coefficient_outer: g.outer_coefficient,
+        groove_centre_distance_m: g.centre_distance(),
+        ball_mass_kg: bearing.ball_mass,
+        ball_inertia_kg_m2: bearing.ball_inertia,
+        contact_stiffness_inner_n_per_m_1_5: inner.stiffness(),
+        contact_stiffness_outer_n_per_m_1_5: outer.stiffness(),
+        ellipticity_inner: inner.ellipticity,
+        ellipticity_outer: outer.ellipticity,
+        cage_speed_free_rpm: orbit * 30.0 / std::f64::consts::PI,
+        drag_per_ball_n: drag,
+        effective_fluid_density_kg_m3: bearing.fluid.as_ref().map(|f| f.drag.density_effective),
+        growth,
+        sources: case.sources.clone(),
+        notes: notes(case, bearing),
+        warnings,
+    }
+}

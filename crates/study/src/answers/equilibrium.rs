@@ -1,0 +1,84 @@
+//! The equilibrium of a case, with what stands beside it in an answer.
+
+use crate::case_file::CaseFile;
+use crate::error::StudyError;
+use crate::plausibility;
+use crate::rating::rating;
+use serde::Serialize;
+use tribodyn_bearing::Bearing;
+use tribodyn_case::Purpose;
+use tribodyn_quasistatic::{BallRoots, Model, Solution, Solved, other_roots, root_warnings, solve};
+
+/// Rating life of the steel and static safety, under the names of `tribodyn rating`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Lives {
+    /// Basic rating life, 10⁶ revolutions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rating_life_l10_mrev: Option<f64>,
+    /// Basic reference rating life of the load distribution, 10⁶ revolutions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rating_life_l10r_mrev: Option<f64>,
+    /// Hours at the speed of the case.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rating_life_hours: Option<f64>,
+    /// Static safety.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub static_safety: Option<f64>,
+}
+
+/// A solution with its warnings, lives and, where they were asked for, the other equilibria of each ball.
+#[derive(Debug, Clone, Serialize)]
+pub struct Equilibrium {
+    /// Ring and balls.
+    #[serde(flatten)]
+    pub solution: Solution,
+    /// Absent for a bearing that the standards do not rate; `tribodyn rating` says why.
+    #[serde(flatten)]
+    pub lives: Option<Lives>,
+    /// Other equilibria of each ball, the ring held.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub roots: Option<Vec<BallRoots>>,
+}
+
+/// The equilibrium of a case; `roots` also searches each ball for other equilibria.
+///
+/// # Errors
+/// A case that the model cannot use, or an equilibrium that is not found.
+pub fn equilibrium(file: &CaseFile, model: Model, roots: bool) -> Result<Equilibrium, StudyError> {
+    if roots && model == Model::JonesHarris {
+        let message = "without traction there are no other equilibria to search for";
+        return Err(StudyError::argument("roots", "with --model jones-harris", message));
+    }
+    let (bearing, Solved { mut solution, warm_start, .. }) = solved(file, model)?;
+    let start = warm_start.filter(|_| roots);
+    let point = file.case.operating_point();
+    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
+    let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
+    solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
+    solution.warnings.extend(plausibility::of_case(file, &bearing));
+    let unusable = |source| StudyError::Bearing { file: file.name.clone(), source };
+    let unusual = plausibility::solution_findings(&file.case, &bearing, &solution).map_err(unusable)?;
+    solution.warnings.extend(unusual);
+    let lives = rating(&file.case, &solution).ok().map(|r| Lives {
+        rating_life_l10_mrev: r.rating_life_l10_mrev,
+        rating_life_l10r_mrev: r.rating_life_l10r_mrev,
+        rating_life_hours: r.rating_life_hours,
+        static_safety: r.static_safety,
+    });
+    Ok(Equilibrium { solution, lives, roots })
+}
+
+/// The bearing of a case and its equilibrium alone.
+///
+/// # Errors
+/// As [`equilibrium`].
+pub fn solved(file: &CaseFile, model: Model) -> Result<(Bearing, Solved), StudyError> {
+    let purpose = match model {
+        Model::JonesHarris => Purpose::JonesHarris,
+        Model::Traction => Purpose::Traction,
+    };
+    let bearing = file.bearing_for(purpose)?;
+    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
+    let solved = solve(&bearing, &file.case.operating_point(), model).map_err(failed)?;
+    Ok((bearing, solved))
+}

@@ -1,0 +1,248 @@
+//! The recorder of a run on a thread of its own: encoding, compression, viewers and checkpoints wait for nothing that
+//! the solver does, and the solver not for them, unless the queue between them is full.
+//!
+//! All goes through one queue, in order. The recorder makes the same bytes as on the thread of the solver, and a
+//! checkpoint is written when the recorder has all that the checkpoint counts on.
+
+use super::checkpoint::Saved;
+use super::tape::Tape;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread::{Builder, JoinHandle};
+use tribodyn_dynamics::{Checkpoint, Event, Observer, Sample};
+use tribodyn_record::{RecordError, RunRecorder};
+
+/// The recorder that the thread works on.
+pub(super) type Recorder = RunRecorder<Tape>;
+
+/// Balls of all samples that go over at once: waking the other thread costs as much as taking some samples.
+const BALLS_AT_ONCE: usize = 512;
+/// Such loads that wait at the most; with those that are made and worked on some 3 MB.
+const WAITING: usize = 4;
+
+/// What goes over the queue.
+enum Item {
+    Sample(Sample, bool),
+    Event(Event),
+    /// State of the run at a time, s.
+    Save(Box<Checkpoint>, f64),
+}
+
+/// Why nothing is recorded any more, and the simulated time of what could not be, s.
+pub(super) struct Failed {
+    pub simulated_s: f64,
+    pub reason: Reason,
+}
+
+/// What failed.
+pub(super) enum Reason {
+    Recording(RecordError),
+    Checkpoint(std::io::Error),
+}
+
+/// Where checkpoints go, and the case that they belong to.
+pub(super) struct Keeper {
+    pub checkpoint: PathBuf,
+    pub case_text: String,
+}
+
+impl Keeper {
+    /// Writes a checkpoint of a run at a time, s, at which the recorder stands.
+    pub fn save(&self, recorder: &Recorder, run: Checkpoint, simulated_s: f64) -> Result<(), Failed> {
+        let saved = Saved::new(&self.case_text, (simulated_s, run), recorder);
+        saved.write(&self.checkpoint).map_err(|error| Failed { simulated_s, reason: Reason::Checkpoint(error) })
+    }
+}
+
+/// The near end of the queue.
+pub(super) struct Recording {
+    /// None once the recorder is back.
+    queue: Option<SyncSender<Vec<Item>>>,
+    load: Vec<Item>,
+    /// Balls in that load.
+    balls: usize,
+    failed: Arc<AtomicBool>,
+    worker: Option<JoinHandle<Result<Recorder, Failed>>>,
+}
+
+impl Recording {
+    /// Moves a recorder to a thread of its own.
+    pub fn start(recorder: Recorder, keeper: Keeper) -> std::io::Result<Self> {
+        let (queue, items) = sync_channel(WAITING);
+        let failed = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&failed);
+        let worker = Builder::new().name("recording".to_owned()).spawn(move || {
+            let recorded = record(recorder, &items, &keeper);
+            flag.store(recorded.is_err(), Ordering::Release);
+            recorded
+        })?;
+        Ok(Self { queue: Some(queue), load: Vec::new(), balls: 0, failed, worker: Some(worker) })
+    }
+
+    /// True once something could not be recorded: [`Self::end`] says what.
+    pub fn has_failed(&self) -> bool {
+        self.failed.load(Ordering::Acquire)
+    }
+
+    /// Has a checkpoint written of a run at a time, s, and all that was recorded before.
+    pub fn save(&mut self, run: Checkpoint, simulated_s: f64) {
+        self.load.push(Item::Save(Box::new(run), simulated_s));
+        self.hand_over();
+    }
+
+    /// Lets the recorder have all up to here; waits where it is behind.
+    pub fn hand_over(&mut self) {
+        self.balls = 0;
+        if self.load.is_empty() {
+            return;
+        }
+        let load = std::mem::take(&mut self.load);
+        if let Some(queue) = &self.queue {
+            // A recorder that does not listen any more has failed and says so at the end.
+            let _ = queue.send(load);
+        }
+    }
+
+    /// The recorder, once it has recorded everything.
+    pub fn end(mut self) -> Result<Recorder, Failed> {
+        self.hand_over();
+        self.queue = None;
+        let worker = self.worker.take().unwrap_or_else(|| unreachable!("the recorder is fetched once"));
+        worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    }
+}
+
+impl Drop for Recording {
+    /// The recorder has closed its files when the lock on them is let go.
+    fn drop(&mut self) {
+        self.queue = None;
+        if let Some(worker) = self.worker.take() {
+            // What it found is of no use to anybody any more.
+            let _ = worker.join();
+        }
+    }
+}
+
+impl Observer for Recording {
+    type Error = std::convert::Infallible;
+
+    fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, Self::Error> {
+        self.load.push(Item::Sample(sample.clone(), with_balls));
+        self.balls += sample.balls.len();
+        if self.balls >= BALLS_AT_ONCE {
+            self.hand_over();
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn event(&mut self, event: &Event) -> Result<(), Self::Error> {
+        self.load.push(Item::Event(event.clone()));
+        Ok(())
+    }
+}
+
+/// Takes what comes over the queue until it ends.
+fn record(mut recorder: Recorder, items: &Receiver<Vec<Item>>, keeper: &Keeper) -> Result<Recorder, Failed> {
+    for item in items.iter().flatten() {
+        let (simulated_s, taken) = match item {
+            Item::Sample(sample, with_balls) => (sample.time_s, recorder.sample(&sample, with_balls).map(drop)),
+            Item::Event(event) => (event.time_s, recorder.event(&event)),
+            Item::Save(run, simulated_s) => {
+                keeper.save(&recorder, *run, simulated_s)?;
+                continue;
+            }
+        };
+        taken.map_err(|error| Failed { simulated_s, reason: Reason::Recording(error) })?;
+    }
+    Ok(recorder)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::checkpoint::Files;
+    use super::*;
+    use crate::case_file::CaseFile;
+    use tribodyn_dynamics::Run;
+    use tribodyn_record::{RunRecording, read_summary};
+
+    const CASE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/cases/paper-handset.ron");
+
+    fn case() -> CaseFile {
+        let changes = [
+            ("transient.duration", "ms(12)"),
+            ("transient.scheme", "Fast(step: us(20))"),
+            ("traction.patch", "SplitStrip(across: 5, along: 3)"),
+        ];
+        let changes = changes.map(|(path, value)| crate::Change::new(format!("--set {path}"), path, value));
+        CaseFile::read(CASE.as_ref(), &changes).unwrap()
+    }
+
+    fn recorder(file: &CaseFile, files: &Files) -> Recorder {
+        let tape = Tape::create(&files.recording, &file.case, None).unwrap();
+        RunRecorder::new(tape, &RunRecording { case_text: &file.text, case: &file.case, generator: "test" }).unwrap()
+    }
+
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("tribodyn-recording-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
+    #[test]
+    fn identity_one_thread_and_two_write_the_same_bytes() {
+        let (file, folder) = (case(), folder("bytes"));
+        let run = || Run::new(file.run_inputs().unwrap()).unwrap();
+        let one = Files::new(&folder.join("one.mcap"));
+        let mut alone = recorder(&file, &one);
+        run().advance(1.0, &mut alone).unwrap();
+        alone.finish().unwrap();
+        let two = Files::new(&folder.join("two.mcap"));
+        let keeper = Keeper { checkpoint: two.checkpoint.clone(), case_text: file.text.clone() };
+        let mut aside = Recording::start(recorder(&file, &two), keeper).unwrap();
+        // Handed over in pieces of any length, with a checkpoint in between.
+        let mut second = run();
+        for k in 1..=12 {
+            second.advance(1e-3 * f64::from(k), &mut aside).unwrap();
+            aside.hand_over();
+            if k == 5 {
+                aside.save(second.checkpoint(), second.time());
+            }
+        }
+        let recorder = aside.end().unwrap_or_else(|_| panic!("the disk is there"));
+        // The checkpoint counts on what had been recorded by then, no more.
+        let saved = Saved::read(&two.checkpoint, &file.text).unwrap();
+        let (safe, loose) = recorder.sink().state();
+        let counted = saved.safe_messages + saved.loose_messages.len() as u64;
+        assert!(saved.simulated_s < 0.0051 && 0 < counted && counted < safe + loose.len() as u64, "{counted}");
+        let tally = recorder.finish().unwrap();
+        assert!(tally.states.summary(None, Vec::new()).is_some());
+        let bytes = [&one, &two].map(|files| std::fs::read(&files.recording).unwrap());
+        assert!(bytes[0] == bytes[1] && read_summary(&two.recording).unwrap().messages > 300);
+        std::fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn limit_what_cannot_be_saved_is_known_at_the_next_step() {
+        let (file, folder) = (case(), folder("failed"));
+        let files = Files::new(&folder.join("run.mcap"));
+        let keeper = Keeper { checkpoint: folder.join("missing/checkpoint"), case_text: file.text.clone() };
+        let mut aside = Recording::start(recorder(&file, &files), keeper).unwrap();
+        let mut run = Run::new(file.run_inputs().unwrap()).unwrap();
+        run.advance(2e-4, &mut aside).unwrap();
+        let saved_at = run.time();
+        aside.save(run.checkpoint(), saved_at);
+        let began = std::time::Instant::now();
+        while !aside.has_failed() && began.elapsed().as_secs() < 60 {
+            std::thread::yield_now();
+        }
+        assert!(aside.has_failed());
+        // Whatever comes after it is taken and dropped.
+        run.advance(1e-2, &mut aside).unwrap();
+        let Err(Failed { simulated_s, reason: Reason::Checkpoint(error) }) = aside.end() else { panic!("it failed") };
+        assert_eq!((simulated_s, error.kind()), (saved_at, std::io::ErrorKind::NotFound));
+        std::fs::remove_dir_all(folder).unwrap();
+    }
+}

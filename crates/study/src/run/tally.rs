@@ -1,0 +1,34 @@
+//! What a run comes to, gathered from its messages as they are recorded: nothing has to be read back for the summary.
+
+use super::gathered::Gathered;
+use super::warnings::{Tested, Warnings};
+use tribodyn_case::Case;
+use tribodyn_record::{Channel, RecordError, RunItem, WearRow};
+
+/// Rows, worn volumes, warnings and pressures of a run.
+#[derive(Debug, Clone)]
+pub(crate) struct Tally {
+    pub states: Gathered,
+    pub wear: Option<WearRow>,
+    pub warnings: Warnings,
+    pub pressures: Vec<Tested>,
+}
+
+impl Tally {
+    pub fn new(case: &Case) -> Self {
+        Self { states: Gathered::default(), wear: None, warnings: Warnings::default(), pressures: Tested::of(case) }
+    }
+
+    /// Takes in a message as it is recorded; those for the eye only say nothing.
+    pub fn add(&mut self, channel: &Channel, data: &[u8]) -> Result<(), RecordError> {
+        let decode = |source| RecordError::Decode { topic: channel.topic.to_owned(), source };
+        match RunItem::decode(channel.schema, data).map_err(decode)? {
+            Some(RunItem::State(row)) => self.states.add(row),
+            Some(RunItem::Balls(_, balls)) => self.pressures.iter_mut().for_each(|race| race.add(&balls)),
+            Some(RunItem::Wear(row)) => self.wear = Some(row),
+            Some(RunItem::Log(row)) => self.warnings.add(&row),
+            _ => {}
+        }
+        Ok(())
+    }
+}

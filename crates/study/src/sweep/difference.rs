@@ -1,0 +1,30 @@
+//! How the finished rows of an earlier sweep differ from those that are asked for.
+
+/// How finished rows on disk differ from those that a sweep would make.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SweepDifference {
+    /// The file holds something else.
+    #[error("this is not a sweep's file of finished rows")]
+    Unknown,
+    /// Another version made them.
+    #[error("these finished rows are of version {found} of the command")]
+    Version {
+        /// Version of the file.
+        found: String,
+    },
+    /// Another case.
+    #[error("these finished rows are of another case")]
+    Case,
+    /// Other swept values.
+    #[error("these finished rows are of other swept values")]
+    Values,
+    /// Another part of the sweep.
+    #[error("these finished rows are of shard {found}")]
+    Shard {
+        /// Part in the file, `I/N`.
+        found: String,
+    },
+    /// Rows that start from neighbours and rows that do not.
+    #[error("these finished rows are of a sweep with another choice of cold starts")]
+    Cold,
+}
