@@ -1,7 +1,8 @@
-//! Traction of a patch whose surfaces are rigid or give way under shear.
+//! Traction of a patch whose surfaces are rigid or give way under shear, and where it stands in the ball.
 
 use crate::bearing::Bearing;
-use crate::contact::LoadedPatch;
+use crate::contact::{LoadedPatch, NormalContact};
+use crate::modelling::RollingRadius;
 use crate::races::{Races, Side};
 use tribodyn_contact::{ElasticBody, Scalar};
 use tribodyn_traction::{
@@ -43,6 +44,16 @@ impl Bearing {
     /// The same bearing with rigid patches: cheap, and near enough to find the neighbourhood of an equilibrium.
     pub fn with_rigid_patches(&self) -> Self {
         Self { elastic: None, ..self.clone() }
+    }
+
+    /// How far a patch stands within the sphere of the ball, m; 0 where the ball rolls at its undeformed radius.
+    #[inline(always)]
+    pub(crate) fn sunk<D: Scalar>(&self, side: Side, contact: &NormalContact<D>) -> D {
+        let approach = contact.pose.approach;
+        match self.modelling.rolling_radius {
+            Some(RollingRadius::Deformed) if approach.re() > 0.0 => approach * self.races[side].ball_share,
+            _ => D::zero(),
+        }
     }
 
     /// The traction of a patch by the generic quadrature; where the coating is partly gone, of both surfaces by their

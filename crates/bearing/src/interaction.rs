@@ -6,7 +6,7 @@
 use crate::bearing::{Bearing, Race};
 use crate::contact::NormalContact;
 use crate::contact::{BallLoads, LoadedPatch, RaceContact, add};
-use crate::modelling::{RingCentre, RollingRadius};
+use crate::modelling::RingCentre;
 use crate::races::{Races, Side};
 use crate::state::{BallState, RingState};
 use tribodyn_contact::{Ellipse, Scalar};
@@ -141,16 +141,6 @@ impl Bearing {
         Sliding { normal, motion, rolling_speed, sunk }
     }
 
-    /// How far a patch stands within the sphere of the ball, m; 0 where the ball rolls at its undeformed radius.
-    #[inline]
-    fn sunk<D: Scalar>(&self, side: Side, contact: &NormalContact<D>) -> D {
-        let approach = contact.pose.approach;
-        match self.modelling.rolling_radius {
-            Some(RollingRadius::Deformed) if approach.re() > 0.0 => approach * self.races[side].ball_share,
-            _ => D::zero(),
-        }
-    }
-
     /// The patch of a contact, ready for its traction integral.
     #[inline]
     pub fn loaded_patch<D: Scalar>(
@@ -175,8 +165,8 @@ impl Bearing {
         self.hertz(side, &contact.pose).ellipse(contact.load)
     }
 
-    /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), `sunk` (m) into the
-    /// sphere of the ball, and the rolling speed.
+    /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), `sunk` (m) into
+    /// the sphere of the ball, and the rolling speed.
     #[inline(always)]
     pub fn relative_motion<D: Scalar>(
         &self,
@@ -281,7 +271,7 @@ mod tests {
     use super::*;
     use crate::bearing::BearingSpec;
     use crate::frame::AzimuthFrame;
-    use crate::modelling::{Modelling, PatchSurfaces};
+    use crate::modelling::{Modelling, PatchSurfaces, RollingRadius};
     use crate::test_bearing::spec;
     use tribodyn_traction::{PatchRule, TangentialElasticity};
 

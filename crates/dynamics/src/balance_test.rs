@@ -206,8 +206,8 @@ fn identity_without_spin_transport_the_quasistatic_state_does_not_stay() {
     assert!(with < 1.0 && without > 1e5, "{with:e} {without:e}");
 }
 
-/// Readings of the equations that change forces: what a ball loses the books still have. An elastic patch knows its power
-/// by the true slip and its forces by their sum, which agree as its cells get finer.
+/// Under every reading the work that goes in is lost or stored. An elastic patch has its power from the true slip and
+/// its forces from their sum, which agree as its cells get finer.
 #[test]
 fn identity_power_balances_under_every_reading() {
     let (plain, whole) = run(Scheme::RungeKutta, 200, &PUSHING, None);

@@ -149,8 +149,8 @@ pub struct Differences {
 }
 
 impl Validation {
-    /// Solves the case and decides all rows; those of the dynamic model for the cases of a reading only. Recordings of its
-    /// runs go into the folder if there is one.
+    /// Solves the case and decides all rows; those of the dynamic model for the cases of a reading only. Recordings of
+    /// its runs go into the folder if there is one.
     ///
     /// # Errors
     ///

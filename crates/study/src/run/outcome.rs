@@ -94,7 +94,9 @@ impl RunReport {
             cage_speed_quasi_static_rpm: solution.cage_speed_rpm,
             // Elastic patches have strips and cells of their own.
             patch_rule: match file.case.modelling.patch {
-                Some(PatchSurfaces::Elastic { strips, cells }) => format!("Elastic {{ strips: {strips}, cells: {cells} }}"),
+                Some(PatchSurfaces::Elastic { strips, cells }) => {
+                    format!("Elastic {{ strips: {strips}, cells: {cells} }}")
+                }
                 _ => format!("{:?}", run.patch_rule()),
             },
             patch_error_estimate: solution.patch_error_estimate,
