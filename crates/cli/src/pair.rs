@@ -2,13 +2,13 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
-use crate::orbit::Problem;
 use crate::solve::ModelName;
 use crate::table::{self, number};
 use tribodyn_bearing::Bearing;
 use tribodyn_case::Purpose;
 use tribodyn_quasistatic::Model;
 use tribodyn_study::CaseFile;
+use tribodyn_study::answers::OrbitProblem;
 use tribodyn_study::pair::{Arrangement, Pair, PairBearing, PairModel, PairSolution, Preload, solve_pair};
 
 /// Two bearings of a case on one rigid shaft: loads, preload, stiffness. The loads of the case act on the shaft, in the
@@ -93,7 +93,7 @@ fn model(name: ModelName, file: &CaseFile) -> Result<(Bearing, PairModel), Failu
         ModelName::JonesHarris => (file.bearing_for(Purpose::JonesHarris)?, PairModel::QuasiStatic(Model::JonesHarris)),
         ModelName::Traction => (file.bearing_for(Purpose::Traction)?, PairModel::QuasiStatic(Model::Traction)),
         ModelName::SteadyOrbit => {
-            let Problem { bearing, cage, settings, .. } = Problem::new(file)?;
+            let OrbitProblem { bearing, cage, settings, .. } = OrbitProblem::new(file)?;
             (bearing, PairModel::SteadyOrbit(cage, settings))
         }
     })

@@ -12,6 +12,8 @@ mod documents;
 mod files;
 #[path = "cli/life.rs"]
 mod life;
+#[path = "cli/merge.rs"]
+mod merge;
 #[path = "cli/new.rs"]
 mod new;
 #[path = "cli/orbit.rs"]
