@@ -16,7 +16,8 @@ const TURNS: [f64; 3] = [6.0, 40.0, 20.0];
 /// Where a turn takes long, in time or by an explicit scheme.
 const FEW: [f64; 3] = [4.0, 5.0, 5.0];
 
-/// A 6206 of the catalogue's dimensions, C0.
+/// A 6206 of the catalogue's dimensions, C0. Free along its axis it centres itself; z = 0 is where its balls touch both
+/// grooves.
 const DEEP_GROOVE: [(&str, &str); 7] = [
     ("geometry.ball_count", "9"),
     ("geometry.ball_diameter", "mm(9.525)"),
@@ -24,7 +25,7 @@ const DEEP_GROOVE: [(&str, &str); 7] = [
     ("geometry.inner_groove", "Coefficient(0.515)"),
     ("geometry.outer_groove", "Coefficient(0.525)"),
     ("geometry.fit", "RadialClearance(um(13))"),
-    ("ring.z", "Held(mm(0))"),
+    ("ring.z", "Force(N(0))"),
 ];
 const TURBOPUMP: &str = "paper-ag";
 const ANGULAR: &str = "angular-7210";
