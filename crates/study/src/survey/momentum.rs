@@ -89,11 +89,12 @@ impl Balance {
         let rates = self.rates(sample, &start);
         let (time, before) = std::mem::replace(&mut self.last, (sample.time_s, rates));
         let half = 0.5 * (sample.time_s - time);
-        for k in 0..3 {
-            self.given[k] += half * (before.given[k] + rates.given[k]);
-            self.throughput[k] += half * (before.throughput[k] + rates.throughput[k]);
-            self.gained[k] = momenta[k] - start.momenta[k];
-        }
+        let added = |sum: Momenta, before: Momenta, now: Momenta| -> Momenta {
+            std::array::from_fn(|k| sum[k] + half * (before[k] + now[k]))
+        };
+        self.given = added(self.given, before.given, rates.given);
+        self.throughput = added(self.throughput, before.throughput, rates.throughput);
+        self.gained = std::array::from_fn(|k| momenta[k] - start.momenta[k]);
         if self.samples.is_multiple_of(2) {
             let (time, before, given) = self.every_second;
             let half = 0.5 * (sample.time_s - time);

@@ -178,7 +178,7 @@ const MOMENTUM_PERCENT: f64 = 1.0;
 fn of_momentum(missing: [Option<f64>; 2]) -> Verdict {
     for (percent, name) in missing.into_iter().zip(["linear", "angular"]) {
         // What is not a number is off as well.
-        if let Some(percent) = percent.filter(|percent| !(*percent <= MOMENTUM_PERCENT)) {
+        if let Some(percent) = percent.filter(|percent| percent.is_nan() || *percent > MOMENTUM_PERCENT) {
             return Verdict::Failed(format!("{percent:.2} % of the {name} momentum is missing, and the work balances"));
         }
     }
