@@ -4,8 +4,8 @@
 //! Linear momentum across the axis: d/dt (Σ m v + m_i v_i + m_o v_o) = loads + supports + drag + pockets. The cage only
 //! turns, so that what its pockets do to the balls comes from outside. Angular momentum about the axis:
 //! d/dt (Σ (m r² ω_m + J Ω_a) + Σ_rings m (x v_y − y v_x) + J_c ω_c) = torques of the drives + moments of loads and
-//! supports − r drag + churning + drag on the cage. Neither is in the equations of motion as such: contact forces have to
-//! cancel between balls and rings. Forces are summed over the samples by the trapezium rule.
+//! supports − r drag + churning + drag on the cage. Neither is in the equations of motion as such: contact forces have
+//! to cancel between balls and rings. Forces are summed over the samples by the trapezium rule.
 
 use tribodyn_bearing::{AzimuthFrame, BallResult, CageBody, Races, RingLoads, RunInputs, Supports, Tilt, Translation};
 use tribodyn_dynamics::{RingSample, Sample};

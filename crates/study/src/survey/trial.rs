@@ -171,8 +171,8 @@ pub fn run_short(bearing: &RandomBearing, longest: Duration) -> Running {
     Running { momentum_percent, stopped, ..ended(scheme, verdict, Some(percent)) }
 }
 
-/// Part of the momentum that went to and fro, %, beyond which a run whose work balances is wrong: forces are summed over
-/// the samples, between which contacts vibrate.
+/// Part of the momentum that went to and fro, %, beyond which a run whose work balances is wrong: forces are summed
+/// over the samples, between which contacts vibrate.
 const MOMENTUM_PERCENT: f64 = 1.0;
 
 fn of_momentum(missing: [Option<f64>; 2]) -> Verdict {
