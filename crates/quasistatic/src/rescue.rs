@@ -130,8 +130,9 @@ pub(crate) fn jones_harris(
     (Iterate { statistics, ..failed }, reached)
 }
 
-/// The equilibrium at a share of the speed: from that at a lower share, and from the elastic state under the centrifugal
-/// force of this one. Under that of the full speed the balls of a light bearing stand where no slow one has them.
+/// The equilibrium at a share of the speed: from that at a lower share, and from the elastic state under the
+/// centrifugal force of this one. Under that of the full speed the balls of a light bearing stand where no slow one has
+/// them.
 fn at_speed(
     system: &mut JonesHarris<'_>,
     state: BlockState,

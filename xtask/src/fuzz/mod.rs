@@ -48,8 +48,8 @@ pub struct Arguments {
 
 /// Longest processor time for an input.
 const SLOW: Duration = Duration::from_secs(1);
-/// Processor time of the program after which an input counts as one that never ends: the wall's clock would blame it for
-/// the work of others.
+/// Processor time of the program after which an input counts as one that never ends: the wall's clock would blame it
+/// for the work of others.
 const HANGING: Duration = Duration::from_secs(60);
 /// Most memory of the process, bytes.
 const MEMORY: u64 = 512 << 20;

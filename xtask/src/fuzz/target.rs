@@ -56,7 +56,7 @@ impl Target {
         if matches!(self, Self::Reader | Self::Recovery) { Form::Binary } else { Form::Text }
     }
 
-    /// Longest input, bytes: no system hands a program an argument that is longer than 128 KiB (MAX_ARG_STRLEN of Linux).
+    /// Longest input, bytes: an argument of a program has at most 128 KiB (MAX_ARG_STRLEN of Linux).
     pub fn longest(self) -> usize {
         if matches!(self, Self::Set | Self::Grid) { 128 << 10 } else { 2 << 20 }
     }

@@ -4,11 +4,15 @@
 //! Linear momentum across the axis: d/dt (Σ m v + m_i v_i + m_o v_o) = loads + supports + drag + pockets. The cage only
 //! turns, so that what its pockets do to the balls comes from outside. Angular momentum about the axis:
 //! d/dt (Σ (m r² ω_m + J Ω_a) + Σ_rings m (x v_y − y v_x) + J_c ω_c) = torques of the drives + moments of loads and
-//! supports − r drag + churning + drag on the cage. Neither is in the equations of motion as such: contact forces have to
-//! cancel between balls and rings. Forces are summed over the samples by the trapezium rule.
+//! supports − r drag + churning + drag on the cage. Neither is in the equations of motion as such: contact forces have
+//! to cancel between balls and rings. Forces are summed over the samples by the trapezium rule.
 
 use tribodyn_bearing::{AzimuthFrame, BallResult, CageBody, Races, RingLoads, RunInputs, Supports, Tilt, Translation};
 use tribodyn_dynamics::{RingSample, Sample};
+
+/// Difference between sums over all and over every second sample, over what went to and fro, up to which samples tell
+/// what goes on between them.
+const RESOLVED: f64 = 1e-3;
 
 /// Momentum along x and y (N s) and angular momentum about z (N m s).
 type Momenta = [f64; 3];
@@ -26,6 +30,11 @@ pub(super) struct Balance {
     start: Option<Start>,
     last: (f64, Rates),
     given: Momenta,
+    /// The same by every second sample up to the last of these: how well samples tell what goes on between them.
+    every_second: (f64, Rates, Momenta),
+    /// What the samples up to there had given.
+    given_there: Momenta,
+    samples: usize,
     /// Magnitudes of what went to and fro.
     throughput: Momenta,
     gained: Momenta,
@@ -60,6 +69,9 @@ impl Balance {
             start: None,
             last: (0.0, Rates::default()),
             given: [0.0; 3],
+            every_second: (0.0, Rates::default(), [0.0; 3]),
+            given_there: [0.0; 3],
+            samples: 0,
             throughput: [0.0; 3],
             gained: [0.0; 3],
         }
@@ -77,21 +89,32 @@ impl Balance {
         let rates = self.rates(sample, &start);
         let (time, before) = std::mem::replace(&mut self.last, (sample.time_s, rates));
         let half = 0.5 * (sample.time_s - time);
-        for k in 0..3 {
-            self.given[k] += half * (before.given[k] + rates.given[k]);
-            self.throughput[k] += half * (before.throughput[k] + rates.throughput[k]);
-            self.gained[k] = momenta[k] - start.momenta[k];
+        let added = |sum: Momenta, before: Momenta, now: Momenta| -> Momenta {
+            std::array::from_fn(|k| sum[k] + half * (before[k] + now[k]))
+        };
+        self.given = added(self.given, before.given, rates.given);
+        self.throughput = added(self.throughput, before.throughput, rates.throughput);
+        self.gained = std::array::from_fn(|k| momenta[k] - start.momenta[k]);
+        if self.samples.is_multiple_of(2) {
+            let (time, before, given) = self.every_second;
+            let half = 0.5 * (sample.time_s - time);
+            let given = std::array::from_fn(|k| given[k] + half * (before.given[k] + rates.given[k]));
+            (self.every_second, self.given_there) = ((sample.time_s, rates, given), self.given);
         }
+        self.samples += 1;
     }
 
     /// What is missing over what went to and fro, %: linear momentum, and angular momentum where the ring stands
-    /// straight.
+    /// straight. None where half as many samples tell something else: then contacts vibrate between samples, and what
+    /// is missing is the sum's and not the run's.
     pub fn missing_percent(&self) -> [Option<f64>; 2] {
-        let missing: Momenta = std::array::from_fn(|k| self.gained[k] - self.given[k]);
-        let [x, y, turning] = missing;
-        let share = |missing: f64, of: f64| (of > 0.0).then(|| 100.0 * missing.abs() / of);
-        let linear = share(x.hypot(y), self.throughput[0].hypot(self.throughput[1]));
-        [linear, share(turning, self.throughput[2]).filter(|_| !self.tilted)]
+        let [x, y, turning] = std::array::from_fn(|k| self.gained[k] - self.given[k]);
+        let [error_x, error_y, error_turning] = std::array::from_fn(|k| self.given_there[k] - self.every_second.2[k]);
+        let share = |missing: f64, error: f64, of: f64| {
+            (of > 0.0 && error.abs() <= RESOLVED * of).then(|| 100.0 * missing.abs() / of)
+        };
+        let linear = share(x.hypot(y), error_x.hypot(error_y), self.throughput[0].hypot(self.throughput[1]));
+        [linear, share(turning, error_turning, self.throughput[2]).filter(|_| !self.tilted)]
     }
 
     fn momenta(&self, sample: &Sample) -> Momenta {

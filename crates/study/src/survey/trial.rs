@@ -171,14 +171,14 @@ pub fn run_short(bearing: &RandomBearing, longest: Duration) -> Running {
     Running { momentum_percent, stopped, ..ended(scheme, verdict, Some(percent)) }
 }
 
-/// Part of the momentum that went to and fro, %, beyond which a run whose work balances is wrong: forces are summed over
-/// the samples, between which contacts vibrate.
+/// Part of the momentum that went to and fro, %, beyond which a run whose work balances is wrong: forces are summed
+/// over the samples, between which contacts vibrate.
 const MOMENTUM_PERCENT: f64 = 1.0;
 
 fn of_momentum(missing: [Option<f64>; 2]) -> Verdict {
     for (percent, name) in missing.into_iter().zip(["linear", "angular"]) {
         // What is not a number is off as well.
-        if let Some(percent) = percent.filter(|percent| !(*percent <= MOMENTUM_PERCENT)) {
+        if let Some(percent) = percent.filter(|percent| percent.is_nan() || *percent > MOMENTUM_PERCENT) {
             return Verdict::Failed(format!("{percent:.2} % of the {name} momentum is missing, and the work balances"));
         }
     }
