@@ -33,11 +33,7 @@ pub fn solve(py: Python<'_>, case: &NativeCase, model: &str, roots: bool) -> PyR
     solved.map_err(|failure| error::study(py, failure))
 }
 
-fn equilibrium(
-    file: &CaseFile,
-    model: tribodyn_quasistatic::Model,
-    roots: bool,
-) -> Result<NativeSolution, StudyError> {
+fn equilibrium(file: &CaseFile, model: tribodyn_quasistatic::Model, roots: bool) -> Result<NativeSolution, StudyError> {
     let mut answer = answers::equilibrium(file, model, roots)?;
     // The head is what the command prints; balls are handed out as an array.
     let balls = std::mem::take(&mut answer.solution.balls);

@@ -124,11 +124,8 @@ fn orbit(py: Python<'_>, message: &str, file: &str, source: &OrbitError) -> PyEr
 /// A recording that cannot be read.
 pub fn record(py: Python<'_>, path: &Path, error: &RecordError) -> PyErr {
     let message = with_causes(error);
-    let message = if message.contains(&path.display().to_string()) {
-        message
-    } else {
-        format!("{}: {message}", path.display())
-    };
+    let message =
+        if message.contains(&path.display().to_string()) { message } else { format!("{}: {message}", path.display()) };
     with_facts(py, "FileError", &message, |facts| facts.set_item("file", path.display().to_string()))
 }
 

@@ -34,8 +34,7 @@ pub fn read_recording<'py>(py: Python<'py>, path: PathBuf, no_limits: bool) -> P
     recording.set_item("solution", series::<SolutionRow>(py, &solution)?)?;
     recording.set_item("wear", worn(py, &run.wear)?)?;
     recording.set_item("balls", balls(py, &run)?)?;
-    let event =
-        |e: &LogRow| json!({ "time_s": e.time_s, "warning": e.warning, "kind": e.kind, "message": e.message });
+    let event = |e: &LogRow| json!({ "time_s": e.time_s, "warning": e.warning, "kind": e.kind, "message": e.message });
     recording.set_item("events", to_python(py, &run.events.iter().map(event).collect::<Vec<_>>())?)?;
     recording.set_item("whole", run.damage.is_none())?;
     Ok(recording)

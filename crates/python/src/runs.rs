@@ -124,9 +124,8 @@ pub fn identify<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let Posed { problem, case } = posed(py, &path, seed, starts)?;
     let pool = pool(py, threads)?;
-    let (answers, _) = watched(py, progress, false, move |watch| {
-        pool.install(|| identified(&problem, &case, &|| watch.add(1.0)))
-    })?;
+    let (answers, _) =
+        watched(py, progress, false, move |watch| pool.install(|| identified(&problem, &case, &|| watch.add(1.0))))?;
     let answers = answers.map_err(|failure| error::identify(py, &path.display().to_string(), &failure))?;
     to_python(py, &answers)
 }

@@ -38,7 +38,9 @@ fn setting(py: Python<'_>, path: &str, values: Values) -> PyResult<Setting> {
             let refused = |allowed: String| error::argument(py, path, &text, &allowed);
             Setting::parse(&format!("{path}={text}")).map_err(refused)
         }
-        Values::List(values) if values.is_empty() => Err(error::argument(py, path, "[]", "allowed is one value or more")),
+        Values::List(values) if values.is_empty() => {
+            Err(error::argument(py, path, "[]", "allowed is one value or more"))
+        }
         Values::List(values) => Ok(Setting::of(path, values)),
     }
 }

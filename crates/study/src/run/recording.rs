@@ -24,6 +24,7 @@ const BALLS_AT_ONCE: usize = 512;
 const WAITING: usize = 4;
 
 /// What goes over the queue.
+#[allow(clippy::large_enum_variant)] // most items are samples, the largest
 enum Item {
     Sample(Sample, bool),
     Event(Event),

@@ -121,7 +121,7 @@ impl Summary {
     /// Of the rows of a recording; none without any.
     pub fn of(states: &[StateRow], wear: Option<&WearRow>, log: &[LogRow]) -> Option<Self> {
         let mut gathered = Gathered::default();
-        states.iter().for_each(|row| gathered.add(row.clone()));
+        states.iter().for_each(|row| gathered.add(*row));
         gathered.summary(wear, warnings::of_log(log))
     }
 

@@ -110,11 +110,7 @@ impl From<QuasiStaticError> for Unsolved {
 }
 
 /// The fields of a row.
-pub(crate) fn cells(
-    row: usize,
-    swept: impl Iterator<Item = Cell>,
-    outcome: &Result<Solution, Unsolved>,
-) -> Vec<Cell> {
+pub(crate) fn cells(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Result<Solution, Unsolved>) -> Vec<Cell> {
     let count = |n: usize| Cell::Integer(n as i64);
     let mut cells = vec![count(row)];
     cells.extend(swept);

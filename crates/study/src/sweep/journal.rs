@@ -5,9 +5,9 @@
 //! end is cut off.
 
 use super::columns::{Cell, Column, decode};
+use super::difference::SweepDifference;
 use super::grid::Grid;
 use super::shard::Shard;
-use super::difference::SweepDifference;
 use crate::error::StudyError;
 use crate::files::with_suffix;
 use serde::{Deserialize, Serialize};

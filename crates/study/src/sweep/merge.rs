@@ -82,8 +82,12 @@ pub(crate) fn in_order<T>(
             return Err(apart(&tables[place], format!("row {row} is there twice, or out of order")));
         }
         if row > expected {
-            let missing = if row == expected + 1 { format!("row {expected}") } else { format!("rows {expected} to {}", row - 1) };
-            return Err(apart(&tables[place], format!("{missing} are in none of the tables; this one goes on with {row}")));
+            let missing =
+                if row == expected + 1 { format!("row {expected}") } else { format!("rows {expected} to {}", row - 1) };
+            return Err(apart(
+                &tables[place],
+                format!("{missing} are in none of the tables; this one goes on with {row}"),
+            ));
         }
         let next = readers[place].next().transpose()?;
         if let Some((_, fields)) = std::mem::replace(&mut heads[place], next) {

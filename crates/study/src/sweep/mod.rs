@@ -10,17 +10,17 @@ mod difference;
 mod grid;
 mod journal;
 mod merge;
-mod part;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod part;
 mod plan;
 mod rows;
 mod shard;
 mod table;
 mod values;
 
-pub use columns::{CONVERGED, Cell, Column, Kind};
 pub use axis::AxisSummary;
+pub use columns::{CONVERGED, Cell, Column, Kind};
 pub use difference::SweepDifference;
 pub use grid::{Grid, SampleRows, Setting};
 pub use merge::{Merged, merge};

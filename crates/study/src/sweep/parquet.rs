@@ -138,7 +138,8 @@ impl Iterator for Table {
 
     fn next(&mut self) -> Option<Self::Item> {
         let row = self.rows.next()?;
-        let read = |error: ParquetError| StudyError::Read { path: self.path.clone(), source: std::io::Error::other(error) };
+        let read =
+            |error: ParquetError| StudyError::Read { path: self.path.clone(), source: std::io::Error::other(error) };
         Some(row.map_err(read).and_then(|row| {
             let cells = cells(row);
             let number = match cells.as_deref() {

@@ -47,11 +47,7 @@ pub struct Count {
 
 /// Writes the table from the finished rows, under its name only when it is whole. `notes` go into formats that have a
 /// place for them.
-pub(crate) fn write(
-    rows: &Rows<'_>,
-    format: Format,
-    notes: Vec<(String, String)>,
-) -> Result<Count, StudyError> {
+pub(crate) fn write(rows: &Rows<'_>, format: Format, notes: Vec<(String, String)>) -> Result<Count, StudyError> {
     let path = rows.path;
     let failure = |source| StudyError::Write { path: path.to_owned(), source };
     let name = path.file_name().and_then(|name| name.to_str());
