@@ -12,10 +12,14 @@ mod documents;
 mod files;
 #[path = "cli/life.rs"]
 mod life;
+#[path = "cli/merge.rs"]
+mod merge;
 #[path = "cli/new.rs"]
 mod new;
 #[path = "cli/orbit.rs"]
 mod orbit;
+#[path = "cli/pair.rs"]
+mod pair;
 #[path = "cli/rating.rs"]
 mod rating;
 #[path = "cli/report.rs"]

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
 import tribodyn
 
 ROOT = Path(__file__).parents[3]

@@ -6,7 +6,6 @@ import pickle
 from pathlib import Path
 
 import pytest
-
 import tribodyn
 from tribodyn import Case, CaseError, FileError, InputError
 from tribodyn.units import GPa, N_per_um, deg, kN, mm, rpm, unit
@@ -89,7 +88,7 @@ def test_limit_new_cases_come_from_the_catalogue_or_from_dimensions(tmp_path: Pa
     "request_",
     [
         {"designation": "9999"},
-        {"designation": "7210", "angle": 33},
+        {"designation": "7210", "angle": 50},
         {"designation": "7210", "angle": float("nan")},
         {"bore": 50.0},
         {"designation": "6206", "bore": 50.0, "outside": 90.0, "width": 20.0},

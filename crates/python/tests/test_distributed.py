@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import textwrap
@@ -11,9 +12,8 @@ import time
 from pathlib import Path
 
 import pytest
-from pandas.testing import assert_frame_equal
-
 import tribodyn
+from pandas.testing import assert_frame_equal
 from tribodyn import Case, ClusterError, InputError
 
 from .cluster import Cluster
@@ -24,7 +24,7 @@ pytest.importorskip("distributed")
 from tribodyn import distributed  # noqa: E402
 
 #: Rows of the short form, and of the long one.
-SHORT, LONG = 1_500, 20_000
+SHORT, LONG = 800, 20_000
 
 
 def values(rows: int) -> dict[str, str]:
@@ -63,7 +63,8 @@ def test_identity_a_study_outlives_its_workers(plain: Case, tmp_path: Path, rows
         killer = threading.Thread(target=kill_twice, daemon=True)
         killer.start()
         with pytest.raises(KeyboardInterrupt):
-            distributed.sweep(client, plain, values(rows), dataset=folder, seconds=0.2 if rows == SHORT else 2.0, progress=interrupt)
+            seconds = 0.1 if rows == SHORT else 2.0
+            distributed.sweep(client, plain, values(rows), dataset=folder, seconds=seconds, progress=interrupt)
         killer.join(10)
         assert len(kills) == 2
         client.close()
@@ -97,7 +98,9 @@ def test_identity_samples_runs_and_starts_go_the_same_way(plain: Case, paper: Ca
 
         forces = {"ring.z.Force": "kN(40),kN(50),kN(60)"}
         options = {"procedure": "run", "duration": SHORT_S, "recordings": tmp_path}
-        runs = distributed.sweep(client, paper, forces, dataset=tmp_path / "runs", progress=False, **options).to_pandas()  # type: ignore[arg-type]
+        runs = distributed.sweep(
+            client, paper, forces, dataset=tmp_path / "runs", progress=False, **options
+        ).to_pandas()  # type: ignore[arg-type]
         alone = tribodyn.run(paper.replace({"ring.z.Force": "kN(50)"}), SHORT_S, progress=False)
         assert list(runs["ring.z.Force [kN]"]) == [40.0, 50.0, 60.0] and list(runs["converged"]) == [True] * 3
         assert runs["cage_speed_mean_rpm"][1] == alone.cage_speed_mean_rpm
@@ -168,13 +171,14 @@ def test_limit_two_workers_are_nearly_twice_as_fast_as_one(tmp_path: Path) -> No
             folder = Path(sys.argv[1]) / str(workers)
             folder.mkdir()
             with Cluster(folder, workers) as cluster, cluster.client() as client:
-                done = distributed.sweep(client, case, {values(6000)!r}, dataset=folder / "d", seconds=1, progress=False)
+                options = dict(dataset=folder / "d", seconds=1, progress=False)
+                done = distributed.sweep(client, case, {values(6000)!r}, **options)
                 print(done.wall_s)
         """
     )
     done = subprocess.run(
         [sys.executable, "-c", program, str(tmp_path)], capture_output=True, text=True, check=True,
-        cwd=Path(__file__).parents[1], env={**__import__("os").environ, "PYTHONPATH": str(Path(__file__).parents[1])},
+        cwd=Path(__file__).parents[1], env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[1])},
     )  # fmt: skip
     one, two = map(float, done.stdout.split())
     print(f"one worker {one:.1f} s, two workers {two:.1f} s, speed-up {one / two:.2f}")

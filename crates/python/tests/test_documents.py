@@ -11,7 +11,6 @@ import re
 from pathlib import Path
 
 import pytest
-
 import tribodyn
 
 from .conftest import ROOT
@@ -54,7 +53,9 @@ def agree(printed: str, said: str, where: str) -> None:
         words = [" ".join(NUMBER.sub("#", line).split()) for line in (our, their)]
         assert words[0] == words[1], f"{where} prints:\n{printed}"
         for number, expected in zip(NUMBER.findall(our), NUMBER.findall(their)):
-            assert math.isclose(float(number), float(expected), rel_tol=1e-2, abs_tol=1e-9), f"{where} prints:\n{printed}"
+            assert math.isclose(float(number), float(expected), rel_tol=1e-2, abs_tol=1e-9), (
+                f"{where} prints:\n{printed}"
+            )
 
 
 @pytest.mark.parametrize("module", ["tribodyn", "tribodyn.case", "tribodyn.units"])

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
 import tribodyn
 from tribodyn import Case, TribodynError
 
@@ -26,8 +25,32 @@ SHORT, LONG = 5_000, 100_000
 EXPECTED = (TribodynError, TypeError, ValueError, OverflowError, AttributeError, KeyError)
 
 NUMBERS = [0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, -1e308, math.inf, -math.inf, math.nan, 2.5, 1e-9, 40.0, 7210.0]
-TEXTS = ["", "mm(1)", "mm(-1)", "kN(30)", "N(3", "geometry", "geometry.ball_diameter", "ring.z", "ring.z.Force", "(", ")"]
-TEXTS += ["\0", "µ\u202e", "a" * 5000, "((((", "[0]", "sources", 'Library("ag")', "Force(kN(1))", "nan", "6206", "7210B"]
+TEXTS = [
+    "",
+    "mm(1)",
+    "mm(-1)",
+    "kN(30)",
+    "N(3",
+    "geometry",
+    "geometry.ball_diameter",
+    "ring.z",
+    "ring.z.Force",
+    "(",
+    ")",
+]
+TEXTS += [
+    "\0",
+    "µ\u202e",
+    "a" * 5000,
+    "((((",
+    "[0]",
+    "sources",
+    'Library("ag")',
+    "Force(kN(1))",
+    "nan",
+    "6206",
+    "7210B",
+]
 TEXTS += ["traction", "jones-harris", "geometry.ball_count", "numerics.max_iterations", "3", "500000000", "true"]
 OTHERS: list[Any] = [None, True, False, 3, -7, 2**70, [], {}, (), object(), b"bytes", [1.0, 2.0], ["kN(1)", "kN(2)"]]
 
@@ -77,7 +100,9 @@ def calls(case: Case, draw: random.Random) -> list[Callable[[], object]]:
 
 def mutated(text: str, draw: random.Random) -> str:
     at = draw.randrange(len(text))
-    return text[:at] + draw.choice(["", "(", ")", "\0", "nan", "-", "9" * 30, text[:at]]) + text[at + draw.randrange(9) :]
+    return (
+        text[:at] + draw.choice(["", "(", ")", "\0", "nan", "-", "9" * 30, text[:at]]) + text[at + draw.randrange(9) :]
+    )
 
 
 def fuzz(count: int, seed: int) -> Counter[str]:

@@ -15,7 +15,6 @@ from typing import Any, get_type_hints
 
 import numpy as np
 import pytest
-
 import tribodyn
 from tribodyn import Case, FileError, InputError, Stopped
 

@@ -10,9 +10,8 @@ from typing import Any
 import numpy as np
 import pandas
 import pytest
-from pandas.testing import assert_frame_equal
-
 import tribodyn
+from pandas.testing import assert_frame_equal
 from tribodyn import Case, FileError, InputError
 from tribodyn.units import Unit, deg, kN, rpm, um
 
@@ -56,7 +55,7 @@ def test_identity_tables_and_their_shards_hold_the_rows_of_memory(plain: Case, t
     with pytest.raises(FileError, match="there twice"):
         tribodyn.merge([*parts, parts[1]], tmp_path / f"twice.{ending}")
     assert not (tmp_path / f"lacking.{ending}").exists()
-    other = tribodyn.sweep_to(tmp_path / f"other.{ending}", plain, {"ring.x.Force": "kN(0,1)"}, progress=False)
+    other = tribodyn.sweep_to(tmp_path / f"other.{ending}", plain, {"ring.x.Force": "kN(0),kN(1)"}, progress=False)
     with pytest.raises(FileError, match="other"):
         tribodyn.merge([parts[0], other.output], tmp_path / f"mixed.{ending}")
 

@@ -12,7 +12,7 @@ from tribodyn import _native
 
 TARGET = Path(__file__).parents[1] / "python" / "tribodyn" / "_quantities.py"
 
-HEAD = '''"""Attributes of balls and solutions, written by ``tools/quantities.py`` from the program's table of quantities."""
+HEAD = '''"""Attributes of balls and solutions, by ``tools/quantities.py`` from the program's table of quantities."""
 
 from __future__ import annotations
 

@@ -26,7 +26,8 @@ class Answer:
         import pandas
 
         single = {n: v for n, v in self.__dict__.items() if not n.startswith("_") and _is_single(v)}
-        return pandas.Series(single, name=type(self).__name__, dtype=object)
+        series: pd.Series[Any] = pandas.Series(single, name=type(self).__name__, dtype=object)
+        return series
 
     def __getattr__(self, name: str) -> Any:
         if name in _known(type(self)):

@@ -73,6 +73,7 @@ def _notebook() -> Optional[Any]:
     shell = ipython.get_ipython() if ipython is not None else None
     if shell is None or type(shell).__name__ != "ZMQInteractiveShell":
         return None
-    from IPython.display import display
+    import IPython.display
 
-    return display({"text/plain": ""}, raw=True, display_id=True)
+    show: Any = IPython.display.display
+    return show({"text/plain": ""}, raw=True, display_id=True)

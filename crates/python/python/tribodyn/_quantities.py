@@ -1,4 +1,4 @@
-"""Attributes of balls and solutions, written by ``tools/quantities.py`` from the program's table of quantities."""
+"""Attributes of balls and solutions, by ``tools/quantities.py`` from the program's table of quantities."""
 
 from __future__ import annotations
 

@@ -147,7 +147,10 @@ class TractionCurve(Answer):
         """Coefficients over slip."""
         import pandas
 
-        return pandas.Series(self.coefficient, index=pandas.Index(self.slip, name="slip"), name="coefficient")
+        series: pd.Series[Any] = pandas.Series(
+            self.coefficient, index=pandas.Index(self.slip, name="slip"), name="coefficient"
+        )
+        return series
 
 
 #: Directions of the stiffness: forces and moments by rows, displacements (m) and tilts (rad) by columns.
@@ -190,7 +193,8 @@ class Stiffness(Answer):
 
         names = [f"k_{row}_{column}" for row in AXES for column in AXES]
         speeds = pandas.Index(self.inner_speed_rpm, name="inner_speed_rpm")
-        return pandas.DataFrame(self.stiffness.reshape(len(speeds), 25), index=speeds, columns=names)
+        frame: pd.DataFrame = pandas.DataFrame(self.stiffness.reshape(len(speeds), 25), index=speeds, columns=names)
+        return frame
 
     def to_xarray(self) -> xr.DataArray:
         """Entries by speed, row and column."""
@@ -268,7 +272,8 @@ class Modes(Answer):
             }
             for mode in self.modes
         ]
-        return pandas.DataFrame(rows)
+        frame: pd.DataFrame = pandas.DataFrame(rows)
+        return frame
 
     def _repr_html_(self) -> str:
         frame = self.to_pandas()
@@ -297,7 +302,8 @@ class Life(Answer):
         """A row for each stride; columns with their units in their names."""
         import pandas
 
-        return pandas.DataFrame(self.strides)
+        frame: pd.DataFrame = pandas.DataFrame(self.strides)
+        return frame
 
 
 class Identification(Answer):
@@ -325,7 +331,8 @@ class Identification(Answer):
         """A row for each parameter."""
         import pandas
 
-        return pandas.DataFrame(self.parameters)
+        frame: pd.DataFrame = pandas.DataFrame(self.parameters)
+        return frame
 
     def _repr_html_(self) -> str:
         rows = [(p["name"], p["value"], p["spread"], p["determined"], p["at_bound"]) for p in self.parameters]

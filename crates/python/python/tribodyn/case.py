@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Optional, Union
 
-from . import _native, _html
+from . import _html, _native
 from ._errors import CaseError, FileError
 from .answers import Derived
 

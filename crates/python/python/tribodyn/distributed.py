@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, Literal, Optional, Union
 
 from . import __version__ as _version
 from ._answer import Answer
-from ._errors import ClusterError, FileError, InputError
+from ._errors import ClusterError, FileError, InputError, TribodynError
 from ._progress import Bar, Progress
 from ._works import STUDY, Done, Equilibria, Partition, Runs, Starts, Work, attempt, file_name, solve_partition
 from .case import Case, as_text
@@ -58,8 +58,9 @@ class Dataset(Answer):
         import pandas
 
         files = sorted(Path(self.path).glob("part-*.parquet"))
-        whole = pandas.concat([pandas.read_parquet(file) for file in files], ignore_index=True)
-        return whole.set_index("row", drop=False).rename_axis(None)
+        whole: pd.DataFrame = pandas.concat([pandas.read_parquet(file) for file in files], ignore_index=True)
+        whole = whole.set_index("row", drop=False).rename_axis(None)
+        return whole
 
     def merge(self, output: PathLike, *, force: bool = False) -> None:
         """One table of all rows; of equilibria only."""
@@ -108,13 +109,21 @@ def sweep(
     work = _work(case, values, samples, procedure, duration, recordings, seeds, cold)
     folder = Path(os.fspath(dataset))
     began = time.monotonic()
+    study = _Study(client, work, folder, threads, retries, patience)
     try:
         with Bar(float(work.rows), "rows", progress) as bar:
-            return _Study(client, work, folder, threads, retries, patience).complete(seconds, bar, began)
-    except (OSError, TimeoutError) as error:
-        if isinstance(error, (ClusterError, FileError)):
-            raise
-        raise ClusterError(f"the cluster is gone: {error}", dataset=str(folder), rows=work.rows) from error
+            return study.complete(seconds, bar, began)
+    except TribodynError:
+        raise
+    except (OSError, TimeoutError, _DaskTimeout) as error:
+        # Dask's own failures to connect have no number of the system.
+        if (
+            isinstance(error, OSError)
+            and error.errno is not None
+            and not isinstance(error, (ConnectionError, TimeoutError))
+        ):
+            raise FileError(f"cannot write {folder}: {error}", file=str(folder)) from error
+        raise study.gone(str(error)) from error
 
 
 def _work(
@@ -137,7 +146,8 @@ def _work(
     drawn = None if samples is None else tuple((path, tuple(given)) for path, given in sample_values(samples))
     if drawn is not None:
         case = case.replace({path: as_text(single(path, given)) for path, given in (values or {}).items()})
-    rows = grid(case, None if drawn is not None else values, samples=drawn and dict(drawn), cold=cold)
+    kept_samples = None if drawn is None else dict(drawn)
+    rows = grid(case, None if drawn is not None else values, samples=kept_samples, cold=cold)
     fixed: tuple[tuple[str, Union[str, tuple[str, ...]]], ...] = ()
     if drawn is None:
         given = product_values(values or {})
@@ -201,7 +211,10 @@ class _Study:
         if self.folder.exists() and any(self.folder.iterdir()):
             allowed = "allowed is a new folder, or that of the same study"
             raise InputError(
-                f"{self.folder} holds something else; {allowed}", path="dataset", value=str(self.folder), allowed=allowed
+                f"{self.folder} holds something else; {allowed}",
+                path="dataset",
+                value=str(self.folder),
+                allowed=allowed,
             )
         self.folder.mkdir(parents=True, exist_ok=True)
         # Workers look for this file to see whether they see the folder.
@@ -249,7 +262,10 @@ class _Study:
         if not all(seen for _, _, seen in answers):
             allowed = "allowed is a folder that all workers see, such as one on a shared file system"
             raise InputError(
-                f"a worker does not see {self.folder}; {allowed}", path="dataset", value=str(self.folder), allowed=allowed
+                f"a worker does not see {self.folder}; {allowed}",
+                path="dataset",
+                value=str(self.folder),
+                allowed=allowed,
             )
         plan["row_s"] = sum(took for _, took, _ in answers) / max(sum(rows for rows, _, _ in answers), 1)
         per_chunk = plan["row_s"] * self.work.chunk_rows
@@ -322,16 +338,18 @@ class _Study:
 
     def _wait(self, given: dict[Any, Any]) -> list[Any]:
         """Waits for the next results, and sees whether there is still a cluster."""
-        from distributed import wait
+        import distributed
 
+        wait: Any = distributed.wait
         while True:
             ready = [future for future in given if future.status != "pending"]
             if ready:
                 return ready
             if self.client.status != "running":
-                raise self._gone(f"the client is {self.client.status}")
+                raise self.gone(f"the client is {self.client.status}")
             try:
-                wait(list(given), timeout=_LOOK_S, return_when="FIRST_COMPLETED")
+                with self.client.as_current():
+                    wait(list(given), timeout=_LOOK_S, return_when="FIRST_COMPLETED")
             except (TimeoutError, _DaskTimeout):
                 self._look()
 
@@ -340,7 +358,7 @@ class _Study:
         if self.client.nthreads():
             self.seen_workers = time.monotonic()
         elif time.monotonic() - self.seen_workers > self.patience:
-            raise self._gone(f"there has been no worker for {self.patience:g} s")
+            raise self.gone(f"there has been no worker for {self.patience:g} s")
 
     def _result(self, future: Any) -> Any:
         from concurrent.futures import CancelledError
@@ -348,17 +366,23 @@ class _Study:
         from distributed.scheduler import KilledWorker
 
         if future.status in ("cancelled", "lost"):
-            raise self._gone("the scheduler has lost what it was given")
+            raise self.gone("the scheduler has lost what it was given")
         try:
             return future.result()
         except KilledWorker as error:
-            raise self._gone(f"a partition has ended several workers, one after the other: {error}") from error
+            raise self.gone(f"a partition has ended several workers, one after the other: {error}") from error
         except CancelledError as error:
-            raise self._gone("the scheduler has lost what it was given") from error
+            raise self.gone("the scheduler has lost what it was given") from error
 
-    def _gone(self, why: str) -> ClusterError:
-        text = f"{why}; {self.rows} of {self.work.rows} rows are finished in {self.folder}: the same call goes on from there"
-        return ClusterError(text, dataset=str(self.folder), finished=self.rows, rows=self.work.rows)
+    def gone(self, why: str) -> ClusterError:
+        """A cluster that is gone, with what is finished."""
+        done = f"{self.rows} of {self.work.rows} rows are finished in {self.folder}"
+        return ClusterError(
+            f"{why}; {done}: the same call goes on from there",
+            dataset=str(self.folder),
+            finished=self.rows,
+            rows=self.work.rows,
+        )
 
 
 def _write_json(path: Path, data: dict[str, Any]) -> None:

@@ -30,9 +30,7 @@ def solve(case: Case, model: Model = "traction", *, roots: bool = False) -> Solu
     return Solution(_native.solve(case._native, model, roots))
 
 
-def stiffness(
-    case: Case, model: Model = "steady-orbit", *, speeds: Union[float, Iterable[float]] = ()
-) -> Stiffness:
+def stiffness(case: Case, model: Model = "steady-orbit", *, speeds: Union[float, Iterable[float]] = ()) -> Stiffness:
     """The 5 × 5 stiffness of the inner ring, balls and cage in balance.
 
     Args:

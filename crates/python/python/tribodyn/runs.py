@@ -64,8 +64,10 @@ class Series:
         """A row for each time, indexed by it; the numbers are not copied."""
         import pandas
 
-        frame = pandas.DataFrame(self._values, columns=self._names, copy=False)
-        return frame.set_index("time_s", drop=False) if "time_s" in self._columns else frame
+        frame: pd.DataFrame = pandas.DataFrame(self._values, columns=self._names, copy=False)
+        if "time_s" in self._columns:
+            frame = frame.set_index("time_s", drop=False)
+        return frame
 
     def to_xarray(self) -> xr.Dataset:
         """Quantities over time."""
@@ -126,7 +128,9 @@ class BallSeries:
 
         count = self._values.shape[1]
         index = pandas.MultiIndex.from_product([self.time_s, range(count)], names=["time_s", "ball"])
-        return pandas.DataFrame(self._values.reshape(-1, len(self._names)), index=index, columns=self._names)
+        table = self._values.reshape(-1, len(self._names))
+        frame: pd.DataFrame = pandas.DataFrame(table, index=index, columns=self._names)
+        return frame
 
     def __repr__(self) -> str:
         return f"BallSeries({len(self)} times, {self._values.shape[1]} balls, {len(self._names)} quantities)"

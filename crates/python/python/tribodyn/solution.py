@@ -65,7 +65,8 @@ class Balls(BallArrays):
         """A row for each ball."""
         import pandas
 
-        return pandas.DataFrame(self._values, columns=self._names, copy=False)
+        frame: pd.DataFrame = pandas.DataFrame(self._values, columns=self._names, copy=False)
+        return frame
 
     def to_xarray(self) -> xr.Dataset:
         """Quantities over the azimuth, with their units as attributes."""
@@ -74,7 +75,9 @@ class Balls(BallArrays):
         units = {row["name"]: row for row in _native.quantities()["ball"]}
         azimuth = self._values[:, self._columns["azimuth_deg"]]
         data = {
-            name: xarray.Variable("azimuth_deg", column, {"units": units[name]["unit"], "long_name": units[name]["about"]})
+            name: xarray.Variable(
+                "azimuth_deg", column, {"units": units[name]["unit"], "long_name": units[name]["about"]}
+            )
             for name, column in zip(self._names, self._values.T)
             if name != "azimuth_deg"
         }
@@ -169,7 +172,12 @@ class Solution(BearingQuantities, Answer):
         figures = self.figures()
         drawn = next((figures[name] for name in ("contact-load", *figures) if name in figures), "")
         warnings = "".join(f"<p>warning: {warning}</p>" for warning in self.warnings)
-        return _html.table(f"{self.model} solution", ("", ""), rows) + self.balls._repr_html_() + warnings + _html.figure(drawn)
+        return (
+            _html.table(f"{self.model} solution", ("", ""), rows)
+            + self.balls._repr_html_()
+            + warnings
+            + _html.figure(drawn)
+        )
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._native.head()]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
@@ -79,7 +78,8 @@ class Sweep:
         """A row for each row of the sweep."""
         import pandas
 
-        return pandas.DataFrame(self._columns).set_index("row", drop=False).rename_axis(None)
+        frame: pd.DataFrame = pandas.DataFrame(self._columns).set_index("row", drop=False).rename_axis(None)
+        return frame
 
     def __repr__(self) -> str:
         return f"Sweep({len(self)} rows, {self.failed} without solution)"
@@ -104,11 +104,19 @@ class Table(Answer):
 
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
         """The table, read back."""
+        import warnings
+
         import pandas
 
+        frame: pd.DataFrame
         if self.output.endswith(".csv"):
-            return pandas.read_csv(self.output, float_precision="round_trip")
-        return pandas.read_parquet(self.output)
+            with warnings.catch_warnings():
+                # The option goes where it becomes the default.
+                warnings.filterwarnings("ignore", message="The 'float_precision' argument")
+                frame = pandas.read_csv(self.output, float_precision="round_trip")
+        else:
+            frame = pandas.read_parquet(self.output)
+        return frame
 
 
 def grid(
@@ -278,14 +286,15 @@ def _drawn(points: NDArray[np.float64], spreads: Mapping[str, Spread]) -> dict[s
 
 def _values(shares: NDArray[np.float64], path: str, spread: Spread) -> list[str]:
     unit: Optional[Unit] = None
-    if isinstance(spread, Sequence) and len(spread) == 2 and isinstance(spread[0], (Unit, str)):
-        unit = spread[0] if isinstance(spread[0], Unit) else Unit(spread[0])
-        spread = spread[1]
-    if hasattr(spread, "ppf"):
-        numbers = np.asarray(spread.ppf(shares), dtype=np.float64)
+    given: Any = spread
+    if isinstance(given, Sequence) and len(given) == 2 and isinstance(given[0], (Unit, str)):
+        unit = given[0] if isinstance(given[0], Unit) else Unit(given[0])
+        given = given[1]
+    if hasattr(given, "ppf"):
+        numbers = np.asarray(given.ppf(shares), dtype=np.float64)
     else:
         try:
-            low, high = (float(end) for end in spread)
+            low, high = (float(end) for end in given)
         except (TypeError, ValueError):
             allowed = "allowed are (low, high), a distribution of scipy.stats, or either with a unit before it"
             raise InputError(f"{path}: {spread!r}; {allowed}", path=path, value=repr(spread), allowed=allowed) from None
@@ -294,5 +303,3 @@ def _values(shares: NDArray[np.float64], path: str, spread: Spread) -> list[str]
         allowed = "allowed are finite numbers: a distribution is asked for shares from 0 to below 1"
         raise InputError(f"{path}: {allowed}", path=path, value=repr(spread), allowed=allowed)
     return unit(numbers) if unit is not None else [repr(float(number)) for number in numbers]
-
-

@@ -20,6 +20,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// Keys and values beside the rows.
+type Notes = Vec<(String, String)>;
+
 /// Rows that are held before they are written: about 10 MB.
 const GROUP: usize = 1 << 14;
 
@@ -81,7 +84,7 @@ pub(crate) fn merge(
 ) -> Result<Count, StudyError> {
     let failure = |source| StudyError::Write { path: path.to_owned(), source: std::io::Error::other(source) };
     let mut readers: Vec<Box<dyn Iterator<Item = _>>> = Vec::new();
-    let (mut notes, mut columns): (Option<Vec<(String, String)>>, Option<Vec<Column>>) = (None, None);
+    let (mut notes, mut columns): (Option<Notes>, Option<Vec<Column>>) = (None, None);
     for table in tables {
         let read = Table::open(table)?;
         let known = notes.get_or_insert_with(|| read.notes.clone());
@@ -110,7 +113,7 @@ struct Table {
     path: PathBuf,
     columns: Vec<Column>,
     /// What is the same for all parts of a sweep.
-    notes: Vec<(String, String)>,
+    notes: Notes,
     rows: parquet::record::reader::RowIter<'static>,
 }
 
@@ -121,10 +124,9 @@ impl Table {
         let reader = SerializedFileReader::new(file).map_err(|error: ParquetError| failure(error))?;
         let metadata = reader.metadata().file_metadata();
         let found = metadata.key_value_metadata().into_iter().flatten();
-        let found: Vec<(String, String)> =
-            found.filter_map(|note| Some((note.key.clone(), note.value.clone()?))).collect();
+        let found: Notes = found.filter_map(|note| Some((note.key.clone(), note.value.clone()?))).collect();
         let note = |key: &&str| found.iter().find(|(found, _)| found == key).cloned();
-        let notes: Vec<(String, String)> = NOTES.iter().filter_map(note).collect();
+        let notes: Notes = NOTES.iter().filter_map(note).collect();
         let columns: Option<Vec<Column>> = metadata.schema().get_fields().iter().map(|field| column(field)).collect();
         let columns = columns.filter(|columns| columns.first().is_some_and(|first| first.name == "row"));
         let columns = columns.ok_or_else(|| apart(path, "it is no table of a sweep".to_owned()))?;
