@@ -3,7 +3,7 @@
 use crate::machine::Machine;
 use nalgebra::Matrix5;
 use serde::{Deserialize, Serialize};
-use tribodyn_bearing::LoadedPatch;
+use tribodyn_bearing::{LoadedPatch, Scheme};
 use tribodyn_traction::{PatchChoice, PatchDerivative, PatchTraction, RelativeMotion};
 
 /// Error of the linear traction that a refresh may find, over the load: half of that of the paper's 10 × 40 midpoints
@@ -14,11 +14,13 @@ const RULE_OVER_LINEAR: f64 = 0.4;
 /// Target at which the linear traction begins to be finer than [`LINEAR_ERROR`].
 const FINEST_AT_FULL: f64 = 1e-5;
 
-/// Patch rule and linear error of the fast scheme, both from the case's target: a rule much finer than the linear
-/// traction between its refreshes costs and brings nothing. A target finer than 1e-5 refines both; named rules are taken
-/// as they are.
-pub(crate) fn fast_errors(patch: PatchChoice) -> (PatchChoice, f64) {
-    let PatchChoice::TargetError { relative } = patch else { return (patch, LINEAR_ERROR) };
+/// Patch rule and linear error of a run. Those of the fast scheme come both from the case's target: a rule much finer
+/// than the linear traction between its refreshes costs and brings nothing. A target finer than 1e-5 refines both.
+/// Named rules are taken as they are, and by the other schemes every rule is.
+pub(crate) fn errors(scheme: Scheme, patch: PatchChoice) -> (PatchChoice, f64) {
+    let (Scheme::Fast { .. }, PatchChoice::TargetError { relative }) = (scheme, patch) else {
+        return (patch, LINEAR_ERROR);
+    };
     let linear = LINEAR_ERROR * (relative / FINEST_AT_FULL).min(1.0);
     (PatchChoice::TargetError { relative: relative.max(RULE_OVER_LINEAR * linear) }, linear)
 }
@@ -222,7 +224,8 @@ mod tests {
 
     #[test]
     fn limit_rule_and_linear_error_follow_the_target_together() {
-        let of = |relative| match fast_errors(PatchChoice::TargetError { relative }) {
+        let fast = Scheme::Fast { step: 2e-5 };
+        let of = |relative| match errors(fast, PatchChoice::TargetError { relative }) {
             (PatchChoice::TargetError { relative }, linear) => [relative, linear],
             (PatchChoice::Named(rule), _) => unreachable!("{rule:?} for a target"),
         };
@@ -232,6 +235,8 @@ mod tests {
         close(of(1e-5), [1e-4, LINEAR_ERROR]);
         close(of(1e-6), [1e-5, 0.1 * LINEAR_ERROR]);
         let named = PatchChoice::Named(PatchRule::SplitStrip { across: 5, along: 3 });
-        assert_eq!(fast_errors(named), (named, LINEAR_ERROR));
+        assert_eq!(errors(fast, named), (named, LINEAR_ERROR));
+        let fine = PatchChoice::TargetError { relative: 1e-6 };
+        assert_eq!(errors(Scheme::RungeKutta4 { step: 1e-5 }, fine).0, fine);
     }
 }

@@ -102,8 +102,7 @@ fn numbers(c: &NormalContact) -> [f64; CONTACT] {
     numbers
 }
 
-/// The balls of a block under their springs; `pressed` tells how hard they are pressed, and `groove` is the radius of the
-/// outer groove centres.
+/// The balls of a block under their springs by `model`; `groove` is the radius of the outer groove centres.
 #[inline(always)]
 fn springs<E: Equations>(
     equations: &E,
