@@ -10,10 +10,11 @@ use std::path::PathBuf;
 use std::time::Duration;
 use tribodyn_paper::{PaperError, files, markers, table};
 use tribodyn_quasistatic::Model;
-use tribodyn_study::survey::{Options, RandomBearing, Regime, Tally, Trial, Verdict, survey};
+use tribodyn_study::survey::{Counts, Options, RandomBearing, Regime, SchemeCounts, Tally, Trial, Verdict, survey};
 
-const BEGIN: &str = "<!-- survey:begin -->";
-const END: &str = "<!-- survey:end -->";
+/// Marks of the blocks of solutions and of runs: what was not tried this time stays.
+const SOLUTIONS: [&str; 2] = ["<!-- survey:begin -->", "<!-- survey:end -->"];
+const RUNS: [&str; 2] = ["<!-- survey-runs:begin -->", "<!-- survey-runs:end -->"];
 const DOCUMENT: &str = "docs/reliability.md";
 
 /// Options of `cargo xtask survey`.
@@ -53,22 +54,28 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let (end, mut done) = (options.cases.max(options.runs), 0);
     let refused = |source| PaperError::Case { file: "a random bearing".to_owned(), source: Box::new(source) };
+    let mut written = Ok(());
     let trials = survey(&options, |chunk| {
         done += chunk.len();
         progress(&format!("{done} of {end}"));
+        for trial in chunk {
+            written = std::mem::replace(&mut written, Ok(())).and_then(|()| write_failure(&arguments.out, trial));
+        }
     })
     .map_err(refused)?;
-    for trial in &trials {
-        write_failure(&arguments.out, trial)?;
-    }
+    written?;
     let tally = Tally::of(&trials);
-    let mut block = block(&tally, arguments);
-    block.push('\n');
-    print(&block)?;
-    if arguments.write {
-        let path = files::root().join(DOCUMENT);
-        let text = markers::replaced(DOCUMENT, &files::read(&path)?, block.trim_end(), [BEGIN, END])?;
-        files::write(&path, text.as_bytes())?;
+    let blocks =
+        [(SOLUTIONS, options.cases, solutions(&tally)), (RUNS, options.runs, runs(&tally, options.longest_run))];
+    for (marks, count, block) in blocks.into_iter().filter(|(_, count, _)| *count > 0) {
+        let Arguments { seed, first, .. } = arguments;
+        let block = format!("Bearings {first} to {} of seed {seed}.\n\n{block}\n", first + count - 1);
+        print(&block)?;
+        if arguments.write {
+            let path = files::root().join(DOCUMENT);
+            let text = markers::replaced(DOCUMENT, &files::read(&path)?, &block, marks)?;
+            files::write(&path, text.as_bytes())?;
+        }
     }
     let failed = tally.solutions.values().map(|c| c.failed).sum::<usize>()
         + tally.runs.values().map(|scheme| scheme.counts.failed).sum::<usize>();
@@ -80,10 +87,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The case of a trial that was not good, with what was wrong at its head.
+/// The case of a trial that was not good, or only good by a rescue, with what there was at its head.
 fn write_failure(folder: &std::path::Path, trial: &Trial) -> Result<(), Failure> {
     let mut head = String::new();
-    let mut note = |what: String, verdict: &Verdict| {
+    let note = |head: &mut String, what: String, verdict: &Verdict| {
         let (word, message) = match verdict {
             Verdict::Good => return,
             Verdict::Explained(message) => ("explained", message),
@@ -92,10 +99,13 @@ fn write_failure(folder: &std::path::Path, trial: &Trial) -> Result<(), Failure>
         let _ = writeln!(head, "// {what}, {word}: {}", message.replace('\n', " "));
     };
     for solving in &trial.solvings {
-        note(format!("solve {:?}, {:.2} s", solving.model, solving.wall.as_secs_f64()), &solving.verdict);
+        if solving.rescued {
+            let _ = writeln!(head, "// solve {:?}, {:.2} s, rescued", solving.model, solving.wall.as_secs_f64());
+        }
+        note(&mut head, format!("solve {:?}, {:.2} s", solving.model, solving.wall.as_secs_f64()), &solving.verdict);
     }
     if let Some(running) = &trial.running {
-        note(format!("run {}, {:.2} s", running.scheme, running.wall.as_secs_f64()), &running.verdict);
+        note(&mut head, format!("run {}, {:.2} s", running.scheme, running.wall.as_secs_f64()), &running.verdict);
     }
     if head.is_empty() {
         return Ok(());
@@ -105,38 +115,31 @@ fn write_failure(folder: &std::path::Path, trial: &Trial) -> Result<(), Failure>
     Ok(files::write(&folder.join(format!("{seed}-{index:05}.ron")), format!("{head}{text}").as_bytes())?)
 }
 
-fn block(tally: &Tally, arguments: &Arguments) -> String {
-    let Arguments { cases, runs, seed, first, .. } = arguments;
-    let mut text = format!("Bearings {first} to {} of seed {seed}.\n\n", first + cases.max(runs) - 1);
-    let mut rows = Vec::new();
-    for ((Regime { pressure, pitch_speed }, model), counts) in &tally.solutions {
-        rows.push(vec![
-            Regime::PRESSURES[*pressure].to_owned(),
-            Regime::PITCH_SPEEDS[*pitch_speed].to_owned(),
-            (*model).to_owned(),
-            counts.all().to_string(),
-            counts.good.to_string(),
-            counts.explained.to_string(),
-            counts.failed.to_string(),
-        ]);
+/// How many bearings have a solution, by regime and model.
+fn solutions(tally: &Tally) -> String {
+    let row = |((Regime { pressure, pitch_speed }, model), counts): (&(Regime, &str), &Counts)| {
+        let counts = [counts.all(), counts.good, counts.rescued, counts.explained, counts.failed];
+        let regime = [Regime::PRESSURES[*pressure], Regime::PITCH_SPEEDS[*pitch_speed], model].map(str::to_owned);
+        regime.into_iter().chain(counts.map(|count| count.to_string())).collect::<Vec<_>>()
+    };
+    let rows: Vec<Vec<String>> = tally.solutions.iter().map(row).collect();
+    let head =
+        ["nominal pressure", "d_m n", "model", "bearings", "solved", "of these rescued", "with reason", "failed"];
+    let mut text = table::markdown(&head, &rows);
+    for model in [Model::JonesHarris, Model::Traction] {
+        let counts = tally.working(model);
+        let share = 100.0 * counts.good as f64 / counts.all().max(1) as f64;
+        let (good, all) = (counts.good, counts.all());
+        let _ = write!(text, "\n{model:?} at 0.5 GPa and more: {good} of {all} solved ({share:.2} %).\n");
     }
-    if !rows.is_empty() {
-        let head = ["nominal pressure", "d_m n", "model", "bearings", "solved", "with reason", "failed"];
-        text.push_str(&table::markdown(&head, &rows));
-        for model in [Model::JonesHarris, Model::Traction] {
-            let counts = tally.working(model);
-            let share = 100.0 * counts.good as f64 / counts.all().max(1) as f64;
-            let _ = write!(
-                text,
-                "\n\n{model:?} at 0.5 GPa and more: {} of {} solved ({share:.2} %).",
-                counts.good,
-                counts.all()
-            );
-        }
-    }
-    let mut rows = Vec::new();
-    for (scheme, of) in &tally.runs {
-        rows.push(vec![
+    text
+}
+
+/// How runs end, by scheme.
+fn runs(tally: &Tally, longest: Duration) -> String {
+    let row = |(scheme, of): (&&str, &SchemeCounts)| {
+        let [linear, angular] = of.worst_momentum_percent.map(|percent| format!("{percent:.1e} %"));
+        vec![
             (*scheme).to_owned(),
             of.counts.all().to_string(),
             of.counts.good.to_string(),
@@ -144,27 +147,25 @@ fn block(tally: &Tally, arguments: &Arguments) -> String {
             of.counts.failed.to_string(),
             of.above_one_percent.to_string(),
             format!("{:.1e} %", of.worst_good_percent),
-            format!("{:.1e} %", of.worst_momentum_percent[0]),
-            format!("{:.1e} %", of.worst_momentum_percent[1]),
+            linear,
+            angular,
             of.stopped.to_string(),
             format!("{:.1} s", of.longest_s),
-        ]);
-    }
-    if !rows.is_empty() {
-        let head = [
-            "scheme",
-            "runs",
-            "balanced",
-            "with reason",
-            "failed",
-            "above 1 %",
-            "worst balanced",
-            "linear momentum",
-            "angular momentum",
-            "stopped by the clock",
-            "longest",
-        ];
-        let _ = write!(text, "\n\n{}", table::markdown(&head, &rows));
-    }
-    text
+        ]
+    };
+    let head = [
+        "scheme",
+        "runs",
+        "balanced",
+        "with reason",
+        "failed",
+        "above 1 %",
+        "worst balanced",
+        "linear momentum",
+        "angular momentum",
+        "stopped by the clock",
+        "longest",
+    ];
+    let rows: Vec<Vec<String>> = tally.runs.iter().map(row).collect();
+    format!("{}\nStopped after {:.0} s of wall time each.\n", table::markdown(&head, &rows), longest.as_secs_f64())
 }

@@ -96,6 +96,7 @@ pub struct Race {
 
 impl Race {
     /// The frozen contact constants as dual numbers without derivatives.
+    #[inline(always)]
     pub fn frozen<D: Scalar>(&self) -> HertzContact<D> {
         self.hertz.lift()
     }

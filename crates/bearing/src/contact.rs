@@ -40,7 +40,7 @@ pub struct NormalLoads<D = f64> {
 impl<D: Scalar> NormalContact<D> {
     /// The normal force on the ball [a, r, t], N. It has a part along the orbit where the ring is off centre or tilted
     /// and where the groove is not round.
-    #[inline]
+    #[inline(always)]
     pub fn on_ball(&self, side: Side) -> [D; 3] {
         let [n_a, n_r] = self.pose.normal(side);
         let (outward, round) = (-(self.force * n_r), self.slope_moment / self.lean.arm);
@@ -50,10 +50,13 @@ impl<D: Scalar> NormalContact<D> {
 
     /// The normal force on the ring [a, r, t], N: the opposite of that on the ball, or its axial and radial part where
     /// the ring's offset is taken to first order, which is the derivative of the same potential.
-    #[inline]
+    #[inline(always)]
     pub fn on_ring(&self, side: Side, offset: RingOffset) -> [D; 3] {
         match offset {
-            RingOffset::Exact => self.on_ball(side).map(|f| -f),
+            RingOffset::Exact => {
+                let [a, r, t] = self.on_ball(side);
+                [-a, -r, -t]
+            }
             RingOffset::FirstOrder => {
                 let [n_a, n_r] = self.pose.normal(side);
                 [self.force * n_a, self.force * n_r, D::zero()]

@@ -29,13 +29,13 @@ impl AzimuthFrame {
 
 impl<D: Scalar> AzimuthFrame<D> {
     /// An inertial vector in the axes of the ball.
-    #[inline]
+    #[inline(always)]
     pub fn from_inertial(self, [x, y, z]: [D; 3]) -> [D; 3] {
         [z, x * self.cos + y * self.sin, y * self.cos - x * self.sin]
     }
 
     /// A vector in the axes of the ball as an inertial one.
-    #[inline]
+    #[inline(always)]
     pub fn to_inertial(self, [a, r, t]: [D; 3]) -> [D; 3] {
         [r * self.cos - t * self.sin, r * self.sin + t * self.cos, a]
     }

@@ -103,13 +103,13 @@ impl Geometry {
     }
 
     /// Ball radius r_b, m.
-    #[inline]
+    #[inline(always)]
     pub fn ball_radius(&self) -> f64 {
         0.5 * self.ball_diameter
     }
 
     /// Distance A = (f_i + f_o − 1) D of the two groove centres, unloaded, m.
-    #[inline]
+    #[inline(always)]
     pub fn centre_distance(&self) -> f64 {
         (self.inner_coefficient + self.outer_coefficient - 1.0) * self.ball_diameter
     }
@@ -121,7 +121,7 @@ impl Geometry {
     }
 
     /// Radial distance of the circles of groove centres, A cos α0 without interference, m.
-    #[inline]
+    #[inline(always)]
     pub fn radial_distance(&self) -> f64 {
         self.centre_distance() * self.cos_contact_angle() + 0.5 * self.interference
     }
@@ -132,13 +132,13 @@ impl Geometry {
     }
 
     /// Distance of the unloaded ball centre from a groove centre, (f − ½) D, m.
-    #[inline]
+    #[inline(always)]
     pub fn groove_offset(&self, side: Side) -> f64 {
         (self.coefficient(side) - 0.5) * self.ball_diameter
     }
 
     /// Groove radius over ball diameter.
-    #[inline]
+    #[inline(always)]
     pub fn coefficient(&self, side: Side) -> f64 {
         match side {
             Side::Inner => self.inner_coefficient,
@@ -147,7 +147,7 @@ impl Geometry {
     }
 
     /// Radius of the circle of groove centres about the ring's axis, m.
-    #[inline]
+    #[inline(always)]
     pub fn groove_centre_radius(&self, side: Side) -> f64 {
         let offset = self.groove_offset(side) * self.cos_contact_angle();
         match side {
@@ -197,14 +197,14 @@ pub struct ContactPose<D = f64> {
 
 impl<D: Scalar> ContactPose<D> {
     /// From the vector (axial, radial) between groove centre and ball centre and the unloaded distance.
-    #[inline]
+    #[inline(always)]
     pub fn new(axial: D, radial: D, offset: f64) -> Self {
         let length = (axial * axial + radial * radial).sqrt();
         Self { sin: axial / length, cos: radial / length, approach: length - offset }
     }
 
     /// Outward normal from the ball centre, (axial, radial) components.
-    #[inline]
+    #[inline(always)]
     pub fn normal(&self, side: Side) -> [D; 2] {
         match side {
             Side::Inner => [-self.sin, -self.cos],

@@ -38,7 +38,7 @@ pub struct ContactForces<D = f64> {
 
 impl<D: Scalar> Sliding<D> {
     /// Integrals over the patch as force and moment on the ball.
-    #[inline]
+    #[inline(always)]
     pub fn on_ball(&self, traction: &PatchTraction<D>) -> ContactForces<D> {
         let [n_a, n_r] = self.normal;
         // e_y = (n_r, −n_a, 0).
@@ -127,7 +127,7 @@ impl Bearing {
     }
 
     /// How a ball moves against a race at a contact.
-    #[inline]
+    #[inline(always)]
     pub fn sliding<D: Scalar>(
         &self,
         side: Side,
@@ -177,7 +177,7 @@ impl Bearing {
 
     /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), `sunk` (m) into the
     /// sphere of the ball, and the rolling speed.
-    #[inline]
+    #[inline(always)]
     pub fn relative_motion<D: Scalar>(
         &self,
         ([n_a, n_r], sunk): ([D; 2], D),
@@ -210,7 +210,7 @@ impl Bearing {
     }
 
     /// Where the axis about which a ring turns stands, in the ball's azimuth frame, m.
-    #[inline]
+    #[inline(always)]
     fn axis_of_rotation<D: Scalar>(&self, ball: &BallState<D>, ring: &RingState<D>) -> [D; 3] {
         match self.modelling.ring_centre {
             Some(RingCentre::Inertial) => [D::zero(); 3],

@@ -23,15 +23,15 @@ pub struct Lean<D = f64> {
     /// Distance of the ball centre from the ring's axis, m.
     pub arm: D,
     /// Growth of that distance by the offset along the orbit, m.
-    pub(crate) farther: D,
+    pub farther: D,
     /// Axial climb of the groove of a tilted ring along the orbit, over the way.
-    pub(crate) climb: D,
+    pub climb: D,
 }
 
 impl<D: Scalar> Lean<D> {
     /// (radial, tangential) components in the ball's azimuth frame as components along and across the direction from
     /// the ring's axis.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn turn(&self, [r, t]: [D; 2]) -> [D; 2] {
         [r * self.cos - t * self.sin, t * self.cos + r * self.sin]
     }

@@ -41,6 +41,7 @@ pub use modelling::{
     RingCentre, RollingRadius,
 };
 pub use motion::BallFriction;
+pub use normal::ContactSprings;
 pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};
 pub use pocket::{Pocket, PocketLoad, PocketMotion};
 pub use races::{Races, Side};

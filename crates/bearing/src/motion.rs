@@ -60,11 +60,9 @@ impl<D: Scalar> BallFriction<D> {
 
 impl Bearing {
     /// Accelerations of a ball by the normal forces on it [a, r, t], N: axial, radial, orbital.
-    #[inline]
+    #[inline(always)]
     pub fn spring_acceleration<D: Scalar>(&self, force: [D; 3], orbit_radius: D, orbital_speed: D) -> [D; 3] {
-        let (m, r) = (self.ball_mass, orbit_radius);
-        let [a, r_force, t] = force;
-        [a / m, r_force / m + r * orbital_speed * orbital_speed, t / (r * m)]
+        self.contact_springs().acceleration(force, orbit_radius, orbital_speed)
     }
 
     /// Accelerations of a ball by the friction part: axial, radial, orbital, and of the spin with the turning of the

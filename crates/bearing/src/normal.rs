@@ -3,7 +3,7 @@
 use crate::bearing::Bearing;
 use crate::contact::{BallPose, NormalContact, NormalLoads};
 use crate::frame::AzimuthFrame;
-use crate::geometry::ContactPose;
+use crate::geometry::{ContactPose, Geometry};
 use crate::lean::{Lean, RingOffset};
 use crate::races::{Races, Side};
 use crate::state::{BallState, RingState};
@@ -20,32 +20,65 @@ struct GrooveShift<D> {
     climb: D,
 }
 
-impl Bearing {
-    /// Contact angles, approaches and orbit radius of a ball.
-    #[inline]
-    pub fn pose<D: Scalar>(
+/// All of a bearing that the normal part of its contacts needs, by value: a loop over many balls that has its own copy
+/// need not fear that what it writes changes it.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactSprings {
+    geometry: Geometry,
+    /// Depth of the surfaces all round when the case begins, m.
+    worn: Races<f64>,
+    ring_offset: RingOffset,
+    contact_damping: f64,
+    ball_mass: f64,
+    /// Contact constants at the free contact angle.
+    frozen: Races<HertzContact>,
+}
+
+impl ContactSprings {
+    /// How a ring's offset is taken.
+    #[inline(always)]
+    pub fn ring_offset(&self) -> RingOffset {
+        self.ring_offset
+    }
+
+    /// How hard a ball is pressed on both races, with the contact constants of the free contact angle.
+    #[inline(always)]
+    pub fn normal_loads<D: Scalar>(
         &self,
-        frame: AzimuthFrame<D>,
-        position: [D; 2],
+        ball: &BallState<D>,
         rings: Races<&RingState<D>>,
-    ) -> BallPose<D> {
+        surfaces: Races<&LocalSurface>,
+    ) -> NormalLoads<D> {
+        self.normal_loads_by(ball, rings, surfaces, |side, _| self.frozen[side].lift())
+    }
+
+    /// Accelerations of a ball by the normal forces on it [a, r, t], N: axial, radial, orbital.
+    #[inline(always)]
+    pub fn acceleration<D: Scalar>(&self, force: [D; 3], orbit_radius: D, orbital_speed: D) -> [D; 3] {
+        let (m, r) = (self.ball_mass, orbit_radius);
+        let [a, r_force, t] = force;
+        [a / m, r_force / m + r * orbital_speed * orbital_speed, t / (r * m)]
+    }
+
+    /// Contact angles, approaches and orbit radius of a ball.
+    #[inline(always)]
+    fn pose<D: Scalar>(&self, frame: AzimuthFrame<D>, position: [D; 2], rings: Races<&RingState<D>>) -> BallPose<D> {
         let g = &self.geometry;
         let [x1, x2] = position;
-        let shift = rings.map(|ring| self.groove_shift(frame, ring));
-        let (i, o) = (shift.inner, shift.outer);
+        let (i, o) = (self.groove_shift(frame, rings.inner), self.groove_shift(frame, rings.outer));
         let orbit_radius = x2 + o.radial + g.groove_centre_radius(Side::Outer);
-        let lean = shift.map(|shift| self.lean(&shift, orbit_radius));
+        let lean = Races { inner: self.lean(&i, orbit_radius), outer: self.lean(&o, orbit_radius) };
         let axial = i.axial - o.axial + g.centre_distance() * g.sin_contact_angle() - x1;
         let radial = i.radial - o.radial + g.radial_distance() - x2 - lean.inner.farther;
         let contacts = Races {
-            inner: ContactPose::new(axial, radial, g.groove_offset(Side::Inner) + self.worn.inner.depth),
-            outer: ContactPose::new(x1, x2 + lean.outer.farther, g.groove_offset(Side::Outer) + self.worn.outer.depth),
+            inner: ContactPose::new(axial, radial, g.groove_offset(Side::Inner) + self.worn.inner),
+            outer: ContactPose::new(x1, x2 + lean.outer.farther, g.groove_offset(Side::Outer) + self.worn.outer),
         };
         BallPose { contacts, lean, orbit_radius }
     }
 
     /// Shift of a ring's groove centre at an azimuth. Tilts act with the inner groove-centre radius.
-    #[inline]
+    #[inline(always)]
     fn groove_shift<D: Scalar>(&self, frame: AzimuthFrame<D>, ring: &RingState<D>) -> GrooveShift<D> {
         let [axial, radial, tangential] = frame.from_inertial(ring.displacement);
         let lever = self.geometry.groove_centre_radius(Side::Inner);
@@ -62,7 +95,7 @@ impl Bearing {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn lean<D: Scalar>(&self, shift: &GrooveShift<D>, orbit_radius: D) -> Lean<D> {
         let x = shift.tangential;
         match self.ring_offset {
@@ -77,6 +110,79 @@ impl Bearing {
                 Lean { sin: x / arm, cos: along / arm, arm, farther: x * x / (arm + along), climb }
             }
         }
+    }
+
+    #[inline(always)]
+    fn normal_loads_by<D: Scalar>(
+        &self,
+        ball: &BallState<D>,
+        rings: Races<&RingState<D>>,
+        surfaces: Races<&LocalSurface>,
+        hertz: impl Fn(Side, &ContactPose<D>) -> HertzContact<D>,
+    ) -> NormalLoads<D> {
+        let pose = self.pose(ball.frame, ball.position, rings);
+        let contacts = Races {
+            inner: self.normal_contact(Side::Inner, &pose, (ball, rings.inner), surfaces.inner, &hertz),
+            outer: self.normal_contact(Side::Outer, &pose, (ball, rings.outer), surfaces.outer, &hertz),
+        };
+        NormalLoads { contacts, orbit_radius: pose.orbit_radius }
+    }
+
+    /// N = max(0, Q + c δ̇) with c = 2ζ sqrt(m dQ/dδ).
+    #[inline(always)]
+    fn normal_contact<D: Scalar>(
+        &self,
+        side: Side,
+        ball_pose: &BallPose<D>,
+        (ball, ring): (&BallState<D>, &RingState<D>),
+        surface: &LocalSurface,
+        hertz: impl Fn(Side, &ContactPose<D>) -> HertzContact<D>,
+    ) -> NormalContact<D> {
+        let (mut pose, lean) = (ball_pose.contacts[side], ball_pose.lean[side]);
+        pose.approach -= surface.depth;
+        let load = hertz(side, &pose).load(pose.approach);
+        let (mut force, mut closing_speed) = (load, D::zero());
+        if self.contact_damping != 0.0 {
+            let [n_a, n_r] = pose.normal(side);
+            let [v_a, v_r, v_t] = ball.frame.from_inertial(ring.velocity);
+            let along = ball_pose.orbit_radius * ball.orbital_speed;
+            let [outward, round] = lean.turn([ball.velocity[1] - v_r, along - v_t]);
+            let sinking = (round / lean.arm - ring.speed) * surface.slope;
+            closing_speed = n_a * (ball.velocity[0] - v_a - (along - v_t) * lean.climb) + n_r * outward - sinking;
+            if load.re() > 0.0 {
+                let stiffness = load / pose.approach * 1.5;
+                let damping = (stiffness * self.ball_mass).sqrt() * (2.0 * self.contact_damping);
+                let damped = load + damping * closing_speed;
+                force = if damped.re() > 0.0 { damped } else { D::zero() };
+            }
+        }
+        NormalContact { pose, lean, load, force, closing_speed, slope_moment: force * surface.slope }
+    }
+}
+
+impl Bearing {
+    /// What the normal part of the contacts needs.
+    #[inline(always)]
+    pub fn contact_springs(&self) -> ContactSprings {
+        ContactSprings {
+            geometry: self.geometry,
+            worn: Races { inner: self.worn.inner.depth, outer: self.worn.outer.depth },
+            ring_offset: self.ring_offset,
+            contact_damping: self.contact_damping,
+            ball_mass: self.ball_mass,
+            frozen: Races { inner: self.races.inner.frozen(), outer: self.races.outer.frozen() },
+        }
+    }
+
+    /// Contact angles, approaches and orbit radius of a ball.
+    #[inline]
+    pub fn pose<D: Scalar>(
+        &self,
+        frame: AzimuthFrame<D>,
+        position: [D; 2],
+        rings: Races<&RingState<D>>,
+    ) -> BallPose<D> {
+        self.contact_springs().pose(frame, position, rings)
     }
 
     /// Contact constants of a race: frozen at the free contact angle, or those of the actual one.
@@ -108,38 +214,6 @@ impl Bearing {
         rings: Races<&RingState<D>>,
         surfaces: Races<&LocalSurface>,
     ) -> NormalLoads<D> {
-        let pose = self.pose(ball.frame, ball.position, rings);
-        let contacts = Races::from_fn(|side| self.normal_contact(side, &pose, (ball, rings[side]), surfaces[side]));
-        NormalLoads { contacts, orbit_radius: pose.orbit_radius }
-    }
-
-    /// N = max(0, Q + c δ̇) with c = 2ζ sqrt(m dQ/dδ).
-    #[inline]
-    fn normal_contact<D: Scalar>(
-        &self,
-        side: Side,
-        ball_pose: &BallPose<D>,
-        (ball, ring): (&BallState<D>, &RingState<D>),
-        surface: &LocalSurface,
-    ) -> NormalContact<D> {
-        let (mut pose, lean) = (ball_pose.contacts[side], ball_pose.lean[side]);
-        pose.approach -= surface.depth;
-        let load = self.hertz(side, &pose).load(pose.approach);
-        let (mut force, mut closing_speed) = (load, D::zero());
-        if self.contact_damping != 0.0 {
-            let [n_a, n_r] = pose.normal(side);
-            let [v_a, v_r, v_t] = ball.frame.from_inertial(ring.velocity);
-            let along = ball_pose.orbit_radius * ball.orbital_speed;
-            let [outward, round] = lean.turn([ball.velocity[1] - v_r, along - v_t]);
-            let sinking = (round / lean.arm - ring.speed) * surface.slope;
-            closing_speed = n_a * (ball.velocity[0] - v_a - (along - v_t) * lean.climb) + n_r * outward - sinking;
-            if load.re() > 0.0 {
-                let stiffness = load / pose.approach * 1.5;
-                let damping = (stiffness * self.ball_mass).sqrt() * (2.0 * self.contact_damping);
-                let damped = load + damping * closing_speed;
-                force = if damped.re() > 0.0 { damped } else { D::zero() };
-            }
-        }
-        NormalContact { pose, lean, load, force, closing_speed, slope_moment: force * surface.slope }
+        self.contact_springs().normal_loads_by(ball, rings, surfaces, |side, pose| self.hertz(side, pose))
     }
 }

@@ -76,7 +76,7 @@ impl<T> From<[T; 2]> for Races<T> {
 impl<T> Index<Side> for Races<T> {
     type Output = T;
 
-    #[inline]
+    #[inline(always)]
     fn index(&self, side: Side) -> &T {
         match side {
             Side::Inner => &self.inner,
@@ -86,7 +86,7 @@ impl<T> Index<Side> for Races<T> {
 }
 
 impl<T> IndexMut<Side> for Races<T> {
-    #[inline]
+    #[inline(always)]
     fn index_mut(&mut self, side: Side) -> &mut T {
         match side {
             Side::Inner => &mut self.inner,

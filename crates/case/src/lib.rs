@@ -3,6 +3,7 @@
 mod bearing;
 mod error;
 mod locate;
+mod missing;
 mod mounting;
 mod needs;
 mod operation;
@@ -42,7 +43,8 @@ impl Case {
     /// Reads a case from RON text and checks it: every value is possible, and every source names a value of the text.
     ///
     /// # Errors
-    /// [`CaseError`] with position, path, value and what is allowed, for the first thing that is wrong.
+    /// [`CaseError`] with position, path, value and what is allowed, for the first thing that is wrong; of missing
+    /// fields it names all.
     pub fn from_ron(text: &str) -> Result<Self, CaseError> {
         let case = parse(text)?;
         // What the reader accepts has an outline; without one there would be nothing to point at.
@@ -61,13 +63,24 @@ impl Case {
     }
 }
 
-/// Text to case, without a look at what the values mean.
+/// Text to case, without a look at what the values mean. A text that lacks fields is told all of them.
 fn parse(text: &str) -> Result<Case, CaseError> {
+    read(text).map_err(|(error, lacks)| match lacks {
+        true => missing::with_all_missing(text, error, |text| read(text).err()),
+        false => error,
+    })
+}
+
+/// Text to case; an error with whether a field is missing.
+fn read(text: &str) -> Result<Case, missing::Refused> {
     let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
     let mut track = Track::new();
     let mut reader = ron::Deserializer::from_str_with_options(text, &options)
-        .map_err(|error| CaseError::from_reader(text, &error, &Track::new().path()))?;
+        .map_err(|error| (CaseError::from_reader(text, &error, &Track::new().path()), false))?;
     let case = serde::Deserialize::deserialize(serde_path_to_error::Deserializer::new(&mut reader, &mut track));
     let case = case.and_then(|case: Case| reader.end().map(|()| case));
-    case.map_err(|error| CaseError::from_reader(text, &reader.span_error(error), &track.path()))
+    case.map_err(|error| {
+        let lacks = matches!(error, ron::Error::MissingStructField { .. });
+        (CaseError::from_reader(text, &reader.span_error(error), &track.path()), lacks)
+    })
 }

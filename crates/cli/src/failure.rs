@@ -10,6 +10,7 @@ use tribodyn_identify::IdentifyError;
 use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
+use tribodyn_study::pair::PairError;
 use tribodyn_study::{RefusedCase, StudyError, SweepDifference, with_causes};
 
 /// A failed command; its exit code says whether the input or the calculation is to blame.
@@ -142,6 +143,14 @@ fn study_exit_code(error: &StudyError) -> u8 {
         StudyError::Solver { source: QuasiStaticError::NotConverged { .. }, .. }
         | StudyError::Orbit {
             source: OrbitError::NotConverged { .. } | OrbitError::Singular | OrbitError::Eigenvalues,
+            ..
+        }
+        | StudyError::Pair {
+            source:
+                PairError::NotConverged { .. }
+                | PairError::Loose
+                | PairError::Equilibrium(QuasiStaticError::NotConverged { .. })
+                | PairError::Orbit(OrbitError::NotConverged { .. }),
             ..
         }
         | StudyError::Write { .. }

@@ -12,6 +12,7 @@ mod life;
 mod modes;
 mod new;
 mod orbit;
+mod pair;
 mod rating;
 mod recover;
 mod report;
@@ -71,6 +72,8 @@ enum Command {
     Stiffness(stiffness::Arguments),
     /// Compute the natural modes of balls, cage and rings in the steady orbit
     Modes(modes::Arguments),
+    /// Solve two preloaded bearings on one shaft
+    Pair(pair::Arguments),
     /// Simulate a bearing in time and record it
     Run(run::Arguments),
     /// Compute the life of the coatings: wear over many revolutions until one is worn through
@@ -98,6 +101,7 @@ fn main() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Stiffness(arguments) => stiffness::run(&arguments),
         Command::Modes(arguments) => modes::run(&arguments),
+        Command::Pair(arguments) => pair::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Life(arguments) => life::run(&arguments),
         Command::Rating(arguments) => rating::run(&arguments),

@@ -18,6 +18,8 @@ mod merge;
 mod new;
 #[path = "cli/orbit.rs"]
 mod orbit;
+#[path = "cli/pair.rs"]
+mod pair;
 #[path = "cli/rating.rs"]
 mod rating;
 #[path = "cli/report.rs"]

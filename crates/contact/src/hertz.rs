@@ -130,7 +130,7 @@ impl<D: Scalar> HertzContact<D> {
     }
 
     /// Normal load at an elastic approach δ (m), N; 0 with zero derivative where the bodies are apart.
-    #[inline]
+    #[inline(always)]
     pub fn load(&self, approach: D) -> D {
         if approach.re() <= NEGLIGIBLE {
             return D::zero();
@@ -183,6 +183,7 @@ impl<D: Scalar> HertzContact<D> {
 
 impl HertzContact {
     /// The same contact as dual numbers without derivatives.
+    #[inline(always)]
     pub fn lift<D: Scalar>(&self) -> HertzContact<D> {
         HertzContact {
             ellipticity: self.ellipticity.into(),

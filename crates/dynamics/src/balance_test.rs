@@ -8,9 +8,10 @@ use crate::layout::{BALL, SPIN, VELOCITY};
 use crate::machine::Machine;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
-use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, NormalContact, Races, RingState, Side, Sliding};
+use tribodyn_bearing::{
+    AzimuthFrame, BallState, ContactForces, NormalContact, NormalLoads, Races, RingState, Side, Sliding,
+};
 use tribodyn_case::{Case, set_value};
-use tribodyn_wear::LocalSurface;
 
 /// Short against the contact modes of 14 kHz that the start excites: the error of the scheme must stay below the
 /// balance's.
@@ -68,8 +69,8 @@ impl Equations for Without {
         if self.lacks(Term::BallTranslation) { BallState { velocity: [0.0; 2], ..state } } else { state }
     }
 
-    fn springs(&self, state: &BallState, surfaces: &Races<LocalSurface>, frame: &Frame) -> Springs {
-        let mut springs = self.machine.springs(state, surfaces, frame);
+    fn springs(&self, normal: NormalLoads) -> Springs {
+        let mut springs = self.machine.springs(normal);
         if self.lacks(Term::TangentialNormalForce) {
             springs.force[2] = 0.0;
         }

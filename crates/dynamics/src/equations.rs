@@ -56,7 +56,7 @@ pub(crate) trait Equations {
     fn machine_mut(&mut self) -> &mut Machine;
 
     /// State of a ball at a position from its unknowns `b`.
-    #[inline]
+    #[inline(always)]
     fn state_at(&self, frame: AzimuthFrame, position: [f64; 2], b: &[f64]) -> BallState {
         BallState {
             frame,
@@ -67,16 +67,15 @@ pub(crate) trait Equations {
         }
     }
 
-    /// The spring part of a ball.
-    #[inline]
-    fn springs(&self, state: &BallState, surfaces: &Races<LocalSurface>, frame: &Frame) -> Springs {
-        let normal = self.machine().bearing.normal_loads(state, frame.rings.each_ref(), surfaces.each_ref());
-        let [i, o] = Side::BOTH.map(|side| normal.contacts[side].on_ball(side));
-        Springs { normal, force: std::array::from_fn(|k| i[k] + o[k]) }
+    /// The spring part of a ball that is pressed like this.
+    #[inline(always)]
+    fn springs(&self, normal: NormalLoads) -> Springs {
+        let (i, o) = (normal.contacts.inner.on_ball(Side::Inner), normal.contacts.outer.on_ball(Side::Outer));
+        Springs { normal, force: [i[0] + o[0], i[1] + o[1], i[2] + o[2]] }
     }
 
     /// How a ball slides on a race.
-    #[inline]
+    #[inline(always)]
     fn sliding(
         &self,
         side: Side,
@@ -103,7 +102,7 @@ pub(crate) trait Equations {
     }
 
     /// Accelerations of a ball by the spring part: axial, radial, orbital.
-    #[inline]
+    #[inline(always)]
     fn spring_acceleration(&self, springs: &Springs, orbital_speed: f64) -> [f64; 3] {
         self.machine().bearing.spring_acceleration(springs.force, springs.normal.orbit_radius, orbital_speed)
     }
@@ -125,7 +124,7 @@ pub(crate) trait Equations {
         let machine = self.machine();
         let (axes, position, surfaces) = machine.place(b, frame);
         let state = self.state_at(axes, position, b);
-        let springs = self.springs(&state, &surfaces, frame);
+        let springs = self.springs(machine.normal_loads(&state, &surfaces, frame));
         let r = springs.normal.orbit_radius;
         let contacts = Races::from_fn(|side| {
             let contact = springs.normal.contacts[side];
@@ -180,13 +179,32 @@ impl Machine {
     pub fn place(&self, b: &[f64], frame: &Frame) -> (AzimuthFrame, [f64; 2], Races<LocalSurface>) {
         let axes = AzimuthFrame::at(b[AZIMUTH]);
         let centre = frame.rings.each_ref().map(|ring| axes.from_inertial(ring.displacement));
-        let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
         let surfaces = Races::from_fn(|side| {
             // Seen from the ring's own axis the ball stands a little behind.
             let [_, radial, along] = centre[side];
             self.surface(side, b[AZIMUTH] - along / (b[RADIUS] - radial) - frame.angles[side])
         });
-        (axes, [b[AXIAL], b[RADIUS] - centre.outer[1] - groove], surfaces)
+        let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
+        (axes, Self::position(axes, [b[AXIAL], b[RADIUS]], frame, groove), surfaces)
+    }
+
+    /// How hard a ball is pressed on its races.
+    #[inline]
+    pub fn normal_loads(&self, state: &BallState, surfaces: &Races<LocalSurface>, frame: &Frame) -> NormalLoads {
+        self.bearing.normal_loads(state, frame.rings.each_ref(), surfaces.each_ref())
+    }
+
+    /// A ball's centre, by its axial position and the radius of its orbit, against the outer groove centre, which is at
+    /// a radius of its own.
+    #[inline(always)]
+    pub fn position(axes: AzimuthFrame, [axial, radius]: [f64; 2], frame: &Frame, groove: f64) -> [f64; 2] {
+        let centre = axes.from_inertial(frame.rings.outer.displacement);
+        [axial, radius - centre[1] - groove]
+    }
+
+    /// Surfaces of raceways that nothing has happened to.
+    pub fn new_surfaces(&self) -> Races<LocalSurface> {
+        Races::from_fn(|side| LocalSurface { depth: -self.bearing.worn[side].depth, ..LocalSurface::NEW })
     }
 
     /// Surface of a raceway at an azimuth of its ring; what had worn off all round at the start is in the pose of the

@@ -89,8 +89,8 @@ impl Machine {
     /// Elastic energy of the contacts of a ball with the unknowns `b`, J.
     pub fn elastic_energy(&self, b: &[f64], frame: &Frame) -> f64 {
         let (axes, position, surfaces) = self.place(b, frame);
-        let springs = self.springs(&self.state_at(axes, position, b), &surfaces, frame);
-        springs.normal.contacts.iter().map(|(_, contact)| elastic_energy(contact)).sum()
+        let normal = self.normal_loads(&self.state_at(axes, position, b), &surfaces, frame);
+        normal.contacts.iter().map(|(_, contact)| elastic_energy(contact)).sum()
     }
 
     /// Rings and cage under the sums of the balls.

@@ -4,11 +4,24 @@ use crate::machine::Machine;
 use nalgebra::Matrix5;
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::LoadedPatch;
-use tribodyn_traction::{PatchDerivative, PatchTraction, RelativeMotion};
+use tribodyn_traction::{PatchChoice, PatchDerivative, PatchTraction, RelativeMotion};
 
 /// Error of the linear traction that a refresh may find, over the load: half of that of the paper's 10 × 40 midpoints
 /// at a steep slip scale.
 pub(crate) const LINEAR_ERROR: f64 = 2.5e-4;
+/// Error of a patch rule that does not show beside that of the linear traction, over it.
+const RULE_OVER_LINEAR: f64 = 0.4;
+/// Target at which the linear traction begins to be finer than [`LINEAR_ERROR`].
+const FINEST_AT_FULL: f64 = 1e-5;
+
+/// Patch rule and linear error of the fast scheme, both from the case's target: a rule much finer than the linear
+/// traction between its refreshes costs and brings nothing. A target finer than 1e-5 refines both; named rules are taken
+/// as they are.
+pub(crate) fn fast_errors(patch: PatchChoice) -> (PatchChoice, f64) {
+    let PatchChoice::TargetError { relative } = patch else { return (patch, LINEAR_ERROR) };
+    let linear = LINEAR_ERROR * (relative / FINEST_AT_FULL).min(1.0);
+    (PatchChoice::TargetError { relative: relative.max(RULE_OVER_LINEAR * linear) }, linear)
+}
 /// Slip, m/s, as which a relative change of the load counts: traction is nearly in proportion to the load.
 const LOAD_AS_SLIP: f64 = 1.0;
 /// First distance that a linear traction may be used over, m/s.
@@ -26,8 +39,8 @@ const GROWTH: f64 = 2.0;
 pub(crate) struct Contacts {
     /// Inner, outer.
     pub of: [LinearTraction; 2],
-    /// Steps since the last refresh.
-    pub age: usize,
+    /// Steps since the last refresh of each.
+    pub age: [usize; 2],
 }
 
 /// Value and slopes at one point.
@@ -54,6 +67,27 @@ impl LinearTraction {
         self.inputs.iter().chain(&self.value).chain(slopes).copied().chain([self.bare, self.semi_lateral, self.reach])
     }
 
+    /// Numbers that a linear traction consists of.
+    pub const NUMBERS: usize = 51;
+
+    /// All of them in order.
+    pub fn numbers(&self) -> [f64; Self::NUMBERS] {
+        let mut all = [0.0; Self::NUMBERS];
+        all[..6].copy_from_slice(&self.inputs);
+        all[6..12].copy_from_slice(&self.value);
+        all[12..48].copy_from_slice(self.slopes.as_flattened());
+        all[48..].copy_from_slice(&[self.bare, self.semi_lateral, self.reach]);
+        all
+    }
+
+    /// From its numbers in that order.
+    #[inline(always)]
+    pub fn from_numbers(n: [f64; Self::NUMBERS]) -> Self {
+        let six = |at: usize| [n[at], n[at + 1], n[at + 2], n[at + 3], n[at + 4], n[at + 5]];
+        let slopes = [six(12), six(18), six(24), six(30), six(36), six(42)];
+        Self { inputs: six(0), value: six(6), slopes, bare: n[48], semi_lateral: n[49], reach: n[50] }
+    }
+
     /// The linear traction, where a motion, a load, N, and the bare part of the surface are near enough: within `share`
     /// of the reach.
     pub fn at(
@@ -63,15 +97,29 @@ impl LinearTraction {
         (bare, share): (f64, f64),
         ball_radius: f64,
     ) -> Option<PatchTraction> {
-        let change = self.change(motion, load);
-        let reach = share * self.reach;
-        let near = self.reach > 0.0
-            && (bare - self.bare).abs() <= BARE_CHANGE
-            && self.distance(&change, ball_radius) <= reach * reach;
+        let (change, near) = self.reaches(motion, load, (bare, share), ball_radius);
         near.then(|| self.traction(motion, &change))
     }
 
+    /// The change of motion and load, and whether it and the bare part of the surface are near enough.
+    #[inline(always)]
+    pub fn reaches(
+        &self,
+        motion: &RelativeMotion,
+        load: f64,
+        (bare, share): (f64, f64),
+        ball_radius: f64,
+    ) -> ([f64; 6], bool) {
+        let change = self.change(motion, load);
+        let reach = share * self.reach;
+        let near = (self.reach > 0.0)
+            & ((bare - self.bare).abs() <= BARE_CHANGE)
+            & (self.distance(&change, ball_radius) <= reach * reach);
+        (change, near)
+    }
+
     /// Square of how far slip and load have moved, m²/s².
+    #[inline(always)]
     fn distance(&self, d: &[f64; 6], r: f64) -> f64 {
         let (along, across) = (d[0] + r * d[3], d[1] - r * d[4]);
         let spin = d[2] * self.semi_lateral;
@@ -79,16 +127,22 @@ impl LinearTraction {
         along * along + across * across + spin * spin + load * load
     }
 
+    #[inline(always)]
     fn change(&self, motion: &RelativeMotion, load: f64) -> [f64; 6] {
         let now = inputs(motion, load);
-        std::array::from_fn(|i| now[i] - self.inputs[i])
+        let from = &self.inputs;
+        [now[0] - from[0], now[1] - from[1], now[2] - from[2], now[3] - from[3], now[4] - from[4], now[5] - from[5]]
     }
 
     /// The linear form. Its power is what forces and moments take from the motion.
-    fn traction(&self, motion: &RelativeMotion, change: &[f64; 6]) -> PatchTraction {
+    #[inline(always)]
+    #[allow(clippy::needless_range_loop)] // iterators would still be loops when one over many balls is vectorised
+    pub fn traction(&self, motion: &RelativeMotion, change: &[f64; 6]) -> PatchTraction {
         let mut f = self.value;
-        for (slopes, change) in self.slopes.iter().zip(change) {
-            f.iter_mut().zip(slopes).for_each(|(f, slope)| *f += slope * change);
+        for input in 0..6 {
+            for output in 0..6 {
+                f[output] += self.slopes[input][output] * change[input];
+            }
         }
         let mut traction = PatchTraction {
             force_rolling: f[0],
@@ -152,10 +206,32 @@ impl LinearTraction {
     }
 }
 
+#[inline(always)]
 fn inputs(m: &RelativeMotion, load: f64) -> [f64; 6] {
     [m.rolling, m.lateral, m.spin, m.about_lateral, m.about_rolling, load]
 }
 
 fn outputs(t: &PatchTraction) -> [f64; 6] {
     [t.force_rolling, t.force_lateral, t.moment_normal, t.moment_lateral, t.moment_rolling, t.wear_integral]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tribodyn_traction::PatchRule;
+
+    #[test]
+    fn limit_rule_and_linear_error_follow_the_target_together() {
+        let of = |relative| match fast_errors(PatchChoice::TargetError { relative }) {
+            (PatchChoice::TargetError { relative }, linear) => [relative, linear],
+            (PatchChoice::Named(rule), _) => unreachable!("{rule:?} for a target"),
+        };
+        let close =
+            |a: [f64; 2], b: [f64; 2]| assert!(a.iter().zip(b).all(|(a, b)| (a / b - 1.0).abs() < 1e-12), "{a:?}");
+        close(of(1e-3), [1e-3, LINEAR_ERROR]);
+        close(of(1e-5), [1e-4, LINEAR_ERROR]);
+        close(of(1e-6), [1e-5, 0.1 * LINEAR_ERROR]);
+        let named = PatchChoice::Named(PatchRule::SplitStrip { across: 5, along: 3 });
+        assert_eq!(fast_errors(named), (named, LINEAR_ERROR));
+    }
 }

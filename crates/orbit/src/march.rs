@@ -101,53 +101,97 @@ impl Newton<'_> {
         (change.enumerate().map(|(n, c)| (c / errors[n % BALL]).powi(2)).sum::<f64>() / count as f64).sqrt()
     }
 
-    /// Newton's method with the slopes of the beginning; none where it does not converge.
+    /// Newton's method with the slopes of the beginning, or else with those of each point at each step, which take a
+    /// ball over the kinks of its forces; none where neither converges.
     fn interval(&self, place: &Place, step: f64, (orbit, allowed): (&Orbit, f64)) -> Option<Tried> {
-        let (radau, s) = (&self.radau, &self.scales.ball);
-        let mut own = Stack::zeros();
-        for i in 0..STAGES {
-            own.fixed_view_mut::<BALL, BALL>(BALL * i, BALL * i).copy_from(&(place.by * -step));
-            for k in 0..BALL {
-                (0..STAGES).for_each(|o| own[(BALL * i + k, BALL * o + k)] += radau.slope[i][o]);
-            }
-        }
-        let lu = own.lu();
+        let simplified = self.iterate_points(place, step, (orbit, allowed), false);
+        let (changes, iterations) = simplified.or_else(|| self.iterate_points(place, step, (orbit, allowed), true))?;
+        let s = &self.scales.ball;
+        let values = std::array::from_fn(|i| std::array::from_fn(|k| place.y[k] + s[k] * changes[BALL * i + k]));
+        let error = self.error(place, step, &changes)? / allowed;
+        Some(Tried { values, error, iterations })
+    }
+
+    fn iterate_points(
+        &self,
+        place: &Place,
+        step: f64,
+        (orbit, allowed): (&Orbit, f64),
+        full: bool,
+    ) -> Option<(Points, usize)> {
+        let mut lu = self.matrix(&[place.by; STAGES], step).lu();
         let mut changes = self.guess(place, step, orbit);
-        let time = self.system.time(step, orbit.cage_speed);
         let mut last = f64::INFINITY;
-        let mut iterations = 0;
-        loop {
-            let mut residual = Points::zeros();
-            for i in 0..STAGES {
-                let y: [f64; BALL] = std::array::from_fn(|k| place.y[k] + s[k] * changes[BALL * i + k]);
-                let azimuth = self.system.azimuth(place.turn + radau.points[i] * step);
-                let e = self.system.value(azimuth, &y, orbit.cage_speed, orbit.ring);
-                for k in 0..BALL {
-                    let slope: f64 = (0..STAGES).map(|o| radau.slope[i][o] * changes[BALL * o + k]).sum();
-                    residual[BALL * i + k] = time * e.rate[k] / s[k] - slope;
-                }
+        for iterations in 1..=ITERATIONS {
+            let (mut residual, slopes) = self.points(place, step, (orbit, &changes), full);
+            if let Some(slopes) = slopes {
+                lu = self.matrix(&slopes, step).lu();
             }
             if !lu.solve_mut(&mut residual) {
                 return None;
             }
             changes += residual;
-            iterations += 1;
             let size = self.size(residual.iter().copied(), STACK) / allowed;
             let contraction = size / last;
             let left = if contraction < 1.0 { size * contraction / (1.0 - contraction) } else { size };
             if size == 0.0 || left.min(size) < SOLVED && iterations > 1 || size < 0.1 * SOLVED {
-                break;
+                return Some((changes, iterations));
             }
             let remaining = (ITERATIONS - iterations) as i32;
             let hopeless = iterations > 2 && left * contraction.powi(remaining) > SOLVED;
-            if !size.is_finite() || remaining == 0 || iterations > 1 && contraction > 2.0 || hopeless {
+            let apart = iterations > 1 && contraction > 2.0 || hopeless;
+            if !size.is_finite() || !full && apart {
                 return None;
             }
             last = size;
         }
-        let values = std::array::from_fn(|i| std::array::from_fn(|k| place.y[k] + s[k] * changes[BALL * i + k]));
-        let error = self.error(place, step, &changes)? / allowed;
-        Some(Tried { values, error, iterations })
+        None
+    }
+
+    /// Equations of the points by the points.
+    fn matrix(&self, by: &[Block; STAGES], step: f64) -> Stack {
+        let mut own = Stack::zeros();
+        for (i, by) in by.iter().enumerate() {
+            own.fixed_view_mut::<BALL, BALL>(BALL * i, BALL * i).copy_from(&(by * -step));
+            for k in 0..BALL {
+                (0..STAGES).for_each(|o| own[(BALL * i + k, BALL * o + k)] += self.radau.slope[i][o]);
+            }
+        }
+        own
+    }
+
+    /// What the equations of the points lack, with their slopes where wanted.
+    fn points(
+        &self,
+        place: &Place,
+        step: f64,
+        (orbit, changes): (&Orbit, &Points),
+        with_slopes: bool,
+    ) -> (Points, Option<[Block; STAGES]>) {
+        let (radau, s, border) = (&self.radau, &self.scales.ball, (orbit.cage_speed, orbit.ring));
+        let time = self.system.time(step, orbit.cage_speed);
+        let mut residual = Points::zeros();
+        let mut slopes = with_slopes.then(|| [Block::zeros(); STAGES]);
+        for i in 0..STAGES {
+            let y: [f64; BALL] = std::array::from_fn(|k| place.y[k] + s[k] * changes[BALL * i + k]);
+            let turn = place.turn + radau.points[i] * step;
+            let rate = match &mut slopes {
+                Some(slopes) => {
+                    let at = self.place(turn, &y, border);
+                    slopes[i] = at.by;
+                    at.rate * step
+                }
+                None => {
+                    let e = self.system.value(self.system.azimuth(turn), &y, border.0, border.1);
+                    Ball::from_fn(|k, _| time * e.rate[k] / s[k])
+                }
+            };
+            for k in 0..BALL {
+                let slope: f64 = (0..STAGES).map(|o| radau.slope[i][o] * changes[BALL * o + k]).sum();
+                residual[BALL * i + k] = rate[k] - slope;
+            }
+        }
+        (residual, slopes)
     }
 
     /// Changes at the points of an interval as the interval before goes on; none at first.

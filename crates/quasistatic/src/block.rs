@@ -294,6 +294,8 @@ pub struct SolverStatistics {
     pub rejected: usize,
     /// Jacobians of all balls and the ring together.
     pub jacobians: usize,
+    /// Starts from other states where Newton's method found no way from the first one.
+    pub rescues: usize,
 }
 
 impl std::ops::Add for SolverStatistics {
@@ -304,6 +306,7 @@ impl std::ops::Add for SolverStatistics {
             accepted: self.accepted + other.accepted,
             rejected: self.rejected + other.rejected,
             jacobians: self.jacobians + other.jacobians,
+            rescues: self.rescues + other.rescues,
         }
     }
 }

@@ -5,8 +5,10 @@ use crate::cage::{Pocket, pocket_forces};
 use crate::jones_harris::{JonesHarris, Kinematics, kinematics};
 use crate::with_traction::WithTraction;
 use crate::{Model, Solution};
-use tribodyn_bearing::{BallPlace, BallResult, Bearing, ContactPose, ContactResult, OperatingPoint, PocketResult};
-use tribodyn_bearing::{PocketForce, RaceContact, Races, Side};
+use tribodyn_bearing::{
+    BallPlace, BallResult, Bearing, ContactPose, ContactResult, OperatingPoint, PocketForce, PocketResult, RaceControl,
+};
+use tribodyn_bearing::{RaceContact, Races, Side};
 use tribodyn_traction::TractionLaw;
 
 /// Inner slide-to-roll ratio beyond which the ball skids: past the peak of the library's coatings, which lies at 0.1 to
@@ -46,6 +48,14 @@ pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &O
     (solution.ring_load_n, solution.ring_moment_nm) = (ring_load, ring_moment);
     (solution.residual, solution.iterations) = (solved.worst().residual, solved.statistics.accepted);
     lost_contacts(&mut solution);
+    let released = system.inner_control.iter().filter(|inner| !**inner).count();
+    if bearing.modelling.race_control == Some(RaceControl::Inner) && released > 0 {
+        solution.warnings.push(format!(
+            "raceway control by the inner race for all balls has no equilibrium that was found: {released} of {} balls, \
+             which it does not touch without gyroscopic moments, run with the outer race",
+            system.inner_control.len()
+        ));
+    }
     solution
 }
 

@@ -3,10 +3,10 @@
 //! With traction: pseudo-time for ring and balls together, from rolling and from skidding. Jones–Harris: from a slower
 //! bearing up. Nothing here runs while the usual way succeeds, so that its solutions keep their digits.
 
-use crate::block::{BlockState, Iterate, ORBIT, SPIN};
+use crate::block::{BlockState, Iterate, ORBIT, SPIN, SolverStatistics};
 use crate::driver;
 use crate::jones_harris::{JonesHarris, kinematics};
-use crate::methods::NewtonOrNested;
+use crate::methods::{Downhill, NewtonOrNested};
 use crate::problem::Reason;
 use crate::relax::relax;
 use crate::report::SKIDDING;
@@ -26,6 +26,8 @@ const ROUNDING: f64 = 1e-9;
 const ROUNDING_AT_REST: f64 = 1e-7;
 /// First and least share of the speed by which Jones–Harris goes up.
 const SPEED_STRIDES: [f64; 2] = [0.25, 0.01];
+/// Residual of the elastic state: Newton's method goes on from there.
+const ELASTIC: f64 = 1e-6;
 const RPM_PER_RAD_S: f64 = 30.0 / std::f64::consts::PI;
 
 /// Tries again from several states; gives what came nearest to balance.
@@ -45,6 +47,7 @@ pub(crate) fn with_traction(
         let relaxed = relax(system, start, RELAXED, FROM_AFAR, STEPS_OF_PSEUDO_TIME * limit);
         let method = NewtonOrNested::new(0.1 * tolerance, 0);
         let mut solved = driver::run(system, Iterate::new(system, relaxed), method, tolerance, limit);
+        solved.statistics.rescues += 1;
         solved.statistics = nearest.statistics + solved.statistics;
         if solved.worst().residual < nearest.worst().residual {
             nearest = solved;
@@ -96,22 +99,22 @@ fn rounding(residual: f64) -> Reason {
     Reason::Rounding { attainable: 10f64.powf((3.0 * residual).log10().ceil()) }
 }
 
-/// Goes from slow to fast; gives what came nearest and the share of the speed that was reached.
+/// Goes from slow to fast; gives what came nearest and the share of the speed that was reached. `elastic` is the state
+/// without gyroscopic moments, under the centrifugal force (N) of the full speed.
 pub(crate) fn jones_harris(
     system: &mut JonesHarris<'_>,
     failed: Iterate,
-    elastic: &Iterate,
+    (elastic, centrifugal): (&Iterate, f64),
     point: &OperatingPoint,
 ) -> (Iterate, f64) {
     let speeds = system.speeds;
     let (mut state, mut reached, mut stride) = (elastic.state.clone(), 0.0, SPEED_STRIDES[0]);
     let mut statistics = failed.statistics;
+    statistics.rescues += 1;
     while stride >= SPEED_STRIDES[1] {
         let share = f64::min(reached + stride, 1.0);
         system.speeds = speeds.map(|speed| share * speed);
-        let start = Iterate::new(system, state.clone());
-        let (tolerance, limit) = (point.numerics.tolerance, point.numerics.max_iterations);
-        let mut solved = driver::run(system, start, NewtonOrNested::newton_alone(), tolerance, limit);
+        let mut solved = at_speed(system, state.clone(), (share, reached), centrifugal, point);
         statistics = statistics + solved.statistics;
         solved.statistics = statistics;
         if solved.worst().residual > point.numerics.tolerance {
@@ -125,6 +128,35 @@ pub(crate) fn jones_harris(
     }
     system.speeds = speeds;
     (Iterate { statistics, ..failed }, reached)
+}
+
+/// The equilibrium at a share of the speed: from that at a lower share, and from the elastic state under the centrifugal
+/// force of this one. Under that of the full speed the balls of a light bearing stand where no slow one has them.
+fn at_speed(
+    system: &mut JonesHarris<'_>,
+    state: BlockState,
+    (share, reached): (f64, f64),
+    centrifugal: f64,
+    point: &OperatingPoint,
+) -> Iterate {
+    let (tolerance, limit) = (point.numerics.tolerance, point.numerics.max_iterations);
+    let newton = |system: &JonesHarris<'_>, state: BlockState| {
+        driver::run(system, Iterate::new(system, state), NewtonOrNested::newton_alone(), tolerance, limit)
+    };
+    let mut before = SolverStatistics::default();
+    if reached > 0.0 {
+        let solved = newton(system, state.clone());
+        if solved.worst().residual <= tolerance {
+            return solved;
+        }
+        before = solved.statistics;
+    }
+    system.frozen = Some(centrifugal * share * share);
+    let elastic = driver::run(system, Iterate::new(system, state), Downhill { mu: 1.0 }, ELASTIC, limit);
+    system.frozen = None;
+    let mut solved = newton(system, elastic.state);
+    solved.statistics = before + elastic.statistics + solved.statistics;
+    solved
 }
 
 /// Why raceway control has no equilibrium.

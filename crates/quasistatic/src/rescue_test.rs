@@ -76,3 +76,32 @@ fn limit_a_tolerance_below_rounding_is_answered_with_one_that_can_be_met() {
     point.numerics.tolerance = attainable;
     assert!(attainable <= 1e-10 && solve(&bearing, &point, Model::Traction).is_ok(), "{attainable:e}");
 }
+
+fn of_survey(text: &str) -> (Bearing, OperatingPoint) {
+    let case = Case::from_ron(text).unwrap();
+    (case.bearing().unwrap(), case.operating_point())
+}
+
+/// Newton's method alone finds no way in rings that turn against each other; over slower ones it does.
+#[test]
+fn limit_raceway_control_is_found_over_slower_bearings() {
+    let (bearing, point) = of_survey(include_str!("../../../fixtures/survey/1-01405.ron"));
+    let solved = solve(&bearing, &point, Model::JonesHarris).unwrap();
+    assert!(solved.statistics.rescues > 0, "{:?}: the case no longer shows what it is for", solved.statistics);
+    assert!(solved.solution.residual <= point.numerics.tolerance);
+}
+
+/// Where the inner race cannot hold all balls, those that it does not touch are left to the outer one, and the solution
+/// says so.
+#[test]
+fn limit_inner_control_leaves_balls_that_it_does_not_touch_to_the_outer_race() {
+    let (bearing, point) = of_survey(include_str!("../../../fixtures/survey/1-00027.ron"));
+    assert_eq!(bearing.modelling.race_control, Some(RaceControl::Inner));
+    let Rolling { system, solved, .. } = rolling_state(&bearing, &point, true);
+    let held = system.inner_control.iter().filter(|inner| **inner).count();
+    assert!(held > 0 && held < bearing.geometry.ball_count, "{held} balls");
+    assert!(solved.unwrap().worst().residual <= point.numerics.tolerance);
+    let solution = solve(&bearing, &point, Model::JonesHarris).unwrap().solution;
+    let warning = format!("{} of {} balls", bearing.geometry.ball_count - held, bearing.geometry.ball_count);
+    assert!(solution.warnings.iter().any(|text| text.contains(&warning)), "{:?}", solution.warnings);
+}

@@ -180,16 +180,20 @@ pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wa
     system.frozen = None;
     let mut statistics = elastic.statistics;
     let mut state = elastic.state.clone();
-    // Criterion: solve, ask each ball which race controls, solve again; a few rounds settle it, or the last answer
-    // stands.
+    // Solve, ask each ball which race controls, solve again; a few rounds settle it, or the last answer stands.
     for round in 0.. {
         let mut solved = newton(&system, state, point);
         let mut reached = 1.0;
         if wanted && solved.worst().residual > point.numerics.tolerance {
-            (solved, reached) = rescue::jones_harris(&mut system, solved, &elastic, point);
+            (solved, reached) = rescue::jones_harris(&mut system, solved, (&elastic, k.centrifugal_force), point);
         }
         statistics = statistics + solved.statistics;
-        let inner_control = controlling_races(&system, &solved.state, control);
+        let found = solved.worst().residual <= point.numerics.tolerance;
+        let inner_control = match control {
+            RaceControl::Inner if wanted && !found => held_by_inner_race(&system, &elastic.state),
+            RaceControl::Criterion => controlling_races(&system, &solved.state),
+            _ => system.inner_control.clone(),
+        };
         if round == CONTROL_ROUNDS || inner_control == system.inner_control {
             solved.statistics = statistics;
             let reason = || rescue::why_no_raceway_control(&system, &solved, reached);
@@ -197,7 +201,7 @@ pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wa
             return Rolling { system, elastic, solved: checked.map(|()| solved) };
         }
         system.inner_control = inner_control;
-        state = solved.state;
+        state = if control == RaceControl::Inner { elastic.state.clone() } else { solved.state };
     }
     unreachable!("the loop returns in its last round")
 }
@@ -207,11 +211,18 @@ fn newton<S: BlockSystem>(system: &S, start: BlockState, point: &OperatingPoint)
     driver::run(system, Iterate::new(system, start), method, point.numerics.tolerance, point.numerics.max_iterations)
 }
 
+/// Balls that the inner race can hold where it cannot hold all: those that it touches in the elastic state. The others
+/// are left to the outer race.
+fn held_by_inner_race(system: &JonesHarris<'_>, elastic: &BlockState) -> Vec<bool> {
+    let touches = |(index, &ball): (usize, &[f64; BALL])| {
+        let pose = system.pose(index, ball, elastic.ring);
+        !system.typical.is_idle(system.bearing.contact_load(Side::Inner, &pose.contacts.inner).0)
+    };
+    elastic.balls.iter().enumerate().map(touches).collect()
+}
+
 /// Harris's criterion: outer control where Q_o a_o E_o cos(α_i − α_o) > Q_i a_i E_i.
-fn controlling_races(system: &JonesHarris<'_>, state: &BlockState, wanted: RaceControl) -> Vec<bool> {
-    if wanted != RaceControl::Criterion {
-        return system.inner_control.clone();
-    }
+fn controlling_races(system: &JonesHarris<'_>, state: &BlockState) -> Vec<bool> {
     let resistance = |side, pose: &tribodyn_bearing::ContactPose| {
         let (load, ellipse) = system.bearing.contact_load(side, pose);
         load * ellipse.semi_lateral() * system.bearing.races[side].frozen::<f64>().second_integral

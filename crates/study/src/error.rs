@@ -80,6 +80,14 @@ pub enum StudyError {
         /// All that is missing.
         source: Lacking,
     },
+    /// A pair that has no equilibrium.
+    #[error("{file}: {source}")]
+    Pair {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: crate::pair::PairError,
+    },
     /// An equilibrium that is not found.
     #[error("{file}: {source}")]
     Solver {

@@ -10,6 +10,7 @@ mod life;
 mod limits;
 mod lock;
 mod ours;
+pub mod pair;
 pub mod plausibility;
 pub mod rating;
 pub mod run;

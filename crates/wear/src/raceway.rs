@@ -149,6 +149,11 @@ impl Raceway {
         LocalSurface { depth, slope, bare: 1.0 - covered }
     }
 
+    /// True while nothing is worn and there is no defect: the surface is [`LocalSurface::NEW`] everywhere.
+    pub fn is_new(&self) -> bool {
+        self.pristine
+    }
+
     /// Wears off a volume, m³, where a ball stands whose contact ellipse is `semi_lateral_m` across the groove from its
     /// middle to its edge: the track is twice as wide. Nothing happens for a volume or a semi-axis that is not above 0,
     /// or an azimuth that is not finite.

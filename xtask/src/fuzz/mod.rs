@@ -12,7 +12,7 @@ mod targets;
 
 use crate::error::Failure;
 use crate::terminal;
-use cpu_time::ThreadTime;
+use cpu_time::{ProcessTime, ThreadTime};
 use mutate::{Random, mutate};
 use std::collections::BTreeSet;
 use std::panic::{self, AssertUnwindSafe};
@@ -48,7 +48,8 @@ pub struct Arguments {
 
 /// Longest processor time for an input.
 const SLOW: Duration = Duration::from_secs(1);
-/// Wall time after which an input counts as one that never ends.
+/// Processor time of the program after which an input counts as one that never ends: the wall's clock would blame it for
+/// the work of others.
 const HANGING: Duration = Duration::from_secs(60);
 /// Most memory of the process, bytes.
 const MEMORY: u64 = 512 << 20;
@@ -143,7 +144,7 @@ thread_local! {
 }
 
 /// The input that is being read, and since when; none between two.
-type Current = Arc<Mutex<Option<(Input, Instant)>>>;
+type Current = Arc<Mutex<Option<(Input, ProcessTime)>>>;
 type Input = Arc<Vec<u8>>;
 
 /// Runs a target in a thread of its own; an input that never ends is written and ends the program.
@@ -186,7 +187,7 @@ fn tried(
         if trace {
             save(folder, "current", &input)?;
         }
-        *current.lock().unwrap_or_else(PoisonError::into_inner) = Some((Arc::clone(&input), Instant::now()));
+        *current.lock().unwrap_or_else(PoisonError::into_inner) = Some((Arc::clone(&input), ProcessTime::now()));
         let clock = ThreadTime::now();
         let answer = panic::catch_unwind(AssertUnwindSafe(|| subject.read(&input)));
         let time = clock.elapsed();
@@ -232,6 +233,7 @@ fn next(random: &mut Random, target: Target, pool: &[Input], (executions, kinds)
         let mut input = random.one_of(pool).to_vec();
         let other = random.one_of(pool);
         mutate(random, target.form(), &mut input, other);
+        input.truncate(target.longest());
         Arc::new(input)
     })
 }

@@ -55,4 +55,9 @@ impl Target {
     pub fn form(self) -> Form {
         if matches!(self, Self::Reader | Self::Recovery) { Form::Binary } else { Form::Text }
     }
+
+    /// Longest input, bytes: no system hands a program an argument that is longer than 128 KiB (MAX_ARG_STRLEN of Linux).
+    pub fn longest(self) -> usize {
+        if matches!(self, Self::Set | Self::Grid) { 128 << 10 } else { 2 << 20 }
+    }
 }

@@ -1,39 +1,203 @@
 //! The drift: motion under contact springs, supports, loads and the centrifugal force.
 
-use super::Stand;
-use crate::equations::Equations;
+use super::lanes::{Lane, WIDTH, filled, get, put, sin_cos};
+use crate::equations::{Equations, Frame};
 use crate::forces::Sums;
-use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
+use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
-use tribodyn_bearing::Side;
+use fearless_simd::{Level, dispatch};
+use tribodyn_bearing::{AzimuthFrame, ContactPose, ContactSprings, Lean, NormalContact, NormalLoads, Races, Side};
+use tribodyn_wear::LocalSurface;
+
+/// The balls of a block at the position that the drift evaluated last: the kick at the same position needs it again.
+#[derive(Debug, Clone)]
+pub(super) struct Stand {
+    /// Depth, slope and bare part of the surfaces.
+    surfaces: [[Lane; 3]; 2],
+    found: Found,
+}
+
+/// Numbers of a normal contact.
+const CONTACT: usize = 12;
+
+/// What the springs do there.
+#[derive(Debug, Clone)]
+struct Found {
+    /// sin φ, cos φ.
+    axes: [Lane; 2],
+    position: [Lane; 2],
+    orbit_radius: Lane,
+    contacts: [[Lane; CONTACT]; 2],
+    /// Of axial and radial velocity and orbital speed.
+    acceleration: [Lane; 3],
+    /// Normal forces on the balls' side of the contacts (x, y, z), N.
+    on_rings: [[Lane; 3]; 2],
+}
+
+impl Found {
+    const NONE: Self = Self {
+        axes: [Lane::ZERO; 2],
+        position: [Lane::ZERO; 2],
+        orbit_radius: Lane::ZERO,
+        contacts: [[Lane::ZERO; CONTACT]; 2],
+        acceleration: [Lane::ZERO; 3],
+        on_rings: [[Lane::ZERO; 3]; 2],
+    };
+}
+
+impl Stand {
+    pub const NONE: Self = Self { surfaces: [[Lane::ZERO; 3]; 2], found: Found::NONE };
+
+    #[inline(always)]
+    pub fn axes(&self, k: usize) -> AzimuthFrame {
+        let [sin, cos] = get(&self.found.axes, k);
+        AzimuthFrame { sin, cos }
+    }
+
+    #[inline(always)]
+    pub fn position(&self, k: usize) -> [f64; 2] {
+        get(&self.found.position, k)
+    }
+
+    #[inline(always)]
+    pub fn orbit_radius(&self, k: usize) -> f64 {
+        self.found.orbit_radius.0[k]
+    }
+
+    #[inline(always)]
+    pub fn bare(&self, side: Side, k: usize) -> f64 {
+        self.surfaces[side as usize][2].0[k]
+    }
+
+    pub fn acceleration(&self) -> &[Lane; 3] {
+        &self.found.acceleration
+    }
+
+    pub fn set_acceleration(&mut self, acceleration: [Lane; 3]) {
+        self.found.acceleration = acceleration;
+    }
+
+    #[inline(always)]
+    pub fn contact(&self, side: Side, k: usize) -> NormalContact {
+        let [sin, cos, approach, lean_sin, lean_cos, arm, farther, climb, load, force, closing_speed, slope_moment] =
+            get(&self.found.contacts[side as usize], k);
+        let lean = Lean { sin: lean_sin, cos: lean_cos, arm, farther, climb };
+        NormalContact { pose: ContactPose { sin, cos, approach }, lean, load, force, closing_speed, slope_moment }
+    }
+
+    pub fn normal(&self, k: usize) -> NormalLoads {
+        let contacts = Races::from_fn(|side| self.contact(side, k));
+        NormalLoads { contacts, orbit_radius: self.orbit_radius(k) }
+    }
+}
+
+#[inline(always)]
+fn numbers(c: &NormalContact) -> [f64; CONTACT] {
+    let (pose, lean) = (&c.pose, &c.lean);
+    #[rustfmt::skip]
+    let numbers = [
+        pose.sin, pose.cos, pose.approach, lean.sin, lean.cos, lean.arm, lean.farther, lean.climb,
+        c.load, c.force, c.closing_speed, c.slope_moment,
+    ];
+    numbers
+}
+
+/// The balls of a block under their springs; `pressed` tells how hard they are pressed, and `groove` is the radius of the
+/// outer groove centres.
+#[inline(always)]
+fn springs<E: Equations>(
+    equations: &E,
+    frame: &Frame,
+    (balls, surfaces): (&[Lane; BALL], &[[Lane; 3]; 2]),
+    (model, groove): (ContactSprings, f64),
+    found: &mut Found,
+) {
+    let (frame, balls, surfaces) = (*frame, *balls, *surfaces);
+    for k in 0..WIDTH {
+        let b = get(&balls, k);
+        let (sin, cos) = sin_cos(b[AZIMUTH]);
+        let axes = AzimuthFrame { sin, cos };
+        let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], &frame, groove);
+        let state = equations.state_at(axes, position, &b);
+        let ([d_i, s_i, b_i], [d_o, s_o, b_o]) = (get(&surfaces[0], k), get(&surfaces[1], k));
+        let inner = LocalSurface { depth: d_i, slope: s_i, bare: b_i };
+        let outer = LocalSurface { depth: d_o, slope: s_o, bare: b_o };
+        let rings = Races { inner: &frame.rings.inner, outer: &frame.rings.outer };
+        let springs = equations.springs(model.normal_loads(&state, rings, Races { inner: &inner, outer: &outer }));
+        put(&mut found.axes, k, [sin, cos]);
+        put(&mut found.position, k, position);
+        let r = springs.normal.orbit_radius;
+        found.orbit_radius.0[k] = r;
+        put(&mut found.acceleration, k, model.acceleration(springs.force, r, state.orbital_speed));
+        let Races { inner, outer } = &springs.normal.contacts;
+        put(&mut found.contacts[0], k, numbers(inner));
+        put(&mut found.contacts[1], k, numbers(outer));
+        let [a, r, t] = inner.on_ring(Side::Inner, model.ring_offset());
+        put(&mut found.on_rings[0], k, axes.to_inertial([-a, -r, -t]));
+        let [a, r, t] = outer.on_ring(Side::Outer, model.ring_offset());
+        put(&mut found.on_rings[1], k, axes.to_inertial([-a, -r, -t]));
+    }
+}
+
+/// The same ball by ball, for contact constants that follow the contact angle.
+fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; BALL], stand: &mut Stand) {
+    let machine = equations.machine();
+    let model = machine.bearing.contact_springs();
+    let groove = machine.bearing.geometry.groove_centre_radius(Side::Outer);
+    for k in 0..WIDTH {
+        let b = get(balls, k);
+        let (sin, cos) = sin_cos(b[AZIMUTH]);
+        let axes = AzimuthFrame { sin, cos };
+        let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], frame, groove);
+        let state = equations.state_at(axes, position, &b);
+        let surfaces = Races::from_fn(|side| {
+            let [depth, slope, bare] = get(&stand.surfaces[side as usize], k);
+            LocalSurface { depth, slope, bare }
+        });
+        let springs = equations.springs(machine.normal_loads(&state, &surfaces, frame));
+        let found = &mut stand.found;
+        put(&mut found.axes, k, [sin, cos]);
+        put(&mut found.position, k, position);
+        found.orbit_radius.0[k] = springs.normal.orbit_radius;
+        put(&mut found.acceleration, k, equations.spring_acceleration(&springs, state.orbital_speed));
+        for side in Side::BOTH {
+            let contact = &springs.normal.contacts[side];
+            put(&mut found.contacts[side as usize], k, numbers(contact));
+            let [a, r, t] = contact.on_ring(side, model.ring_offset());
+            put(&mut found.on_rings[side as usize], k, axes.to_inertial([-a, -r, -t]));
+        }
+    }
+}
 
 /// Accelerations of balls, rings and cage by the spring part, supports and loads; of the orbital speed, the rate of the
 /// angular momentum over m r². The centrifugal force is here and not in the glide so that dampers see the velocity of
-/// the middle of a step and not half a step of it.
+/// the middle of a step and not half a step of it. Those of the balls are in `stands`, the others in `a`.
 pub(super) fn drift_acceleration<E: Equations>(
+    level: Level,
     equations: &E,
-    t: f64,
-    y: &[f64],
-    a: &mut [f64],
-    stands: &mut Vec<Stand>,
+    (t, y): (f64, &[f64]),
+    balls: &[[Lane; BALL]],
+    (a, stands): (&mut [f64], &mut [Stand]),
 ) {
     let machine = equations.machine();
     let l = machine.layout;
-    stands.clear();
     let frame = machine.frame(t, y);
     let mut sums = Sums::default();
-    for index in 0..l.balls {
-        let b = machine.unknowns(index, y);
-        let (axes, position, surfaces) = machine.place(b, &frame);
-        let state = equations.state_at(axes, position, b);
-        let springs = equations.springs(&state, &surfaces, &frame);
-        let at = l.ball(index) + VELOCITY;
-        a[at..at + 3].copy_from_slice(&equations.spring_acceleration(&springs, state.orbital_speed));
-        for side in Side::BOTH {
-            let on_ring = springs.normal.contacts[side].on_ring(side, machine.bearing.ring_offset);
-            Machine::react(&mut sums, side, axes, on_ring.map(|f| -f));
+    let model = (machine.bearing.contact_springs(), machine.bearing.geometry.groove_centre_radius(Side::Outer));
+    for (block, (balls, out)) in balls.iter().zip(stands).enumerate() {
+        surfaces(machine, &frame, balls, &mut out.surfaces);
+        if machine.bearing.modelling.contact_at_actual_angle {
+            springs_by_angle(equations, &frame, balls, out);
+        } else {
+            let Stand { surfaces, found } = &mut *out;
+            dispatch!(level, _simd => springs(equations, &frame, (balls, surfaces), model, found));
         }
-        stands.push(Stand { axes, position, normal: springs.normal, surfaces });
+        for k in 0..filled(l, block) {
+            for side in Side::BOTH {
+                let on_ball = get(&out.found.on_rings[side as usize], k);
+                (0..3).for_each(|i| sums.on_rings[side][i] -= on_ball[i]);
+            }
+        }
     }
     let bodies = machine.bodies(t, &frame, &sums);
     a[l.cage() + 1] = bodies.cage;
@@ -41,34 +205,63 @@ pub(super) fn drift_acceleration<E: Equations>(
     a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);
 }
 
-/// Velocities by the drift's accelerations.
-pub(super) fn push(machine: &Machine, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
-    let l = machine.layout;
-    let count = BALL * l.balls;
-    let parts = a[..count].as_chunks::<BALL>().0.iter().zip(common[..count].as_chunks::<BALL>().0);
-    for (y, (a, common)) in y[..count].as_chunks_mut::<BALL>().0.iter_mut().zip(parts) {
-        for k in VELOCITY..=ORBIT {
-            y[k] += h * (a[k] - common[k]);
+/// The surfaces under the balls of a block.
+fn surfaces(machine: &Machine, frame: &Frame, balls: &[Lane; BALL], out: &mut [[Lane; 3]; 2]) {
+    let new = machine.raceways.inner.is_new() && machine.raceways.outer.is_new();
+    for k in 0..WIDTH {
+        let here = if new { machine.new_surfaces() } else { machine.place(&get(balls, k), frame).2 };
+        for (side, surface) in here.iter() {
+            put(&mut out[side as usize], k, [surface.depth, surface.slope, surface.bare]);
+        }
+        if new && k == 0 {
+            let first = *out;
+            out.as_flattened_mut()
+                .iter_mut()
+                .zip(first.as_flattened())
+                .for_each(|(lane, one)| *lane = Lane::all(one.0[0]));
+            return;
         }
     }
+}
+
+/// Velocities of the balls of a block by the drift's accelerations less the common part.
+#[inline(always)]
+pub(super) fn push_balls(balls: &mut [Lane; BALL], acceleration: &[Lane; 3], common: &[Lane; 3], h: f64) {
+    for k in 0..WIDTH {
+        for i in 0..3 {
+            balls[VELOCITY + i].0[k] += h * (acceleration[i].0[k] - common[i].0[k]);
+        }
+    }
+}
+
+/// Velocities of rings and cage.
+pub(super) fn push_bodies(l: Layout, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
     y[l.cage() + 1] += h * a[l.cage() + 1];
     for k in (l.inner() + 3..l.inner() + 6).chain(l.outer() + 2..l.outer() + 4) {
         y[k] += h * (a[k] - common[k]);
     }
 }
 
-/// Positions by the velocities: half a turn, the straight line, half a turn, the angular momentum held.
-pub(super) fn glide(machine: &Machine, t: f64, y: &mut [f64], h: f64) {
-    let l = machine.layout;
-    for index in 0..l.balls {
-        let b = &mut y[l.ball(index)..][..BALL];
+/// Positions of the balls of a block by their velocities: half a turn, the straight line, half a turn, the angular
+/// momentum held.
+#[inline(always)]
+pub(super) fn glide_balls(balls: &mut [Lane; BALL], h: f64) {
+    for k in 0..WIDTH {
+        let mut b = get(balls, k);
         let r = b[RADIUS];
         b[AZIMUTH] += 0.5 * h * b[ORBIT];
         b[AXIAL] += h * b[VELOCITY];
         b[RADIUS] += h * b[VELOCITY + 1];
-        b[ORBIT] *= (r / b[RADIUS]).powi(2);
+        let ratio = r / b[RADIUS];
+        b[ORBIT] *= ratio * ratio;
         b[AZIMUTH] += 0.5 * h * b[ORBIT];
+        put(balls, k, b);
     }
+}
+
+/// Positions of cage and rings by their velocities.
+pub(super) fn glide_bodies(machine: &Machine, t: f64, y: &mut [f64], h: f64) {
+    let l = machine.layout;
     y[l.cage()] += h * y[l.cage() + 1];
     for k in l.inner()..l.inner() + 3 {
         y[k] += h * y[k + 3];

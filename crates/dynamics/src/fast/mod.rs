@@ -30,20 +30,23 @@
 
 mod drift;
 mod friction;
+mod grip;
+mod kick;
+mod lanes;
 
-use crate::equations::{Equations, Frame};
-use crate::layout::{AZIMUTH, BALL, Layout, VELOCITY};
+use crate::equations::Equations;
+use crate::layout::{BALL, Layout, VELOCITY};
 use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
 use crate::machine::Machine;
-use crate::watch::Watch;
-use drift::{drift_acceleration, glide, push};
-use friction::{LinearFriction, in_inertial_axes, inverse_with_held, linear_friction, ring_in_ball_axes};
-use nalgebra::{Matrix5, Vector5, Vector6};
+use drift::{Stand, drift_acceleration, glide_balls, glide_bodies, push_balls, push_bodies};
+use fearless_simd::{Level, dispatch};
+use friction::LinearFriction;
+use grip::{Forms, Grips};
+use lanes::{Lane, WIDTH, blocks, filled, gather, scatter};
+use nalgebra::Matrix5;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::{
-    AzimuthFrame, BallState, ContactForces, LoadedPatch, LocalSurface, NormalLoads, Races, Side, Sliding,
-};
+use tribodyn_bearing::LoadedPatch;
 use tribodyn_traction::PatchTraction;
 
 /// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it
@@ -52,10 +55,6 @@ use tribodyn_traction::PatchTraction;
 const SMOOTHING_TIME: f64 = 5e-4;
 /// The same for the rings, s: they vibrate at lower frequencies.
 const RING_SMOOTHING_TIME: f64 = 5e-3;
-/// Steps between new matrices of the rings: they only predict, and turn with the balls by a degree or so.
-const RINGS_EVERY: usize = 16;
-/// Most steps that a linear traction serves.
-const LONGEST_LINEAR: usize = 64;
 /// Reach of a linear traction for samples, over that for steps: half a step before a refresh the linear form must not
 /// give way to an integral that serves only once.
 const BEFORE_REFRESH: f64 = 1.5;
@@ -88,43 +87,53 @@ pub(crate) struct Fast {
     given_back: Vec<f64>,
     /// Whether they are there.
     ready: bool,
-    /// Where the balls stood when the drift was last evaluated.
+    /// What a step works on.
     #[serde(skip)]
-    stands: Vec<Stand>,
+    scratch: Scratch,
     /// Contacts integrated over their patch, and contacts used.
     refreshed: u64,
     used: u64,
 }
 
-/// What the drift finds of a ball and the kick at the same position needs again.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Stand {
-    axes: AzimuthFrame,
-    position: [f64; 2],
-    normal: NormalLoads,
-    surfaces: Races<LocalSurface>,
-}
-
-/// Tractions on a ball in the kick.
-struct Grip {
-    state: BallState,
-    traction: Races<ContactForces>,
-    watch: Watch,
-}
-
-impl Grip {
-    const NO_TRACTION: ContactForces = ContactForces { force: [0.0; 3], moment: [0.0; 3] };
-
-    fn new(state: BallState) -> Self {
-        let traction = Races { inner: Self::NO_TRACTION, outer: Self::NO_TRACTION };
-        Self { state, traction, watch: Watch::default() }
+/// Axial, radial and orbital accelerations of the balls of a block.
+fn of_balls(l: Layout, list: &[f64], block: usize) -> [Lane; 3] {
+    let mut lanes = [Lane::ZERO; 3];
+    for k in 0..WIDTH {
+        let at = l.ball((WIDTH * block + k).min(l.balls - 1)) + VELOCITY;
+        lanes::put(&mut lanes, k, [list[at], list[at + 1], list[at + 2]]);
     }
+    lanes
+}
 
-    fn add(&mut self, machine: &Machine, side: Side, sliding: &Sliding, traction: &PatchTraction, semi_lateral: f64) {
-        self.traction[side] = sliding.on_ball(traction);
-        self.watch.wear[side] = machine.bearing.wear_rate(side, traction.wear_integral);
-        self.watch.semi_lateral[side] = semi_lateral;
-        self.watch.loaded[side] = true;
+/// The balls in lanes: all of it follows from the rest of the memory and the state.
+#[derive(Debug)]
+struct Scratch {
+    /// The vector instructions of this processor.
+    level: Level,
+    balls: Vec<[Lane; BALL]>,
+    common: Vec<[Lane; 3]>,
+    stands: Vec<Stand>,
+    forms: Vec<Forms>,
+    grips: Vec<Grips>,
+}
+
+impl Default for Scratch {
+    fn default() -> Self {
+        let level = Level::new();
+        Self { level, balls: Vec::new(), common: Vec::new(), stands: Vec::new(), forms: Vec::new(), grips: Vec::new() }
+    }
+}
+
+impl Clone for Scratch {
+    /// A memory that goes its own way makes its own.
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl PartialEq for Scratch {
+    fn eq(&self, _: &Self) -> bool {
+        true
     }
 }
 
@@ -148,7 +157,7 @@ impl Fast {
             common: Vec::new(),
             given_back: Vec::new(),
             ready: false,
-            stands: Vec::new(),
+            scratch: Scratch::default(),
             refreshed: 0,
             used: 0,
         }
@@ -157,104 +166,98 @@ impl Fast {
     /// From `y` at `t` over `h`, in place. `highest` is the frequency of the contact springs in Hz.
     pub fn step<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64, highest: f64) {
         let pieces = pieces(h, highest);
+        self.enter(equations, t, y);
         self.drift(equations, t, y, 0.5 * h, pieces);
+        self.keep_accelerations(equations.machine().layout);
         self.kick(equations, t + 0.5 * h, y, h);
         self.drift(equations, t + 0.5 * h, y, 0.5 * h, pieces);
+        self.leave(equations.machine().layout, y);
     }
 
-    fn drift<E: Equations>(&mut self, equations: &E, t: f64, y: &mut [f64], span: f64, pieces: usize) {
-        let machine = equations.machine();
-        let h = span / pieces as f64;
+    /// Takes the balls over into lanes.
+    fn enter<E: Equations>(&mut self, equations: &E, t: f64, y: &[f64]) {
+        let l = equations.machine().layout;
+        let scratch = &mut self.scratch;
+        scratch.balls.clear();
+        scratch.balls.extend((0..blocks(l.balls)).map(|block| gather(l, y, block)));
+        let fresh = !self.ready || scratch.stands.len() != blocks(l.balls);
+        if fresh {
+            scratch.stands.resize(blocks(l.balls), Stand::NONE);
+            scratch.common.resize(blocks(l.balls), [Lane::ZERO; 3]);
+        }
         if !self.ready {
             self.drift.resize(y.len(), 0.0);
-            drift_acceleration(equations, t, y, &mut self.drift, &mut self.stands);
+            let found = (&mut self.drift[..], &mut scratch.stands[..]);
+            drift_acceleration(scratch.level, equations, (t, y), &scratch.balls, found);
+            self.keep_accelerations(l);
             self.common = self.drift.clone();
             self.given_back = self.drift.clone();
             self.ready = true;
         }
-        for piece in 0..pieces {
-            push(machine, y, (&self.drift, &self.common), 0.5 * h);
-            glide(machine, t + piece as f64 * h, y, h);
-            drift_acceleration(equations, t + (piece + 1) as f64 * h, y, &mut self.drift, &mut self.stands);
-            push(machine, y, (&self.drift, &self.common), 0.5 * h);
+        if fresh {
+            let scratch = &mut self.scratch;
+            for (block, stand) in scratch.stands.iter_mut().enumerate() {
+                stand.set_acceleration(of_balls(l, &self.drift, block));
+                scratch.common[block] = of_balls(l, &self.common, block);
+            }
         }
     }
 
-    /// Every ball by itself with the rings held, then the rings with what the balls leave, then the balls again by what
-    /// the rings moved. The rings receive to the last digit what the balls give.
-    fn kick<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
-        let l = equations.machine().layout;
-        let frame = equations.machine().frame(t, y);
-        if self.friction.len() != l.balls {
-            self.friction.resize(l.balls, LinearFriction::NONE());
-            self.contacts.resize(l.balls, Contacts::default());
+    /// Remembers the accelerations of the balls, which the drift has found in lanes.
+    fn keep_accelerations(&mut self, l: Layout) {
+        for (block, stand) in self.scratch.stands.iter().enumerate() {
+            for k in 0..filled(l, block) {
+                let at = l.ball(WIDTH * block + k) + VELOCITY;
+                self.drift[at..at + 3].copy_from_slice(&lanes::get(stand.acceleration(), k));
+            }
         }
-        // Steps between multiples of one number differ in their last digits.
-        let renew = (self.step - h).abs() > 1e-6 * h;
-        if renew {
-            self.step = h;
+    }
+
+    /// Gives the balls back.
+    fn leave(&mut self, l: Layout, y: &mut [f64]) {
+        for (block, balls) in self.scratch.balls.iter().enumerate() {
+            scatter(l, balls, block, y);
         }
-        self.smooth(l, h);
-        let mut on_rings = self.ring_common(equations.machine());
-        let mut cage_torque = 0.0;
-        for index in 0..l.balls {
-            let at = l.ball(index);
-            let b = &mut y[at..][..BALL];
-            let grip = self.grip(equations, index, b, &frame, renew);
-            let r = self.stands[index].normal.orbit_radius;
-            let part = equations.friction(index, (b, &grip.state), &grip.traction, (&frame, r));
-            cage_torque += part.pocket.cage_torque;
-            let machine = equations.machine_mut();
-            machine.watch[index] = grip.watch;
-            machine.watch[index].pocket_wear = machine.pocket_wear(&part.pocket);
-            let friction = &self.friction[index];
-            let common = Vector6::from_column_slice(&self.given_back[at + VELOCITY..at + BALL]);
-            let acceleration = Vector6::from(equations.friction_acceleration(&grip.state, &part, r));
-            let push = (acceleration + common) * h;
-            let [change, mean] = [friction.response[0] * push, friction.response[1] * push];
-            b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
-            let (i, o) = (grip.traction.inner.force, grip.traction.outer.force);
-            let force = friction.coupling.tr_mul(&mean) - Vector6::new(i[0], i[1], i[2], o[0], o[1], o[2]);
-            on_rings += in_inertial_axes(grip.state.frame, &force);
-        }
+        self.keep_accelerations(l);
+    }
+
+    fn drift<E: Equations>(&mut self, equations: &E, t: f64, y: &mut [f64], span: f64, pieces: usize) {
         let machine = equations.machine();
-        if renew || self.rings_last == 0 {
-            self.rings = self.ring_matrix(machine, y, h);
-            self.rings_last = RINGS_EVERY;
+        let l = machine.layout;
+        let h = span / pieces as f64;
+        let Scratch { level, balls, common, stands, .. } = &mut self.scratch;
+        for piece in 0..pieces {
+            for ((balls, stand), common) in balls.iter_mut().zip(&*stands).zip(&*common) {
+                dispatch!(*level, _simd => {
+                    push_balls(balls, stand.acceleration(), common, 0.5 * h);
+                    glide_balls(balls, h);
+                });
+            }
+            push_bodies(l, y, (&self.drift, &self.common), 0.5 * h);
+            glide_bodies(machine, t + piece as f64 * h, y, h);
+            let at = (t + (piece + 1) as f64 * h, &*y);
+            drift_acceleration(*level, equations, at, balls, (&mut self.drift, stands));
+            for ((balls, stand), common) in balls.iter_mut().zip(&*stands).zip(&*common) {
+                dispatch!(*level, _simd => push_balls(balls, stand.acceleration(), common, 0.5 * h));
+            }
+            push_bodies(l, y, (&self.drift, &self.common), 0.5 * h);
         }
-        self.rings_last -= 1;
-        let predicted = self.rings * on_rings * h;
-        for index in 0..l.balls {
-            let b = &mut y[l.ball(index)..][..BALL];
-            let axes = self.stands[index].axes;
-            let friction = &self.friction[index];
-            let rings = ring_in_ball_axes(axes, &predicted);
-            let [change, mean] = [friction.follow[0] * rings, friction.follow[1] * rings];
-            b[VELOCITY..].iter_mut().zip(change.iter()).for_each(|(v, c)| *v += c);
-            let force = friction.coupling.tr_mul(&mean) + friction.on_rings(&rings) * 0.5;
-            on_rings += in_inertial_axes(axes, &force);
-        }
-        push_bodies(machine, y, (&on_rings, cage_torque), h);
     }
 
     /// Lets the common acceleration follow that of the drift.
     fn smooth(&mut self, l: Layout, h: f64) {
-        for (k, ((common, given), drift)) in
-            self.common.iter_mut().zip(&mut self.given_back).zip(&self.drift).enumerate()
-        {
-            let time = if k < l.cage() { SMOOTHING_TIME } else { RING_SMOOTHING_TIME };
+        let follow = |common: &mut f64, given: &mut f64, drift: f64, time: f64| {
             let before = *common;
             *common += (h / time).min(1.0) * (drift - before);
             *given = 0.5 * (before + *common);
+        };
+        let numbers = self.common.iter_mut().zip(&mut self.given_back).zip(&self.drift);
+        for (k, ((common, given), drift)) in numbers.enumerate() {
+            follow(common, given, *drift, if k < l.cage() { SMOOTHING_TIME } else { RING_SMOOTHING_TIME });
         }
-    }
-
-    /// The common force on the rings that the kick gives back, N.
-    fn ring_common(&self, machine: &Machine) -> Vector5<f64> {
-        let l = machine.layout;
-        let (i, o) = (&self.given_back[l.inner() + 3..], &self.given_back[l.outer() + 2..]);
-        let (inner, outer) = (machine.inner.mass, machine.outer.mass);
-        Vector5::new(inner * i[0], inner * i[1], inner * i[2], outer * o[0], outer * o[1])
+        for (block, common) in self.scratch.common.iter_mut().enumerate() {
+            *common = of_balls(l, &self.common, block);
+        }
     }
 
     /// Traction of a patch of ball `index` from the linear form where that holds, for samples.
@@ -289,81 +292,4 @@ impl Fast {
     pub fn patches(&self) -> [u64; 2] {
         [self.refreshed, self.used]
     }
-
-    /// Traction on a ball from its linear form where that still holds, else integrated and linearised anew.
-    fn grip<E: Equations>(&mut self, equations: &E, index: usize, b: &[f64], frame: &Frame, renew: bool) -> Grip {
-        let machine = equations.machine();
-        let bearing = &machine.bearing;
-        let stand = &self.stands[index];
-        let normal = &stand.normal;
-        let state = equations.state_at(stand.axes, stand.position, b);
-        let sliding = |side| equations.sliding(side, &normal.contacts[side], &state, (frame, normal.orbit_radius));
-        self.used += 2;
-        let contacts = &mut self.contacts[index];
-        contacts.age += 1;
-        let mut grip = Grip::new(state);
-        let mut holds = !renew && contacts.age <= LONGEST_LINEAR;
-        for (side, contact) in normal.contacts.iter() {
-            if !holds || contact.load <= 0.0 {
-                continue;
-            }
-            let (sliding, linear) = (sliding(side), &contacts.of[side as usize]);
-            let reach = (stand.surfaces[side].bare, 1.0);
-            let traction = linear.at(&sliding.motion, contact.load, reach, bearing.geometry.ball_radius());
-            holds = traction.is_some();
-            if let Some(traction) = traction {
-                grip.add(machine, side, &sliding, &traction, linear.semi_lateral());
-            }
-        }
-        if holds {
-            return grip;
-        }
-        self.refreshed += 2;
-        let mut grip = Grip::new(state);
-        for (side, contact) in normal.contacts.iter().filter(|(_, contact)| contact.load > 0.0) {
-            let sliding = sliding(side);
-            let ellipse = bearing.ellipse(side, contact);
-            let patch = bearing.loaded_patch(side, contact, &ellipse, &sliding, stand.surfaces[side].bare);
-            let traction = contacts.of[side as usize].refresh(machine, &patch, self.linear_error);
-            grip.add(machine, side, &sliding, &traction, ellipse.semi_lateral());
-        }
-        contacts.age = 0;
-        self.friction[index] = linear_friction(machine, &state, normal, &contacts.of, self.step);
-        grip
-    }
-
-    fn ring_matrix(&self, machine: &Machine, y: &[f64], h: f64) -> Matrix5<f64> {
-        let (inner, outer) = (machine.inner.mass, machine.outer.mass);
-        let mut sum = Matrix5::from_diagonal(&Vector5::new(inner, inner, inner, outer, outer));
-        for (index, f) in self.friction.iter().enumerate() {
-            let axes = AzimuthFrame::at(y[machine.layout.ball(index) + AZIMUTH]);
-            let given_back = f.coupling.tr_mul(&f.follow[1]);
-            for column in 0..5 {
-                let unit = ring_in_ball_axes(axes, &Vector5::ith(column, 1.0));
-                let force = in_inertial_axes(axes, &((given_back * unit + f.on_rings(&unit) * 0.5) * h));
-                let mut slot = sum.column_mut(column);
-                slot -= force;
-            }
-        }
-        let free = machine.inner.free.iter().chain(&machine.outer.free);
-        for (k, _) in free.enumerate().filter(|(_, free)| !**free) {
-            sum.row_mut(k).fill(0.0);
-            sum.column_mut(k).fill(0.0);
-            sum[(k, k)] = f64::INFINITY;
-        }
-        inverse_with_held(sum)
-    }
-}
-
-/// Velocities of rings and cage after `h` under the balls' forces and their torque on the cage.
-fn push_bodies(machine: &Machine, y: &mut [f64], (on_rings, cage_torque): (&Vector5<f64>, f64), h: f64) {
-    let l = machine.layout;
-    let [inner, outer] = [h / machine.inner.mass, h / machine.outer.mass];
-    for k in (0..3).filter(|&k| machine.inner.free[k]) {
-        y[l.inner() + 3 + k] += inner * on_rings[k];
-    }
-    for k in (0..2).filter(|&k| machine.outer.free[k]) {
-        y[l.outer() + 2 + k] += outer * on_rings[3 + k];
-    }
-    y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
 }

@@ -13,6 +13,7 @@ use crate::error::DynamicsError;
 use crate::fast::Fast;
 use crate::forces::System;
 use crate::layout::{BALL, ORBIT, VELOCITY};
+use crate::linear::{LINEAR_ERROR, fast_errors};
 use crate::machine::{Kernel, Machine};
 use crate::observer::Observer;
 use crate::rk4::Rk4;
@@ -153,13 +154,17 @@ impl Run {
     /// # Errors
     /// [`DynamicsError`] where nothing holds the outer ring, there is no quasi-static solution to start from, or the
     /// step is too short to come to an end.
-    pub fn new(inputs: RunInputs) -> Result<Self, DynamicsError> {
+    pub fn new(mut inputs: RunInputs) -> Result<Self, DynamicsError> {
         let RunOptions { duration, scheme, state_rate, ball_rate, .. } = inputs.options;
         let (tribodyn_bearing::Scheme::RungeKutta4 { step: step_s }
         | tribodyn_bearing::Scheme::Fast { step: step_s }
         | tribodyn_bearing::Scheme::DormandPrince { longest: step_s, .. }) = scheme;
         if step_s.is_nan() || step_s < SHORTEST_STEP {
             return Err(DynamicsError::NoProgress { time_s: 0.0, step_s });
+        }
+        let mut linear_error = LINEAR_ERROR;
+        if matches!(scheme, tribodyn_bearing::Scheme::Fast { .. }) {
+            (inputs.patch, linear_error) = fast_errors(inputs.patch);
         }
         let Started { machine, state, solution } = start(inputs)?;
         let filter = Filter::new(FilterBands::new(scheme, state_rate))?;
@@ -184,7 +189,7 @@ impl Run {
             loaded: vec![Races::default(); machine.layout.balls],
             through: Races::default(),
             control: StepControl::new(FIRST_STEP),
-            fast: Fast::default(),
+            fast: Fast::with_linear_error(linear_error),
             work: [0.0; 3],
             rates: [0.0; 3],
             filter: filter.at_start(machine.layout, &state),

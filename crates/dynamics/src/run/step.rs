@@ -22,7 +22,7 @@ impl Run {
             let t = self.progress.time;
             let h = self.try_step(target)?;
             let explicit = !matches!(self.scheme, Scheme::Fast { .. });
-            let h = match self.pocket_event(h).filter(|_| explicit) {
+            let h = match explicit.then(|| self.pocket_event(h)).flatten() {
                 Some(cut) => {
                     self.progress.statistics.cut_at_pocket += 1;
                     self.exact_step(cut * h)?;

@@ -38,7 +38,7 @@ fn identity_of_meshes_and_of_warm_and_cold_start() {
     let (_, bearing, mut point, cage) = fixture("paper-ag");
     let settings = OrbitSettings::default();
     let coarse = steady_orbit(&bearing, &point, &cage, &settings).unwrap();
-    let fine = OrbitSettings { intervals: 120, ..settings };
+    let fine = OrbitSettings { mesh_error: 1e-3, ..settings };
     let fine = steady_orbit(&bearing, &point, &cage, &fine).unwrap().solution;
     assert!((coarse.solution.cage_speed_rpm / fine.cage_speed_rpm - 1.0).abs() < 2e-6);
     point.inner_speed *= 1.01;

@@ -2,5 +2,7 @@
 
 mod support;
 
+mod kicked;
 mod limits;
 mod linear;
+mod partly_loaded;

@@ -9,7 +9,7 @@ use tribodyn_quasistatic::{Place, QuasiStaticError, RingFreedom, SolverStatistic
 fn regress_solver_steps() {
     let steps = |name: &str, text: &str, changes: &[(&str, &str)], model| {
         let statistics = solve_case(&variant(text, changes), model).statistics;
-        let SolverStatistics { accepted, rejected, jacobians } = statistics;
+        let SolverStatistics { accepted, rejected, jacobians, .. } = statistics;
         format!("{name}: {accepted} kept, {rejected} rejected, {jacobians} Jacobians\n")
     };
     let light = [STRIPS, ("ring.z", "Force(kN(1))"), ("ring.x", "Force(kN(10))")];

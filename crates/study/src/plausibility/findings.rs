@@ -3,7 +3,7 @@
 use super::shown;
 use tribodyn_bearing::{BallResult, Bearing, BearingError, Races, Side};
 use tribodyn_case::{Case, Fit};
-use tribodyn_quasistatic::Solution;
+use tribodyn_quasistatic::{Model, Solution};
 use tribodyn_rating::PERMISSIBLE_PRESSURE;
 
 /// Pitch diameter times speed of the fastest rolling bearings, mm r/min.
@@ -89,6 +89,7 @@ pub fn solution_findings(case: &Case, bearing: &Bearing, solution: &Solution) ->
         found.extend(sliding(solution, side, race));
         found.extend(spinning(bearing, solution, side, race));
     }
+    found.extend(idle(solution));
     found.extend(pocket(solution));
     found.extend(cage(solution));
     Ok(found)
@@ -183,6 +184,19 @@ fn spinning(bearing: &Bearing, solution: &Solution, side: Side, race: &str) -> O
             "spin-to-roll ratio of {} on the {race} race, {}: usual is below {SPIN_TO_ROLL_MAX} up to 45° of contact angle (Harris and Kotzalas)",
             shown(ratio),
             at(ball)
+        )
+    })
+}
+
+/// Balls that the inner race does not drive turn with the cage, which an equilibrium does not have.
+fn idle(solution: &Solution) -> Option<String> {
+    let idle = solution.balls.iter().filter(|ball| ball.contacts.inner.load_n <= 0.0).count();
+    // The steady orbit says what such balls do.
+    let quasi_static = solution.model == Model::Traction && solution.balls.iter().all(|ball| ball.motion.is_none());
+    (quasi_static && idle > 0 && solution.inner_speed_rad_s != solution.outer_speed_rad_s).then(|| {
+        format!(
+            "{idle} of {} balls have no inner contact, so that nothing in this model sets how they move: do not use its cage speed, torque, contact angles of these balls and pocket forces; `--model steady-orbit` gives them",
+            solution.balls.len()
         )
     })
 }

@@ -40,6 +40,8 @@ impl Regime {
 pub struct Counts {
     /// As it should be.
     pub good: usize,
+    /// Of these, solutions that Newton's method did not find from its first start.
+    pub rescued: usize,
     /// With a reason.
     pub explained: usize,
     /// Without one, or wrong.
@@ -94,7 +96,9 @@ impl Tally {
         for trial in trials {
             let regime = Regime::of(&trial.bearing);
             for solving in &trial.solvings {
-                tally.solutions.entry((regime, model_name(solving.model))).or_default().add(&solving.verdict);
+                let counts = tally.solutions.entry((regime, model_name(solving.model))).or_default();
+                counts.add(&solving.verdict);
+                counts.rescued += usize::from(solving.rescued && solving.verdict == Verdict::Good);
             }
             let Some(running) = &trial.running else { continue };
             let scheme = tally.runs.entry(running.scheme).or_default();
@@ -119,6 +123,7 @@ impl Tally {
         let mut sum = Counts::default();
         for ((_, _), counts) in self.solutions.iter().filter(|((regime, of), _)| regime.working() && *of == name) {
             sum.good += counts.good;
+            sum.rescued += counts.rescued;
             sum.explained += counts.explained;
             sum.failed += counts.failed;
         }

@@ -3,6 +3,7 @@
 use super::bearing::RandomBearing;
 use super::momentum::Balance;
 use crate::run::balance::{Judgement, judge};
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 use tribodyn_bearing::Scheme;
 use tribodyn_case::Case;
@@ -27,6 +28,8 @@ pub struct Solving {
     pub model: Model,
     /// How it went: explained where there is no solution and the error has a reason.
     pub verdict: Verdict,
+    /// True if it was found, and not from the first start of Newton's method.
+    pub rescued: bool,
     /// Wall time.
     pub wall: Duration,
 }
@@ -53,12 +56,16 @@ pub struct Running {
 pub fn solve_both(bearing: &RandomBearing) -> [Solving; 2] {
     [Model::JonesHarris, Model::Traction].map(|model| {
         let began = Instant::now();
+        let mut rescued = false;
         let verdict = match Case::from_ron(&bearing.text).map(|case| (case.bearing(), case.operating_point())) {
-            Ok((Ok(made), point)) => of_solution(solve(&made, &point, model).map(|solved| solved.solution)),
+            Ok((Ok(made), point)) => of_solution(solve(&made, &point, model).map(|solved| {
+                rescued = solved.statistics.rescues > 0;
+                solved.solution
+            })),
             Ok((Err(error), _)) => Verdict::Failed(error.to_string()),
             Err(error) => Verdict::Failed(error.to_string()),
         };
-        Solving { model, verdict, wall: began.elapsed() }
+        Solving { model, verdict, rescued, wall: began.elapsed() }
     })
 }
 
@@ -94,13 +101,13 @@ struct Watcher {
     balance: Balance,
     last: Option<Sample>,
     not_finite: Option<String>,
-    stop_at: Option<Instant>,
+    stop_at: Instant,
 }
 
 impl Observer for Watcher {
     type Error = std::convert::Infallible;
 
-    fn sample(&mut self, sample: &Sample, _with_balls: bool) -> Result<std::ops::ControlFlow<()>, Self::Error> {
+    fn sample(&mut self, sample: &Sample, _with_balls: bool) -> Result<ControlFlow<()>, Self::Error> {
         let power = &sample.power;
         let numbers = [power.put_in(), power.lost(), power.energy_j, power.imbalance_j, sample.cage.speed_rad_s];
         if self.not_finite.is_none() && numbers.iter().any(|number| !number.is_finite()) {
@@ -108,8 +115,12 @@ impl Observer for Watcher {
         }
         self.balance.take(sample);
         self.last = Some(sample.clone());
-        let late = self.stop_at.is_some_and(|stop| Instant::now() > stop);
-        Ok(if late { std::ops::ControlFlow::Break(()) } else { std::ops::ControlFlow::Continue(()) })
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Between two samples there may be any number of steps.
+    fn stepped(&mut self, _: f64) -> ControlFlow<()> {
+        if Instant::now() > self.stop_at { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     fn event(&mut self, _: &Event) -> Result<(), Self::Error> {
@@ -141,7 +152,7 @@ pub fn run_short(bearing: &RandomBearing, longest: Duration) -> Running {
         }
         Err(error) => return ended(scheme, Verdict::Failed(error.to_string()), None),
     };
-    let mut watcher = Watcher { balance, last: None, not_finite: None, stop_at: Some(began + longest) };
+    let mut watcher = Watcher { balance, last: None, not_finite: None, stop_at: began + longest };
     let stopped = match run.advance(run.duration(), &mut watcher) {
         Ok(ending) => ending == Ending::Stopped,
         Err(RunError::Dynamics(error)) => return ended(scheme, Verdict::Explained(error.to_string()), None),

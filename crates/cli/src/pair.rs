@@ -1,0 +1,137 @@
+//! `tribodyn pair`: two like bearings on one rigid shaft, preloaded against each other.
+
+use crate::failure::Failure;
+use crate::input::CaseArguments;
+use crate::solve::ModelName;
+use crate::table::{self, number};
+use tribodyn_bearing::Bearing;
+use tribodyn_case::Purpose;
+use tribodyn_quasistatic::Model;
+use tribodyn_study::CaseFile;
+use tribodyn_study::answers::OrbitProblem;
+use tribodyn_study::pair::{Arrangement, Pair, PairBearing, PairModel, PairSolution, Preload, solve_pair};
+
+/// Two bearings of a case on one rigid shaft: loads, preload, stiffness. The loads of the case act on the shaft, in the
+/// middle between the bearings.
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    case: CaseArguments,
+    /// How the bearings stand to each other
+    #[arg(long, value_enum)]
+    arrangement: ArrangementName,
+    /// Distance between the middles of the bearings, mm
+    #[arg(long, value_name = "MM")]
+    distance: f64,
+    /// Axial gap between the rings that clamping closes, µm
+    #[arg(long, value_name = "UM", allow_hyphen_values = true, required_unless_present = "spring")]
+    offset: Option<f64>,
+    /// Force of a soft spring on the bearing at +z, whose outer ring slides, N
+    #[arg(long, value_name = "N", conflicts_with = "offset")]
+    spring: Option<f64>,
+    /// Equations of each bearing
+    #[arg(long, value_enum, default_value_t = ModelName::JonesHarris)]
+    model: ModelName,
+    /// Print JSON, and nothing else, to standard output
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum ArrangementName {
+    /// Back to back: stiff against tilting
+    Db,
+    /// Face to face: gives way to misalignment
+    Df,
+    /// Tandem: both carry the axial load
+    Dt,
+}
+
+impl From<ArrangementName> for Arrangement {
+    fn from(name: ArrangementName) -> Self {
+        match name {
+            ArrangementName::Db => Self::BackToBack,
+            ArrangementName::Df => Self::FaceToFace,
+            ArrangementName::Dt => Self::Tandem,
+        }
+    }
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let file = arguments.case.read()?;
+    let (bearing, model) = model(arguments.model, &file)?;
+    let point = file.case.operating_point();
+    let pair = Pair {
+        bearing: &bearing,
+        point: &point,
+        model,
+        arrangement: arguments.arrangement.into(),
+        distance: 1e-3 * allowed("distance", Some(arguments.distance), |mm| mm >= 0.0, "0 mm or more")?,
+        preload: match arguments.spring {
+            None => Preload::OffsetM(1e-6 * allowed("offset", arguments.offset, |_| true, "a finite number of µm")?),
+            spring => Preload::SpringN(allowed("spring", spring, |n| n >= 0.0, "0 N or more")?),
+        },
+    };
+    let solution = solve_pair(&pair).map_err(|why| why.of(&file.name))?;
+    if arguments.json {
+        return table::print_json(&solution);
+    }
+    print(&file.name, &solution)
+}
+
+/// A finite number that a rule allows.
+fn allowed(option: &'static str, value: Option<f64>, rule: impl Fn(f64) -> bool, text: &str) -> Result<f64, Failure> {
+    let value = value.unwrap_or(f64::NAN);
+    if value.is_finite() && rule(value) {
+        return Ok(value);
+    }
+    Err(Failure::Option { option, value: value.to_string(), message: format!("allowed is {text}") })
+}
+
+fn model(name: ModelName, file: &CaseFile) -> Result<(Bearing, PairModel), Failure> {
+    Ok(match name {
+        ModelName::JonesHarris => (file.bearing_for(Purpose::JonesHarris)?, PairModel::QuasiStatic(Model::JonesHarris)),
+        ModelName::Traction => (file.bearing_for(Purpose::Traction)?, PairModel::QuasiStatic(Model::Traction)),
+        ModelName::SteadyOrbit => {
+            let OrbitProblem { bearing, cage, settings, .. } = OrbitProblem::new(file)?;
+            (bearing, PairModel::SteadyOrbit(cage, settings))
+        }
+    })
+}
+
+fn print(name: &str, s: &PairSolution) -> Result<(), Failure> {
+    let list = |values: &[f64], factor: f64, digits: usize| {
+        values.iter().map(|v| number(v * factor, digits)).collect::<Vec<_>>().join("  ")
+    };
+    table::print_line(&format!("{name}\n"))?;
+    table::print_pairs(&[
+        ("shaft displacement x y z", list(&s.shaft_displacement_m, 1e6, 3), "µm"),
+        ("shaft tilt about x y", list(&s.shaft_tilt_rad, 1e3, 4), "mrad"),
+        ("axial force within the pair", number(s.preload_n, 1), "N"),
+        ("axial stiffness", number(s.stiffness[2][2] * 1e-6, 2), "N/µm"),
+        ("radial stiffness along x y", list(&[s.stiffness[0][0], s.stiffness[1][1]], 1e-6, 2), "N/µm"),
+        ("tilting stiffness about x y", list(&[s.stiffness[3][3], s.stiffness[4][4]], 1e-3, 3), "N m/mrad"),
+        ("largest relative residual", format!("{:.1e}", s.residual), ""),
+    ])?;
+    table::print_line("")?;
+    let header = ["bearing at mm", "F_x N", "F_y N", "F_z N", "M_x N m", "M_y N m", "Q_i N", "p_i GPa", "α_i °"];
+    let row = |bearing: &PairBearing| {
+        let [x, y, z] = bearing.load_n;
+        let [mx, my] = bearing.moment_nm;
+        let hardest = bearing.solution.balls.iter().map(|ball| ball.contacts.inner);
+        let inner = hardest.max_by(|a, b| a.load_n.total_cmp(&b.load_n));
+        let of = |value: Option<f64>, digits: usize| value.map_or_else(String::new, |v| number(v, digits));
+        vec![
+            number(bearing.position_m * 1e3, 1),
+            number(x, 1),
+            number(y, 1),
+            number(z, 1),
+            number(mx, 2),
+            number(my, 2),
+            of(inner.map(|c| c.load_n), 1),
+            of(inner.map(|c| c.peak_pressure_pa * 1e-9), 3),
+            of(inner.map(|c| c.angle_rad.to_degrees()), 2),
+        ]
+    };
+    table::print_rows(&header, s.bearings.iter().map(row))
+}

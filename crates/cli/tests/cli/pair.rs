@@ -1,0 +1,25 @@
+//! Preloaded pairs as the command gives them.
+
+use super::{fixture, run, run_words};
+
+#[test]
+fn identity_a_preloaded_pair_carries_the_load_of_the_shaft() {
+    let case = fixture("angular-7210.ron");
+    let words = ["--arrangement", "db", "--distance", "60", "--offset", "60", "--set", "ring.x=Force(kN(1))", "--json"];
+    let mut all: Vec<&dyn AsRef<std::ffi::OsStr>> = vec![&"pair", &case];
+    words.iter().for_each(|word| all.push(word));
+    let answer = run(&all).json();
+    let load = |bearing: usize, axis: usize| answer["bearings"][bearing]["load_n"][axis].as_f64().unwrap();
+    assert!((load(0, 0) + load(1, 0) - 1000.0).abs() < 1e-3);
+    assert!((load(0, 2) + load(1, 2) - 3000.0).abs() < 1e-3);
+    assert!(load(0, 2) > 3000.0 && load(1, 2) < 0.0, "{answer}");
+    assert!(answer["stiffness"][3][3].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn limit_a_pair_needs_one_preload() {
+    run_words("pair nowhere.ron --arrangement db --distance 60").fails(2, &["--offset"]);
+    let case = fixture("angular-7210.ron");
+    run(&[&"pair", &case, &"--arrangement", &"dt", &"--distance", &"60", &"--spring", &"100"]).fails(2, &["tandem"]);
+    run(&[&"pair", &case, &"--arrangement", &"db", &"--distance", &"-60", &"--offset", &"1"]).fails(2, &["distance"]);
+}

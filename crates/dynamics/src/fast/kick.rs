@@ -1,0 +1,197 @@
+//! The kick: friction at fixed position, linearly implicit.
+
+use super::Fast;
+use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, ring_in_ball_axes};
+use super::grip::{Forms, Grips, follow, respond, tractions};
+use super::lanes::{Lane, WIDTH, blocks, filled, get, put};
+use crate::equations::{Equations, Frame};
+use crate::layout::{AZIMUTH, VELOCITY};
+use crate::linear::Contacts;
+use crate::machine::Machine;
+use crate::watch::Watch;
+use fearless_simd::dispatch;
+use nalgebra::{Matrix5, Vector5};
+use tribodyn_bearing::{AzimuthFrame, BallState, Races};
+
+/// Steps between new matrices of the rings: they only predict, and turn with the balls by a degree or so.
+const RINGS_EVERY: usize = 16;
+/// Most steps that a linear traction serves.
+const LONGEST_LINEAR: usize = 64;
+
+impl Fast {
+    /// Every ball by itself with the rings held, then the rings with what the balls leave, then the balls again by what
+    /// the rings moved. The rings receive to the last digit what the balls give.
+    pub(super) fn kick<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
+        let l = equations.machine().layout;
+        let frame = equations.machine().frame(t, y);
+        self.make_room(l.balls);
+        // Steps between multiples of one number differ in their last digits.
+        let renew = (self.step - h).abs() > 1e-6 * h;
+        if renew {
+            self.step = h;
+        }
+        self.smooth(l, h);
+        let mut on_rings = self.ring_common(equations.machine());
+        let (mut cage_torque, mut reaction) = (0.0, [Lane::ZERO; 5]);
+        for block in 0..blocks(l.balls) {
+            cage_torque += self.grip(equations, block, &frame, (renew, h));
+            let scratch = &mut self.scratch;
+            let balls = &mut scratch.balls[block];
+            let at = (&scratch.stands[block], &scratch.forms[block], &scratch.grips[block]);
+            dispatch!(scratch.level, _simd => respond(balls, at, &mut reaction));
+            (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
+        }
+        let machine = equations.machine();
+        if renew || self.rings_last == 0 {
+            self.rings = self.ring_matrix(machine, h);
+            self.rings_last = RINGS_EVERY;
+        }
+        self.rings_last -= 1;
+        let predicted: [f64; 5] = (self.rings * on_rings * h).into();
+        let scratch = &mut self.scratch;
+        for block in 0..blocks(l.balls) {
+            let balls = &mut scratch.balls[block];
+            let at = (&scratch.stands[block], &scratch.forms[block]);
+            dispatch!(scratch.level, _simd => follow(balls, predicted, at, &mut reaction));
+            (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
+        }
+        push_bodies(machine, y, (&on_rings, cage_torque), h);
+    }
+
+    /// Memory for the balls; the linear forms by lanes follow from those by balls.
+    fn make_room(&mut self, balls: usize) {
+        if self.friction.len() != balls {
+            self.friction.resize_with(balls, super::friction::LinearFriction::NONE);
+            self.contacts.resize(balls, Contacts::default());
+            self.scratch.forms.clear();
+        }
+        if self.scratch.forms.is_empty() {
+            self.scratch.forms.resize(blocks(balls), Forms::NONE);
+            self.scratch.grips.resize(blocks(balls), Grips::NONE);
+            for ball in 0..balls {
+                let forms = &mut self.scratch.forms[ball / WIDTH];
+                forms.set(ball % WIDTH, (&self.contacts[ball].of, [true; 2]), &self.friction[ball]);
+            }
+        }
+    }
+
+    /// Tractions and pushes of the balls of a block: from their linear forms where those still hold, else integrated
+    /// and linearised anew. Returns the torque on the cage.
+    fn grip<E: Equations>(&mut self, equations: &mut E, block: usize, frame: &Frame, (renew, h): (bool, f64)) -> f64 {
+        let l = equations.machine().layout;
+        let scratch = &mut self.scratch;
+        let at = (&scratch.balls[block], &scratch.stands[block], &scratch.forms[block]);
+        let (equations_now, grips) = (&*equations, &mut scratch.grips[block]);
+        dispatch!(scratch.level, _simd => tractions(equations_now, frame, at, grips));
+        let mut cage_torque = 0.0;
+        for k in 0..filled(l, block) {
+            let index = WIDTH * block + k;
+            let stand = &self.scratch.stands[block];
+            let (b, r) = (get(&self.scratch.balls[block], k), stand.orbit_radius(k));
+            let state = equations.state_at(stand.axes(k), stand.position(k), &b);
+            self.used += 2;
+            let age = &mut self.contacts[index].age;
+            age.iter_mut().for_each(|age| *age += 1);
+            let grips = &self.scratch.grips[block];
+            let old = Races::from_fn(|side| age[side as usize] > LONGEST_LINEAR || !grips.is_near(side, k));
+            if renew || old.inner || old.outer {
+                self.refresh(equations, index, (frame, &state), old.map(|old| old || renew));
+            }
+            let grips = &mut self.scratch.grips[block];
+            let traction = Races::from_fn(|side| grips.forces(side, k));
+            let part = equations.friction(index, (&b, &state), &traction, (frame, r));
+            cage_torque += part.pocket.cage_torque;
+            let of = &self.contacts[index].of;
+            let machine = equations.machine_mut();
+            let loads = Races::from_fn(|side| self.scratch.stands[block].contact(side, k).load);
+            machine.watch[index] = Watch {
+                wear: Races::from_fn(|side| machine.bearing.wear_rate(side, grips.wear[side as usize].0[k])),
+                pocket_wear: machine.pocket_wear(&part.pocket),
+                semi_lateral: Races::from_fn(
+                    |side| if loads[side] > 0.0 { of[side as usize].semi_lateral() } else { 0.0 },
+                ),
+                loaded: loads.map(|load| load > 0.0),
+            };
+            let mut push = equations.friction_acceleration(&state, &part, r);
+            let given_back = &self.given_back[l.ball(index) + VELOCITY..];
+            push.iter_mut().zip(given_back).for_each(|(a, common)| *a = (*a + common) * h);
+            put(&mut grips.push, k, push);
+        }
+        cage_torque
+    }
+
+    /// Integrates the contacts of a ball whose linear traction is `old` and makes its linear forms anew.
+    fn refresh<E: Equations>(
+        &mut self,
+        equations: &E,
+        index: usize,
+        (frame, state): (&Frame, &BallState),
+        old: Races<bool>,
+    ) {
+        let machine = equations.machine();
+        let bearing = &machine.bearing;
+        let (block, k) = (index / WIDTH, index % WIDTH);
+        let stand = &self.scratch.stands[block];
+        let (normal, grips) = (stand.normal(k), &mut self.scratch.grips[block]);
+        let contacts = &mut self.contacts[index];
+        for (side, contact) in normal.contacts.iter().filter(|(side, _)| old[*side]) {
+            contacts.age[side as usize] = 0;
+            if contact.load <= 0.0 {
+                continue;
+            }
+            self.refreshed += 1;
+            let sliding = equations.sliding(side, contact, state, (frame, normal.orbit_radius));
+            let ellipse = bearing.ellipse(side, contact);
+            let patch = bearing.loaded_patch(side, contact, &ellipse, &sliding, stand.bare(side, k));
+            let traction = contacts.of[side as usize].refresh(machine, &patch, self.linear_error);
+            grips.set_forces(side, k, &sliding.on_ball(&traction));
+            grips.wear[side as usize].0[k] = traction.wear_integral;
+        }
+        self.friction[index] = linear_friction(machine, state, &normal, &contacts.of, self.step);
+        let new = [old.inner, old.outer];
+        self.scratch.forms[block].set(k, (&contacts.of, new), &self.friction[index]);
+    }
+
+    fn ring_matrix(&self, machine: &Machine, h: f64) -> Matrix5<f64> {
+        let (inner, outer) = (machine.inner.mass, machine.outer.mass);
+        let mut sum = Matrix5::from_diagonal(&Vector5::new(inner, inner, inner, outer, outer));
+        for (index, f) in self.friction.iter().enumerate() {
+            let axes = AzimuthFrame::at(self.scratch.balls[index / WIDTH][AZIMUTH].0[index % WIDTH]);
+            let given_back = f.coupling.tr_mul(&f.follow[1]);
+            for column in 0..5 {
+                let unit = ring_in_ball_axes(axes, &Vector5::ith(column, 1.0));
+                let force = in_inertial_axes(axes, &((given_back * unit + f.on_rings(&unit) * 0.5) * h));
+                let mut slot = sum.column_mut(column);
+                slot -= force;
+            }
+        }
+        let free = machine.inner.free.iter().chain(&machine.outer.free);
+        for (k, _) in free.enumerate().filter(|(_, free)| !**free) {
+            sum.row_mut(k).fill(0.0);
+            sum.column_mut(k).fill(0.0);
+            sum[(k, k)] = f64::INFINITY;
+        }
+        inverse_with_held(sum)
+    }
+
+    /// The common force on the rings that the kick gives back, N.
+    fn ring_common(&self, machine: &Machine) -> Vector5<f64> {
+        let l = machine.layout;
+        let (i, o) = (&self.given_back[l.inner() + 3..], &self.given_back[l.outer() + 2..]);
+        let (inner, outer) = (machine.inner.mass, machine.outer.mass);
+        Vector5::new(inner * i[0], inner * i[1], inner * i[2], outer * o[0], outer * o[1])
+    }
+}
+
+/// Velocities of rings and cage after `h` under the balls' forces and their torque on the cage.
+fn push_bodies(machine: &Machine, y: &mut [f64], (on_rings, cage_torque): (&Vector5<f64>, f64), h: f64) {
+    let l = machine.layout;
+    let [inner, outer] = [h / machine.inner.mass, h / machine.outer.mass];
+    for k in (0..3).filter(|&k| machine.inner.free[k]) {
+        y[l.inner() + 3 + k] += inner * on_rings[k];
+    }
+    for k in (0..2).filter(|&k| machine.outer.free[k]) {
+        y[l.outer() + 2 + k] += outer * on_rings[3 + k];
+    }
+    y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
+}

@@ -1,0 +1,99 @@
+//! The bearings whose orbits are held against runs: case files with changes.
+
+/// A bearing.
+#[allow(dead_code, reason = "tests run no turns")]
+pub struct Compared {
+    pub name: &'static str,
+    /// Case file in `fixtures/cases`.
+    file: &'static str,
+    /// Changes to it, path and value.
+    changes: Vec<(&'static str, &'static str)>,
+    /// Turns of the cage with its own inertia, with that of a heavy one, and those of the mean.
+    pub turns: [f64; 3],
+}
+
+const TURNS: [f64; 3] = [6.0, 40.0, 20.0];
+/// Where a turn takes long, in time or by an explicit scheme.
+const FEW: [f64; 3] = [4.0, 5.0, 5.0];
+
+/// A 6206 of the catalogue's dimensions, C0.
+const DEEP_GROOVE: [(&str, &str); 7] = [
+    ("geometry.ball_count", "9"),
+    ("geometry.ball_diameter", "mm(9.525)"),
+    ("geometry.pitch_diameter", "mm(46)"),
+    ("geometry.inner_groove", "Coefficient(0.515)"),
+    ("geometry.outer_groove", "Coefficient(0.525)"),
+    ("geometry.fit", "RadialClearance(um(13))"),
+    ("ring.z", "Held(mm(0))"),
+];
+const TURBOPUMP: &str = "paper-ag";
+const ANGULAR: &str = "angular-7210";
+
+/// All of them.
+pub fn bearings() -> Vec<Compared> {
+    let of = |name, file, changes: &[(&'static str, &'static str)]| Compared {
+        name,
+        file,
+        changes: changes.to_vec(),
+        turns: TURNS,
+    };
+    let explicit = ("transient.scheme", "RungeKutta4(step: us(4))");
+    let paper = |name, file, changes: &[_]| Compared { turns: FEW, ..of(name, file, &[&[explicit], changes].concat()) };
+    let groove = |name, changes: &[_]| of(name, ANGULAR, &[&DEEP_GROOVE, changes].concat());
+    let guided = "(land: Outer, radius: mm(90), width: mm(12), gap: mm(0.3))";
+    vec![
+        paper("paper, silver", TURBOPUMP, &[]),
+        paper("paper, PTFE", "paper-ptfe", &[]),
+        paper("paper, fixed parameters", TURBOPUMP, &[("traction.varying", "false")]),
+        paper("paper, axial only", TURBOPUMP, &[("ring.x", "Force(kN(0))")]),
+        paper("paper, 5 kN axial, 2 kN radial", TURBOPUMP, &[("ring.x", "Force(kN(2))"), ("ring.z", "Force(kN(5))")]),
+        paper("paper, guided cage", TURBOPUMP, &[("cage.guidance", guided)]),
+        of("7210, 3 kN axial, 4 kN radial, 6000 r/min", ANGULAR, &[]),
+        Compared { turns: FEW, ..of("the same at 1000 r/min", ANGULAR, &[("speed.inner", "Constant(rpm(1000))")]) },
+        of("the same at 12 000 r/min", ANGULAR, &[("speed.inner", "Constant(rpm(12000))")]),
+        of("7210, 3 kN, 2 kN", ANGULAR, &[("ring.x", "Force(kN(2))")]),
+        of("7210, 300 N, 400 N", ANGULAR, &[("ring.x", "Force(N(400))"), ("ring.z", "Force(N(300))")]),
+        of("7210, 3 kN axial only", ANGULAR, &[("ring.x", "Force(kN(0))")]),
+        of("7210, 3 kN, 8 kN", ANGULAR, &[("ring.x", "Force(kN(8))")]),
+        of(
+            "7210, 3 kN, 2 kN, outer ring at 2000 r/min",
+            ANGULAR,
+            &[("ring.x", "Force(kN(2))"), ("speed.outer", "Constant(rpm(2000))")],
+        ),
+        of(
+            "7210, 3 kN, 2 kN, outer ring at −3000 r/min",
+            ANGULAR,
+            &[("ring.x", "Force(kN(2))"), ("speed.outer", "Constant(rpm(-3000))")],
+        ),
+        of(
+            "7210, 3 kN, 2 kN, outer ring alone at 6000 r/min",
+            ANGULAR,
+            &[("ring.x", "Force(kN(2))"), ("speed.inner", "Constant(rpm(0))"), ("speed.outer", "Constant(rpm(6000))")],
+        ),
+        of("7210, 3 kN, 4 kN, 0.1 N m on the cage", ANGULAR, &[("cage.drag_torque", "Nm(0.1)")]),
+        of(
+            "7210, 3 kN, 2 kN, 0.3 N m on the cage",
+            ANGULAR,
+            &[("ring.x", "Force(kN(2))"), ("cage.drag_torque", "Nm(0.3)")],
+        ),
+        groove("6206, 2 kN radial, clearance 13 µm, 6000 r/min", &[("ring.x", "Force(kN(2))")]),
+        groove("6206, 100 N", &[("ring.x", "Force(N(100))")]),
+        groove(
+            "6206, 100 N, clearance 60 µm: one loaded ball",
+            &[("ring.x", "Force(N(100))"), ("geometry.fit", "RadialClearance(um(60))")],
+        ),
+        groove("6206, 2 kN, 0.02 N m on the cage", &[("ring.x", "Force(kN(2))"), ("cage.drag_torque", "Nm(0.02)")]),
+    ]
+}
+
+impl Compared {
+    /// The text of its case.
+    pub fn text(&self) -> Result<String, Box<dyn std::error::Error>> {
+        let path = format!("{}/../../fixtures/cases/{}.ron", env!("CARGO_MANIFEST_DIR"), self.file);
+        let mut text = std::fs::read_to_string(path)?;
+        for (path, value) in &self.changes {
+            text = tribodyn_case::set_value(&text, path, value)?;
+        }
+        Ok(text)
+    }
+}
