@@ -1,5 +1,5 @@
-//! The rows of a sweep: every combination of the swept values, in the order of the options, the last varying fastest; or
-//! samples, which give each row its own value of every path.
+//! The rows of a sweep: every combination of the swept values, in the order of the options, the last varying fastest;
+//! or samples, which give each row its own value of every path.
 
 use super::axis::{Axis, AxisSummary};
 use super::columns::{Cell, Column};
