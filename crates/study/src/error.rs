@@ -1,7 +1,7 @@
 //! Why a procedure does not start, or ends before its time.
 
 use crate::holder::Holder;
-use crate::sweep::SweepDifference;
+use crate::sweep::difference::SweepDifference;
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};

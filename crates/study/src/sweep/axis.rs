@@ -1,7 +1,7 @@
 //! An axis of a sweep: a path with its values, and the column that they make.
 
 use super::columns::{Cell, Column, Kind};
-use super::grid::Setting;
+use super::setting::Setting;
 use serde::Serialize;
 
 /// A path with the values that it takes.

@@ -1,9 +1,9 @@
-//! The rows of a sweep: every combination of the swept values, in the order of the options, the last varying fastest; or
-//! samples, which give each row its own value of every path.
+//! The rows of a sweep: every combination of the swept values, in the order of the options, the last varying fastest;
+//! or samples, which give each row its own value of every path.
 
 use super::axis::{Axis, AxisSummary};
 use super::columns::{Cell, Column};
-use super::values;
+use super::setting::Setting;
 use crate::case_file::{CaseFile, Change};
 use crate::error::StudyError;
 use crate::limits::Limits;
@@ -16,52 +16,6 @@ const MAX_ROWS: usize = 1_000_000_000;
 /// Rows that are solved one after the other, each starting from a neighbour among them. A constant of the format: it
 /// decides which rows start cold, and must depend neither on threads nor on shards.
 const CHUNK: Range<usize> = 8..65;
-
-/// Values for one place of the case: `PATH=VALUES`.
-#[derive(Debug, Clone)]
-pub struct Setting {
-    /// Stands before the setting in messages.
-    prefix: &'static str,
-    pub(crate) path: String,
-    pub(crate) values: Vec<String>,
-}
-
-impl Setting {
-    /// Reads `PATH=VALUES`, such as `ring.z.Force=kN(10..60 by 5)`.
-    ///
-    /// # Errors
-    /// A text that says what is wrong and what is allowed.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        match text.split_once('=') {
-            Some((path, list)) if !path.trim().is_empty() && !list.trim().is_empty() => {
-                Ok(Self { prefix: "", path: path.trim().to_owned(), values: values::expand(list)? })
-            }
-            _ => {
-                Err("allowed is PATH=VALUES, such as ring.z.Force=kN(10),kN(20) or ring.z.Force=kN(10..60 by 5)"
-                    .to_owned())
-            }
-        }
-    }
-
-    /// Values one by one, each as a case file has it.
-    pub fn of(path: &str, values: Vec<String>) -> Self {
-        Self { prefix: "", path: path.to_owned(), values }
-    }
-
-    /// Number of values.
-    pub fn count(&self) -> usize {
-        self.values.len()
-    }
-
-    /// With a text that stands before the setting in messages, such as the name of an option.
-    pub fn prefixed(self, prefix: &'static str) -> Self {
-        Self { prefix, ..self }
-    }
-
-    fn change(&self, index: usize) -> Change {
-        Change::new(format!("{}{}={}", self.prefix, self.path, self.values[index]), &self.path, &self.values[index])
-    }
-}
 
 /// How rows take the values of the axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,7 +6,7 @@
 
 mod axis;
 mod columns;
-mod difference;
+pub(crate) mod difference;
 mod grid;
 mod journal;
 mod merge;
@@ -15,6 +15,7 @@ mod parquet;
 mod part;
 mod plan;
 mod rows;
+mod setting;
 mod shard;
 mod table;
 mod values;
@@ -22,11 +23,12 @@ mod values;
 pub use axis::AxisSummary;
 pub use columns::{CONVERGED, Cell, Column, Kind};
 pub use difference::SweepDifference;
-pub use grid::{Grid, SampleRows, Setting};
+pub use grid::{Grid, SampleRows};
 pub use merge::{Merged, merge};
 pub use part::{Part, write_part};
 pub use plan::Plan;
 pub use rows::solve_chunks;
+pub use setting::Setting;
 pub use shard::Shard;
 pub use table::{Count, Format, Rows};
 
