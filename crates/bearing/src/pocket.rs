@@ -86,8 +86,8 @@ impl Pocket {
         (size - self.clearance) * self.radius
     }
 
-    /// How far the spring is pressed, m, where the ball is pressed into the wall by `depth`: by as much, or from the middle
-    /// of the pocket on; and the length that it has at the wall.
+    /// How far the spring is pressed, m, where the ball is pressed into the wall by `depth`: by as much, or from the
+    /// middle of the pocket on; and the length that it has at the wall.
     fn pressed<D: Scalar>(&self, depth: D) -> [D; 2] {
         let before = match self.force {
             PocketForce::FromWall => 0.0,

@@ -144,7 +144,7 @@ impl<'a> LeastSquares<'a> {
     }
 }
 
-/// Residual of a figure that a run does not have, such as the place of impacts without any: as bad as ten uncertainties.
+/// Residual of a figure that a run does not have, such as the place of impacts without any: that of ten uncertainties.
 const NOTHING: f64 = 10.0;
 /// Iterations of one fit.
 const MAX_ITERATIONS: u64 = 60;

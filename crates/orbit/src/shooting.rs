@@ -1,5 +1,5 @@
-//! Newton's method on the start of the turn, cage speed and ring, the ball sent round after each step: no ball is asked
-//! to follow a slope over a contact that it loses (U. M. Ascher, R. M. M. Mattheij, R. D. Russell, Numerical Solution of
+//! Newton's method on the start of the turn, cage speed and ring, the ball sent round after each step: no ball has to
+//! follow a slope over a contact that it loses (U. M. Ascher, R. M. M. Mattheij, R. D. Russell, Numerical Solution of
 //! Boundary Value Problems, 1995, chapter 4).
 
 use crate::OrbitError;

@@ -1,6 +1,6 @@
 //! Files of a crate that import each other in a circle: none can be read, moved or changed without the others.
 
-use super::hygiene::listed;
+use super::listed::listed;
 use super::{Outcome, finish};
 use crate::error::Failure;
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,9 +1,9 @@
 //! Things that no committed file may hold.
 
+use super::listed::listed;
 use super::{Outcome, finish, named};
 use crate::error::Failure;
 use std::path::Path;
-use std::process::Command;
 use tribodyn_paper::{PaperError, files};
 
 /// Most lines of a file of Rust.
@@ -56,18 +56,6 @@ pub fn check() -> Result<Outcome, Failure> {
     finish("hygiene", findings)
 }
 
-/// Tracked files, and new ones that are not excluded.
-pub fn listed() -> Result<Vec<String>, Failure> {
-    let mut command = Command::new("git");
-    command.current_dir(files::root()).args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"]);
-    let output = command.output().map_err(|source| Failure::Start { program: "git".to_owned(), source })?;
-    if !output.status.success() {
-        return Err(Failure::Command { command: "git ls-files".to_owned(), status: output.status });
-    }
-    let text = String::from_utf8_lossy(&output.stdout);
-    Ok(text.split('\0').filter(|name| !name.is_empty()).map(str::to_owned).collect())
-}
-
 fn inspect(name: &str, text: &str) -> Vec<String> {
     let mut findings = Vec::new();
     let rust = Path::new(name).extension().is_some_and(|e| e == "rs");
@@ -106,7 +94,7 @@ fn inspect(name: &str, text: &str) -> Vec<String> {
 /// search for whole.
 fn wide_lines(name: &str, text: &str) -> Vec<String> {
     let written = Path::new(name).extension().is_some_and(|e| WRITTEN.iter().any(|written| e == *written));
-    if !written || ["/uplot/", "fixtures/fuzz/"].iter().any(|foreign| name.contains(foreign)) {
+    if !written || ["/uplot/", "fixtures/fuzz/", "fixtures/survey/"].iter().any(|foreign| name.contains(foreign)) {
         return Vec::new();
     }
     let markdown = name.ends_with(".md");

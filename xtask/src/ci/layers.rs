@@ -1,8 +1,9 @@
 //! The layers of the workspace: the table of docs/architecture.md, held against `cargo metadata`, and against
 //! re-exports that would hand on a whole crate behind it.
 
+use super::listed::listed;
 use super::metadata::{Dependency, Metadata};
-use super::{Outcome, finish, hygiene};
+use super::{Outcome, finish};
 use crate::error::Failure;
 use tribodyn_paper::files;
 
@@ -104,7 +105,7 @@ pub fn check() -> Result<Outcome, Failure> {
         })
         .collect();
     let mut findings = violations(&members);
-    for name in hygiene::listed()?.iter().filter(|name| name.starts_with("crates/") && name.ends_with(".rs")) {
+    for name in listed()?.iter().filter(|name| name.starts_with("crates/") && name.ends_with(".rs")) {
         let path = files::root().join(name);
         // A file that is deleted but not yet committed is listed too.
         if path.exists() {

@@ -6,6 +6,7 @@ mod figures;
 mod hygiene;
 mod layers;
 mod licences;
+mod listed;
 mod metadata;
 mod named;
 mod node;

@@ -1,6 +1,6 @@
 //! Tests that documents name: each has to be there, so that a table of promises does not outlive what holds them.
 
-use super::hygiene::listed;
+use super::listed::listed;
 use crate::error::Failure;
 use std::collections::BTreeSet;
 use tribodyn_paper::files;

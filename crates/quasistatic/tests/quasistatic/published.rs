@@ -105,8 +105,8 @@ fn wrap(speed: &str) -> String {
     format!("Constant({speed})")
 }
 
-/// The friction that holds the gyroscopic moment, λ M_g/D across the groove, is what a ball's balance lacks of its normal
-/// forces: from both races at each reading of λ.
+/// The friction that holds the gyroscopic moment, λ M_g/D across the groove, is what a ball's balance lacks of its
+/// normal forces: from both races at each reading of λ.
 #[test]
 fn paper_gyroscopic_friction_by_its_readings() {
     for (reading, inner, outer) in

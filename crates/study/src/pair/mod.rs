@@ -8,8 +8,8 @@
 //!
 //! A bearing that faces the other way is the mirror image of the first: forces along Z and tilts change their signs,
 //! the sense of rotation does not. Back to back the lines of contact meet the axis outside the pair, face to face
-//! inside. Sources: T. A. Harris, M. N. Kotzalas, Essential Concepts of Bearing Technology, 2006, section 9.4 (preloaded
-//! pairs); the mirror is ours.
+//! inside. Sources: T. A. Harris, M. N. Kotzalas, Essential Concepts of Bearing Technology, 2006, section 9.4
+//! (preloaded pairs); the mirror is ours.
 
 use crate::StudyError;
 use serde::Serialize;

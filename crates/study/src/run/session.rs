@@ -196,7 +196,7 @@ impl<'a> RunSession<'a> {
         self.finish(ending, began)
     }
 
-    /// Steps to the end of the duration, or to a stop. What cannot be recorded is a stop too, and the recorder tells it.
+    /// Steps to the end of the duration, or to a stop. What cannot be recorded is a stop too; the recorder tells it.
     fn go(&mut self, mut progress: impl FnMut(f64) -> ControlFlow<()>) -> Ending {
         let mut clock = Clock { looked: Instant::now(), saved: Instant::now(), stopped: false };
         loop {
