@@ -34,6 +34,8 @@ _TRIED = 3
 _LOOK_S = 0.5
 #: Partitions that are given to the cluster beyond those being worked on, for each thread: enough that none waits.
 _AHEAD = 3
+#: Partitions handed out anew in one call because the scheduler has lost them, at most: a worker holds only a few.
+_AGAIN = 100
 
 
 class Dataset(Answer):
@@ -179,6 +181,8 @@ class _Study:
         self.folder = folder
         self.threads = threads
         self.retries = retries
+        # How many partitions may be handed out anew in all, because the scheduler lost them with a worker.
+        self.again = _AGAIN
         self.patience = patience
         self.rows = 0
         self.failed = 0
@@ -258,7 +262,9 @@ class _Study:
             )
             for place in places
         ]
-        answers = [answer for _, answer in self._results(dict(zip(tried, places)))]
+        answers = [answer for _, answer in self._results(dict(zip(tried, places))) if answer is not None]
+        if not answers:
+            raise self.gone("the scheduler has lost what it was given")
         if not all(seen for _, _, seen in answers):
             allowed = "allowed is a folder that all workers see, such as one on a shared file system"
             raise InputError(
@@ -305,7 +311,10 @@ class _Study:
                 while waiting and len(given) < ahead:
                     partition = waiting.pop()
                     given[self._submit(partition)] = partition
-                for _, done in self._results(given, first=True):
+                for partition, done in self._results(given, first=True):
+                    if done is None:
+                        waiting.append(partition)
+                        continue
                     self.rows += done.rows
                     self.failed += done.failed
                     bar(float(self.rows))
@@ -361,18 +370,25 @@ class _Study:
             raise self.gone(f"there has been no worker for {self.patience:g} s")
 
     def _result(self, future: Any) -> Any:
+        """What a worker answered; None if the scheduler has lost it and it may be handed out anew."""
         from concurrent.futures import CancelledError
 
         from distributed.scheduler import KilledWorker
 
         if future.status in ("cancelled", "lost"):
-            raise self.gone("the scheduler has lost what it was given")
+            return self._anew()
         try:
             return future.result()
         except KilledWorker as error:
             raise self.gone(f"a partition has ended several workers, one after the other: {error}") from error
-        except CancelledError as error:
-            raise self.gone("the scheduler has lost what it was given") from error
+        except CancelledError:
+            return self._anew()
+
+    def _anew(self) -> None:
+        """A result went with its worker. Tables of partitions are written whole, so that one may be done again."""
+        if self.client.status != "running" or self.again == 0:
+            raise self.gone("the scheduler has lost what it was given")
+        self.again -= 1
 
     def gone(self, why: str) -> ClusterError:
         """A cluster that is gone, with what is finished."""
