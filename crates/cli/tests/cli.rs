@@ -10,6 +10,8 @@ mod bad_cases;
 mod documents;
 #[path = "cli/files.rs"]
 mod files;
+#[path = "cli/implausible.rs"]
+mod implausible;
 #[path = "cli/life.rs"]
 mod life;
 #[path = "cli/merge.rs"]
