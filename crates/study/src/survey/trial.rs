@@ -208,3 +208,32 @@ fn scheme_name(case: &Case) -> &'static str {
         None => "none",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::random_bearing;
+    use super::*;
+
+    fn orbit_of(index: u64) -> Solving {
+        solve_by(&random_bearing(1, index).unwrap(), Equations::SteadyOrbit)
+    }
+
+    /// Slow, with balls that lose their load (1), with drag on a cage that hardly touches (5), with tilted rings and
+    /// balls that press on their pockets most of the way (26), heavily loaded (59): none of them was
+    /// found by sending a ball round alone.
+    #[test]
+    fn limit_bearings_that_are_hard_to_find_have_orbits() {
+        for index in [1, 5, 26, 59] {
+            let solving = orbit_of(index);
+            assert_eq!(solving.verdict, Verdict::Good, "{index}");
+        }
+    }
+
+    #[test]
+    fn limit_a_bearing_that_skids_as_a_whole_says_so_with_advice() {
+        let Verdict::Explained(why) = orbit_of(15).verdict else { panic!("it has an orbit now") };
+        for part in ["gross skidding: centrifugal force is 2", "lighter balls", "nearest has the cage at"] {
+            assert!(why.contains(part), "{why}");
+        }
+    }
+}
