@@ -62,6 +62,10 @@ pub enum OrbitReason {
 impl std::fmt::Display for OrbitReason {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
+            Self::GrossSkidding { centrifugal_share } if !centrifugal_share.is_finite() => f.write_str(
+                "gross skidding: nothing presses a ball on the inner race, no steady orbit was found; more load or less \
+                 clearance help",
+            ),
             Self::GrossSkidding { centrifugal_share } => write!(
                 f,
                 "gross skidding: centrifugal force is {centrifugal_share:.1} times what presses a ball on the inner race, \

@@ -105,7 +105,7 @@ pub fn steady_orbit(
 fn reason(start: &RollingStart, bearing: &Bearing, speed: f64) -> OrbitReason {
     let mean = start.inner_loads.iter().sum::<f64>() / start.inner_loads.len() as f64;
     let centrifugal = bearing.ball_mass * 0.5 * bearing.geometry.pitch_diameter * speed * speed;
-    let centrifugal_share = centrifugal / mean.max(f64::MIN_POSITIVE);
+    let centrifugal_share = centrifugal / mean;
     if centrifugal_share > 1.0 {
         OrbitReason::GrossSkidding { centrifugal_share }
     } else if start.inner_loads.iter().any(|load| *load <= 0.0) {
