@@ -15,6 +15,7 @@ mod modelling;
 mod motion;
 mod normal;
 mod operation;
+mod patch_traction;
 mod pocket;
 pub mod quantities;
 mod races;

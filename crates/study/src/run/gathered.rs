@@ -5,11 +5,12 @@
 
 use super::settled::Settled;
 use super::summary::{Powers, Summary, Worn};
+use super::warnings;
 use std::sync::LazyLock;
 use tribodyn_bearing::quantities::{Quantity, joined};
 use tribodyn_dynamics::{POWER_IN, POWER_LOST, PowerSample};
 use tribodyn_record::wire::Numbers;
-use tribodyn_record::{StateRow, WearRow};
+use tribodyn_record::{LogRow, StateRow, WearRow};
 
 /// Most blocks that are kept: 2.5 s at 25.6 kHz row by row, in 18 MB.
 const MOST: usize = 1 << 16;
@@ -244,6 +245,15 @@ impl Gathered {
             wear: wear.map_or_else(Worn::default, Worn::of),
             warnings,
         })
+    }
+}
+
+impl Summary {
+    /// Of the rows of a recording; none without any.
+    pub fn of(states: &[StateRow], wear: Option<&WearRow>, log: &[LogRow]) -> Option<Self> {
+        let mut gathered = Gathered::default();
+        states.iter().for_each(|row| gathered.add(*row));
+        gathered.summary(wear, warnings::of_log(log))
     }
 }
 

@@ -1,14 +1,12 @@
 //! What a recorded run comes to in a few numbers.
 
 use super::balance::{Judgement, judge};
-use super::gathered::Gathered;
 use super::settled::Settled;
-use super::warnings;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use tribodyn_bearing::quantities::joined;
 use tribodyn_case::Case;
 use tribodyn_dynamics::{ACCELERATION_ERROR, POWER_IN, POWER_LOST, PowerSample};
-use tribodyn_record::{LogRow, StateRow, WearRow};
+use tribodyn_record::WearRow;
 
 /// Numbers of a run; means, rms and extremes are of its second half, where what is left of the start has faded most, or
 /// of what is left once the run is steady, if that is later.
@@ -118,13 +116,6 @@ pub struct Worn {
 }
 
 impl Summary {
-    /// Of the rows of a recording; none without any.
-    pub fn of(states: &[StateRow], wear: Option<&WearRow>, log: &[LogRow]) -> Option<Self> {
-        let mut gathered = Gathered::default();
-        states.iter().for_each(|row| gathered.add(*row));
-        gathered.summary(wear, warnings::of_log(log))
-    }
-
     /// With a warning where the work of the run does not balance as it should by this case's scheme.
     pub fn judged(mut self, case: &Case) -> Self {
         if let Judgement::Off { reason, .. } = judge(self.power.imbalance_percent, case) {
@@ -151,6 +142,7 @@ impl Worn {
 mod tests {
     use super::*;
     use tribodyn_case::set_value;
+    use tribodyn_record::StateRow;
 
     #[test]
     fn limit_averages_are_of_the_second_half() {
