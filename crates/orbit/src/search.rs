@@ -22,7 +22,7 @@ const FAR: f64 = 0.1;
 /// Steps from turn to turn.
 const ROUNDS: usize = 12;
 /// Intervals of a first turn on which a ball is thrown about.
-const TAME: usize = 250;
+const TAME: usize = 700;
 /// Jacobians of an attempt on a mesh, and of one straight from an equilibrium.
 const PATIENCE: usize = 14;
 const DIRECT: usize = 12;
@@ -36,8 +36,13 @@ pub(crate) const SETTLING: [f64; 5] = [0.0, 3.0, 10.0, 30.0, 100.0];
 const NEAR: f64 = 0.5;
 /// The place of the way that is taken where only its last part is not gone.
 const FARTHEST: f64 = 0.8;
-/// Intervals of all turns after which no attempt is begun any more, of the first search and of later ones.
+/// Error of an interval, over what is allowed, at which a mesh is made for another orbit.
+const OTHER: f64 = 4.0;
+/// Intervals of all turns after which no attempt is begun any more: from near by, from Jones–Harris, from far, and with damped
+/// balls.
 const HASTE: usize = 5000;
+const MARCH: usize = 10_000;
+const LONG: usize = 25_000;
 pub(crate) const WORK: usize = 12_000;
 
 /// An orbit with what its equations lack.
@@ -53,10 +58,11 @@ pub(crate) fn find<'a>(
     let speed = start::cage_speed(rolling);
     let real = way.eased(1.0);
     way.set(&mut newton.system, 1.0);
-    // A ball that is thrown about in its first turn is sent round after other attempts only.
+    // What a ball comes to by itself goes before what equations alone lead to, which may be another orbit. A ball that
+    // is thrown about in its first turn is sent round after other attempts only.
     let first = settled(newton, (rolling, speed), way);
     let tame = first.intervals() < TAME;
-    if tame && let Some(found) = marched(newton, &first, way, (settings, HASTE)) {
+    if tame && let Some(found) = marched(newton, &first, way, (settings, MARCH)) {
         return Ok((found, real));
     }
     let mut starts = vec![even(newton, &Profile::new(&rolling.balls, speed), (speed, rolling.ring))];
@@ -68,7 +74,9 @@ pub(crate) fn find<'a>(
     }
     for from in &starts {
         let met = newton.met(from.clone(), (settings.tolerance, DIRECT));
-        if let Some(found) = met.and_then(|found| finished(newton, found, settings)) {
+        if let Some(found) = met.and_then(|found| finished(newton, found, settings))
+            && holds(newton, &found, settings)
+        {
             return Ok((found, real));
         }
     }
@@ -92,7 +100,7 @@ fn patient<'a>(
     let mut furthest: Option<Reached> = None;
     for from in starts {
         let Some(reached) = newton.followed(from, way, (settings.mesh_error, settings.tolerance)) else { continue };
-        if reached.share == 1.0 && reached.refined {
+        if reached.share == 1.0 && reached.refined && holds(newton, &reached.found, settings) {
             return Ok((reached.found, real));
         }
         way.set(&mut newton.system, 1.0);
@@ -104,6 +112,9 @@ fn patient<'a>(
         }
     }
     let last = furthest.as_ref().map_or(first, |reached| &reached.found.0);
+    if let Ok(found) = damped(newton, last, settings, (&SETTLING[..1], LONG)) {
+        return Ok((found, real));
+    }
     let unmet = match damped(newton, last, settings, (&SETTLING[1..], WORK)) {
         Ok(found) => return Ok((found, real)),
         Err(unmet) => unmet,
@@ -149,10 +160,24 @@ fn marched<'a>(
     found.or_else(|| damped(newton, &turn.orbit, settings, (&SETTLING[..1], work)).ok())
 }
 
-/// Newton's method on the mesh of an orbit, or else the turn closed on it.
+/// Newton's method on the mesh of a turn that nearly closes, or else the turn closed on it. Where that leads away from
+/// the turn, to an orbit that the mesh is not made for, a ball sent round has to keep to it.
 fn closed_or_met(newton: &mut Newton<'_>, orbit: Orbit, settings: &OrbitSettings) -> Option<Found> {
-    let met = newton.met(orbit.clone(), (settings.tolerance, PATIENCE));
-    met.or_else(|| newton.closed(orbit, settings.tolerance))
+    let sound = |newton: &mut Newton<'_>, found: &Found| {
+        let errors = newton.errors(&found.0, settings.mesh_error);
+        errors.into_iter().fold(0.0, f64::max) <= OTHER || holds(newton, found, settings)
+    };
+    let met = newton.met(orbit.clone(), (settings.tolerance, PATIENCE)).filter(|found| sound(newton, found));
+    met.or_else(|| newton.closed(orbit, settings.tolerance).filter(|found| sound(newton, found)))
+}
+
+/// Whether a ball that is sent round once more keeps to an orbit. On the falling part of a traction curve there are
+/// some that no ball keeps to, which equations alone do not tell from others.
+fn holds(newton: &mut Newton<'_>, (orbit, _): &Found, settings: &OrbitSettings) -> bool {
+    newton.work = newton.tried + HASTE;
+    let off = newton.turn(orbit.last(), (orbit.cage_speed, orbit.ring), settings.mesh_error).off;
+    newton.work = usize::MAX;
+    off <= FAR
 }
 
 /// An orbit on a coarse mesh made as fine as is asked for: by the errors of its intervals, or else by a ball that is

@@ -30,7 +30,8 @@ pub(crate) struct Turn {
 }
 
 impl Newton<'_> {
-    fn turn(&mut self, from: &[f64; BALL], border: (f64, [f64; RING]), allowed: f64) -> Turn {
+    /// The turn from a start, with what it lacks.
+    pub fn turn(&mut self, from: &[f64; BALL], border: (f64, [f64; RING]), allowed: f64) -> Turn {
         let orbit = self.march(from, border, allowed);
         let whole = orbit.ends.last().is_some_and(|end| *end == 1.0);
         let residual = self.residual(&orbit);
