@@ -76,7 +76,7 @@ class Sweep:
         return int(len(self) - np.count_nonzero(self._columns["converged"]))
 
     @property
-    def implausible(self) -> int:
+    def implausible_rows(self) -> int:
         """Rows that name what no bearing does; the column ``implausible`` says what."""
         return sum(1 for names in self._columns["implausible"] if names is not None)
 
@@ -88,7 +88,7 @@ class Sweep:
         return frame
 
     def __repr__(self) -> str:
-        implausible = f", {self.implausible} implausible" if self.implausible else ""
+        implausible = f", {self.implausible_rows} implausible" if self.implausible_rows else ""
         return f"Sweep({len(self)} rows, {self.failed} without solution{implausible})"
 
     def _repr_html_(self) -> str:
