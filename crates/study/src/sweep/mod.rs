@@ -20,6 +20,7 @@ mod shard;
 mod table;
 mod values;
 
+pub(crate) use axis::Axis;
 pub use axis::AxisSummary;
 pub use columns::{CONVERGED, Cell, Column, Kind};
 pub use difference::SweepDifference;
@@ -30,6 +31,7 @@ pub use plan::Plan;
 pub use rows::solve_chunks;
 pub use setting::Setting;
 pub use shard::Shard;
+pub(crate) use table::write as write_rows;
 pub use table::{Count, Format, Rows};
 
 use crate::error::StudyError;
