@@ -1,12 +1,11 @@
 //! Figures of an ensemble: the share of the members up to each value.
 
 use crate::failure::Failure;
-use std::path::Path;
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
 use tribodyn_study::StagedFiles;
 use tribodyn_study::ensemble::{Ensemble, Outcome};
 
-/// One figure: its name and title, its axis with unit and the unit's count in that of the columns, and its curves by
+/// One figure: its name and title, its axis with unit and the unit's count in that of the columns, and its panels by
 /// name and column.
 struct Plan {
     name: &'static str,
@@ -79,6 +78,8 @@ const PLANS: [Plan; 8] = [
     ),
 ];
 
+/// Name of the curves.
+const MEMBERS: &str = "members";
 /// Most points on a curve that are marked one by one.
 const MARKED: usize = 60;
 /// Wide enough for a page at 200 dots per inch.
@@ -91,29 +92,30 @@ fn distribution(mut values: Vec<f64>, unit: f64) -> Vec<(f64, f64)> {
     values.into_iter().enumerate().map(|(k, value)| (unit * value, 100.0 * (k as f64 + 0.5) / count)).collect()
 }
 
-/// Draws all figures into files that get their names when they are published; those without a value are left out.
-pub fn stage(folder: &Path, force: bool, ensemble: &Ensemble, outcome: &Outcome) -> Result<StagedFiles, Failure> {
-    let mut staged = StagedFiles::new(folder, force)?;
+/// Draws all figures into files that get their names when they are published; what has no value is left out.
+pub fn draw(staged: &mut StagedFiles, ensemble: &Ensemble, outcome: &Outcome) -> Result<(), Failure> {
     for plan in &PLANS {
-        let (label, unit, per_unit) = plan.axis;
-        let curve = |(name, column): &(&str, &str)| {
-            let points = distribution(ensemble.values(column, &outcome.members), per_unit);
-            let many = points.len() > MARKED;
-            let curve = if many { Series::line(*name, points) } else { Series::marked(*name, points) };
-            Some(curve).filter(|curve| !curve.points.is_empty())
-        };
-        let curves: Vec<Series> = plan.curves.iter().filter_map(curve).collect();
-        if curves.is_empty() {
+        let panels: Vec<Panel> = plan.curves.iter().filter_map(|curve| panel(plan, curve, ensemble, outcome)).collect();
+        if panels.is_empty() {
             continue;
         }
-        let share = Axis::new("Members up to it", "%").covering(0.0, 100.0);
-        let chart = LineChart::new("", Axis::new(label, unit), share, curves);
-        let panel = Panel::Cartesian(LineChart { area_px: [500.0, 300.0], ..chart });
-        let figure = Figure::new(plan.name, plan.title, &[panel])?;
+        let figure = Figure::in_columns(plan.name, plan.title, 2, &panels)?;
         staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
         staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?;
     }
-    Ok(staged)
+    Ok(())
+}
+
+/// The distribution of one figure over the members.
+fn panel(plan: &Plan, (name, column): &(&str, &str), ensemble: &Ensemble, outcome: &Outcome) -> Option<Panel> {
+    let (label, unit, per_unit) = plan.axis;
+    let points = distribution(ensemble.values(column, &outcome.members), per_unit);
+    if points.is_empty() {
+        return None;
+    }
+    let curve = if points.len() > MARKED { Series::line(MEMBERS, points) } else { Series::marked(MEMBERS, points) };
+    let share = Axis::new("Members up to it", "%").covering(0.0, 100.0);
+    Some(Panel::Cartesian(LineChart::new(*name, Axis::new(label, unit), share, vec![curve])))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use crate::table::print_json;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use tribodyn_study::ensemble::{Ensemble, EnsembleOptions, EnsembleReport, Outcome, Sampling, Spread};
 use tribodyn_study::sweep::Format;
@@ -19,7 +19,6 @@ use tribodyn_study::{Ours, StagedFiles};
 /// Simulate a bearing in time many times, with values of the case drawn at random, and give the quantiles of what comes
 /// of it. Nothing is recorded: `tribodyn run` with the values of a row makes the recording of that member.
 #[derive(clap::Args)]
-#[command(verbatim_doc_comment)]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
@@ -80,8 +79,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(path) = &arguments.output {
         arguments.replace.check(path, &arguments.case.path, Ours::Table)?;
     }
-    // Another writer of the table is told of now, not after hours.
+    // Who else writes the table, and where no figures can be, is told now and not after hours.
     let table = arguments.output.as_deref().map(|path| ensemble.table(path)).transpose()?;
+    let plots =
+        arguments.plot.as_deref().map(|folder| StagedFiles::new(folder, arguments.replace.force)).transpose()?;
     let stop = stop_flag()?;
     let outcome = members(arguments, &ensemble, &pool, &stop);
     let finished = outcome.members.len();
@@ -89,11 +90,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if finished == 0 {
         return Err(stopped());
     }
-    let folder = arguments.plot.as_deref();
-    let plots =
-        folder.map(|folder| figures::stage(folder, arguments.replace.force, &ensemble, &outcome)).transpose()?;
+    // A figure that fails takes no table with it.
     table.map_or(Ok(()), |table| table.write(&outcome.members))?;
-    plots.map_or(Ok(()), StagedFiles::publish)?;
+    if let Some(mut staged) = plots {
+        figures::draw(&mut staged, &ensemble, &outcome)?;
+        staged.publish()?;
+    }
     let report = ensemble.report(&outcome);
     let failed = report.failed;
     let answer = Answer { report, output: arguments.output.clone(), plot: arguments.plot.clone() };

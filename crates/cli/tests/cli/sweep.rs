@@ -38,7 +38,7 @@ fn fields(line: &str) -> Vec<String> {
 }
 
 /// Header and rows of a table without line ends and quotes in its fields.
-fn read(path: &Path) -> (Vec<String>, Vec<HashMap<String, String>>) {
+pub fn read(path: &Path) -> (Vec<String>, Vec<HashMap<String, String>>) {
     let text = fs::read_to_string(path).unwrap();
     let mut lines = text.lines().map(fields);
     let header = lines.next().unwrap();
@@ -49,7 +49,7 @@ fn read(path: &Path) -> (Vec<String>, Vec<HashMap<String, String>>) {
     (header.clone(), rows.collect())
 }
 
-fn value(row: &HashMap<String, String>, name: &str) -> f64 {
+pub fn value(row: &HashMap<String, String>, name: &str) -> f64 {
     row[name].parse().unwrap_or_else(|_| panic!("{name} = {}", row[name]))
 }
 
