@@ -24,7 +24,7 @@ pub struct Arguments {
     case: CaseArguments,
     /// Draw one value of the case for each member: mm(0.2 ± 0.02) from a normal distribution with that standard
     /// deviation (or mm(0.2 +- 0.02)), mm(0.18..0.22) from a range in which all values are as likely; may be repeated
-    #[arg(long = "vary", value_name = "PATH=SPREAD", value_parser = Spread::parse, required = true)]
+    #[arg(long = "vary", value_name = "PATH=SPREAD", value_parser = spread, required = true)]
     spreads: Vec<Spread>,
     /// Number of members
     #[arg(long, value_name = "N")]
@@ -56,6 +56,10 @@ pub struct Arguments {
     /// Print the summary as JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
+}
+
+fn spread(text: &str) -> Result<Spread, String> {
+    Ok(Spread::parse(text)?.prefixed("--vary "))
 }
 
 /// The answer with the files that were written.

@@ -23,15 +23,13 @@ pub use table::{COMPLETE, EnsembleTable};
 use crate::case_file::{CaseFile, Change};
 use crate::error::StudyError;
 use crate::limits::Limits;
-use crate::sweep::{Axis, Column, Setting};
+use crate::sweep::{Axis, Column};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 /// Most members: their rows are held in memory, a kilobyte each.
 const MAX_MEMBERS: usize = 100_000;
-/// Stands before a spread in messages.
-const OPTION: &str = "--vary ";
 
 /// Choices of an ensemble besides its spreads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -92,7 +90,7 @@ impl Ensemble {
     ///
     /// # Errors
     /// A case that cannot be run, as it is or with all spreads at their middle; two changes of one value; no member or
-    /// too many; values with which neither the first member nor the last is a case.
+    /// too many; values with which no member is a case.
     pub fn new(
         (name, text): (&str, String),
         fixed: &[Change],
@@ -107,10 +105,7 @@ impl Ensemble {
         base.run_inputs()?;
         check_paths(fixed, spreads)?;
         let shares = draw::shares(options.sampling, options.seed, options.members, spreads.len());
-        let setting = |(spread, shares): (&Spread, Vec<f64>)| {
-            Setting::of(&spread.path, shares.iter().map(|share| spread.value(*share)).collect()).prefixed(OPTION)
-        };
-        let axes = spreads.iter().zip(shares).map(setting).map(|setting| Axis::new(&setting)).collect();
+        let axes = spreads.iter().zip(&shares).map(|(spread, shares)| Axis::new(&spread.setting(shares))).collect();
         let (spreads, limits, figures) = (spreads.to_vec(), *limits, figures::columns()?);
         let ensemble = Self { base, limits, options, spreads, axes, figures };
         ensemble.check()?;
@@ -119,13 +114,9 @@ impl Ensemble {
 
     /// A wrong unit is wrong in the middle too; values at random may make an impossible case now and then.
     fn check(&self) -> Result<(), StudyError> {
-        let middle = self.spreads.iter().map(|spread| {
-            let value = spread.middle();
-            Change::new(format!("{OPTION}{}={value}", spread.path), &spread.path, &value)
-        });
-        self.case(&middle.collect::<Vec<_>>())?;
-        match (self.member_case(0), self.member_case(self.options.members - 1)) {
-            (Err(first), Err(_)) => Err(first),
+        self.case(&self.spreads.iter().map(Spread::middle).collect::<Vec<_>>())?;
+        match self.member_case(0) {
+            Err(first) if (1..self.options.members).all(|number| self.member_case(number).is_err()) => Err(first),
             _ => Ok(()),
         }
     }
@@ -166,14 +157,11 @@ impl Ensemble {
 /// Refuses two changes of one value.
 fn check_paths(fixed: &[Change], spreads: &[Spread]) -> Result<(), StudyError> {
     for (k, spread) in spreads.iter().enumerate() {
-        let given = || format!("{}={}", spread.path, spread.text);
-        if let Some(change) = fixed.iter().find(|change| change.concerns(&spread.path)) {
-            return Err(StudyError::argument("vary", given(), format!("{change} is about the same value")));
-        }
-        let itself = Change::new(String::new(), &spread.path, "");
-        if let Some(other) = spreads[..k].iter().find(|other| itself.concerns(&other.path)) {
-            let message = format!("{OPTION}{}={} is about the same value", other.path, other.text);
-            return Err(StudyError::argument("vary", given(), message));
+        let change = fixed.iter().find(|change| change.concerns(&spread.path)).map(Change::to_string);
+        let other = || spreads[..k].iter().find(|other| other.meets(&spread.path)).map(Spread::to_string);
+        if let Some(other) = change.or_else(other) {
+            let given = format!("{}={}", spread.path, spread.text);
+            return Err(StudyError::argument("vary", given, format!("{other} is about the same value")));
         }
     }
     Ok(())

@@ -1,6 +1,9 @@
 //! How a value is spread over the members: `mm(0.2 ± 0.02)` and `mm(0.18..0.22)`.
 
 use super::normal::normal_quantile;
+use crate::case_file::Change;
+use crate::sweep::Setting;
+use std::fmt;
 
 /// Signs between a mean and its standard deviation.
 const SIGNS: [&str; 2] = ["±", "+-"];
@@ -12,6 +15,8 @@ const SHARES: [f64; 2] = [f64::EPSILON / 4.0, 1.0 - f64::EPSILON / 2.0];
 /// A place of the case and the distribution of its values: `PATH=SPREAD`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spread {
+    /// Stands before the spread in messages.
+    option: &'static str,
     /// Place in the case.
     pub path: String,
     /// As it was given, without the path.
@@ -25,6 +30,12 @@ pub struct Spread {
 enum Distribution {
     Normal { mean: f64, deviation: f64 },
     Uniform { low: f64, high: f64 },
+}
+
+impl fmt::Display for Spread {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}={}", self.option, self.path, self.text)
+    }
 }
 
 impl Spread {
@@ -68,7 +79,12 @@ impl Spread {
             deviation.ok_or_else(|| format!("`{spread}`: allowed is a standard deviation above 0"))
         }?;
         let around = [prefix, &rest[second.len()..]].map(str::to_owned);
-        Ok(Self { path: path.to_owned(), text: spread.to_owned(), around, distribution })
+        Ok(Self { option: "", path: path.to_owned(), text: spread.to_owned(), around, distribution })
+    }
+
+    /// With a text that stands before the spread in messages, such as the name of an option.
+    pub fn prefixed(self, option: &'static str) -> Self {
+        Self { option, ..self }
     }
 
     /// The value below which a share of all values lies, as a case file has it.
@@ -84,9 +100,21 @@ impl Spread {
         format!("{before}{}{after}", value + 0.0)
     }
 
-    /// The value in the middle.
-    pub(super) fn middle(&self) -> String {
-        self.value(0.5)
+    /// The value in the middle, for a case.
+    pub(super) fn middle(&self) -> Change {
+        let Self { option, path, .. } = self;
+        let value = self.value(0.5);
+        Change::new(format!("{option}{path}={value}"), path, &value)
+    }
+
+    /// Values of some shares, for the members' cases.
+    pub(super) fn setting(&self, shares: &[f64]) -> Setting {
+        Setting::of(&self.path, shares.iter().map(|share| self.value(*share)).collect()).prefixed(self.option)
+    }
+
+    /// True if another place lies within the one of this spread, or around it.
+    pub(super) fn meets(&self, path: &str) -> bool {
+        Change::new(String::new(), &self.path, "").concerns(path)
     }
 }
 
