@@ -93,6 +93,11 @@ impl RunItem {
         item.map(Some)
     }
 
+    /// True of the messages that every sample has: [`crate::Sink`] takes their numbers besides their bytes.
+    pub fn is_of_samples(schema: &str) -> bool {
+        [STATE, BALLS].contains(&schema)
+    }
+
     /// Simulated time of what comes in order of time, s, with a number for its kind.
     fn time(&self) -> Option<(usize, f64)> {
         match self {

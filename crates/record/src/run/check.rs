@@ -4,8 +4,8 @@ use crate::RecordError;
 use tribodyn_bearing::quantities::{OfBall, joined};
 use tribodyn_dynamics::{POWER_IN, POWER_LOST, RingSample, Sample};
 
-/// Refuses a sample that cannot be recorded.
-pub(crate) fn check(sample: &Sample, balls: usize, last_time_s: f64) -> Result<(), RecordError> {
+/// Refuses a sample that cannot be recorded. Of balls that are not, their turning alone is looked at.
+pub(crate) fn check(sample: &Sample, with_balls: bool, balls: usize, last_time_s: f64) -> Result<(), RecordError> {
     if sample.balls.len() != balls {
         return Err(RecordError::BallCount { solution: sample.balls.len(), case: balls });
     }
@@ -15,6 +15,11 @@ pub(crate) fn check(sample: &Sample, balls: usize, last_time_s: f64) -> Result<(
     // A finite number times zero is zero: one sum tells of all numbers whether one of them is not.
     let mut sum = 0.0;
     numbers(sample, &mut |_, values| sum += values.iter().map(|v| v * 0.0).sum::<f64>());
+    let turning = sample.balls.iter().flat_map(|b| b.spin_rad_s);
+    sum += turning.map(|v| v * 0.0).sum::<f64>();
+    if !with_balls && sum == 0.0 {
+        return Ok(());
+    }
     let of_balls = || sample.balls.iter().enumerate().flat_map(|(k, b)| OfBall::all().map(move |q| (k, q, q.get(b))));
     sum += of_balls().filter_map(|(.., value)| value.map(|v| v * 0.0)).sum::<f64>();
     if sum == 0.0 {

@@ -169,7 +169,7 @@ impl Producer {
         sample: &Sample,
         with_balls: bool,
     ) -> Result<(), RecordError> {
-        check::check(sample, self.geometry.ball_count, self.memory.last_time_s)?;
+        check::check(sample, with_balls, self.geometry.ball_count, self.memory.last_time_s)?;
         (self.memory.last_time_s, self.memory.last_wear) = (sample.time_s, sample.wear);
         let time = log_time(sample.time_s);
         let scales = match self.memory.scales {
@@ -181,10 +181,12 @@ impl Producer {
         self.memory.last_turn.push(sample);
         self.memory.recent.push(sample);
         let state = messages::state(sample, time, self.memory.pending.impacts());
+        sink.state(&state);
         self.send(sink, Topic::State, time, &state)?;
         if with_balls {
             self.memory.found.push(sample);
             let balls = messages::balls(sample, time);
+            sink.balls(&balls.balls);
             self.send(sink, Topic::Balls, time, &balls)?;
             self.scene(sink, sample, scales, time)?;
         }

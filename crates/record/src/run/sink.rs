@@ -1,7 +1,7 @@
 //! Where the messages of a run go: a file, a stream in memory, a server, or several of them.
 
 use crate::output::{Channel, Entries, Output, QUICK, active_path, file_error, mcap_error};
-use crate::{RecordError, RecordingSummary, read_summary};
+use crate::{BallRow, RecordError, RecordingSummary, StateRow, read_summary};
 use std::fs::{self, File};
 use std::io::{BufWriter, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -37,6 +37,12 @@ pub trait Sink {
     /// # Errors
     /// [`RecordError`] if it cannot be stored, for instance on a full disk.
     fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError>;
+
+    /// Takes the numbers of the state whose message comes next: nobody has to decode what was just encoded.
+    fn state(&mut self, _row: &StateRow) {}
+
+    /// Takes the numbers of the balls whose message comes next.
+    fn balls(&mut self, _rows: &[BallRow]) {}
 
     /// Makes what was taken so far survive an end of the program.
     ///
@@ -184,6 +190,16 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
         self.1.message(channel, log_time, data)
     }
 
+    fn state(&mut self, row: &StateRow) {
+        self.0.state(row);
+        self.1.state(row);
+    }
+
+    fn balls(&mut self, rows: &[BallRow]) {
+        self.0.balls(rows);
+        self.1.balls(rows);
+    }
+
     fn flush(&mut self) -> Result<(), RecordError> {
         self.0.flush()?;
         self.1.flush()
@@ -204,6 +220,14 @@ impl<S: Sink> Sink for Option<S> {
 
     fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
         self.as_mut().map_or(Ok(()), |sink| sink.message(channel, log_time, data))
+    }
+
+    fn state(&mut self, row: &StateRow) {
+        self.iter_mut().for_each(|sink| sink.state(row));
+    }
+
+    fn balls(&mut self, rows: &[BallRow]) {
+        self.iter_mut().for_each(|sink| sink.balls(rows));
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {

@@ -27,7 +27,7 @@ pub(crate) fn copy(files: &Files, saved: &Saved, tape: &mut Tape) -> Result<(), 
     for message in mcap::MessageStream::new(&bytes).map_err(damaged)?.take(saved.safe_messages as usize) {
         let message = message.map_err(damaged)?;
         let channel = tape.channel(&message.channel.topic).ok_or_else(|| lost(files, copied, saved))?;
-        tape.message(channel, message.log_time, &message.data)?;
+        tape.take_up(channel, message.log_time, &message.data)?;
         copied += 1;
     }
     if copied < saved.safe_messages {
@@ -35,7 +35,7 @@ pub(crate) fn copy(files: &Files, saved: &Saved, tape: &mut Tape) -> Result<(), 
     }
     for loose in &saved.loose_messages {
         let data = from_hex(&loose.hex).ok_or_else(|| lost(files, copied, saved))?;
-        tape.message(loose.channel, loose.log_time_ns, &data)?;
+        tape.take_up(loose.channel, loose.log_time_ns, &data)?;
     }
     // From now on a reader of the new file sees all of it.
     tape.flush()?;

@@ -3,7 +3,7 @@
 use super::gathered::Gathered;
 use super::warnings::{Tested, Warnings};
 use tribodyn_case::Case;
-use tribodyn_record::{Channel, RecordError, RunItem, WearRow};
+use tribodyn_record::{BallRow, Channel, RecordError, RunItem, StateRow, WearRow};
 
 /// Rows, worn volumes, warnings and pressures of a run.
 #[derive(Debug, Clone)]
@@ -19,12 +19,22 @@ impl Tally {
         Self { states: Gathered::default(), wear: None, warnings: Warnings::default(), pressures: Tested::of(case) }
     }
 
-    /// Takes in a message as it is recorded; those for the eye only say nothing.
+    /// Takes in rings, cage and powers at one time.
+    pub fn add_state(&mut self, row: &StateRow) {
+        self.states.add(*row);
+    }
+
+    /// Takes in all balls at one time.
+    pub fn add_balls(&mut self, rows: &[BallRow]) {
+        self.pressures.iter_mut().for_each(|race| race.add(rows));
+    }
+
+    /// Takes in an encoded message; those for the eye only say nothing.
     pub fn add(&mut self, channel: &Channel, data: &[u8]) -> Result<(), RecordError> {
         let decode = |source| RecordError::Decode { topic: channel.topic.to_owned(), source };
         match RunItem::decode(channel.schema, data).map_err(decode)? {
-            Some(RunItem::State(row)) => self.states.add(row),
-            Some(RunItem::Balls(_, balls)) => self.pressures.iter_mut().for_each(|race| race.add(&balls)),
+            Some(RunItem::State(row)) => self.add_state(&row),
+            Some(RunItem::Balls(_, balls)) => self.add_balls(&balls),
             Some(RunItem::Wear(row)) => self.wear = Some(row),
             Some(RunItem::Log(row)) => self.warnings.add(&row),
             _ => {}

@@ -4,7 +4,7 @@ use super::tally::Tally;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tribodyn_case::Case;
-use tribodyn_record::{Channel, FileSink, Preamble, RecordError, Sink};
+use tribodyn_record::{BallRow, Channel, FileSink, Preamble, RecordError, RunItem, Sink, StateRow};
 
 /// A message that may not have reached the file yet.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -82,6 +82,22 @@ impl Tape {
         (self.safe, loose.collect())
     }
 
+    /// Takes a message of an earlier recording of the run.
+    pub fn take_up(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
+        self.tally.add(&self.channels[channel], data)?;
+        self.write(channel, log_time, data)
+    }
+
+    fn write(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
+        self.file()?.message(channel, log_time, data)?;
+        if let Some(viewers) = &mut self.viewers {
+            viewers.message(channel, log_time, data)?;
+        }
+        self.loose_bytes.extend_from_slice(data);
+        self.loose.push((channel, log_time, self.loose_bytes.len()));
+        if self.loose_bytes.len() >= LOOSE_BYTES { self.flush() } else { Ok(()) }
+    }
+
     fn file(&mut self) -> Result<&mut FileSink, RecordError> {
         self.file.as_mut().ok_or(RecordError::NotBegun)
     }
@@ -99,14 +115,19 @@ impl Sink for Tape {
     }
 
     fn message(&mut self, channel: usize, log_time: u64, data: &[u8]) -> Result<(), RecordError> {
-        self.file()?.message(channel, log_time, data)?;
-        if let Some(viewers) = &mut self.viewers {
-            viewers.message(channel, log_time, data)?;
+        let kind = &self.channels[channel];
+        if !RunItem::is_of_samples(kind.schema) {
+            self.tally.add(kind, data)?;
         }
-        self.tally.add(&self.channels[channel], data)?;
-        self.loose_bytes.extend_from_slice(data);
-        self.loose.push((channel, log_time, self.loose_bytes.len()));
-        if self.loose_bytes.len() >= LOOSE_BYTES { self.flush() } else { Ok(()) }
+        self.write(channel, log_time, data)
+    }
+
+    fn state(&mut self, row: &StateRow) {
+        self.tally.add_state(row);
+    }
+
+    fn balls(&mut self, rows: &[BallRow]) {
+        self.tally.add_balls(rows);
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {
