@@ -42,7 +42,7 @@ impl<T: FnMut(RunItem)> Observer for RunRows<T> {
     type Error = RecordError;
 
     fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, RecordError> {
-        check::check(sample, self.balls, self.last.0)?;
+        check::check(sample, with_balls, self.balls, self.last.0)?;
         self.last = (sample.time_s, sample.wear);
         self.log_due(sample.time_s);
         let time = log_time(sample.time_s);

@@ -45,8 +45,8 @@ pub(crate) fn run_unrecorded(file: &CaseFile, stop: &AtomicBool) -> Result<Optio
 
 fn gather(tally: &mut Tally, item: RunItem) {
     match item {
-        RunItem::State(row) => tally.states.add(row),
-        RunItem::Balls(_, balls) => tally.pressures.iter_mut().for_each(|race| race.add(&balls)),
+        RunItem::State(row) => tally.add_state(&row),
+        RunItem::Balls(_, balls) => tally.add_balls(&balls),
         RunItem::Wear(row) => tally.wear = Some(row),
         RunItem::Log(row) => tally.warnings.add(&row),
         _ => {}
