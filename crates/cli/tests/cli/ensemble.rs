@@ -142,7 +142,7 @@ fn limit_bad_ensembles_are_refused_and_nothing_is_written() {
     // Sound in the middle, but no whole number of balls is drawn.
     vary("geometry.ball_count=11..15", &["--vary geometry.ball_count=1", "case.ron:"]);
     vary("transient.duration=s(1..2)", &["--duration 0.002 is about the same value"]);
-    vary("geometry.ball_count=600..900", &["750 balls", "--no-limits"]);
+    vary("numerics.max_iterations=2000..3000", &["2500 iterations", "--no-limits"]);
     refused(
         &[&"--vary", &GAP, &"--vary", &"cage.pocket_gap=mm(0.1..0.2)", &"--members", &"2"],
         &["--vary cage.pocket_gap=mm(0.1..0.2): --vary cage.pocket_gap=mm(0.6 ± 0.05) is about the same value"],

@@ -33,9 +33,9 @@ pub struct Cost {
     pub threads: usize,
     /// Wall time of the whole ensemble, s.
     pub wall_s: f64,
-    /// Wall time of one member on its thread, s: the mean over those that are finished.
+    /// Wall time of one member on its thread, s: the mean over those with figures.
     pub wall_per_member_s: Option<f64>,
-    /// Processor time of one member, s: the mean over those that are finished; none where the system does not tell it.
+    /// Processor time of one member, s: the mean over those with figures; none where the system does not tell it.
     pub processor_per_member_s: Option<f64>,
     /// Simulated time of all members, s.
     pub simulated_s: f64,
@@ -111,13 +111,14 @@ impl Ensemble {
 impl Cost {
     fn of(outcome: &Outcome) -> Self {
         let Outcome { members, threads, wall_s, .. } = outcome;
-        let mean = |sum: f64| (!members.is_empty()).then(|| sum / members.len() as f64);
-        let processor_s: Option<f64> = members.iter().map(|member| member.processor_s).sum();
-        let simulated_s = members.iter().map(|member| member.simulated_s).sum::<f64>();
+        let complete = || members.iter().filter(|member| member.figures.is_ok());
+        let mean = |sum: f64| (complete().count() > 0).then(|| sum / complete().count() as f64);
+        let processor_s: Option<f64> = complete().map(|member| member.processor_s).sum();
+        let simulated_s = complete().map(|member| member.simulated_s).sum::<f64>();
         Self {
             threads: *threads,
             wall_s: *wall_s,
-            wall_per_member_s: mean(members.iter().map(|member| member.wall_s).sum()),
+            wall_per_member_s: mean(complete().map(|member| member.wall_s).sum()),
             processor_per_member_s: processor_s.and_then(mean),
             simulated_s,
             simulated_per_wall: simulated_s / wall_s,
