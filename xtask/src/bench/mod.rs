@@ -1,5 +1,5 @@
-//! `cargo xtask bench`: what the kernels, the transient schemes, the quasi-static solver and ensembles of runs cost, and
-//! what the fast scheme gets wrong for it.
+//! `cargo xtask bench`: what the kernels, the transient schemes, the quasi-static solver and ensembles of runs cost,
+//! and what the fast scheme gets wrong for it.
 //!
 //! Times are processor time of the thread that works, the least of several repetitions; what is to be compared runs in
 //! turn in one process. Rows over several threads are wall time and say so.
