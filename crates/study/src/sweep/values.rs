@@ -124,7 +124,13 @@ fn expand_item(item: &str) -> Result<Vec<String>, String> {
             item.chars().take(40).collect::<String>()
         ));
     }
-    Ok(numbers.into_iter().map(|number| format!("{prefix}{number}{suffix}")).collect())
+    Ok(numbers.into_iter().map(|number| format!("{prefix}{}{suffix}", short(number))).collect())
+}
+
+/// A number with all its digits; very large and very small ones with an exponent instead of hundreds of zeros.
+fn short(number: f64) -> String {
+    let plain = number == 0.0 || (1e-15..1e18).contains(&number.abs());
+    if plain { number.to_string() } else { format!("{number:e}") }
 }
 
 fn numbers(from: f64, to: f64, spacing: &Spacing) -> Result<Vec<f64>, String> {
@@ -198,6 +204,7 @@ mod tests {
         assert_eq!(of("3..1 by -1,7"), ["3", "2", "1", "7"]);
         assert_eq!(of("Force(kN(0..1 in 3))"), ["Force(kN(0))", "Force(kN(0.5))", "Force(kN(1))"]);
         assert_eq!(of("1e3..-1e3 in 3"), ["1000", "0", "-1000"]);
+        assert_eq!(of("-1e300..1e300 in 3"), ["-1e300", "0", "1e300"]);
         assert_eq!(
             of("kN(1..100 log 5)"),
             ["kN(1)", "kN(3.16227766016838)", "kN(10)", "kN(31.6227766016838)", "kN(100)"]
