@@ -2,7 +2,7 @@
 
 use super::normal::normal_quantile;
 use crate::case_file::Change;
-use crate::sweep::Setting;
+use crate::sweep::{Setting, short};
 use std::fmt;
 
 /// Signs between a mean and its standard deviation.
@@ -97,7 +97,7 @@ impl Spread {
         };
         let [before, after] = &self.around;
         // Not −0, which no list of values has.
-        format!("{before}{}{after}", value + 0.0)
+        format!("{before}{}{after}", short(value + 0.0))
     }
 
     /// The value in the middle, for a case.
@@ -144,6 +144,7 @@ mod tests {
         assert!((number(&least) - (0.2 - 0.02 * 8.292_361)).abs() < 1e-7, "{least}");
         assert_eq!(values("a=mm(0.2 +- 0.02)"), values("a=mm(0.2±0.02)"));
         assert_eq!(values("a=-1..1")[1], "0");
+        assert_eq!(values("a=-1e300..1e300")[0], "-1e300");
     }
 
     #[test]

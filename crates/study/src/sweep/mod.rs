@@ -33,6 +33,7 @@ pub use setting::Setting;
 pub use shard::Shard;
 pub(crate) use table::write as write_rows;
 pub use table::{Count, Format, Rows};
+pub(crate) use values::short;
 
 use crate::error::StudyError;
 use crate::lock::OutputLock;
