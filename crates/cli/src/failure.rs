@@ -40,6 +40,12 @@ pub enum Failure {
     /// A run that was stopped before its end.
     #[error("stopped after {simulated_s} of {duration_s} s; --resume goes on from there")]
     Stopped { simulated_s: f64, duration_s: f64 },
+    /// An ensemble that was stopped before all members were finished.
+    #[error("stopped: {finished} of {members} members are finished")]
+    EnsembleStopped { finished: usize, members: usize },
+    /// The answer is given, but not every member has a part in it.
+    #[error("{failed} of {members} members have no result; the answer says why")]
+    FailedMembers { failed: usize, members: usize },
     #[error(transparent)]
     Signal(#[from] tribodyn_signal::SignalError),
     #[error("cannot write the answer: {0}")]
@@ -104,6 +110,8 @@ impl Failure {
             }
             Self::Unsolved { .. }
             | Self::Stopped { .. }
+            | Self::EnsembleStopped { .. }
+            | Self::FailedMembers { .. }
             | Self::Signal(_)
             | Self::Record(_)
             | Self::Plot(_)

@@ -73,6 +73,23 @@ impl CaseArguments {
         self.read_with(&self.changes)
     }
 
+    /// The changes of `--set`, and that of `--duration` where it is given.
+    pub fn run_changes(&self, duration: Option<f64>) -> Result<Vec<Change>, StudyError> {
+        let Some(seconds) = duration else { return Ok(self.changes.clone()) };
+        let plain = self.read()?;
+        // A duration alone makes no section: the news is all that is missing, and not the path.
+        if plain.case.transient.is_none() {
+            plain.run_inputs()?;
+        }
+        let duration = Change::new(format!("--duration {seconds}"), "transient.duration", &format!("s({seconds})"));
+        Ok(self.changes.iter().cloned().chain([duration]).collect())
+    }
+
+    /// What files may ask for.
+    pub fn limits(&self) -> Limits {
+        self.limits.limits()
+    }
+
     /// The case with changes.
     pub fn read_with(&self, changes: &[Change]) -> Result<CaseFile, StudyError> {
         CaseFile::read_within(&self.path, changes, &self.limits.limits())

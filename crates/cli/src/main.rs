@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod check;
+mod ensemble;
 mod excerpt;
 mod failure;
 mod harmless;
@@ -47,6 +48,7 @@ Examples:
   tribodyn modes fixtures/cases/paper-ag.ron --up-to 5000
   tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
   tribodyn report run.mcap -o report
+  tribodyn ensemble fixtures/cases/paper-ag.ron --vary 'cage.pocket_gap=mm(0.71 ± 0.02)' --members 16
   tribodyn life fixtures/cases/paper-ag.ron
   tribodyn rating fixtures/cases/bearing-218.ron
   tribodyn sweep fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(10..60 by 5)' -o table.parquet
@@ -76,6 +78,8 @@ enum Command {
     Pair(pair::Arguments),
     /// Simulate a bearing in time and record it
     Run(run::Arguments),
+    /// Simulate a bearing in time many times, with case values drawn at random
+    Ensemble(ensemble::Arguments),
     /// Compute the life of the coatings: wear over many revolutions until one is worn through
     Life(life::Arguments),
     /// Compute rating life and static safety by ISO 281, ISO/TS 16281 and ISO 76
@@ -103,6 +107,7 @@ fn main() -> ExitCode {
         Command::Modes(arguments) => modes::run(&arguments),
         Command::Pair(arguments) => pair::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Ensemble(arguments) => ensemble::run(&arguments),
         Command::Life(arguments) => life::run(&arguments),
         Command::Rating(arguments) => rating::run(&arguments),
         Command::Recover(arguments) => recover::run(&arguments),

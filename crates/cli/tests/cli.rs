@@ -8,6 +8,8 @@ mod bad_arguments;
 mod bad_cases;
 #[path = "cli/documents.rs"]
 mod documents;
+#[path = "cli/ensemble.rs"]
+mod ensemble;
 #[path = "cli/files.rs"]
 mod files;
 #[path = "cli/implausible.rs"]

@@ -36,6 +36,6 @@ pub use layout::{Layout, LayoutKind};
 pub use live::is_live_request;
 #[cfg(feature = "live")]
 pub use live::{LIVE_ADDRESS, LiveName, LiveServer, LiveSummary, LiveWarning};
-pub use run::{FileSink, Preamble, RecorderMemory, RunRecorder, RunRecording, Sink, StreamSink};
+pub use run::{FileSink, Preamble, RecorderMemory, RunRecorder, RunRecording, RunRows, Sink, StreamSink};
 pub use solution::messages::read_state;
 pub use solution::write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};

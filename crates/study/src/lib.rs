@@ -2,6 +2,7 @@
 
 pub mod answers;
 mod case_file;
+pub mod ensemble;
 mod error;
 pub mod evaluation;
 mod files;

@@ -9,7 +9,7 @@ use std::path::Path;
 pub enum Ours {
     /// A recording (MCAP).
     Recording,
-    /// A table: of a sweep (CSV or Parquet), of stiffness or of modes (CSV).
+    /// A table: of a sweep or an ensemble (CSV or Parquet), of stiffness or of modes (CSV).
     Table,
     /// A figure (SVG, or the PNG beside one).
     Figure,
@@ -67,7 +67,9 @@ impl Ours {
 
 fn told(text: &str) -> Option<Ours> {
     let first = text.lines().next().unwrap_or_default();
-    let columns = || first.split(',').filter(|name| matches!(*name, "converged" | "cage_speed_rpm" | "error")).count();
+    // Columns of sweeps, then of ensembles.
+    let has = |columns: [&str; 3]| columns.iter().all(|column| first.split(',').any(|name| name == *column));
+    let columns = || has(["converged", "cage_speed_rpm", "error"]) || has(["member", "cage_speed_mean_rpm", "error"]);
     let both = |a: &str, b: &str| text.contains(a) && text.contains(b);
     match text.chars().next()? {
         '<' if first.starts_with(SVG) && first.ends_with("font-family=\"sans-serif\" role=\"img\">") => {
@@ -79,7 +81,7 @@ fn told(text: &str) -> Option<Ours> {
             Some(Ours::Report)
         }
         '[' if both("\"data_cost\"", "\"parameters\"") => Some(Ours::Report),
-        _ if columns() == 3 || TABLES.iter().any(|begin| first.starts_with(begin)) => Some(Ours::Table),
+        _ if columns() || TABLES.iter().any(|begin| first.starts_with(begin)) => Some(Ours::Table),
         _ => None,
     }
 }
@@ -112,5 +114,6 @@ mod tests {
         }
         assert_eq!(told(&format!("<!DOCTYPE html>\n<head>{PAGE}")), Some(Ours::Report));
         assert_eq!(told("ring_z_kn,converged,error,cage_speed_rpm\n"), Some(Ours::Table));
+        assert_eq!(told("member,ring_z_kn,complete,cage_speed_mean_rpm,error\n"), Some(Ours::Table));
     }
 }

@@ -1,5 +1,5 @@
-//! `cargo xtask bench`: what the kernels, the transient schemes and the quasi-static solver cost, and what the fast
-//! scheme gets wrong for it.
+//! `cargo xtask bench`: what the kernels, the transient schemes, the quasi-static solver and ensembles of runs cost,
+//! and what the fast scheme gets wrong for it.
 //!
 //! Times are processor time of the thread that works, the least of several repetitions; what is to be compared runs in
 //! turn in one process. Rows over several threads are wall time and say so.
@@ -7,6 +7,7 @@
 mod accuracy;
 mod clock;
 mod document;
+mod ensemble;
 mod equilibrium;
 mod instructions;
 mod patch;
@@ -77,6 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     rows.extend(speed::rows(&text, quick)?);
     rows.extend(accuracy::rows(&text, quick)?);
     rows.extend(equilibrium::rows(&text, quick)?);
+    rows.extend(ensemble::rows(&text, quick)?);
     if arguments.peers {
         rows.extend(peers::rows(&text, quick)?);
     }

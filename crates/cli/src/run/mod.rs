@@ -8,6 +8,7 @@ mod progress;
 
 pub use lines::shown;
 pub use outcome::acceleration;
+pub use progress::significant;
 
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
@@ -19,7 +20,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tribodyn_study::run::{Beginning, PreparedRun};
-use tribodyn_study::{CaseFile, Change, Ours, StudyError};
+use tribodyn_study::{CaseFile, Ours, StudyError};
 
 /// Run a bearing in time and record it.
 #[derive(clap::Args)]
@@ -87,15 +88,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 impl Arguments {
     /// The case with the changes of `--set` and `--duration`.
     fn read(&self) -> Result<CaseFile, StudyError> {
-        let Some(seconds) = self.duration else { return self.case.read() };
-        let plain = self.case.read()?;
-        // A duration alone makes no section: the news is all that is missing, and not the path.
-        if plain.case.transient.is_none() {
-            plain.run_inputs()?;
-        }
-        let duration = Change::new(format!("--duration {seconds}"), "transient.duration", &format!("s({seconds})"));
-        let changes: Vec<Change> = self.case.changes.iter().cloned().chain([duration]).collect();
-        self.case.read_with(&changes)
+        self.case.read_with(&self.case.run_changes(self.duration)?)
     }
 
     fn beginning(&self) -> Beginning {
@@ -108,7 +101,7 @@ impl Arguments {
 }
 
 /// Set by the first interrupt or request to terminate; the second one ends the program at once.
-fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
+pub fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
     let flag = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM] {
         signal_hook::flag::register_conditional_shutdown(signal, 1, Arc::clone(&flag)).map_err(Failure::Output)?;

@@ -68,12 +68,12 @@ fn run_examples(name: &str, text: &str, folder: &Path) -> usize {
 fn regress_examples_of_the_documents() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut examples = 0;
-    for name in ["README.md", "docs/case-file.md", "docs/sweep.md", "docs/running.md", "docs/life.md", "docs/rating.md"]
-    {
-        let text = std::fs::read_to_string(root.join(name)).unwrap();
-        examples += run_examples(name, &text, &root);
+    let pages = ["case-file", "sweep", "running", "ensemble", "life", "rating"].map(|page| format!("docs/{page}.md"));
+    for name in ["README.md".to_owned()].into_iter().chain(pages) {
+        let text = std::fs::read_to_string(root.join(&name)).unwrap();
+        examples += run_examples(&name, &text, &root);
     }
-    assert!(examples >= 9, "only {examples} examples were found");
+    assert!(examples >= 10, "only {examples} examples were found");
 }
 
 /// The tutorial works as it is written: its case file, and its commands one after the other in one folder.

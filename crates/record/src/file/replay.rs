@@ -234,7 +234,7 @@ impl<R: Read + Seek> RunReader<R> {
     }
 }
 
-fn log_row(line: foxglove::Log) -> LogRow {
+pub(crate) fn log_row(line: foxglove::Log) -> LogRow {
     let since_epoch = line.timestamp.map_or(0.0, |t| {
         // Whole seconds first: as one f64 the nanoseconds of a date would be lost.
         (t.seconds - (crate::timeline::EPOCH_NS / 1_000_000_000) as i64) as f64 + f64::from(t.nanos) * 1e-9

@@ -6,10 +6,12 @@ mod frames;
 mod history;
 mod messages;
 mod producer;
+mod rows;
 mod sink;
 mod topics;
 
 pub use producer::RecorderMemory;
+pub use rows::RunRows;
 pub use sink::{FileSink, Preamble, Sink, StreamSink};
 pub(crate) use topics::{CHANNELS, Topic};
 

@@ -9,6 +9,7 @@ mod layout;
 mod live;
 mod memory;
 mod recover;
+mod rows;
 mod run;
 mod sample;
 mod scene;

@@ -1,7 +1,7 @@
 //! A made-up run whose quantities are known functions of time.
 
 use super::{BALLS, case};
-use crate::{RecordError, RunRecorder, RunRecording, Sink, StreamSink};
+use crate::{RecordError, RunRecorder, RunRecording, StreamSink};
 use std::f64::consts::TAU;
 use std::io::Cursor;
 use std::ops::Range;
@@ -115,9 +115,9 @@ pub(super) fn recording(case: &Case) -> RunRecording<'_> {
     RunRecording { case_text: case::TEXT, case, generator: "tribodyn 0.1.0 (test)" }
 }
 
-/// Feeds a recorder: states at `rate` Hz, every `stride`-th of them with balls, an impact after every tenth.
-pub(super) fn feed<S: Sink>(
-    recorder: &mut RunRecorder<S>,
+/// Feeds a recorder, or whoever else observes: states at `rate` Hz, every `stride`-th of them with balls, an impact after every tenth.
+pub(super) fn feed(
+    recorder: &mut impl Observer<Error = RecordError>,
     samples: usize,
     rate: f64,
     stride: usize,
@@ -126,8 +126,8 @@ pub(super) fn feed<S: Sink>(
 }
 
 /// The same, a part of the samples.
-pub(super) fn feed_from<S: Sink>(
-    recorder: &mut RunRecorder<S>,
+pub(super) fn feed_from(
+    recorder: &mut impl Observer<Error = RecordError>,
     samples: Range<usize>,
     rate: f64,
     stride: usize,

@@ -11,6 +11,7 @@ mod settled;
 mod summary;
 mod tally;
 mod tape;
+mod unrecorded;
 pub mod warnings;
 
 pub use balance::imbalance;
@@ -22,3 +23,4 @@ pub use session::{Beginning, PreparedRun, RunSession};
 pub use settled::Settled;
 pub use summary::{Powers, Summary, Worn, carries_accelerations};
 pub use tape::Viewers;
+pub(crate) use unrecorded::run_unrecorded;

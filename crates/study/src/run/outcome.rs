@@ -38,7 +38,7 @@ pub struct RunReport {
     pub case: String,
     /// Name of the bearing.
     pub bearing: String,
-    /// The recording.
+    /// The recording; empty where there is none.
     pub recording: PathBuf,
     /// Simulated time of the whole run, s.
     pub duration_s: f64,
@@ -113,19 +113,23 @@ impl RunReport {
 
     /// Adds what was gathered while the run was recorded.
     pub(super) fn complete(
-        mut self,
+        self,
         recording: &Path,
         case: &Case,
         tally: &Tally,
         from_s: f64,
     ) -> Result<Self, StudyError> {
         let nothing = || RecordError::NothingToRecover { path: recording.to_owned() };
-        let summary = tally.states.summary(tally.wear.as_ref(), tally.warnings.lines());
-        let summary = summary.ok_or_else(nothing)?.judged(case);
+        let report = self.summed_up(case, tally, from_s).ok_or_else(nothing)?;
+        Ok(Self { recording: recording.to_owned(), ..report })
+    }
+
+    /// Adds what was gathered from a run that began at a time, s; none where that is no sample.
+    pub(super) fn summed_up(mut self, case: &Case, tally: &Tally, from_s: f64) -> Option<Self> {
+        let summary = tally.states.summary(tally.wear.as_ref(), tally.warnings.lines())?.judged(case);
         self.simulated_per_wall = (summary.simulated_s - from_s) / self.wall_s;
         self.summary = Some(summary);
         self.untested_pressures = tally.pressures.iter().filter_map(Tested::warning).collect();
-        self.recording = recording.to_owned();
-        Ok(self)
+        Some(self)
     }
 }

@@ -20,6 +20,7 @@ mod shard;
 mod table;
 mod values;
 
+pub(crate) use axis::Axis;
 pub use axis::AxisSummary;
 pub use columns::{CONVERGED, Cell, Column, IMPLAUSIBLE, Kind};
 pub use difference::SweepDifference;
@@ -30,7 +31,9 @@ pub use plan::Plan;
 pub use rows::solve_chunks;
 pub use setting::Setting;
 pub use shard::Shard;
+pub(crate) use table::write as write_rows;
 pub use table::{Count, Format, Rows};
+pub(crate) use values::short;
 
 use crate::error::StudyError;
 use crate::lock::OutputLock;

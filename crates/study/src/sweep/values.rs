@@ -128,7 +128,7 @@ fn expand_item(item: &str) -> Result<Vec<String>, String> {
 }
 
 /// A number with all its digits; very large and very small ones with an exponent instead of hundreds of zeros.
-fn short(number: f64) -> String {
+pub fn short(number: f64) -> String {
     let plain = number == 0.0 || (1e-15..1e18).contains(&number.abs());
     if plain { number.to_string() } else { format!("{number:e}") }
 }

@@ -1,0 +1,139 @@
+//! `tribodyn ensemble`: transient runs with values drawn at random.
+
+mod figures;
+mod outcome;
+
+use crate::failure::Failure;
+use crate::input::{CaseArguments, ReplaceArguments};
+use crate::run::stop_flag;
+use crate::table::print_json;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+use tribodyn_study::ensemble::{Ensemble, EnsembleOptions, EnsembleReport, Outcome, Sampling, Spread};
+use tribodyn_study::sweep::Format;
+use tribodyn_study::{Ours, StagedFiles};
+
+/// Simulate a bearing in time many times, with values of the case drawn at random, and give the quantiles of what comes
+/// of it. Nothing is recorded: `tribodyn run` with the values of a row makes the recording of that member.
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    case: CaseArguments,
+    /// Draw one value of the case for each member: mm(0.2 ± 0.02) from a normal distribution with that standard
+    /// deviation (or mm(0.2 +- 0.02)), mm(0.18..0.22) from a range in which all values are as likely; may be repeated
+    #[arg(long = "vary", value_name = "PATH=SPREAD", value_parser = spread, required = true)]
+    spreads: Vec<Spread>,
+    /// Number of members
+    #[arg(long, value_name = "N")]
+    members: usize,
+    /// Seed of the draws: the same seed and number of a member give the same values on every machine
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Cut each spread into as many equally likely parts as there are members, with one member in each: quantiles of
+    /// fewer members scatter less
+    #[arg(long)]
+    latin_hypercube: bool,
+    /// Simulated time of each member in s; short for --set transient.duration=s(…)
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    duration: Option<f64>,
+    /// Threads to use [default: one per core]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Table to write, .parquet or .csv by its name: a row for each member
+    #[arg(short, long, value_name = "TABLE")]
+    output: Option<PathBuf>,
+    /// Write figures of the distributions (SVG and PNG) to this folder
+    #[arg(long, value_name = "DIR")]
+    plot: Option<PathBuf>,
+    #[command(flatten)]
+    replace: ReplaceArguments,
+    /// Show no progress
+    #[arg(short, long)]
+    quiet: bool,
+    /// Print the summary as JSON, and nothing else, to standard output
+    #[arg(long)]
+    json: bool,
+}
+
+fn spread(text: &str) -> Result<Spread, String> {
+    Ok(Spread::parse(text)?.prefixed("--vary "))
+}
+
+/// The answer with the files that were written.
+#[derive(Serialize)]
+struct Answer {
+    #[serde(flatten)]
+    report: EnsembleReport,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    output: Option<PathBuf>,
+    /// Folder of the figures.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    plot: Option<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let threads = arguments.threads.map_or(0, NonZeroUsize::get);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|error| Failure::Output(std::io::Error::other(error)))?;
+    arguments.output.as_deref().map(Format::of).transpose()?;
+    let ensemble = arguments.ensemble()?;
+    if let Some(path) = &arguments.output {
+        arguments.replace.check(path, &arguments.case.path, Ours::Table)?;
+    }
+    // Who else writes the table, and where no figures can be, is told now and not after hours.
+    let table = arguments.output.as_deref().map(|path| ensemble.table(path)).transpose()?;
+    let plots =
+        arguments.plot.as_deref().map(|folder| StagedFiles::new(folder, arguments.replace.force)).transpose()?;
+    let stop = stop_flag()?;
+    let outcome = members(arguments, &ensemble, &pool, &stop);
+    let finished = outcome.members.len();
+    let stopped = || Failure::EnsembleStopped { finished, members: ensemble.members() };
+    if finished == 0 {
+        return Err(stopped());
+    }
+    // A figure that fails takes no table with it.
+    table.map_or(Ok(()), |table| table.write(&outcome.members))?;
+    if let Some(mut staged) = plots {
+        figures::draw(&mut staged, &ensemble, &outcome)?;
+        staged.publish()?;
+    }
+    let report = ensemble.report(&outcome);
+    let failed = report.failed;
+    let answer = Answer { report, output: arguments.output.clone(), plot: arguments.plot.clone() };
+    if arguments.json {
+        print_json(&answer)?
+    } else {
+        outcome::print(&answer)?
+    }
+    match failed {
+        _ if finished < ensemble.members() => Err(stopped()),
+        0 => Ok(()),
+        failed => Err(Failure::FailedMembers { failed, members: finished }),
+    }
+}
+
+impl Arguments {
+    fn ensemble(&self) -> Result<Ensemble, Failure> {
+        let sampling = if self.latin_hypercube { Sampling::LatinHypercube } else { Sampling::Independent };
+        let options = EnsembleOptions { members: self.members, seed: self.seed, sampling };
+        let (fixed, limits) = (self.case.run_changes(self.duration)?, self.case.limits());
+        let text = tribodyn_study::read_text(&self.case.path, &limits)?;
+        let name = self.case.path.display().to_string();
+        Ok(Ensemble::new((&name, text), &fixed, &self.spreads, options, &limits)?)
+    }
+}
+
+/// Runs the members on a pool, with a bar that shows how many are finished.
+fn members(arguments: &Arguments, ensemble: &Ensemble, pool: &rayon::ThreadPool, stop: &AtomicBool) -> Outcome {
+    let bar = if arguments.quiet { ProgressBar::hidden() } else { ProgressBar::new(ensemble.members() as u64) };
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} members, {eta} left") {
+        bar.set_style(style);
+    }
+    bar.tick();
+    let outcome = pool.install(|| ensemble.run(stop, |_| bar.inc(1)));
+    bar.finish_and_clear();
+    outcome
+}

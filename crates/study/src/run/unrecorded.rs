@@ -1,0 +1,76 @@
+//! A run without a recording, and what it comes to.
+
+use super::outcome::RunReport;
+use super::tally::Tally;
+use crate::case_file::CaseFile;
+use crate::error::{StudyError, with_causes};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+use tribodyn_dynamics::{DynamicsError, Ending, Event, Observer, Run, RunError, Sample};
+use tribodyn_record::{RecordError, RunItem, RunRows};
+
+/// Why a run without a recording has no summary.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum NoSummary {
+    /// A case that cannot be run.
+    #[error(transparent)]
+    Input(#[from] StudyError),
+    /// The solver, at the start or on the way.
+    #[error(transparent)]
+    Solver(#[from] DynamicsError),
+    /// A sample that no recording would take.
+    #[error("{}", with_causes(.0))]
+    Sample(#[from] RecordError),
+    /// A run without a sample.
+    #[error("the run made no sample")]
+    NoSample,
+}
+
+/// Runs a case to its end; none where `stop` was set before. Its numbers are those of a recorded run, to the last bit.
+pub(crate) fn run_unrecorded(file: &CaseFile, stop: &AtomicBool) -> Result<Option<RunReport>, NoSummary> {
+    let began = Instant::now();
+    let mut run = Run::new(file.run_inputs()?)?;
+    let mut tally = Tally::new(&file.case);
+    let mut watch = Watch { rows: RunRows::new(file.case.geometry.ball_count, |item| gather(&mut tally, item)), stop };
+    match run.advance(f64::INFINITY, &mut watch) {
+        Ok(Ending::Complete) => watch.rows.finish(),
+        Ok(Ending::Stopped) => return Ok(None),
+        Err(RunError::Dynamics(error)) => return Err(error.into()),
+        Err(RunError::Observer(error)) => return Err(error.into()),
+    }
+    let report = RunReport::begin(&run, file, began.elapsed().as_secs_f64());
+    report.summed_up(&file.case, &tally, 0.0).map(Some).ok_or(NoSummary::NoSample)
+}
+
+fn gather(tally: &mut Tally, item: RunItem) {
+    match item {
+        RunItem::State(row) => tally.add_state(&row),
+        RunItem::Balls(_, balls) => tally.add_balls(&balls),
+        RunItem::Wear(row) => tally.wear = Some(row),
+        RunItem::Log(row) => tally.warnings.add(&row),
+        _ => {}
+    }
+}
+
+/// Hands all on, and looks after each step whether to go on.
+struct Watch<'a, T> {
+    rows: RunRows<T>,
+    stop: &'a AtomicBool,
+}
+
+impl<T: FnMut(RunItem)> Observer for Watch<'_, T> {
+    type Error = RecordError;
+
+    fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, RecordError> {
+        self.rows.sample(sample, with_balls)
+    }
+
+    fn event(&mut self, event: &Event) -> Result<(), RecordError> {
+        self.rows.event(event)
+    }
+
+    fn stepped(&mut self, _time_s: f64) -> ControlFlow<()> {
+        if self.stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
