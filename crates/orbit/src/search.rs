@@ -42,6 +42,8 @@ const OTHER: f64 = 4.0;
 /// balls.
 const HASTE: usize = 5000;
 const MARCH: usize = 10_000;
+/// Turns like the first that such a search from Jones–Harris may take.
+const TURNS: usize = 40;
 const LONG: usize = 25_000;
 pub(crate) const WORK: usize = 12_000;
 
@@ -62,7 +64,7 @@ pub(crate) fn find<'a>(
     // is thrown about in its first turn is sent round after other attempts only.
     let first = settled(newton, (rolling, speed), way);
     let tame = first.intervals() < TAME;
-    if tame && let Some(found) = marched(newton, &first, way, (settings, MARCH)) {
+    if tame && let Some(found) = marched(newton, &first, way, (settings, MARCH.min(TURNS * first.intervals()))) {
         return Ok((found, real));
     }
     let mut starts = vec![even(newton, &Profile::new(&rolling.balls, speed), (speed, rolling.ring))];
