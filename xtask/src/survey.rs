@@ -1,4 +1,4 @@
-//! `cargo xtask survey`: random bearings by the hundred, solved by both models and run by every scheme.
+//! `cargo xtask survey`: random bearings by the hundred, solved by every model and run by every scheme.
 //!
 //! The bearings and what is tried on them are `tribodyn_study::survey`; here are arguments, the table, and a case file
 //! for each failure.
@@ -9,20 +9,26 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Duration;
 use tribodyn_paper::{PaperError, files, markers, table};
-use tribodyn_quasistatic::Model;
-use tribodyn_study::survey::{Counts, Options, RandomBearing, Regime, SchemeCounts, Tally, Trial, Verdict, survey};
+use tribodyn_study::answers::Equations;
+use tribodyn_study::survey::{
+    ModelCounts, Options, RandomBearing, Regime, SchemeCounts, Tally, Trial, Verdict, survey,
+};
 
-/// Marks of the blocks of solutions and of runs: what was not tried this time stays.
-const SOLUTIONS: [&str; 2] = ["<!-- survey:begin -->", "<!-- survey:end -->"];
+/// Marks of the blocks of equilibria, of orbits and of runs: what was not tried this time stays.
+const EQUILIBRIA: [&str; 2] = ["<!-- survey:begin -->", "<!-- survey:end -->"];
+const ORBITS: [&str; 2] = ["<!-- survey-orbits:begin -->", "<!-- survey-orbits:end -->"];
 const RUNS: [&str; 2] = ["<!-- survey-runs:begin -->", "<!-- survey-runs:end -->"];
 const DOCUMENT: &str = "docs/reliability.md";
 
 /// Options of `cargo xtask survey`.
 #[derive(Debug, Clone, clap::Args)]
 pub struct Arguments {
-    /// Bearings to solve by both models
+    /// Bearings to solve
     #[arg(long, default_value_t = 200)]
     cases: u64,
+    /// Models to solve them by [default: all]
+    #[arg(long = "model", value_name = "MODEL", value_parser = model)]
+    models: Vec<Equations>,
     /// Bearings to run, from the first on
     #[arg(long, default_value_t = 0)]
     runs: u64,
@@ -43,12 +49,18 @@ pub struct Arguments {
     write: bool,
 }
 
+fn model(name: &str) -> Result<Equations, String> {
+    Equations::parse(name).map_err(|failure| failure.to_string())
+}
+
 /// Tries, prints, and writes the cases that failed.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let all = Equations::ALL.map(|(_, model)| model).to_vec();
     let options = Options {
         seed: arguments.seed,
         first: arguments.first,
         cases: arguments.cases,
+        models: if arguments.models.is_empty() { all } else { arguments.models.clone() },
         runs: arguments.runs,
         longest_run: Duration::from_secs_f64(arguments.longest_run.max(0.0)),
     };
@@ -65,8 +77,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     .map_err(refused)?;
     written?;
     let tally = Tally::of(&trials);
-    let blocks =
-        [(SOLUTIONS, options.cases, solutions(&tally)), (RUNS, options.runs, runs(&tally, options.longest_run))];
+    let tried = |orbits: bool| {
+        let of_kind = |model: &Equations| (*model == Equations::SteadyOrbit) == orbits;
+        options.models.iter().copied().filter(of_kind).collect::<Vec<_>>()
+    };
+    let [equilibria, orbits] = [false, true].map(tried);
+    let cases = |models: &[Equations]| if models.is_empty() { 0 } else { options.cases };
+    let blocks = [
+        (EQUILIBRIA, cases(&equilibria), solutions(&tally, &equilibria)),
+        (ORBITS, cases(&orbits), solutions(&tally, &orbits)),
+        (RUNS, options.runs, runs(&tally, options.longest_run)),
+    ];
     for (marks, count, block) in blocks.into_iter().filter(|(_, count, _)| *count > 0) {
         let Arguments { seed, first, .. } = arguments;
         let block = format!("Bearings {first} to {} of seed {seed}.\n\n{block}\n", first + count - 1);
@@ -77,7 +98,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             files::write(&path, text.as_bytes())?;
         }
     }
-    let failed = tally.solutions.values().map(|c| c.failed).sum::<usize>()
+    let failed = tally.solutions.values().map(|of| of.counts.failed).sum::<usize>()
         + tally.runs.values().map(|scheme| scheme.counts.failed).sum::<usize>();
     if failed > 0 {
         let findings =
@@ -100,9 +121,13 @@ fn write_failure(folder: &std::path::Path, trial: &Trial) -> Result<(), Failure>
     };
     for solving in &trial.solvings {
         if solving.rescued {
-            let _ = writeln!(head, "// solve {:?}, {:.2} s, rescued", solving.model, solving.wall.as_secs_f64());
+            let _ = writeln!(head, "// solve {}, {:.2} s, rescued", solving.model.name(), solving.wall.as_secs_f64());
         }
-        note(&mut head, format!("solve {:?}, {:.2} s", solving.model, solving.wall.as_secs_f64()), &solving.verdict);
+        note(
+            &mut head,
+            format!("solve {}, {:.2} s", solving.model.name(), solving.wall.as_secs_f64()),
+            &solving.verdict,
+        );
     }
     if let Some(running) = &trial.running {
         note(&mut head, format!("run {}, {:.2} s", running.scheme, running.wall.as_secs_f64()), &running.verdict);
@@ -116,21 +141,36 @@ fn write_failure(folder: &std::path::Path, trial: &Trial) -> Result<(), Failure>
 }
 
 /// How many bearings have a solution, by regime and model.
-fn solutions(tally: &Tally) -> String {
-    let row = |((Regime { pressure, pitch_speed }, model), counts): (&(Regime, &str), &Counts)| {
+fn solutions(tally: &Tally, models: &[Equations]) -> String {
+    let row = |((Regime { pressure, pitch_speed }, model), of): (&(Regime, Equations), &ModelCounts)| {
+        let counts = of.counts;
+        let regime = [Regime::PRESSURES[*pressure], Regime::PITCH_SPEEDS[*pitch_speed], model.name()];
         let counts = [counts.all(), counts.good, counts.rescued, counts.explained, counts.failed];
-        let regime = [Regime::PRESSURES[*pressure], Regime::PITCH_SPEEDS[*pitch_speed], model].map(str::to_owned);
-        regime.into_iter().chain(counts.map(|count| count.to_string())).collect::<Vec<_>>()
+        let times = [of.median(), of.slowest()].map(|wall| format!("{:.1}", 1e3 * wall.as_secs_f64()));
+        let regime = regime.map(str::to_owned).into_iter();
+        regime.chain(counts.map(|count| count.to_string())).chain(times).collect::<Vec<_>>()
     };
-    let rows: Vec<Vec<String>> = tally.solutions.iter().map(row).collect();
-    let head =
-        ["nominal pressure", "d_m n", "model", "bearings", "solved", "of these rescued", "with reason", "failed"];
+    let of_models = tally.solutions.iter().filter(|((_, model), _)| models.contains(model));
+    let rows: Vec<Vec<String>> = of_models.map(row).collect();
+    let rescued = if models == [Equations::SteadyOrbit] { "of these damped" } else { "of these rescued" };
+    let head = [
+        "nominal pressure",
+        "d_m n",
+        "model",
+        "bearings",
+        "solved",
+        rescued,
+        "with reason",
+        "failed",
+        "median, ms",
+        "slowest, ms",
+    ];
     let mut text = table::markdown(&head, &rows);
-    for model in [Model::JonesHarris, Model::Traction] {
-        let counts = tally.working(model);
+    for model in models {
+        let counts = tally.working(*model);
         let share = 100.0 * counts.good as f64 / counts.all().max(1) as f64;
-        let (good, all) = (counts.good, counts.all());
-        let _ = write!(text, "\n{model:?} at 0.5 GPa and more: {good} of {all} solved ({share:.2} %).\n");
+        let (good, all, name) = (counts.good, counts.all(), model.name());
+        let _ = write!(text, "\n`{name}` at 0.5 GPa and more: {good} of {all} solved ({share:.2} %).\n");
     }
     text
 }

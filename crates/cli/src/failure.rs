@@ -185,6 +185,7 @@ fn in_options(error: &StudyError) -> String {
         StudyError::OtherSweep { path, difference } => {
             let difference = match difference {
                 SweepDifference::Values => "these finished rows are of other --set values".to_owned(),
+                SweepDifference::Model { found } => format!("these finished rows are of another --model, {found}"),
                 SweepDifference::Cold => "these finished rows are of a sweep with another --cold".to_owned(),
                 other => other.to_string(),
             };

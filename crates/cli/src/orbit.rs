@@ -11,7 +11,7 @@ use tribodyn_study::{Ours, StagedFiles};
 /// Summary and balls; `rows` prints the table of balls.
 pub fn print(
     name: &str,
-    s: &SteadyOrbit,
+    (s, warnings): (&SteadyOrbit, &[String]),
     rows: impl FnOnce(&[BallResult]) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let triple = |v: [f64; 3], factor: f64, digits: usize| v.map(|c| number(c * factor, digits)).join("  ");
@@ -36,7 +36,7 @@ pub fn print(
     table::print_pairs(&pairs)?;
     table::print_line("")?;
     rows(&s.balls)?;
-    for warning in s.warnings() {
+    for warning in warnings {
         table::print_line(&format!("warning: {warning}"))?;
     }
     Ok(())

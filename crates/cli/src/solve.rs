@@ -7,7 +7,7 @@ use crate::table::{self, number};
 use std::path::{Path, PathBuf};
 use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution};
 use tribodyn_record::{SolutionRecording, write_solution};
-use tribodyn_study::answers::{Equations, OrbitAnswer, OrbitProblem, equilibrium};
+use tribodyn_study::answers::{Equations, OrbitAnswer, OrbitProblem, equilibrium, orbit_warnings};
 use tribodyn_study::{CaseFile, Change, Ours, StagedFiles};
 
 /// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
@@ -109,6 +109,7 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
     }
     let problem = OrbitProblem::new(file)?;
     let solution = problem.solve(file)?.solution;
+    let warnings = orbit_warnings(file, &problem, &solution)?;
     let speeds = [problem.point.inner_speed, problem.point.outer_speed];
     let round = solution.as_solution(&solution.points, speeds);
     let plots =
@@ -124,10 +125,10 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
     }
     plots.map_or(Ok(()), StagedFiles::publish)?;
     if arguments.json {
-        return table::print_json(&OrbitAnswer::new(&solution));
+        return table::print_json(&OrbitAnswer::new(&solution, &warnings));
     }
     let columns = [&HEADER[..], &["F_c N"]].concat();
-    orbit::print(&file.name, &solution, |balls| {
+    orbit::print(&file.name, (&solution, &warnings), |balls| {
         let row = |b: &BallResult| {
             ball_row(b).into_iter().chain([b.pocket.map_or_else(String::new, |p| number(p.force_n, 1))]).collect()
         };

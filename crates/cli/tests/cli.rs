@@ -12,6 +12,8 @@ mod documents;
 mod ensemble;
 #[path = "cli/files.rs"]
 mod files;
+#[path = "cli/implausible.rs"]
+mod implausible;
 #[path = "cli/life.rs"]
 mod life;
 #[path = "cli/merge.rs"]

@@ -60,6 +60,11 @@ impl Orbit {
         self.values.len()
     }
 
+    /// Share of the turn that it has.
+    pub fn last_end(&self) -> f64 {
+        self.ends.last().copied().unwrap_or(0.0)
+    }
+
     /// Beginning and width of an interval, turns.
     pub fn interval(&self, j: usize) -> [f64; 2] {
         [self.ends[j], self.ends[j + 1] - self.ends[j]]

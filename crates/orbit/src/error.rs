@@ -10,11 +10,13 @@ use tribodyn_traction::TractionError;
 /// Why there is no steady orbit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum OrbitError {
-    /// The iteration stopped above the tolerance.
+    /// No attempt met all balances.
     #[error(
-        "the steady orbit did not converge: {equation} {place} has a relative residual of {residual:.3e} (tolerance {tolerance:.1e}); the cage turned at {cage_speed_rpm:.1} r/min"
+        "{reason}; the state that came nearest has the cage at {cage_speed_rpm:.1} r/min, {equation} {place} off by {residual:.1e} of its terms (tolerance {tolerance:.1e})"
     )]
     NotConverged {
+        /// What is the matter.
+        reason: OrbitReason,
         /// The worst balance.
         equation: &'static str,
         /// Where it is.
@@ -38,6 +40,48 @@ pub enum OrbitError {
     /// Patch quadrature.
     #[error(transparent)]
     Traction(#[from] TractionError),
+}
+
+/// Why a bearing has no steady orbit, or none that was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum OrbitReason {
+    /// Centrifugal force takes the balls off the inner race, which then does not drive them.
+    GrossSkidding {
+        /// Centrifugal force of a ball over the mean load of a ball on the inner race.
+        centrifugal_share: f64,
+    },
+    /// Balls that the inner race does not touch over part of the turn, and that little else holds.
+    IdleBalls {
+        /// Centrifugal force of a ball over the mean load of a ball on the inner race.
+        centrifugal_share: f64,
+    },
+    /// Neither.
+    Unknown,
+}
+
+impl std::fmt::Display for OrbitReason {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::GrossSkidding { centrifugal_share } if !centrifugal_share.is_finite() => f.write_str(
+                "gross skidding: nothing presses a ball on the inner race, no steady orbit was found; more load or less \
+                 clearance help",
+            ),
+            Self::GrossSkidding { centrifugal_share } => write!(
+                f,
+                "gross skidding: centrifugal force is {centrifugal_share:.1} times what presses a ball on the inner race, \
+                 no steady orbit was found; more load, less speed or lighter balls help"
+            ),
+            Self::IdleBalls { centrifugal_share } => write!(
+                f,
+                "balls without inner contact do not come to rest in their grooves (centrifugal force is \
+                 {centrifugal_share:.1e} of the mean load of a ball), no steady orbit was found; more axial load or less \
+                 clearance help, and a run in time shows the motion"
+            ),
+            Self::Unknown => f.write_str(
+                "no steady orbit was found; a neighbouring load or speed may have one, or a run in time shows why",
+            ),
+        }
+    }
 }
 
 /// Where a residual is left.
@@ -82,6 +126,16 @@ const OF_BODIES: [&str; 6] = [
 ];
 
 impl OrbitError {
+    /// The same with its reason.
+    pub(crate) fn because(self, why: OrbitReason) -> Self {
+        match self {
+            Self::NotConverged { equation, place, residual, tolerance, cage_speed_rpm, .. } => {
+                Self::NotConverged { reason: why, equation, place, residual, tolerance, cage_speed_rpm }
+            }
+            other => other,
+        }
+    }
+
     pub(crate) fn not_converged(system: &OrbitSystem<'_>, orbit: &Orbit, worst: &Worst, tolerance: f64) -> Self {
         let (place, equation) = match worst.interval {
             Some(j) => {
@@ -91,6 +145,7 @@ impl OrbitError {
             None => (OrbitPlace::Body, OF_BODIES[worst.equation]),
         };
         let cage_speed_rpm = orbit.cage_speed * 60.0 / TAU;
-        Self::NotConverged { equation, place, residual: worst.relative, tolerance, cage_speed_rpm }
+        let reason = OrbitReason::Unknown;
+        Self::NotConverged { reason, equation, place, residual: worst.relative, tolerance, cage_speed_rpm }
     }
 }

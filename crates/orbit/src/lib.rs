@@ -2,11 +2,13 @@
 
 mod chain;
 mod collocation;
+mod direct;
 mod error;
 mod march;
 mod modes;
 mod newton;
 mod residual;
+mod search;
 mod shooting;
 mod solution;
 mod solve;
@@ -15,8 +17,9 @@ mod start;
 mod statics;
 mod stiffness;
 mod system;
+mod way;
 
-pub use error::{OrbitError, OrbitPlace};
+pub use error::{OrbitError, OrbitPlace, OrbitReason};
 pub use modes::{Bodies, EnergyShares, Mode};
 pub use newton::OrbitStatistics;
 pub use solution::{POINTS, SteadyOrbit};

@@ -14,8 +14,12 @@ const FIRST: f64 = 0.01;
 const SHORTEST: f64 = 1e-6;
 /// Intervals of a turn after which errors may be larger.
 const MANY: usize = 1000;
+/// Intervals after which a ball is thrown about too much to be followed.
+const MOST: usize = 1500;
 /// Newton steps of an interval.
 const ITERATIONS: usize = 9;
+/// Error of an interval where a turn is traced on a given mesh.
+const CLOSELY: f64 = 1e-8;
 /// Error of an interval's equations over that of its step.
 const SOLVED: f64 = 0.03;
 /// Real eigenvalue of the inverse of Radau's matrix, (6 + 81^(1/3) − 9^(1/3))/30 to the power of −1.
@@ -35,7 +39,7 @@ struct Tried {
 }
 
 /// A place on the way with the slopes there, over the scales.
-struct Place {
+pub(crate) struct Place {
     turn: f64,
     y: [f64; BALL],
     /// Change per turn, and its slopes by the unknowns.
@@ -51,7 +55,8 @@ impl Newton<'_> {
         let mut place = self.place(0.0, from, border);
         let mut width = FIRST;
         let mut rejected = false;
-        while place.turn < 1.0 {
+        while place.turn < 1.0 && (orbit.values.is_empty() || orbit.values.len() < MOST && self.tried < self.work) {
+            self.tried += 1;
             let left = 1.0 - place.turn;
             let step = if width > 0.99 * left { left } else { width.min(0.5 * left) };
             // A ball that is thrown about has no turn worth following closely.
@@ -83,7 +88,29 @@ impl Newton<'_> {
         orbit
     }
 
-    fn place(&self, turn: f64, y: &[f64; BALL], border: (f64, [f64; RING])) -> Place {
+    /// The turn from a start over the intervals of an orbit near by, each met closely; none where one is not.
+    pub fn traced(&mut self, from: &[f64; BALL], near: &Orbit) -> Option<Orbit> {
+        self.statistics.turns += 1;
+        let border = (near.cage_speed, near.ring);
+        let s = &self.scales.ball;
+        let mut orbit = Orbit { values: Vec::with_capacity(near.intervals()), ..near.clone() };
+        let mut y = *from;
+        for j in 0..near.intervals() {
+            let [begin, width] = near.interval(j);
+            let place = self.place(begin, &y, border);
+            let guess =
+                Points::from_fn(|n, _| (near.values[j][n / BALL][n % BALL] - near.begin(j)[n % BALL]) / s[n % BALL]);
+            let (changes, _) = self.iterate_points(&place, width, (near, guess, CLOSELY), true)?;
+            let values: Values = std::array::from_fn(|i| std::array::from_fn(|k| y[k] + s[k] * changes[BALL * i + k]));
+            self.statistics.intervals += 1;
+            self.tried += 1;
+            y = values[STAGES - 1];
+            orbit.values.push(values);
+        }
+        Some(orbit)
+    }
+
+    pub fn place(&self, turn: f64, y: &[f64; BALL], border: (f64, [f64; RING])) -> Place {
         let point = self.derivatives::<BALL>(self.system.azimuth(turn), y, border);
         let time = self.system.time(1.0, border.0);
         let s = &self.scales.ball;
@@ -104,8 +131,10 @@ impl Newton<'_> {
     /// Newton's method with the slopes of the beginning, or else with those of each point at each step, which take a
     /// ball over the kinks of its forces; none where neither converges.
     fn interval(&self, place: &Place, step: f64, (orbit, allowed): (&Orbit, f64)) -> Option<Tried> {
-        let simplified = self.iterate_points(place, step, (orbit, allowed), false);
-        let (changes, iterations) = simplified.or_else(|| self.iterate_points(place, step, (orbit, allowed), true))?;
+        let guess = self.guess(place, step, orbit);
+        let simplified = self.iterate_points(place, step, (orbit, guess, allowed), false);
+        let all = || self.iterate_points(place, step, (orbit, guess, allowed), true);
+        let (changes, iterations) = simplified.or_else(all)?;
         let s = &self.scales.ball;
         let values = std::array::from_fn(|i| std::array::from_fn(|k| place.y[k] + s[k] * changes[BALL * i + k]));
         let error = self.error(place, step, &changes)? / allowed;
@@ -116,11 +145,10 @@ impl Newton<'_> {
         &self,
         place: &Place,
         step: f64,
-        (orbit, allowed): (&Orbit, f64),
+        (orbit, mut changes, allowed): (&Orbit, Points, f64),
         full: bool,
     ) -> Option<(Points, usize)> {
         let mut lu = self.matrix(&[place.by; STAGES], step).lu();
-        let mut changes = self.guess(place, step, orbit);
         let mut last = f64::INFINITY;
         for iterations in 1..=ITERATIONS {
             let (mut residual, slopes) = self.points(place, step, (orbit, &changes), full);
@@ -210,6 +238,13 @@ impl Newton<'_> {
             let on = share[0] * from[k] + (0..STAGES).map(|i| share[i + 1] * values[i][k]).sum::<f64>();
             (on - place.y[k]) / s[k]
         })
+    }
+
+    /// Estimated error of an interval's end with values at its points.
+    pub fn error_of(&self, place: &Place, step: f64, values: &Values) -> Option<f64> {
+        let s = &self.scales.ball;
+        let change = |n: usize| (values[n / BALL][n % BALL] - place.y[n % BALL]) / s[n % BALL];
+        self.error(place, step, &Points::from_fn(|n, _| change(n)))
     }
 
     /// Estimated error of the end against a formula of third order, damped where the equations are stiff.

@@ -40,11 +40,14 @@ pub(crate) struct Newton<'a> {
     pub radau: Radau,
     pub scales: Scales,
     pub statistics: OrbitStatistics,
+    /// Intervals that were tried in all turns, and the number after which a turn is not gone on with.
+    pub tried: usize,
+    pub work: usize,
 }
 
 impl<'a> Newton<'a> {
     pub fn new(system: OrbitSystem<'a>, scales: Scales) -> Self {
-        Self { system, radau: Radau::new(), scales, statistics: OrbitStatistics::default() }
+        Self { system, radau: Radau::new(), scales, statistics: OrbitStatistics::default(), tried: 0, work: usize::MAX }
     }
 
     pub fn residual(&mut self, orbit: &Orbit) -> Residual {
@@ -123,6 +126,14 @@ impl<'a> Newton<'a> {
             (0..BALL).for_each(|k| share = share.min(s.limits[k] / (change[k] * s.ball[k]).abs().max(1e-300)));
         }
         share
+    }
+
+    /// The same by the end of the turn alone, the lead left out.
+    pub fn longest_of_start(&self, step: &Step) -> f64 {
+        let s = &self.scales;
+        let Some(last) = step.values.last() else { return 1.0 };
+        let of = |k: usize| s.limits[k] / (last[STACK - BALL + k] * s.ball[k]).abs().max(1e-300);
+        (0..BALL).filter(|k| *k != LEAD).map(of).fold(1.0, f64::min)
     }
 
     /// The same by cage speed and ring alone.

@@ -48,6 +48,11 @@ pub struct SteadyOrbit {
     /// Rate over the cage speed at which the orbit lets axial and radial motion of balls die out besides, where they
     /// swing in their grooves without end; absent where they come to an orbit by themselves.
     pub swing_damping: Option<f64>,
+    /// Mass of a ball over that of the case, where balls are too light for their loads to have a definite motion once
+    /// nothing presses them; absent where it is the case's.
+    pub ball_mass_factor: Option<f64>,
+    /// Stiffness of the pockets over that of the case, where no orbit was found with that; absent where it is.
+    pub pocket_stiffness_share: Option<f64>,
     /// The balls when they stand where those of an equilibrium do, the first at azimuth 0.
     pub balls: Vec<BallResult>,
     /// A ball round its orbit, every two degrees of azimuth.
@@ -90,7 +95,16 @@ impl SteadyOrbit {
                  out at {rate:.0} times the cage speed"
             )
         });
-        lost.into_iter().chain(swinging).collect()
+        let heavy = self.ball_mass_factor.map(|factor| {
+            format!(
+                "balls are taken as {factor:.3e} times as heavy, so that those without load keep to the outer race: their \
+                 centrifugal force is still next to nothing beside the bearing's load"
+            )
+        });
+        let soft = self.pocket_stiffness_share.map(|share| {
+            format!("no orbit was found with pockets as stiff as given: this one has {share:.1e} of their stiffness")
+        });
+        lost.into_iter().chain(swinging).chain(heavy).chain(soft).collect()
     }
 }
 
@@ -178,6 +192,8 @@ pub(crate) fn solution(newton: &Newton<'_>, orbit: &Orbit, (residual, rule_error
         patch_error_estimate: rule_error,
         intervals: orbit.intervals(),
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
+        ball_mass_factor: None,
+        pocket_stiffness_share: None,
         balls: round(system.bearing.geometry.ball_count),
         points,
     }

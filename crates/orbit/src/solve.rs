@@ -1,41 +1,23 @@
 //! From a bearing at an operating point to its steady orbit.
 
-use crate::collocation::Orbit;
 use crate::modes::{Bodies, Mode, modes};
 use crate::newton::Newton;
-use crate::residual::Residual;
+use crate::search::{Found, SETTLING, WORK, damped, find};
 use crate::solution::solution;
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::stiffness::stiffness;
 use crate::system::{BALL, OrbitSystem};
-use crate::{OrbitError, start, statics};
+use crate::way::{Eased, Way, ladder};
+use crate::{OrbitError, OrbitReason, start, statics};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingOffset};
-use tribodyn_quasistatic::{StiffnessMatrix, rolling_start};
+use tribodyn_quasistatic::{RollingStart, StiffnessMatrix, rolling_start};
 use tribodyn_traction::{FastPatch, PatchRule};
 
 /// Stiffness that centres a ball in its pocket over that of the pocket: settles where a cage hangs that no ball
 /// touches.
 const CENTRING: f64 = 1e-8;
-/// The cheap rule on which the neighbourhood of the orbit is found.
-const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
-/// Error of an interval there, over the scales.
-const SCOUTED: f64 = 0.2;
-/// What cage, ring and the closing of the turn may be off where the neighbourhood is found, and where Newton's method
-/// on all unknowns takes over.
-const FOUND: f64 = 3e-2;
-const CLOSE: f64 = 3e-3;
-/// The same above which that is not tried.
-const FAR: f64 = 0.1;
-/// Steps from turn to turn.
-const ROUNDS: usize = 12;
-/// Jacobians of an attempt on a mesh.
+/// Jacobians of an attempt from a neighbour's orbit.
 const PATIENCE: usize = 14;
-/// By how much intervals' errors are lowered where no orbit is found on a mesh.
-const FINER: [f64; 2] = [1.0, 0.3];
-/// Rates over the cage speed at which the swinging of balls dies out besides, one after the other where no orbit is
-/// found: a ball without its inner contact swings in its groove at about ten times the cage speed, and on the falling
-/// part of a traction curve it swings on.
-const SETTLING: [f64; 5] = [0.0, 3.0, 10.0, 30.0, 100.0];
 
 /// Settings of the solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,18 +90,29 @@ pub fn steady_orbit(
     if speed == 0.0 {
         return Ok(statics::at_rest(bearing, point, cage, (&rolling, FastPatch::new(rolling.rule)?)));
     }
-    let hardest = start::hardest(&rolling);
-    let origin = bearing.azimuth(hardest);
+    let origin = bearing.azimuth(start::hardest(&rolling));
     let system = system(bearing, (point, cage), (rolling.rule, speed, origin), settings)?;
     let scales = start::scales((bearing, &cage.pocket), &point.ring, &rolling, speed);
+    let ladder = ladder(bearing, (&rolling, speed));
+    let way = Way::new(&system, &ladder, (&rolling, scales.force))?;
     let mut newton = Newton::new(system, scales);
-    let fine = std::mem::replace(&mut newton.system.kernel, FastPatch::new(SCOUT)?);
-    let (border, at_start) = ((speed, rolling.ring), start::unknowns(&rolling, hardest, speed));
-    // One turn in which the ball settles.
-    let settled = newton.march(&at_start, border, SCOUTED);
-    let near = newton.shoot(settled.last(), border, (SCOUTED, FOUND, ROUNDS))?;
-    let found = collocated(&mut newton, &near.orbit, (settings, fine))?;
-    finish(&newton, found, (point, rolling.rule, rolling.rule_error))
+    let (found, eased) = find(&mut newton, (point, &rolling), &way, settings)
+        .map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
+    finish(&newton, found, (point, rolling.rule, rolling.rule_error), eased)
+}
+
+/// What is the matter with a bearing that no orbit was found for.
+fn reason(start: &RollingStart, bearing: &Bearing, speed: f64) -> OrbitReason {
+    let mean = start.inner_loads.iter().sum::<f64>() / start.inner_loads.len() as f64;
+    let centrifugal = bearing.ball_mass * 0.5 * bearing.geometry.pitch_diameter * speed * speed;
+    let centrifugal_share = centrifugal / mean;
+    if centrifugal_share > 1.0 {
+        OrbitReason::GrossSkidding { centrifugal_share }
+    } else if start.inner_loads.iter().any(|load| *load <= 0.0) {
+        OrbitReason::IdleBalls { centrifugal_share }
+    } else {
+        OrbitReason::Unknown
+    }
 }
 
 /// Solves from the orbit of a neighbouring problem, on its mesh and with its patch rule; from a cold start where that
@@ -134,7 +127,7 @@ pub fn steady_orbit_from(
     settings: &OrbitSettings,
     near: &OrbitStart,
 ) -> Result<SolvedOrbit, OrbitError> {
-    let warm = prepared(bearing, settings);
+    let warm = near.eased.of(&prepared(bearing, settings));
     let mut orbit = near.orbit.clone();
     // Rolling is in proportion to the speeds, seen from the outer ring.
     let share = (point.inner_speed - point.outer_speed) / (near.speeds.inner - near.speeds.outer);
@@ -147,12 +140,12 @@ pub fn steady_orbit_from(
     }
     let mut newton = at(&warm, (point, cage), settings, &OrbitStart { orbit: orbit.clone(), ..near.clone() })?;
     let (met, residual) = newton.run(orbit.clone(), settings.tolerance, PATIENCE);
+    let rule = (point, near.rule, near.rule_error);
     if residual.worst.relative <= settings.tolerance {
-        return finish(&newton, (met, residual), (point, near.rule, near.rule_error));
+        return finish(&newton, (met, residual), rule, near.eased);
     }
-    let fine = newton.system.kernel.clone();
-    match collocated(&mut newton, &orbit, (settings, fine)) {
-        Ok(found) => finish(&newton, found, (point, near.rule, near.rule_error)),
+    match damped(&mut newton, &orbit, settings, (&SETTLING, WORK)) {
+        Ok(found) => finish(&newton, found, rule, near.eased),
         Err(_) => steady_orbit(bearing, point, cage, settings),
     }
 }
@@ -165,7 +158,8 @@ fn at<'a>(
     solved: &OrbitStart,
 ) -> Result<Newton<'a>, OrbitError> {
     let of = (solved.rule, solved.orbit.cage_speed, solved.origin);
-    let system = OrbitSystem { settling: solved.settling, ..system(bearing, (point, cage), of, settings)? };
+    let mut system = OrbitSystem { settling: solved.settling, ..system(bearing, (point, cage), of, settings)? };
+    system.cage.pocket.stiffness *= solved.eased.pocket_stiffness;
     Ok(Newton::new(system, solved.scales))
 }
 
@@ -181,7 +175,7 @@ pub fn orbit_stiffness(
     settings: &OrbitSettings,
     solved: &OrbitStart,
 ) -> Result<StiffnessMatrix, OrbitError> {
-    let bearing = &prepared(bearing, settings);
+    let bearing = &solved.eased.of(&prepared(bearing, settings));
     stiffness(&mut at(bearing, (point, cage), settings, solved)?, &solved.orbit)
 }
 
@@ -196,53 +190,22 @@ pub fn orbit_modes(
     settings: &OrbitSettings,
     solved: &OrbitStart,
 ) -> Result<Vec<Mode>, OrbitError> {
-    let bearing = &prepared(bearing, settings);
+    let bearing = &solved.eased.of(&prepared(bearing, settings));
     modes(&at(bearing, (point, &bodies.cage), settings, solved)?, &solved.orbit, bodies)
 }
-
-/// The orbit from its neighbourhood: turns on meshes of their own until they nearly close, then Newton's method on all
-/// unknowns of the last mesh; by the fine rule, finer, and with damped balls where that does not succeed.
-fn collocated(
-    newton: &mut Newton<'_>,
-    near: &Orbit,
-    (settings, fine): (&OrbitSettings, FastPatch),
-) -> Result<Found, OrbitError> {
-    let mut near = near.clone();
-    let mut least: Option<Found> = None;
-    for (settling, finer) in SETTLING.into_iter().flat_map(|settling| FINER.map(|finer| (settling, finer))) {
-        newton.system.settling = settling * near.cage_speed.abs();
-        let accuracy = (settings.mesh_error * finer, CLOSE, ROUNDS);
-        let Ok(turn) = newton.shoot(near.last(), (near.cage_speed, near.ring), accuracy) else { continue };
-        near = turn.orbit.clone();
-        newton.system.kernel = fine.clone();
-        if turn.off > FAR {
-            continue;
-        }
-        let found = newton.run(turn.orbit, settings.tolerance, PATIENCE);
-        let left = found.1.worst.relative;
-        if left <= settings.tolerance {
-            return Ok(found);
-        }
-        if least.as_ref().is_none_or(|best| left < best.1.worst.relative) {
-            least = Some(found);
-        }
-    }
-    let (orbit, residual) = least.ok_or(OrbitError::Singular)?;
-    Err(OrbitError::not_converged(&newton.system, &orbit, &residual.worst, settings.tolerance))
-}
-
-/// An orbit with what its equations lack.
-type Found = (Orbit, Residual);
 
 fn finish(
     newton: &Newton<'_>,
     (orbit, residual): Found,
     (point, rule, rule_error): (&OperatingPoint, PatchRule, f64),
+    eased: Eased,
 ) -> Result<SolvedOrbit, OrbitError> {
-    let solution = solution(newton, &orbit, (residual.worst.relative, rule_error));
+    let mut solution = solution(newton, &orbit, (residual.worst.relative, rule_error));
+    solution.ball_mass_factor = (eased.ball_mass != 1.0).then_some(eased.ball_mass);
+    solution.pocket_stiffness_share = (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness);
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let origin = newton.system.origin;
     let settling = newton.system.settling;
-    let start = OrbitStart { orbit, rule, rule_error, origin, settling, scales: newton.scales, speeds };
+    let start = OrbitStart { orbit, rule, rule_error, origin, settling, eased, scales: newton.scales, speeds };
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
 }

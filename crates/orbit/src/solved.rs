@@ -4,6 +4,7 @@ use crate::collocation::Orbit;
 use crate::newton::OrbitStatistics;
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
+use crate::way::Eased;
 use tribodyn_bearing::Races;
 use tribodyn_traction::PatchRule;
 
@@ -17,6 +18,7 @@ pub struct OrbitStart {
     pub(crate) origin: f64,
     /// Rate at which the swinging of balls dies out besides, 1/s.
     pub(crate) settling: f64,
+    pub(crate) eased: Eased,
     pub(crate) scales: Scales,
     pub(crate) speeds: Races<f64>,
 }

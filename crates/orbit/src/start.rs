@@ -2,18 +2,23 @@
 
 use crate::residual::Scales;
 use crate::system::{BALL, LEAD, RING};
+use std::f64::consts::TAU;
 use tribodyn_bearing::{Bearing, Pocket, RingFreedom, Side};
-use tribodyn_quasistatic::RollingStart;
+use tribodyn_quasistatic::{BallMotion, RollingStart};
 
 /// Force in the pocket over that on a ball whose share in the lead counts as an error of one.
 const PRESSED: f64 = 0.1;
 
 /// The speed of the cage as the loaded balls give it.
 pub(crate) fn cage_speed(start: &RollingStart) -> f64 {
-    let total: f64 = start.inner_loads.iter().sum();
-    let even = 1e-9 * total / start.balls.len() as f64 + f64::MIN_POSITIVE;
-    let weighted = start.balls.iter().zip(&start.inner_loads).map(|(b, q)| (q + even) * b.orbital_speed);
-    weighted.sum::<f64>() / start.inner_loads.iter().map(|q| q + even).sum::<f64>()
+    mean_speed(&start.balls, &start.inner_loads)
+}
+
+/// Mean orbital speed of balls, by their loads.
+pub(crate) fn mean_speed(balls: &[BallMotion], loads: &[f64]) -> f64 {
+    let even = 1e-9 * loads.iter().sum::<f64>() / balls.len() as f64 + f64::MIN_POSITIVE;
+    let weighted = balls.iter().zip(loads).map(|(ball, q)| (q + even) * ball.orbital_speed);
+    weighted.sum::<f64>() / loads.iter().map(|q| q + even).sum::<f64>()
 }
 
 /// Typical magnitudes at a start.
@@ -64,15 +69,35 @@ pub(crate) fn scales(
     }
 }
 
+/// The balls of an equilibrium at a cage speed, by azimuth.
+pub(crate) struct Profile {
+    balls: Vec<[f64; BALL]>,
+}
+
+impl Profile {
+    /// The balls turn with the cage, each in the middle of its pocket.
+    pub fn new(balls: &[BallMotion], cage_speed: f64) -> Self {
+        Self { balls: balls.iter().map(|ball| unknowns(ball, cage_speed)).collect() }
+    }
+
+    /// A ball at an azimuth, rad, between its neighbours.
+    pub fn at(&self, azimuth: f64) -> [f64; BALL] {
+        let count = self.balls.len();
+        let place = (azimuth / TAU).rem_euclid(1.0) * count as f64;
+        let (first, share) = (place as usize, place.fract());
+        let [a, b] = [first, first + 1].map(|k| &self.balls[k % count]);
+        std::array::from_fn(|k| a[k] + share * (b[k] - a[k]))
+    }
+}
+
 /// The ball that the inner ring presses hardest.
 pub(crate) fn hardest(start: &RollingStart) -> usize {
     let loads = start.inner_loads.iter().enumerate();
     loads.fold((0, 0.0), |best, (index, &load)| if load > best.1 { (index, load) } else { best }).0
 }
 
-/// Unknowns of a ball of the start at a cage speed.
-pub(crate) fn unknowns(start: &RollingStart, index: usize, cage_speed: f64) -> [f64; BALL] {
-    let ball = &start.balls[index];
+/// Unknowns of a ball of an equilibrium at a cage speed.
+pub(crate) fn unknowns(ball: &BallMotion, cage_speed: f64) -> [f64; BALL] {
     let ([x1, x2], [a, r, t]) = (ball.position, ball.spin);
     [x1, x2, 0.0, 0.0, 0.0, cage_speed, a + ball.orbital_speed, r, t]
 }

@@ -55,6 +55,8 @@ pub(crate) fn at_rest(
         patch_error_estimate: start.rule_error,
         intervals: 0,
         swing_damping: None,
+        ball_mass_factor: None,
+        pocket_stiffness_share: None,
         points: balls.clone(),
         balls,
     };

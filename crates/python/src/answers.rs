@@ -14,7 +14,8 @@ use tribodyn_quasistatic::SOLUTION;
 use tribodyn_study::answers::{self, Equations, HertzQuestion, OrbitAnswer, OrbitProblem};
 use tribodyn_study::{CaseFile, StudyError};
 
-fn equations(py: Python<'_>, model: &str) -> PyResult<Equations> {
+/// Equations by their name.
+pub fn equations(py: Python<'_>, model: &str) -> PyResult<Equations> {
     Equations::parse(model).map_err(|failure| error::study(py, failure))
 }
 
@@ -46,7 +47,8 @@ fn equilibrium(file: &CaseFile, model: tribodyn_quasistatic::Model, roots: bool)
 fn orbit(file: &CaseFile) -> Result<NativeSolution, StudyError> {
     let problem = OrbitProblem::new(file)?;
     let orbit = problem.solve(file)?.solution;
-    let head = serde_json::to_value(OrbitAnswer::new(&orbit))?;
+    let warnings = answers::orbit_warnings(file, &problem, &orbit)?;
+    let head = serde_json::to_value(OrbitAnswer::new(&orbit, &warnings))?;
     let speeds = [problem.point.inner_speed, problem.point.outer_speed];
     let solution = orbit.as_solution(&orbit.balls, speeds);
     let points = orbit.as_solution(&orbit.points, speeds);

@@ -1,5 +1,6 @@
 //! Sweeps: a grid or samples, solved in memory, into the command's tables, or part by part.
 
+use crate::answers::equations;
 use crate::convert::to_python;
 use crate::error;
 use crate::runs::pool;
@@ -53,17 +54,19 @@ impl NativeGrid {
         py: Python<'_>,
         case: (String, String),
         values: Vec<(String, Values)>,
-        cold: bool,
+        model_and_cold: (String, bool),
         checked: bool,
     ) -> PyResult<Self> {
+        let (model, cold) = model_and_cold;
+        let model = equations(py, &model)?;
         let settings: Vec<Setting> =
             values.into_iter().map(|(path, values)| setting(py, &path, values)).collect::<PyResult<_>>()?;
         let (name, text) = case;
         let pool = pool(py, 0)?;
         let grid = py.detach(|| {
             pool.install(|| match checked {
-                true => Grid::new(&name, text, &settings, &Limits::NORMAL),
-                false => Grid::unchecked(&name, text, &settings, &Limits::NORMAL),
+                true => Grid::new(&name, text, &settings, (model, &Limits::NORMAL)),
+                false => Grid::unchecked(&name, text, &settings, (model, &Limits::NORMAL)),
             })
         });
         Ok(Self { grid: Arc::new(grid.map_err(|failure| error::study(py, failure))?), cold })
@@ -76,15 +79,17 @@ impl NativeGrid {
         case: (String, String),
         values: Vec<(String, Vec<String>)>,
         rows: (usize, usize),
-        cold: bool,
+        model_and_cold: (String, bool),
     ) -> PyResult<Self> {
+        let (model, cold) = model_and_cold;
+        let model = equations(py, &model)?;
         if values.is_empty() || values.iter().any(|(_, values)| values.is_empty()) {
             return Err(error::argument(py, "samples", "none", "allowed is one path and one sample or more"));
         }
         let settings: Vec<Setting> = values.into_iter().map(|(path, values)| Setting::of(&path, values)).collect();
         let (name, text) = case;
         let rows = SampleRows { first: rows.0, total: rows.1 };
-        let grid = Grid::samples(&name, text, &settings, rows, &Limits::NORMAL);
+        let grid = Grid::samples(&name, text, &settings, rows, (model, &Limits::NORMAL));
         Ok(Self { grid: Arc::new(grid.map_err(|failure| error::study(py, failure))?), cold })
     }
 
@@ -184,13 +189,13 @@ impl NativeGrid {
         })?;
         match (written.map_err(|failure| error::study(py, failure))?, stopped) {
             (_, Some(stopped)) => Err(stopped),
-            (Some(Count { rows, failed }), None) => Ok((rows, failed)),
+            (Some(Count { rows, failed, .. }), None) => Ok((rows, failed)),
             (None, None) => Err(error::internal(py, "the part has ended before its time")),
         }
     }
 
     /// The command's sweep: a table, with finished rows beside it until it is whole. Gives rows, rows without a
-    /// solution, and rows of an earlier sweep.
+    /// solution, implausible rows, and rows of an earlier sweep.
     fn write_table(
         &self,
         py: Python<'_>,
@@ -199,7 +204,7 @@ impl NativeGrid {
         restart: bool,
         threads: usize,
         progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<(usize, usize, usize)> {
+    ) -> PyResult<(usize, usize, usize, usize)> {
         let shard = Shard::parse(shard).map_err(|allowed| error::argument(py, "shard", shard, &allowed))?;
         let (grid, cold, pool) = (Arc::clone(&self.grid), self.cold, pool(py, threads)?);
         let (written, stopped) = watched(py, progress, true, move |watch| {
@@ -214,7 +219,7 @@ impl NativeGrid {
             })?;
             let count = sweep.write_table()?;
             sweep.forget_rows()?;
-            Ok::<_, StudyError>((count.rows, count.failed, resumed))
+            Ok::<_, StudyError>((count.rows, count.failed, count.implausible, resumed))
         })?;
         match (written, stopped) {
             (_, Some(stopped)) => Err(stopped),
@@ -223,11 +228,16 @@ impl NativeGrid {
     }
 }
 
-/// Tables of one sweep as one table. Gives rows, and rows without a solution.
+/// Tables of one sweep as one table. Gives rows, rows without a solution, and implausible rows.
 #[pyfunction]
-pub fn merge_tables(py: Python<'_>, tables: Vec<PathBuf>, output: PathBuf, force: bool) -> PyResult<(usize, usize)> {
+pub fn merge_tables(
+    py: Python<'_>,
+    tables: Vec<PathBuf>,
+    output: PathBuf,
+    force: bool,
+) -> PyResult<(usize, usize, usize)> {
     let merged = py.detach(|| merge(&tables, &output, force));
-    merged.map(|merged| (merged.rows, merged.failed)).map_err(|failure| error::study(py, failure))
+    merged.map(|merged| (merged.rows, merged.failed, merged.implausible)).map_err(|failure| error::study(py, failure))
 }
 
 /// A column of some rows.

@@ -11,6 +11,7 @@ use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{Checkpoint, Run};
 use tribodyn_identify::Problem;
 use tribodyn_record::{RunReader, RunRecorder, RunRecording, StreamSink, recover_stream};
+use tribodyn_study::answers::Equations;
 use tribodyn_study::evaluation::published::is_figures;
 use tribodyn_study::sweep::{Grid, Setting};
 use tribodyn_study::{CaseFile, Limits};
@@ -129,7 +130,7 @@ impl tribodyn_dynamics::Observer for Nobody {
 fn grid(text: &str) -> u64 {
     match Setting::parse(text) {
         Ok(setting) if setting.count() <= 8 => {
-            let grid = Grid::new("case", seeds::RUN_CASE.clone(), &[setting], &Limits::NORMAL);
+            let grid = Grid::new("case", seeds::RUN_CASE.clone(), &[setting], (Equations::Traction, &Limits::NORMAL));
             kind(&grid.map(|grid| grid.rows).map_err(|error| error.to_string()))
         }
         Ok(_) => 1,

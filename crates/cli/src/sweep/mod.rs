@@ -1,10 +1,11 @@
-//! `tribodyn sweep`: quasi-static equilibria over a grid of case values.
+//! `tribodyn sweep`: equilibria, or steady orbits, over a grid of case values.
 
 mod figures;
 mod plan;
 
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments};
+use crate::solve::ModelName;
 use crate::table::{number, print_json, print_line, print_pairs};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
@@ -15,7 +16,7 @@ use std::time::Instant;
 use tribodyn_study::sweep::{Format, Grid, Merged, Options, Plan, Setting, Shard, Sweep, merge};
 use tribodyn_study::{Ours, StagedFiles, read_text};
 
-/// Solve the quasi-static equilibrium for every combination of case values.
+/// Solve the equilibrium, or the steady orbit, for every combination of case values.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Case file (RON)
@@ -37,12 +38,16 @@ pub struct Arguments {
     shard: Shard,
     /// Put the tables of all shards together, in the order of the sweep; every row has to be there once
     #[arg(long, value_name = "TABLE", num_args = 1.., requires = "output",
-          conflicts_with_all = ["case", "settings", "shard", "threads", "cold", "restart", "plot", "plan"])]
+          conflicts_with_all = ["case", "settings", "shard", "model", "threads", "cold", "restart", "plot", "plan"])]
     merge: Vec<PathBuf>,
+    /// Equations to solve
+    #[arg(long, value_enum, default_value_t = ModelName::Traction)]
+    model: ModelName,
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
-    /// Solve every row from its own initial guess instead of a neighbour's solution (several times slower)
+    /// Solve every row from its own initial guess instead of a neighbour's solution (several times slower); the steady
+    /// orbit always does
     #[arg(long)]
     cold: bool,
     /// Forget the finished rows of a sweep that was stopped
@@ -80,6 +85,8 @@ struct Summary {
     /// Rows that an earlier run had finished.
     resumed_rows: usize,
     failed_rows: usize,
+    /// Rows that name what no bearing does.
+    implausible_rows: usize,
     time_s: f64,
     rows_per_s: f64,
 }
@@ -97,15 +104,16 @@ fn put_together(arguments: &Arguments, output: &Path) -> Result<(), Failure> {
     arguments.replace.check(output, Path::new(""), Ours::Table)?;
     let merged = merge(&arguments.merge, output, arguments.replace.force)?;
     if arguments.json {
-        let Merged { tables, rows, failed } = merged;
+        let Merged { tables, rows, failed, implausible } = merged;
         return print_json(&serde_json::json!({
-            "output": output, "tables": tables, "rows": rows, "failed_rows": failed,
+            "output": output, "tables": tables, "rows": rows, "failed_rows": failed, "implausible_rows": implausible,
         }));
     }
     print_pairs(&[
         ("tables", merged.tables.to_string(), ""),
         ("rows", merged.rows.to_string(), ""),
         ("without solution", merged.failed.to_string(), ""),
+        ("implausible", merged.implausible.to_string(), ""),
     ])?;
     print_line(&format!("\n{} is written", output.display()))
 }
@@ -117,7 +125,8 @@ fn solve(arguments: &Arguments, case: &Path) -> Result<(), Failure> {
     arguments.output.as_deref().map(Format::of).transpose()?;
     let limits = arguments.limits.limits();
     let text = read_text(case, &limits)?;
-    let grid = pool.install(|| Grid::new(&case.display().to_string(), text, &arguments.settings, &limits))?;
+    let (name, model) = (case.display().to_string(), arguments.model.equations());
+    let grid = pool.install(|| Grid::new(&name, text, &arguments.settings, (model, &limits)))?;
     if let Some(path) = &arguments.output {
         arguments.replace.check(path, case, Ours::Table)?;
     }
@@ -161,13 +170,17 @@ fn sweep(arguments: &Arguments, grid: &Grid, table: PathBuf, pool: &rayon::Threa
         rows: count.rows,
         resumed_rows: resumed,
         failed_rows: count.failed,
+        implausible_rows: count.implausible,
         time_s,
         rows_per_s: (count.rows - resumed) as f64 / time_s,
     };
     if arguments.json {
         print_json(&summary)?
     } else {
-        print(&summary)?
+        print(&summary)?;
+        if let Some(warning) = count.warning(grid.model) {
+            print_line(&format!("warning: {warning}"))?;
+        }
     }
     match count.failed {
         0 => Ok(()),
@@ -189,6 +202,9 @@ fn print(summary: &Summary) -> Result<(), Failure> {
         rows.push(("of an earlier run", summary.resumed_rows.to_string(), ""));
     }
     rows.push(("without solution", summary.failed_rows.to_string(), ""));
+    if summary.implausible_rows > 0 {
+        rows.push(("implausible", summary.implausible_rows.to_string(), ""));
+    }
     rows.push(("time", number(summary.time_s, 1), "s"));
     rows.push(("rate", number(summary.rows_per_s, 0), "rows/s"));
     print_pairs(&rows)?;

@@ -171,8 +171,9 @@ fn limit_finished_rows_of_another_sweep_are_not_taken() {
     let identity = |case: &str, version: &str| {
         let swept = serde_json::json!([["ring.z.Force", ["kN(40)", "kN(44)"]]]);
         let shard = serde_json::json!({"index": 0, "count": 1});
-        let head =
-            serde_json::json!({"tribodyn": version, "case": case, "swept": swept, "shard": shard, "cold": false});
+        let head = serde_json::json!({
+            "tribodyn": version, "case": case, "model": "traction", "swept": swept, "shard": shard, "cold": false,
+        });
         format!("{head}\n")
     };
     let version = env!("CARGO_PKG_VERSION");
@@ -190,6 +191,7 @@ fn limit_finished_rows_of_another_sweep_are_not_taken() {
     refused("ring.z.Force=kN(40),kN(45)", &[], "other --set values");
     refused(same, &[&"--shard", &"0/2"], "shard 0/1");
     refused(same, &[&"--cold"], "another --cold");
+    refused(same, &[&"--model", &"steady-orbit"], "another --model, traction");
     refused(same, &[&"--set", &"ring.x.Force=kN(19)"], "another case");
     fs::write(&journal, identity(AG, "0.0.1")).unwrap();
     refused(same, &[], "version 0.0.1");

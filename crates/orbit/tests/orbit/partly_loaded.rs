@@ -6,7 +6,7 @@ mod bearings;
 
 use bearings::bearings;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, RingFreedom};
-use tribodyn_case::Case;
+use tribodyn_case::{Case, set_value};
 use tribodyn_orbit::{OrbitSettings, SteadyOrbit, steady_orbit};
 
 fn problem(text: &str) -> (Bearing, OperatingPoint, CageBody) {
@@ -53,6 +53,22 @@ fn limit_every_bearing_of_the_set_has_an_orbit_that_a_bearing_can_have() {
         let orbit = solved.unwrap_or_else(|why| panic!("{}: {why}", bearing.name)).solution;
         check(bearing.name, &orbit, &point);
     }
+}
+
+/// Held along its axis, a deep groove at 1000 r/min: balls leave and meet both races, and no turn closes at once.
+#[test]
+fn limit_a_slow_deep_groove_that_is_held_along_its_axis_has_an_orbit() {
+    let bearing = bearings().into_iter().find(|b| b.name.starts_with("6206, 2 kN radial")).unwrap();
+    let mut text = bearing.text().unwrap();
+    for (path, value) in [("ring.z", "Held(um(0))"), ("speed.inner", "Constant(rpm(1000))")] {
+        text = set_value(&text, path, value).unwrap();
+    }
+    let (b, point, cage) = problem(&text);
+    let orbit = steady_orbit(&b, &point, &cage, &OrbitSettings::default()).unwrap().solution;
+    assert!(orbit.residual <= 1e-10 && (orbit.ring_load_n[0] - 2000.0).abs() < 1e-3, "{:?}", orbit.ring_load_n);
+    // Rolling at contact angles from 0 to 20°, the balls' swing damped no more than by the least that there is.
+    assert!((396.0..403.0).contains(&orbit.cage_speed_rpm), "{}", orbit.cage_speed_rpm);
+    assert!(orbit.swing_damping.is_none_or(|rate| rate < 4.0), "{:?}", orbit.swing_damping);
 }
 
 /// A mesh ten times as accurate moves nothing that matters.

@@ -47,6 +47,7 @@ class Equilibria:
     first: int
     rows: int
     chunk_rows: int
+    model: str
     cold: bool
 
     name = "solve"
@@ -54,7 +55,14 @@ class Equilibria:
     def identity(self) -> dict[str, Any]:
         """What makes two studies the same."""
         swept = self.samples if self.samples is not None else self.values
-        return {"name": self.name, "case": self.case[1], "swept": _digest(swept), "rows": self.rows, "cold": self.cold}
+        return {
+            "name": self.name,
+            "case": self.case[1],
+            "swept": _digest(swept),
+            "rows": self.rows,
+            "model": self.model,
+            "cold": self.cold,
+        }
 
     def of(self, first_chunk: int, end_chunk: int) -> Equilibria:
         """With no more than what some chunks need."""
@@ -62,7 +70,7 @@ class Equilibria:
             return self
         first, end = first_chunk * self.chunk_rows, end_chunk * self.chunk_rows
         cut = tuple((path, drawn[first - self.first : end - self.first]) for path, drawn in self.samples)
-        return Equilibria(self.case, (), cut, first, self.rows, self.chunk_rows, self.cold)
+        return Equilibria(self.case, (), cut, first, self.rows, self.chunk_rows, self.model, self.cold)
 
     def write(self, chunks: tuple[int, int], path: Path, threads: int) -> tuple[int, int]:
         """Rows, and rows without a solution, of a partition that is written."""
@@ -77,9 +85,9 @@ class Equilibria:
 def _grid(work: Equilibria) -> _native.Grid:
     if work.samples is None:
         values = [(path, given if isinstance(given, str) else list(given)) for path, given in work.values]
-        return _native.Grid.product(work.case, values, work.cold, False)
+        return _native.Grid.product(work.case, values, (work.model, work.cold), False)
     drawn = [(path, list(values)) for path, values in work.samples]
-    return _native.Grid.samples(work.case, drawn, (work.first, work.rows), work.cold)
+    return _native.Grid.samples(work.case, drawn, (work.first, work.rows), (work.model, work.cold))
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from ._errors import ClusterError, FileError, InputError, TribodynError
 from ._progress import Bar, Progress
 from ._works import STUDY, Done, Equilibria, Partition, Runs, Starts, Work, attempt, file_name, solve_partition
 from .case import Case, as_text
+from .procedures import Model
 from .sweeps import PathLike, Values, grid, merge, product_values, sample_values, single
 
 if TYPE_CHECKING:
@@ -80,6 +81,7 @@ def sweep(
     duration: Optional[float] = None,
     recordings: Optional[PathLike] = None,
     seeds: Iterable[int] = (),
+    model: Model = "traction",
     cold: bool = False,
     seconds: float = 20.0,
     threads: int = 1,
@@ -92,7 +94,7 @@ def sweep(
     Args:
         client: ``dask.distributed.Client``
         case: the bearing; for an identification the path of its problem file, which all workers have to see
-        values, samples, cold: as for :func:`tribodyn.sweep`
+        values, samples, model, cold: as for :func:`tribodyn.sweep`
         dataset: folder of the results; the same call goes on with one that is not finished
         procedure: ``solve`` equilibria, ``run`` in time, ``identify``
         duration: simulated time of each run, s
@@ -108,7 +110,7 @@ def sweep(
         ClusterError: the cluster is gone; what is finished stays, and the same call goes on from there
         InputError: a value is refused, or the folder holds another study
     """
-    work = _work(case, values, samples, procedure, duration, recordings, seeds, cold)
+    work = _work(case, values, samples, procedure, duration, recordings, seeds, (model, cold))
     folder = Path(os.fspath(dataset))
     began = time.monotonic()
     study = _Study(client, work, folder, threads, retries, patience)
@@ -136,7 +138,7 @@ def _work(
     duration: Optional[float],
     recordings: Optional[PathLike],
     seeds: Iterable[int],
-    cold: bool,
+    model_and_cold: tuple[Model, bool],
 ) -> Work:
     if procedure == "identify":
         return _starts(case, tuple(int(seed) for seed in seeds))
@@ -149,12 +151,13 @@ def _work(
     if drawn is not None:
         case = case.replace({path: as_text(single(path, given)) for path, given in (values or {}).items()})
     kept_samples = None if drawn is None else dict(drawn)
-    rows = grid(case, None if drawn is not None else values, samples=kept_samples, cold=cold)
+    model, cold = model_and_cold
+    rows = grid(case, None if drawn is not None else values, samples=kept_samples, model=model, cold=cold)
     fixed: tuple[tuple[str, Union[str, tuple[str, ...]]], ...] = ()
     if drawn is None:
         given = product_values(values or {})
         fixed = tuple((path, value if isinstance(value, str) else tuple(value)) for path, value in given)
-    equilibria = Equilibria((case.file, case.text), fixed, drawn, 0, rows.rows, rows.chunk_rows, cold)
+    equilibria = Equilibria((case.file, case.text), fixed, drawn, 0, rows.rows, rows.chunk_rows, model, cold)
     if procedure == "solve":
         return equilibria
     kept = None if recordings is None else os.fspath(recordings)

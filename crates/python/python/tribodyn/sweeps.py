@@ -1,4 +1,4 @@
-"""Sweeps: equilibria over a grid of case values, or over samples."""
+"""Sweeps: equilibria, or steady orbits, over a grid of case values, or over samples."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from ._answer import Answer
 from ._errors import InputError
 from ._progress import Bar, Progress
 from .case import Case, as_text
+from .procedures import Model
 from .units import Unit
 
 if TYPE_CHECKING:
@@ -74,6 +75,11 @@ class Sweep:
         """Rows without a solution; the column ``error`` says why."""
         return int(len(self) - np.count_nonzero(self._columns["converged"]))
 
+    @property
+    def implausible_rows(self) -> int:
+        """Rows that name what no bearing does; the column ``implausible`` says what."""
+        return sum(1 for names in self._columns["implausible"] if names is not None)
+
     def to_pandas(self) -> pd.DataFrame:
         """A row for each row of the sweep."""
         import pandas
@@ -82,10 +88,11 @@ class Sweep:
         return frame
 
     def __repr__(self) -> str:
-        return f"Sweep({len(self)} rows, {self.failed} without solution)"
+        implausible = f", {self.implausible_rows} implausible" if self.implausible_rows else ""
+        return f"Sweep({len(self)} rows, {self.failed} without solution{implausible})"
 
     def _repr_html_(self) -> str:
-        shown = [*self.swept, "converged", "cage_speed_rpm", "shaft_torque_nm", "error"]
+        shown = [*self.swept, "converged", "cage_speed_rpm", "shaft_torque_nm", "implausible", "error"]
         shown = [name for name in shown if name in self._columns]
         rows = list(zip(*(list(self._columns[name]) for name in shown)))
         return _html.table(repr(self), shown, rows)
@@ -99,6 +106,8 @@ class Table(Answer):
     rows: int
     #: rows without a solution
     failed_rows: int
+    #: rows that name what no bearing does; the column ``implausible`` says what
+    implausible_rows: int
     #: rows that an earlier sweep had finished
     resumed_rows: int
 
@@ -124,15 +133,16 @@ def grid(
     values: Optional[Mapping[str, Values]] = None,
     *,
     samples: Optional[Mapping[str, Iterable[Any]]] = None,
+    model: Model = "traction",
     cold: bool = False,
 ) -> _native.Grid:
     """The rows of a sweep, checked. Single values of ``values`` are changes of the case beside ``samples``."""
     if samples is None:
-        return _native.Grid.product(_named(case), product_values(values or {}), cold, True)
+        return _native.Grid.product(_named(case), product_values(values or {}), (model, cold), True)
     case = case.replace({path: as_text(single(path, given)) for path, given in (values or {}).items()})
     drawn = sample_values(samples)
     count = len(drawn[0][1]) if drawn else 0
-    return _native.Grid.samples(_named(case), drawn, (0, count), cold)
+    return _native.Grid.samples(_named(case), drawn, (0, count), (model, cold))
 
 
 def _named(case: Case) -> tuple[str, str]:
@@ -172,10 +182,11 @@ def sweep(
     *,
     samples: Optional[Mapping[str, Iterable[Any]]] = None,
     threads: int = 0,
+    model: Model = "traction",
     cold: bool = False,
     progress: Progress = True,
 ) -> Sweep:
-    """Equilibria for every combination of case values, or for samples, on all cores; in memory.
+    """Equilibria, or steady orbits, for every combination of case values, or for samples, on all cores; in memory.
 
     Rows are those of the command, bit for bit.
 
@@ -185,13 +196,14 @@ def sweep(
             ``{"ring.z.Force": kN([10, 20])}``; the last path varies fastest
         samples: values by path, one for each row: see :func:`latin_hypercube` and :func:`sobol`
         threads: threads to use; 0 is one for each core
-        cold: solve every row from its own initial guess instead of a neighbour's solution
+        model: equations of every row: ``"jones-harris"``, ``"traction"`` or ``"steady-orbit"``
+        cold: solve every row from its own initial guess instead of a neighbour's solution; the steady orbit always does
         progress: a bar where somebody watches; False for none; or a function of rows done and rows
 
     Raises:
         InputError: a value is refused, before anything is solved
     """
-    rows = grid(case, values, samples=samples, cold=cold)
+    rows = grid(case, values, samples=samples, model=model, cold=cold)
     with Bar(float(rows.rows), "rows", progress) as bar:
         columns = rows.solve((0, rows.chunks), threads, bar)
     return Sweep({name: _array(column) for name, column in columns.items()}, rows.swept())
@@ -212,6 +224,7 @@ def sweep_to(
     *,
     shard: str = "0/1",
     threads: int = 0,
+    model: Model = "traction",
     cold: bool = False,
     restart: bool = False,
     progress: Progress = True,
@@ -222,25 +235,32 @@ def sweep_to(
         output: the table
         shard: part ``I/N`` of the grid, for several machines; :func:`merge` puts their tables together
         restart: forget the finished rows of a sweep that was stopped
-        case, values, threads, cold, progress: as for :func:`sweep`
+        case, values, threads, model, cold, progress: as for :func:`sweep`
     """
-    rows = grid(case, values, cold=cold)
+    rows = grid(case, values, model=model, cold=cold)
     path = os.fspath(output)
     with Bar(float(rows.rows), "rows", progress) as bar:
-        count, failed, resumed = rows.write_table(path, shard, restart, threads, bar)
-    return Table({"output": path, "rows": count, "failed_rows": failed, "resumed_rows": resumed})
+        count, failed, implausible, resumed = rows.write_table(path, shard, restart, threads, bar)
+    return _table(path, count, failed, implausible, resumed)
 
 
-def plan(case: Case, values: Mapping[str, Values], *, threads: int = 0, cold: bool = False) -> Plan:
+def plan(
+    case: Case, values: Mapping[str, Values], *, threads: int = 0, model: Model = "traction", cold: bool = False
+) -> Plan:
     """What a sweep would do, and about how long it would take; a few rows are solved for that."""
-    return Plan(grid(case, values, cold=cold).plan(threads))
+    return Plan(grid(case, values, model=model, cold=cold).plan(threads))
 
 
 def merge(tables: Iterable[PathLike], output: PathLike, *, force: bool = False) -> Table:
     """The tables of all shards, or of a dataset's partitions, as one: every row once, in the order of the sweep."""
     found = [os.fspath(table) for table in tables]
-    rows, failed = _native.merge_tables(found, os.fspath(output), force)
-    return Table({"output": os.fspath(output), "rows": rows, "failed_rows": failed, "resumed_rows": 0})
+    rows, failed, implausible = _native.merge_tables(found, os.fspath(output), force)
+    return _table(os.fspath(output), rows, failed, implausible, 0)
+
+
+def _table(output: str, rows: int, failed: int, implausible: int, resumed: int) -> Table:
+    counts = {"rows": rows, "failed_rows": failed, "implausible_rows": implausible, "resumed_rows": resumed}
+    return Table({"output": output, **counts})
 
 
 Distribution = Any

@@ -11,18 +11,20 @@ mod stiffness;
 pub use contact::{HertzAnswer, HertzQuestion, hertz};
 pub use curve::{CurveAnswer, traction_curve};
 pub use derived::{Derived, GrowthAnswer, derived};
+pub(crate) use equilibrium::unusual;
 pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};
 pub use modes::{ModesAnswer, modes};
-pub use orbit::{OrbitAnswer, OrbitProblem};
+pub use orbit::{OrbitAnswer, OrbitProblem, orbit_warnings};
 pub use stiffness::{StiffnessAnswer, stiffness};
 
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use crate::rating::{Rating, rating};
+use tribodyn_case::Purpose;
 use tribodyn_quasistatic::{Model, Solution};
 
 /// Equations of an operating point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Equations {
     /// Raceway control, no traction.
     JonesHarris,
@@ -49,12 +51,38 @@ impl Equations {
         })
     }
 
+    /// The name that [`Self::parse`] reads.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::JonesHarris => Self::ALL[0].0,
+            Self::Traction => Self::ALL[1].0,
+            Self::SteadyOrbit => Self::ALL[2].0,
+        }
+    }
+
+    /// What it needs of a case.
+    pub(crate) fn purpose(self) -> Purpose {
+        match self {
+            Self::JonesHarris => Purpose::JonesHarris,
+            Self::Traction | Self::SteadyOrbit => Purpose::Traction,
+        }
+    }
+
     /// The equations of an equilibrium; none for the steady orbit.
     pub fn equilibrium(self) -> Option<Model> {
         match self {
             Self::JonesHarris => Some(Model::JonesHarris),
             Self::Traction => Some(Model::Traction),
             Self::SteadyOrbit => None,
+        }
+    }
+}
+
+impl From<Model> for Equations {
+    fn from(model: Model) -> Self {
+        match model {
+            Model::JonesHarris => Self::JonesHarris,
+            Model::Traction => Self::Traction,
         }
     }
 }

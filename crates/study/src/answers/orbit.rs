@@ -1,10 +1,12 @@
 //! The steady orbit of a case: an answer, and where stiffness and modes start.
 
+use super::{Equations, unusual};
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
+use crate::plausibility;
 use serde::Serialize;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
-use tribodyn_case::{Case, Purpose};
+use tribodyn_case::{Case, InputError, Purpose};
 use tribodyn_orbit::{OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
 use tribodyn_quasistatic::Solution;
 
@@ -21,18 +23,24 @@ pub struct OrbitProblem {
 }
 
 impl OrbitProblem {
+    /// That of a case file.
+    ///
+    /// # Errors
+    /// A case without what traction needs.
+    pub fn new(file: &CaseFile) -> Result<Self, StudyError> {
+        Self::of(&file.case).map_err(|source| file.not_usable(source))
+    }
+
     /// That of a case, with the damping of its runs where it has one.
     ///
     /// # Errors
-    /// A case without what traction needs, or without a cage.
-    pub fn new(file: &CaseFile) -> Result<Self, StudyError> {
-        let mut bearing = file.bearing_for(Purpose::Traction)?;
-        let point = file.case.operating_point();
-        bearing.contact_damping = contact_damping(&file.case);
-        // The requirement of the traction model includes a cage, so that its absence is not met.
-        let Some(cage) = file.case.moving_cage() else {
-            return Err(StudyError::argument("model", "steady-orbit", format!("{} has no cage", file.name)));
-        };
+    /// [`InputError::Lacking`] for a case without what traction needs, a cage among it; [`InputError::Bearing`].
+    pub fn of(case: &Case) -> Result<Self, InputError> {
+        case.require(Purpose::Traction)?;
+        let Some(cage) = case.moving_cage() else { unreachable!("traction needs a cage") };
+        let mut bearing = case.bearing()?;
+        let point = case.operating_point();
+        bearing.contact_damping = case.transient.as_ref().map_or(0.0, |transient| transient.contact_damping);
         let settings = OrbitSettings { tolerance: point.numerics.tolerance, ..OrbitSettings::default() };
         Ok(Self { cage: CageBody::new(&cage, &bearing), bearing, point, settings })
     }
@@ -56,8 +64,20 @@ impl OrbitProblem {
     }
 }
 
-fn contact_damping(case: &Case) -> f64 {
-    case.transient.as_ref().map_or(0.0, |transient| transient.contact_damping)
+/// Warnings on an orbit: those of its own, what is unusual about it and its case, and whether that can be meant.
+///
+/// # Errors
+/// [`StudyError::Bearing`] where the case has no geometry.
+pub fn orbit_warnings(file: &CaseFile, problem: &OrbitProblem, orbit: &SteadyOrbit) -> Result<Vec<String>, StudyError> {
+    let speeds = [problem.point.inner_speed, problem.point.outer_speed];
+    let found = unusual(&file.case, (&file.text, &problem.bearing), &orbit.as_solution(&orbit.points, speeds));
+    let found = found.map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?;
+    let mut warnings = orbit.warnings();
+    warnings.extend(found.sentences);
+    if let Some(names) = plausibility::names(&found.implausible) {
+        warnings.push(format!("implausible: {names}; {}", plausibility::advice(Equations::SteadyOrbit)));
+    }
+    Ok(warnings)
 }
 
 /// The orbit as `--json` prints it.
@@ -67,12 +87,12 @@ pub struct OrbitAnswer<'a> {
     converged: bool,
     #[serde(flatten)]
     orbit: &'a SteadyOrbit,
-    warnings: Vec<String>,
+    warnings: &'a [String],
 }
 
 impl<'a> OrbitAnswer<'a> {
-    /// Of an orbit that was found.
-    pub fn new(orbit: &'a SteadyOrbit) -> Self {
-        Self { model: "steady-orbit", converged: true, orbit, warnings: orbit.warnings() }
+    /// Of an orbit that was found, with its warnings.
+    pub fn new(orbit: &'a SteadyOrbit, warnings: &'a [String]) -> Self {
+        Self { model: Equations::SteadyOrbit.name(), converged: true, orbit, warnings }
     }
 }

@@ -1,9 +1,10 @@
 //! What is unusual about values that count against each other, and about a solution.
 
+use super::implausible::{Implausible, implausible};
 use super::shown;
 use tribodyn_bearing::{BallResult, Bearing, BearingError, Races, Side};
 use tribodyn_case::{Case, Fit};
-use tribodyn_quasistatic::{Model, Solution};
+use tribodyn_quasistatic::Solution;
 use tribodyn_rating::PERMISSIBLE_PRESSURE;
 
 /// Pitch diameter times speed of the fastest rolling bearings, mm r/min.
@@ -15,7 +16,7 @@ const POCKET_GAP: [f64; 2] = [5e-4, 0.1];
 /// Inertia of the cage over that of all balls about the bearing's axis.
 const CAGE_INERTIA: [f64; 2] = [0.01, 10.0];
 /// Contact angle beyond which no shoulder reaches, degrees: at 75° it would be 0.39 of the ball diameter high.
-const SHOULDER_MAX_DEG: f64 = 75.0;
+pub(super) const SHOULDER_MAX_DEG: f64 = 75.0;
 /// Angular velocity of spin over that of rolling.
 const SPIN_TO_ROLL_MAX: f64 = 1.0;
 /// Slide-to-roll ratio beyond which a contact skids, as a fraction.
@@ -76,32 +77,43 @@ fn within(value: f64, [least, most]: [f64; 2]) -> bool {
     (least..=most).contains(&value)
 }
 
-/// Sentences on a solution that is unusual, or that the quasi-static model cannot mean.
+/// Sentences on a solution that is unusual, and what is implausible about it.
+pub struct SolutionFindings {
+    /// All sentences.
+    pub sentences: Vec<String>,
+    /// What no bearing does, with the sentence on it, which is among the others.
+    pub implausible: Vec<(Implausible, String)>,
+}
+
+/// What is unusual about a solution, or more than its model can mean.
 ///
 /// # Errors
 /// [`BearingError`] where the case has no geometry.
-pub fn solution_findings(case: &Case, bearing: &Bearing, solution: &Solution) -> Result<Vec<String>, BearingError> {
-    let mut found = Vec::new();
+pub fn solution_findings(
+    case: &Case,
+    bearing: &Bearing,
+    solution: &Solution,
+) -> Result<SolutionFindings, BearingError> {
+    let mut sentences = Vec::new();
     let shoulders = case.geometry.shoulder_angles()?;
     for (side, race) in [(Side::Inner, "inner"), (Side::Outer, "outer")] {
-        found.extend(pressure(solution, side, race));
-        found.extend(edge(bearing, solution, &shoulders, side, race));
-        found.extend(sliding(solution, side, race));
-        found.extend(spinning(bearing, solution, side, race));
+        sentences.extend(pressure(solution, side, race));
+        sentences.extend(edge(bearing, solution, &shoulders, side, race));
+        sentences.extend(sliding(solution, side, race));
+        sentences.extend(spinning(bearing, solution, side, race));
     }
-    found.extend(idle(solution));
-    found.extend(pocket(solution));
-    found.extend(cage(solution));
-    Ok(found)
+    let implausible = implausible(solution, &shoulders);
+    sentences.extend(implausible.iter().map(|(_, sentence)| sentence.clone()));
+    Ok(SolutionFindings { sentences, implausible })
 }
 
 /// The ball with the largest value of something, and that value, where it is a number.
-fn largest(solution: &Solution, of: impl Fn(&BallResult) -> Option<f64>) -> Option<(&BallResult, f64)> {
+pub(super) fn largest(solution: &Solution, of: impl Fn(&BallResult) -> Option<f64>) -> Option<(&BallResult, f64)> {
     let known = solution.balls.iter().filter_map(|ball| of(ball).filter(|value| value.is_finite()).map(|v| (ball, v)));
     known.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-fn at(ball: &BallResult) -> String {
+pub(super) fn at(ball: &BallResult) -> String {
     format!("ball at {:.1}°", ball.azimuth_rad.to_degrees())
 }
 
@@ -125,29 +137,15 @@ fn edge(
     race: &str,
 ) -> Option<String> {
     let radius = bearing.geometry.coefficient(side) * bearing.geometry.ball_diameter;
+    let shoulder = shoulders[side]?;
     let loaded = |ball: &BallResult| ball.contacts[side].load_n > 0.0;
     let angle = |ball: &BallResult| loaded(ball).then(|| ball.contacts[side].angle_rad.abs());
-    let (ball, contact) = largest(solution, angle)?;
-    let degrees = |rad: f64| shown(rad.to_degrees());
-    let Some(shoulder) = shoulders[side] else {
-        return (contact.to_degrees() > SHOULDER_MAX_DEG).then(|| {
-            format!(
-                "contact angle of {}° on the {race} race, {}: no shoulder reaches beyond {SHOULDER_MAX_DEG}°, the ball would climb out of the groove",
-                degrees(contact),
-                at(ball)
-            )
-        });
-    };
-    if contact > shoulder {
-        let (contact, shoulder) = (degrees(contact), degrees(shoulder));
-        return Some(format!(
-            "contact angle of {contact}° on the {race} race, {}, is beyond the shoulder at {shoulder}°: the ball would climb out of the groove",
-            at(ball)
-        ));
-    }
+    let (_, contact) = largest(solution, angle)?;
     let end = |ball: &BallResult| angle(ball).map(|angle| angle + ball.contacts[side].semi_axes_m[0] / radius);
     let (ball, end) = largest(solution, end)?;
-    (end > shoulder).then(|| {
+    let degrees = |rad: f64| shown(rad.to_degrees());
+    // A ball whose middle is beyond it is another matter.
+    (end > shoulder && contact <= shoulder).then(|| {
         format!(
             "contact ellipse cut by the shoulder of the {race} race, {}: it ends at {}°, the groove at {}°; pressures at the edge are higher than Hertz's",
             at(ball),
@@ -184,51 +182,6 @@ fn spinning(bearing: &Bearing, solution: &Solution, side: Side, race: &str) -> O
             "spin-to-roll ratio of {} on the {race} race, {}: usual is below {SPIN_TO_ROLL_MAX} up to 45° of contact angle (Harris and Kotzalas)",
             shown(ratio),
             at(ball)
-        )
-    })
-}
-
-/// Balls that the inner race does not drive turn with the cage, which an equilibrium does not have.
-fn idle(solution: &Solution) -> Option<String> {
-    let idle = solution.balls.iter().filter(|ball| ball.contacts.inner.load_n <= 0.0).count();
-    // The steady orbit says what such balls do.
-    let quasi_static = solution.model == Model::Traction && solution.balls.iter().all(|ball| ball.motion.is_none());
-    (quasi_static && idle > 0 && solution.inner_speed_rad_s != solution.outer_speed_rad_s).then(|| {
-        format!(
-            "{idle} of {} balls have no inner contact, so that nothing in this model sets how they move: do not use its cage speed, torque, contact angles of these balls and pocket forces; `--model steady-orbit` gives them",
-            solution.balls.len()
-        )
-    })
-}
-
-/// A pocket holds a ball back by friction, which is a small share of what loads the bearing.
-fn pocket(solution: &Solution) -> Option<String> {
-    let [x, y, z] = solution.ring_load_n;
-    let load = x.hypot(y).hypot(z);
-    let (ball, force) = largest(solution, |ball| ball.pocket.map(|pocket| pocket.force_n.abs()))?;
-    (force > load && load > 0.0).then(|| {
-        format!(
-            "pocket force of {} N, {}, above the bearing's load of {} N: the quasi-static model takes pockets to follow from free orbits, which idle balls do not have; a transient run tells",
-            shown(force),
-            at(ball),
-            shown(load)
-        )
-    })
-}
-
-fn cage(solution: &Solution) -> Option<String> {
-    let rpm = |rad_s: f64| rad_s * 30.0 / std::f64::consts::PI;
-    let [a, b] = [rpm(solution.inner_speed_rad_s), rpm(solution.outer_speed_rad_s)];
-    let (least, most) = (a.min(b), a.max(b));
-    let speed = solution.cage_speed_rpm;
-    // A thousandth of the difference for rounding.
-    let slack = 1e-3 * (most - least);
-    (speed < least - slack || speed > most + slack).then(|| {
-        format!(
-            "cage speed of {} r/min is outside the rings' speeds, {} and {} r/min: nothing in the bearing drives it there",
-            shown(speed),
-            shown(a),
-            shown(b)
         )
     })
 }

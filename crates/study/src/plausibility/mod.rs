@@ -5,9 +5,11 @@
 //! Nothing is refused.
 
 mod findings;
+mod implausible;
 mod ranges;
 
-pub use findings::{case_findings, solution_findings};
+pub use findings::{SolutionFindings, case_findings, solution_findings};
+pub use implausible::{Implausible, advice, names};
 pub use ranges::{USUAL_RANGES, UsualRange, usual_range};
 
 use crate::CaseFile;

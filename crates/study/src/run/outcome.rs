@@ -75,7 +75,8 @@ fn unusual(file: &CaseFile, solution: &Solution) -> Vec<String> {
     // A case that runs has a bearing.
     if let Ok(bearing) = file.bearing() {
         all.extend(plausibility::of_case(file, &bearing));
-        all.extend(plausibility::solution_findings(&file.case, &bearing, solution).unwrap_or_default());
+        let found = plausibility::solution_findings(&file.case, &bearing, solution);
+        all.extend(found.into_iter().flat_map(|found| found.sentences));
     }
     all
 }

@@ -11,22 +11,25 @@ mod trial;
 
 pub use bearing::{Kind, RandomBearing, random_bearing};
 pub use random::Random;
-pub use table::{Counts, Regime, SchemeCounts, Tally};
-pub use trial::{Running, Solving, Verdict, run_short, solve_both};
+pub use table::{Counts, ModelCounts, Regime, SchemeCounts, Tally};
+pub use trial::{Running, Solving, Verdict, run_short, solve_by};
 
+use crate::answers::Equations;
 use rayon::prelude::*;
 use std::time::Duration;
 use tribodyn_case::CaseError;
 
 /// What to try.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// Seed of the family of bearings.
     pub seed: u64,
     /// Number of the first bearing.
     pub first: u64,
-    /// Bearings to solve by both models.
+    /// Bearings to solve.
     pub cases: u64,
+    /// Models to solve them by.
+    pub models: Vec<Equations>,
     /// Bearings to run, from the first on.
     pub runs: u64,
     /// Wall time after which a run is stopped.
@@ -38,7 +41,7 @@ pub struct Options {
 pub struct Trial {
     /// The bearing.
     pub bearing: RandomBearing,
-    /// By both models; empty where only a run was asked for.
+    /// By each model; empty where only a run was asked for.
     pub solvings: Vec<Solving>,
     /// The run, where one was asked for.
     pub running: Option<Running>,
@@ -66,7 +69,8 @@ pub fn survey(options: &Options, mut progress: impl FnMut(&[Trial])) -> Result<V
 
 fn try_one(options: &Options, offset: u64) -> Result<Trial, CaseError> {
     let bearing = random_bearing(options.seed, options.first + offset)?;
-    let solvings = if offset < options.cases { solve_both(&bearing).to_vec() } else { Vec::new() };
+    let models = if offset < options.cases { &options.models[..] } else { &[] };
+    let solvings = models.iter().map(|model| solve_by(&bearing, *model)).collect();
     let running = (offset < options.runs).then(|| run_short(&bearing, options.longest_run));
     Ok(Trial { bearing, solvings, running })
 }

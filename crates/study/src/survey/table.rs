@@ -1,9 +1,10 @@
 //! What a survey comes to, by regime.
 
-use super::trial::Verdict;
+use super::trial::{Solving, Verdict};
 use super::{RandomBearing, Trial};
+use crate::answers::Equations;
 use std::collections::BTreeMap;
-use tribodyn_quasistatic::Model;
+use std::time::Duration;
 
 /// A band of nominal pressure and of pitch diameter times speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -63,6 +64,33 @@ impl Counts {
     }
 }
 
+/// Solutions by one model.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct ModelCounts {
+    /// Verdicts.
+    pub counts: Counts,
+    /// Wall times, shortest first.
+    walls: Vec<Duration>,
+}
+
+impl ModelCounts {
+    /// Wall time that half of the solutions take at most.
+    pub fn median(&self) -> Duration {
+        self.walls.get(self.walls.len() / 2).copied().unwrap_or_default()
+    }
+
+    /// Longest wall time.
+    pub fn slowest(&self) -> Duration {
+        self.walls.last().copied().unwrap_or_default()
+    }
+
+    fn add(&mut self, solving: &Solving) {
+        self.counts.add(&solving.verdict);
+        self.counts.rescued += usize::from(solving.rescued && solving.verdict == Verdict::Good);
+        self.walls.insert(self.walls.partition_point(|wall| *wall <= solving.wall), solving.wall);
+    }
+}
+
 /// Runs of one scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SchemeCounts {
@@ -84,7 +112,7 @@ pub struct SchemeCounts {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tally {
     /// Solutions by regime and model.
-    pub solutions: BTreeMap<(Regime, &'static str), Counts>,
+    pub solutions: BTreeMap<(Regime, Equations), ModelCounts>,
     /// Runs by scheme.
     pub runs: BTreeMap<&'static str, SchemeCounts>,
 }
@@ -96,9 +124,7 @@ impl Tally {
         for trial in trials {
             let regime = Regime::of(&trial.bearing);
             for solving in &trial.solvings {
-                let counts = tally.solutions.entry((regime, model_name(solving.model))).or_default();
-                counts.add(&solving.verdict);
-                counts.rescued += usize::from(solving.rescued && solving.verdict == Verdict::Good);
+                tally.solutions.entry((regime, solving.model)).or_default().add(solving);
             }
             let Some(running) = &trial.running else { continue };
             let scheme = tally.runs.entry(running.scheme).or_default();
@@ -118,22 +144,15 @@ impl Tally {
     }
 
     /// Solutions by one model at the pressures that bearings are made for.
-    pub fn working(&self, model: Model) -> Counts {
-        let name = model_name(model);
+    pub fn working(&self, model: Equations) -> Counts {
         let mut sum = Counts::default();
-        for ((_, _), counts) in self.solutions.iter().filter(|((regime, of), _)| regime.working() && *of == name) {
+        let of_model = self.solutions.iter().filter(|((regime, of), _)| regime.working() && *of == model);
+        for (_, ModelCounts { counts, .. }) in of_model {
             sum.good += counts.good;
             sum.rescued += counts.rescued;
             sum.explained += counts.explained;
             sum.failed += counts.failed;
         }
         sum
-    }
-}
-
-fn model_name(model: Model) -> &'static str {
-    match model {
-        Model::JonesHarris => "Jones–Harris",
-        Model::Traction => "with traction",
     }
 }

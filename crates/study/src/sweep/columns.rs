@@ -1,7 +1,9 @@
 //! What a row of the table holds.
 
 use std::fmt::Write;
-use tribodyn_bearing::quantities::{OfBall, joined};
+use tribodyn_bearing::BallResult;
+use tribodyn_bearing::quantities::{OfBall, Over, joined};
+use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::{QuasiStaticError, SOLUTION, Solution};
 
 /// One field of a row.
@@ -52,19 +54,42 @@ impl Column {
 /// The column that says whether a row is a solution.
 pub const CONVERGED: &str = "converged";
 
-/// A column of results: its name, and its value for a solution.
-type Figure = (String, Box<dyn Fn(&Solution) -> Option<f64>>);
+/// The column that names what no bearing does.
+pub const IMPLAUSIBLE: &str = "implausible";
+
+/// A row with a solution.
+pub(crate) struct Solved {
+    /// With the balls where they stand in an equilibrium.
+    pub solution: Solution,
+    /// A ball at places round its orbit, where the model has one.
+    pub round: Option<Vec<BallResult>>,
+    /// Number of sentences that `solve` has on it.
+    pub warnings: usize,
+    /// Names of what no bearing does.
+    pub implausible: Option<String>,
+}
+
+impl Solved {
+    /// A number for all balls: extremes round the whole orbit, sums over the balls where they stand.
+    fn over(&self, quantity: &OfBall, over: Over) -> Option<f64> {
+        let balls = self.round.as_ref().filter(|_| over != Over::Sum).unwrap_or(&self.solution.balls);
+        quantity.over(over, balls)
+    }
+}
+
+/// A column of results: its name, and its value for a row.
+type Figure = (String, Box<dyn Fn(&Solved) -> Option<f64>>);
 
 /// Numbers of a solution by name and in the unit of `solve --json`: those of the bearing, then those that the table of
 /// quantities has for all balls.
 fn figures() -> impl Iterator<Item = Figure> {
     let of_bearing = SOLUTION.iter().map(|q| -> Figure {
         let unit = q.facts.unit;
-        (joined(&[q.facts.name, unit.suffix]), Box::new(move |s| (q.get)(s).map(|value| value * unit.per_si)))
+        (joined(&[q.facts.name, unit.suffix]), Box::new(move |s| (q.get)(&s.solution).map(|value| value * unit.per_si)))
     });
     let of_balls = OfBall::over_balls().map(|(q, over)| -> Figure {
         let unit = q.facts().unit;
-        (q.over_name(over, unit), Box::new(move |s| q.over(over, &s.balls).map(|value| value * unit.per_si)))
+        (q.over_name(over, unit), Box::new(move |s| s.over(&q, over).map(|value| value * unit.per_si)))
     });
     of_bearing.chain(of_balls)
 }
@@ -79,6 +104,7 @@ pub(crate) fn columns(swept: impl Iterator<Item = Column>) -> Vec<Column> {
     columns.extend(figures().map(|(name, _)| Column::new(&name, Kind::Number, true)));
     columns.push(Column::new("balls_in_contact", Kind::Integer, true));
     columns.push(Column::new("warnings", Kind::Integer, true));
+    columns.push(Column::new(IMPLAUSIBLE, Kind::Text, true));
     columns.push(Column::new("error", Kind::Text, true));
     columns
 }
@@ -109,17 +135,25 @@ impl From<QuasiStaticError> for Unsolved {
     }
 }
 
+impl From<OrbitError> for Unsolved {
+    fn from(error: OrbitError) -> Self {
+        Self { tried: None, message: error.to_string() }
+    }
+}
+
 /// The fields of a row.
-pub(crate) fn cells(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Result<Solution, Unsolved>) -> Vec<Cell> {
+pub(crate) fn cells(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Result<Solved, Unsolved>) -> Vec<Cell> {
     let count = |n: usize| Cell::Integer(n as i64);
     let mut cells = vec![count(row)];
     cells.extend(swept);
     match outcome {
-        Ok(s) => {
+        Ok(solved) => {
+            let s = &solved.solution;
             let touching = s.balls.iter().filter(|b| b.contacts.inner.load_n > 0.0).count();
             cells.extend([Cell::Truth(true), Cell::Number(s.residual), count(s.iterations)]);
-            cells.extend(figures().map(|(_, figure)| figure(s).map_or(Cell::Null, Cell::Number)));
-            cells.extend([count(touching), count(s.warnings.len()), Cell::Null]);
+            cells.extend(figures().map(|(_, figure)| figure(solved).map_or(Cell::Null, Cell::Number)));
+            let implausible = solved.implausible.clone().map_or(Cell::Null, Cell::Text);
+            cells.extend([count(touching), count(solved.warnings), implausible, Cell::Null]);
         }
         Err(unsolved) => {
             let (residual, iterations) = match unsolved.tried {
@@ -127,8 +161,8 @@ pub(crate) fn cells(row: usize, swept: impl Iterator<Item = Cell>, outcome: &Res
                 None => (Cell::Null, Cell::Null),
             };
             cells.extend([Cell::Truth(false), residual, iterations]);
-            // Figures, balls in contact, warnings.
-            cells.extend(std::iter::repeat_n(Cell::Null, figures().count() + 2));
+            // Figures, balls in contact, warnings, what is implausible.
+            cells.extend(std::iter::repeat_n(Cell::Null, figures().count() + 3));
             cells.push(Cell::Text(unsolved.message.clone()));
         }
     }

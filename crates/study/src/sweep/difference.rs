@@ -15,6 +15,12 @@ pub enum SweepDifference {
     /// Another case.
     #[error("these finished rows are of another case")]
     Case,
+    /// Another model.
+    #[error("these finished rows are by the model {found}")]
+    Model {
+        /// Model of the file.
+        found: String,
+    },
     /// Other swept values.
     #[error("these finished rows are of other swept values")]
     Values,

@@ -4,12 +4,13 @@
 use super::axis::{Axis, AxisSummary};
 use super::columns::{Cell, Column};
 use super::setting::Setting;
+use crate::answers::Equations;
 use crate::case_file::{CaseFile, Change};
 use crate::error::StudyError;
 use crate::limits::Limits;
 use rayon::prelude::*;
 use std::ops::Range;
-use tribodyn_case::{Case, CaseError, Purpose, set_value};
+use tribodyn_case::{Case, CaseError, set_value};
 
 /// Most rows of a grid, far beyond any computing time.
 const MAX_ROWS: usize = 1_000_000_000;
@@ -35,8 +36,10 @@ pub struct SampleRows {
     pub total: usize,
 }
 
-/// The case and what is swept in it.
+/// The case, what is swept in it, and what each row is solved by.
 pub struct Grid {
+    /// Equations of every row.
+    pub model: Equations,
     /// Name of the case file, for messages.
     name: String,
     /// The case file as it is.
@@ -57,8 +60,13 @@ impl Grid {
     ///
     /// # Errors
     /// Settings that overlap or make too many rows, and the first value that is refused.
-    pub fn new(name: &str, original: String, settings: &[Setting], limits: &Limits) -> Result<Self, StudyError> {
-        let grid = Self::unchecked(name, original, settings, limits)?;
+    pub fn new(
+        name: &str,
+        original: String,
+        settings: &[Setting],
+        (model, limits): (Equations, &Limits),
+    ) -> Result<Self, StudyError> {
+        let grid = Self::unchecked(name, original, settings, (model, limits))?;
         grid.check()?;
         Ok(grid)
     }
@@ -67,7 +75,12 @@ impl Grid {
     ///
     /// # Errors
     /// Settings that overlap or make too many rows, and a single value that is refused.
-    pub fn unchecked(name: &str, original: String, settings: &[Setting], limits: &Limits) -> Result<Self, StudyError> {
+    pub fn unchecked(
+        name: &str,
+        original: String,
+        settings: &[Setting],
+        (model, limits): (Equations, &Limits),
+    ) -> Result<Self, StudyError> {
         let (single, swept): (Vec<_>, Vec<_>) = settings.iter().partition(|s| s.values.len() == 1);
         for (i, first) in swept.iter().enumerate() {
             let second = swept[i + 1..].iter().find(|second| first.change(0).concerns(&second.path));
@@ -80,7 +93,7 @@ impl Grid {
         let rows = swept.iter().try_fold(1, count).ok_or(StudyError::TooManyRows { limit: MAX_ROWS })?;
         let fixed: Vec<Change> = single.iter().map(|s| s.change(0)).collect();
         let axes = swept.into_iter().map(Axis::new).collect();
-        Self::over(name, original, (fixed, axes, Order::Product, rows), limits)
+        Self::over(name, original, (fixed, axes, Order::Product, rows), (model, limits))
     }
 
     /// Samples: each row has the next value of every setting. Of these, the first and the last row are checked; what
@@ -93,7 +106,7 @@ impl Grid {
         original: String,
         settings: &[Setting],
         rows: SampleRows,
-        limits: &Limits,
+        (model, limits): (Equations, &Limits),
     ) -> Result<Self, StudyError> {
         let count = settings.first().map_or(0, Setting::count);
         if let Some(other) = settings.iter().find(|setting| setting.count() != count) {
@@ -111,7 +124,7 @@ impl Grid {
         }
         let axes = settings.iter().map(Axis::new).collect();
         let order = Order::Samples { first: rows.first };
-        let grid = Self::over(name, original, (Vec::new(), axes, order, rows.total), limits)?;
+        let grid = Self::over(name, original, (Vec::new(), axes, order, rows.total), (model, limits))?;
         // Values drawn at random may make an impossible case now and then; a wrong unit is wrong in all rows.
         let bad = |row| grid.text(row).is_none_or(|text| !grid.sound(&text));
         if rows.first == 0 && bad(0) && bad(count.saturating_sub(1)) {
@@ -124,10 +137,10 @@ impl Grid {
         name: &str,
         original: String,
         (fixed, axes, order, rows): (Vec<Change>, Vec<Axis>, Order, usize),
-        limits: &Limits,
+        (model, limits): (Equations, &Limits),
     ) -> Result<Self, StudyError> {
         let (name, base) = (name.to_owned(), String::new());
-        let mut grid = Self { name, original, fixed, base, limits: *limits, axes, order, rows };
+        let mut grid = Self { model, name, original, fixed, base, limits: *limits, axes, order, rows };
         // The first row stands for the case without axes too: messages come from there.
         grid.base = grid.original.clone();
         for change in &grid.fixed {
@@ -164,7 +177,7 @@ impl Grid {
         let swept = self.axes.iter().zip(self.indices(row)).map(|(axis, i)| axis.setting.change(i));
         let changes: Vec<Change> = self.fixed.iter().cloned().chain(swept).collect();
         match CaseFile::from_text(&self.name, self.original.clone(), &changes, &self.limits)
-            .and_then(|file| file.bearing_for(Purpose::Traction))
+            .and_then(|file| file.bearing_for(self.model.purpose()))
         {
             Err(failure) => failure,
             // Texts are refused by the same reader: there is nothing that only one of both refuses.
@@ -172,9 +185,9 @@ impl Grid {
         }
     }
 
-    /// True for a case with all that the traction model needs, within the limits.
+    /// True for a case with all that the model needs, within the limits.
     fn sound(&self, text: &str) -> bool {
-        self.case(text).is_ok_and(|case| case.require(Purpose::Traction).is_ok() && case.bearing().is_ok())
+        self.case(text).is_ok_and(|case| case.require(self.model.purpose()).is_ok() && case.bearing().is_ok())
     }
 
     /// The case of a row's text, within the limits.

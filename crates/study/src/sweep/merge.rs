@@ -5,6 +5,7 @@
 
 #[cfg(feature = "parquet")]
 use super::columns::Column;
+use super::columns::{CONVERGED, IMPLAUSIBLE};
 use super::table::{Count, Format};
 use crate::error::StudyError;
 use crate::files::StagedFiles;
@@ -21,6 +22,8 @@ pub struct Merged {
     pub rows: usize,
     /// Rows that are no solutions.
     pub failed: usize,
+    /// Solutions that are implausible.
+    pub implausible: usize,
 }
 
 /// Writes the rows of some tables of one sweep into one, in the order of the sweep: every row exactly once.
@@ -55,7 +58,8 @@ pub fn merge(tables: &[PathBuf], output: &Path, force: bool) -> Result<Merged, S
     };
     kept.sync_all().map_err(failure)?;
     staged.publish()?;
-    Ok(Merged { tables: tables.len(), rows: count.rows, failed: count.failed })
+    let Count { rows, failed, implausible } = count;
+    Ok(Merged { tables: tables.len(), rows, failed, implausible })
 }
 
 /// A table that does not go with the others.
@@ -117,18 +121,21 @@ fn lines(
         readers.push(Box::new(numbered(table.clone(), reader)));
     }
     let header = header.unwrap_or_default();
-    let converged = header.trim_end().split(',').position(|name| name == super::CONVERGED);
+    let place = |name: &str| header.trim_end().split(',').position(|known| known == name);
+    let [converged, implausible] = [CONVERGED, IMPLAUSIBLE].map(place);
     if !header.starts_with("row,") {
         return Err(apart(first, "it is no table of a sweep: its first column is not `row`".to_owned()));
     }
     writer.write_all(header.as_bytes()).map_err(&failure)?;
-    let mut failed = 0;
-    let rows = in_order(tables, readers, |line| {
-        failed += usize::from(converged.is_some_and(|at| field(&line, at) == Some("false")));
+    let mut count = Count::default();
+    count.rows = in_order(tables, readers, |line| {
+        count.failed += usize::from(converged.is_some_and(|at| field(&line, at) == Some("false")));
+        let named = implausible.and_then(|at| field(&line, at)).is_some_and(|names| !names.is_empty());
+        count.implausible += usize::from(named);
         writeln!(writer, "{line}").map_err(&failure)
     })?;
     writer.flush().map_err(&failure)?;
-    Ok(Count { rows, failed })
+    Ok(count)
 }
 
 fn numbered(table: PathBuf, reader: impl BufRead) -> impl Iterator<Item = Result<(usize, String), StudyError>> {

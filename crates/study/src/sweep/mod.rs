@@ -1,4 +1,4 @@
-//! Quasi-static equilibria over a grid of case values.
+//! Equilibria, or steady orbits, over a grid of case values.
 //!
 //! Rows are solved in chunks of neighbours, each chunk for itself, by the threads of the current rayon pool; finished
 //! chunks go to a journal beside the table, and the table is written from the journal. So a row's numbers depend on the
@@ -22,7 +22,7 @@ mod values;
 
 pub(crate) use axis::Axis;
 pub use axis::AxisSummary;
-pub use columns::{CONVERGED, Cell, Column, Kind};
+pub use columns::{CONVERGED, Cell, Column, IMPLAUSIBLE, Kind};
 pub use difference::SweepDifference;
 pub use grid::{Grid, SampleRows};
 pub use merge::{Merged, merge};
@@ -62,11 +62,13 @@ pub struct Options {
 /// ```no_run
 /// use std::ops::ControlFlow;
 /// use tribodyn_study::Limits;
+/// use tribodyn_study::answers::Equations;
 /// use tribodyn_study::sweep::{Grid, Options, Setting, Shard, Sweep};
 ///
 /// let path = std::path::Path::new("case.ron");
 /// let forces = Setting::parse("ring.z.Force=kN(10..60 by 5)")?;
-/// let grid = Grid::new("case.ron", tribodyn_study::read_text(path, &Limits::NORMAL)?, &[forces], &Limits::NORMAL)?;
+/// let text = tribodyn_study::read_text(path, &Limits::NORMAL)?;
+/// let grid = Grid::new("case.ron", text, &[forces], (Equations::Traction, &Limits::NORMAL))?;
 /// let options = Options { table: "table.csv".into(), shard: Shard::ALL, cold: false, restart: false };
 /// let mut sweep = Sweep::open(&grid, &options)?;
 /// sweep.solve(|_| ControlFlow::Continue(()))?;

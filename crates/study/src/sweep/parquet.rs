@@ -1,6 +1,6 @@
 //! Tables as Parquet.
 
-use super::columns::{CONVERGED, Cell, Column, Kind};
+use super::columns::{CONVERGED, Cell, Column, IMPLAUSIBLE, Kind};
 use super::journal::{NOTES, SHARD_NOTE};
 use super::merge::{apart, in_order, same_columns};
 use super::table::{Count, Rows};
@@ -97,15 +97,17 @@ pub(crate) fn merge(
     }
     let (mut notes, columns) = (notes.unwrap_or_default(), columns.unwrap_or_default());
     notes.push((SHARD_NOTE.to_owned(), "0/1".to_owned()));
-    let converged = columns.iter().position(|column| column.name == CONVERGED);
+    let place = |name: &str| columns.iter().position(|column| column.name == name);
+    let [converged, implausible] = [CONVERGED, IMPLAUSIBLE].map(place);
     let mut output = Output::begin(writer, &columns, notes).map_err(failure)?;
-    let mut failed = 0;
-    let rows = in_order(tables, readers, |cells: Vec<Cell>| {
-        failed += usize::from(converged.is_some_and(|at| cells[at] == Cell::Truth(false)));
+    let mut count = Count::default();
+    count.rows = in_order(tables, readers, |cells: Vec<Cell>| {
+        count.failed += usize::from(converged.is_some_and(|at| cells[at] == Cell::Truth(false)));
+        count.implausible += usize::from(implausible.is_some_and(|at| cells[at] != Cell::Null));
         output.add(cells).map_err(failure)
     })?;
     output.end().map_err(failure)?;
-    Ok(Count { rows, failed })
+    Ok(count)
 }
 
 /// A table that is being read.

@@ -37,7 +37,7 @@ pub fn write_part(
     let columns = columns::columns(grid.columns());
     // Samples of a part are no more than its own: the swept values are left to the study's own description.
     let notes = Identity::new(grid, Shard::ALL, part.cold).notes()?;
-    let notes = notes.into_iter().take(2).collect();
+    let notes = notes.into_iter().take(3).collect();
     table::write(&Rows::in_memory(path, &columns, &rows), format, notes).map(Some)
 }
 

@@ -1,12 +1,15 @@
 //! From a row of the grid to a row of the table.
 
-use super::columns::{self, Cell, Unsolved};
+use super::columns::{self, Cell, Solved, Unsolved};
 use super::grid::Grid;
+use crate::answers::{OrbitProblem, unusual};
+use crate::plausibility;
 use rayon::prelude::*;
 use std::ops::Range;
-use tribodyn_bearing::Bearing;
-use tribodyn_case::Purpose;
-use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
+use tribodyn_bearing::{Bearing, OperatingPoint};
+use tribodyn_case::Case;
+use tribodyn_orbit::{SolvedOrbit, steady_orbit};
+use tribodyn_quasistatic::{Model, Solution, WarmStart, solve, solve_from};
 use tribodyn_traction::PatchChoice;
 
 /// Inner slide-to-roll ratio beyond which a ball may have left the equilibrium that a rolling ball comes to: where the
@@ -44,24 +47,45 @@ impl<'a> Chunk<'a> {
         columns::cells(row, self.grid.cells(row), &self.solve(row))
     }
 
-    fn solve(&mut self, row: usize) -> Result<Solution, Unsolved> {
+    fn solve(&mut self, row: usize) -> Result<Solved, Unsolved> {
         let text = self.grid.text(row).ok_or_else(|| Unsolved::refused("a path is not in the case of this row"))?;
         let case = self.grid.case(&text).map_err(Unsolved::refused)?;
-        case.require(Purpose::Traction).map_err(Unsolved::refused)?;
-        let bearing = case.bearing().map_err(Unsolved::refused)?;
-        let point = case.operating_point();
-        let warm = self.nearest(row, &bearing, &point).and_then(|near| {
-            let solved = solve_from(&bearing, &point, &near.start).ok();
-            solved.filter(|solved| rolls(&solved.solution) && within_target(&solved.solution, &point))
-        });
-        let Solved { solution, warm_start, .. } = match warm {
-            Some(solved) => solved,
-            None => solve(&bearing, &point, Model::Traction)?,
+        case.require(self.grid.model.purpose()).map_err(Unsolved::refused)?;
+        let (bearing, (mut solution, round)) = match self.grid.model.equilibrium() {
+            Some(model) => {
+                let bearing = case.bearing().map_err(Unsolved::refused)?;
+                let solution = self.equilibrium(row, (&bearing, &case.operating_point()), model)?;
+                (bearing, (solution, None))
+            }
+            None => orbit(&case)?,
         };
-        if let Some(start) = warm_start.filter(|_| !self.cold && rolls(&solution)) {
-            self.solved.push(Neighbour { row, patch: point.patch, balls: solution.balls.len(), start });
+        let all_round = round.as_ref().unwrap_or(&solution);
+        let found = unusual(&case, (&text, &bearing), all_round).map_err(Unsolved::refused)?;
+        solution.warnings.extend(found.sentences);
+        // `solve` has a sentence on what is implausible.
+        let implausible = plausibility::names(&found.implausible);
+        let warnings = solution.warnings.len() + usize::from(implausible.is_some());
+        Ok(Solved { solution, round: round.map(|round| round.balls), warnings, implausible })
+    }
+
+    fn equilibrium(
+        &mut self,
+        row: usize,
+        (bearing, point): (&Bearing, &OperatingPoint),
+        model: Model,
+    ) -> Result<Solution, Unsolved> {
+        let warm = self.nearest(row, bearing, point).and_then(|near| {
+            let solved = solve_from(bearing, point, &near.start).ok();
+            solved.filter(|solved| rolls(&solved.solution) && within_target(&solved.solution, point))
+        });
+        let solved = match warm {
+            Some(solved) => solved,
+            None => solve(bearing, point, model)?,
+        };
+        if let Some(start) = solved.warm_start.filter(|_| !self.cold && rolls(&solved.solution)) {
+            self.solved.push(Neighbour { row, patch: point.patch, balls: solved.solution.balls.len(), start });
         }
-        Ok(solution)
+        Ok(solved.solution)
     }
 
     /// The latest of the nearest rows, among those that are solved by the same rule.
@@ -70,6 +94,18 @@ impl<'a> Chunk<'a> {
         let apart = |near: &Neighbour| self.grid.distance(near.row, row);
         self.solved.iter().rev().filter(alike).min_by(|a, b| apart(a).total_cmp(&apart(b)))
     }
+}
+
+/// The balls of an orbit where those of an equilibrium stand, and one ball round it. Each row starts cold: on the mesh
+/// of a neighbour's orbit the numbers would be others, within the error of a mesh.
+fn orbit(case: &Case) -> Result<(Bearing, (Solution, Option<Solution>)), Unsolved> {
+    let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(case).map_err(Unsolved::refused)?;
+    let SolvedOrbit { solution: orbit, statistics, .. } = steady_orbit(&bearing, &point, &cage, &settings)?;
+    let of = |balls| {
+        let solution = orbit.as_solution(balls, [point.inner_speed, point.outer_speed]);
+        Solution { iterations: statistics.jacobians, ..solution }
+    };
+    Ok((bearing, (of(&orbit.balls), Some(of(&orbit.points)))))
 }
 
 /// Solves some chunks of a grid in memory, on the threads of the current rayon pool. `take` turns the rows of a chunk

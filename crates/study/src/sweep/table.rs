@@ -1,9 +1,11 @@
 //! The finished table: CSV or Parquet, rows in the order of the grid.
 
-use super::columns::{CONVERGED, Cell, Column, decode, encode, header};
+use super::columns::{CONVERGED, Cell, Column, IMPLAUSIBLE, decode, encode, header};
 use super::journal::Journal;
+use crate::answers::Equations;
 use crate::error::StudyError;
 use crate::files::StagedFiles;
+use crate::plausibility::advice;
 use std::io::{BufWriter, Error, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -36,13 +38,26 @@ impl Format {
     }
 }
 
-/// Rows of a table, and how many of them are no solutions.
+/// Rows of a table, how many of them are no solutions, and how many name what no bearing does.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Count {
     /// All rows.
     pub rows: usize,
     /// Those that are no solutions.
     pub failed: usize,
+    /// Solutions that are implausible.
+    pub implausible: usize,
+}
+
+impl Count {
+    /// A warning where solutions are implausible, with what to do about it.
+    pub fn warning(&self, model: Equations) -> Option<String> {
+        let Self { rows, implausible, .. } = *self;
+        (implausible > 0).then(|| {
+            let column = IMPLAUSIBLE;
+            format!("{implausible} of {rows} rows are implausible, the column `{column}` says what: {}", advice(model))
+        })
+    }
 }
 
 /// Writes the table from the finished rows, under its name only when it is whole. `notes` go into formats that have a
@@ -102,11 +117,13 @@ impl<'a> Rows<'a> {
         &self,
         mut take: impl FnMut(&str, Vec<Cell>) -> Result<(), E>,
     ) -> Result<Count, E> {
-        let converged = self.columns.iter().position(|column| column.name == CONVERGED);
+        let place = |name: &str| self.columns.iter().position(|column| column.name == name);
+        let [converged, implausible] = [CONVERGED, IMPLAUSIBLE].map(place);
         let mut count = Count::default();
         let mut one = |line: &str, cells: Vec<Cell>| {
             count.rows += 1;
             count.failed += usize::from(converged.is_some_and(|at| cells[at] == Cell::Truth(false)));
+            count.implausible += usize::from(implausible.is_some_and(|at| cells[at] != Cell::Null));
             take(line, cells)
         };
         match self.source {

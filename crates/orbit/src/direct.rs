@@ -1,0 +1,137 @@
+//! An orbit straight from the balls of an equilibrium: Newton's method on all unknowns of a mesh, which is made finer
+//! where its intervals err (U. M. Ascher, R. M. M. Mattheij, R. D. Russell, Numerical Solution of Boundary Value
+//! Problems, 1995, section 9.3). No ball is sent round, so that motions which grow on the falling part of a traction
+//! curve do not carry it away.
+
+use crate::collocation::{Orbit, STAGES};
+use crate::newton::Newton;
+use crate::search::Found;
+use crate::start::Profile;
+use crate::system::{BALL, RING};
+use crate::way::Way;
+
+/// Intervals of the first mesh.
+const COARSE: usize = 16;
+/// Most intervals of a mesh.
+const MOST: usize = 400;
+/// Meshes, each made from the errors on the one before.
+const MESHES: usize = 7;
+/// Error that a new mesh aims at, over what is allowed.
+const AIM: f64 = 0.3;
+/// By how much an interval may become shorter and longer from mesh to mesh.
+const SHORTER: f64 = 8.0;
+const LONGER: f64 = 1.5;
+
+/// Jacobians of an attempt on the way and of all of them, residual that is enough there, and shortest step.
+const PATIENCE: usize = 16;
+const ROUGH: f64 = 1e-6;
+const JACOBIANS: usize = 250;
+const LEAST_STEP: f64 = 0.01;
+
+/// How far the way led.
+pub(crate) struct Reached {
+    pub share: f64,
+    pub found: Found,
+    /// Whether the intervals of its mesh err by no more than is allowed.
+    pub refined: bool,
+}
+
+/// A mesh of even intervals with the balls of a start on it.
+pub(crate) fn even(newton: &Newton<'_>, profile: &Profile, border: (f64, [f64; RING])) -> Orbit {
+    let ends: Vec<f64> = (0..=COARSE).map(|j| j as f64 / COARSE as f64).collect();
+    let value = |j: usize, i: usize| {
+        let turn = ends[j] + newton.radau.points[i] * (ends[j + 1] - ends[j]);
+        profile.at(newton.system.azimuth(turn))
+    };
+    let values = (0..COARSE).map(|j| std::array::from_fn(|i| value(j, i))).collect();
+    Orbit { ends, values, cage_speed: border.0, ring: border.1 }
+}
+
+impl<'a> Newton<'a> {
+    /// Meets the equations on the mesh of an orbit to a tolerance; none where Newton's method does not.
+    pub fn met(&mut self, orbit: Orbit, (tolerance, patience): (f64, usize)) -> Option<Found> {
+        let found = self.run(orbit, tolerance, patience);
+        (found.1.worst.relative <= tolerance).then_some(found)
+    }
+
+    /// Follows the orbit from balls that soft springs hold in their pockets, and that are heavy enough to stay on the
+    /// outer race, towards those of the bearing: as far as that goes.
+    pub fn followed(&mut self, start: Orbit, way: &Way<'a>, (allowed, tolerance): (f64, f64)) -> Option<Reached> {
+        let mut at: Option<Reached> = None;
+        let mut step: f64 = 0.25;
+        let most = self.statistics.jacobians + JACOBIANS;
+        while self.statistics.jacobians < most {
+            let next = at.as_ref().map_or(0.0, |at| (at.share + step).min(1.0));
+            way.set(&mut self.system, next);
+            let last = next == 1.0;
+            let from = at.as_ref().map_or(&start, |at| &at.found.0).clone();
+            let goal = (if last { tolerance } else { ROUGH }, PATIENCE);
+            let found = self.met(from.clone(), goal).or_else(|| self.closed(from, goal.0));
+            let Some(found) = found else {
+                step *= 0.4;
+                if at.is_none() || step < LEAST_STEP {
+                    break;
+                }
+                continue;
+            };
+            let fine = self.refined(found.clone(), if last { allowed } else { 4.0 * allowed }, goal);
+            let refined = fine.is_some();
+            at = Some(Reached { share: next, found: fine.unwrap_or(found), refined });
+            if last {
+                break;
+            }
+            step *= 1.5;
+        }
+        at
+    }
+
+    /// Meets them on meshes made finer until intervals err by no more than `allowed`; none where that does not succeed.
+    pub fn refined(&mut self, mut found: Found, allowed: f64, (tolerance, patience): (f64, usize)) -> Option<Found> {
+        for _ in 0..MESHES {
+            let errors = self.errors(&found.0, allowed);
+            if errors.iter().all(|error| *error <= 1.0) {
+                return Some(found);
+            }
+            let finer = self.finer(&found.0, &errors)?;
+            found = self.met(finer, (tolerance, patience))?;
+        }
+        None
+    }
+
+    /// Error of each interval over what is allowed.
+    pub fn errors(&self, orbit: &Orbit, allowed: f64) -> Vec<f64> {
+        let border = (orbit.cage_speed, orbit.ring);
+        let of = |j: usize| {
+            let [begin, width] = orbit.interval(j);
+            let place = self.place(begin, orbit.begin(j), border);
+            self.error_of(&place, width, &orbit.values[j]).unwrap_or(f64::INFINITY) / allowed
+        };
+        (0..orbit.intervals()).map(of).collect()
+    }
+
+    /// The orbit on a mesh that its errors ask for; none where that has too many intervals.
+    fn finer(&self, orbit: &Orbit, errors: &[f64]) -> Option<Orbit> {
+        // Intervals of the new mesh within each of the old one, and up to its end.
+        let within = |error: &f64| (error / AIM).powf(0.25).clamp(1.0 / LONGER, SHORTER);
+        let mut counts = vec![0.0];
+        errors.iter().for_each(|error| counts.push(counts[counts.len() - 1] + within(error)));
+        let total = counts[counts.len() - 1];
+        let count = total.ceil() as usize;
+        if count > MOST {
+            return None;
+        }
+        let end = |n: usize| {
+            let at = total * n as f64 / count as f64;
+            let j = counts.partition_point(|c| *c <= at).clamp(1, errors.len()) - 1;
+            let [begin, width] = orbit.interval(j);
+            begin + width * (at - counts[j]) / (counts[j + 1] - counts[j])
+        };
+        let mut ends: Vec<f64> = (0..count).map(end).collect();
+        ends.push(1.0);
+        let value = |j: usize, i: usize| -> [f64; BALL] {
+            orbit.at(&self.radau, ends[j] + self.radau.points[i] * (ends[j + 1] - ends[j]))
+        };
+        let values = (0..count).map(|j| std::array::from_fn::<_, STAGES, _>(|i| value(j, i))).collect();
+        Some(Orbit { ends, values, ..orbit.clone() })
+    }
+}

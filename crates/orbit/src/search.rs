@@ -1,0 +1,238 @@
+//! The search for an orbit: attempts from the cheapest to the most patient.
+
+use crate::OrbitError;
+use crate::collocation::Orbit;
+use crate::direct::{Reached, even};
+use crate::newton::Newton;
+use crate::residual::Residual;
+use crate::solve::OrbitSettings;
+use crate::start::{self, Profile};
+use crate::way::{Eased, Way};
+use tribodyn_bearing::OperatingPoint;
+use tribodyn_quasistatic::{BallMotion, Model, RollingStart, solve};
+
+/// Error of an interval where the neighbourhood is found, over the scales.
+const SCOUTED: f64 = 0.2;
+/// What cage, ring and the closing of the turn may be off where the neighbourhood is found, and where Newton's method
+/// on all unknowns takes over.
+const FOUND: f64 = 3e-2;
+const CLOSE: f64 = 3e-3;
+/// The same above which that is not tried.
+const FAR: f64 = 0.1;
+/// Steps from turn to turn.
+const ROUNDS: usize = 12;
+/// Intervals of a first turn on which a ball is thrown about.
+const TAME: usize = 700;
+/// Jacobians of an attempt on a mesh, and of one straight from an equilibrium.
+const PATIENCE: usize = 14;
+const DIRECT: usize = 12;
+/// By how much intervals' errors are lowered where no orbit is found on a mesh.
+const FINER: [f64; 2] = [1.0, 0.3];
+/// Rates over the cage speed at which the swinging of balls dies out besides, one after the other where no orbit is
+/// found: a ball without its inner contact swings in its groove at about ten times the cage speed, and on the falling
+/// part of a traction curve it swings on.
+pub(crate) const SETTLING: [f64; 5] = [0.0, 3.0, 10.0, 30.0, 100.0];
+/// Least part of the way at which an orbit is taken instead of one at its end.
+const NEAR: f64 = 0.5;
+/// The place of the way that is taken where only its last part is not gone.
+const FARTHEST: f64 = 0.8;
+/// Error of an interval, over what is allowed, at which a mesh is made for another orbit.
+const OTHER: f64 = 4.0;
+/// Intervals of all turns after which no attempt is begun any more: from near by, from Jones–Harris, from far, and with damped
+/// balls.
+const HASTE: usize = 5000;
+const MARCH: usize = 10_000;
+const LONG: usize = 25_000;
+pub(crate) const WORK: usize = 12_000;
+
+/// An orbit with what its equations lack.
+pub(crate) type Found = (Orbit, Residual);
+
+/// The orbit, and by how much its bearing is not that of the case.
+pub(crate) fn find<'a>(
+    newton: &mut Newton<'a>,
+    (point, rolling): (&OperatingPoint, &RollingStart),
+    way: &Way<'a>,
+    settings: &OrbitSettings,
+) -> Result<(Found, Eased), OrbitError> {
+    let speed = start::cage_speed(rolling);
+    let real = way.eased(1.0);
+    way.set(&mut newton.system, 1.0);
+    // What a ball comes to by itself goes before what equations alone lead to, which may be another orbit. A ball that
+    // is thrown about in its first turn is sent round after other attempts only.
+    let first = settled(newton, (rolling, speed), way);
+    let tame = first.intervals() < TAME;
+    if tame && let Some(found) = marched(newton, &first, way, (settings, MARCH)) {
+        return Ok((found, real));
+    }
+    let mut starts = vec![even(newton, &Profile::new(&rolling.balls, speed), (speed, rolling.ring))];
+    let equilibrium = solve(newton.system.bearing, point, Model::Traction).ok().and_then(|solved| solved.warm_start);
+    if let Some(start) = equilibrium {
+        let balls: Vec<BallMotion> = start.balls().collect();
+        let speed = start::mean_speed(&balls, &rolling.inner_loads);
+        starts.push(even(newton, &Profile::new(&balls, speed), (speed, start.ring())));
+    }
+    for from in &starts {
+        let met = newton.met(from.clone(), (settings.tolerance, DIRECT));
+        if let Some(found) = met.and_then(|found| finished(newton, found, settings))
+            && holds(newton, &found, settings)
+        {
+            return Ok((found, real));
+        }
+    }
+    if !tame
+        && first.last_end() == 1.0
+        && let Some(found) = marched(newton, &first, way, (settings, HASTE))
+    {
+        return Ok((found, real));
+    }
+    patient(newton, (&first, starts), way, settings)
+}
+
+/// The orbit by way of softer pockets and heavier balls, by damped balls, or where the way ends.
+fn patient<'a>(
+    newton: &mut Newton<'a>,
+    (first, starts): (&Orbit, Vec<Orbit>),
+    way: &Way<'a>,
+    settings: &OrbitSettings,
+) -> Result<(Found, Eased), OrbitError> {
+    let real = way.eased(1.0);
+    let mut furthest: Option<Reached> = None;
+    for from in starts {
+        let Some(reached) = newton.followed(from, way, (settings.mesh_error, settings.tolerance)) else { continue };
+        if reached.share == 1.0 && reached.refined && holds(newton, &reached.found, settings) {
+            return Ok((reached.found, real));
+        }
+        way.set(&mut newton.system, 1.0);
+        if let Ok(found) = damped(newton, &reached.found.0, settings, (&SETTLING[..1], HASTE)) {
+            return Ok((found, real));
+        }
+        if furthest.as_ref().is_none_or(|best| best.share < reached.share) {
+            furthest = Some(reached);
+        }
+    }
+    let last = furthest.as_ref().map_or(first, |reached| &reached.found.0);
+    if let Ok(found) = damped(newton, last, settings, (&SETTLING[..1], LONG)) {
+        return Ok((found, real));
+    }
+    let unmet = match damped(newton, last, settings, (&SETTLING[1..], WORK)) {
+        Ok(found) => return Ok((found, real)),
+        Err(unmet) => unmet,
+    };
+    newton.system.settling = 0.0;
+    let Some(Reached { share, found: (near, _), .. }) = furthest.filter(|reached| reached.share >= NEAR) else {
+        return Err(unmet);
+    };
+    let share = share.min(FARTHEST);
+    way.set_fine(&mut newton.system, share);
+    match damped(newton, &near, settings, (&SETTLING, WORK)) {
+        Ok(found) => Ok((found, way.eased(share))),
+        Err(_) => Err(unmet),
+    }
+}
+
+/// One turn in which a ball settles, by the cheap patches.
+fn settled<'a>(newton: &mut Newton<'a>, (rolling, speed): (&RollingStart, f64), way: &Way<'a>) -> Orbit {
+    let fine = std::mem::replace(&mut newton.system.kernel, way.scout());
+    let at_start = start::unknowns(&rolling.balls[start::hardest(rolling)], speed);
+    let turn = newton.march(&at_start, (speed, rolling.ring), SCOUTED);
+    newton.system.kernel = fine;
+    turn
+}
+
+/// Sends a ball round until it closes its turn; none where it does not within some work.
+fn marched<'a>(
+    newton: &mut Newton<'a>,
+    first: &Orbit,
+    way: &Way<'a>,
+    (settings, work): (&OrbitSettings, usize),
+) -> Option<Found> {
+    let fine = std::mem::replace(&mut newton.system.kernel, way.scout());
+    newton.work = newton.tried + work;
+    let near = newton.shoot(first.last(), (first.cage_speed, first.ring), (SCOUTED, FOUND, ROUNDS));
+    let near = near.ok().map(|turn| turn.orbit);
+    let accuracy = (settings.mesh_error, CLOSE, ROUNDS);
+    let turn = near.and_then(|near| newton.shoot(near.last(), (near.cage_speed, near.ring), accuracy).ok());
+    newton.system.kernel = fine;
+    newton.work = usize::MAX;
+    let turn = turn?;
+    let found = if turn.off > FAR { None } else { closed_or_met(newton, turn.orbit.clone(), settings) };
+    found.or_else(|| damped(newton, &turn.orbit, settings, (&SETTLING[..1], work)).ok())
+}
+
+/// Newton's method on the mesh of a turn that nearly closes, or else the turn closed on it. Where that leads away from
+/// the turn, to an orbit that the mesh is not made for, a ball sent round has to keep to it.
+fn closed_or_met(newton: &mut Newton<'_>, orbit: Orbit, settings: &OrbitSettings) -> Option<Found> {
+    let sound = |newton: &mut Newton<'_>, found: &Found| {
+        let errors = newton.errors(&found.0, settings.mesh_error);
+        errors.into_iter().fold(0.0, f64::max) <= OTHER || holds(newton, found, settings)
+    };
+    let met = newton.met(orbit.clone(), (settings.tolerance, PATIENCE)).filter(|found| sound(newton, found));
+    met.or_else(|| newton.closed(orbit, settings.tolerance).filter(|found| sound(newton, found)))
+}
+
+/// Whether a ball that is sent round once more keeps to an orbit. On the falling part of a traction curve there are
+/// some that no ball keeps to, which equations alone do not tell from others.
+fn holds(newton: &mut Newton<'_>, (orbit, _): &Found, settings: &OrbitSettings) -> bool {
+    newton.work = newton.tried + HASTE;
+    let off = newton.turn(orbit.last(), (orbit.cage_speed, orbit.ring), settings.mesh_error).off;
+    newton.work = usize::MAX;
+    off <= FAR
+}
+
+/// An orbit on a coarse mesh made as fine as is asked for: by the errors of its intervals, or else by a ball that is
+/// sent round.
+fn finished(newton: &mut Newton<'_>, found: Found, settings: &OrbitSettings) -> Option<Found> {
+    let goal = (settings.tolerance, DIRECT);
+    let near = found.0.clone();
+    if let Some(found) = newton.refined(found, settings.mesh_error, goal) {
+        return Some(found);
+    }
+    let accuracy = (settings.mesh_error, CLOSE, ROUNDS);
+    newton.work = newton.tried + HASTE;
+    let turn = newton.shoot(near.last(), (near.cage_speed, near.ring), accuracy);
+    newton.work = usize::MAX;
+    let turn = turn.ok()?;
+    if turn.off > FAR { None } else { closed_or_met(newton, turn.orbit, settings) }
+}
+
+/// The orbit from its neighbourhood: turns on meshes of their own until they nearly close, then Newton's method on all
+/// unknowns of the last mesh; finer, and with damped balls where that does not succeed.
+///
+/// # Errors
+/// [`OrbitError::NotConverged`].
+pub(crate) fn damped(
+    newton: &mut Newton<'_>,
+    near: &Orbit,
+    settings: &OrbitSettings,
+    (settlings, work): (&[f64], usize),
+) -> Result<Found, OrbitError> {
+    let mut near = near.clone();
+    let mut least: Option<Found> = None;
+    newton.work = newton.tried + work;
+    for (&settling, finer) in settlings.iter().flat_map(|settling| FINER.map(|finer| (settling, finer))) {
+        if newton.tried >= newton.work {
+            break;
+        }
+        newton.system.settling = settling * near.cage_speed.abs();
+        let accuracy = (settings.mesh_error * finer, CLOSE, ROUNDS);
+        let Ok(turn) = newton.shoot(near.last(), (near.cage_speed, near.ring), accuracy) else { continue };
+        if turn.off.is_infinite() {
+            continue;
+        }
+        near = turn.orbit.clone();
+        if turn.off <= FAR
+            && let Some(found) = closed_or_met(newton, turn.orbit.clone(), settings)
+        {
+            newton.work = usize::MAX;
+            return Ok(found);
+        }
+        let found = (turn.orbit, turn.residual);
+        if least.as_ref().is_none_or(|best| found.1.worst.relative < best.1.worst.relative) {
+            least = Some(found);
+        }
+    }
+    newton.work = usize::MAX;
+    let (orbit, residual) = least.unwrap_or_else(|| (near.clone(), newton.residual(&near)));
+    Err(OrbitError::not_converged(&newton.system, &orbit, &residual.worst, settings.tolerance))
+}

@@ -1,0 +1,114 @@
+//! The way to an orbit that Newton's method does not find at once: from balls that soft springs hold in their pockets,
+//! and that are heavy enough to keep to the outer race, to those of the bearing.
+
+use crate::OrbitError;
+use crate::system::OrbitSystem;
+use tribodyn_bearing::Bearing;
+use tribodyn_quasistatic::RollingStart;
+use tribodyn_traction::{FastPatch, PatchRule};
+
+/// The cheap rule on which the neighbourhood of an orbit is found.
+pub(crate) const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
+/// Centrifugal force of a ball over the mean load of a ball, at the beginning of the way, and the least that balls of
+/// slow bearings are given: what weighs so little has no part in what others carry, and balls that nothing holds come
+/// to rest in a turn.
+const HEAVIEST: f64 = 0.03;
+const LIGHTEST: f64 = 1e-4;
+/// Bearings with balls from heavy to real.
+const RUNGS: usize = 13;
+/// Friction over load by which the softest pockets are chosen.
+const FRICTION: f64 = 0.01;
+
+/// By how much an orbit's bearing is not that of the case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Eased {
+    /// Mass of a ball over the real one.
+    pub ball_mass: f64,
+    /// Stiffness of the pockets over the real one.
+    pub pocket_stiffness: f64,
+}
+
+impl Eased {
+    /// The bearing with its balls.
+    pub fn of(&self, bearing: &Bearing) -> Bearing {
+        let mut eased = bearing.clone();
+        eased.ball_mass *= self.ball_mass;
+        eased.ball_inertia *= self.ball_mass;
+        eased
+    }
+}
+
+/// The bearing with balls from heavy ones to those that it is solved with, each with the factor of their mass.
+pub(crate) fn ladder(bearing: &Bearing, (start, cage_speed): (&RollingStart, f64)) -> Vec<(f64, Bearing)> {
+    let mean = start.inner_loads.iter().sum::<f64>() / start.inner_loads.len() as f64;
+    let centrifugal = bearing.ball_mass * 0.5 * bearing.geometry.pitch_diameter * cage_speed * cage_speed;
+    let factor = |share: f64| (share * mean / centrifugal).max(1.0);
+    let (first, last) = (factor(HEAVIEST), factor(LIGHTEST));
+    let rung = |k: usize| {
+        let ball_mass = first * (last / first).powf(k as f64 / (RUNGS - 1) as f64);
+        (ball_mass, Eased { ball_mass, pocket_stiffness: 1.0 }.of(bearing))
+    };
+    (0..RUNGS).map(rung).collect()
+}
+
+/// The way, as a parameter goes from 0 to 1.
+pub(crate) struct Way<'a> {
+    ladder: &'a [(f64, Bearing)],
+    /// Stiffness of the pockets, soft and real, N/m.
+    stiffness: [f64; 2],
+    /// Stiffness that draws balls to the middle of their pockets, at first and at the end, N/m.
+    centring: [f64; 2],
+    /// Patches on the way and at its end.
+    kernels: [FastPatch; 2],
+}
+
+impl<'a> Way<'a> {
+    /// Of a bearing with `force` N on a ball.
+    pub fn new(
+        system: &OrbitSystem<'a>,
+        ladder: &'a [(f64, Bearing)],
+        (start, force): (&RollingStart, f64),
+    ) -> Result<Self, OrbitError> {
+        let mean = start.inner_loads.iter().sum::<f64>() / start.inner_loads.len() as f64;
+        let pocket = &system.cage.pocket;
+        let gap = (pocket.clearance * pocket.radius).max(1e-3 * system.bearing.geometry.ball_diameter);
+        let soft = (FRICTION * mean.max(1e-3 * force) / gap).min(0.1 * pocket.stiffness);
+        Ok(Self {
+            ladder,
+            stiffness: [soft, pocket.stiffness],
+            centring: [soft, system.centring],
+            kernels: [FastPatch::new(SCOUT)?, system.kernel.clone()],
+        })
+    }
+
+    /// Puts the system at a place of the way.
+    pub fn set(&self, system: &mut OrbitSystem<'a>, share: f64) {
+        let between = |[first, last]: [f64; 2]| if share == 1.0 { last } else { first * (last / first).powf(share) };
+        system.bearing = &self.ladder[self.rung(share)].1;
+        system.cage.pocket.stiffness = between(self.stiffness);
+        system.centring = between(self.centring);
+        system.kernel = self.kernels[usize::from(share == 1.0)].clone();
+    }
+
+    /// The same with the patches of its end.
+    pub fn set_fine(&self, system: &mut OrbitSystem<'a>, share: f64) {
+        self.set(system, share);
+        system.kernel = self.kernels[1].clone();
+    }
+
+    /// The cheap patches.
+    pub fn scout(&self) -> FastPatch {
+        self.kernels[0].clone()
+    }
+
+    /// What is not as in the case at a place.
+    pub fn eased(&self, share: f64) -> Eased {
+        let pocket_stiffness =
+            if share == 1.0 { 1.0 } else { (self.stiffness[0] / self.stiffness[1]).powf(1.0 - share) };
+        Eased { ball_mass: self.ladder[self.rung(share)].0, pocket_stiffness }
+    }
+
+    fn rung(&self, share: f64) -> usize {
+        (share * (self.ladder.len() - 1) as f64) as usize
+    }
+}
