@@ -5,7 +5,7 @@
 
 use crate::collocation::{Orbit, STAGES};
 use crate::newton::Newton;
-use crate::search::Found;
+use crate::residual::Found;
 use crate::start::Profile;
 use crate::system::{BALL, RING};
 use crate::way::Way;

@@ -68,14 +68,14 @@ impl std::fmt::Display for OrbitReason {
             ),
             Self::GrossSkidding { centrifugal_share } => write!(
                 f,
-                "gross skidding: centrifugal force is {centrifugal_share:.1} times what presses a ball on the inner race, \
-                 no steady orbit was found; more load, less speed or lighter balls help"
+                "gross skidding: centrifugal force is {centrifugal_share:.1} times what presses a ball on the inner \
+                 race, no steady orbit was found; more load, less speed or lighter balls help"
             ),
             Self::IdleBalls { centrifugal_share } => write!(
                 f,
                 "balls without inner contact do not come to rest in their grooves (centrifugal force is \
-                 {centrifugal_share:.1e} of the mean load of a ball), no steady orbit was found; more axial load or less \
-                 clearance help, and a run in time shows the motion"
+                 {centrifugal_share:.1e} of the mean load of a ball), no steady orbit was found; more axial load or \
+                 less clearance help, and a run in time shows the motion"
             ),
             Self::Unknown => f.write_str(
                 "no steady orbit was found; a neighbouring load or speed may have one, or a run in time shows why",

@@ -4,6 +4,9 @@ use crate::collocation::{Orbit, Radau, STAGES};
 use crate::system::{BALL, Evaluation, ORBIT, OrbitSystem, RING, SPIN, VELOCITY};
 use tribodyn_bearing::{Races, RingFreedom, Side};
 
+/// An orbit with what its equations lack.
+pub(crate) type Found = (Orbit, Residual);
+
 /// Unknowns of an interval.
 pub(crate) const STACK: usize = BALL * STAGES;
 /// Cage speed and ring.

@@ -4,8 +4,8 @@ use crate::OrbitError;
 use crate::collocation::Orbit;
 use crate::direct::{Reached, even};
 use crate::newton::Newton;
-use crate::residual::Residual;
-use crate::solve::OrbitSettings;
+use crate::residual::Found;
+use crate::settings::OrbitSettings;
 use crate::start::{self, Profile};
 use crate::way::{Eased, Way};
 use tribodyn_bearing::OperatingPoint;
@@ -38,17 +38,14 @@ const NEAR: f64 = 0.5;
 const FARTHEST: f64 = 0.8;
 /// Error of an interval, over what is allowed, at which a mesh is made for another orbit.
 const OTHER: f64 = 4.0;
-/// Intervals of all turns after which no attempt is begun any more: from near by, from Jones–Harris, from far, and with damped
-/// balls.
+/// Intervals of all turns after which no attempt is begun any more: from near by, from Jones–Harris, from far, and with
+/// damped balls.
 const HASTE: usize = 5000;
 const MARCH: usize = 10_000;
 /// Turns like the first that such a search from Jones–Harris may take.
 const TURNS: usize = 40;
 const LONG: usize = 25_000;
 pub(crate) const WORK: usize = 12_000;
-
-/// An orbit with what its equations lack.
-pub(crate) type Found = (Orbit, Residual);
 
 /// The orbit, and by how much its bearing is not that of the case.
 pub(crate) fn find<'a>(

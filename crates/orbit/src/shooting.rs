@@ -5,8 +5,8 @@
 use crate::OrbitError;
 use crate::collocation::Orbit;
 use crate::newton::Newton;
+use crate::residual::Found;
 use crate::residual::Residual;
-use crate::search::Found;
 use crate::system::{BALL, RING};
 
 /// Shortest share of a step, and by how much it is shortened.

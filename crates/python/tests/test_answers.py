@@ -120,7 +120,7 @@ def test_identity_attributes_of_answers_are_declared(plain: Case, model: Any) ->
     declared = set(get_type_hints(tribodyn.Solution))
     orbit = {
         "friction_w", "fluid_w", "pocket_w", "pocket_force_max_n", "pocket_contact_azimuths_deg", "intervals",
-        "swing_damping",
+        "swing_damping", "ball_mass_factor", "pocket_stiffness_share",
     }  # fmt: skip
     vectors = {"ring_displacement_m", "ring_tilt_rad", "ring_load_n", "ring_moment_nm"}
     allowed = declared | (orbit | vectors if model == "steady-orbit" else set())

@@ -115,7 +115,8 @@ pub(super) fn recording(case: &Case) -> RunRecording<'_> {
     RunRecording { case_text: case::TEXT, case, generator: "tribodyn 0.1.0 (test)" }
 }
 
-/// Feeds a recorder, or whoever else observes: states at `rate` Hz, every `stride`-th of them with balls, an impact after every tenth.
+/// Feeds a recorder, or whoever else observes: states at `rate` Hz, every `stride`-th of them with balls, an impact
+/// after every tenth.
 pub(super) fn feed(
     recorder: &mut impl Observer<Error = RecordError>,
     samples: usize,

@@ -1,5 +1,6 @@
 //! What is unusual about values that count against each other, and about a solution.
 
+use super::balls::{at, largest};
 use super::implausible::{Implausible, implausible};
 use super::shown;
 use tribodyn_bearing::{BallResult, Bearing, BearingError, Races, Side};
@@ -15,8 +16,6 @@ const CLEARANCE_MAX: f64 = 0.02;
 const POCKET_GAP: [f64; 2] = [5e-4, 0.1];
 /// Inertia of the cage over that of all balls about the bearing's axis.
 const CAGE_INERTIA: [f64; 2] = [0.01, 10.0];
-/// Contact angle beyond which no shoulder reaches, degrees: at 75° it would be 0.39 of the ball diameter high.
-pub(super) const SHOULDER_MAX_DEG: f64 = 75.0;
 /// Angular velocity of spin over that of rolling.
 const SPIN_TO_ROLL_MAX: f64 = 1.0;
 /// Slide-to-roll ratio beyond which a contact skids, as a fraction.
@@ -105,16 +104,6 @@ pub fn solution_findings(
     let implausible = implausible(solution, &shoulders);
     sentences.extend(implausible.iter().map(|(_, sentence)| sentence.clone()));
     Ok(SolutionFindings { sentences, implausible })
-}
-
-/// The ball with the largest value of something, and that value, where it is a number.
-pub(super) fn largest(solution: &Solution, of: impl Fn(&BallResult) -> Option<f64>) -> Option<(&BallResult, f64)> {
-    let known = solution.balls.iter().filter_map(|ball| of(ball).filter(|value| value.is_finite()).map(|v| (ball, v)));
-    known.max_by(|a, b| a.1.total_cmp(&b.1))
-}
-
-pub(super) fn at(ball: &BallResult) -> String {
-    format!("ball at {:.1}°", ball.azimuth_rad.to_degrees())
 }
 
 fn pressure(solution: &Solution, side: Side, race: &str) -> Option<String> {

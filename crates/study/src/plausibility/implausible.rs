@@ -1,7 +1,7 @@
 //! Answers that no bearing gives: what a model comes to where it does not hold. One list, for `solve`, `run` and the
 //! rows of sweeps.
 
-use super::findings::{SHOULDER_MAX_DEG, at, largest};
+use super::balls::{SHOULDER_MAX_DEG, at, largest};
 use super::shown;
 use crate::answers::Equations;
 use std::fmt;

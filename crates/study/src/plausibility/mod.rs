@@ -4,6 +4,7 @@
 //! range and source of the range, and where another unit or a decimal point would bring it back, that is said too.
 //! Nothing is refused.
 
+mod balls;
 mod findings;
 mod implausible;
 mod ranges;

@@ -85,9 +85,10 @@ fn equilibrium(case: &Case, model: Model) -> Result<bool, Verdict> {
 fn orbit(case: &Case) -> Result<bool, Verdict> {
     let OrbitProblem { bearing, point, cage, settings } =
         OrbitProblem::of(case).map_err(|error| Verdict::Failed(error.to_string()))?;
+    let speeds = [point.inner_speed, point.outer_speed];
     let solved = steady_orbit(&bearing, &point, &cage, &settings);
     let solution = solved.map_err(|error| Verdict::Explained(error.to_string()))?.solution;
-    finite(&solution)?;
+    finite(&solution.as_solution(&solution.balls, speeds))?;
     Ok(solution.swing_damping.is_some())
 }
 
@@ -102,8 +103,8 @@ fn finite(solution: &impl Serialize) -> Result<(), Verdict> {
 
 fn null_in(value: &serde_json::Value, name: &str) -> Option<String> {
     match value {
-        // The two numbers that may be missing.
-        serde_json::Value::Null if name.ends_with("patch_error_estimate") || name == "swing_damping" => None,
+        // The number that may be missing.
+        serde_json::Value::Null if name.ends_with("patch_error_estimate") => None,
         serde_json::Value::Null => Some(name.to_owned()),
         serde_json::Value::Array(all) => all.iter().find_map(|value| null_in(value, name)),
         serde_json::Value::Object(all) => all.iter().find_map(|(name, value)| null_in(value, name)),
