@@ -13,7 +13,7 @@ pub use progress::significant;
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
 use crate::table;
-use progress::Progress;
+use progress::{Progress, Starting};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -60,7 +60,9 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.read()?;
     arguments.replace.check(&arguments.output, &arguments.case.path, Ours::Recording)?;
+    let starting = Starting::new(arguments.quiet);
     let prepared = PreparedRun::new(&file, &arguments.output, arguments.beginning())?;
+    drop(starting);
     #[cfg(feature = "live")]
     let viewers = arguments.live.as_deref().map(|address| live::start(address, &arguments.live_allow)).transpose()?;
     #[cfg(not(feature = "live"))]
