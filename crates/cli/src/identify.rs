@@ -1,5 +1,6 @@
 //! `tribodyn identify`: unknown parameters from published or measured figures.
 
+use crate::drawn;
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table;
@@ -192,10 +193,7 @@ fn stage(folder: &Path, force: bool, problem: &Problem, answers: &[Identificatio
     for answer in answers {
         staged.write(format!("case-{}.ron", file_name(title(answer))), answer.case_text.as_bytes())?;
     }
-    for figure in figures(problem, answers)? {
-        staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
-        staged.write(format!("{}.png", figure.name), &figure.png(1600)?)?;
-    }
+    figures(problem, answers)?.iter().try_for_each(|figure| drawn::stage(&mut staged, figure))?;
     Ok(staged)
 }
 

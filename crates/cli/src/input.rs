@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use std::fs;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use tribodyn_study::{CaseFile, Change, Limits, Ours, StudyError};
 
@@ -85,7 +86,7 @@ impl CaseArguments {
         Ok(self.changes.iter().cloned().chain([duration]).collect())
     }
 
-    /// What files may ask for.
+    /// Limits on the amounts that files ask for.
     pub fn limits(&self) -> Limits {
         self.limits.limits()
     }
@@ -103,6 +104,12 @@ fn change(text: &str) -> Result<Change, String> {
         }
         _ => Err("allowed is PATH=VALUE, the value as in a case file, such as ring.z.Force=kN(30)".to_owned()),
     }
+}
+
+/// Threads for members or rows: so many, or one for each core.
+pub fn pool(threads: Option<NonZeroUsize>) -> Result<rayon::ThreadPool, Failure> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.map_or(0, NonZeroUsize::get)).build();
+    pool.map_err(|error| Failure::Output(std::io::Error::other(error)))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod check;
+mod drawn;
 mod ensemble;
 mod excerpt;
 mod failure;

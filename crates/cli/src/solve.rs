@@ -1,5 +1,6 @@
 //! `tribodyn solve`: quasi-static equilibrium, or the steady orbit.
 
+use crate::drawn;
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit;
@@ -139,15 +140,9 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
 fn stage_plots(folder: &Path, force: bool, solution: &Solution) -> Result<StagedFiles, Failure> {
     let figures = tribodyn_plot::solution_figures(&[("this case", solution)], &[])?;
     let mut staged = StagedFiles::new(folder, force)?;
-    for figure in figures {
-        staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
-        staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?;
-    }
+    figures.iter().try_for_each(|figure| drawn::stage(&mut staged, figure))?;
     Ok(staged)
 }
-
-/// Wide enough for a page at 200 dots per inch.
-const PNG_WIDTH: u32 = 1600;
 
 fn print(name: &str, s: &Solution) -> Result<(), Failure> {
     let triple = |v: [f64; 3], factor: f64, digits: usize| v.map(|c| number(c * factor, digits)).join("  ");

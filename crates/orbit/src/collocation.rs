@@ -60,6 +60,18 @@ impl Orbit {
         self.values.len()
     }
 
+    /// On a mesh with its ends, by the ball at each place of the turn.
+    pub fn of(
+        radau: &Radau,
+        ends: Vec<f64>,
+        (cage_speed, ring): (f64, [f64; RING]),
+        ball: impl Fn(f64) -> [f64; BALL],
+    ) -> Self {
+        let at = |pair: &[f64], i: usize| ball(pair[0] + radau.points[i] * (pair[1] - pair[0]));
+        let values = ends.windows(2).map(|pair| std::array::from_fn(|i| at(pair, i))).collect();
+        Self { ends, values, cage_speed, ring }
+    }
+
     /// Share of the turn that it has.
     pub fn last_end(&self) -> f64 {
         self.ends.last().copied().unwrap_or(0.0)

@@ -3,11 +3,11 @@
 //! Problems, 1995, section 9.3). No ball is sent round, so that motions which grow on the falling part of a traction
 //! curve do not carry it away.
 
-use crate::collocation::{Orbit, STAGES};
+use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::start::Profile;
-use crate::system::{BALL, RING};
+use crate::system::RING;
 use crate::way::Way;
 
 /// Intervals of the first mesh.
@@ -32,19 +32,14 @@ const LEAST_STEP: f64 = 0.01;
 pub(crate) struct Reached {
     pub share: f64,
     pub found: Found,
-    /// Whether the intervals of its mesh err by no more than is allowed.
+    /// True if the intervals of its mesh err by no more than is allowed.
     pub refined: bool,
 }
 
 /// A mesh of even intervals with the balls of a start on it.
 pub(crate) fn even(newton: &Newton<'_>, profile: &Profile, border: (f64, [f64; RING])) -> Orbit {
     let ends: Vec<f64> = (0..=COARSE).map(|j| j as f64 / COARSE as f64).collect();
-    let value = |j: usize, i: usize| {
-        let turn = ends[j] + newton.radau.points[i] * (ends[j + 1] - ends[j]);
-        profile.at(newton.system.azimuth(turn))
-    };
-    let values = (0..COARSE).map(|j| std::array::from_fn(|i| value(j, i))).collect();
-    Orbit { ends, values, cage_speed: border.0, ring: border.1 }
+    Orbit::of(&newton.radau, ends, border, |turn| profile.at(newton.system.azimuth(turn)))
 }
 
 impl<'a> Newton<'a> {
@@ -128,10 +123,6 @@ impl<'a> Newton<'a> {
         };
         let mut ends: Vec<f64> = (0..count).map(end).collect();
         ends.push(1.0);
-        let value = |j: usize, i: usize| -> [f64; BALL] {
-            orbit.at(&self.radau, ends[j] + self.radau.points[i] * (ends[j + 1] - ends[j]))
-        };
-        let values = (0..count).map(|j| std::array::from_fn::<_, STAGES, _>(|i| value(j, i))).collect();
-        Some(Orbit { ends, values, ..orbit.clone() })
+        Some(Orbit::of(&self.radau, ends, (orbit.cage_speed, orbit.ring), |turn| orbit.at(&self.radau, turn)))
     }
 }

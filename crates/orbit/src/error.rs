@@ -15,7 +15,7 @@ pub enum OrbitError {
         "{reason}; the state that came nearest has the cage at {cage_speed_rpm:.1} r/min, {equation} {place} off by {residual:.1e} of its terms (tolerance {tolerance:.1e})"
     )]
     NotConverged {
-        /// What is the matter.
+        /// Why, as far as that is known.
         reason: OrbitReason,
         /// The worst balance.
         equation: &'static str,
@@ -127,13 +127,11 @@ const OF_BODIES: [&str; 6] = [
 
 impl OrbitError {
     /// The same with its reason.
-    pub(crate) fn because(self, why: OrbitReason) -> Self {
-        match self {
-            Self::NotConverged { equation, place, residual, tolerance, cage_speed_rpm, .. } => {
-                Self::NotConverged { reason: why, equation, place, residual, tolerance, cage_speed_rpm }
-            }
-            other => other,
+    pub(crate) fn because(mut self, why: OrbitReason) -> Self {
+        if let Self::NotConverged { reason, .. } = &mut self {
+            *reason = why;
         }
+        self
     }
 
     pub(crate) fn not_converged(system: &OrbitSystem<'_>, orbit: &Orbit, worst: &Worst, tolerance: f64) -> Self {

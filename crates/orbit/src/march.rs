@@ -55,7 +55,7 @@ impl Newton<'_> {
         let mut place = self.place(0.0, from, border);
         let mut width = FIRST;
         let mut rejected = false;
-        while place.turn < 1.0 && (orbit.values.is_empty() || orbit.values.len() < MOST && self.tried < self.work) {
+        while place.turn < 1.0 && (orbit.values.is_empty() || orbit.values.len() < MOST && !self.is_spent()) {
             self.tried += 1;
             let left = 1.0 - place.turn;
             let step = if width > 0.99 * left { left } else { width.min(0.5 * left) };

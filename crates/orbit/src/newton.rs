@@ -8,6 +8,7 @@ use crate::system::{BALL, LEAD, ORBIT, OrbitSystem, RING, rings};
 use nalgebra::{Const, SMatrix, SVector};
 use num_dual::DualSVec64;
 use tribodyn_bearing::{LoadedPatch, RingFreedom};
+use tribodyn_traction::FastPatch;
 
 /// Statistics of a solve: a wrong Jacobian converges too, only slower.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -42,12 +43,33 @@ pub(crate) struct Newton<'a> {
     pub statistics: OrbitStatistics,
     /// Intervals that were tried in all turns, and the number after which a turn is not gone on with.
     pub tried: usize,
-    pub work: usize,
+    work: usize,
 }
 
 impl<'a> Newton<'a> {
     pub fn new(system: OrbitSystem<'a>, scales: Scales) -> Self {
         Self { system, radau: Radau::new(), scales, statistics: OrbitStatistics::default(), tried: 0, work: usize::MAX }
+    }
+
+    /// Attempts something in which no turn is gone on with after so many intervals from now.
+    pub fn within<T>(&mut self, work: usize, attempt: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = std::mem::replace(&mut self.work, self.tried + work);
+        let result = attempt(self);
+        self.work = outer;
+        result
+    }
+
+    /// True once all intervals of an attempt are tried.
+    pub fn is_spent(&self) -> bool {
+        self.tried >= self.work
+    }
+
+    /// The same with other patches.
+    pub fn with_patches<T>(&mut self, kernel: FastPatch, attempt: impl FnOnce(&mut Self) -> T) -> T {
+        let own = std::mem::replace(&mut self.system.kernel, kernel);
+        let result = attempt(self);
+        self.system.kernel = own;
+        result
     }
 
     pub fn residual(&mut self, orbit: &Orbit) -> Residual {

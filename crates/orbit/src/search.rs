@@ -13,8 +13,8 @@ use tribodyn_quasistatic::{BallMotion, Model, RollingStart, solve};
 
 /// Error of an interval where the neighbourhood is found, over the scales.
 const SCOUTED: f64 = 0.2;
-/// What cage, ring and the closing of the turn may be off where the neighbourhood is found, and where Newton's method
-/// on all unknowns takes over.
+/// By how much cage, ring and the closing of the turn may be off where the neighbourhood is found, and where Newton's
+/// method on all unknowns takes over.
 const FOUND: f64 = 3e-2;
 const CLOSE: f64 = 3e-3;
 /// The same above which that is not tried.
@@ -24,7 +24,7 @@ const ROUNDS: usize = 12;
 /// Intervals of a first turn on which a ball is thrown about.
 const TAME: usize = 700;
 /// Jacobians of an attempt on a mesh, and of one straight from an equilibrium.
-const PATIENCE: usize = 14;
+pub(crate) const PATIENCE: usize = 14;
 const DIRECT: usize = 12;
 /// By how much intervals' errors are lowered where no orbit is found on a mesh.
 const FINER: [f64; 2] = [1.0, 0.3];
@@ -132,11 +132,8 @@ fn patient<'a>(
 
 /// One turn in which a ball settles, by the cheap patches.
 fn settled<'a>(newton: &mut Newton<'a>, (rolling, speed): (&RollingStart, f64), way: &Way<'a>) -> Orbit {
-    let fine = std::mem::replace(&mut newton.system.kernel, way.scout());
     let at_start = start::unknowns(&rolling.balls[start::hardest(rolling)], speed);
-    let turn = newton.march(&at_start, (speed, rolling.ring), SCOUTED);
-    newton.system.kernel = fine;
-    turn
+    newton.with_patches(way.scout(), |newton| newton.march(&at_start, (speed, rolling.ring), SCOUTED))
 }
 
 /// Sends a ball round until it closes its turn; none where it does not within some work.
@@ -146,15 +143,12 @@ fn marched<'a>(
     way: &Way<'a>,
     (settings, work): (&OrbitSettings, usize),
 ) -> Option<Found> {
-    let fine = std::mem::replace(&mut newton.system.kernel, way.scout());
-    newton.work = newton.tried + work;
-    let near = newton.shoot(first.last(), (first.cage_speed, first.ring), (SCOUTED, FOUND, ROUNDS));
-    let near = near.ok().map(|turn| turn.orbit);
     let accuracy = (settings.mesh_error, CLOSE, ROUNDS);
-    let turn = near.and_then(|near| newton.shoot(near.last(), (near.cage_speed, near.ring), accuracy).ok());
-    newton.system.kernel = fine;
-    newton.work = usize::MAX;
-    let turn = turn?;
+    let twice = |newton: &mut Newton<'a>| {
+        let near = newton.shoot(first.last(), (first.cage_speed, first.ring), (SCOUTED, FOUND, ROUNDS)).ok()?.orbit;
+        newton.shoot(near.last(), (near.cage_speed, near.ring), accuracy).ok()
+    };
+    let turn = newton.with_patches(way.scout(), |newton| newton.within(work, twice))?;
     let found = if turn.off > FAR { None } else { closed_or_met(newton, turn.orbit.clone(), settings) };
     found.or_else(|| damped(newton, &turn.orbit, settings, (&SETTLING[..1], work)).ok())
 }
@@ -170,13 +164,11 @@ fn closed_or_met(newton: &mut Newton<'_>, orbit: Orbit, settings: &OrbitSettings
     met.or_else(|| newton.closed(orbit, settings.tolerance).filter(|found| sound(newton, found)))
 }
 
-/// Whether a ball that is sent round once more keeps to an orbit. On the falling part of a traction curve there are
+/// True if a ball that is sent round once more keeps to an orbit. On the falling part of a traction curve there are
 /// some that no ball keeps to, which equations alone do not tell from others.
 fn holds(newton: &mut Newton<'_>, (orbit, _): &Found, settings: &OrbitSettings) -> bool {
-    newton.work = newton.tried + HASTE;
-    let off = newton.turn(orbit.last(), (orbit.cage_speed, orbit.ring), settings.mesh_error).off;
-    newton.work = usize::MAX;
-    off <= FAR
+    let border = (orbit.cage_speed, orbit.ring);
+    newton.within(HASTE, |newton| newton.turn(orbit.last(), border, settings.mesh_error).off) <= FAR
 }
 
 /// An orbit on a coarse mesh made as fine as is asked for: by the errors of its intervals, or else by a ball that is
@@ -188,10 +180,8 @@ fn finished(newton: &mut Newton<'_>, found: Found, settings: &OrbitSettings) -> 
         return Some(found);
     }
     let accuracy = (settings.mesh_error, CLOSE, ROUNDS);
-    newton.work = newton.tried + HASTE;
-    let turn = newton.shoot(near.last(), (near.cage_speed, near.ring), accuracy);
-    newton.work = usize::MAX;
-    let turn = turn.ok()?;
+    let border = (near.cage_speed, near.ring);
+    let turn = newton.within(HASTE, |newton| newton.shoot(near.last(), border, accuracy)).ok()?;
     if turn.off > FAR { None } else { closed_or_met(newton, turn.orbit, settings) }
 }
 
@@ -206,11 +196,19 @@ pub(crate) fn damped(
     settings: &OrbitSettings,
     (settlings, work): (&[f64], usize),
 ) -> Result<Found, OrbitError> {
+    newton.within(work, |newton| damped_by(newton, near, settings, settlings))
+}
+
+fn damped_by(
+    newton: &mut Newton<'_>,
+    near: &Orbit,
+    settings: &OrbitSettings,
+    settlings: &[f64],
+) -> Result<Found, OrbitError> {
     let mut near = near.clone();
     let mut least: Option<Found> = None;
-    newton.work = newton.tried + work;
     for (&settling, finer) in settlings.iter().flat_map(|settling| FINER.map(|finer| (settling, finer))) {
-        if newton.tried >= newton.work {
+        if newton.is_spent() {
             break;
         }
         newton.system.settling = settling * near.cage_speed.abs();
@@ -223,7 +221,6 @@ pub(crate) fn damped(
         if turn.off <= FAR
             && let Some(found) = closed_or_met(newton, turn.orbit.clone(), settings)
         {
-            newton.work = usize::MAX;
             return Ok(found);
         }
         let found = (turn.orbit, turn.residual);
@@ -231,7 +228,6 @@ pub(crate) fn damped(
             least = Some(found);
         }
     }
-    newton.work = usize::MAX;
     let (orbit, residual) = least.unwrap_or_else(|| (near.clone(), newton.residual(&near)));
     Err(OrbitError::not_converged(&newton.system, &orbit, &residual.worst, settings.tolerance))
 }

@@ -5,8 +5,7 @@
 use crate::OrbitError;
 use crate::collocation::Orbit;
 use crate::newton::Newton;
-use crate::residual::Found;
-use crate::residual::Residual;
+use crate::residual::{Found, Residual};
 use crate::system::{BALL, RING};
 
 /// Shortest share of a step, and by how much it is shortened.
@@ -33,7 +32,7 @@ impl Newton<'_> {
     /// The turn from a start, with what it lacks.
     pub fn turn(&mut self, from: &[f64; BALL], border: (f64, [f64; RING]), allowed: f64) -> Turn {
         let orbit = self.march(from, border, allowed);
-        let whole = orbit.ends.last().is_some_and(|end| *end == 1.0);
+        let whole = orbit.last_end() == 1.0;
         let residual = self.residual(&orbit);
         let end = orbit.last();
         let gap: f64 = (0..BALL).map(|k| ((end[k] - from[k]) / self.scales.ball[k]).powi(2)).sum();
@@ -72,8 +71,7 @@ impl Newton<'_> {
                 share *= SHORTER;
             }
         }
-        let found = self.run(orbit, tolerance, CLOSING);
-        (found.1.worst.relative <= tolerance).then_some(found)
+        self.met(orbit, (tolerance, CLOSING))
     }
 
     /// Size of all that is off.
@@ -95,10 +93,7 @@ impl Newton<'_> {
             if turn.off < 0.5 * halved.0 {
                 halved = (turn.off, round);
             }
-            if turn.off.is_infinite() || self.tried >= self.work {
-                break;
-            }
-            if turn.off < close || round > halved.1 + STALLED {
+            if turn.off.is_infinite() || turn.off < close || round > halved.1 + STALLED || self.is_spent() {
                 break;
             }
             let step = self.linearise(&turn.orbit)?.step(&turn.residual);
@@ -107,7 +102,7 @@ impl Newton<'_> {
                 let moved = self.apply(&turn.orbit, &step, share);
                 let start = self.moved_start(turn.orbit.last(), &step, share);
                 let next = self.turn(&start, (moved.cage_speed, moved.ring), allowed);
-                let stop = share < LEAST_SHARE || self.tried >= self.work;
+                let stop = share < LEAST_SHARE || self.is_spent();
                 if next.off < (1.0 - 0.1 * share) * turn.off || stop {
                     turn = next;
                     break;

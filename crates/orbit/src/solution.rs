@@ -3,6 +3,7 @@
 use crate::collocation::{Orbit, STAGES};
 use crate::newton::Newton;
 use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
+use crate::way::Eased;
 use serde::Serialize;
 use std::f64::consts::TAU;
 use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult, Side};
@@ -97,8 +98,8 @@ impl SteadyOrbit {
         });
         let heavy = self.ball_mass_factor.map(|factor| {
             format!(
-                "balls are taken as {factor:.3e} times as heavy, so that those without load keep to the outer race: their \
-                 centrifugal force is still next to nothing beside the bearing's load"
+                "balls are taken as {factor:.3e} times as heavy, so that those without load keep to the outer race: \
+                 their centrifugal force is still next to nothing beside the bearing's load"
             )
         });
         let soft = self.pocket_stiffness_share.map(|share| {
@@ -152,7 +153,12 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
 }
 
 /// The solution of a converged orbit.
-pub(crate) fn solution(newton: &Newton<'_>, orbit: &Orbit, (residual, rule_error): (f64, f64)) -> SteadyOrbit {
+pub(crate) fn solution(
+    newton: &Newton<'_>,
+    orbit: &Orbit,
+    (residual, rule_error): (f64, f64),
+    eased: &Eased,
+) -> SteadyOrbit {
     let (system, radau) = (&newton.system, &newton.radau);
     let balls = system.bearing.geometry.ball_count as f64;
     let mut means = Means::default();
@@ -192,8 +198,8 @@ pub(crate) fn solution(newton: &Newton<'_>, orbit: &Orbit, (residual, rule_error
         patch_error_estimate: rule_error,
         intervals: orbit.intervals(),
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
-        ball_mass_factor: None,
-        pocket_stiffness_share: None,
+        ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),
+        pocket_stiffness_share: (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness),
         balls: round(system.bearing.geometry.ball_count),
         points,
     }

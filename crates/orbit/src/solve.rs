@@ -3,7 +3,7 @@
 use crate::modes::{Bodies, Mode, modes};
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::search::{SETTLING, WORK, damped, find};
+use crate::search::{PATIENCE, SETTLING, WORK, damped, find};
 use crate::settings::OrbitSettings;
 use crate::solution::solution;
 use crate::solved::{OrbitStart, SolvedOrbit};
@@ -18,8 +18,6 @@ use tribodyn_traction::{FastPatch, PatchRule};
 /// Stiffness that centres a ball in its pocket over that of the pocket: settles where a cage hangs that no ball
 /// touches.
 const CENTRING: f64 = 1e-8;
-/// Jacobians of an attempt from a neighbour's orbit.
-const PATIENCE: usize = 14;
 
 /// The bearing as the orbit has it: offsets of the rings exact, contacts damped.
 fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
@@ -79,14 +77,12 @@ pub fn steady_orbit(
     finish(&newton, found, (point, rolling.rule, rolling.rule_error), eased)
 }
 
-/// What is the matter with a bearing that no orbit was found for.
-fn reason(start: &RollingStart, bearing: &Bearing, speed: f64) -> OrbitReason {
-    let mean = start.inner_loads.iter().sum::<f64>() / start.inner_loads.len() as f64;
-    let centrifugal = bearing.ball_mass * 0.5 * bearing.geometry.pitch_diameter * speed * speed;
-    let centrifugal_share = centrifugal / mean;
+/// The likely reason why no orbit of a bearing was found.
+fn reason(rolling: &RollingStart, bearing: &Bearing, speed: f64) -> OrbitReason {
+    let centrifugal_share = start::centrifugal_force(bearing, speed) / start::mean_load(rolling);
     if centrifugal_share > 1.0 {
         OrbitReason::GrossSkidding { centrifugal_share }
-    } else if start.inner_loads.iter().any(|load| *load <= 0.0) {
+    } else if rolling.inner_loads.iter().any(|load| *load <= 0.0) {
         OrbitReason::IdleBalls { centrifugal_share }
     } else {
         OrbitReason::Unknown
@@ -178,9 +174,7 @@ fn finish(
     (point, rule, rule_error): (&OperatingPoint, PatchRule, f64),
     eased: Eased,
 ) -> Result<SolvedOrbit, OrbitError> {
-    let mut solution = solution(newton, &orbit, (residual.worst.relative, rule_error));
-    solution.ball_mass_factor = (eased.ball_mass != 1.0).then_some(eased.ball_mass);
-    solution.pocket_stiffness_share = (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness);
+    let solution = solution(newton, &orbit, (residual.worst.relative, rule_error), &eased);
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let origin = newton.system.origin;
     let settling = newton.system.settling;

@@ -21,6 +21,16 @@ pub(crate) fn mean_speed(balls: &[BallMotion], loads: &[f64]) -> f64 {
     weighted.sum::<f64>() / loads.iter().map(|q| q + even).sum::<f64>()
 }
 
+/// Mean load of a ball on the inner race, N.
+pub(crate) fn mean_load(start: &RollingStart) -> f64 {
+    start.inner_loads.iter().sum::<f64>() / start.inner_loads.len() as f64
+}
+
+/// Centrifugal force of a ball at an orbital speed, rad/s, on the pitch circle, N.
+pub(crate) fn centrifugal_force(bearing: &Bearing, speed: f64) -> f64 {
+    bearing.ball_mass * 0.5 * bearing.geometry.pitch_diameter * speed * speed
+}
+
 /// Typical magnitudes at a start.
 pub(crate) fn scales(
     (bearing, pocket): (&Bearing, &Pocket),

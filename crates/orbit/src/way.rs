@@ -2,6 +2,7 @@
 //! and that are heavy enough to keep to the outer race, to those of the bearing.
 
 use crate::OrbitError;
+use crate::start::{centrifugal_force, mean_load};
 use crate::system::OrbitSystem;
 use tribodyn_bearing::Bearing;
 use tribodyn_quasistatic::RollingStart;
@@ -40,8 +41,7 @@ impl Eased {
 
 /// The bearing with balls from heavy ones to those that it is solved with, each with the factor of their mass.
 pub(crate) fn ladder(bearing: &Bearing, (start, cage_speed): (&RollingStart, f64)) -> Vec<(f64, Bearing)> {
-    let mean = start.inner_loads.iter().sum::<f64>() / start.inner_loads.len() as f64;
-    let centrifugal = bearing.ball_mass * 0.5 * bearing.geometry.pitch_diameter * cage_speed * cage_speed;
+    let (mean, centrifugal) = (mean_load(start), centrifugal_force(bearing, cage_speed));
     let factor = |share: f64| (share * mean / centrifugal).max(1.0);
     let (first, last) = (factor(HEAVIEST), factor(LIGHTEST));
     let rung = |k: usize| {
@@ -69,7 +69,7 @@ impl<'a> Way<'a> {
         ladder: &'a [(f64, Bearing)],
         (start, force): (&RollingStart, f64),
     ) -> Result<Self, OrbitError> {
-        let mean = start.inner_loads.iter().sum::<f64>() / start.inner_loads.len() as f64;
+        let mean = mean_load(start);
         let pocket = &system.cage.pocket;
         let gap = (pocket.clearance * pocket.radius).max(1e-3 * system.bearing.geometry.ball_diameter);
         let soft = (FRICTION * mean.max(1e-3 * force) / gap).min(0.1 * pocket.stiffness);
@@ -101,7 +101,7 @@ impl<'a> Way<'a> {
         self.kernels[0].clone()
     }
 
-    /// What is not as in the case at a place.
+    /// By how much the bearing at a place is not that of the case.
     pub fn eased(&self, share: f64) -> Eased {
         let pocket_stiffness =
             if share == 1.0 { 1.0 } else { (self.stiffness[0] / self.stiffness[1]).powf(1.0 - share) };

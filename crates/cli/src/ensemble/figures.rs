@@ -1,27 +1,10 @@
 //! Figures of an ensemble: the share of the members up to each value.
 
+use crate::drawn::{Plan, plan, stage};
 use crate::failure::Failure;
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
 use tribodyn_study::StagedFiles;
 use tribodyn_study::ensemble::{Ensemble, Outcome};
-
-/// One figure: its name and title, its axis with unit and the unit's count in that of the columns, and its panels by
-/// name and column.
-struct Plan {
-    name: &'static str,
-    title: &'static str,
-    axis: (&'static str, &'static str, f64),
-    curves: &'static [(&'static str, &'static str)],
-}
-
-const fn plan(
-    name: &'static str,
-    title: &'static str,
-    axis: (&'static str, &'static str, f64),
-    curves: &'static [(&'static str, &'static str)],
-) -> Plan {
-    Plan { name, title, axis, curves }
-}
 
 const PLANS: [Plan; 8] = [
     plan(
@@ -82,8 +65,6 @@ const PLANS: [Plan; 8] = [
 const MEMBERS: &str = "members";
 /// Most points on a curve that are marked one by one.
 const MARKED: usize = 60;
-/// Wide enough for a page at 200 dots per inch.
-const PNG_WIDTH: u32 = 1600;
 
 /// The share of the members up to each of some values, %: each member stands in the middle of its part.
 fn distribution(mut values: Vec<f64>, unit: f64) -> Vec<(f64, f64)> {
@@ -95,13 +76,12 @@ fn distribution(mut values: Vec<f64>, unit: f64) -> Vec<(f64, f64)> {
 /// Draws all figures into files that get their names when they are published; what has no value is left out.
 pub fn draw(staged: &mut StagedFiles, ensemble: &Ensemble, outcome: &Outcome) -> Result<(), Failure> {
     for plan in &PLANS {
-        let panels: Vec<Panel> = plan.curves.iter().filter_map(|curve| panel(plan, curve, ensemble, outcome)).collect();
+        let panels: Vec<Panel> = plan.lines.iter().filter_map(|curve| panel(plan, curve, ensemble, outcome)).collect();
         if panels.is_empty() {
             continue;
         }
         let figure = Figure::in_columns(plan.name, plan.title, 2, &panels)?;
-        staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
-        staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?;
+        stage(staged, &figure)?;
     }
     Ok(())
 }

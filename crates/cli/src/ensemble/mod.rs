@@ -4,7 +4,7 @@ mod figures;
 mod outcome;
 
 use crate::failure::Failure;
-use crate::input::{CaseArguments, ReplaceArguments};
+use crate::input::{CaseArguments, ReplaceArguments, pool};
 use crate::run::stop_flag;
 use crate::table::print_json;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -75,9 +75,7 @@ struct Answer {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let threads = arguments.threads.map_or(0, NonZeroUsize::get);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    let pool = pool.map_err(|error| Failure::Output(std::io::Error::other(error)))?;
+    let pool = pool(arguments.threads)?;
     arguments.output.as_deref().map(Format::of).transpose()?;
     let ensemble = arguments.ensemble()?;
     if let Some(path) = &arguments.output {

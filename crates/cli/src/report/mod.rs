@@ -15,6 +15,7 @@ mod spectra;
 mod tables;
 mod values;
 
+use crate::drawn;
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table;
@@ -108,9 +109,6 @@ pub enum Kind {
     Solution(Box<SolutionAnswer>),
 }
 
-/// Wide enough for a page at 200 dots per inch.
-const PNG_WIDTH: u32 = 1600;
-
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let limits = arguments.limits.limits();
     let (answer, content, figures, live, layout) = match arguments.recordings.as_slice() {
@@ -136,10 +134,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(layout) = layout {
         staged.write("foxglove-layout.json".to_owned(), layout.as_bytes())?;
     }
-    for figure in &figures {
-        staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
-        staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?;
-    }
+    figures.iter().try_for_each(|figure| drawn::stage(&mut staged, figure))?;
     staged.publish()?;
     if arguments.json {
         return table::print_json(&answer);

@@ -1,28 +1,12 @@
 //! Figures of a sweep, from the rows of its table: curves over one swept value, maps over two.
 
+use crate::drawn::{self, Plan, plan};
 use crate::failure::Failure;
 use std::collections::BTreeMap;
 use std::path::Path;
 use tribodyn_plot::{Abscissas, Axis, Cell as MapCell, Figure, LineChart, MapAxis, MapChart, Panel, Series};
 use tribodyn_study::StagedFiles;
 use tribodyn_study::sweep::{AxisSummary, CONVERGED, Cell, Column, Grid, Kind, Rows};
-
-/// One figure: its name, title, axis, unit and the unit's count in that of the columns, and lines by name and column.
-struct Plan {
-    name: &'static str,
-    title: &'static str,
-    axis: (&'static str, &'static str, f64),
-    lines: &'static [(&'static str, &'static str)],
-}
-
-const fn plan(
-    name: &'static str,
-    title: &'static str,
-    axis: (&'static str, &'static str, f64),
-    lines: &'static [(&'static str, &'static str)],
-) -> Plan {
-    Plan { name, title, axis, lines }
-}
 
 /// Revolutions per minute in one rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
@@ -131,8 +115,6 @@ const MARKED: usize = 60;
 const MAX_CELLS: usize = 40_000;
 /// Most names on an axis, and most characters of one.
 const NAMES: [usize; 2] = [40, 24];
-/// Wide enough for a page at 200 dots per inch.
-const PNG_WIDTH: u32 = 1600;
 
 /// Refuses a sweep that has no figures: nothing is swept, more than two values, or too many.
 pub fn check(grid: &Grid) -> Result<(), Failure> {
@@ -330,8 +312,7 @@ pub fn stage(folder: &Path, force: bool, grid: &Grid, rows: &Rows) -> Result<Sta
         };
         let columns = if panels.len() > 3 { 2 } else { panels.len() };
         let figure = Figure::in_columns(plan.name, plan.title, columns, &panels)?;
-        staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
-        staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?;
+        drawn::stage(&mut staged, &figure)?;
     }
     Ok(staged)
 }

@@ -4,7 +4,7 @@ mod figures;
 mod plan;
 
 use crate::failure::Failure;
-use crate::input::{LimitArguments, ReplaceArguments};
+use crate::input::{LimitArguments, ReplaceArguments, pool};
 use crate::solve::ModelName;
 use crate::table::{number, print_json, print_line, print_pairs};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -119,9 +119,7 @@ fn put_together(arguments: &Arguments, output: &Path) -> Result<(), Failure> {
 }
 
 fn solve(arguments: &Arguments, case: &Path) -> Result<(), Failure> {
-    let threads = arguments.threads.map_or(0, NonZeroUsize::get);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    let pool = pool.map_err(|error| Failure::Output(std::io::Error::other(error)))?;
+    let pool = pool(arguments.threads)?;
     arguments.output.as_deref().map(Format::of).transpose()?;
     let limits = arguments.limits.limits();
     let text = read_text(case, &limits)?;

@@ -13,7 +13,7 @@ fn sweep(table: &Path, model: &str) -> serde_json::Value {
     run(&[&"sweep", &case, &"--set", &RADIAL, &"--model", &model, &"-o", &table, &"--json"]).json()
 }
 
-/// Whether a row holds a number that no bearing gives.
+/// True if a row holds a number that no bearing gives.
 fn nonsense(row: &HashMap<String, String>) -> bool {
     let load = value(row, "ring_load_x_n").hypot(value(row, "ring_load_z_n"));
     let angles = ["inner_max", "outer_max"].map(|of| value(row, &format!("contact_angle_{of}_deg")));

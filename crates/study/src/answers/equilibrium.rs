@@ -3,11 +3,10 @@
 use super::Equations;
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
-use crate::plausibility::{self, SolutionFindings};
+use crate::plausibility;
 use crate::rating::rating;
 use serde::Serialize;
-use tribodyn_bearing::{Bearing, BearingError};
-use tribodyn_case::Case;
+use tribodyn_bearing::Bearing;
 use tribodyn_quasistatic::{BallRoots, Model, Solution, Solved, other_roots, root_warnings, solve};
 
 /// Rating life of the steel and static safety, under the names of `tribodyn rating`.
@@ -56,12 +55,9 @@ pub fn equilibrium(file: &CaseFile, model: Model, roots: bool) -> Result<Equilib
     let failed = |source| StudyError::Solver { file: file.name.clone(), source };
     let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
     solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
-    let found = unusual(&file.case, (&file.text, &bearing), &solution);
+    let found = plausibility::of_solution(&file.case, (&file.text, &bearing), &solution);
     let found = found.map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?;
-    solution.warnings.extend(found.sentences);
-    if let Some(names) = plausibility::names(&found.implausible) {
-        solution.warnings.push(format!("implausible: {names}; {}", plausibility::advice(model.into())));
-    }
+    solution.warnings.extend(found.warnings(model.into()));
     let lives = rating(&file.case, &solution).ok().map(|r| Lives {
         rating_life_l10_mrev: r.rating_life_l10_mrev,
         rating_life_l10r_mrev: r.rating_life_l10r_mrev,
@@ -69,18 +65,6 @@ pub fn equilibrium(file: &CaseFile, model: Model, roots: bool) -> Result<Equilib
         static_safety: r.static_safety,
     });
     Ok(Equilibrium { solution, lives, roots })
-}
-
-/// What is unusual about the values of a case and about its solution.
-pub(crate) fn unusual(
-    case: &Case,
-    (text, bearing): (&str, &Bearing),
-    solution: &Solution,
-) -> Result<SolutionFindings, BearingError> {
-    let mut found = plausibility::solution_findings(case, bearing, solution)?;
-    let of_values = plausibility::unusual_values(text).into_iter().chain(plausibility::case_findings(case, bearing));
-    found.sentences.splice(0..0, of_values);
-    Ok(found)
 }
 
 /// The bearing of a case and its equilibrium alone.

@@ -11,7 +11,6 @@ mod stiffness;
 pub use contact::{HertzAnswer, HertzQuestion, hertz};
 pub use curve::{CurveAnswer, traction_curve};
 pub use derived::{Derived, GrowthAnswer, derived};
-pub(crate) use equilibrium::unusual;
 pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};
 pub use modes::{ModesAnswer, modes};
 pub use orbit::{OrbitAnswer, OrbitProblem, orbit_warnings};
@@ -60,7 +59,7 @@ impl Equations {
         }
     }
 
-    /// What it needs of a case.
+    /// The use of a case that it asks for.
     pub(crate) fn purpose(self) -> Purpose {
         match self {
             Self::JonesHarris => Purpose::JonesHarris,

@@ -1,6 +1,6 @@
 //! The steady orbit of a case: an answer, and where stiffness and modes start.
 
-use super::{Equations, unusual};
+use super::Equations;
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use crate::plausibility;
@@ -70,14 +70,10 @@ impl OrbitProblem {
 /// [`StudyError::Bearing`] where the case has no geometry.
 pub fn orbit_warnings(file: &CaseFile, problem: &OrbitProblem, orbit: &SteadyOrbit) -> Result<Vec<String>, StudyError> {
     let speeds = [problem.point.inner_speed, problem.point.outer_speed];
-    let found = unusual(&file.case, (&file.text, &problem.bearing), &orbit.as_solution(&orbit.points, speeds));
+    let round = orbit.as_solution(&orbit.points, speeds);
+    let found = plausibility::of_solution(&file.case, (&file.text, &problem.bearing), &round);
     let found = found.map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?;
-    let mut warnings = orbit.warnings();
-    warnings.extend(found.sentences);
-    if let Some(names) = plausibility::names(&found.implausible) {
-        warnings.push(format!("implausible: {names}; {}", plausibility::advice(Equations::SteadyOrbit)));
-    }
-    Ok(warnings)
+    Ok(orbit.warnings().into_iter().chain(found.warnings(Equations::SteadyOrbit)).collect())
 }
 
 /// The orbit as `--json` prints it.

@@ -26,7 +26,7 @@ pub struct FailedMember {
     pub error: String,
 }
 
-/// What the members took.
+/// Costs of the members.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cost {
     /// Threads that shared the members.
@@ -68,12 +68,12 @@ pub struct EnsembleReport {
     pub quantiles: Vec<Quantiles>,
     /// Members without figures.
     pub failures: Vec<FailedMember>,
-    /// What the members took.
+    /// Costs of the members.
     pub cost: Cost,
 }
 
 impl Ensemble {
-    /// What the finished members come to.
+    /// The answer of the finished members.
     pub fn report(&self, outcome: &Outcome) -> EnsembleReport {
         let members = &outcome.members;
         let failure = |member: &Member| {

@@ -21,7 +21,7 @@ pub struct Spread {
     pub path: String,
     /// As it was given, without the path.
     pub text: String,
-    /// What stands before the number in the case, such as `mm(`, and after it.
+    /// The text before the number in the case, such as `mm(`, and after it.
     around: [String; 2],
     distribution: Distribution,
 }
@@ -118,7 +118,7 @@ impl Spread {
     }
 }
 
-/// What may stand after the path.
+/// The forms that may stand after the path.
 const ALLOWED: &str = "a mean with its standard deviation, mm(0.2 ± 0.02) or mm(0.2 +- 0.02), \
                        or a range in which all values are as likely, mm(0.18..0.22)";
 

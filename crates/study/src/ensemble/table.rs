@@ -68,7 +68,7 @@ impl Ensemble {
         Ok(EnsembleTable { ensemble: self, path: path.to_owned(), format, _lock: OutputLock::take(path)? })
     }
 
-    /// What the file of a table says of its ensemble, where it has a place for it.
+    /// The notes on its ensemble in the file of a table, where that has a place for them.
     fn notes(&self) -> Vec<(String, String)> {
         let spreads = self.spreads.iter().map(|spread| format!("{}={}", spread.path, spread.text));
         [

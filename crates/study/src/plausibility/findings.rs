@@ -1,8 +1,9 @@
 //! What is unusual about values that count against each other, and about a solution.
 
 use super::balls::{at, largest};
-use super::implausible::{Implausible, implausible};
+use super::implausible::{Implausible, advice, implausible, names};
 use super::shown;
+use crate::answers::Equations;
 use tribodyn_bearing::{BallResult, Bearing, BearingError, Races, Side};
 use tribodyn_case::{Case, Fit};
 use tribodyn_quasistatic::Solution;
@@ -80,11 +81,19 @@ fn within(value: f64, [least, most]: [f64; 2]) -> bool {
 pub struct SolutionFindings {
     /// All sentences.
     pub sentences: Vec<String>,
-    /// What no bearing does, with the sentence on it, which is among the others.
+    /// Things that no bearing does, with the sentence on each, which is among the others.
     pub implausible: Vec<(Implausible, String)>,
 }
 
-/// What is unusual about a solution, or more than its model can mean.
+impl SolutionFindings {
+    /// All sentences, and at the end the names of what is implausible in an answer of a model, with advice.
+    pub fn warnings(self, model: Equations) -> Vec<String> {
+        let last = names(&self.implausible).map(|names| format!("implausible: {names}; {}", advice(model)));
+        self.sentences.into_iter().chain(last).collect()
+    }
+}
+
+/// Sentences on a solution that is unusual, or more than its model can mean.
 ///
 /// # Errors
 /// [`BearingError`] where the case has no geometry.

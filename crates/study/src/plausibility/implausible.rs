@@ -11,7 +11,7 @@ use tribodyn_quasistatic::{Model, Solution};
 /// By how much a ball's load may be above the bearing's before it counts: residuals are far below.
 const SLACK: f64 = 0.01;
 
-/// What is implausible about a solution.
+/// A thing about a solution that no bearing does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Implausible {
     /// A contact beyond the shoulder of its groove, or where no groove has one.
@@ -38,7 +38,7 @@ impl fmt::Display for Implausible {
     }
 }
 
-/// What to do about it: an equilibrium leaves open what the steady orbit has.
+/// Advice to who gets such an answer: an equilibrium leaves open what the steady orbit has.
 pub fn advice(model: Equations) -> &'static str {
     match model {
         Equations::JonesHarris | Equations::Traction => {

@@ -14,14 +14,31 @@ pub use implausible::{Implausible, advice, names};
 pub use ranges::{USUAL_RANGES, UsualRange, usual_range};
 
 use crate::CaseFile;
-use tribodyn_bearing::Bearing;
-use tribodyn_case::{Quantity, quantities};
+use tribodyn_bearing::{Bearing, BearingError};
+use tribodyn_case::{Case, Quantity, quantities};
+use tribodyn_quasistatic::Solution;
 
 /// All that is unusual about the values of a case.
 pub fn of_case(file: &CaseFile, bearing: &Bearing) -> Vec<String> {
-    let mut found = unusual_values(&file.text);
-    found.extend(case_findings(&file.case, bearing));
-    found
+    of_values(&file.case, (&file.text, bearing)).collect()
+}
+
+fn of_values(case: &Case, (text, bearing): (&str, &Bearing)) -> impl Iterator<Item = String> {
+    unusual_values(text).into_iter().chain(case_findings(case, bearing))
+}
+
+/// All that is unusual about the values of a case, given with its text, and about its solution.
+///
+/// # Errors
+/// [`BearingError`] where the case has no geometry.
+pub fn of_solution(
+    case: &Case,
+    (text, bearing): (&str, &Bearing),
+    solution: &Solution,
+) -> Result<SolutionFindings, BearingError> {
+    let mut found = solution_findings(case, bearing, solution)?;
+    found.sentences.splice(0..0, of_values(case, (text, bearing)));
+    Ok(found)
 }
 
 /// Sentences on single values of a case's text outside their usual ranges.

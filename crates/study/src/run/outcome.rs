@@ -74,8 +74,7 @@ fn unusual(file: &CaseFile, solution: &Solution) -> Vec<String> {
     let mut all = warnings::at_start(solution.warnings.clone());
     // A case that runs has a bearing.
     if let Ok(bearing) = file.bearing() {
-        all.extend(plausibility::of_case(file, &bearing));
-        let found = plausibility::solution_findings(&file.case, &bearing, solution);
+        let found = plausibility::of_solution(&file.case, (&file.text, &bearing), solution);
         all.extend(found.into_iter().flat_map(|found| found.sentences));
     }
     all

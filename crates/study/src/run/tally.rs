@@ -32,13 +32,20 @@ impl Tally {
     /// Takes in an encoded message; those for the eye only say nothing.
     pub fn add(&mut self, channel: &Channel, data: &[u8]) -> Result<(), RecordError> {
         let decode = |source| RecordError::Decode { topic: channel.topic.to_owned(), source };
-        match RunItem::decode(channel.schema, data).map_err(decode)? {
-            Some(RunItem::State(row)) => self.add_state(&row),
-            Some(RunItem::Balls(_, balls)) => self.add_balls(&balls),
-            Some(RunItem::Wear(row)) => self.wear = Some(row),
-            Some(RunItem::Log(row)) => self.warnings.add(&row),
-            _ => {}
+        if let Some(item) = RunItem::decode(channel.schema, data).map_err(decode)? {
+            self.take(item);
         }
         Ok(())
+    }
+
+    /// Takes in a part of a run.
+    pub fn take(&mut self, item: RunItem) {
+        match item {
+            RunItem::State(row) => self.add_state(&row),
+            RunItem::Balls(_, balls) => self.add_balls(&balls),
+            RunItem::Wear(row) => self.wear = Some(row),
+            RunItem::Log(row) => self.warnings.add(&row),
+            _ => {}
+        }
     }
 }

@@ -32,7 +32,7 @@ pub(crate) fn run_unrecorded(file: &CaseFile, stop: &AtomicBool) -> Result<Optio
     let began = Instant::now();
     let mut run = Run::new(file.run_inputs()?)?;
     let mut tally = Tally::new(&file.case);
-    let mut watch = Watch { rows: RunRows::new(file.case.geometry.ball_count, |item| gather(&mut tally, item)), stop };
+    let mut watch = Watch { rows: RunRows::new(file.case.geometry.ball_count, |item| tally.take(item)), stop };
     match run.advance(f64::INFINITY, &mut watch) {
         Ok(Ending::Complete) => watch.rows.finish(),
         Ok(Ending::Stopped) => return Ok(None),
@@ -41,16 +41,6 @@ pub(crate) fn run_unrecorded(file: &CaseFile, stop: &AtomicBool) -> Result<Optio
     }
     let report = RunReport::begin(&run, file, began.elapsed().as_secs_f64());
     report.summed_up(&file.case, &tally, 0.0).map(Some).ok_or(NoSummary::NoSample)
-}
-
-fn gather(tally: &mut Tally, item: RunItem) {
-    match item {
-        RunItem::State(row) => tally.add_state(&row),
-        RunItem::Balls(_, balls) => tally.add_balls(&balls),
-        RunItem::Wear(row) => tally.wear = Some(row),
-        RunItem::Log(row) => tally.warnings.add(&row),
-        _ => {}
-    }
 }
 
 /// Hands all on, and looks after each step whether to go on.

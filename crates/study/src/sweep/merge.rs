@@ -5,8 +5,7 @@
 
 #[cfg(feature = "parquet")]
 use super::columns::Column;
-use super::columns::{CONVERGED, IMPLAUSIBLE};
-use super::table::{Count, Format};
+use super::table::{Count, Format, Marks};
 use crate::error::StudyError;
 use crate::files::StagedFiles;
 use std::fs::File;
@@ -121,17 +120,15 @@ fn lines(
         readers.push(Box::new(numbered(table.clone(), reader)));
     }
     let header = header.unwrap_or_default();
-    let place = |name: &str| header.trim_end().split(',').position(|known| known == name);
-    let [converged, implausible] = [CONVERGED, IMPLAUSIBLE].map(place);
+    let marks = Marks::of(|name| header.trim_end().split(',').position(|known| known == name));
     if !header.starts_with("row,") {
         return Err(apart(first, "it is no table of a sweep: its first column is not `row`".to_owned()));
     }
     writer.write_all(header.as_bytes()).map_err(&failure)?;
     let mut count = Count::default();
     count.rows = in_order(tables, readers, |line| {
-        count.failed += usize::from(converged.is_some_and(|at| field(&line, at) == Some("false")));
-        let named = implausible.and_then(|at| field(&line, at)).is_some_and(|names| !names.is_empty());
-        count.implausible += usize::from(named);
+        let named = |at| field(&line, at).is_some_and(|names| !names.is_empty());
+        count.add(&marks, |at| field(&line, at) == Some("false"), named);
         writeln!(writer, "{line}").map_err(&failure)
     })?;
     writer.flush().map_err(&failure)?;

@@ -1,9 +1,9 @@
 //! Tables as Parquet.
 
-use super::columns::{CONVERGED, Cell, Column, IMPLAUSIBLE, Kind};
+use super::columns::{Cell, Column, Kind};
 use super::journal::{NOTES, SHARD_NOTE};
 use super::merge::{apart, in_order, same_columns};
-use super::table::{Count, Rows};
+use super::table::{Count, Marks, Rows};
 use crate::error::StudyError;
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical, ZstdLevel};
 use parquet::column::writer::ColumnWriter;
@@ -97,13 +97,11 @@ pub(crate) fn merge(
     }
     let (mut notes, columns) = (notes.unwrap_or_default(), columns.unwrap_or_default());
     notes.push((SHARD_NOTE.to_owned(), "0/1".to_owned()));
-    let place = |name: &str| columns.iter().position(|column| column.name == name);
-    let [converged, implausible] = [CONVERGED, IMPLAUSIBLE].map(place);
+    let marks = Marks::of(|name| columns.iter().position(|column| column.name == name));
     let mut output = Output::begin(writer, &columns, notes).map_err(failure)?;
     let mut count = Count::default();
     count.rows = in_order(tables, readers, |cells: Vec<Cell>| {
-        count.failed += usize::from(converged.is_some_and(|at| cells[at] == Cell::Truth(false)));
-        count.implausible += usize::from(implausible.is_some_and(|at| cells[at] != Cell::Null));
+        count.add(&marks, |at| cells[at] == Cell::Truth(false), |at| cells[at] != Cell::Null);
         output.add(cells).map_err(failure)
     })?;
     output.end().map_err(failure)?;

@@ -2,7 +2,7 @@
 
 use super::columns::{self, Cell, Solved, Unsolved};
 use super::grid::Grid;
-use crate::answers::{OrbitProblem, unusual};
+use crate::answers::OrbitProblem;
 use crate::plausibility;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -60,7 +60,7 @@ impl<'a> Chunk<'a> {
             None => orbit(&case)?,
         };
         let all_round = round.as_ref().unwrap_or(&solution);
-        let found = unusual(&case, (&text, &bearing), all_round).map_err(Unsolved::refused)?;
+        let found = plausibility::of_solution(&case, (&text, &bearing), all_round).map_err(Unsolved::refused)?;
         solution.warnings.extend(found.sentences);
         // `solve` has a sentence on what is implausible.
         let implausible = plausibility::names(&found.implausible);

@@ -49,7 +49,26 @@ pub struct Count {
     pub implausible: usize,
 }
 
+/// Places of the columns by which rows are counted.
+pub(crate) struct Marks {
+    converged: Option<usize>,
+    implausible: Option<usize>,
+}
+
+impl Marks {
+    /// By the places of columns of a name.
+    pub fn of(place: impl Fn(&str) -> Option<usize>) -> Self {
+        Self { converged: place(CONVERGED), implausible: place(IMPLAUSIBLE) }
+    }
+}
+
 impl Count {
+    /// Counts what the fields of a row say at these places.
+    pub(crate) fn add(&mut self, marks: &Marks, fails: impl Fn(usize) -> bool, names: impl Fn(usize) -> bool) {
+        self.failed += usize::from(marks.converged.is_some_and(fails));
+        self.implausible += usize::from(marks.implausible.is_some_and(names));
+    }
+
     /// A warning where solutions are implausible, with what to do about it.
     pub fn warning(&self, model: Equations) -> Option<String> {
         let Self { rows, implausible, .. } = *self;
@@ -117,13 +136,11 @@ impl<'a> Rows<'a> {
         &self,
         mut take: impl FnMut(&str, Vec<Cell>) -> Result<(), E>,
     ) -> Result<Count, E> {
-        let place = |name: &str| self.columns.iter().position(|column| column.name == name);
-        let [converged, implausible] = [CONVERGED, IMPLAUSIBLE].map(place);
+        let marks = Marks::of(|name| self.columns.iter().position(|column| column.name == name));
         let mut count = Count::default();
         let mut one = |line: &str, cells: Vec<Cell>| {
             count.rows += 1;
-            count.failed += usize::from(converged.is_some_and(|at| cells[at] == Cell::Truth(false)));
-            count.implausible += usize::from(implausible.is_some_and(|at| cells[at] != Cell::Null));
+            count.add(&marks, |at| cells[at] == Cell::Truth(false), |at| cells[at] != Cell::Null);
             take(line, cells)
         };
         match self.source {
