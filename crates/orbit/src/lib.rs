@@ -5,6 +5,7 @@ mod collocation;
 mod direct;
 mod error;
 mod march;
+mod means;
 mod modes;
 mod newton;
 mod residual;

@@ -111,7 +111,7 @@ impl Newton<'_> {
     }
 
     pub fn place(&self, turn: f64, y: &[f64; BALL], border: (f64, [f64; RING])) -> Place {
-        let point = self.derivatives::<BALL>(self.system.azimuth(turn), y, border);
+        let point = self.derivatives::<BALL>(self.system.azimuth(turn), y, border, &self.system.kernel);
         let time = self.system.time(1.0, border.0);
         let s = &self.scales.ball;
         Place {

@@ -26,7 +26,7 @@ pub struct OrbitStatistics {
 }
 
 /// Contraction up to which a Jacobian serves another step.
-const CHORD: f64 = 0.2;
+const CHORD: f64 = 0.3;
 /// By how much a step may be longer than the one before, of full and of damped steps.
 const FULL: f64 = 100.0;
 const DAMPED: f64 = 1.0;
@@ -38,6 +38,8 @@ const STALLED: f64 = 1e-6;
 /// One Newton solver.
 pub(crate) struct Newton<'a> {
     pub system: OrbitSystem<'a>,
+    /// Patches by which Newton's method on all unknowns takes its slopes; none for those of the system.
+    pub slopes_by: Option<FastPatch>,
     pub radau: Radau,
     pub scales: Scales,
     pub statistics: OrbitStatistics,
@@ -48,7 +50,8 @@ pub(crate) struct Newton<'a> {
 
 impl<'a> Newton<'a> {
     pub fn new(system: OrbitSystem<'a>, scales: Scales) -> Self {
-        Self { system, radau: Radau::new(), scales, statistics: OrbitStatistics::default(), tried: 0, work: usize::MAX }
+        let statistics = OrbitStatistics::default();
+        Self { system, slopes_by: None, radau: Radau::new(), scales, statistics, tried: 0, work: usize::MAX }
     }
 
     /// Attempts something in which no turn is gone on with after so many intervals from now.
@@ -90,9 +93,16 @@ impl<'a> Newton<'a> {
         self.iterate(from, tolerance, (limit, DAMPED))
     }
 
+    /// The same by so many Jacobians and full steps alone; none where they do not meet the tolerance.
+    pub fn by_full_steps(&mut self, orbit: Orbit, tolerance: f64, jacobians: usize) -> Option<(Orbit, Residual)> {
+        let residual = self.residual(&orbit);
+        let found = self.iterate((orbit, residual), tolerance, (jacobians, FULL));
+        (found.1.worst.relative <= tolerance).then_some(found)
+    }
+
     /// Newton steps by the natural monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems, 2011,
-    /// section 3.3), each Jacobian kept as long as it contracts well. `growth` is by how much a step may be longer than
-    /// the one before.
+    /// section 3.3); as long as full steps contract well, each Jacobian is bettered by what they tell instead of made
+    /// again (Broyden's method, section 2.1.4 there). `growth` is by how much a step may be longer than the one before.
     fn iterate(
         &mut self,
         (mut orbit, mut residual): (Orbit, Residual),
@@ -110,22 +120,20 @@ impl<'a> Newton<'a> {
                 break;
             }
             let Ok(linear) = self.linearise(&orbit) else { break };
-            let mut step = linear.step(&residual);
-            let mut size = step.norm();
-            let mut share = self.longest(&step);
+            let mut broyden = Broyden::new(linear.step(&residual));
+            let mut share = self.longest(broyden.step());
             loop {
-                let trial = self.apply(&orbit, &step, share);
+                let trial = self.apply(&orbit, broyden.step(), share);
                 let after = self.residual(&trial);
                 let next = linear.step(&after);
-                let left = next.norm();
+                let (size, left) = (broyden.step().norm(), next.norm());
                 let good = left <= growth * (1.0 - 0.25 * share) * size;
                 if good || after.worst.relative <= tolerance {
                     (orbit, residual) = (trial, after);
-                    if share < 1.0 || left > CHORD * size || residual.worst.relative <= tolerance {
+                    if share < 1.0 || residual.worst.relative <= tolerance || !broyden.go_on(next) {
                         break;
                     }
-                    (step, size) = (next, left);
-                    share = self.longest(&step);
+                    share = self.longest(broyden.step());
                     continue;
                 }
                 self.statistics.rejected += 1;
@@ -172,6 +180,7 @@ impl<'a> Newton<'a> {
         azimuth: f64,
         y: &[f64; BALL],
         (cage_speed, ring): (f64, [f64; RING]),
+        kernel: &FastPatch,
     ) -> Point<N> {
         let seed = |value: f64, k: usize, scale: f64| {
             if k >= N {
@@ -185,8 +194,7 @@ impl<'a> Newton<'a> {
         let unknowns: [DualSVec64<N>; BALL] = std::array::from_fn(|k| seed(y[k], k, s.ball[k]));
         let cage_speed = seed(cage_speed, BALL, s.border[0]);
         let ring: [DualSVec64<N>; RING] = std::array::from_fn(|k| seed(ring[k], BALL + 1 + k, s.border[1 + k]));
-        let traction =
-            |patch: &LoadedPatch<'_, DualSVec64<N>>| self.system.bearing.linear_traction(patch, &self.system.kernel);
+        let traction = |patch: &LoadedPatch<'_, DualSVec64<N>>| self.system.bearing.linear_traction(patch, kernel);
         let fixed = rings(ring, self.system.speeds);
         let e = self.system.ball(azimuth.into(), &unknowns, cage_speed, &fixed, traction);
         let slope = |value: &DualSVec64<N>| -> [f64; N] { value.eps.unwrap_generic(Const::<N>, Const::<1>).into() };
@@ -236,7 +244,9 @@ impl<'a> Newton<'a> {
         let mut rows = Box::new(SMatrix::<f64, BORDER, STACK>::zeros());
         for i in 0..STAGES {
             let azimuth = self.system.azimuth(begin + self.radau.points[i] * width);
-            let point = self.derivatives::<FROM>(azimuth, &orbit.values[j][i], (orbit.cage_speed, orbit.ring));
+            let kernel = self.slopes_by.as_ref().unwrap_or(&self.system.kernel);
+            let border = (orbit.cage_speed, orbit.ring);
+            let point = self.derivatives::<FROM>(azimuth, &orbit.values[j][i], border, kernel);
             let at = i * BALL;
             for k in 0..BALL {
                 let share = time / s.ball[k];
@@ -289,6 +299,41 @@ impl<'a> Newton<'a> {
         } else {
             *from
         }
+    }
+}
+
+/// Steps with one Jacobian, each of full length, and by how much they better it.
+struct Broyden {
+    steps: Vec<Step>,
+    /// Their squares.
+    squares: Vec<f64>,
+}
+
+impl Broyden {
+    fn new(first: Step) -> Self {
+        Self { squares: vec![first.dot(&first)], steps: vec![first] }
+    }
+
+    /// The step to take next.
+    fn step(&self) -> &Step {
+        &self.steps[self.steps.len() - 1]
+    }
+
+    /// Goes on after the last step with what the Jacobian alone makes of the residual there; false where that is too
+    /// long for the Jacobian to serve on.
+    fn go_on(&mut self, mut next: Step) -> bool {
+        let last = self.steps.len() - 1;
+        for k in 0..last {
+            let share = next.dot(&self.steps[k]) / self.squares[k];
+            next.add(share, &self.steps[k + 1]);
+        }
+        let along = next.dot(self.step()) / self.squares[last];
+        let contraction = (next.dot(&next) / self.squares[last]).sqrt();
+        let serves = contraction <= CHORD && along < 0.5;
+        next.scale(1.0 / (1.0 - along));
+        self.squares.push(next.dot(&next));
+        self.steps.push(next);
+        serves
     }
 }
 

@@ -1,6 +1,7 @@
 //! The collocated equations: balances at each point of the mesh, and those of cage and ring over the turn.
 
 use crate::collocation::{Orbit, Radau, STAGES};
+use crate::means::Means;
 use crate::system::{BALL, Evaluation, ORBIT, OrbitSystem, RING, SPIN, VELOCITY};
 use tribodyn_bearing::{Races, RingFreedom, Side};
 
@@ -38,6 +39,8 @@ pub(crate) struct Residual {
     pub intervals: Vec<[f64; STACK]>,
     pub border: [f64; BORDER],
     pub worst: Worst,
+    /// Means over the turn of a single ball.
+    pub means: Means,
 }
 
 /// The largest residual against the terms of its balance.
@@ -88,31 +91,17 @@ pub(crate) fn magnitudes(system: &OrbitSystem<'_>, scales: &Scales, e: &Evaluati
     size
 }
 
-/// What cage and ring get over a turn, per ball.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Sums {
-    pub cage: f64,
-    pub ring: [f64; RING],
-}
-
-impl Sums {
-    pub fn add(&mut self, e: &Evaluation, weight: f64) {
-        self.cage += weight * e.cage_torque;
-        self.ring.iter_mut().zip(e.ring).for_each(|(sum, f)| *sum += weight * f);
-    }
-}
-
 /// Residuals of cage and ring over their scales.
-pub(crate) fn border(system: &OrbitSystem<'_>, orbit: &Orbit, sums: &Sums, scales: &Scales) -> [f64; BORDER] {
+pub(crate) fn border(system: &OrbitSystem<'_>, orbit: &Orbit, means: &Means, scales: &Scales) -> [f64; BORDER] {
     let balls = system.bearing.geometry.ball_count as f64;
     let speeds = Races { inner: system.speeds.inner, outer: system.speeds.outer };
     let fluid: f64 = system.cage.fluid_torques(orbit.cage_speed, speeds).iter().sum();
     std::array::from_fn(|k| {
         if k == 0 {
-            return (balls * sums.cage + fluid) / scales.border_rows[0];
+            return (balls * means.cage + fluid) / scales.border_rows[0];
         }
         match system.ring[k - 1] {
-            RingFreedom::Loaded(load) => (load - balls * sums.ring[k - 1]) / scales.border_rows[k],
+            RingFreedom::Loaded(load) => (load - balls * means.ring[k - 1]) / scales.border_rows[k],
             RingFreedom::Held(held) => (held - orbit.ring[k - 1]) / scales.border[k],
         }
     })
@@ -121,7 +110,7 @@ pub(crate) fn border(system: &OrbitSystem<'_>, orbit: &Orbit, sums: &Sums, scale
 /// All residuals.
 pub(crate) fn residual(system: &OrbitSystem<'_>, radau: &Radau, orbit: &Orbit, scales: &Scales) -> Residual {
     let mut worst = Worst::NONE;
-    let mut sums = Sums::default();
+    let mut means = Means::default();
     let mut intervals = Vec::with_capacity(orbit.intervals());
     for j in 0..orbit.intervals() {
         let [begin, width] = orbit.interval(j);
@@ -129,7 +118,7 @@ pub(crate) fn residual(system: &OrbitSystem<'_>, radau: &Radau, orbit: &Orbit, s
         for i in 0..STAGES {
             let azimuth = system.azimuth(begin + radau.points[i] * width);
             let e = system.value(azimuth, &orbit.values[j][i], orbit.cage_speed, orbit.ring);
-            sums.add(&e, width * radau.weights[i]);
+            means.add(&e, width * radau.weights[i]);
             let time = system.time(width, orbit.cage_speed);
             let slope = slope(radau, orbit, j, i);
             let size = magnitudes(system, scales, &e, time);
@@ -143,7 +132,7 @@ pub(crate) fn residual(system: &OrbitSystem<'_>, radau: &Radau, orbit: &Orbit, s
         }
         intervals.push(stack);
     }
-    let border = border(system, orbit, &sums, scales);
+    let border = border(system, orbit, &means, scales);
     border.iter().enumerate().for_each(|(k, &r)| worst.take(r, 1.0, None, k));
-    Residual { intervals, border, worst }
+    Residual { intervals, border, worst, means }
 }

@@ -1,12 +1,13 @@
 //! Results of a steady orbit.
 
-use crate::collocation::{Orbit, STAGES};
+use crate::collocation::Orbit;
 use crate::newton::Newton;
+use crate::residual::Found;
 use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
 use crate::way::Eased;
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult, Side};
+use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult};
 use tribodyn_quasistatic::{Model, Solution};
 
 /// Places round the orbit at which a solution is given: every two degrees.
@@ -109,30 +110,6 @@ impl SteadyOrbit {
     }
 }
 
-/// Means over the turn of what all balls do.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Means {
-    pub ring: [f64; 5],
-    pub torque: f64,
-    pub friction: [f64; 2],
-    pub fluid: f64,
-    pub pocket: f64,
-}
-
-impl Means {
-    /// Adds a ball with a weight.
-    pub fn add(&mut self, e: &Evaluation, weight: f64) {
-        self.ring.iter_mut().zip(e.ring).for_each(|(sum, f)| *sum += weight * f);
-        self.torque += weight * e.torque;
-        for side in Side::BOTH {
-            self.friction[side as usize] += weight * e.loads.contacts[side].traction.power;
-        }
-        let churning: f64 = e.friction.churning.iter().zip(e.state.spin).map(|(m, w)| m * w).sum();
-        self.fluid += weight * (e.friction.drag * e.loads.orbit_radius * e.state.orbital_speed - churning);
-        self.pocket += weight * (e.friction.pocket.friction_power + e.friction.pocket.damping_power);
-    }
-}
-
 /// A ball as a result, with what a motion has besides an equilibrium.
 pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL], e: &Evaluation) -> BallResult {
     let pocket = &e.friction.pocket;
@@ -153,23 +130,10 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
 }
 
 /// The solution of a converged orbit.
-pub(crate) fn solution(
-    newton: &Newton<'_>,
-    orbit: &Orbit,
-    (residual, rule_error): (f64, f64),
-    eased: &Eased,
-) -> SteadyOrbit {
-    let (system, radau) = (&newton.system, &newton.radau);
+pub(crate) fn solution(newton: &Newton<'_>, (orbit, found): &Found, rule_error: f64, eased: &Eased) -> SteadyOrbit {
+    let system = &newton.system;
     let balls = system.bearing.geometry.ball_count as f64;
-    let mut means = Means::default();
-    for j in 0..orbit.intervals() {
-        let [begin, width] = orbit.interval(j);
-        for i in 0..STAGES {
-            let azimuth = system.azimuth(begin + radau.points[i] * width);
-            let e = system.value(azimuth, &orbit.values[j][i], orbit.cage_speed, orbit.ring);
-            means.add(&e, balls * width * radau.weights[i]);
-        }
-    }
+    let means = &found.means;
     let round = |count: usize| -> Vec<BallResult> {
         let at = |n| {
             let azimuth = TAU * n as f64 / count as f64;
@@ -186,15 +150,15 @@ pub(crate) fn solution(
         cage_speed_rpm: orbit.cage_speed * RPM_PER_RAD_S,
         ring_displacement_m: [x, y, z],
         ring_tilt_rad: tilt,
-        ring_load_n: [fx, fy, fz],
-        ring_moment_nm: moment,
-        shaft_torque_nm: means.torque,
-        friction_w: means.friction,
-        fluid_w: means.fluid,
-        pocket_w: means.pocket,
+        ring_load_n: [fx, fy, fz].map(|f| balls * f),
+        ring_moment_nm: moment.map(|m| balls * m),
+        shaft_torque_nm: balls * means.torque,
+        friction_w: means.friction.map(|w| balls * w),
+        fluid_w: balls * means.fluid,
+        pocket_w: balls * means.pocket,
         pocket_force_max_n: points.iter().filter_map(|p| p.pocket).map(|p| p.force_n.abs()).fold(0.0, f64::max),
         pocket_contact_azimuths_deg: contacts(newton, orbit),
-        residual,
+        residual: found.worst.relative,
         patch_error_estimate: rule_error,
         intervals: orbit.intervals(),
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),

@@ -27,6 +27,13 @@ fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
     bearing
 }
 
+/// Error of an interval, over what is allowed, up to which the mesh of a neighbour serves.
+const DRIFTED: f64 = 2.0;
+/// Patches by which slopes are taken at first from a neighbour, and the Jacobians after which those of the patches
+/// themselves are: where a cage hangs that no ball touches, slopes must be right to the last.
+const HURRY: usize = 3;
+const SLOPES: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
+
 fn system<'a>(
     bearing: &'a Bearing,
     (point, cage): (&OperatingPoint, &CageBody),
@@ -89,8 +96,8 @@ fn reason(rolling: &RollingStart, bearing: &Bearing, speed: f64) -> OrbitReason 
     }
 }
 
-/// Solves from the orbit of a neighbouring problem, on its mesh and with its patch rule; from a cold start where that
-/// fails.
+/// Solves from the orbit of a neighbouring problem, on its mesh and with its patch rule, the mesh made finer where it
+/// errs; from a cold start where that fails.
 ///
 /// # Errors
 /// As [`steady_orbit`].
@@ -113,15 +120,28 @@ pub fn steady_orbit_from(
         }
     }
     let mut newton = at(&warm, (point, cage), settings, &OrbitStart { orbit: orbit.clone(), ..near.clone() })?;
-    let (met, residual) = newton.run(orbit.clone(), settings.tolerance, PATIENCE);
     let rule = (point, near.rule, near.rule_error);
-    if residual.worst.relative <= settings.tolerance {
-        return finish(&newton, (met, residual), rule, near.eased);
+    newton.slopes_by = Some(FastPatch::new(SLOPES)?);
+    let cheap = newton.by_full_steps(orbit.clone(), settings.tolerance, HURRY);
+    newton.slopes_by = None;
+    let met = cheap.or_else(|| newton.met(orbit.clone(), (settings.tolerance, PATIENCE)));
+    if let Some(found) = met.and_then(|found| fitted(&mut newton, found, settings)) {
+        return finish(&newton, found, rule, near.eased);
     }
     match damped(&mut newton, &orbit, settings, (&SETTLING, WORK)) {
         Ok(found) => finish(&newton, found, rule, near.eased),
         Err(_) => steady_orbit(bearing, point, cage, settings),
     }
+}
+
+/// An orbit on a neighbour's mesh, or on a finer one where that errs by more than is allowed.
+fn fitted(newton: &mut Newton<'_>, found: Found, settings: &OrbitSettings) -> Option<Found> {
+    let cheap = FastPatch::new(SLOPES).ok()?;
+    let errors = newton.with_patches(cheap, |newton| newton.errors(&found.0, settings.mesh_error));
+    if errors.iter().all(|error| *error <= DRIFTED) {
+        return Some(found);
+    }
+    newton.refined(found, settings.mesh_error, (settings.tolerance, PATIENCE))
 }
 
 /// The solver at a solution.
@@ -170,11 +190,12 @@ pub fn orbit_modes(
 
 fn finish(
     newton: &Newton<'_>,
-    (orbit, residual): Found,
+    found: Found,
     (point, rule, rule_error): (&OperatingPoint, PatchRule, f64),
     eased: Eased,
 ) -> Result<SolvedOrbit, OrbitError> {
-    let solution = solution(newton, &orbit, (residual.worst.relative, rule_error), &eased);
+    let solution = solution(newton, &found, rule_error, &eased);
+    let (orbit, _) = found;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let origin = newton.system.origin;
     let settling = newton.system.settling;

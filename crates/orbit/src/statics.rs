@@ -1,7 +1,8 @@
 //! A bearing at rest: the elastic equilibrium, balls where they stand.
 
+use crate::means::Means;
 use crate::newton::OrbitStatistics;
-use crate::solution::{Means, SteadyOrbit, ball_result};
+use crate::solution::{SteadyOrbit, ball_result};
 use crate::solved::SolvedOrbit;
 use crate::system::{BALL, OrbitSystem};
 use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint, Races};

@@ -3,6 +3,7 @@
 
 use crate::OrbitError;
 use crate::collocation::Orbit;
+use crate::means::Means;
 use crate::newton::Newton;
 use crate::residual::{BORDER, Residual, STACK, Worst};
 use crate::system::RING;
@@ -24,7 +25,12 @@ pub(crate) fn stiffness(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<Stiffn
     for load in 0..RING {
         let mut border = [0.0; BORDER];
         border[1 + load] = 1.0 / scales.border_rows[1 + load];
-        let unit = Residual { intervals: vec![[0.0; STACK]; orbit.intervals()], border, worst: Worst::NONE };
+        let unit = Residual {
+            intervals: vec![[0.0; STACK]; orbit.intervals()],
+            border,
+            worst: Worst::NONE,
+            means: Means::default(),
+        };
         let step = linear.step(&unit);
         (0..RING).for_each(|k| compliance[(k, load)] = step.border[1 + k] * scales.border[1 + k]);
     }
