@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
+use crate::solve::ModelName;
 use crate::table::{self, number};
 use std::ops::ControlFlow;
 use tribodyn_study::{Life, LifeOptions, LifeStride, wear_life};
@@ -13,6 +14,9 @@ use tribodyn_study::{Life, LifeOptions, LifeStride, wear_life};
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
+    /// Equations of each stride
+    #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
+    model: ModelName,
     /// Strides in which a new coating is worn away at its fastest spot; the error falls in proportion to their number
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     strides: u32,
@@ -33,7 +37,11 @@ const HOUR: f64 = 3600.0;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let options = LifeOptions { strides: arguments.strides, until_s: arguments.until.map(|hours| hours * HOUR) };
+    let options = LifeOptions {
+        strides: arguments.strides,
+        until_s: arguments.until.map(|hours| hours * HOUR),
+        equations: arguments.model.equations(),
+    };
     let life = wear_life(&file, options, |_| ControlFlow::Continue(()))?;
     if arguments.json { table::print_json(&life) } else { print(&life) }
 }

@@ -5,15 +5,16 @@ use crate::input::ReplaceArguments;
 use crate::table::{self, number};
 use std::path::Path;
 use tribodyn_bearing::BallResult;
-use tribodyn_orbit::SteadyOrbit;
+use tribodyn_study::answers::OrbitAnswer;
 use tribodyn_study::{Ours, StagedFiles};
 
 /// Summary and balls; `rows` prints the table of balls.
 pub fn print(
     name: &str,
-    (s, warnings): (&SteadyOrbit, &[String]),
+    answer: &OrbitAnswer,
     rows: impl FnOnce(&[BallResult]) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
+    let s = &answer.orbit;
     let triple = |v: [f64; 3], factor: f64, digits: usize| v.map(|c| number(c * factor, digits)).join("  ");
     let contacts = s.pocket_contact_azimuths_deg.iter().map(|a| number(*a, 1)).collect::<Vec<_>>();
     let mut pairs = vec![
@@ -36,7 +37,7 @@ pub fn print(
     table::print_pairs(&pairs)?;
     table::print_line("")?;
     rows(&s.balls)?;
-    for warning in warnings {
+    for warning in &answer.solution.warnings {
         table::print_line(&format!("warning: {warning}"))?;
     }
     Ok(())

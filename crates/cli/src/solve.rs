@@ -8,7 +8,7 @@ use crate::table::{self, number};
 use std::path::{Path, PathBuf};
 use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution};
 use tribodyn_record::{SolutionRecording, write_solution};
-use tribodyn_study::answers::{Equations, OrbitAnswer, OrbitProblem, equilibrium, orbit_warnings};
+use tribodyn_study::answers::{Equations, OrbitAnswer, equilibrium};
 use tribodyn_study::{CaseFile, Change, Ours, StagedFiles};
 
 /// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
@@ -17,7 +17,7 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Equations to solve
-    #[arg(long, value_enum, default_value_t = ModelName::Traction)]
+    #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
     model: ModelName,
     /// Traction parameters that vary with pressure; short for --set traction.varying=…
     #[arg(long, value_name = "BOOL")]
@@ -105,31 +105,27 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// The steady orbit: figures of a ball round it, a recording of the balls where an equilibrium has them.
 fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
     if arguments.roots {
-        let message = "the steady orbit is not searched for other equilibria".to_owned();
+        let message = "the steady orbit is not searched for other equilibria; `--model traction` is".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model steady-orbit".to_owned(), message });
     }
-    let problem = OrbitProblem::new(file)?;
-    let solution = problem.solve(file)?.solution;
-    let warnings = orbit_warnings(file, &problem, &solution)?;
-    let speeds = [problem.point.inner_speed, problem.point.outer_speed];
-    let round = solution.as_solution(&solution.points, speeds);
-    let plots =
-        arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, &round)).transpose()?;
+    let answer = OrbitAnswer::of(file)?;
+    let plots = arguments.plot.as_ref();
+    let plots = plots.map(|folder| stage_plots(folder, arguments.replace.force, &answer.round)).transpose()?;
     if let Some(path) = &arguments.output {
         let recording = SolutionRecording {
             case_text: &file.text,
             case: &file.case,
-            solution: &solution.as_solution(&solution.balls, speeds),
+            solution: &answer.solution,
             generator: concat!("tribodyn ", env!("CARGO_PKG_VERSION")),
         };
         write_solution(path, &recording)?;
     }
     plots.map_or(Ok(()), StagedFiles::publish)?;
     if arguments.json {
-        return table::print_json(&OrbitAnswer::new(&solution, &warnings));
+        return table::print_json(&answer);
     }
     let columns = [&HEADER[..], &["F_c N"]].concat();
-    orbit::print(&file.name, (&solution, &warnings), |balls| {
+    orbit::print(&file.name, &answer, |balls| {
         let row = |b: &BallResult| {
             ball_row(b).into_iter().chain([b.pocket.map_or_else(String::new, |p| number(p.force_n, 1))]).collect()
         };

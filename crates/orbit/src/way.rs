@@ -45,7 +45,9 @@ pub(crate) fn ladder(bearing: &Bearing, (start, cage_speed): (&RollingStart, f64
     let factor = |share: f64| (share * mean / centrifugal).max(1.0);
     let (first, last) = (factor(HEAVIEST), factor(LIGHTEST));
     let rung = |k: usize| {
-        let ball_mass = first * (last / first).powf(k as f64 / (RUNGS - 1) as f64);
+        // The end of the way is exact.
+        let part = (RUNGS - 1 - k) as f64 / (RUNGS - 1) as f64;
+        let ball_mass = last * (first / last).powf(part);
         (ball_mass, Eased { ball_mass, pocket_stiffness: 1.0 }.of(bearing))
     };
     (0..RUNGS).map(rung).collect()

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use tribodyn_bearing::quantities::{Facts, OfBall, Scope, joined};
 use tribodyn_contact::Body;
 use tribodyn_quasistatic::SOLUTION;
-use tribodyn_study::answers::{self, Equations, HertzQuestion, OrbitAnswer, OrbitProblem};
+use tribodyn_study::answers::{self, Equations, HertzQuestion, OrbitAnswer};
 use tribodyn_study::{CaseFile, StudyError};
 
 /// Equations by their name.
@@ -27,7 +27,12 @@ pub fn solve(py: Python<'_>, case: &NativeCase, model: &str, roots: bool) -> PyR
         Some(model) if !roots => py.detach(|| equilibrium(&file, model, false)),
         Some(model) => left_alone(py, move || equilibrium(&file, model, true))?,
         None if roots => {
-            return Err(error::argument(py, "roots", "True", "the steady orbit is not searched for other equilibria"));
+            return Err(error::argument(
+                py,
+                "roots",
+                "True",
+                "the steady orbit is not searched for other equilibria; the model \"traction\" is",
+            ));
         }
         None => left_alone(py, move || orbit(&file))?,
     };
@@ -45,14 +50,9 @@ fn equilibrium(file: &CaseFile, model: tribodyn_quasistatic::Model, roots: bool)
 }
 
 fn orbit(file: &CaseFile) -> Result<NativeSolution, StudyError> {
-    let problem = OrbitProblem::new(file)?;
-    let orbit = problem.solve(file)?.solution;
-    let warnings = answers::orbit_warnings(file, &problem, &orbit)?;
-    let head = serde_json::to_value(OrbitAnswer::new(&orbit, &warnings))?;
-    let speeds = [problem.point.inner_speed, problem.point.outer_speed];
-    let solution = orbit.as_solution(&orbit.balls, speeds);
-    let points = orbit.as_solution(&orbit.points, speeds);
-    Ok(NativeSolution::new(head, solution, Some(points)))
+    let answer = OrbitAnswer::of(file)?;
+    let head = serde_json::to_value(&answer)?;
+    Ok(NativeSolution::new(head, answer.solution, Some(answer.round)))
 }
 
 /// A question whose answer is plain data, asked on a thread that an interrupt leaves alone.

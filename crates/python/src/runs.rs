@@ -1,5 +1,6 @@
 //! What takes long: runs in time, lives of coatings, identification.
 
+use crate::answers::equations;
 use crate::case::NativeCase;
 use crate::convert::to_python;
 use crate::error::{self, internal};
@@ -68,6 +69,7 @@ fn record(file: &CaseFile, output: &Path, beginning: Beginning, watch: &Watch) -
 pub fn life<'py>(
     py: Python<'py>,
     case: &NativeCase,
+    model: &str,
     strides: u32,
     until: Option<f64>,
     progress: Option<&Bound<'py, PyAny>>,
@@ -79,7 +81,7 @@ pub fn life<'py>(
         return Err(error::argument(py, "until", &hours.to_string(), "allowed is a number of hours above 0"));
     }
     let file = Arc::clone(&case.file);
-    let options = LifeOptions { strides, until_s: until.map(|hours| hours * 3600.0) };
+    let options = LifeOptions { strides, until_s: until.map(|hours| hours * 3600.0), equations: equations(py, model)? };
     let (life, stopped) = watched(py, progress, true, move |watch| {
         wear_life(&file, options, |_| {
             watch.add(1.0);

@@ -30,7 +30,7 @@ pub use block::SolverStatistics;
 pub use problem::{Place, QuasiStaticError, Reason};
 pub use rolling::{RollingStart, rolling_start};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
-pub use solution::{Model, SOLUTION, Solution};
+pub use solution::{Model, Named, SOLUTION, Solution};
 pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
 pub use stiffness::{StiffnessMatrix, compliance, jones_harris_stiffness, traction_stiffness};
 pub use tribodyn_bearing::{

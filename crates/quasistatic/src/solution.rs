@@ -15,6 +15,16 @@ pub enum Model {
     Traction,
 }
 
+impl Model {
+    /// Its name in answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::JonesHarris => "jones-harris",
+            Self::Traction => "traction",
+        }
+    }
+}
+
 /// The equilibrium of ring and balls.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
@@ -140,20 +150,31 @@ pub static SOLUTION: [Quantity<Solution>; 15] = [
     .in_scope(Scope::Traction),
 ];
 
-impl Serialize for Solution {
+/// A solution as `solve --json` prints it, under the name of its equations.
+#[derive(Debug, Clone, Copy)]
+pub struct Named<'a>(pub &'a str, pub &'a Solution);
+
+impl Serialize for Named<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(model, solution) = self;
         let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("model", &self.model)?;
-        map.serialize_entry("converged", &self.converged)?;
+        map.serialize_entry("model", model)?;
+        map.serialize_entry("converged", &solution.converged)?;
         for Quantity { facts, get, .. } in &SOLUTION {
-            if let Some(value) = get(self) {
+            if let Some(value) = get(solution) {
                 map.serialize_entry(&joined(&[facts.name, facts.unit.suffix]), &(value * facts.unit.per_si))?;
             }
         }
-        map.serialize_entry("residual", &self.residual)?;
-        map.serialize_entry("iterations", &self.iterations)?;
-        map.serialize_entry("warnings", &self.warnings)?;
-        map.serialize_entry("balls", &self.balls.iter().map(Fields).collect::<Vec<_>>())?;
+        map.serialize_entry("residual", &solution.residual)?;
+        map.serialize_entry("iterations", &solution.iterations)?;
+        map.serialize_entry("warnings", &solution.warnings)?;
+        map.serialize_entry("balls", &solution.balls.iter().map(Fields).collect::<Vec<_>>())?;
         map.end()
+    }
+}
+
+impl Serialize for Solution {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Named(self.model.name(), self).serialize(serializer)
     }
 }

@@ -1,16 +1,18 @@
-//! How long a coating lasts, by strides of wear between quasi-static solutions.
+//! How long a coating lasts, by strides of wear between steady orbits or equilibria.
 //!
 //! Wear of a race counts as added radial clearance, by its mean depth round the race: the free contact angle grows and
 //! the loads with it. The depth is in no other place, and the solution knows no bare steel.
 
+use crate::answers::{Equations, OrbitProblem};
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use tribodyn_bearing::quantities::{OfBall, Over};
-use tribodyn_bearing::{Bearing, Side};
+use tribodyn_bearing::{BallResult, Bearing, Side};
 use tribodyn_case::{Case, Coatings, Fit, Purpose};
+use tribodyn_orbit::{OrbitStart, SolvedOrbit, steady_orbit, steady_orbit_from};
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
 use tribodyn_wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
 
@@ -29,6 +31,8 @@ pub struct LifeOptions {
     pub strides: u32,
     /// Running time after which a life ends, should the coatings last longer, s.
     pub until_s: Option<f64>,
+    /// Equations of each stride: with traction, as nothing slides without.
+    pub equations: Equations,
 }
 
 /// The life of a bearing's coatings.
@@ -103,20 +107,20 @@ pub fn wear_life(
     options: LifeOptions,
     mut progress: impl FnMut(&LifeStride) -> ControlFlow<()>,
 ) -> Result<Life, StudyError> {
-    let mut worn = Worn::new(file)?;
+    let mut worn = Worn::new(file, options.equations)?;
     let loss_per_stride = 1.0 / f64::from(options.strides);
     let [inner, outer] = worn.raceways()?;
     let mut life = CoatingLife::new(inner, outer, loss_per_stride)?;
     let until = options.until_s.unwrap_or(FOR_EVER);
     let (mut rows, mut warnings) = (Vec::new(), Vec::new());
     loop {
-        let solution = worn.solution(&life)?;
-        for warning in &solution.warnings {
+        let state = worn.state(&life)?;
+        for warning in &state.round.warnings {
             if !warnings.contains(warning) {
                 warnings.push(warning.clone());
             }
         }
-        rows.push(worn.row(&life, &solution));
+        rows.push(worn.row(&life, &state));
         let stopped = progress(&rows[rows.len() - 1]).is_break();
         let left = until - life.elapsed();
         if stopped || life.worn_through().is_some() || left <= 1e-9 * until {
@@ -125,7 +129,7 @@ pub fn wear_life(
             }
             break;
         }
-        let rates = worn.rates(&solution);
+        let rates = worn.rates(&state.round);
         life.advance(left, |_, _| Ok::<_, StudyError>(rates))?;
     }
     warnings.extend(worn.warnings());
@@ -150,14 +154,32 @@ struct Worn<'a> {
     coatings: &'a Coatings,
     point: OperatingPoint,
     new: Bearing,
-    start: Option<WarmStart>,
+    equations: Equations,
+    start: Option<Start>,
+}
+
+/// The stride before.
+enum Start {
+    Equilibrium(WarmStart),
+    Orbit(Box<OrbitStart>),
+}
+
+/// The bearing at one time of its life.
+struct State {
+    /// The balls where they stand.
+    balls: Vec<BallResult>,
+    /// One ball round its orbit: all balls of an equilibrium, being one ball at other times.
+    round: Solution,
 }
 
 impl<'a> Worn<'a> {
-    fn new(file: &'a CaseFile) -> Result<Self, StudyError> {
+    fn new(file: &'a CaseFile, equations: Equations) -> Result<Self, StudyError> {
+        if equations == Equations::JonesHarris {
+            return Err(StudyError::argument("model", equations.name(), "without traction nothing slides and wears"));
+        }
         let new = file.bearing_for(Purpose::Traction)?;
         let coatings = file.case.coatings.as_ref().ok_or_else(|| StudyError::NoWear { file: file.name.clone() })?;
-        Ok(Self { file, coatings, point: file.case.operating_point(), new, start: None })
+        Ok(Self { file, coatings, point: file.case.operating_point(), new, equations, start: None })
     }
 
     /// As the case has them; defects are too small to wear a race round.
@@ -194,21 +216,42 @@ impl<'a> Worn<'a> {
         Ok(case)
     }
 
-    /// From the stride before where there is one: the coating wears slowly, and the balls stay in the equilibrium that
-    /// they are in.
-    fn solution(&mut self, life: &CoatingLife) -> Result<Solution, StudyError> {
+    /// From the stride before where there is one: the coating wears slowly, and the balls stay in the motion that they
+    /// are in.
+    fn state(&mut self, life: &CoatingLife) -> Result<State, StudyError> {
+        let case = self.case(life)?;
+        if self.equations == Equations::SteadyOrbit { self.orbit(&case) } else { self.equilibrium(&case) }
+    }
+
+    fn equilibrium(&mut self, case: &Case) -> Result<State, StudyError> {
         let failed = |source| StudyError::Solver { file: self.file.name.clone(), source };
-        let name = || self.file.name.clone();
-        let bearing = self.case(life)?.bearing().map_err(|source| StudyError::Bearing { file: name(), source })?;
+        let bearing = case.bearing().map_err(|source| self.file.not_usable(source.into()))?;
         let estimate = |solved: &Solved| solved.solution.patch_error_estimate;
         let fine = |solved: &Solved| self.point.patch.is_none_or(|patch| patch.allows(estimate(solved)));
-        let near = self.start.as_ref().and_then(|start| solve_from(&bearing, &self.point, start).ok()).filter(fine);
+        let near = match &self.start {
+            Some(Start::Equilibrium(start)) => solve_from(&bearing, &self.point, start).ok().filter(fine),
+            _ => None,
+        };
         let solved = match near {
             Some(solved) => solved,
             None => solve(&bearing, &self.point, Model::Traction).map_err(failed)?,
         };
-        self.start = solved.warm_start;
-        Ok(solved.solution)
+        self.start = solved.warm_start.map(Start::Equilibrium);
+        Ok(State { balls: solved.solution.balls.clone(), round: solved.solution })
+    }
+
+    fn orbit(&mut self, case: &Case) -> Result<State, StudyError> {
+        let failed = |source| StudyError::Orbit { file: self.file.name.clone(), source };
+        let problem = OrbitProblem::of(case).map_err(|source| self.file.not_usable(source))?;
+        let OrbitProblem { bearing, point, cage, settings } = &problem;
+        let solved = match &self.start {
+            Some(Start::Orbit(near)) => steady_orbit_from(bearing, point, cage, settings, near),
+            _ => steady_orbit(bearing, point, cage, settings),
+        };
+        let SolvedOrbit { solution: orbit, start, .. } = solved.map_err(failed)?;
+        self.start = start.map(|start| Start::Orbit(Box::new(start)));
+        let round = orbit.as_solution(&orbit.points, [point.inner_speed, point.outer_speed]);
+        Ok(State { balls: orbit.balls, round })
     }
 
     fn rates(&self, solution: &Solution) -> WearRates {
@@ -222,18 +265,19 @@ impl<'a> Worn<'a> {
                     BallWear { azimuth: b.azimuth_rad, volume_rate, semi_lateral: contact.semi_axes_m[0] }
                 })
                 .collect(),
-            ball_count: solution.balls.len(),
+            ball_count: self.new.geometry.ball_count,
             turning: speed != 0.0,
         };
         WearRates { inner: race(self.point.inner_speed, Side::Inner), outer: race(self.point.outer_speed, Side::Outer) }
     }
 
-    fn row(&self, life: &CoatingLife, s: &Solution) -> LifeStride {
+    fn row(&self, life: &CoatingLife, state: &State) -> LifeStride {
         let time = life.elapsed();
         let turns = (self.point.inner_speed - self.point.outer_speed).abs() / TAU;
         // A life is solved with traction, which has all of these.
         let of = |quantity: Option<OfBall>, over| {
-            let value = quantity.and_then(|q| Some(q.over(over, &s.balls)? * q.facts().shown.per_si));
+            let balls = if over == Over::Sum { &state.balls } else { &state.round.balls };
+            let value = quantity.and_then(|q| Some(q.over(over, balls)? * q.facts().shown.per_si));
             value.unwrap_or(f64::NAN)
         };
         let race = |side, name, over| of(OfBall::contact(side, name), over);
@@ -256,7 +300,7 @@ impl<'a> Worn<'a> {
             contact_angle_outer_max_deg: race(Side::Outer, "contact_angle", Over::Max),
             peak_pressure_inner_max_gpa: race(Side::Inner, "peak_pressure", Over::Max),
             peak_pressure_outer_max_gpa: race(Side::Outer, "peak_pressure", Over::Max),
-            cage_speed_rpm: s.cage_speed_rpm,
+            cage_speed_rpm: state.round.cage_speed_rpm,
             wear_rate_inner_um3_s: race(Side::Inner, "wear_rate", Over::Sum),
             wear_rate_outer_um3_s: race(Side::Outer, "wear_rate", Over::Sum),
             wear_rate_cage_um3_s: of(OfBall::ball("wear_rate_cage"), Over::Sum),

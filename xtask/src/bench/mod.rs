@@ -10,6 +10,7 @@ mod document;
 mod ensemble;
 mod equilibrium;
 mod instructions;
+mod orbit;
 mod patch;
 mod peers;
 mod row;
@@ -78,6 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     rows.extend(speed::rows(&text, quick)?);
     rows.extend(accuracy::rows(&text, quick)?);
     rows.extend(equilibrium::rows(&text, quick)?);
+    rows.extend(orbit::rows(&text, quick)?);
     rows.extend(ensemble::rows(&text, quick)?);
     if arguments.peers {
         rows.extend(peers::rows(&text, quick)?);

@@ -41,7 +41,7 @@ pub struct Arguments {
           conflicts_with_all = ["case", "settings", "shard", "model", "threads", "cold", "restart", "plot", "plan"])]
     merge: Vec<PathBuf>,
     /// Equations to solve
-    #[arg(long, value_enum, default_value_t = ModelName::Traction)]
+    #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
     model: ModelName,
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]

@@ -209,7 +209,9 @@ fn limit_no_convergence_names_place_equation_and_residual() {
     let case = fixture("paper-handset.ron");
     let (run_file, plots) = (scratch.0.join("run.mcap"), scratch.0.join("plots"));
     let one_step: &str = "numerics.max_iterations=1";
-    let outcome = run(&[&"solve", &case, &"--set", &one_step, &"-o", &run_file, &"--plot", &plots]);
+    let words: [&dyn AsRef<std::ffi::OsStr>; 10] =
+        [&"solve", &case, &"--model", &"traction", &"--set", &one_step, &"-o", &run_file, &"--plot", &plots];
+    let outcome = run(&words);
     outcome
         .fails(1, &["paper-handset.ron: ", "did not converge", " of ", "relative residual of ", "tolerance 1.0e-10"]);
     assert!(outcome.err.contains("ball ") || outcome.err.contains("the inner ring"), "{}", outcome.err);

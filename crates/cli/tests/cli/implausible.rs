@@ -62,7 +62,7 @@ fn limit_an_implausible_equilibrium_says_so_with_advice() {
     assert!(warnings("steady-orbit").iter().all(|warning| !warning.contains("pocket force")));
     let scratch = Scratch::new();
     let table = scratch.0.join("table.csv");
-    let outcome = run(&[&"sweep", &case, &"--set", &"ring.x.Force=kN(4)", &"-o", &table]);
+    let outcome = run(&[&"sweep", &case, &"--set", &"ring.x.Force=kN(4)", &"--model", &"traction", &"-o", &table]);
     assert_eq!(outcome.code, 0, "{}", outcome.err);
     assert!(outcome.out.contains("warning: 1 of 1 rows are implausible"), "{}", outcome.out);
 }

@@ -97,11 +97,13 @@ fn identity_what_is_worn_at_the_start_is_clearance() {
 #[test]
 fn identity_what_is_worn_at_the_start_counts_once() {
     let case = fixture("paper-ag-worn.ron");
-    let answer = run(&[&"life", &case, &"--set", &CHEAP, &"--until", &"1e-3", &"--json"]).json();
+    let answer =
+        run(&[&"life", &case, &"--model", &"traction", &"--set", &CHEAP, &"--until", &"1e-3", &"--json"]).json();
     let first = &answer["strides"][0];
     let angle = format!("geometry.fit=ContactAngle(deg({}))", number(first, "contact_angle_free_deg"));
     let solved = |changes: &[&str]| {
-        let mut words: Vec<&dyn AsRef<OsStr>> = vec![&"solve", &case, &"--set", &CHEAP, &"--json"];
+        let mut words: Vec<&dyn AsRef<OsStr>> =
+            vec![&"solve", &case, &"--model", &"traction", &"--set", &CHEAP, &"--json"];
         for change in changes {
             words.push(&"--set");
             words.push(change);

@@ -14,6 +14,28 @@ fn identity_the_orbit_is_the_mean_of_a_run() {
     assert!(orbit["residual"].as_f64().unwrap() <= 1e-10);
 }
 
+/// Orbits and equilibria answer under the same names, and are rated alike.
+#[test]
+fn identity_an_orbit_has_all_that_an_equilibrium_has() {
+    let case = fixture("paper-handset.ron");
+    let solve = |model: &str| run(&[&"solve", &case, &"--model", &model, &"--json"]).json();
+    let (orbit, equilibrium) = (solve("steady-orbit"), solve("traction"));
+    let names = |answer: &serde_json::Value| answer.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    let lacks = |of: &serde_json::Value, all: &serde_json::Value| {
+        names(all).into_iter().filter(|name| of.get(name).is_none()).collect::<Vec<_>>()
+    };
+    assert_eq!(lacks(&orbit, &equilibrium), [""; 0]);
+    assert_eq!(lacks(&orbit["balls"][3], &equilibrium["balls"][3]), [""; 0]);
+    assert_eq!(lacks(&orbit["points"][100], &orbit["balls"][3]), [""; 0]);
+    let rated = run(&[&"rating", &case, &"--model", &"steady-orbit", &"--json"]).json();
+    for name in ["rating_life_l10_mrev", "rating_life_l10r_mrev", "static_safety"] {
+        assert_eq!(orbit[name], rated[name], "{name}");
+        let ratio = orbit[name].as_f64().unwrap() / equilibrium[name].as_f64().unwrap();
+        assert!((ratio - 1.0).abs() < 0.05, "{name}: {ratio}");
+    }
+    assert!(orbit.get("ball_mass_factor").is_none(), "{}", orbit["ball_mass_factor"]);
+}
+
 #[test]
 fn limit_a_steady_orbit_has_no_other_roots() {
     let answer = run(&[&"solve", &fixture("paper-ag.ron"), &"--model", &"steady-orbit", &"--roots"]);

@@ -49,7 +49,7 @@ def run(
     progress: Optional[Callable[[float], object]],
 ) -> tuple[dict[str, Any], Optional[BaseException]]: ...
 def life(
-    case: Case, strides: int, until: Optional[float], progress: Optional[Callable[[float], object]]
+    case: Case, model: str, strides: int, until: Optional[float], progress: Optional[Callable[[float], object]]
 ) -> dict[str, Any]: ...
 def identify(
     path: str,

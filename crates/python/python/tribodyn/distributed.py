@@ -81,7 +81,7 @@ def sweep(
     duration: Optional[float] = None,
     recordings: Optional[PathLike] = None,
     seeds: Iterable[int] = (),
-    model: Model = "traction",
+    model: Model = "steady-orbit",
     cold: bool = False,
     seconds: float = 20.0,
     threads: int = 1,

@@ -15,7 +15,7 @@ from .solution import Solution
 Model = Literal["jones-harris", "traction", "steady-orbit"]
 
 
-def solve(case: Case, model: Model = "traction", *, roots: bool = False) -> Solution:
+def solve(case: Case, model: Model = "steady-orbit", *, roots: bool = False) -> Solution:
     """The equilibrium of ring and balls, or their steady orbit.
 
     Args:

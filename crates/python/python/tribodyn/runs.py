@@ -17,6 +17,7 @@ from ._errors import InputError, Stopped
 from ._progress import Bar, Progress
 from .answers import Identification, Life
 from .case import Case
+from .procedures import Model
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -311,17 +312,25 @@ def _duration(case: Case) -> float:
         return 0.0
 
 
-def life(case: Case, *, strides: int = 20, until: Optional[float] = None, progress: Progress = True) -> Life:
+def life(
+    case: Case,
+    model: Model = "steady-orbit",
+    *,
+    strides: int = 20,
+    until: Optional[float] = None,
+    progress: Progress = True,
+) -> Life:
     """Wears the coatings of a bearing until one is through.
 
     Args:
         case: the bearing with its coatings and wear coefficients
+        model: equations of each stride, with traction
         strides: strides in which a new coating is worn away at its fastest spot; the error falls with their number
         until: running time after which a life ends, should the coatings last longer, h
         progress: a bar where somebody watches; False for none; or a function of strides done and strides
     """
     with Bar(float(strides), "strides", progress) as bar:
-        return Life(_native.life(case._native, int(strides), None if until is None else float(until), bar))
+        return Life(_native.life(case._native, model, int(strides), None if until is None else float(until), bar))
 
 
 def identify(

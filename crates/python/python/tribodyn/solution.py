@@ -124,6 +124,23 @@ class Solution(BearingQuantities, Answer):
     rating_life_l10r_mrev: float
     rating_life_hours: float
     static_safety: float
+    #: friction of all inner contacts of an orbit, W; absent for an equilibrium, as are those below
+    power_loss_inner_w: float
+    power_loss_outer_w: float
+    #: drag and churning of all balls, W
+    power_loss_fluid_w: float
+    #: friction and damping in all pockets, W
+    power_loss_pocket_w: float
+    pocket_force_max_n: float
+    #: where a ball meets a wall of its pocket
+    pocket_contact_azimuths_deg: list[float]
+    #: intervals of the orbit's mesh
+    intervals: int
+    #: damping, over the cage speed, of balls that swing in their grooves without end; absent where none do
+    swing_damping: float
+    #: mass of a ball over the case's, and stiffness of the pockets over the case's; absent where they are the case's
+    ball_mass_factor: float
+    pocket_stiffness_share: float
     #: other equilibria of each ball, where they were searched for
     roots: list[dict[str, Any]]
 
@@ -157,7 +174,9 @@ class Solution(BearingQuantities, Answer):
     def to_dict(self) -> dict[str, Any]:
         """What ``solve --json`` prints."""
         answer = {name: value for name, value in self._native.head().items()}
-        answer["balls"] = [dict(zip(self.balls.names, row)) for row in self.balls.values.tolist()]
+        for name, balls in (("balls", self.balls), ("points", self.points)):
+            if balls is not None:
+                answer[name] = [dict(zip(balls.names, row)) for row in balls.values.tolist()]
         return answer
 
     def figures(self) -> dict[str, str]:

@@ -133,7 +133,7 @@ def grid(
     values: Optional[Mapping[str, Values]] = None,
     *,
     samples: Optional[Mapping[str, Iterable[Any]]] = None,
-    model: Model = "traction",
+    model: Model = "steady-orbit",
     cold: bool = False,
 ) -> _native.Grid:
     """The rows of a sweep, checked. Single values of ``values`` are changes of the case beside ``samples``."""
@@ -182,7 +182,7 @@ def sweep(
     *,
     samples: Optional[Mapping[str, Iterable[Any]]] = None,
     threads: int = 0,
-    model: Model = "traction",
+    model: Model = "steady-orbit",
     cold: bool = False,
     progress: Progress = True,
 ) -> Sweep:
@@ -224,7 +224,7 @@ def sweep_to(
     *,
     shard: str = "0/1",
     threads: int = 0,
-    model: Model = "traction",
+    model: Model = "steady-orbit",
     cold: bool = False,
     restart: bool = False,
     progress: Progress = True,
@@ -245,7 +245,7 @@ def sweep_to(
 
 
 def plan(
-    case: Case, values: Mapping[str, Values], *, threads: int = 0, model: Model = "traction", cold: bool = False
+    case: Case, values: Mapping[str, Values], *, threads: int = 0, model: Model = "steady-orbit", cold: bool = False
 ) -> Plan:
     """What a sweep would do, and about how long it would take; a few rows are solved for that."""
     return Plan(grid(case, values, model=model, cold=cold).plan(threads))

@@ -7,6 +7,7 @@ use crate::plausibility;
 use crate::rating::rating;
 use serde::Serialize;
 use tribodyn_bearing::Bearing;
+use tribodyn_case::Case;
 use tribodyn_quasistatic::{BallRoots, Model, Solution, Solved, other_roots, root_warnings, solve};
 
 /// Rating life of the steel and static safety, under the names of `tribodyn rating`.
@@ -24,6 +25,19 @@ pub struct Lives {
     /// Static safety.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub static_safety: Option<f64>,
+}
+
+impl Lives {
+    /// Of a case under the loads of a solution; none for a bearing that the standards do not rate.
+    pub(super) fn of(case: &Case, solution: &Solution) -> Option<Self> {
+        let rated = rating(case, solution).ok()?;
+        Some(Self {
+            rating_life_l10_mrev: rated.rating_life_l10_mrev,
+            rating_life_l10r_mrev: rated.rating_life_l10r_mrev,
+            rating_life_hours: rated.rating_life_hours,
+            static_safety: rated.static_safety,
+        })
+    }
 }
 
 /// A solution with its warnings, lives and, where they were asked for, the other equilibria of each ball.
@@ -58,12 +72,7 @@ pub fn equilibrium(file: &CaseFile, model: Model, roots: bool) -> Result<Equilib
     let found = plausibility::of_solution(&file.case, (&file.text, &bearing), &solution);
     let found = found.map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?;
     solution.warnings.extend(found.warnings(model.into()));
-    let lives = rating(&file.case, &solution).ok().map(|r| Lives {
-        rating_life_l10_mrev: r.rating_life_l10_mrev,
-        rating_life_l10r_mrev: r.rating_life_l10r_mrev,
-        rating_life_hours: r.rating_life_hours,
-        static_safety: r.static_safety,
-    });
+    let lives = Lives::of(&file.case, &solution);
     Ok(Equilibrium { solution, lives, roots })
 }
 

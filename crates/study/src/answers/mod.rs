@@ -13,7 +13,7 @@ pub use curve::{CurveAnswer, traction_curve};
 pub use derived::{Derived, GrowthAnswer, derived};
 pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};
 pub use modes::{ModesAnswer, modes};
-pub use orbit::{OrbitAnswer, OrbitProblem, orbit_warnings};
+pub use orbit::{OrbitAnswer, OrbitProblem};
 pub use stiffness::{StiffnessAnswer, stiffness};
 
 use crate::case_file::CaseFile;
@@ -93,7 +93,7 @@ impl From<Model> for Equations {
 pub fn rated(file: &CaseFile, equations: Equations) -> Result<(Solution, Rating), StudyError> {
     let solution = match equations.equilibrium() {
         Some(model) => solved(file, model)?.1.solution,
-        None => OrbitProblem::new(file)?.round(file)?,
+        None => OrbitAnswer::of(file)?.solution,
     };
     let refused = |source| StudyError::Rating { file: file.name.clone(), source };
     let rating = rating(&file.case, &solution).map_err(refused)?;

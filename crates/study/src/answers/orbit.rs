@@ -1,14 +1,15 @@
 //! The steady orbit of a case: an answer, and where stiffness and modes start.
 
-use super::Equations;
+use super::{Equations, Lives};
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use crate::plausibility;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
+use tribodyn_bearing::quantities::Fields;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, InputError, Purpose};
 use tribodyn_orbit::{OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
-use tribodyn_quasistatic::Solution;
+use tribodyn_quasistatic::{Named, Solution};
 
 /// A bearing with its cage at an operating point.
 pub struct OrbitProblem {
@@ -45,15 +46,6 @@ impl OrbitProblem {
         Ok(Self { cage: CageBody::new(&cage, &bearing), bearing, point, settings })
     }
 
-    /// The orbit with a ball at each of its nodes, in the form of an equilibrium.
-    ///
-    /// # Errors
-    /// [`StudyError::Orbit`].
-    pub fn round(&self, file: &CaseFile) -> Result<Solution, StudyError> {
-        let orbit = self.solve(file)?.solution;
-        Ok(orbit.as_solution(&orbit.points, [self.point.inner_speed, self.point.outer_speed]))
-    }
-
     /// The orbit.
     ///
     /// # Errors
@@ -64,31 +56,81 @@ impl OrbitProblem {
     }
 }
 
-/// Warnings on an orbit: those of its own, what is unusual about it and its case, and whether that can be meant.
-///
-/// # Errors
-/// [`StudyError::Bearing`] where the case has no geometry.
-pub fn orbit_warnings(file: &CaseFile, problem: &OrbitProblem, orbit: &SteadyOrbit) -> Result<Vec<String>, StudyError> {
-    let speeds = [problem.point.inner_speed, problem.point.outer_speed];
-    let round = orbit.as_solution(&orbit.points, speeds);
-    let found = plausibility::of_solution(&file.case, (&file.text, &problem.bearing), &round);
-    let found = found.map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?;
-    Ok(orbit.warnings().into_iter().chain(found.warnings(Equations::SteadyOrbit)).collect())
+/// A steady orbit, with what stands beside it in an answer.
+#[derive(Debug, Clone)]
+pub struct OrbitAnswer {
+    /// The motion.
+    pub orbit: SteadyOrbit,
+    /// The balls where those of an equilibrium stand, in the form of one, with all warnings.
+    pub solution: Solution,
+    /// A ball round its orbit, in the same form.
+    pub round: Solution,
+    /// Under the loads of the balls where they stand; absent for a bearing that the standards do not rate.
+    pub lives: Option<Lives>,
 }
 
-/// The orbit as `--json` prints it.
-#[derive(Debug, Serialize)]
-pub struct OrbitAnswer<'a> {
-    model: &'static str,
-    converged: bool,
+impl OrbitAnswer {
+    /// The steady orbit of a case.
+    ///
+    /// # Errors
+    /// A case without what traction needs, or an orbit that is not found.
+    pub fn of(file: &CaseFile) -> Result<Self, StudyError> {
+        let problem = OrbitProblem::new(file)?;
+        let SolvedOrbit { solution: orbit, statistics, .. } = problem.solve(file)?;
+        let speeds = [problem.point.inner_speed, problem.point.outer_speed];
+        let mut round = orbit.as_solution(&orbit.points, speeds);
+        let found = plausibility::of_solution(&file.case, (&file.text, &problem.bearing), &round);
+        let found = found.map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?;
+        round.iterations = statistics.jacobians;
+        round.warnings.extend(found.warnings(Equations::SteadyOrbit));
+        let solution = Solution { balls: orbit.balls.clone(), ..round.clone() };
+        let lives = Lives::of(&file.case, &solution);
+        Ok(Self { orbit, solution, round, lives })
+    }
+}
+
+/// What `solve --json` prints of it.
+#[derive(Serialize)]
+struct Printed<'a> {
     #[serde(flatten)]
-    orbit: &'a SteadyOrbit,
-    warnings: &'a [String],
+    solution: Named<'a>,
+    #[serde(flatten)]
+    lives: Option<Lives>,
+    power_loss_inner_w: f64,
+    power_loss_outer_w: f64,
+    power_loss_fluid_w: f64,
+    power_loss_pocket_w: f64,
+    pocket_force_max_n: f64,
+    pocket_contact_azimuths_deg: &'a [f64],
+    intervals: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    swing_damping: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ball_mass_factor: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pocket_stiffness_share: Option<f64>,
+    points: Vec<Fields<'a>>,
 }
 
-impl<'a> OrbitAnswer<'a> {
-    /// Of an orbit that was found, with its warnings.
-    pub fn new(orbit: &'a SteadyOrbit, warnings: &'a [String]) -> Self {
-        Self { model: Equations::SteadyOrbit.name(), converged: true, orbit, warnings }
+impl Serialize for OrbitAnswer {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let orbit = &self.orbit;
+        let [inner, outer] = orbit.friction_w;
+        let printed = Printed {
+            solution: Named(Equations::SteadyOrbit.name(), &self.solution),
+            lives: self.lives,
+            power_loss_inner_w: inner,
+            power_loss_outer_w: outer,
+            power_loss_fluid_w: orbit.fluid_w,
+            power_loss_pocket_w: orbit.pocket_w,
+            pocket_force_max_n: orbit.pocket_force_max_n,
+            pocket_contact_azimuths_deg: &orbit.pocket_contact_azimuths_deg,
+            intervals: orbit.intervals,
+            swing_damping: orbit.swing_damping,
+            ball_mass_factor: orbit.ball_mass_factor,
+            pocket_stiffness_share: orbit.pocket_stiffness_share,
+            points: orbit.points.iter().map(Fields).collect(),
+        };
+        printed.serialize(serializer)
     }
 }
