@@ -163,7 +163,7 @@ def test_limit_bad_questions_are_refused(paper: Case, plain: Case) -> None:
 def test_limit_an_equilibrium_that_is_not_found_says_how_far_it_came(paper: Case) -> None:
     hard = paper.replace({"numerics.max_iterations": 1})
     with pytest.raises(SolveError) as caught:
-        tribodyn.solve(hard)
+        tribodyn.solve(hard, "traction")
     assert caught.value.residual is not None and caught.value.residual > 0
     assert caught.value.iterations is not None and isinstance(caught.value, RuntimeError)
 

@@ -35,7 +35,7 @@ def whole(dataset: distributed.Dataset, case: Case, rows: int) -> None:
     """Every row once, bit for bit that of one machine."""
     frame = dataset.to_pandas()
     assert list(frame["row"]) == list(range(rows))
-    local = tribodyn.sweep(case, values(rows), progress=False).to_pandas()
+    local = tribodyn.sweep(case, values(rows), model="traction", progress=False).to_pandas()
     assert_frame_equal(frame, local, check_exact=True, check_dtype=False)
     assert dataset.failed_rows == (~local["converged"]).sum()
 
@@ -65,7 +65,7 @@ def test_identity_a_study_outlives_its_workers(plain: Case, tmp_path: Path, rows
         killer.start()
         with pytest.raises(KeyboardInterrupt):
             seconds = 0.1 if rows == SHORT else 2.0
-            distributed.sweep(client, plain, values(rows), dataset=folder, seconds=seconds, progress=interrupt)
+            distributed.sweep(client, plain, values(rows), dataset=folder, seconds=seconds, model="traction", progress=interrupt)
         killer.join(10)
         assert len(kills) == 2
         client.close()
@@ -73,15 +73,15 @@ def test_identity_a_study_outlives_its_workers(plain: Case, tmp_path: Path, rows
         partitions = len(json.loads((folder / "_study.json").read_text())["partitions"])
         assert 0 < finished < partitions
         with cluster.client() as again:
-            dataset = distributed.sweep(again, plain, values(rows), dataset=folder, progress=False)
+            dataset = distributed.sweep(again, plain, values(rows), dataset=folder, model="traction", progress=False)
             assert dataset.resumed_partitions >= finished and dataset.partitions == partitions
             assert dataset.rows == rows and dataset.row_s > 0
-            once_more = distributed.sweep(again, plain, values(rows), dataset=folder, progress=False)
+            once_more = distributed.sweep(again, plain, values(rows), dataset=folder, model="traction", progress=False)
             assert once_more.resumed_partitions == partitions
             with pytest.raises(InputError, match="another study: another swept"):
-                distributed.sweep(again, plain, values(2 * rows), dataset=folder, progress=False)
+                distributed.sweep(again, plain, values(2 * rows), dataset=folder, model="traction", progress=False)
             with pytest.raises(InputError, match="something else"):
-                distributed.sweep(again, plain, values(rows), dataset=tmp_path, progress=False)
+                distributed.sweep(again, plain, values(rows), dataset=tmp_path, model="traction", progress=False)
     whole(dataset, plain, rows)
     dataset.merge(tmp_path / "merged.parquet")
     assert len(tribodyn.sweeps.Table({"output": str(tmp_path / "merged.parquet")}).to_pandas()) == rows
@@ -93,8 +93,8 @@ def test_identity_samples_runs_and_starts_go_the_same_way(plain: Case, paper: Ca
     (tmp_path / "problem.ron").write_text(PROBLEM)
     with Cluster(tmp_path, 2) as cluster, cluster.client() as client:
         drawn = tribodyn.sobol({"ring.z.Force": ("kN", (1.0, 3.0)), "ring.x.Force": ("N", (0, 500))}, 64, seed=3)
-        sampled = distributed.sweep(client, plain, samples=drawn, dataset=tmp_path / "samples", progress=False)
-        local = tribodyn.sweep(plain, samples=drawn, progress=False).to_pandas()
+        sampled = distributed.sweep(client, plain, samples=drawn, dataset=tmp_path / "samples", model="traction", progress=False)
+        local = tribodyn.sweep(plain, samples=drawn, model="traction", progress=False).to_pandas()
         assert_frame_equal(sampled.to_pandas(), local, check_exact=True, check_dtype=False)
 
         forces = {"ring.z.Force": "kN(40),kN(50),kN(60)"}
@@ -126,7 +126,7 @@ def test_limit_a_cluster_that_goes_away_is_an_exception(plain: Case, tmp_path: P
                 cluster.scheduler.kill()
 
         with pytest.raises(ClusterError) as caught:
-            distributed.sweep(client, plain, values(SHORT), dataset=folder, seconds=0.1, progress=kill)
+            distributed.sweep(client, plain, values(SHORT), dataset=folder, seconds=0.1, model="traction", progress=kill)
         assert caught.value.dataset == str(folder) and 0 < caught.value.finished < caught.value.rows == SHORT
         assert "goes on from there" in str(caught.value)
         client.close(timeout=1)
@@ -141,7 +141,8 @@ def test_limit_workers_that_are_gone_are_waited_for_and_then_missed(plain: Case,
 
         with pytest.raises(ClusterError, match="no worker for 2 s"):
             distributed.sweep(
-                client, plain, values(SHORT), dataset=tmp_path / "dataset", seconds=0.1, patience=2.0, progress=kill
+                client, plain, values(SHORT), dataset=tmp_path / "dataset", seconds=0.1, patience=2.0,
+                model="traction", progress=kill,
             )
 
 
@@ -172,7 +173,7 @@ def test_limit_two_workers_are_nearly_twice_as_fast_as_one(tmp_path: Path) -> No
             folder = Path(sys.argv[1]) / str(workers)
             folder.mkdir()
             with Cluster(folder, workers) as cluster, cluster.client() as client:
-                options = dict(dataset=folder / "d", seconds=1, progress=False)
+                options = dict(dataset=folder / "d", seconds=1, model="traction", progress=False)
                 done = distributed.sweep(client, case, {values(6000)!r}, **options)
                 print(done.wall_s)
         """

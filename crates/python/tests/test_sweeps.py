@@ -24,7 +24,7 @@ def test_identity_rows_are_those_of_the_command(
     table = tmp_path / "table.csv"
     settings = ["--set", "ring.z.Force=kN(1..3 in 5)", "--set", "speed.inner.Constant=rpm(6000),rpm(9000)"]
     command("sweep", cases / "angular-7210.ron", *settings, "-o", table, "--quiet", "--json")
-    rows = tribodyn.sweep(plain, GRID, progress=False)
+    rows = tribodyn.sweep(plain, GRID, model="traction", progress=False)
     printed = pandas.read_csv(table, float_precision="round_trip")
     ours = rows.to_pandas().reset_index(drop=True)
     assert list(ours.columns) == list(printed.columns)
@@ -40,12 +40,12 @@ def test_identity_rows_are_those_of_the_command(
 @pytest.mark.parametrize("ending", ["csv", "parquet"])
 def test_identity_tables_and_their_shards_hold_the_rows_of_memory(plain: Case, tmp_path: Path, ending: str) -> None:
     values = {"ring.z.Force": "kN(1..3 in 20)"}
-    whole = tribodyn.sweep(plain, values, progress=False)
-    table = tribodyn.sweep_to(tmp_path / f"whole.{ending}", plain, values, progress=False)
+    whole = tribodyn.sweep(plain, values, model="traction", progress=False)
+    table = tribodyn.sweep_to(tmp_path / f"whole.{ending}", plain, values, model="traction", progress=False)
     assert (table.rows, table.failed_rows, table.resumed_rows) == (20, 0, 0)
     parts = [tmp_path / f"part-{i}.{ending}" for i in range(3)]
     for i, part in enumerate(parts):
-        tribodyn.sweep_to(part, plain, values, shard=f"{i}/3", progress=False)
+        tribodyn.sweep_to(part, plain, values, shard=f"{i}/3", model="traction", progress=False)
     merged = tribodyn.merge(reversed(parts), tmp_path / f"merged.{ending}")
     assert merged.rows == 20 and merged.failed_rows == 0
     for read in (table.to_pandas(), merged.to_pandas()):
@@ -57,14 +57,14 @@ def test_identity_tables_and_their_shards_hold_the_rows_of_memory(plain: Case, t
     with pytest.raises(FileError, match="there twice"):
         tribodyn.merge([*parts, parts[1]], tmp_path / f"twice.{ending}")
     assert not (tmp_path / f"lacking.{ending}").exists()
-    other = tribodyn.sweep_to(tmp_path / f"other.{ending}", plain, {"ring.x.Force": "kN(0),kN(1)"}, progress=False)
+    other = tribodyn.sweep_to(tmp_path / f"other.{ending}", plain, {"ring.x.Force": "kN(0),kN(1)"}, model="traction", progress=False)
     with pytest.raises(FileError, match="other"):
         tribodyn.merge([parts[0], other.output], tmp_path / f"mixed.{ending}")
 
 
 def test_limit_threads_do_not_change_a_row(plain: Case) -> None:
     values = {"ring.z.Force": "kN(1..3 in 40)"}
-    one, two = (tribodyn.sweep(plain, values, threads=n, progress=False).to_pandas() for n in (1, 2))
+    one, two = (tribodyn.sweep(plain, values, threads=n, model="traction", progress=False).to_pandas() for n in (1, 2))
     assert_frame_equal(one, two, check_exact=True)
 
 
@@ -72,16 +72,16 @@ def test_identity_samples_are_solved_as_they_are_drawn(plain: Case) -> None:
     spreads = {"ring.z.Force": (kN, (1.0, 3.0)), "geometry.fit.ContactAngle": ("deg", (38.0, 42.0))}
     drawn = tribodyn.latin_hypercube(spreads, 16, seed=7)
     assert drawn == tribodyn.latin_hypercube(spreads, 16, seed=7) != tribodyn.latin_hypercube(spreads, 16, seed=8)
-    rows = tribodyn.sweep(plain, {"speed.inner.Constant": "rpm(7000)"}, samples=drawn, progress=False)
+    rows = tribodyn.sweep(plain, {"speed.inner.Constant": "rpm(7000)"}, samples=drawn, model="traction", progress=False)
     assert len(rows) == 16 and rows.failed == 0
     forces = rows["ring.z.Force [kN]"]
     assert [kN(float(force)) for force in forces] == drawn["ring.z.Force"]
     # One sample in each sixteenth.
     assert sorted(np.floor((forces - 1.0) / 2.0 * 16)) == list(range(16))
     case = plain.replace({"speed.inner.Constant": "rpm(7000)", **{path: values[5] for path, values in drawn.items()}})
-    alone = tribodyn.solve(case)
+    alone = tribodyn.solve(case, "traction")
     assert rows["cage_speed_rpm"][5] == pytest.approx(alone.cage_speed_rpm, rel=1e-5)
-    cold = tribodyn.sweep(plain, {"speed.inner.Constant": "rpm(7000)"}, samples=drawn, cold=True, progress=False)
+    cold = tribodyn.sweep(plain, {"speed.inner.Constant": "rpm(7000)"}, samples=drawn, cold=True, model="traction", progress=False)
     assert cold["cage_speed_rpm"][5] == alone.cage_speed_rpm
 
 
@@ -99,7 +99,7 @@ def test_limit_tolerances_may_be_distributions(plain: Case) -> None:
 
 def test_limit_rows_without_a_solution_say_why(plain: Case) -> None:
     samples = {"geometry.ball_diameter": ["mm(12.7)", "mm(30)", "mm(12.7)"]}
-    rows = tribodyn.sweep(plain, samples=samples, progress=False)
+    rows = tribodyn.sweep(plain, samples=samples, model="traction", progress=False)
     assert list(rows["converged"]) == [True, False, True] and rows.failed == 1
     assert rows["error"][0] is None and "ball" in rows["error"][1]
     assert np.isnan(rows["cage_speed_rpm"][1]) and np.isnan(rows["iterations"][1])
@@ -136,13 +136,13 @@ def test_limit_a_sweep_that_is_stopped_goes_on(plain: Case, tmp_path: Path) -> N
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        tribodyn.sweep_to(tmp_path / "table.parquet", plain, values, threads=1, progress=stop)
+        tribodyn.sweep_to(tmp_path / "table.parquet", plain, values, threads=1, model="traction", progress=stop)
     assert not (tmp_path / "table.parquet").exists()
     with pytest.raises(InputError, match="other"):
-        tribodyn.sweep_to(tmp_path / "table.parquet", plain, {"ring.z.Force": "kN(1..4 in 400)"}, progress=False)
-    table = tribodyn.sweep_to(tmp_path / "table.parquet", plain, values, progress=False)
+        tribodyn.sweep_to(tmp_path / "table.parquet", plain, {"ring.z.Force": "kN(1..4 in 400)"}, model="traction", progress=False)
+    table = tribodyn.sweep_to(tmp_path / "table.parquet", plain, values, model="traction", progress=False)
     assert table.resumed_rows > 20 and table.rows == 400
-    whole = tribodyn.sweep(plain, values, progress=False).to_pandas().reset_index(drop=True)
+    whole = tribodyn.sweep(plain, values, model="traction", progress=False).to_pandas().reset_index(drop=True)
     assert_frame_equal(table.to_pandas(), whole, check_exact=True, check_dtype=False)
 
 
