@@ -170,6 +170,8 @@ impl RunOptions {
 pub enum Start {
     /// The quasi-static solution at the loads and speeds of time 0.
     QuasiStatic,
+    /// The steady orbit at the loads and speeds of time 0.
+    SteadyOrbit,
     /// A standstill: rings, cage and balls at rest under the loads of time 0.
     Rest,
 }

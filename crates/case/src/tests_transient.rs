@@ -28,7 +28,7 @@ const READING: &[Refused] = &[
     ("pocket_damping: s_per_m(0.5)", "pocket_damping: «0.5»", "cage.pocket_damping", "allowed units: s_per_m"),
     ("land: Outer, radius", "land: «Both», radius", "cage.guidance.land", "allowed: Inner, Outer"),
     ("width: mm(12), gap: mm(0.25)),", "width: mm(12), gap: mm(0.25), «gap»: mm(0.25)),", "cage.guidance.gap", "twice"),
-    ("start: QuasiStatic", "start: «Running»", "transient.start", "allowed: QuasiStatic, Rest"),
+    ("start: QuasiStatic", "start: «Running»", "transient.start", "allowed: QuasiStatic, SteadyOrbit, Rest"),
     ("DormandPrince(tolerance", "«Euler(tolerance: 1e-6, longest: us(10))», tolerance: (tolerance", "transient.scheme", "`Euler` is not known here; allowed: RungeKutta4, DormandPrince, Fast"),
     ("longest: us(10)", "«shortest»: us(10)", "transient.scheme.DormandPrince.shortest", "allowed: tolerance, longest"),
     ("longest: us(10)", "longest: «Hz(10)»", "transient.scheme.DormandPrince.longest", "allowed units: s, ms, us"),

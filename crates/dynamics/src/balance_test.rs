@@ -118,7 +118,7 @@ fn started(changes: &[(&str, &str)], term: Option<Term>) -> (Without, Vec<f64>) 
     let patch = [("traction.patch", "SplitStrip(across: 5, along: 3)")];
     let text = patch.iter().chain(changes).fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
-    let Started { machine, state, .. } = start(case.run_inputs().unwrap()).unwrap();
+    let Started { machine, state, .. } = start(case.run_inputs().unwrap(), None).unwrap();
     (Without { machine, term }, state)
 }
 

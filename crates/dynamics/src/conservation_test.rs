@@ -33,7 +33,7 @@ fn free(case: &str, friction: bool) -> (Machine, Vec<f64>) {
     ];
     let text = changes.iter().fold(case.to_owned(), |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
-    let Started { mut machine, mut state, .. } = start(case.run_inputs().unwrap()).unwrap();
+    let Started { mut machine, mut state, .. } = start(case.run_inputs().unwrap(), None).unwrap();
     machine.bearing.fluid = None;
     machine.cage.guidance = None;
     if !friction {

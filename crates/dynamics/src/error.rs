@@ -18,6 +18,17 @@ pub enum DynamicsError {
     /// The start from the quasi-static solution.
     #[error("no quasi-static solution to start from: {0}")]
     Start(#[from] QuasiStaticError),
+    /// A start from the steady orbit without its motion.
+    #[error("a start from the steady orbit needs its motion: `Run::moving` takes it")]
+    NoMotion,
+    /// Balls of another bearing to start from.
+    #[error("{found} balls to start from: the bearing has {expected}")]
+    Balls {
+        /// Balls that there are.
+        found: usize,
+        /// Balls of the bearing.
+        expected: usize,
+    },
     /// Patch quadrature.
     #[error(transparent)]
     Traction(#[from] TractionError),

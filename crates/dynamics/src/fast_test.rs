@@ -18,7 +18,7 @@ fn started() -> Started {
     ];
     let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
-    start(case.run_inputs().unwrap()).unwrap()
+    start(case.run_inputs().unwrap(), None).unwrap()
 }
 
 fn fast(steps: u32) -> Vec<f64> {

@@ -32,6 +32,7 @@ pub use observer::{Event, EventKind, Observer};
 pub use power::{POWER_IN, POWER_LOST, PowerSample};
 pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
 pub use sample::{CageSample, RingSample, Sample, WearSample};
+pub use start::StartMotion;
 pub use stiffness::Stiffness;
 pub use tribodyn_bearing::{
     Bearing, BearingSpec, Cage, CoatingState, Dimensions, ElasticBody, Fit, Geometry, GuidingLand, Modelling,

@@ -1,11 +1,11 @@
-//! Where a run starts: the quasi-static solution at time 0, or a standstill.
+//! Where a run starts: the quasi-static solution at time 0, a motion that is given, or a standstill.
 
 use crate::equations::Equations;
 use crate::error::DynamicsError;
 use crate::forces::Sums;
-use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN};
+use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
-use tribodyn_bearing::{RingOffset, RunInputs, Side, Start};
+use tribodyn_bearing::{AzimuthFrame, BallState, RingOffset, RunInputs, Side, Start};
 use tribodyn_quasistatic::{BallMotion, Model, Solution, WarmStart, solve};
 use tribodyn_traction::{PatchRule, Quadrature};
 
@@ -16,37 +16,83 @@ pub(crate) struct Started {
     pub solution: Solution,
 }
 
-/// Solves the quasi-static problem of time 0 (of a standstill, where the run starts from rest), takes its patch rule
-/// and puts balls, cage and rings there.
-pub(crate) fn start(mut inputs: RunInputs) -> Result<Started, DynamicsError> {
-    let mut point = inputs.operating_point_at(0.0);
-    if inputs.options.start == Start::Rest {
-        (point.inner_speed, point.outer_speed) = (0.0, 0.0);
-    }
+/// Balls, cage and inner ring in a motion for a run to start from, the outer ring in the centre, pocket 0 at azimuth 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StartMotion {
+    /// Azimuth (rad) and motion of each ball, in the order of their pockets.
+    pub balls: Vec<(f64, BallState)>,
+    /// Cage speed, rad/s.
+    pub cage_speed: f64,
+    /// Displacement x, y, z (m) and tilts (rad) of the inner ring.
+    pub ring: [f64; 5],
+    /// The patch rule of the run.
+    pub rule: PatchRule,
+    /// The same in the form of a solution.
+    pub solution: Solution,
+}
+
+/// Puts balls, cage and rings where a motion has them; the quasi-static problem of time 0 (of a standstill, where the
+/// run starts from rest) is solved where none is given.
+pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Result<Started, DynamicsError> {
     inputs.bearing.ring_offset = RingOffset::Exact;
-    let solved = solve(&inputs.bearing, &point, Model::Traction)?;
-    // A traction solution always comes with its unknowns.
-    let Some(warm) = solved.warm_start else { unreachable!("a traction solution has unknowns") };
-    let quadrature = Quadrature::new(rule_of_the_run(&inputs, &warm)?)?;
-    let mut machine = Machine::new(inputs, quadrature)?;
-    let [x, y, z, tilt @ ..] = warm.ring();
+    let motion = match motion {
+        Some(motion) => motion,
+        None => equilibrium(&inputs)?,
+    };
+    let (found, expected) = (motion.balls.len(), inputs.bearing.geometry.ball_count);
+    if found != expected {
+        return Err(DynamicsError::Balls { found, expected });
+    }
+    let mut machine = Machine::new(inputs, Quadrature::new(motion.rule)?)?;
+    let [x, y, z, tilt @ ..] = motion.ring;
     machine.tilt = tilt;
     let mut state = vec![0.0; machine.layout.len()];
     let l = machine.layout;
     let groove = machine.bearing.geometry.groove_centre_radius(Side::Outer);
-    let mut mean = 0.0;
-    for (index, ball) in warm.balls().enumerate() {
-        let BallMotion { position: [x1, x2], spin: [s_a, s_r, s_t], orbital_speed: orbit } = ball;
+    for (index, (azimuth, ball)) in motion.balls.iter().enumerate() {
         let b = &mut state[l.ball(index)..][..BALL];
-        (b[AXIAL], b[RADIUS], b[AZIMUTH]) = (x1, x2 + groove, machine.bearing.azimuth(index));
-        b[ORBIT] = orbit;
-        b[SPIN..SPIN + 3].copy_from_slice(&[s_a + orbit, s_r, s_t]);
-        mean += orbit / l.balls as f64;
+        (b[AXIAL], b[RADIUS], b[AZIMUTH]) = (ball.position[0], ball.position[1] + groove, *azimuth);
+        b[VELOCITY..ORBIT].copy_from_slice(&ball.velocity);
+        b[ORBIT] = ball.orbital_speed;
+        b[SPIN..].copy_from_slice(&ball.spin);
     }
-    state[l.cage() + 1] = mean;
+    state[l.cage() + 1] = motion.cage_speed;
     state[l.inner()..l.inner() + 3].copy_from_slice(&[x, y, z]);
     set_springs(&mut machine, &state);
-    Ok(Started { machine, state, solution: solved.solution })
+    Ok(Started { machine, state, solution: motion.solution })
+}
+
+/// The equilibrium of time 0, in which each ball keeps its place.
+fn equilibrium(inputs: &RunInputs) -> Result<StartMotion, DynamicsError> {
+    let mut point = inputs.operating_point_at(0.0);
+    match inputs.options.start {
+        Start::QuasiStatic => {}
+        Start::Rest => (point.inner_speed, point.outer_speed) = (0.0, 0.0),
+        Start::SteadyOrbit => return Err(DynamicsError::NoMotion),
+    }
+    let solved = solve(&inputs.bearing, &point, Model::Traction)?;
+    // A traction solution always comes with its unknowns.
+    let Some(warm) = solved.warm_start else { unreachable!("a traction solution has unknowns") };
+    let ball = |(index, ball): (usize, BallMotion)| {
+        let (azimuth, [s_a, s_r, s_t]) = (inputs.bearing.azimuth(index), ball.spin);
+        let state = BallState {
+            frame: AzimuthFrame::at(azimuth),
+            position: ball.position,
+            velocity: [0.0; 2],
+            orbital_speed: ball.orbital_speed,
+            spin: [s_a + ball.orbital_speed, s_r, s_t],
+        };
+        (azimuth, state)
+    };
+    let balls: Vec<(f64, BallState)> = warm.balls().enumerate().map(ball).collect();
+    let count = balls.len() as f64;
+    Ok(StartMotion {
+        cage_speed: balls.iter().fold(0.0, |mean, (_, ball)| mean + ball.orbital_speed / count),
+        ring: warm.ring(),
+        rule: rule_of_the_run(inputs, &warm)?,
+        solution: solved.solution,
+        balls,
+    })
 }
 
 /// At a standstill no slip tells which rule a target error needs: it is taken from the solution at the end of the ramp.

@@ -1,11 +1,13 @@
 //! A solved orbit, and what is needed to go on from it.
 
-use crate::collocation::Orbit;
+use crate::collocation::{Orbit, Radau};
 use crate::newton::OrbitStatistics;
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
+use crate::system::RING;
 use crate::way::Eased;
-use tribodyn_bearing::Races;
+use std::f64::consts::TAU;
+use tribodyn_bearing::{AzimuthFrame, BallState, Races};
 use tribodyn_traction::PatchRule;
 
 /// An orbit to start a neighbouring problem from.
@@ -21,6 +23,36 @@ pub struct OrbitStart {
     pub(crate) eased: Eased,
     pub(crate) scales: Scales,
     pub(crate) speeds: Races<f64>,
+}
+
+/// Balls, cage and ring of an orbit at the instant when pocket 0 stands at azimuth 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Instant {
+    /// Azimuth (rad) and motion of each ball, in the order of their pockets.
+    pub balls: Vec<(f64, BallState)>,
+    /// Cage speed, rad/s.
+    pub cage_speed: f64,
+    /// Displacement x, y, z (m) and tilts (rad) of the inner ring.
+    pub ring: [f64; RING],
+    /// Patch rule of the orbit.
+    pub rule: PatchRule,
+}
+
+impl OrbitStart {
+    /// The bearing at an instant.
+    pub fn instant(&self, ball_count: usize) -> Instant {
+        let (radau, orbit) = (Radau::new(), &self.orbit);
+        let ball = |index: usize| {
+            let pocket = TAU * index as f64 / ball_count as f64;
+            let turn = orbit.cage_speed.signum() * (pocket - self.origin) / TAU;
+            let [x1, x2, lead, v_a, v_r, orbital_speed, spin @ ..] = orbit.at(&radau, turn);
+            let azimuth = pocket + lead;
+            let frame = AzimuthFrame::at(azimuth);
+            (azimuth, BallState { frame, position: [x1, x2], velocity: [v_a, v_r], orbital_speed, spin })
+        };
+        let balls = (0..ball_count).map(ball).collect();
+        Instant { balls, cage_speed: orbit.cage_speed, ring: orbit.ring, rule: self.rule }
+    }
 }
 
 /// A steady orbit with what is needed to go on from it.

@@ -75,6 +75,7 @@ pub struct TransientSpec {
 #[serde(remote = "Start")]
 enum StartDef {
     QuasiStatic,
+    SteadyOrbit,
     Rest,
 }
 

@@ -213,7 +213,7 @@ pub(super) fn transient(numbers: &Numbers, sources: &mut Sources) -> String {
 
     transient: (
         duration: s({}),
-        start: QuasiStatic,
+        start: SteadyOrbit,
         scheme: Fast(step: us({})),
         contact_damping: 0.02,
         wear_acceleration: 0,

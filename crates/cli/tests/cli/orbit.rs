@@ -36,6 +36,22 @@ fn identity_an_orbit_has_all_that_an_equilibrium_has() {
     assert!(orbit.get("ball_mass_factor").is_none(), "{}", orbit["ball_mass_factor"]);
 }
 
+/// A run from the orbit goes on in it; from the equilibrium its cage is a third too fast at first.
+#[test]
+fn identity_a_run_from_the_orbit_stays_in_it() {
+    let scratch = Scratch::new();
+    let case = fixture("angular-7210.ron");
+    let orbit = run(&[&"solve", &case, &"--json"]).json()["cage_speed_rpm"].as_f64().unwrap();
+    let off = |start: &str| {
+        let (set, recording) = (format!("transient.start={start}"), scratch.0.join(format!("{start}.mcap")));
+        let words: [&dyn AsRef<std::ffi::OsStr>; 9] =
+            [&"run", &case, &"--set", &set, &"--duration", &"0.004", &"-o", &recording, &"--json"];
+        run(&words).json()["summary"]["cage_speed_mean_rpm"].as_f64().unwrap() / orbit - 1.0
+    };
+    let (from_orbit, from_equilibrium) = (off("SteadyOrbit"), off("QuasiStatic"));
+    assert!(from_orbit.abs() < 1e-3 && from_equilibrium > 0.1, "{from_orbit:e} {from_equilibrium:e}");
+}
+
 #[test]
 fn limit_a_steady_orbit_has_no_other_roots() {
     let answer = run(&[&"solve", &fixture("paper-ag.ron"), &"--model", &"steady-orbit", &"--roots"]);

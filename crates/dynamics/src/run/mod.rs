@@ -18,7 +18,7 @@ use crate::machine::{Kernel, Machine};
 use crate::observer::Observer;
 use crate::rk4::Rk4;
 use crate::sample::Sample;
-use crate::start::{Started, start};
+use crate::start::{StartMotion, Started, start};
 use crate::stiffness::Stiffness;
 use blame::Looked;
 use filter::{Filter, FilterMemory, steps_of_sample};
@@ -149,12 +149,24 @@ impl Run {
         Ok(self)
     }
 
-    /// A run from its start.
+    /// A run from its start: an equilibrium, or a standstill.
     ///
     /// # Errors
     /// [`DynamicsError`] where nothing holds the outer ring, there is no quasi-static solution to start from, or the
     /// step is too short to come to an end.
     pub fn new(inputs: RunInputs) -> Result<Self, DynamicsError> {
+        Self::from_start(inputs, None)
+    }
+
+    /// A run from a motion.
+    ///
+    /// # Errors
+    /// As [`Run::new`]; [`DynamicsError::Balls`].
+    pub fn moving(inputs: RunInputs, motion: StartMotion) -> Result<Self, DynamicsError> {
+        Self::from_start(inputs, Some(motion))
+    }
+
+    fn from_start(inputs: RunInputs, motion: Option<StartMotion>) -> Result<Self, DynamicsError> {
         let RunOptions { duration, scheme, state_rate, ball_rate, .. } = inputs.options;
         let (tribodyn_bearing::Scheme::RungeKutta4 { step: step_s }
         | tribodyn_bearing::Scheme::Fast { step: step_s }
@@ -163,7 +175,7 @@ impl Run {
             return Err(DynamicsError::NoProgress { time_s: 0.0, step_s });
         }
         let (patch, linear_error) = errors(scheme, inputs.patch);
-        let Started { machine, state, solution } = start(RunInputs { patch, ..inputs })?;
+        let Started { machine, state, solution } = start(RunInputs { patch, ..inputs }, motion)?;
         let filter = Filter::new(FilterBands::new(scheme, state_rate))?;
         let scheme = match scheme {
             tribodyn_bearing::Scheme::RungeKutta4 { step } => Scheme::Rk4 { step, method: Rk4::default() },
@@ -237,7 +249,7 @@ impl Run {
         self.duration
     }
 
-    /// The quasi-static solution from which the run starts.
+    /// The solution from which the run starts.
     pub fn solution(&self) -> &Solution {
         &self.solution
     }

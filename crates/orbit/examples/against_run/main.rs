@@ -14,7 +14,8 @@ use mean::{Mean, weigh_down};
 use std::{error::Error, f64::consts::TAU, fmt::Write, fs};
 use tribodyn_bearing::{Bearing, CageBody};
 use tribodyn_case::Case;
-use tribodyn_orbit::{OrbitSettings, POINTS, SteadyOrbit, steady_orbit};
+use tribodyn_dynamics::StartMotion;
+use tribodyn_orbit::{Instant, OrbitSettings, POINTS, SolvedOrbit, SteadyOrbit, steady_orbit};
 
 const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/steady-orbit.md");
 const BEGIN: &str = "<!-- orbits:begin -->";
@@ -52,11 +53,17 @@ fn row(compared: &Compared) -> Result<String, Box<dyn Error>> {
     let settings = OrbitSettings::default();
     let cage = CageBody::new(&inputs.cage, &inputs.bearing);
     let bearing = Bearing { contact_damping: inputs.options.contact_damping, ..inputs.bearing.clone() };
-    let orbit = steady_orbit(&bearing, &case.operating_point(), &cage, &settings)?.solution;
+    let point = case.operating_point();
+    let SolvedOrbit { solution: orbit, start, .. } = steady_orbit(&bearing, &point, &cage, &settings)?;
+    let motion = start.filter(|_| compared.from_orbit).map(|start| {
+        let Instant { balls, cage_speed, ring, rule } = start.instant(orbit.balls.len());
+        let solution = orbit.as_solution(&orbit.balls, [point.inner_speed, point.outer_speed]);
+        StartMotion { balls, cage_speed, ring, rule, solution }
+    });
     let turn = 60.0 / orbit.cage_speed_rpm.abs();
     let slow = 0.01 * TAU / turn * cage.pocket.radius;
     weigh_down(&mut inputs, settings.pocket_damping / slow);
-    let mean = Mean::of(&inputs, turn, compared.turns)?;
+    let mean = Mean::of(&inputs, turn, compared.turns, motion)?;
     Ok(compare(compared.name, &mean, &orbit))
 }
 

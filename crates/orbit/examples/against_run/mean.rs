@@ -2,7 +2,7 @@
 
 use std::{convert::Infallible, error::Error, f64::consts::TAU, ops::ControlFlow};
 use tribodyn_bearing::RunInputs;
-use tribodyn_dynamics::{Event, Observer, Run, Sample};
+use tribodyn_dynamics::{Event, Observer, Run, Sample, StartMotion};
 use tribodyn_orbit::POINTS;
 
 /// Samples of the rings, Hz.
@@ -48,12 +48,20 @@ impl Observer for Mean {
 impl Mean {
     /// Of a run: first with the cage as it is, until the balls have found their way, then with a heavy one. `turn` is
     /// the time of a turn of the cage, s.
-    pub fn of(inputs: &RunInputs, turn: f64, [light, settling, counted]: [f64; 3]) -> Result<Self, Box<dyn Error>> {
+    pub fn of(
+        inputs: &RunInputs,
+        turn: f64,
+        [light, settling, counted]: [f64; 3],
+        motion: Option<StartMotion>,
+    ) -> Result<Self, Box<dyn Error>> {
         let times = [light, light + settling, light + settling + counted].map(|turns| turns * turn);
         let mut mean = Self { from: f64::INFINITY, bins: vec![[0.0; 3]; POINTS], ..Self::default() };
         let mut inputs = inputs.clone();
         inputs.options.duration = times[2];
-        let mut first = Run::new(inputs.clone())?;
+        let mut first = match motion {
+            Some(motion) => Run::moving(inputs.clone(), motion)?,
+            None => Run::new(inputs.clone())?,
+        };
         first.advance(times[0], &mut mean)?;
         inputs.cage.inertia *= 200.0;
         let mut run = Run::new(inputs)?;

@@ -8,7 +8,8 @@ use serde::{Serialize, Serializer};
 use tribodyn_bearing::quantities::Fields;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, InputError, Purpose};
-use tribodyn_orbit::{OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
+use tribodyn_dynamics::StartMotion;
+use tribodyn_orbit::{Instant, OrbitError, OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
 use tribodyn_quasistatic::{Named, Solution};
 
 /// A bearing with its cage at an operating point.
@@ -44,6 +45,19 @@ impl OrbitProblem {
         bearing.contact_damping = case.transient.as_ref().map_or(0.0, |transient| transient.contact_damping);
         let settings = OrbitSettings { tolerance: point.numerics.tolerance, ..OrbitSettings::default() };
         Ok(Self { cage: CageBody::new(&cage, &bearing), bearing, point, settings })
+    }
+
+    /// The motion of the orbit at an instant, for a run to start from.
+    ///
+    /// # Errors
+    /// [`OrbitError`]; of a standstill there is no orbit.
+    pub(crate) fn motion(&self) -> Result<StartMotion, OrbitError> {
+        let SolvedOrbit { solution: orbit, start, .. } =
+            steady_orbit(&self.bearing, &self.point, &self.cage, &self.settings)?;
+        let solution = orbit.as_solution(&orbit.balls, [self.point.inner_speed, self.point.outer_speed]);
+        let start = start.ok_or(OrbitError::AtRest)?;
+        let Instant { balls, cage_speed, ring, rule } = start.instant(orbit.balls.len());
+        Ok(StartMotion { balls, cage_speed, ring, rule, solution })
     }
 
     /// The orbit.

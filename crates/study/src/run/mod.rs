@@ -8,6 +8,7 @@ mod recording;
 mod resume;
 mod session;
 mod settled;
+mod start;
 mod summary;
 mod tally;
 mod tape;

@@ -8,6 +8,7 @@ use super::checkpoint::{Files, Saved};
 use super::outcome::{RunOutcome, RunReport, Stopped};
 use super::recording::{Failed, Keeper, Reason, Recorder, Recording};
 use super::resume;
+use super::start::start_run;
 use super::tape::{Tape, Viewers};
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
@@ -71,8 +72,7 @@ impl<'a> PreparedRun<'a> {
         let lock = OutputLock::take(recording)?;
         let files = Files::new(recording);
         let saved = earlier(beginning, &files, &file.text)?;
-        let cannot_start = |source| StudyError::CannotStart { file: file.name.clone(), source };
-        let run = Run::new(file.run_inputs()?).map_err(cannot_start)?;
+        let run = start_run(file)?;
         Ok(Self { file, run, files, saved, lock })
     }
 

@@ -1,6 +1,7 @@
 //! A run without a recording, and what it comes to.
 
 use super::outcome::RunReport;
+use super::start::start_run;
 use super::tally::Tally;
 use crate::case_file::CaseFile;
 use crate::error::{StudyError, with_causes};
@@ -30,7 +31,7 @@ pub(crate) enum NoSummary {
 /// Runs a case to its end; none where `stop` was set before. Its numbers are those of a recorded run, to the last bit.
 pub(crate) fn run_unrecorded(file: &CaseFile, stop: &AtomicBool) -> Result<Option<RunReport>, NoSummary> {
     let began = Instant::now();
-    let mut run = Run::new(file.run_inputs()?)?;
+    let mut run = start_run(file)?;
     let mut tally = Tally::new(&file.case);
     let mut watch = Watch { rows: RunRows::new(file.case.geometry.ball_count, |item| tally.take(item)), stop };
     match run.advance(f64::INFINITY, &mut watch) {
