@@ -65,7 +65,9 @@ def test_identity_a_study_outlives_its_workers(plain: Case, tmp_path: Path, rows
         killer.start()
         with pytest.raises(KeyboardInterrupt):
             seconds = 0.1 if rows == SHORT else 2.0
-            distributed.sweep(client, plain, values(rows), dataset=folder, seconds=seconds, model="traction", progress=interrupt)
+            distributed.sweep(
+                client, plain, values(rows), dataset=folder, seconds=seconds, model="traction", progress=interrupt
+            )
         killer.join(10)
         assert len(kills) == 2
         client.close()
@@ -93,7 +95,9 @@ def test_identity_samples_runs_and_starts_go_the_same_way(plain: Case, paper: Ca
     (tmp_path / "problem.ron").write_text(PROBLEM)
     with Cluster(tmp_path, 2) as cluster, cluster.client() as client:
         drawn = tribodyn.sobol({"ring.z.Force": ("kN", (1.0, 3.0)), "ring.x.Force": ("N", (0, 500))}, 64, seed=3)
-        sampled = distributed.sweep(client, plain, samples=drawn, dataset=tmp_path / "samples", model="traction", progress=False)
+        sampled = distributed.sweep(
+            client, plain, samples=drawn, dataset=tmp_path / "samples", model="traction", progress=False
+        )
         local = tribodyn.sweep(plain, samples=drawn, model="traction", progress=False).to_pandas()
         assert_frame_equal(sampled.to_pandas(), local, check_exact=True, check_dtype=False)
 
@@ -126,7 +130,9 @@ def test_limit_a_cluster_that_goes_away_is_an_exception(plain: Case, tmp_path: P
                 cluster.scheduler.kill()
 
         with pytest.raises(ClusterError) as caught:
-            distributed.sweep(client, plain, values(SHORT), dataset=folder, seconds=0.1, model="traction", progress=kill)
+            distributed.sweep(
+                client, plain, values(SHORT), dataset=folder, seconds=0.1, model="traction", progress=kill
+            )
         assert caught.value.dataset == str(folder) and 0 < caught.value.finished < caught.value.rows == SHORT
         assert "goes on from there" in str(caught.value)
         client.close(timeout=1)

@@ -57,7 +57,9 @@ def test_identity_tables_and_their_shards_hold_the_rows_of_memory(plain: Case, t
     with pytest.raises(FileError, match="there twice"):
         tribodyn.merge([*parts, parts[1]], tmp_path / f"twice.{ending}")
     assert not (tmp_path / f"lacking.{ending}").exists()
-    other = tribodyn.sweep_to(tmp_path / f"other.{ending}", plain, {"ring.x.Force": "kN(0),kN(1)"}, model="traction", progress=False)
+    other = tribodyn.sweep_to(
+        tmp_path / f"other.{ending}", plain, {"ring.x.Force": "kN(0),kN(1)"}, model="traction", progress=False
+    )
     with pytest.raises(FileError, match="other"):
         tribodyn.merge([parts[0], other.output], tmp_path / f"mixed.{ending}")
 
@@ -81,7 +83,9 @@ def test_identity_samples_are_solved_as_they_are_drawn(plain: Case) -> None:
     case = plain.replace({"speed.inner.Constant": "rpm(7000)", **{path: values[5] for path, values in drawn.items()}})
     alone = tribodyn.solve(case, "traction")
     assert rows["cage_speed_rpm"][5] == pytest.approx(alone.cage_speed_rpm, rel=1e-5)
-    cold = tribodyn.sweep(plain, {"speed.inner.Constant": "rpm(7000)"}, samples=drawn, cold=True, model="traction", progress=False)
+    cold = tribodyn.sweep(
+        plain, {"speed.inner.Constant": "rpm(7000)"}, samples=drawn, cold=True, model="traction", progress=False
+    )
     assert cold["cage_speed_rpm"][5] == alone.cage_speed_rpm
 
 
@@ -139,7 +143,9 @@ def test_limit_a_sweep_that_is_stopped_goes_on(plain: Case, tmp_path: Path) -> N
         tribodyn.sweep_to(tmp_path / "table.parquet", plain, values, threads=1, model="traction", progress=stop)
     assert not (tmp_path / "table.parquet").exists()
     with pytest.raises(InputError, match="other"):
-        tribodyn.sweep_to(tmp_path / "table.parquet", plain, {"ring.z.Force": "kN(1..4 in 400)"}, model="traction", progress=False)
+        tribodyn.sweep_to(
+            tmp_path / "table.parquet", plain, {"ring.z.Force": "kN(1..4 in 400)"}, model="traction", progress=False
+        )
     table = tribodyn.sweep_to(tmp_path / "table.parquet", plain, values, model="traction", progress=False)
     assert table.resumed_rows > 20 and table.rows == 400
     whole = tribodyn.sweep(plain, values, model="traction", progress=False).to_pandas().reset_index(drop=True)

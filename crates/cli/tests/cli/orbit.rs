@@ -36,7 +36,7 @@ fn identity_an_orbit_has_all_that_an_equilibrium_has() {
     assert!(orbit.get("ball_mass_factor").is_none(), "{}", orbit["ball_mass_factor"]);
 }
 
-/// A run from the orbit goes on in it; from the equilibrium its cage is a third too fast at first.
+/// A run from the orbit goes on in it; from the equilibrium idle balls push the cage about at first.
 #[test]
 fn identity_a_run_from_the_orbit_stays_in_it() {
     let scratch = Scratch::new();
@@ -45,11 +45,11 @@ fn identity_a_run_from_the_orbit_stays_in_it() {
     let off = |start: &str| {
         let (set, recording) = (format!("transient.start={start}"), scratch.0.join(format!("{start}.mcap")));
         let words: [&dyn AsRef<std::ffi::OsStr>; 9] =
-            [&"run", &case, &"--set", &set, &"--duration", &"0.004", &"-o", &recording, &"--json"];
-        run(&words).json()["summary"]["cage_speed_mean_rpm"].as_f64().unwrap() / orbit - 1.0
+            [&"run", &case, &"--set", &set, &"--duration", &"0.001", &"-o", &recording, &"--json"];
+        run(&words).json()["cage_speed_mean_rpm"].as_f64().unwrap() / orbit - 1.0
     };
     let (from_orbit, from_equilibrium) = (off("SteadyOrbit"), off("QuasiStatic"));
-    assert!(from_orbit.abs() < 1e-3 && from_equilibrium > 0.1, "{from_orbit:e} {from_equilibrium:e}");
+    assert!(from_orbit.abs() < 2e-3 && from_equilibrium.abs() > 0.02, "{from_orbit:e} {from_equilibrium:e}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::error::{StudyError, with_causes};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
-use tribodyn_dynamics::{DynamicsError, Ending, Event, Observer, Run, RunError, Sample};
+use tribodyn_dynamics::{DynamicsError, Ending, Event, Observer, RunError, Sample};
 use tribodyn_record::{RecordError, RunItem, RunRows};
 
 /// Why a run without a recording has no summary.
