@@ -147,8 +147,14 @@ def test_limit_workers_that_are_gone_are_waited_for_and_then_missed(plain: Case,
 
         with pytest.raises(ClusterError, match="no worker for 2 s"):
             distributed.sweep(
-                client, plain, values(SHORT), dataset=tmp_path / "dataset", seconds=0.1, patience=2.0,
-                model="traction", progress=kill,
+                client,
+                plain,
+                values(SHORT),
+                dataset=tmp_path / "dataset",
+                seconds=0.1,
+                patience=2.0,
+                model="traction",
+                progress=kill,
             )
 
 

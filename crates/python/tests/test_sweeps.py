@@ -24,7 +24,7 @@ def test_identity_rows_are_those_of_the_command(
     table = tmp_path / "table.csv"
     settings = ["--set", "ring.z.Force=kN(1..3 in 5)", "--set", "speed.inner.Constant=rpm(6000),rpm(9000)"]
     command("sweep", cases / "angular-7210.ron", *settings, "-o", table, "--quiet", "--json")
-    rows = tribodyn.sweep(plain, GRID, model="traction", progress=False)
+    rows = tribodyn.sweep(plain, GRID, progress=False)
     printed = pandas.read_csv(table, float_precision="round_trip")
     ours = rows.to_pandas().reset_index(drop=True)
     assert list(ours.columns) == list(printed.columns)
