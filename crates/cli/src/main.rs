@@ -24,6 +24,7 @@ mod stiffness;
 mod sweep;
 mod table;
 mod traction;
+mod waiting;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;

@@ -97,8 +97,18 @@ pub enum StudyError {
         source: QuasiStaticError,
     },
     /// A steady orbit that is not found.
-    #[error("{file}: {source}")]
+    #[error("{file}: {source}; the model `traction` asks less: each ball in its place by itself")]
     Orbit {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: OrbitError,
+    },
+    /// No steady orbit for a run to start from.
+    #[error(
+        "{file}: no steady orbit to start from: {source}; `transient.start: QuasiStatic` starts from the equilibrium"
+    )]
+    NoOrbitToStart {
         /// Name of the case file.
         file: String,
         /// Reason.

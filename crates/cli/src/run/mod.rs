@@ -13,7 +13,8 @@ pub use progress::significant;
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
 use crate::table;
-use progress::{Progress, Starting};
+use crate::waiting::Waiting;
+use progress::Progress;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -60,7 +61,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.read()?;
     arguments.replace.check(&arguments.output, &arguments.case.path, Ours::Recording)?;
-    let starting = Starting::new(arguments.quiet);
+    let starting = Waiting::new(arguments.quiet, "solving for the start");
     let prepared = PreparedRun::new(&file, &arguments.output, arguments.beginning())?;
     drop(starting);
     #[cfg(feature = "live")]

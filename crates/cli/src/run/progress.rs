@@ -6,25 +6,6 @@ use std::time::{Duration, Instant};
 /// Parts into which the bar divides the duration.
 const PARTS: u64 = 10_000;
 
-/// A sign of life while the start of a run is sought, which takes minutes where many balls skid; it goes when it is
-/// dropped.
-pub struct Starting(ProgressBar);
-
-impl Starting {
-    pub fn new(quiet: bool) -> Self {
-        let bar = if quiet { ProgressBar::hidden() } else { ProgressBar::new_spinner() };
-        bar.set_message("solving for the start");
-        bar.enable_steady_tick(Duration::from_millis(200));
-        Self(bar)
-    }
-}
-
-impl Drop for Starting {
-    fn drop(&mut self) {
-        self.0.finish_and_clear();
-    }
-}
-
 pub struct Progress {
     bar: ProgressBar,
     duration_s: f64,

@@ -13,11 +13,16 @@ pub struct Compared {
     /// True where the run starts from the orbit: from the equilibrium, with balls far from where they end, it does not
     /// come through.
     pub from_orbit: bool,
+    /// How much heavier its rings are than those of others: each ball that enters the load of a light bearing would
+    /// move those of the others by a part of it. Such rings do not find their place from elsewhere.
+    pub heavy: f64,
 }
 
 const TURNS: [f64; 3] = [6.0, 40.0, 20.0];
 /// Where a turn takes long, in time or by an explicit scheme.
 const FEW: [f64; 3] = [4.0, 5.0, 5.0];
+/// From the orbit there is nothing to wait for.
+const AT_ONCE: [f64; 3] = [1.0, 1.0, 20.0];
 
 /// A 6206 of the catalogue's dimensions, C0. Free along its axis it centres itself; z = 0 is where its balls touch both
 /// grooves.
@@ -41,11 +46,19 @@ pub fn bearings() -> Vec<Compared> {
         changes: changes.to_vec(),
         turns: TURNS,
         from_orbit: false,
+        heavy: 1.0,
     };
     let explicit = ("transient.scheme", "RungeKutta4(step: us(4))");
     let paper = |name, file, changes: &[_]| Compared { turns: FEW, ..of(name, file, &[&[explicit], changes].concat()) };
     let groove = |name, changes: &[_]| of(name, ANGULAR, &[&DEEP_GROOVE, changes].concat());
-    let light = |name, changes: &[_]| Compared { from_orbit: true, ..groove(name, changes) };
+    // What the fast scheme takes for linear is a part of so small a torque.
+    let fine = ("transient.scheme", "RungeKutta4(step: us(2))");
+    let light = |name, changes: &[_]| Compared {
+        from_orbit: true,
+        heavy: 100.0,
+        turns: AT_ONCE,
+        ..groove(name, &[&[fine], changes].concat())
+    };
     let guided = "(land: Outer, radius: mm(90), width: mm(12), gap: mm(0.3))";
     vec![
         paper("paper, silver", TURBOPUMP, &[]),
@@ -88,7 +101,14 @@ pub fn bearings() -> Vec<Compared> {
             "6206, 100 N, clearance 60 µm: one loaded ball",
             &[("ring.x", "Force(N(100))"), ("geometry.fit", "RadialClearance(um(60))")],
         ),
-        light("6206, 2 kN, 0.02 N m on the cage", &[("ring.x", "Force(kN(2))"), ("cage.drag_torque", "Nm(0.02)")]),
+        light("6206, 100 N, held along its axis", &[("ring.x", "Force(N(100))"), ("ring.z", "Held(um(0))")]),
+        Compared {
+            from_orbit: true,
+            ..groove(
+                "6206, 2 kN, 0.02 N m on the cage",
+                &[("ring.x", "Force(kN(2))"), ("cage.drag_torque", "Nm(0.02)")],
+            )
+        },
     ]
 }
 

@@ -62,7 +62,7 @@ fn row(compared: &Compared) -> Result<String, Box<dyn Error>> {
     });
     let turn = 60.0 / orbit.cage_speed_rpm.abs();
     let slow = 0.01 * TAU / turn * cage.pocket.radius;
-    weigh_down(&mut inputs, settings.pocket_damping / slow);
+    weigh_down(&mut inputs, settings.pocket_damping / slow, compared.heavy);
     let mean = Mean::of(&inputs, turn, compared.turns, motion)?;
     Ok(compare(compared.name, &mean, &orbit))
 }

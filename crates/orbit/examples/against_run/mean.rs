@@ -93,13 +93,14 @@ impl Mean {
     }
 }
 
-/// Rings so heavy and damped that they do not answer to single balls; contacts and pockets damped as in the orbit.
-pub fn weigh_down(inputs: &mut RunInputs, pocket_damping: f64) {
+/// Rings so heavy, by a factor, and damped that they do not answer to single balls; contacts and pockets damped as in
+/// the orbit.
+pub fn weigh_down(inputs: &mut RunInputs, pocket_damping: f64, heavy: f64) {
     inputs.cage.pocket_damping = inputs.cage.pocket_damping.max(pocket_damping);
     inputs.options.contact_damping = inputs.options.contact_damping.max(0.1);
     // No multiple of the balls' passing: samples would see them at a few azimuths only.
     (inputs.options.state_rate, inputs.options.ball_rate) = (RATE, RATE / 4.0);
     let supports = &mut inputs.supports;
-    (supports.inner.mass, supports.outer.mass) = (100.0, 100.0);
-    (supports.inner.damping, supports.outer.damping) = ([3e4; 3], [3e4; 2]);
+    (supports.inner.mass, supports.outer.mass) = (100.0 * heavy, 100.0 * heavy);
+    (supports.inner.damping, supports.outer.damping) = ([3e4 * heavy; 3], [3e4 * heavy; 2]);
 }

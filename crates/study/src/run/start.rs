@@ -18,6 +18,7 @@ pub(crate) fn start_run(file: &CaseFile) -> Result<Run, StudyError> {
     }
     let point = inputs.operating_point_at(0.0);
     let problem = OrbitProblem { point, ..OrbitProblem::new(file)? };
-    let motion = problem.motion().map_err(|source| StudyError::Orbit { file: file.name.clone(), source })?;
+    let failed = |source| StudyError::NoOrbitToStart { file: file.name.clone(), source };
+    let motion = problem.motion().map_err(failed)?;
     Run::moving(inputs, motion).map_err(cannot_start)
 }
