@@ -23,6 +23,8 @@ const TURNS: [f64; 3] = [6.0, 40.0, 20.0];
 const FEW: [f64; 3] = [4.0, 5.0, 5.0];
 /// From the orbit there is nothing to wait for.
 const AT_ONCE: [f64; 3] = [1.0, 1.0, 20.0];
+/// Where a heavy cage would take hundreds of turns to come to the speed of the orbit from another.
+const STAYING: [f64; 3] = [0.0, 2.0, 10.0];
 
 /// A 6206 of the catalogue's dimensions, C0. Free along its axis it centres itself; z = 0 is where its balls touch both
 /// grooves.
@@ -59,16 +61,21 @@ pub fn bearings() -> Vec<Compared> {
         turns: AT_ONCE,
         ..groove(name, &[&[fine], changes].concat())
     };
+    let staying = |bearing| Compared { from_orbit: true, turns: STAYING, ..bearing };
     let guided = "(land: Outer, radius: mm(90), width: mm(12), gap: mm(0.3))";
     vec![
         paper("paper, silver", TURBOPUMP, &[]),
         paper("paper, PTFE", "paper-ptfe", &[]),
         paper("paper, fixed parameters", TURBOPUMP, &[("traction.varying", "false")]),
         paper("paper, axial only", TURBOPUMP, &[("ring.x", "Force(kN(0))")]),
-        paper("paper, 5 kN axial, 2 kN radial", TURBOPUMP, &[("ring.x", "Force(kN(2))"), ("ring.z", "Force(kN(5))")]),
-        paper("paper, guided cage", TURBOPUMP, &[("cage.guidance", guided)]),
+        staying(paper(
+            "paper, 5 kN axial, 2 kN radial",
+            TURBOPUMP,
+            &[("ring.x", "Force(kN(2))"), ("ring.z", "Force(kN(5))")],
+        )),
+        staying(paper("paper, guided cage", TURBOPUMP, &[("cage.guidance", guided)])),
         of("7210, 3 kN axial, 4 kN radial, 6000 r/min", ANGULAR, &[]),
-        Compared { turns: FEW, ..of("the same at 1000 r/min", ANGULAR, &[("speed.inner", "Constant(rpm(1000))")]) },
+        staying(of("the same at 1000 r/min", ANGULAR, &[fine, ("speed.inner", "Constant(rpm(1000))")])),
         of("the same at 12 000 r/min", ANGULAR, &[("speed.inner", "Constant(rpm(12000))")]),
         of("7210, 3 kN, 2 kN", ANGULAR, &[("ring.x", "Force(kN(2))")]),
         of("7210, 300 N, 400 N", ANGULAR, &[("ring.x", "Force(N(400))"), ("ring.z", "Force(N(300))")]),
