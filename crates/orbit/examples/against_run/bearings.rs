@@ -75,7 +75,7 @@ pub fn bearings() -> Vec<Compared> {
         )),
         staying(paper("paper, guided cage", TURBOPUMP, &[("cage.guidance", guided)])),
         of("7210, 3 kN axial, 4 kN radial, 6000 r/min", ANGULAR, &[]),
-        staying(of("the same at 1000 r/min", ANGULAR, &[fine, ("speed.inner", "Constant(rpm(1000))")])),
+        staying(of("the same at 1000 r/min", ANGULAR, &[("speed.inner", "Constant(rpm(1000))")])),
         of("the same at 12 000 r/min", ANGULAR, &[("speed.inner", "Constant(rpm(12000))")]),
         of("7210, 3 kN, 2 kN", ANGULAR, &[("ring.x", "Force(kN(2))")]),
         of("7210, 300 N, 400 N", ANGULAR, &[("ring.x", "Force(N(400))"), ("ring.z", "Force(N(300))")]),
@@ -111,6 +111,7 @@ pub fn bearings() -> Vec<Compared> {
         light("6206, 100 N, held along its axis", &[("ring.x", "Force(N(100))"), ("ring.z", "Held(um(0))")]),
         Compared {
             from_orbit: true,
+            heavy: 100.0,
             ..groove(
                 "6206, 2 kN, 0.02 N m on the cage",
                 &[("ring.x", "Force(kN(2))"), ("cage.drag_torque", "Nm(0.02)")],

@@ -58,13 +58,15 @@ impl Mean {
         let mut mean = Self { from: f64::INFINITY, bins: vec![[0.0; 3]; POINTS], ..Self::default() };
         let mut inputs = inputs.clone();
         inputs.options.duration = times[2];
-        let mut first = match motion {
-            Some(motion) => Run::moving(inputs.clone(), motion)?,
-            None => Run::new(inputs.clone())?,
+        // Supports are without stretch at the start: both parts have the same.
+        let begin = |inputs: RunInputs| match &motion {
+            Some(motion) => Run::moving(inputs, motion.clone()),
+            None => Run::new(inputs),
         };
+        let mut first = begin(inputs.clone())?;
         first.advance(times[0], &mut mean)?;
         inputs.cage.inertia *= 200.0;
-        let mut run = Run::new(inputs)?;
+        let mut run = begin(inputs)?;
         run.resume(first.checkpoint())?;
         mean.from = times[1];
         run.advance(times[2], &mut mean)?;
