@@ -26,7 +26,9 @@ pub struct OrbitStatistics {
 }
 
 /// Contraction up to which a Jacobian serves another step.
-const CHORD: f64 = 0.3;
+const CHORD: f64 = 0.2;
+/// The same where it is bettered by what steps tell.
+const LEARNING: f64 = 0.3;
 /// By how much a step may be longer than the one before, of full and of damped steps.
 const FULL: f64 = 100.0;
 const DAMPED: f64 = 1.0;
@@ -84,30 +86,33 @@ impl<'a> Newton<'a> {
     /// then damped ones.
     pub fn run(&mut self, orbit: Orbit, tolerance: f64, limit: usize) -> (Orbit, Residual) {
         let residual = self.residual(&orbit);
-        let (full, left) = self.iterate((orbit.clone(), residual.clone()), tolerance, (limit / 2, FULL));
+        let (full, left) = self.iterate((orbit.clone(), residual.clone()), tolerance, (limit / 2, FULL), false);
         if left.worst.relative <= tolerance {
             return (full, left);
         }
         let nearer = left.worst.relative < residual.worst.relative;
         let from = if nearer { (full, left) } else { (orbit, residual) };
-        self.iterate(from, tolerance, (limit, DAMPED))
+        self.iterate(from, tolerance, (limit, DAMPED), false)
     }
 
-    /// The same by so many Jacobians and full steps alone; none where they do not meet the tolerance.
+    /// The same from near by, by so many Jacobians and full steps alone, each Jacobian bettered by what steps tell
+    /// (Broyden's method, section 2.1.4 there); none where they do not meet the tolerance. Farther off that leads less
+    /// surely to an orbit.
     pub fn by_full_steps(&mut self, orbit: Orbit, tolerance: f64, jacobians: usize) -> Option<(Orbit, Residual)> {
         let residual = self.residual(&orbit);
-        let found = self.iterate((orbit, residual), tolerance, (jacobians, FULL));
+        let found = self.iterate((orbit, residual), tolerance, (jacobians, FULL), true);
         (found.1.worst.relative <= tolerance).then_some(found)
     }
 
     /// Newton steps by the natural monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems, 2011,
-    /// section 3.3); as long as full steps contract well, each Jacobian is bettered by what they tell instead of made
-    /// again (Broyden's method, section 2.1.4 there). `growth` is by how much a step may be longer than the one before.
+    /// section 3.3), each Jacobian kept as long as it contracts well. `growth` is by how much a step may be longer than
+    /// the one before.
     fn iterate(
         &mut self,
         (mut orbit, mut residual): (Orbit, Residual),
         tolerance: f64,
         (limit, growth): (usize, f64),
+        learns: bool,
     ) -> (Orbit, Residual) {
         let mut best = (f64::INFINITY, 0);
         for iteration in 0..limit {
@@ -120,7 +125,7 @@ impl<'a> Newton<'a> {
                 break;
             }
             let Ok(linear) = self.linearise(&orbit) else { break };
-            let mut broyden = Broyden::new(linear.step(&residual));
+            let mut broyden = Broyden::new(linear.step(&residual), learns);
             let mut share = self.longest(broyden.step());
             loop {
                 let trial = self.apply(&orbit, broyden.step(), share);
@@ -307,11 +312,13 @@ struct Broyden {
     steps: Vec<Step>,
     /// Their squares.
     squares: Vec<f64>,
+    /// False where the Jacobian stays as it is.
+    learns: bool,
 }
 
 impl Broyden {
-    fn new(first: Step) -> Self {
-        Self { squares: vec![first.dot(&first)], steps: vec![first] }
+    fn new(first: Step, learns: bool) -> Self {
+        Self { squares: vec![first.dot(&first)], steps: vec![first], learns }
     }
 
     /// The step to take next.
@@ -322,6 +329,11 @@ impl Broyden {
     /// Goes on after the last step with what the Jacobian alone makes of the residual there; false where that is too
     /// long for the Jacobian to serve on.
     fn go_on(&mut self, mut next: Step) -> bool {
+        if !self.learns {
+            let serves = next.norm() <= CHORD * self.step().norm();
+            *self = Self::new(next, false);
+            return serves;
+        }
         let last = self.steps.len() - 1;
         for k in 0..last {
             let share = next.dot(&self.steps[k]) / self.squares[k];
@@ -329,7 +341,7 @@ impl Broyden {
         }
         let along = next.dot(self.step()) / self.squares[last];
         let contraction = (next.dot(&next) / self.squares[last]).sqrt();
-        let serves = contraction <= CHORD && along < 0.5;
+        let serves = contraction <= LEARNING && along < 0.5;
         next.scale(1.0 / (1.0 - along));
         self.squares.push(next.dot(&next));
         self.steps.push(next);

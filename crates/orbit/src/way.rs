@@ -46,8 +46,8 @@ pub(crate) fn ladder(bearing: &Bearing, (start, cage_speed): (&RollingStart, f64
     let (first, last) = (factor(HEAVIEST), factor(LIGHTEST));
     let rung = |k: usize| {
         // The end of the way is exact.
-        let part = (RUNGS - 1 - k) as f64 / (RUNGS - 1) as f64;
-        let ball_mass = last * (first / last).powf(part);
+        let part = k as f64 / (RUNGS - 1) as f64;
+        let ball_mass = if k == RUNGS - 1 { last } else { first * (last / first).powf(part) };
         (ball_mass, Eased { ball_mass, pocket_stiffness: 1.0 }.of(bearing))
     };
     (0..RUNGS).map(rung).collect()
