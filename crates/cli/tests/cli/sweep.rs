@@ -144,20 +144,9 @@ fn identity_a_killed_sweep_goes_on_to_the_same_bytes() {
     let [whole, table] = ["whole.csv", "table.csv"].map(|name| scratch.0.join(name));
     grid(&whole, &[]).table();
     let case = fixture("paper-handset.ron");
-    let words: [&dyn AsRef<OsStr>; 12] = [
-        &"sweep",
-        &case,
-        &"--model",
-        &"traction",
-        &"--set",
-        &AXIAL,
-        &"--set",
-        &RADIAL,
-        &"-o",
-        &table,
-        &"--threads",
-        &"1",
-    ];
+    let start: [&dyn AsRef<OsStr>; 4] = [&"sweep", &case, &"--model", &"traction"];
+    let rest: [&dyn AsRef<OsStr>; 8] = [&"--set", &AXIAL, &"--set", &RADIAL, &"-o", &table, &"--threads", &"1"];
+    let words = [&start[..], &rest].concat();
     let mut child = command(&words).spawn().unwrap();
     let journal = scratch.0.join("table.csv.rows");
     wait(&journal, |text| text.ends_with('\n'));
