@@ -50,7 +50,7 @@ pub use result::{
     BallMotionResult, BallPlace, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, TransientContact,
 };
 pub use run_inputs::{CoatingState, GuidingLand, MovingCage, RunInputs, RunOptions, Scheme, Start, Support, Supports};
-pub use state::{BallState, RingState};
+pub use state::{BallState, Motion, RingState};
 pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};
 pub use tribodyn_wear::LocalSurface;
 pub use tribology::Tribology;

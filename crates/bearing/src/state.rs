@@ -26,6 +26,17 @@ impl<D: Scalar> RingState<D> {
     }
 }
 
+/// Balls, cage and inner ring in motion at one instant: the outer ring in the centre, pocket 0 at azimuth 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// Azimuth (rad) and motion of each ball, in the order of their pockets.
+    pub balls: Vec<(f64, BallState)>,
+    /// Cage speed, rad/s.
+    pub cage_speed: f64,
+    /// Displacement x, y, z (m) and tilts (rad) of the inner ring.
+    pub ring: [f64; 5],
+}
+
 /// Position and motion of a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallState<D = f64> {

@@ -5,7 +5,6 @@ use crate::input::CaseArguments;
 use crate::solve::ModelName;
 use crate::table::{self, number};
 use serde::Serialize;
-use tribodyn_quasistatic::Model;
 use tribodyn_study::answers::rated;
 use tribodyn_study::rating::{Rating, RatingSource};
 
@@ -26,16 +25,17 @@ pub struct Arguments {
 
 #[derive(Serialize)]
 struct Answer<'a> {
-    model: Model,
+    model: &'static str,
     #[serde(flatten)]
     rating: &'a Rating,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let (solution, found) = rated(&file, arguments.model.equations())?;
+    let equations = arguments.model.equations();
+    let found = rated(&file, equations)?;
     if arguments.json {
-        return table::print_json(&Answer { model: solution.model, rating: &found });
+        return table::print_json(&Answer { model: equations.name(), rating: &found });
     }
     table::print_line(&format!("{}: {}\n", file.name, crate::harmless::visible(&file.case.name)))?;
     table::print_pairs(&rows(&found))?;

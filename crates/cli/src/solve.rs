@@ -109,10 +109,10 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
         let message = "the steady orbit is not searched for other equilibria; `--model traction` is".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model steady-orbit".to_owned(), message });
     }
-    let waiting = Waiting::new(false, "seeking the steady orbit; `--model traction` is quicker");
-    let answer = OrbitAnswer::of(file);
-    drop(waiting);
-    let answer = answer?;
+    let answer = {
+        let _waiting = Waiting::new(false, "seeking the steady orbit; `--model traction` is quicker");
+        OrbitAnswer::of(file)?
+    };
     let plots = arguments.plot.as_ref();
     let plots = plots.map(|folder| stage_plots(folder, arguments.replace.force, &answer.round)).transpose()?;
     if let Some(path) = &arguments.output {

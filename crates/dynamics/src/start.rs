@@ -5,7 +5,7 @@ use crate::error::DynamicsError;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
-use tribodyn_bearing::{AzimuthFrame, BallState, RingOffset, RunInputs, Side, Start};
+use tribodyn_bearing::{AzimuthFrame, BallState, Motion, RingOffset, RunInputs, Side, Start};
 use tribodyn_quasistatic::{BallMotion, Model, Solution, WarmStart, solve};
 use tribodyn_traction::{PatchRule, Quadrature};
 
@@ -16,15 +16,11 @@ pub(crate) struct Started {
     pub solution: Solution,
 }
 
-/// Balls, cage and inner ring in a motion for a run to start from, the outer ring in the centre, pocket 0 at azimuth 0.
+/// A motion for a run to start from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StartMotion {
-    /// Azimuth (rad) and motion of each ball, in the order of their pockets.
-    pub balls: Vec<(f64, BallState)>,
-    /// Cage speed, rad/s.
-    pub cage_speed: f64,
-    /// Displacement x, y, z (m) and tilts (rad) of the inner ring.
-    pub ring: [f64; 5],
+    /// Balls, cage and inner ring.
+    pub motion: Motion,
     /// The patch rule of the run.
     pub rule: PatchRule,
     /// The same in the form of a solution.
@@ -35,7 +31,7 @@ pub struct StartMotion {
 /// run starts from rest) is solved where none is given.
 pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Result<Started, DynamicsError> {
     inputs.bearing.ring_offset = RingOffset::Exact;
-    let motion = match motion {
+    let StartMotion { motion, rule, solution } = match motion {
         Some(motion) => motion,
         None => equilibrium(&inputs)?,
     };
@@ -43,7 +39,7 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     if found != expected {
         return Err(DynamicsError::Balls { found, expected });
     }
-    let mut machine = Machine::new(inputs, Quadrature::new(motion.rule)?)?;
+    let mut machine = Machine::new(inputs, Quadrature::new(rule)?)?;
     let [x, y, z, tilt @ ..] = motion.ring;
     machine.tilt = tilt;
     let mut state = vec![0.0; machine.layout.len()];
@@ -59,7 +55,7 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     state[l.cage() + 1] = motion.cage_speed;
     state[l.inner()..l.inner() + 3].copy_from_slice(&[x, y, z]);
     set_springs(&mut machine, &state);
-    Ok(Started { machine, state, solution: motion.solution })
+    Ok(Started { machine, state, solution })
 }
 
 /// The equilibrium of time 0, in which each ball keeps its place.
@@ -86,13 +82,9 @@ fn equilibrium(inputs: &RunInputs) -> Result<StartMotion, DynamicsError> {
     };
     let balls: Vec<(f64, BallState)> = warm.balls().enumerate().map(ball).collect();
     let count = balls.len() as f64;
-    Ok(StartMotion {
-        cage_speed: balls.iter().fold(0.0, |mean, (_, ball)| mean + ball.orbital_speed / count),
-        ring: warm.ring(),
-        rule: rule_of_the_run(inputs, &warm)?,
-        solution: solved.solution,
-        balls,
-    })
+    let cage_speed = balls.iter().fold(0.0, |mean, (_, ball)| mean + ball.orbital_speed / count);
+    let motion = Motion { balls, cage_speed, ring: warm.ring() };
+    Ok(StartMotion { motion, rule: rule_of_the_run(inputs, &warm)?, solution: solved.solution })
 }
 
 /// At a standstill no slip tells which rule a target error needs: it is taken from the solution at the end of the ramp.

@@ -47,26 +47,10 @@ pub(crate) struct Step {
 }
 
 impl Step {
-    /// Scalar product: the mean over the points, with the border.
-    pub fn dot(&self, other: &Self) -> f64 {
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let points: f64 = self.values.iter().zip(&other.values).map(|(a, b)| product(a, b)).sum();
-        points / (self.values.len() * STACK) as f64 + product(&self.border, &other.border)
-    }
-
     pub fn norm(&self) -> f64 {
-        self.dot(self).sqrt()
-    }
-
-    /// Adds a multiple of another step.
-    pub fn add(&mut self, factor: f64, other: &Self) {
-        let change = |a: &mut [f64], b: &[f64]| a.iter_mut().zip(b).for_each(|(a, b)| *a += factor * b);
-        self.values.iter_mut().zip(&other.values).for_each(|(a, b)| change(a, b));
-        change(&mut self.border, &other.border);
-    }
-
-    pub fn scale(&mut self, factor: f64) {
-        self.values.iter_mut().flatten().chain(&mut self.border).for_each(|v| *v *= factor);
+        let points: f64 = self.values.iter().flatten().map(|v| v * v).sum();
+        let points = points / (self.values.len() * STACK) as f64;
+        (points + self.border.iter().map(|v| v * v).sum::<f64>()).sqrt()
     }
 }
 

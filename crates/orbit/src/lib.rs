@@ -27,4 +27,4 @@ pub use newton::OrbitStatistics;
 pub use settings::OrbitSettings;
 pub use solution::{POINTS, SteadyOrbit};
 pub use solve::{orbit_modes, orbit_stiffness, steady_orbit, steady_orbit_from};
-pub use solved::{Instant, OrbitStart, SolvedOrbit};
+pub use solved::{OrbitStart, SolvedOrbit};

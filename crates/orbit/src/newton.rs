@@ -27,8 +27,6 @@ pub struct OrbitStatistics {
 
 /// Contraction up to which a Jacobian serves another step.
 const CHORD: f64 = 0.2;
-/// The same where it is bettered by what steps tell.
-const LEARNING: f64 = 0.3;
 /// By how much a step may be longer than the one before, of full and of damped steps.
 const FULL: f64 = 100.0;
 const DAMPED: f64 = 1.0;
@@ -86,21 +84,19 @@ impl<'a> Newton<'a> {
     /// then damped ones.
     pub fn run(&mut self, orbit: Orbit, tolerance: f64, limit: usize) -> (Orbit, Residual) {
         let residual = self.residual(&orbit);
-        let (full, left) = self.iterate((orbit.clone(), residual.clone()), tolerance, (limit / 2, FULL), false);
+        let (full, left) = self.iterate((orbit.clone(), residual.clone()), tolerance, (limit / 2, FULL));
         if left.worst.relative <= tolerance {
             return (full, left);
         }
         let nearer = left.worst.relative < residual.worst.relative;
         let from = if nearer { (full, left) } else { (orbit, residual) };
-        self.iterate(from, tolerance, (limit, DAMPED), false)
+        self.iterate(from, tolerance, (limit, DAMPED))
     }
 
-    /// The same from near by, by so many Jacobians and full steps alone, each Jacobian bettered by what steps tell
-    /// (Broyden's method, section 2.1.4 there); none where they do not meet the tolerance. Farther off that leads less
-    /// surely to an orbit.
+    /// The same by so many Jacobians and full steps alone; none where they do not meet the tolerance.
     pub fn by_full_steps(&mut self, orbit: Orbit, tolerance: f64, jacobians: usize) -> Option<(Orbit, Residual)> {
         let residual = self.residual(&orbit);
-        let found = self.iterate((orbit, residual), tolerance, (jacobians, FULL), true);
+        let found = self.iterate((orbit, residual), tolerance, (jacobians, FULL));
         (found.1.worst.relative <= tolerance).then_some(found)
     }
 
@@ -112,7 +108,6 @@ impl<'a> Newton<'a> {
         (mut orbit, mut residual): (Orbit, Residual),
         tolerance: f64,
         (limit, growth): (usize, f64),
-        learns: bool,
     ) -> (Orbit, Residual) {
         let mut best = (f64::INFINITY, 0);
         for iteration in 0..limit {
@@ -125,20 +120,22 @@ impl<'a> Newton<'a> {
                 break;
             }
             let Ok(linear) = self.linearise(&orbit) else { break };
-            let mut broyden = Broyden::new(linear.step(&residual), learns);
-            let mut share = self.longest(broyden.step());
+            let mut step = linear.step(&residual);
+            let mut size = step.norm();
+            let mut share = self.longest(&step);
             loop {
-                let trial = self.apply(&orbit, broyden.step(), share);
+                let trial = self.apply(&orbit, &step, share);
                 let after = self.residual(&trial);
                 let next = linear.step(&after);
-                let (size, left) = (broyden.step().norm(), next.norm());
+                let left = next.norm();
                 let good = left <= growth * (1.0 - 0.25 * share) * size;
                 if good || after.worst.relative <= tolerance {
                     (orbit, residual) = (trial, after);
-                    if share < 1.0 || residual.worst.relative <= tolerance || !broyden.go_on(next) {
+                    if share < 1.0 || left > CHORD * size || residual.worst.relative <= tolerance {
                         break;
                     }
-                    share = self.longest(broyden.step());
+                    (step, size) = (next, left);
+                    share = self.longest(&step);
                     continue;
                 }
                 self.statistics.rejected += 1;
@@ -304,48 +301,6 @@ impl<'a> Newton<'a> {
         } else {
             *from
         }
-    }
-}
-
-/// Steps with one Jacobian, each of full length, and by how much they better it.
-struct Broyden {
-    steps: Vec<Step>,
-    /// Their squares.
-    squares: Vec<f64>,
-    /// False where the Jacobian stays as it is.
-    learns: bool,
-}
-
-impl Broyden {
-    fn new(first: Step, learns: bool) -> Self {
-        Self { squares: vec![first.dot(&first)], steps: vec![first], learns }
-    }
-
-    /// The step to take next.
-    fn step(&self) -> &Step {
-        &self.steps[self.steps.len() - 1]
-    }
-
-    /// Goes on after the last step with what the Jacobian alone makes of the residual there; false where that is too
-    /// long for the Jacobian to serve on.
-    fn go_on(&mut self, mut next: Step) -> bool {
-        if !self.learns {
-            let serves = next.norm() <= CHORD * self.step().norm();
-            *self = Self::new(next, false);
-            return serves;
-        }
-        let last = self.steps.len() - 1;
-        for k in 0..last {
-            let share = next.dot(&self.steps[k]) / self.squares[k];
-            next.add(share, &self.steps[k + 1]);
-        }
-        let along = next.dot(self.step()) / self.squares[last];
-        let contraction = (next.dot(&next) / self.squares[last]).sqrt();
-        let serves = contraction <= LEARNING && along < 0.5;
-        next.scale(1.0 / (1.0 - along));
-        self.squares.push(next.dot(&next));
-        self.steps.push(next);
-        serves
     }
 }
 

@@ -45,6 +45,8 @@ pub struct SteadyOrbit {
     pub residual: f64,
     /// Estimated quadrature error of the traction force over the load, against a finer rule.
     pub patch_error_estimate: f64,
+    /// Jacobians of the whole orbit.
+    pub iterations: usize,
     /// Intervals of the mesh.
     pub intervals: usize,
     /// Rate over the cage speed at which the orbit lets axial and radial motion of balls die out besides, where they
@@ -77,7 +79,7 @@ impl SteadyOrbit {
             inner_speed_rad_s: inner_speed,
             outer_speed_rad_s: outer_speed,
             residual: self.residual,
-            iterations: 0,
+            iterations: self.iterations,
             patch_error_estimate: Some(self.patch_error_estimate),
             warnings: self.warnings(),
             balls: balls.to_vec(),
@@ -160,6 +162,7 @@ pub(crate) fn solution(newton: &Newton<'_>, (orbit, found): &Found, rule_error: 
         pocket_contact_azimuths_deg: contacts(newton, orbit),
         residual: found.worst.relative,
         patch_error_estimate: rule_error,
+        iterations: newton.statistics.jacobians,
         intervals: orbit.intervals(),
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
         ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),

@@ -19,6 +19,13 @@ use tribodyn_traction::{FastPatch, PatchRule};
 /// touches.
 const CENTRING: f64 = 1e-8;
 
+/// Error of an interval, over what is allowed, up to which the mesh of a neighbour serves.
+const DRIFTED: f64 = 2.0;
+/// Patches by which slopes are taken at first from a neighbour, and the Jacobians after which those of the patches
+/// themselves are: where a cage hangs that no ball touches, slopes must be right to the last.
+const HURRY: usize = 3;
+const SLOPES: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
+
 /// The bearing as the orbit has it: offsets of the rings exact, contacts damped.
 fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
     let mut bearing = bearing.clone();
@@ -26,13 +33,6 @@ fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
     bearing.contact_damping = bearing.contact_damping.max(settings.contact_damping);
     bearing
 }
-
-/// Error of an interval, over what is allowed, up to which the mesh of a neighbour serves.
-const DRIFTED: f64 = 2.0;
-/// Patches by which slopes are taken at first from a neighbour, and the Jacobians after which those of the patches
-/// themselves are: where a cage hangs that no ball touches, slopes must be right to the last.
-const HURRY: usize = 3;
-const SLOPES: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
 
 fn system<'a>(
     bearing: &'a Bearing,
@@ -121,11 +121,12 @@ pub fn steady_orbit_from(
     }
     let mut newton = at(&warm, (point, cage), settings, &OrbitStart { orbit: orbit.clone(), ..near.clone() })?;
     let rule = (point, near.rule, near.rule_error);
-    newton.slopes_by = Some(FastPatch::new(SLOPES)?);
-    let cheap = newton.by_full_steps(orbit.clone(), settings.tolerance, HURRY);
+    let cheap = FastPatch::new(SLOPES)?;
+    newton.slopes_by = Some(cheap.clone());
+    let hurried = newton.by_full_steps(orbit.clone(), settings.tolerance, HURRY);
     newton.slopes_by = None;
-    let met = cheap.or_else(|| newton.met(orbit.clone(), (settings.tolerance, PATIENCE)));
-    if let Some(found) = met.and_then(|found| fitted(&mut newton, found, settings)) {
+    let met = hurried.or_else(|| newton.met(orbit.clone(), (settings.tolerance, PATIENCE)));
+    if let Some(found) = met.and_then(|found| fitted(&mut newton, found, (settings, cheap))) {
         return finish(&newton, found, rule, near.eased);
     }
     match damped(&mut newton, &orbit, settings, (&SETTLING, WORK)) {
@@ -135,8 +136,7 @@ pub fn steady_orbit_from(
 }
 
 /// An orbit on a neighbour's mesh, or on a finer one where that errs by more than is allowed.
-fn fitted(newton: &mut Newton<'_>, found: Found, settings: &OrbitSettings) -> Option<Found> {
-    let cheap = FastPatch::new(SLOPES).ok()?;
+fn fitted(newton: &mut Newton<'_>, found: Found, (settings, cheap): (&OrbitSettings, FastPatch)) -> Option<Found> {
     let errors = newton.with_patches(cheap, |newton| newton.errors(&found.0, settings.mesh_error));
     if errors.iter().all(|error| *error <= DRIFTED) {
         return Some(found);

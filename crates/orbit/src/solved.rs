@@ -4,10 +4,9 @@ use crate::collocation::{Orbit, Radau};
 use crate::newton::OrbitStatistics;
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
-use crate::system::RING;
 use crate::way::Eased;
 use std::f64::consts::TAU;
-use tribodyn_bearing::{AzimuthFrame, BallState, Races};
+use tribodyn_bearing::{AzimuthFrame, BallState, Motion, Races};
 use tribodyn_traction::PatchRule;
 
 /// An orbit to start a neighbouring problem from.
@@ -25,22 +24,9 @@ pub struct OrbitStart {
     pub(crate) speeds: Races<f64>,
 }
 
-/// Balls, cage and ring of an orbit at the instant when pocket 0 stands at azimuth 0.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Instant {
-    /// Azimuth (rad) and motion of each ball, in the order of their pockets.
-    pub balls: Vec<(f64, BallState)>,
-    /// Cage speed, rad/s.
-    pub cage_speed: f64,
-    /// Displacement x, y, z (m) and tilts (rad) of the inner ring.
-    pub ring: [f64; RING],
-    /// Patch rule of the orbit.
-    pub rule: PatchRule,
-}
-
 impl OrbitStart {
-    /// The bearing at an instant.
-    pub fn instant(&self, ball_count: usize) -> Instant {
+    /// Balls, cage and ring at the instant when pocket 0 stands at azimuth 0.
+    pub fn motion(&self, ball_count: usize) -> Motion {
         let (radau, orbit) = (Radau::new(), &self.orbit);
         let ball = |index: usize| {
             let pocket = TAU * index as f64 / ball_count as f64;
@@ -50,8 +36,12 @@ impl OrbitStart {
             let frame = AzimuthFrame::at(azimuth);
             (azimuth, BallState { frame, position: [x1, x2], velocity: [v_a, v_r], orbital_speed, spin })
         };
-        let balls = (0..ball_count).map(ball).collect();
-        Instant { balls, cage_speed: orbit.cage_speed, ring: orbit.ring, rule: self.rule }
+        Motion { balls: (0..ball_count).map(ball).collect(), cage_speed: orbit.cage_speed, ring: orbit.ring }
+    }
+
+    /// Patch rule of the orbit.
+    pub fn rule(&self) -> PatchRule {
+        self.rule
     }
 }
 

@@ -54,6 +54,7 @@ pub(crate) fn at_rest(
         pocket_contact_azimuths_deg: Vec::new(),
         residual: start.residual,
         patch_error_estimate: start.rule_error,
+        iterations: 0,
         intervals: 0,
         swing_damping: None,
         ball_mass_factor: None,

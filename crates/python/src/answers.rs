@@ -77,9 +77,8 @@ pub fn check<'py>(py: Python<'py>, case: &NativeCase) -> PyResult<Bound<'py, PyA
 pub fn rating<'py>(py: Python<'py>, case: &NativeCase, model: &str) -> PyResult<Bound<'py, PyAny>> {
     let equations = equations(py, model)?;
     ask(py, case, move |file| {
-        let (solution, rating) = answers::rated(file, equations)?;
-        let mut answer = serde_json::to_value(rating)?;
-        answer["model"] = serde_json::to_value(solution.model)?;
+        let mut answer = serde_json::to_value(answers::rated(file, equations)?)?;
+        answer["model"] = equations.name().into();
         Ok(answer)
     })
 }

@@ -6,8 +6,7 @@ use tribodyn_bearing::quantities::{METRE, MICROMETRE, MILLIRADIAN, RADIAN, Scope
 use tribodyn_bearing::{BallResult, place};
 
 /// Which equations were solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Model {
     /// Jones–Harris with raceway control.
     JonesHarris,
@@ -17,7 +16,7 @@ pub enum Model {
 
 impl Model {
     /// Its name in answers.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::JonesHarris => "jones-harris",
             Self::Traction => "traction",
@@ -149,6 +148,12 @@ pub static SOLUTION: [Quantity<Solution>; 15] = [
     )
     .in_scope(Scope::Traction),
 ];
+
+impl Serialize for Model {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
 
 /// A solution as `solve --json` prints it, under the name of its equations.
 #[derive(Debug, Clone, Copy)]

@@ -6,7 +6,8 @@ use super::row::{Limit, Row};
 use super::speed::{FAST, per_second};
 use crate::error::Failure;
 use tribodyn_bearing::RingFreedom;
-use tribodyn_orbit::{OrbitError, OrbitSettings, steady_orbit, steady_orbit_from};
+use tribodyn_orbit::{OrbitError, steady_orbit, steady_orbit_from};
+use tribodyn_paper::PaperError;
 use tribodyn_study::answers::OrbitProblem;
 
 const GROUP: &str = "steady orbit";
@@ -20,10 +21,9 @@ fn unsolved(source: OrbitError) -> Failure {
 pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
     let batches = if quick { 3 } else { 10 };
     let case = changed::<&str>(text, &[])?;
-    let refused = |source: tribodyn_case::InputError| Failure::Seed(source.to_string());
+    let refused = |source| PaperError::Inputs { run: "bench".to_owned(), source: Box::new(source) };
     let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(&case).map_err(refused)?;
-    let settings: &OrbitSettings = &settings;
-    let cold = || steady_orbit(&bearing, &point, &cage, settings);
+    let cold = || steady_orbit(&bearing, &point, &cage, &settings);
     let start = cold().map_err(unsolved)?.start;
     let Some(start) = start else { unreachable!("a bearing that turns has an orbit to go on from") };
     let row = |quantity: &str, value: f64| Row::new(GROUP, quantity, value * 1e3, "ms");
@@ -38,7 +38,7 @@ pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
             }
         }
         near.inner_speed *= 1.0 + 0.5 * share;
-        let warm = || steady_orbit_from(&bearing, &near, &cage, settings, &start);
+        let warm = || steady_orbit_from(&bearing, &near, &cage, &settings, &start);
         warm().map_err(unsolved)?;
         let measured = row(&format!("warm, {name}"), least_per_call(batches, 1e-2, warm));
         rows.push(match limit {

@@ -28,6 +28,7 @@ fn identity_an_orbit_has_all_that_an_equilibrium_has() {
     assert_eq!(lacks(&orbit["balls"][3], &equilibrium["balls"][3]), [""; 0]);
     assert_eq!(lacks(&orbit["points"][100], &orbit["balls"][3]), [""; 0]);
     let rated = run(&[&"rating", &case, &"--model", &"steady-orbit", &"--json"]).json();
+    assert_eq!(rated["model"], "steady-orbit");
     for name in ["rating_life_l10_mrev", "rating_life_l10r_mrev", "static_safety"] {
         assert_eq!(orbit[name], rated[name], "{name}");
         let ratio = orbit[name].as_f64().unwrap() / equilibrium[name].as_f64().unwrap();

@@ -15,7 +15,7 @@ use std::{error::Error, f64::consts::TAU, fmt::Write, fs};
 use tribodyn_bearing::{Bearing, CageBody};
 use tribodyn_case::Case;
 use tribodyn_dynamics::StartMotion;
-use tribodyn_orbit::{Instant, OrbitSettings, POINTS, SolvedOrbit, SteadyOrbit, steady_orbit};
+use tribodyn_orbit::{OrbitSettings, POINTS, SolvedOrbit, SteadyOrbit, steady_orbit};
 
 const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/steady-orbit.md");
 const BEGIN: &str = "<!-- orbits:begin -->";
@@ -56,9 +56,8 @@ fn row(compared: &Compared) -> Result<String, Box<dyn Error>> {
     let point = case.operating_point();
     let SolvedOrbit { solution: orbit, start, .. } = steady_orbit(&bearing, &point, &cage, &settings)?;
     let motion = start.filter(|_| compared.from_orbit).map(|start| {
-        let Instant { balls, cage_speed, ring, rule } = start.instant(orbit.balls.len());
         let solution = orbit.as_solution(&orbit.balls, [point.inner_speed, point.outer_speed]);
-        StartMotion { balls, cage_speed, ring, rule, solution }
+        StartMotion { motion: start.motion(orbit.balls.len()), rule: start.rule(), solution }
     });
     let turn = 60.0 / orbit.cage_speed_rpm.abs();
     let slow = 0.01 * TAU / turn * cage.pocket.radius;

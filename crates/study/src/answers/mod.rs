@@ -20,7 +20,7 @@ use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use crate::rating::{Rating, rating};
 use tribodyn_case::Purpose;
-use tribodyn_quasistatic::{Model, Solution};
+use tribodyn_quasistatic::Model;
 
 /// Equations of an operating point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,8 +35,11 @@ pub enum Equations {
 
 impl Equations {
     /// All of them, with the names that they go by.
-    pub const ALL: [(&'static str, Self); 3] =
-        [("jones-harris", Self::JonesHarris), ("traction", Self::Traction), ("steady-orbit", Self::SteadyOrbit)];
+    pub const ALL: [(&'static str, Self); 3] = [
+        (Model::JonesHarris.name(), Self::JonesHarris),
+        (Model::Traction.name(), Self::Traction),
+        ("steady-orbit", Self::SteadyOrbit),
+    ];
 
     /// By name.
     ///
@@ -86,16 +89,15 @@ impl From<Model> for Equations {
     }
 }
 
-/// Rating life and static safety under the loads that some equations give, with their solution.
+/// Rating life and static safety under the loads that some equations give.
 ///
 /// # Errors
 /// A case that these equations do not solve, or a bearing that the standards do not rate.
-pub fn rated(file: &CaseFile, equations: Equations) -> Result<(Solution, Rating), StudyError> {
+pub fn rated(file: &CaseFile, equations: Equations) -> Result<Rating, StudyError> {
     let solution = match equations.equilibrium() {
         Some(model) => solved(file, model)?.1.solution,
         None => OrbitAnswer::of(file)?.solution,
     };
     let refused = |source| StudyError::Rating { file: file.name.clone(), source };
-    let rating = rating(&file.case, &solution).map_err(refused)?;
-    Ok((solution, rating))
+    rating(&file.case, &solution).map_err(refused)
 }

@@ -9,7 +9,7 @@ use tribodyn_bearing::quantities::Fields;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, InputError, Purpose};
 use tribodyn_dynamics::StartMotion;
-use tribodyn_orbit::{Instant, OrbitError, OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
+use tribodyn_orbit::{OrbitError, OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
 use tribodyn_quasistatic::{Named, Solution};
 
 /// A bearing with its cage at an operating point.
@@ -56,8 +56,7 @@ impl OrbitProblem {
             steady_orbit(&self.bearing, &self.point, &self.cage, &self.settings)?;
         let solution = orbit.as_solution(&orbit.balls, [self.point.inner_speed, self.point.outer_speed]);
         let start = start.ok_or(OrbitError::AtRest)?;
-        let Instant { balls, cage_speed, ring, rule } = start.instant(orbit.balls.len());
-        Ok(StartMotion { balls, cage_speed, ring, rule, solution })
+        Ok(StartMotion { motion: start.motion(orbit.balls.len()), rule: start.rule(), solution })
     }
 
     /// The orbit.
@@ -90,12 +89,11 @@ impl OrbitAnswer {
     /// A case without what traction needs, or an orbit that is not found.
     pub fn of(file: &CaseFile) -> Result<Self, StudyError> {
         let problem = OrbitProblem::new(file)?;
-        let SolvedOrbit { solution: orbit, statistics, .. } = problem.solve(file)?;
+        let orbit = problem.solve(file)?.solution;
         let speeds = [problem.point.inner_speed, problem.point.outer_speed];
         let mut round = orbit.as_solution(&orbit.points, speeds);
         let found = plausibility::of_solution(&file.case, (&file.text, &problem.bearing), &round);
         let found = found.map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?;
-        round.iterations = statistics.jacobians;
         round.warnings.extend(found.warnings(Equations::SteadyOrbit));
         let solution = Solution { balls: orbit.balls.clone(), ..round.clone() };
         let lives = Lives::of(&file.case, &solution);
@@ -103,7 +101,7 @@ impl OrbitAnswer {
     }
 }
 
-/// What `solve --json` prints of it.
+/// An orbit as `solve --json` prints it.
 #[derive(Serialize)]
 struct Printed<'a> {
     #[serde(flatten)]

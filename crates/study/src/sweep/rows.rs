@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 use tribodyn_bearing::{Bearing, OperatingPoint};
 use tribodyn_case::Case;
-use tribodyn_orbit::{SolvedOrbit, steady_orbit};
+use tribodyn_orbit::steady_orbit;
 use tribodyn_quasistatic::{Model, Solution, WarmStart, solve, solve_from};
 use tribodyn_traction::PatchChoice;
 
@@ -100,11 +100,8 @@ impl<'a> Chunk<'a> {
 /// of a neighbour's orbit the numbers would be others, within the error of a mesh.
 fn orbit(case: &Case) -> Result<(Bearing, (Solution, Option<Solution>)), Unsolved> {
     let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(case).map_err(Unsolved::refused)?;
-    let SolvedOrbit { solution: orbit, statistics, .. } = steady_orbit(&bearing, &point, &cage, &settings)?;
-    let of = |balls| {
-        let solution = orbit.as_solution(balls, [point.inner_speed, point.outer_speed]);
-        Solution { iterations: statistics.jacobians, ..solution }
-    };
+    let orbit = steady_orbit(&bearing, &point, &cage, &settings)?.solution;
+    let of = |balls| orbit.as_solution(balls, [point.inner_speed, point.outer_speed]);
     Ok((bearing, (of(&orbit.balls), Some(of(&orbit.points)))))
 }
 
