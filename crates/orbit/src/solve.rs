@@ -3,7 +3,7 @@
 use crate::modes::{Bodies, Mode, modes};
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::search::{PATIENCE, SETTLING, WORK, damped, find};
+use crate::search::{PATIENCE, SETTLING, SLOPES, WORK, damped, find};
 use crate::settings::OrbitSettings;
 use crate::solution::solution;
 use crate::solved::{OrbitStart, SolvedOrbit};
@@ -21,10 +21,9 @@ const CENTRING: f64 = 1e-8;
 
 /// Error of an interval, over what is allowed, up to which the mesh of a neighbour serves.
 const DRIFTED: f64 = 2.0;
-/// Patches by which slopes are taken at first from a neighbour, and the Jacobians after which those of the patches
-/// themselves are: where a cage hangs that no ball touches, slopes must be right to the last.
+/// Jacobians by the slopes of cheaper patches from a neighbour, after which those of the patches themselves are taken:
+/// where a cage hangs that no ball touches, slopes must be right to the last.
 const HURRY: usize = 3;
-const SLOPES: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
 
 /// The bearing as the orbit has it: offsets of the rings exact, contacts damped.
 fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {

@@ -4,7 +4,7 @@
 //!     valgrind --tool=callgrind --toggle-collect='*measured*' \
 //!         target/release/examples/kernel_instructions fast strips 1000
 //!
-//! Arguments: `generic`, `fast` or `derivative`; `midpoint` (10 × 40), `jacobi` (4 × 12) or `strips` (8 × 3); how many
+//! Arguments: `generic`, `fast` or `derivative`; `midpoint` (10 × 40), `jacobi` (4 × 12) `strips` (8 × 3) or `fine` (16 × 8); how many
 //! times the three contacts are run. It prints the number of nodes, by which a count is to be divided, and a checksum.
 
 use std::{env, process::ExitCode};
@@ -62,13 +62,14 @@ fn measured(kind: &str, fast: &FastPatch, law: &PatchLaw<'_, CoatingLaw>, repeat
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let [kind, rule, repeats] = arguments.as_slice() else {
-        eprintln!("usage: kernel_instructions generic|fast|derivative midpoint|jacobi|strips REPEATS");
+        eprintln!("usage: kernel_instructions generic|fast|derivative midpoint|jacobi|strips|fine REPEATS");
         return ExitCode::FAILURE;
     };
     let rule = match rule.as_str() {
         "midpoint" => PatchRule::PolarMidpoint { radial: 10, circumferential: 40 },
         "jacobi" => PatchRule::GaussJacobi { radial: 4, angles: 12 },
         "strips" => PatchRule::SplitStrip { across: 8, along: 3 },
+        "fine" => PatchRule::SplitStrip { across: 16, along: 8 },
         other => {
             eprintln!("no rule is called {other}");
             return ExitCode::FAILURE;

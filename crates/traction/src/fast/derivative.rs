@@ -1,11 +1,12 @@
 //! The derivative of the seven integrals, from one more pass over the same nodes.
 
 use super::elementary::exp_m1;
+use super::lanes::Lanes;
 use super::nodes::{Block, Kernel, NODES, ROWS};
 use super::values::row_slip;
-use super::{SMALLEST_SQUARE, Scaled, assemble as assemble_values, flatness, total};
+use super::{SMALLEST_SQUARE, Scaled, assemble as assemble_values, flatness, lanes::total};
 use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion};
-use fearless_simd::{f64x4, prelude::*};
+use fearless_simd::prelude::*;
 use std::f64::consts::PI;
 
 /// The integrals of one patch and their first derivatives: those of the integral, not of the rule, for strips whose
@@ -66,21 +67,21 @@ impl LoadTerms {
 
 /// Sums of one row, without λ: values, stiffness K = (κ/s) I + s (κ/s)' n nᵀ and change with the load.
 pub(super) struct Row<S: Simd> {
-    y: f64x4<S>,
-    y2: f64x4<S>,
-    u: f64x4<S>,
-    offset: f64x4<S>,
+    y: Lanes<S>,
+    y2: Lanes<S>,
+    u: Lanes<S>,
+    offset: Lanes<S>,
     /// Change of u, and of v but for the spin, while y grows in proportion.
-    du: f64x4<S>,
-    dv: f64x4<S>,
-    sums: [f64x4<S>; 17],
+    du: Lanes<S>,
+    dv: Lanes<S>,
+    sums: [Lanes<S>; 17],
 }
 
 /// The integrals' sums, as [`Row`]'s times powers of Y.
 pub(super) struct Sums<'a, S: Simd> {
     of: &'a Scaled,
     load: &'a LoadTerms,
-    sums: [f64x4<S>; SUMS],
+    sums: [Lanes<S>; SUMS],
 }
 
 /// 8 of the values, 5 + 8 + 6 of the stiffness, 8 of the load, 1 of the slip scale.
@@ -89,7 +90,7 @@ const SUMS: usize = 36;
 impl<'a, S: Simd> Sums<'a, S> {
     #[inline(always)]
     pub(super) fn new(simd: S, of: &'a Scaled, load: &'a LoadTerms) -> Self {
-        Self { of, load, sums: [f64x4::splat(simd, 0.0); SUMS] }
+        Self { of, load, sums: [Lanes::splat(simd, 0.0); SUMS] }
     }
 
     #[inline(always)]
@@ -117,15 +118,15 @@ impl<S: Simd> Kernel<S> for Sums<'_, S> {
 
 impl<S: Simd> Sums<'_, S> {
     #[inline(always)]
-    fn open(&self, y: f64x4<S>) -> Row<S> {
+    fn open(&self, y: Lanes<S>) -> Row<S> {
         let [u, offset, y2] = row_slip(self.of, y);
         let ([_, beta, alpha], [_, _, epsilon]) = (self.of.slip.longitudinal, self.of.slip.lateral);
         let (du, dv) = (-(y * beta + y2 * (2.0 * alpha)), y2 * (2.0 * epsilon));
-        Row { y, y2, u, offset, du, dv, sums: [f64x4::splat(y.token(), 0.0); 17] }
+        Row { y, y2, u, offset, du, dv, sums: [Lanes::splat(y.token(), 0.0); 17] }
     }
 
     #[inline(always)]
-    fn point(&self, row: &mut Row<S>, x: f64x4<S>, w: f64x4<S>) {
+    fn point(&self, row: &mut Row<S>, x: Lanes<S>, w: Lanes<S>) {
         let (of, load, u) = (self.of, self.load, row.u);
         let spin = x * of.slip.lateral[1];
         let v = row.offset + spin;
@@ -139,7 +140,7 @@ impl<S: Simd> Sums<'_, S> {
         let bend = -(decay * argument * of.b + (decay + ratio) * of.a_c);
         let share = w * over_slip;
         // At rest every direction is as good: the bend vanishes there.
-        let inverse = f64x4::splat(x.token(), 1.0) / squared;
+        let inverse = Lanes::splat(x.token(), 1.0) / squared;
         let along = w * bend * inverse;
         let (along_u, along_v) = (along * u, along * v);
         let (k11, k12, k22) = (share + along_u * u, along_u * v, share + along_v * v);
@@ -181,7 +182,7 @@ impl<S: Simd> Sums<'_, S> {
             row.sums;
         let (fx, y3, y4) = (share * row.u, y * y2, y2 * y2);
         #[rustfmt::skip]
-        let terms: [f64x4<S>; SUMS] = [
+        let terms: [Lanes<S>; SUMS] = [
             fx, fy, x_fy, y * fx, y2 * fx, y2 * fy, power, wear,
             k11, k11 * y, k11 * y2, k11 * y3, k11 * y4,
             k12, k12 * y, k12 * y2, k12 * y3, k12 * y4, k12_x, k12_x * y, k12_x * y2,

@@ -1,4 +1,4 @@
-//! The patch integral of a Kragelskii curve in double precision, four nodes at a time.
+//! The patch integral of a Kragelskii curve in double precision, eight nodes at a time.
 //!
 //! [`FastPatch`] sums the same nodes as [`patch_traction`] and agrees with it to 1e-12 of the largest component; where
 //! the generic integral is the reference for any scalar and any law, this one is what solvers call in their loops.
@@ -14,6 +14,7 @@
 
 mod derivative;
 pub(crate) mod elementary;
+pub(crate) mod lanes;
 mod linear;
 mod nodes;
 mod values;
@@ -26,7 +27,8 @@ use crate::{
     TractionError, TractionLaw, patch_traction,
 };
 use crate::{PatchRule, patch::LEAST_ROLLING};
-use fearless_simd::{Level, dispatch, f64x4, prelude::*};
+use fearless_simd::{Level, dispatch};
+use lanes::total;
 use nodes::Layout;
 use values::Values;
 
@@ -142,12 +144,6 @@ pub(crate) fn scale_slope(slip_unit: SlipUnit, rolling_speed: f64) -> f64 {
         }
         _ => 0.0,
     }
-}
-
-/// Sum of the lanes, in an order that no vector width changes.
-#[inline(always)]
-pub(crate) fn total<S: Simd>(v: f64x4<S>) -> f64 {
-    (v[0] + v[2]) + (v[1] + v[3])
 }
 
 /// Flatness y²/(2R_c) of the contact over Y², m: of the slip field and of the moment's arm.

@@ -1,10 +1,11 @@
-//! The nodes of a patch rule in lanes of four, and the walk over them.
+//! The nodes of a patch rule in lanes of eight, and the walk over them.
 
 use super::elementary::{exp, ln};
+use super::lanes::{LANES, Lanes, Mask};
 use crate::quadrature::Nodes;
 use crate::strips::{AlongNode, SMALLEST_WIDTH, SPINLESS, panels};
 use crate::{Quadrature, SlipField};
-use fearless_simd::{f64x4, mask64x4, prelude::*};
+use fearless_simd::prelude::*;
 
 /// Sums over the nodes.
 pub(super) trait Kernel<S: Simd> {
@@ -14,15 +15,15 @@ pub(super) trait Kernel<S: Simd> {
 
 /// Rows in a block, and nodes in one of its rows. The work on a node is one long chain of dependent operations: a block
 /// is passed through in stages, so that the chains of its nodes run side by side.
-pub(super) const ROWS: usize = 4;
+pub(super) const ROWS: usize = 2;
 pub(super) const NODES: usize = 4;
 
 /// Some rows of nodes; a row is a line of constant Y, on which the longitudinal slip is constant.
 pub(super) struct Block<S: Simd> {
-    pub(super) y: [f64x4<S>; ROWS],
+    pub(super) y: [Lanes<S>; ROWS],
     /// X and the weight of the nodes, row by row.
-    pub(super) x: [[f64x4<S>; NODES]; ROWS],
-    pub(super) w: [[f64x4<S>; NODES]; ROWS],
+    pub(super) x: [[Lanes<S>; NODES]; ROWS],
+    pub(super) w: [[Lanes<S>; NODES]; ROWS],
     /// Number of these in use.
     pub(super) rows: usize,
     pub(super) nodes: usize,
@@ -31,16 +32,16 @@ pub(super) struct Block<S: Simd> {
 impl<S: Simd> Block<S> {
     #[inline(always)]
     fn new(simd: S) -> Self {
-        let zero = f64x4::splat(simd, 0.0);
+        let zero = Lanes::splat(simd, 0.0);
         Self { y: [zero; ROWS], x: [[zero; NODES]; ROWS], w: [[zero; NODES]; ROWS], rows: 0, nodes: 0 }
     }
 }
 
-/// The nodes of a rule, four to a lane group; numbers left over carry no weight.
+/// The nodes of a rule, eight to a lane group; numbers left over carry no weight.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Layout {
     /// (X₁, X₂, Y, w): two nodes of the same Y and weight.
-    Paired(Vec<[[f64; 4]; 4]>),
+    Paired(Vec<[[f64; LANES]; 4]>),
     /// Strips across the groove.
     Strips(Strips),
 }
@@ -75,10 +76,10 @@ impl Layout {
                     block.rows = chunk.len();
                     for (i, group) in chunk.iter().enumerate() {
                         let [first, second, y, w] = *group;
-                        block.y[i] = f64x4::simd_from(simd, y);
-                        block.x[i][0] = f64x4::simd_from(simd, first);
-                        block.x[i][1] = f64x4::simd_from(simd, second);
-                        block.w[i][0] = f64x4::simd_from(simd, w);
+                        block.y[i] = Lanes::simd_from(simd, y);
+                        block.x[i][0] = Lanes::simd_from(simd, first);
+                        block.x[i][1] = Lanes::simd_from(simd, second);
+                        block.w[i][0] = Lanes::simd_from(simd, w);
                         block.w[i][1] = block.w[i][0];
                     }
                     kernel.block(&block);
@@ -91,7 +92,7 @@ impl Layout {
 
 /// Two nodes of the same Y and weight make a pair: the polar rules have such nodes at ±X where the number of angles is
 /// even. A node without a partner is paired with itself at half its weight.
-fn paired(points: &[[f64; 3]]) -> Vec<[[f64; 4]; 4]> {
+fn paired(points: &[[f64; 3]]) -> Vec<[[f64; LANES]; 4]> {
     // Equal but for rounding of sines and cosines.
     const SAME: f64 = 1e-14;
     let mut sorted = points.to_vec();
@@ -113,7 +114,7 @@ fn paired(points: &[[f64; 3]]) -> Vec<[[f64; 4]; 4]> {
             None => [x, x, y, 0.5 * w],
         });
     }
-    rows.chunks(4)
+    rows.chunks(LANES)
         .map(|chunk| std::array::from_fn(|k| std::array::from_fn(|lane| chunk.get(lane).map_or(0.0, |row| row[k]))))
         .collect()
 }
@@ -129,7 +130,7 @@ impl Strips {
             count += 1;
         }
         let mut strips = spans[..count].iter().flat_map(|&span| self.across.iter().map(move |&node| (span, node)));
-        let mut groups = (count * self.across.len()).div_ceil(4);
+        let mut groups = (count * self.across.len()).div_ceil(LANES);
         let mut block = Block::new(simd);
         let mut maps = [Map::nothing(simd); ROWS];
         while groups > 0 {
@@ -137,14 +138,14 @@ impl Strips {
             groups -= block.rows;
             let maps = &mut maps[..block.rows];
             for (map, place) in maps.iter_mut().zip(&mut block.y) {
-                let (mut y, mut share) = ([0.0; 4], [0.0; 4]);
+                let (mut y, mut share) = ([0.0; LANES], [0.0; LANES]);
                 for (y, share) in y.iter_mut().zip(&mut share) {
                     if let Some(([start, length], [grade, slope])) = strips.next() {
                         (*y, *share) = (start + length * grade, length * slope);
                     }
                 }
-                *place = f64x4::simd_from(simd, y);
-                map.share = f64x4::simd_from(simd, share);
+                *place = Lanes::simd_from(simd, y);
+                map.share = Lanes::simd_from(simd, share);
                 map.locate(slip, *place);
             }
             for map in maps.iter_mut() {
@@ -164,7 +165,7 @@ impl Strips {
     }
 }
 
-/// The map ξ = ξ_c + ε sinh(A t + B) of four strips, as [`crate::strips::along_strip`] has it, arranged for fewer roots
+/// The map ξ = ξ_c + ε sinh(A t + B) of eight strips, as [`crate::strips::along_strip`] has it, arranged for fewer roots
 /// and divisions: with U, D = d + √(d² + ε²) at the distances d of ξ_c to both ends, exp(2A) = U D/ε² and exp(2B) =
 /// U/D.
 ///
@@ -172,31 +173,31 @@ impl Strips {
 #[derive(Clone, Copy)]
 struct Map<S: Simd> {
     /// Width of the strips times the rule's weight, later times 1 − Y².
-    share: f64x4<S>,
-    chord: f64x4<S>,
+    share: Lanes<S>,
+    chord: Lanes<S>,
     /// Lanes that keep Chebyshev's nodes, for want of spin.
-    plain: mask64x4<S>,
-    centre: f64x4<S>,
+    plain: Mask<S>,
+    centre: Lanes<S>,
     /// ε².
-    width2: f64x4<S>,
+    width2: Lanes<S>,
     /// U and D, later ½ε exp(B) and ½ε exp(−B).
-    rising: f64x4<S>,
-    falling: f64x4<S>,
+    rising: Lanes<S>,
+    falling: Lanes<S>,
     /// A.
-    half_span: f64x4<S>,
+    half_span: Lanes<S>,
 }
 
 impl<S: Simd> Map<S> {
     #[inline(always)]
     fn nothing(simd: S) -> Self {
-        let z = f64x4::splat(simd, 0.0);
+        let z = Lanes::splat(simd, 0.0);
         let plain = z.simd_lt(z);
         Self { share: z, chord: z, plain, centre: z, width2: z, rising: z, falling: z, half_span: z }
     }
 
     /// Centre and width.
     #[inline(always)]
-    fn locate(&mut self, slip: &SlipField, y: f64x4<S>) {
+    fn locate(&mut self, slip: &SlipField, y: Lanes<S>) {
         let ([gamma, beta, alpha], [delta, sigma, epsilon]) = (slip.longitudinal, slip.lateral);
         // Rounding may place a strip at the very end outside the patch.
         let squared = ((-y + 1.0) * (y + 1.0)).max(0.0);
@@ -210,7 +211,7 @@ impl<S: Simd> Map<S> {
         self.centre = signed / (q2 * q2 + offset2 * offset2).sqrt().sqrt();
         self.chord = squared.sqrt();
         self.share *= squared;
-        let inverse = f64x4::splat(y.token(), 1.0) / (q2 * squared);
+        let inverse = Lanes::splat(y.token(), 1.0) / (q2 * squared);
         let q2_inverse = inverse * squared;
         let outside = signed * (self.chord * sigma.abs()) * q2_inverse - self.centre;
         self.width2 = (along2 * q2_inverse + outside * outside) + inverse * q2 * (SMALLEST_WIDTH * SMALLEST_WIDTH);
@@ -227,7 +228,7 @@ impl<S: Simd> Map<S> {
     #[inline(always)]
     fn finish(&mut self) {
         let product = self.rising * self.falling;
-        let inverse = f64x4::splat(product.token(), 0.5) / (product * self.width2).sqrt();
+        let inverse = Lanes::splat(product.token(), 0.5) / (product * self.width2).sqrt();
         let half = self.width2 * inverse;
         self.half_span = ln(product * inverse * 2.0);
         self.rising *= half;
@@ -236,9 +237,9 @@ impl<S: Simd> Map<S> {
 
     /// X and w of the nodes at ±t for each t.
     #[inline(always)]
-    fn nodes(&self, along: &[AlongNode], x: &mut [f64x4<S>; NODES], w: &mut [f64x4<S>; NODES]) {
+    fn nodes(&self, along: &[AlongNode], x: &mut [Lanes<S>; NODES], w: &mut [Lanes<S>; NODES]) {
         let mut free = x.iter_mut().zip(w);
-        let mut put = |rising: f64x4<S>, falling: f64x4<S>, t: f64, node: &AlongNode| {
+        let mut put = |rising: Lanes<S>, falling: Lanes<S>, t: f64, node: &AlongNode| {
             if let Some((x, w)) = free.next() {
                 (*x, *w) = self.at(rising, falling, t, node);
             }
@@ -246,7 +247,7 @@ impl<S: Simd> Map<S> {
         for node in along {
             if node.t > 0.0 {
                 let stretch = exp(self.half_span * node.t);
-                let inverse = f64x4::splat(stretch.token(), 1.0) / stretch;
+                let inverse = Lanes::splat(stretch.token(), 1.0) / stretch;
                 put(self.rising * stretch, self.falling * inverse, node.t, node);
                 put(self.rising * inverse, self.falling * stretch, -node.t, node);
             } else {
@@ -256,11 +257,11 @@ impl<S: Simd> Map<S> {
     }
 
     #[inline(always)]
-    fn at(&self, rising: f64x4<S>, falling: f64x4<S>, t: f64, node: &AlongNode) -> (f64x4<S>, f64x4<S>) {
+    fn at(&self, rising: Lanes<S>, falling: Lanes<S>, t: f64, node: &AlongNode) -> (Lanes<S>, Lanes<S>) {
         let xi = self.centre + (rising - falling);
         let edge = ((-xi + 1.0) * (xi + 1.0)).max(0.0).sqrt();
         let w = edge * self.half_span * ((rising + falling) * node.edge_weight);
-        let plain = |value: f64| f64x4::splat(xi.token(), value);
+        let plain = |value: f64| Lanes::splat(xi.token(), value);
         let xi = self.plain.select(plain(t), xi);
         (self.chord * xi, self.share * self.plain.select(plain(node.weight), w))
     }
@@ -292,7 +293,7 @@ mod tests {
                         moments(x, y, w).iter().zip(&mut plain).for_each(|(m, sum)| *sum += m)
                     });
                 for [x1, x2, y, w] in groups {
-                    for lane in 0..4 {
+                    for lane in 0..LANES {
                         for x in [x1[lane], x2[lane]] {
                             moments(x, y[lane], w[lane]).iter().zip(&mut ours).for_each(|(m, sum)| *sum += m);
                         }

@@ -1,30 +1,31 @@
 //! The seven integrals.
 
 use super::elementary::exp_m1;
+use super::lanes::Lanes;
 use super::nodes::{Block, Kernel, NODES, ROWS};
 use super::{SMALLEST_SQUARE, Scaled};
-use fearless_simd::{f64x4, prelude::*};
+use fearless_simd::prelude::*;
 
 /// Sums over the unit disc without the factor p a b λ: share = w κ/s, f = share Δv.
 pub(super) struct Values<'a, S: Simd> {
     pub(super) of: &'a Scaled,
     /// Σ f_x, f_y, X f_y, Y f_x, Y² f_x, Y² f_y, share |Δv|², w |Δv|.
-    pub(super) sums: [f64x4<S>; 8],
+    pub(super) sums: [Lanes<S>; 8],
     scratch: Scratch<S>,
 }
 
 /// Intermediate values of a block, from stage to stage; kept between blocks so that they are cleared only once.
 struct Scratch<S: Simd> {
-    u: [f64x4<S>; ROWS],
-    v: [[f64x4<S>; NODES]; ROWS],
-    squared: [[f64x4<S>; NODES]; ROWS],
+    u: [Lanes<S>; ROWS],
+    v: [[Lanes<S>; NODES]; ROWS],
+    squared: [[Lanes<S>; NODES]; ROWS],
     /// |Δv|, then the share.
-    share: [[f64x4<S>; NODES]; ROWS],
+    share: [[Lanes<S>; NODES]; ROWS],
 }
 
 /// u and the part of v that is constant on the row at Y, and Y².
 #[inline(always)]
-pub(super) fn row_slip<S: Simd>(of: &Scaled, y: f64x4<S>) -> [f64x4<S>; 3] {
+pub(super) fn row_slip<S: Simd>(of: &Scaled, y: Lanes<S>) -> [Lanes<S>; 3] {
     let ([gamma, beta, alpha], [delta, _, epsilon]) = (of.slip.longitudinal, of.slip.lateral);
     let y2 = y * y;
     [-(y * beta + y2 * alpha) + gamma, y2 * epsilon + delta, y2]
@@ -33,7 +34,7 @@ pub(super) fn row_slip<S: Simd>(of: &Scaled, y: f64x4<S>) -> [f64x4<S>; 3] {
 impl<'a, S: Simd> Values<'a, S> {
     #[inline(always)]
     pub(super) fn new(simd: S, of: &'a Scaled) -> Self {
-        let zero = f64x4::splat(simd, 0.0);
+        let zero = Lanes::splat(simd, 0.0);
         let block = [[zero; NODES]; ROWS];
         let scratch = Scratch { u: [zero; ROWS], v: block, squared: block, share: block };
         Self { of, sums: [zero; 8], scratch }
@@ -46,7 +47,7 @@ impl<S: Simd> Kernel<S> for Values<'_, S> {
         let of = self.of;
         // Bounds that the compiler can see.
         let (rows, nodes) = (block.rows.min(ROWS), block.nodes.min(NODES));
-        let zero = f64x4::splat(block.y[0].token(), 0.0);
+        let zero = Lanes::splat(block.y[0].token(), 0.0);
         let Scratch { u, v, squared, share } = &mut self.scratch;
         for i in 0..rows {
             let [along, offset, _] = row_slip(of, block.y[i]);
@@ -63,7 +64,7 @@ impl<S: Simd> Kernel<S> for Values<'_, S> {
                 let argument = *speed * -of.rate;
                 let e = exp_m1(argument.max(-700.0));
                 // e/(−C s) tends to one at rest.
-                let ratio = f64x4::splat(zero.token(), -of.a_c) / argument;
+                let ratio = Lanes::splat(zero.token(), -of.a_c) / argument;
                 *speed = w * ((e + 1.0) * of.b + e * ratio);
             }
         }

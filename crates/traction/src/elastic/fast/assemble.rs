@@ -4,9 +4,10 @@ use super::march::March;
 use super::setup::{Law, Varied, yielding};
 use super::varying;
 use crate::elastic::TangentialElasticity;
+use crate::fast::lanes::{LANES, Lanes};
 use crate::fast::{PatchDerivative, flatness};
 use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion, SlipUnit};
-use fearless_simd::{f64x4, prelude::*};
+use fearless_simd::prelude::*;
 use num_dual::Dual64;
 use std::f64::consts::PI;
 
@@ -117,10 +118,10 @@ impl<'a> Sums<'a> {
     }
 
     #[inline(always)]
-    pub(super) fn add<S: Simd>(&mut self, lot: &March<S, CHANGES>, share: f64x4<S>) {
-        for lane in 0..4 {
+    pub(super) fn add<S: Simd>(&mut self, lot: &March<S, CHANGES>, share: Lanes<S>) {
+        for lane in 0..LANES {
             let (y, share) = (lot.y[lane], share[lane]);
-            let of = |sums: &[f64x4<S>; 5]| sums.map(|sum| sum[lane] * share);
+            let of = |sums: &[Lanes<S>; 5]| sums.map(|sum| sum[lane] * share);
             self.strip(y, of(&lot.sums), lot.tangents.each_ref().map(|tangent| of(&tangent.sums)));
         }
     }

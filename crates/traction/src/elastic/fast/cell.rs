@@ -1,8 +1,9 @@
-//! The equation of a cell in four strips at a time.
+//! The equation of a cell in eight strips at a time.
 
 use super::setup::Law;
 use crate::fast::elementary::exp_m1;
-use fearless_simd::{f64x4, mask64x4, prelude::*};
+use crate::fast::lanes::{Lanes, Mask};
+use fearless_simd::prelude::*;
 
 /// Square of a trial slip below which nothing moves, (m/s)²: as in the plain cell.
 const AT_REST: f64 = 1e-60;
@@ -14,21 +15,21 @@ const SETTLED: f64 = 1e-7;
 #[derive(Clone, Copy)]
 pub(super) struct At<S: Simd> {
     /// exp(−C s) − 1, exp(−C s) and s.
-    pub(super) e: f64x4<S>,
-    pub(super) decay: f64x4<S>,
-    pub(super) slip: f64x4<S>,
+    pub(super) e: Lanes<S>,
+    pub(super) decay: Lanes<S>,
+    pub(super) slip: Lanes<S>,
     /// κ and dκ/dσ, without memory.
-    pub(super) plain: f64x4<S>,
-    pub(super) slope: f64x4<S>,
+    pub(super) plain: Lanes<S>,
+    pub(super) slope: Lanes<S>,
     /// d²κ/dσ².
-    bend: f64x4<S>,
+    bend: Lanes<S>,
     /// Lanes beyond the peak.
-    pub(super) past: mask64x4<S>,
+    pub(super) past: Mask<S>,
 }
 
 impl<S: Simd> At<S> {
     #[inline(always)]
-    pub(super) fn new(law: &Law, speed: f64x4<S>) -> Self {
+    pub(super) fn new(law: &Law, speed: Lanes<S>) -> Self {
         let slip = speed * law.scale;
         let e = exp_m1((slip * -law.curve.c).max(-700.0));
         let decay = e + 1.0;
@@ -41,51 +42,51 @@ impl<S: Simd> At<S> {
 
     /// κ_r on the rising branch or at the peak, and the share d of it that is lost.
     #[inline(always)]
-    pub(super) fn rising_and_lost(&self, law: &Law) -> [f64x4<S>; 2] {
-        let lanes = |x: f64| f64x4::splat(self.e.token(), x);
+    pub(super) fn rising_and_lost(&self, law: &Law) -> [Lanes<S>; 2] {
+        let lanes = |x: f64| Lanes::splat(self.e.token(), x);
         let lost = lanes(1.0) - self.plain * law.over_peak;
         [self.past.select(lanes(law.peak), self.plain), self.past.select(lost, lanes(0.0))]
     }
 }
 
-/// One cell of four strips.
+/// One cell of eight strips.
 #[derive(Clone, Copy)]
 pub(super) struct Cell<S: Simd> {
-    pub(super) trial: [f64x4<S>; 2],
+    pub(super) trial: [Lanes<S>; 2],
     /// The last cell's weakening.
-    pub(super) last: f64x4<S>,
-    pub(super) speed: f64x4<S>,
+    pub(super) last: Lanes<S>,
+    pub(super) speed: Lanes<S>,
     /// The speed one cell before.
-    pub(super) before: f64x4<S>,
-    low: f64x4<S>,
-    high: f64x4<S>,
-    mismatch: f64x4<S>,
+    pub(super) before: Lanes<S>,
+    low: Lanes<S>,
+    high: Lanes<S>,
+    mismatch: Lanes<S>,
     /// κ and weakening at the root, once there is one.
-    pub(super) found: [f64x4<S>; 2],
-    done: mask64x4<S>,
-    pub(super) rest: mask64x4<S>,
+    pub(super) found: [Lanes<S>; 2],
+    done: Mask<S>,
+    pub(super) rest: Mask<S>,
 }
 
 /// κ, its derivative over σ, and the weakening.
 #[derive(Clone, Copy)]
 pub(super) struct Coefficient<S: Simd> {
-    pub(super) value: f64x4<S>,
-    pub(super) slope: f64x4<S>,
-    pub(super) weakening: f64x4<S>,
+    pub(super) value: Lanes<S>,
+    pub(super) slope: Lanes<S>,
+    pub(super) weakening: Lanes<S>,
 }
 
 /// a = s_t/(σ + C κ), the same over the denominators, and Σ a² (dD/dσ)/D.
 #[derive(Clone, Copy)]
 pub(super) struct Direction<S: Simd> {
-    pub(super) a: [f64x4<S>; 2],
-    pub(super) inverse: [f64x4<S>; 2],
-    pub(super) rise: f64x4<S>,
+    pub(super) a: [Lanes<S>; 2],
+    pub(super) inverse: [Lanes<S>; 2],
+    pub(super) rise: Lanes<S>,
 }
 
 impl<S: Simd> Cell<S> {
     #[inline(always)]
     pub(super) fn nothing(simd: S) -> Self {
-        let z = f64x4::splat(simd, 0.0);
+        let z = Lanes::splat(simd, 0.0);
         let none = z.simd_lt(z);
         Self {
             trial: [z; 2],
@@ -103,15 +104,15 @@ impl<S: Simd> Cell<S> {
 
     /// Sets the trial slip and starts from the speed of the cell before.
     #[inline(always)]
-    pub(super) fn open(&mut self, trial: [f64x4<S>; 2], last: f64x4<S>) {
-        let lanes = |x: f64| f64x4::splat(last.token(), x);
+    pub(super) fn open(&mut self, trial: [Lanes<S>; 2], last: Lanes<S>) {
+        let lanes = |x: f64| Lanes::splat(last.token(), x);
         let [u, v] = trial;
         let square = u * u + v * v;
         self.rest = square.simd_lt(AT_REST);
         // Any number but zero, so that the lane runs through without harm.
         self.trial = [self.rest.select(lanes(1.0), u), v];
         self.high = self.rest.select(lanes(1.0), square.sqrt());
-        let fits = |speed: f64x4<S>| speed.simd_gt(0.0) & speed.simd_lt(self.high);
+        let fits = |speed: Lanes<S>| speed.simd_gt(0.0) & speed.simd_lt(self.high);
         // A straight line through the last two speeds where it stays within half of the last.
         let ahead = self.speed + (self.speed - self.before).max(self.speed * -0.5).min(self.speed * 0.5);
         let near = fits(self.speed).select(self.speed, self.high);
@@ -140,7 +141,7 @@ impl<S: Simd> Cell<S> {
     #[inline(always)]
     pub(super) fn direction(&self, of: &Coefficient<S>, yielding: [f64; 2]) -> Direction<S> {
         let [dx, dy] = yielding.map(|c| of.value * c + self.speed);
-        let product = f64x4::splat(dx.token(), 1.0) / (dx * dy);
+        let product = Lanes::splat(dx.token(), 1.0) / (dx * dy);
         let inverse = [dy * product, dx * product];
         let a = [self.trial[0] * inverse[0], self.trial[1] * inverse[1]];
         let grow = yielding.map(|c| of.slope * c + 1.0);
@@ -160,9 +161,9 @@ impl<S: Simd> Cell<S> {
         let square = x2 + y2;
         let short = -square.sqrt() + 1.0;
         let below = short.simd_lt(0.0);
-        let over_rise = f64x4::splat(rise.token(), 1.0) / rise;
+        let over_rise = Lanes::splat(rise.token(), 1.0) / rise;
         let plain = square * short * over_rise;
-        let left = at.past.select(f64x4::splat(rise.token(), 1.0 - keep), -of.weakening + 1.0);
+        let left = at.past.select(Lanes::splat(rise.token(), 1.0 - keep), -of.weakening + 1.0);
         let curvature = (x2 * inverse[0] * yielding[0] + y2 * inverse[1] * yielding[1]) * (at.bend * left);
         let correction = (plain * curvature * over_rise * -0.5 + 1.0).max(0.5);
         let next = self.speed - plain / correction;

@@ -1,15 +1,16 @@
-//! The march of four strips from leading to trailing edge, with their first derivatives.
+//! The march of eight strips from leading to trailing edge, with their first derivatives.
 
 use super::cell::{At, Cell, Coefficient, Direction};
 use super::setup::{Law, Varied};
 use crate::SlipField;
 use crate::elastic::Fastsim;
 use crate::elastic::grid::Node;
-use fearless_simd::{f64x4, prelude::*};
+use crate::fast::lanes::Lanes;
+use fearless_simd::prelude::*;
 
 /// Forces in the direction of the slip along x and y, X times the second, power and wear integral of a strip of half
 /// length one and peak pressure one.
-pub(super) type StripSums<S> = [f64x4<S>; 5];
+pub(super) type StripSums<S> = [Lanes<S>; 5];
 
 /// All that a march needs to know of the patch, with its change by `T` inputs.
 pub(super) struct Strips<'a, const T: usize> {
@@ -33,17 +34,17 @@ struct AtNode<const T: usize> {
     by_input: [([f64; 2], f64); T],
 }
 
-/// Four strips on their way.
+/// Eight strips on their way.
 #[derive(Clone, Copy)]
 pub(super) struct March<S: Simd, const T: usize> {
-    pub(super) y: f64x4<S>,
-    pub(super) chord: f64x4<S>,
-    along: f64x4<S>,
-    across: f64x4<S>,
+    pub(super) y: Lanes<S>,
+    pub(super) chord: Lanes<S>,
+    along: Lanes<S>,
+    across: Lanes<S>,
     cell: Cell<S>,
     /// Traction over pressure in the direction of slip, at the last two nodes.
-    traction: [[f64x4<S>; 2]; 2],
-    weakening: [f64x4<S>; 2],
+    traction: [[Lanes<S>; 2]; 2],
+    weakening: [Lanes<S>; 2],
     pub(super) sums: StripSums<S>,
     pub(super) tangents: [Tangent<S>; T],
 }
@@ -52,16 +53,16 @@ pub(super) struct March<S: Simd, const T: usize> {
 #[derive(Clone, Copy)]
 pub(super) struct Tangent<S: Simd> {
     /// Of u, v_0 and the X-slope of v.
-    slip: [f64x4<S>; 3],
-    traction: [[f64x4<S>; 2]; 2],
-    weakening: [f64x4<S>; 2],
+    slip: [Lanes<S>; 3],
+    traction: [[Lanes<S>; 2]; 2],
+    weakening: [Lanes<S>; 2],
     pub(super) sums: StripSums<S>,
 }
 
 impl<S: Simd, const T: usize> March<S, T> {
     #[inline(always)]
     pub(super) fn nothing(simd: S) -> Self {
-        let z = f64x4::splat(simd, 0.0);
+        let z = Lanes::splat(simd, 0.0);
         let (pair, sums) = ([[z; 2]; 2], [z; 5]);
         let tangents = [Tangent { slip: [z; 3], traction: pair, weakening: [z; 2], sums }; T];
         let cell = Cell::nothing(simd);
@@ -70,7 +71,7 @@ impl<S: Simd, const T: usize> March<S, T> {
 }
 
 impl<const T: usize> Strips<'_, T> {
-    /// Marches `lots` of four strips side by side, each at its own place across the groove.
+    /// Marches `lots` of eight strips side by side, each at its own place across the groove.
     #[inline(always)]
     pub(super) fn march<S: Simd>(&self, lots: &mut [March<S, T>]) {
         for lot in lots.iter_mut() {
@@ -122,7 +123,7 @@ impl<const T: usize> Strips<'_, T> {
     #[inline(always)]
     fn enter<S: Simd>(&self, lot: &mut March<S, T>) {
         let ([gamma, beta, alpha], [delta, sigma, epsilon]) = (self.slip.longitudinal, self.slip.lateral);
-        let (y, zero) = (lot.y, f64x4::splat(lot.y.token(), 0.0));
+        let (y, zero) = (lot.y, Lanes::splat(lot.y.token(), 0.0));
         let y2 = y * y;
         lot.chord = ((-y + 1.0) * (y + 1.0)).max(0.0).sqrt();
         lot.along = -(y * beta + y2 * alpha) + gamma;
@@ -158,7 +159,7 @@ impl<const T: usize> Strips<'_, T> {
 
     #[inline(always)]
     fn close<S: Simd>(&self, node: &Node, here: &AtNode<T>, lot: &mut March<S, T>) {
-        let zero = f64x4::splat(lot.y.token(), 0.0);
+        let zero = Lanes::splat(lot.y.token(), 0.0);
         lot.cell.speed = lot.cell.rest.select(zero, lot.cell.speed);
         let [value, weakening] = lot.cell.found;
         let weakening = lot.cell.rest.select(lot.cell.last * here.keep, weakening);
@@ -176,7 +177,7 @@ impl<const T: usize> Strips<'_, T> {
         let power = of.value * lot.cell.speed;
         add(&mut lot.sums, x, traction, [power, lot.cell.speed], [weight, weight * node.sin]);
         if let Some(at) = &at {
-            let one = f64x4::splat(zero.token(), 1.0);
+            let one = Lanes::splat(zero.token(), 1.0);
             // At rest traction follows slip by the initial slope.
             let initial = (-of.weakening + 1.0) * self.law.initial_slope();
             let solved = Solved {
@@ -209,13 +210,13 @@ impl<const T: usize> Strips<'_, T> {
     ) {
         let (cell, tangent) = (&lot.cell, &mut lot.tangents[k]);
         let Solved { at, of, direction: Direction { a, inverse, .. }, carried: before, x, .. } = *solved;
-        let zero = f64x4::splat(x.token(), 0.0);
+        let zero = Lanes::splat(x.token(), 0.0);
         let (by_yielding, by_keep) = here.by_input[k];
         let [du, dv, turn] = tangent.slip;
         let rigid = [du, dv + x * turn];
         let change = carried(node, &tangent.traction);
         let over_sine = node.sin.recip();
-        let trial: [f64x4<S>; 2] =
+        let trial: [Lanes<S>; 2] =
             std::array::from_fn(|i| rigid[i] + (change[i] * here.yielding[i] + before[i] * by_yielding[i]) * over_sine);
         let [rising, lost] = at.rising_and_lost(&self.law);
         let [by_rising, by_lost] = law_change(&self.law, &self.varied[k].law, at, cell.speed);
@@ -223,12 +224,12 @@ impl<const T: usize> Strips<'_, T> {
         let weakening =
             remembered(node, &tangent.weakening) * here.keep + (cell.last - lost) * by_keep + by_lost * fresh;
         let kappa = by_rising * (-of.weakening + 1.0) - rising * weakening;
-        let push: [f64x4<S>; 2] =
+        let push: [Lanes<S>; 2] =
             std::array::from_fn(|i| trial[i] - a[i] * (of.value * by_yielding[i] + kappa * here.yielding[i]));
         let speed = (a[0] * inverse[0] * push[0] + a[1] * inverse[1] * push[1]) * solved.over_rise;
         let speed = cell.rest.select(zero, speed);
         let kappa = kappa + of.slope * speed;
-        let traction: [f64x4<S>; 2] = std::array::from_fn(|i| {
+        let traction: [Lanes<S>; 2] = std::array::from_fn(|i| {
             let turned = inverse[i] * (push[i] - a[i] * (of.slope * here.yielding[i] + 1.0) * speed);
             cell.rest.select(solved.still[i] * trial[i], kappa * a[i] + of.value * turned) * node.sin
         });
@@ -246,30 +247,30 @@ struct Solved<'a, S: Simd> {
     at: &'a At<S>,
     of: &'a Coefficient<S>,
     direction: &'a Direction<S>,
-    carried: [f64x4<S>; 2],
-    x: f64x4<S>,
-    over_rise: f64x4<S>,
+    carried: [Lanes<S>; 2],
+    x: Lanes<S>,
+    over_rise: Lanes<S>,
     /// Traction over trial slip where nothing slips.
-    still: [f64x4<S>; 2],
+    still: [Lanes<S>; 2],
 }
 
 #[inline(always)]
-fn carried<S: Simd>(node: &Node, traction: &[[f64x4<S>; 2]; 2]) -> [f64x4<S>; 2] {
+fn carried<S: Simd>(node: &Node, traction: &[[Lanes<S>; 2]; 2]) -> [Lanes<S>; 2] {
     let [last, before] = traction;
     [0, 1].map(|k| last[k] * node.previous[0] - before[k] * node.previous[1])
 }
 
 #[inline(always)]
-fn remembered<S: Simd>(node: &Node, weakening: &[f64x4<S>; 2]) -> f64x4<S> {
+fn remembered<S: Simd>(node: &Node, weakening: &[Lanes<S>; 2]) -> Lanes<S> {
     weakening[0] * node.remembered[0] - weakening[1] * node.remembered[1]
 }
 
 #[inline(always)]
 fn add<S: Simd>(
     sums: &mut StripSums<S>,
-    x: f64x4<S>,
-    [fx, fy]: [f64x4<S>; 2],
-    [power, wear]: [f64x4<S>; 2],
+    x: Lanes<S>,
+    [fx, fy]: [Lanes<S>; 2],
+    [power, wear]: [Lanes<S>; 2],
     [weight, with_pressure]: [f64; 2],
 ) {
     let fy = fy * weight;
@@ -281,8 +282,8 @@ fn add<S: Simd>(
 
 /// Change of κ_r and of the lost share d at a given speed by the changes of the curve and of λ.
 #[inline(always)]
-fn law_change<S: Simd>(law: &Law, varied: &Law<num_dual::Dual64>, at: &At<S>, speed: f64x4<S>) -> [f64x4<S>; 2] {
-    let zero = f64x4::splat(speed.token(), 0.0);
+fn law_change<S: Simd>(law: &Law, varied: &Law<num_dual::Dual64>, at: &At<S>, speed: Lanes<S>) -> [Lanes<S>; 2] {
+    let zero = Lanes::splat(speed.token(), 0.0);
     let (by, peak) = (&varied.curve, varied.peak.eps);
     if by.a.eps == 0.0 && by.b.eps == 0.0 && by.c.eps == 0.0 && varied.scale.eps == 0.0 {
         return [zero, zero];
@@ -291,5 +292,5 @@ fn law_change<S: Simd>(law: &Law, varied: &Law<num_dual::Dual64>, at: &At<S>, sp
     let by_curve = at.e * by.a.eps + at.slip * at.decay * (inner * -by.c.eps + by.b.eps);
     let plain = by_curve + speed * at.slope * (varied.scale.eps / law.scale);
     let lost = plain * -law.over_peak + at.plain * (peak * law.over_peak * law.over_peak);
-    [at.past.select(f64x4::splat(speed.token(), peak), plain), at.past.select(lost, zero)]
+    [at.past.select(Lanes::splat(speed.token(), peak), plain), at.past.select(lost, zero)]
 }

@@ -1,4 +1,4 @@
-//! The elastic patch for a Kragelskii curve in double precision, four strips at a time.
+//! The elastic patch for a Kragelskii curve in double precision, eight strips at a time.
 //!
 //! [`Fastsim::traction`] marches the strips of [`super::elastic_patch_traction`] and agrees with it to 1e-12 of the
 //! largest component. Strips do not depend on each other, so lanes are strips; up to sixteen march side by side.
@@ -20,19 +20,20 @@ mod setup;
 use super::Fastsim;
 use super::elasticity::TangentialElasticity;
 use super::fastsim::elastic_patch_traction;
-use crate::fast::{PatchDerivative, assemble as assemble_values, total};
+use crate::fast::lanes::{LANES, Lanes, total};
+use crate::fast::{PatchDerivative, assemble as assemble_values};
 use crate::strips::panels;
 use crate::{
     Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipField, SlipUnit,
     TractionLaw,
 };
-use fearless_simd::{dispatch, f64x4, prelude::*};
+use fearless_simd::{dispatch, prelude::*};
 use march::{March, Strips};
 use num_dual::Dual64;
 use setup::{Law, yielding};
 
-/// Lots of four strips that march side by side.
-const LOTS: usize = 4;
+/// Lots of eight strips that march side by side.
+const LOTS: usize = 2;
 
 impl Fastsim {
     /// [`elastic_patch_traction`] of a Kragelskii curve with C > 0, the same at every point of the patch.
@@ -56,7 +57,7 @@ impl Fastsim {
             varied: [],
         };
         let sums = dispatch!(self.level, simd => {
-            let mut sums = [f64x4::splat(simd, 0.0); 8];
+            let mut sums = [Lanes::splat(simd, 0.0); 8];
             walk(simd, &strips, |lot, share| {
                 let (y, y2) = (lot.y, lot.y * lot.y);
                 let [fx, fy, x_fy, power, wear] = lot.sums.map(|sum| sum * share);
@@ -102,9 +103,9 @@ impl Fastsim {
     }
 }
 
-/// Marches every strip of the patch and hands lots of four with their shares of the patch to `take`.
+/// Marches every strip of the patch and hands lots of eight with their shares of the patch to `take`.
 #[inline(always)]
-fn walk<S: Simd, const T: usize>(simd: S, strips: &Strips<'_, T>, mut take: impl FnMut(&March<S, T>, f64x4<S>)) {
+fn walk<S: Simd, const T: usize>(simd: S, strips: &Strips<'_, T>, mut take: impl FnMut(&March<S, T>, Lanes<S>)) {
     // Two cuts make three panels at most.
     let mut spans = [[0.0; 2]; 3];
     let mut count = 0;
@@ -115,20 +116,20 @@ fn walk<S: Simd, const T: usize>(simd: S, strips: &Strips<'_, T>, mut take: impl
     let across = &strips.grid.graded;
     let mut places = spans[..count].iter().flat_map(|&span| across.iter().map(move |&node| (span, node)));
     let mut lots = [March::nothing(simd); LOTS];
-    let mut shares = [f64x4::splat(simd, 0.0); LOTS];
-    let mut left = (count * across.len()).div_ceil(4);
+    let mut shares = [Lanes::splat(simd, 0.0); LOTS];
+    let mut left = (count * across.len()).div_ceil(LANES);
     while left > 0 {
         let now = left.min(LOTS);
         left -= now;
         for (lot, share) in lots[..now].iter_mut().zip(&mut shares) {
-            let (mut y, mut width) = ([0.0; 4], [0.0; 4]);
+            let (mut y, mut width) = ([0.0; LANES], [0.0; LANES]);
             for (y, width) in y.iter_mut().zip(&mut width) {
                 if let Some(([start, length], [grade, slope])) = places.next() {
                     (*y, *width) = (start + length * grade, length * slope);
                 }
             }
-            lot.y = f64x4::simd_from(simd, y);
-            *share = f64x4::simd_from(simd, width) * ((-lot.y + 1.0) * (lot.y + 1.0)).max(0.0);
+            lot.y = Lanes::simd_from(simd, y);
+            *share = Lanes::simd_from(simd, width) * ((-lot.y + 1.0) * (lot.y + 1.0)).max(0.0);
         }
         strips.march(&mut lots[..now]);
         for (lot, &share) in lots[..now].iter().zip(&shares) {
