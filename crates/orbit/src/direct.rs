@@ -7,7 +7,7 @@ use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::start::Profile;
-use crate::system::RING;
+use crate::system::{BALL, RING};
 use crate::way::Way;
 
 /// Intervals of the first mesh.
@@ -18,13 +18,15 @@ const MOST: usize = 400;
 const MESHES: usize = 7;
 /// Error that a new mesh aims at, over what is allowed.
 const AIM: f64 = 0.3;
+/// Times that intervals of a turn are halved; pocket force that may be too large over its peak or over a slight part of
+/// the load, and looks at an interval.
+const HALVINGS: usize = 3;
+const OF_POCKET: f64 = 0.05;
+const SLIGHT: f64 = 1e-3;
+const LOOKS: usize = 7;
 /// By how much an interval may become shorter and longer from mesh to mesh.
 const SHORTER: f64 = 8.0;
 const LONGER: f64 = 1.5;
-/// Meshes by which the errors of a turn's are made even, as one may be longer than another by little only, and the
-/// share of the intervals below which that is worth the attempt.
-const EVENED: usize = 3;
-const WORTHWHILE: f64 = 0.85;
 
 /// Jacobians of an attempt on the way and of all of them, residual that is enough there, and shortest step.
 const PATIENCE: usize = 16;
@@ -97,6 +99,47 @@ impl<'a> Newton<'a> {
         None
     }
 
+    /// The orbit with the intervals halved that err by more than is allowed, the others kept: a mesh that a ball was
+    /// sent round on has its steps where contacts begin and end.
+    pub fn halved(&mut self, mut found: Found, allowed: f64, (tolerance, patience): (f64, usize)) -> Found {
+        for _ in 0..HALVINGS {
+            let errors = self.errors(&found.0, allowed).into_iter().zip(self.pocket_errors(&found.0));
+            let errors: Vec<f64> = errors.map(|(of_step, of_pocket)| of_step.max(of_pocket)).collect();
+            if errors.iter().all(|error| *error <= 1.0) {
+                break;
+            }
+            let orbit = &found.0;
+            let halves = errors.iter().zip(orbit.ends.windows(2)).flat_map(|(error, pair)| {
+                let middle = (*error > 1.0).then(|| 0.5 * (pair[0] + pair[1]));
+                middle.into_iter().chain([pair[1]])
+            });
+            let ends = [0.0].into_iter().chain(halves).collect();
+            let border = (orbit.cage_speed, orbit.ring);
+            let finer = Orbit::of(&self.radau, ends, border, |turn| orbit.at(&self.radau, turn));
+            let Some(next) = self.met(finer, (tolerance, patience)) else { break };
+            found = next;
+        }
+        found
+    }
+
+    /// By how much each interval's pocket force between the points rises above what it is at them, over what is allowed:
+    /// a stiff pocket makes much of a lead that errs by little.
+    fn pocket_errors(&self, orbit: &Orbit) -> Vec<f64> {
+        let force = |y: &[f64; BALL]| self.system.in_pocket(y, orbit.cage_speed).force.abs();
+        let most = |forces: &[f64]| forces.iter().copied().fold(0.0, f64::max);
+        let at_points: Vec<f64> = orbit.values.iter().map(|values| most(&values.each_ref().map(force))).collect();
+        let allowed = OF_POCKET * most(&at_points).max(SLIGHT * self.scales.force);
+        let of = |j: usize| {
+            let [begin, width] = orbit.interval(j);
+            let between: [f64; LOOKS] = std::array::from_fn(|k| {
+                let share = (k + 1) as f64 / (LOOKS + 1) as f64;
+                force(&orbit.at(&self.radau, begin + share * width))
+            });
+            (most(&between) - at_points[j].max(force(orbit.begin(j)))) / allowed
+        };
+        (0..orbit.intervals()).map(of).collect()
+    }
+
     /// Error of each interval over what is allowed.
     pub fn errors(&self, orbit: &Orbit, allowed: f64) -> Vec<f64> {
         let border = (orbit.cage_speed, orbit.ring);
@@ -106,15 +149,6 @@ impl<'a> Newton<'a> {
             self.error_of(&place, width, &orbit.values[j]).unwrap_or(f64::INFINITY) / allowed
         };
         (0..orbit.intervals()).map(of).collect()
-    }
-
-    /// The orbit on fewer intervals that err as much; none where that saves little.
-    pub fn evened(&self, orbit: &Orbit, allowed: f64) -> Option<Orbit> {
-        let mut evened = self.finer(orbit, &self.errors(orbit, allowed))?;
-        for _ in 1..EVENED {
-            evened = self.finer(&evened, &self.errors(&evened, allowed))?;
-        }
-        ((evened.intervals() as f64) < WORTHWHILE * orbit.intervals() as f64).then_some(evened)
     }
 
     /// The orbit on a mesh that its errors ask for; none where that has too many intervals.

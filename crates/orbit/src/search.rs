@@ -10,10 +10,7 @@ use crate::start::{self, Profile};
 use crate::way::{Eased, Way};
 use tribodyn_bearing::OperatingPoint;
 use tribodyn_quasistatic::{BallMotion, Model, RollingStart, solve};
-use tribodyn_traction::{FastPatch, PatchRule};
 
-/// Patches by which slopes are taken where they need not be right to the last, and errors of intervals.
-pub(crate) const SLOPES: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
 /// Error of an interval where the neighbourhood is found, over the scales.
 const SCOUTED: f64 = 0.2;
 /// By how much cage, ring and the closing of the turn may be off where the neighbourhood is found, and where Newton's
@@ -163,16 +160,10 @@ fn closed_or_met(newton: &mut Newton<'_>, orbit: Orbit, settings: &OrbitSettings
         let errors = newton.errors(&found.0, settings.mesh_error);
         errors.into_iter().fold(0.0, f64::max) <= OTHER || holds(newton, found, settings)
     };
-    let cheap = FastPatch::new(SLOPES).ok()?;
-    let evened = newton.with_patches(cheap, |newton| newton.evened(&orbit, settings.mesh_error));
-    if let Some(evened) = evened {
-        let met = newton.met(evened, (settings.tolerance, PATIENCE)).filter(|found| sound(newton, found));
-        if met.is_some() {
-            return met;
-        }
-    }
-    let met = newton.met(orbit.clone(), (settings.tolerance, PATIENCE)).filter(|found| sound(newton, found));
-    met.or_else(|| newton.closed(orbit, settings.tolerance).filter(|found| sound(newton, found)))
+    let goal = (settings.tolerance, PATIENCE);
+    let met = newton.met(orbit.clone(), goal).filter(|found| sound(newton, found));
+    let met = met.or_else(|| newton.closed(orbit, settings.tolerance).filter(|found| sound(newton, found)));
+    met.map(|found| newton.halved(found, settings.mesh_error, goal))
 }
 
 /// True if a ball that is sent round once more keeps to an orbit. On the falling part of a traction curve there are

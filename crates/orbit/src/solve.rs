@@ -1,9 +1,10 @@
 //! From a bearing at an operating point to its steady orbit.
 
+use crate::collocation::Orbit;
 use crate::modes::{Bodies, Mode, modes};
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::search::{PATIENCE, SETTLING, SLOPES, WORK, damped, find};
+use crate::search::{PATIENCE, SETTLING, WORK, damped, find};
 use crate::settings::OrbitSettings;
 use crate::solution::solution;
 use crate::solved::{OrbitStart, SolvedOrbit};
@@ -21,9 +22,10 @@ const CENTRING: f64 = 1e-8;
 
 /// Error of an interval, over what is allowed, up to which the mesh of a neighbour serves.
 const DRIFTED: f64 = 2.0;
-/// Jacobians by the slopes of cheaper patches from a neighbour, after which those of the patches themselves are taken:
-/// where a cage hangs that no ball touches, slopes must be right to the last.
+/// Patches by which slopes are taken at first from a neighbour, and the Jacobians after which those of the patches
+/// themselves are: where a cage hangs that no ball touches, slopes must be right to the last.
 const HURRY: usize = 3;
+const SLOPES: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
 
 /// The bearing as the orbit has it: offsets of the rings exact, contacts damped.
 fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
@@ -136,11 +138,16 @@ pub fn steady_orbit_from(
 
 /// An orbit on a neighbour's mesh, or on a finer one where that errs by more than is allowed.
 fn fitted(newton: &mut Newton<'_>, found: Found, (settings, cheap): (&OrbitSettings, FastPatch)) -> Option<Found> {
-    let errors = newton.with_patches(cheap, |newton| newton.errors(&found.0, settings.mesh_error));
-    if errors.iter().all(|error| *error <= DRIFTED) {
+    let goal = (settings.tolerance, PATIENCE);
+    let fits = |newton: &mut Newton<'_>, orbit: &Orbit| {
+        let errors = newton.with_patches(cheap.clone(), |newton| newton.errors(orbit, settings.mesh_error));
+        errors.iter().all(|error| *error <= DRIFTED)
+    };
+    if fits(newton, &found.0) {
         return Some(found);
     }
-    newton.refined(found, settings.mesh_error, (settings.tolerance, PATIENCE))
+    let found = newton.halved(found, settings.mesh_error, goal);
+    if fits(newton, &found.0) { Some(found) } else { newton.refined(found, settings.mesh_error, goal) }
 }
 
 /// The solver at a solution.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use tribodyn_bearing::{
     AzimuthFrame, BallFriction, BallLoads, BallState, Bearing, CageBody, ContactForces, LoadedPatch, LocalSurface,
-    PocketMotion, Races, RingFreedom, RingState, Scalar, Side,
+    PocketLoad, PocketMotion, Races, RingFreedom, RingState, Scalar, Side,
 };
 use tribodyn_traction::{FastPatch, PatchTraction};
 
@@ -95,8 +95,7 @@ impl OrbitSystem<'_> {
         let loads = bearing.ball_loads_with(&state, rings.each_ref(), self.surfaces.each_ref(), traction);
         let r = loads.orbit_radius;
         let rate = orbit - cage_speed;
-        let on_ball =
-            pocket.load(&PocketMotion { lead, rate, velocity: [v_a, v_r], spin: [spin[0], spin[1]], cage_speed });
+        let on_ball = self.in_pocket(unknowns, cage_speed);
         let tractions = loads.contacts.map(|c| ContactForces { force: c.traction_force, moment: c.moment });
         let friction = BallFriction::new(&tractions, (loads.drag, loads.churning), (on_ball, pocket.radius), r);
         let [i, o] = Side::BOTH.map(|side| loads.contacts[side].normal.on_ball(side));
@@ -119,6 +118,14 @@ impl OrbitSystem<'_> {
             torque,
             cage_torque: on_ball.cage_torque + centring,
         }
+    }
+
+    /// What the pocket does to a ball.
+    pub fn in_pocket<D: Scalar>(&self, unknowns: &[D; BALL], cage_speed: D) -> PocketLoad<D> {
+        let &[_, _, lead, v_a, v_r, orbit, spin_a, spin_r, _] = unknowns;
+        let motion =
+            PocketMotion { lead, rate: orbit - cage_speed, velocity: [v_a, v_r], spin: [spin_a, spin_r], cage_speed };
+        self.cage.pocket.load(&motion)
     }
 
     /// Azimuth of a pocket after a share of a turn, rad.
