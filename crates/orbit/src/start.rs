@@ -1,13 +1,15 @@
 //! Where the iteration begins: ring and rolling speeds of Jones–Harris.
 
 use crate::residual::Scales;
-use crate::system::{BALL, LEAD, RING};
+use crate::system::{BALL, LEAD, ORBIT, RING};
 use std::f64::consts::TAU;
 use tribodyn_bearing::{Bearing, Pocket, RingFreedom, Side};
 use tribodyn_quasistatic::{BallMotion, RollingStart};
 
 /// Force in the pocket over that on a ball whose share in the lead counts as an error of one.
 const PRESSED: f64 = 0.1;
+/// Part of the scale of the orbital speed that counts as an error of one: by little more a ball meets its pocket.
+const ALONG: f64 = 0.3;
 
 /// The speed of the cage as the loaded balls give it.
 pub(crate) fn cage_speed(start: &RollingStart) -> f64 {
@@ -51,6 +53,7 @@ pub(crate) fn scales(
     let velocity = 10.0 * length * speed.abs();
     let lead = 1e-3;
     let mut errors = [1.0; BALL];
+    errors[ORBIT] = ALONG;
     errors[LEAD] = (PRESSED * force / (pocket.stiffness * pocket.radius * lead)).min(1.0);
     Scales {
         ball: [length, length, lead, velocity, velocity, slow, turn, turn, turn],
