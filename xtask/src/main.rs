@@ -53,7 +53,11 @@ enum Command {
     /// Try kills, full disks, two at once, damaged files, hostile viewers on the built command
     Faults(faults::Arguments),
     /// Run everything that continuous integration runs
-    Ci,
+    Ci {
+        /// Only this step, by the name that it is reported by; may be given several times.
+        #[arg(long = "step", value_name = "NAME", value_parser = clap::builder::PossibleValuesParser::new(ci::names()))]
+        steps: Vec<String>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -68,7 +72,7 @@ fn main() -> ExitCode {
         Command::Page(arguments) => page::run(&arguments),
         Command::Survey(arguments) => survey::run(&arguments),
         Command::Faults(arguments) => faults::run(&arguments),
-        Command::Ci => ci::run(),
+        Command::Ci { steps } => ci::run(&steps),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -122,8 +122,9 @@ impl<'a> Newton<'a> {
         found
     }
 
-    /// By how much each interval's pocket force between the points rises above what it is at them, over what is allowed:
-    /// a stiff pocket makes much of a lead that errs by little.
+    /// By how much each interval's pocket force rises between its points above the values there, over what is allowed.
+    ///
+    /// A stiff pocket makes much of a lead that errs by little.
     fn pocket_errors(&self, orbit: &Orbit) -> Vec<f64> {
         let force = |y: &[f64; BALL]| self.system.in_pocket(y, orbit.cage_speed).force.abs();
         let most = |forces: &[f64]| forces.iter().copied().fold(0.0, f64::max);

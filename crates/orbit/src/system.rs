@@ -120,7 +120,7 @@ impl OrbitSystem<'_> {
         }
     }
 
-    /// What the pocket does to a ball.
+    /// Load of the pocket on a ball with these unknowns.
     pub fn in_pocket<D: Scalar>(&self, unknowns: &[D; BALL], cage_speed: D) -> PocketLoad<D> {
         let &[_, _, lead, v_a, v_r, orbit, spin_a, spin_r, _] = unknowns;
         let motion =

@@ -4,8 +4,9 @@
 //!     valgrind --tool=callgrind --toggle-collect='*measured*' \
 //!         target/release/examples/kernel_instructions fast strips 1000
 //!
-//! Arguments: `generic`, `fast` or `derivative`; `midpoint` (10 × 40), `jacobi` (4 × 12) `strips` (8 × 3) or `fine` (16 × 8); how many
-//! times the three contacts are run. It prints the number of nodes, by which a count is to be divided, and a checksum.
+//! Arguments: `generic`, `fast` or `derivative`; `midpoint` (10 × 40), `jacobi` (4 × 12), `strips` (8 × 3) or `fine`
+//! (16 × 8); how many times the three contacts are run. It prints the number of nodes, by which a count is to be
+//! divided, and a checksum.
 
 use std::{env, process::ExitCode};
 use tribodyn_traction::{

@@ -57,11 +57,18 @@ fn recordings() -> PathBuf {
     files::root().join("target/validation")
 }
 
-/// Runs all steps, also after one has failed, and says how each ended.
-pub fn run() -> Result<(), Failure> {
+/// Names of the steps, in the order in which they run.
+pub fn names() -> [&'static str; STEPS.len()] {
+    STEPS.map(|(name, _)| name)
+}
+
+/// Runs the steps of these names, all of them where none is named, also after one has failed; says how each ended.
+pub fn run(wanted: &[String]) -> Result<(), Failure> {
     let start = Instant::now();
     let (mut failed, mut skipped) = (Vec::new(), Vec::new());
-    for (name, step) in STEPS {
+    let steps = STEPS.iter().filter(|(name, _)| wanted.is_empty() || wanted.iter().any(|w| w == name));
+    let count = steps.clone().count();
+    for (name, step) in steps {
         println!("\n== {name}");
         let begun = Instant::now();
         let outcome = step();
@@ -70,25 +77,24 @@ pub fn run() -> Result<(), Failure> {
             Ok(Outcome::Done) => println!("== {name}: passed in {seconds:.1} s"),
             Ok(Outcome::Skipped(reason)) => {
                 println!("== {name}: SKIPPED after {seconds:.1} s: {reason}");
-                skipped.push(name);
+                skipped.push(*name);
             }
             Err(failure) => {
                 println!("== {name}: FAILED after {seconds:.1} s: {failure}");
-                failed.push(name.to_owned());
+                failed.push((*name).to_owned());
             }
         }
     }
-    let names = |list: &[&str]| if list.is_empty() { "none".to_owned() } else { list.join(", ") };
-    let passed = STEPS.len() - failed.len() - skipped.len();
+    let list = |names: &[&str]| if names.is_empty() { "none".to_owned() } else { names.join(", ") };
+    let passed = count - failed.len() - skipped.len();
     let seconds = start.elapsed().as_secs_f64();
     if failed.is_empty() {
-        println!("\nci: {passed} of {} steps passed in {seconds:.0} s, skipped: {}", STEPS.len(), names(&skipped));
+        println!("\nci: {passed} of {count} steps passed in {seconds:.0} s, skipped: {}", list(&skipped));
         return Ok(());
     }
     println!(
-        "\nci: {passed} of {} steps passed in {seconds:.0} s, skipped: {}, FAILED: {}",
-        STEPS.len(),
-        names(&skipped),
+        "\nci: {passed} of {count} steps passed in {seconds:.0} s, skipped: {}, FAILED: {}",
+        list(&skipped),
         failed.join(", ")
     );
     Err(Failure::Check { what: "continuous integration failed", findings: failed })

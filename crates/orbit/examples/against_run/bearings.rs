@@ -1,6 +1,7 @@
 //! The bearings whose orbits are held against runs: case files with changes.
 
 /// A bearing.
+#[derive(Clone)]
 #[allow(dead_code, reason = "tests run no turns")]
 pub struct Compared {
     pub name: &'static str,
@@ -42,81 +43,73 @@ const ANGULAR: &str = "angular-7210";
 
 /// All of them.
 pub fn bearings() -> Vec<Compared> {
-    let of = |name, file, changes: &[(&'static str, &'static str)]| Compared {
-        name,
-        file,
-        changes: changes.to_vec(),
-        turns: TURNS,
-        from_orbit: false,
-        heavy: 1.0,
-    };
+    [turbopump(), angular(), deep_groove()].concat()
+}
+
+fn changed(name: &'static str, file: &'static str, changes: &[(&'static str, &'static str)]) -> Compared {
+    Compared { name, file, changes: changes.to_vec(), turns: TURNS, from_orbit: false, heavy: 1.0 }
+}
+
+fn staying(bearing: Compared) -> Compared {
+    Compared { from_orbit: true, turns: STAYING, ..bearing }
+}
+
+fn turbopump() -> Vec<Compared> {
     let explicit = ("transient.scheme", "RungeKutta4(step: us(4))");
-    let paper = |name, file, changes: &[_]| Compared { turns: FEW, ..of(name, file, &[&[explicit], changes].concat()) };
-    let groove = |name, changes: &[_]| of(name, ANGULAR, &[&DEEP_GROOVE, changes].concat());
+    let paper =
+        |name, file, changes: &[_]| Compared { turns: FEW, ..changed(name, file, &[&[explicit], changes].concat()) };
+    let guided = "(land: Outer, radius: mm(90), width: mm(12), gap: mm(0.3))";
+    let fifth = [("ring.x", "Force(kN(2))"), ("ring.z", "Force(kN(5))")];
+    vec![
+        paper("paper, silver", TURBOPUMP, &[]),
+        paper("paper, PTFE", "paper-ptfe", &[]),
+        paper("paper, fixed parameters", TURBOPUMP, &[("traction.varying", "false")]),
+        paper("paper, axial only", TURBOPUMP, &[("ring.x", "Force(kN(0))")]),
+        staying(paper("paper, 5 kN axial, 2 kN radial", TURBOPUMP, &fifth)),
+        staying(paper("paper, guided cage", TURBOPUMP, &[("cage.guidance", guided)])),
+    ]
+}
+
+fn angular() -> Vec<Compared> {
+    let of = |name, changes: &[_]| changed(name, ANGULAR, changes);
+    let half = ("ring.x", "Force(kN(2))");
+    vec![
+        of("7210, 3 kN axial, 4 kN radial, 6000 r/min", &[]),
+        staying(of("the same at 1000 r/min", &[("speed.inner", "Constant(rpm(1000))")])),
+        of("the same at 12 000 r/min", &[("speed.inner", "Constant(rpm(12000))")]),
+        of("7210, 3 kN, 2 kN", &[half]),
+        of("7210, 300 N, 400 N", &[("ring.x", "Force(N(400))"), ("ring.z", "Force(N(300))")]),
+        of("7210, 3 kN axial only", &[("ring.x", "Force(kN(0))")]),
+        of("7210, 3 kN, 8 kN", &[("ring.x", "Force(kN(8))")]),
+        of("7210, 3 kN, 2 kN, outer ring at 2000 r/min", &[half, ("speed.outer", "Constant(rpm(2000))")]),
+        of("7210, 3 kN, 2 kN, outer ring at −3000 r/min", &[half, ("speed.outer", "Constant(rpm(-3000))")]),
+        of(
+            "7210, 3 kN, 2 kN, outer ring alone at 6000 r/min",
+            &[half, ("speed.inner", "Constant(rpm(0))"), ("speed.outer", "Constant(rpm(6000))")],
+        ),
+        of("7210, 3 kN, 4 kN, 0.1 N m on the cage", &[("cage.drag_torque", "Nm(0.1)")]),
+        of("7210, 3 kN, 2 kN, 0.3 N m on the cage", &[half, ("cage.drag_torque", "Nm(0.3)")]),
+    ]
+}
+
+fn deep_groove() -> Vec<Compared> {
+    let of = |name, changes: &[_]| changed(name, ANGULAR, &[&DEEP_GROOVE, changes].concat());
     // What the fast scheme takes for linear is a part of so small a torque.
     let fine = ("transient.scheme", "RungeKutta4(step: us(2))");
     let light = |name, changes: &[_]| Compared {
         from_orbit: true,
         heavy: 100.0,
         turns: AT_ONCE,
-        ..groove(name, &[&[fine], changes].concat())
+        ..of(name, &[&[fine], changes].concat())
     };
-    let staying = |bearing| Compared { from_orbit: true, turns: STAYING, ..bearing };
-    let guided = "(land: Outer, radius: mm(90), width: mm(12), gap: mm(0.3))";
+    let dragged = [("ring.x", "Force(kN(2))"), ("cage.drag_torque", "Nm(0.02)")];
+    let loose = [("ring.x", "Force(N(100))"), ("geometry.fit", "RadialClearance(um(60))")];
     vec![
-        paper("paper, silver", TURBOPUMP, &[]),
-        paper("paper, PTFE", "paper-ptfe", &[]),
-        paper("paper, fixed parameters", TURBOPUMP, &[("traction.varying", "false")]),
-        paper("paper, axial only", TURBOPUMP, &[("ring.x", "Force(kN(0))")]),
-        staying(paper(
-            "paper, 5 kN axial, 2 kN radial",
-            TURBOPUMP,
-            &[("ring.x", "Force(kN(2))"), ("ring.z", "Force(kN(5))")],
-        )),
-        staying(paper("paper, guided cage", TURBOPUMP, &[("cage.guidance", guided)])),
-        of("7210, 3 kN axial, 4 kN radial, 6000 r/min", ANGULAR, &[]),
-        staying(of("the same at 1000 r/min", ANGULAR, &[("speed.inner", "Constant(rpm(1000))")])),
-        of("the same at 12 000 r/min", ANGULAR, &[("speed.inner", "Constant(rpm(12000))")]),
-        of("7210, 3 kN, 2 kN", ANGULAR, &[("ring.x", "Force(kN(2))")]),
-        of("7210, 300 N, 400 N", ANGULAR, &[("ring.x", "Force(N(400))"), ("ring.z", "Force(N(300))")]),
-        of("7210, 3 kN axial only", ANGULAR, &[("ring.x", "Force(kN(0))")]),
-        of("7210, 3 kN, 8 kN", ANGULAR, &[("ring.x", "Force(kN(8))")]),
-        of(
-            "7210, 3 kN, 2 kN, outer ring at 2000 r/min",
-            ANGULAR,
-            &[("ring.x", "Force(kN(2))"), ("speed.outer", "Constant(rpm(2000))")],
-        ),
-        of(
-            "7210, 3 kN, 2 kN, outer ring at −3000 r/min",
-            ANGULAR,
-            &[("ring.x", "Force(kN(2))"), ("speed.outer", "Constant(rpm(-3000))")],
-        ),
-        of(
-            "7210, 3 kN, 2 kN, outer ring alone at 6000 r/min",
-            ANGULAR,
-            &[("ring.x", "Force(kN(2))"), ("speed.inner", "Constant(rpm(0))"), ("speed.outer", "Constant(rpm(6000))")],
-        ),
-        of("7210, 3 kN, 4 kN, 0.1 N m on the cage", ANGULAR, &[("cage.drag_torque", "Nm(0.1)")]),
-        of(
-            "7210, 3 kN, 2 kN, 0.3 N m on the cage",
-            ANGULAR,
-            &[("ring.x", "Force(kN(2))"), ("cage.drag_torque", "Nm(0.3)")],
-        ),
-        groove("6206, 2 kN radial, clearance 13 µm, 6000 r/min", &[("ring.x", "Force(kN(2))")]),
+        of("6206, 2 kN radial, clearance 13 µm, 6000 r/min", &[("ring.x", "Force(kN(2))")]),
         light("6206, 100 N", &[("ring.x", "Force(N(100))")]),
-        light(
-            "6206, 100 N, clearance 60 µm: one loaded ball",
-            &[("ring.x", "Force(N(100))"), ("geometry.fit", "RadialClearance(um(60))")],
-        ),
+        light("6206, 100 N, clearance 60 µm: one loaded ball", &loose),
         light("6206, 100 N, held along its axis", &[("ring.x", "Force(N(100))"), ("ring.z", "Held(um(0))")]),
-        Compared {
-            from_orbit: true,
-            heavy: 100.0,
-            ..groove(
-                "6206, 2 kN, 0.02 N m on the cage",
-                &[("ring.x", "Force(kN(2))"), ("cage.drag_torque", "Nm(0.02)")],
-            )
-        },
+        Compared { from_orbit: true, heavy: 100.0, ..of("6206, 2 kN, 0.02 N m on the cage", &dragged) },
     ]
 }
 

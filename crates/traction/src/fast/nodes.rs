@@ -165,9 +165,10 @@ impl Strips {
     }
 }
 
-/// The map ξ = ξ_c + ε sinh(A t + B) of eight strips, as [`crate::strips::along_strip`] has it, arranged for fewer roots
-/// and divisions: with U, D = d + √(d² + ε²) at the distances d of ξ_c to both ends, exp(2A) = U D/ε² and exp(2B) =
-/// U/D.
+/// The map ξ = ξ_c + ε sinh(A t + B) of eight strips, as [`crate::strips::along_strip`] has it.
+///
+/// It is arranged for fewer roots and divisions: with U, D = d + √(d² + ε²) at the distances d of ξ_c to both ends,
+/// exp(2A) = U D/ε² and exp(2B) = U/D.
 ///
 /// Made in three stages, each over all rows of a block.
 #[derive(Clone, Copy)]
