@@ -3,6 +3,7 @@
 use crate::{
     ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, MaterialSpec, Medium, TractionSpec,
 };
+use std::cell::RefCell;
 use tribodyn_bearing::{Bearing, BearingError, BearingSpec, Dimensions, FluidForces, Geometry, Races, Tribology};
 use tribodyn_contact::ElasticBody;
 use tribodyn_fluid::{BallDrag, Churning, Fluid, effective_density, frontal_area};
@@ -88,7 +89,29 @@ fn elastic(material: &MaterialSpec) -> ElasticBody {
     ElasticBody { young: material.young, poisson: material.poisson }
 }
 
+/// Laws that a thread keeps: of two races and what is bare between them, and one to come.
+const LAWS_KEPT: usize = 4;
+
+thread_local! {
+    /// The laws made last, with what they are made of. A fit takes as long as many solutions of a sweep, in whose rows
+    /// the curves are mostly the same.
+    static LAWS: RefCell<Vec<(TractionSpec, CurveSpec, Law)>> = const { RefCell::new(Vec::new()) };
+}
+
 fn coating_law(t: &TractionSpec, curve: &CurveSpec) -> Result<Law, BearingError> {
+    let alike = |(of, c, _): &&(TractionSpec, CurveSpec, Law)| of == t && c == curve;
+    if let Some(law) = LAWS.with_borrow(|laws| laws.iter().find(alike).map(|(.., law)| law.clone())) {
+        return Ok(law);
+    }
+    let law = fitted_law(t, curve)?;
+    LAWS.with_borrow_mut(|laws| {
+        laws.truncate(LAWS_KEPT - 1);
+        laws.insert(0, (t.clone(), curve.clone(), law.clone()));
+    });
+    Ok(law)
+}
+
+fn fitted_law(t: &TractionSpec, curve: &CurveSpec) -> Result<Law, BearingError> {
     let coating = match curve {
         CurveSpec::Library(name) => Coating::library(name)?,
         CurveSpec::Tested(points) => {

@@ -28,7 +28,7 @@ mod tests_needs;
 mod tests_transient;
 
 pub use error::CaseError;
-pub use locate::{locate, set_value, values};
+pub use locate::{Template, locate, set_value, values};
 pub use mounting::Growths;
 pub use needs::{Lacking, Purpose};
 pub use operation::InputError;

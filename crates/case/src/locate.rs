@@ -50,9 +50,47 @@ pub fn set_value(text: &str, path: &str, value: &str) -> Result<String, CaseErro
             return with_field.ok_or_else(|| unknown_path(text, &parsed, missing));
         }
     };
-    // A line comment at the end of the value would swallow what follows it.
-    let gap = if value.rfind("//") > value.rfind('\n') { "\n" } else { "" };
-    Ok([&text[..range.start], value, gap, &text[range.end..]].concat())
+    Ok([&text[..range.start], value, gap_after(value), &text[range.end..]].concat())
+}
+
+/// A text with some values to be replaced, again and again.
+#[derive(Debug, Clone)]
+pub struct Template {
+    text: String,
+    /// Which of the values, by the places of their paths, and where it stands, in the order of the text.
+    places: Vec<(usize, Range<usize>)>,
+}
+
+impl Template {
+    /// The text with the values at these paths to be replaced; `None` where one is not there, or stands in another.
+    pub fn new(text: &str, paths: &[&str]) -> Option<Self> {
+        let outline = Outline::new(text)?;
+        let place = |(k, path): (usize, &&str)| Some((k, outline.find(&Path::parse(path)?).ok()?));
+        let mut places: Vec<_> = paths.iter().enumerate().map(place).collect::<Option<_>>()?;
+        places.sort_by_key(|(_, range)| range.start);
+        let apart = places.windows(2).all(|pair| pair[0].1.end <= pair[1].1.start);
+        apart.then(|| Self { text: text.to_owned(), places })
+    }
+
+    /// The text with these values, as [`set_value`] one after the other would make it; `None` where one of them is not
+    /// well-formed.
+    pub fn with(&self, values: &[&str]) -> Option<String> {
+        let (mut filled, mut at) = (String::with_capacity(self.text.len() + 64), 0);
+        for (k, range) in &self.places {
+            let value = values.get(*k).filter(|value| Outline::new(value).is_some())?;
+            filled.push_str(&self.text[at..range.start]);
+            filled.push_str(value);
+            filled.push_str(gap_after(value));
+            at = range.end;
+        }
+        filled.push_str(&self.text[at..]);
+        Some(filled)
+    }
+}
+
+/// A line comment at the end of a value would swallow what follows it.
+fn gap_after(value: &str) -> &'static str {
+    if value.rfind("//") > value.rfind('\n') { "\n" } else { "" }
 }
 
 /// The error for a path that leads nowhere.
@@ -70,7 +108,7 @@ pub(super) fn unknown_path(text: &str, path: &Path, missing: Missing) -> CaseErr
 
 #[cfg(test)]
 mod tests {
-    use super::{locate, values};
+    use super::{Template, locate, set_value, values};
 
     #[test]
     fn identity_every_value_is_listed_and_found_at_its_path() {
@@ -87,6 +125,20 @@ mod tests {
         assert_eq!(value("fluid.medium.Nitrogen.pressure"), Some("MPa(4)"));
         assert!(all.iter().all(|(path, _)| !path.starts_with("sources")));
         assert_eq!(values("(a: 1"), []);
+    }
+
+    #[test]
+    fn identity_a_template_is_filled_as_values_are_set_one_by_one() {
+        let text = include_str!("../../../fixtures/cases/paper-ag.ron");
+        let changes =
+            [("speed.inner", "Constant(rpm(9e3)) // slow"), ("ring.z.Force", "N(3)"), ("ring.x", "Held(m(0))")];
+        let one_by_one =
+            changes.iter().fold(text.to_owned(), |text, (path, value)| set_value(&text, path, value).unwrap());
+        let template = Template::new(text, &changes.map(|(path, _)| path)).unwrap();
+        assert_eq!(template.with(&changes.map(|(_, value)| value)), Some(one_by_one));
+        assert_eq!(template.with(&["Constant(rpm(1))", "N(3", "Held(m(0))"]), None);
+        assert!(Template::new(text, &["ring.z", "ring.z.Force"]).is_none(), "one stands in the other");
+        assert!(Template::new(text, &["ring.w"]).is_none());
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Single numbers of a case's text, as they are written, in SI, and in the units that may have been meant.
 
 use super::locate::values;
-use super::units::readings;
+use super::units::{in_si, others};
 
 /// A number of a case file.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,8 +12,16 @@ pub struct Quantity {
     pub written: String,
     /// In SI.
     pub value: f64,
+}
+
+impl Quantity {
     /// The same number with the other units of its kind, and what it would be in SI; empty for a number without unit.
-    pub otherwise: Vec<(String, f64)>,
+    pub fn otherwise(&self) -> Vec<(String, f64)> {
+        let Some((unit, rest)) = self.written.split_once('(') else { return Vec::new() };
+        let inside = rest.trim_end_matches(')');
+        let others = number(inside).map_or_else(Vec::new, |number| others(unit, number));
+        others.into_iter().map(|(unit, si)| (format!("{unit}({inside})"), si)).collect()
+    }
 }
 
 /// All numbers of a case's text in its order, the sources left out; empty where the text is not well-formed.
@@ -36,21 +44,16 @@ fn collect(path: &str, value: &str, found: &mut Vec<Quantity>) {
     let Some((name, rest)) = value.split_once('(') else {
         if let Some(number) = number(value) {
             let written = value.to_owned();
-            found.push(Quantity { path: path.to_owned(), written, value: number, otherwise: Vec::new() });
+            found.push(Quantity { path: path.to_owned(), written, value: number });
         }
         return;
     };
     let Some(inside) = rest.strip_suffix(')') else { return };
     let name = name.trim();
-    match number(inside).and_then(|number| readings(name, number)) {
-        Some((value, others)) => {
-            let otherwise = others.into_iter().map(|(unit, si)| (format!("{unit}({})", inside.trim()), si)).collect();
-            found.push(Quantity {
-                path: path.to_owned(),
-                written: format!("{name}({})", inside.trim()),
-                value,
-                otherwise,
-            });
+    match number(inside).and_then(|number| in_si(name, number)) {
+        Some(value) => {
+            let written = format!("{name}({})", inside.trim());
+            found.push(Quantity { path: path.to_owned(), written, value });
         }
         // A choice: `Some` is none that a path names.
         None if name == "Some" => collect(path, inside, found),
@@ -112,7 +115,7 @@ mod tests {
                 ("ring.z.ForceTable", "kN(3)", 3000.0),
             ]
         );
-        assert!(all[1].otherwise.contains(&("um(30.16)".to_owned(), 3.016e-5)), "{:?}", all[1].otherwise);
-        assert_eq!(all[0].otherwise, []);
+        assert!(all[1].otherwise().contains(&("um(30.16)".to_owned(), 3.016e-5)), "{:?}", all[1].otherwise());
+        assert_eq!(all[0].otherwise(), []);
     }
 }

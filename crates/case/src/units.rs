@@ -139,13 +139,19 @@ pub(super) fn is_unit(name: &str) -> bool {
     ALL.iter().any(|dimension| dimension.names.contains(&name))
 }
 
-/// A number with a unit in SI, and what it would be with the other units of the same dimension; `None` for a word that
-/// is no unit.
-pub(super) fn readings(unit: &str, number: f64) -> Option<(f64, Vec<(&'static str, f64)>)> {
-    let dimension = ALL.iter().find(|dimension| dimension.names.contains(&unit))?;
-    let all = || dimension.names.iter().zip(dimension.to_si).map(|(name, to_si)| (*name, to_si(number)));
-    let written = all().find(|(name, _)| *name == unit)?.1;
-    Some((written, all().filter(|(name, _)| *name != unit).collect()))
+fn dimension_of(unit: &str) -> Option<(&'static Dimension, usize)> {
+    ALL.iter().find_map(|dimension| Some((*dimension, dimension.names.iter().position(|name| *name == unit)?)))
+}
+
+/// A number with a unit in SI; `None` for a word that is no unit.
+pub(super) fn in_si(unit: &str, number: f64) -> Option<f64> {
+    dimension_of(unit).map(|(dimension, at)| dimension.to_si[at](number))
+}
+
+/// What a number with a unit would be in SI with the other units of the same dimension.
+pub(super) fn others(unit: &str, number: f64) -> Vec<(&'static str, f64)> {
+    let all = dimension_of(unit).into_iter().flat_map(|(dimension, _)| dimension.names.iter().zip(dimension.to_si));
+    all.filter(|(name, _)| **name != unit).map(|(name, to_si)| (*name, to_si(number))).collect()
 }
 
 macro_rules! readers {

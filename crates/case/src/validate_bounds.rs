@@ -273,10 +273,14 @@ impl Values {
 
 /// True if a path is one of a pattern's: `*` stands for a name or an index.
 fn matches(pattern: &str, path: &str) -> bool {
-    let steps = |text: &str| text.replace('[', ".[").split('.').map(str::to_owned).collect::<Vec<_>>();
-    let (pattern, path) = (steps(pattern), steps(path));
-    let same = |(p, s): (&String, &String)| p == s || p == "*" || (p == "[*]" && s.starts_with('['));
-    pattern.len() == path.len() && pattern.iter().zip(&path).all(same)
+    let (mut pattern, mut path) = (pattern.split(['.', '[']), path.split(['.', '[']));
+    loop {
+        match (pattern.next(), path.next()) {
+            (None, None) => return true,
+            (Some(p), Some(s)) if p == s || p == "*" || (p == "*]" && s.ends_with(']')) => {}
+            _ => return false,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -17,7 +17,9 @@ mod secant;
 mod settle;
 mod solution;
 mod solve;
+mod start;
 mod stiffness;
+mod warm;
 mod with_traction;
 
 #[cfg(test)]
@@ -31,10 +33,12 @@ pub use problem::{Place, QuasiStaticError, Reason};
 pub use rolling::{RollingStart, rolling_start};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{Model, Named, SOLUTION, Solution};
-pub use solve::{BallMotion, Solved, WarmStart, solve, solve_from};
+pub use solve::{Solved, solve};
+pub use start::{BallMotion, WarmStart};
 pub use stiffness::{StiffnessMatrix, compliance, jones_harris_stiffness, traction_stiffness};
 pub use tribodyn_bearing::{
     BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl, Races, RingFreedom, Side,
     SolverSettings,
 };
 pub use tribodyn_traction::{PatchChoice, PatchRule};
+pub use warm::{solve_from, solve_near};

@@ -5,9 +5,8 @@ use crate::block::{BlockState, RING};
 use crate::jones_harris::{JonesHarris, Typical};
 use crate::needs;
 use crate::problem::QuasiStaticError;
-use crate::solve::{
-    BallMotion, Rolling, SCOUT, WarmStart, choose_quadrature, patch_error, rolling_state, traction_system,
-};
+use crate::solve::{Rolling, SCOUT, choose_quadrature, patch_error, rolling_state, traction_system};
+use crate::start::{BallMotion, WarmStart};
 use crate::with_traction::WithTraction;
 use tribodyn_bearing::{Bearing, OperatingPoint, Races};
 use tribodyn_traction::PatchRule;

@@ -7,13 +7,14 @@
 //!    balls alone in pseudo-time with the ring held, so that each slows down under drag into the stable root connected
 //!    to rolling, with a cheap patch rule and then with the wanted one; then ring and balls together by Newton.
 
-use crate::block::{AXIAL, BALL, BlockState, BlockSystem, Iterate, ORBIT, RADIAL, RING, SPIN, SolverStatistics};
+use crate::block::{BALL, BlockState, BlockSystem, Iterate, ORBIT, RING, SPIN, SolverStatistics};
 use crate::driver;
 use crate::jones_harris::{self, JonesHarris, Kinematics, Typical, kinematics};
 use crate::methods::{Downhill, NewtonOrNested, settle};
 use crate::problem::{Place, QuasiStaticError, Reason};
 use crate::rescue;
 use crate::settle::{FROM_AFAR, FROM_NEAR};
+use crate::start::WarmStart;
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, needs, report};
 use tribodyn_bearing::{Bearing, ElasticPatches, OperatingPoint, RaceControl, Races, Side};
@@ -37,62 +38,6 @@ const CONTROL_ROUNDS: usize = 4;
 const SCOUTED: f64 = 1e-4;
 /// Residual at which the balls alone are settled enough to free the ring, which leaves about 1e-3 of them.
 const SETTLED: f64 = 1e-6;
-
-/// A solution's unknowns, to start a neighbouring problem from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct WarmStart {
-    pub(crate) state: BlockState,
-    pub(crate) rule: PatchRule,
-    /// Of inner and outer ring, rad/s.
-    pub(crate) speeds: Races<f64>,
-}
-
-impl WarmStart {
-    /// Position and motion of each ball, to the last digit.
-    pub fn balls(&self) -> impl Iterator<Item = BallMotion> {
-        self.state.balls.iter().map(|ball| BallMotion {
-            position: [ball[AXIAL], ball[RADIAL]],
-            spin: [ball[SPIN], ball[SPIN + 1], ball[SPIN + 2]],
-            orbital_speed: ball[ORBIT],
-        })
-    }
-
-    /// Displacement x, y, z (m) and tilt about X and Y (rad) of the inner ring.
-    pub fn ring(&self) -> [f64; 5] {
-        self.state.ring
-    }
-
-    /// The patch rule of the solution.
-    pub fn rule(&self) -> PatchRule {
-        self.rule
-    }
-
-    /// The state at other speeds of the rings: rolling is linear in them, seen from the outer ring. A change of 1 %
-    /// would else be slip far past the peak of the traction curve.
-    fn at_speeds(&self, now: Races<f64>) -> BlockState {
-        let was = self.speeds;
-        let mut state = self.state.clone();
-        let share = (now.inner - now.outer) / (was.inner - was.outer);
-        if share.is_finite() && now != was {
-            for ball in &mut state.balls {
-                (SPIN..ORBIT).for_each(|k| ball[k] *= share);
-                ball[ORBIT] = now.outer + (ball[ORBIT] - was.outer) * share;
-            }
-        }
-        state
-    }
-}
-
-/// Where a ball stands and how it moves in an equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallMotion {
-    /// Ball centre against the outer groove centre, axial X1 and radial X2, m.
-    pub position: [f64; 2],
-    /// Spin relative to the orbiting frame (axial, radial, tangential), rad/s.
-    pub spin: [f64; 3],
-    /// Orbital speed, rad/s.
-    pub orbital_speed: f64,
-}
 
 /// An equilibrium with what is needed to go on from it.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,18 +75,6 @@ pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<
             finish(&traction, [settled, start], point, rolling.statistics, estimate)
         }
     }
-}
-
-/// Solves the traction model from the solution of a neighbouring problem, with its patch rule.
-///
-/// # Errors
-/// As [`solve`].
-pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) -> Result<Solved, QuasiStaticError> {
-    needs::check(bearing, point, Model::Traction)?;
-    let typical = Typical::new(bearing, &point.ring, Races { inner: point.inner_speed, outer: point.outer_speed });
-    let traction = traction_system(bearing, point, typical, start.rule)?;
-    let start = start.at_speeds(traction.speeds);
-    finish(&traction, [start.clone(), start], point, SolverStatistics::default(), None)
 }
 
 /// The elastic state, and the Jones–Harris one that starts from it.
@@ -334,7 +267,7 @@ pub(crate) fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<(
 
 /// Phase 3's second half: all unknowns together, and the report. Starts from the first of two states; where Newton's
 /// method finds no way from there, from both in pseudo-time.
-fn finish(
+pub(crate) fn finish(
     system: &WithTraction<'_>,
     [settled, rolling]: [BlockState; 2],
     point: &OperatingPoint,

@@ -4,7 +4,7 @@
 use crate::block::{BlockState, BlockSystem, RING, linearise};
 use crate::problem::QuasiStaticError;
 use crate::rolling::{rolling_system, traction_of};
-use crate::solve::WarmStart;
+use crate::start::WarmStart;
 use nalgebra::SMatrix;
 use tribodyn_bearing::{Bearing, OperatingPoint};
 

@@ -13,7 +13,7 @@ use tribodyn_bearing::quantities::{OfBall, Over};
 use tribodyn_bearing::{BallResult, Bearing, Side};
 use tribodyn_case::{Case, Coatings, Fit, Purpose};
 use tribodyn_orbit::{OrbitStart, SolvedOrbit, steady_orbit, steady_orbit_from};
-use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_from};
+use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_near};
 use tribodyn_wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
 
 const HOUR: f64 = 3600.0;
@@ -229,7 +229,7 @@ impl<'a> Worn<'a> {
         let estimate = |solved: &Solved| solved.solution.patch_error_estimate;
         let fine = |solved: &Solved| self.point.patch.is_none_or(|patch| patch.allows(estimate(solved)));
         let near = match &self.start {
-            Some(Start::Equilibrium(start)) => solve_from(&bearing, &self.point, start).ok().filter(fine),
+            Some(Start::Equilibrium(start)) => solve_near(&bearing, &self.point, start).ok().filter(fine),
             _ => None,
         };
         let solved = match near {

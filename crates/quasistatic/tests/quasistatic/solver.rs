@@ -3,7 +3,9 @@
 use crate::{BEARING_218, PAPER_AG, STRIPS, assert_near, assert_same_ball, solve_case, variant};
 use tribodyn_case::Case;
 use tribodyn_quasistatic::Model::{JonesHarris, Traction};
-use tribodyn_quasistatic::{Place, QuasiStaticError, RingFreedom, SolverStatistics, solve, solve_from};
+use tribodyn_quasistatic::{
+    PatchRule, Place, QuasiStaticError, RingFreedom, SolverStatistics, WarmStart, solve, solve_from, solve_near,
+};
 
 #[test]
 fn regress_solver_steps() {
@@ -64,6 +66,45 @@ fn identity_target_error_is_met_and_kept() {
     assert!(estimate > 0.0 && estimate <= 1.5e-4, "{estimate}");
     let again = solve_from(&bearing, &point, &solved.warm_start.unwrap()).unwrap();
     assert_near("cage speed", again.solution.cage_speed_rpm, solved.solution.cage_speed_rpm, 1e-12);
+}
+
+#[test]
+fn convergence_moved_start_is_one_order_better_than_a_near_one() {
+    let case = variant(PAPER_AG, &[STRIPS]);
+    let bearing = case.bearing().unwrap();
+    let at = |share: f64| {
+        let mut point = case.operating_point();
+        point.ring[0] = RingFreedom::Loaded(2e4 * (1.0 + share));
+        point.inner_speed *= 1.0 + share;
+        solve(&bearing, &point, Traction).unwrap().warm_start.unwrap()
+    };
+    let from_goal = |start: &WarmStart, goal: &WarmStart| {
+        start.balls().zip(goal.balls()).map(|(a, b)| (a.spin[0] / b.spin[0] - 1.0).abs()).fold(0.0, f64::max)
+    };
+    let errors = [0.04, 0.02].map(|step| {
+        let [first, second, goal] = [0.0, step, 2.0 * step].map(at);
+        let moved = second.moved(&first, &second).unwrap();
+        [from_goal(&second, &goal), from_goal(&moved, &goal)]
+    });
+    let [[near, moved], [near_half, moved_half]] = errors;
+    assert!((1.8..2.2).contains(&(near / near_half)) && (3.2..5.0).contains(&(moved / moved_half)), "{errors:?}");
+    assert!(moved < 0.1 * near, "{errors:?}");
+}
+
+#[test]
+fn limit_a_rule_too_coarse_for_the_target_is_chosen_anew() {
+    let case = variant(PAPER_AG, &[("traction.patch", "TargetError(relative: 1e-5)")]);
+    let bearing = case.bearing().unwrap();
+    let point = case.operating_point();
+    let mut coarse = point.clone();
+    coarse.patch = Some(PatchRule::SplitStrip { across: 5, along: 3 }.into());
+    let start = solve(&bearing, &coarse, Traction).unwrap().warm_start.unwrap();
+    let [kept, anew] = [solve_from, solve_near].map(|solve| solve(&bearing, &point, &start).unwrap());
+    assert!(kept.solution.patch_error_estimate.unwrap() > 1e-5);
+    assert!(anew.solution.patch_error_estimate.unwrap() <= 1e-5);
+    let cold = solve(&bearing, &point, Traction).unwrap();
+    assert_eq!(anew.warm_start.unwrap().rule(), cold.warm_start.unwrap().rule());
+    assert_near("cage speed", anew.solution.cage_speed_rpm, cold.solution.cage_speed_rpm, 1e-9);
 }
 
 #[test]

@@ -62,8 +62,8 @@ fn unusual(quantity: &Quantity) -> Option<String> {
 
 /// The slip of the unit or of the decimal point that the value looks like.
 fn slip(quantity: &Quantity, range: &UsualRange) -> Option<String> {
-    let meant: Vec<&str> =
-        quantity.otherwise.iter().filter(|(_, si)| range.holds(*si)).map(|(text, _)| text.as_str()).collect();
+    let meant = quantity.otherwise().into_iter().filter(|(_, si)| range.holds(*si)).map(|(text, _)| text);
+    let meant: Vec<String> = meant.collect();
     if !meant.is_empty() {
         return Some(format!("{} would be: a slip of the unit?", meant.join(" or ")));
     }

@@ -10,7 +10,7 @@ use crate::error::StudyError;
 use crate::limits::Limits;
 use rayon::prelude::*;
 use std::ops::Range;
-use tribodyn_case::{Case, CaseError, set_value};
+use tribodyn_case::{Case, CaseError, Template, set_value};
 
 /// Most rows of a grid, far beyond any computing time.
 const MAX_ROWS: usize = 1_000_000_000;
@@ -48,6 +48,8 @@ pub struct Grid {
     fixed: Vec<Change>,
     /// The case's text with them.
     base: String,
+    /// That text with room for the axes, where each has a place of its own in it.
+    template: Option<Template>,
     limits: Limits,
     axes: Vec<Axis>,
     order: Order,
@@ -140,7 +142,7 @@ impl Grid {
         (model, limits): (Equations, &Limits),
     ) -> Result<Self, StudyError> {
         let (name, base) = (name.to_owned(), String::new());
-        let mut grid = Self { model, name, original, fixed, base, limits: *limits, axes, order, rows };
+        let mut grid = Self { model, name, original, fixed, base, template: None, limits: *limits, axes, order, rows };
         // The first row stands for the case without axes too: messages come from there.
         grid.base = grid.original.clone();
         for change in &grid.fixed {
@@ -149,6 +151,8 @@ impl Grid {
                 Err(_) => return Err(grid.refusal(0)),
             };
         }
+        let paths: Vec<&str> = grid.axes.iter().map(|axis| axis.setting.path.as_str()).collect();
+        grid.template = Template::new(&grid.base, &paths);
         Ok(grid)
     }
 
@@ -225,8 +229,27 @@ impl Grid {
         self.axes.iter().zip(pairs).map(apart).sum()
     }
 
+    /// Pairs of rows that differ as `near` and `row` do, one step along one axis, those nearest to `row` first.
+    pub(crate) fn parallelograms(&self, near: usize, row: usize) -> Vec<[usize; 2]> {
+        if matches!(self.order, Order::Samples { .. }) || self.distance(near, row) != 1.0 || near > row {
+            return Vec::new();
+        }
+        let step = row - near;
+        let strides = self.strides();
+        let indices = self.indices(row);
+        let along = |stride: usize| strides.iter().zip(&indices).find(|(s, _)| **s == stride).map_or(0, |(_, i)| *i);
+        let straight = (along(step) >= 2).then(|| [near - step, near]);
+        let beside = strides.iter().zip(&indices).filter(|(stride, i)| **stride != step && **i > 0);
+        straight.into_iter().chain(beside.map(|(stride, _)| [near - stride, row - stride])).collect()
+    }
+
     /// The text of a row's case; `None` where a path is not in it.
     pub fn text(&self, row: usize) -> Option<String> {
+        if let Some(template) = &self.template {
+            let values: Vec<&str> =
+                self.axes.iter().zip(self.indices(row)).map(|(axis, i)| axis.setting.values[i].as_str()).collect();
+            return template.with(&values);
+        }
         let mut text = self.base.clone();
         for (axis, i) in self.axes.iter().zip(self.indices(row)) {
             text = set_value(&text, &axis.setting.path, &axis.setting.values[i]).ok()?;

@@ -9,7 +9,7 @@ use std::ops::Range;
 use tribodyn_bearing::{Bearing, OperatingPoint};
 use tribodyn_case::Case;
 use tribodyn_orbit::steady_orbit;
-use tribodyn_quasistatic::{Model, Solution, WarmStart, solve, solve_from};
+use tribodyn_quasistatic::{Model, Solution, WarmStart, solve, solve_near};
 use tribodyn_traction::PatchChoice;
 
 /// Inner slide-to-roll ratio beyond which a ball may have left the equilibrium that a rolling ball comes to: where the
@@ -74,8 +74,8 @@ impl<'a> Chunk<'a> {
         (bearing, point): (&Bearing, &OperatingPoint),
         model: Model,
     ) -> Result<Solution, Unsolved> {
-        let warm = self.nearest(row, bearing, point).and_then(|near| {
-            let solved = solve_from(bearing, point, &near.start).ok();
+        let warm = self.start(row, bearing, point).and_then(|start| {
+            let solved = solve_near(bearing, point, &start).ok();
             solved.filter(|solved| rolls(&solved.solution) && within_target(&solved.solution, point))
         });
         let solved = match warm {
@@ -86,6 +86,19 @@ impl<'a> Chunk<'a> {
             self.solved.push(Neighbour { row, patch: point.patch, balls: solved.solution.balls.len(), start });
         }
         Ok(solved.solution)
+    }
+
+    /// Where to start a row from: the nearest solved row, moved by as much as the solutions of two others differ that
+    /// are as far apart, where there are such.
+    fn start(&self, row: usize, bearing: &Bearing, point: &OperatingPoint) -> Option<WarmStart> {
+        let near = self.nearest(row, bearing, point)?;
+        let start = |row: usize| self.solved.iter().find(|other| other.row == row).map(|other| &other.start);
+        let moved = self
+            .grid
+            .parallelograms(near.row, row)
+            .into_iter()
+            .find_map(|[from, to]| near.start.moved(start(from)?, start(to)?));
+        Some(moved.unwrap_or_else(|| near.start.clone()))
     }
 
     /// The latest of the nearest rows, among those that are solved by the same rule.
@@ -134,7 +147,7 @@ fn rolls(solution: &Solution) -> bool {
     solution.balls.iter().all(rolls)
 }
 
-/// Whether the neighbour's patch rule, which a warm start takes over, is good enough here.
+/// Whether the patch rule of a warm start is good enough here.
 fn within_target(solution: &Solution, point: &OperatingPoint) -> bool {
     point.patch.is_none_or(|patch| patch.allows(solution.patch_error_estimate))
 }

@@ -116,7 +116,9 @@ fn identity_chosen_rule_keeps_its_target_and_costs_more_for_a_finer_one() {
         for target in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
             let (rule, estimate) = choose_rule(target, &probes).unwrap();
             assert!(estimate <= target);
-            assert_eq!(estimate, rule_error(rule, &probes).unwrap());
+            // Against finer strips, but not the finest.
+            let alone = rule_error(rule, &probes).unwrap();
+            assert!((alone - estimate).abs() <= 0.1 * estimate, "{scale} {target:e} {rule:?}: {alone:e} {estimate:e}");
             let measured = bench.measure(rule);
             // Force and moment, as the estimate judges them; the reference's own error at 100 per m/s is 1e-6.
             assert!(measured.errors[0].max(measured.errors[1]) <= 1.05 * target + 2e-6 * (scale / 100.0).powi(2));
