@@ -32,7 +32,7 @@ pub use block::SolverStatistics;
 pub use problem::{Place, QuasiStaticError, Reason};
 pub use rolling::{RollingStart, rolling_start};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
-pub use solution::{Model, Named, SOLUTION, Solution};
+pub use solution::{Model, SOLUTION, Solution};
 pub use solve::{Solved, solve};
 pub use start::{BallMotion, WarmStart};
 pub use stiffness::{StiffnessMatrix, compliance, jones_harris_stiffness, traction_stiffness};

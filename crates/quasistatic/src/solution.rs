@@ -59,6 +59,15 @@ pub struct Solution {
     pub balls: Vec<BallResult>,
 }
 
+impl Solution {
+    /// Name of the equations in answers and recordings: those of the model, or `steady-orbit` where the balls move as
+    /// they do on one.
+    pub fn equations(&self) -> &'static str {
+        let moving = self.model == Model::Traction && self.balls.iter().any(|ball| ball.motion.is_some());
+        if moving { "steady-orbit" } else { self.model.name() }
+    }
+}
+
 type S = Quantity<Solution>;
 
 /// The cage speed is held in r/min.
@@ -155,31 +164,21 @@ impl Serialize for Model {
     }
 }
 
-/// A solution as `solve --json` prints it, under the name of its equations.
-#[derive(Debug, Clone, Copy)]
-pub struct Named<'a>(pub &'a str, pub &'a Solution);
-
-impl Serialize for Named<'_> {
+/// As `solve --json` prints it, under the name of its equations.
+impl Serialize for Solution {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self(model, solution) = self;
         let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("model", model)?;
-        map.serialize_entry("converged", &solution.converged)?;
+        map.serialize_entry("model", self.equations())?;
+        map.serialize_entry("converged", &self.converged)?;
         for Quantity { facts, get, .. } in &SOLUTION {
-            if let Some(value) = get(solution) {
+            if let Some(value) = get(self) {
                 map.serialize_entry(&joined(&[facts.name, facts.unit.suffix]), &(value * facts.unit.per_si))?;
             }
         }
-        map.serialize_entry("residual", &solution.residual)?;
-        map.serialize_entry("iterations", &solution.iterations)?;
-        map.serialize_entry("warnings", &solution.warnings)?;
-        map.serialize_entry("balls", &solution.balls.iter().map(Fields).collect::<Vec<_>>())?;
+        map.serialize_entry("residual", &self.residual)?;
+        map.serialize_entry("iterations", &self.iterations)?;
+        map.serialize_entry("warnings", &self.warnings)?;
+        map.serialize_entry("balls", &self.balls.iter().map(Fields).collect::<Vec<_>>())?;
         map.end()
-    }
-}
-
-impl Serialize for Solution {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Named(self.model.name(), self).serialize(serializer)
     }
 }

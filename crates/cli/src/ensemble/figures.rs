@@ -11,7 +11,7 @@ const PLANS: [Plan; 8] = [
         "cage-speed",
         "Cage speed",
         ("Cage speed", "r/min", 1.0),
-        &[("mean", "cage_speed_mean_rpm"), ("quasi-static start", "cage_speed_quasi_static_rpm")],
+        &[("mean", "cage_speed_mean_rpm"), ("at the start", "cage_speed_start_rpm")],
     ),
     plan(
         "orbital-speeds",

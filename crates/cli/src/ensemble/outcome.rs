@@ -22,7 +22,7 @@ const fn line(column: &'static str, name: &'static str, unit: &'static str, deci
 
 /// Names as `run` has them.
 const LINES: [Shown; 22] = [
-    line("cage_speed_quasi_static_rpm", "cage speed, quasi-static start", "r/min", 2),
+    line("cage_speed_start_rpm", "cage speed at the start", "r/min", 2),
     line("cage_speed_mean_rpm", "cage speed, mean of last half", "r/min", 2),
     line("orbital_speed_min_rpm", "orbital speed, least", "r/min", 1),
     line("orbital_speed_max_rpm", "orbital speed, most", "r/min", 1),

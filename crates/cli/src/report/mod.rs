@@ -65,7 +65,7 @@ pub struct Answer {
     generator: String,
     #[serde(flatten)]
     damage: Damage,
-    cage_speed_quasi_static_rpm: Option<f64>,
+    cage_speed_start_rpm: Option<f64>,
     patch_error_estimate: Option<f64>,
     /// Whether that error is small enough for accelerations.
     accelerations_supported: bool,
@@ -228,7 +228,7 @@ fn evaluate(
         bearing: said("bearing"),
         generator: said("generator"),
         damage: run.damage,
-        cage_speed_quasi_static_rpm: start.cage_speed_rpm,
+        cage_speed_start_rpm: start.cage_speed_rpm,
         patch_error_estimate: start.patch_error_estimate,
         accelerations_supported: carries_accelerations(start.patch_error_estimate),
         rolling: facts::rolling(run, &operation, speeds),

@@ -17,6 +17,7 @@ use tribodyn_quasistatic::{Model, Solution};
 use tribodyn_record::{Damage, Run, SolutionRow, read_ball, read_state};
 use tribodyn_signal::BearingFrequencies;
 use tribodyn_study::CaseFile;
+use tribodyn_study::answers::Equations;
 use tribodyn_study::evaluation::facts::{self, Rolling, said};
 use tribodyn_study::evaluation::quantities::{self, Quantities};
 use tribodyn_study::run::warnings::at_start;
@@ -28,7 +29,7 @@ pub struct SolutionAnswer {
     kind: &'static str,
     pub bearing: String,
     generator: String,
-    model: Model,
+    model: String,
     converged: bool,
     #[serde(flatten)]
     damage: Damage,
@@ -87,7 +88,7 @@ pub fn evaluate(
         kind: "solution",
         bearing: text("bearing"),
         generator: text("generator"),
-        model: solution.model,
+        model: text("model"),
         converged: solution.converged,
         damage: run.damage,
         cage_speed_rpm: row.cage_speed_rpm,
@@ -107,7 +108,7 @@ pub fn evaluate(
 /// The solution from the first sample of its orbit, where the balls stand at their solved azimuths.
 fn solved(run: &Run, row: &SolutionRow) -> Solution {
     let (model, scope) = match said(run, "model") {
-        Some("JonesHarris") => (Model::JonesHarris, Scope::All),
+        Some(name) if name == Model::JonesHarris.name() => (Model::JonesHarris, Scope::All),
         _ => (Model::Traction, Scope::Traction),
     };
     let number = |key: &str| said(run, key).and_then(|text| text.parse().ok());
@@ -158,7 +159,7 @@ pub fn content(answer: &SolutionAnswer, case: Option<&CaseFile>, run: &Run) -> C
     let text = "Over all balls, where they carry load. The load zone is where the inner race carries a ball with more than 1 % of the highest load.";
     Content {
         title: if answer.bearing.is_empty() { "Solution".to_owned() } else { answer.bearing.clone() },
-        subtitle: "Quasi-static solution",
+        subtitle: if answer.model == Equations::SteadyOrbit.name() { "Steady orbit" } else { "Quasi-static solution" },
         warnings: shown(&warnings),
         opening,
         tables: [
@@ -213,7 +214,7 @@ fn balls(answer: &SolutionAnswer) -> Table {
         ("P_i, W", 2, |b| b.contacts.inner.friction_or_nan().power_loss_w),
         ("P_o, W", 2, |b| b.contacts.outer.friction_or_nan().power_loss_w),
     ];
-    let shown = if answer.model == Model::JonesHarris { &columns[..8] } else { &columns[..] };
+    let shown = if answer.model == Model::JonesHarris.name() { &columns[..8] } else { &columns[..] };
     let row = |b: &BallResult| shown.iter().map(|(_, digits, get)| number(get(b), *digits)).collect();
     Table {
         title: "Balls".to_owned(),

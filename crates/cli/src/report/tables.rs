@@ -37,8 +37,8 @@ pub fn results(answer: &Answer) -> Table {
         row("Impacts on pockets, whole run", s.impacts.to_string(), ""),
         row("Fewest balls in contact, whole run", s.balls_in_contact_min.to_string(), ""),
     ];
-    if let Some(speed) = answer.cage_speed_quasi_static_rpm {
-        rows.insert(1, row("Cage speed, quasi-static solution", number(speed, 3), "r/min"));
+    if let Some(speed) = answer.cage_speed_start_rpm {
+        rows.insert(1, row("Cage speed at the start", number(speed, 3), "r/min"));
     }
     let text = format!(
         "Means and extremes from {} to {} s. Rms and peak are about the mean. {}",

@@ -40,7 +40,7 @@ fn motion_rows(s: &Summary, r: &RunReport) -> Vec<Row> {
     vec![
         ("simulated time", number(s.simulated_s, 6), "s"),
         ("times real time", significant(r.simulated_per_wall), ""),
-        ("cage speed, quasi-static start", number(r.cage_speed_quasi_static_rpm, 3), "r/min"),
+        ("cage speed at the start", number(r.cage_speed_start_rpm, 3), "r/min"),
         ("cage speed, mean of last half", number(s.cage_speed_mean_rpm, 3), "r/min"),
         ("orbital speeds, least and most", pair(s.orbital_speed_min_rpm, s.orbital_speed_max_rpm, 2), "r/min"),
         ("outer ring acceleration, rms x y", rms, rms_unit),

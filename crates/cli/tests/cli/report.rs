@@ -85,10 +85,10 @@ fn identity_two_recordings_are_compared_and_solutions_reported() {
 
     let folder = scratch.0.join("solution");
     let answer = run(&[&"report", &solved, &"-o", &folder, &"--json"]).json();
-    assert_eq!(answer["model"], "traction");
+    assert_eq!(answer["model"], "steady-orbit");
     assert_eq!(number(&answer, "cage_speed_rpm"), number(&solution, "cage_speed_rpm"));
     let [page, markdown] = texts(&folder);
-    for said in ["What was solved", "Quasi-static solution", "14000 r/min", "Characteristic frequencies", "Balls"] {
+    for said in ["What was solved", "Steady orbit", "14000 r/min", "Characteristic frequencies", "Balls"] {
         assert!(page.contains(said) && markdown.contains(said), "{said} is not in the report");
     }
     assert!(folder.join("contact-loads.svg").exists() || page.matches("<svg").count() > 5);

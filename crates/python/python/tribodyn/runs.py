@@ -202,7 +202,7 @@ class Run(Answer):
     wall_s: float
     simulated_per_wall: float
     #: of the quasi-static solution from which the run starts
-    cage_speed_quasi_static_rpm: float
+    cage_speed_start_rpm: float
     patch_rule: str
     patch_error_estimate: Optional[float]
     #: whether the patch rule is fine enough for accelerations

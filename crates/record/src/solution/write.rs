@@ -147,13 +147,13 @@ impl<'a> Recording<'a> {
         let (solution, timeline) = (self.input.solution, &self.timeline);
         let geometry = &self.geometry;
         vec![
-            ("kind", "quasi-static, one orbit of the cage".to_owned()),
+            ("kind", "solution, one orbit of the cage".to_owned()),
             ("bearing", self.input.case.name.clone()),
             ("ball_count", geometry.ball_count.to_string()),
             ("ball_diameter_mm", (geometry.ball_diameter * 1e3).to_string()),
             ("pitch_diameter_mm", (geometry.pitch_diameter * 1e3).to_string()),
             ("free_contact_angle_deg", geometry.contact_angle().to_degrees().to_string()),
-            ("model", format!("{:?}", solution.model)),
+            ("model", solution.equations().to_owned()),
             ("converged", solution.converged.to_string()),
             ("residual", solution.residual.to_string()),
             ("iterations", solution.iterations.to_string()),

@@ -10,7 +10,7 @@ use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, InputError, Purpose};
 use tribodyn_dynamics::StartMotion;
 use tribodyn_orbit::{OrbitError, OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
-use tribodyn_quasistatic::{Named, Solution};
+use tribodyn_quasistatic::Solution;
 
 /// A bearing with its cage at an operating point.
 pub struct OrbitProblem {
@@ -105,7 +105,7 @@ impl OrbitAnswer {
 #[derive(Serialize)]
 struct Printed<'a> {
     #[serde(flatten)]
-    solution: Named<'a>,
+    solution: &'a Solution,
     #[serde(flatten)]
     lives: Option<Lives>,
     power_loss_inner_w: f64,
@@ -129,7 +129,7 @@ impl Serialize for OrbitAnswer {
         let orbit = &self.orbit;
         let [inner, outer] = orbit.friction_w;
         let printed = Printed {
-            solution: Named(Equations::SteadyOrbit.name(), &self.solution),
+            solution: &self.solution,
             lives: self.lives,
             power_loss_inner_w: inner,
             power_loss_outer_w: outer,

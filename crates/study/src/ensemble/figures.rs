@@ -14,7 +14,7 @@ const WARNINGS: &str = "warnings";
 /// The part of a run's report that depends on its case alone, not on the machine.
 #[derive(Serialize)]
 struct Figures<'a> {
-    cage_speed_quasi_static_rpm: f64,
+    cage_speed_start_rpm: f64,
     patch_error_estimate: Option<f64>,
     #[serde(flatten)]
     summary: &'a Summary,
@@ -26,7 +26,7 @@ pub(super) fn columns() -> Result<Vec<Column>, StudyError> {
     // Names and kinds are those of any summary.
     let Some(summary) = Summary::of(&[StateRow::default()], None, &[]) else { return Ok(Vec::new()) };
     let figures = Figures {
-        cage_speed_quasi_static_rpm: 0.0,
+        cage_speed_start_rpm: 0.0,
         patch_error_estimate: None,
         summary: &summary,
         scheme_statistics: Statistics::default(),
@@ -43,7 +43,7 @@ pub(super) fn columns() -> Result<Vec<Column>, StudyError> {
 pub(super) fn figures(report: &RunReport) -> Result<Vec<Cell>, StudyError> {
     let Some(summary) = &report.summary else { return Ok(Vec::new()) };
     let figures = Figures {
-        cage_speed_quasi_static_rpm: report.cage_speed_quasi_static_rpm,
+        cage_speed_start_rpm: report.cage_speed_start_rpm,
         patch_error_estimate: report.patch_error_estimate,
         summary,
         scheme_statistics: report.scheme_statistics,

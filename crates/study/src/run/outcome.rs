@@ -47,7 +47,7 @@ pub struct RunReport {
     /// Simulated over wall time of this part of the run.
     pub simulated_per_wall: f64,
     /// Cage speed of the quasi-static solution from which the run starts, r/min.
-    pub cage_speed_quasi_static_rpm: f64,
+    pub cage_speed_start_rpm: f64,
     /// Rule by which patches are integrated.
     pub patch_rule: String,
     /// Of the quasi-static solution, over the contact load.
@@ -91,7 +91,7 @@ impl RunReport {
             duration_s: run.duration(),
             wall_s,
             simulated_per_wall: 0.0,
-            cage_speed_quasi_static_rpm: solution.cage_speed_rpm,
+            cage_speed_start_rpm: solution.cage_speed_rpm,
             // Elastic patches have strips and cells of their own.
             patch_rule: match file.case.modelling.patch {
                 Some(PatchSurfaces::Elastic { strips, cells }) => {

@@ -151,3 +151,46 @@ fn rolls(solution: &Solution) -> bool {
 fn within_target(solution: &Solution, point: &OperatingPoint) -> bool {
     point.patch.is_none_or(|patch| patch.allows(solution.patch_error_estimate))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Setting;
+    use super::*;
+    use crate::answers::Equations;
+    use crate::limits::Limits;
+
+    fn grid(settings: &[&str]) -> Grid {
+        let text = include_str!("../../../../fixtures/cases/paper-ag.ron").to_owned();
+        let settings: Vec<_> = settings.iter().map(|setting| Setting::parse(setting).unwrap()).collect();
+        Grid::new("paper-ag.ron", text, &settings, (Equations::Traction, &Limits::NORMAL)).unwrap()
+    }
+
+    #[test]
+    fn identity_rows_from_neighbours_are_those_solved_alone() {
+        let rule = "traction.patch=SplitStrip(across: 8, along: 4)";
+        let grid = grid(&[rule, "ring.x.Force=kN(5..20 in 4)", "speed.inner.Constant=rpm(9000..13000 in 4)"]);
+        let rows = |cold| {
+            let mut chunk = Chunk::new(&grid, cold);
+            (0..grid.rows).map(|row| chunk.solve(row).ok().unwrap().solution).collect::<Vec<_>>()
+        };
+        let (near, alone) = (rows(false), rows(true));
+        assert_eq!((near.len(), near[0].iterations), (16, alone[0].iterations));
+        for (row, (a, b)) in near.iter().zip(&alone).enumerate() {
+            let of = |s: &Solution| [s.cage_speed_rpm, s.shaft_torque_nm.unwrap()];
+            assert!(of(a).iter().zip(of(b)).all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{row}: {:?} {:?}", of(a), of(b));
+        }
+        // A start of second order needs fewer steps than the first guess.
+        let steps = |all: &[Solution]| all[5..].iter().map(|solution| solution.iterations).sum::<usize>();
+        assert!(2 * steps(&near) < steps(&alone), "{} {}", steps(&near), steps(&alone));
+    }
+
+    #[test]
+    fn identity_pairs_of_rows_differ_as_the_neighbour_and_the_row_do() {
+        let grid = grid(&["ring.x.Force=kN(5..20 in 4)", "speed.inner.Constant=rpm(9000..13000 in 5)"]);
+        // Row 7 has the second load and the third speed: after two rows in a line, and beside the first load.
+        assert_eq!(grid.parallelograms(6, 7), [[5, 6], [1, 2]]);
+        assert_eq!(grid.parallelograms(5, 6), [[0, 1]]);
+        assert_eq!(grid.parallelograms(5, 10), [[0, 5]]);
+        assert!(grid.parallelograms(0, 5).is_empty() && grid.parallelograms(4, 5).is_empty());
+    }
+}
