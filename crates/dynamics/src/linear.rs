@@ -84,10 +84,10 @@ impl LinearTraction {
 
     /// From its numbers in that order.
     #[inline(always)]
-    pub fn from_numbers(n: [f64; Self::NUMBERS]) -> Self {
-        let six = |at: usize| [n[at], n[at + 1], n[at + 2], n[at + 3], n[at + 4], n[at + 5]];
+    pub fn from_numbers(n: impl Fn(usize) -> f64) -> Self {
+        let six = |at: usize| [n(at), n(at + 1), n(at + 2), n(at + 3), n(at + 4), n(at + 5)];
         let slopes = [six(12), six(18), six(24), six(30), six(36), six(42)];
-        Self { inputs: six(0), value: six(6), slopes, bare: n[48], semi_lateral: n[49], reach: n[50] }
+        Self { inputs: six(0), value: six(6), slopes, bare: n(48), semi_lateral: n(49), reach: n(50) }
     }
 
     /// The linear traction, where a motion, a load, N, and the bare part of the surface are near enough: within `share`

@@ -20,7 +20,7 @@ pub const PAPER_STEP: &str = "RungeKutta4(step: us(10))";
 pub const FAST: &str = "Fast(step: us(20))";
 pub const STRIPS_5X3: &str = "SplitStrip(across: 5, along: 3)";
 pub const STRIPS_8X3: &str = "SplitStrip(across: 8, along: 3)";
-const RIG_RATE: &str = "kHz(25.6)";
+pub const RIG_RATE: &str = "kHz(25.6)";
 
 /// One way to run the case.
 struct Plan {

@@ -96,7 +96,7 @@ fn contact<E: Equations>(
     let ball_radius = equations.machine().bearing.geometry.ball_radius();
     let contact = stand.contact(side, k);
     let sliding = equations.sliding(side, &contact, state, (frame, stand.orbit_radius(k)));
-    let linear = LinearTraction::from_numbers(get(form, k));
+    let linear = LinearTraction::from_numbers(|i| form[i].0[k]);
     let (change, serves) = linear.reaches(&sliding.motion, contact.load, (stand.bare(side, k), 1.0), ball_radius);
     let traction = linear.traction(&sliding.motion, &change);
     let ContactForces { force: [a, b, c], moment: [d, e, f] } = sliding.on_ball(&traction);
