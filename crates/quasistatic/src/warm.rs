@@ -12,7 +12,7 @@ use tribodyn_bearing::{Bearing, OperatingPoint, Races};
 /// Solves the traction model from the solution of a neighbouring problem, with its patch rule.
 ///
 /// # Errors
-/// As [`solve`].
+/// As [`solve`](crate::solve()).
 pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) -> Result<Solved, QuasiStaticError> {
     near(bearing, point, start).map(|(_, solved)| solved)
 }
@@ -21,7 +21,7 @@ pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) 
 /// problem allows, with a rule chosen at what it leads to.
 ///
 /// # Errors
-/// As [`solve`].
+/// As [`solve`](crate::solve()).
 pub fn solve_near(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) -> Result<Solved, QuasiStaticError> {
     let (mut traction, solved) = near(bearing, point, start)?;
     let allowed = point.patch.is_none_or(|patch| patch.allows(solved.solution.patch_error_estimate));
