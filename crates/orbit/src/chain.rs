@@ -48,9 +48,39 @@ pub(crate) struct Step {
 
 impl Step {
     pub fn norm(&self) -> f64 {
-        let points: f64 = self.values.iter().flatten().map(|v| v * v).sum();
-        let points = points / (self.values.len() * STACK) as f64;
-        (points + self.border.iter().map(|v| v * v).sum::<f64>()).sqrt()
+        self.dot(self).sqrt()
+    }
+
+    /// Product in which all points together weigh as much as the border.
+    fn dot(&self, other: &Self) -> f64 {
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let points: f64 = self.values.iter().zip(&other.values).map(|(a, b)| product(a, b)).sum();
+        points / (self.values.len() * STACK) as f64 + product(&self.border, &other.border)
+    }
+
+    /// How far it goes along another, as a share of that.
+    fn along(&self, other: &Self) -> f64 {
+        let length = other.dot(other);
+        if length > 0.0 { self.dot(other) / length } else { 0.0 }
+    }
+
+    /// A simplified step by what the steps before it, each taken whole, tell of the Jacobian.
+    pub fn corrected(mut self, taken: &[Self]) -> Self {
+        for pair in taken.windows(2) {
+            let share = self.along(&pair[0]);
+            let add = |v: &mut f64, d: &f64| *v += share * d;
+            let points = self.values.iter_mut().zip(&pair[1].values);
+            points.for_each(|(a, b)| a.iter_mut().zip(b).for_each(|(v, d)| add(v, d)));
+            self.border.iter_mut().zip(&pair[1].border).for_each(|(v, d)| add(v, d));
+        }
+        self
+    }
+
+    /// The same by the step just taken: what is left along it is as much too short again.
+    pub fn lengthened(mut self, last: &Self) -> Self {
+        let factor = 1.0 / (1.0 - self.along(last));
+        self.values.iter_mut().flatten().chain(&mut self.border).for_each(|v| *v *= factor);
+        self
     }
 }
 
@@ -126,5 +156,42 @@ impl Linear {
             points.into()
         });
         Step { values: values.collect(), border }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The step −A x of a Jacobian taken as one, where it is 1 + c u uᵀ with u a unit vector.
+    fn simplified(x: &Step, u: &Step, c: f64) -> Step {
+        let along = c * x.dot(u);
+        let of = |x: f64, u: f64| -(x + along * u);
+        let values = x.values.iter().zip(&u.values);
+        let values = values.map(|(x, u)| std::array::from_fn(|n| of(x[n], u[n]))).collect();
+        Step { values, border: std::array::from_fn(|n| of(x.border[n], u.border[n])) }
+    }
+
+    fn added(x: &Step, step: &Step) -> Step {
+        let values = x.values.iter().zip(&step.values);
+        let values = values.map(|(x, d)| std::array::from_fn(|n| x[n] + d[n])).collect();
+        Step { values, border: std::array::from_fn(|n| x.border[n] + step.border[n]) }
+    }
+
+    #[test]
+    fn identity_what_a_jacobian_errs_by_in_one_direction_is_learnt_from_a_step() {
+        let mut u = Step { values: vec![[0.3; STACK], [-0.2; STACK]], border: [0.5; BORDER] };
+        let length = u.norm();
+        u.values.iter_mut().flatten().chain(&mut u.border).for_each(|v| *v /= length);
+        let c = 0.4;
+        let first = simplified(&u, &u, c);
+        let mut x = added(&u, &first);
+        let mut taken = vec![first];
+        let next = simplified(&x, &u, c).corrected(&taken).lengthened(&taken[0]);
+        x = added(&x, &next);
+        taken.push(next);
+        assert!(x.norm() < 1e-15, "{:e}", x.norm());
+        // Without it each step leaves c of the error.
+        assert!((simplified(&added(&u, &taken[0]), &u, c).norm() - c * (1.0 + c)).abs() < 1e-14);
     }
 }

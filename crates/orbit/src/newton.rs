@@ -101,8 +101,9 @@ impl<'a> Newton<'a> {
     }
 
     /// Newton steps by the natural monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems, 2011,
-    /// section 3.3), each Jacobian kept as long as it contracts well. `growth` is by how much a step may be longer than
-    /// the one before.
+    /// section 3.3), each Jacobian kept as long as it contracts well, what it errs by learnt from the steps taken with
+    /// it (Broyden's update in the same book's form, section 2.1.4). `growth` is by how much a step may be longer than the
+    /// one before.
     fn iterate(
         &mut self,
         (mut orbit, mut residual): (Orbit, Residual),
@@ -120,22 +121,22 @@ impl<'a> Newton<'a> {
                 break;
             }
             let Ok(linear) = self.linearise(&orbit) else { break };
-            let mut step = linear.step(&residual);
-            let mut size = step.norm();
-            let mut share = self.longest(&step);
-            loop {
-                let trial = self.apply(&orbit, &step, share);
+            let mut taken = vec![linear.step(&residual)];
+            let mut share = self.longest(&taken[0]);
+            while let Some(step) = taken.last() {
+                let trial = self.apply(&orbit, step, share);
                 let after = self.residual(&trial);
-                let next = linear.step(&after);
-                let left = next.norm();
-                let good = left <= growth * (1.0 - 0.25 * share) * size;
-                if good || after.worst.relative <= tolerance {
+                let met = after.worst.relative <= tolerance;
+                let next = linear.step(&after).corrected(&taken);
+                let (left, size) = (next.norm(), step.norm());
+                if met || left <= growth * (1.0 - 0.25 * share) * size {
                     (orbit, residual) = (trial, after);
-                    if share < 1.0 || left > CHORD * size || residual.worst.relative <= tolerance {
+                    if met || share < 1.0 || left > CHORD * size {
                         break;
                     }
-                    (step, size) = (next, left);
-                    share = self.longest(&step);
+                    let next = next.lengthened(step);
+                    share = self.longest(&next);
+                    taken.push(next);
                     continue;
                 }
                 self.statistics.rejected += 1;

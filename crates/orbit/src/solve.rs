@@ -25,7 +25,7 @@ const DRIFTED: f64 = 2.0;
 /// Patches by which slopes are taken at first from a neighbour, and the Jacobians after which those of the patches
 /// themselves are: where a cage hangs that no ball touches, slopes must be right to the last.
 const HURRY: usize = 3;
-const SLOPES: PatchRule = PatchRule::SplitStrip { across: 8, along: 3 };
+const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
 
 /// The bearing as the orbit has it: offsets of the rings exact, contacts damped.
 fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
