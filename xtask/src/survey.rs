@@ -152,7 +152,7 @@ fn solutions(tally: &Tally, models: &[Equations]) -> String {
     };
     let of_models = tally.solutions.iter().filter(|((_, model), _)| models.contains(model));
     let rows: Vec<Vec<String>> = of_models.map(row).collect();
-    let rescued = if models == [Equations::SteadyOrbit] { "of these damped" } else { "of these rescued" };
+    let rescued = if models == [Equations::SteadyOrbit] { "of these eased" } else { "of these rescued" };
     let head = [
         "nominal pressure",
         "d_m n",

@@ -137,6 +137,14 @@ impl OrbitError {
         self
     }
 
+    /// The one of the state that came nearer.
+    pub(crate) fn nearer(self, other: Self) -> Self {
+        match (&self, &other) {
+            (Self::NotConverged { residual, .. }, Self::NotConverged { residual: left, .. }) if left < residual => other,
+            _ => self,
+        }
+    }
+
     pub(crate) fn not_converged(system: &OrbitSystem<'_>, orbit: &Orbit, worst: &Worst, tolerance: f64) -> Self {
         let (place, equation) = match worst.interval {
             Some(j) => {

@@ -32,10 +32,8 @@ const FINER: [f64; 2] = [1.0, 0.3];
 /// found: a ball without its inner contact swings in its groove at about ten times the cage speed, and on the falling
 /// part of a traction curve it swings on.
 pub(crate) const SETTLING: [f64; 5] = [0.0, 3.0, 10.0, 30.0, 100.0];
-/// Least part of the way at which an orbit is taken instead of one at its end.
-const NEAR: f64 = 0.5;
-/// The place of the way that is taken where only its last part is not gone.
-const FARTHEST: f64 = 0.8;
+/// Places of the way at which an orbit is taken where none is found at its end.
+const SOFT: [f64; 3] = [0.8, 0.65, 0.5];
 /// Error of an interval, over what is allowed, at which a mesh is made for another orbit.
 const OTHER: f64 = 4.0;
 /// Intervals of all turns after which no attempt is begun any more: from near by, from Jones–Harris, from far, and with
@@ -111,23 +109,25 @@ fn patient<'a>(
         }
     }
     let last = furthest.as_ref().map_or(first, |reached| &reached.found.0);
-    if let Ok(found) = damped(newton, last, settings, (&SETTLING[..1], LONG)) {
-        return Ok((found, real));
-    }
-    let unmet = match damped(newton, last, settings, (&SETTLING[1..], WORK)) {
+    let mut unmet = match damped(newton, last, settings, (&SETTLING[..1], LONG)) {
         Ok(found) => return Ok((found, real)),
         Err(unmet) => unmet,
     };
-    newton.system.settling = 0.0;
-    let Some(Reached { share, found: (near, _), .. }) = furthest.filter(|reached| reached.share >= NEAR) else {
-        return Err(unmet);
-    };
-    let share = share.min(FARTHEST);
-    way.set_fine(&mut newton.system, share);
-    match damped(newton, &near, settings, (&SETTLING, WORK)) {
-        Ok(found) => Ok((found, way.eased(share))),
-        Err(_) => Err(unmet),
+    for rate in SETTLING[1..].chunks(1) {
+        match damped(newton, last, settings, (rate, WORK)) {
+            Ok(found) => return Ok((found, real)),
+            Err(other) => unmet = unmet.nearer(other),
+        }
     }
+    let near = furthest.as_ref().filter(|reached| reached.share >= SOFT[SOFT.len() - 1]);
+    let near = near.map_or(first, |reached| &reached.found.0);
+    for share in SOFT {
+        way.set_fine(&mut newton.system, share);
+        if let Ok(found) = damped(newton, near, settings, (&SETTLING, WORK)) {
+            return Ok((found, way.eased(share)));
+        }
+    }
+    Err(unmet)
 }
 
 /// One turn in which a ball settles, by the cheap patches.

@@ -32,7 +32,7 @@ pub struct Solving {
     /// How it went: explained where there is no solution and the error has a reason.
     pub verdict: Verdict,
     /// True if it was found, and not from the first start of Newton's method; of an orbit, if balls that swing in their
-    /// grooves had to be damped for it.
+    /// grooves had to be damped for it, or pockets had to be softer.
     pub rescued: bool,
     /// Wall time.
     pub wall: Duration,
@@ -81,7 +81,7 @@ fn equilibrium(case: &Case, model: Model) -> Result<bool, Verdict> {
     Ok(solved.statistics.rescues > 0)
 }
 
-/// True if balls are damped that swing in their grooves.
+/// True if balls are damped that swing in their grooves, or pockets are softer than the case's.
 fn orbit(case: &Case) -> Result<bool, Verdict> {
     let OrbitProblem { bearing, point, cage, settings } =
         OrbitProblem::of(case).map_err(|error| Verdict::Failed(error.to_string()))?;
@@ -89,7 +89,7 @@ fn orbit(case: &Case) -> Result<bool, Verdict> {
     let solved = steady_orbit(&bearing, &point, &cage, &settings);
     let solution = solved.map_err(|error| Verdict::Explained(error.to_string()))?.solution;
     finite(&solution.as_solution(&solution.balls, speeds))?;
-    Ok(solution.swing_damping.is_some())
+    Ok(solution.swing_damping.is_some() || solution.pocket_stiffness_share.is_some())
 }
 
 /// A number of a solution that is not finite is `null` in JSON.
