@@ -140,7 +140,9 @@ impl OrbitError {
     /// The one of the state that came nearer.
     pub(crate) fn nearer(self, other: Self) -> Self {
         match (&self, &other) {
-            (Self::NotConverged { residual, .. }, Self::NotConverged { residual: left, .. }) if left < residual => other,
+            (Self::NotConverged { residual, .. }, Self::NotConverged { residual: left, .. }) if left < residual => {
+                other
+            }
             _ => self,
         }
     }

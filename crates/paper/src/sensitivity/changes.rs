@@ -1,27 +1,30 @@
 //! Changes, one at a time.
 
-use crate::transient::Change;
+use crate::error::PaperError;
+use crate::files;
+use crate::transient::{Change, Reading};
 use std::f64::consts::TAU;
 use std::fmt::Write;
+use tribodyn_case::locate;
 
-/// Parameter, half and double.
-pub const HIDDEN: [(&str, [&str; 2]); 11] = [
-    ("cage.pocket_gap", ["mm(0.355)", "mm(1.42)"]),
-    ("cage.pocket_stiffness", ["N_per_um(2.5)", "N_per_um(10)"]),
-    ("cage.pocket_friction", ["0.05", "0.2"]),
-    ("cage.pocket_damping", ["s_per_m(0.15)", "s_per_m(0.6)"]),
-    ("cage.inertia", ["kg_m2(0.001)", "kg_m2(0.004)"]),
-    ("supports.inner.mass", ["kg(6)", "kg(24)"]),
-    ("supports.outer.mass", ["kg(2.5)", "kg(10)"]),
-    ("supports.outer.stiffness", ["(N_per_um(250), N_per_um(250))", "(N_per_um(1000), N_per_um(1000))"]),
-    ("supports.outer.damping", ["(N_s_per_m(2500), N_s_per_m(2500))", "(N_s_per_m(10000), N_s_per_m(10000))"]),
-    ("transient.contact_damping", ["0.01", "0.04"]),
-    ("traction.slip_unit", ["Scaled(per_m_s: 50.0)", "Scaled(per_m_s: 200.0)"]),
+/// Parameters that are halved and doubled.
+const HIDDEN: [&str; 11] = [
+    "cage.pocket_gap",
+    "cage.pocket_stiffness",
+    "cage.pocket_friction",
+    "cage.pocket_damping",
+    "cage.inertia",
+    "supports.inner.mass",
+    "supports.outer.mass",
+    "supports.outer.stiffness",
+    "supports.outer.damping",
+    "transient.contact_damping",
+    "traction.slip_unit",
 ];
 
 /// Further changes that are one value each: a name, a path, a value. Local pressure is not among them: it leaves the
 /// fast scheme without its derivative, and 20 µs are too long without.
-const SINGLE: [(&str, &str, &str); 41] = [
+const SINGLE: [(&str, &str, &str); 46] = [
     ("step 10 µs", "transient.scheme", "Fast(step: us(10))"),
     ("Runge–Kutta 5 µs", "transient.scheme", "RungeKutta4(step: us(5))"),
     ("0.4 s", "transient.duration", "s(0.4)"),
@@ -63,6 +66,11 @@ const SINGLE: [(&str, &str, &str); 41] = [
     ("pitch diameter 167.5 mm", "geometry.pitch_diameter", "mm(167.5)"),
     ("balls of 3200 kg/m³", "materials.ball.density", "kg_per_m3(3200)"),
     ("half of the speed", "speed.inner", "Constant(rpm(7000))"),
+    ("Dormand–Prince", "transient.scheme", "DormandPrince(tolerance: 1e-8, longest: us(10))"),
+    ("pocket force as printed", "modelling.pocket_force", "AsPrinted"),
+    ("rolling radius deformed", "modelling.rolling_radius", "Deformed"),
+    ("no gyroscopic moment with traction", "modelling.gyroscopic_moment", "Absent"),
+    ("elastic patch", "modelling.patch", "Elastic(strips: 5, cells: 8)"),
 ];
 
 /// Shaft frequency of the case, Hz, the time step of a rotating force's table, s, and its end, s.
@@ -70,38 +78,68 @@ const SHAFT_HZ: f64 = 14_000.0 / 60.0;
 const UNBALANCE_STEP: f64 = 2e-4;
 const UNBALANCE_END: f64 = 0.2;
 
-/// All of them, the unchanged one first.
-pub fn all() -> Vec<Change> {
+/// All of them for a reading's cases, the unchanged one first.
+///
+/// # Errors
+///
+/// The reading's case cannot be read.
+pub fn all(reading: &Reading) -> Result<Vec<Change>, PaperError> {
     let mut out = vec![Change::none("as identified")];
-    for (path, values) in HIDDEN {
-        let both = ["half", "double"].into_iter().zip(values);
-        out.extend(both.map(|(word, value)| Change::none(&format!("{path} {word}")).with(path, value)));
-    }
+    let scaled = hidden(reading)?.into_iter();
+    out.extend(scaled.map(|(name, path, value)| Change::none(&name).with(path, &value)));
     out.extend(SINGLE.map(|(name, path, value)| Change::none(name).with(path, value)));
     out.extend([guided("Inner", 68.0), guided("Outer", 84.0)]);
-    out.extend(loads());
-    out.push(unbalance(1000.0));
+    out.extend(loads(reading));
+    out.push(unbalance(reading, 1000.0));
+    Ok(out)
+}
+
+/// What the paper hides, each halved and doubled: a name, a path, a value.
+///
+/// # Errors
+///
+/// The reading's case cannot be read.
+pub fn hidden(reading: &Reading) -> Result<Vec<(String, &'static str, String)>, PaperError> {
+    let text = files::read(&files::root().join(reading.ag))?;
+    let of = |path: &'static str| {
+        let value = locate(&text, path).map_or("", |range| &text[range]);
+        [("half", 0.5), ("double", 2.0)].map(|(word, factor)| (format!("{path} {word}"), path, scaled(value, factor)))
+    };
+    Ok(HIDDEN.into_iter().flat_map(of).collect())
+}
+
+/// A value of a case with each of its numbers multiplied.
+fn scaled(value: &str, factor: f64) -> String {
+    let word = |c: char| c.is_alphanumeric() || "_.".contains(c);
+    let mut out = String::new();
+    let mut rest = value;
+    while let Some(first) = rest.chars().next() {
+        let length = rest.find(|c| word(c) != word(first)).unwrap_or(rest.len());
+        let (part, after) = rest.split_at(length);
+        match part.parse::<f64>() {
+            Ok(number) => out.push_str(&(factor * number).to_string()),
+            Err(_) => out.push_str(part),
+        }
+        rest = after;
+    }
     out
 }
 
 /// The case's cage on a land of so many millimetres radius, with the film that drags or brakes it.
 fn guided(land: &str, radius_mm: f64) -> Change {
-    let cage = format!(
-        "(pocket_gap: mm(0.71), pocket_stiffness: N_per_um(5), pocket_friction: 0.1, drag_torque: Nm(0), inertia: \
-        kg_m2(0.002), pocket_damping: s_per_m(0.3), guidance: (land: {land}, radius: mm({radius_mm}), width: mm(10), \
-        gap: mm(0.4)))"
-    );
-    Change::none(&format!("cage guided by the {} ring", land.to_lowercase())).with("cage", &cage)
+    let guidance = format!("(land: {land}, radius: mm({radius_mm}), width: mm(10), gap: mm(0.4))");
+    Change::none(&format!("cage guided by the {} ring", land.to_lowercase())).with("cage.guidance", &guidance)
 }
 
 /// Loads that the paper's percentages may refer to.
-fn loads() -> [Change; 6] {
+fn loads(reading: &Reading) -> [Change; 6] {
     let axial = |name: &str, axial_share: f64| Change { axial_share, ..Change::none(name) };
     let drag = "drag coefficient 0.32 and radial load lowered with the axial one";
+    let half = format!("Force(N({}))", 0.5 * reading.radial_load);
     [
         axial("half of the axial loads", 0.5),
         axial("axial loads × 2", 2.0),
-        Change::none("half of the radial load").with("ring.x", "Force(kN(11.49))"),
+        Change::none("half of the radial load").with("ring.x", &half),
         Change::none("radial load 2 kN").with("ring.x", "Force(kN(2))"),
         Change { radial_follows: true, ..Change::none("radial load lowered with the axial one") },
         Change { radial_follows: true, ..Change::none(drag).with("fluid.drag_coefficient", "0.32") },
@@ -109,7 +147,7 @@ fn loads() -> [Change; 6] {
 }
 
 /// A force on the inner ring that turns with the shaft beside the radial load, N.
-fn unbalance(force: f64) -> Change {
+fn unbalance(reading: &Reading, force: f64) -> Change {
     let rows = (UNBALANCE_END / UNBALANCE_STEP).round() as usize;
     let table = |constant: f64, phase: f64| {
         let mut text = "ForceTable([".to_owned();
@@ -122,29 +160,40 @@ fn unbalance(force: f64) -> Change {
         text + "])"
     };
     let quarter = -0.25 * TAU;
-    Change::none("unbalance of 1 kN").with("ring.x", &table(22_980.0, 0.0)).with("ring.y", &table(0.0, quarter))
+    Change::none("unbalance of 1 kN")
+        .with("ring.x", &table(reading.radial_load, 0.0))
+        .with("ring.y", &table(0.0, quarter))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files;
+    use crate::transient::{AUTHORS, CLASSICAL};
     use tribodyn_case::{Case, set_value};
 
     /// Each change leads to a case that can be read and that differs from the one it starts from.
     #[test]
     fn identity_every_change_is_a_case_of_its_own() {
-        let text = files::read(&files::root().join("fixtures/cases/paper-ag.ron")).unwrap();
-        let unchanged = Case::from_ron(&text).unwrap();
-        let mut names = std::collections::BTreeSet::new();
-        for change in all() {
-            assert!(names.insert(change.name.clone()) && !change.name.contains(','), "{}", change.name);
-            let case =
-                change.values.iter().fold(text.clone(), |text, (path, value)| set_value(&text, path, value).unwrap());
-            let case = Case::from_ron(&case).unwrap_or_else(|e| panic!("{}: {e}", change.name));
-            let loads = change.axial_share != 1.0 || change.radial_follows;
-            assert_eq!(case != unchanged, !change.values.is_empty(), "{}", change.name);
-            assert!(loads || !change.values.is_empty() || change.name == "as identified", "{}", change.name);
+        for reading in [&AUTHORS, &CLASSICAL] {
+            let text = files::read(&files::root().join(reading.ag)).unwrap();
+            let unchanged = Case::from_ron(&text).unwrap();
+            let mut names = std::collections::BTreeSet::new();
+            for change in all(reading).unwrap() {
+                assert!(names.insert(change.name.clone()) && !change.name.contains(','), "{}", change.name);
+                let set = |text: String, (path, value): &(String, String)| set_value(&text, path, value).unwrap();
+                let case = change.values.iter().fold(text.clone(), set);
+                let case = Case::from_ron(&case).unwrap_or_else(|e| panic!("{}: {e}", change.name));
+                let loads = change.axial_share != 1.0 || change.radial_follows;
+                assert_eq!(case != unchanged, !change.values.is_empty(), "{}", change.name);
+                assert!(loads || !change.values.is_empty() || change.name == "as identified", "{}", change.name);
+            }
         }
+    }
+
+    #[test]
+    fn identity_numbers_are_scaled_and_units_are_not() {
+        assert_eq!(scaled("kg_m2(0.002)", 0.5), "kg_m2(0.001)");
+        assert_eq!(scaled("(N_per_um(500), N_per_um(4e2))", 2.0), "(N_per_um(1000), N_per_um(800))");
+        assert_eq!(scaled("Scaled(per_m_s: 100.0)", 2.0), "Scaled(per_m_s: 200)");
     }
 }

@@ -16,7 +16,7 @@ use crate::files;
 use crate::markers::replaced;
 use crate::progress::Progress;
 use crate::table::{Table, markdown};
-use crate::transient::{CLASSICAL, Change, FAST, Plan, Set, Transient, run_all};
+use crate::transient::{AUTHORS, CLASSICAL, Change, FAST, Plan, Set, Transient, run_all};
 
 /// File of the committed result, and the document that shows it.
 const RESULT: &str = "fixtures/expected/sensitivity.csv";
@@ -60,11 +60,8 @@ fn row(name: &str, ag: &Transient, ptfe: &Transient) -> String {
 /// A run that stops before its end; the result cannot be written.
 pub fn pocket() -> Result<String, PaperError> {
     let mut wanted: Vec<(String, Vec<(&str, String)>)> = vec![("as identified".to_owned(), Vec::new())];
-    for (path, values) in changes::HIDDEN {
-        for (word, value) in ["half", "double"].into_iter().zip(values) {
-            wanted.push((format!("{path} {word}"), vec![(path, value.to_owned())]));
-        }
-    }
+    let hidden = changes::hidden(&CLASSICAL)?.into_iter();
+    wanted.extend(hidden.map(|(name, path, value)| (name, vec![(path, value)])));
     wanted.push(("no cage".to_owned(), vec![("cage.pocket_stiffness", "N_per_um(0)".to_owned())]));
     for gap in GAPS_MM {
         for stiffness in STIFFNESSES {
@@ -112,14 +109,16 @@ impl Base {
         readings::write(&self.0)
     }
 
-    /// Makes the runs with each change and writes which missed rows it turns; with `only`, the lines of changes that do
-    /// not have it in their names stay.
+    /// Makes the runs with each change, of these cases and of the paper's, and writes which missed rows it turns; with
+    /// `only`, the lines of changes that do not have it in their names stay.
     ///
     /// # Errors
     ///
     /// The result cannot be read or written. A run that fails is noted in the result.
     pub fn rows(&self, only: Option<&str>, progress: Progress) -> Result<(), PaperError> {
-        misses::run(&self.0, only, progress)
+        let authors = Set::changed(&AUTHORS, &Change::none("as identified"))?;
+        misses::AUTHORS_CASE.run(&authors, only, progress)?;
+        misses::CLASSICAL_CASE.run(&self.0, only, progress)
     }
 
     /// Makes the runs with defects of other sizes and writes their rows.
@@ -192,6 +191,7 @@ fn block() -> Result<String, PaperError> {
             cell("share")?,
         ]);
     }
-    let tables = [misses::block()?, readings::block()?, defect::block()?].join("\n");
+    let misses = [misses::AUTHORS_CASE.block()?, misses::CLASSICAL_CASE.block()?];
+    let tables = [misses.join("\n"), readings::block()?, defect::block()?].join("\n");
     Ok(format!("{}\n{tables}\nReproduced by `cargo xtask sensitivity`.\n", markdown(&head, &rows)))
 }

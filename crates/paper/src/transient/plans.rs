@@ -24,9 +24,9 @@ pub struct Reading {
     pub ptfe: &'static str,
     pub defect: &'static str,
     /// The axial load of the cases, N, which the paper's preloads are parts of.
-    axial_load: f64,
+    pub axial_load: f64,
     /// Their radial load, N.
-    radial_load: f64,
+    pub radial_load: f64,
 }
 
 /// The reading with the most evidence: no friction holds the gyroscopic moment in the paper's QSJH.

@@ -131,6 +131,12 @@ fn warnings(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Vec<Wa
     out
 }
 
+/// Rows of Figures 14 and 16 to 18 of a case, relative to the workspace, with values changed.
+pub(crate) fn azimuth_rows(case: &str, changes: &[(String, String)]) -> Result<Vec<Row>, PaperError> {
+    let runs = Runs::changed(&files::root().join(case), changes)?;
+    split::declared([contact::figure_14(&runs), friction::figures_16_to_18(&runs)].concat())
+}
+
 /// All rows of a case with the quasi-static solutions behind them.
 #[derive(Debug)]
 pub struct Validation {

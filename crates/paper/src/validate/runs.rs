@@ -49,8 +49,15 @@ pub struct Runs {
 
 impl Runs {
     pub fn solve(path: &Path) -> Result<Self, PaperError> {
-        let text = files::read(path)?;
+        Self::changed(path, &[])
+    }
+
+    /// With other values, by their paths. Those that the rows of Table 4 differ by are theirs.
+    pub fn changed(path: &Path, changes: &[(String, String)]) -> Result<Self, PaperError> {
         let file = path.strip_prefix(files::root()).unwrap_or(path).display().to_string();
+        let refused = |source| PaperError::Case { file: file.clone(), source: Box::new(source) };
+        let set = |text: String, (path, value): &(String, String)| set_value(&text, path, value).map_err(refused);
+        let text = changes.iter().try_fold(files::read(path)?, set)?;
         let [first, second, third, fourth, fifth] = &PLANS;
         let one = |plan: &Plan| run(&file, &text, plan);
         let jones_harris = one(first)?;
