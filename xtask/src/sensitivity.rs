@@ -13,6 +13,9 @@ pub struct Arguments {
     /// Only the lines of the table of missed rows whose change has this in its name
     #[arg(long, value_name = "TEXT", conflicts_with = "part")]
     change: Option<String>,
+    /// Sets that the search begins with
+    #[arg(long, default_value_t = 1000)]
+    sets: usize,
 }
 
 /// A table.
@@ -26,6 +29,8 @@ enum Part {
     Readings,
     /// Size of the defect
     Defect,
+    /// Search for what the paper hides of cage and supports; only when asked for
+    Hidden,
 }
 
 /// Makes the runs, writes the results and the document's block.
@@ -33,6 +38,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let wanted = |part: Part| arguments.part.is_none_or(|only| only == part) && arguments.change.is_none();
     if wanted(Part::Pocket) {
         print(&format!("{}\n", sensitivity::pocket()?))?;
+    }
+    if arguments.part == Some(Part::Hidden) {
+        return Ok(sensitivity::hidden(arguments.sets, &progress)?);
     }
     let base = sensitivity::base()?;
     if wanted(Part::Readings) {

@@ -8,6 +8,7 @@
 
 mod changes;
 mod defect;
+mod hidden;
 mod misses;
 mod readings;
 
@@ -84,6 +85,16 @@ pub fn pocket() -> Result<String, PaperError> {
     );
     files::write(&files::root().join(RESULT), text.as_bytes())?;
     Ok(text)
+}
+
+/// Searches for what the paper hides of cage and supports among so many sets and about the best of them, by the rows
+/// that the search may see, and writes the best.
+///
+/// # Errors
+///
+/// The result cannot be written. A set whose runs fail is left out.
+pub fn hidden(sets: usize, progress: Progress) -> Result<(), PaperError> {
+    hidden::run(sets, progress)
 }
 
 /// The runs of the dynamic rows as identified, with the fast scheme: what every change is held against.

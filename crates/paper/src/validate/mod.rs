@@ -137,6 +137,11 @@ pub(crate) fn azimuth_rows(case: &str, changes: &[(String, String)]) -> Result<V
     split::declared([contact::figure_14(&runs), friction::figures_16_to_18(&runs)].concat())
 }
 
+/// Rows of the dynamic model, each with the part that the search had it in.
+pub(crate) fn declared_dynamic_rows(set: &Set) -> Result<Vec<Row>, PaperError> {
+    split::declared(dynamic_rows(set)?)
+}
+
 /// All rows of a case with the quasi-static solutions behind them.
 #[derive(Debug)]
 pub struct Validation {
