@@ -14,7 +14,7 @@ pub struct Arguments {
     #[arg(long, value_name = "TEXT", conflicts_with = "part")]
     change: Option<String>,
     /// Sets that the search begins with
-    #[arg(long, default_value_t = 1000)]
+    #[arg(long, default_value_t = 800)]
     sets: usize,
 }
 

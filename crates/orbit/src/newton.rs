@@ -102,8 +102,8 @@ impl<'a> Newton<'a> {
 
     /// Newton steps by the natural monotonicity test (P. Deuflhard, Newton Methods for Nonlinear Problems, 2011,
     /// section 3.3), each Jacobian kept as long as it contracts well, what it errs by learnt from the steps taken with
-    /// it (Broyden's update in the same book's form, section 2.1.4). `growth` is by how much a step may be longer than the
-    /// one before.
+    /// it (Broyden's update in the same book's form, section 2.1.4). `growth` is by how much a step may be longer than
+    /// the one before.
     fn iterate(
         &mut self,
         (mut orbit, mut residual): (Orbit, Residual),

@@ -1,7 +1,7 @@
 //! What the paper does not print of cage and supports, searched for: sets spread evenly over ranges, then about the
-//! best of them. A set is judged by the rows that the search may see (`fixtures/identify/split.csv`): how many it meets,
-//! then by how far off their numbers are. The best are run again by the Runge–Kutta method, and what they meet there
-//! decides, as rows near a threshold hang on the scheme.
+//! best of them. A set is judged by the rows that the search may see (`fixtures/identify/split.csv`): how many it
+//! meets, then by how far off their numbers are. The best are run again by the Runge–Kutta method, and what they meet
+//! there decides, as rows near a threshold hang on the scheme.
 
 use crate::error::PaperError;
 use crate::files;
@@ -138,9 +138,9 @@ pub fn run(sets: usize, progress: Progress) -> Result<(), PaperError> {
     let mut decided: Vec<(Tried, Score)> = tried.iter().take(FINALISTS).filter_map(again).collect();
     decided.sort_by(|(a, first), (b, second)| first.order(second).then(a.score.order(&b.score)));
     let mut text = format!(
-        "# our own output; rewritten by `cargo xtask sensitivity --part hidden`\n# the {FINALISTS} best of {count} sets \
-        of what the paper hides: rows met of those that the search may see, and squares of the numbers among them, by \
-        the scheme that decides and by the fast one\nmet,squares,met_fast,squares_fast"
+        "# our own output; rewritten by `cargo xtask sensitivity --part hidden`\n# the {FINALISTS} best of {count} \
+        sets of what the paper hides: rows met of those that the search may see, and squares of the numbers among \
+        them, by the scheme that decides and by the fast one\nmet,squares,met_fast,squares_fast"
     );
     HIDDEN.iter().for_each(|hidden| text.extend([",", hidden.path]));
     text.push('\n');
