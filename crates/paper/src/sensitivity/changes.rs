@@ -94,7 +94,7 @@ pub fn all(reading: &Reading) -> Result<Vec<Change>, PaperError> {
     Ok(out)
 }
 
-/// What the paper hides, each halved and doubled: a name, a path, a value.
+/// Hidden parameters, each halved and doubled: a name, a path, a value.
 ///
 /// # Errors
 ///

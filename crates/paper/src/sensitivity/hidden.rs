@@ -1,5 +1,5 @@
-//! What the paper does not print of cage and supports, searched for: sets spread evenly over ranges, then about the
-//! best of them. A set is judged by the rows that the search may see (`fixtures/identify/split.csv`): how many it
+//! Search for the values of cage and supports that the paper does not print: sets spread evenly over ranges, then about
+//! the best of them. A set is judged by the rows that the search may see (`fixtures/identify/split.csv`): how many it
 //! meets, then by how far off their numbers are. The best are run again by the Runge–Kutta method, and what they meet
 //! there decides, as rows near a threshold hang on the scheme.
 

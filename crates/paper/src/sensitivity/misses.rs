@@ -13,7 +13,7 @@ pub struct Cases {
     reading: &'static Reading,
     /// The committed result.
     result: &'static str,
-    /// What the document calls them.
+    /// Name in the document.
     name: &'static str,
 }
 
