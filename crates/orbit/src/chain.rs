@@ -24,6 +24,7 @@ pub(crate) struct Slopes {
 }
 
 /// An interval with its points eliminated.
+#[derive(Debug)]
 struct Interval {
     lu: LU<f64, Const<STACK>, Const<STACK>>,
     /// Points by beginning and border.
@@ -34,6 +35,7 @@ struct Interval {
 }
 
 /// The linearised orbit, factorised.
+#[derive(Debug)]
 pub(crate) struct Linear {
     intervals: Vec<Interval>,
     /// Start of the turn and border.

@@ -7,6 +7,7 @@ use crate::residual::{BORDER, Residual, STACK, Scales, residual};
 use crate::system::{BALL, LEAD, ORBIT, OrbitSystem, RING, rings};
 use nalgebra::{Const, SMatrix, SVector};
 use num_dual::DualSVec64;
+use std::sync::Arc;
 use tribodyn_bearing::{LoadedPatch, RingFreedom};
 use tribodyn_traction::FastPatch;
 
@@ -35,6 +36,20 @@ const LEAST_SHARE: f64 = 1e-2;
 /// Residual below which an iteration that gains no more is left to itself.
 const STALLED: f64 = 1e-6;
 
+/// A factorised Jacobian with the ends of the intervals of its mesh.
+#[derive(Debug, Clone)]
+pub(crate) struct Jacobian {
+    ends: Vec<f64>,
+    linear: Arc<Linear>,
+}
+
+impl Jacobian {
+    /// True if it is of the mesh of an orbit.
+    pub fn is_of(&self, orbit: &Orbit) -> bool {
+        self.ends == orbit.ends
+    }
+}
+
 /// One Newton solver.
 pub(crate) struct Newton<'a> {
     pub system: OrbitSystem<'a>,
@@ -42,6 +57,8 @@ pub(crate) struct Newton<'a> {
     pub slopes_by: Option<FastPatch>,
     pub radau: Radau,
     pub scales: Scales,
+    /// The last Jacobian with its mesh.
+    pub last: Option<Jacobian>,
     pub statistics: OrbitStatistics,
     /// Intervals that were tried in all turns, and the number after which a turn is not gone on with.
     pub tried: usize,
@@ -51,7 +68,7 @@ pub(crate) struct Newton<'a> {
 impl<'a> Newton<'a> {
     pub fn new(system: OrbitSystem<'a>, scales: Scales) -> Self {
         let statistics = OrbitStatistics::default();
-        Self { system, slopes_by: None, radau: Radau::new(), scales, statistics, tried: 0, work: usize::MAX }
+        Self { system, slopes_by: None, radau: Radau::new(), scales, last: None, statistics, tried: 0, work: usize::MAX }
     }
 
     /// Attempts something in which no turn is gone on with after so many intervals from now.
@@ -84,19 +101,26 @@ impl<'a> Newton<'a> {
     /// then damped ones.
     pub fn run(&mut self, orbit: Orbit, tolerance: f64, limit: usize) -> (Orbit, Residual) {
         let residual = self.residual(&orbit);
-        let (full, left) = self.iterate((orbit.clone(), residual.clone()), tolerance, (limit / 2, FULL));
+        let (full, left) = self.iterate((orbit.clone(), residual.clone()), tolerance, (limit / 2, FULL), None);
         if left.worst.relative <= tolerance {
             return (full, left);
         }
         let nearer = left.worst.relative < residual.worst.relative;
         let from = if nearer { (full, left) } else { (orbit, residual) };
-        self.iterate(from, tolerance, (limit, DAMPED))
+        self.iterate(from, tolerance, (limit, DAMPED), None)
     }
 
-    /// The same by so many Jacobians and full steps alone; none where they do not meet the tolerance.
-    pub fn by_full_steps(&mut self, orbit: Orbit, tolerance: f64, jacobians: usize) -> Option<(Orbit, Residual)> {
+    /// The same by so many Jacobians and full steps alone, the first of them known; none where they do not meet the
+    /// tolerance.
+    pub fn by_full_steps(
+        &mut self,
+        orbit: Orbit,
+        tolerance: f64,
+        (jacobians, known): (usize, Option<Jacobian>),
+    ) -> Option<(Orbit, Residual)> {
         let residual = self.residual(&orbit);
-        let found = self.iterate((orbit, residual), tolerance, (jacobians, FULL));
+        let known = known.filter(|known| known.is_of(&orbit));
+        let found = self.iterate((orbit, residual), tolerance, (jacobians, FULL), known);
         (found.1.worst.relative <= tolerance).then_some(found)
     }
 
@@ -109,6 +133,7 @@ impl<'a> Newton<'a> {
         (mut orbit, mut residual): (Orbit, Residual),
         tolerance: f64,
         (limit, growth): (usize, f64),
+        mut known: Option<Jacobian>,
     ) -> (Orbit, Residual) {
         let mut best = (f64::INFINITY, 0);
         for iteration in 0..limit {
@@ -120,7 +145,8 @@ impl<'a> Newton<'a> {
             } else if best.0 < STALLED && iteration > best.1 + 4 {
                 break;
             }
-            let Ok(linear) = self.linearise(&orbit) else { break };
+            let jacobian = known.take().map_or_else(|| self.jacobian(&orbit), Ok);
+            let Ok(Jacobian { linear, .. }) = jacobian.inspect(|found| self.last = Some(found.clone())) else { break };
             let mut taken = vec![linear.step(&residual)];
             let mut share = self.longest(&taken[0]);
             while let Some(step) = taken.last() {
@@ -207,6 +233,10 @@ impl<'a> Newton<'a> {
             cage: slope(&e.cage_torque),
             ring: e.ring.each_ref().map(slope),
         }
+    }
+
+    fn jacobian(&mut self, orbit: &Orbit) -> Result<Jacobian, OrbitError> {
+        Ok(Jacobian { ends: orbit.ends.clone(), linear: Arc::new(self.linearise(orbit)?) })
     }
 
     pub fn linearise(&mut self, orbit: &Orbit) -> Result<Linear, OrbitError> {

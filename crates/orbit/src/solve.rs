@@ -82,7 +82,7 @@ pub fn steady_orbit(
     let mut newton = Newton::new(system, scales);
     let (found, eased) = find(&mut newton, (point, &rolling), &way, settings)
         .map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
-    finish(&newton, found, (point, rolling.rule, rolling.rule_error), eased)
+    finish(&mut newton, found, (point, rolling.rule, rolling.rule_error), eased)
 }
 
 /// The likely reason why no orbit of a bearing was found.
@@ -124,14 +124,14 @@ pub fn steady_orbit_from(
     let rule = (point, near.rule, near.rule_error);
     let cheap = FastPatch::new(SLOPES)?;
     newton.slopes_by = Some(cheap.clone());
-    let hurried = newton.by_full_steps(orbit.clone(), settings.tolerance, HURRY);
+    let hurried = newton.by_full_steps(orbit.clone(), settings.tolerance, (HURRY, near.jacobian.clone()));
     newton.slopes_by = None;
     let met = hurried.or_else(|| newton.met(orbit.clone(), (settings.tolerance, PATIENCE)));
     if let Some(found) = met.and_then(|found| fitted(&mut newton, found, (settings, cheap))) {
-        return finish(&newton, found, rule, near.eased);
+        return finish(&mut newton, found, rule, near.eased);
     }
     match damped(&mut newton, &orbit, settings, (&SETTLING, WORK)) {
-        Ok(found) => finish(&newton, found, rule, near.eased),
+        Ok(found) => finish(&mut newton, found, rule, near.eased),
         Err(_) => steady_orbit(bearing, point, cage, settings),
     }
 }
@@ -195,7 +195,7 @@ pub fn orbit_modes(
 }
 
 fn finish(
-    newton: &Newton<'_>,
+    newton: &mut Newton<'_>,
     found: Found,
     (point, rule, rule_error): (&OperatingPoint, PatchRule, f64),
     eased: Eased,
@@ -205,6 +205,7 @@ fn finish(
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let origin = newton.system.origin;
     let settling = newton.system.settling;
-    let start = OrbitStart { orbit, rule, rule_error, origin, settling, eased, scales: newton.scales, speeds };
+    let jacobian = newton.last.take().filter(|last| last.is_of(&orbit));
+    let start = OrbitStart { orbit, jacobian, rule, rule_error, origin, settling, eased, scales: newton.scales, speeds };
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
 }

@@ -1,7 +1,7 @@
 //! A solved orbit, and what is needed to go on from it.
 
 use crate::collocation::{Orbit, Radau};
-use crate::newton::OrbitStatistics;
+use crate::newton::{Jacobian, OrbitStatistics};
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
 use crate::way::Eased;
@@ -10,9 +10,11 @@ use tribodyn_bearing::{AzimuthFrame, BallState, Motion, Races};
 use tribodyn_traction::PatchRule;
 
 /// An orbit to start a neighbouring problem from.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct OrbitStart {
     pub(crate) orbit: Orbit,
+    /// The last Jacobian on the orbit's mesh, where there was one.
+    pub(crate) jacobian: Option<Jacobian>,
     pub(crate) rule: PatchRule,
     pub(crate) rule_error: f64,
     /// Azimuth at which the turn begins, rad.
@@ -46,7 +48,7 @@ impl OrbitStart {
 }
 
 /// A steady orbit with what is needed to go on from it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct SolvedOrbit {
     /// The orbit.
     pub solution: SteadyOrbit,
