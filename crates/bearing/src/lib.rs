@@ -17,6 +17,7 @@ mod normal;
 mod operation;
 mod patch_traction;
 mod pocket;
+mod quadrature_error;
 pub mod quantities;
 mod races;
 mod result;

@@ -72,6 +72,15 @@ impl Orbit {
         Self { ends, values, cage_speed, ring }
     }
 
+    /// Moves all unknowns by as much as those of two others on its mesh differ.
+    pub fn shift(&mut self, from: &Self, to: &Self) {
+        let all = |orbit: &Self| -> Vec<f64> { orbit.values.iter().flatten().flatten().copied().collect() };
+        let pairs = all(from).into_iter().zip(all(to));
+        self.values.iter_mut().flatten().flatten().zip(pairs).for_each(|(v, (from, to))| *v += to - from);
+        self.cage_speed += to.cage_speed - from.cage_speed;
+        (0..RING).for_each(|k| self.ring[k] += to.ring[k] - from.ring[k]);
+    }
+
     /// Share of the turn that it has.
     pub fn last_end(&self) -> f64 {
         self.ends.last().copied().unwrap_or(0.0)

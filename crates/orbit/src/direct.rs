@@ -7,7 +7,7 @@ use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::start::Profile;
-use crate::system::{BALL, RING};
+use crate::system::{BALL, LEAD, ORBIT, RING};
 use crate::way::Way;
 
 /// Intervals of the first mesh.
@@ -24,6 +24,8 @@ const HALVINGS: usize = 3;
 const OF_POCKET: f64 = 0.05;
 const SLIGHT: f64 = 1e-3;
 const LOOKS: usize = 7;
+/// Half a turn, rad, in which an error of the orbital speed becomes one of the lead.
+const HALF_TURN: f64 = 3.0;
 /// By how much an interval may become shorter and longer from mesh to mesh.
 const SHORTER: f64 = 8.0;
 const LONGER: f64 = 1.5;
@@ -103,7 +105,7 @@ impl<'a> Newton<'a> {
     /// sent round on has its steps where contacts begin and end.
     pub fn halved(&mut self, mut found: Found, allowed: f64, (tolerance, patience): (f64, usize)) -> Found {
         for _ in 0..HALVINGS {
-            let errors = self.errors(&found.0, allowed).into_iter().zip(self.pocket_errors(&found.0));
+            let errors = self.closer(&found.0, allowed).into_iter().zip(self.pocket_errors(&found.0));
             let errors: Vec<f64> = errors.map(|(of_step, of_pocket)| of_step.max(of_pocket)).collect();
             if errors.iter().all(|error| *error <= 1.0) {
                 break;
@@ -122,6 +124,30 @@ impl<'a> Newton<'a> {
         found
     }
 
+    /// Error of each interval over what is allowed, where balls meet their pockets also over what changes the pocket force
+    /// by a part of its peak, by the lead or by the orbital speed over half a turn: these forces may be small beside
+    /// those of the races.
+    fn closer(&mut self, orbit: &Orbit, allowed: f64) -> Vec<f64> {
+        let (pocket, ball) = (&self.system.cage.pocket, &self.scales.ball);
+        let lead = OF_POCKET * self.pocket_peak(orbit) / (pocket.stiffness * pocket.radius * allowed);
+        let usual = self.scales.errors;
+        if orbit.values.iter().flatten().any(|y| pocket.penetration(y[LEAD]) > 0.0) {
+            let speed = lead / HALF_TURN * orbit.cage_speed.abs();
+            for (k, error) in [(LEAD, lead), (ORBIT, speed)] {
+                self.scales.errors[k] = usual[k].min(error / ball[k]);
+            }
+        }
+        let errors = self.errors(orbit, allowed);
+        self.scales.errors = usual;
+        errors
+    }
+
+    /// Largest pocket force at the points of a mesh, or a slight part of the load, N.
+    fn pocket_peak(&self, orbit: &Orbit) -> f64 {
+        let force = |y: &[f64; BALL]| self.system.in_pocket(y, orbit.cage_speed).force.abs();
+        orbit.values.iter().flatten().map(force).fold(SLIGHT * self.scales.force, f64::max)
+    }
+
     /// By how much each interval's pocket force rises between its points above the values there, over what is allowed.
     ///
     /// A stiff pocket makes much of a lead that errs by little.
@@ -129,7 +155,7 @@ impl<'a> Newton<'a> {
         let force = |y: &[f64; BALL]| self.system.in_pocket(y, orbit.cage_speed).force.abs();
         let most = |forces: &[f64]| forces.iter().copied().fold(0.0, f64::max);
         let at_points: Vec<f64> = orbit.values.iter().map(|values| most(&values.each_ref().map(force))).collect();
-        let allowed = OF_POCKET * most(&at_points).max(SLIGHT * self.scales.force);
+        let allowed = OF_POCKET * self.pocket_peak(orbit);
         let of = |j: usize| {
             let [begin, width] = orbit.interval(j);
             let between: [f64; LOOKS] = std::array::from_fn(|k| {

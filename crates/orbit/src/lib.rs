@@ -26,5 +26,5 @@ pub use modes::{Bodies, EnergyShares, Mode};
 pub use newton::OrbitStatistics;
 pub use settings::OrbitSettings;
 pub use solution::{POINTS, SteadyOrbit};
-pub use solve::{orbit_modes, orbit_stiffness, steady_orbit, steady_orbit_from};
+pub use solve::{orbit_modes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near};
 pub use solved::{OrbitStart, SolvedOrbit};

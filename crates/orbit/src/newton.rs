@@ -68,7 +68,16 @@ pub(crate) struct Newton<'a> {
 impl<'a> Newton<'a> {
     pub fn new(system: OrbitSystem<'a>, scales: Scales) -> Self {
         let statistics = OrbitStatistics::default();
-        Self { system, slopes_by: None, radau: Radau::new(), scales, last: None, statistics, tried: 0, work: usize::MAX }
+        Self {
+            system,
+            slopes_by: None,
+            radau: Radau::new(),
+            scales,
+            last: None,
+            statistics,
+            tried: 0,
+            work: usize::MAX,
+        }
     }
 
     /// Attempts something in which no turn is gone on with after so many intervals from now.

@@ -98,7 +98,7 @@ fn patient<'a>(
     for from in starts {
         let Some(reached) = newton.followed(from, way, (settings.mesh_error, settings.tolerance)) else { continue };
         if reached.share == 1.0 && reached.refined && holds(newton, &reached.found, settings) {
-            return Ok((reached.found, real));
+            return Ok((newton.halved(reached.found, settings.mesh_error, (settings.tolerance, DIRECT)), real));
         }
         way.set(&mut newton.system, 1.0);
         if let Ok(found) = damped(newton, &reached.found.0, settings, (&SETTLING[..1], HASTE)) {
@@ -179,7 +179,7 @@ fn finished(newton: &mut Newton<'_>, found: Found, settings: &OrbitSettings) -> 
     let goal = (settings.tolerance, DIRECT);
     let near = found.0.clone();
     if let Some(found) = newton.refined(found, settings.mesh_error, goal) {
-        return Some(found);
+        return Some(newton.halved(found, settings.mesh_error, goal));
     }
     let accuracy = (settings.mesh_error, CLOSE, ROUNDS);
     let border = (near.cage_speed, near.ring);

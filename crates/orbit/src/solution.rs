@@ -1,5 +1,6 @@
 //! Results of a steady orbit.
 
+use crate::OrbitError;
 use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
@@ -7,7 +8,7 @@ use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
 use crate::way::Eased;
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult};
+use tribodyn_bearing::{BallLoads, BallMotionResult, BallResult, PocketResult};
 use tribodyn_quasistatic::{Model, Solution};
 
 /// Places round the orbit at which a solution is given: every two degrees.
@@ -132,23 +133,27 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
 }
 
 /// The solution of a converged orbit.
-pub(crate) fn solution(newton: &Newton<'_>, (orbit, found): &Found, rule_error: f64, eased: &Eased) -> SteadyOrbit {
+/// # Errors
+/// A patch rule that cannot be laid out for the estimate of its error.
+pub(crate) fn solution(newton: &Newton<'_>, (orbit, found): &Found, eased: &Eased) -> Result<SteadyOrbit, OrbitError> {
     let system = &newton.system;
     let balls = system.bearing.geometry.ball_count as f64;
     let means = &found.means;
-    let round = |count: usize| -> Vec<BallResult> {
+    let round = |count: usize| -> (Vec<BallLoads>, Vec<BallResult>) {
         let at = |n| {
             let azimuth = TAU * n as f64 / count as f64;
             let (turn, y) = at_azimuth(newton, orbit, azimuth);
             let e = system.value(system.azimuth(turn), &y, orbit.cage_speed, orbit.ring);
-            ball_result(system, azimuth, &y, &e)
+            (e.loads, ball_result(system, azimuth, &y, &e))
         };
-        (0..count).map(at).collect()
+        (0..count).map(at).unzip()
     };
-    let points = round(POINTS);
+    let (_, points) = round(POINTS);
+    let (loads, places) = round(system.bearing.geometry.ball_count);
+    let patch_error_estimate = system.bearing.patch_error(system.kernel.quadrature().rule(), loads)?;
     let [x, y, z, tilt @ ..] = orbit.ring;
     let [fx, fy, fz, moment @ ..] = means.ring;
-    SteadyOrbit {
+    Ok(SteadyOrbit {
         cage_speed_rpm: orbit.cage_speed * RPM_PER_RAD_S,
         ring_displacement_m: [x, y, z],
         ring_tilt_rad: tilt,
@@ -161,15 +166,15 @@ pub(crate) fn solution(newton: &Newton<'_>, (orbit, found): &Found, rule_error: 
         pocket_force_max_n: points.iter().filter_map(|p| p.pocket).map(|p| p.force_n.abs()).fold(0.0, f64::max),
         pocket_contact_azimuths_deg: contacts(newton, orbit),
         residual: found.worst.relative,
-        patch_error_estimate: rule_error,
+        patch_error_estimate,
         iterations: newton.statistics.jacobians,
         intervals: orbit.intervals(),
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
         ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),
         pocket_stiffness_share: (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness),
-        balls: round(system.bearing.geometry.ball_count),
+        balls: places,
         points,
-    }
+    })
 }
 
 /// The turn at which a ball is at an azimuth, and its unknowns there.

@@ -9,7 +9,7 @@ use crate::settings::OrbitSettings;
 use crate::solution::solution;
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::stiffness::stiffness;
-use crate::system::{BALL, OrbitSystem};
+use crate::system::OrbitSystem;
 use crate::way::{Eased, Way, ladder};
 use crate::{OrbitError, OrbitReason, start, statics};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingOffset};
@@ -23,8 +23,10 @@ const CENTRING: f64 = 1e-8;
 /// Error of an interval, over what is allowed, up to which the mesh of a neighbour serves.
 const DRIFTED: f64 = 2.0;
 /// Patches by which slopes are taken at first from a neighbour, and the Jacobians after which those of the patches
-/// themselves are: where a cage hangs that no ball touches, slopes must be right to the last.
+/// themselves are: where a cage hangs that no ball touches, slopes must be right to the last. As many lead from the
+/// nearest to the orbit or not at all.
 const HURRY: usize = 3;
+const NEXT_DOOR: usize = 2;
 const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
 
 /// The bearing as the orbit has it: offsets of the rings exact, contacts damped.
@@ -82,7 +84,7 @@ pub fn steady_orbit(
     let mut newton = Newton::new(system, scales);
     let (found, eased) = find(&mut newton, (point, &rolling), &way, settings)
         .map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
-    finish(&mut newton, found, (point, rolling.rule, rolling.rule_error), eased)
+    finish(&mut newton, found, (point, rolling.rule), eased)
 }
 
 /// The likely reason why no orbit of a bearing was found.
@@ -110,44 +112,72 @@ pub fn steady_orbit_from(
     near: &OrbitStart,
 ) -> Result<SolvedOrbit, OrbitError> {
     let warm = near.eased.of(&prepared(bearing, settings));
-    let mut orbit = near.orbit.clone();
-    // Rolling is in proportion to the speeds, seen from the outer ring.
-    let share = (point.inner_speed - point.outer_speed) / (near.speeds.inner - near.speeds.outer);
-    if share.is_finite() && share > 0.0 && share != 1.0 {
-        let faster = |w: f64| point.outer_speed + (w - near.speeds.outer) * share;
-        orbit.cage_speed = faster(orbit.cage_speed);
-        for y in orbit.values.iter_mut().flatten() {
-            (BALL - 4..BALL).for_each(|k| y[k] = if k == BALL - 4 { faster(y[k]) } else { y[k] * share });
-        }
-    }
+    let orbit = near.at_speeds(point);
     let mut newton = at(&warm, (point, cage), settings, &OrbitStart { orbit: orbit.clone(), ..near.clone() })?;
-    let rule = (point, near.rule, near.rule_error);
     let cheap = FastPatch::new(SLOPES)?;
-    newton.slopes_by = Some(cheap.clone());
-    let hurried = newton.by_full_steps(orbit.clone(), settings.tolerance, (HURRY, near.jacobian.clone()));
-    newton.slopes_by = None;
+    let hurried = hurry(&mut newton, &orbit, (settings, near, &cheap), HURRY);
     let met = hurried.or_else(|| newton.met(orbit.clone(), (settings.tolerance, PATIENCE)));
     if let Some(found) = met.and_then(|found| fitted(&mut newton, found, (settings, cheap))) {
-        return finish(&mut newton, found, rule, near.eased);
+        return finish(&mut newton, found, (point, near.rule), near.eased);
     }
     match damped(&mut newton, &orbit, settings, (&SETTLING, WORK)) {
-        Ok(found) => finish(&mut newton, found, rule, near.eased),
+        Ok(found) => finish(&mut newton, found, (point, near.rule), near.eased),
         Err(_) => steady_orbit(bearing, point, cage, settings),
     }
+}
+
+/// The same where the neighbour is so near that a few steps lead to the orbit on its mesh; none where a cold start is
+/// as cheap.
+///
+/// # Errors
+/// As [`steady_orbit`].
+pub fn steady_orbit_near(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    cage: &CageBody,
+    settings: &OrbitSettings,
+    near: &OrbitStart,
+) -> Result<Option<SolvedOrbit>, OrbitError> {
+    let warm = near.eased.of(&prepared(bearing, settings));
+    let orbit = near.at_speeds(point);
+    let mut newton = at(&warm, (point, cage), settings, &OrbitStart { orbit: orbit.clone(), ..near.clone() })?;
+    let cheap = FastPatch::new(SLOPES)?;
+    let found = hurry(&mut newton, &orbit, (settings, near, &cheap), NEXT_DOOR);
+    let found = found.filter(|found| fits(&mut newton, &found.0, (settings, &cheap)));
+    found.map(|found| finish(&mut newton, found, (point, near.rule), near.eased)).transpose()
+}
+
+/// Newton's method from a neighbour by full steps and so many Jacobians with cheap slopes.
+fn hurry(
+    newton: &mut Newton<'_>,
+    orbit: &Orbit,
+    (settings, near, cheap): (&OrbitSettings, &OrbitStart, &FastPatch),
+    jacobians: usize,
+) -> Option<Found> {
+    newton.slopes_by = Some(cheap.clone());
+    let found = newton.by_full_steps(orbit.clone(), settings.tolerance, (jacobians, near.jacobian.clone()));
+    newton.slopes_by = None;
+    found
+}
+
+/// True if a mesh errs by little more than is allowed.
+fn fits(newton: &mut Newton<'_>, orbit: &Orbit, (settings, cheap): (&OrbitSettings, &FastPatch)) -> bool {
+    let errors = newton.with_patches(cheap.clone(), |newton| newton.errors(orbit, settings.mesh_error));
+    errors.iter().all(|error| *error <= DRIFTED)
 }
 
 /// An orbit on a neighbour's mesh, or on a finer one where that errs by more than is allowed.
 fn fitted(newton: &mut Newton<'_>, found: Found, (settings, cheap): (&OrbitSettings, FastPatch)) -> Option<Found> {
     let goal = (settings.tolerance, PATIENCE);
-    let fits = |newton: &mut Newton<'_>, orbit: &Orbit| {
-        let errors = newton.with_patches(cheap.clone(), |newton| newton.errors(orbit, settings.mesh_error));
-        errors.iter().all(|error| *error <= DRIFTED)
-    };
-    if fits(newton, &found.0) {
+    if fits(newton, &found.0, (settings, &cheap)) {
         return Some(found);
     }
     let found = newton.halved(found, settings.mesh_error, goal);
-    if fits(newton, &found.0) { Some(found) } else { newton.refined(found, settings.mesh_error, goal) }
+    if fits(newton, &found.0, (settings, &cheap)) {
+        Some(found)
+    } else {
+        newton.refined(found, settings.mesh_error, goal)
+    }
 }
 
 /// The solver at a solution.
@@ -197,15 +227,15 @@ pub fn orbit_modes(
 fn finish(
     newton: &mut Newton<'_>,
     found: Found,
-    (point, rule, rule_error): (&OperatingPoint, PatchRule, f64),
+    (point, rule): (&OperatingPoint, PatchRule),
     eased: Eased,
 ) -> Result<SolvedOrbit, OrbitError> {
-    let solution = solution(newton, &found, rule_error, &eased);
+    let solution = solution(newton, &found, &eased)?;
     let (orbit, _) = found;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let origin = newton.system.origin;
     let settling = newton.system.settling;
     let jacobian = newton.last.take().filter(|last| last.is_of(&orbit));
-    let start = OrbitStart { orbit, jacobian, rule, rule_error, origin, settling, eased, scales: newton.scales, speeds };
+    let start = OrbitStart { orbit, jacobian, rule, origin, settling, eased, scales: newton.scales, speeds };
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
 }

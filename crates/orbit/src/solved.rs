@@ -4,9 +4,10 @@ use crate::collocation::{Orbit, Radau};
 use crate::newton::{Jacobian, OrbitStatistics};
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
+use crate::system::{BALL, ORBIT, SPIN};
 use crate::way::Eased;
 use std::f64::consts::TAU;
-use tribodyn_bearing::{AzimuthFrame, BallState, Motion, Races};
+use tribodyn_bearing::{AzimuthFrame, BallState, Motion, OperatingPoint, Races, Side};
 use tribodyn_traction::PatchRule;
 
 /// An orbit to start a neighbouring problem from.
@@ -16,7 +17,6 @@ pub struct OrbitStart {
     /// The last Jacobian on the orbit's mesh, where there was one.
     pub(crate) jacobian: Option<Jacobian>,
     pub(crate) rule: PatchRule,
-    pub(crate) rule_error: f64,
     /// Azimuth at which the turn begins, rad.
     pub(crate) origin: f64,
     /// Rate at which the swinging of balls dies out besides, 1/s.
@@ -39,6 +39,40 @@ impl OrbitStart {
             (azimuth, BallState { frame, position: [x1, x2], velocity: [v_a, v_r], orbital_speed, spin })
         };
         Motion { balls: (0..ball_count).map(ball).collect(), cage_speed: orbit.cage_speed, ring: orbit.ring }
+    }
+
+    /// The fourth corner of a parallelogram of problems: what this orbit says of one that is as far from it as `to` is
+    /// from `from`. With `from` and `to` = `self` it goes on in a straight line. None where the orbits are not on one
+    /// mesh by one patch rule.
+    pub fn moved(&self, from: &Self, to: &Self) -> Option<Self> {
+        let alike = |other: &Self| {
+            (other.rule, other.eased, other.settling) == (self.rule, self.eased, self.settling)
+                && (other.origin, &other.orbit.ends) == (self.origin, &self.orbit.ends)
+        };
+        if !alike(from) || !alike(to) {
+            return None;
+        }
+        let mut moved = self.clone();
+        moved.orbit.shift(&from.orbit, &to.orbit);
+        for side in Side::BOTH {
+            moved.speeds[side] += to.speeds[side] - from.speeds[side];
+        }
+        Some(moved)
+    }
+
+    /// The orbit at other speeds of the rings: rolling is in proportion to them, seen from the outer ring.
+    pub(crate) fn at_speeds(&self, point: &OperatingPoint) -> Orbit {
+        let mut orbit = self.orbit.clone();
+        let share = (point.inner_speed - point.outer_speed) / (self.speeds.inner - self.speeds.outer);
+        if share.is_finite() && share > 0.0 && share != 1.0 {
+            let faster = |w: f64| point.outer_speed + (w - self.speeds.outer) * share;
+            orbit.cage_speed = faster(orbit.cage_speed);
+            for y in orbit.values.iter_mut().flatten() {
+                y[ORBIT] = faster(y[ORBIT]);
+                (SPIN..BALL).for_each(|k| y[k] *= share);
+            }
+        }
+        orbit
     }
 
     /// Patch rule of the orbit.

@@ -17,11 +17,8 @@ use crate::settle::{FROM_AFAR, FROM_NEAR};
 use crate::start::WarmStart;
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, needs, report};
-use tribodyn_bearing::{Bearing, ElasticPatches, OperatingPoint, RaceControl, Races, Side};
-use tribodyn_traction::{
-    ElasticProbe, FastPatch, Law, PatchChoice, PatchRule, Probe, TractionError, choose_rule, fastsim_rule_error,
-    rule_error,
-};
+use tribodyn_bearing::{BallLoads, Bearing, OperatingPoint, RaceControl, Races, Side};
+use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, TractionError, choose_rule};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.
@@ -211,13 +208,12 @@ fn scout(traction: &WithTraction<'_>, start: &BlockState) -> BlockState {
 
 /// Error of the patch integrals at a state, over the load: of the rule, or of strips and cells of elastic patches.
 pub(crate) fn patch_error(system: &WithTraction<'_>, state: &BlockState) -> Result<f64, TractionError> {
-    let probes = probes(system, state);
-    let Some(ElasticPatches { grid, pairs }) = &system.bearing.elastic else {
-        let probes: Vec<_> = probes.into_iter().map(|(_, probe)| probe).collect();
-        return rule_error(system.kernel.quadrature().rule(), &probes);
-    };
-    let elastic = |(side, contact): (Side, _)| ElasticProbe { contact, elasticity: &pairs[side] };
-    fastsim_rule_error(grid.rule(), &probes.into_iter().map(elastic).collect::<Vec<_>>())
+    system.bearing.patch_error(system.kernel.quadrature().rule(), loads(system, state))
+}
+
+/// Loads of all balls at a state.
+fn loads(system: &WithTraction<'_>, state: &BlockState) -> Vec<BallLoads> {
+    state.balls.iter().enumerate().map(|(index, &ball)| system.evaluate(index, ball, state.ring).1).collect()
 }
 
 /// Takes the rule of the problem, by its target error at the scouted state where it is not named. Gives the estimate.
@@ -231,38 +227,14 @@ pub(crate) fn choose_quadrature(
     let (rule, estimate) = match wanted {
         PatchChoice::Named(rule) => (rule, None),
         PatchChoice::TargetError { relative } => {
-            let probes: Vec<_> = probes(system, state).into_iter().map(|(_, probe)| probe).collect();
+            let probes = system.bearing.probes(loads(system, state));
+            let probes: Vec<_> = probes.into_iter().map(|(_, probe)| probe).collect();
             let (rule, error) = choose_rule(relative, &probes)?;
             (rule, Some(error))
         }
     };
     system.kernel = FastPatch::new(rule)?;
     Ok(estimate)
-}
-
-/// The contacts of the most, the middle and the least loaded ball: where a rule is judged.
-pub(crate) fn probes<'a>(system: &WithTraction<'a>, state: &BlockState) -> Vec<(Side, Probe<'a, Law>)> {
-    let mut loads: Vec<_> =
-        state.balls.iter().enumerate().map(|(index, &ball)| system.evaluate(index, ball, state.ring).1).collect();
-    loads.sort_by(|a, b| a.contacts.inner.normal.load.total_cmp(&b.contacts.inner.normal.load));
-    let middle = loads.len() / 2;
-    let picked = [0, middle, loads.len() - 1];
-    let bearing = system.bearing;
-    let Some(tribology) = &bearing.tribology else { return Vec::new() };
-    picked
-        .iter()
-        .flat_map(|&k| Side::BOTH.map(|side| (side, loads[k].contacts[side])))
-        .filter(|(_, contact)| contact.normal.load > 0.0)
-        .map(|(side, contact)| {
-            let probe = Probe {
-                patch: bearing.patch(&bearing.races[side], &contact.ellipse),
-                motion: contact.motion,
-                rolling_speed: contact.rolling_speed,
-                law: tribology.patch_law(&tribology.laws[side]),
-            };
-            (side, probe)
-        })
-        .collect()
 }
 
 /// Phase 3's second half: all unknowns together, and the report. Starts from the first of two states; where Newton's

@@ -2,7 +2,7 @@
 
 use crate::support::fixture;
 use tribodyn_bearing::RingFreedom;
-use tribodyn_orbit::{OrbitSettings, steady_orbit, steady_orbit_from};
+use tribodyn_orbit::{OrbitSettings, OrbitStart, steady_orbit, steady_orbit_from, steady_orbit_near};
 use tribodyn_quasistatic::{Model, PatchRule, solve};
 
 /// Under thrust alone all balls do the same, so that the quasi-static equilibrium is the orbit.
@@ -45,6 +45,34 @@ fn identity_of_meshes_and_of_warm_and_cold_start() {
     let cold = steady_orbit(&bearing, &point, &cage, &settings).unwrap().solution;
     let warm = steady_orbit_from(&bearing, &point, &cage, &settings, &coarse.start.unwrap()).unwrap().solution;
     assert!((warm.cage_speed_rpm / cold.cage_speed_rpm - 1.0).abs() < 2e-6);
+}
+
+/// A neighbour's mesh, rule and Jacobian lead to the same orbit, the nearer the sooner; from afar they lead nowhere.
+#[test]
+fn limit_only_the_nearest_neighbours_lead_to_an_orbit_next_door() {
+    let (_, bearing, point, cage) = fixture("paper-ag");
+    let settings = OrbitSettings::default();
+    let at = |load: f64| {
+        let mut point = point.clone();
+        point.ring[0] = RingFreedom::Loaded(load);
+        point
+    };
+    let near = |load: f64, start: &OrbitStart| steady_orbit_near(&bearing, &at(load), &cage, &settings, start).unwrap();
+    let [first, second] = [20e3, 20.1e3].map(|load| steady_orbit(&bearing, &at(load), &cage, &settings).unwrap());
+    let start = first.start.unwrap();
+    assert!(near(40e3, &start).is_none());
+    let beside = near(20.1e3, &start).unwrap();
+    assert!((beside.solution.cage_speed_rpm / second.solution.cage_speed_rpm - 1.0).abs() < 2e-6);
+    let from = beside.start.unwrap();
+    let straight = from.moved(&start, &from).unwrap();
+    let [plain, moved] = [&from, &straight].map(|start| near(20.2e3, start).unwrap());
+    assert!((plain.solution.cage_speed_rpm / moved.solution.cage_speed_rpm - 1.0).abs() < 1e-9);
+    assert!(moved.statistics.residuals < plain.statistics.residuals, "{:?}", moved.statistics);
+    assert_eq!(moved.statistics.jacobians, 0);
+    // Orbits on other meshes have nothing to move by.
+    let finer = OrbitSettings { mesh_error: 1e-3, ..settings };
+    let other = steady_orbit(&bearing, &at(20e3), &cage, &finer).unwrap().start.unwrap();
+    assert!(from.moved(&other, &from).is_none());
 }
 
 #[test]

@@ -10,6 +10,7 @@ pub(crate) mod difference;
 mod grid;
 mod journal;
 mod merge;
+mod neighbours;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod part;

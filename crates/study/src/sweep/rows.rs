@@ -2,39 +2,32 @@
 
 use super::columns::{self, Cell, Solved, Unsolved};
 use super::grid::Grid;
+use super::neighbours::Neighbours;
 use crate::answers::OrbitProblem;
 use crate::plausibility;
 use rayon::prelude::*;
 use std::ops::Range;
 use tribodyn_bearing::{Bearing, OperatingPoint};
 use tribodyn_case::Case;
-use tribodyn_orbit::steady_orbit;
+use tribodyn_orbit::{OrbitStart, SteadyOrbit, steady_orbit, steady_orbit_near};
 use tribodyn_quasistatic::{Model, Solution, WarmStart, solve, solve_near};
-use tribodyn_traction::PatchChoice;
 
 /// Inner slide-to-roll ratio beyond which a ball may have left the equilibrium that a rolling ball comes to: where the
 /// library's coatings have their peak at the latest.
 const SKIDDING: f64 = 0.05;
-
-/// A solved row that others can start from.
-struct Neighbour {
-    row: usize,
-    patch: Option<PatchChoice>,
-    balls: usize,
-    start: WarmStart,
-}
 
 /// Solves the rows of one chunk, one after the other.
 pub(crate) struct Chunk<'a> {
     grid: &'a Grid,
     /// Whether each row starts from its own initial guess.
     cold: bool,
-    solved: Vec<Neighbour>,
+    equilibria: Neighbours<WarmStart>,
+    orbits: Neighbours<OrbitStart>,
 }
 
 impl<'a> Chunk<'a> {
     pub fn new(grid: &'a Grid, cold: bool) -> Self {
-        Self { grid, cold, solved: Vec::new() }
+        Self { grid, cold, equilibria: Neighbours::new(), orbits: Neighbours::new() }
     }
 
     /// The lines of some rows, each with its end.
@@ -57,7 +50,7 @@ impl<'a> Chunk<'a> {
                 let solution = self.equilibrium(row, (&bearing, &case.operating_point()), model)?;
                 (bearing, (solution, None))
             }
-            None => orbit(&case)?,
+            None => self.orbit(row, &case)?,
         };
         let all_round = round.as_ref().unwrap_or(&solution);
         let found = plausibility::of_solution(&case, (&text, &bearing), all_round).map_err(Unsolved::refused)?;
@@ -74,7 +67,8 @@ impl<'a> Chunk<'a> {
         (bearing, point): (&Bearing, &OperatingPoint),
         model: Model,
     ) -> Result<Solution, Unsolved> {
-        let warm = self.start(row, bearing, point).and_then(|start| {
+        let alike = (point.patch, bearing.geometry.ball_count);
+        let warm = self.equilibria.start(self.grid, row, alike).and_then(|start| {
             let solved = solve_near(bearing, point, &start).ok();
             solved.filter(|solved| rolls(&solved.solution) && within_target(&solved.solution, point))
         });
@@ -83,39 +77,32 @@ impl<'a> Chunk<'a> {
             None => solve(bearing, point, model)?,
         };
         if let Some(start) = solved.warm_start.filter(|_| !self.cold && rolls(&solved.solution)) {
-            self.solved.push(Neighbour { row, patch: point.patch, balls: solved.solution.balls.len(), start });
+            self.equilibria.add(row, alike, start);
         }
         Ok(solved.solution)
     }
 
-    /// Where to start a row from: the nearest solved row, moved by as much as the solutions of two others differ that
-    /// are as far apart, where there are such.
-    fn start(&self, row: usize, bearing: &Bearing, point: &OperatingPoint) -> Option<WarmStart> {
-        let near = self.nearest(row, bearing, point)?;
-        let start = |row: usize| self.solved.iter().find(|other| other.row == row).map(|other| &other.start);
-        let moved = self
-            .grid
-            .parallelograms(near.row, row)
-            .into_iter()
-            .find_map(|[from, to]| near.start.moved(start(from)?, start(to)?));
-        Some(moved.unwrap_or_else(|| near.start.clone()))
+    /// The balls of an orbit where those of an equilibrium stand, and one ball round it.
+    fn orbit(&mut self, row: usize, case: &Case) -> Result<(Bearing, (Solution, Option<Solution>)), Unsolved> {
+        let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(case).map_err(Unsolved::refused)?;
+        let round = |orbit: &SteadyOrbit| orbit.as_solution(&orbit.points, [point.inner_speed, point.outer_speed]);
+        let alike = (point.patch, bearing.geometry.ball_count);
+        let warm = self.orbits.start(self.grid, row, alike).and_then(|start| {
+            let solved = steady_orbit_near(&bearing, &point, &cage, &settings, &start).ok()??;
+            let all_round = round(&solved.solution);
+            (rolls(&all_round) && within_target(&all_round, &point)).then_some(solved)
+        });
+        let solved = match warm {
+            Some(solved) => solved,
+            None => steady_orbit(&bearing, &point, &cage, &settings)?,
+        };
+        let (orbit, all_round) = (&solved.solution, round(&solved.solution));
+        if let Some(start) = solved.start.filter(|_| !self.cold && rolls(&all_round) && is_of_the_case(orbit)) {
+            self.orbits.add(row, alike, start);
+        }
+        let balls = orbit.as_solution(&orbit.balls, [point.inner_speed, point.outer_speed]);
+        Ok((bearing, (balls, Some(all_round))))
     }
-
-    /// The latest of the nearest rows, among those that are solved by the same rule.
-    fn nearest(&self, row: usize, bearing: &Bearing, point: &OperatingPoint) -> Option<&Neighbour> {
-        let alike = |near: &&Neighbour| near.patch == point.patch && near.balls == bearing.geometry.ball_count;
-        let apart = |near: &Neighbour| self.grid.distance(near.row, row);
-        self.solved.iter().rev().filter(alike).min_by(|a, b| apart(a).total_cmp(&apart(b)))
-    }
-}
-
-/// The balls of an orbit where those of an equilibrium stand, and one ball round it. Each row starts cold: on the mesh
-/// of a neighbour's orbit the numbers would be others, within the error of a mesh.
-fn orbit(case: &Case) -> Result<(Bearing, (Solution, Option<Solution>)), Unsolved> {
-    let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(case).map_err(Unsolved::refused)?;
-    let orbit = steady_orbit(&bearing, &point, &cage, &settings)?.solution;
-    let of = |balls| orbit.as_solution(balls, [point.inner_speed, point.outer_speed]);
-    Ok((bearing, (of(&orbit.balls), Some(of(&orbit.points)))))
 }
 
 /// Solves some chunks of a grid in memory, on the threads of the current rayon pool. `take` turns the rows of a chunk
@@ -133,6 +120,11 @@ pub fn solve_chunks<T: Send>(
         take(grid.chunk(index).map(|row| chunk.row(row)).collect())
     };
     chunks.into_par_iter().with_max_len(1).map(solve).collect()
+}
+
+/// Whether an orbit's balls and pockets are those of the case, none damped, heavier or softer.
+fn is_of_the_case(orbit: &SteadyOrbit) -> bool {
+    orbit.swing_damping.or(orbit.ball_mass_factor).or(orbit.pocket_stiffness_share).is_none()
 }
 
 /// Whether all balls are loaded and roll. Only then does a neighbour lead to the same equilibrium as a cold start does:
@@ -160,9 +152,13 @@ mod tests {
     use crate::limits::Limits;
 
     fn grid(settings: &[&str]) -> Grid {
+        grid_of(settings, Equations::Traction)
+    }
+
+    fn grid_of(settings: &[&str], equations: Equations) -> Grid {
         let text = include_str!("../../../../fixtures/cases/paper-ag.ron").to_owned();
         let settings: Vec<_> = settings.iter().map(|setting| Setting::parse(setting).unwrap()).collect();
-        Grid::new("paper-ag.ron", text, &settings, (Equations::Traction, &Limits::NORMAL)).unwrap()
+        Grid::new("paper-ag.ron", text, &settings, (equations, &Limits::NORMAL)).unwrap()
     }
 
     #[test]
@@ -182,6 +178,25 @@ mod tests {
         // A start of second order needs fewer steps than the first guess.
         let steps = |all: &[Solution]| all[5..].iter().map(|solution| solution.iterations).sum::<usize>();
         assert!(2 * steps(&near) < steps(&alone), "{} {}", steps(&near), steps(&alone));
+    }
+
+    #[test]
+    fn identity_orbits_from_neighbours_are_those_solved_alone() {
+        let settings = ["ring.x.Force=kN(20..20.6 in 3)", "speed.inner.Constant=rpm(13800..14000 in 3)"];
+        let grid = grid_of(&settings, Equations::SteadyOrbit);
+        let rows = |cold| {
+            let mut chunk = Chunk::new(&grid, cold);
+            (0..grid.rows).map(|row| chunk.solve(row).ok().unwrap().solution).collect::<Vec<_>>()
+        };
+        let (near, alone) = (rows(false), rows(true));
+        for (row, (a, b)) in near.iter().zip(&alone).enumerate() {
+            let of = |s: &Solution| [s.cage_speed_rpm, s.shaft_torque_nm.unwrap()];
+            // Each alone has a mesh of its own, and the torque of pockets depends on it.
+            let (a, b) = (of(a), of(b));
+            assert!((a[0] / b[0] - 1.0).abs() < 2e-6 && (a[1] / b[1] - 1.0).abs() < 5e-4, "{row}: {a:?} {b:?}");
+        }
+        let jacobians = |all: &[Solution]| all[1..].iter().map(|solution| solution.iterations).sum::<usize>();
+        assert!(4 * jacobians(&near) < jacobians(&alone), "{} {}", jacobians(&near), jacobians(&alone));
     }
 
     #[test]

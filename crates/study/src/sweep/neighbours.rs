@@ -1,0 +1,69 @@
+//! Solved rows that others start from.
+
+use super::grid::Grid;
+use tribodyn_orbit::OrbitStart;
+use tribodyn_quasistatic::WarmStart;
+use tribodyn_traction::PatchChoice;
+
+/// What a solution leaves for others to start from.
+pub trait Start: Clone {
+    /// The fourth corner of a parallelogram of problems, of which this start, `from` and `to` are three; none where
+    /// they do not go together.
+    fn moved(&self, from: &Self, to: &Self) -> Option<Self>;
+}
+
+impl Start for WarmStart {
+    fn moved(&self, from: &Self, to: &Self) -> Option<Self> {
+        self.moved(from, to)
+    }
+}
+
+impl Start for OrbitStart {
+    fn moved(&self, from: &Self, to: &Self) -> Option<Self> {
+        self.moved(from, to)
+    }
+}
+
+/// What rows must have in common for one to start from the other: patches and number of balls.
+pub type Alike = (Option<PatchChoice>, usize);
+
+/// A solved row.
+struct Neighbour<S> {
+    row: usize,
+    alike: Alike,
+    start: S,
+}
+
+/// The solved rows of a chunk.
+pub struct Neighbours<S> {
+    solved: Vec<Neighbour<S>>,
+}
+
+impl<S: Start> Neighbours<S> {
+    pub fn new() -> Self {
+        Self { solved: Vec::new() }
+    }
+
+    pub fn add(&mut self, row: usize, alike: Alike, start: S) {
+        self.solved.push(Neighbour { row, alike, start });
+    }
+
+    /// Where to start a row from: the nearest solved row, moved by as much as the solutions of two others differ that
+    /// are as far apart, where there are such.
+    pub fn start(&self, grid: &Grid, row: usize, alike: Alike) -> Option<S> {
+        let near = self.nearest(grid, row, alike)?;
+        let start = |row: usize| self.solved.iter().find(|other| other.row == row).map(|other| &other.start);
+        let moved = grid
+            .parallelograms(near.row, row)
+            .into_iter()
+            .find_map(|[from, to]| near.start.moved(start(from)?, start(to)?));
+        Some(moved.unwrap_or_else(|| near.start.clone()))
+    }
+
+    /// The latest of the nearest rows, among those that are solved by the same rule.
+    fn nearest(&self, grid: &Grid, row: usize, alike: Alike) -> Option<&Neighbour<S>> {
+        let apart = |near: &Neighbour<S>| grid.distance(near.row, row);
+        let like = |near: &&Neighbour<S>| near.alike == alike;
+        self.solved.iter().rev().filter(like).min_by(|a, b| apart(a).total_cmp(&apart(b)))
+    }
+}
