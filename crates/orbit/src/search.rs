@@ -86,6 +86,27 @@ pub(crate) fn find<'a>(
     patient(newton, (&first, starts), way, settings)
 }
 
+/// The orbit of balls that slide on the inner race, from where they would roll on a slower one.
+///
+/// # Errors
+/// [`OrbitError::NotConverged`].
+pub(crate) fn sliding<'a>(
+    newton: &mut Newton<'a>,
+    (_, rolling): (&OperatingPoint, &RollingStart),
+    way: &Way<'a>,
+    settings: &OrbitSettings,
+) -> Result<(Found, Eased), OrbitError> {
+    let real = way.eased(1.0);
+    way.set(&mut newton.system, 1.0);
+    let first = settled(newton, (rolling, start::cage_speed(rolling)), way);
+    if first.last_end() == 1.0
+        && let Some(found) = marched(newton, &first, way, (settings, HASTE))
+    {
+        return Ok((found, real));
+    }
+    damped(newton, &first, settings, (&SETTLING, WORK)).map(|found| (found, real))
+}
+
 /// The orbit by way of softer pockets and heavier balls, by damped balls, or where the way ends.
 fn patient<'a>(
     newton: &mut Newton<'a>,

@@ -1,6 +1,5 @@
 //! Results of a steady orbit.
 
-use crate::OrbitError;
 use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
@@ -132,28 +131,43 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
     }
 }
 
-/// The solution of a converged orbit.
+/// Loads of the balls where those of an equilibrium stand.
+pub(crate) fn loads(newton: &Newton<'_>, orbit: &Orbit) -> Vec<BallLoads> {
+    let count = newton.system.bearing.geometry.ball_count;
+    (0..count).map(|n| at_place(newton, orbit, (n, count)).2.loads).collect()
+}
+
+/// Azimuth, unknowns and forces of a ball at one of so many places round the bearing.
+fn at_place(newton: &Newton<'_>, orbit: &Orbit, (place, count): (usize, usize)) -> (f64, [f64; BALL], Evaluation) {
+    let azimuth = TAU * place as f64 / count as f64;
+    let (turn, y) = at_azimuth(newton, orbit, azimuth);
+    let system = &newton.system;
+    (azimuth, y, system.value(system.azimuth(turn), &y, orbit.cage_speed, orbit.ring))
+}
+
+/// The solution of a converged orbit, with the error of its patches.
 /// # Errors
 /// A patch rule that cannot be laid out for the estimate of its error.
-pub(crate) fn solution(newton: &Newton<'_>, (orbit, found): &Found, eased: &Eased) -> Result<SteadyOrbit, OrbitError> {
+pub(crate) fn solution(
+    newton: &Newton<'_>,
+    (orbit, found): &Found,
+    patch_error_estimate: f64,
+    eased: &Eased,
+) -> SteadyOrbit {
     let system = &newton.system;
     let balls = system.bearing.geometry.ball_count as f64;
     let means = &found.means;
-    let round = |count: usize| -> (Vec<BallLoads>, Vec<BallResult>) {
+    let round = |count: usize| -> Vec<BallResult> {
         let at = |n| {
-            let azimuth = TAU * n as f64 / count as f64;
-            let (turn, y) = at_azimuth(newton, orbit, azimuth);
-            let e = system.value(system.azimuth(turn), &y, orbit.cage_speed, orbit.ring);
-            (e.loads, ball_result(system, azimuth, &y, &e))
+            let (azimuth, y, e) = at_place(newton, orbit, (n, count));
+            ball_result(system, azimuth, &y, &e)
         };
-        (0..count).map(at).unzip()
+        (0..count).map(at).collect()
     };
-    let (_, points) = round(POINTS);
-    let (loads, places) = round(system.bearing.geometry.ball_count);
-    let patch_error_estimate = system.bearing.patch_error(system.kernel.quadrature().rule(), loads)?;
+    let points = round(POINTS);
     let [x, y, z, tilt @ ..] = orbit.ring;
     let [fx, fy, fz, moment @ ..] = means.ring;
-    Ok(SteadyOrbit {
+    SteadyOrbit {
         cage_speed_rpm: orbit.cage_speed * RPM_PER_RAD_S,
         ring_displacement_m: [x, y, z],
         ring_tilt_rad: tilt,
@@ -172,9 +186,9 @@ pub(crate) fn solution(newton: &Newton<'_>, (orbit, found): &Found, eased: &Ease
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
         ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),
         pocket_stiffness_share: (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness),
-        balls: places,
+        balls: round(system.bearing.geometry.ball_count),
         points,
-    })
+    }
 }
 
 /// The turn at which a ball is at an azimuth, and its unknowns there.

@@ -4,9 +4,9 @@ use crate::collocation::Orbit;
 use crate::modes::{Bodies, Mode, modes};
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::search::{PATIENCE, SETTLING, WORK, damped, find};
+use crate::search::{PATIENCE, SETTLING, WORK, damped, find, sliding};
 use crate::settings::OrbitSettings;
-use crate::solution::solution;
+use crate::solution::{loads, solution};
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::stiffness::stiffness;
 use crate::system::OrbitSystem;
@@ -14,7 +14,7 @@ use crate::way::{Eased, Way, ladder};
 use crate::{OrbitError, OrbitReason, start, statics};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingOffset};
 use tribodyn_quasistatic::{RollingStart, StiffnessMatrix, rolling_start};
-use tribodyn_traction::{FastPatch, PatchRule};
+use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, choose_rule};
 
 /// Stiffness that centres a ball in its pocket over that of the pocket: settles where a cage hangs that no ball
 /// touches.
@@ -28,6 +28,9 @@ const DRIFTED: f64 = 2.0;
 const HURRY: usize = 3;
 const NEXT_DOOR: usize = 2;
 const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
+
+/// Shares of the inner ring's speed at which balls that slide on it might roll.
+const SLIDING: [f64; 7] = [0.7, 0.5, 0.35, 0.25, 0.15, 0.08, 0.03];
 
 /// The bearing as the orbit has it: offsets of the rings exact, contacts damped.
 fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
@@ -71,7 +74,44 @@ pub fn steady_orbit(
     settings: &OrbitSettings,
 ) -> Result<SolvedOrbit, OrbitError> {
     let bearing = &prepared(bearing, settings);
-    let rolling = rolling_start(bearing, point)?;
+    let problem = (bearing, point, cage, settings);
+    let error = match begun(problem, (bearing, 1.0), find) {
+        Err(error) if skids(&error) => error,
+        other => return other,
+    };
+    // Control by the inner race may have no balls on it that outer control leaves there.
+    let mut guessed = bearing.clone();
+    guessed.modelling.race_control = None;
+    if let Ok(solved) = begun(problem, (&guessed, 1.0), find) {
+        return Ok(solved);
+    }
+    SLIDING.iter().find_map(|share| begun(problem, (&guessed, *share), sliding).ok()).ok_or(error)
+}
+
+fn skids(error: &OrbitError) -> bool {
+    matches!(error, OrbitError::NotConverged { reason: OrbitReason::GrossSkidding { .. }, .. })
+}
+
+/// The orbit by a search that begins with the balls of a bearing, those that would roll if the inner ring turned at a
+/// share of its speed: the slower, the less centrifugal force takes them off it.
+fn begun<F>(
+    (bearing, point, cage, settings): (&Bearing, &OperatingPoint, &CageBody, &OrbitSettings),
+    (guessed, share): (&Bearing, f64),
+    search: F,
+) -> Result<SolvedOrbit, OrbitError>
+where
+    F: for<'a> FnOnce(
+        &mut Newton<'a>,
+        (&OperatingPoint, &RollingStart),
+        &Way<'a>,
+        &OrbitSettings,
+    ) -> Result<(Found, Eased), OrbitError>,
+{
+    let mut slower = point.clone();
+    if share != 1.0 {
+        slower.inner_speed = point.outer_speed + share * (point.inner_speed - point.outer_speed);
+    }
+    let rolling = rolling_start(guessed, &slower)?;
     let speed = start::cage_speed(&rolling);
     if speed == 0.0 {
         return Ok(statics::at_rest(bearing, point, cage, (&rolling, FastPatch::new(rolling.rule)?)));
@@ -82,9 +122,9 @@ pub fn steady_orbit(
     let ladder = ladder(bearing, (&rolling, speed));
     let way = Way::new(&system, &ladder, (&rolling, scales.force))?;
     let mut newton = Newton::new(system, scales);
-    let (found, eased) = find(&mut newton, (point, &rolling), &way, settings)
+    let (found, eased) = search(&mut newton, (point, &rolling), &way, settings)
         .map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
-    finish(&mut newton, found, (point, rolling.rule), eased)
+    finish(&mut newton, found, (point, settings), eased)
 }
 
 /// The likely reason why no orbit of a bearing was found.
@@ -118,10 +158,10 @@ pub fn steady_orbit_from(
     let hurried = hurry(&mut newton, &orbit, (settings, near, &cheap), HURRY);
     let met = hurried.or_else(|| newton.met(orbit.clone(), (settings.tolerance, PATIENCE)));
     if let Some(found) = met.and_then(|found| fitted(&mut newton, found, (settings, cheap))) {
-        return finish(&mut newton, found, (point, near.rule), near.eased);
+        return finish(&mut newton, found, (point, settings), near.eased);
     }
     match damped(&mut newton, &orbit, settings, (&SETTLING, WORK)) {
-        Ok(found) => finish(&mut newton, found, (point, near.rule), near.eased),
+        Ok(found) => finish(&mut newton, found, (point, settings), near.eased),
         Err(_) => steady_orbit(bearing, point, cage, settings),
     }
 }
@@ -144,7 +184,7 @@ pub fn steady_orbit_near(
     let cheap = FastPatch::new(SLOPES)?;
     let found = hurry(&mut newton, &orbit, (settings, near, &cheap), NEXT_DOOR);
     let found = found.filter(|found| fits(&mut newton, &found.0, (settings, &cheap)));
-    found.map(|found| finish(&mut newton, found, (point, near.rule), near.eased)).transpose()
+    found.map(|found| finish(&mut newton, found, (point, settings), near.eased)).transpose()
 }
 
 /// Newton's method from a neighbour by full steps and so many Jacobians with cheap slopes.
@@ -224,18 +264,51 @@ pub fn orbit_modes(
     modes(&at(bearing, (point, &bodies.cage), settings, solved)?, &solved.orbit, bodies)
 }
 
+/// The answer: the orbit by a rule that is good enough on it, where the one that was taken, for balls that roll or at a
+/// neighbour, is not.
 fn finish(
     newton: &mut Newton<'_>,
     found: Found,
-    (point, rule): (&OperatingPoint, PatchRule),
+    (point, settings): (&OperatingPoint, &OrbitSettings),
     eased: Eased,
 ) -> Result<SolvedOrbit, OrbitError> {
-    let solution = solution(newton, &found, &eased)?;
+    let (found, patch_error) = sharpened(newton, found, (point, settings))?;
+    let solution = solution(newton, &found, patch_error, &eased);
     let (orbit, _) = found;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
-    let origin = newton.system.origin;
-    let settling = newton.system.settling;
     let jacobian = newton.last.take().filter(|last| last.is_of(&orbit));
+    let (origin, settling) = (newton.system.origin, newton.system.settling);
+    let rule = newton.system.kernel.quadrature().rule();
     let start = OrbitStart { orbit, jacobian, rule, origin, settling, eased, scales: newton.scales, speeds };
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
+}
+
+/// The orbit with the error of its patches, by a finer rule where that is more than the problem allows and the orbit is
+/// found with it.
+fn sharpened(
+    newton: &mut Newton<'_>,
+    found: Found,
+    (point, settings): (&OperatingPoint, &OrbitSettings),
+) -> Result<(Found, f64), OrbitError> {
+    let bearing = newton.system.bearing;
+    let loads = loads(newton, &found.0);
+    let error = bearing.patch_error(newton.system.kernel.quadrature().rule(), loads.clone())?;
+    let Some(PatchChoice::TargetError { relative }) = point.patch.filter(|_| bearing.elastic.is_none()) else {
+        return Ok((found, error));
+    };
+    if error <= relative {
+        return Ok((found, error));
+    }
+    let probes: Vec<_> = bearing.probes(loads).into_iter().map(|(_, probe)| probe).collect();
+    let (rule, better) = choose_rule(relative, &probes)?;
+    let goal = (settings.tolerance, PATIENCE);
+    let kernel = FastPatch::new(rule)?;
+    let sharp = newton.with_patches(kernel.clone(), |newton| newton.met(found.0.clone(), goal));
+    Ok(match sharp {
+        Some(sharp) => {
+            newton.system.kernel = kernel;
+            (sharp, better)
+        }
+        None => (found, error),
+    })
 }

@@ -101,7 +101,9 @@ pub(crate) fn with_traction(
         solution.warnings.push(format!("{text}: {}", name_balls(&solution, &clamped)));
     }
     lost_contacts(&mut solution);
-    skidding(&mut solution);
+    if solution.turns() {
+        skidding(&mut solution);
+    }
     solution
 }
 
@@ -114,7 +116,9 @@ fn solution(
 ) -> Solution {
     let speeds: Vec<f64> = balls.iter().map(|b| b.orbital_speed_rad_s).collect();
     let radius = 0.5 * bearing.geometry.pitch_diameter;
-    if let Some(cage) = &point.cage {
+    // Where the rings do not turn against each other, speeds of the balls are what rounding leaves.
+    let turns = point.inner_speed != point.outer_speed;
+    if let Some(cage) = point.cage.as_ref().filter(|_| turns) {
         let pocket = Pocket {
             stiffness: cage.pocket_stiffness,
             clearance: cage.pocket_gap / radius,
@@ -130,7 +134,7 @@ fn solution(
             ball.pocket = Some(PocketResult { lead_rad: lead, force_n: force, friction_n: None, wear_rate_m3_s });
         }
     }
-    let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
+    let mean = if turns { speeds.iter().sum::<f64>() / speeds.len() as f64 } else { point.outer_speed };
     Solution {
         model,
         converged: true,

@@ -66,6 +66,11 @@ impl Solution {
         let moving = self.model == Model::Traction && self.balls.iter().any(|ball| ball.motion.is_some());
         if moving { "steady-orbit" } else { self.model.name() }
     }
+
+    /// True if the rings turn against each other: only then do balls roll, slide and meet their pockets.
+    pub fn turns(&self) -> bool {
+        self.inner_speed_rad_s != self.outer_speed_rad_s
+    }
 }
 
 type S = Quantity<Solution>;

@@ -60,6 +60,17 @@ pub enum RecordError {
         /// What the system says.
         source: io::Error,
     },
+    /// There is no such recording, but one of that name that was not finished.
+    #[error(
+        "no recording {}, but {} of a run that was not finished: name that one, or `recover` it",
+        path.display(), active.display()
+    )]
+    OnlyBegun {
+        /// The recording.
+        path: PathBuf,
+        /// Its beginning.
+        active: PathBuf,
+    },
     /// The MCAP layer failed, a full disk included.
     #[error("cannot {action} the MCAP file {}: {source}", path.display())]
     Mcap {

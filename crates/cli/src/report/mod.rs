@@ -149,7 +149,11 @@ impl Evaluated {
         let foreign = |source| StudyError::NoRecording { source: Box::new(source) };
         let run = match read_recording_within(path, limits.recording_bytes) {
             Err(RecordError::NothingToRecover { .. }) => return Err(StudyError::NoRun { path: path.to_owned() }.into()),
-            Err(error @ (RecordError::NotMcap { .. } | RecordError::File { action: "open", .. })) => {
+            Err(
+                error @ (RecordError::NotMcap { .. }
+                | RecordError::OnlyBegun { .. }
+                | RecordError::File { action: "open", .. }),
+            ) => {
                 return Err(foreign(error).into());
             }
             read => read?,

@@ -127,3 +127,14 @@ fn identity_pocket_forces_carry_the_drag_of_the_cage() {
         }
     }
 }
+
+/// Where nothing turns balls have neither a speed nor a pocket force, and nothing is said about their sliding.
+#[test]
+fn limit_a_bearing_at_rest_says_nothing_of_speeds() {
+    for equations in [JonesHarris, Traction] {
+        let s = solution(PAPER_AG, &[AT_REST], equations);
+        assert!(!s.turns() && s.cage_speed_rpm == 0.0, "{}", s.cage_speed_rpm);
+        assert!(s.balls.iter().all(|ball| ball.pocket.is_none()));
+        assert!(s.warnings.iter().all(|warning| !warning.contains("skids")), "{:?}", s.warnings);
+    }
+}

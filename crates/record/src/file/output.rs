@@ -9,7 +9,8 @@ use mcap::{Attachment, McapResult, WriteOptions, Writer};
 use prost::Message;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::io::{Seek, Write};
+use std::fs::File;
+use std::io::{ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// A topic and what its messages are.
@@ -44,6 +45,15 @@ pub(crate) fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(suffix);
     PathBuf::from(name)
+}
+
+/// Opens a recording.
+pub(crate) fn open(path: &Path) -> Result<File, RecordError> {
+    let active = active_path(path);
+    File::open(path).map_err(|source| match source.kind() {
+        ErrorKind::NotFound if active.exists() => RecordError::OnlyBegun { path: path.to_owned(), active },
+        _ => file_error("open", path, source),
+    })
 }
 
 pub(crate) fn file_error(action: &'static str, path: &Path, source: std::io::Error) -> RecordError {

@@ -1,13 +1,12 @@
 //! A whole recording from one that was cut off or damaged.
 
-use crate::output::{SMALL, file_error, mcap_error, writer};
+use crate::output::{SMALL, file_error, mcap_error, open, writer};
 use crate::scan::{ChannelRecord, Damage, Piece, Record, Scanner, SchemaRecord};
 use crate::{RecordError, TemporaryFile};
 use mcap::records::{MessageHeader, Metadata};
 use mcap::{Attachment, McapResult, Writer};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs::File;
 use std::io::{BufWriter, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
@@ -67,7 +66,7 @@ impl From<mcap::McapError> for Failure {
 /// of it is whole, [`RecordError::File`] and [`RecordError::Mcap`] if a file cannot be read or written. Nothing is left
 /// behind then.
 pub fn recover(from: &Path, to: &Path) -> Result<Recovered, RecordError> {
-    let input = File::open(from).map_err(|source| file_error("open", from, source))?;
+    let input = open(from)?;
     // `to` may be the very file that is read.
     let mut part = TemporaryFile::beside(to).map_err(|source| file_error("create", to, source))?;
     let (done, mut buffer) = copy(input, BufWriter::new(part.file())).map_err(|failure| named(failure, from, to))?;

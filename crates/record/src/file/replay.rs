@@ -2,7 +2,7 @@
 
 use super::numbers::Numbers;
 use crate::RecordError;
-use crate::output::file_error;
+use crate::output::{file_error, open};
 use crate::scan::{Damage, Piece, Record, Scanner};
 use crate::wire::{foxglove, tribodyn};
 use crate::write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT};
@@ -149,7 +149,7 @@ impl RunReader<File> {
     /// # Errors
     /// [`RecordError::File`] if it cannot be opened, [`RecordError::NotMcap`] if it is no MCAP file.
     pub fn open(path: &Path) -> Result<Self, RecordError> {
-        Self::new(File::open(path).map_err(|source| file_error("open", path, source))?, path)
+        Self::new(open(path)?, path)
     }
 }
 

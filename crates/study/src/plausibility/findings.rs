@@ -107,8 +107,10 @@ pub fn solution_findings(
     for (side, race) in [(Side::Inner, "inner"), (Side::Outer, "outer")] {
         sentences.extend(pressure(solution, side, race));
         sentences.extend(edge(bearing, solution, &shoulders, side, race));
-        sentences.extend(sliding(solution, side, race));
-        sentences.extend(spinning(bearing, solution, side, race));
+        if solution.turns() {
+            sentences.extend(sliding(solution, side, race));
+            sentences.extend(spinning(bearing, solution, side, race));
+        }
     }
     let implausible = implausible(solution, &shoulders);
     sentences.extend(implausible.iter().map(|(_, sentence)| sentence.clone()));
