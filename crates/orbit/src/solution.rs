@@ -7,7 +7,7 @@ use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
 use crate::way::Eased;
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::{BallLoads, BallMotionResult, BallResult, PocketResult};
+use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult};
 use tribodyn_quasistatic::{Model, Solution};
 
 /// Places round the orbit at which a solution is given: every two degrees.
@@ -131,52 +131,45 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
     }
 }
 
-/// Loads of the balls where those of an equilibrium stand.
-pub(crate) fn loads(newton: &Newton<'_>, orbit: &Orbit) -> Vec<BallLoads> {
-    let count = newton.system.bearing.geometry.ball_count;
-    (0..count).map(|n| at_place(newton, orbit, (n, count)).2.loads).collect()
+/// Azimuth, unknowns and forces of a ball at a place round the bearing.
+pub(crate) type Placed = (f64, [f64; BALL], Evaluation);
+
+/// A ball at so many even places, the first at azimuth 0.
+pub(crate) fn placed(newton: &Newton<'_>, orbit: &Orbit, count: usize) -> impl Iterator<Item = Placed> {
+    (0..count).map(move |place| {
+        let azimuth = TAU * place as f64 / count as f64;
+        let (turn, y) = at_azimuth(newton, orbit, azimuth);
+        let system = &newton.system;
+        (azimuth, y, system.value(system.azimuth(turn), &y, orbit.cage_speed, orbit.ring))
+    })
 }
 
-/// Azimuth, unknowns and forces of a ball at one of so many places round the bearing.
-fn at_place(newton: &Newton<'_>, orbit: &Orbit, (place, count): (usize, usize)) -> (f64, [f64; BALL], Evaluation) {
-    let azimuth = TAU * place as f64 / count as f64;
-    let (turn, y) = at_azimuth(newton, orbit, azimuth);
-    let system = &newton.system;
-    (azimuth, y, system.value(system.azimuth(turn), &y, orbit.cage_speed, orbit.ring))
-}
-
-/// The solution of a converged orbit, with the error of its patches.
+/// The solution of a converged orbit, with the balls where those of an equilibrium stand and the error of their patches.
 /// # Errors
 /// A patch rule that cannot be laid out for the estimate of its error.
 pub(crate) fn solution(
     newton: &Newton<'_>,
     (orbit, found): &Found,
-    patch_error_estimate: f64,
+    (balls, patch_error_estimate): (&[Placed], f64),
     eased: &Eased,
 ) -> SteadyOrbit {
     let system = &newton.system;
-    let balls = system.bearing.geometry.ball_count as f64;
     let means = &found.means;
-    let round = |count: usize| -> Vec<BallResult> {
-        let at = |n| {
-            let (azimuth, y, e) = at_place(newton, orbit, (n, count));
-            ball_result(system, azimuth, &y, &e)
-        };
-        (0..count).map(at).collect()
-    };
-    let points = round(POINTS);
+    let result = |(azimuth, y, e): &Placed| ball_result(system, *azimuth, y, e);
+    let points: Vec<BallResult> = placed(newton, orbit, POINTS).map(|at| result(&at)).collect();
+    let count = system.bearing.geometry.ball_count as f64;
     let [x, y, z, tilt @ ..] = orbit.ring;
     let [fx, fy, fz, moment @ ..] = means.ring;
     SteadyOrbit {
         cage_speed_rpm: orbit.cage_speed * RPM_PER_RAD_S,
         ring_displacement_m: [x, y, z],
         ring_tilt_rad: tilt,
-        ring_load_n: [fx, fy, fz].map(|f| balls * f),
-        ring_moment_nm: moment.map(|m| balls * m),
-        shaft_torque_nm: balls * means.torque,
-        friction_w: means.friction.map(|w| balls * w),
-        fluid_w: balls * means.fluid,
-        pocket_w: balls * means.pocket,
+        ring_load_n: [fx, fy, fz].map(|f| count * f),
+        ring_moment_nm: moment.map(|m| count * m),
+        shaft_torque_nm: count * means.torque,
+        friction_w: means.friction.map(|w| count * w),
+        fluid_w: count * means.fluid,
+        pocket_w: count * means.pocket,
         pocket_force_max_n: points.iter().filter_map(|p| p.pocket).map(|p| p.force_n.abs()).fold(0.0, f64::max),
         pocket_contact_azimuths_deg: contacts(newton, orbit),
         residual: found.worst.relative,
@@ -186,7 +179,7 @@ pub(crate) fn solution(
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
         ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),
         pocket_stiffness_share: (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness),
-        balls: round(system.bearing.geometry.ball_count),
+        balls: balls.iter().map(result).collect(),
         points,
     }
 }

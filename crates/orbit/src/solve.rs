@@ -6,13 +6,14 @@ use crate::newton::Newton;
 use crate::residual::Found;
 use crate::search::{PATIENCE, SETTLING, WORK, damped, find, sliding};
 use crate::settings::OrbitSettings;
-use crate::solution::{loads, solution};
+use crate::solution::{Placed, placed, solution};
 use crate::solved::{OrbitStart, SolvedOrbit};
+use crate::start::less_tilted;
 use crate::stiffness::stiffness;
 use crate::system::OrbitSystem;
 use crate::way::{Eased, Way, ladder};
 use crate::{OrbitError, OrbitReason, start, statics};
-use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingOffset};
+use tribodyn_bearing::{BallLoads, Bearing, CageBody, OperatingPoint, Races, RingOffset};
 use tribodyn_quasistatic::{RollingStart, StiffnessMatrix, rolling_start};
 use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, choose_rule};
 
@@ -31,6 +32,13 @@ const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
 
 /// Shares of the inner ring's speed at which balls that slide on it might roll.
 const SLIDING: [f64; 7] = [0.7, 0.5, 0.35, 0.25, 0.15, 0.08, 0.03];
+
+/// First step on the way from a ring without tilt, by how much the next is longer, or shorter where it leads nowhere, and
+/// steps that are tried.
+const LED: f64 = 0.25;
+const LONGER: f64 = 1.5;
+const SHORTER: f64 = 0.4;
+const ATTEMPTS: usize = 25;
 
 /// The bearing as the orbit has it: offsets of the rings exact, contacts damped.
 fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
@@ -76,16 +84,18 @@ pub fn steady_orbit(
     let bearing = &prepared(bearing, settings);
     let problem = (bearing, point, cage, settings);
     let error = match begun(problem, (bearing, 1.0), find) {
-        Err(error) if skids(&error) => error,
+        Err(error @ OrbitError::NotConverged { .. }) => error,
         other => return other,
     };
     // Control by the inner race may have no balls on it that outer control leaves there.
     let mut guessed = bearing.clone();
     guessed.modelling.race_control = None;
-    if let Ok(solved) = begun(problem, (&guessed, 1.0), find) {
-        return Ok(solved);
-    }
-    SLIDING.iter().find_map(|share| begun(problem, (&guessed, *share), sliding).ok()).ok_or(error)
+    let slid = || {
+        let rolling = begun(problem, (&guessed, 1.0), find).ok();
+        rolling.or_else(|| SLIDING.iter().find_map(|share| begun(problem, (&guessed, *share), sliding).ok()))
+    };
+    let slid = if skids(&error) { slid() } else { None };
+    slid.or_else(|| led(problem, &guessed)).ok_or(error)
 }
 
 fn skids(error: &OrbitError) -> bool {
@@ -127,6 +137,48 @@ where
     finish(&mut newton, found, (point, settings), eased)
 }
 
+/// The orbit by way of rings that are tilted less, each from the orbit of the one before.
+fn led(
+    (bearing, point, cage, settings): (&Bearing, &OperatingPoint, &CageBody, &OrbitSettings),
+    guessed: &Bearing,
+) -> Option<SolvedOrbit> {
+    let first = less_tilted(point, 0.0);
+    if first == *point {
+        return None;
+    }
+    let mut reached = begun((bearing, &first, cage, settings), (guessed, 1.0), find).ok()?;
+    let (mut share, mut step) = (0.0, LED);
+    for _ in 0..ATTEMPTS {
+        let next = f64::min(share + step, 1.0);
+        match warm((bearing, &less_tilted(point, next), cage, settings), reached.start.as_ref()?) {
+            Some(solved) if next == 1.0 => return Some(solved),
+            Some(solved) => (reached, share, step) = (solved, next, step * LONGER),
+            None => step *= SHORTER,
+        }
+    }
+    None
+}
+
+/// The orbit from that of a neighbour, if not by the shortest way; none where that does not lead to it.
+fn warm(
+    (bearing, point, cage, settings): (&Bearing, &OperatingPoint, &CageBody, &OrbitSettings),
+    near: &OrbitStart,
+) -> Option<SolvedOrbit> {
+    let eased = near.eased.of(bearing);
+    let orbit = near.at_speeds(point);
+    let start = OrbitStart { orbit: orbit.clone(), ..near.clone() };
+    let mut newton = at(&eased, (point, cage), settings, &start).ok()?;
+    let goal = (settings.tolerance, PATIENCE);
+    let met = newton.met(orbit.clone(), goal).or_else(|| newton.closed(orbit.clone(), settings.tolerance));
+    let cheap = FastPatch::new(SLOPES).ok()?;
+    let fitted = met.and_then(|found| fitted(&mut newton, found, (settings, cheap)));
+    let found = match fitted {
+        Some(found) => found,
+        None => damped(&mut newton, &orbit, settings, (&SETTLING, WORK)).ok()?,
+    };
+    finish(&mut newton, found, (point, settings), near.eased).ok()
+}
+
 /// The likely reason why no orbit of a bearing was found.
 fn reason(rolling: &RollingStart, bearing: &Bearing, speed: f64) -> OrbitReason {
     let centrifugal_share = start::centrifugal_force(bearing, speed) / start::mean_load(rolling);
@@ -151,19 +203,11 @@ pub fn steady_orbit_from(
     settings: &OrbitSettings,
     near: &OrbitStart,
 ) -> Result<SolvedOrbit, OrbitError> {
-    let warm = near.eased.of(&prepared(bearing, settings));
-    let orbit = near.at_speeds(point);
-    let mut newton = at(&warm, (point, cage), settings, &OrbitStart { orbit: orbit.clone(), ..near.clone() })?;
-    let cheap = FastPatch::new(SLOPES)?;
-    let hurried = hurry(&mut newton, &orbit, (settings, near, &cheap), HURRY);
-    let met = hurried.or_else(|| newton.met(orbit.clone(), (settings.tolerance, PATIENCE)));
-    if let Some(found) = met.and_then(|found| fitted(&mut newton, found, (settings, cheap))) {
-        return finish(&mut newton, found, (point, settings), near.eased);
+    if let Some(solved) = hurried((bearing, point, cage, settings), near, (HURRY, fitted))? {
+        return Ok(solved);
     }
-    match damped(&mut newton, &orbit, settings, (&SETTLING, WORK)) {
-        Ok(found) => finish(&mut newton, found, (point, settings), near.eased),
-        Err(_) => steady_orbit(bearing, point, cage, settings),
-    }
+    let led = warm((&prepared(bearing, settings), point, cage, settings), near);
+    led.map_or_else(|| steady_orbit(bearing, point, cage, settings), Ok)
 }
 
 /// The same where the neighbour is so near that a few steps lead to the orbit on its mesh; none where a cold start is
@@ -178,32 +222,40 @@ pub fn steady_orbit_near(
     settings: &OrbitSettings,
     near: &OrbitStart,
 ) -> Result<Option<SolvedOrbit>, OrbitError> {
-    let warm = near.eased.of(&prepared(bearing, settings));
-    let orbit = near.at_speeds(point);
-    let mut newton = at(&warm, (point, cage), settings, &OrbitStart { orbit: orbit.clone(), ..near.clone() })?;
-    let cheap = FastPatch::new(SLOPES)?;
-    let found = hurry(&mut newton, &orbit, (settings, near, &cheap), NEXT_DOOR);
-    let found = found.filter(|found| fits(&mut newton, &found.0, (settings, &cheap)));
-    found.map(|found| finish(&mut newton, found, (point, settings), near.eased)).transpose()
+    hurried((bearing, point, cage, settings), near, (NEXT_DOOR, as_it_is))
 }
 
-/// Newton's method from a neighbour by full steps and so many Jacobians with cheap slopes.
-fn hurry(
-    newton: &mut Newton<'_>,
-    orbit: &Orbit,
-    (settings, near, cheap): (&OrbitSettings, &OrbitStart, &FastPatch),
-    jacobians: usize,
-) -> Option<Found> {
+/// What makes an orbit on a neighbour's mesh one to answer with.
+type Serve = fn(&mut Newton<'_>, Found, (&OrbitSettings, FastPatch)) -> Option<Found>;
+
+/// The orbit by full steps and so many Jacobians with cheap slopes, first on the mesh of a neighbour; none where that
+/// does not lead to it.
+fn hurried(
+    (bearing, point, cage, settings): (&Bearing, &OperatingPoint, &CageBody, &OrbitSettings),
+    near: &OrbitStart,
+    (jacobians, serve): (usize, Serve),
+) -> Result<Option<SolvedOrbit>, OrbitError> {
+    let eased = near.eased.of(&prepared(bearing, settings));
+    let orbit = near.at_speeds(point);
+    let start = OrbitStart { orbit: orbit.clone(), ..near.clone() };
+    let mut newton = at(&eased, (point, cage), settings, &start)?;
+    let cheap = FastPatch::new(SLOPES)?;
     newton.slopes_by = Some(cheap.clone());
-    let found = newton.by_full_steps(orbit.clone(), settings.tolerance, (jacobians, near.jacobian.clone()));
+    let found = newton.by_full_steps(orbit, settings.tolerance, (jacobians, near.jacobian.clone()));
     newton.slopes_by = None;
-    found
+    let found = found.and_then(|found| serve(&mut newton, found, (settings, cheap)));
+    found.map(|found| finish(&mut newton, found, (point, settings), near.eased)).transpose()
 }
 
 /// True if a mesh errs by little more than is allowed.
 fn fits(newton: &mut Newton<'_>, orbit: &Orbit, (settings, cheap): (&OrbitSettings, &FastPatch)) -> bool {
     let errors = newton.with_patches(cheap.clone(), |newton| newton.errors(orbit, settings.mesh_error));
     errors.iter().all(|error| *error <= DRIFTED)
+}
+
+/// An orbit on a neighbour's mesh, where that errs by no more than is allowed.
+fn as_it_is(newton: &mut Newton<'_>, found: Found, (settings, cheap): (&OrbitSettings, FastPatch)) -> Option<Found> {
+    fits(newton, &found.0, (settings, &cheap)).then_some(found)
 }
 
 /// An orbit on a neighbour's mesh, or on a finer one where that errs by more than is allowed.
@@ -272,8 +324,8 @@ fn finish(
     (point, settings): (&OperatingPoint, &OrbitSettings),
     eased: Eased,
 ) -> Result<SolvedOrbit, OrbitError> {
-    let (found, patch_error) = sharpened(newton, found, (point, settings))?;
-    let solution = solution(newton, &found, patch_error, &eased);
+    let (found, balls, patch_error) = sharpened(newton, found, (point, settings))?;
+    let solution = solution(newton, &found, (&balls, patch_error), &eased);
     let (orbit, _) = found;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
     let jacobian = newton.last.take().filter(|last| last.is_of(&orbit));
@@ -283,32 +335,32 @@ fn finish(
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
 }
 
-/// The orbit with the error of its patches, by a finer rule where that is more than the problem allows and the orbit is
-/// found with it.
+/// The balls where those of an equilibrium stand.
+fn balls(newton: &Newton<'_>, (orbit, _): &Found) -> Vec<Placed> {
+    placed(newton, orbit, newton.system.bearing.geometry.ball_count).collect()
+}
+
+/// The orbit with its balls and the error of their patches, by a finer rule where that is more than the problem allows
+/// and the orbit is found with it.
 fn sharpened(
     newton: &mut Newton<'_>,
     found: Found,
     (point, settings): (&OperatingPoint, &OrbitSettings),
-) -> Result<(Found, f64), OrbitError> {
+) -> Result<(Found, Vec<Placed>, f64), OrbitError> {
     let bearing = newton.system.bearing;
-    let loads = loads(newton, &found.0);
+    let placed = balls(newton, &found);
+    let loads: Vec<BallLoads> = placed.iter().map(|(_, _, e)| e.loads).collect();
     let error = bearing.patch_error(newton.system.kernel.quadrature().rule(), loads.clone())?;
-    let Some(PatchChoice::TargetError { relative }) = point.patch.filter(|_| bearing.elastic.is_none()) else {
-        return Ok((found, error));
-    };
-    if error <= relative {
-        return Ok((found, error));
-    }
+    let target = point.patch.filter(|patch| bearing.elastic.is_none() && !patch.allows(Some(error)));
+    let Some(PatchChoice::TargetError { relative }) = target else { return Ok((found, placed, error)) };
     let probes: Vec<_> = bearing.probes(loads).into_iter().map(|(_, probe)| probe).collect();
     let (rule, better) = choose_rule(relative, &probes)?;
-    let goal = (settings.tolerance, PATIENCE);
     let kernel = FastPatch::new(rule)?;
-    let sharp = newton.with_patches(kernel.clone(), |newton| newton.met(found.0.clone(), goal));
-    Ok(match sharp {
-        Some(sharp) => {
-            newton.system.kernel = kernel;
-            (sharp, better)
-        }
-        None => (found, error),
-    })
+    let goal = (settings.tolerance, PATIENCE);
+    let Some(sharp) = newton.with_patches(kernel.clone(), |newton| newton.met(found.0.clone(), goal)) else {
+        return Ok((found, placed, error));
+    };
+    newton.system.kernel = kernel;
+    let placed = balls(newton, &sharp);
+    Ok((sharp, placed, better))
 }
