@@ -225,7 +225,7 @@ pub fn steady_orbit_near(
     hurried((bearing, point, cage, settings), near, (NEXT_DOOR, as_it_is))
 }
 
-/// What makes an orbit on a neighbour's mesh one to answer with.
+/// Makes of an orbit on a neighbour's mesh one to answer with; none where that is not worth it.
 type Serve = fn(&mut Newton<'_>, Found, (&OrbitSettings, FastPatch)) -> Option<Found>;
 
 /// The orbit by full steps and so many Jacobians with cheap slopes, first on the mesh of a neighbour; none where that

@@ -5,7 +5,7 @@ use tribodyn_orbit::OrbitStart;
 use tribodyn_quasistatic::WarmStart;
 use tribodyn_traction::PatchChoice;
 
-/// What a solution leaves for others to start from.
+/// A start that a solution leaves for others.
 pub trait Start: Clone {
     /// The fourth corner of a parallelogram of problems, of which this start, `from` and `to` are three; none where
     /// they do not go together.
@@ -24,7 +24,7 @@ impl Start for OrbitStart {
     }
 }
 
-/// What rows must have in common for one to start from the other: patches and number of balls.
+/// Patches and number of balls, the same where one row may start from the other.
 pub type Alike = (Option<PatchChoice>, usize);
 
 /// A solved row.
