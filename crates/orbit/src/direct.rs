@@ -124,9 +124,9 @@ impl<'a> Newton<'a> {
         found
     }
 
-    /// Error of each interval over what is allowed, where balls meet their pockets also over what changes the pocket force
-    /// by a part of its peak, by the lead or by the orbital speed over half a turn: these forces may be small beside
-    /// those of the races.
+    /// Error of each interval over what is allowed, where balls meet their pockets also over what changes the pocket
+    /// force by a part of its peak, by the lead or by the orbital speed over half a turn: these forces may be small
+    /// beside those of the races.
     fn closer(&mut self, orbit: &Orbit, allowed: f64) -> Vec<f64> {
         let (pocket, ball) = (&self.system.cage.pocket, &self.scales.ball);
         let lead = OF_POCKET * self.pocket_peak(orbit) / (pocket.stiffness * pocket.radius * allowed);

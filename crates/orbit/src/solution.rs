@@ -144,7 +144,9 @@ pub(crate) fn placed(newton: &Newton<'_>, orbit: &Orbit, count: usize) -> impl I
     })
 }
 
-/// The solution of a converged orbit, with the balls where those of an equilibrium stand and the error of their patches.
+/// The solution of a converged orbit, with the balls where those of an equilibrium stand and the error of their
+/// patches.
+///
 /// # Errors
 /// A patch rule that cannot be laid out for the estimate of its error.
 pub(crate) fn solution(

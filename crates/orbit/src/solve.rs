@@ -33,8 +33,8 @@ const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
 /// Shares of the inner ring's speed at which balls that slide on it might roll.
 const SLIDING: [f64; 7] = [0.7, 0.5, 0.35, 0.25, 0.15, 0.08, 0.03];
 
-/// First step on the way from a ring without tilt, by how much the next is longer, or shorter where it leads nowhere, and
-/// steps that are tried.
+/// First step on the way from a ring without tilt, by how much the next is longer, or shorter where it leads nowhere,
+/// and steps that are tried.
 const LED: f64 = 0.25;
 const LONGER: f64 = 1.5;
 const SHORTER: f64 = 0.4;

@@ -4,9 +4,9 @@
 //! `cargo run --release -p tribodyn-orbit --example against_run -- [WORDS OF NAMES] [--write]`: all bearings without
 //! words; `--write` puts the table in docs/steady-orbit.md. Loads over azimuth are those of bins of two degrees. In the
 //! runs rings and cage are so heavy and damped that they do not answer to single balls, and pockets and contacts are
-//! damped as in the orbit: what the orbit takes for granted. A run begins on the orbit. Its cage would take thousands of
-//! turns to another speed, so that the torque on it tells: an orbit whose cage takes that torque says by how much the
-//! run is from its own balance.
+//! damped as in the orbit: what the orbit takes for granted. A run begins on the orbit. Its cage would take thousands
+//! of turns to another speed, so that the torque on it tells: an orbit whose cage takes that torque says by how much
+//! the run is from its own balance.
 
 mod bearings;
 mod mean;

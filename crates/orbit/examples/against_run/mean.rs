@@ -12,7 +12,7 @@ use tribodyn_orbit::POINTS;
 
 /// Samples while a ball takes the place of the next: by the golden section, so that no small multiple of them is a
 /// whole number. Torque jumps where balls meet their pockets, and harmonics near one would look like its mean.
-const SAMPLES: f64 = 60.618_033_988_749_895;
+const SAMPLES: f64 = 60.618_033_988_749_89;
 /// Steps by their error: the friction of a light ball under load is too stiff for fixed steps of a microsecond.
 const SCHEME: Scheme = Scheme::DormandPrince { tolerance: 1e-6, longest: 1e-5 };
 /// Factor on the cage's inertia: in its pocket a ball is pressed by a micrometre.
