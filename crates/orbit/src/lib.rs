@@ -1,7 +1,9 @@
 #![doc = include_str!("../README.md")]
 
+mod attempt;
 mod chain;
 mod collocation;
+mod detours;
 mod direct;
 mod error;
 mod march;

@@ -267,6 +267,7 @@ fn derivatives(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies, turn: f64) -
         direction: held.direction,
         centring: 0.0,
         settling: 0.0,
+        held: None,
     };
     let seed = |value: f64, k: usize| {
         let mut direction = SVector::<f64, INPUTS>::zeros();

@@ -266,7 +266,10 @@ impl<'a> Newton<'a> {
             },
             orbit.cage_speed,
         );
-        slopes[0][0] = by_speed * self.scales.border[0] / self.scales.border_rows[0];
+        slopes[0][0] = match self.system.held {
+            Some(_) => -1.0,
+            None => by_speed * self.scales.border[0] / self.scales.border_rows[0],
+        };
         for (k, freedom) in self.system.ring.iter().enumerate() {
             if matches!(freedom, RingFreedom::Held(_)) {
                 slopes[1 + k][1 + k] = -1.0;
@@ -303,7 +306,9 @@ impl<'a> Newton<'a> {
                 (0..BALL).for_each(|c| rows[(row, at + c)] += factor * by[c]);
                 (0..BORDER).for_each(|c| direct[row][c] += factor * by[BALL + c]);
             };
-            add(0, weight / s.border_rows[0], &point.cage);
+            if self.system.held.is_none() {
+                add(0, weight / s.border_rows[0], &point.cage);
+            }
             for (k, freedom) in self.system.ring.iter().enumerate() {
                 if matches!(freedom, RingFreedom::Loaded(_)) {
                     add(1 + k, -weight / s.border_rows[1 + k], &point.ring[k]);

@@ -3,7 +3,7 @@
 use crate::collocation::{Orbit, Radau, STAGES};
 use crate::means::Means;
 use crate::system::{BALL, Evaluation, ORBIT, OrbitSystem, RING, SPIN, VELOCITY};
-use tribodyn_bearing::{Races, RingFreedom, Side};
+use tribodyn_bearing::{RingFreedom, Side};
 
 /// An orbit with what its equations lack.
 pub(crate) type Found = (Orbit, Residual);
@@ -94,17 +94,25 @@ pub(crate) fn magnitudes(system: &OrbitSystem<'_>, scales: &Scales, e: &Evaluati
 /// Residuals of cage and ring over their scales.
 pub(crate) fn border(system: &OrbitSystem<'_>, orbit: &Orbit, means: &Means, scales: &Scales) -> [f64; BORDER] {
     let balls = system.bearing.geometry.ball_count as f64;
-    let speeds = Races { inner: system.speeds.inner, outer: system.speeds.outer };
-    let fluid: f64 = system.cage.fluid_torques(orbit.cage_speed, speeds).iter().sum();
     std::array::from_fn(|k| {
         if k == 0 {
-            return (balls * means.cage + fluid) / scales.border_rows[0];
+            return match system.held {
+                Some(speed) => (speed - orbit.cage_speed) / scales.border[0],
+                None => cage_torque(system, orbit, means) / scales.border_rows[0],
+            };
         }
         match system.ring[k - 1] {
             RingFreedom::Loaded(load) => (load - balls * means.ring[k - 1]) / scales.border_rows[k],
             RingFreedom::Held(held) => (held - orbit.ring[k - 1]) / scales.border[k],
         }
     })
+}
+
+/// Torque of balls, guidance and drag on the cage, N m.
+pub(crate) fn cage_torque(system: &OrbitSystem<'_>, orbit: &Orbit, means: &Means) -> f64 {
+    let balls = system.bearing.geometry.ball_count as f64;
+    let fluid: f64 = system.cage.fluid_torques(orbit.cage_speed, system.speeds).iter().sum();
+    balls * means.cage + fluid
 }
 
 /// All residuals.

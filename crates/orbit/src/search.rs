@@ -38,7 +38,7 @@ const SOFT: [f64; 3] = [0.8, 0.65, 0.5];
 const OTHER: f64 = 4.0;
 /// Intervals of all turns after which no attempt is begun any more: from near by, from Jones–Harris, from far, and with
 /// damped balls.
-const HASTE: usize = 5000;
+pub(crate) const HASTE: usize = 5000;
 const MARCH: usize = 10_000;
 /// Turns like the first that such a search from Jones–Harris may take.
 const TURNS: usize = 40;
@@ -86,25 +86,25 @@ pub(crate) fn find<'a>(
     patient(newton, (&first, starts), way, settings)
 }
 
-/// The orbit of balls that slide on the inner race, from where they would roll on a slower one.
+/// The orbit of balls that slide on a race, from where they would roll on slower ones, at a place of the way.
 ///
 /// # Errors
 /// [`OrbitError::NotConverged`].
 pub(crate) fn sliding<'a>(
     newton: &mut Newton<'a>,
-    (_, rolling): (&OperatingPoint, &RollingStart),
-    way: &Way<'a>,
+    rolling: &RollingStart,
+    (way, share): (&Way<'a>, f64),
     settings: &OrbitSettings,
 ) -> Result<(Found, Eased), OrbitError> {
-    let real = way.eased(1.0);
-    way.set(&mut newton.system, 1.0);
+    let eased = way.eased(share);
+    way.set_fine(&mut newton.system, share);
     let first = settled(newton, (rolling, start::cage_speed(rolling)), way);
     if first.last_end() == 1.0
         && let Some(found) = marched(newton, &first, way, (settings, HASTE))
     {
-        return Ok((found, real));
+        return Ok((found, eased));
     }
-    damped(newton, &first, settings, (&SETTLING, WORK)).map(|found| (found, real))
+    damped(newton, &first, settings, (&SETTLING, WORK)).map(|found| (found, eased))
 }
 
 /// The orbit by way of softer pockets and heavier balls, by damped balls, or where the way ends.

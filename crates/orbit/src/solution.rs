@@ -57,6 +57,8 @@ pub struct SteadyOrbit {
     pub ball_mass_factor: Option<f64>,
     /// Stiffness of the pockets over that of the case, where no orbit was found with that; absent where it is.
     pub pocket_stiffness_share: Option<f64>,
+    /// True if the inner ring turns without touching a ball, and balls and cage stand still.
+    pub undriven: bool,
     /// The balls when they stand where those of an equilibrium do, the first at azimuth 0.
     pub balls: Vec<BallResult>,
     /// A ball round its orbit, every two degrees of azimuth.
@@ -88,6 +90,11 @@ impl SteadyOrbit {
 
     /// Sentences on what is unusual about it.
     pub fn warnings(&self) -> Vec<String> {
+        if self.undriven {
+            let alone =
+                "no load presses a ball on the inner race: the inner ring turns alone, balls and cage stand still";
+            return vec![alone.to_owned()];
+        }
         let lost = self.points.iter().filter(|p| p.contacts.inner.load_n == 0.0).count();
         let lost = (lost > 0).then(|| {
             let part = 100.0 * lost as f64 / self.points.len() as f64;
@@ -181,6 +188,7 @@ pub(crate) fn solution(
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
         ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),
         pocket_stiffness_share: (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness),
+        undriven: false,
         balls: balls.iter().map(result).collect(),
         points,
     }

@@ -3,7 +3,7 @@
 use crate::residual::Scales;
 use crate::system::{BALL, LEAD, ORBIT, RING};
 use std::f64::consts::TAU;
-use tribodyn_bearing::{Bearing, OperatingPoint, Pocket, RingFreedom, Side};
+use tribodyn_bearing::{Bearing, Pocket, RingFreedom, Side};
 use tribodyn_quasistatic::{BallMotion, RollingStart};
 
 /// Force in the pocket over that on a ball whose share in the lead counts as an error of one.
@@ -80,19 +80,6 @@ pub(crate) fn scales(
         ],
         errors,
     }
-}
-
-/// The problem with a share of the ring's tilts, or of the moments that tilt it.
-pub(crate) fn less_tilted(point: &OperatingPoint, share: f64) -> OperatingPoint {
-    let mut easier = point.clone();
-    for freedom in &mut easier.ring[3..] {
-        *freedom = match *freedom {
-            RingFreedom::Held(tilt) => RingFreedom::Held(tilt * share),
-            RingFreedom::Loaded(_) if share == 0.0 => RingFreedom::Held(0.0),
-            RingFreedom::Loaded(moment) => RingFreedom::Loaded(moment * share),
-        };
-    }
-    easier
 }
 
 /// The balls of an equilibrium at a cage speed, by azimuth.

@@ -5,9 +5,29 @@ use crate::newton::OrbitStatistics;
 use crate::solution::{SteadyOrbit, ball_result};
 use crate::solved::SolvedOrbit;
 use crate::system::{BALL, OrbitSystem};
-use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint, Races};
-use tribodyn_quasistatic::RollingStart;
+use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint, Races, RingFreedom};
+use tribodyn_quasistatic::{RollingStart, rolling_start};
 use tribodyn_traction::FastPatch;
+
+/// Load on the inner race that counts as none, over the diameter of a ball squared, Pa.
+const UNLOADED: f64 = 1e-4;
+
+/// The bearing where nothing drives a ball: an outer ring that stands still, and an inner one that turns without load
+/// and touches none. Balls and cage then stand still too.
+pub(crate) fn standing(bearing: &Bearing, point: &OperatingPoint, cage: &CageBody) -> Option<SolvedOrbit> {
+    let loaded = |freedom: &RingFreedom| matches!(freedom, RingFreedom::Loaded(load) if *load != 0.0);
+    let swirls = bearing.fluid.as_ref().is_some_and(|fluid| fluid.swirl != 0.0);
+    let [guidance, _] = cage.fluid_torques(0.0, Races { inner: point.inner_speed, outer: point.outer_speed });
+    let driven = point.outer_speed != 0.0 || swirls || guidance != 0.0;
+    if driven || point.inner_speed == 0.0 || point.ring.iter().any(loaded) {
+        return None;
+    }
+    let rolling = rolling_start(bearing, &OperatingPoint { inner_speed: 0.0, ..point.clone() }).ok()?;
+    let pressed: f64 = rolling.inner_loads.iter().sum();
+    let kernel = FastPatch::new(rolling.rule).ok()?;
+    let free = pressed < UNLOADED * bearing.geometry.ball_diameter.powi(2);
+    free.then(|| at_rest(bearing, point, cage, (&rolling, kernel)))
+}
 
 /// The start's equilibrium as a solution; nothing moves, so nothing rubs.
 pub(crate) fn at_rest(
@@ -27,6 +47,7 @@ pub(crate) fn at_rest(
         direction: 1.0,
         centring: 0.0,
         settling: 0.0,
+        held: None,
     };
     let mut means = Means::default();
     let at = |(index, ball): (usize, &tribodyn_quasistatic::BallMotion)| {
@@ -59,6 +80,7 @@ pub(crate) fn at_rest(
         swing_damping: None,
         ball_mass_factor: None,
         pocket_stiffness_share: None,
+        undriven: point_of.inner_speed != point_of.outer_speed,
         points: balls.clone(),
         balls,
     };

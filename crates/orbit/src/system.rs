@@ -34,6 +34,8 @@ pub(crate) struct OrbitSystem<'a> {
     pub centring: f64,
     /// Rate at which the axial and radial motion of balls dies out besides, 1/s.
     pub settling: f64,
+    /// Speed at which the cage is held, rad/s; none where it goes as fast as the torques on it let it.
+    pub held: Option<f64>,
 }
 
 /// A ball at a state.

@@ -84,6 +84,22 @@ fn limit_at_rest_nothing_moves_and_the_loads_are_carried() {
     assert!((orbit.ring_load_n[2] / 54760.0 - 1.0).abs() < 1e-6, "{:?}", orbit.ring_load_n);
 }
 
+#[test]
+fn limit_an_inner_ring_that_touches_no_ball_turns_alone() {
+    let (_, bearing, mut point, mut cage) = fixture("paper-ag");
+    point.ring = [0.0, 0.0, -20e-6, 0.0, 0.0].map(RingFreedom::Held);
+    cage.guidance = None;
+    let settings = OrbitSettings::default();
+    let orbit = steady_orbit(&bearing, &point, &cage, &settings).unwrap().solution;
+    assert!(orbit.undriven);
+    assert_eq!((orbit.cage_speed_rpm, orbit.ring_load_n, orbit.shaft_torque_nm), (0.0, [0.0; 3], 0.0));
+    assert!(orbit.warnings()[0].contains("turns alone"), "{:?}", orbit.warnings());
+    // Pressed by 2 µm, it drives them.
+    point.ring[2] = RingFreedom::Held(2e-6);
+    let driven = steady_orbit(&bearing, &point, &cage, &settings).unwrap().solution;
+    assert!(!driven.undriven && driven.cage_speed_rpm > 0.0);
+}
+
 /// Turned the other way round, all is mirrored.
 #[test]
 fn identity_of_either_sense_of_rotation() {

@@ -1,0 +1,204 @@
+//! Attempts at the orbit of a bearing: from balls that roll, and from the orbit of a neighbour.
+
+use crate::collocation::Orbit;
+use crate::newton::Newton;
+use crate::residual::Found;
+use crate::search::{PATIENCE, SETTLING, WORK, damped};
+use crate::settings::OrbitSettings;
+use crate::solution::{Placed, placed, solution};
+use crate::solved::{OrbitStart, SolvedOrbit};
+use crate::system::OrbitSystem;
+use crate::way::{Eased, Way, ladder};
+use crate::{OrbitError, OrbitReason, start, statics};
+use tribodyn_bearing::{BallLoads, Bearing, CageBody, OperatingPoint, Races, RingOffset};
+use tribodyn_quasistatic::{RollingStart, rolling_start};
+use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, choose_rule};
+
+/// Stiffness that centres a ball in its pocket over that of the pocket: settles where a cage hangs that no ball
+/// touches.
+const CENTRING: f64 = 1e-8;
+/// Error of an interval, over what is allowed, up to which the mesh of a neighbour serves.
+const DRIFTED: f64 = 2.0;
+/// Patches by which slopes are taken at first from a neighbour.
+pub(crate) const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
+
+/// A bearing at an operating point.
+#[derive(Clone, Copy)]
+pub(crate) struct Problem<'a> {
+    pub bearing: &'a Bearing,
+    pub point: &'a OperatingPoint,
+    pub cage: &'a CageBody,
+    pub settings: &'a OrbitSettings,
+}
+
+/// The bearing as the orbit has it: offsets of the rings exact, contacts damped.
+pub(crate) fn prepared(bearing: &Bearing, settings: &OrbitSettings) -> Bearing {
+    let mut bearing = bearing.clone();
+    bearing.ring_offset = RingOffset::Exact;
+    bearing.contact_damping = bearing.contact_damping.max(settings.contact_damping);
+    bearing
+}
+
+fn system<'a>(
+    Problem { bearing, point, cage, settings }: Problem<'a>,
+    (rule, speed, origin): (PatchRule, f64, f64),
+) -> Result<OrbitSystem<'a>, OrbitError> {
+    let mut cage = *cage;
+    let slow = 0.01 * (speed * cage.pocket.radius).abs();
+    cage.pocket.damping = cage.pocket.damping.max(settings.pocket_damping / slow);
+    Ok(OrbitSystem {
+        bearing,
+        surfaces: bearing.surfaces(),
+        speeds: Races { inner: point.inner_speed, outer: point.outer_speed },
+        ring: point.ring,
+        kernel: FastPatch::new(rule)?,
+        origin,
+        direction: speed.signum(),
+        centring: CENTRING * cage.pocket.stiffness,
+        settling: 0.0,
+        held: None,
+        cage,
+    })
+}
+
+/// The orbit by a search that begins with the balls of another bearing or of rings at other speeds.
+pub(crate) fn begun<F>(
+    problem: Problem<'_>,
+    (guessed, slower): (&Bearing, &OperatingPoint),
+    search: F,
+) -> Result<SolvedOrbit, OrbitError>
+where
+    F: for<'a> FnOnce(&mut Newton<'a>, &RollingStart, &Way<'a>) -> Result<(Found, Eased), OrbitError>,
+{
+    let Problem { bearing, point, cage, .. } = problem;
+    let rolling = rolling_start(guessed, slower)?;
+    let speed = start::cage_speed(&rolling);
+    if speed == 0.0 {
+        return Ok(statics::at_rest(bearing, point, cage, (&rolling, FastPatch::new(rolling.rule)?)));
+    }
+    let origin = bearing.azimuth(start::hardest(&rolling));
+    let system = system(problem, (rolling.rule, speed, origin))?;
+    let scales = start::scales((bearing, &cage.pocket), &point.ring, &rolling, speed);
+    let ladder = ladder(bearing, (&rolling, speed));
+    let way = Way::new(&system, &ladder, (&rolling, scales.force))?;
+    let mut newton = Newton::new(system, scales);
+    let (found, eased) =
+        search(&mut newton, &rolling, &way).map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
+    finish(&mut newton, found, problem, eased)
+}
+
+/// The likely reason why no orbit of a bearing was found.
+fn reason(rolling: &RollingStart, bearing: &Bearing, speed: f64) -> OrbitReason {
+    let centrifugal_share = start::centrifugal_force(bearing, speed) / start::mean_load(rolling);
+    if centrifugal_share > 1.0 {
+        OrbitReason::GrossSkidding { centrifugal_share }
+    } else if rolling.inner_loads.iter().any(|load| *load <= 0.0) {
+        OrbitReason::IdleBalls { centrifugal_share }
+    } else {
+        OrbitReason::Unknown
+    }
+}
+
+/// The orbit from that of a neighbour, if not by the shortest way; none where that does not lead to it.
+pub(crate) fn warm(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOrbit> {
+    let eased = near.eased.of(problem.bearing);
+    let orbit = near.at_speeds(problem.point);
+    let mut newton = at(Problem { bearing: &eased, ..problem }, near, &orbit).ok()?;
+    let found = nearby(&mut newton, &orbit, problem.settings, (&SETTLING, WORK))?;
+    finish(&mut newton, found, problem, near.eased).ok()
+}
+
+/// The orbit near one that is not, on its mesh, on a finer one, or by a ball that is sent round.
+pub(crate) fn nearby(
+    newton: &mut Newton<'_>,
+    orbit: &Orbit,
+    settings: &OrbitSettings,
+    patience: (&[f64], usize),
+) -> Option<Found> {
+    let goal = (settings.tolerance, PATIENCE);
+    let met = newton.met(orbit.clone(), goal).or_else(|| newton.closed(orbit.clone(), settings.tolerance));
+    let cheap = FastPatch::new(SLOPES).ok()?;
+    let fitted = met.and_then(|found| fitted(newton, found, (settings, cheap)));
+    fitted.or_else(|| damped(newton, orbit, settings, patience).ok())
+}
+
+/// True if a mesh errs by little more than is allowed.
+pub(crate) fn fits(newton: &mut Newton<'_>, orbit: &Orbit, (settings, cheap): (&OrbitSettings, &FastPatch)) -> bool {
+    let errors = newton.with_patches(cheap.clone(), |newton| newton.errors(orbit, settings.mesh_error));
+    errors.iter().all(|error| *error <= DRIFTED)
+}
+
+/// An orbit on a neighbour's mesh, or on a finer one where that errs by more than is allowed.
+pub(crate) fn fitted(
+    newton: &mut Newton<'_>,
+    found: Found,
+    (settings, cheap): (&OrbitSettings, FastPatch),
+) -> Option<Found> {
+    let goal = (settings.tolerance, PATIENCE);
+    if fits(newton, &found.0, (settings, &cheap)) {
+        return Some(found);
+    }
+    let found = newton.halved(found, settings.mesh_error, goal);
+    if fits(newton, &found.0, (settings, &cheap)) {
+        Some(found)
+    } else {
+        newton.refined(found, settings.mesh_error, goal)
+    }
+}
+
+/// The solver at a solution, or at another orbit near it.
+pub(crate) fn at<'a>(problem: Problem<'a>, solved: &OrbitStart, orbit: &Orbit) -> Result<Newton<'a>, OrbitError> {
+    let of = (solved.rule, orbit.cage_speed, solved.origin);
+    let mut system = OrbitSystem { settling: solved.settling, ..system(problem, of)? };
+    system.cage.pocket.stiffness *= solved.eased.pocket_stiffness;
+    Ok(Newton::new(system, solved.scales))
+}
+
+/// The answer: the orbit by a rule that is good enough on it, where the one that was taken, for balls that roll or at a
+/// neighbour, is not.
+pub(crate) fn finish(
+    newton: &mut Newton<'_>,
+    found: Found,
+    problem: Problem<'_>,
+    eased: Eased,
+) -> Result<SolvedOrbit, OrbitError> {
+    let (found, balls, patch_error) = sharpened(newton, found, problem)?;
+    let solution = solution(newton, &found, (&balls, patch_error), &eased);
+    let (orbit, _) = found;
+    let speeds = Races { inner: problem.point.inner_speed, outer: problem.point.outer_speed };
+    let jacobian = newton.last.take().filter(|last| last.is_of(&orbit));
+    let (origin, settling) = (newton.system.origin, newton.system.settling);
+    let rule = newton.system.kernel.quadrature().rule();
+    let start = OrbitStart { orbit, jacobian, rule, origin, settling, eased, scales: newton.scales, speeds };
+    Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
+}
+
+/// The balls where those of an equilibrium stand.
+fn balls(newton: &Newton<'_>, (orbit, _): &Found) -> Vec<Placed> {
+    placed(newton, orbit, newton.system.bearing.geometry.ball_count).collect()
+}
+
+/// The orbit with its balls and the error of their patches, by a finer rule where that is more than the problem allows
+/// and the orbit is found with it.
+fn sharpened(
+    newton: &mut Newton<'_>,
+    found: Found,
+    Problem { point, settings, .. }: Problem<'_>,
+) -> Result<(Found, Vec<Placed>, f64), OrbitError> {
+    let bearing = newton.system.bearing;
+    let placed = balls(newton, &found);
+    let loads: Vec<BallLoads> = placed.iter().map(|(_, _, e)| e.loads).collect();
+    let error = bearing.patch_error(newton.system.kernel.quadrature().rule(), loads.clone())?;
+    let target = point.patch.filter(|patch| bearing.elastic.is_none() && !patch.allows(Some(error)));
+    let Some(PatchChoice::TargetError { relative }) = target else { return Ok((found, placed, error)) };
+    let probes: Vec<_> = bearing.probes(loads).into_iter().map(|(_, probe)| probe).collect();
+    let (rule, better) = choose_rule(relative, &probes)?;
+    let kernel = FastPatch::new(rule)?;
+    let goal = (settings.tolerance, PATIENCE);
+    let Some(sharp) = newton.with_patches(kernel.clone(), |newton| newton.met(found.0.clone(), goal)) else {
+        return Ok((found, placed, error));
+    };
+    newton.system.kernel = kernel;
+    let placed = balls(newton, &sharp);
+    Ok((sharp, placed, better))
+}
