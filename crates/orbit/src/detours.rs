@@ -128,6 +128,7 @@ fn released(problem: Problem<'_>, first: HeldCage, from: f64) -> Option<SolvedOr
         (factor, part) = (1.0 + (factor - 1.0) * GROWS, f64::min(1.0, part * GROWS));
         let across = found.torque * near.torque < 0.0;
         if across || beyond.is_some() {
+            // The answer where few turns lead to a free cage.
             let free = kept(problem, &found.start, None).and_then(|free| warm(problem, &free.start));
             if free.is_some() {
                 return free;

@@ -28,8 +28,8 @@ pub enum OrbitError {
         /// The cage speed that was reached, r/min.
         cage_speed_rpm: f64,
     },
-    /// A bearing at rest, where an orbit is asked for.
-    #[error("nothing turns: there is no orbit to start from; `transient.start` can be Rest")]
+    /// Balls at rest, where an orbit is asked for.
+    #[error("balls and cage stand still; `transient.start` can be Rest")]
     AtRest,
     /// The linearised equations have no solution.
     #[error("the linearised equations of the orbit are singular")]
