@@ -3,7 +3,7 @@
 use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::search::{PATIENCE, SETTLING, WORK, damped};
+use crate::search::{PATIENCE, SETTLING, WORK, damped, find};
 use crate::settings::OrbitSettings;
 use crate::solution::{Placed, placed, solution};
 use crate::solved::{OrbitStart, SolvedOrbit};
@@ -73,8 +73,11 @@ where
     let Problem { bearing, point, cage, .. } = problem;
     let rolling = rolling_start(guessed, slower)?;
     let speed = start::cage_speed(&rolling);
-    if speed == 0.0 {
+    if [slower.inner_speed, slower.outer_speed] == [0.0; 2] {
         return Ok(statics::at_rest(bearing, point, cage, (&rolling, FastPatch::new(rolling.rule)?)));
+    }
+    if speed == 0.0 {
+        return Err(OrbitError::CageStands);
     }
     let origin = bearing.azimuth(start::hardest(&rolling));
     let system = system(problem, (rolling.rule, speed, origin))?;
@@ -85,6 +88,12 @@ where
     let (found, eased) =
         search(&mut newton, &rolling, &way).map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
     finish(&mut newton, found, problem, eased)
+}
+
+/// The orbit by a search that begins with the balls of a bearing as they would roll.
+pub(crate) fn rolled(problem: Problem<'_>, guessed: &Bearing) -> Result<SolvedOrbit, OrbitError> {
+    let Problem { point, settings, .. } = problem;
+    begun(problem, (guessed, point), |newton, rolling, way| find(newton, (point, rolling), way, settings))
 }
 
 /// The likely reason why no orbit of a bearing was found.

@@ -1,14 +1,14 @@
 //! Detours to an orbit that is not found at once: over slower rings, over cages that are held at a speed, and over
 //! rings that are tilted less.
 
-use crate::attempt::{Problem, at, begun, nearby, warm};
+use crate::attempt::{Problem, at, begun, nearby, rolled, warm};
 use crate::residual::cage_torque;
-use crate::search::{HASTE, SETTLING, find, sliding};
+use crate::search::{HASTE, SETTLING, sliding};
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::start;
 use crate::system::{ORBIT, SPIN, VELOCITY};
 use crate::{OrbitError, OrbitReason};
-use tribodyn_bearing::{Bearing, OperatingPoint, RingFreedom};
+use tribodyn_bearing::{Bearing, OperatingPoint, RaceControl, RingFreedom};
 
 /// Shares of the inner ring's speed at which balls that slide on it might roll.
 const SLIDING: [f64; 7] = [0.7, 0.5, 0.35, 0.25, 0.15, 0.08, 0.03];
@@ -40,7 +40,7 @@ const ATTEMPTS: usize = 40;
 pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedOrbit> {
     // Control by the inner race may have no balls on it that outer control leaves there.
     let mut guessed = problem.bearing.clone();
-    guessed.modelling.race_control = None;
+    guessed.modelling.race_control = Some(RaceControl::Outer);
     let slid = if skids(error) { slid(problem, &guessed) } else { None };
     slid.or_else(|| PLACES.iter().find_map(|place| held(problem, &guessed, *place))).or_else(|| led(problem, &guessed))
 }
@@ -52,17 +52,15 @@ fn skids(error: &OrbitError) -> bool {
 /// The orbit of balls that slide on the inner race, from those that would roll if it turned more slowly: the slower,
 /// the less centrifugal force takes them off it.
 fn slid(problem: Problem<'_>, guessed: &Bearing) -> Option<SolvedOrbit> {
-    let Problem { point, settings, .. } = problem;
-    let rolling =
-        begun(problem, (guessed, point), |newton, rolling, way| find(newton, (point, rolling), way, settings));
+    let Problem { bearing, point, settings, .. } = problem;
     let slower = |share: &f64| {
         let slower = slower(point, *share);
-        let slid =
-            begun(problem, (guessed, &slower), |newton, rolling, way| sliding(newton, rolling, (way, 1.0), settings));
-        // On some slower rings the cage would stand: that is no answer.
-        slid.ok().filter(|solved| solved.start.is_some())
+        begun(problem, (guessed, &slower), |newton, rolling, way| sliding(newton, rolling, (way, 1.0), settings)).ok()
     };
-    rolling.ok().or_else(|| SLIDING.iter().find_map(slower))
+    // What is guessed where a case states no control is that of the outer race: tried before.
+    let tried = matches!(bearing.modelling.race_control, None | Some(RaceControl::Outer));
+    let rolling = if tried { None } else { rolled(problem, guessed).ok() };
+    rolling.or_else(|| SLIDING.iter().find_map(slower))
 }
 
 /// Rings of which the inner one turns at a share of its speed, seen from the outer one.
@@ -188,15 +186,12 @@ fn kept(problem: Problem<'_>, near: &OrbitStart, speed: Option<f64>) -> Option<H
 
 /// The orbit by way of rings that are tilted less, each from the orbit of the one before.
 fn led(problem: Problem<'_>, guessed: &Bearing) -> Option<SolvedOrbit> {
-    let Problem { point, settings, .. } = problem;
+    let point = problem.point;
     let first = less_tilted(point, 0.0);
     if first == *point {
         return None;
     }
-    let easier = Problem { point: &first, ..problem };
-    let solved =
-        begun(easier, (guessed, &first), |newton, rolling, way| find(newton, (&first, rolling), way, settings));
-    let mut reached = solved.ok()?;
+    let mut reached = rolled(Problem { point: &first, ..problem }, guessed).ok()?;
     let (mut share, mut step) = (0.0, LED);
     for _ in 0..ATTEMPTS {
         let next = f64::min(share + step, 1.0);

@@ -28,6 +28,11 @@ pub enum OrbitError {
         /// The cage speed that was reached, r/min.
         cage_speed_rpm: f64,
     },
+    /// Rings that turn against each other as fast as leaves balls and cage in place: a turn has no end.
+    #[error(
+        "the rings turn against each other so that the cage stands still: there is no turn of it to follow; change one speed a little"
+    )]
+    CageStands,
     /// Balls at rest, where an orbit is asked for.
     #[error("balls and cage stand still; `transient.start` can be Rest")]
     AtRest,

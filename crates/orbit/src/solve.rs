@@ -1,12 +1,11 @@
 //! From a bearing at an operating point to its steady orbit.
 
 use crate::OrbitError;
-use crate::attempt::{Problem, SLOPES, at, begun, finish, fits, fitted, prepared, warm};
+use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, prepared, rolled, warm};
 use crate::detours::detour;
 use crate::modes::{Bodies, Mode, modes};
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::search::find;
 use crate::settings::OrbitSettings;
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::statics::standing;
@@ -35,8 +34,7 @@ pub fn steady_orbit(
     if let Some(standing) = standing(problem.bearing, point, cage) {
         return Ok(standing);
     }
-    match begun(problem, (problem.bearing, point), |newton, rolling, way| find(newton, (point, rolling), way, settings))
-    {
+    match rolled(problem, problem.bearing) {
         Err(error @ OrbitError::NotConverged { .. }) => detour(problem, &error).ok_or(error),
         other => other,
     }

@@ -26,7 +26,11 @@ pub(crate) fn standing(bearing: &Bearing, point: &OperatingPoint, cage: &CageBod
     let pressed: f64 = rolling.inner_loads.iter().sum();
     let kernel = FastPatch::new(rolling.rule).ok()?;
     let free = pressed < UNLOADED * bearing.geometry.ball_diameter.powi(2);
-    free.then(|| at_rest(bearing, point, cage, (&rolling, kernel)))
+    free.then(|| {
+        let mut solved = at_rest(bearing, point, cage, (&rolling, kernel));
+        solved.solution.undriven = true;
+        solved
+    })
 }
 
 /// The start's equilibrium as a solution; nothing moves, so nothing rubs.
@@ -80,7 +84,7 @@ pub(crate) fn at_rest(
         swing_damping: None,
         ball_mass_factor: None,
         pocket_stiffness_share: None,
-        undriven: point_of.inner_speed != point_of.outer_speed,
+        undriven: false,
         points: balls.clone(),
         balls,
     };

@@ -231,8 +231,7 @@ mod tests {
     }
 
     /// Rings that turn against each other, the cage guided by the land of the outer one, a tenth of a newton on the
-    /// balls: rolling they would hardly go round, but the film on the land takes cage and balls along. A run from rest
-    /// does the same.
+    /// balls: rolling they would hardly go round, but the film on the land takes cage and balls along.
     #[test]
     fn limit_a_guided_cage_is_taken_along_by_its_land() {
         let case = Case::from_ron(&random_bearing(1, 12).unwrap().text).unwrap();
