@@ -6,6 +6,7 @@ use crate::geometry::Geometry;
 use crate::lean::RingOffset;
 use crate::modelling::{Modelling, PatchSurfaces};
 use crate::races::{Races, Side};
+use crate::state::BallState;
 use crate::tribology::Tribology;
 use std::f64::consts::PI;
 use tribodyn_contact::{ContactError, ElasticBody, HertzContact, Scalar, effective_modulus};
@@ -123,6 +124,14 @@ pub struct FluidForces {
     pub density: f64,
     /// Dynamic viscosity of the liquid, Pa s.
     pub viscosity: f64,
+}
+
+impl FluidForces {
+    /// Drag on a ball against its orbit, N, in a fluid that turns with the inner ring.
+    #[inline(always)]
+    pub fn drag_on<D: Scalar>(&self, ball: &BallState<D>, orbit_radius: D, inner_speed: D) -> D {
+        self.drag.force(orbit_radius * (ball.orbital_speed - inner_speed * self.swirl))
+    }
 }
 
 impl Bearing {

@@ -93,11 +93,11 @@ impl Bearing {
     }
 
     /// Drag against the orbit (N) and churning moment (N m) of the fluid on a ball.
-    #[inline]
+    #[inline(always)]
     pub fn fluid_loads<D: Scalar>(&self, ball: &BallState<D>, orbit_radius: D, inner_speed: D) -> (D, [D; 3]) {
         match &self.fluid {
             Some(fluid) => (
-                fluid.drag.force(orbit_radius * (ball.orbital_speed - inner_speed * fluid.swirl)),
+                fluid.drag_on(ball, orbit_radius, inner_speed),
                 fluid.churning.map_or([D::zero(); 3], |c| c.moment_vector(ball.spin)),
             ),
             None => (D::zero(), [D::zero(); 3]),
@@ -106,6 +106,7 @@ impl Bearing {
 
     /// A contact with its traction, from its parts: how it is pressed, how it slides, and a function that integrates
     /// traction over a loaded patch.
+    #[inline]
     pub fn race_contact<D: Scalar>(
         &self,
         side: Side,
@@ -162,7 +163,7 @@ impl Bearing {
     /// The contact ellipse under a normal contact.
     #[inline]
     pub fn ellipse<D: Scalar>(&self, side: Side, contact: &NormalContact<D>) -> Ellipse<D> {
-        self.hertz(side, &contact.pose).ellipse(contact.load)
+        self.hertz(side, &contact.pose).ellipse_at(contact.pose.approach)
     }
 
     /// The ball's rigid motion against a race in the axes of a patch with the outward normal (a, r), `sunk` (m) into

@@ -30,7 +30,7 @@ pub struct BallFriction<D = f64> {
 
 impl<D: Scalar> BallFriction<D> {
     /// Sums the tractions of both contacts, drag and churning, and the pocket on a circle of `pocket_radius`.
-    #[inline]
+    #[inline(always)]
     pub fn new(
         traction: &Races<ContactForces<D>>,
         (drag, churning): (D, [D; 3]),
@@ -67,7 +67,7 @@ impl Bearing {
 
     /// Accelerations of a ball by the friction part: axial, radial, orbital, and of the spin with the turning of the
     /// azimuth frame, ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t), unless the gyroscopic moment is left out.
-    #[inline]
+    #[inline(always)]
     pub fn friction_acceleration<D: Scalar>(
         &self,
         state: &BallState<D>,

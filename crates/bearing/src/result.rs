@@ -154,6 +154,7 @@ pub struct BallPlace {
 impl Bearing {
     /// The result for a ball under traction at an azimuth, rad, given the speed of the inner ring, rad/s. Pocket,
     /// motion and the transient part of the contacts are left for the model that has them.
+    #[inline]
     pub fn ball_result(&self, azimuth: f64, ball: &BallState, loads: &BallLoads, inner_speed: f64) -> BallResult {
         let orbital_speed = ball.orbital_speed;
         let place = BallPlace {
@@ -177,6 +178,7 @@ impl Bearing {
     }
 
     /// The result for a ball of which only its place and its contacts are known.
+    #[inline]
     pub fn placed_result(&self, place: &BallPlace, contacts: Races<ContactResult>) -> BallResult {
         let g = &self.geometry;
         let &BallPlace { azimuth, axial, orbit_radius, orbital_speed, spin } = place;
@@ -189,13 +191,15 @@ impl Bearing {
             spin_rad_s: spin,
             centrifugal_force_n: self.ball_mass * orbit_radius * orbital_speed.powi(2),
             // The axial part of the spin drops out.
-            gyroscopic_moment_nm: (self.ball_inertia * orbital_speed * spin[1].hypot(spin[2])).abs(),
+            gyroscopic_moment_nm: (self.ball_inertia * orbital_speed * (spin[1] * spin[1] + spin[2] * spin[2]).sqrt())
+                .abs(),
             contacts,
             ..BallResult::default()
         }
     }
 
     /// Place and pressure of a contact, with its rolling speed (m/s) and spin ratio (1/m), without friction.
+    #[inline]
     pub fn contact_result(
         &self,
         pose: &ContactPose,
@@ -214,6 +218,7 @@ impl Bearing {
         }
     }
 
+    #[inline]
     fn race_result(&self, side: Side, contact: &RaceContact) -> ContactResult {
         let normal = &contact.normal;
         let [along, across, spin_ratio] = contact.slide_to_roll(self.geometry.ball_radius());
@@ -232,6 +237,7 @@ impl Bearing {
     }
 
     /// What a run adds to a contact on a surface whose depth counts from that of [`Bearing::worn`].
+    #[inline]
     pub fn transient_contact(&self, side: Side, contact: &RaceContact, surface: &LocalSurface) -> TransientContact {
         TransientContact {
             damping_n: contact.normal.force - contact.normal.load,

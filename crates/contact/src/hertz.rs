@@ -79,6 +79,8 @@ pub struct HertzContact<D = f64> {
     stiffness: D,
     /// a³/Q, m³/N.
     major_cubed: D,
+    /// a²/δ, m.
+    major_squared: D,
 }
 
 impl<D: Scalar> HertzContact<D> {
@@ -121,6 +123,7 @@ impl<D: Scalar> HertzContact<D> {
             major_axis,
             stiffness: k * root * (PI * effective_modulus),
             major_cubed: k * k * second / curvature_sum * (6.0 / (PI * effective_modulus)),
+            major_squared: k * k * second / (curvature_sum * first) * 2.0,
         })
     }
 
@@ -164,10 +167,26 @@ impl<D: Scalar> HertzContact<D> {
             let zero = D::zero();
             return Ellipse { semi_major: zero, semi_minor: zero, peak_pressure: zero, major_axis };
         }
-        let semi_major = (self.major_cubed * load).cbrt();
+        self.ellipse_of((self.major_cubed * load).cbrt(), load)
+    }
+
+    /// Contact ellipse and peak pressure at an elastic approach (m): that under the load of the approach, for a square
+    /// root instead of a cube root.
+    #[inline]
+    pub fn ellipse_at(&self, approach: D) -> Ellipse<D> {
+        let load = self.load(approach);
+        if load.re() <= NEGLIGIBLE {
+            self.ellipse(load)
+        } else {
+            self.ellipse_of((self.major_squared * approach).sqrt(), load)
+        }
+    }
+
+    #[inline]
+    fn ellipse_of(&self, semi_major: D, load: D) -> Ellipse<D> {
         let semi_minor = semi_major / self.ellipticity;
         let peak_pressure = load / (semi_major * semi_minor) * (1.5 / PI);
-        Ellipse { semi_major, semi_minor, peak_pressure, major_axis }
+        Ellipse { semi_major, semi_minor, peak_pressure, major_axis: self.major_axis }
     }
 
     /// Normal load that gives a peak pressure (Pa), N: Q = (a³/Q)² (2π p_max/(3k))³.
@@ -194,6 +213,7 @@ impl HertzContact {
             major_axis: self.major_axis,
             stiffness: self.stiffness.into(),
             major_cubed: self.major_cubed.into(),
+            major_squared: self.major_squared.into(),
         }
     }
 }
@@ -256,6 +276,19 @@ fn ratio_and_slope(ellipticity: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn identity_the_ellipse_at_an_approach_is_that_under_its_load() {
+        for curvatures in [[60.0, 60.0], [66.0, 3.0], [3.0, 66.0]] {
+            let contact = HertzContact::<f64>::new(curvatures[0], curvatures[1], 2.2e11).unwrap();
+            for approach in [0.0, -1e-5, 1e-9, 1e-6, 5e-5] {
+                let (at, under) = (contact.ellipse_at(approach), contact.ellipse(contact.load(approach)));
+                for (a, b) in [(at.semi_major, under.semi_major), (at.peak_pressure, under.peak_pressure)] {
+                    assert!((a - b).abs() <= 1e-14 * b, "{curvatures:?} {approach}: {a} {b}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn regress_newton_steps_to_the_ellipticity() {

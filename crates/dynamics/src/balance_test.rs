@@ -9,7 +9,7 @@ use crate::machine::Machine;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
 use tribodyn_bearing::{
-    AzimuthFrame, BallState, ContactForces, NormalContact, NormalLoads, Races, RingState, Side, Sliding,
+    AzimuthFrame, BallState, ContactForces, NormalContact, NormalLoads, PocketLoad, Races, RingState, Side, Sliding,
 };
 use tribodyn_case::{Case, set_value};
 
@@ -88,14 +88,14 @@ impl Equations for Without {
 
     fn friction(
         &self,
-        index: usize,
-        ball: (&[f64], &BallState),
         traction: &Races<ContactForces>,
-        at: (&Frame, f64),
+        fluid: (f64, [f64; 3]),
+        pocket: PocketLoad,
+        orbit_radius: f64,
     ) -> Friction {
-        let mut friction = self.machine.friction(index, ball, traction, at);
+        let mut friction = self.machine.friction(traction, fluid, pocket, orbit_radius);
         if self.lacks(Term::PocketArm) {
-            friction.force[2] += friction.pocket.force * (1.0 - self.machine.cage.pocket.radius / at.1);
+            friction.force[2] += friction.pocket.force * (1.0 - self.machine.cage.pocket.radius / orbit_radius);
         }
         friction
     }

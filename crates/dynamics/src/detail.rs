@@ -6,24 +6,23 @@ use crate::layout::{AZIMUTH, VELOCITY};
 use crate::machine::Machine;
 use crate::power::PowerSample;
 use crate::sample::{CageSample, RingSample, Sample, WearSample};
-use tribodyn_bearing::{BallLoads, BallMotionResult, BallResult, LoadedPatch, PocketResult, Side};
-use tribodyn_traction::PatchTraction;
+use tribodyn_bearing::{BallLoads, BallMotionResult, BallResult, PocketResult, Side};
 
 /// Volumes worn off so far, m³: inner race, outer race, cage.
 pub(crate) type Worn = [f64; 3];
 
 impl Machine {
-    /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's, and `traction` tells
-    /// who integrates it.
+    /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's, and `ball` tells what
+    /// acts on a ball, asked in the order of their numbers.
     pub fn sample(
         &self,
         (t, y): (f64, &[f64]),
         (energy_at_start, worn): (f64, Worn),
-        traction: impl FnMut(usize, &LoadedPatch<'_, f64>) -> PatchTraction,
+        ball: impl FnMut(usize, &[f64], &Frame) -> BallForces,
     ) -> Sample {
         let mut balls = Vec::with_capacity(self.layout.balls);
         let inner_speed = self.frame(t, y).rings.inner.speed;
-        let (frame, sums, bodies) = evaluate_with(self, t, y, traction, |index, forces| {
+        let (frame, sums, bodies) = evaluate_with(self, t, y, ball, |index, forces| {
             balls.push(self.ball_result((self.unknowns(index, y), inner_speed), forces));
         });
         let energy = sums.powers.energy + bodies.energy;

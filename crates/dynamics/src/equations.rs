@@ -36,6 +36,17 @@ pub(crate) struct Springs {
 /// The friction part: traction, drag, churning and the pocket.
 pub(crate) type Friction = BallFriction;
 
+/// A ball between its races and in the fluid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Touched {
+    pub state: BallState,
+    pub surfaces: Races<LocalSurface>,
+    pub orbit_radius: f64,
+    pub contacts: Races<RaceContact>,
+    /// Drag (N) and churning (N m).
+    pub fluid: (f64, [f64; 3]),
+}
+
 /// One ball with all that acts on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BallForces {
@@ -86,19 +97,16 @@ pub(crate) trait Equations {
         self.machine().bearing.sliding(side, contact, state, (&frame.rings[side], orbit_radius))
     }
 
-    /// The friction part of ball `index` under the tractions of its contacts.
-    #[inline]
+    /// The friction part of a ball under the tractions of its contacts, the fluid and its pocket.
+    #[inline(always)]
     fn friction(
         &self,
-        index: usize,
-        (b, state): (&[f64], &BallState),
         traction: &Races<ContactForces>,
-        (frame, orbit_radius): (&Frame, f64),
+        fluid: (f64, [f64; 3]),
+        pocket: PocketLoad,
+        orbit_radius: f64,
     ) -> Friction {
-        let machine = self.machine();
-        let (drag, churning) = machine.bearing.fluid_loads(state, orbit_radius, frame.rings.inner.speed);
-        let pocket = machine.pocket_load(index, b, frame);
-        BallFriction::new(traction, (drag, churning), (pocket, machine.cage.pocket.radius), orbit_radius)
+        BallFriction::new(traction, fluid, (pocket, self.machine().cage.pocket.radius), orbit_radius)
     }
 
     /// Accelerations of a ball by the spring part: axial, radial, orbital.
@@ -108,7 +116,7 @@ pub(crate) trait Equations {
     }
 
     /// Accelerations of a ball by the friction part.
-    #[inline]
+    #[inline(always)]
     fn friction_acceleration(&self, state: &BallState, friction: &Friction, orbit_radius: f64) -> [f64; 6] {
         self.machine().bearing.friction_acceleration(state, friction, orbit_radius)
     }
@@ -124,15 +132,25 @@ pub(crate) trait Equations {
         let machine = self.machine();
         let (axes, position, surfaces) = machine.place(b, frame);
         let state = self.state_at(axes, position, b);
-        let springs = self.springs(machine.normal_loads(&state, &surfaces, frame));
-        let r = springs.normal.orbit_radius;
+        let normal = machine.normal_loads(&state, &surfaces, frame);
+        let r = normal.orbit_radius;
         let contacts = Races::from_fn(|side| {
-            let contact = springs.normal.contacts[side];
+            let contact = normal.contacts[side];
             let sliding = self.sliding(side, &contact, &state, (frame, r));
             machine.bearing.race_contact(side, contact, &sliding, surfaces[side].bare, &mut traction)
         });
+        let fluid = machine.bearing.fluid_loads(&state, r, frame.rings.inner.speed);
+        self.together((index, b, frame), Touched { state, surfaces, orbit_radius: r, contacts, fluid })
+    }
+
+    /// A ball of which all but its pocket is known.
+    #[inline(always)]
+    fn together(&self, (index, b, frame): (usize, &[f64], &Frame), touched: Touched) -> BallForces {
+        let machine = self.machine();
+        let Touched { state, surfaces, orbit_radius: r, contacts, fluid } = touched;
+        let springs = self.springs(NormalLoads { contacts: contacts.map(|c| c.normal), orbit_radius: r });
         let tractions = contacts.map(|c| ContactForces { force: c.traction_force, moment: c.moment });
-        let friction = self.friction(index, (b, &state), &tractions, (frame, r));
+        let friction = self.friction(&tractions, fluid, machine.pocket_load(index, b, frame), r);
         let by_springs = self.spring_acceleration(&springs, state.orbital_speed);
         let mut acceleration = self.friction_acceleration(&state, &friction, r);
         acceleration.iter_mut().zip(by_springs).for_each(|(sum, part)| *sum += part);
@@ -229,7 +247,12 @@ impl Machine {
 
     /// Lead of a ball over the middle of its pocket, rad.
     pub fn lead(&self, index: usize, b: &[f64], cage_angle: f64) -> f64 {
-        b[AZIMUTH] - cage_angle - TAU * index as f64 / self.layout.balls as f64
+        b[AZIMUTH] - cage_angle - self.place_in_cage(index)
+    }
+
+    /// Azimuth of the middle of a pocket against the cage, rad.
+    pub fn place_in_cage(&self, index: usize) -> f64 {
+        TAU * index as f64 / self.layout.balls as f64
     }
 
     /// The unknowns of a ball.

@@ -4,8 +4,7 @@ use crate::equations::{BallForces, Equations, Frame};
 use crate::layout::{BALL, Layout, VELOCITY};
 use crate::machine::Machine;
 use crate::watch::Watch;
-use tribodyn_bearing::{AzimuthFrame, LoadedPatch, NormalContact, PocketLoad, Races, Side};
-use tribodyn_traction::PatchTraction;
+use tribodyn_bearing::{AzimuthFrame, NormalContact, PocketLoad, Races, Side};
 
 /// A system of ordinary differential equations.
 pub(crate) trait System {
@@ -147,23 +146,26 @@ pub(crate) fn evaluate<E: Equations>(
     each: impl FnMut(usize, &BallForces),
 ) -> (Frame, Sums, BodyForces) {
     let machine = equations.machine();
-    evaluate_with(equations, t, y, |_, patch| machine.kernel.traction(&machine.bearing, patch), each)
+    let ball = |index: usize, y: &[f64], frame: &Frame| {
+        equations
+            .ball(index, machine.unknowns(index, y), frame, |patch| machine.kernel.traction(&machine.bearing, patch))
+    };
+    evaluate_with(machine, t, y, ball, each)
 }
 
-/// All balls at a time and state; `traction` integrates over the patches of each.
-pub(crate) fn evaluate_with<E: Equations>(
-    equations: &E,
+/// All balls at a time and state; `ball` tells what acts on each, in the order of their numbers.
+pub(crate) fn evaluate_with(
+    machine: &Machine,
     t: f64,
     y: &[f64],
-    mut traction: impl FnMut(usize, &LoadedPatch<'_, f64>) -> PatchTraction,
+    mut ball: impl FnMut(usize, &[f64], &Frame) -> BallForces,
     mut each: impl FnMut(usize, &BallForces),
 ) -> (Frame, Sums, BodyForces) {
-    let machine = equations.machine();
     let frame = machine.frame(t, y);
     let mut sums = Sums::default();
     for index in 0..machine.layout.balls {
         let b = machine.unknowns(index, y);
-        let forces = equations.ball(index, b, &frame, |patch| traction(index, patch));
+        let forces = ball(index, y, &frame);
         machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &frame, &mut sums);
         each(index, &forces);
     }

@@ -41,8 +41,8 @@ const GROWTH: f64 = 2.0;
 pub(crate) struct Contacts {
     /// Inner, outer.
     pub of: [LinearTraction; 2],
-    /// Steps since the last refresh of each.
-    pub age: [usize; 2],
+    /// Last step, counted from the start of the run, that the linear form of each serves.
+    pub last: [u64; 2],
 }
 
 /// Value and slopes at one point.
@@ -69,8 +69,9 @@ impl LinearTraction {
         self.inputs.iter().chain(&self.value).chain(slopes).copied().chain([self.bare, self.semi_lateral, self.reach])
     }
 
-    /// Numbers that a linear traction consists of.
+    /// Numbers that a linear traction consists of, and which of them is the lateral semi-axis.
     pub const NUMBERS: usize = 51;
+    pub const SEMI_LATERAL: usize = 49;
 
     /// All of them in order.
     pub fn numbers(&self) -> [f64; Self::NUMBERS] {
@@ -90,20 +91,8 @@ impl LinearTraction {
         Self { inputs: six(0), value: six(6), slopes, bare: n(48), semi_lateral: n(49), reach: n(50) }
     }
 
-    /// The linear traction, where a motion, a load, N, and the bare part of the surface are near enough: within `share`
+    /// The change of motion and load, N, and whether it and the bare part of the surface are near enough: within `share`
     /// of the reach.
-    pub fn at(
-        &self,
-        motion: &RelativeMotion,
-        load: f64,
-        (bare, share): (f64, f64),
-        ball_radius: f64,
-    ) -> Option<PatchTraction> {
-        let (change, near) = self.reaches(motion, load, (bare, share), ball_radius);
-        near.then(|| self.traction(motion, &change))
-    }
-
-    /// The change of motion and load, and whether it and the bare part of the surface are near enough.
     #[inline(always)]
     pub fn reaches(
         &self,
@@ -194,9 +183,9 @@ impl LinearTraction {
     fn next_reach(&self, p: &LoadedPatch<'_, f64>, d: &PatchDerivative, (load, tolerance): (f64, f64)) -> f64 {
         let change = self.change(&p.motion, load);
         let linear = self.traction(&p.motion, &change);
-        let off = (linear.force_rolling - d.traction.force_rolling)
-            .hypot(linear.force_lateral - d.traction.force_lateral)
-            / load;
+        let along = linear.force_rolling - d.traction.force_rolling;
+        let across = linear.force_lateral - d.traction.force_lateral;
+        let off = (along * along + across * across).sqrt() / load;
         let distance = self.distance(&change, p.patch.ball_radius).sqrt();
         let wanted = 0.9 * distance * (tolerance / off.max(1e-14)).sqrt();
         wanted.clamp(self.reach / (2.0 * GROWTH), self.reach * GROWTH).max(SHORTEST_REACH)

@@ -20,6 +20,7 @@ pub struct BallDrag {
 impl BallDrag {
     /// Force, N, against a motion of the ball at `relative_speed`, m/s, through the fluid: positive for a positive
     /// speed, to be subtracted by the caller. Odd, with a continuous first derivative that vanishes at rest.
+    #[inline(always)]
     pub fn force<D: Scalar>(&self, relative_speed: D) -> D {
         let factor = 0.5 * self.drag_coefficient * self.density_effective * self.frontal_area;
         let square = relative_speed * relative_speed * factor;

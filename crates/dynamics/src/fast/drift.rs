@@ -17,8 +17,9 @@ pub(super) struct Stand {
     found: Found,
 }
 
-/// Numbers of a normal contact.
+/// Numbers of a normal contact, and which of them is the load.
 const CONTACT: usize = 12;
+const LOAD: usize = 8;
 
 /// What the springs do there.
 #[derive(Debug, Clone)]
@@ -64,6 +65,11 @@ impl Stand {
         self.found.orbit_radius.0[k]
     }
 
+    pub fn surface(&self, side: Side, k: usize) -> LocalSurface {
+        let [depth, slope, bare] = get(&self.surfaces[side as usize], k);
+        LocalSurface { depth, slope, bare }
+    }
+
     #[inline(always)]
     pub fn bare(&self, side: Side, k: usize) -> f64 {
         self.surfaces[side as usize][2].0[k]
@@ -75,6 +81,11 @@ impl Stand {
 
     pub fn set_acceleration(&mut self, acceleration: [Lane; 3]) {
         self.found.acceleration = acceleration;
+    }
+
+    /// Normal load, N.
+    pub fn load(&self, side: Side, k: usize) -> f64 {
+        self.found.contacts[side as usize][LOAD].0[k]
     }
 
     #[inline(always)]
@@ -149,10 +160,7 @@ fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; B
         let axes = AzimuthFrame { sin, cos };
         let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], frame, groove);
         let state = equations.state_at(axes, position, &b);
-        let surfaces = Races::from_fn(|side| {
-            let [depth, slope, bare] = get(&stand.surfaces[side as usize], k);
-            LocalSurface { depth, slope, bare }
-        });
+        let surfaces = Races::from_fn(|side| stand.surface(side, k));
         let springs = equations.springs(machine.normal_loads(&state, &surfaces, frame));
         let found = &mut stand.found;
         put(&mut found.axes, k, [sin, cos]);
@@ -182,15 +190,8 @@ pub(super) fn drift_acceleration<E: Equations>(
     let l = machine.layout;
     let frame = machine.frame(t, y);
     let mut sums = Sums::default();
-    let model = (machine.bearing.contact_springs(), machine.bearing.geometry.groove_centre_radius(Side::Outer));
     for (block, (balls, out)) in balls.iter().zip(stands).enumerate() {
-        surfaces(machine, &frame, balls, &mut out.surfaces);
-        if machine.bearing.modelling.contact_at_actual_angle {
-            springs_by_angle(equations, &frame, balls, out);
-        } else {
-            let Stand { surfaces, found } = &mut *out;
-            dispatch!(level, _simd => springs(equations, &frame, (balls, surfaces), model, found));
-        }
+        press(level, equations, (&frame, balls), out);
         for k in 0..filled(l, block) {
             for side in Side::BOTH {
                 let on_ball = get(&out.found.on_rings[side as usize], k);
@@ -202,6 +203,23 @@ pub(super) fn drift_acceleration<E: Equations>(
     a[l.cage() + 1] = bodies.cage;
     a[l.inner() + 3..l.inner() + 6].copy_from_slice(&bodies.inner);
     a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);
+}
+
+/// How the balls of a block are pressed on their races.
+pub(super) fn press<E: Equations>(
+    level: Level,
+    equations: &E,
+    (frame, balls): (&Frame, &[Lane; BALL]),
+    out: &mut Stand,
+) {
+    let machine = equations.machine();
+    surfaces(machine, frame, balls, &mut out.surfaces);
+    if machine.bearing.modelling.contact_at_actual_angle {
+        return springs_by_angle(equations, frame, balls, out);
+    }
+    let model = (machine.bearing.contact_springs(), machine.bearing.geometry.groove_centre_radius(Side::Outer));
+    let Stand { surfaces, found } = &mut *out;
+    dispatch!(level, _simd => springs(equations, frame, (balls, surfaces), model, found));
 }
 
 /// The surfaces under the balls of a block.

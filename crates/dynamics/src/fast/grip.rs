@@ -4,18 +4,20 @@ use super::drift::Stand;
 use super::friction::LinearFriction;
 use super::lanes::{Lane, WIDTH, get, put};
 use crate::equations::{Equations, Frame};
-use crate::layout::{BALL, VELOCITY};
-use crate::linear::LinearTraction;
+use crate::layout::{AZIMUTH, BALL, VELOCITY};
+use crate::linear::{Contacts, LinearTraction};
 use nalgebra::Matrix6;
-use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, Side};
+use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, PocketLoad, Races, Side};
 
 /// Numbers of a linear traction, and of a linear friction.
-const LINEAR: usize = LinearTraction::NUMBERS;
+pub(super) const LINEAR: usize = LinearTraction::NUMBERS;
 
 /// The linear forms of the balls of a block.
 #[derive(Debug, Clone)]
 pub(super) struct Forms {
-    traction: [[Lane; LINEAR]; 2],
+    pub traction: [[Lane; LINEAR]; 2],
+    /// Last steps that the tractions serve.
+    last: [Lane; 2],
     response: [[Lane; 36]; 2],
     coupling: [Lane; 36],
     own: [[Lane; 9]; 2],
@@ -25,6 +27,7 @@ pub(super) struct Forms {
 impl Forms {
     pub const NONE: Self = Self {
         traction: [[Lane::ZERO; LINEAR]; 2],
+        last: [Lane::ZERO; 2],
         response: [[Lane::ZERO; 36]; 2],
         coupling: [Lane::ZERO; 36],
         own: [[Lane::ZERO; 9]; 2],
@@ -32,17 +35,25 @@ impl Forms {
     };
 
     /// Takes over the forms of one ball; of its tractions those of the sides that are `new`.
-    pub fn set(&mut self, k: usize, (traction, new): (&[LinearTraction; 2], [bool; 2]), friction: &LinearFriction) {
+    pub fn set(&mut self, k: usize, (contacts, new): (&Contacts, [bool; 2]), friction: &LinearFriction) {
         let six = |lanes: &mut [Lane; 36], m: &Matrix6<f64>| put(lanes, k, flat(m.data.0));
         six(&mut self.coupling, &friction.coupling);
         for i in 0..2 {
             if new[i] {
-                put(&mut self.traction[i], k, traction[i].numbers());
+                put(&mut self.traction[i], k, contacts.of[i].numbers());
+                self.last[i].0[k] = contacts.last[i] as f64;
             }
             six(&mut self.response[i], &friction.response[i]);
             six(&mut self.follow[i], &friction.follow[i]);
             put(&mut self.own[i], k, flat(friction.own[i].data.0));
         }
+    }
+}
+
+impl Forms {
+    /// Lateral semi-axis of a contact where it was linearised, m.
+    pub fn semi_lateral(&self, side: Side, k: usize) -> f64 {
+        self.traction[side as usize][LinearTraction::SEMI_LATERAL].0[k]
     }
 }
 
@@ -62,21 +73,50 @@ pub(super) struct Grips {
     forces: [[Lane; 6]; 2],
     /// Wear integrals.
     pub wear: [Lane; 2],
-    /// Changes of the velocities by all accelerations of the friction part.
-    pub push: [Lane; 6],
+    /// Drag (N) and churning (N m).
+    fluid: [Lane; 4],
+    /// How far the ball is pressed into the wall of its pocket, m.
+    pub depth: Lane,
+    /// Force, friction and its moment by the pocket: of those balls alone that touch it.
+    pocket: [Lane; 5],
 }
 
 impl Grips {
-    pub const NONE: Self =
-        Self { near: [Lane::ZERO; 2], forces: [[Lane::ZERO; 6]; 2], wear: [Lane::ZERO; 2], push: [Lane::ZERO; 6] };
+    pub const NONE: Self = Self {
+        near: [Lane::ZERO; 2],
+        forces: [[Lane::ZERO; 6]; 2],
+        wear: [Lane::ZERO; 2],
+        fluid: [Lane::ZERO; 4],
+        depth: Lane::ZERO,
+        pocket: [Lane::ZERO; 5],
+    };
 
     pub fn is_near(&self, side: Side, k: usize) -> bool {
         self.near[side as usize].0[k] > 0.0
     }
 
-    pub fn forces(&self, side: Side, k: usize) -> ContactForces {
+    #[inline(always)]
+    fn forces(&self, side: Side, k: usize) -> ContactForces {
         let [a, b, c, d, e, f] = get(&self.forces[side as usize], k);
         ContactForces { force: [a, b, c], moment: [d, e, f] }
+    }
+
+    /// Drag (N) and churning (N m) of a ball.
+    #[inline(always)]
+    pub fn fluid(&self, k: usize) -> (f64, [f64; 3]) {
+        let [drag, x, y, z] = get(&self.fluid, k);
+        (drag, [x, y, z])
+    }
+
+    #[inline(always)]
+    fn pocket(&self, k: usize) -> PocketLoad {
+        let [force, axial, radial, about_axial, about_radial] = get(&self.pocket, k);
+        PocketLoad { force, friction: [axial, radial], moment: [about_axial, about_radial], ..PocketLoad::none() }
+    }
+
+    pub fn set_pocket(&mut self, k: usize, of: &PocketLoad) {
+        let ([axial, radial], [about_axial, about_radial]) = (of.friction, of.moment);
+        put(&mut self.pocket, k, [of.force, axial, radial, about_axial, about_radial]);
     }
 
     pub fn set_forces(&mut self, side: Side, k: usize, of: &ContactForces) {
@@ -85,7 +125,7 @@ impl Grips {
     }
 }
 
-/// Force and moment on a ball by one contact, the wear integral, and 1 where its linear form serves, else 0.
+/// Force and moment on a ball by one contact, the wear integral, and 1 where its linear form is near, else 0.
 #[inline(always)]
 fn contact<E: Equations>(
     equations: &E,
@@ -108,11 +148,11 @@ fn contact<E: Equations>(
     (forces, share * traction.wear_integral, if loaded & !serves { 0.0 } else { 1.0 })
 }
 
-/// Tractions of the balls of a block from their linear forms, and whether those serve.
+/// Tractions of the balls of a block from their linear forms, and whether those serve in step `now`.
 #[inline(always)]
 pub(super) fn tractions<E: Equations>(
     equations: &E,
-    frame: &Frame,
+    (frame, now): (&Frame, f64),
     (balls, stand, forms): (&[Lane; BALL], &Stand, &Forms),
     grips: &mut Grips,
 ) {
@@ -121,12 +161,43 @@ pub(super) fn tractions<E: Equations>(
         let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
         let (forces, wear, near) = contact(equations, Side::Inner, (&frame, &state), (stand, &forms.traction[0], k));
         put(&mut out.forces[0], k, forces);
-        (out.wear[0].0[k], out.near[0].0[k]) = (wear, near);
+        (out.wear[0].0[k], out.near[0].0[k]) = (wear, if now > forms.last[0].0[k] { 0.0 } else { near });
         let (forces, wear, near) = contact(equations, Side::Outer, (&frame, &state), (stand, &forms.traction[1], k));
         put(&mut out.forces[1], k, forces);
-        (out.wear[1].0[k], out.near[1].0[k]) = (wear, near);
+        (out.wear[1].0[k], out.near[1].0[k]) = (wear, if now > forms.last[1].0[k] { 0.0 } else { near });
     }
     *grips = out;
+}
+
+/// The fluid's drag and churning, and how deep the balls of a block are in their pockets, the middles of which are at
+/// azimuths of `places` against the cage.
+#[inline(always)]
+pub(super) fn surroundings<E: Equations>(
+    equations: &E,
+    (frame, places): (&Frame, &Lane),
+    (balls, stand): (&[Lane; BALL], &Stand),
+    grips: &mut Grips,
+) {
+    let (mut out, mut depth, machine) = ([Lane::ZERO; 4], Lane::ZERO, equations.machine());
+    let (pocket, cage_angle, inner_speed) = (machine.cage.pocket, frame.cage[0], frame.rings.inner.speed);
+    for k in 0..WIDTH {
+        depth.0[k] = pocket.penetration(balls[AZIMUTH].0[k] - cage_angle - places.0[k]);
+    }
+    // What there is of the fluid is asked outside of the loops, which would else not become vector instructions.
+    if let Some(fluid) = machine.bearing.fluid {
+        for k in 0..WIDTH {
+            let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
+            out[0].0[k] = fluid.drag_on(&state, stand.orbit_radius(k), inner_speed);
+        }
+        if let Some(churning) = fluid.churning {
+            for k in 0..WIDTH {
+                let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
+                let [x, y, z] = churning.moment_vector(state.spin);
+                (out[1].0[k], out[2].0[k], out[3].0[k]) = (x, y, z);
+            }
+        }
+    }
+    (grips.fluid, grips.depth) = (out, depth);
 }
 
 /// m v.
@@ -171,16 +242,35 @@ fn add_velocities(balls: &mut [Lane; BALL], changes: &[Lane; 6]) {
     }
 }
 
-/// Every ball by itself with the rings held, and the force on the rings, inertial axes.
+/// Changes of the velocities of a ball in a step of `h` by all accelerations of the friction part and by those given
+/// back.
 #[inline(always)]
-pub(super) fn respond(
+fn push<E: Equations>(
+    equations: &E,
+    (b, given_back, h): (&[f64; BALL], [f64; 3], f64),
+    (stand, grips, k): (&Stand, &Grips, usize),
+) -> [f64; 6] {
+    let (state, r) = (equations.state_at(stand.axes(k), stand.position(k), b), stand.orbit_radius(k));
+    let traction = Races { inner: grips.forces(Side::Inner, k), outer: grips.forces(Side::Outer, k) };
+    let friction = equations.friction(&traction, grips.fluid(k), grips.pocket(k), r);
+    let a = equations.friction_acceleration(&state, &friction, r);
+    let [axial, radial, orbital] = given_back;
+    [(a[0] + axial) * h, (a[1] + radial) * h, (a[2] + orbital) * h, a[3] * h, a[4] * h, a[5] * h]
+}
+
+/// Every ball by itself with the rings held over a step of `h`, and the force on the rings, inertial axes.
+#[inline(always)]
+pub(super) fn respond<E: Equations>(
+    equations: &E,
     balls: &mut [Lane; BALL],
     (stand, forms, grips): (&Stand, &Forms, &Grips),
+    (given_back, h): (&[Lane; 3], f64),
     reaction: &mut [Lane; 5],
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 5]);
+    let now = *balls;
     for k in 0..WIDTH {
-        let push = get(&grips.push, k);
+        let push = push(equations, (&get(&now, k), get(given_back, k), h), (stand, grips, k));
         let (change, mean) = (times(&forms.response[0], push, k), times(&forms.response[1], push, k));
         let (i, o) = (get(&grips.forces[0], k), get(&grips.forces[1], k));
         let back = transposed(&forms.coupling, mean, k);

@@ -1,22 +1,22 @@
 //! The kick: friction at fixed position, linearly implicit.
 
-use super::Fast;
 use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, ring_in_ball_axes};
-use super::grip::{Forms, Grips, follow, respond, tractions};
-use super::lanes::{Lane, WIDTH, blocks, filled, get, put};
+use super::grip::{Forms, Grips, follow, respond, surroundings, tractions};
+use super::lanes::{Lane, WIDTH, blocks, filled, get};
+use super::{Fast, Scratch};
 use crate::equations::{Equations, Frame};
-use crate::layout::{AZIMUTH, VELOCITY};
+use crate::layout::AZIMUTH;
 use crate::linear::Contacts;
 use crate::machine::Machine;
 use crate::watch::Watch;
 use fearless_simd::dispatch;
 use nalgebra::{Matrix5, Vector5};
-use tribodyn_bearing::{AzimuthFrame, BallState, Races};
+use tribodyn_bearing::{AzimuthFrame, Races, Side};
 
 /// Steps between new matrices of the rings: they only predict, and turn with the balls by a degree or so.
 const RINGS_EVERY: usize = 16;
 /// Most steps that a linear traction serves.
-const LONGEST_LINEAR: usize = 64;
+const LONGEST_LINEAR: u64 = 64;
 
 impl Fast {
     /// Every ball by itself with the rings held, then the rings with what the balls leave, then the balls again by what
@@ -34,11 +34,12 @@ impl Fast {
         let mut on_rings = self.ring_common(equations.machine());
         let (mut cage_torque, mut reaction) = (0.0, [Lane::ZERO; 5]);
         for block in 0..blocks(l.balls) {
-            cage_torque += self.grip(equations, block, &frame, (renew, h));
+            cage_torque += self.grip(equations, block, &frame, renew);
             let scratch = &mut self.scratch;
             let balls = &mut scratch.balls[block];
             let at = (&scratch.stands[block], &scratch.forms[block], &scratch.grips[block]);
-            dispatch!(scratch.level, _simd => respond(balls, at, &mut reaction));
+            let (equations, given) = (&*equations, (&scratch.given_back[block], h));
+            dispatch!(scratch.level, _simd => respond(equations, balls, at, given, &mut reaction));
             (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
         }
         let machine = equations.machine();
@@ -70,72 +71,66 @@ impl Fast {
             self.scratch.grips.resize(blocks(balls), Grips::NONE);
             for ball in 0..balls {
                 let forms = &mut self.scratch.forms[ball / WIDTH];
-                forms.set(ball % WIDTH, (&self.contacts[ball].of, [true; 2]), &self.friction[ball]);
+                forms.set(ball % WIDTH, (&self.contacts[ball], [true; 2]), &self.friction[ball]);
             }
         }
     }
 
-    /// Tractions and pushes of the balls of a block: from their linear forms where those still hold, else integrated
-    /// and linearised anew. Returns the torque on the cage.
-    fn grip<E: Equations>(&mut self, equations: &mut E, block: usize, frame: &Frame, (renew, h): (bool, f64)) -> f64 {
-        let l = equations.machine().layout;
+    /// Tractions of the balls of a block from their linear forms where those still hold, else integrated and linearised
+    /// anew, and what fluid and pockets do. Returns the torque on the cage.
+    fn grip<E: Equations>(&mut self, equations: &mut E, block: usize, frame: &Frame, renew: bool) -> f64 {
+        let machine = equations.machine();
+        let (balls, first) = (filled(machine.layout, block), WIDTH * block);
+        let places = Lane(std::array::from_fn(|k| machine.place_in_cage((first + k).min(machine.layout.balls - 1))));
         let scratch = &mut self.scratch;
         let at = (&scratch.balls[block], &scratch.stands[block], &scratch.forms[block]);
-        let (equations_now, grips) = (&*equations, &mut scratch.grips[block]);
-        dispatch!(scratch.level, _simd => tractions(equations_now, frame, at, grips));
+        let (equations_now, grips, now) = (&*equations, &mut scratch.grips[block], self.steps as f64);
+        dispatch!(scratch.level, _simd => {
+            tractions(equations_now, (frame, now), at, grips);
+            surroundings(equations_now, (frame, &places), (at.0, at.1), grips);
+        });
+        self.used += 2 * balls as u64;
         let mut cage_torque = 0.0;
-        for k in 0..filled(l, block) {
-            let index = WIDTH * block + k;
-            let stand = &self.scratch.stands[block];
-            let (b, r) = (get(&self.scratch.balls[block], k), stand.orbit_radius(k));
-            let state = equations.state_at(stand.axes(k), stand.position(k), &b);
-            self.used += 2;
-            let age = &mut self.contacts[index].age;
-            age.iter_mut().for_each(|age| *age += 1);
+        for k in 0..balls {
             let grips = &self.scratch.grips[block];
-            let old = Races::from_fn(|side| age[side as usize] > LONGEST_LINEAR || !grips.is_near(side, k));
+            let old = Races { inner: !grips.is_near(Side::Inner, k), outer: !grips.is_near(Side::Outer, k) };
+            let touches = grips.depth.0[k] > 0.0;
             if renew || old.inner || old.outer {
-                self.refresh(equations, index, (frame, &state), old.map(|old| old || renew));
+                self.refresh(equations, first + k, frame, old.map(|old| old || renew));
             }
-            let grips = &mut self.scratch.grips[block];
-            let traction = Races::from_fn(|side| grips.forces(side, k));
-            let part = equations.friction(index, (&b, &state), &traction, (frame, r));
-            cage_torque += part.pocket.cage_torque;
-            let of = &self.contacts[index].of;
+            let mut pocket_wear = 0.0;
+            if touches {
+                let machine = equations.machine();
+                let pocket = machine.pocket_load(first + k, &get(&self.scratch.balls[block], k), frame);
+                self.scratch.grips[block].set_pocket(k, &pocket);
+                pocket_wear = machine.pocket_wear(&pocket);
+                cage_torque += pocket.cage_torque;
+            }
+            let Scratch { stands, forms, grips, .. } = &self.scratch;
+            let (stand, forms, grips) = (&stands[block], &forms[block], &grips[block]);
             let machine = equations.machine_mut();
-            let loads = Races::from_fn(|side| self.scratch.stands[block].contact(side, k).load);
-            machine.watch[index] = Watch {
+            let loaded = Races::from_fn(|side| stand.load(side, k) > 0.0);
+            machine.watch[first + k] = Watch {
                 wear: Races::from_fn(|side| machine.bearing.wear_rate(side, grips.wear[side as usize].0[k])),
-                pocket_wear: machine.pocket_wear(&part.pocket),
-                semi_lateral: Races::from_fn(
-                    |side| if loads[side] > 0.0 { of[side as usize].semi_lateral() } else { 0.0 },
-                ),
-                loaded: loads.map(|load| load > 0.0),
+                pocket_wear,
+                semi_lateral: Races::from_fn(|side| if loaded[side] { forms.semi_lateral(side, k) } else { 0.0 }),
+                loaded,
             };
-            let mut push = equations.friction_acceleration(&state, &part, r);
-            let given_back = &self.given_back[l.ball(index) + VELOCITY..];
-            push.iter_mut().zip(given_back).for_each(|(a, common)| *a = (*a + common) * h);
-            put(&mut grips.push, k, push);
         }
         cage_torque
     }
 
     /// Integrates the contacts of a ball whose linear traction is `old` and makes its linear forms anew.
-    fn refresh<E: Equations>(
-        &mut self,
-        equations: &E,
-        index: usize,
-        (frame, state): (&Frame, &BallState),
-        old: Races<bool>,
-    ) {
+    fn refresh<E: Equations>(&mut self, equations: &E, index: usize, frame: &Frame, old: Races<bool>) {
         let machine = equations.machine();
         let bearing = &machine.bearing;
         let (block, k) = (index / WIDTH, index % WIDTH);
         let stand = &self.scratch.stands[block];
+        let state = &equations.state_at(stand.axes(k), stand.position(k), &get(&self.scratch.balls[block], k));
         let (normal, grips) = (stand.normal(k), &mut self.scratch.grips[block]);
         let contacts = &mut self.contacts[index];
         for (side, contact) in normal.contacts.iter().filter(|(side, _)| old[*side]) {
-            contacts.age[side as usize] = 0;
+            contacts.last[side as usize] = self.steps + LONGEST_LINEAR;
             if contact.load <= 0.0 {
                 continue;
             }
@@ -149,7 +144,7 @@ impl Fast {
         }
         self.friction[index] = linear_friction(machine, state, &normal, &contacts.of, self.step);
         let new = [old.inner, old.outer];
-        self.scratch.forms[block].set(k, (&contacts.of, new), &self.friction[index]);
+        self.scratch.forms[block].set(k, (contacts, new), &self.friction[index]);
     }
 
     fn ring_matrix(&self, machine: &Machine, h: f64) -> Matrix5<f64> {

@@ -33,11 +33,11 @@ mod friction;
 mod grip;
 mod kick;
 mod lanes;
+mod look;
 
 use crate::equations::Equations;
 use crate::layout::{BALL, Layout, VELOCITY};
 use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
-use crate::machine::Machine;
 use drift::{Stand, drift_acceleration, glide_balls, glide_bodies, push_balls, push_bodies};
 use fearless_simd::{Level, dispatch};
 use friction::LinearFriction;
@@ -46,8 +46,6 @@ use lanes::{Lane, WIDTH, blocks, filled, gather, scatter};
 use nalgebra::Matrix5;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::LoadedPatch;
-use tribodyn_traction::PatchTraction;
 
 /// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it
 /// does not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an
@@ -55,9 +53,6 @@ use tribodyn_traction::PatchTraction;
 const SMOOTHING_TIME: f64 = 5e-4;
 /// The same for the rings, s: they vibrate at lower frequencies.
 const RING_SMOOTHING_TIME: f64 = 5e-3;
-/// Reach of a linear traction for samples, over that for steps: half a step before a refresh the linear form must not
-/// give way to an integral that serves only once.
-const BEFORE_REFRESH: f64 = 1.5;
 /// Longest step of the drift over the period of the contact springs, as an angle: leapfrog is stable up to 2.
 const DRIFT_ANGLE: f64 = 1.4;
 
@@ -80,10 +75,15 @@ pub(crate) struct Fast {
     rings_last: usize,
     /// Step for which the inverses are.
     step: f64,
-    /// Accelerations of the drift at the present position, their smoothed part, which the drift goes without, and that
-    /// part as the kick gives it back: the mean of before and after, so that nothing of it is lost or made.
+    /// Steps made.
+    steps: u64,
+    /// Accelerations of the drift at the present position, and their smoothed part, which the drift goes without. Those
+    /// of the balls are in lanes while steps are made.
     drift: Vec<f64>,
     common: Vec<f64>,
+    /// That part as the kick gives it back to rings and cage: the mean of before and after, so that nothing of it is
+    /// lost or made.
+    #[serde(skip)]
     given_back: Vec<f64>,
     /// Whether they are there.
     ready: bool,
@@ -105,13 +105,23 @@ fn of_balls(l: Layout, list: &[f64], block: usize) -> [Lane; 3] {
     lanes
 }
 
+/// Moves a common acceleration by a share of its distance from that of the drift; given back is the mean.
+#[inline(always)]
+fn follow_slowly((common, given): (&mut f64, &mut f64), drift: f64, share: f64) {
+    let before = *common;
+    *common += share * (drift - before);
+    *given = 0.5 * (before + *common);
+}
+
 /// The balls in lanes: all of it follows from the rest of the memory and the state.
 #[derive(Debug)]
 struct Scratch {
     /// The vector instructions of this processor.
     level: Level,
     balls: Vec<[Lane; BALL]>,
+    /// Common accelerations, and as the kick gives them back.
     common: Vec<[Lane; 3]>,
+    given_back: Vec<[Lane; 3]>,
     stands: Vec<Stand>,
     forms: Vec<Forms>,
     grips: Vec<Grips>,
@@ -120,7 +130,8 @@ struct Scratch {
 impl Default for Scratch {
     fn default() -> Self {
         let level = Level::new();
-        Self { level, balls: Vec::new(), common: Vec::new(), stands: Vec::new(), forms: Vec::new(), grips: Vec::new() }
+        let (balls, common, given_back) = (Vec::new(), Vec::new(), Vec::new());
+        Self { level, balls, common, given_back, stands: Vec::new(), forms: Vec::new(), grips: Vec::new() }
     }
 }
 
@@ -153,6 +164,7 @@ impl Fast {
             rings: Matrix5::zeros(),
             rings_last: 0,
             step: 0.0,
+            steps: 0,
             drift: Vec::new(),
             common: Vec::new(),
             given_back: Vec::new(),
@@ -167,11 +179,14 @@ impl Fast {
     pub fn step<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64, highest: f64) {
         let pieces = pieces(h, highest);
         self.enter(equations, t, y);
+        self.steps += 1;
         self.drift(equations, t, y, 0.5 * h, pieces);
-        self.keep_accelerations(equations.machine().layout);
         self.kick(equations, t + 0.5 * h, y, h);
         self.drift(equations, t + 0.5 * h, y, 0.5 * h, pieces);
-        self.leave(equations.machine().layout, y);
+        let l = equations.machine().layout;
+        for (block, balls) in self.scratch.balls.iter().enumerate() {
+            scatter(l, balls, block, y);
+        }
     }
 
     /// Takes the balls over into lanes.
@@ -184,14 +199,15 @@ impl Fast {
         if fresh {
             scratch.stands.resize(blocks(l.balls), Stand::NONE);
             scratch.common.resize(blocks(l.balls), [Lane::ZERO; 3]);
+            scratch.given_back.resize(blocks(l.balls), [Lane::ZERO; 3]);
+            self.given_back.resize(y.len(), 0.0);
         }
         if !self.ready {
             self.drift.resize(y.len(), 0.0);
             let found = (&mut self.drift[..], &mut scratch.stands[..]);
             drift_acceleration(scratch.level, equations, (t, y), &scratch.balls, found);
             self.keep_accelerations(l);
-            self.common = self.drift.clone();
-            self.given_back = self.drift.clone();
+            self.common.clone_from(&self.drift);
             self.ready = true;
         }
         if fresh {
@@ -213,12 +229,15 @@ impl Fast {
         }
     }
 
-    /// Gives the balls back.
-    fn leave(&mut self, l: Layout, y: &mut [f64]) {
-        for (block, balls) in self.scratch.balls.iter().enumerate() {
-            scatter(l, balls, block, y);
-        }
+    /// Takes what is in lanes into the memory: to be called before that is kept.
+    pub fn settle(&mut self, l: Layout) {
         self.keep_accelerations(l);
+        for (block, common) in self.scratch.common.iter().enumerate() {
+            for k in 0..filled(l, block) {
+                let at = l.ball(WIDTH * block + k) + VELOCITY;
+                self.common[at..at + 3].copy_from_slice(&lanes::get(common, k));
+            }
+        }
     }
 
     fn drift<E: Equations>(&mut self, equations: &E, t: f64, y: &mut [f64], span: f64, pieces: usize) {
@@ -246,33 +265,24 @@ impl Fast {
 
     /// Lets the common acceleration follow that of the drift.
     fn smooth(&mut self, l: Layout, h: f64) {
-        let follow = |common: &mut f64, given: &mut f64, drift: f64, time: f64| {
-            let before = *common;
-            *common += (h / time).min(1.0) * (drift - before);
-            *given = 0.5 * (before + *common);
-        };
-        let numbers = self.common.iter_mut().zip(&mut self.given_back).zip(&self.drift);
-        for (k, ((common, given), drift)) in numbers.enumerate() {
-            follow(common, given, *drift, if k < l.cage() { SMOOTHING_TIME } else { RING_SMOOTHING_TIME });
+        let Scratch { stands, common, given_back, .. } = &mut self.scratch;
+        let share = (h / SMOOTHING_TIME).min(1.0);
+        for ((common, given), stand) in common.iter_mut().zip(given_back).zip(stands) {
+            for ((common, given), drift) in common.iter_mut().zip(given).zip(stand.acceleration()) {
+                for k in 0..WIDTH {
+                    follow_slowly((&mut common.0[k], &mut given.0[k]), drift.0[k], share);
+                }
+            }
         }
-        for (block, common) in self.scratch.common.iter_mut().enumerate() {
-            *common = of_balls(l, &self.common, block);
+        let share = (h / RING_SMOOTHING_TIME).min(1.0);
+        for k in l.cage()..self.drift.len() {
+            follow_slowly((&mut self.common[k], &mut self.given_back[k]), self.drift[k], share);
         }
     }
 
-    /// Traction of a patch of ball `index` from the linear form where that holds, for samples.
-    pub fn traction(&self, machine: &Machine, index: usize, patch: &LoadedPatch<'_, f64>) -> PatchTraction {
-        let linear = self.contacts.get(index).map(|c| &c.of[patch.side as usize]);
-        linear
-            .and_then(|linear| {
-                linear.at(&patch.motion, patch.load, (patch.bare, BEFORE_REFRESH), patch.patch.ball_radius)
-            })
-            .unwrap_or_else(|| machine.kernel.traction(&machine.bearing, patch))
-    }
-
-    /// Lengths of the memory: friction, contacts, the drift's accelerations, their common part, and what is given back.
-    pub fn sizes(&self) -> [usize; 5] {
-        [self.friction.len(), self.contacts.len(), self.drift.len(), self.common.len(), self.given_back.len()]
+    /// Lengths of the memory: friction, contacts, the drift's accelerations, their common part.
+    pub fn sizes(&self) -> [usize; 4] {
+        [self.friction.len(), self.contacts.len(), self.drift.len(), self.common.len()]
     }
 
     /// True once accelerations of the drift are there.
@@ -282,7 +292,7 @@ impl Fast {
 
     /// All numbers that are remembered.
     pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
-        let lists = self.drift.iter().chain(&self.common).chain(&self.given_back).chain(self.rings.iter());
+        let lists = self.drift.iter().chain(&self.common).chain(self.rings.iter());
         let contacts = self.contacts.iter().flat_map(|c| c.of.iter().flat_map(LinearTraction::values));
         let friction = self.friction.iter().flat_map(LinearFriction::values);
         lists.copied().chain([self.step, self.linear_error]).chain(contacts).chain(friction)

@@ -9,6 +9,7 @@ mod step;
 pub use filter::FilterBands;
 
 use crate::dp54::{DormandPrince, StepControl};
+use crate::equations::Equations;
 use crate::error::DynamicsError;
 use crate::fast::Fast;
 use crate::forces::System;
@@ -288,10 +289,14 @@ impl Run {
         let so_far = (p.energy_at_start, p.worn);
         let machine = &self.machine;
         let mut sample = match self.scheme {
-            Scheme::Fast { .. } => {
-                machine.sample((t, y), so_far, |index, patch| p.fast.traction(machine, index, patch))
+            Scheme::Fast { .. } if p.fast.has_forms() => {
+                let mut look = p.fast.look(machine);
+                machine.sample((t, y), so_far, |index, y, frame| look.ball(index, y, frame))
             }
-            _ => machine.sample((t, y), so_far, |_, patch| machine.kernel.traction(&machine.bearing, patch)),
+            _ => machine.sample((t, y), so_far, |index, y, frame| {
+                let b = machine.unknowns(index, y);
+                machine.ball(index, b, frame, |patch| machine.kernel.traction(&machine.bearing, patch))
+            }),
         };
         [sample.inner.acceleration_m_s2, sample.outer.acceleration_m_s2] = p.filter.accelerations();
         sample.power.wear_work_j = p.wear_work;
@@ -305,6 +310,12 @@ impl Run {
     /// # Errors
     /// [`RunError`] of solver or observer; samples handed out before it are good.
     pub fn advance<O: Observer>(&mut self, until: f64, observer: &mut O) -> Result<Ending, RunError<O::Error>> {
+        let ending = self.step_until(until, observer);
+        self.progress.fast.settle(self.machine.layout);
+        ending
+    }
+
+    fn step_until<O: Observer>(&mut self, until: f64, observer: &mut O) -> Result<Ending, RunError<O::Error>> {
         let end = until.min(self.duration);
         if self.progress.samples == 0 {
             self.warn_if_coarse(observer)?;

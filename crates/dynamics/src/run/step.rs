@@ -78,10 +78,8 @@ impl Run {
             }
             Scheme::Fast { .. } => {
                 self.next.copy_from_slice(&p.state);
-                let mut fast = std::mem::take(&mut self.progress.fast);
-                let highest = self.progress.stiffness.contact_frequency_hz;
-                fast.step(&mut self.machine, self.progress.time, &mut self.next, h, highest);
-                self.progress.fast = fast;
+                let (time, highest) = (p.time, p.stiffness.contact_frequency_hz);
+                self.progress.fast.step(&mut self.machine, time, &mut self.next, h, highest);
                 self.progress.statistics.evaluations += 1;
                 0.0
             }
