@@ -38,8 +38,8 @@ impl Forms {
     pub fn set(&mut self, k: usize, (contacts, new): (&Contacts, [bool; 2]), friction: &LinearFriction) {
         let six = |lanes: &mut [Lane; 36], m: &Matrix6<f64>| put(lanes, k, flat(m.data.0));
         six(&mut self.coupling, &friction.coupling);
-        for i in 0..2 {
-            if new[i] {
+        for (i, new) in new.into_iter().enumerate() {
+            if new {
                 put(&mut self.traction[i], k, contacts.of[i].numbers());
                 self.last[i].0[k] = contacts.last[i] as f64;
             }
