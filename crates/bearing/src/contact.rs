@@ -43,7 +43,7 @@ impl<D: Scalar> NormalContact<D> {
     #[inline(always)]
     pub fn on_ball(&self, side: Side) -> [D; 3] {
         let [n_a, n_r] = self.pose.normal(side);
-        let (outward, round) = (-(self.force * n_r), self.slope_moment / self.lean.arm);
+        let (outward, round) = (-(self.force * n_r), self.slope_moment * self.lean.curvature);
         let (sin, cos, axial) = (self.lean.sin, self.lean.cos, -(self.force * n_a));
         [axial, outward * cos + round * sin, round * cos - outward * sin - axial * self.lean.climb]
     }
@@ -90,13 +90,14 @@ pub struct RaceContact<D = f64> {
 impl<D: Scalar> RaceContact<D> {
     /// Slide-to-roll ratios ξ_x (positive where the ball's surface is the faster) and ξ_y and spin ratio φ in 1/m, as
     /// in the paper's Eq. 3; zeros where nothing rolls.
+    #[inline(always)]
     pub fn slide_to_roll(&self, ball_radius: f64) -> [D; 3] {
         let [along, across] = self.motion.centre_slip(ball_radius);
         let v = self.rolling_speed;
-        if v.re() == 0.0 {
-            return [D::zero(); 3];
-        }
-        [along / v, across / v.abs(), self.motion.spin / v]
+        // A factor and not a branch, for loops over many contacts.
+        let (rolls, v) = if v.re() == 0.0 { (0.0, D::one()) } else { (1.0, v) };
+        let over = v.recip() * rolls;
+        [along * over, across * over.abs(), self.motion.spin * over]
     }
 }
 

@@ -57,6 +57,23 @@ impl<D: Scalar> Sliding<D> {
     }
 }
 
+impl<D: Scalar> RaceContact<D> {
+    /// A contact from its parts.
+    #[inline(always)]
+    pub fn new(
+        side: Side,
+        normal: NormalContact<D>,
+        ellipse: Ellipse<D>,
+        sliding: &Sliding<D>,
+        traction: PatchTraction<D>,
+    ) -> Self {
+        let ContactForces { force: traction_force, moment } = sliding.on_ball(&traction);
+        let Sliding { motion, rolling_speed, .. } = *sliding;
+        let force = add(normal.on_ball(side), traction_force);
+        Self { normal, ellipse, motion, rolling_speed, traction, traction_force, force, moment }
+    }
+}
+
 impl Bearing {
     /// The surfaces where nothing has changed since the case began.
     pub fn surfaces(&self) -> Races<LocalSurface> {
@@ -121,10 +138,7 @@ impl Bearing {
         } else {
             PatchTraction::zero()
         };
-        let ContactForces { force: traction_force, moment } = sliding.on_ball(&traction);
-        let Sliding { motion, rolling_speed, .. } = *sliding;
-        let force = add(normal.on_ball(side), traction_force);
-        RaceContact { normal, ellipse, motion, rolling_speed, traction, traction_force, force, moment }
+        RaceContact::new(side, normal, ellipse, sliding, traction)
     }
 
     /// How a ball moves against a race at a contact.
@@ -222,7 +236,7 @@ impl Bearing {
     }
 
     /// Force of a ring on a ball as its reaction on the ring has it [a, r, t], N.
-    #[inline]
+    #[inline(always)]
     pub fn reaction<D: Scalar>(&self, side: Side, contact: &RaceContact<D>) -> [D; 3] {
         let [a, r, t] = contact.normal.on_ring(side, self.ring_offset);
         let traction = contact.traction_force;
@@ -250,6 +264,7 @@ impl Bearing {
 
     /// Torque (N m) about its axis that a ring puts on a ball; the reaction brakes the ring. The normal force points to
     /// the ring's axis of rotation and has no part in it, but on a groove that is not round.
+    #[inline(always)]
     pub fn ring_torque<D: Scalar>(
         &self,
         ball: &BallState<D>,

@@ -20,8 +20,8 @@ pub struct Lean<D = f64> {
     pub sin: D,
     /// Cosine of it.
     pub cos: D,
-    /// Distance of the ball centre from the ring's axis, m.
-    pub arm: D,
+    /// One over the distance of the ball centre from the ring's axis, 1/m.
+    pub curvature: D,
     /// Growth of that distance by the offset along the orbit, m.
     pub farther: D,
     /// Axial climb of the groove of a tilted ring along the orbit, over the way.

@@ -48,7 +48,8 @@ pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};
 pub use pocket::{Pocket, PocketLoad, PocketMotion};
 pub use races::{Races, Side};
 pub use result::{
-    BallMotionResult, BallPlace, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, TransientContact,
+    BallMotionResult, BallPlace, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, Sheet,
+    TransientContact,
 };
 pub use run_inputs::{CoatingState, GuidingLand, MovingCage, RunInputs, RunOptions, Scheme, Start, Support, Supports};
 pub use state::{BallState, Motion, RingState};

@@ -74,10 +74,11 @@ impl Bearing {
         friction: &BallFriction<D>,
         orbit_radius: D,
     ) -> [D; 6] {
-        let (m, j) = (self.ball_mass, self.ball_inertia);
         let [_, spin_r, spin_t] = state.spin;
         let w = if self.modelling.has_gyroscopic_moment() { state.orbital_speed } else { D::zero() };
-        let ([a, r, t], moment) = (friction.force, friction.moment);
-        [a / m, r / m, t / (orbit_radius * m), moment[0] / j, moment[1] / j + w * spin_t, moment[2] / j - w * spin_r]
+        let (over_mass, over_inertia) = (1.0 / self.ball_mass, 1.0 / self.ball_inertia);
+        let [a, r, t] = friction.force.map(|f| f * over_mass);
+        let [about_axis, about_radius, about_orbit] = friction.moment.map(|m| m * over_inertia);
+        [a, r, t * orbit_radius.recip(), about_axis, about_radius + w * spin_t, about_orbit - w * spin_r]
     }
 }

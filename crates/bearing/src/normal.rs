@@ -52,12 +52,18 @@ impl ContactSprings {
         self.normal_loads_by(ball, rings, surfaces, |side, _| self.frozen[side].lift())
     }
 
+    /// The contact ellipse at an elastic approach (m), with the contact constants of the free contact angle.
+    #[inline(always)]
+    pub fn ellipse(&self, side: Side, approach: f64) -> Ellipse {
+        self.frozen[side].ellipse_at(approach)
+    }
+
     /// Accelerations of a ball by the normal forces on it [a, r, t], N: axial, radial, orbital.
     #[inline(always)]
     pub fn acceleration<D: Scalar>(&self, force: [D; 3], orbit_radius: D, orbital_speed: D) -> [D; 3] {
-        let (m, r) = (self.ball_mass, orbit_radius);
-        let [a, r_force, t] = force;
-        [a / m, r_force / m + r * orbital_speed * orbital_speed, t / (r * m)]
+        let (over_mass, r) = (1.0 / self.ball_mass, orbit_radius);
+        let [a, r_force, t] = force.map(|f| f * over_mass);
+        [a, r_force + r * orbital_speed * orbital_speed, t * r.recip()]
     }
 
     /// Contact angles, approaches and orbit radius of a ball.
@@ -101,13 +107,17 @@ impl ContactSprings {
         match self.ring_offset {
             RingOffset::FirstOrder => {
                 let zero = D::zero();
-                Lean { sin: x / orbit_radius, cos: D::one(), arm: orbit_radius, farther: zero, climb: zero }
+                let curvature = orbit_radius.recip();
+                Lean { sin: x * curvature, cos: D::one(), curvature, farther: zero, climb: zero }
             }
             RingOffset::Exact => {
                 let along = orbit_radius - shift.radial;
                 let arm = (along * along + x * x).sqrt();
-                let climb = shift.climb / orbit_radius;
-                Lean { sin: x / arm, cos: along / arm, arm, farther: x * x / (arm + along), climb }
+                let climb = shift.climb * orbit_radius.recip();
+                // 1/arm and 1/(arm + along) by one division.
+                let (sum, over) = (arm + along, (arm * (arm + along)).recip());
+                let curvature = sum * over;
+                Lean { sin: x * curvature, cos: along * curvature, curvature, farther: x * x * (arm * over), climb }
             }
         }
     }
@@ -140,17 +150,18 @@ impl ContactSprings {
     ) -> NormalContact<D> {
         let (mut pose, lean) = (ball_pose.contacts[side], ball_pose.lean[side]);
         pose.approach -= surface.depth;
-        let load = hertz(side, &pose).load(pose.approach);
+        let hertz = hertz(side, &pose);
+        let load = hertz.load(pose.approach);
         let (mut force, mut closing_speed) = (load, D::zero());
         if self.contact_damping != 0.0 {
             let [n_a, n_r] = pose.normal(side);
             let [v_a, v_r, v_t] = ball.frame.from_inertial(ring.velocity);
             let along = ball_pose.orbit_radius * ball.orbital_speed;
             let [outward, round] = lean.turn([ball.velocity[1] - v_r, along - v_t]);
-            let sinking = (round / lean.arm - ring.speed) * surface.slope;
+            let sinking = (round * lean.curvature - ring.speed) * surface.slope;
             closing_speed = n_a * (ball.velocity[0] - v_a - (along - v_t) * lean.climb) + n_r * outward - sinking;
             if load.re() > 0.0 {
-                let stiffness = load / pose.approach * 1.5;
+                let stiffness = hertz.tangent_stiffness(pose.approach);
                 let damping = (stiffness * self.ball_mass).sqrt() * (2.0 * self.contact_damping);
                 let damped = load + damping * closing_speed;
                 force = if damped.re() > 0.0 { damped } else { D::zero() };

@@ -3,7 +3,8 @@
 
 use crate::bearing::Bearing;
 use crate::contact::{BallLoads, RaceContact};
-use crate::geometry::ContactPose;
+use crate::geometry::{ContactPose, Geometry};
+use crate::pocket::PocketLoad;
 use crate::races::{Races, Side};
 use crate::state::BallState;
 use serde::{Deserialize, Serialize};
@@ -152,10 +153,42 @@ pub struct BallPlace {
 }
 
 impl Bearing {
+    /// What results are written with.
+    pub fn sheet(&self) -> Sheet {
+        Sheet {
+            geometry: self.geometry,
+            ball_mass: self.ball_mass,
+            ball_inertia: self.ball_inertia,
+            swirl: self.fluid.as_ref().map_or(0.0, |f| f.swirl),
+            wear: Races::from_fn(|side| self.wear_rate(side, 1.0)),
+            pocket_wear: self.pocket_wear_rate(1.0),
+            worn: self.worn.map(|worn| worn.depth),
+        }
+    }
+}
+
+/// All of a bearing that the results for its balls need, by value: a loop over many balls that has its own copy need
+/// not fear that what it writes changes it.
+#[derive(Debug, Clone, Copy)]
+pub struct Sheet {
+    geometry: Geometry,
+    ball_mass: f64,
+    ball_inertia: f64,
+    /// Speed of the fluid over that of the inner ring.
+    swirl: f64,
+    /// Wear rate of a race, m³/s, over the wear integral of its patch, W.
+    wear: Races<f64>,
+    /// The same of a pocket, over force times sliding speed.
+    pocket_wear: f64,
+    /// Depth of the surfaces all round when the case begins, m.
+    worn: Races<f64>,
+}
+
+impl Sheet {
     /// The result for a ball under traction at an azimuth, rad, given the speed of the inner ring, rad/s. Pocket,
     /// motion and the transient part of the contacts are left for the model that has them.
-    #[inline]
-    pub fn ball_result(&self, azimuth: f64, ball: &BallState, loads: &BallLoads, inner_speed: f64) -> BallResult {
+    #[inline(always)]
+    pub fn ball(&self, azimuth: f64, ball: &BallState, loads: &BallLoads, inner_speed: f64) -> BallResult {
         let orbital_speed = ball.orbital_speed;
         let place = BallPlace {
             azimuth,
@@ -164,22 +197,23 @@ impl Bearing {
             orbital_speed,
             spin: [ball.spin[0] - orbital_speed, ball.spin[1], ball.spin[2]],
         };
-        let contacts = Races::from_fn(|side| self.race_result(side, &loads.contacts[side]));
-        let swirl = self.fluid.as_ref().map_or(0.0, |f| f.swirl);
-        let against_fluid = loads.orbit_radius * (orbital_speed - swirl * inner_speed);
-        let churning_w: f64 = loads.churning.iter().zip(ball.spin).map(|(m, w)| -m * w).sum();
+        let Races { inner, outer } = &loads.contacts;
+        let contacts = Races { inner: self.race(Side::Inner, inner), outer: self.race(Side::Outer, outer) };
+        let against_fluid = loads.orbit_radius * (orbital_speed - self.swirl * inner_speed);
+        let (m, w) = (loads.churning, ball.spin);
+        let churning_w = -m[0] * w[0] - m[1] * w[1] - m[2] * w[2];
         let fluid = FluidResult {
             drag_n: loads.drag,
             churning_nm: loads.churning,
             churning_w,
             power_loss_w: loads.drag * against_fluid + churning_w,
         };
-        BallResult { fluid: Some(fluid), ..self.placed_result(&place, contacts) }
+        BallResult { fluid: Some(fluid), ..self.place(&place, contacts) }
     }
 
     /// The result for a ball of which only its place and its contacts are known.
-    #[inline]
-    pub fn placed_result(&self, place: &BallPlace, contacts: Races<ContactResult>) -> BallResult {
+    #[inline(always)]
+    pub fn place(&self, place: &BallPlace, contacts: Races<ContactResult>) -> BallResult {
         let g = &self.geometry;
         let &BallPlace { azimuth, axial, orbit_radius, orbital_speed, spin } = place;
         BallResult {
@@ -189,37 +223,39 @@ impl Bearing {
             radial_displacement_m: orbit_radius - 0.5 * g.pitch_diameter,
             axial_displacement_m: axial - g.groove_offset(Side::Outer) * g.sin_contact_angle(),
             spin_rad_s: spin,
-            centrifugal_force_n: self.ball_mass * orbit_radius * orbital_speed.powi(2),
+            centrifugal_force_n: self.ball_mass * orbit_radius * (orbital_speed * orbital_speed),
             // The axial part of the spin drops out.
             gyroscopic_moment_nm: (self.ball_inertia * orbital_speed * (spin[1] * spin[1] + spin[2] * spin[2]).sqrt())
                 .abs(),
             contacts,
-            ..BallResult::default()
+            fluid: None,
+            pocket: None,
+            motion: None,
         }
     }
 
     /// Place and pressure of a contact, with its rolling speed (m/s) and spin ratio (1/m), without friction.
-    #[inline]
-    pub fn contact_result(
-        &self,
+    #[inline(always)]
+    pub fn contact(
         pose: &ContactPose,
         (load, ellipse): (f64, &Ellipse),
         [rolling_speed, spin_ratio]: [f64; 2],
     ) -> ContactResult {
         ContactResult {
-            angle_rad: pose.sin.atan2(pose.cos),
+            angle_rad: pose.angle(),
             approach_m: pose.approach,
             load_n: load,
             peak_pressure_pa: ellipse.peak_pressure,
             semi_axes_m: [ellipse.semi_lateral(), ellipse.semi_rolling()],
             rolling_speed_m_s: rolling_speed.abs(),
             spin_ratio_per_m: spin_ratio,
-            ..ContactResult::default()
+            friction: None,
+            transient: None,
         }
     }
 
-    #[inline]
-    fn race_result(&self, side: Side, contact: &RaceContact) -> ContactResult {
+    #[inline(always)]
+    fn race(&self, side: Side, contact: &RaceContact) -> ContactResult {
         let normal = &contact.normal;
         let [along, across, spin_ratio] = contact.slide_to_roll(self.geometry.ball_radius());
         let t = &contact.traction;
@@ -229,21 +265,27 @@ impl Bearing {
             // ∬ p |Δv| dA / Q.
             sliding_speed_m_s: if normal.load > 0.0 { t.wear_integral / normal.load } else { 0.0 },
             power_loss_w: t.power,
-            wear_rate_m3_s: self.wear_rate(side, t.wear_integral),
+            wear_rate_m3_s: self.wear[side] * t.wear_integral,
         };
         let rolling = [contact.rolling_speed, spin_ratio];
-        let pressed = self.contact_result(&normal.pose, (normal.load, &contact.ellipse), rolling);
+        let pressed = Self::contact(&normal.pose, (normal.load, &contact.ellipse), rolling);
         ContactResult { friction: Some(friction), ..pressed }
     }
 
     /// What a run adds to a contact on a surface whose depth counts from that of [`Bearing::worn`].
-    #[inline]
+    #[inline(always)]
     pub fn transient_contact(&self, side: Side, contact: &RaceContact, surface: &LocalSurface) -> TransientContact {
         TransientContact {
             damping_n: contact.normal.force - contact.normal.load,
             bare: surface.bare,
-            depth_m: surface.depth + self.worn[side].depth,
+            depth_m: surface.depth + self.worn[side],
         }
+    }
+
+    /// Wear rate of a pocket, m³/s.
+    #[inline(always)]
+    pub fn pocket_wear(&self, pocket: &PocketLoad) -> f64 {
+        self.pocket_wear * (pocket.sliding * pocket.force.abs())
     }
 }
 
@@ -260,7 +302,7 @@ mod tests {
         let (orbit_radius, orbital_speed) = (0.083_79, 607.6);
         let spin = [-3900.0, 900.0, 15.0];
         let place = BallPlace { azimuth: 0.1, axial: 0.0, orbit_radius, orbital_speed, spin };
-        let ball = bearing.placed_result(&place, Races::default());
+        let ball = bearing.sheet().place(&place, Races::default());
         assert!((ball.centrifugal_force_n - 3466.0).abs() < 5.0, "{}", ball.centrifugal_force_n);
         let moment = 0.1 * 0.11204 * 0.03016f64.powi(2) * 607.6 * 900f64.hypot(15.0);
         assert!((ball.gyroscopic_moment_nm / moment - 1.0).abs() < 1e-3, "{}", ball.gyroscopic_moment_nm);

@@ -35,7 +35,15 @@ pub struct Ellipse<D = f64> {
 }
 
 impl<D: Scalar> Ellipse<D> {
+    /// That of bodies which do not touch.
+    #[inline(always)]
+    fn none(major_axis: MajorAxis) -> Self {
+        let zero = D::zero();
+        Self { semi_major: zero, semi_minor: zero, peak_pressure: zero, major_axis }
+    }
+
     /// Semi-axis across the rolling direction (y), m.
+    #[inline(always)]
     pub fn semi_lateral(&self) -> D {
         match self.major_axis {
             MajorAxis::Lateral => self.semi_major,
@@ -44,6 +52,7 @@ impl<D: Scalar> Ellipse<D> {
     }
 
     /// Semi-axis along the rolling direction (x), m.
+    #[inline(always)]
     pub fn semi_rolling(&self) -> D {
         match self.major_axis {
             MajorAxis::Lateral => self.semi_minor,
@@ -152,6 +161,7 @@ impl<D: Scalar> HertzContact<D> {
     }
 
     /// dQ/dδ = 1.5 K_n δ^0.5 at an elastic approach (m), N/m; 0 where the bodies are apart.
+    #[inline(always)]
     pub fn tangent_stiffness(&self, approach: D) -> D {
         if approach.re() <= NEGLIGIBLE {
             return D::zero();
@@ -162,27 +172,24 @@ impl<D: Scalar> HertzContact<D> {
     /// Contact ellipse and peak pressure under a normal load (N); all zero with zero derivatives for no load.
     #[inline]
     pub fn ellipse(&self, load: D) -> Ellipse<D> {
-        let major_axis = self.major_axis;
         if load.re() <= NEGLIGIBLE {
-            let zero = D::zero();
-            return Ellipse { semi_major: zero, semi_minor: zero, peak_pressure: zero, major_axis };
+            return Ellipse::none(self.major_axis);
         }
         self.ellipse_of((self.major_cubed * load).cbrt(), load)
     }
 
     /// Contact ellipse and peak pressure at an elastic approach (m): that under the load of the approach, for a square
     /// root instead of a cube root.
-    #[inline]
+    #[inline(always)]
     pub fn ellipse_at(&self, approach: D) -> Ellipse<D> {
         let load = self.load(approach);
         if load.re() <= NEGLIGIBLE {
-            self.ellipse(load)
-        } else {
-            self.ellipse_of((self.major_squared * approach).sqrt(), load)
+            return Ellipse::none(self.major_axis);
         }
+        self.ellipse_of((self.major_squared * approach).sqrt(), load)
     }
 
-    #[inline]
+    #[inline(always)]
     fn ellipse_of(&self, semi_major: D, load: D) -> Ellipse<D> {
         let semi_minor = semi_major / self.ellipticity;
         let peak_pressure = load / (semi_major * semi_minor) * (1.5 / PI);

@@ -1,30 +1,34 @@
 //! From a state to a sample.
 
 use crate::equations::{BallForces, Frame};
-use crate::forces::{BodyForces, Sums, evaluate, evaluate_with};
+use crate::forces::{BodyForces, Sums, evaluate};
 use crate::layout::{AZIMUTH, VELOCITY};
 use crate::machine::Machine;
 use crate::power::PowerSample;
 use crate::sample::{CageSample, RingSample, Sample, WearSample};
-use tribodyn_bearing::{BallLoads, BallMotionResult, BallResult, PocketResult, Side};
+use tribodyn_bearing::{BallLoads, BallMotionResult, BallResult, PocketResult, Sheet, Side};
 
 /// Volumes worn off so far, m³: inner race, outer race, cage.
 pub(crate) type Worn = [f64; 3];
 
+/// All balls at a time: what they do to rings and cage, and the result for each.
+pub(crate) type Balls = (Sums, Vec<BallResult>);
+
 impl Machine {
-    /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's, and `ball` tells what
-    /// acts on a ball, asked in the order of their numbers.
-    pub fn sample(
-        &self,
-        (t, y): (f64, &[f64]),
-        (energy_at_start, worn): (f64, Worn),
-        ball: impl FnMut(usize, &[f64], &Frame) -> BallForces,
-    ) -> Sample {
+    /// The balls at a time and state, traction by the kernel.
+    pub fn balls(&self, t: f64, y: &[f64]) -> Balls {
+        let (sheet, speed) = (self.bearing.sheet(), self.speeds.inner.at(t));
         let mut balls = Vec::with_capacity(self.layout.balls);
-        let inner_speed = self.frame(t, y).rings.inner.speed;
-        let (frame, sums, bodies) = evaluate_with(self, t, y, ball, |index, forces| {
-            balls.push(self.ball_result((self.unknowns(index, y), inner_speed), forces));
+        let (_, sums, _) = evaluate(self, t, y, |index, forces| {
+            balls.push(ball_result(&sheet, (self.unknowns(index, y), speed), forces));
         });
+        (sums, balls)
+    }
+
+    /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's.
+    pub fn sample(&self, (t, y): (f64, &[f64]), (energy_at_start, worn): (f64, Worn), (sums, balls): Balls) -> Sample {
+        let frame = self.frame(t, y);
+        let bodies = self.bodies(t, &frame, &sums);
         let energy = sums.powers.energy + bodies.energy;
         let w = self.layout.work();
         Sample {
@@ -61,33 +65,33 @@ impl Machine {
         let (_, sums, bodies) = evaluate(self, t, y, |_, _| ());
         sums.powers.energy + bodies.energy
     }
+}
 
-    /// The ball's result, with what only a run has.
-    fn ball_result(&self, (b, inner_speed): (&[f64], f64), f: &BallForces) -> BallResult {
-        let friction = &f.friction;
-        let loads = BallLoads {
-            contacts: f.contacts,
-            orbit_radius: f.orbit_radius,
-            drag: friction.drag,
-            churning: friction.churning,
-        };
-        let mut result = self.bearing.ball_result(b[AZIMUTH], &f.state, &loads, inner_speed);
-        for side in Side::BOTH {
-            let transient = self.bearing.transient_contact(side, &f.contacts[side], &f.surfaces[side]);
-            result.contacts[side].transient = Some(transient);
-        }
-        result.pocket = Some(PocketResult {
-            lead_rad: f.lead,
-            force_n: friction.pocket.force,
-            friction_n: Some(friction.pocket.friction),
-            wear_rate_m3_s: self.pocket_wear(&friction.pocket),
-        });
-        result.motion = Some(BallMotionResult {
-            orbital_acceleration_rad_s2: f.acceleration[2],
-            velocity_m_s: [b[VELOCITY], b[VELOCITY + 1]],
-        });
-        result
-    }
+/// The ball's result, with what only a run has; `b` are its unknowns.
+#[inline(always)]
+pub(crate) fn ball_result(sheet: &Sheet, (b, inner_speed): (&[f64], f64), f: &BallForces) -> BallResult {
+    let friction = &f.friction;
+    let loads = BallLoads {
+        contacts: f.contacts,
+        orbit_radius: f.orbit_radius,
+        drag: friction.drag,
+        churning: friction.churning,
+    };
+    let mut result = sheet.ball(b[AZIMUTH], &f.state, &loads, inner_speed);
+    let (contacts, surfaces) = (&f.contacts, &f.surfaces);
+    result.contacts.inner.transient = Some(sheet.transient_contact(Side::Inner, &contacts.inner, &surfaces.inner));
+    result.contacts.outer.transient = Some(sheet.transient_contact(Side::Outer, &contacts.outer, &surfaces.outer));
+    result.pocket = Some(PocketResult {
+        lead_rad: f.lead,
+        force_n: friction.pocket.force,
+        friction_n: Some(friction.pocket.friction),
+        wear_rate_m3_s: sheet.pocket_wear(&friction.pocket),
+    });
+    result.motion = Some(BallMotionResult {
+        orbital_acceleration_rad_s2: f.acceleration[2],
+        velocity_m_s: [b[VELOCITY], b[VELOCITY + 1]],
+    });
+    result
 }
 
 fn ring_sample(frame: &Frame, sums: &Sums, bodies: &BodyForces, side: Side) -> RingSample {

@@ -45,6 +45,9 @@ pub(crate) struct Touched {
     pub contacts: Races<RaceContact>,
     /// Drag (N) and churning (N m).
     pub fluid: (f64, [f64; 3]),
+    pub pocket: PocketLoad,
+    /// Lead over the middle of the pocket, rad.
+    pub lead: f64,
 }
 
 /// One ball with all that acts on it.
@@ -140,22 +143,27 @@ pub(crate) trait Equations {
             machine.bearing.race_contact(side, contact, &sliding, surfaces[side].bare, &mut traction)
         });
         let fluid = machine.bearing.fluid_loads(&state, r, frame.rings.inner.speed);
-        self.together((index, b, frame), Touched { state, surfaces, orbit_radius: r, contacts, fluid })
+        let (pocket, lead) = (machine.pocket_load(index, b, frame), machine.lead(index, b, frame.cage[0]));
+        self.together(b[VELOCITY + 1], Touched { state, surfaces, orbit_radius: r, contacts, fluid, pocket, lead })
     }
 
-    /// A ball of which all but its pocket is known.
+    /// A ball of which all is known that touches it, with its radial velocity, m/s.
     #[inline(always)]
-    fn together(&self, (index, b, frame): (usize, &[f64], &Frame), touched: Touched) -> BallForces {
-        let machine = self.machine();
-        let Touched { state, surfaces, orbit_radius: r, contacts, fluid } = touched;
-        let springs = self.springs(NormalLoads { contacts: contacts.map(|c| c.normal), orbit_radius: r });
-        let tractions = contacts.map(|c| ContactForces { force: c.traction_force, moment: c.moment });
-        let friction = self.friction(&tractions, fluid, machine.pocket_load(index, b, frame), r);
-        let by_springs = self.spring_acceleration(&springs, state.orbital_speed);
+    fn together(&self, radial: f64, touched: Touched) -> BallForces {
+        let Touched { state, surfaces, orbit_radius: r, contacts, fluid, pocket, lead } = touched;
+        let Races { inner, outer } = &contacts;
+        let normal = NormalLoads { contacts: Races { inner: inner.normal, outer: outer.normal }, orbit_radius: r };
+        let springs = self.springs(normal);
+        let tractions = Races {
+            inner: ContactForces { force: inner.traction_force, moment: inner.moment },
+            outer: ContactForces { force: outer.traction_force, moment: outer.moment },
+        };
+        let friction = self.friction(&tractions, fluid, pocket, r);
+        let [axial, outward, orbital] = self.spring_acceleration(&springs, state.orbital_speed);
         let mut acceleration = self.friction_acceleration(&state, &friction, r);
-        acceleration.iter_mut().zip(by_springs).for_each(|(sum, part)| *sum += part);
-        acceleration[2] -= 2.0 * b[VELOCITY + 1] * b[ORBIT] / r;
-        let lead = machine.lead(index, b, frame.cage[0]);
+        acceleration[0] += axial;
+        acceleration[1] += outward;
+        acceleration[2] = (acceleration[2] + orbital) - 2.0 * radial * state.orbital_speed / r;
         BallForces { state, surfaces, orbit_radius: r, contacts, friction, lead, acceleration }
     }
 }

@@ -5,6 +5,8 @@ use crate::forces::System;
 use crate::layout::{BALL, ORBIT, SPIN};
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
+use tribodyn_bearing::quantities::OfBall;
+use tribodyn_bearing::{BallResult, Side};
 use tribodyn_case::{Case, set_value};
 
 const END: f64 = 1.6e-3;
@@ -56,4 +58,42 @@ fn identity_the_fast_scheme_converges() {
     let (coarse, fine) = (error(160), error(320));
     let order = (coarse / fine).log2();
     assert!(order > 1.8, "order {order:.2}: {coarse:e}, {fine:e}");
+}
+
+/// What samples see in lanes is what the equations say ball by ball with integrals over the patches: all numbers of a
+/// ball, and the sums over them.
+#[test]
+fn identity_samples_in_lanes_are_those_of_single_balls() {
+    let Started { mut machine, mut state, .. } = started();
+    let (mut scheme, h) = (Fast::default(), 2e-5);
+    for step in 0..60 {
+        scheme.step(&mut machine, h * f64::from(step), &mut state, h, 14_000.0);
+    }
+    let t = 60.0 * h;
+    let ((sums, lanes), (plain_sums, plain)) = (scheme.look(&machine, t, &state), machine.balls(t, &state));
+    assert_eq!(lanes.len(), plain.len());
+    let mut integrated = 0;
+    for quantity in OfBall::all() {
+        let values = |balls: &[BallResult]| -> Vec<f64> { balls.iter().filter_map(|b| quantity.get(b)).collect() };
+        let (ours, theirs) = (values(&lanes), values(&plain));
+        assert_eq!(ours.len(), theirs.len());
+        let scale = theirs.iter().fold(1e-300, |scale: f64, v| scale.max(v.abs()));
+        let off = ours.iter().zip(&theirs).map(|(a, b)| (a - b).abs() / scale).fold(0.0, f64::max);
+        // Traction is linear between its refreshes, to 6e-4 of the load, and all that follows from it.
+        let name = quantity.name_in(quantity.facts().unit);
+        let friction = ["traction", "power_loss", "wear_rate", "sliding_speed", "acceleration"];
+        let by_traction = friction.iter().any(|part| name.contains(part));
+        integrated += usize::from(by_traction && off > 0.0);
+        assert!(off < if by_traction { 0.1 } else { 1e-12 }, "{name}: {off:e}");
+    }
+    // The lanes were looked at, not the way round them.
+    assert!(integrated > 3, "{integrated}");
+    let (a, b) = (sums.powers, plain_sums.powers);
+    let lost = sums.losses() / plain_sums.losses() - 1.0;
+    assert!(lost.abs() < 1e-3 && (a.energy / b.energy - 1.0).abs() < 1e-12, "{lost:e} {a:?} {b:?}");
+    for side in Side::BOTH {
+        let off = (0..3).map(|i| (sums.on_rings[side][i] - plain_sums.on_rings[side][i]).abs()).fold(0.0, f64::max);
+        assert!(off < 20.0, "{side:?}: {off} N");
+        assert!((sums.torque[side] - plain_sums.torque[side]).abs() < 1.0, "{side:?}");
+    }
 }

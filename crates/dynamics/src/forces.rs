@@ -55,23 +55,19 @@ pub(crate) struct BodyForces {
 
 impl Machine {
     /// Adds a force on the balls' side of a contact [a, r, t] to the reaction on a ring.
-    #[inline]
-    pub fn react(sums: &mut Sums, side: Side, axes: AzimuthFrame, on_ball: [f64; 3]) {
+    #[inline(always)]
+    fn react(sums: &mut Sums, side: Side, axes: AzimuthFrame, on_ball: [f64; 3]) {
         let on_ball = axes.to_inertial(on_ball);
-        (0..3).for_each(|i| sums.on_rings[side][i] -= on_ball[i]);
+        let sum = &mut sums.on_rings[side];
+        (sum[0], sum[1], sum[2]) = (sum[0] - on_ball[0], sum[1] - on_ball[1], sum[2] - on_ball[2]);
     }
 
     /// Adds the forces of a ball on rings and cage, and its powers.
+    #[inline(always)]
     pub fn add_ball(&self, b: &BallForces, velocity: [f64; 2], frame: &Frame, sums: &mut Sums) {
+        self.add_contact(Side::Inner, b, frame, sums);
+        self.add_contact(Side::Outer, b, frame, sums);
         let (s, r) = (&b.state, b.orbit_radius);
-        for (side, contact) in b.contacts.iter() {
-            Self::react(sums, side, s.frame, self.bearing.reaction(side, contact));
-            sums.torque[side] += self.bearing.ring_torque(s, contact, r, &frame.rings[side]);
-            sums.powers.friction[side] += contact.traction.power;
-            let normal = &contact.normal;
-            sums.powers.contact_damping += (normal.force - normal.load) * normal.closing_speed;
-            sums.powers.energy += elastic_energy(normal);
-        }
         let (f, p) = (&b.friction, &mut sums.powers);
         sums.cage_torque += f.pocket.cage_torque;
         p.drag += f.drag * r * s.orbital_speed;
@@ -79,10 +75,22 @@ impl Machine {
         p.pocket_friction += f.pocket.friction_power;
         p.pocket_damping += f.pocket.damping_power;
         let [v_a, v_r] = velocity;
-        let speed = v_a * v_a + v_r * v_r + (r * s.orbital_speed).powi(2);
+        let along = r * s.orbital_speed;
+        let speed = v_a * v_a + v_r * v_r + along * along;
         p.energy += 0.5 * self.bearing.ball_mass * speed
             + 0.5 * self.bearing.ball_inertia * dot(s.spin, s.spin)
             + f.pocket.energy;
+    }
+
+    #[inline(always)]
+    fn add_contact(&self, side: Side, b: &BallForces, frame: &Frame, sums: &mut Sums) {
+        let contact = &b.contacts[side];
+        Self::react(sums, side, b.state.frame, self.bearing.reaction(side, contact));
+        sums.torque[side] += self.bearing.ring_torque(&b.state, contact, b.orbit_radius, &frame.rings[side]);
+        sums.powers.friction[side] += contact.traction.power;
+        let normal = &contact.normal;
+        sums.powers.contact_damping += (normal.force - normal.load) * normal.closing_speed;
+        sums.powers.energy += elastic_energy(normal);
     }
 
     /// Elastic energy of the contacts of a ball with the unknowns `b`, J.
@@ -134,6 +142,7 @@ impl Machine {
 }
 
 /// Elastic energy of a contact, J: the work of a force that grows with the power 3/2 of the approach.
+#[inline(always)]
 fn elastic_energy(normal: &NormalContact) -> f64 {
     0.4 * normal.load * normal.pose.approach.max(0.0)
 }
@@ -143,29 +152,14 @@ pub(crate) fn evaluate<E: Equations>(
     equations: &E,
     t: f64,
     y: &[f64],
-    each: impl FnMut(usize, &BallForces),
-) -> (Frame, Sums, BodyForces) {
-    let machine = equations.machine();
-    let ball = |index: usize, y: &[f64], frame: &Frame| {
-        equations
-            .ball(index, machine.unknowns(index, y), frame, |patch| machine.kernel.traction(&machine.bearing, patch))
-    };
-    evaluate_with(machine, t, y, ball, each)
-}
-
-/// All balls at a time and state; `ball` tells what acts on each, in the order of their numbers.
-pub(crate) fn evaluate_with(
-    machine: &Machine,
-    t: f64,
-    y: &[f64],
-    mut ball: impl FnMut(usize, &[f64], &Frame) -> BallForces,
     mut each: impl FnMut(usize, &BallForces),
 ) -> (Frame, Sums, BodyForces) {
+    let machine = equations.machine();
     let frame = machine.frame(t, y);
     let mut sums = Sums::default();
     for index in 0..machine.layout.balls {
         let b = machine.unknowns(index, y);
-        let forces = ball(index, y, &frame);
+        let forces = equations.ball(index, b, &frame, |patch| machine.kernel.traction(&machine.bearing, patch));
         machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &frame, &mut sums);
         each(index, &forces);
     }
@@ -217,6 +211,7 @@ pub(crate) fn body_derivative(l: Layout, frame: &Frame, sums: &Sums, f: &BodyFor
     dy[w..w + 3].copy_from_slice(&[put_in, lost, f.shaft_power.abs() + f.load_power.abs()]);
 }
 
+#[inline(always)]
 pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -134,7 +134,7 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
             orbital_acceleration_rad_s2: e.rate[ORBIT],
             velocity_m_s: [y[VELOCITY], y[VELOCITY + 1]],
         }),
-        ..system.bearing.ball_result(azimuth, &e.state, &e.loads, system.speeds.inner)
+        ..system.bearing.sheet().ball(azimuth, &e.state, &e.loads, system.speeds.inner)
     }
 }
 

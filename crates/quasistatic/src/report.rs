@@ -8,7 +8,7 @@ use crate::{Model, Solution};
 use tribodyn_bearing::{
     BallPlace, BallResult, Bearing, ContactPose, ContactResult, OperatingPoint, PocketForce, PocketResult, RaceControl,
 };
-use tribodyn_bearing::{RaceContact, Races, Side};
+use tribodyn_bearing::{RaceContact, Races, Sheet, Side};
 use tribodyn_traction::TractionLaw;
 
 /// Inner slide-to-roll ratio beyond which the ball skids: past the peak of the library's coatings, which lies at 0.1 to
@@ -18,6 +18,7 @@ pub(crate) const SKIDDING: f64 = 0.05;
 pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &OperatingPoint) -> Solution {
     let bearing = system.bearing;
     let (mut ring_load, mut ring_moment) = ([0.0; 3], [0.0; 2]);
+    let sheet = bearing.sheet();
     let mut balls = Vec::with_capacity(solved.state.balls.len());
     for (index, &ball) in solved.state.balls.iter().enumerate() {
         let pose = system.pose(index, ball, solved.state.ring);
@@ -26,7 +27,7 @@ pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &O
         let contacts = Races::from_fn(|side| {
             let contact = &pose.contacts[side];
             let (load, ellipse) = bearing.contact_load(side, contact);
-            bearing.contact_result(contact, (load, &ellipse), rolling(system, &k, side, contact))
+            Sheet::contact(contact, (load, &ellipse), rolling(system, &k, side, contact))
         });
         let place = BallPlace {
             azimuth: bearing.azimuth(index),
@@ -38,7 +39,7 @@ pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &O
         balls.push(BallResult {
             // As the model has it, which may take the free pitch radius.
             centrifugal_force_n: k.centrifugal_force,
-            ..bearing.placed_result(&place, contacts)
+            ..sheet.place(&place, contacts)
         });
         let balance = crate::block::BlockSystem::ball(system, index, ball, solved.state.ring);
         (0..3).for_each(|c| ring_load[c] += balance.ring[c]);
@@ -76,11 +77,12 @@ pub(crate) fn with_traction(
 ) -> Solution {
     let bearing = system.bearing;
     let mut action = [0.0; 6];
+    let sheet = bearing.sheet();
     let mut balls = Vec::with_capacity(solved.state.balls.len());
     let mut clamped = Vec::new();
     for (index, &ball) in solved.state.balls.iter().enumerate() {
         let (state, loads, inner) = system.evaluate(index, ball, solved.state.ring);
-        balls.push(bearing.ball_result(bearing.azimuth(index), &state, &loads, system.speeds.inner));
+        balls.push(sheet.ball(bearing.azimuth(index), &state, &loads, system.speeds.inner));
         let out_of_range = |contact: &RaceContact, side| {
             let law = bearing.tribology.as_ref().map(|t| &t.laws[side]);
             contact.normal.load > 0.0 && law.is_some_and(|law| law.clamps(contact.ellipse.peak_pressure))

@@ -63,6 +63,7 @@ impl<D: Scalar> RelativeMotion<D> {
     }
 
     /// Sliding velocity (x along rolling, y lateral) at the patch centre, m/s.
+    #[inline(always)]
     pub fn centre_slip(&self, ball_radius: f64) -> [D; 2] {
         [self.rolling + self.about_lateral * ball_radius, self.lateral - self.about_rolling * ball_radius]
     }
@@ -122,6 +123,20 @@ impl<D: Scalar> PatchTraction<D> {
             moment_rolling: mix(self.moment_rolling, other.moment_rolling),
             power: mix(self.power, other.power),
             wear_integral: mix(self.wear_integral, other.wear_integral),
+        }
+    }
+
+    /// So many times the traction.
+    #[inline(always)]
+    pub fn times(&self, factor: f64) -> Self {
+        Self {
+            force_rolling: self.force_rolling * factor,
+            force_lateral: self.force_lateral * factor,
+            moment_lateral: self.moment_lateral * factor,
+            moment_normal: self.moment_normal * factor,
+            moment_rolling: self.moment_rolling * factor,
+            power: self.power * factor,
+            wear_integral: self.wear_integral * factor,
         }
     }
 

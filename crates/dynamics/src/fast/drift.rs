@@ -65,6 +65,7 @@ impl Stand {
         self.found.orbit_radius.0[k]
     }
 
+    #[inline(always)]
     pub fn surface(&self, side: Side, k: usize) -> LocalSurface {
         let [depth, slope, bare] = get(&self.surfaces[side as usize], k);
         LocalSurface { depth, slope, bare }
@@ -90,9 +91,21 @@ impl Stand {
 
     #[inline(always)]
     pub fn contact(&self, side: Side, k: usize) -> NormalContact {
-        let [sin, cos, approach, lean_sin, lean_cos, arm, farther, climb, load, force, closing_speed, slope_moment] =
-            get(&self.found.contacts[side as usize], k);
-        let lean = Lean { sin: lean_sin, cos: lean_cos, arm, farther, climb };
+        let [
+            sin,
+            cos,
+            approach,
+            lean_sin,
+            lean_cos,
+            curvature,
+            farther,
+            climb,
+            load,
+            force,
+            closing_speed,
+            slope_moment,
+        ] = get(&self.found.contacts[side as usize], k);
+        let lean = Lean { sin: lean_sin, cos: lean_cos, curvature, farther, climb };
         NormalContact { pose: ContactPose { sin, cos, approach }, lean, load, force, closing_speed, slope_moment }
     }
 
@@ -107,7 +120,7 @@ fn numbers(c: &NormalContact) -> [f64; CONTACT] {
     let (pose, lean) = (&c.pose, &c.lean);
     #[rustfmt::skip]
     let numbers = [
-        pose.sin, pose.cos, pose.approach, lean.sin, lean.cos, lean.arm, lean.farther, lean.climb,
+        pose.sin, pose.cos, pose.approach, lean.sin, lean.cos, lean.curvature, lean.farther, lean.climb,
         c.load, c.force, c.closing_speed, c.slope_moment,
     ];
     numbers

@@ -7,7 +7,8 @@ use crate::equations::{Equations, Frame};
 use crate::layout::{AZIMUTH, BALL, VELOCITY};
 use crate::linear::{Contacts, LinearTraction};
 use nalgebra::Matrix6;
-use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, PocketLoad, Races, Side};
+use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, PocketLoad, Races, Side, Sliding};
+use tribodyn_traction::PatchTraction;
 
 /// Numbers of a linear traction, and of a linear friction.
 pub(super) const LINEAR: usize = LinearTraction::NUMBERS;
@@ -125,27 +126,39 @@ impl Grips {
     }
 }
 
+/// How a ball slides on a race, its traction by the linear form, none where there is no load, and 1 where the form is
+/// near, else 0: within `share` of its reach.
+#[inline(always)]
+pub(super) fn slide<E: Equations>(
+    equations: &E,
+    side: Side,
+    (frame, state): (&Frame, &BallState),
+    (stand, form, k): (&Stand, &[Lane; LINEAR], usize),
+    share: f64,
+) -> (Sliding, PatchTraction, f64) {
+    let ball_radius = equations.machine().bearing.geometry.ball_radius();
+    let contact = stand.contact(side, k);
+    let sliding = equations.sliding(side, &contact, state, (frame, stand.orbit_radius(k)));
+    let linear = LinearTraction::from_numbers(|i| form[i].0[k]);
+    let (change, near) = linear.reaches(&sliding.motion, contact.load, (stand.bare(side, k), share), ball_radius);
+    // A contact without load has no traction, and no linear form that could fail. A factor, since the compiler would
+    // branch for a choice.
+    let loaded = contact.load > 0.0;
+    let traction = linear.traction(&sliding.motion, &change).times(if loaded { 1.0 } else { 0.0 });
+    (sliding, traction, if loaded & !near { 0.0 } else { 1.0 })
+}
+
 /// Force and moment on a ball by one contact, the wear integral, and 1 where its linear form is near, else 0.
 #[inline(always)]
 fn contact<E: Equations>(
     equations: &E,
     side: Side,
-    (frame, state): (&Frame, &BallState),
-    (stand, form, k): (&Stand, &[Lane; LINEAR], usize),
+    at: (&Frame, &BallState),
+    form: (&Stand, &[Lane; LINEAR], usize),
 ) -> ([f64; 6], f64, f64) {
-    let ball_radius = equations.machine().bearing.geometry.ball_radius();
-    let contact = stand.contact(side, k);
-    let sliding = equations.sliding(side, &contact, state, (frame, stand.orbit_radius(k)));
-    let linear = LinearTraction::from_numbers(|i| form[i].0[k]);
-    let (change, serves) = linear.reaches(&sliding.motion, contact.load, (stand.bare(side, k), 1.0), ball_radius);
-    let traction = linear.traction(&sliding.motion, &change);
+    let (sliding, traction, near) = slide(equations, side, at, form, 1.0);
     let ContactForces { force: [a, b, c], moment: [d, e, f] } = sliding.on_ball(&traction);
-    // A contact without load has no traction, and no linear form that could fail. A factor, since the compiler would
-    // branch for a choice.
-    let loaded = contact.load > 0.0;
-    let share = if loaded { 1.0 } else { 0.0 };
-    let forces = [share * a, share * b, share * c, share * d, share * e, share * f];
-    (forces, share * traction.wear_integral, if loaded & !serves { 0.0 } else { 1.0 })
+    ([a, b, c, d, e, f], traction.wear_integral, near)
 }
 
 /// Tractions of the balls of a block from their linear forms, and whether those serve in step `now`.

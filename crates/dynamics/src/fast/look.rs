@@ -1,33 +1,73 @@
-//! What acts on the balls at a moment of the fast scheme, for samples: springs, traction and fluid in lanes, the rest
-//! ball by ball.
+//! The balls at a moment of the fast scheme, for samples: all in lanes but the pockets and what the linear forms do not
+//! reach.
 
 use super::drift::{Stand, press};
-use super::grip::{Grips, LINEAR, surroundings};
-use super::lanes::{Lane, WIDTH, gather, get, put};
+use super::grip::{Forms, Grips, LINEAR, slide, surroundings};
+use super::lanes::{Lane, WIDTH, blocks, filled, gather, get, put};
+use super::numbers::Numbers;
 use super::{Fast, Scratch};
-use crate::equations::{BallForces, Equations, Frame, Touched};
-use crate::layout::BALL;
-use crate::linear::LinearTraction;
+use crate::detail::{Balls, ball_result};
+use crate::equations::{Equations, Frame, Touched};
+use crate::forces::Sums;
+use crate::layout::{AZIMUTH, BALL, VELOCITY};
 use crate::machine::Machine;
 use fearless_simd::dispatch;
-use tribodyn_bearing::{BallState, RaceContact, Races, Side, Sliding};
-use tribodyn_traction::{PatchTraction, RelativeMotion};
+use tribodyn_bearing::{BallResult, BallState, ContactSprings, PocketLoad, RaceContact, Races, Sheet, Side};
 
 /// Reach of a linear traction for samples, over that for steps: half a step before a refresh the linear form must not
 /// give way to an integral that serves only once.
 const BEFORE_REFRESH: f64 = 1.5;
-/// Numbers of a contact that slides: motion, rolling speed, how far it has sunk in, traction, and 1 where the linear
-/// form is near, else 0.
-const SLIDE: usize = 15;
-type Slides = [[Lane; SLIDE]; 2];
 
-/// A look at the balls, one after the other.
-pub(crate) struct Look<'a> {
-    fast: &'a Fast,
+/// What is seen of the balls of a block, part by part.
+struct Seen {
+    ball: [Lane; 10],
+    fluid: [Lane; 6],
+    pocket: [Lane; 5],
+    motion: [Lane; 3],
+    contacts: [[Lane; 8]; 2],
+    frictions: [[Lane; 7]; 2],
+    transients: [[Lane; 3]; 2],
+    sums: [Lane; 17],
+    /// 1 where both linear forms are near, else 0.
+    near: Lane,
+}
+
+impl Seen {
+    const NONE: Self = Self {
+        ball: [Lane::ZERO; 10],
+        fluid: [Lane::ZERO; 6],
+        pocket: [Lane::ZERO; 5],
+        motion: [Lane::ZERO; 3],
+        contacts: [[Lane::ZERO; 8]; 2],
+        frictions: [[Lane::ZERO; 7]; 2],
+        transients: [[Lane::ZERO; 3]; 2],
+        sums: [Lane::ZERO; 17],
+        near: Lane::ZERO,
+    };
+
+    /// Writes a ball's result in place: a copy of what was just written number by number would wait for it.
+    #[inline(always)]
+    fn write(&self, k: usize, result: &mut BallResult) {
+        result.take(get(&self.ball, k));
+        result.fluid.get_or_insert_default().take(get(&self.fluid, k));
+        result.pocket.get_or_insert_default().take(get(&self.pocket, k));
+        result.motion.get_or_insert_default().take(get(&self.motion, k));
+        for side in Side::BOTH {
+            let (contact, i) = (&mut result.contacts[side], side as usize);
+            contact.take(get(&self.contacts[i], k));
+            contact.friction.get_or_insert_default().take(get(&self.frictions[i], k));
+            contact.transient.get_or_insert_default().take(get(&self.transients[i], k));
+        }
+    }
+}
+
+/// What does not change from block to block.
+#[derive(Clone, Copy)]
+struct Of<'a> {
     machine: &'a Machine,
-    stand: Stand,
-    slides: Slides,
-    grips: Grips,
+    frame: Frame,
+    sheet: Sheet,
+    springs: ContactSprings,
 }
 
 impl Fast {
@@ -36,96 +76,137 @@ impl Fast {
         !self.scratch.forms.is_empty()
     }
 
-    /// A look at the balls with the linear forms of the last step.
-    pub fn look<'a>(&'a self, machine: &'a Machine) -> Look<'a> {
-        Look { fast: self, machine, stand: Stand::NONE, slides: [[Lane::ZERO; SLIDE]; 2], grips: Grips::NONE }
-    }
-}
-
-impl Look<'_> {
-    /// All that acts on ball `index` with the unknowns `b`; to be asked for the balls in the order of their numbers.
-    #[inline]
-    pub fn ball(&mut self, index: usize, y: &[f64], frame: &Frame) -> BallForces {
-        let (machine, k) = (self.machine, index % WIDTH);
-        if k == 0 {
-            self.block(index / WIDTH, y, frame);
-        }
-        let b = machine.unknowns(index, y);
-        let stand = &self.stand;
-        let state = machine.state_at(stand.axes(k), stand.position(k), b);
-        let (surfaces, r) = (Races::from_fn(|side| stand.surface(side, k)), stand.orbit_radius(k));
-        let contacts = Races::from_fn(|side| self.contact(side, k));
-        let touched = Touched { state, surfaces, orbit_radius: r, contacts, fluid: self.grips.fluid(k) };
-        machine.together((index, b, frame), touched)
-    }
-
-    /// What is found in lanes.
-    fn block(&mut self, block: usize, y: &[f64], frame: &Frame) {
-        let Scratch { level, forms, .. } = &self.fast.scratch;
-        let (machine, balls) = (self.machine, gather(self.machine.layout, y, block));
-        press(*level, machine, (frame, &balls), &mut self.stand);
-        let (stand, traction) = (&self.stand, &forms[block].traction);
-        let (slides, grips) = (&mut self.slides, &mut self.grips);
-        dispatch!(*level, _simd => {
-            slide(machine, frame, (&balls, stand, traction), slides);
-            surroundings(machine, (frame, &Lane::ZERO), (&balls, stand), grips);
-        });
-    }
-
-    fn contact(&self, side: Side, k: usize) -> RaceContact {
-        let (machine, normal) = (self.machine, self.stand.contact(side, k));
-        #[rustfmt::skip]
-        let [
-            rolling, lateral, spin, about_lateral, about_rolling, rolling_speed, sunk,
-            force_rolling, force_lateral, moment_normal, moment_lateral, moment_rolling, power, wear_integral, near,
-        ] = get(&self.slides[side as usize], k);
-        let motion = RelativeMotion { rolling, lateral, spin, about_lateral, about_rolling };
-        let sliding = Sliding { normal: normal.pose.normal(side), motion, rolling_speed, sunk };
-        #[rustfmt::skip]
-        let linear = PatchTraction {
-            force_rolling, force_lateral, moment_normal, moment_lateral, moment_rolling, power, wear_integral,
+    /// The balls with the linear forms of the last step.
+    pub fn look(&self, machine: &Machine, t: f64, y: &[f64]) -> Balls {
+        let Scratch { level, forms, .. } = &self.scratch;
+        let l = machine.layout;
+        let of = Of {
+            machine,
+            frame: machine.frame(t, y),
+            sheet: machine.bearing.sheet(),
+            springs: machine.bearing.contact_springs(),
         };
-        machine.bearing.race_contact(side, normal, &sliding, self.stand.bare(side, k), |patch| {
-            if near > 0.0 { linear } else { machine.kernel.traction(&machine.bearing, patch) }
-        })
+        let (mut sums, mut results) = ([0.0; 17], vec![BallResult::default(); l.balls]);
+        let (mut stand, mut grips) = (Stand::NONE, Grips::NONE);
+        for (block, forms) in forms.iter().enumerate().take(blocks(l.balls)) {
+            let balls = gather(l, y, block);
+            press(*level, machine, (&of.frame, &balls), &mut stand);
+            let places = of.places(block);
+            dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, &stand), &mut grips));
+            let pockets = of.pockets(block, &balls, &grips);
+            let at = (&balls, &stand, forms, &grips);
+            let seen = dispatch!(*level, _simd => see(&of, at, (&pockets, &places)));
+            for k in 0..filled(l, block) {
+                let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
+                let sums_of_ball = if seen.near.0[k] > 0.0 && of.is_frozen() {
+                    seen.write(k, result);
+                    get(&seen.sums, k)
+                } else {
+                    of.plainly((index, y), result)
+                };
+                sums.iter_mut().zip(sums_of_ball).for_each(|(sum, part)| *sum += part);
+            }
+        }
+        let mut all = Sums::default();
+        all.take(sums);
+        (all, results)
     }
 }
 
-/// How the balls of a block slide on their races, and their tractions by the linear forms.
+impl Of<'_> {
+    /// Whether the contact constants are those of the free contact angle.
+    fn is_frozen(&self) -> bool {
+        !self.machine.bearing.modelling.contact_at_actual_angle
+    }
+
+    /// Azimuths of the middles of the pockets against the cage, rad.
+    fn places(&self, block: usize) -> Lane {
+        let last = self.machine.layout.balls - 1;
+        Lane(std::array::from_fn(|k| self.machine.place_in_cage((WIDTH * block + k).min(last))))
+    }
+
+    /// Of those balls that touch the walls of theirs.
+    fn pockets(&self, block: usize, balls: &[Lane; BALL], grips: &Grips) -> [Lane; 10] {
+        let mut pockets = [Lane::ZERO; 10];
+        for k in (0..filled(self.machine.layout, block)).filter(|&k| grips.depth.0[k] > 0.0) {
+            let load = self.machine.pocket_load(WIDTH * block + k, &get(balls, k), &self.frame);
+            put(&mut pockets, k, load.numbers());
+        }
+        pockets
+    }
+
+    /// A ball alone, its traction integrated.
+    fn plainly(&self, (index, y): (usize, &[f64]), result: &mut BallResult) -> [f64; 17] {
+        let (machine, mut sums) = (self.machine, Sums::default());
+        let b = machine.unknowns(index, y);
+        let forces = machine.ball(index, b, &self.frame, |patch| machine.kernel.traction(&machine.bearing, patch));
+        machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &self.frame, &mut sums);
+        *result = ball_result(&self.sheet, (b, self.frame.rings.inner.speed), &forces);
+        sums.numbers()
+    }
+}
+
+/// A contact by its linear form, and 1 where that is near, else 0.
 #[inline(always)]
-fn slide(
-    machine: &Machine,
-    frame: &Frame,
-    (balls, stand, forms): (&[Lane; BALL], &Stand, &[[Lane; LINEAR]; 2]),
-    slides: &mut Slides,
-) {
-    let (mut out, frame) = ([[Lane::ZERO; SLIDE]; 2], *frame);
+fn contact(of: &Of<'_>, side: Side, state: &BallState, at: (&Stand, &[Lane; LINEAR], usize)) -> (RaceContact, f64) {
+    let (sliding, traction, near) = slide(of.machine, side, (&of.frame, state), at, BEFORE_REFRESH);
+    let normal = at.0.contact(side, at.2);
+    let ellipse = of.springs.ellipse(side, normal.pose.approach);
+    (RaceContact::new(side, normal, ellipse, &sliding, traction), near)
+}
+
+/// One ball of a block through its linear forms: what it does to rings and cage, its result, and 1 where both forms are
+/// near, else 0.
+#[inline(always)]
+fn ball(
+    of: &Of<'_>,
+    (balls, stand, forms, grips): (&[Lane; BALL], &Stand, &Forms, &Grips),
+    (pockets, places): (&[Lane; 10], &Lane),
+    k: usize,
+) -> (Sums, BallResult, f64) {
+    let (machine, b) = (of.machine, get(balls, k));
+    let state = machine.state_at(stand.axes(k), stand.position(k), &b);
+    let (inner, near_inner) = contact(of, Side::Inner, &state, (stand, &forms.traction[0], k));
+    let (outer, near_outer) = contact(of, Side::Outer, &state, (stand, &forms.traction[1], k));
+    let mut pocket = PocketLoad::none();
+    pocket.take(get(pockets, k));
+    let touched = Touched {
+        state,
+        surfaces: Races { inner: stand.surface(Side::Inner, k), outer: stand.surface(Side::Outer, k) },
+        orbit_radius: stand.orbit_radius(k),
+        contacts: Races { inner, outer },
+        fluid: grips.fluid(k),
+        pocket,
+        lead: b[AZIMUTH] - of.frame.cage[0] - places.0[k],
+    };
+    let (forces, mut sums) = (machine.together(b[VELOCITY + 1], touched), Sums::default());
+    machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &of.frame, &mut sums);
+    (sums, ball_result(&of.sheet, (&b, of.frame.rings.inner.speed), &forces), near_inner * near_outer)
+}
+
+/// All balls of a block. Two loops, of which either leaves out what only the other needs: one is too long for the
+/// compiler to make vector instructions of it.
+#[inline(always)]
+fn see(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), pockets: (&[Lane; 10], &Lane)) -> Seen {
+    let (mut out, of) = (Seen::NONE, *of);
     for k in 0..WIDTH {
-        let state = machine.state_at(stand.axes(k), stand.position(k), &get(balls, k));
-        put(&mut out[0], k, numbers(machine, Side::Inner, (&frame, &state), (stand, &forms[0], k)));
-        put(&mut out[1], k, numbers(machine, Side::Outer, (&frame, &state), (stand, &forms[1], k)));
+        let (sums, result, near) = ball(&of, at, pockets, k);
+        put(&mut out.sums, k, sums.numbers());
+        put(&mut out.motion, k, result.motion.unwrap_or_default().numbers());
+        let Races { inner, outer } = &result.contacts;
+        put(&mut out.contacts[0], k, inner.numbers());
+        put(&mut out.contacts[1], k, outer.numbers());
+        put(&mut out.frictions[0], k, inner.friction.unwrap_or_default().numbers());
+        put(&mut out.frictions[1], k, outer.friction.unwrap_or_default().numbers());
+        put(&mut out.transients[0], k, inner.transient.unwrap_or_default().numbers());
+        put(&mut out.transients[1], k, outer.transient.unwrap_or_default().numbers());
+        out.near.0[k] = near;
     }
-    *slides = out;
-}
-
-#[inline(always)]
-fn numbers(
-    machine: &Machine,
-    side: Side,
-    (frame, state): (&Frame, &BallState),
-    (stand, form, k): (&Stand, &[Lane; LINEAR], usize),
-) -> [f64; SLIDE] {
-    let (contact, radius) = (stand.contact(side, k), machine.bearing.geometry.ball_radius());
-    let Sliding { motion: m, rolling_speed, sunk, .. } =
-        machine.sliding(side, &contact, state, (frame, stand.orbit_radius(k)));
-    let linear = LinearTraction::from_numbers(|i| form[i].0[k]);
-    let (change, near) = linear.reaches(&m, contact.load, (stand.bare(side, k), BEFORE_REFRESH), radius);
-    let t = linear.traction(&m, &change);
-    #[rustfmt::skip]
-    let numbers = [
-        m.rolling, m.lateral, m.spin, m.about_lateral, m.about_rolling, rolling_speed, sunk,
-        t.force_rolling, t.force_lateral, t.moment_normal, t.moment_lateral, t.moment_rolling, t.power,
-        t.wear_integral, if near { 1.0 } else { 0.0 },
-    ];
-    numbers
+    for k in 0..WIDTH {
+        let (_, result, _) = ball(&of, at, pockets, k);
+        put(&mut out.ball, k, result.numbers());
+        put(&mut out.fluid, k, result.fluid.unwrap_or_default().numbers());
+        put(&mut out.pocket, k, result.pocket.unwrap_or_default().numbers());
+    }
+    out
 }

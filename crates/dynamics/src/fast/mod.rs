@@ -34,6 +34,7 @@ mod grip;
 mod kick;
 mod lanes;
 mod look;
+mod numbers;
 
 use crate::equations::Equations;
 use crate::layout::{BALL, Layout, VELOCITY};

@@ -9,7 +9,6 @@ mod step;
 pub use filter::FilterBands;
 
 use crate::dp54::{DormandPrince, StepControl};
-use crate::equations::Equations;
 use crate::error::DynamicsError;
 use crate::fast::Fast;
 use crate::forces::System;
@@ -288,16 +287,11 @@ impl Run {
         let p = &self.progress;
         let so_far = (p.energy_at_start, p.worn);
         let machine = &self.machine;
-        let mut sample = match self.scheme {
-            Scheme::Fast { .. } if p.fast.has_forms() => {
-                let mut look = p.fast.look(machine);
-                machine.sample((t, y), so_far, |index, y, frame| look.ball(index, y, frame))
-            }
-            _ => machine.sample((t, y), so_far, |index, y, frame| {
-                let b = machine.unknowns(index, y);
-                machine.ball(index, b, frame, |patch| machine.kernel.traction(&machine.bearing, patch))
-            }),
+        let balls = match self.scheme {
+            Scheme::Fast { .. } if p.fast.has_forms() => p.fast.look(machine, t, y),
+            _ => machine.balls(t, y),
         };
+        let mut sample = machine.sample((t, y), so_far, balls);
         [sample.inner.acceleration_m_s2, sample.outer.acceleration_m_s2] = p.filter.accelerations();
         sample.power.wear_work_j = p.wear_work;
         sample.power.imbalance_j -= p.wear_work;

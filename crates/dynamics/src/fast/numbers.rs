@@ -1,0 +1,68 @@
+//! Structures as rows of numbers, for lanes.
+
+use crate::forces::Sums;
+use tribodyn_bearing::{
+    BallMotionResult, BallResult, ContactResult, FluidResult, FrictionResult, PocketLoad, PocketResult,
+    TransientContact,
+};
+
+/// A structure of `N` numbers.
+pub(super) trait Numbers<const N: usize> {
+    fn numbers(&self) -> [f64; N];
+
+    /// Takes them over.
+    fn take(&mut self, numbers: [f64; N]);
+}
+
+/// Both ways from one list of places.
+macro_rules! numbers {
+    ($of:ty, $count:literal; $($place:ident $(.$part:ident)* $([$i:literal])?),+) => {
+        impl Numbers<$count> for $of {
+            #[inline(always)]
+            fn numbers(&self) -> [f64; $count] {
+                [$(self.$place$(.$part)*$([$i])?),+]
+            }
+
+            #[inline(always)]
+            fn take(&mut self, numbers: [f64; $count]) {
+                let mut next = numbers.into_iter();
+                $(self.$place$(.$part)*$([$i])? = next.next().unwrap_or_default();)+
+            }
+        }
+    };
+}
+
+// What a ball's result has besides its parts.
+numbers!(BallResult, 10;
+    azimuth_rad, orbital_speed_rad_s, orbit_radius_m, radial_displacement_m, axial_displacement_m,
+    spin_rad_s[0], spin_rad_s[1], spin_rad_s[2], centrifugal_force_n, gyroscopic_moment_nm);
+numbers!(ContactResult, 8;
+    angle_rad, approach_m, load_n, peak_pressure_pa, semi_axes_m[0], semi_axes_m[1], rolling_speed_m_s,
+    spin_ratio_per_m);
+numbers!(FrictionResult, 7;
+    traction_n[0], traction_n[1], slide_to_roll[0], slide_to_roll[1], sliding_speed_m_s, power_loss_w,
+    wear_rate_m3_s);
+numbers!(TransientContact, 3; damping_n, bare, depth_m);
+numbers!(FluidResult, 6;
+    drag_n, churning_nm[0], churning_nm[1], churning_nm[2], churning_w, power_loss_w);
+numbers!(BallMotionResult, 3;
+    orbital_acceleration_rad_s2, velocity_m_s[0], velocity_m_s[1]);
+numbers!(PocketLoad, 10;
+    force, friction[0], friction[1], moment[0], moment[1], cage_torque, energy, damping_power, friction_power, sliding);
+numbers!(Sums, 17;
+    on_rings.inner[0], on_rings.inner[1], on_rings.inner[2], on_rings.outer[0], on_rings.outer[1], on_rings.outer[2],
+    torque.inner, torque.outer, cage_torque, powers.friction.inner, powers.friction.outer, powers.drag,
+    powers.churning, powers.contact_damping, powers.pocket_friction, powers.pocket_damping, powers.energy);
+
+impl Numbers<5> for PocketResult {
+    #[inline(always)]
+    fn numbers(&self) -> [f64; 5] {
+        let [axial, radial] = self.friction_n.unwrap_or_default();
+        [self.lead_rad, self.force_n, axial, radial, self.wear_rate_m3_s]
+    }
+
+    #[inline(always)]
+    fn take(&mut self, [lead_rad, force_n, axial, radial, wear_rate_m3_s]: [f64; 5]) {
+        *self = Self { lead_rad, force_n, friction_n: Some([axial, radial]), wear_rate_m3_s };
+    }
+}
