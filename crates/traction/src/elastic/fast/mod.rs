@@ -15,6 +15,7 @@
 mod assemble;
 mod cell;
 mod march;
+mod response;
 mod setup;
 
 use super::Fastsim;

@@ -16,6 +16,8 @@ pub(super) struct Law<D = f64> {
     pub(super) peak: D,
     /// 1/K_m.
     pub(super) over_peak: D,
+    /// S_m/λ, m/s.
+    pub(super) peak_speed: f64,
     /// λ times the steepest fall, s/m.
     pub(super) steepness: D,
 }
@@ -26,7 +28,8 @@ impl<D: Scalar> Law<D> {
             Some(fall) => (fall.slip, curve.coefficient(fall.slip), fall.steepness * scale),
             None => (D::from(f64::INFINITY), D::one(), D::zero()),
         };
-        Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), steepness }
+        let peak_speed = peak_slip.re() / scale.re();
+        Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), peak_speed, steepness }
     }
 
     /// Share of the weakening that a cell keeps of the one before.
