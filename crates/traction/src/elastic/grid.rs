@@ -73,13 +73,7 @@ impl Fastsim {
             }
         };
         let across = gauss_legendre(2 * rule.across).into_iter().map(|(t, w)| (0.5 * (1.0 + t), 0.5 * w)).collect();
-        Ok(Self {
-            rule,
-            across,
-            nodes: (1..rule.cells).map(node).collect(),
-            spacing,
-            level: Level::new(),
-        })
+        Ok(Self { rule, across, nodes: (1..rule.cells).map(node).collect(), spacing, level: Level::new() })
     }
 
     /// The rule that it was made from.

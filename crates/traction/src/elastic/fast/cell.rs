@@ -9,7 +9,7 @@ use fearless_simd::prelude::*;
 const AT_REST: f64 = 1e-60;
 
 /// Relative step behind which the root is as good as rounding lets it be: the next step would be about its cube.
-const SETTLED: f64 = 1e-5;
+const SETTLED: f64 = 3e-5;
 
 /// The curve at a sliding speed.
 #[derive(Clone, Copy)]
@@ -82,8 +82,6 @@ pub(super) struct Cell<S: Simd> {
     /// The last cell's weakening.
     pub(super) last: Lanes<S>,
     pub(super) speed: Lanes<S>,
-    /// The speed one cell before.
-    before: Lanes<S>,
     /// κ of the cell before.
     coefficient: Lanes<S>,
     low: Lanes<S>,
@@ -121,7 +119,6 @@ impl<S: Simd> Cell<S> {
             trial: [z; 2],
             last: z,
             speed: z,
-            before: z,
             coefficient: z,
             low: z,
             high: z,
@@ -135,11 +132,13 @@ impl<S: Simd> Cell<S> {
     /// Forgets the cell before.
     #[inline(always)]
     pub(super) fn enter(&mut self) {
-        let zero = Lanes::splat(self.speed.token(), 0.0);
-        (self.speed, self.before, self.coefficient) = (zero, zero, zero);
+        self.at.past = self.speed.simd_lt(self.speed);
     }
 
-    /// Sets the trial slip, and a speed to start from by the cells before.
+    /// Sets the trial slip, and a speed to start from.
+    ///
+    /// Where C times the most that the curve carries exceeds the trial slip the cell sticks, with a speed from the
+    /// rising branch that carries it; else it slides against the last κ, or against the peak.
     #[inline(always)]
     pub(super) fn open(&mut self, law: &Law, yielding: [f64; 2], trial: [Lanes<S>; 2], last: Lanes<S>) {
         let lanes = |x: f64| Lanes::splat(last.token(), x);
@@ -150,17 +149,16 @@ impl<S: Simd> Cell<S> {
         // Any number but zero, so that the lane runs through without harm.
         self.trial = [self.rest.select(lanes(1.0), u), v];
         self.high = self.rest.select(lanes(1.0), square.sqrt());
-        let fits = |speed: Lanes<S>| speed.simd_gt(0.0) & speed.simd_lt(self.high);
-        // A straight line through the last two speeds where it stays within half of the last; beyond the peak of the
-        // curve, where κ hardly changes, the speed that belongs to the last κ.
-        let ahead = self.speed + (self.speed - self.before).max(self.speed * -0.5).min(self.speed * 0.5);
-        let yields = (u2 * yielding[0] + v2 * yielding[1]) / square.max(AT_REST);
-        let sliding = self.high - yields * self.coefficient;
-        let near = fits(self.speed).select(self.speed, self.high);
-        let near = fits(ahead).select(ahead, near);
-        self.before = self.speed;
-        let beyond = sliding.simd_gt(law.peak_speed) & self.coefficient.simd_gt(0.0);
-        self.speed = beyond.select(sliding, near);
+        let yielded = u2 * yielding[0] + v2 * yielding[1];
+        let most = (-last + 1.0) * law.rise.most;
+        let (bound, slip) = (yielded * most, square * self.high);
+        let sticking = slip * bound * law.rise.knee
+            / (bound * bound * law.rise.bow - slip * slip * (law.rise.bow - 1.0)).max(AT_REST);
+        let against = self.at.past.select(self.coefficient, most);
+        let sliding = self.high - yielded * against / square.max(AT_REST);
+        let speed = slip.simd_lt(bound).select(sticking, sliding);
+        let fits = speed.simd_gt(0.0) & speed.simd_lt(self.high);
+        self.speed = fits.select(speed, self.high);
         (self.low, self.mismatch, self.last) = (lanes(0.0), lanes(f64::INFINITY), last);
         self.done = self.rest;
     }

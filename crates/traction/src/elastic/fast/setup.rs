@@ -16,8 +16,8 @@ pub(super) struct Law<D = f64> {
     pub(super) peak: D,
     /// 1/K_m.
     pub(super) over_peak: D,
-    /// S_m/λ, m/s.
-    pub(super) peak_speed: f64,
+    /// The rising branch, roughly.
+    pub(super) rise: Rise,
     /// λ times the steepest fall, s/m.
     pub(super) steepness: D,
 }
@@ -28,8 +28,9 @@ impl<D: Scalar> Law<D> {
             Some(fall) => (fall.slip, curve.coefficient(fall.slip), fall.steepness * scale),
             None => (D::from(f64::INFINITY), D::one(), D::zero()),
         };
-        let peak_speed = peak_slip.re() / scale.re();
-        Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), peak_speed, steepness }
+        let rise =
+            Rise::new(curve.initial_slope().re() * scale.re(), peak_slip.re() / scale.re(), peak.re(), curve.d().re());
+        Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), rise, steepness }
     }
 
     /// Share of the weakening that a cell keeps of the one before.
@@ -42,6 +43,29 @@ impl<D: Scalar> Law<D> {
     /// Initial slope of the coefficient over the sliding speed, s/m.
     pub(super) fn initial_slope(&self) -> D {
         self.curve.initial_slope() * self.scale
+    }
+}
+
+/// The rising branch of a curve as σ = σ_m r/(n − (n − 1) r²), r = κ/K_m: exact at either end, a third off in between.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rise {
+    /// K_m, or where nothing falls the coefficient at infinite slip.
+    pub(super) most: f64,
+    /// σ_m, m/s.
+    pub(super) knee: f64,
+    /// n, σ_m times the initial slope over K_m.
+    pub(super) bow: f64,
+}
+
+impl Rise {
+    fn new(slope: f64, peak_speed: f64, peak: f64, residual: f64) -> Self {
+        /// Of a curve that has no peak: where an exponential has come within 5 %.
+        const BOW: f64 = 3.0;
+        if peak_speed.is_finite() {
+            Self { most: peak, knee: peak_speed, bow: slope * peak_speed / peak }
+        } else {
+            Self { most: residual, knee: BOW * residual / slope, bow: BOW }
+        }
     }
 }
 
