@@ -3,7 +3,7 @@
 use super::march::March;
 use super::setup::{Law, Varied, yielding};
 use super::varying;
-use crate::elastic::TangentialElasticity;
+use crate::elastic::{CreepCoefficients, TangentialElasticity};
 use crate::fast::lanes::{LANES, Lanes};
 use crate::fast::{PatchDerivative, flatness};
 use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion, SlipUnit};
@@ -30,6 +30,8 @@ pub(super) struct Inputs<'a> {
     pub(super) curve_slope: &'a Kragelskii,
     pub(super) slip_unit: SlipUnit,
     pub(super) elasticity: &'a TangentialElasticity,
+    /// Of the axis ratio, which stays as the load grows.
+    pub(super) coefficients: &'a CreepCoefficients,
 }
 
 impl Inputs<'_> {
@@ -57,7 +59,7 @@ impl Inputs<'_> {
     }
 
     fn yielding(&self, tau: Dual64, motion: &RelativeMotion<Dual64>, rolling: Dual64) -> [Dual64; 2] {
-        yielding(&self.patch(tau), motion, rolling, self.elasticity)
+        yielding(&self.patch(tau), motion, rolling, (self.elasticity, self.coefficients))
     }
 
     /// The six changes.

@@ -49,12 +49,13 @@ impl Fastsim {
         if patch.peak_pressure <= 0.0 {
             return PatchTraction::zero();
         }
+        let coefficients = elasticity.coefficients().at(patch.semi_rolling / patch.semi_lateral);
         let strips = Strips {
             grid: self,
             slip: SlipField::new(patch, motion),
             direction: if rolling_speed < 0.0 { -1.0 } else { 1.0 },
             law: Law::new(*curve, slip_unit.scale(rolling_speed)),
-            yielding: yielding(patch, motion, rolling_speed, elasticity),
+            yielding: yielding(patch, motion, rolling_speed, (elasticity, &coefficients)),
             varied: [],
         };
         let sums = dispatch!(self.level, simd => {
@@ -86,14 +87,15 @@ impl Fastsim {
         if patch.peak_pressure <= 0.0 {
             return PatchDerivative::zero();
         }
-        let inputs = assemble::Inputs { patch, motion, rolling_speed, curve, curve_slope, slip_unit, elasticity };
-        let law = Law::new(*curve, slip_unit.scale(rolling_speed));
+        let coefficients = &elasticity.coefficients().at(patch.semi_rolling / patch.semi_lateral);
+        let inputs =
+            assemble::Inputs { patch, motion, rolling_speed, curve, curve_slope, slip_unit, elasticity, coefficients };
         let strips = Strips {
             grid: self,
             slip: SlipField::new(patch, motion),
             direction: if rolling_speed < 0.0 { -1.0 } else { 1.0 },
-            law,
-            yielding: yielding(patch, motion, rolling_speed, elasticity),
+            law: Law::new(*curve, slip_unit.scale(rolling_speed)),
+            yielding: yielding(patch, motion, rolling_speed, (elasticity, coefficients)),
             varied: inputs.varied(),
         };
         let mut sums = assemble::Sums::new(&inputs);

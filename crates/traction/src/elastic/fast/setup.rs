@@ -1,6 +1,6 @@
 //! Values that all strips of a patch share, worked out once.
 
-use crate::elastic::TangentialElasticity;
+use crate::elastic::{CreepCoefficients, TangentialElasticity};
 use crate::elastic::cell::MEMORY;
 use crate::{Kragelskii, Patch, RelativeMotion, Scalar, SlipCurve};
 use num_dual::Dual64;
@@ -69,14 +69,17 @@ impl Rise {
     }
 }
 
-/// |V| L p_max/b along rolling and across, m/s.
+/// |V| L p_max/b along rolling and across, m/s, by the coefficients of the patch's axis ratio.
 pub(super) fn yielding<D: Scalar>(
     patch: &Patch<D>,
     motion: &RelativeMotion<D>,
     rolling_speed: D,
-    elasticity: &TangentialElasticity,
+    (elasticity, coefficients): (&TangentialElasticity, &CreepCoefficients),
 ) -> [D; 2] {
-    let flexibility = elasticity.flexibility(patch, motion, rolling_speed);
+    let CreepCoefficients { longitudinal, lateral, spin } = coefficients;
+    let [longitudinal, lateral, spin] = [*longitudinal, *lateral, *spin].map(D::from);
+    let coefficients = CreepCoefficients { longitudinal, lateral, spin };
+    let flexibility = elasticity.flexibility_by(&coefficients, patch, motion, rolling_speed);
     let speed = if rolling_speed.re() < 0.0 { -rolling_speed } else { rolling_speed };
     let factor = speed * patch.peak_pressure / patch.semi_rolling;
     [flexibility.longitudinal * factor, flexibility.lateral * factor]
