@@ -203,11 +203,10 @@ impl<S: Simd> Cell<S> {
         (at, of)
     }
 
-    /// One step of Halley's method within the bracket, for S^(−1/2) − 1 with S = Σ a²: a straight line over σ where both
-    /// axes yield alike and κ does not bend.
+    /// One step of Halley's method within the bracket, for 1/S − 1 with S = Σ a²:
     /// ```text
-    /// S' = −2 R,   R = Σ a² D'/D,   R' = Σ a² (D''/D − 3 (D'/D)²)
-    /// δσ = −P R/(R² (1 − 3/2 (1 − √S)) − P R'/2),   P = S (1 − √S)
+    /// S' = −2 R,   R = Σ a² D'/D,   R' = Σ a² (D''/D − 3 (D'/D)²),   P = S (1 − S)/2
+    /// δσ = −P R/(S R² − P R'/2)
     /// ```
     #[inline(always)]
     pub(super) fn improve(&mut self, law: &Law, yielding: [f64; 2], keep: f64) {
@@ -217,18 +216,18 @@ impl<S: Simd> Cell<S> {
         let Direction { a, inverse, grow, rise } = self.direction(&of, yielding);
         let squares = [a[0] * a[0], a[1] * a[1]];
         let square = squares[0] + squares[1];
-        let short = -square.sqrt() + 1.0;
+        let short = -square + 1.0;
         let below = short.simd_lt(0.0);
-        let product = square * short;
+        let product = square * short * 0.5;
         let left = at.past.select(Lanes::splat(rise.token(), 1.0 - keep), -of.weakening + 1.0);
         let bend = at.bend * left;
         let part = |k: usize| {
             let growing = inverse[k] * grow[k];
             squares[k] * (bend * inverse[k] * yielding[k] - growing * growing * 3.0)
         };
-        let rise2 = rise * rise;
-        let slope = rise2 * (short * -1.5 + 1.0) - product * (part(0) + part(1)) * 0.5;
-        let next = self.speed - product * rise / slope.max(rise2 * 0.5);
+        let rise2 = square * rise * rise;
+        let slope = rise2 - product * (part(0) + part(1)) * 0.5;
+        let next = self.speed - product * rise / slope.max(rise2 * 0.25);
         let mismatch = short.abs();
         let low = below.select(self.speed, self.low);
         let high = below.select(self.high, self.speed);
