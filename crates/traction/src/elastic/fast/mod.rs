@@ -98,11 +98,11 @@ impl Fastsim {
             yielding: yielding(patch, motion, rolling_speed, (elasticity, coefficients)),
             varied: inputs.varied(),
         };
-        let mut sums = assemble::Sums::new(&inputs);
         dispatch!(self.level, simd => {
+            let mut sums = assemble::Sums::new(simd, &inputs);
             walk(simd, &strips, |lot, share| sums.add(lot, share));
-        });
-        sums.derivative()
+            sums.derivative()
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Values that all strips of a patch share, worked out once.
 
-use crate::elastic::{CreepCoefficients, TangentialElasticity};
 use crate::elastic::cell::MEMORY;
+use crate::elastic::{CreepCoefficients, TangentialElasticity};
 use crate::{Kragelskii, Patch, RelativeMotion, Scalar, SlipCurve};
 use num_dual::Dual64;
 
