@@ -120,7 +120,9 @@ impl<'a, S: Simd> Sums<'a, S> {
     #[inline(always)]
     fn outputs(&self, y: Lanes<S>, arm: Lanes<S>, sums: &[Lanes<S>; 5], share: Lanes<S>) -> [Lanes<S>; 7] {
         let p = self.inputs.patch;
-        let [fx, fy, x_fy, power, wear] = sums.map(|sum| sum * share);
+        let [fx, fy, x_fy, power, wear] = *sums;
+        let (fx, fy, x_fy) = (fx * share, fy * share, x_fy * share);
+        let (power, wear) = (power * share, wear * share);
         let about = y * fx * p.semi_lateral - x_fy * p.semi_rolling;
         [-fx, -fy, about, -(arm * fx), arm * fy, power, wear]
     }
@@ -132,7 +134,11 @@ impl<'a, S: Simd> Sums<'a, S> {
         let sag = y * y * flatness(p);
         let height = -sag + p.ball_radius;
         let values = self.outputs(y, height, &lot.sums, share);
-        let changes = lot.tangents.each_ref().map(|tangent| self.outputs(y, height, &tangent.sums, share));
+        // A loop, where the compiler would not draw the closure of a map into the vector code.
+        let mut changes = [values; CHANGES];
+        for (change, tangent) in changes.iter_mut().zip(&lot.tangents) {
+            *change = self.outputs(y, height, &tangent.sums, share);
+        }
         let [by_lateral, by_spin] = self.lateral_yielding;
         for (i, row) in self.by_motion.iter_mut().enumerate() {
             let of = |change: usize| changes[change][i];
@@ -164,14 +170,27 @@ impl<'a, S: Simd> Sums<'a, S> {
         let p = self.inputs.patch;
         let volume = p.peak_pressure * p.semi_lateral * p.semi_rolling;
         let load = 2.0 / 3.0 * PI * volume;
-        let seven = |sums: &[Lanes<S>; 7], factor: f64| named(sums.map(|sum| total(sum) * factor));
+        let mut by_motion = [[0.0; 5]; 5];
+        for (totals, sums) in by_motion.iter_mut().zip(&self.by_motion) {
+            *totals = all(sums, volume);
+        }
         PatchDerivative {
-            traction: seven(&self.values, volume),
-            by_motion: self.by_motion.map(|row| row.map(|sum| total(sum) * volume)),
-            by_load: seven(&self.by_load, volume / (3.0 * load)),
-            by_rolling_speed: seven(&self.by_rolling, volume),
+            traction: named(all(&self.values, volume)),
+            by_motion,
+            by_load: named(all(&self.by_load, volume / (3.0 * load))),
+            by_rolling_speed: named(all(&self.by_rolling, volume)),
         }
     }
+}
+
+/// Sums over all lanes times a factor.
+#[inline(always)]
+fn all<S: Simd, const N: usize>(sums: &[Lanes<S>; N], factor: f64) -> [f64; N] {
+    let mut totals = [0.0; N];
+    for (t, &sum) in totals.iter_mut().zip(sums) {
+        *t = total(sum) * factor;
+    }
+    totals
 }
 
 fn named([rolling, lateral, normal, about_lateral, about_rolling, power, wear]: [f64; 7]) -> PatchTraction {

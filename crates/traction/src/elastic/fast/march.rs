@@ -143,7 +143,9 @@ impl<const T: usize> Strips<'_, T> {
         lot.sums = [zero; 5];
         lot.cell.enter();
         for (tangent, varied) in lot.tangents.iter_mut().zip(&self.varied) {
-            tangent.slip = varied.slip.map(|[one, linear, square]| y * linear + y2 * square + one);
+            for (slip, [one, linear, square]) in tangent.slip.iter_mut().zip(&varied.slip) {
+                *slip = y * *linear + y2 * *square + *one;
+            }
             (tangent.traction, tangent.sums) = ([[zero; 2]; 2], [zero; 5]);
             let [du, dv, turn] = tangent.slip;
             let change = (lot.along * du + v * (dv + edge * turn)) / speed;
