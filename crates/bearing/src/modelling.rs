@@ -158,9 +158,9 @@ pub enum PatchSurfaces {
     /// the rigid bodies there.
     Rigid,
     /// They give way along the patch too: Kalker's simplified theory with the traction curve at the true slip, on
-    /// `strips` per panel of the patch with `cells` each ([`tribodyn_traction::FastsimRule`]).
+    /// strips with `cells` each, `strips` for either line of pure rolling ([`tribodyn_traction::FastsimRule`]).
     Elastic {
-        /// Strips across the groove, per panel between zeros of the longitudinal slip.
+        /// Strips across the groove for each of the two lines of pure rolling: twice as many altogether.
         strips: usize,
         /// Cells along a strip.
         cells: usize,

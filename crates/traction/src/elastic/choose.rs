@@ -46,8 +46,8 @@ impl<L: TractionLaw> ElasticProbe<'_, L> {
     }
 }
 
-/// Largest error of a rule over the probes against 32 strips a panel of 256 cells: of the force over the load and of
-/// the moment over load times ball radius.
+/// Largest error of a rule over the probes against 64 strips of 256 cells: of the force over the load and of the
+/// moment over load times ball radius.
 ///
 /// # Errors
 /// Those of [`Fastsim::new`].

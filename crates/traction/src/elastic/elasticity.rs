@@ -1,6 +1,6 @@
 //! Tangential flexibility of two bodies under an elliptical contact.
 
-use super::kalker::KalkerCoefficients;
+use super::kalker::{CreepCoefficients, KalkerCoefficients};
 use crate::{Patch, RelativeMotion, Scalar, TractionError};
 use std::f64::consts::PI;
 use tribodyn_contact::ElasticBody;
@@ -81,26 +81,30 @@ impl TangentialElasticity {
         motion: &RelativeMotion<D>,
         rolling_speed: D,
     ) -> Flexibility<D> {
-        let [creep, turn] = self.lateral_flexibilities(patch);
+        let coefficients = self.coefficients.at(patch.semi_rolling / patch.semi_lateral);
+        self.flexibility_by(&coefficients, patch, motion, rolling_speed)
+    }
+
+    /// [`Self::flexibility`] by the coefficients of the patch's axis ratio.
+    pub(super) fn flexibility_by<D: Scalar>(
+        &self,
+        c: &CreepCoefficients<D>,
+        patch: &Patch<D>,
+        motion: &RelativeMotion<D>,
+        rolling_speed: D,
+    ) -> Flexibility<D> {
         let (a, b) = (patch.semi_lateral, patch.semi_rolling);
-        let c11 = self.coefficients.at(b / a).longitudinal;
+        let flexibility = b * (8.0 / 3.0 / self.shear_modulus);
+        let (creep, size) = (flexibility / c.lateral, a * b);
+        let turn = b * b * (0.25 * PI / self.shear_modulus) / (size.sqrt() * c.spin);
         let [_, across] = motion.centre_slip(patch.ball_radius);
         let floor = rolling_speed * SMALLEST_CREEP;
         let by_creep = across * across + floor * floor + SMALLEST_SQUARE;
-        let by_spin = motion.spin * motion.spin * (a * b);
+        let by_spin = motion.spin * motion.spin * size;
         Flexibility {
-            longitudinal: b * (8.0 / 3.0 / self.shear_modulus) / c11,
+            longitudinal: flexibility / c.longitudinal,
             lateral: (by_creep * creep + by_spin * turn) / (by_creep + by_spin),
         }
-    }
-
-    /// L_2 and L_3, m/Pa.
-    fn lateral_flexibilities<D: Scalar>(&self, patch: &Patch<D>) -> [D; 2] {
-        let (a, b) = (patch.semi_lateral, patch.semi_rolling);
-        let c = self.coefficients.at(b / a);
-        let creep = b * (8.0 / 3.0 / self.shear_modulus) / c.lateral;
-        let turn = b * b * (0.25 * PI / self.shear_modulus) / ((a * b).sqrt() * c.spin);
-        [creep, turn]
     }
 }
 

@@ -1,9 +1,9 @@
 //! Kalker's simplified theory of rolling contact with a traction curve, the plain way: any scalar, any law.
 
+use super::across::Crowding;
 use super::cell::{Cell, Friction, MEMORY, Solved};
 use super::elasticity::TangentialElasticity;
 use super::grid::{Fastsim, Node};
-use crate::strips::panels;
 use crate::{Fall, TractionLaw};
 use crate::{Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipCurve, SlipField};
 use num_dual::Dual64;
@@ -55,13 +55,12 @@ pub fn elastic_patch_traction<D: Scalar, L: TractionLaw>(
         return sum;
     }
     let strips = Strips::new(patch, motion, rolling_speed, law, elasticity, grid);
-    for panel in panels(strips.slip.longitudinal) {
-        for &(t, weight) in &grid.across {
-            let (y, stretch) = panel.at(t);
-            let squared = (-y + 1.0) * (y + 1.0);
-            if squared.re() > 0.0 {
-                strips.strip(y, squared.sqrt()).add_to(&mut sum, patch, y, squared * stretch * weight);
-            }
+    let crowding = Crowding::new(strips.slip.longitudinal, strips.taken_up());
+    for &(t, weight) in &grid.across {
+        let (y, stretch) = crowding.place(t);
+        let squared = (-y + 1.0) * (y + 1.0);
+        if squared.re() > 0.0 {
+            strips.strip(y, squared.sqrt()).add_to(&mut sum, patch, y, squared * stretch * weight);
         }
     }
     sum.scaled(patch.peak_pressure * patch.semi_lateral * patch.semi_rolling)
@@ -123,6 +122,12 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
             yielding: [flexibility.longitudinal, flexibility.lateral].map(|l| per_flexibility * l),
             direction,
         }
+    }
+
+    /// C κ along rolling, with κ at a slip of C.
+    fn taken_up(&self) -> D {
+        let [longitudinal, _] = self.yielding;
+        longitudinal * self.law.law.at(self.peak_pressure).coefficient(longitudinal * self.scale)
     }
 
     /// The curve at a point in the scalar and in dual numbers, at the peak pressure or at the point's own.

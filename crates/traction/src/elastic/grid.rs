@@ -8,7 +8,8 @@ use std::f64::consts::PI;
 /// Division of the patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FastsimRule {
-    /// Strips (Gauss–Legendre nodes) across the groove in each panel between zeros of the longitudinal slip.
+    /// Strips (Gauss–Legendre nodes) across the groove for each of the two lines of pure rolling that a groove can
+    /// have: twice as many altogether, wherever the lines are.
     pub across: usize,
     /// Cells along a strip.
     pub cells: usize,
@@ -28,10 +29,8 @@ pub struct FastsimRule {
 #[derive(Debug, Clone)]
 pub struct Fastsim {
     pub(super) rule: FastsimRule,
-    /// (τ, w) on [0, 1] across a panel.
+    /// (τ, w) on [0, 1] across the patch.
     pub(super) across: Vec<(f64, f64)>,
-    /// Share of a panel's length at these nodes, and its derivative times the weight.
-    pub(super) graded: Vec<[f64; 2]>,
     pub(super) nodes: Vec<Node>,
     /// h.
     pub(super) spacing: f64,
@@ -73,16 +72,8 @@ impl Fastsim {
                 Node { cos, sin, previous, remembered: previous, reach: 2.0 * sine / base }
             }
         };
-        let across: Vec<(f64, f64)> =
-            gauss_legendre(rule.across).into_iter().map(|(t, w)| (0.5 * (1.0 + t), 0.5 * w)).collect();
-        Ok(Self {
-            rule,
-            graded: across.iter().map(|&(t, w)| [t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) * w]).collect(),
-            across,
-            nodes: (1..rule.cells).map(node).collect(),
-            spacing,
-            level: Level::new(),
-        })
+        let across = gauss_legendre(2 * rule.across).into_iter().map(|(t, w)| (0.5 * (1.0 + t), 0.5 * w)).collect();
+        Ok(Self { rule, across, nodes: (1..rule.cells).map(node).collect(), spacing, level: Level::new() })
     }
 
     /// The rule that it was made from.

@@ -45,6 +45,7 @@
 //! and moments on the rigid motion ([`crate::PatchTraction::work_on`], curved arm), since q vanishes at both ends of a
 //! strip.
 
+mod across;
 mod cell;
 mod choose;
 mod elasticity;

@@ -69,7 +69,7 @@ pub(crate) fn exp_m1<S: Simd>(x: Lanes<S>) -> Lanes<S> {
 
 /// ln(x) for finite x ≥ 0.75.
 #[inline(always)]
-pub(super) fn ln<S: Simd>(x: Lanes<S>) -> Lanes<S> {
+pub(crate) fn ln<S: Simd>(x: Lanes<S>) -> Lanes<S> {
     // Exponent k such that the mantissa x/2^k lies in [√½, √2): the bits of √½ are the border.
     const BELOW_BORDER: u64 = 0x3ff0_0000_0000_0000 - 0x3fe6_a09e_667f_3bcd;
     let bits = x.to_bits();

@@ -3,8 +3,8 @@
 use super::march::March;
 use super::setup::{Law, Varied, yielding};
 use super::varying;
-use crate::elastic::TangentialElasticity;
-use crate::fast::lanes::{LANES, Lanes};
+use crate::elastic::{CreepCoefficients, TangentialElasticity};
+use crate::fast::lanes::{Lanes, total};
 use crate::fast::{PatchDerivative, flatness};
 use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion, SlipUnit};
 use fearless_simd::prelude::*;
@@ -30,6 +30,8 @@ pub(super) struct Inputs<'a> {
     pub(super) curve_slope: &'a Kragelskii,
     pub(super) slip_unit: SlipUnit,
     pub(super) elasticity: &'a TangentialElasticity,
+    /// Of the axis ratio, which stays as the load grows.
+    pub(super) coefficients: &'a CreepCoefficients,
 }
 
 impl Inputs<'_> {
@@ -57,7 +59,7 @@ impl Inputs<'_> {
     }
 
     fn yielding(&self, tau: Dual64, motion: &RelativeMotion<Dual64>, rolling: Dual64) -> [Dual64; 2] {
-        yielding(&self.patch(tau), motion, rolling, self.elasticity)
+        yielding(&self.patch(tau), motion, rolling, (self.elasticity, self.coefficients))
     }
 
     /// The six changes.
@@ -96,83 +98,99 @@ impl Inputs<'_> {
 }
 
 /// Sums over the strips, in the direction of the slip and without the factor p a b.
-pub(super) struct Sums<'a> {
+pub(super) struct Sums<'a, S: Simd> {
     inputs: &'a Inputs<'a>,
     lateral_yielding: [f64; 2],
-    values: [f64; 7],
-    by_motion: [[f64; 5]; 5],
-    by_load: [f64; 7],
-    by_rolling: [f64; 7],
+    values: [Lanes<S>; 7],
+    by_motion: [[Lanes<S>; 5]; 5],
+    by_load: [Lanes<S>; 7],
+    by_rolling: [Lanes<S>; 7],
 }
 
-impl<'a> Sums<'a> {
-    pub(super) fn new(inputs: &'a Inputs<'a>) -> Self {
-        Self {
-            inputs,
-            lateral_yielding: inputs.lateral_yielding(),
-            values: [0.0; 7],
-            by_motion: [[0.0; 5]; 5],
-            by_load: [0.0; 7],
-            by_rolling: [0.0; 7],
-        }
-    }
-
+impl<'a, S: Simd> Sums<'a, S> {
     #[inline(always)]
-    pub(super) fn add<S: Simd>(&mut self, lot: &March<S, CHANGES>, share: Lanes<S>) {
-        for lane in 0..LANES {
-            let (y, share) = (lot.y[lane], share[lane]);
-            let of = |sums: &[Lanes<S>; 5]| sums.map(|sum| sum[lane] * share);
-            self.strip(y, of(&lot.sums), lot.tangents.each_ref().map(|tangent| of(&tangent.sums)));
+    pub(super) fn new(simd: S, inputs: &'a Inputs<'a>) -> Self {
+        let zero = Lanes::splat(simd, 0.0);
+        let lateral_yielding = inputs.lateral_yielding();
+        let (by_motion, seven) = ([[zero; 5]; 5], [zero; 7]);
+        Self { inputs, lateral_yielding, values: seven, by_motion, by_load: seven, by_rolling: seven }
+    }
+
+    /// Forces, moments (in the order of [`PatchDerivative::by_motion`]), power and wear of the sums of strips.
+    #[inline(always)]
+    fn outputs(&self, y: Lanes<S>, arm: Lanes<S>, sums: &[Lanes<S>; 5], share: Lanes<S>) -> [Lanes<S>; 7] {
+        let p = self.inputs.patch;
+        let [fx, fy, x_fy, power, wear] = *sums;
+        let (fx, fy, x_fy) = (fx * share, fy * share, x_fy * share);
+        let (power, wear) = (power * share, wear * share);
+        let about = y * fx * p.semi_lateral - x_fy * p.semi_rolling;
+        [-fx, -fy, about, -(arm * fx), arm * fy, power, wear]
+    }
+
+    /// Adds eight strips by their shares of the patch.
+    #[inline(always)]
+    pub(super) fn add(&mut self, lot: &March<S, CHANGES>, share: Lanes<S>) {
+        let (p, y) = (self.inputs.patch, lot.y);
+        let sag = y * y * flatness(p);
+        let height = -sag + p.ball_radius;
+        let values = self.outputs(y, height, &lot.sums, share);
+        // A loop, where the compiler would not draw the closure of a map into the vector code.
+        let mut changes = [values; CHANGES];
+        for (change, tangent) in changes.iter_mut().zip(&lot.tangents) {
+            *change = self.outputs(y, height, &tangent.sums, share);
         }
-    }
-
-    /// Forces, moments (in the order of [`PatchDerivative::by_motion`]), power and wear of a strip's sums.
-    fn outputs(&self, y: f64, [fx, fy, x_fy, power, wear]: [f64; 5]) -> [f64; 7] {
-        let p = self.inputs.patch;
-        let arm = p.ball_radius - flatness(p) * y * y;
-        [-fx, -fy, p.semi_lateral * y * fx - p.semi_rolling * x_fy, -arm * fx, arm * fy, power, wear]
-    }
-
-    fn strip(&mut self, y: f64, sums: [f64; 5], changes: [[f64; 5]; CHANGES]) {
-        let p = self.inputs.patch;
-        let sag = flatness(p) * y * y;
-        let height = p.ball_radius - sag;
-        let values = self.outputs(y, sums);
-        let changes = changes.map(|change| self.outputs(y, change));
         let [by_lateral, by_spin] = self.lateral_yielding;
         for (i, row) in self.by_motion.iter_mut().enumerate() {
             let of = |change: usize| changes[change][i];
             let by_motion = [
                 of(ALONG),
-                of(ACROSS) + by_lateral * of(LATERAL),
-                p.semi_rolling * of(TURN) - p.semi_lateral * y * of(ALONG) + by_spin * of(LATERAL),
+                of(ACROSS) + of(LATERAL) * by_lateral,
+                of(TURN) * p.semi_rolling - y * of(ALONG) * p.semi_lateral + of(LATERAL) * by_spin,
                 height * of(ALONG),
-                -height * of(ACROSS) - p.ball_radius * by_lateral * of(LATERAL),
+                -(height * of(ACROSS)) - of(LATERAL) * (p.ball_radius * by_lateral),
             ];
             for (sum, term) in row.iter_mut().zip(by_motion) {
                 *sum += term;
             }
         }
-        // What the patch does beside its strips while it grows: area and pressure, arm in the plane, sag of the other.
-        let grow = [0.0, 0.0, values[2], 2.0 * sag * sums[0], -2.0 * sag * sums[1], 0.0, 0.0];
         for i in 0..7 {
             self.values[i] += values[i];
-            self.by_load[i] += changes[LOAD][i] + 3.0 * values[i] + grow[i];
+            self.by_load[i] += changes[LOAD][i] + values[i] * 3.0;
             self.by_rolling[i] += changes[ROLLING][i];
         }
+        // What the patch does beside its strips while it grows: arm in the plane, sag of the other.
+        let [fx, fy, about, ..] = values;
+        self.by_load[2] += about;
+        self.by_load[3] -= fx * sag * 2.0;
+        self.by_load[4] += fy * sag * 2.0;
     }
 
+    #[inline(always)]
     pub(super) fn derivative(&self) -> PatchDerivative {
         let p = self.inputs.patch;
         let volume = p.peak_pressure * p.semi_lateral * p.semi_rolling;
         let load = 2.0 / 3.0 * PI * volume;
+        let mut by_motion = [[0.0; 5]; 5];
+        for (totals, sums) in by_motion.iter_mut().zip(&self.by_motion) {
+            *totals = all(sums, volume);
+        }
         PatchDerivative {
-            traction: named(self.values.map(|sum| sum * volume)),
-            by_motion: self.by_motion.map(|row| row.map(|sum| sum * volume)),
-            by_load: named(self.by_load.map(|sum| sum * volume / (3.0 * load))),
-            by_rolling_speed: named(self.by_rolling.map(|sum| sum * volume)),
+            traction: named(all(&self.values, volume)),
+            by_motion,
+            by_load: named(all(&self.by_load, volume / (3.0 * load))),
+            by_rolling_speed: named(all(&self.by_rolling, volume)),
         }
     }
+}
+
+/// Sums over all lanes times a factor.
+#[inline(always)]
+fn all<S: Simd, const N: usize>(sums: &[Lanes<S>; N], factor: f64) -> [f64; N] {
+    let mut totals = [0.0; N];
+    for (t, &sum) in totals.iter_mut().zip(sums) {
+        *t = total(sum) * factor;
+    }
+    totals
 }
 
 fn named([rolling, lateral, normal, about_lateral, about_rolling, power, wear]: [f64; 7]) -> PatchTraction {

@@ -8,8 +8,8 @@ use fearless_simd::prelude::*;
 /// Square of a trial slip below which nothing moves, (m/s)²: as in the plain cell.
 const AT_REST: f64 = 1e-60;
 
-/// Relative step behind which the root is as good as rounding lets it be: the next step would be about its square.
-const SETTLED: f64 = 1e-7;
+/// Relative step behind which the root is as good as rounding lets it be: the next step would be about its cube.
+const SETTLED: f64 = 3e-5;
 
 /// The curve at a sliding speed.
 #[derive(Clone, Copy)]
@@ -23,6 +23,8 @@ pub(super) struct At<S: Simd> {
     pub(super) slope: Lanes<S>,
     /// d²κ/dσ².
     bend: Lanes<S>,
+    /// σ, m/s.
+    speed: Lanes<S>,
     /// Lanes beyond the peak.
     pub(super) past: Mask<S>,
 }
@@ -37,7 +39,31 @@ impl<S: Simd> At<S> {
         let inner = (slip * law.curve.b + law.curve.a) * -law.curve.c + law.curve.b;
         let slope = decay * inner * law.scale;
         let bend = (slope + decay * (law.curve.b * law.scale)) * (-law.curve.c * law.scale);
-        Self { e, decay, slip, plain, slope, bend, past: slip.simd_gt(law.peak_slip) }
+        Self { e, decay, slip, plain, slope, bend, speed, past: slip.simd_gt(law.peak_slip) }
+    }
+
+    #[inline(always)]
+    fn nothing(simd: S) -> Self {
+        let z = Lanes::splat(simd, 0.0);
+        Self { e: z, decay: z, slip: z, plain: z, slope: z, bend: z, speed: z, past: z.simd_lt(z) }
+    }
+
+    /// At a speed so near that the exponential need not be taken again: within [`SETTLED`].
+    #[inline(always)]
+    fn moved_to(&self, law: &Law, speed: Lanes<S>) -> Self {
+        let far = speed - self.speed;
+        let slip = far * law.scale;
+        let x = slip * law.curve.c;
+        let less = self.decay * (x - x * x * 0.5);
+        Self {
+            e: self.e - less,
+            decay: self.decay - less,
+            slip: self.slip + slip,
+            plain: self.plain + (self.slope + self.bend * far * 0.5) * far,
+            slope: self.slope + self.bend * far,
+            speed,
+            ..*self
+        }
     }
 
     /// κ_r on the rising branch or at the peak, and the share d of it that is lost.
@@ -56,13 +82,13 @@ pub(super) struct Cell<S: Simd> {
     /// The last cell's weakening.
     pub(super) last: Lanes<S>,
     pub(super) speed: Lanes<S>,
-    /// The speed one cell before.
-    pub(super) before: Lanes<S>,
+    /// κ of the cell before.
+    coefficient: Lanes<S>,
     low: Lanes<S>,
     high: Lanes<S>,
     mismatch: Lanes<S>,
-    /// κ and weakening at the root, once there is one.
-    pub(super) found: [Lanes<S>; 2],
+    /// The curve where it was taken last.
+    at: At<S>,
     done: Mask<S>,
     pub(super) rest: Mask<S>,
 }
@@ -75,11 +101,12 @@ pub(super) struct Coefficient<S: Simd> {
     pub(super) weakening: Lanes<S>,
 }
 
-/// a = s_t/(σ + C κ), the same over the denominators, and Σ a² (dD/dσ)/D.
+/// a = s_t/(σ + C κ), the same over the denominators D, dD/dσ, and Σ a² (dD/dσ)/D.
 #[derive(Clone, Copy)]
 pub(super) struct Direction<S: Simd> {
     pub(super) a: [Lanes<S>; 2],
     pub(super) inverse: [Lanes<S>; 2],
+    pub(super) grow: [Lanes<S>; 2],
     pub(super) rise: Lanes<S>,
 }
 
@@ -92,35 +119,48 @@ impl<S: Simd> Cell<S> {
             trial: [z; 2],
             last: z,
             speed: z,
-            before: z,
+            coefficient: z,
             low: z,
             high: z,
             mismatch: z,
-            found: [z; 2],
+            at: At::nothing(simd),
             done: none,
             rest: none,
         }
     }
 
-    /// Sets the trial slip and starts from the speed of the cell before.
+    /// Forgets the cell before.
     #[inline(always)]
-    pub(super) fn open(&mut self, trial: [Lanes<S>; 2], last: Lanes<S>) {
+    pub(super) fn enter(&mut self) {
+        self.at.past = self.speed.simd_lt(self.speed);
+    }
+
+    /// Sets the trial slip, and a speed to start from.
+    ///
+    /// Where C times the most that the curve carries exceeds the trial slip the cell sticks, with a speed from the
+    /// rising branch that carries it; else it slides against the last κ, or against the peak.
+    #[inline(always)]
+    pub(super) fn open(&mut self, law: &Law, yielding: [f64; 2], trial: [Lanes<S>; 2], last: Lanes<S>) {
         let lanes = |x: f64| Lanes::splat(last.token(), x);
         let [u, v] = trial;
-        let square = u * u + v * v;
+        let (u2, v2) = (u * u, v * v);
+        let square = u2 + v2;
         self.rest = square.simd_lt(AT_REST);
         // Any number but zero, so that the lane runs through without harm.
         self.trial = [self.rest.select(lanes(1.0), u), v];
         self.high = self.rest.select(lanes(1.0), square.sqrt());
-        let fits = |speed: Lanes<S>| speed.simd_gt(0.0) & speed.simd_lt(self.high);
-        // A straight line through the last two speeds where it stays within half of the last.
-        let ahead = self.speed + (self.speed - self.before).max(self.speed * -0.5).min(self.speed * 0.5);
-        let near = fits(self.speed).select(self.speed, self.high);
-        self.before = self.speed;
-        self.speed = fits(ahead).select(ahead, near);
+        let yielded = u2 * yielding[0] + v2 * yielding[1];
+        let most = (-last + 1.0) * law.rise.most;
+        let (bound, slip) = (yielded * most, square * self.high);
+        let sticking = slip * bound * law.rise.knee
+            / (bound * bound * law.rise.bow - slip * slip * (law.rise.bow - 1.0)).max(AT_REST);
+        let against = self.at.past.select(self.coefficient, most);
+        let sliding = self.high - yielded * against / square.max(AT_REST);
+        let speed = slip.simd_lt(bound).select(sticking, sliding);
+        let fits = speed.simd_gt(0.0) & speed.simd_lt(self.high);
+        self.speed = fits.select(speed, self.high);
         (self.low, self.mismatch, self.last) = (lanes(0.0), lanes(f64::INFINITY), last);
         self.done = self.rest;
-        self.found = [lanes(0.0); 2];
     }
 
     /// True when every lane has its root.
@@ -130,7 +170,7 @@ impl<S: Simd> Cell<S> {
     }
 
     #[inline(always)]
-    pub(super) fn coefficient(&self, law: &Law, at: &At<S>, keep: f64) -> Coefficient<S> {
+    fn coefficient(&self, law: &Law, at: &At<S>, keep: f64) -> Coefficient<S> {
         let [rising, lost] = at.rising_and_lost(law);
         let weakening = self.last * keep + lost * (1.0 - keep);
         let left = -weakening + 1.0;
@@ -146,27 +186,48 @@ impl<S: Simd> Cell<S> {
         let a = [self.trial[0] * inverse[0], self.trial[1] * inverse[1]];
         let grow = yielding.map(|c| of.slope * c + 1.0);
         let rise = a[0] * a[0] * inverse[0] * grow[0] + a[1] * a[1] * inverse[1] * grow[1];
-        Direction { a, inverse, rise }
+        Direction { a, inverse, grow, rise }
     }
 
-    /// One step of Newton's method within the bracket.
-    ///
-    /// The step has Halley's correction with the bend of the curve, which is exact where both axes yield alike.
+    /// The curve and κ at the root.
+    #[inline(always)]
+    pub(super) fn close(&mut self, law: &Law, keep: f64) -> (At<S>, Coefficient<S>) {
+        let at = if self.rest.any_true() {
+            self.speed = self.rest.select(Lanes::splat(self.speed.token(), 0.0), self.speed);
+            At::new(law, self.speed)
+        } else {
+            self.at.moved_to(law, self.speed)
+        };
+        let of = self.coefficient(law, &at, keep);
+        self.coefficient = of.value;
+        (at, of)
+    }
+
+    /// One step of Halley's method within the bracket, for 1/S − 1 with S = Σ a²:
+    /// ```text
+    /// S' = −2 R,   R = Σ a² D'/D,   R' = Σ a² (D''/D − 3 (D'/D)²),   P = S (1 − S)/2
+    /// δσ = −P R/(S R² − P R'/2)
+    /// ```
     #[inline(always)]
     pub(super) fn improve(&mut self, law: &Law, yielding: [f64; 2], keep: f64) {
-        let at = At::new(law, self.speed);
-        let of = self.coefficient(law, &at, keep);
-        let Direction { a, inverse, rise } = self.direction(&of, yielding);
-        let (x2, y2) = (a[0] * a[0], a[1] * a[1]);
-        let square = x2 + y2;
-        let short = -square.sqrt() + 1.0;
+        self.at = At::new(law, self.speed);
+        let at = &self.at;
+        let of = self.coefficient(law, at, keep);
+        let Direction { a, inverse, grow, rise } = self.direction(&of, yielding);
+        let squares = [a[0] * a[0], a[1] * a[1]];
+        let square = squares[0] + squares[1];
+        let short = -square + 1.0;
         let below = short.simd_lt(0.0);
-        let over_rise = Lanes::splat(rise.token(), 1.0) / rise;
-        let plain = square * short * over_rise;
+        let product = square * short * 0.5;
         let left = at.past.select(Lanes::splat(rise.token(), 1.0 - keep), -of.weakening + 1.0);
-        let curvature = (x2 * inverse[0] * yielding[0] + y2 * inverse[1] * yielding[1]) * (at.bend * left);
-        let correction = (plain * curvature * over_rise * -0.5 + 1.0).max(0.5);
-        let next = self.speed - plain / correction;
+        let bend = at.bend * left;
+        let part = |k: usize| {
+            let growing = inverse[k] * grow[k];
+            squares[k] * (bend * inverse[k] * yielding[k] - growing * growing * 3.0)
+        };
+        let rise2 = square * rise * rise;
+        let slope = rise2 - product * (part(0) + part(1)) * 0.5;
+        let next = self.speed - product * rise / slope.max(rise2 * 0.25);
         let mismatch = short.abs();
         let low = below.select(self.speed, self.low);
         let high = below.select(self.high, self.speed);
@@ -175,11 +236,6 @@ impl<S: Simd> Cell<S> {
         let settled = newton & (next - self.speed).abs().simd_le(self.speed * SETTLED);
         let narrow = (high - low).simd_le(high * 4e-16);
         let step = newton.select(next, narrow.select(self.speed, (low + high) * 0.5));
-        // The last step is so small that the curve need not be taken again behind it.
-        let moved = of.slope * (step - self.speed);
-        let weakening = of.weakening - at.past.select(moved * law.over_peak, moved * 0.0);
-        let found = [of.value + moved, weakening];
-        self.found = [0, 1].map(|k| self.done.select(self.found[k], found[k]));
         self.speed = self.done.select(self.speed, step);
         (self.low, self.high, self.mismatch) = (low, high, mismatch);
         self.done |= settled | narrow;

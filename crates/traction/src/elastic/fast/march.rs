@@ -1,6 +1,7 @@
 //! The march of eight strips from leading to trailing edge, with their first derivatives.
 
-use super::cell::{At, Cell, Coefficient, Direction};
+use super::cell::{At, Cell, Direction};
+use super::response::{Response, Solved};
 use super::setup::{Law, Varied};
 use crate::SlipField;
 use crate::elastic::Fastsim;
@@ -24,7 +25,12 @@ pub(super) struct Strips<'a, const T: usize> {
 }
 
 /// Steps of a cell's iteration that are made without asking.
-const USUAL: usize = 3;
+const USUAL: usize = 2;
+
+/// The first changes are of the slip alone.
+const OF_SLIP: usize = 3;
+/// The first changes come by the motion, over which power and wear have no derivatives, and leave the curve as it is.
+const OF_MOTION: usize = 4;
 
 /// The patch's numbers at one node, where C is divided by the node's reach.
 struct AtNode<const T: usize> {
@@ -87,7 +93,7 @@ impl<const T: usize> Strips<'_, T> {
             for lot in lots.iter_mut() {
                 self.open(node, &here, lot);
             }
-            // Fewer steps are hardly ever enough.
+            // One step is hardly ever enough.
             for _ in 0..USUAL {
                 for lot in lots.iter_mut() {
                     lot.cell.improve(&self.law, here.yielding, here.keep);
@@ -135,9 +141,11 @@ impl<const T: usize> Strips<'_, T> {
         lot.weakening = [at.rising_and_lost(&self.law)[1]; 2];
         lot.traction = [[zero; 2]; 2];
         lot.sums = [zero; 5];
-        (lot.cell.speed, lot.cell.before) = (zero, zero);
+        lot.cell.enter();
         for (tangent, varied) in lot.tangents.iter_mut().zip(&self.varied) {
-            tangent.slip = varied.slip.map(|[one, linear, square]| y * linear + y2 * square + one);
+            for (slip, [one, linear, square]) in tangent.slip.iter_mut().zip(&varied.slip) {
+                *slip = y * *linear + y2 * *square + *one;
+            }
             (tangent.traction, tangent.sums) = ([[zero; 2]; 2], [zero; 5]);
             let [du, dv, turn] = tangent.slip;
             let change = (lot.along * du + v * (dv + edge * turn)) / speed;
@@ -154,43 +162,29 @@ impl<const T: usize> Strips<'_, T> {
         let carried = carried(node, &lot.traction);
         let over_sine = node.sin.recip();
         let trial = [0, 1].map(|k| rigid[k] + carried[k] * (here.yielding[k] * over_sine));
-        lot.cell.open(trial, remembered(node, &lot.weakening).min(1.0));
+        lot.cell.open(&self.law, here.yielding, trial, remembered(node, &lot.weakening).min(1.0));
     }
 
     #[inline(always)]
     fn close<S: Simd>(&self, node: &Node, here: &AtNode<T>, lot: &mut March<S, T>) {
-        let zero = Lanes::splat(lot.y.token(), 0.0);
-        lot.cell.speed = lot.cell.rest.select(zero, lot.cell.speed);
-        let [value, weakening] = lot.cell.found;
-        let weakening = lot.cell.rest.select(lot.cell.last * here.keep, weakening);
-        let mut of = Coefficient { value, slope: zero, weakening };
-        // Derivatives need the curve's slope as well.
-        let at = (T > 0).then(|| At::new(&self.law, lot.cell.speed));
-        if let Some(at) = &at {
-            of.slope = lot.cell.coefficient(&self.law, at, here.keep).slope;
-        }
+        let (at, of) = lot.cell.close(&self.law, here.keep);
         let mut direction = lot.cell.direction(&of, here.yielding);
-        direction.a = direction.a.map(|a| lot.cell.rest.select(zero, a));
+        if lot.cell.rest.any_true() {
+            let zero = Lanes::splat(lot.y.token(), 0.0);
+            direction.a = direction.a.map(|a| lot.cell.rest.select(zero, a));
+        }
         let traction = direction.a.map(|a| a * of.value * node.sin);
         let x = lot.chord * (-self.direction * node.cos);
         let weight = self.grid.spacing * node.sin;
         let power = of.value * lot.cell.speed;
-        add(&mut lot.sums, x, traction, [power, lot.cell.speed], [weight, weight * node.sin]);
-        if let Some(at) = &at {
-            let one = Lanes::splat(zero.token(), 1.0);
-            // At rest traction follows slip by the initial slope.
-            let initial = (-of.weakening + 1.0) * self.law.initial_slope();
-            let solved = Solved {
-                at,
-                of: &of,
-                direction: &direction,
-                carried: carried(node, &lot.traction),
-                x,
-                over_rise: one / direction.rise,
-                still: here.yielding.map(|c| initial / (initial * c + 1.0)),
-            };
+        add_forces(&mut lot.sums, x, traction, weight);
+        add_power(&mut lot.sums, [power, lot.cell.speed], weight * node.sin);
+        if T > 0 {
+            let carried = carried(node, &lot.traction);
+            let solved = Solved { node, at: &at, of: &of, direction: &direction, carried, x, weight };
+            let response = Response::new(&lot.cell, &solved, (here.yielding, here.keep), &self.law);
             for k in 0..T {
-                self.tangent(node, here, k, lot, &solved, weight);
+                self.tangent(here, k, lot, &solved, &response);
             }
         }
         lot.traction = [traction, lot.traction[0]];
@@ -201,57 +195,46 @@ impl<const T: usize> Strips<'_, T> {
     #[inline(always)]
     fn tangent<S: Simd>(
         &self,
-        node: &Node,
         here: &AtNode<T>,
         k: usize,
         lot: &mut March<S, T>,
         solved: &Solved<'_, S>,
-        weight: f64,
+        response: &Response<S>,
     ) {
         let (cell, tangent) = (&lot.cell, &mut lot.tangents[k]);
-        let Solved { at, of, direction: Direction { a, inverse, .. }, carried: before, x, .. } = *solved;
-        let zero = Lanes::splat(x.token(), 0.0);
-        let (by_yielding, by_keep) = here.by_input[k];
+        let Solved { node, at, of, direction: Direction { a, .. }, x, weight, .. } = *solved;
         let [du, dv, turn] = tangent.slip;
-        let rigid = [du, dv + x * turn];
         let change = carried(node, &tangent.traction);
         let over_sine = node.sin.recip();
-        let trial: [Lanes<S>; 2] =
-            std::array::from_fn(|i| rigid[i] + (change[i] * here.yielding[i] + before[i] * by_yielding[i]) * over_sine);
-        let [rising, lost] = at.rising_and_lost(&self.law);
-        let [by_rising, by_lost] = law_change(&self.law, &self.varied[k].law, at, cell.speed);
-        let fresh = 1.0 - here.keep;
-        let weakening =
-            remembered(node, &tangent.weakening) * here.keep + (cell.last - lost) * by_keep + by_lost * fresh;
-        let kappa = by_rising * (-of.weakening + 1.0) - rising * weakening;
-        let push: [Lanes<S>; 2] =
-            std::array::from_fn(|i| trial[i] - a[i] * (of.value * by_yielding[i] + kappa * here.yielding[i]));
-        let speed = (a[0] * inverse[0] * push[0] + a[1] * inverse[1] * push[1]) * solved.over_rise;
-        let speed = cell.rest.select(zero, speed);
-        let kappa = kappa + of.slope * speed;
-        let traction: [Lanes<S>; 2] = std::array::from_fn(|i| {
-            let turned = inverse[i] * (push[i] - a[i] * (of.slope * here.yielding[i] + 1.0) * speed);
-            cell.rest.select(solved.still[i] * trial[i], kappa * a[i] + of.value * turned) * node.sin
-        });
-        let by_speed = at.past.select(at.slope * (-fresh * self.law.over_peak), zero);
-        tangent.weakening = [weakening + by_speed * speed, tangent.weakening[0]];
-        let power = kappa * cell.speed + of.value * speed;
-        add(&mut tangent.sums, x, traction, [power, speed], [weight, weight * node.sin]);
+        let mut trial = [du, dv + x * turn];
+        for (i, trial) in trial.iter_mut().enumerate() {
+            *trial += change[i] * (here.yielding[i] * over_sine);
+        }
+        let mut weakening = remembered(node, &tangent.weakening) * here.keep;
+        // Of κ at the same slip and weakening.
+        let mut kappa = Lanes::splat(x.token(), 0.0);
+        if k >= OF_SLIP {
+            let (by_yielding, by_keep) = here.by_input[k];
+            let [_, lost] = at.rising_and_lost(&self.law);
+            let [by_rising, by_lost] = law_change(&self.law, &self.varied[k].law, at, cell.speed);
+            weakening += (cell.last - lost) * by_keep + by_lost * (1.0 - here.keep);
+            kappa = by_rising * (-of.weakening + 1.0);
+            for (i, trial) in trial.iter_mut().enumerate() {
+                let yielded = solved.carried[i] * over_sine - a[i] * of.value;
+                *trial += yielded * by_yielding[i] - a[i] * kappa * here.yielding[i];
+            }
+        }
+        let speed = response.speed(trial, weakening);
+        let mut traction = response.traction(trial, weakening, speed);
+        if k >= OF_MOTION {
+            traction = [0, 1].map(|i| traction[i] + a[i] * kappa * node.sin);
+            let power = (kappa + response.coefficient(weakening, speed)) * cell.speed + of.value * speed;
+            add_power(&mut tangent.sums, [power, speed], weight * node.sin);
+        }
+        add_forces(&mut tangent.sums, x, traction, weight);
+        tangent.weakening = [response.weakening(weakening, speed), tangent.weakening[0]];
         tangent.traction = [traction, tangent.traction[0]];
     }
-}
-
-/// A solved cell.
-#[derive(Clone, Copy)]
-struct Solved<'a, S: Simd> {
-    at: &'a At<S>,
-    of: &'a Coefficient<S>,
-    direction: &'a Direction<S>,
-    carried: [Lanes<S>; 2],
-    x: Lanes<S>,
-    over_rise: Lanes<S>,
-    /// Traction over trial slip where nothing slips.
-    still: [Lanes<S>; 2],
 }
 
 #[inline(always)]
@@ -266,17 +249,17 @@ fn remembered<S: Simd>(node: &Node, weakening: &[Lanes<S>; 2]) -> Lanes<S> {
 }
 
 #[inline(always)]
-fn add<S: Simd>(
-    sums: &mut StripSums<S>,
-    x: Lanes<S>,
-    [fx, fy]: [Lanes<S>; 2],
-    [power, wear]: [Lanes<S>; 2],
-    [weight, with_pressure]: [f64; 2],
-) {
+fn add_forces<S: Simd>(sums: &mut StripSums<S>, x: Lanes<S>, [fx, fy]: [Lanes<S>; 2], weight: f64) {
     let fy = fy * weight;
-    let terms = [fx * weight, fy, x * fy, power * with_pressure, wear * with_pressure];
-    for (sum, term) in sums.iter_mut().zip(terms) {
+    for (sum, term) in sums.iter_mut().zip([fx * weight, fy, x * fy]) {
         *sum += term;
+    }
+}
+
+#[inline(always)]
+fn add_power<S: Simd>(sums: &mut StripSums<S>, terms: [Lanes<S>; 2], weight: f64) {
+    for (sum, term) in sums[3..].iter_mut().zip(terms) {
+        *sum += term * weight;
     }
 }
 

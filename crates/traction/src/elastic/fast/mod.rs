@@ -15,16 +15,17 @@
 mod assemble;
 mod cell;
 mod march;
+mod response;
 mod setup;
 
 use super::Fastsim;
+use super::across::Crowding;
 use super::elasticity::TangentialElasticity;
 use super::fastsim::elastic_patch_traction;
 use crate::fast::lanes::{LANES, Lanes, total};
 use crate::fast::{PatchDerivative, assemble as assemble_values};
-use crate::strips::panels;
 use crate::{
-    Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipField, SlipUnit,
+    Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipCurve, SlipField, SlipUnit,
     TractionLaw,
 };
 use fearless_simd::{dispatch, prelude::*};
@@ -48,12 +49,13 @@ impl Fastsim {
         if patch.peak_pressure <= 0.0 {
             return PatchTraction::zero();
         }
+        let coefficients = elasticity.coefficients().at(patch.semi_rolling / patch.semi_lateral);
         let strips = Strips {
             grid: self,
             slip: SlipField::new(patch, motion),
             direction: if rolling_speed < 0.0 { -1.0 } else { 1.0 },
             law: Law::new(*curve, slip_unit.scale(rolling_speed)),
-            yielding: yielding(patch, motion, rolling_speed, elasticity),
+            yielding: yielding(patch, motion, rolling_speed, (elasticity, &coefficients)),
             varied: [],
         };
         let sums = dispatch!(self.level, simd => {
@@ -85,51 +87,44 @@ impl Fastsim {
         if patch.peak_pressure <= 0.0 {
             return PatchDerivative::zero();
         }
-        let inputs = assemble::Inputs { patch, motion, rolling_speed, curve, curve_slope, slip_unit, elasticity };
-        let law = Law::new(*curve, slip_unit.scale(rolling_speed));
+        let coefficients = &elasticity.coefficients().at(patch.semi_rolling / patch.semi_lateral);
+        let inputs =
+            assemble::Inputs { patch, motion, rolling_speed, curve, curve_slope, slip_unit, elasticity, coefficients };
         let strips = Strips {
             grid: self,
             slip: SlipField::new(patch, motion),
             direction: if rolling_speed < 0.0 { -1.0 } else { 1.0 },
-            law,
-            yielding: yielding(patch, motion, rolling_speed, elasticity),
+            law: Law::new(*curve, slip_unit.scale(rolling_speed)),
+            yielding: yielding(patch, motion, rolling_speed, (elasticity, coefficients)),
             varied: inputs.varied(),
         };
-        let mut sums = assemble::Sums::new(&inputs);
         dispatch!(self.level, simd => {
+            let mut sums = assemble::Sums::new(simd, &inputs);
             walk(simd, &strips, |lot, share| sums.add(lot, share));
-        });
-        sums.derivative()
+            sums.derivative()
+        })
     }
 }
 
 /// Marches every strip of the patch and hands lots of eight with their shares of the patch to `take`.
 #[inline(always)]
 fn walk<S: Simd, const T: usize>(simd: S, strips: &Strips<'_, T>, mut take: impl FnMut(&March<S, T>, Lanes<S>)) {
-    // Two cuts make three panels at most.
-    let mut spans = [[0.0; 2]; 3];
-    let mut count = 0;
-    for (span, panel) in spans.iter_mut().zip(panels(strips.slip.longitudinal)) {
-        *span = [panel.start, panel.end - panel.start];
-        count += 1;
-    }
-    let across = &strips.grid.graded;
-    let mut places = spans[..count].iter().flat_map(|&span| across.iter().map(move |&node| (span, node)));
+    let [longitudinal, _] = strips.yielding;
+    let taken_up = longitudinal * strips.law.curve.coefficient(longitudinal * strips.law.scale);
+    let crowding = Crowding::new(strips.slip.longitudinal, taken_up);
     let mut lots = [March::nothing(simd); LOTS];
     let mut shares = [Lanes::splat(simd, 0.0); LOTS];
-    let mut left = (count * across.len()).div_ceil(LANES);
-    while left > 0 {
-        let now = left.min(LOTS);
-        left -= now;
-        for (lot, share) in lots[..now].iter_mut().zip(&mut shares) {
-            let (mut y, mut width) = ([0.0; LANES], [0.0; LANES]);
-            for (y, width) in y.iter_mut().zip(&mut width) {
-                if let Some(([start, length], [grade, slope])) = places.next() {
-                    (*y, *width) = (start + length * grade, length * slope);
-                }
+    for nodes in strips.grid.across.chunks(LOTS * LANES) {
+        let now = nodes.len().div_ceil(LANES);
+        for ((lot, share), nodes) in lots.iter_mut().zip(&mut shares).zip(nodes.chunks(LANES)) {
+            // Lanes that are left over have no weight.
+            let (mut t, mut weight) = ([0.5; LANES], [0.0; LANES]);
+            for ((t, weight), node) in t.iter_mut().zip(&mut weight).zip(nodes) {
+                (*t, *weight) = *node;
             }
-            lot.y = Lanes::simd_from(simd, y);
-            *share = Lanes::simd_from(simd, width) * ((-lot.y + 1.0) * (lot.y + 1.0)).max(0.0);
+            let [y, stretch] = crowding.places(Lanes::simd_from(simd, t));
+            lot.y = y;
+            *share = Lanes::simd_from(simd, weight) * stretch * ((-y + 1.0) * (y + 1.0)).max(0.0);
         }
         strips.march(&mut lots[..now]);
         for (lot, &share) in lots[..now].iter().zip(&shares) {

@@ -1,7 +1,7 @@
 //! Values that all strips of a patch share, worked out once.
 
-use crate::elastic::TangentialElasticity;
 use crate::elastic::cell::MEMORY;
+use crate::elastic::{CreepCoefficients, TangentialElasticity};
 use crate::{Kragelskii, Patch, RelativeMotion, Scalar, SlipCurve};
 use num_dual::Dual64;
 
@@ -16,6 +16,8 @@ pub(super) struct Law<D = f64> {
     pub(super) peak: D,
     /// 1/K_m.
     pub(super) over_peak: D,
+    /// The rising branch, roughly.
+    pub(super) rise: Rise,
     /// λ times the steepest fall, s/m.
     pub(super) steepness: D,
 }
@@ -26,7 +28,9 @@ impl<D: Scalar> Law<D> {
             Some(fall) => (fall.slip, curve.coefficient(fall.slip), fall.steepness * scale),
             None => (D::from(f64::INFINITY), D::one(), D::zero()),
         };
-        Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), steepness }
+        let rise =
+            Rise::new(curve.initial_slope().re() * scale.re(), peak_slip.re() / scale.re(), peak.re(), curve.d().re());
+        Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), rise, steepness }
     }
 
     /// Share of the weakening that a cell keeps of the one before.
@@ -42,14 +46,40 @@ impl<D: Scalar> Law<D> {
     }
 }
 
-/// |V| L p_max/b along rolling and across, m/s.
+/// The rising branch of a curve as σ = σ_m r/(n − (n − 1) r²), r = κ/K_m: exact at either end, a third off in between.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rise {
+    /// K_m, or where nothing falls the coefficient at infinite slip.
+    pub(super) most: f64,
+    /// σ_m, m/s.
+    pub(super) knee: f64,
+    /// n, σ_m times the initial slope over K_m.
+    pub(super) bow: f64,
+}
+
+impl Rise {
+    fn new(slope: f64, peak_speed: f64, peak: f64, residual: f64) -> Self {
+        /// Of a curve that has no peak: where an exponential has come within 5 %.
+        const BOW: f64 = 3.0;
+        if peak_speed.is_finite() {
+            Self { most: peak, knee: peak_speed, bow: slope * peak_speed / peak }
+        } else {
+            Self { most: residual, knee: BOW * residual / slope, bow: BOW }
+        }
+    }
+}
+
+/// |V| L p_max/b along rolling and across, m/s, by the coefficients of the patch's axis ratio.
 pub(super) fn yielding<D: Scalar>(
     patch: &Patch<D>,
     motion: &RelativeMotion<D>,
     rolling_speed: D,
-    elasticity: &TangentialElasticity,
+    (elasticity, coefficients): (&TangentialElasticity, &CreepCoefficients),
 ) -> [D; 2] {
-    let flexibility = elasticity.flexibility(patch, motion, rolling_speed);
+    let CreepCoefficients { longitudinal, lateral, spin } = coefficients;
+    let [longitudinal, lateral, spin] = [*longitudinal, *lateral, *spin].map(D::from);
+    let coefficients = CreepCoefficients { longitudinal, lateral, spin };
+    let flexibility = elasticity.flexibility_by(&coefficients, patch, motion, rolling_speed);
     let speed = if rolling_speed.re() < 0.0 { -rolling_speed } else { rolling_speed };
     let factor = speed * patch.peak_pressure / patch.semi_rolling;
     [flexibility.longitudinal * factor, flexibility.lateral * factor]
