@@ -119,17 +119,24 @@ impl<'a> Newton<'a> {
         self.iterate(from, tolerance, (limit, DAMPED), None)
     }
 
-    /// The same by so many Jacobians and full steps alone, the first of them known; none where they do not meet the
-    /// tolerance.
+    /// The same by so many Jacobians and full steps alone, the first of them known, the others taken only where the
+    /// balances are met to `within`; none where they do not meet the tolerance.
     pub fn by_full_steps(
         &mut self,
         orbit: Orbit,
         tolerance: f64,
-        (jacobians, known): (usize, Option<Jacobian>),
+        (jacobians, within, known): (usize, f64, Option<Jacobian>),
     ) -> Option<(Orbit, Residual)> {
         let residual = self.residual(&orbit);
-        let known = known.filter(|known| known.is_of(&orbit));
-        let found = self.iterate((orbit, residual), tolerance, (jacobians, FULL), known);
+        let mut found = (orbit, residual);
+        let mut left = jacobians;
+        if let Some(known) = known.filter(|known| known.is_of(&found.0)) {
+            found = self.iterate(found, tolerance, (1, FULL), Some(known));
+            left -= 1;
+        }
+        if found.1.worst.relative <= within {
+            found = self.iterate(found, tolerance, (left, FULL), None);
+        }
         (found.1.worst.relative <= tolerance).then_some(found)
     }
 
