@@ -19,8 +19,8 @@ use tribodyn_traction::FastPatch;
 /// all.
 const HURRY: usize = 3;
 const NEXT_DOOR: usize = 2;
-/// Balances of the nearest, once its own Jacobian has done what it can: where they are farther from being met, contacts
-/// begin and end elsewhere than its mesh is made for.
+/// Balances of the nearest as it is, and once its own Jacobian has done what it can: where they are farther from being
+/// met, contacts begin and end elsewhere than its mesh is made for.
 const WITHIN: f64 = 0.5;
 
 /// Solves for the steady orbit from a cold start.
@@ -63,8 +63,8 @@ pub fn steady_orbit_from(
     led.map_or_else(|| steady_orbit(bearing, point, cage, settings), Ok)
 }
 
-/// The same where the neighbour is so near that a few steps lead to the orbit on its mesh, or a few turns of a ball that
-/// starts like its own to one on a mesh of its own contacts; none where a cold start is as cheap.
+/// The same where the neighbour is so near that a few steps lead to the orbit on its mesh, or a few turns of a ball
+/// that starts like its own to one on a mesh of its own contacts; none where a cold start is as cheap.
 ///
 /// # Errors
 /// As [`steady_orbit`].
