@@ -3,7 +3,7 @@
 use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::search::{PATIENCE, SETTLING, WORK, damped, find};
+use crate::search::{PATIENCE, SETTLING, WORK, closed_near, damped, find};
 use crate::settings::OrbitSettings;
 use crate::solution::{Placed, placed, solution};
 use crate::solved::{OrbitStart, SolvedOrbit};
@@ -81,7 +81,7 @@ where
     }
     let origin = bearing.azimuth(start::hardest(&rolling));
     let system = system(problem, (rolling.rule, speed, origin))?;
-    let scales = start::scales((bearing, &cage.pocket), &point.ring, &rolling, speed);
+    let scales = start::scales((bearing, &cage.pocket), &point.ring, (start::mean_load(&rolling), speed));
     let ladder = ladder(bearing, (&rolling, speed));
     let way = Way::new(&system, &ladder, (&rolling, scales.force))?;
     let mut newton = Newton::new(system, scales);
@@ -114,6 +114,20 @@ pub(crate) fn warm(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOrbi
     let orbit = near.at_speeds(problem.point);
     let mut newton = at(Problem { bearing: &eased, ..problem }, near, &orbit).ok()?;
     let found = nearby(&mut newton, &orbit, problem.settings, (&SETTLING, WORK))?;
+    finish(&mut newton, found, problem, near.eased).ok()
+}
+
+/// The orbit from the start of a neighbour's turn: a ball is sent round from there, so that the mesh is that of its own
+/// contacts; none where that does not soon lead to it.
+pub(crate) fn resent(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOrbit> {
+    let Problem { bearing, point, cage, settings } = problem;
+    let orbit = near.at_speeds(point);
+    let eased = near.eased.of(bearing);
+    let mut newton = at(Problem { bearing: &eased, ..problem }, near, &orbit).ok()?;
+    newton.scales = start::scales((bearing, &cage.pocket), &point.ring, (near.carried, orbit.cage_speed));
+    let cheap = FastPatch::new(SLOPES).ok()?;
+    newton.slopes_by = Some(cheap.clone());
+    let found = closed_near(&mut newton, &orbit, (cheap, settings))?;
     finish(&mut newton, found, problem, near.eased).ok()
 }
 
@@ -178,7 +192,8 @@ pub(crate) fn finish(
     let jacobian = newton.last.take().filter(|last| last.is_of(&orbit));
     let (origin, settling) = (newton.system.origin, newton.system.settling);
     let rule = newton.system.kernel.quadrature().rule();
-    let start = OrbitStart { orbit, jacobian, rule, origin, settling, eased, scales: newton.scales, speeds };
+    let carried = balls.iter().map(|(_, _, e)| e.loads.contacts.inner.normal.load).sum::<f64>() / balls.len() as f64;
+    let start = OrbitStart { orbit, jacobian, rule, origin, settling, eased, scales: newton.scales, carried, speeds };
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
 }
 

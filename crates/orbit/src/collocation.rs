@@ -72,13 +72,23 @@ impl Orbit {
         Self { ends, values, cage_speed, ring }
     }
 
-    /// Moves all unknowns by as much as those of two others on its mesh differ.
-    pub fn shift(&mut self, from: &Self, to: &Self) {
-        let all = |orbit: &Self| -> Vec<f64> { orbit.values.iter().flatten().flatten().copied().collect() };
-        let pairs = all(from).into_iter().zip(all(to));
+    /// Moves all unknowns by as much as those of two others differ.
+    pub fn shift(&mut self, radau: &Radau, from: &Self, to: &Self) {
+        let [from_here, to_here] = [from, to].map(|other| other.on(radau, &self.ends));
+        let all = |values: &[Values]| -> Vec<f64> { values.iter().flatten().flatten().copied().collect() };
+        let pairs = all(&from_here).into_iter().zip(all(&to_here));
         self.values.iter_mut().flatten().flatten().zip(pairs).for_each(|(v, (from, to))| *v += to - from);
         self.cage_speed += to.cage_speed - from.cage_speed;
         (0..RING).for_each(|k| self.ring[k] += to.ring[k] - from.ring[k]);
+    }
+
+    /// Values at the points of a mesh with these ends.
+    fn on(&self, radau: &Radau, ends: &[f64]) -> Vec<Values> {
+        if self.ends == ends {
+            return self.values.clone();
+        }
+        let border = (self.cage_speed, self.ring);
+        Self::of(radau, ends.to_vec(), border, |turn| self.at(radau, turn)).values
     }
 
     /// Share of the turn that it has.

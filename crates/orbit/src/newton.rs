@@ -119,17 +119,23 @@ impl<'a> Newton<'a> {
         self.iterate(from, tolerance, (limit, DAMPED), None)
     }
 
-    /// The same by so many Jacobians and full steps alone, the first of them known; none where they do not meet the
-    /// tolerance.
+    /// The same by so many Jacobians and full steps alone, the first of them known, each used only where the balances
+    /// are met to `within`; none where they do not meet the tolerance.
     pub fn by_full_steps(
         &mut self,
         orbit: Orbit,
         tolerance: f64,
-        (jacobians, known): (usize, Option<Jacobian>),
+        (jacobians, within, known): (usize, f64, Option<Jacobian>),
     ) -> Option<(Orbit, Residual)> {
         let residual = self.residual(&orbit);
-        let known = known.filter(|known| known.is_of(&orbit));
-        let found = self.iterate((orbit, residual), tolerance, (jacobians, FULL), known);
+        let mut found = (orbit, residual);
+        let known = known.filter(|known| known.is_of(&found.0));
+        let others = jacobians - usize::from(known.is_some());
+        for (limit, known) in [(usize::from(known.is_some()), known), (others, None)] {
+            if found.1.worst.relative <= within {
+                found = self.iterate(found, tolerance, (limit, FULL), known);
+            }
+        }
         (found.1.worst.relative <= tolerance).then_some(found)
     }
 
@@ -161,12 +167,15 @@ impl<'a> Newton<'a> {
             while let Some(step) = taken.last() {
                 let trial = self.apply(&orbit, step, share);
                 let after = self.residual(&trial);
-                let met = after.worst.relative <= tolerance;
+                if after.worst.relative <= tolerance {
+                    (orbit, residual) = (trial, after);
+                    break;
+                }
                 let next = linear.step(&after).corrected(&taken);
                 let (left, size) = (next.norm(), step.norm());
-                if met || left <= growth * (1.0 - 0.25 * share) * size {
+                if left <= growth * (1.0 - 0.25 * share) * size {
                     (orbit, residual) = (trial, after);
-                    if met || share < 1.0 || left > CHORD * size {
+                    if share < 1.0 || left > CHORD * size {
                         break;
                     }
                     let next = next.lengthened(step);

@@ -10,6 +10,7 @@ use crate::start::{self, Profile};
 use crate::way::{Eased, Way};
 use tribodyn_bearing::OperatingPoint;
 use tribodyn_quasistatic::{BallMotion, Model, RollingStart, solve};
+use tribodyn_traction::FastPatch;
 
 /// Error of an interval where the neighbourhood is found, over the scales.
 const SCOUTED: f64 = 0.2;
@@ -17,6 +18,8 @@ const SCOUTED: f64 = 0.2;
 /// method on all unknowns takes over.
 const FOUND: f64 = 3e-2;
 const CLOSE: f64 = 3e-3;
+/// The closing from a neighbour where Newton's method takes over: it needs no more steps than from a nearer turn.
+const CLOSE_BY: f64 = 1e-2;
 /// The same above which that is not tried.
 const FAR: f64 = 0.1;
 /// Steps from turn to turn.
@@ -43,6 +46,8 @@ const MARCH: usize = 10_000;
 /// Turns like the first that such a search from Jones–Harris may take.
 const TURNS: usize = 40;
 const LONG: usize = 25_000;
+/// Intervals of all turns from a neighbour, after which a cold start is as cheap.
+const NEAR: usize = 300;
 pub(crate) const WORK: usize = 12_000;
 
 /// The orbit, and by how much its bearing is not that of the case.
@@ -172,6 +177,19 @@ fn marched<'a>(
     let turn = newton.with_patches(way.scout(), |newton| newton.within(work, twice))?;
     let found = if turn.off > FAR { None } else { closed_or_met(newton, turn.orbit.clone(), settings) };
     found.or_else(|| damped(newton, &turn.orbit, settings, (&SETTLING[..1], work)).ok())
+}
+
+/// Sends a ball round from the start of a turn near by, with cheap patches, until it closes its own; none where it does
+/// not soon.
+pub(crate) fn closed_near(
+    newton: &mut Newton<'_>,
+    near: &Orbit,
+    (cheap, settings): (FastPatch, &OrbitSettings),
+) -> Option<Found> {
+    let (start, border) = (*near.last(), (near.cage_speed, near.ring));
+    let shoot = |newton: &mut Newton<'_>| newton.shoot(&start, border, (settings.mesh_error, CLOSE_BY, ROUNDS)).ok();
+    let turn = newton.with_patches(cheap, |newton| newton.within(NEAR, shoot))?;
+    if turn.off > FAR { None } else { closed_or_met(newton, turn.orbit, settings) }
 }
 
 /// Newton's method on the mesh of a turn that nearly closes, or else the turn closed on it. Where that leads away from

@@ -1,7 +1,7 @@
 //! From a bearing at an operating point to its steady orbit.
 
 use crate::OrbitError;
-use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, prepared, rolled, warm};
+use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, prepared, resent, rolled, warm};
 use crate::detours::detour;
 use crate::modes::{Bodies, Mode, modes};
 use crate::newton::Newton;
@@ -19,6 +19,9 @@ use tribodyn_traction::FastPatch;
 /// all.
 const HURRY: usize = 3;
 const NEXT_DOOR: usize = 2;
+/// Balances of the nearest as it is, and once its own Jacobian has done what it can: where they are farther from being
+/// met, contacts begin and end elsewhere than its mesh is made for.
+const WITHIN: f64 = 0.5;
 
 /// Solves for the steady orbit from a cold start.
 ///
@@ -53,15 +56,15 @@ pub fn steady_orbit_from(
     near: &OrbitStart,
 ) -> Result<SolvedOrbit, OrbitError> {
     let problem = Problem { bearing, point, cage, settings };
-    if let Some(solved) = hurried(problem, near, (HURRY, fitted))? {
+    if let Some(solved) = hurried(problem, near, (HURRY, f64::INFINITY), fitted)? {
         return Ok(solved);
     }
     let led = warm(Problem { bearing: &prepared(bearing, settings), ..problem }, near);
     led.map_or_else(|| steady_orbit(bearing, point, cage, settings), Ok)
 }
 
-/// The same where the neighbour is so near that a few steps lead to the orbit on its mesh; none where a cold start is
-/// as cheap.
+/// The same where the neighbour is so near that a few steps lead to the orbit on its mesh, or a few turns of a ball
+/// that starts like its own to one on a mesh of its own contacts; none where a cold start is as cheap.
 ///
 /// # Errors
 /// As [`steady_orbit`].
@@ -72,7 +75,11 @@ pub fn steady_orbit_near(
     settings: &OrbitSettings,
     near: &OrbitStart,
 ) -> Result<Option<SolvedOrbit>, OrbitError> {
-    hurried(Problem { bearing, point, cage, settings }, near, (NEXT_DOOR, as_it_is))
+    let problem = Problem { bearing, point, cage, settings };
+    if let Some(solved) = hurried(problem, near, (NEXT_DOOR, WITHIN), as_it_is)? {
+        return Ok(Some(solved));
+    }
+    Ok(resent(Problem { bearing: &prepared(bearing, settings), ..problem }, near))
 }
 
 /// Makes of an orbit on a neighbour's mesh one to answer with; none where that is not worth it.
@@ -83,7 +90,8 @@ type Serve = fn(&mut Newton<'_>, Found, (&OrbitSettings, FastPatch)) -> Option<F
 fn hurried(
     problem: Problem<'_>,
     near: &OrbitStart,
-    (jacobians, serve): (usize, Serve),
+    (jacobians, within): (usize, f64),
+    serve: Serve,
 ) -> Result<Option<SolvedOrbit>, OrbitError> {
     let Problem { bearing, point, settings, .. } = problem;
     let eased = near.eased.of(&prepared(bearing, settings));
@@ -91,7 +99,7 @@ fn hurried(
     let mut newton = at(Problem { bearing: &eased, ..problem }, near, &orbit)?;
     let cheap = FastPatch::new(SLOPES)?;
     newton.slopes_by = Some(cheap.clone());
-    let found = newton.by_full_steps(orbit, settings.tolerance, (jacobians, near.jacobian.clone()));
+    let found = newton.by_full_steps(orbit, settings.tolerance, (jacobians, within, near.jacobian.clone()));
     newton.slopes_by = None;
     let found = found.and_then(|found| serve(&mut newton, found, (settings, cheap)));
     found.map(|found| finish(&mut newton, found, problem, near.eased)).transpose()

@@ -23,6 +23,8 @@ pub struct OrbitStart {
     pub(crate) settling: f64,
     pub(crate) eased: Eased,
     pub(crate) scales: Scales,
+    /// Mean load of a ball on the inner race, N.
+    pub(crate) carried: f64,
     pub(crate) speeds: Races<f64>,
 }
 
@@ -42,18 +44,16 @@ impl OrbitStart {
     }
 
     /// The fourth corner of a parallelogram of problems: what this orbit says of one that is as far from it as `to` is
-    /// from `from`. With `from` and `to` = `self` it goes on in a straight line. None where the orbits are not on one
-    /// mesh by one patch rule.
+    /// from `from`. With `from` and `to` = `self` it goes on in a straight line. None where the orbits do not begin at
+    /// one place or are not of equally eased bearings.
     pub fn moved(&self, from: &Self, to: &Self) -> Option<Self> {
-        let alike = |other: &Self| {
-            (other.rule, other.eased, other.settling) == (self.rule, self.eased, self.settling)
-                && (other.origin, &other.orbit.ends) == (self.origin, &self.orbit.ends)
-        };
+        let alike =
+            |other: &Self| (other.origin, other.eased, other.settling) == (self.origin, self.eased, self.settling);
         if !alike(from) || !alike(to) {
             return None;
         }
         let mut moved = self.clone();
-        moved.orbit.shift(&from.orbit, &to.orbit);
+        moved.orbit.shift(&Radau::new(), &from.orbit, &to.orbit);
         for side in Side::BOTH {
             moved.speeds[side] += to.speeds[side] - from.speeds[side];
         }

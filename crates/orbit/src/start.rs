@@ -33,16 +33,14 @@ pub(crate) fn centrifugal_force(bearing: &Bearing, speed: f64) -> f64 {
     bearing.ball_mass * 0.5 * bearing.geometry.pitch_diameter * speed * speed
 }
 
-/// Typical magnitudes at a start.
+/// Typical magnitudes where balls carry a mean load on the inner race at a cage speed.
 pub(crate) fn scales(
     (bearing, pocket): (&Bearing, &Pocket),
     ring: &[RingFreedom; RING],
-    start: &RollingStart,
-    speed: f64,
+    (carried, speed): (f64, f64),
 ) -> Scales {
     let g = &bearing.geometry;
     let (balls, radius) = (g.ball_count as f64, 0.5 * g.pitch_diameter);
-    let carried = start.inner_loads.iter().sum::<f64>() / balls;
     let load: f64 = ring[..3].iter().map(|f| if let RingFreedom::Loaded(v) = f { v.abs() } else { 0.0 }).sum();
     let force = (load / balls).max(carried) + bearing.ball_mass * radius * speed * speed;
     let force = force.max(1e-4 * 0.5e9 * g.ball_diameter.powi(2));

@@ -229,8 +229,11 @@ impl Grid {
         self.axes.iter().zip(pairs).map(apart).sum()
     }
 
-    /// Pairs of rows that differ as `near` and `row` do, one step along one axis, those nearest to `row` first.
-    pub(crate) fn parallelograms(&self, near: usize, row: usize) -> Vec<[usize; 2]> {
+    /// Ways from `near` to `row`, one step along one axis, by differences of rows that add up to it: the best first.
+    ///
+    /// With three rows in a line, or two beside two others, what is left of a smooth function is of third order in the
+    /// steps of the grid, with one difference of second order.
+    pub(crate) fn ways(&self, near: usize, row: usize) -> Vec<Vec<[usize; 2]>> {
         if matches!(self.order, Order::Samples { .. }) || self.distance(near, row) != 1.0 || near > row {
             return Vec::new();
         }
@@ -238,9 +241,20 @@ impl Grid {
         let strides = self.strides();
         let indices = self.indices(row);
         let along = |stride: usize| strides.iter().zip(&indices).find(|(s, _)| **s == stride).map_or(0, |(_, i)| *i);
-        let straight = (along(step) >= 2).then(|| [near - step, near]);
         let beside = strides.iter().zip(&indices).filter(|(stride, i)| **stride != step && **i > 0);
-        straight.into_iter().chain(beside.map(|(stride, _)| [near - stride, row - stride])).collect()
+        let beside: Vec<[usize; 2]> = beside.map(|(stride, _)| [near - stride, row - stride]).collect();
+        let mut ways = Vec::new();
+        if along(step) >= 2 {
+            let straight = [near - step, near];
+            // The difference along the line grows as it does beside it, or as it has grown so far.
+            ways.extend(beside.iter().map(|&[from, to]| vec![straight, [from, to], [from, from - step]]));
+            if along(step) >= 3 {
+                ways.push(vec![straight, straight, [near - step, near - 2 * step]]);
+            }
+            ways.push(vec![straight]);
+        }
+        ways.extend(beside.into_iter().map(|pair| vec![pair]));
+        ways
     }
 
     /// The text of a row's case; `None` where a path is not in it.

@@ -48,16 +48,16 @@ impl<S: Start> Neighbours<S> {
         self.solved.push(Neighbour { row, alike, start });
     }
 
-    /// Where to start a row from: the nearest solved row, moved by as much as the solutions of two others differ that
-    /// are as far apart, where there are such.
+    /// Where to start a row from: the nearest solved row, moved by as much as the solutions of others differ that are
+    /// as far apart, where there are such.
     pub fn start(&self, grid: &Grid, row: usize, alike: Alike) -> Option<S> {
         let near = self.nearest(grid, row, alike)?;
         let start = |row: usize| self.solved.iter().find(|other| other.row == row).map(|other| &other.start);
-        let moved = grid
-            .parallelograms(near.row, row)
-            .into_iter()
-            .find_map(|[from, to]| near.start.moved(start(from)?, start(to)?));
-        Some(moved.unwrap_or_else(|| near.start.clone()))
+        let moved = |way: Vec<[usize; 2]>| {
+            let pairs: Option<Vec<_>> = way.iter().map(|&[from, to]| start(from).zip(start(to))).collect();
+            pairs?.into_iter().try_fold(near.start.clone(), |at, (from, to)| at.moved(from, to))
+        };
+        Some(grid.ways(near.row, row).into_iter().find_map(moved).unwrap_or_else(|| near.start.clone()))
     }
 
     /// The latest of the nearest rows, among those that are solved by the same rule.

@@ -200,12 +200,27 @@ mod tests {
     }
 
     #[test]
-    fn identity_pairs_of_rows_differ_as_the_neighbour_and_the_row_do() {
+    fn identity_ways_lead_from_the_neighbour_to_the_row() {
         let grid = grid(&["ring.x.Force=kN(5..20 in 4)", "speed.inner.Constant=rpm(9000..13000 in 5)"]);
         // Row 7 has the second load and the third speed: after two rows in a line, and beside the first load.
-        assert_eq!(grid.parallelograms(6, 7), [[5, 6], [1, 2]]);
-        assert_eq!(grid.parallelograms(5, 6), [[0, 1]]);
-        assert_eq!(grid.parallelograms(5, 10), [[0, 5]]);
-        assert!(grid.parallelograms(0, 5).is_empty() && grid.parallelograms(4, 5).is_empty());
+        assert_eq!(grid.ways(6, 7), [vec![[5, 6], [1, 2], [1, 0]], vec![[5, 6]], vec![[1, 2]]]);
+        assert_eq!(grid.ways(5, 6), [vec![[0, 1]]]);
+        assert_eq!(grid.ways(5, 10), [vec![[0, 5]]]);
+        assert_eq!(grid.ways(2, 3), [vec![[1, 2], [1, 2], [1, 0]], vec![[1, 2]]]);
+        assert!(grid.ways(0, 5).is_empty() && grid.ways(4, 5).is_empty());
+        // What has no third differences is told exactly by three of a way, what has no second ones by a single one.
+        let at = |row: usize| (row / 5) as f64 + 3.0 * (row % 5) as f64;
+        let bent = |row: usize| at(row) + 0.5 * at(row).powi(2);
+        let left = |way: &[[usize; 2]], of: &dyn Fn(usize) -> f64, near: usize, row: usize| {
+            of(near) + way.iter().map(|&[from, to]| of(to) - of(from)).sum::<f64>() - of(row)
+        };
+        for row in 1..20_usize {
+            for near in [row - 1, row.saturating_sub(5)] {
+                for way in grid.ways(near, row) {
+                    assert_eq!(left(&way, &at, near, row), 0.0, "{near} {row} {way:?}");
+                    assert_eq!(left(&way, &bent, near, row) == 0.0, way.len() == 3, "{near} {row} {way:?}");
+                }
+            }
+        }
     }
 }
