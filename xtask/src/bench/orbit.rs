@@ -46,7 +46,7 @@ pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
             None => measured,
         });
     }
-    let elastic = per_second(text, &[("transient.scheme", FAST), ("modelling.patch", ELASTIC)], 0.01, batches.min(3))?;
+    let elastic = per_second(text, &[("transient.scheme", FAST), ("modelling.patch", ELASTIC)], 0.1, batches.min(3))?;
     let row = Row::new("elastic patch", "fast scheme 20 µs, simulated over processor time", 1.0 / elastic, "");
     rows.push(row.must_be(Limit::AtLeast(1.0)).note("2 × 8 strips, 16 cells a strip"));
     Ok(rows)
