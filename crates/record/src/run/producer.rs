@@ -155,12 +155,16 @@ impl Producer {
     /// Encodes and hands out a message, not before the last one.
     fn send(&mut self, sink: &mut impl Sink, to: Topic, time: u64, message: &impl Message) -> Result<(), RecordError> {
         self.memory.last_log_time = self.memory.last_log_time.max(time);
-        self.buffer.clear();
-        // A growing vector has room for every message.
-        if message.encode(&mut self.buffer).is_err() {
-            self.buffer = message.encode_to_vec();
-        }
-        sink.message(to as usize, self.memory.last_log_time, &self.buffer)
+        // Into a slice: a vector would look for room at every byte.
+        let length = loop {
+            let mut rest = &mut self.buffer[..];
+            let room = rest.len();
+            match message.encode(&mut rest) {
+                Ok(()) => break room - rest.len(),
+                Err(error) => self.buffer.resize(2 * error.required_capacity(), 0),
+            }
+        };
+        sink.message(to as usize, self.memory.last_log_time, &self.buffer[..length])
     }
 
     pub(super) fn sample(
