@@ -97,8 +97,8 @@ impl LinearTraction {
         Self { inputs: six(0), value: six(6), slopes, bare: n(48), semi_lateral: n(49), reach: n(50) }
     }
 
-    /// The change of motion and relative change of the load, and whether it and the bare part of the surface are near enough: within
-    /// `share` of the reach.
+    /// The change of motion and relative change of the load, and whether it and the bare part of the surface are near
+    /// enough: within `share` of the reach.
     #[inline(always)]
     pub fn reaches(
         &self,
