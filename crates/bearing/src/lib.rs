@@ -22,6 +22,7 @@ pub mod quantities;
 mod races;
 mod result;
 mod run_inputs;
+mod sliding;
 mod state;
 #[cfg(test)]
 mod test_bearing;
@@ -36,7 +37,6 @@ pub use frame::AzimuthFrame;
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
 pub use growth::{GrownBearing, Growth, MountedRing, Seat};
 pub use history::{RingLoads, SpeedHistory, Tilt, Translation};
-pub use interaction::{ContactForces, Sliding};
 pub use lean::{Lean, RingOffset};
 pub use modelling::{
     Equations, GyroscopicFriction, GyroscopicMoment, Modelling, OpenChoice, PatchSurfaces, PocketForce, RaceControl,
@@ -52,6 +52,7 @@ pub use result::{
     TransientContact,
 };
 pub use run_inputs::{CoatingState, GuidingLand, MovingCage, RunInputs, RunOptions, Scheme, Start, Support, Supports};
+pub use sliding::{ContactForces, Sliding};
 pub use state::{BallState, Motion, RingState};
 pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};
 pub use tribodyn_wear::LocalSurface;

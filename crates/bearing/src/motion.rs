@@ -7,9 +7,9 @@
 //! ```
 
 use crate::bearing::Bearing;
-use crate::interaction::ContactForces;
 use crate::pocket::PocketLoad;
 use crate::races::Races;
+use crate::sliding::ContactForces;
 use crate::state::BallState;
 use tribodyn_contact::Scalar;
 

@@ -1,0 +1,67 @@
+//! How a contact slides, and its traction as force and moment on the ball.
+
+use crate::contact::{NormalContact, RaceContact, add};
+use crate::races::Side;
+use tribodyn_contact::{Ellipse, Scalar};
+use tribodyn_traction::{PatchTraction, RelativeMotion};
+
+/// A loaded contact's motion in the axes of its patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sliding<D = f64> {
+    /// Outward normal from the ball centre (axial, radial).
+    pub normal: [D; 2],
+    /// The ball's motion against the race.
+    pub motion: RelativeMotion<D>,
+    /// Mean of the two surface speeds along e_t in the orbiting frame, m/s.
+    pub rolling_speed: D,
+    /// How much nearer than the ball's radius the patch stands to the ball's centre, m: the motion is that of the
+    /// bodies as seen from a centre moved by so much towards the patch.
+    pub sunk: D,
+}
+
+/// Traction of a contact in the axes of the ball [a, r, t].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactForces<D = f64> {
+    /// Force on the ball, N.
+    pub force: [D; 3],
+    /// Moment on the ball about its centre, N m.
+    pub moment: [D; 3],
+}
+
+impl<D: Scalar> Sliding<D> {
+    /// Integrals over the patch as force and moment on the ball.
+    #[inline(always)]
+    pub fn on_ball(&self, traction: &PatchTraction<D>) -> ContactForces<D> {
+        let [n_a, n_r] = self.normal;
+        // e_y = (n_r, −n_a, 0).
+        let lateral = traction.force_lateral;
+        // The arm is shorter than the radius that the integrals have.
+        let about_lateral = traction.moment_lateral - traction.force_rolling * self.sunk;
+        let about_rolling = traction.moment_rolling + lateral * self.sunk;
+        ContactForces {
+            force: [lateral * n_r, -(lateral * n_a), traction.force_rolling],
+            moment: [
+                about_lateral * n_r + traction.moment_normal * n_a,
+                traction.moment_normal * n_r - about_lateral * n_a,
+                about_rolling,
+            ],
+        }
+    }
+}
+
+impl<D: Scalar> RaceContact<D> {
+    /// A contact from its parts.
+    #[inline(always)]
+    pub fn new(
+        side: Side,
+        normal: NormalContact<D>,
+        ellipse: Ellipse<D>,
+        sliding: &Sliding<D>,
+        traction: PatchTraction<D>,
+    ) -> Self {
+        let ContactForces { force: traction_force, moment } = sliding.on_ball(&traction);
+        let Sliding { motion, rolling_speed, .. } = *sliding;
+        let force = add(normal.on_ball(side), traction_force);
+        Self { normal, ellipse, motion, rolling_speed, traction, traction_force, force, moment }
+    }
+}
