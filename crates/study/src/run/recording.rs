@@ -10,8 +10,9 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 use std::thread::{Builder, JoinHandle};
+use tribodyn_bearing::BallResult;
 use tribodyn_dynamics::{Checkpoint, Event, Observer, Sample};
 use tribodyn_record::{RecordError, RunRecorder};
 
@@ -31,6 +32,9 @@ enum Item {
     /// State of the run at a time, s.
     Save(Box<Checkpoint>, f64),
 }
+
+/// Lists of balls that have been recorded, to be filled again: one thread would else free what the other allocates.
+type Lists = Vec<Vec<BallResult>>;
 
 /// Why nothing is recorded any more, and the simulated time of what could not be, s.
 pub(super) struct Failed {
@@ -65,6 +69,9 @@ pub(super) struct Recording {
     load: Vec<Item>,
     /// Balls in that load.
     balls: usize,
+    /// Lists that came back.
+    spare: Lists,
+    back: Receiver<Lists>,
     failed: Arc<AtomicBool>,
     worker: Option<JoinHandle<Result<Recorder, Failed>>>,
 }
@@ -73,14 +80,23 @@ impl Recording {
     /// Moves a recorder to a thread of its own.
     pub fn start(recorder: Recorder, keeper: Keeper) -> std::io::Result<Self> {
         let (queue, items) = sync_channel(WAITING);
+        let (done, back) = channel();
         let failed = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&failed);
         let worker = Builder::new().name("recording".to_owned()).spawn(move || {
-            let recorded = record(recorder, &items, &keeper);
+            let recorded = record(recorder, (&items, &done), &keeper);
             flag.store(recorded.is_err(), Ordering::Release);
             recorded
         })?;
-        Ok(Self { queue: Some(queue), load: Vec::new(), balls: 0, failed, worker: Some(worker) })
+        Ok(Self {
+            queue: Some(queue),
+            load: Vec::new(),
+            balls: 0,
+            spare: Vec::new(),
+            back,
+            failed,
+            worker: Some(worker),
+        })
     }
 
     /// True once something could not be recorded: [`Self::end`] says what.
@@ -100,7 +116,9 @@ impl Recording {
         if self.load.is_empty() {
             return;
         }
-        let load = std::mem::take(&mut self.load);
+        let next = Vec::with_capacity(self.load.len());
+        let load = std::mem::replace(&mut self.load, next);
+        self.spare.extend(self.back.try_iter().flatten());
         if let Some(queue) = &self.queue {
             // A recorder that does not listen any more has failed and says so at the end.
             let _ = queue.send(load);
@@ -131,7 +149,9 @@ impl Observer for Recording {
     type Error = std::convert::Infallible;
 
     fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, Self::Error> {
-        self.load.push(Item::Sample(sample.clone(), with_balls));
+        let mut balls = self.spare.pop().unwrap_or_default();
+        balls.clone_from(&sample.balls);
+        self.load.push(Item::Sample(Sample { balls, ..*sample }, with_balls));
         self.balls += sample.balls.len();
         if self.balls >= BALLS_AT_ONCE {
             self.hand_over();
@@ -145,18 +165,31 @@ impl Observer for Recording {
     }
 }
 
-/// Takes what comes over the queue until it ends.
-fn record(mut recorder: Recorder, items: &Receiver<Vec<Item>>, keeper: &Keeper) -> Result<Recorder, Failed> {
-    for item in items.iter().flatten() {
-        let (simulated_s, taken) = match item {
-            Item::Sample(sample, with_balls) => (sample.time_s, recorder.sample(&sample, with_balls).map(drop)),
-            Item::Event(event) => (event.time_s, recorder.event(&event)),
-            Item::Save(run, simulated_s) => {
-                keeper.save(&recorder, *run, simulated_s)?;
-                continue;
-            }
-        };
-        taken.map_err(|error| Failed { simulated_s, reason: Reason::Recording(error) })?;
+/// Takes what comes over the queue until it ends, and gives the lists of balls back.
+fn record(
+    mut recorder: Recorder,
+    (loads, back): (&Receiver<Vec<Item>>, &Sender<Lists>),
+    keeper: &Keeper,
+) -> Result<Recorder, Failed> {
+    for load in loads {
+        let mut lists = Vec::with_capacity(load.len());
+        for item in load {
+            let (simulated_s, taken) = match item {
+                Item::Sample(sample, with_balls) => {
+                    let taken = recorder.sample(&sample, with_balls).map(drop);
+                    lists.push(sample.balls);
+                    (sample.time_s, taken)
+                }
+                Item::Event(event) => (event.time_s, recorder.event(&event)),
+                Item::Save(run, simulated_s) => {
+                    keeper.save(&recorder, *run, simulated_s)?;
+                    continue;
+                }
+            };
+            taken.map_err(|error| Failed { simulated_s, reason: Reason::Recording(error) })?;
+        }
+        // A run that is over does not listen any more.
+        let _ = back.send(lists);
     }
     Ok(recorder)
 }
