@@ -15,8 +15,8 @@ const SMALLEST_WIDTH: f64 = 0.02;
 const FAR: f64 = 1e4;
 /// Change of the place in a step of Newton's method, over its scale, behind which only rounding is left.
 const SETTLED: f64 = 1e-8;
-/// More steps than bisection alone would take.
-const MOST_STEPS: usize = 80;
+/// More steps than bisection with a step of Newton's method after each would take.
+const MOST_STEPS: usize = 120;
 
 /// Where strips stand: at shares τ of the integral of a density of Y from edge to edge,
 /// ```text
@@ -105,7 +105,7 @@ impl Crowding {
     /// Y at τ by bisection and Newton's method.
     fn find(&self, t: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);
-        let mut y = 0.0;
+        let (mut y, mut before) = (0.0, f64::INFINITY);
         for _ in 0..MOST_STEPS {
             let over = self.share(y) - self.total * t;
             if over < 0.0 {
@@ -114,11 +114,13 @@ impl Crowding {
                 high = y;
             }
             let next = y - over / self.density(y);
-            let within = next > low && next < high;
-            if within && (next - y).abs() < 1e-15 {
-                return next;
+            // Behind a step like this only rounding is left.
+            if (next - y).abs() < 1e-12 {
+                return next.clamp(low, high);
             }
-            y = if within { next } else { 0.5 * (low + high) };
+            // Between two crowds Newton's steps may go to and fro for long.
+            let leads = next > low && next < high && over.abs() < 0.5 * before;
+            (y, before) = if leads { (next, over.abs()) } else { (0.5 * (low + high), f64::INFINITY) };
         }
         y
     }
@@ -210,6 +212,16 @@ mod tests {
             assert!((stretch.re - (at(0.0, t + h * t) - at(0.0, t - h * t)) / (2.0 * h * t)).abs() < 1e-6 / t.min(0.1));
             assert!((y.eps - (at(h, t) - at(-h, t)) / (2.0 * h)).abs() < 1e-7);
         }
+    }
+
+    /// Newton's steps went to and fro between the two crowds until none was left.
+    #[test]
+    fn regress_a_place_between_two_crowds_is_found() {
+        let slip = [-0.391_948_644_070_240_3 * 10f64.powf(-1.714_484_050_316_594), 0.0];
+        let alpha = -0.047_203_920_326_466_79 * 10f64.powf(0.656_558_479_147_708_4);
+        let of = Crowding::new([slip[0], slip[1], alpha], 10f64.powf(-3.382_541_256_670_066));
+        let (place, _) = of.place(0.3);
+        assert!((of.share(place) / of.total - 0.3).abs() < 1e-14, "{place}");
     }
 
     #[test]
