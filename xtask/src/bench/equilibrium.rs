@@ -109,9 +109,9 @@ pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
     let paper = Size::new(&changed::<&str>(text, &[])?)?;
     let row = |quantity: &str, value: f64, unit| Row::new(GROUP, quantity, value, unit);
     let mut rows = vec![
-        row("cold", paper.cold_time(batches)? * 1e3, "ms"),
+        row("cold", paper.cold_time(batches)? * 1e3, "ms").must_be(Limit::AtMost(3.0)),
         row("warm, 2 % in load and 1 % in speed", paper.warm_time(1.0, batches)? * 1e3, "ms")
-            .must_be(Limit::AtMost(2.0)),
+            .must_be(Limit::AtMost(0.6)),
         row("warm, a tenth as far", paper.warm_time(0.1, batches)? * 1e3, "ms"),
     ];
     let jones = timed(|| solve(&paper.bearing, &paper.point, Model::JonesHarris).map_err(unsolved));

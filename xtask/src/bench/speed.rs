@@ -138,7 +138,7 @@ pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
             _ => ratio,
         });
         let real_time = row("simulated over processor time", 1.0 / cost(k), "");
-        rows.push(if k == FAST_SCHEME { real_time.must_be(Limit::AtLeast(1.0)) } else { real_time });
+        rows.push(if k == FAST_SCHEME { real_time.must_be(Limit::AtLeast(5.0)) } else { real_time });
     }
     rows.extend(by_points(text, quick)?);
     Ok(rows)
