@@ -63,6 +63,12 @@ pub struct PocketLoad<D = f64> {
 }
 
 impl<D: Scalar> PocketLoad<D> {
+    /// Force times sliding speed, W: the cage wears in proportion to it.
+    #[inline(always)]
+    pub fn sliding_power(&self) -> D {
+        self.sliding * self.force.abs()
+    }
+
     /// The ball touches no wall.
     pub fn none() -> Self {
         let zero = D::zero();

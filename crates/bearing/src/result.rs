@@ -153,7 +153,7 @@ pub struct BallPlace {
 }
 
 impl Bearing {
-    /// What results are written with.
+    /// The numbers of the bearing that results are written with.
     pub fn sheet(&self) -> Sheet {
         Sheet {
             geometry: self.geometry,
@@ -272,7 +272,7 @@ impl Sheet {
         ContactResult { friction: Some(friction), ..pressed }
     }
 
-    /// What a run adds to a contact on a surface whose depth counts from that of [`Bearing::worn`].
+    /// The numbers that a run adds to a contact on a surface whose depth counts from that of [`Bearing::worn`].
     #[inline(always)]
     pub fn transient_contact(&self, side: Side, contact: &RaceContact, surface: &LocalSurface) -> TransientContact {
         TransientContact {
@@ -285,7 +285,7 @@ impl Sheet {
     /// Wear rate of a pocket, m³/s.
     #[inline(always)]
     pub fn pocket_wear(&self, pocket: &PocketLoad) -> f64 {
-        self.pocket_wear * (pocket.sliding * pocket.force.abs())
+        self.pocket_wear * pocket.sliding_power()
     }
 }
 

@@ -11,12 +11,13 @@ use tribodyn_case::{Case, set_value};
 
 const END: f64 = 1.6e-3;
 
-fn started() -> Started {
+fn started(actual_angle: &str) -> Started {
     let text = include_str!("../../../fixtures/cases/paper-ag.ron").to_owned();
     let changes = [
         ("traction.patch", "GaussJacobi(radial: 3, angles: 12)"),
         ("traction.slip_unit", "MeterPerSecond"),
         ("cage.pocket_stiffness", "N_per_um(0)"),
+        ("modelling.contact_at_actual_angle", actual_angle),
     ];
     let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
@@ -24,7 +25,7 @@ fn started() -> Started {
 }
 
 fn fast(steps: u32) -> Vec<f64> {
-    let Started { mut machine, mut state, .. } = started();
+    let Started { mut machine, mut state, .. } = started("false");
     let mut scheme = Fast::with_linear_error(1e-9);
     let h = END / f64::from(steps);
     for step in 0..steps {
@@ -34,7 +35,7 @@ fn fast(steps: u32) -> Vec<f64> {
 }
 
 fn reference() -> Vec<f64> {
-    let Started { mut machine, mut state, .. } = started();
+    let Started { mut machine, mut state, .. } = started("false");
     let (mut derivative, mut next, mut method) = (state.clone(), state.clone(), Rk4::default());
     let h = END / 800.0;
     for step in 0..800 {
@@ -60,11 +61,15 @@ fn identity_the_fast_scheme_converges() {
     assert!(order > 1.8, "order {order:.2}: {coarse:e}, {fine:e}");
 }
 
-/// What samples see in lanes is what the equations say ball by ball with integrals over the patches: all numbers of a
-/// ball, and the sums over them.
+/// Samples in lanes are those of the equations ball by ball with integrals over the patches: all numbers of a ball, and
+/// the sums over them.
 #[test]
 fn identity_samples_in_lanes_are_those_of_single_balls() {
-    let Started { mut machine, mut state, .. } = started();
+    compare_samples(started("false"));
+    compare_samples(started("true"));
+}
+
+fn compare_samples(Started { mut machine, mut state, .. }: Started) {
     let (mut scheme, h) = (Fast::default(), 2e-5);
     for step in 0..60 {
         scheme.step(&mut machine, h * f64::from(step), &mut state, h, 14_000.0);

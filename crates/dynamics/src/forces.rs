@@ -229,6 +229,6 @@ impl Machine {
 
     /// Wear rate of a pocket, m³/s.
     pub fn pocket_wear(&self, pocket: &PocketLoad) -> f64 {
-        self.bearing.pocket_wear_rate(pocket.sliding * pocket.force.abs())
+        self.bearing.pocket_wear_rate(pocket.sliding_power())
     }
 }

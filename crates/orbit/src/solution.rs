@@ -128,7 +128,7 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
             lead_rad: y[LEAD],
             force_n: pocket.force,
             friction_n: Some(pocket.friction),
-            wear_rate_m3_s: system.bearing.pocket_wear_rate(pocket.sliding * pocket.force.abs()),
+            wear_rate_m3_s: system.bearing.pocket_wear_rate(pocket.sliding_power()),
         }),
         motion: Some(BallMotionResult {
             orbital_acceleration_rad_s2: e.rate[ORBIT],

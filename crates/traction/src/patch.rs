@@ -128,7 +128,7 @@ impl<D: Scalar> PatchTraction<D> {
 
     /// So many times the traction.
     #[inline(always)]
-    pub fn times(&self, factor: f64) -> Self {
+    pub fn times(&self, factor: D) -> Self {
         Self {
             force_rolling: self.force_rolling * factor,
             force_lateral: self.force_lateral * factor,
@@ -218,21 +218,7 @@ pub fn patch_traction<D: Scalar, L: TractionLaw>(
         sum.power += share * speed * speed;
         sum.wear_integral += weight * speed;
     });
-    sum.scaled(patch.peak_pressure * a * b)
-}
-
-impl<D: Scalar> PatchTraction<D> {
-    pub(crate) fn scaled(self, factor: D) -> Self {
-        Self {
-            force_rolling: self.force_rolling * factor,
-            force_lateral: self.force_lateral * factor,
-            moment_lateral: self.moment_lateral * factor,
-            moment_normal: self.moment_normal * factor,
-            moment_rolling: self.moment_rolling * factor,
-            power: self.power * factor,
-            wear_integral: self.wear_integral * factor,
-        }
-    }
+    sum.times(patch.peak_pressure * a * b)
 }
 
 /// Sliding velocity over the unit disc X = x/b, Y = y/a, in m/s: Δv_x = γ − β Y − α Y² and Δv_y = δ + σ X + ε Y².

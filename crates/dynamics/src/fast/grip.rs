@@ -6,6 +6,7 @@ use super::lanes::{Lane, WIDTH, get, put};
 use crate::equations::{Equations, Frame};
 use crate::layout::{AZIMUTH, BALL, VELOCITY};
 use crate::linear::{Contacts, LinearTraction};
+use crate::machine::Machine;
 use nalgebra::Matrix6;
 use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, PocketLoad, Races, Side, Sliding};
 use tribodyn_traction::PatchTraction;
@@ -180,6 +181,12 @@ pub(super) fn tractions<E: Equations>(
         (out.wear[1].0[k], out.near[1].0[k]) = (wear, if now > forms.last[1].0[k] { 0.0 } else { near });
     }
     *grips = out;
+}
+
+/// Azimuths of the middles of the pockets of a block's balls against the cage, rad.
+pub(super) fn places(machine: &Machine, block: usize) -> Lane {
+    let last = machine.layout.balls - 1;
+    Lane(std::array::from_fn(|k| machine.place_in_cage((WIDTH * block + k).min(last))))
 }
 
 /// The fluid's drag and churning, and how deep the balls of a block are in their pockets, the middles of which are at

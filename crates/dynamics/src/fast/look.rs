@@ -2,7 +2,7 @@
 //! reach.
 
 use super::drift::{Stand, press};
-use super::grip::{Forms, Grips, LINEAR, slide, surroundings};
+use super::grip::{Forms, Grips, LINEAR, places, slide, surroundings};
 use super::lanes::{Lane, WIDTH, blocks, filled, gather, get, put};
 use super::numbers::Numbers;
 use super::{Fast, Scratch};
@@ -11,14 +11,19 @@ use crate::equations::{Equations, Frame, Touched};
 use crate::forces::Sums;
 use crate::layout::{AZIMUTH, BALL, VELOCITY};
 use crate::machine::Machine;
-use fearless_simd::dispatch;
+use fearless_simd::{Level, dispatch};
 use tribodyn_bearing::{BallResult, BallState, ContactSprings, PocketLoad, RaceContact, Races, Sheet, Side};
 
 /// Reach of a linear traction for samples, over that for steps: half a step before a refresh the linear form must not
 /// give way to an integral that serves only once.
 const BEFORE_REFRESH: f64 = 1.5;
 
-/// What is seen of the balls of a block, part by part.
+/// Semi-axes (longer, shorter) and peak pressure at inner and outer contacts.
+type Ellipses = [[Lane; 3]; 2];
+/// Ellipses, pockets, and the places of these.
+type Beside<'a> = (&'a Ellipses, &'a [Lane; 10], &'a Lane);
+
+/// The balls of a block as samples have them, part by part.
 struct Seen {
     ball: [Lane; 10],
     fluid: [Lane; 6],
@@ -61,7 +66,7 @@ impl Seen {
     }
 }
 
-/// What does not change from block to block.
+/// The same for all blocks.
 #[derive(Clone, Copy)]
 struct Of<'a> {
     machine: &'a Machine,
@@ -71,7 +76,7 @@ struct Of<'a> {
 }
 
 impl Fast {
-    /// Whether there are linear forms to look through.
+    /// True once there are linear forms to look through.
     pub fn has_forms(&self) -> bool {
         !self.scratch.forms.is_empty()
     }
@@ -91,14 +96,14 @@ impl Fast {
         for (block, forms) in forms.iter().enumerate().take(blocks(l.balls)) {
             let balls = gather(l, y, block);
             press(*level, machine, (&of.frame, &balls), &mut stand);
-            let places = of.places(block);
+            let places = places(machine, block);
             dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, &stand), &mut grips));
             let pockets = of.pockets(block, &balls, &grips);
-            let at = (&balls, &stand, forms, &grips);
-            let seen = dispatch!(*level, _simd => see(&of, at, (&pockets, &places)));
+            let (at, ellipses) = ((&balls, &stand, forms, &grips), of.ellipses(*level, &stand));
+            let seen = dispatch!(*level, _simd => see(&of, at, (&ellipses, &pockets, &places)));
             for k in 0..filled(l, block) {
                 let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
-                let sums_of_ball = if seen.near.0[k] > 0.0 && of.is_frozen() {
+                let sums_of_ball = if seen.near.0[k] > 0.0 {
                     seen.write(k, result);
                     get(&seen.sums, k)
                 } else {
@@ -114,15 +119,18 @@ impl Fast {
 }
 
 impl Of<'_> {
-    /// Whether the contact constants are those of the free contact angle.
-    fn is_frozen(&self) -> bool {
-        !self.machine.bearing.modelling.contact_at_actual_angle
-    }
-
-    /// Azimuths of the middles of the pockets against the cage, rad.
-    fn places(&self, block: usize) -> Lane {
-        let last = self.machine.layout.balls - 1;
-        Lane(std::array::from_fn(|k| self.machine.place_in_cage((WIDTH * block + k).min(last))))
+    /// Semi-axes and pressures of the contacts: ball by ball where the contact constants follow the contact angle.
+    fn ellipses(&self, level: Level, stand: &Stand) -> Ellipses {
+        let bearing = &self.machine.bearing;
+        if !bearing.modelling.contact_at_actual_angle {
+            return dispatch!(level, _simd => frozen_ellipses(self.springs, stand));
+        }
+        let mut ellipses = [[Lane::ZERO; 3]; 2];
+        for (side, k) in Side::BOTH.into_iter().flat_map(|side| (0..WIDTH).map(move |k| (side, k))) {
+            let e = bearing.ellipse(side, &stand.contact(side, k));
+            put(&mut ellipses[side as usize], k, [e.semi_major, e.semi_minor, e.peak_pressure]);
+        }
+        ellipses
     }
 
     /// Of those balls that touch the walls of theirs.
@@ -146,12 +154,32 @@ impl Of<'_> {
     }
 }
 
+/// With the contact constants of the free contact angle.
+#[inline(always)]
+fn frozen_ellipses(springs: ContactSprings, stand: &Stand) -> Ellipses {
+    let mut ellipses = [[Lane::ZERO; 3]; 2];
+    for k in 0..WIDTH {
+        let inner = springs.ellipse(Side::Inner, stand.contact(Side::Inner, k).pose.approach);
+        let outer = springs.ellipse(Side::Outer, stand.contact(Side::Outer, k).pose.approach);
+        put(&mut ellipses[0], k, [inner.semi_major, inner.semi_minor, inner.peak_pressure]);
+        put(&mut ellipses[1], k, [outer.semi_major, outer.semi_minor, outer.peak_pressure]);
+    }
+    ellipses
+}
+
 /// A contact by its linear form, and 1 where that is near, else 0.
 #[inline(always)]
-fn contact(of: &Of<'_>, side: Side, state: &BallState, at: (&Stand, &[Lane; LINEAR], usize)) -> (RaceContact, f64) {
+fn contact(
+    (of, side): (&Of<'_>, Side),
+    state: &BallState,
+    at: (&Stand, &[Lane; LINEAR], usize),
+    ellipses: &[Lane; 3],
+) -> (RaceContact, f64) {
     let (sliding, traction, near) = slide(of.machine, side, (&of.frame, state), at, BEFORE_REFRESH);
     let normal = at.0.contact(side, at.2);
-    let ellipse = of.springs.ellipse(side, normal.pose.approach);
+    // None, but with the axis that the longer semi-axis is along.
+    let mut ellipse = of.springs.ellipse(side, 0.0);
+    [ellipse.semi_major, ellipse.semi_minor, ellipse.peak_pressure] = get(ellipses, at.2);
     (RaceContact::new(side, normal, ellipse, &sliding, traction), near)
 }
 
@@ -161,13 +189,13 @@ fn contact(of: &Of<'_>, side: Side, state: &BallState, at: (&Stand, &[Lane; LINE
 fn ball(
     of: &Of<'_>,
     (balls, stand, forms, grips): (&[Lane; BALL], &Stand, &Forms, &Grips),
-    (pockets, places): (&[Lane; 10], &Lane),
+    (ellipses, pockets, places): Beside<'_>,
     k: usize,
 ) -> (Sums, BallResult, f64) {
     let (machine, b) = (of.machine, get(balls, k));
     let state = machine.state_at(stand.axes(k), stand.position(k), &b);
-    let (inner, near_inner) = contact(of, Side::Inner, &state, (stand, &forms.traction[0], k));
-    let (outer, near_outer) = contact(of, Side::Outer, &state, (stand, &forms.traction[1], k));
+    let (inner, near_inner) = contact((of, Side::Inner), &state, (stand, &forms.traction[0], k), &ellipses[0]);
+    let (outer, near_outer) = contact((of, Side::Outer), &state, (stand, &forms.traction[1], k), &ellipses[1]);
     let mut pocket = PocketLoad::none();
     pocket.take(get(pockets, k));
     let touched = Touched {
@@ -187,10 +215,10 @@ fn ball(
 /// All balls of a block. Two loops, of which either leaves out what only the other needs: one is too long for the
 /// compiler to make vector instructions of it.
 #[inline(always)]
-fn see(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), pockets: (&[Lane; 10], &Lane)) -> Seen {
+fn see(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), beside: Beside<'_>) -> Seen {
     let (mut out, of) = (Seen::NONE, *of);
     for k in 0..WIDTH {
-        let (sums, result, near) = ball(&of, at, pockets, k);
+        let (sums, result, near) = ball(&of, at, beside, k);
         put(&mut out.sums, k, sums.numbers());
         put(&mut out.motion, k, result.motion.unwrap_or_default().numbers());
         let Races { inner, outer } = &result.contacts;
@@ -203,7 +231,7 @@ fn see(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), pockets: (&[Lan
         out.near.0[k] = near;
     }
     for k in 0..WIDTH {
-        let (_, result, _) = ball(&of, at, pockets, k);
+        let (_, result, _) = ball(&of, at, beside, k);
         put(&mut out.ball, k, result.numbers());
         put(&mut out.fluid, k, result.fluid.unwrap_or_default().numbers());
         put(&mut out.pocket, k, result.pocket.unwrap_or_default().numbers());

@@ -63,7 +63,7 @@ pub fn elastic_patch_traction<D: Scalar, L: TractionLaw>(
             strips.strip(y, squared.sqrt()).add_to(&mut sum, patch, y, squared * stretch * weight);
         }
     }
-    sum.scaled(patch.peak_pressure * patch.semi_lateral * patch.semi_rolling)
+    sum.times(patch.peak_pressure * patch.semi_lateral * patch.semi_rolling)
 }
 
 /// Values that the strips of a patch have in common.

@@ -1,4 +1,4 @@
-//! What a solved cell answers to changes of what it was given.
+//! Answers of a solved cell to changes of what it was given.
 
 use super::cell::{At, Cell, Coefficient, Direction};
 use super::setup::Law;
