@@ -146,7 +146,7 @@ fn run(scheme: Scheme, steps: u32, changes: &[(&str, &str)], term: Option<Term>)
             }
             Scheme::Fast => {
                 next.copy_from_slice(&state);
-                fast.step(&mut equations, t, &mut next, h, 14_000.0);
+                fast.step(&mut equations, t, &mut next, h);
             }
         }
         std::mem::swap(&mut state, &mut next);

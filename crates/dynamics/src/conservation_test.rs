@@ -104,7 +104,7 @@ fn changes(scheme: &Scheme, (machine, state): (Machine, Vec<f64>), h: f64) -> [f
             }
             Scheme::Fast => {
                 next.copy_from_slice(&state);
-                fast.step(&mut machine, t, &mut next, h, 14_000.0);
+                fast.step(&mut machine, t, &mut next, h);
             }
         }
         std::mem::swap(&mut state, &mut next);
@@ -157,7 +157,7 @@ fn identity_the_fast_scheme_keeps_momentum_to_its_order() {
     let [x, y, turning, _] = changes(&Scheme::Fast, free(PAPER, false), 10e-6);
     let [finer_x, finer_y, finer_turning, _] = changes(&Scheme::Fast, free(PAPER, false), 5e-6);
     let (coarse, fine) = (x.hypot(y), finer_x.hypot(finer_y));
-    assert!(coarse < 1e-4 && fine < 0.35 * coarse, "{coarse:e} {fine:e}");
+    assert!(coarse < 2e-4 && fine < 0.35 * coarse, "{coarse:e} {fine:e}");
     assert!(turning < 1e-6 && finer_turning < 0.35 * turning, "{turning:e} {finer_turning:e}");
 }
 

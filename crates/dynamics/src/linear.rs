@@ -8,9 +8,9 @@ use tribodyn_traction::{PatchChoice, PatchDerivative, PatchTraction, RelativeMot
 
 /// Error of the linear traction that a refresh may find, over the load: that of the paper's 10 × 40 midpoints at a
 /// steep slip scale. Most refreshes find two thirds of it and less, and between them it is smaller.
-pub(crate) const LINEAR_ERROR: f64 = 6e-4;
+pub(crate) const LINEAR_ERROR: f64 = 5.5e-4;
 /// Error of a patch rule that does not show beside that of the linear traction, over it.
-const RULE_OVER_LINEAR: f64 = 1.0 / 6.0;
+const RULE_OVER_LINEAR: f64 = 2.0 / 11.0;
 /// Target at which the linear traction begins to be finer than [`LINEAR_ERROR`].
 const FINEST_AT_FULL: f64 = 1e-5;
 
@@ -163,6 +163,11 @@ impl LinearTraction {
         };
         traction.power = -traction.work_on(motion);
         traction
+    }
+
+    /// Slopes of the forces along and across by the slip of their direction, N s/m; 0 where there is no linear form.
+    pub fn slopes_by_slip(&self) -> [f64; 2] {
+        if self.reach > 0.0 { [self.slopes[0][0], self.slopes[1][1]] } else { [0.0; 2] }
     }
 
     /// Lateral semi-axis where it was linearised, m.

@@ -135,9 +135,9 @@ fn springs<E: Equations>(
     (model, groove): (ContactSprings, f64),
     found: &mut Found,
 ) {
-    let (frame, balls, surfaces) = (*frame, *balls, *surfaces);
+    let frame = *frame;
     for k in 0..WIDTH {
-        let b = get(&balls, k);
+        let b = get(balls, k);
         let (sin, cos) = sin_cos(b[AZIMUTH]);
         let axes = AzimuthFrame { sin, cos };
         let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], &frame, groove);

@@ -10,7 +10,7 @@
 //! zero where friction is stiff: what settles within a step has settled at its end, instead of swinging over to the
 //! other side.
 
-use crate::linear::LinearTraction;
+use crate::linear::{LINEAR_ERROR, LinearTraction};
 use crate::machine::Machine;
 use nalgebra::{Matrix3, Matrix5, Matrix6, Vector3, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,8 @@ pub(super) struct LinearFriction {
     pub(super) own: [Matrix3<f64>; 2],
     /// R₂ H B and R₃ H B, B = M⁻¹ Gᵀ S R: change of the ball's velocities with the rings', and its mean.
     pub(super) follow: [Matrix6<f64>; 2],
+    /// Slopes that it was made with: see [`slopes`].
+    slopes: [[f64; 2]; 2],
 }
 
 /// 1 − 1/√2.
@@ -40,13 +42,22 @@ impl LinearFriction {
         coupling: Matrix6::zeros(),
         own: [Matrix3::zeros(); 2],
         follow: [Matrix6::zeros(); 2],
+        slopes: [[0.0; 2]; 2],
     };
 
     /// All numbers.
     pub(super) fn values(&self) -> impl Iterator<Item = f64> + '_ {
         let own = self.own.iter().flat_map(|m| m.iter());
         let six = self.response.iter().chain([&self.coupling]).chain(&self.follow).flat_map(|m| m.iter());
-        six.chain(own).copied()
+        six.chain(own).chain(self.slopes.iter().flatten()).copied()
+    }
+
+    /// True while the slopes of traction are still near those that it was made with, for a linear traction that may err
+    /// by `linear_error`. The kick is consistent with any matrix; of second order only with the right one.
+    pub(super) fn serves(&self, normal: &NormalLoads, contacts: &[LinearTraction; 2], linear_error: f64) -> bool {
+        let now = slopes(normal, contacts);
+        let mut pairs = now.iter().flatten().zip(self.slopes.iter().flatten());
+        pairs.all(|(now, made)| (now - made).abs() <= STALE * linear_error * made.abs())
     }
 
     /// Force on the rings by their own velocities.
@@ -55,6 +66,18 @@ impl LinearFriction {
         let outer = self.own[1] * Vector3::new(v[3], v[4], v[5]);
         Vector6::new(inner[0], inner[1], inner[2], outer[0], outer[1], outer[2])
     }
+}
+
+/// Relative change of a slope beyond which the friction of a ball is linearised anew, a fifth with the usual error of
+/// the linear traction, over that error.
+const STALE: f64 = 0.2 / LINEAR_ERROR;
+
+/// Slopes of traction by slip of the inner and the outer contact, along and across; 0 without load.
+fn slopes(normal: &NormalLoads, contacts: &[LinearTraction; 2]) -> [[f64; 2]; 2] {
+    Side::BOTH.map(|side| {
+        let loaded = normal.contacts[side].load > 0.0;
+        if loaded { contacts[side as usize].slopes_by_slip() } else { [0.0; 2] }
+    })
 }
 
 /// Least pivot of 1 − γ H A that the step takes as it comes. Friction that damps leaves none below one; where it falls
@@ -79,12 +102,14 @@ pub(super) fn linear_friction(
         let slopes: [Matrix6<f64>; 2] = std::array::from_fn(|k| by_velocities(&stiffness[k], normals[k], r));
         LinearFriction::new(machine, state, slopes, r, h)
     };
-    let (friction, pivot) = with(stiffness);
-    if pivot >= LEAST_PIVOT {
-        return friction;
+    let (mut friction, pivot) = with(stiffness);
+    if pivot < LEAST_PIVOT {
+        let ball = machine.bearing.geometry.ball_radius();
+        let scales = |k: usize| [1.0, 1.0, contacts[k].semi_lateral(), ball, ball];
+        friction = with(std::array::from_fn(|k| damping_part(&stiffness[k], scales(k)))).0;
     }
-    let ball = machine.bearing.geometry.ball_radius();
-    with(std::array::from_fn(|k| damping_part(&stiffness[k], [1.0, 1.0, contacts[k].semi_lateral(), ball, ball]))).0
+    friction.slopes = slopes(normal, contacts);
+    friction
 }
 
 impl LinearFriction {
@@ -118,7 +143,7 @@ impl LinearFriction {
         let mean = change - twice * 0.5;
         let by_rings = Matrix6::from_fn(|row, column| h * mobility[row] * coupling[(row, column)]);
         let follow = [mean * by_rings, (change * 0.5 - twice * GAMMA) * by_rings];
-        (Self { response: [change, mean], coupling, own, follow }, pivot)
+        (Self { response: [change, mean], coupling, own, follow, slopes: [[0.0; 2]; 2] }, pivot)
     }
 }
 

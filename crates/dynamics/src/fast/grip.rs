@@ -8,6 +8,7 @@ use crate::layout::{AZIMUTH, BALL, VELOCITY};
 use crate::linear::{Contacts, LinearTraction};
 use crate::machine::Machine;
 use nalgebra::Matrix6;
+use std::ops::Range;
 use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, PocketLoad, Races, Side, Sliding};
 use tribodyn_traction::PatchTraction;
 
@@ -36,18 +37,24 @@ impl Forms {
         follow: [[Lane::ZERO; 36]; 2],
     };
 
-    /// Takes over the forms of one ball; of its tractions those of the sides that are `new`.
-    pub fn set(&mut self, k: usize, (contacts, new): (&Contacts, [bool; 2]), friction: &LinearFriction) {
-        let six = |lanes: &mut [Lane; 36], m: &Matrix6<f64>| put(lanes, k, flat(m.data.0));
-        six(&mut self.coupling, &friction.coupling);
-        for (i, new) in new.into_iter().enumerate() {
-            if new {
-                put(&mut self.traction[i], k, contacts.of[i].numbers());
-                self.last[i].0[k] = contacts.last[i] as f64;
+    /// Takes over the tractions of one ball, those of the sides that are `new`.
+    pub fn set_tractions(&mut self, lanes: Range<usize>, contacts: &Contacts, new: [bool; 2]) {
+        for (i, k) in (0..2).filter(|&i| new[i]).flat_map(|i| lanes.clone().map(move |k| (i, k))) {
+            put(&mut self.traction[i], k, contacts.of[i].numbers());
+            self.last[i].0[k] = contacts.last[i] as f64;
+        }
+    }
+
+    /// Takes over the friction of one ball.
+    pub fn set_friction(&mut self, lanes: Range<usize>, friction: &LinearFriction) {
+        for k in lanes {
+            let six = |to: &mut [Lane; 36], m: &Matrix6<f64>| put(to, k, flat(m.data.0));
+            six(&mut self.coupling, &friction.coupling);
+            for i in 0..2 {
+                six(&mut self.response[i], &friction.response[i]);
+                six(&mut self.follow[i], &friction.follow[i]);
+                put(&mut self.own[i], k, flat(friction.own[i].data.0));
             }
-            six(&mut self.response[i], &friction.response[i]);
-            six(&mut self.follow[i], &friction.follow[i]);
-            put(&mut self.own[i], k, flat(friction.own[i].data.0));
         }
     }
 }
@@ -116,14 +123,14 @@ impl Grips {
         PocketLoad { force, friction: [axial, radial], moment: [about_axial, about_radial], ..PocketLoad::none() }
     }
 
-    pub fn set_pocket(&mut self, k: usize, of: &PocketLoad) {
+    pub fn set_pocket(&mut self, lanes: Range<usize>, of: &PocketLoad) {
         let ([axial, radial], [about_axial, about_radial]) = (of.friction, of.moment);
-        put(&mut self.pocket, k, [of.force, axial, radial, about_axial, about_radial]);
+        lanes.for_each(|k| put(&mut self.pocket, k, [of.force, axial, radial, about_axial, about_radial]));
     }
 
-    pub fn set_forces(&mut self, side: Side, k: usize, of: &ContactForces) {
+    pub fn set_forces(&mut self, side: Side, lanes: Range<usize>, of: &ContactForces) {
         let ([a, b, c], [d, e, f]) = (of.force, of.moment);
-        put(&mut self.forces[side as usize], k, [a, b, c, d, e, f]);
+        lanes.for_each(|k| put(&mut self.forces[side as usize], k, [a, b, c, d, e, f]));
     }
 }
 
@@ -170,7 +177,8 @@ pub(super) fn tractions<E: Equations>(
     (balls, stand, forms): (&[Lane; BALL], &Stand, &Forms),
     grips: &mut Grips,
 ) {
-    let (mut out, frame) = (Grips::NONE, *frame);
+    let (out, frame) = (grips, *frame);
+    out.pocket = [Lane::ZERO; 5];
     for k in 0..WIDTH {
         let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
         let (forces, wear, near) = contact(equations, Side::Inner, (&frame, &state), (stand, &forms.traction[0], k));
@@ -180,7 +188,6 @@ pub(super) fn tractions<E: Equations>(
         put(&mut out.forces[1], k, forces);
         (out.wear[1].0[k], out.near[1].0[k]) = (wear, if now > forms.last[1].0[k] { 0.0 } else { near });
     }
-    *grips = out;
 }
 
 /// Azimuths of the middles of the pockets of a block's balls against the cage, rad.
@@ -288,9 +295,9 @@ pub(super) fn respond<E: Equations>(
     reaction: &mut [Lane; 5],
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 5]);
-    let now = *balls;
+    let now = &*balls;
     for k in 0..WIDTH {
-        let push = push(equations, (&get(&now, k), get(given_back, k), h), (stand, grips, k));
+        let push = push(equations, (&get(now, k), get(given_back, k), h), (stand, grips, k));
         let (change, mean) = (times(&forms.response[0], push, k), times(&forms.response[1], push, k));
         let (i, o) = (get(&grips.forces[0], k), get(&grips.forces[1], k));
         let back = transposed(&forms.coupling, mean, k);

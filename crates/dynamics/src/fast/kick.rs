@@ -2,10 +2,10 @@
 
 use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, ring_in_ball_axes};
 use super::grip::{Forms, Grips, follow, places, respond, surroundings, tractions};
-use super::lanes::{Lane, WIDTH, blocks, filled, get};
+use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
 use super::{Fast, Scratch};
 use crate::equations::{Equations, Frame};
-use crate::layout::AZIMUTH;
+use crate::layout::{AZIMUTH, Layout};
 use crate::linear::Contacts;
 use crate::machine::Machine;
 use crate::watch::Watch;
@@ -25,8 +25,7 @@ impl Fast {
         let l = equations.machine().layout;
         let frame = equations.machine().frame(t, y);
         self.make_room(l.balls);
-        // Steps between multiples of one number differ in their last digits.
-        let renew = (self.step - h).abs() > 1e-6 * h;
+        let renew = self.is_other_step(h);
         if renew {
             self.step = h;
         }
@@ -70,8 +69,9 @@ impl Fast {
             self.scratch.forms.resize(blocks(balls), Forms::NONE);
             self.scratch.grips.resize(blocks(balls), Grips::NONE);
             for ball in 0..balls {
-                let forms = &mut self.scratch.forms[ball / WIDTH];
-                forms.set(ball % WIDTH, (&self.contacts[ball], [true; 2]), &self.friction[ball]);
+                let (block, lanes) = (ball / WIDTH, lanes_of(Layout { balls }, ball / WIDTH, ball % WIDTH));
+                self.scratch.forms[block].set_tractions(lanes.clone(), &self.contacts[ball], [true; 2]);
+                self.scratch.forms[block].set_friction(lanes, &self.friction[ball]);
             }
         }
     }
@@ -96,13 +96,13 @@ impl Fast {
             let old = Races { inner: !grips.is_near(Side::Inner, k), outer: !grips.is_near(Side::Outer, k) };
             let touches = grips.depth.0[k] > 0.0;
             if renew || old.inner || old.outer {
-                self.refresh(equations, first + k, frame, old.map(|old| old || renew));
+                self.refresh(equations, (first + k, frame), old.map(|old| old || renew), renew);
             }
             let mut pocket_wear = 0.0;
             if touches {
                 let machine = equations.machine();
                 let pocket = machine.pocket_load(first + k, &get(&self.scratch.balls[block], k), frame);
-                self.scratch.grips[block].set_pocket(k, &pocket);
+                self.scratch.grips[block].set_pocket(lanes_of(machine.layout, block, k), &pocket);
                 pocket_wear = machine.pocket_wear(&pocket);
                 cage_torque += pocket.cage_torque;
             }
@@ -120,14 +120,16 @@ impl Fast {
         cage_torque
     }
 
-    /// Integrates the contacts of a ball whose linear traction is `old` and makes its linear forms anew.
-    fn refresh<E: Equations>(&mut self, equations: &E, index: usize, frame: &Frame, old: Races<bool>) {
+    /// Integrates the contacts of a ball whose linear traction is `old` and makes its linear forms anew, those of
+    /// friction where they do not serve any more, or all of them.
+    fn refresh<E: Equations>(&mut self, equations: &E, (index, frame): (usize, &Frame), old: Races<bool>, renew: bool) {
         let machine = equations.machine();
         let bearing = &machine.bearing;
         let (block, k) = (index / WIDTH, index % WIDTH);
         let stand = &self.scratch.stands[block];
         let state = &equations.state_at(stand.axes(k), stand.position(k), &get(&self.scratch.balls[block], k));
-        let (normal, grips) = (stand.normal(k), &mut self.scratch.grips[block]);
+        let (normal, grips, lanes) =
+            (stand.normal(k), &mut self.scratch.grips[block], lanes_of(machine.layout, block, k));
         let contacts = &mut self.contacts[index];
         for (side, contact) in normal.contacts.iter().filter(|(side, _)| old[*side]) {
             contacts.last[side as usize] = self.steps + LONGEST_LINEAR;
@@ -139,12 +141,15 @@ impl Fast {
             let ellipse = bearing.ellipse(side, contact);
             let patch = bearing.loaded_patch(side, contact, &ellipse, &sliding, stand.bare(side, k));
             let traction = contacts.of[side as usize].refresh(machine, &patch, self.linear_error);
-            grips.set_forces(side, k, &sliding.on_ball(&traction));
+            grips.set_forces(side, lanes.clone(), &sliding.on_ball(&traction));
             grips.wear[side as usize].0[k] = traction.wear_integral;
         }
-        self.friction[index] = linear_friction(machine, state, &normal, &contacts.of, self.step);
-        let new = [old.inner, old.outer];
-        self.scratch.forms[block].set(k, (contacts, new), &self.friction[index]);
+        let (friction, forms) = (&mut self.friction[index], &mut self.scratch.forms[block]);
+        forms.set_tractions(lanes.clone(), contacts, [old.inner, old.outer]);
+        if renew || !friction.serves(&normal, &contacts.of, self.linear_error) {
+            *friction = linear_friction(machine, state, &normal, &contacts.of, self.step);
+            forms.set_friction(lanes, friction);
+        }
     }
 
     fn ring_matrix(&self, machine: &Machine, h: f64) -> Matrix5<f64> {

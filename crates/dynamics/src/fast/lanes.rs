@@ -54,6 +54,11 @@ pub(super) fn filled(l: Layout, block: usize) -> usize {
     (l.balls - WIDTH * block).min(WIDTH)
 }
 
+/// Lanes of a ball of a block: its own, and those that repeat it if it is the last.
+pub(super) fn lanes_of(l: Layout, block: usize, k: usize) -> std::ops::Range<usize> {
+    k..if k + 1 == filled(l, block) { WIDTH } else { k + 1 }
+}
+
 /// The unknowns of the balls of a block.
 pub(super) fn gather(l: Layout, y: &[f64], block: usize) -> [Lane; BALL] {
     let mut lanes = [Lane::ZERO; BALL];

@@ -23,6 +23,14 @@ type Ellipses = [[Lane; 3]; 2];
 /// Ellipses, pockets, and the places of these.
 type Beside<'a> = (&'a Ellipses, &'a [Lane; 10], &'a Lane);
 
+/// What a look works on, kept from one to the next, and the list of balls that it fills.
+#[derive(Default)]
+pub(crate) struct Room {
+    pub balls: Vec<BallResult>,
+    /// One, once there was a look.
+    found: Vec<(Stand, Grips, Seen)>,
+}
+
 /// The balls of a block as samples have them, part by part.
 struct Seen {
     ball: [Lane; 10],
@@ -81,8 +89,8 @@ impl Fast {
         !self.scratch.forms.is_empty()
     }
 
-    /// The balls with the linear forms of the last step.
-    pub fn look(&self, machine: &Machine, t: f64, y: &[f64]) -> Balls {
+    /// The balls with the linear forms of the last step, in the list that there is room for.
+    pub fn look(&self, machine: &Machine, (t, y): (f64, &[f64]), room: &mut Room) -> Balls {
         let Scratch { level, forms, .. } = &self.scratch;
         let l = machine.layout;
         let of = Of {
@@ -91,16 +99,18 @@ impl Fast {
             sheet: machine.bearing.sheet(),
             springs: machine.bearing.contact_springs(),
         };
-        let (mut sums, mut results) = ([0.0; 17], vec![BallResult::default(); l.balls]);
-        let (mut stand, mut grips) = (Stand::NONE, Grips::NONE);
+        let (mut sums, mut results) = ([0.0; 17], std::mem::take(&mut room.balls));
+        results.resize(l.balls, BallResult::default());
+        room.found.resize_with(1, || (Stand::NONE, Grips::NONE, Seen::NONE));
+        let [(stand, grips, seen)] = &mut room.found[..] else { unreachable!("there is one") };
         for (block, forms) in forms.iter().enumerate().take(blocks(l.balls)) {
             let balls = gather(l, y, block);
-            press(*level, machine, (&of.frame, &balls), &mut stand);
+            press(*level, machine, (&of.frame, &balls), stand);
             let places = places(machine, block);
-            dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, &stand), &mut grips));
-            let pockets = of.pockets(block, &balls, &grips);
-            let (at, ellipses) = ((&balls, &stand, forms, &grips), of.ellipses(*level, &stand));
-            let seen = dispatch!(*level, _simd => see(&of, at, (&ellipses, &pockets, &places)));
+            dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, stand), grips));
+            let pockets = of.pockets(block, &balls, grips);
+            let (at, ellipses) = ((&balls, &*stand, forms, &*grips), of.ellipses(*level, stand));
+            dispatch!(*level, _simd => see(&of, at, (&ellipses, &pockets, &places), seen));
             for k in 0..filled(l, block) {
                 let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
                 let sums_of_ball = if seen.near.0[k] > 0.0 {
@@ -215,8 +225,8 @@ fn ball(
 /// All balls of a block. Two loops, of which either leaves out what only the other needs: one is too long for the
 /// compiler to make vector instructions of it.
 #[inline(always)]
-fn see(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), beside: Beside<'_>) -> Seen {
-    let (mut out, of) = (Seen::NONE, *of);
+fn see(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), beside: Beside<'_>, out: &mut Seen) {
+    let of = *of;
     for k in 0..WIDTH {
         let (sums, result, near) = ball(&of, at, beside, k);
         put(&mut out.sums, k, sums.numbers());
@@ -236,5 +246,4 @@ fn see(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), beside: Beside<
         put(&mut out.fluid, k, result.fluid.unwrap_or_default().numbers());
         put(&mut out.pocket, k, result.pocket.unwrap_or_default().numbers());
     }
-    out
 }

@@ -1,21 +1,25 @@
 //! The fast fixed-step scheme: contact springs explicit and in short steps, friction once a step and linearly implicit.
 //!
-//! One step of length H is the symmetric composition drift(H/2), kick(H), drift(H/2):
+//! One step of length H is half a kick, drift(H), half a kick:
 //!
 //! - The drift moves balls, rings and cage under contact forces, supports and loads, by the leapfrog method in polar
 //!   coordinates, with the angular momentum m r² ω_m held while the radius changes. It needs no traction and costs
-//!   little, so it may take several steps of its own.
+//!   little, so it may take several steps of its own, where the contact springs are stiffer than one would bear.
+//!   Dampers and the centrifugal force see the velocity that is expected at the end of such a step.
 //! - The kick changes the velocities v of each ball by traction, drag, churning, pocket and gyroscopic moment f at
 //!   fixed position: v ← v + H R(H A) f(v), R(X) = γ W + (1 − γ) W², W = (1 − γ X)⁻¹, γ = 1 − 1/√2. With A = ∂f/∂v this
 //!   is of second order with one evaluation of f, in the manner of Rosenbrock, and L-stable: what is stiff settles,
 //!   whatever the slope of the traction curve. A is symmetric in the velocities that do work, A = −M⁻¹ Gᵀ S G with the
 //!   patch stiffness S, and may be a little old: then the method is still consistent, and the error grows with its age.
+//!   A kick is found once, where two steps meet; half of its change goes to each of them.
 //!
 //! Most of the accelerations of the two parts cancel: contact forces push the ball where friction holds it. A common
 //! part g, the drift's acceleration smoothed over some steps, is therefore taken from the drift and given back in the
 //! kick. Without it the steady state would be off by what an inexact A makes of the large terms, in proportion to H.
-//! The kick gives back the mean of g before and after its smoothing, which is just what the two half drifts went
-//! without: linear and angular momentum then hold to second order.
+//! The kick gives back the mean of g before and after its smoothing, which is just what the half drifts on either side
+//! of it went without: linear and angular momentum then hold to second order.
+//!
+//! Samples have the state between two steps, with what leapfrog swings too far taken back.
 //!
 //! Traction itself is linear between refreshes: the closed-form derivative of the patch integral by motion and load
 //! serves until the slip has moved by as much as keeps the error, seen at every refresh, near [`LINEAR_ERROR`] of the
@@ -31,22 +35,26 @@
 mod drift;
 mod friction;
 mod grip;
+mod halves;
 mod kick;
 mod lanes;
+mod longest;
 mod look;
 mod numbers;
 
 use crate::equations::Equations;
 use crate::layout::{BALL, Layout, VELOCITY};
 use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
+use crate::stiffness::or_infinite;
 use drift::{Stand, drift_acceleration, glide_balls, glide_bodies, push_balls, push_bodies};
 use fearless_simd::{Level, dispatch};
 use friction::LinearFriction;
 use grip::{Forms, Grips};
+use halves::VELOCITIES;
 use lanes::{Lane, WIDTH, blocks, filled, gather, scatter};
+pub(crate) use look::Room;
 use nalgebra::Matrix5;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::TAU;
 
 /// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it
 /// does not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an
@@ -54,13 +62,8 @@ use std::f64::consts::TAU;
 const SMOOTHING_TIME: f64 = 5e-4;
 /// The same for the rings, s: they vibrate at lower frequencies.
 const RING_SMOOTHING_TIME: f64 = 5e-3;
-/// Longest step of the drift over the period of the contact springs, as an angle: leapfrog is stable up to 2.
-const DRIFT_ANGLE: f64 = 1.4;
-
-/// Pieces of half a step's drift: `highest` is the frequency of the contact springs in Hz.
-pub(crate) fn pieces(h: f64, highest: f64) -> usize {
-    (0.5 * h * TAU * highest / DRIFT_ANGLE).ceil().max(1.0) as usize
-}
+/// Steps between looks at how long the drift's pieces may be.
+const LOOK_EVERY: u64 = 8;
 
 /// Memory of the scheme.
 #[derive(Debug, Clone, Serialize, Deserialize, PartialEq)]
@@ -86,8 +89,18 @@ pub(crate) struct Fast {
     /// lost or made.
     #[serde(skip)]
     given_back: Vec<f64>,
+    /// Velocities of cage and rings at the start of a piece of the drift.
+    #[serde(skip)]
+    before: Vec<f64>,
     /// Whether they are there.
     ready: bool,
+    /// Changes of the velocities by the second half of the last kick. Those of the balls are in lanes while steps are
+    /// made.
+    half: Vec<f64>,
+    /// Longest piece of the drift that is stable, and the length of the last pieces, s.
+    #[serde(deserialize_with = "or_infinite")]
+    longest: f64,
+    piece: f64,
     /// What a step works on.
     #[serde(skip)]
     scratch: Scratch,
@@ -123,6 +136,8 @@ struct Scratch {
     /// Common accelerations, and as the kick gives them back.
     common: Vec<[Lane; 3]>,
     given_back: Vec<[Lane; 3]>,
+    half: Vec<[Lane; VELOCITIES]>,
+    before: Vec<[Lane; 3]>,
     stands: Vec<Stand>,
     forms: Vec<Forms>,
     grips: Vec<Grips>,
@@ -132,7 +147,8 @@ impl Default for Scratch {
     fn default() -> Self {
         let level = Level::new();
         let (balls, common, given_back) = (Vec::new(), Vec::new(), Vec::new());
-        Self { level, balls, common, given_back, stands: Vec::new(), forms: Vec::new(), grips: Vec::new() }
+        let (half, before, stands, forms, grips) = (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { level, balls, common, given_back, half, before, stands, forms, grips }
     }
 }
 
@@ -169,41 +185,62 @@ impl Fast {
             drift: Vec::new(),
             common: Vec::new(),
             given_back: Vec::new(),
+            before: Vec::new(),
             ready: false,
+            half: Vec::new(),
+            longest: f64::INFINITY,
+            piece: 0.0,
             scratch: Scratch::default(),
             refreshed: 0,
             used: 0,
         }
     }
 
-    /// From `y` at `t` over `h`, in place. `highest` is the frequency of the contact springs in Hz.
-    pub fn step<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64, highest: f64) {
-        let pieces = pieces(h, highest);
-        self.enter(equations, t, y);
-        self.steps += 1;
-        self.drift(equations, t, y, 0.5 * h, pieces);
-        self.kick(equations, t + 0.5 * h, y, h);
-        self.drift(equations, t + 0.5 * h, y, 0.5 * h, pieces);
+    /// From `y` at `t` over `h`, in place: the second half of the last kick, the drift, the first half of a new kick.
+    pub fn step<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
         let l = equations.machine().layout;
+        self.enter(equations, t, y);
+        if self.is_other_step(h) {
+            self.begin(equations, t, y, h);
+        }
+        self.steps += 1;
+        self.remember_velocities(l, y);
+        self.second_half(l, y);
+        self.drift(equations, t, y, h);
+        self.find_kick(equations, t + h, y, h);
         for (block, balls) in self.scratch.balls.iter().enumerate() {
             scatter(l, balls, block, y);
         }
     }
 
-    /// Takes the balls over into lanes.
+    /// True where the memory is not for steps of `h`. Steps between multiples of one number differ in their last
+    /// digits.
+    fn is_other_step(&self, h: f64) -> bool {
+        (self.step - h).abs() > 1e-6 * h
+    }
+
+    /// Takes the balls over into lanes, where they stay from one step to the next.
     fn enter<E: Equations>(&mut self, equations: &E, t: f64, y: &[f64]) {
         let l = equations.machine().layout;
         let scratch = &mut self.scratch;
-        scratch.balls.clear();
-        scratch.balls.extend((0..blocks(l.balls)).map(|block| gather(l, y, block)));
+        if scratch.balls.len() != blocks(l.balls) {
+            scratch.balls.extend((0..blocks(l.balls)).map(|block| gather(l, y, block)));
+        }
+        debug_assert!(
+            scratch.balls.iter().enumerate().all(|(block, balls)| *balls == gather(l, y, block)),
+            "the state is not that of the last step"
+        );
         let fresh = !self.ready || scratch.stands.len() != blocks(l.balls);
         if fresh {
             scratch.stands.resize(blocks(l.balls), Stand::NONE);
             scratch.common.resize(blocks(l.balls), [Lane::ZERO; 3]);
             scratch.given_back.resize(blocks(l.balls), [Lane::ZERO; 3]);
             self.given_back.resize(y.len(), 0.0);
+            self.before.resize(y.len(), 0.0);
+            scratch.before.resize(blocks(l.balls), [Lane::ZERO; 3]);
         }
         if !self.ready {
+            self.half.resize(y.len(), 0.0);
             self.drift.resize(y.len(), 0.0);
             let found = (&mut self.drift[..], &mut scratch.stands[..]);
             drift_acceleration(scratch.level, equations, (t, y), &scratch.balls, found);
@@ -217,6 +254,7 @@ impl Fast {
                 stand.set_acceleration(of_balls(l, &self.drift, block));
                 scratch.common[block] = of_balls(l, &self.common, block);
             }
+            self.take_up_halves(l);
         }
     }
 
@@ -233,6 +271,7 @@ impl Fast {
     /// Takes what is in lanes into the memory: to be called before that is kept.
     pub fn settle(&mut self, l: Layout) {
         self.keep_accelerations(l);
+        self.keep_halves(l);
         for (block, common) in self.scratch.common.iter().enumerate() {
             for k in 0..filled(l, block) {
                 let at = l.ball(WIDTH * block + k) + VELOCITY;
@@ -241,27 +280,46 @@ impl Fast {
         }
     }
 
-    fn drift<E: Equations>(&mut self, equations: &E, t: f64, y: &mut [f64], span: f64, pieces: usize) {
+    fn drift<E: Equations>(&mut self, equations: &E, t: f64, y: &mut [f64], span: f64) {
         let machine = equations.machine();
         let l = machine.layout;
+        let pieces = self.pieces(span);
         let h = span / pieces as f64;
-        let Scratch { level, balls, common, stands, .. } = &mut self.scratch;
+        self.piece = h;
         for piece in 0..pieces {
-            for ((balls, stand), common) in balls.iter_mut().zip(&*stands).zip(&*common) {
-                dispatch!(*level, _simd => {
-                    push_balls(balls, stand.acceleration(), common, 0.5 * h);
-                    glide_balls(balls, h);
-                });
+            if piece > 0 {
+                self.remember_velocities(l, y);
             }
-            push_bodies(l, y, (&self.drift, &self.common), 0.5 * h);
+            self.push(l, y, 0.5 * h);
+            let Scratch { level, balls, .. } = &mut self.scratch;
+            for balls in balls {
+                dispatch!(*level, _simd => glide_balls(balls, h));
+            }
             glide_bodies(machine, t + piece as f64 * h, y, h);
+            self.swap_ahead(l, y);
+            let Scratch { level, balls, stands, .. } = &mut self.scratch;
             let at = (t + (piece + 1) as f64 * h, &*y);
             drift_acceleration(*level, equations, at, balls, (&mut self.drift, stands));
-            for ((balls, stand), common) in balls.iter_mut().zip(&*stands).zip(&*common) {
-                dispatch!(*level, _simd => push_balls(balls, stand.acceleration(), common, 0.5 * h));
-            }
-            push_bodies(l, y, (&self.drift, &self.common), 0.5 * h);
+            self.swap_back(l, y);
+            self.push(l, y, 0.5 * h);
         }
+        if self.steps.is_multiple_of(LOOK_EVERY) {
+            self.longest = self.longest_piece(machine);
+        }
+    }
+
+    /// Velocities by the drift's accelerations less their common part.
+    fn push(&mut self, l: Layout, y: &mut [f64], h: f64) {
+        let Scratch { level, balls, common, stands, .. } = &mut self.scratch;
+        for ((balls, stand), common) in balls.iter_mut().zip(stands).zip(common) {
+            dispatch!(*level, _simd => push_balls(balls, stand.acceleration(), common, h));
+        }
+        push_bodies(l, y, (&self.drift, &self.common), h);
+    }
+
+    /// Pieces of the drift of a step.
+    pub fn pieces(&self, step: f64) -> usize {
+        (step / self.longest).ceil().max(1.0) as usize
     }
 
     /// Lets the common acceleration follow that of the drift.
@@ -281,9 +339,9 @@ impl Fast {
         }
     }
 
-    /// Lengths of the memory: friction, contacts, the drift's accelerations, their common part.
-    pub fn sizes(&self) -> [usize; 4] {
-        [self.friction.len(), self.contacts.len(), self.drift.len(), self.common.len()]
+    /// Lengths of the memory: friction, contacts, the drift's accelerations, their common part, half kicks.
+    pub fn sizes(&self) -> [usize; 5] {
+        [self.friction.len(), self.contacts.len(), self.drift.len(), self.common.len(), self.half.len()]
     }
 
     /// True once accelerations of the drift are there.
@@ -293,10 +351,10 @@ impl Fast {
 
     /// All numbers that are remembered.
     pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
-        let lists = self.drift.iter().chain(&self.common).chain(self.rings.iter());
+        let lists = self.drift.iter().chain(&self.common).chain(&self.half).chain(self.rings.iter());
         let contacts = self.contacts.iter().flat_map(|c| c.of.iter().flat_map(LinearTraction::values));
         let friction = self.friction.iter().flat_map(LinearFriction::values);
-        lists.copied().chain([self.step, self.linear_error]).chain(contacts).chain(friction)
+        lists.copied().chain([self.step, self.linear_error, self.piece]).chain(contacts).chain(friction)
     }
 
     /// Contacts integrated over their patch, and contacts used.

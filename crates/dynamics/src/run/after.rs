@@ -57,7 +57,7 @@ impl Run {
             let step = Between { state: [&p.state, &self.next], slopes, length };
             let values = step.values(self.machine.layout, s);
             let state: Option<Vec<f64>> = sample.then(|| match fast {
-                true => self.next.clone(),
+                true => p.fast.shown(self.machine.layout, &self.next),
                 false => (0..self.next.len()).map(|i| step.at(s, i)).collect(),
             });
             self.filter.take(&mut self.progress.filter, values);
@@ -75,13 +75,17 @@ impl Run {
         state: &[f64],
         observer: &mut O,
     ) -> Result<ControlFlow<()>, RunError<O::Error>> {
-        let mut sample = self.sample_at(t, state);
+        let mut room = std::mem::take(&mut self.room);
+        let mut sample = self.sample_at(t, state, &mut room);
         if matches!(self.scheme, Scheme::Fast { .. }) {
             self.add_work(&mut sample);
         }
         let with_balls = self.progress.samples.is_multiple_of(self.balls_every);
         self.progress.samples += 1;
-        observer.sample(&sample, with_balls).map_err(RunError::Observer)
+        let flow = observer.sample(&sample, with_balls).map_err(RunError::Observer);
+        room.balls = sample.balls;
+        self.room = room;
+        flow
     }
 
     /// The fast scheme has no powers of its own order within its steps: work is summed by the trapezium rule over

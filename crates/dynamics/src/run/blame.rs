@@ -8,7 +8,6 @@ use super::{FIRST_STEP, Run, SHORTEST_STEP, Scheme, THROWN_OUT};
 use crate::blame::{Blame, StepBound};
 use crate::dp54::{DormandPrince, StepControl};
 use crate::equations::Equations;
-use crate::fast::pieces;
 use crate::forces::{BodyForces, System, evaluate};
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
@@ -49,9 +48,9 @@ impl Run {
             Scheme::DormandPrince { .. } => return Blame::Case { step_s },
             Scheme::Rk4 { .. } => Limits { decay: REAL_LIMIT, angle: IMAGINARY_LIMIT },
             Scheme::Fast { step } => {
-                let pieces = pieces(step, known.contact_frequency_hz) as f64;
-                // Half a step is a drift of so many pieces, each with half a push at either end.
-                Limits { decay: 2.0 * EULER_LIMIT * pieces, angle: TAU * FAST_PERIOD }
+                // Dampers, with the velocity expected at the end of a piece, are stable up to half of Euler's limit.
+                let pieces = self.progress.fast.pieces(step) as f64;
+                Limits { decay: 0.5 * EULER_LIMIT * pieces, angle: TAU * FAST_PERIOD }
             }
         };
         let beyond = |bound: &StepBound| bound.limit_s < step_s;

@@ -10,7 +10,7 @@ pub use filter::FilterBands;
 
 use crate::dp54::{DormandPrince, StepControl};
 use crate::error::DynamicsError;
-use crate::fast::Fast;
+use crate::fast::{Fast, Room};
 use crate::forces::System;
 use crate::layout::{BALL, ORBIT, VELOCITY};
 use crate::linear::errors;
@@ -43,6 +43,8 @@ pub struct Run {
     scale: Vec<f64>,
     start: Vec<f64>,
     solution: Solution,
+    /// What samples are put together in.
+    room: Room,
 }
 
 /// Everything that changes during a run: save it, and [`Run::resume`] goes on from it to the same bytes.
@@ -220,6 +222,7 @@ impl Run {
             scale: scales(&machine, &state),
             start: state,
             solution,
+            room: Room::default(),
             progress,
             machine,
         };
@@ -280,15 +283,19 @@ impl Run {
 
     /// Everything at the present time.
     pub fn sample(&self) -> Sample {
-        self.sample_at(self.progress.time, &self.progress.state)
+        let (p, l, mut room) = (&self.progress, self.machine.layout, Room::default());
+        match self.scheme {
+            Scheme::Fast { .. } => self.sample_at(p.time, &p.fast.shown(l, &p.state), &mut room),
+            _ => self.sample_at(p.time, &p.state, &mut room),
+        }
     }
 
-    fn sample_at(&self, t: f64, y: &[f64]) -> Sample {
+    fn sample_at(&self, t: f64, y: &[f64], room: &mut Room) -> Sample {
         let p = &self.progress;
         let so_far = (p.energy_at_start, p.worn);
         let machine = &self.machine;
         let balls = match self.scheme {
-            Scheme::Fast { .. } if p.fast.has_forms() => p.fast.look(machine, t, y),
+            Scheme::Fast { .. } if p.fast.has_forms() => p.fast.look(machine, (t, y), room),
             _ => machine.balls(t, y),
         };
         let mut sample = machine.sample((t, y), so_far, balls);

@@ -78,8 +78,8 @@ impl Run {
             }
             Scheme::Fast { .. } => {
                 self.next.copy_from_slice(&p.state);
-                let (time, highest) = (p.time, p.stiffness.contact_frequency_hz);
-                self.progress.fast.step(&mut self.machine, time, &mut self.next, h, highest);
+                let time = p.time;
+                self.progress.fast.step(&mut self.machine, time, &mut self.next, h);
                 self.progress.statistics.evaluations += 1;
                 0.0
             }

@@ -1,0 +1,171 @@
+//! Kicks in halves: that at the end of a step belongs one half to this step and one to the next, so that the state
+//! between two steps is that of the middle of a kick. And the state as samples have it.
+
+use super::drift::drift_acceleration;
+use super::lanes::{Lane, WIDTH, blocks, filled, get, put};
+use super::{Fast, Scratch};
+use crate::equations::Equations;
+use crate::layout::{BALL, Layout, VELOCITY};
+use fearless_simd::dispatch;
+
+/// Velocities of a ball, with its spin.
+pub(super) const VELOCITIES: usize = BALL - VELOCITY;
+
+impl Fast {
+    /// Makes ready for steps of another length than the last ones, or for the first: finds the half kick that the next
+    /// step begins with.
+    pub(super) fn begin<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
+        let Scratch { level, balls, stands, .. } = &mut self.scratch;
+        drift_acceleration(*level, equations, (t, y), balls, (&mut self.drift, stands));
+        self.longest = self.longest_piece(equations.machine());
+        self.find_kick(equations, t, y, h);
+        let scratch = &mut self.scratch;
+        for (balls, half) in scratch.balls.iter_mut().zip(&scratch.half) {
+            add(balls, half, -1.0);
+        }
+        bodies(equations.machine().layout).for_each(|k| y[k] -= self.half[k]);
+    }
+
+    /// The first half of the kick of a step `h`; the other is kept.
+    pub(super) fn find_kick<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
+        let l = equations.machine().layout;
+        for (balls, half) in self.scratch.balls.iter().zip(&mut self.scratch.half) {
+            half.copy_from_slice(&balls[VELOCITY..]);
+        }
+        bodies(l).for_each(|k| self.half[k] = y[k]);
+        self.kick(equations, t, y, h);
+        let Scratch { level, balls, half, .. } = &mut self.scratch;
+        for (balls, half) in balls.iter_mut().zip(half) {
+            dispatch!(*level, _simd => halve(balls, half));
+        }
+        for k in bodies(l) {
+            let before = self.half[k];
+            self.half[k] = 0.5 * (y[k] - before);
+            y[k] = before + self.half[k];
+        }
+    }
+
+    /// The second half of the last kick.
+    pub(super) fn second_half(&mut self, l: Layout, y: &mut [f64]) {
+        let Scratch { level, balls, half, .. } = &mut self.scratch;
+        for (balls, half) in balls.iter_mut().zip(half) {
+            dispatch!(*level, _simd => add(balls, half, 1.0));
+        }
+        bodies(l).for_each(|k| y[k] += self.half[k]);
+    }
+
+    /// Remembers the velocities at the start of a piece of the drift, without spins.
+    pub(super) fn remember_velocities(&mut self, l: Layout, y: &[f64]) {
+        for (balls, before) in self.scratch.balls.iter().zip(&mut self.scratch.before) {
+            before.copy_from_slice(&balls[VELOCITY..VELOCITY + 3]);
+        }
+        bodies(l).for_each(|k| self.before[k] = y[k]);
+    }
+
+    /// From the velocities in the middle of a piece to those expected at its end, farther by as much as from its start
+    /// to the middle: what forces that depend on them, dampers and the centrifugal one, are found with.
+    pub(super) fn swap_ahead(&mut self, l: Layout, y: &mut [f64]) {
+        let Scratch { level, balls, before, .. } = &mut self.scratch;
+        for (balls, before) in balls.iter_mut().zip(before) {
+            dispatch!(*level, _simd => ahead(balls, before));
+        }
+        for k in bodies(l) {
+            (y[k], self.before[k]) = (2.0 * y[k] - self.before[k], y[k]);
+        }
+    }
+
+    /// Back to those in the middle.
+    pub(super) fn swap_back(&mut self, l: Layout, y: &mut [f64]) {
+        for (balls, before) in self.scratch.balls.iter_mut().zip(&self.scratch.before) {
+            balls[VELOCITY..VELOCITY + 3].copy_from_slice(before);
+        }
+        bodies(l).for_each(|k| y[k] = self.before[k]);
+    }
+
+    /// The halves that are kept, from the memory into lanes.
+    pub(super) fn take_up_halves(&mut self, l: Layout) {
+        let Scratch { half, .. } = &mut self.scratch;
+        half.resize(blocks(l.balls), [Lane::ZERO; VELOCITIES]);
+        for (block, half) in half.iter_mut().enumerate() {
+            for k in 0..WIDTH {
+                let at = l.ball((WIDTH * block + k).min(l.balls - 1)) + VELOCITY;
+                put(half, k, std::array::from_fn::<_, VELOCITIES, _>(|i| self.half[at + i]));
+            }
+        }
+    }
+
+    /// The same the other way.
+    pub(super) fn keep_halves(&mut self, l: Layout) {
+        for (block, half) in self.scratch.half.iter().enumerate() {
+            for k in 0..filled(l, block) {
+                let at = l.ball(WIDTH * block + k) + VELOCITY;
+                self.half[at..at + VELOCITIES].copy_from_slice(&get(half, k));
+            }
+        }
+    }
+
+    /// The state as samples have it, displacements corrected.
+    ///
+    /// In leapfrog with pieces h, what vibrates at ω has a displacement, where forces are found, that is too large for
+    /// its velocity, by (ω h)²/8: one is too large and the other too small by half of it. The vibrating part of the
+    /// accelerations is −ω² times the displacement, whatever ω is, and takes its half back. Such a symplectic corrector
+    /// is that of J. Wisdom, M. Holman, J. Touma, Fields Institute Communications 10 (1996) 217.
+    pub fn shown(&self, l: Layout, y: &[f64]) -> Vec<f64> {
+        let mut shown = y.to_vec();
+        if !self.ready {
+            return shown;
+        }
+        let share = self.piece * self.piece / 16.0;
+        for ball in 0..l.balls {
+            let (at, block, k) = (l.ball(ball), ball / WIDTH, ball % WIDTH);
+            for i in 0..2 {
+                let lanes = self.scratch.stands.get(block).zip(self.scratch.common.get(block));
+                let vibrating = match lanes {
+                    Some((stand, common)) => stand.acceleration()[i].0[k] - common[i].0[k],
+                    None => self.drift[at + VELOCITY + i] - self.common[at + VELOCITY + i],
+                };
+                shown[at + i] += share * vibrating;
+            }
+        }
+        let of_rings = (0..3).map(|i| (l.inner() + i, l.inner() + 3 + i));
+        for (place, velocity) in of_rings.chain((0..2).map(|i| (l.outer() + i, l.outer() + 2 + i))) {
+            shown[place] += share * (self.drift[velocity] - self.common[velocity]);
+        }
+        shown
+    }
+}
+
+/// Places of the velocities of cage and rings.
+fn bodies(l: Layout) -> impl Iterator<Item = usize> {
+    [l.cage() + 1].into_iter().chain(l.inner() + 3..l.inner() + 6).chain(l.outer() + 2..l.outer() + 4)
+}
+
+/// Half way back to the velocities in `half`, which then has the way made.
+#[inline(always)]
+fn halve(balls: &mut [Lane; BALL], half: &mut [Lane; VELOCITIES]) {
+    for (now, half) in balls[VELOCITY..].iter_mut().zip(half) {
+        for k in 0..WIDTH {
+            let before = half.0[k];
+            half.0[k] = 0.5 * (now.0[k] - before);
+            now.0[k] = before + half.0[k];
+        }
+    }
+}
+
+/// Velocities as far ahead as those in `before` are behind; in `before` then those of now.
+#[inline(always)]
+fn ahead(balls: &mut [Lane; BALL], before: &mut [Lane; 3]) {
+    for (now, before) in balls[VELOCITY..VELOCITY + 3].iter_mut().zip(before) {
+        for k in 0..WIDTH {
+            (now.0[k], before.0[k]) = (2.0 * now.0[k] - before.0[k], now.0[k]);
+        }
+    }
+}
+
+/// Velocities with their changes times `share`.
+#[inline(always)]
+fn add(balls: &mut [Lane; BALL], changes: &[Lane; VELOCITIES], share: f64) {
+    for (now, change) in balls[VELOCITY..].iter_mut().zip(changes) {
+        now.0.iter_mut().zip(change.0).for_each(|(v, change)| *v += share * change);
+    }
+}

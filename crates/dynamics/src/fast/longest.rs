@@ -1,0 +1,124 @@
+//! How long the drift's pieces may be: what vibrates fastest on the contact springs, and how it is damped.
+
+use super::Fast;
+use super::lanes::filled;
+use crate::machine::{Machine, Support};
+use nalgebra::Matrix3;
+use std::f64::consts::SQRT_2;
+use tribodyn_bearing::{Races, Side};
+
+/// Longest stable piece squared, over the square of the angular frequency: 4 with a margin for what loads do until the
+/// next look.
+const LIMIT: f64 = 3.9;
+
+/// Longest piece with a vibration of angular frequency ω (given by its square) and damping d, both 1/s: (ω h)² + 4 d h
+/// = [`LIMIT`]. So leapfrog ends, with dampers that see the velocity as it is expected: an iteration that changes its
+/// sign each time.
+fn longest(omega_squared: f64, damping: f64) -> f64 {
+    LIMIT / (2.0 * damping + (4.0 * damping * damping + LIMIT * omega_squared).sqrt())
+}
+
+impl Fast {
+    /// Longest piece of the drift at the positions at which it was found last, s; infinite where nothing vibrates.
+    pub(super) fn longest_piece(&self, machine: &Machine) -> f64 {
+        let (mut both, mut single) = (0.0f64, Races::<f64>::default());
+        let mut on_rings = Races::from_fn(|_| Matrix3::zeros());
+        for (block, stand) in self.scratch.stands.iter().enumerate() {
+            for k in 0..filled(machine.layout, block) {
+                let mut sum = 0.0;
+                for side in Side::BOTH {
+                    let contact = stand.contact(side, k);
+                    if contact.load <= 0.0 {
+                        continue;
+                    }
+                    let stiffness = 1.5 * contact.load / contact.pose.approach;
+                    let [axial, radial] = contact.pose.normal(side);
+                    let normal = stand.axes(k).to_inertial([axial, radial, 0.0]);
+                    sum += stiffness;
+                    single[side] = single[side].max(stiffness);
+                    on_rings[side] += Matrix3::from_fn(|row, column| stiffness * normal[row] * normal[column]);
+                }
+                both = both.max(sum);
+            }
+        }
+        let rings =
+            Races { inner: of_ring(&machine.inner, &on_rings.inner), outer: of_ring(&machine.outer, &on_rings.outer) };
+        let mass = machine.bearing.ball_mass;
+        let of_balls = both / mass;
+        // Dampers of both contacts with equal stiffness have the most to say, √2 of that of one with all of it.
+        let damping = 2.0 * SQRT_2 * machine.bearing.contact_damping * of_balls.sqrt();
+        let highest = highest(of_balls, single.map(|k| k / mass), rings.map(|[square, _]| square));
+        longest(highest, damping + rings.inner[1].max(rings.outer[1]))
+    }
+}
+
+/// A bound from above on the squares of all angular frequencies, from those of balls with the rings held, by both
+/// contacts (k_i + k_o)/m and by one, and those of the rings with the balls held.
+///
+/// In the energy of a spring between ball and ring, k (u − v)² ≤ k ((1 + t) u² + (1 + 1/t) v²) for any t > 0; with the t
+/// for which the rings come to the same bound λ, t = b/(λ − b), it is λ = a + Σ a_s b_s/(λ − b_s).
+fn highest(both: f64, single: Races<f64>, rings: Races<f64>) -> f64 {
+    let most = both + rings.inner.max(rings.outer);
+    let share = |bound: f64, side: Side| {
+        let (of_ball, of_ring) = (single[side], rings[side]);
+        if of_ball > 0.0 { of_ball * of_ring / (bound - of_ring) } else { 0.0 }
+    };
+    // The right side falls with λ, so that of two values in a row one lies above.
+    let next = |bound: f64| both + share(bound, Side::Inner) + share(bound, Side::Outer);
+    let first = next(most).max(rings.inner).max(rings.outer);
+    most.min(first.max(next(first)))
+}
+
+/// Square of a bound on the frequency of a ring on the balls' springs and its supports with the balls held, and the
+/// damping of its supports, 1/s² and 1/s.
+fn of_ring<const N: usize>(ring: &Support<N>, springs: &Matrix3<f64>) -> [f64; 2] {
+    let free = || (0..N).filter(|&i| ring.free[i]);
+    // No eigenvalue is larger than the largest sum of a row.
+    let row = |i: usize| springs.row(i).iter().map(|v| v.abs()).sum::<f64>() + ring.stiffness[i];
+    let most = |of: &dyn Fn(usize) -> f64| free().map(of).fold(0.0, f64::max) / ring.mass;
+    [most(&row), most(&|i| ring.damping[i])]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Leapfrog for q'' = −ω² q − d q', the damper with the velocity expected at the end of the piece, h = 1: true if
+    /// it stays where it began.
+    fn stays(omega: f64, damping: f64) -> bool {
+        let (mut q, mut v, mut a) = (1.0, 0.3, -omega * omega);
+        for _ in 0..4000 {
+            let half = v + 0.5 * a;
+            q += half;
+            a = -omega * omega * q - damping * (2.0 * half - v);
+            v = half + 0.5 * a;
+        }
+        f64::abs(q) + f64::abs(v) < 100.0
+    }
+
+    /// Two equal balls on either side of a ring between springs, one behind the other: the exact frequencies.
+    #[test]
+    fn limit_the_bound_lies_just_above_the_exact_frequency() {
+        for mass in [0.1, 0.5, 2.0, 10.0] {
+            // A ball of mass 1 between a ring held, by a spring of 0.6, and a free ring, by one of 0.4.
+            let exact = {
+                let (ball, ring, coupling) = (1.0, 0.4 / mass, 0.4 * 0.4 / mass);
+                let (sum, difference): (f64, f64) = (0.5 * (ball + ring), 0.5 * (ball - ring));
+                sum + (difference * difference + coupling).sqrt()
+            };
+            let bound = highest(1.0, Races { inner: 0.6, outer: 0.4 }, Races { inner: 0.0, outer: 0.4 / mass });
+            assert!(bound >= exact * (1.0 - 1e-12) && bound < 1.13 * exact, "{mass}: {bound} {exact}");
+        }
+        assert_eq!(highest(0.0, Races::default(), Races::default()), 0.0);
+    }
+
+    #[test]
+    fn limit_the_longest_piece_is_near_the_end_of_stability() {
+        for ratio in [0.0, 0.01, 0.1, 0.5, 2.0] {
+            let h = longest(1.0, 2.0 * ratio);
+            assert!(stays(h, 2.0 * ratio * h), "{ratio}: {h}");
+            assert!(!stays(1.06 * h, 2.0 * ratio * 1.06 * h), "{ratio}: {h}");
+        }
+        assert!((longest(0.0, 2.0) - 0.4875).abs() < 1e-15 && longest(0.0, 0.0) == f64::INFINITY);
+    }
+}
