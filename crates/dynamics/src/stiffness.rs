@@ -62,11 +62,12 @@ impl Machine {
         let (mut rate, mut worst, mut frequency) = (0.0f64, 0, 0.0f64);
         for index in 0..self.layout.balls {
             let b = self.unknowns(index, y);
-            let fastest = fastest_decay(self.velocity_jacobian(index, b, &frame));
+            let here = self.with_kernel(index, b, &frame);
+            let fastest = fastest_decay(self.velocity_jacobian((index, b), &frame, &here));
             if fastest > rate {
                 (rate, worst) = (fastest, index);
             }
-            frequency = frequency.max(self.contact_frequency(index, b, &frame));
+            frequency = frequency.max(self.contact_frequency(&here));
         }
         let implicit = self.kernel.has_derivative(&self.bearing);
         let omega = std::f64::consts::TAU * frequency;
@@ -83,31 +84,28 @@ impl Machine {
         self.ball(index, b, frame, |patch| self.kernel.traction(&self.bearing, patch))
     }
 
-    /// Derivatives of a ball's six accelerations by its six velocities, by differences: the bound needs no digits.
-    fn velocity_jacobian(&self, index: usize, b: &[f64], frame: &Frame) -> Matrix6<f64> {
+    /// Derivatives of a ball's six accelerations by its six velocities, by differences to one side, from what there is
+    /// `here`: the bound needs no digits.
+    fn velocity_jacobian(&self, (index, b): (usize, &[f64]), frame: &Frame, here: &BallForces) -> Matrix6<f64> {
         let mut unknowns = [0.0; BALL];
         unknowns.copy_from_slice(b);
         let mut jacobian = Matrix6::zeros();
         for column in 0..6 {
             let at = VELOCITY + column;
             let change = (RELATIVE_CHANGE * b[at].abs()).max(LEAST_CHANGE);
-            let mut shifted = |by: f64| {
-                unknowns[at] = b[at] + by;
-                let acceleration = self.with_kernel(index, &unknowns, frame).acceleration;
-                unknowns[at] = b[at];
-                acceleration
-            };
-            let (up, down) = (shifted(change), shifted(-change));
+            unknowns[at] = b[at] + change;
+            let there = self.with_kernel(index, &unknowns, frame).acceleration;
+            unknowns[at] = b[at];
             for row in 0..6 {
-                jacobian[(row, column)] = (up[row] - down[row]) / (2.0 * change);
+                jacobian[(row, column)] = (there[row] - here.acceleration[row]) / change;
             }
         }
         jacobian
     }
 
     /// sqrt of the stiffness against an axial or radial shift over the mass; both contacts in line bound it from above.
-    fn contact_frequency(&self, index: usize, b: &[f64], frame: &Frame) -> f64 {
-        let stiffness = self.with_kernel(index, b, frame).contacts.map(|c| {
+    fn contact_frequency(&self, ball: &BallForces) -> f64 {
+        let stiffness = ball.contacts.each_ref().map(|c| {
             let normal = &c.normal;
             if normal.load > 0.0 { 1.5 * normal.load / normal.pose.approach } else { 0.0 }
         });
