@@ -25,7 +25,7 @@ use super::fastsim::elastic_patch_traction;
 use crate::fast::lanes::{LANES, Lanes, total};
 use crate::fast::{PatchDerivative, assemble as assemble_values};
 use crate::{
-    Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipCurve, SlipField, SlipUnit,
+    Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipField, SlipUnit,
     TractionLaw,
 };
 use fearless_simd::{dispatch, prelude::*};
@@ -109,8 +109,7 @@ impl Fastsim {
 /// Marches every strip of the patch and hands lots of eight with their shares of the patch to `take`.
 #[inline(always)]
 fn walk<S: Simd, const T: usize>(simd: S, strips: &Strips<'_, T>, mut take: impl FnMut(&March<S, T>, Lanes<S>)) {
-    let [longitudinal, _] = strips.yielding;
-    let taken_up = longitudinal * strips.law.curve.coefficient(longitudinal * strips.law.scale);
+    let taken_up = strips.taken_up();
     let crowding = Crowding::new(strips.slip.longitudinal, taken_up);
     let mut lots = [March::nothing(simd); LOTS];
     let mut shares = [Lanes::splat(simd, 0.0); LOTS];
@@ -126,7 +125,7 @@ fn walk<S: Simd, const T: usize>(simd: S, strips: &Strips<'_, T>, mut take: impl
             lot.y = y;
             *share = Lanes::simd_from(simd, weight) * stretch * ((-y + 1.0) * (y + 1.0)).max(0.0);
         }
-        strips.march(&mut lots[..now]);
+        strips.march(&mut lots[..now], taken_up);
         for (lot, &share) in lots[..now].iter().zip(&shares) {
             take(lot, share);
         }

@@ -33,11 +33,10 @@ impl<D: Scalar> Law<D> {
         Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), rise, steepness }
     }
 
-    /// Share of the weakening that a cell keeps of the one before.
-    pub(super) fn keep(&self, yielding: [D; 2]) -> D {
+    /// Length of the memory of the weakening over θ, of which a cell that reaches k keeps memory/(memory + k).
+    pub(super) fn memory(&self, yielding: [D; 2]) -> D {
         let softer = if yielding[0].re() > yielding[1].re() { yielding[0] } else { yielding[1] };
-        let memory = softer * self.steepness * MEMORY;
-        memory / (memory + 1.0)
+        softer * self.steepness * MEMORY
     }
 
     /// Initial slope of the coefficient over the sliding speed, s/m.
