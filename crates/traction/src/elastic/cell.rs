@@ -4,7 +4,7 @@ use crate::{Fall, Scalar, SlipCurve};
 use num_dual::Dual64;
 
 /// Square of a trial slip below which nothing moves, (m/s)².
-const AT_REST: f64 = 1e-60;
+const AT_REST: f64 = 1e-50;
 /// Mismatch, relative to the trial slip, above which the law jumps at the root: the cell sticks.
 const JUMP: f64 = 1e-6;
 

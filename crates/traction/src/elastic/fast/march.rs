@@ -152,7 +152,6 @@ impl<const T: usize> Strips<'_, T> {
         lot.weakening = [at.rising_and_lost(&self.law)[1]; 3];
         lot.traction = [[zero; 2]; 3];
         lot.sums = [zero; 5];
-        lot.cell.enter();
         for (tangent, varied) in lot.tangents.iter_mut().zip(&self.varied) {
             for (slip, [one, linear, square]) in tangent.slip.iter_mut().zip(&varied.slip) {
                 *slip = y * *linear + y2 * *square + *one;
@@ -180,8 +179,9 @@ impl<const T: usize> Strips<'_, T> {
         let mean = self.place_of_slip(node, lot);
         let rigid = [lot.along, lot.across + mean * self.slip.lateral[1]];
         let carried = carried(node, &lot.traction);
-        let trial = [0, 1].map(|k| rigid[k] + carried[k] * here.pull[k]);
-        lot.cell.open(&self.law, here.yielding, trial, remembered(node, &lot.weakening).min(1.0));
+        let trial = [rigid[0] + carried[0] * here.pull[0], rigid[1] + carried[1] * here.pull[1]];
+        let last = remembered(node, &lot.weakening).min(1.0);
+        lot.cell.open(&self.law, (here.yielding, here.keep), trial, last);
     }
 
     #[inline(always)]
@@ -263,7 +263,7 @@ fn taken_up<D: Scalar>(law: &Law<D>, [longitudinal, _]: [D; 2]) -> D {
 #[inline(always)]
 fn carried<S: Simd>(node: &Node, [last, before, first]: &[[Lanes<S>; 2]; 3]) -> [Lanes<S>; 2] {
     let [a, b, c] = node.previous;
-    [0, 1].map(|k| last[k] * a + (before[k] * b + first[k] * c))
+    [last[0] * a + (before[0] * b + first[0] * c), last[1] * a + (before[1] * b + first[1] * c)]
 }
 
 #[inline(always)]
