@@ -3,7 +3,7 @@
 use super::cell::{At, Cell, Direction};
 use super::response::{Response, Solved};
 use super::setup::{Law, Varied};
-use crate::{Scalar, SlipCurve, SlipField};
+use crate::SlipField;
 use crate::elastic::Fastsim;
 use crate::elastic::grid::Node;
 use crate::fast::lanes::Lanes;
@@ -21,6 +21,9 @@ pub(super) struct Strips<'a, const T: usize> {
     pub(super) direction: f64,
     pub(super) law: Law,
     pub(super) yielding: [f64; 2],
+    /// C κ along rolling, with κ at a slip of C, and the length of the memory over θ.
+    pub(super) taken_up: f64,
+    memory: f64,
     pub(super) varied: [Varied; T],
 }
 
@@ -82,22 +85,26 @@ impl<S: Simd, const T: usize> March<S, T> {
     }
 }
 
-impl<const T: usize> Strips<'_, T> {
-    /// C κ along rolling, with κ at a slip of C.
-    pub(super) fn taken_up(&self) -> f64 {
-        taken_up(&self.law, self.yielding)
+impl<'a, const T: usize> Strips<'a, T> {
+    pub(super) fn new(
+        (grid, slip): (&'a Fastsim, SlipField),
+        rolling_speed: f64,
+        (law, yielding): (Law, [f64; 2]),
+        varied: [Varied; T],
+    ) -> Self {
+        let direction = if rolling_speed < 0.0 { -1.0 } else { 1.0 };
+        let (taken_up, memory) = (law.taken_up(yielding), law.memory(yielding));
+        Self { grid, slip, direction, law, yielding, taken_up, memory, varied }
     }
 
     /// Marches `lots` of eight strips side by side, each at its own place across the groove.
     #[inline(always)]
-    pub(super) fn march<S: Simd>(&self, lots: &mut [March<S, T>], taken_up: f64) {
+    pub(super) fn march<S: Simd>(&self, lots: &mut [March<S, T>]) {
         for lot in lots.iter_mut() {
-            self.enter(lot, taken_up);
+            self.enter(lot);
         }
-        let memory = self.law.memory(self.yielding);
-        let memory_by_input = self.varied.each_ref().map(|varied| varied.law.memory(varied.yielding).eps);
         for node in &self.grid.nodes {
-            let here = self.at_node(node, memory, &memory_by_input);
+            let here = self.at_node(node);
             for lot in lots.iter_mut() {
                 self.open(node, &here, lot);
             }
@@ -124,19 +131,21 @@ impl<const T: usize> Strips<'_, T> {
     }
 
     #[inline(always)]
-    fn at_node(&self, node: &Node, memory: f64, memory_by_input: &[f64; T]) -> AtNode<T> {
+    fn at_node(&self, node: &Node) -> AtNode<T> {
         let yielding = self.yielding.map(|c| c * node.over_reach);
-        let over = (memory + node.memory_reach).recip();
+        let over = (self.memory + node.memory_reach).recip();
         let mut by_input = [([0.0; 2], 0.0); T];
-        for ((by, varied), memory_by) in by_input.iter_mut().zip(&self.varied).zip(memory_by_input) {
-            *by = (varied.yielding.map(|c| c.eps * node.over_reach), memory_by * node.memory_reach * over * over);
+        for (by, varied) in by_input.iter_mut().zip(&self.varied) {
+            let [x, y] = varied.yielding;
+            let keep = varied.memory * node.memory_reach * over * over;
+            *by = ([x.eps * node.over_reach, y.eps * node.over_reach], keep);
         }
-        AtNode { yielding, keep: memory * over, pull: yielding.map(|c| c * node.over_sine), by_input }
+        AtNode { yielding, keep: self.memory * over, pull: yielding.map(|c| c * node.over_sine), by_input }
     }
 
     /// The slip of the strip, and the weakening that belongs to the rigid slip at its leading edge.
     #[inline(always)]
-    fn enter<S: Simd>(&self, lot: &mut March<S, T>, taken_up: f64) {
+    fn enter<S: Simd>(&self, lot: &mut March<S, T>) {
         let ([gamma, beta, alpha], [delta, sigma, epsilon]) = (self.slip.longitudinal, self.slip.lateral);
         let (y, zero) = (lot.y, Lanes::splat(lot.y.token(), 0.0));
         let y2 = y * y;
@@ -146,8 +155,8 @@ impl<const T: usize> Strips<'_, T> {
         let edge = lot.chord * -self.direction;
         let v = lot.across + edge * sigma;
         let speed = (lot.along * lot.along + v * v).max(1e-200).sqrt();
-        let over = Lanes::splat(y.token(), 1.0) / (speed * 0.5 + (taken_up + f64::MIN_POSITIVE));
-        lot.sticking = over * taken_up;
+        let over = Lanes::splat(y.token(), 1.0) / (speed * 0.5 + (self.taken_up + f64::MIN_POSITIVE));
+        lot.sticking = over * self.taken_up;
         let at = At::new(&self.law, speed);
         lot.weakening = [at.rising_and_lost(&self.law)[1]; 3];
         lot.traction = [[zero; 2]; 3];
@@ -162,8 +171,7 @@ impl<const T: usize> Strips<'_, T> {
             let [_, lost] = law_change(&self.law, &varied.law, &at, speed);
             let by_speed = at.past.select(at.slope * -self.law.over_peak, zero);
             tangent.weakening = [lost + by_speed * change; 3];
-            let by_taken_up = speed * (0.5 * self::taken_up(&varied.law, varied.yielding).eps);
-            let sticking = (by_taken_up - change * (0.5 * taken_up)) * over * over;
+            let sticking = (speed * varied.taken_up - change * self.taken_up) * over * over * 0.5;
             tangent.mean = sticking * edge * self.slip.lateral[1];
         }
     }
@@ -253,10 +261,6 @@ impl<const T: usize> Strips<'_, T> {
         pass_on(&mut tangent.weakening, response.weakening(weakening, speed));
         pass_on(&mut tangent.traction, traction);
     }
-}
-
-fn taken_up<D: Scalar>(law: &Law<D>, [longitudinal, _]: [D; 2]) -> D {
-    longitudinal * law.curve.coefficient(longitudinal * law.scale)
 }
 
 /// Part of a difference that comes from the cells before.

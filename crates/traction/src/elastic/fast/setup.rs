@@ -39,6 +39,11 @@ impl<D: Scalar> Law<D> {
         softer * self.steepness * MEMORY
     }
 
+    /// C κ along rolling, with κ at a slip of C.
+    pub(super) fn taken_up(&self, [longitudinal, _]: [D; 2]) -> D {
+        longitudinal * self.curve.coefficient(longitudinal * self.scale)
+    }
+
     /// Initial slope of the coefficient over the sliding speed, s/m.
     pub(super) fn initial_slope(&self) -> D {
         self.curve.initial_slope() * self.scale
@@ -101,4 +106,13 @@ pub(super) struct Varied {
     pub(super) yielding: [Dual64; 2],
     /// Change of (u, v_0, X-slope of v) of a strip over (1, Y, Y²).
     pub(super) slip: [[f64; 3]; 3],
+    /// Changes of the slip that is taken up and of the memory's length.
+    pub(super) taken_up: f64,
+    pub(super) memory: f64,
+}
+
+impl Varied {
+    pub(super) fn new(law: Law<Dual64>, yielding: [Dual64; 2], slip: [[f64; 3]; 3]) -> Self {
+        Self { taken_up: law.taken_up(yielding).eps, memory: law.memory(yielding).eps, law, yielding, slip }
+    }
 }
