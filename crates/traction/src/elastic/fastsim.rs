@@ -171,13 +171,7 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
         self.slip.at(x, y)
     }
 
-    fn step(
-        &self,
-        node: &Node,
-        rigid: [D; 2],
-        march: &mut March<D>,
-        (friction, slope): &Frictions<D, L>,
-    ) -> Solved<D> {
+    fn step(&self, node: &Node, rigid: [D; 2], march: &mut March<D>, (friction, slope): &Frictions<D, L>) -> Solved<D> {
         let yielding = self.yielding.map(|y| y * node.over_reach);
         let trial: [D; 2] = std::array::from_fn(|k| {
             let carried = carried(node, march.traction.map(|traction| traction[k]));

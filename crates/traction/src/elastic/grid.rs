@@ -158,10 +158,10 @@ mod tests {
     fn identity_differences_are_exact_for_what_they_are_fitted_to() {
         let grid = Fastsim::new(FastsimRule { across: 1, cells: 9 }).unwrap();
         let angles: Vec<f64> = std::iter::once(0.0).chain(grid.nodes.iter().map(|n| n.sin.atan2(n.cos))).collect();
-        let functions: [(fn(f64) -> f64, fn(f64) -> f64); 4] =
-            [(|_| 1.0, |_| 0.0), (f64::sin, f64::cos), (|x| -x.cos(), f64::sin), (|x| x, |_| 1.0)];
+        let values: [fn(f64) -> f64; 4] = [|_| 1.0, f64::sin, |x| -x.cos(), |x| x];
+        let slopes: [fn(f64) -> f64; 4] = [|_| 0.0, f64::cos, f64::sin, |_| 1.0];
         for (i, node) in grid.nodes.iter().enumerate().skip(1) {
-            for (value, slope) in &functions[..if i == 1 { 3 } else { 4 }] {
+            for (value, slope) in values.iter().zip(slopes).take(if i == 1 { 3 } else { 4 }) {
                 let before = |j: usize| value(angles[(i + 1).saturating_sub(j)]);
                 let carried: f64 = node.previous.iter().zip(1..).map(|(a, j)| a * before(j)).sum();
                 let ours = (before(0) - carried) * node.over_reach;

@@ -179,7 +179,12 @@ fn identity_power_is_never_negative_and_in_the_limit_the_work_on_the_rigid_motio
         };
         let [coarse, fine] = [16, 64].map(imbalance);
         // The coarse one may be small by chance.
-        assert!(fine < 2e-3 && fine < (coarse / 6.0).max(5e-5), "{} {}: {coarse:e} {fine:e}", contact.scale, contact.name);
+        assert!(
+            fine < 2e-3 && fine < (coarse / 6.0).max(5e-5),
+            "{} {}: {coarse:e} {fine:e}",
+            contact.scale,
+            contact.name
+        );
     }
 }
 

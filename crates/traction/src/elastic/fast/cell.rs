@@ -129,13 +129,7 @@ impl<S: Simd> Cell<S> {
 
     /// Sets the trial slip, and a speed to start from.
     #[inline(always)]
-    pub(super) fn open(
-        &mut self,
-        law: &Law,
-        (yielding, keep): ([f64; 2], f64),
-        trial: [Lanes<S>; 2],
-        last: Lanes<S>,
-    ) {
+    pub(super) fn open(&mut self, law: &Law, (yielding, keep): ([f64; 2], f64), trial: [Lanes<S>; 2], last: Lanes<S>) {
         let lanes = |x: f64| Lanes::splat(last.token(), x);
         let [u, v] = trial;
         let square = u * u + v * v;
