@@ -16,7 +16,7 @@ use tribodyn_traction::{
 mod contacts;
 
 const RIGID: [(usize, usize); 7] = [(4, 2), (5, 3), (7, 3), (8, 4), (10, 6), (12, 8), (16, 12)];
-const ELASTIC: [(usize, usize); 7] = [(4, 4), (4, 6), (5, 8), (6, 10), (8, 12), (8, 16), (12, 32)];
+const ELASTIC: [(usize, usize); 9] = [(4, 4), (4, 5), (6, 5), (8, 6), (8, 8), (8, 12), (8, 16), (16, 16), (16, 32)];
 
 /// Least time of a call over several passes, ns.
 fn least(contacts: &[contacts::Contact], mut one: impl FnMut(&contacts::Contact) -> f64) -> f64 {

@@ -1,40 +1,42 @@
 //! Strips across the patch, crowded where the longitudinal slip changes sign.
 
 use crate::Scalar;
-use crate::fast::elementary::ln;
+use crate::fast::elementary::exp;
 use crate::fast::lanes::Lanes;
 use fearless_simd::prelude::*;
 
-/// Density of strips that is the same everywhere, beside those about the two zeros of the slip. From 0.3 to 1.5 the
-/// errors hardly change; 3 doubles them.
-const EVEN: f64 = 1.0;
+/// Square of the width of a crowd over that of the zone in which traction turns round. At a half errors of stiff
+/// surfaces are up to twice as large, at 4 those of steep curves.
+const WIDTH: f64 = 2.0;
 /// Smallest width of a crowd over the semi-axis across. Without it errors of stiff surfaces (a fifth of the yielding of
 /// steel) are up to three times as large, for steel it makes no difference.
 const SMALLEST_WIDTH: f64 = 0.02;
 /// A zero farther out than this, over the semi-axis, stands here: nothing crowds about it.
 const FAR: f64 = 1e4;
-/// Change of the place in a step of Newton's method, over its scale, behind which only rounding is left.
-const SETTLED: f64 = 1e-8;
-/// More steps than bisection with a step of Newton's method after each would take.
-const MOST_STEPS: usize = 120;
 
 /// Where strips stand: at shares τ of the integral of a density of Y from edge to edge,
 /// ```text
-/// F(Y) = ∫ 1 + Σ_i 1/√((Y − Y_i)² + w²) dY = Y + Σ_i asinh((Y − Y_i)/w),   i = 1, 2
+/// F(Y) = ∫ Σ_i 1/√((Y − Y_i)² + w²) dY = Σ_i asinh((Y − Y_i)/w),   i = 1, 2
 /// ```
 /// with Y_1 and Y_2 the zeros of the longitudinal slip u = γ − β Y − α Y². Traction turns round within the distance of
-/// them over which u grows to the slip C κ that the surfaces take up by yielding, w = C κ/|u'|. Where u only comes near
-/// zero both stand at its vertex, with the distance of the complex zeros added to w. A zero may stand outside of the
-/// patch: nothing jumps when it comes in.
+/// them over which u grows to the slip C κ that the surfaces take up by yielding, C κ/|u'|, and w is √2 times that.
+/// Where u only comes near zero both stand at its vertex, with the distance of the complex zeros added to w. A zero may
+/// stand outside of the patch: nothing jumps when it comes in.
+///
+/// F is inverted in closed form: with G = w exp(F/2), H = w²/G and Q = exp asinh((Y_2 − Y_1)/(G + H)),
+/// ```text
+/// Y = Y_1 + (G Q − H/Q)/2 = Y_2 + (G/Q − H Q)/2
+/// ```
 ///
 /// Panels between the zeros with nodes graded towards their ends, as the rigid patch has them, need about twice as many
 /// strips: elastic tractions have no kink at a zero.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Crowding<D = f64> {
+    /// The lower one first.
     zeros: [D; 2],
     /// w².
     width2: D,
-    /// Product of Y − Y_i + √((Y − Y_i)² + w²) at Y = −1.
+    /// G at Y = −1, the root of the product of Y − Y_i + √((Y − Y_i)² + w²).
     start: D,
     /// F(1) − F(−1).
     total: D,
@@ -48,7 +50,7 @@ impl<D: Scalar> Crowding<D> {
         let bend = alpha * taken_up;
         // |u'| at the zeros is the root of the discriminant; where that vanishes too u grows as α (Y − Y_1)².
         let slope2 = (discriminant * discriminant + bend * bend + f64::MIN_POSITIVE).sqrt();
-        let width2 = taken_up * taken_up / slope2 + SMALLEST_WIDTH * SMALLEST_WIDTH;
+        let width2 = taken_up * taken_up * WIDTH / slope2 + SMALLEST_WIDTH * SMALLEST_WIDTH;
         let (zeros, width2) = if discriminant.re() > 0.0 {
             let root = discriminant.sqrt();
             let q = if beta.re() < 0.0 { root - beta } else { -root - beta } * 0.5;
@@ -59,10 +61,13 @@ impl<D: Scalar> Crowding<D> {
             let half = alpha.recip() * 0.5;
             ([near(-beta * half); 2], width2 - discriminant * half * half)
         };
+        let [first, second] = zeros;
+        let zeros = if second.re() < first.re() { [second, first] } else { zeros };
         let width2 = if width2.re() < FAR * FAR { width2 } else { D::from(FAR * FAR) };
         let mut crowding = Self { zeros, width2, start: D::one(), total: D::one() };
-        crowding.start = crowding.product(-D::one());
-        crowding.total = crowding.share(D::one());
+        let product = crowding.product(-D::one());
+        crowding.start = product.sqrt();
+        crowding.total = (crowding.product(D::one()) / product).ln();
         crowding
     }
 
@@ -76,95 +81,43 @@ impl<D: Scalar> Crowding<D> {
         first * second
     }
 
-    /// F(Y) − F(−1).
-    fn share(&self, y: D) -> D {
-        (y + 1.0) * EVEN + (self.product(y) / self.start).ln()
-    }
-
-    fn density(&self, y: D) -> D {
-        let [first, second] = self.zeros.map(|zero| ((y - zero) * (y - zero) + self.width2).sqrt().recip());
-        first + second + EVEN
-    }
-
     /// Y and dY/dτ at τ in [0, 1], with derivatives.
     pub(super) fn place(&self, t: f64) -> (D, D) {
-        let real = Crowding {
-            zeros: self.zeros.map(|z| z.re()),
-            width2: self.width2.re(),
-            start: self.start.re(),
-            total: self.total.re(),
+        let [first, second] = self.zeros;
+        let up = self.start * (self.total * (0.5 * t)).exp();
+        let down = self.width2 / up;
+        let ratio = (second - first) / (up + down);
+        let turn = ratio + (ratio * ratio + 1.0).sqrt();
+        // From the zero that is nearer to the patch, where fewer digits are lost.
+        let y = if first.re().abs() < second.re().abs() {
+            first + (up * turn - down / turn) * 0.5
+        } else {
+            second + (up / turn - down * turn) * 0.5
         };
-        let start = D::from(real.find(t));
-        // One step of Newton's method carries the derivatives.
-        let y = start - (self.share(start) - self.total * t) / self.density(start);
-        (y, self.total / self.density(y))
+        let [first, second] = self.zeros.map(|zero| ((y - zero) * (y - zero) + self.width2).sqrt());
+        (y, self.total * first * second / (first + second))
     }
 }
 
 impl Crowding {
-    /// Y at τ by bisection and Newton's method.
-    fn find(&self, t: f64) -> f64 {
-        let (mut low, mut high) = (-1.0, 1.0);
-        let (mut y, mut before) = (0.0, f64::INFINITY);
-        for _ in 0..MOST_STEPS {
-            let over = self.share(y) - self.total * t;
-            if over < 0.0 {
-                low = y;
-            } else {
-                high = y;
-            }
-            let next = y - over / self.density(y);
-            // Behind a step like this only rounding is left.
-            if (next - y).abs() < 1e-12 {
-                return next.clamp(low, high);
-            }
-            // Between two crowds Newton's steps may go to and fro for long.
-            let leads = next > low && next < high && over.abs() < 0.5 * before;
-            (y, before) = if leads { (next, over.abs()) } else { (0.5 * (low + high), f64::INFINITY) };
-        }
-        y
-    }
-
     /// Y and dY/dτ at eight τ in [0, 1].
-    ///
-    /// A step goes along z = asinh((Y − Y_i)/w) of the nearer zero, over which F is nearly a straight line.
     #[inline(always)]
     pub(super) fn places<S: Simd>(&self, t: Lanes<S>) -> [Lanes<S>; 2] {
-        let lanes = |x: f64| Lanes::splat(t.token(), x);
-        let (one, width2) = (lanes(1.0), lanes(self.width2));
-        let target = t * self.total;
-        let (mut low, mut high) = (-one, one);
-        let mut y = t * 2.0 - 1.0;
-        let distances = |y: Lanes<S>| {
-            let d = self.zeros.map(|zero| y - zero);
-            (d, d.map(|d| (d * d + width2).sqrt()))
+        let [first, second] = self.zeros;
+        let up = exp(t * (0.5 * self.total)) * self.start;
+        let down = Lanes::splat(t.token(), self.width2) / up;
+        let ratio = Lanes::splat(t.token(), second - first) / (up + down);
+        let turn = ratio + (ratio * ratio + 1.0).sqrt();
+        let y = if first.abs() < second.abs() {
+            (up * turn - down / turn) * 0.5 + first
+        } else {
+            (up / turn - down * turn) * 0.5 + second
         };
-        for _ in 0..MOST_STEPS {
-            let (d, s) = distances(y);
-            let (mut over, mut under) = (one, lanes(self.start));
-            for (d, s) in d.into_iter().zip(s) {
-                let before = d.simd_lt(0.0);
-                over *= before.select(width2, s + d);
-                under *= before.select(s - d, one);
-            }
-            let excess = (y + 1.0) * EVEN + ln((over / under).max(0.75)) - target;
-            let first = s[0].simd_lt(s[1]);
-            let (d, near, other) = (first.select(d[0], d[1]), first.select(s[0], s[1]), first.select(s[1], s[0]));
-            let step = -excess * other / (near * other * EVEN + (near + other));
-            let square = step * step;
-            let next = y + (d * square * 0.5 + near * step * (square * (1.0 / 6.0) + 1.0));
-            let below = excess.simd_lt(0.0);
-            low = below.select(y, low);
-            high = below.select(high, y);
-            let within = next.simd_ge(low) & next.simd_le(high);
-            y = within.select(next, (low + high) * 0.5);
-            if (within & step.abs().simd_le(SETTLED)).all_true() {
-                break;
-            }
-        }
-        let (_, [first, second]) = distances(y);
-        let both = first * second;
-        [y, both * self.total / (both * EVEN + (first + second))]
+        let [first, second] = self.zeros.map(|zero| {
+            let d = y - zero;
+            (d * d + self.width2).sqrt()
+        });
+        [y, first * second * self.total / (first + second)]
     }
 }
 
@@ -194,7 +147,8 @@ mod tests {
             prop_assert_eq!([y, stretch], in_lanes(Level::baseline(), &of));
             for (k, t) in SHARES.into_iter().enumerate() {
                 let (place, slope) = of.place(t);
-                prop_assert!((y[k] - place).abs() < 2e-14 && (stretch[k] / slope - 1.0).abs() < 1e-12);
+                // Zeros far out leave fewer digits of the place.
+                prop_assert!((y[k] - place).abs() < 2e-12 && (stretch[k] / slope - 1.0).abs() < 1e-10);
                 prop_assert!(place > -1.0 && place < 1.0 && (k == 0 || y[k] > y[k - 1]));
             }
         }
@@ -214,22 +168,12 @@ mod tests {
         }
     }
 
-    /// Newton's steps went to and fro between the two crowds until none was left.
-    #[test]
-    fn regress_a_place_between_two_crowds_is_found() {
-        let slip = [-0.391_948_644_070_240_3 * 10f64.powf(-1.714_484_050_316_594), 0.0];
-        let alpha = -0.047_203_920_326_466_79 * 10f64.powf(0.656_558_479_147_708_4);
-        let of = Crowding::new([slip[0], slip[1], alpha], 10f64.powf(-3.382_541_256_670_066));
-        let (place, _) = of.place(0.3);
-        assert!((of.share(place) / of.total - 0.3).abs() < 1e-14, "{place}");
-    }
-
     #[test]
     fn limit_without_a_zero_in_sight_strips_stand_as_they_are() {
         for slip in [[1.0, 0.0, 0.0], [0.0; 3], [1.0, 1e-9, 0.0], [1.0, 0.0, 1e-12]] {
             for t in SHARES {
                 let (y, stretch) = Crowding::new(slip, 0.1).place(t);
-                assert!((y - (2.0 * t - 1.0)).abs() < 1e-3 && (stretch - 2.0).abs() < 1e-3, "{slip:?} {t} {y}");
+                assert!((y - (2.0 * t - 1.0)).abs() < 1e-3 && (stretch - 2.0).abs() < 4e-3, "{slip:?} {t} {y}");
             }
         }
     }

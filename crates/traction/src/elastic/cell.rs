@@ -4,12 +4,13 @@ use crate::{Fall, Scalar, SlipCurve};
 use num_dual::Dual64;
 
 /// Square of a trial slip below which nothing moves, (m/s)².
-const AT_REST: f64 = 1e-60;
+const AT_REST: f64 = 1e-50;
 /// Mismatch, relative to the trial slip, above which the law jumps at the root: the cell sticks.
 const JUMP: f64 = 1e-6;
 
 /// Length of the friction memory over the shortest with which every cell has one root. At the shortest the root's
-/// derivative over the trial slip is unbounded as cells get finer; twice the length keeps it below 2.
+/// derivative over the trial slip is unbounded as cells get finer; twice the length keeps it below 2, but for the first
+/// cell, in which the memory reaches twice as far as the difference of traction.
 pub(super) const MEMORY: f64 = 2.0;
 
 /// The traction coefficient over the true slip, as the peak of the curve up to that slip and the share lost beyond it.

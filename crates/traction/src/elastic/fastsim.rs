@@ -55,7 +55,7 @@ pub fn elastic_patch_traction<D: Scalar, L: TractionLaw>(
         return sum;
     }
     let strips = Strips::new(patch, motion, rolling_speed, law, elasticity, grid);
-    let crowding = Crowding::new(strips.slip.longitudinal, strips.taken_up());
+    let crowding = Crowding::new(strips.slip.longitudinal, strips.taken_up);
     for &(t, weight) in &grid.across {
         let (y, stretch) = crowding.place(t);
         let squared = (-y + 1.0) * (y + 1.0);
@@ -76,6 +76,8 @@ struct Strips<'a, D, L> {
     peak_pressure: D,
     /// |V| L p_max/b, m/s.
     yielding: [D; 2],
+    /// C κ along rolling, with κ at a slip of C.
+    taken_up: D,
     /// 1 where surfaces move along x, −1 against it.
     direction: f64,
 }
@@ -94,10 +96,10 @@ type Frictions<D, L> = (Friction<<L as TractionLaw>::Curve<D>, D>, Friction<<L a
 
 /// State that passes from cell to cell.
 struct March<D> {
-    /// Traction over the strip's peak pressure, here and one cell before.
-    traction: [[D; 2]; 2],
+    /// Traction over the strip's peak pressure in the last three cells.
+    traction: [[D; 2]; 3],
     /// The same of the weakening.
-    weakening: [D; 2],
+    weakening: [D; 3],
     guess: f64,
 }
 
@@ -113,21 +115,12 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
         let flexibility = elasticity.flexibility(patch, motion, rolling_speed);
         let direction = if rolling_speed.re() < 0.0 { -1.0 } else { 1.0 };
         let per_flexibility = rolling_speed * direction * patch.peak_pressure / patch.semi_rolling;
-        Self {
-            grid,
-            law,
-            slip: SlipField::new(patch, motion),
-            scale: law.slip_unit.scale(rolling_speed),
-            peak_pressure: patch.peak_pressure,
-            yielding: [flexibility.longitudinal, flexibility.lateral].map(|l| per_flexibility * l),
-            direction,
-        }
-    }
-
-    /// C κ along rolling, with κ at a slip of C.
-    fn taken_up(&self) -> D {
-        let [longitudinal, _] = self.yielding;
-        longitudinal * self.law.law.at(self.peak_pressure).coefficient(longitudinal * self.scale)
+        let yielding = [flexibility.longitudinal, flexibility.lateral].map(|l| per_flexibility * l);
+        let scale = law.slip_unit.scale(rolling_speed);
+        let [longitudinal, _] = yielding;
+        let taken_up = longitudinal * law.law.at(patch.peak_pressure).coefficient(longitudinal * scale);
+        let (slip, peak_pressure) = (SlipField::new(patch, motion), patch.peak_pressure);
+        Self { grid, law, slip, scale, peak_pressure, yielding, taken_up, direction }
     }
 
     /// The curve at a point in the scalar and in dual numbers, at the peak pressure or at the point's own.
@@ -153,22 +146,23 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
         let mut sums = StripSums { force: [zero; 2], turn: zero, power: zero, wear: zero };
         let edge = self.rigid_slip(chord * -self.direction, y);
         let entering = norm(edge);
+        let sticking = sticking(self.taken_up, entering);
         let mut friction = self.friction(D::one());
-        let mut march = March { traction: [[zero; 2]; 2], weakening: [friction.0.at(entering)[1]; 2], guess: 0.0 };
+        let mut march = March { traction: [[zero; 2]; 3], weakening: [friction.0.at(entering)[1]; 3], guess: 0.0 };
         for node in &self.grid.nodes {
             if self.law.pressure == PressureChoice::Local {
                 friction = self.friction(chord * node.sin);
             }
             let x = chord * (-self.direction * node.cos);
-            let cell = self.step(node, [x, y], &mut march, &friction);
-            let weight = self.grid.spacing * node.sin;
-            let traction = march.traction[0];
+            let rigid = self.rigid_slip(x - chord * sticking * (self.direction * node.mean), y);
+            let cell = self.step(node, rigid, &mut march, &friction);
+            let [traction, ..] = march.traction;
             for (sum, part) in sums.force.iter_mut().zip(traction) {
-                *sum += part * weight;
+                *sum += part * node.weight;
             }
-            sums.turn += x * traction[1] * weight;
-            sums.power += cell.coefficient * cell.speed * (weight * node.sin);
-            sums.wear += cell.speed * (weight * node.sin);
+            sums.turn += x * traction[1] * node.weight;
+            sums.power += cell.coefficient * cell.speed * (node.weight * node.sin);
+            sums.wear += cell.speed * (node.weight * node.sin);
         }
         sums
     }
@@ -177,26 +171,19 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
         self.slip.at(x, y)
     }
 
-    fn step(
-        &self,
-        node: &Node,
-        [x, y]: [D; 2],
-        march: &mut March<D>,
-        (friction, slope): &Frictions<D, L>,
-    ) -> Solved<D> {
-        let rigid = self.rigid_slip(x, y);
-        let yielding = self.yielding.map(|y| y * node.reach.recip());
-        let [last, before] = &march.traction;
+    fn step(&self, node: &Node, rigid: [D; 2], march: &mut March<D>, (friction, slope): &Frictions<D, L>) -> Solved<D> {
+        let yielding = self.yielding.map(|y| y * node.over_reach);
         let trial: [D; 2] = std::array::from_fn(|k| {
-            let carried = last[k] * node.previous[0] - before[k] * node.previous[1];
-            rigid[k] - yielding[k] * carried * node.sin.recip()
+            let carried = carried(node, march.traction.map(|traction| traction[k]));
+            rigid[k] - yielding[k] * carried * node.over_sine
         });
         let keep = friction.fall.as_ref().map_or(D::zero(), |fall| {
-            let softer = if yielding[0].re() > yielding[1].re() { yielding[0] } else { yielding[1] };
+            let [x, y] = self.yielding;
+            let softer = if x.re() > y.re() { x } else { y };
             let memory = softer * friction.scale * fall.steepness * MEMORY;
-            memory / (memory + 1.0)
+            memory / (memory + node.memory_reach)
         });
-        let remembered = march.weakening[0] * node.remembered[0] - march.weakening[1] * node.remembered[1];
+        let remembered = carried(node, march.weakening);
         // The difference may overshoot where friction falls to almost nothing: it must not turn round.
         let remembered = if remembered.re() > 1.0 { D::one() } else { remembered };
         let cell = Cell { friction, trial, yielding, memory: [keep, remembered] };
@@ -208,8 +195,9 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
             memory: cell.memory.map(real),
         };
         let solved = cell.solve(&dual, march.guess);
-        march.traction = [solved.traction.map(|t| t * node.sin), march.traction[0]];
-        march.weakening = [solved.weakening, march.weakening[0]];
+        let ([last, before, _], [weak, weaker, _]) = (march.traction, march.weakening);
+        march.traction = [solved.traction.map(|t| t * node.sin), last, before];
+        march.weakening = [solved.weakening, weak, weaker];
         march.guess = solved.speed.re();
         solved
     }
@@ -230,6 +218,18 @@ impl<D: Scalar> StripSums<D> {
         sum.power += self.power * share;
         sum.wear_integral += self.wear * share;
     }
+}
+
+/// Share of the mean slip over a difference in the slip of a cell, by the slip that is taken up and that at the leading
+/// edge. With twice or half the former the errors hardly change.
+fn sticking<D: Scalar>(taken_up: D, entering: D) -> D {
+    taken_up / (taken_up + entering * 0.5 + f64::MIN_POSITIVE)
+}
+
+/// Part of a difference that comes from the cells before.
+fn carried<D: Scalar>(node: &Node, [last, before, first]: [D; 3]) -> D {
+    let [a, b, c] = node.previous;
+    last * a + before * b + first * c
 }
 
 /// |v| with derivative zero at the origin.

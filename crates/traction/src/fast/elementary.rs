@@ -55,7 +55,7 @@ fn split_exp<S: Simd>(x: Lanes<S>) -> (Lanes<S>, Lanes<S>, Lanes<S>) {
 
 /// exp(x) for |x| ≤ 700.
 #[inline(always)]
-pub(super) fn exp<S: Simd>(x: Lanes<S>) -> Lanes<S> {
+pub(crate) fn exp<S: Simd>(x: Lanes<S>) -> Lanes<S> {
     let (r, series, power) = split_exp(x);
     power + power * (r + (r * r) * series)
 }

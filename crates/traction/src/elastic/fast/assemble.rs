@@ -68,22 +68,32 @@ impl Inputs<'_> {
         let curve = |k: fn(&Kragelskii) -> f64, p: f64| Dual64::new(k(self.curve), k(self.curve_slope) * p);
         let curve = |p: f64| Kragelskii { a: curve(|k| k.a, p), b: curve(|k| k.b, p), c: curve(|k| k.c, p) };
         let fixed = Law::new(curve(0.0), self.slip_unit.scale(v));
-        let still = Varied { law: fixed, yielding: self.yielding(one, &motion, v), slip: [[0.0; 3]; 3] };
-        let mut varied = [still; CHANGES];
+        let still = self.yielding(one, &motion, v);
+        let along = |k: usize| {
+            let mut slip = [[0.0; 3]; 3];
+            slip[k][0] = 1.0;
+            slip
+        };
+        let mut varied = [Varied::new(fixed, still, [[0.0; 3]; 3]); CHANGES];
         for (k, change) in [ALONG, ACROSS, TURN].into_iter().enumerate() {
-            varied[change].slip[k][0] = 1.0;
+            varied[change].slip = along(k);
         }
-        varied[LATERAL].yielding[1].eps = 1.0;
+        // The lateral flexibility has no part in the slip that is taken up.
+        let softer = [still[0], varying(still[1].re)];
+        varied[LATERAL] = Varied { yielding: softer, memory: fixed.memory(softer).eps, ..varied[LATERAL] };
         let slip = crate::SlipField::new(self.patch, self.motion);
         let ([_, beta, alpha], [_, sigma, epsilon]) = (slip.longitudinal, slip.lateral);
-        varied[LOAD] = Varied {
-            law: Law::new(curve(self.patch.peak_pressure), self.slip_unit.scale(v)),
-            yielding: self.yielding(varying(1.0), &motion, v),
-            slip: [[0.0, -beta, -2.0 * alpha], [0.0, 0.0, 2.0 * epsilon], [sigma, 0.0, 0.0]],
-        };
+        varied[LOAD] = Varied::new(
+            Law::new(curve(self.patch.peak_pressure), self.slip_unit.scale(v)),
+            self.yielding(varying(1.0), &motion, v),
+            [[0.0, -beta, -2.0 * alpha], [0.0, 0.0, 2.0 * epsilon], [sigma, 0.0, 0.0]],
+        );
         let rolling = varying(self.rolling_speed);
-        varied[ROLLING].law = Law::new(curve(0.0), self.slip_unit.scale(rolling));
-        varied[ROLLING].yielding = self.yielding(one, &motion, rolling);
+        varied[ROLLING] = Varied::new(
+            Law::new(curve(0.0), self.slip_unit.scale(rolling)),
+            self.yielding(one, &motion, rolling),
+            [[0.0; 3]; 3],
+        );
         varied
     }
 

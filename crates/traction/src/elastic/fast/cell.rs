@@ -1,12 +1,12 @@
 //! The equation of a cell in eight strips at a time.
 
-use super::setup::Law;
+use super::setup::{Law, Rise};
 use crate::fast::elementary::exp_m1;
 use crate::fast::lanes::{Lanes, Mask};
 use fearless_simd::prelude::*;
 
 /// Square of a trial slip below which nothing moves, (m/s)²: as in the plain cell.
-const AT_REST: f64 = 1e-60;
+const AT_REST: f64 = 1e-50;
 
 /// Relative step behind which the root is as good as rounding lets it be: the next step would be about its cube.
 const SETTLED: f64 = 3e-5;
@@ -82,11 +82,10 @@ pub(super) struct Cell<S: Simd> {
     /// The last cell's weakening.
     pub(super) last: Lanes<S>,
     pub(super) speed: Lanes<S>,
-    /// κ of the cell before.
-    coefficient: Lanes<S>,
     low: Lanes<S>,
     high: Lanes<S>,
-    mismatch: Lanes<S>,
+    /// Size of the last step.
+    step: Lanes<S>,
     /// The curve where it was taken last.
     at: At<S>,
     done: Mask<S>,
@@ -119,48 +118,63 @@ impl<S: Simd> Cell<S> {
             trial: [z; 2],
             last: z,
             speed: z,
-            coefficient: z,
             low: z,
             high: z,
-            mismatch: z,
+            step: z,
             at: At::nothing(simd),
             done: none,
             rest: none,
         }
     }
 
-    /// Forgets the cell before.
-    #[inline(always)]
-    pub(super) fn enter(&mut self) {
-        self.at.past = self.speed.simd_lt(self.speed);
-    }
-
     /// Sets the trial slip, and a speed to start from.
-    ///
-    /// Where C times the most that the curve carries exceeds the trial slip the cell sticks, with a speed from the
-    /// rising branch that carries it; else it slides against the last κ, or against the peak.
     #[inline(always)]
-    pub(super) fn open(&mut self, law: &Law, yielding: [f64; 2], trial: [Lanes<S>; 2], last: Lanes<S>) {
+    pub(super) fn open(&mut self, law: &Law, (yielding, keep): ([f64; 2], f64), trial: [Lanes<S>; 2], last: Lanes<S>) {
         let lanes = |x: f64| Lanes::splat(last.token(), x);
         let [u, v] = trial;
-        let (u2, v2) = (u * u, v * v);
-        let square = u2 + v2;
+        let square = u * u + v * v;
         self.rest = square.simd_lt(AT_REST);
         // Any number but zero, so that the lane runs through without harm.
         self.trial = [self.rest.select(lanes(1.0), u), v];
         self.high = self.rest.select(lanes(1.0), square.sqrt());
-        let yielded = u2 * yielding[0] + v2 * yielding[1];
-        let most = (-last + 1.0) * law.rise.most;
-        let (bound, slip) = (yielded * most, square * self.high);
-        let sticking = slip * bound * law.rise.knee
-            / (bound * bound * law.rise.bow - slip * slip * (law.rise.bow - 1.0)).max(AT_REST);
-        let against = self.at.past.select(self.coefficient, most);
-        let sliding = self.high - yielded * against / square.max(AT_REST);
-        let speed = slip.simd_lt(bound).select(sticking, sliding);
-        let fits = speed.simd_gt(0.0) & speed.simd_lt(self.high);
-        self.speed = fits.select(speed, self.high);
-        (self.low, self.mismatch, self.last) = (lanes(0.0), lanes(f64::INFINITY), last);
+        (self.low, self.step, self.last) = (lanes(0.0), lanes(f64::INFINITY), last);
+        let guess = self.guess(law, yielding, keep);
+        let fits = guess.simd_gt(0.0) & guess.simd_lt(self.high);
+        self.speed = fits.select(guess, self.high);
         self.done = self.rest;
+    }
+
+    /// The root with [`super::setup::Rise`] for the curve, and with one C for both directions: on the rising branch
+    /// that of
+    /// ```text
+    /// x + c K_m (1 − r w) (n x − x²)/(1 + (n − 2) x)/σ_m = |s_t|/σ_m,   c = Σ C_k s_t,k²/|s_t|²
+    /// ```
+    /// else one step from the peak's κ of σ = |s_t| − c κ + 3/2 κ² (C_x − C_y)² s_t,x² s_t,y²/|s_t|⁵, whose last term
+    /// has both C to second order.
+    #[inline(always)]
+    fn guess(&self, law: &Law, yielding: [f64; 2], keep: f64) -> Lanes<S> {
+        let lanes = |x: f64| Lanes::splat(self.last.token(), x);
+        let Rise { most, knee, bow, lost, rate } = law.rise;
+        let [cx, cy] = yielding;
+        let [u2, v2] = [self.trial[0] * self.trial[0], self.trial[1] * self.trial[1]];
+        let over = lanes(1.0) / (u2 + v2);
+        let c = (u2 * cx + v2 * cy) * over;
+        let peak = (self.last * -keep + 1.0) * most;
+        let whole = self.high * knee.recip();
+        let pull = c * peak * knee.recip();
+        let half = (pull * bow - whole * (bow - 2.0) + 1.0) * 0.5;
+        let root = half + (half * half + (-pull + (bow - 2.0)) * whole).max(0.0).sqrt();
+        let rising = whole.simd_lt(root);
+        // Beyond the peak.
+        let z = ((self.high - c * peak - knee) * rate).max(0.0);
+        let z2 = z * z;
+        let series = (z + 1.0) + z2 * (z * (1.0 / 6.0) + 0.5) + z2 * z2 * (1.0 / 24.0);
+        let share = rising.select(whole, z + 1.0) / rising.select(root, series);
+        let kappa = peak - (-share + 1.0) * (most * lost * (1.0 - keep));
+        let aside = kappa * (cx - cy) * over;
+        let apart = aside * aside * (u2 * v2) * (self.high * over * 1.5);
+        let sliding = (self.high - c * kappa).max(0.5 * knee) + apart;
+        rising.select(share * knee, sliding)
     }
 
     /// True when every lane has its root.
@@ -199,7 +213,6 @@ impl<S: Simd> Cell<S> {
             self.at.moved_to(law, self.speed)
         };
         let of = self.coefficient(law, &at, keep);
-        self.coefficient = of.value;
         (at, of)
     }
 
@@ -208,36 +221,37 @@ impl<S: Simd> Cell<S> {
     /// S' = −2 R,   R = Σ a² D'/D,   R' = Σ a² (D''/D − 3 (D'/D)²),   P = S (1 − S)/2
     /// δσ = −P R/(S R² − P R'/2)
     /// ```
+    /// with the powers of D_x D_y multiplied out, so that it is divided once.
     #[inline(always)]
-    pub(super) fn improve(&mut self, law: &Law, yielding: [f64; 2], keep: f64) {
+    pub(super) fn improve(&mut self, law: &Law, [cx, cy]: [f64; 2], keep: f64) {
         self.at = At::new(law, self.speed);
         let at = &self.at;
         let of = self.coefficient(law, at, keep);
-        let Direction { a, inverse, grow, rise } = self.direction(&of, yielding);
-        let squares = [a[0] * a[0], a[1] * a[1]];
-        let square = squares[0] + squares[1];
-        let short = -square + 1.0;
+        let (dx, dy) = (of.value * cx + self.speed, of.value * cy + self.speed);
+        let (gx, gy) = (of.slope * cx + 1.0, of.slope * cy + 1.0);
+        let (dx2, dy2, product) = (dx * dx, dy * dy, dx * dy);
+        let (nx, ny) = (self.trial[0] * self.trial[0] * dy2, self.trial[1] * self.trial[1] * dx2);
+        let short = product * product - (nx + ny);
         let below = short.simd_lt(0.0);
-        let product = square * short * 0.5;
+        let rise = nx * dy * gx + ny * dx * gy;
         let left = at.past.select(Lanes::splat(rise.token(), 1.0 - keep), -of.weakening + 1.0);
         let bend = at.bend * left;
-        let part = |k: usize| {
-            let growing = inverse[k] * grow[k];
-            squares[k] * (bend * inverse[k] * yielding[k] - growing * growing * 3.0)
-        };
-        let rise2 = square * rise * rise;
-        let slope = rise2 - product * (part(0) + part(1)) * 0.5;
-        let next = self.speed - product * rise / slope.max(rise2 * 0.25);
-        let mismatch = short.abs();
+        let part_x = nx * dy2 * (bend * dx * cx - gx * gx * 3.0);
+        let part_y = ny * dx2 * (bend * dy * cy - gy * gy * 3.0);
+        let rise2 = rise * rise;
+        let slope = (rise2 - short * (part_x + part_y) * 0.25).max(rise2 * 0.25);
+        let change = short * rise * product * 0.5 / slope;
+        let next = self.speed - change;
+        let step = change.abs();
         let low = below.select(self.speed, self.low);
         let high = below.select(self.high, self.speed);
         // Rounding may leave the root at the very end of the bracket.
-        let newton = next.simd_ge(low) & next.simd_le(high) & mismatch.simd_lt(self.mismatch * 0.5);
-        let settled = newton & (next - self.speed).abs().simd_le(self.speed * SETTLED);
+        let newton = next.simd_ge(low) & next.simd_le(high) & step.simd_lt(self.step * 0.5);
+        let settled = newton & step.simd_le(self.speed * SETTLED);
         let narrow = (high - low).simd_le(high * 4e-16);
-        let step = newton.select(next, narrow.select(self.speed, (low + high) * 0.5));
-        self.speed = self.done.select(self.speed, step);
-        (self.low, self.high, self.mismatch) = (low, high, mismatch);
+        let moved = newton.select(next, narrow.select(self.speed, (low + high) * 0.5));
+        self.speed = self.done.select(self.speed, moved);
+        (self.low, self.high, self.step) = (low, high, step);
         self.done |= settled | narrow;
     }
 }

@@ -21,6 +21,9 @@ pub(super) struct Strips<'a, const T: usize> {
     pub(super) direction: f64,
     pub(super) law: Law,
     pub(super) yielding: [f64; 2],
+    /// C κ along rolling, with κ at a slip of C, and the length of the memory over θ.
+    pub(super) taken_up: f64,
+    memory: f64,
     pub(super) varied: [Varied; T],
 }
 
@@ -36,7 +39,9 @@ const OF_MOTION: usize = 4;
 struct AtNode<const T: usize> {
     yielding: [f64; 2],
     keep: f64,
-    /// Changes of both.
+    /// C over the sine.
+    pull: [f64; 2],
+    /// Changes of C and of the share that is kept.
     by_input: [([f64; 2], f64); T],
 }
 
@@ -47,10 +52,12 @@ pub(super) struct March<S: Simd, const T: usize> {
     pub(super) chord: Lanes<S>,
     along: Lanes<S>,
     across: Lanes<S>,
+    /// Share of the mean slip over a difference in the slip of a cell.
+    sticking: Lanes<S>,
     cell: Cell<S>,
-    /// Traction over pressure in the direction of slip, at the last two nodes.
-    traction: [[Lanes<S>; 2]; 2],
-    weakening: [Lanes<S>; 2],
+    /// Traction over pressure in the direction of slip, at the last three nodes.
+    traction: [[Lanes<S>; 2]; 3],
+    weakening: [Lanes<S>; 3],
     pub(super) sums: StripSums<S>,
     pub(super) tangents: [Tangent<S>; T],
 }
@@ -60,8 +67,10 @@ pub(super) struct March<S: Simd, const T: usize> {
 pub(super) struct Tangent<S: Simd> {
     /// Of u, v_0 and the X-slope of v.
     slip: [Lanes<S>; 3],
-    traction: [[Lanes<S>; 2]; 2],
-    weakening: [Lanes<S>; 2],
+    /// Of v by where a cell takes its slip, over what the node says.
+    mean: Lanes<S>,
+    traction: [[Lanes<S>; 2]; 3],
+    weakening: [Lanes<S>; 3],
     pub(super) sums: StripSums<S>,
 }
 
@@ -69,27 +78,33 @@ impl<S: Simd, const T: usize> March<S, T> {
     #[inline(always)]
     pub(super) fn nothing(simd: S) -> Self {
         let z = Lanes::splat(simd, 0.0);
-        let (pair, sums) = ([[z; 2]; 2], [z; 5]);
-        let tangents = [Tangent { slip: [z; 3], traction: pair, weakening: [z; 2], sums }; T];
+        let (traction, weakening, sums) = ([[z; 2]; 3], [z; 3], [z; 5]);
+        let tangents = [Tangent { slip: [z; 3], mean: z, traction, weakening, sums }; T];
         let cell = Cell::nothing(simd);
-        Self { y: z, chord: z, along: z, across: z, cell, traction: pair, weakening: [z; 2], sums, tangents }
+        Self { y: z, chord: z, along: z, across: z, sticking: z, cell, traction, weakening, sums, tangents }
     }
 }
 
-impl<const T: usize> Strips<'_, T> {
+impl<'a, const T: usize> Strips<'a, T> {
+    pub(super) fn new(
+        (grid, slip): (&'a Fastsim, SlipField),
+        rolling_speed: f64,
+        (law, yielding): (Law, [f64; 2]),
+        varied: [Varied; T],
+    ) -> Self {
+        let direction = if rolling_speed < 0.0 { -1.0 } else { 1.0 };
+        let (taken_up, memory) = (law.taken_up(yielding), law.memory(yielding));
+        Self { grid, slip, direction, law, yielding, taken_up, memory, varied }
+    }
+
     /// Marches `lots` of eight strips side by side, each at its own place across the groove.
     #[inline(always)]
     pub(super) fn march<S: Simd>(&self, lots: &mut [March<S, T>]) {
         for lot in lots.iter_mut() {
             self.enter(lot);
         }
-        let mut reach = f64::NAN;
-        let mut here = self.at_node(1.0);
         for node in &self.grid.nodes {
-            if node.reach.to_bits() != reach.to_bits() {
-                reach = node.reach;
-                here = self.at_node(reach);
-            }
+            let here = self.at_node(node);
             for lot in lots.iter_mut() {
                 self.open(node, &here, lot);
             }
@@ -116,13 +131,16 @@ impl<const T: usize> Strips<'_, T> {
     }
 
     #[inline(always)]
-    fn at_node(&self, reach: f64) -> AtNode<T> {
-        let yielding = self.yielding.map(|c| c / reach);
-        let by_input = self.varied.each_ref().map(|varied| {
-            let yielding = varied.yielding.map(|c| c / reach);
-            (yielding.map(|c| c.eps), varied.law.keep(yielding).eps)
-        });
-        AtNode { yielding, keep: self.law.keep(yielding), by_input }
+    fn at_node(&self, node: &Node) -> AtNode<T> {
+        let yielding = self.yielding.map(|c| c * node.over_reach);
+        let over = (self.memory + node.memory_reach).recip();
+        let mut by_input = [([0.0; 2], 0.0); T];
+        for (by, varied) in by_input.iter_mut().zip(&self.varied) {
+            let [x, y] = varied.yielding;
+            let keep = varied.memory * node.memory_reach * over * over;
+            *by = ([x.eps * node.over_reach, y.eps * node.over_reach], keep);
+        }
+        AtNode { yielding, keep: self.memory * over, pull: yielding.map(|c| c * node.over_sine), by_input }
     }
 
     /// The slip of the strip, and the weakening that belongs to the rigid slip at its leading edge.
@@ -137,32 +155,41 @@ impl<const T: usize> Strips<'_, T> {
         let edge = lot.chord * -self.direction;
         let v = lot.across + edge * sigma;
         let speed = (lot.along * lot.along + v * v).max(1e-200).sqrt();
+        let over = Lanes::splat(y.token(), 1.0) / (speed * 0.5 + (self.taken_up + f64::MIN_POSITIVE));
+        lot.sticking = over * self.taken_up;
         let at = At::new(&self.law, speed);
-        lot.weakening = [at.rising_and_lost(&self.law)[1]; 2];
-        lot.traction = [[zero; 2]; 2];
+        lot.weakening = [at.rising_and_lost(&self.law)[1]; 3];
+        lot.traction = [[zero; 2]; 3];
         lot.sums = [zero; 5];
-        lot.cell.enter();
         for (tangent, varied) in lot.tangents.iter_mut().zip(&self.varied) {
             for (slip, [one, linear, square]) in tangent.slip.iter_mut().zip(&varied.slip) {
                 *slip = y * *linear + y2 * *square + *one;
             }
-            (tangent.traction, tangent.sums) = ([[zero; 2]; 2], [zero; 5]);
+            (tangent.traction, tangent.sums) = ([[zero; 2]; 3], [zero; 5]);
             let [du, dv, turn] = tangent.slip;
             let change = (lot.along * du + v * (dv + edge * turn)) / speed;
             let [_, lost] = law_change(&self.law, &varied.law, &at, speed);
             let by_speed = at.past.select(at.slope * -self.law.over_peak, zero);
-            tangent.weakening = [lost + by_speed * change; 2];
+            tangent.weakening = [lost + by_speed * change; 3];
+            let sticking = (speed * varied.taken_up - change * self.taken_up) * over * over * 0.5;
+            tangent.mean = sticking * edge * self.slip.lateral[1];
         }
+    }
+
+    /// X of the slip that a cell has.
+    #[inline(always)]
+    fn place_of_slip<S: Simd>(&self, node: &Node, lot: &March<S, T>) -> Lanes<S> {
+        lot.chord * ((lot.sticking * node.mean + node.cos) * -self.direction)
     }
 
     #[inline(always)]
     fn open<S: Simd>(&self, node: &Node, here: &AtNode<T>, lot: &mut March<S, T>) {
-        let x = lot.chord * (-self.direction * node.cos);
-        let rigid = [lot.along, lot.across + x * self.slip.lateral[1]];
+        let mean = self.place_of_slip(node, lot);
+        let rigid = [lot.along, lot.across + mean * self.slip.lateral[1]];
         let carried = carried(node, &lot.traction);
-        let over_sine = node.sin.recip();
-        let trial = [0, 1].map(|k| rigid[k] + carried[k] * (here.yielding[k] * over_sine));
-        lot.cell.open(&self.law, here.yielding, trial, remembered(node, &lot.weakening).min(1.0));
+        let trial = [rigid[0] + carried[0] * here.pull[0], rigid[1] + carried[1] * here.pull[1]];
+        let last = remembered(node, &lot.weakening).min(1.0);
+        lot.cell.open(&self.law, (here.yielding, here.keep), trial, last);
     }
 
     #[inline(always)]
@@ -175,20 +202,20 @@ impl<const T: usize> Strips<'_, T> {
         }
         let traction = direction.a.map(|a| a * of.value * node.sin);
         let x = lot.chord * (-self.direction * node.cos);
-        let weight = self.grid.spacing * node.sin;
         let power = of.value * lot.cell.speed;
-        add_forces(&mut lot.sums, x, traction, weight);
-        add_power(&mut lot.sums, [power, lot.cell.speed], weight * node.sin);
+        add_forces(&mut lot.sums, x, traction, node.weight);
+        add_power(&mut lot.sums, [power, lot.cell.speed], node.weight * node.sin);
         if T > 0 {
             let carried = carried(node, &lot.traction);
-            let solved = Solved { node, at: &at, of: &of, direction: &direction, carried, x, weight };
+            let mean = self.place_of_slip(node, lot);
+            let solved = Solved { node, at: &at, of: &of, direction: &direction, carried, x, mean };
             let response = Response::new(&lot.cell, &solved, (here.yielding, here.keep), &self.law);
             for k in 0..T {
                 self.tangent(here, k, lot, &solved, &response);
             }
         }
-        lot.traction = [traction, lot.traction[0]];
-        lot.weakening = [of.weakening, lot.weakening[0]];
+        pass_on(&mut lot.traction, traction);
+        pass_on(&mut lot.weakening, of.weakening);
     }
 
     /// Derivatives of a solved cell over input `k`.
@@ -202,13 +229,12 @@ impl<const T: usize> Strips<'_, T> {
         response: &Response<S>,
     ) {
         let (cell, tangent) = (&lot.cell, &mut lot.tangents[k]);
-        let Solved { node, at, of, direction: Direction { a, .. }, x, weight, .. } = *solved;
+        let Solved { node, at, of, direction: Direction { a, .. }, x, mean, .. } = *solved;
         let [du, dv, turn] = tangent.slip;
         let change = carried(node, &tangent.traction);
-        let over_sine = node.sin.recip();
-        let mut trial = [du, dv + x * turn];
+        let mut trial = [du, dv + mean * turn + tangent.mean * node.mean];
         for (i, trial) in trial.iter_mut().enumerate() {
-            *trial += change[i] * (here.yielding[i] * over_sine);
+            *trial += change[i] * here.pull[i];
         }
         let mut weakening = remembered(node, &tangent.weakening) * here.keep;
         // Of κ at the same slip and weakening.
@@ -220,7 +246,7 @@ impl<const T: usize> Strips<'_, T> {
             weakening += (cell.last - lost) * by_keep + by_lost * (1.0 - here.keep);
             kappa = by_rising * (-of.weakening + 1.0);
             for (i, trial) in trial.iter_mut().enumerate() {
-                let yielded = solved.carried[i] * over_sine - a[i] * of.value;
+                let yielded = solved.carried[i] * node.over_sine - a[i] * of.value;
                 *trial += yielded * by_yielding[i] - a[i] * kappa * here.yielding[i];
             }
         }
@@ -229,23 +255,30 @@ impl<const T: usize> Strips<'_, T> {
         if k >= OF_MOTION {
             traction = [0, 1].map(|i| traction[i] + a[i] * kappa * node.sin);
             let power = (kappa + response.coefficient(weakening, speed)) * cell.speed + of.value * speed;
-            add_power(&mut tangent.sums, [power, speed], weight * node.sin);
+            add_power(&mut tangent.sums, [power, speed], node.weight * node.sin);
         }
-        add_forces(&mut tangent.sums, x, traction, weight);
-        tangent.weakening = [response.weakening(weakening, speed), tangent.weakening[0]];
-        tangent.traction = [traction, tangent.traction[0]];
+        add_forces(&mut tangent.sums, x, traction, node.weight);
+        pass_on(&mut tangent.weakening, response.weakening(weakening, speed));
+        pass_on(&mut tangent.traction, traction);
     }
 }
 
+/// Part of a difference that comes from the cells before.
 #[inline(always)]
-fn carried<S: Simd>(node: &Node, traction: &[[Lanes<S>; 2]; 2]) -> [Lanes<S>; 2] {
-    let [last, before] = traction;
-    [0, 1].map(|k| last[k] * node.previous[0] - before[k] * node.previous[1])
+fn carried<S: Simd>(node: &Node, [last, before, first]: &[[Lanes<S>; 2]; 3]) -> [Lanes<S>; 2] {
+    let [a, b, c] = node.previous;
+    [last[0] * a + (before[0] * b + first[0] * c), last[1] * a + (before[1] * b + first[1] * c)]
 }
 
 #[inline(always)]
-fn remembered<S: Simd>(node: &Node, weakening: &[Lanes<S>; 2]) -> Lanes<S> {
-    weakening[0] * node.remembered[0] - weakening[1] * node.remembered[1]
+fn remembered<S: Simd>(node: &Node, [last, before, first]: &[Lanes<S>; 3]) -> Lanes<S> {
+    let [a, b, c] = node.previous;
+    *last * a + (*before * b + *first * c)
+}
+
+#[inline(always)]
+fn pass_on<T: Copy>(history: &mut [T; 3], last: T) {
+    *history = [last, history[0], history[1]];
 }
 
 #[inline(always)]

@@ -25,7 +25,7 @@ use super::fastsim::elastic_patch_traction;
 use crate::fast::lanes::{LANES, Lanes, total};
 use crate::fast::{PatchDerivative, assemble as assemble_values};
 use crate::{
-    Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipCurve, SlipField, SlipUnit,
+    Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipField, SlipUnit,
     TractionLaw,
 };
 use fearless_simd::{dispatch, prelude::*};
@@ -50,14 +50,9 @@ impl Fastsim {
             return PatchTraction::zero();
         }
         let coefficients = elasticity.coefficients().at(patch.semi_rolling / patch.semi_lateral);
-        let strips = Strips {
-            grid: self,
-            slip: SlipField::new(patch, motion),
-            direction: if rolling_speed < 0.0 { -1.0 } else { 1.0 },
-            law: Law::new(*curve, slip_unit.scale(rolling_speed)),
-            yielding: yielding(patch, motion, rolling_speed, (elasticity, &coefficients)),
-            varied: [],
-        };
+        let law = Law::new(*curve, slip_unit.scale(rolling_speed));
+        let yielding = yielding(patch, motion, rolling_speed, (elasticity, &coefficients));
+        let strips = Strips::new((self, SlipField::new(patch, motion)), rolling_speed, (law, yielding), []);
         let sums = dispatch!(self.level, simd => {
             let mut sums = [Lanes::splat(simd, 0.0); 8];
             walk(simd, &strips, |lot, share| {
@@ -90,14 +85,10 @@ impl Fastsim {
         let coefficients = &elasticity.coefficients().at(patch.semi_rolling / patch.semi_lateral);
         let inputs =
             assemble::Inputs { patch, motion, rolling_speed, curve, curve_slope, slip_unit, elasticity, coefficients };
-        let strips = Strips {
-            grid: self,
-            slip: SlipField::new(patch, motion),
-            direction: if rolling_speed < 0.0 { -1.0 } else { 1.0 },
-            law: Law::new(*curve, slip_unit.scale(rolling_speed)),
-            yielding: yielding(patch, motion, rolling_speed, (elasticity, coefficients)),
-            varied: inputs.varied(),
-        };
+        let law = Law::new(*curve, slip_unit.scale(rolling_speed));
+        let yielding = yielding(patch, motion, rolling_speed, (elasticity, coefficients));
+        let slip = SlipField::new(patch, motion);
+        let strips = Strips::new((self, slip), rolling_speed, (law, yielding), inputs.varied());
         dispatch!(self.level, simd => {
             let mut sums = assemble::Sums::new(simd, &inputs);
             walk(simd, &strips, |lot, share| sums.add(lot, share));
@@ -109,9 +100,7 @@ impl Fastsim {
 /// Marches every strip of the patch and hands lots of eight with their shares of the patch to `take`.
 #[inline(always)]
 fn walk<S: Simd, const T: usize>(simd: S, strips: &Strips<'_, T>, mut take: impl FnMut(&March<S, T>, Lanes<S>)) {
-    let [longitudinal, _] = strips.yielding;
-    let taken_up = longitudinal * strips.law.curve.coefficient(longitudinal * strips.law.scale);
-    let crowding = Crowding::new(strips.slip.longitudinal, taken_up);
+    let crowding = Crowding::new(strips.slip.longitudinal, strips.taken_up);
     let mut lots = [March::nothing(simd); LOTS];
     let mut shares = [Lanes::splat(simd, 0.0); LOTS];
     for nodes in strips.grid.across.chunks(LOTS * LANES) {

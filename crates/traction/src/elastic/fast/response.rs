@@ -16,8 +16,8 @@ pub(super) struct Solved<'a, S: Simd> {
     /// Traction of the cells before, as it goes into the trial slip.
     pub(super) carried: [Lanes<S>; 2],
     pub(super) x: Lanes<S>,
-    /// Weight of the node along the strip.
-    pub(super) weight: f64,
+    /// X of the place whose slip the cell has.
+    pub(super) mean: Lanes<S>,
 }
 
 /// Changes of a cell with its trial slip s_t and its weakening w at the same slip, all else held:

@@ -28,16 +28,20 @@ impl<D: Scalar> Law<D> {
             Some(fall) => (fall.slip, curve.coefficient(fall.slip), fall.steepness * scale),
             None => (D::from(f64::INFINITY), D::one(), D::zero()),
         };
-        let rise =
-            Rise::new(curve.initial_slope().re() * scale.re(), peak_slip.re() / scale.re(), peak.re(), curve.d().re());
+        let (slope, rate) = (curve.initial_slope().re() * scale.re(), curve.c.re() * scale.re());
+        let rise = Rise::new(slope, peak_slip.re() / scale.re(), peak.re(), curve.d().re(), rate);
         Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), rise, steepness }
     }
 
-    /// Share of the weakening that a cell keeps of the one before.
-    pub(super) fn keep(&self, yielding: [D; 2]) -> D {
+    /// Length of the memory of the weakening over θ, of which a cell that reaches k keeps memory/(memory + k).
+    pub(super) fn memory(&self, yielding: [D; 2]) -> D {
         let softer = if yielding[0].re() > yielding[1].re() { yielding[0] } else { yielding[1] };
-        let memory = softer * self.steepness * MEMORY;
-        memory / (memory + 1.0)
+        softer * self.steepness * MEMORY
+    }
+
+    /// C κ along rolling, with κ at a slip of C.
+    pub(super) fn taken_up(&self, [longitudinal, _]: [D; 2]) -> D {
+        longitudinal * self.curve.coefficient(longitudinal * self.scale)
     }
 
     /// Initial slope of the coefficient over the sliding speed, s/m.
@@ -46,7 +50,12 @@ impl<D: Scalar> Law<D> {
     }
 }
 
-/// The rising branch of a curve as σ = σ_m r/(n − (n − 1) r²), r = κ/K_m: exact at either end, a third off in between.
+/// A curve without transcendental functions, a few per cent off: with x = σ/σ_m and z = Cλ (σ − σ_m)
+/// ```text
+/// κ = K_m (n x − x²)/(1 + (n − 2) x),   x < 1,   κ = K_m (1 − d_∞ (1 − (1 + z) e^(−z))),   x > 1
+/// ```
+/// exact at either end of the rising branch and in its slope there; the second is the curve itself, in which
+/// e^(−z) gives way to the reciprocal of five terms of its series.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rise {
     /// K_m, or where nothing falls the coefficient at infinite slip.
@@ -55,16 +64,21 @@ pub(super) struct Rise {
     pub(super) knee: f64,
     /// n, σ_m times the initial slope over K_m.
     pub(super) bow: f64,
+    /// d_∞, the share that is lost at infinite slip.
+    pub(super) lost: f64,
+    /// Cλ, s/m.
+    pub(super) rate: f64,
 }
 
 impl Rise {
-    fn new(slope: f64, peak_speed: f64, peak: f64, residual: f64) -> Self {
+    fn new(slope: f64, peak_speed: f64, peak: f64, residual: f64, rate: f64) -> Self {
         /// Of a curve that has no peak: where an exponential has come within 5 %.
         const BOW: f64 = 3.0;
         if peak_speed.is_finite() {
-            Self { most: peak, knee: peak_speed, bow: slope * peak_speed / peak }
+            let (bow, lost) = (slope * peak_speed / peak, 1.0 - residual / peak);
+            Self { most: peak, knee: peak_speed, bow, lost, rate }
         } else {
-            Self { most: residual, knee: BOW * residual / slope, bow: BOW }
+            Self { most: residual, knee: BOW * residual / slope, bow: BOW, lost: 0.0, rate }
         }
     }
 }
@@ -92,4 +106,13 @@ pub(super) struct Varied {
     pub(super) yielding: [Dual64; 2],
     /// Change of (u, v_0, X-slope of v) of a strip over (1, Y, Y²).
     pub(super) slip: [[f64; 3]; 3],
+    /// Changes of the slip that is taken up and of the memory's length.
+    pub(super) taken_up: f64,
+    pub(super) memory: f64,
+}
+
+impl Varied {
+    pub(super) fn new(law: Law<Dual64>, yielding: [Dual64; 2], slip: [[f64; 3]; 3]) -> Self {
+        Self { taken_up: law.taken_up(yielding).eps, memory: law.memory(yielding).eps, law, yielding, slip }
+    }
 }
