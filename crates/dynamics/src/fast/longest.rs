@@ -55,8 +55,8 @@ impl Fast {
 /// A bound from above on the squares of all angular frequencies, from those of balls with the rings held, by both
 /// contacts (k_i + k_o)/m and by one, and those of the rings with the balls held.
 ///
-/// In the energy of a spring between ball and ring, k (u − v)² ≤ k ((1 + t) u² + (1 + 1/t) v²) for any t > 0; with the t
-/// for which the rings come to the same bound λ, t = b/(λ − b), it is λ = a + Σ a_s b_s/(λ − b_s).
+/// In the energy of a spring between ball and ring, k (u − v)² ≤ k ((1 + t) u² + (1 + 1/t) v²) for any t > 0. With the
+/// t for which the rings come to the same bound λ, t = b/(λ − b), it is λ = a + Σ a_s b_s/(λ − b_s).
 fn highest(both: f64, single: Races<f64>, rings: Races<f64>) -> f64 {
     let most = both + rings.inner.max(rings.outer);
     let share = |bound: f64, side: Side| {

@@ -103,6 +103,20 @@ enum Scheme {
     DormandPrince { tolerance: f64, longest: f64, method: DormandPrince },
 }
 
+impl Scheme {
+    fn new(scheme: tribodyn_bearing::Scheme, state_rate: f64) -> Self {
+        match scheme {
+            tribodyn_bearing::Scheme::RungeKutta4 { step } => Self::Rk4 { step, method: Rk4::default() },
+            tribodyn_bearing::Scheme::Fast { step } => {
+                Self::Fast { step: 1.0 / (state_rate * steps_of_sample(step, state_rate)) }
+            }
+            tribodyn_bearing::Scheme::DormandPrince { tolerance, longest } => {
+                Self::DormandPrince { tolerance, longest, method: DormandPrince::default() }
+            }
+        }
+    }
+}
+
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
@@ -179,15 +193,6 @@ impl Run {
         let (patch, linear_error) = errors(scheme, inputs.patch);
         let Started { machine, state, solution } = start(RunInputs { patch, ..inputs }, motion)?;
         let filter = Filter::new(FilterBands::new(scheme, state_rate))?;
-        let scheme = match scheme {
-            tribodyn_bearing::Scheme::RungeKutta4 { step } => Scheme::Rk4 { step, method: Rk4::default() },
-            tribodyn_bearing::Scheme::Fast { step } => {
-                Scheme::Fast { step: 1.0 / (state_rate * steps_of_sample(step, state_rate)) }
-            }
-            tribodyn_bearing::Scheme::DormandPrince { tolerance, longest } => {
-                Scheme::DormandPrince { tolerance, longest, method: DormandPrince::default() }
-            }
-        };
         let progress = Checkpoint {
             time: 0.0,
             steps: 0,
@@ -212,7 +217,7 @@ impl Run {
             state: state.clone(),
         };
         let mut run = Self {
-            scheme,
+            scheme: Scheme::new(scheme, state_rate),
             duration,
             state_rate,
             balls_every: (state_rate / ball_rate).round().max(1.0) as u64,
