@@ -295,3 +295,20 @@ impl Validation {
 pub(crate) fn solution_charts() -> Result<Vec<tribodyn_plot::SolutionCharts>, PaperError> {
     output::charts(&Runs::solve(&files::root().join(CLASSICAL.ag))?, &Published::read()?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identity_rows_met_are_counted_in_the_part_that_they_have() {
+        let row = |id: &str, computed: f64| Row::number(id.into(), String::new(), [1.0, computed, 0.1]);
+        let ids = ["T4.1", "F13.1", "F18.2", "F19.2", "F16.2", "F24.1.race"];
+        let missed = [row("T4.2", 2.0), row("F14.3", 2.0), row("F20.1.load", f64::NAN)];
+        let mut rows = split::declared(ids.map(|id| row(id, 1.0)).into_iter().chain(missed).collect()).unwrap();
+        // Its own kinds of evidence do not count.
+        rows.extend(["T2.ag.2.5.A", "power"].map(|id| Row { evidence: Evidence::Verification, ..row(id, 1.0) }));
+        rows.push(Row { evidence: Evidence::Beside, ..row("T4.err.1", 1.0) });
+        assert_eq!(Counts::of(&rows), Counts { calibration: 2, validation: 3, tables: 1 });
+    }
+}

@@ -165,6 +165,7 @@ fn text(searched: Searched, count: usize, decided: &[Decided]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::table::Table;
 
     #[test]
     fn limit_the_search_comes_near_a_place_that_it_does_not_know() {
@@ -187,5 +188,18 @@ mod tests {
         let kept = |n| beside(&place, n, 0.2).iter().zip(place).filter(|(a, b)| **a == *b).count();
         let mean = (0..1000).map(kept).sum::<usize>() as f64 / 1000.0;
         assert!((mean / DIMENSIONS as f64 - 0.5).abs() < 0.05, "{mean}");
+    }
+    #[test]
+    fn identity_the_result_has_a_line_for_each_set() {
+        let set = |n: usize| Decided {
+            tried: Tried { place: even(n), score: Score { met: 10, near: 8.5 } },
+            score: Score { met: 9, near: 8.0 },
+            counts: Counts { calibration: 15, validation: 20, tables: 20 },
+        };
+        let text = text(Searched::Classical, 500, &[set(1), set(2)]);
+        let table = Table::read("result", &text).unwrap();
+        assert_eq!((table.columns().len(), table.rows().count()), (9 + DIMENSIONS, 2));
+        assert!(table.rows().all(|row| row.text("figures").unwrap() == "35"));
+        assert!(text.contains("--reading classical") && text.contains("best of 500 sets"));
     }
 }
