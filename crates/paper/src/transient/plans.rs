@@ -152,11 +152,7 @@ pub struct Set {
 
 impl Set {
     /// Runs them with changes of the case, set last; recordings go into the folder if there is one.
-    pub fn run(
-        reading: &Reading,
-        changes: &[(String, String)],
-        recordings: Option<&Path>,
-    ) -> Result<Self, PaperError> {
+    pub fn run(reading: &Reading, changes: &[(String, String)], recordings: Option<&Path>) -> Result<Self, PaperError> {
         Self::of(reading.plans(), Some(reading.defect()), changes, recordings)
     }
 

@@ -85,7 +85,9 @@ pub fn run(searched: Searched, sets: usize, progress: Progress) -> Result<(), Pa
     for tried in tried.into_iter().take(FINALISTS) {
         let again = in_time("finalist", progress, || counted(reading, &changes(&tried.place)));
         let Ok((counts, rows)) = again else { continue };
-        decided.push(Decided { score: Score::of(&rows)?, tried, counts });
+        let score = Score::of(&rows)?;
+        progress(&format!("{score:?}, {counts:?}"));
+        decided.push(Decided { tried, score, counts });
     }
     decided.sort_by(|a, b| a.score.decide(&b.score).then(a.tried.score.decide(&b.tried.score)));
     files::write(&files::root().join(searched.result()), text(searched, count, &decided).as_bytes())

@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn limit_rows_that_are_kept_out_do_not_count_and_unknown_orders_are_refused() {
         let hidden = Row { evidence: Evidence::Validation, ..order("F23.1.load", 1.0, true) };
-        assert_eq!(Score::of(&[hidden.clone()]).unwrap(), Score { met: 0, near: 0.0 });
+        assert_eq!(Score::of(std::slice::from_ref(&hidden)).unwrap(), Score { met: 0, near: 0.0 });
         assert!(Score::of(&[Row { evidence: Evidence::Calibration, ..hidden }]).is_err());
     }
 
