@@ -18,12 +18,16 @@ use std::fmt::Write;
 /// Sets that go on to the next round, rounds, sets about each of them, the width of the first round about a set as a
 /// part of its range, and that of each round as a part of the one before.
 const BEST: usize = 12;
-const ROUNDS: usize = 10;
-const ABOUT: usize = 15;
+const ROUNDS: usize = 8;
+const ABOUT: usize = 12;
 const WIDTH: f64 = 0.5;
 const NARROWER: f64 = 0.75;
-/// Sets that are run again.
-const FINALISTS: usize = 30;
+/// Least distance between sets that go on, as a part of the width: children of one set, of which about half of the values
+/// move by up to half of the width, lie nearer to each other, and would soon be all that goes on.
+const APART: f64 = 0.3;
+/// Sets that are run again, and the least distance between them.
+const FINALISTS: usize = 20;
+const FINALISTS_APART: f64 = 0.05;
 
 /// A reading of the paper's models whose hidden values are searched for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,12 +86,12 @@ pub fn run(searched: Searched, sets: usize, progress: Progress) -> Result<(), Pa
     };
     let (tried, count) = search(sets, &fast, progress)?;
     let mut decided = Vec::new();
-    for tried in tried.into_iter().take(FINALISTS) {
+    for tried in apart(&tried, FINALISTS, FINALISTS_APART) {
         let again = in_time("finalist", progress, || counted(reading, &changes(&tried.place)));
         let Ok((counts, rows)) = again else { continue };
         let score = Score::of(&rows)?;
         progress(&format!("{score:?}, {counts:?}"));
-        decided.push(Decided { tried, score, counts });
+        decided.push(Decided { tried: tried.clone(), score, counts });
     }
     decided.sort_by(|a, b| a.score.decide(&b.score).then(a.tried.score.decide(&b.tried.score)));
     files::write(&files::root().join(searched.result()), text(searched, count, &decided).as_bytes())
@@ -120,11 +124,25 @@ fn search(
             let from = next + k * ABOUT;
             (from..from + ABOUT).map(|n| beside(&best.place, n, width)).collect::<Vec<_>>()
         };
-        let places: Vec<Place> = tried.iter().take(BEST).enumerate().flat_map(about).collect();
+        let leading = apart(&tried, BEST, APART * width);
+        let places: Vec<Place> = leading.into_iter().enumerate().flat_map(about).collect();
         next += places.len();
         attempt(&places, &mut tried)?;
     }
     Ok((tried, count))
+}
+
+/// The first of sets with at least a distance from each other, so many or fewer.
+fn apart(tried: &[Tried], most: usize, distance: f64) -> Vec<&Tried> {
+    let between =
+        |a: &Place, b: &Place| (a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / DIMENSIONS as f64).sqrt();
+    let mut out: Vec<&Tried> = Vec::new();
+    for next in tried {
+        if out.len() < most && out.iter().all(|taken| between(&taken.place, &next.place) >= distance) {
+            out.push(next);
+        }
+    }
+    out
 }
 
 /// A place about another, with about half of its values as they were: some rows hang on few of them.
@@ -182,6 +200,16 @@ mod tests {
         assert_eq!(count, 300 + ROUNDS * BEST * ABOUT);
         assert!(tried.len() < count && tried.iter().all(|tried| tried.place[0] < 0.9));
         assert!(tried[0].score.near > 0.2 * first, "{first} to {}", tried[0].score.near);
+    }
+
+    #[test]
+    fn limit_sets_that_go_on_are_apart() {
+        let set = |near: f64, at: f64| Tried { place: [at; DIMENSIONS], score: Score { met: 0, near } };
+        let tried = [set(4.0, 0.5), set(3.0, 0.54), set(2.0, 0.6), set(1.0, 0.9)];
+        let near = |most, distance| apart(&tried, most, distance).iter().map(|t| t.score.near).collect::<Vec<_>>();
+        assert_eq!(near(4, 0.05), [4.0, 2.0, 1.0]);
+        assert_eq!(near(2, 0.05), [4.0, 2.0]);
+        assert_eq!(near(4, 0.0).len(), 4);
     }
 
     #[test]
