@@ -89,8 +89,8 @@ pub fn pocket() -> Result<String, PaperError> {
     Ok(text)
 }
 
-/// Searches for what the paper hides of cage and supports, with a reading's cases, among so many sets and about the best
-/// of them, by the rows that the search may see, and writes the best.
+/// Searches for what the paper hides of cage and supports, with a reading's cases, among so many sets and about the
+/// best of them, by the rows that the search may see, and writes the best.
 ///
 /// # Errors
 ///

@@ -209,7 +209,8 @@ pub struct Differences {
 
 impl Validation {
     /// Solves the case, with the values at some paths changed, and decides all rows; those of the dynamic model for the
-    /// cases of a reading only, all of which get the changes. Recordings of its runs go into the folder if there is one.
+    /// cases of a reading only, all of which get the changes. Recordings of its runs go into the folder if there is
+    /// one.
     ///
     /// # Errors
     ///

@@ -22,8 +22,8 @@ const ROUNDS: usize = 8;
 const ABOUT: usize = 12;
 const WIDTH: f64 = 0.5;
 const NARROWER: f64 = 0.75;
-/// Least distance between sets that go on, as a part of the width: children of one set, of which about half of the values
-/// move by up to half of the width, lie nearer to each other, and would soon be all that goes on.
+/// Least distance between sets that go on, as a part of the width: children of one set, of which about half of the
+/// values move by up to half of the width, lie nearer to each other, and would soon be all that goes on.
 const APART: f64 = 0.3;
 /// Sets that are run again, and the least distance between them.
 const FINALISTS: usize = 20;
