@@ -2,7 +2,7 @@
 
 use crate::error::Failure;
 use crate::terminal::{print, progress};
-use tribodyn_paper::sensitivity;
+use tribodyn_paper::sensitivity::{self, Searched};
 
 /// Options of `sensitivity`.
 #[derive(clap::Args)]
@@ -13,9 +13,21 @@ pub struct Arguments {
     /// Only the lines of the table of missed rows whose change has this in its name
     #[arg(long, value_name = "TEXT", conflicts_with = "part")]
     change: Option<String>,
+    /// The reading whose hidden values are searched for
+    #[arg(long, value_enum, default_value_t = Reading::Authors)]
+    reading: Reading,
     /// Sets that the search begins with
     #[arg(long, default_value_t = 800)]
     sets: usize,
+}
+
+/// A reading of the paper's models.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Reading {
+    /// The one with the most evidence
+    Authors,
+    /// The gyroscopic moment at the outer race
+    Classical,
 }
 
 /// A table.
@@ -40,7 +52,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         print(&format!("{}\n", sensitivity::pocket()?))?;
     }
     if arguments.part == Some(Part::Hidden) {
-        return Ok(sensitivity::hidden(arguments.sets, &progress)?);
+        let searched = match arguments.reading {
+            Reading::Authors => Searched::Authors,
+            Reading::Classical => Searched::Classical,
+        };
+        return Ok(sensitivity::hidden(searched, arguments.sets, &progress)?);
     }
     let base = sensitivity::base()?;
     if wanted(Part::Readings) {

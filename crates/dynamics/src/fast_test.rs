@@ -103,3 +103,17 @@ fn compare_samples(Started { mut machine, mut state, .. }: Started) {
         assert!((sums.torque[side] - plain_sums.torque[side]).abs() < 1.0, "{side:?}");
     }
 }
+
+/// At a quarter of the axial load balls of the paper's case start without load on the inner race: such a contact has no
+/// linear form yet.
+#[test]
+fn limit_a_start_with_unloaded_contacts_stays_finite() {
+    let text = include_str!("../../../fixtures/cases/paper-authors-ag.ron");
+    let case = Case::from_ron(&set_value(text, "ring.z", "Force(N(11535))").unwrap()).unwrap();
+    let Started { mut machine, mut state, .. } = start(case.run_inputs().unwrap(), None).unwrap();
+    let mut scheme = Fast::with_linear_error(1e-4);
+    for step in 0..3 {
+        scheme.step(&mut machine, 2e-5 * f64::from(step), &mut state, 2e-5, 14_000.0);
+        assert!(state.iter().all(|value| value.is_finite()), "step {step}");
+    }
+}

@@ -35,6 +35,9 @@ const SHORTEST_REACH: f64 = 1e-6;
 /// Change of the bare part of the surface beyond which the patch is integrated anew: steel has four times the traction
 /// of silver, so that this is 1e-4 of the load.
 const BARE_CHANGE: f64 = 3e-4;
+/// A load that is none, N: where there is no linear form its load is zero, and the change of it has to be finite, as
+/// what a form of zeros makes of it is masked by a factor.
+const NO_LOAD: f64 = 1e-30;
 /// Growth of the distance from one refresh to the next.
 const GROWTH: f64 = 1.5;
 /// Share of the distance at which the error found would be the one that is allowed.
@@ -134,7 +137,7 @@ impl LinearTraction {
             now[2] - from[2],
             now[3] - from[3],
             now[4] - from[4],
-            now[5] / from[5] - 1.0,
+            now[5] / from[5].max(NO_LOAD) - 1.0,
         ]
     }
 

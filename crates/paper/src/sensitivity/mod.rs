@@ -12,6 +12,8 @@ mod hidden;
 mod misses;
 mod readings;
 
+pub use hidden::Searched;
+
 use crate::error::PaperError;
 use crate::files;
 use crate::markers::replaced;
@@ -87,14 +89,14 @@ pub fn pocket() -> Result<String, PaperError> {
     Ok(text)
 }
 
-/// Searches for what the paper hides of cage and supports among so many sets and about the best of them, by the rows
-/// that the search may see, and writes the best.
+/// Searches for what the paper hides of cage and supports, with a reading's cases, among so many sets and about the
+/// best of them, by the rows that the search may see, and writes the best.
 ///
 /// # Errors
 ///
 /// The result cannot be written. A set whose runs fail is left out.
-pub fn hidden(sets: usize, progress: Progress) -> Result<(), PaperError> {
-    hidden::run(sets, progress)
+pub fn hidden(searched: Searched, sets: usize, progress: Progress) -> Result<(), PaperError> {
+    hidden::run(searched, sets, progress)
 }
 
 /// The runs of the dynamic rows as identified, with the fast scheme: what every change is held against.

@@ -44,19 +44,29 @@ pub fn run_all(plans: &[Plan], recordings: Option<&Path>) -> Result<Vec<Transien
     if let Some(folder) = recordings {
         std::fs::create_dir_all(folder).map_err(|source| PaperError::Write { path: folder.to_owned(), source })?;
     }
-    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(plans.len());
+    let one = |index: usize| {
+        let plan = &plans[index];
+        run(plan, recordings.map(|folder| folder.join(format!("dynamic-{}.mcap", plan.id))))
+    };
+    on_all_cores(plans.len(), one).into_iter().collect()
+}
+
+/// Does pieces of work, by their numbers, on all cores; the results are in the order of the numbers.
+pub fn on_all_cores<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(count);
     let next = AtomicUsize::new(0);
-    let done: Mutex<Vec<(usize, Result<Transient, PaperError>)>> = Mutex::new(Vec::new());
-    let work = || {
+    let done: Mutex<Vec<(usize, T)>> = Mutex::new(Vec::new());
+    let turn = || {
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(plan) = plans.get(index) else { return };
-            let path = recordings.map(|folder| folder.join(format!("dynamic-{}.mcap", plan.id)));
-            let result = run(plan, path);
+            if index >= count {
+                return;
+            }
+            let result = work(index);
             done.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, result));
         }
     };
-    std::thread::scope(|scope| (0..workers).for_each(|_| drop(scope.spawn(work))));
+    std::thread::scope(|scope| (0..workers).for_each(|_| drop(scope.spawn(turn))));
     let mut finished = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
     finished.sort_by_key(|(index, _)| *index);
     finished.into_iter().map(|(_, result)| result).collect()

@@ -96,6 +96,11 @@ impl Reading {
             .with("transient.scheme", PRELOAD_SCHEME)
     }
 
+    /// Silver, PTFE, and 25, 50 and 75 % of the axial load.
+    fn plans(&self) -> [Plan; 5] {
+        [self.ag(), self.ptfe(), self.axial(25), self.axial(50), self.axial(75)]
+    }
+
     pub fn defect(&self) -> Plan {
         Plan::new("defect", "outer-race defect", self.defect)
     }
@@ -127,11 +132,10 @@ impl Change {
     fn plan(&self, reading: &Reading, plan: Plan, percent: f64) -> Plan {
         let axial = reading.axial_load * self.axial_share * percent / 100.0;
         let plan = plan.with("transient.scheme", FAST).with("ring.z", &format!("Force(N({axial}))"));
-        let plan = match self.radial_follows {
+        match self.radial_follows {
             true => plan.with("ring.x", &format!("Force(N({}))", reading.radial_load * percent / 100.0)),
             false => plan,
-        };
-        plan.with_all(&self.values)
+        }
     }
 }
 
@@ -147,27 +151,39 @@ pub struct Set {
 }
 
 impl Set {
-    /// Runs them; recordings go into the folder if there is one.
-    pub fn run(reading: &Reading, recordings: Option<&Path>) -> Result<Self, PaperError> {
-        let [p25, p50, p75] = [25, 50, 75].map(|percent| reading.axial(percent));
-        // The longest first, so that no core waits at the end.
-        let plans = [reading.defect(), reading.ag(), reading.ptfe(), p25, p50, p75];
-        let runs: [Transient; 6] = run_all(&plans, recordings)?
-            .try_into()
-            .map_err(|_| PaperError::Check { what: "dynamic runs", findings: vec!["not all came back".to_owned()] })?;
-        let [defect, ag, ptfe, a, b, c] = runs;
-        Ok(Self { ag, ptfe, axial: [a, b, c], defect: Some(defect) })
+    /// Runs them with changes of the case, set last; recordings go into the folder if there is one.
+    pub fn run(reading: &Reading, changes: &[(String, String)], recordings: Option<&Path>) -> Result<Self, PaperError> {
+        Self::of(reading.plans(), Some(reading.defect()), changes, recordings)
+    }
+
+    /// The same runs without the defect.
+    pub fn healthy(reading: &Reading, changes: &[(String, String)]) -> Result<Self, PaperError> {
+        Self::of(reading.plans(), None, changes, None)
     }
 
     /// The set without the defect, with something changed and the fast scheme.
     pub fn changed(reading: &Reading, change: &Change) -> Result<Self, PaperError> {
-        let part = |percent: u32| change.plan(reading, reading.axial(percent), f64::from(percent));
-        let whole = |plan: Plan| change.plan(reading, plan, 100.0);
-        let plans = [whole(reading.ag()), whole(reading.ptfe()), part(25), part(50), part(75)];
-        let [ag, ptfe, a, b, c] = run_all(&plans, None)?
+        let [ag, ptfe, a, b, c] = reading.plans();
+        let part = |plan: Plan, percent: f64| change.plan(reading, plan, percent);
+        let plans = [part(ag, 100.0), part(ptfe, 100.0), part(a, 25.0), part(b, 50.0), part(c, 75.0)];
+        Self::of(plans, None, &change.values, None)
+    }
+
+    /// The plans of silver, PTFE and 25, 50, 75 %, and that of the defect.
+    fn of(
+        healthy: [Plan; 5],
+        defect: Option<Plan>,
+        changes: &[(String, String)],
+        recordings: Option<&Path>,
+    ) -> Result<Self, PaperError> {
+        // The longest first, so that no core waits at the end.
+        let plans: Vec<Plan> = defect.into_iter().chain(healthy).map(|plan| plan.with_all(changes)).collect();
+        let mut runs = run_all(&plans, recordings)?;
+        let [ag, ptfe, a, b, c] = runs
+            .split_off(plans.len() - 5)
             .try_into()
             .map_err(|_| PaperError::Check { what: "dynamic runs", findings: vec!["not all came back".to_owned()] })?;
-        Ok(Self { ag, ptfe, axial: [a, b, c], defect: None })
+        Ok(Self { ag, ptfe, axial: [a, b, c], defect: runs.pop() })
     }
 
     pub fn all(&self) -> impl Iterator<Item = &Transient> {

@@ -111,8 +111,7 @@ pub fn summary(report: &Report) -> String {
     let [met, missed, contradictory, not_yet] = Verdict::ALL.map(|verdict| report.count(verdict));
     let ids: Vec<&str> =
         report.claims().filter(|row| row.verdict == Verdict::Missed).map(|row| row.id.as_str()).collect();
-    let decided = |row: &&Row| matches!(row.verdict, Verdict::Met | Verdict::Missed);
-    let figures = || report.claims().filter(|row| of_figures(&row.id)).filter(decided);
+    let figures = || figures(report.claims());
     let which = if ids.is_empty() { String::new() } else { format!(" Missed: {}.", ids.join(", ")) };
     format!(
         "Of {} rows {met} are met, {missed} missed, {contradictory} undecidable because the paper contradicts itself, \
@@ -125,6 +124,12 @@ pub fn summary(report: &Report) -> String {
         report.case,
         report.provenance
     )
+}
+
+/// The claims of Figures 13 to 24 among rows that are met or missed.
+pub fn figures<'a>(rows: impl Iterator<Item = &'a Row>) -> impl Iterator<Item = &'a Row> {
+    let decided = |row: &&Row| matches!(row.verdict, Verdict::Met | Verdict::Missed);
+    rows.filter(|row| of_figures(&row.id)).filter(decided)
 }
 
 /// True of the claims of Figures 13 to 24.

@@ -28,6 +28,9 @@ use std::path::{Path, PathBuf};
 use tables::PressuresOver;
 use tribodyn_quasistatic::Model;
 
+/// Paths of a case and their values.
+type Changes = [(String, String)];
+
 /// Warnings of a solution.
 #[derive(Debug, Serialize)]
 struct Warning {
@@ -66,31 +69,43 @@ pub fn paper_case() -> PathBuf {
     files::root().join(AUTHORS.ag)
 }
 
-fn build(case: &Path, recordings: Option<&Path>, progress: Progress) -> Result<(Report, Runs), PaperError> {
+fn build(
+    case: &Path,
+    changes: &Changes,
+    recordings: Option<&Path>,
+    progress: Progress,
+) -> Result<(Report, Runs), PaperError> {
     let published = Published::read()?;
-    let runs = Runs::solve(case)?;
+    let runs = Runs::changed(case, changes)?;
     let dynamic = match Reading::of(case) {
         None => None,
-        Some(reading) => Some(in_time("dynamic runs", progress, || Set::run(reading, recordings))?),
+        Some(reading) => Some(in_time("dynamic runs", progress, || Set::run(reading, changes, recordings))?),
     };
-    let rows = [
-        tables::table_2(&published)?,
-        tables::table_4(&published, &runs),
-        tables::table_5(&published, &runs),
-        curves::figure_9()?,
-        contact::figure_14(&runs),
-        friction::figures_16_to_18(&runs),
-        dynamic.as_ref().map_or_else(|| Ok(dynamic::not_yet()), dynamic::rows)?,
-    ];
+    let with = if changes.is_empty() { "" } else { " with " };
+    let changes: Vec<String> = changes.iter().map(|(path, value)| format!("{path} = {value}")).collect();
     let report = Report {
-        case: runs.file.clone(),
+        case: format!("{}{with}{}", runs.file, changes.join(", ")),
         provenance: runs.provenance(),
         interpolation: PressuresOver::new(&runs.cases[0]).explanation(),
-        rows: split::declared(rows.concat())?,
+        rows: decided(&published, &runs, dynamic.as_ref())?,
         warnings: warnings(&published, &runs, dynamic.as_ref()),
         published,
     };
     Ok((report, runs))
+}
+
+/// All rows, each with the part that the search had it in.
+fn decided(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Result<Vec<Row>, PaperError> {
+    let rows = [
+        tables::table_2(published)?,
+        tables::table_4(published, runs),
+        tables::table_5(published, runs),
+        curves::figure_9()?,
+        contact::figure_14(runs),
+        friction::figures_16_to_18(runs),
+        dynamic.map_or_else(|| Ok(dynamic::not_yet()), dynamic::rows)?,
+    ];
+    split::declared(rows.concat())
 }
 
 /// The solvers' warnings, balls without one clear equilibrium, and contacts whose pressure lies below the tests.
@@ -132,9 +147,42 @@ fn warnings(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Vec<Wa
 }
 
 /// Rows of Figures 14 and 16 to 18 of a case, relative to the workspace, with values changed.
-pub(crate) fn azimuth_rows(case: &str, changes: &[(String, String)]) -> Result<Vec<Row>, PaperError> {
+pub(crate) fn azimuth_rows(case: &str, changes: &Changes) -> Result<Vec<Row>, PaperError> {
     let runs = Runs::changed(&files::root().join(case), changes)?;
     split::declared([contact::figure_14(&runs), friction::figures_16_to_18(&runs)].concat())
+}
+
+/// Rows met of those of Figures 13 to 24 that decide something, and of Tables 4 and 5 with it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Counts {
+    /// Of those that the search may see.
+    pub calibration: usize,
+    /// Of those that are kept out of it.
+    pub validation: usize,
+    /// Of Tables 4 and 5.
+    pub tables: usize,
+}
+
+impl Counts {
+    /// Of rows as they are decided.
+    fn of(rows: &[Row]) -> Self {
+        let met = || rows.iter().filter(|row| row.verdict == Verdict::Met);
+        let figures = |part| document::figures(met()).filter(|row| row.evidence == part).count();
+        let table = |row: &&Row| row.evidence == Evidence::Calibration && row.id.starts_with('T');
+        Self {
+            calibration: figures(Evidence::Calibration),
+            validation: figures(Evidence::Validation),
+            tables: met().filter(table).count(),
+        }
+    }
+}
+
+/// Rows met of a reading's silver case with values changed, by the steps of the validation, and the dynamic rows.
+pub(crate) fn counted(reading: &Reading, changes: &Changes) -> Result<(Counts, Vec<Row>), PaperError> {
+    let runs = Runs::changed(&files::root().join(reading.ag), changes)?;
+    let set = Set::healthy(reading, changes)?;
+    let rows = decided(&Published::read()?, &runs, Some(&set))?;
+    Ok((Counts::of(&rows), declared_dynamic_rows(&set)?))
 }
 
 /// Rows of the dynamic model, each with the part that the search had it in.
@@ -160,14 +208,20 @@ pub struct Differences {
 }
 
 impl Validation {
-    /// Solves the case and decides all rows; those of the dynamic model for the cases of a reading only. Recordings of
-    /// its runs go into the folder if there is one.
+    /// Solves the case, with the values at some paths changed, and decides all rows; those of the dynamic model for the
+    /// cases of a reading only, all of which get the changes. Recordings of its runs go into the folder if there is
+    /// one.
     ///
     /// # Errors
     ///
     /// A case that is refused, a run that fails, a recording that cannot be written.
-    pub fn new(case: &Path, recordings: Option<&Path>, progress: Progress) -> Result<Self, PaperError> {
-        let (report, runs) = build(case, recordings, progress)?;
+    pub fn new(
+        case: &Path,
+        changes: &[(String, String)],
+        recordings: Option<&Path>,
+        progress: Progress,
+    ) -> Result<Self, PaperError> {
+        let (report, runs) = build(case, changes, recordings, progress)?;
         let fixtures = expected::fixtures(&report.published, &runs);
         Ok(Self { report, runs, fixtures })
     }
@@ -241,4 +295,21 @@ impl Validation {
 /// The charts of the quasi-static cases with the paper's points.
 pub(crate) fn solution_charts() -> Result<Vec<tribodyn_plot::SolutionCharts>, PaperError> {
     output::charts(&Runs::solve(&files::root().join(CLASSICAL.ag))?, &Published::read()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identity_rows_met_are_counted_in_the_part_that_they_have() {
+        let row = |id: &str, computed: f64| Row::number(id.into(), String::new(), [1.0, computed, 0.1]);
+        let ids = ["T4.1", "F13.1", "F18.2", "F19.2", "F16.2", "F24.1.race"];
+        let missed = [row("T4.2", 2.0), row("F14.3", 2.0), row("F20.1.load", f64::NAN)];
+        let mut rows = split::declared(ids.map(|id| row(id, 1.0)).into_iter().chain(missed).collect()).unwrap();
+        // Its own kinds of evidence do not count.
+        rows.extend(["T2.ag.2.5.A", "power"].map(|id| Row { evidence: Evidence::Verification, ..row(id, 1.0) }));
+        rows.push(Row { evidence: Evidence::Beside, ..row("T4.err.1", 1.0) });
+        assert_eq!(Counts::of(&rows), Counts { calibration: 2, validation: 3, tables: 1 });
+    }
 }
