@@ -146,7 +146,7 @@ impl Fast {
         }
         let (friction, forms) = (&mut self.friction[index], &mut self.scratch.forms[block]);
         forms.set_tractions(lanes.clone(), contacts, [old.inner, old.outer]);
-        if renew || !friction.serves(&normal, &contacts.of, self.linear_error) {
+        if renew || !friction.serves(&normal, &contacts.of, self.step) {
             *friction = linear_friction(machine, state, &normal, &contacts.of, self.step);
             forms.set_friction(lanes, friction);
         }
