@@ -62,6 +62,8 @@ use serde::{Deserialize, Serialize};
 const SMOOTHING_TIME: f64 = 5e-4;
 /// The same for the rings, s: they vibrate at lower frequencies.
 const RING_SMOOTHING_TIME: f64 = 5e-3;
+/// Most pieces of a drift: where more were needed the step is too long by far, and the run says so.
+const MOST_PIECES: f64 = 64.0;
 /// Steps between looks at how long the drift's pieces may be.
 const LOOK_EVERY: u64 = 8;
 
@@ -89,11 +91,11 @@ pub(crate) struct Fast {
     /// lost or made.
     #[serde(skip)]
     given_back: Vec<f64>,
+    /// Whether they are there.
+    ready: bool,
     /// Velocities of cage and rings at the start of a piece of the drift.
     #[serde(skip)]
     before: Vec<f64>,
-    /// Whether they are there.
-    ready: bool,
     /// Changes of the velocities by the second half of the last kick. Those of the balls are in lanes while steps are
     /// made.
     half: Vec<f64>,
@@ -136,6 +138,7 @@ struct Scratch {
     /// Common accelerations, and as the kick gives them back.
     common: Vec<[Lane; 3]>,
     given_back: Vec<[Lane; 3]>,
+    /// Second halves of kicks, and velocities at the start of a piece of the drift.
     half: Vec<[Lane; VELOCITIES]>,
     before: Vec<[Lane; 3]>,
     stands: Vec<Stand>,
@@ -185,8 +188,8 @@ impl Fast {
             drift: Vec::new(),
             common: Vec::new(),
             given_back: Vec::new(),
-            before: Vec::new(),
             ready: false,
+            before: Vec::new(),
             half: Vec::new(),
             longest: f64::INFINITY,
             piece: 0.0,
@@ -280,6 +283,7 @@ impl Fast {
         }
     }
 
+    /// Motion under springs, supports and loads over `span`.
     fn drift<E: Equations>(&mut self, equations: &E, t: f64, y: &mut [f64], span: f64) {
         let machine = equations.machine();
         let l = machine.layout;
@@ -319,7 +323,7 @@ impl Fast {
 
     /// Pieces of the drift of a step.
     pub fn pieces(&self, step: f64) -> usize {
-        (step / self.longest).ceil().max(1.0) as usize
+        (step / self.longest).ceil().clamp(1.0, MOST_PIECES) as usize
     }
 
     /// Lets the common acceleration follow that of the drift.
