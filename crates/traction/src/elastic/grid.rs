@@ -22,7 +22,7 @@ const CROWDING: f64 = 0.75;
 /// The strips and cells of a [`FastsimRule`], worked out.
 ///
 /// A strip has half length ℓ and its cells stand at x = −ℓ cos θ from the leading edge, with tan(θ/2) =
-/// [`CROWDING`] tan(φ/2), φ = iπ/N. Over θ both solutions of a strip are trigonometric polynomials: 1 − cos θ where it
+/// 0.75 tan(φ/2), φ = iπ/N. Over θ both solutions of a strip are trigonometric polynomials: 1 − cos θ where it
 /// sticks under constant slip, sin θ where it slides under a Hertz pressure. Derivatives are backward differences of
 /// third order, exact for 1, cos θ, sin θ and θ,
 /// ```text
@@ -32,7 +32,7 @@ const CROWDING: f64 = 0.75;
 /// start from zero has k = θ there.
 ///
 /// The slip of a cell is that of a place between its node, exact where the strip slides, and the mean over its
-/// difference, exact where it sticks: see [`Node::mean`].
+/// difference, exact where it sticks.
 #[derive(Debug, Clone)]
 pub struct Fastsim {
     pub(super) rule: FastsimRule,
