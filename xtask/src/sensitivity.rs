@@ -13,21 +13,13 @@ pub struct Arguments {
     /// Only the lines of the table of missed rows whose change has this in its name
     #[arg(long, value_name = "TEXT", conflicts_with = "part")]
     change: Option<String>,
-    /// The reading whose hidden values are searched for
-    #[arg(long, value_enum, default_value_t = Reading::Authors)]
-    reading: Reading,
+    /// The reading whose hidden values are searched for: authors, the one with the most evidence, or classical, the
+    /// gyroscopic moment at the outer race
+    #[arg(long, value_name = "NAME", default_value = "authors")]
+    reading: Searched,
     /// Sets that the search begins with
     #[arg(long, default_value_t = 800)]
     sets: usize,
-}
-
-/// A reading of the paper's models.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Reading {
-    /// The one with the most evidence
-    Authors,
-    /// The gyroscopic moment at the outer race
-    Classical,
 }
 
 /// A table.
@@ -52,11 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         print(&format!("{}\n", sensitivity::pocket()?))?;
     }
     if arguments.part == Some(Part::Hidden) {
-        let searched = match arguments.reading {
-            Reading::Authors => Searched::Authors,
-            Reading::Classical => Searched::Classical,
-        };
-        return Ok(sensitivity::hidden(searched, arguments.sets, &progress)?);
+        return Ok(sensitivity::hidden(arguments.reading, arguments.sets, &progress)?);
     }
     let base = sensitivity::base()?;
     if wanted(Part::Readings) {

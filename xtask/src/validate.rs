@@ -5,6 +5,7 @@ use crate::terminal::{notes, print, progress};
 use std::path::PathBuf;
 use tribodyn_paper::sensitivity;
 use tribodyn_paper::validate::{Validation, paper_case};
+use tribodyn_study::path_and_value;
 
 /// Options of `validate`.
 #[derive(clap::Args)]
@@ -39,12 +40,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn change(text: &str) -> Result<(String, String), String> {
-    match text.split_once('=') {
-        Some((path, value)) if !path.trim().is_empty() && !value.trim().is_empty() => {
-            Ok((path.trim().to_owned(), value.trim().to_owned()))
-        }
-        _ => Err("allowed is PATH=VALUE, the value as in a case file, such as ring.z.Force=kN(30)".to_owned()),
-    }
+    path_and_value(text).map(|[path, value]| (path.to_owned(), value.to_owned()))
 }
 
 /// Regressions and declared verdicts; with `check` also whether documents are current.

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use tribodyn_study::{CaseFile, Change, Limits, Ours, StudyError};
+use tribodyn_study::{CaseFile, Change, Limits, Ours, StudyError, path_and_value};
 
 /// Limits on what a file may ask for.
 #[derive(clap::Args)]
@@ -98,12 +98,7 @@ impl CaseArguments {
 }
 
 fn change(text: &str) -> Result<Change, String> {
-    match text.split_once('=') {
-        Some((path, value)) if !path.trim().is_empty() && !value.trim().is_empty() => {
-            Ok(Change::new(format!("--set {text}"), path.trim(), value.trim()))
-        }
-        _ => Err("allowed is PATH=VALUE, the value as in a case file, such as ring.z.Force=kN(30)".to_owned()),
-    }
+    path_and_value(text).map(|[path, value]| Change::new(format!("--set {text}"), path, value))
 }
 
 /// Threads for members or rows: so many, or one for each core.

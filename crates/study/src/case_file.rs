@@ -9,6 +9,17 @@ use tribodyn_bearing::Bearing;
 use tribodyn_case::{Case, CaseError, InputError, Purpose, set_value};
 use tribodyn_dynamics::RunInputs;
 
+/// The halves of `PATH=VALUE`, without the blanks around them.
+///
+/// # Errors
+/// A text that says what is allowed.
+pub fn path_and_value(text: &str) -> Result<[&str; 2], String> {
+    match text.split_once('=').map(|(path, value)| [path.trim(), value.trim()]) {
+        Some(halves) if halves.iter().all(|half| !half.is_empty()) => Ok(halves),
+        _ => Err("allowed is PATH=VALUE, the value as in a case file, such as ring.z.Force=kN(30)".to_owned()),
+    }
+}
+
 /// A value of the case file to be replaced.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Change {

@@ -18,7 +18,7 @@ pub mod run;
 pub mod survey;
 pub mod sweep;
 
-pub use case_file::{CaseFile, Change, read_text};
+pub use case_file::{CaseFile, Change, path_and_value, read_text};
 pub use error::{RefusedCase, StudyError, with_causes};
 pub use files::StagedFiles;
 pub use holder::Holder;

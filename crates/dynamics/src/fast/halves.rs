@@ -2,7 +2,7 @@
 //! between two steps is that of the middle of a kick. And the state as samples have it.
 
 use super::drift::drift_acceleration;
-use super::lanes::{Lane, WIDTH, blocks, filled, get, put};
+use super::lanes::{Lane, WIDTH};
 use super::{Fast, Scratch};
 use crate::equations::Equations;
 use crate::layout::{BALL, Layout, VELOCITY};
@@ -80,28 +80,6 @@ impl Fast {
             balls[VELOCITY..VELOCITY + 3].copy_from_slice(before);
         }
         bodies(l).for_each(|k| y[k] = self.before[k]);
-    }
-
-    /// The halves that are kept, from the memory into lanes.
-    pub(super) fn take_up_halves(&mut self, l: Layout) {
-        let Scratch { half, .. } = &mut self.scratch;
-        half.resize(blocks(l.balls), [Lane::ZERO; VELOCITIES]);
-        for (block, half) in half.iter_mut().enumerate() {
-            for k in 0..WIDTH {
-                let at = l.ball((WIDTH * block + k).min(l.balls - 1)) + VELOCITY;
-                put(half, k, std::array::from_fn::<_, VELOCITIES, _>(|i| self.half[at + i]));
-            }
-        }
-    }
-
-    /// The same the other way.
-    pub(super) fn keep_halves(&mut self, l: Layout) {
-        for (block, half) in self.scratch.half.iter().enumerate() {
-            for k in 0..filled(l, block) {
-                let at = l.ball(WIDTH * block + k) + VELOCITY;
-                self.half[at..at + VELOCITIES].copy_from_slice(&get(half, k));
-            }
-        }
     }
 
     /// The state as samples have it, displacements corrected.

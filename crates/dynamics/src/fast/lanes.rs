@@ -61,19 +61,33 @@ pub(super) fn lanes_of(l: Layout, block: usize, k: usize) -> std::ops::Range<usi
 
 /// The unknowns of the balls of a block.
 pub(super) fn gather(l: Layout, y: &[f64], block: usize) -> [Lane; BALL] {
-    let mut lanes = [Lane::ZERO; BALL];
+    gather_from(l, (y, 0), block)
+}
+
+/// So many numbers of every ball of a block from the one with a number on, in a list that is laid out as the unknowns.
+pub(super) fn gather_from<const N: usize>(l: Layout, (list, from): (&[f64], usize), block: usize) -> [Lane; N] {
+    let mut lanes = [Lane::ZERO; N];
     for k in 0..WIDTH {
-        let index = (WIDTH * block + k).min(l.balls - 1);
-        let at = l.ball(index);
-        put(&mut lanes, k, std::array::from_fn(|i| y[at + i]));
+        let at = l.ball((WIDTH * block + k).min(l.balls - 1)) + from;
+        put(&mut lanes, k, std::array::from_fn(|i| list[at + i]));
     }
     lanes
 }
 
-/// Writes them back.
+/// Writes the unknowns back.
 pub(super) fn scatter(l: Layout, lanes: &[Lane; BALL], block: usize, y: &mut [f64]) {
+    scatter_from(l, lanes, block, (y, 0));
+}
+
+/// The other way of [`gather_from`].
+pub(super) fn scatter_from<const N: usize>(
+    l: Layout,
+    lanes: &[Lane; N],
+    block: usize,
+    (list, from): (&mut [f64], usize),
+) {
     for k in 0..filled(l, block) {
-        y[l.ball(WIDTH * block + k)..][..BALL].copy_from_slice(&get(lanes, k));
+        list[l.ball(WIDTH * block + k) + from..][..N].copy_from_slice(&get(lanes, k));
     }
 }
 

@@ -23,7 +23,7 @@ type Ellipses = [[Lane; 3]; 2];
 /// Ellipses, pockets, and the places of these.
 type Beside<'a> = (&'a Ellipses, &'a [Lane; 10], &'a Lane);
 
-/// What a look works on, kept from one to the next, and the list of balls that it fills.
+/// Room that a look works in, kept from one to the next, and the list of balls that it fills.
 #[derive(Default)]
 pub(crate) struct Room {
     pub balls: Vec<BallResult>,

@@ -51,7 +51,7 @@ use fearless_simd::{Level, dispatch};
 use friction::LinearFriction;
 use grip::{Forms, Grips};
 use halves::VELOCITIES;
-use lanes::{Lane, WIDTH, blocks, filled, gather, scatter};
+use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
 pub(crate) use look::Room;
 use nalgebra::Matrix5;
 use serde::{Deserialize, Serialize};
@@ -103,22 +103,12 @@ pub(crate) struct Fast {
     #[serde(deserialize_with = "or_infinite")]
     longest: f64,
     piece: f64,
-    /// What a step works on.
+    /// The balls in lanes, on which a step works.
     #[serde(skip)]
     scratch: Scratch,
     /// Contacts integrated over their patch, and contacts used.
     refreshed: u64,
     used: u64,
-}
-
-/// Axial, radial and orbital accelerations of the balls of a block.
-fn of_balls(l: Layout, list: &[f64], block: usize) -> [Lane; 3] {
-    let mut lanes = [Lane::ZERO; 3];
-    for k in 0..WIDTH {
-        let at = l.ball((WIDTH * block + k).min(l.balls - 1)) + VELOCITY;
-        lanes::put(&mut lanes, k, [list[at], list[at + 1], list[at + 2]]);
-    }
-    lanes
 }
 
 /// Moves a common acceleration by a share of its distance from that of the drift; given back is the mean.
@@ -247,39 +237,29 @@ impl Fast {
             self.drift.resize(y.len(), 0.0);
             let found = (&mut self.drift[..], &mut scratch.stands[..]);
             drift_acceleration(scratch.level, equations, (t, y), &scratch.balls, found);
-            self.keep_accelerations(l);
+            for (block, stand) in scratch.stands.iter().enumerate() {
+                scatter_from(l, stand.acceleration(), block, (&mut self.drift, VELOCITY));
+            }
             self.common.clone_from(&self.drift);
             self.ready = true;
         }
         if fresh {
             let scratch = &mut self.scratch;
             for (block, stand) in scratch.stands.iter_mut().enumerate() {
-                stand.set_acceleration(of_balls(l, &self.drift, block));
-                scratch.common[block] = of_balls(l, &self.common, block);
+                stand.set_acceleration(gather_from(l, (&self.drift, VELOCITY), block));
+                scratch.common[block] = gather_from(l, (&self.common, VELOCITY), block);
             }
-            self.take_up_halves(l);
-        }
-    }
-
-    /// Remembers the accelerations of the balls, which the drift has found in lanes.
-    fn keep_accelerations(&mut self, l: Layout) {
-        for (block, stand) in self.scratch.stands.iter().enumerate() {
-            for k in 0..filled(l, block) {
-                let at = l.ball(WIDTH * block + k) + VELOCITY;
-                self.drift[at..at + 3].copy_from_slice(&lanes::get(stand.acceleration(), k));
-            }
+            scratch.half = (0..blocks(l.balls)).map(|block| gather_from(l, (&self.half, VELOCITY), block)).collect();
         }
     }
 
     /// Takes what is in lanes into the memory: to be called before that is kept.
     pub fn settle(&mut self, l: Layout) {
-        self.keep_accelerations(l);
-        self.keep_halves(l);
-        for (block, common) in self.scratch.common.iter().enumerate() {
-            for k in 0..filled(l, block) {
-                let at = l.ball(WIDTH * block + k) + VELOCITY;
-                self.common[at..at + 3].copy_from_slice(&lanes::get(common, k));
-            }
+        let Scratch { stands, common, half, .. } = &self.scratch;
+        for (block, ((stand, common), half)) in stands.iter().zip(common).zip(half).enumerate() {
+            scatter_from(l, stand.acceleration(), block, (&mut self.drift, VELOCITY));
+            scatter_from(l, common, block, (&mut self.common, VELOCITY));
+            scatter_from(l, half, block, (&mut self.half, VELOCITY));
         }
     }
 

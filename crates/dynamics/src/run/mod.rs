@@ -43,7 +43,7 @@ pub struct Run {
     scale: Vec<f64>,
     start: Vec<f64>,
     solution: Solution,
-    /// What samples are put together in.
+    /// Room in which samples are put together.
     room: Room,
 }
 

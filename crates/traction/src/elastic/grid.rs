@@ -3,6 +3,7 @@
 use crate::TractionError;
 use crate::quadrature::gauss_legendre;
 use fearless_simd::Level;
+use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
 /// Division of the patch.
@@ -92,39 +93,14 @@ impl Node {
 fn difference(places: &[f64]) -> (f64, [f64; 3]) {
     let last = places.len() - 1;
     let back = last.min(3);
-    // Weights of the values at the places, last first, from what they must be exact for.
-    let mut rows = [[0.0; 5]; 4];
-    for (k, row) in rows.iter_mut().enumerate().take(back + 1) {
-        for (j, entry) in row.iter_mut().enumerate().take(back + 1) {
-            // From the last place, so that nothing is lost where places are close.
-            let x = places[last - j] - places[last];
-            *entry = [1.0, x.sin(), 2.0 * (0.5 * x).sin().powi(2), x - x.sin()][k];
-        }
-        row[4] = if k == 1 { 1.0 } else { 0.0 };
-    }
-    let weights = eliminate(rows, back + 1);
-    (weights[0], [1, 2, 3].map(|j| -weights[j] / weights[0]))
-}
-
-/// Solution of the first `n` of linear equations with their right sides in the last column.
-fn eliminate(mut rows: [[f64; 5]; 4], n: usize) -> [f64; 4] {
-    for i in 0..n {
-        let pivot = (i..n).max_by(|&a, &b| rows[a][i].abs().total_cmp(&rows[b][i].abs())).unwrap_or(i);
-        rows.swap(i, pivot);
-        let pivot = rows[i];
-        for row in &mut rows[i + 1..n] {
-            let factor = row[i] / pivot[i];
-            for (entry, above) in row.iter_mut().zip(pivot) {
-                *entry -= factor * above;
-            }
-        }
-    }
-    let mut solution = [0.0; 4];
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|k| rows[i][k] * solution[k]).sum();
-        solution[i] = (rows[i][4] - known) / rows[i][i];
-    }
-    solution
+    // Weights of the values at the places, last first, from what they must be exact for: from the last place, so that
+    // nothing is lost where places are close.
+    let exact: [fn(f64) -> f64; 4] = [|_| 1.0, f64::sin, |x| 2.0 * (0.5 * x).sin().powi(2), |x| x - x.sin()];
+    let rows = DMatrix::from_fn(back + 1, back + 1, |k, j| exact[k](places[last - j] - places[last]));
+    let slopes = DVector::from_fn(back + 1, |k, _| if k == 1 { 1.0 } else { 0.0 });
+    let weights = rows.lu().solve(&slopes).unwrap_or_else(|| unreachable!("places differ, within half a turn"));
+    let weight = |j: usize| weights.get(j).copied().unwrap_or_default();
+    (weight(0), [1, 2, 3].map(|j| -weight(j) / weight(0)))
 }
 
 impl Fastsim {

@@ -14,6 +14,7 @@ use crate::validate::{Counts, counted, declared_dynamic_rows};
 use score::Score;
 use space::{DIMENSIONS, Place, at_ends, changes, even};
 use std::fmt::Write;
+use std::str::FromStr;
 
 /// Sets that go on to the next round, rounds, sets about each of them, the width of the first round about a set as a
 /// part of its range, and that of each round as a part of the one before.
@@ -58,6 +59,15 @@ impl Searched {
             Self::Authors => "authors",
             Self::Classical => "classical",
         }
+    }
+}
+
+impl FromStr for Searched {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let named = [Self::Authors, Self::Classical].into_iter().find(|searched| searched.name() == text);
+        named.ok_or_else(|| "allowed are authors and classical".to_owned())
     }
 }
 
