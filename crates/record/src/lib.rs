@@ -14,7 +14,7 @@ mod tests;
 
 pub use messages::wire;
 // Within the crate a module goes by its own name, whatever folder it lies in.
-use file::{output, scan};
+use file::{held, output, scan};
 use messages::{ball, units};
 use scene::{colour, contacts, frames, guide, mesh, quaternion, raceway};
 use solution::{timeline, write};
@@ -36,6 +36,6 @@ pub use layout::{Layout, LayoutKind};
 pub use live::is_live_request;
 #[cfg(feature = "live")]
 pub use live::{LIVE_ADDRESS, LiveName, LiveServer, LiveSummary, LiveWarning};
-pub use run::{FileSink, Preamble, RecorderMemory, RunRecorder, RunRecording, RunRows, Sink, StreamSink};
+pub use run::{FileSink, Overview, Preamble, RecorderMemory, RunRecorder, RunRecording, RunRows, Sink, StreamSink};
 pub use solution::messages::read_state;
 pub use solution::write::{CASE_ATTACHMENT, LAYOUT_ATTACHMENT, SolutionRecording, write_solution};

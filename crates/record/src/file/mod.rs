@@ -1,5 +1,6 @@
 //! MCAP files: writing, reading, and what can be saved of a damaged one.
 
+pub(crate) mod held;
 mod numbers;
 pub(crate) mod output;
 pub(crate) mod read;

@@ -4,4 +4,4 @@ pub(crate) mod ball;
 pub(crate) mod units;
 pub mod wire;
 
-pub(crate) use crate::solution::messages::{fields, fill, fill_over, in_contact, over_fields};
+pub(crate) use crate::solution::messages::{fields, fill, in_contact, over_fields};

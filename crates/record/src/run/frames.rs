@@ -4,11 +4,13 @@
 //! often than [`FRAMES_PER_TURN`] and [`CONTACTS_PER_TURN`] times a turn of whatever turns fastest. Contacts ride on
 //! the frames, so fewer of them do not make the picture jump.
 
+use super::overview::Overview;
 use crate::frames::{Poses, Spins};
 use crate::quaternion::Rotation;
 use crate::wire::foxglove::FrameTransforms;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
+use tribodyn_bearing::BallResult;
 use tribodyn_dynamics::Sample;
 
 /// Most frame transforms in a turn.
@@ -74,18 +76,18 @@ impl Motion {
     }
 
     /// Turns the balls from the last sample to this one, by the mean of both spins.
-    pub(crate) fn advance(&mut self, sample: &Sample) {
-        let now = sample.balls.iter().map(|b| b.spin_rad_s);
+    pub(crate) fn advance(&mut self, overview: &Overview) {
+        let (time_s, now) = (overview.time_s(), overview.spins_rad_s.iter().copied());
         if let Some((time, spins)) = &mut self.last {
-            let step = sample.time_s - *time;
+            let step = time_s - *time;
             for (index, (before, spin)) in spins.iter_mut().zip(now).enumerate() {
                 let mean = [0, 1, 2].map(|k| 0.5 * (before[k] + spin[k]));
                 self.spins.advance_one(index, mean, step);
                 *before = spin;
             }
-            *time = sample.time_s;
+            *time = time_s;
         } else {
-            self.last = Some((sample.time_s, now.collect()));
+            self.last = Some((time_s, now.collect()));
         }
     }
 
@@ -98,7 +100,12 @@ impl Motion {
     }
 
     /// Sets the frames of a message that is empty or of another time.
-    pub(crate) fn transforms(&self, sample: &Sample, log_time: u64, message: &mut FrameTransforms) {
+    pub(crate) fn transforms(
+        &self,
+        (sample, balls): (&Sample, &[BallResult]),
+        log_time: u64,
+        message: &mut FrameTransforms,
+    ) {
         let poses = Poses {
             log_time,
             inner: (sample.inner.displacement_m, Rotation::about_z(sample.inner.angle_rad)),
@@ -106,7 +113,7 @@ impl Motion {
             cage_angle: sample.cage.angle_rad,
             spins: &self.spins,
         };
-        let balls = sample.balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]);
+        let balls = balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]);
         poses.update(message, balls);
     }
 }

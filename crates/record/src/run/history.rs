@@ -1,5 +1,6 @@
 //! What a run remembers of its recent past: the last turn of the shaft and the samples behind the spectra.
 
+use super::overview::Overview;
 use crate::RecordError;
 use crate::timeline::timestamp;
 use crate::wire::tribodyn::{Orbit, Spectrum};
@@ -67,14 +68,14 @@ pub(crate) const QUANTITIES: [Quantity; 3] = [
 
 /// What the characteristic frequencies follow from: mean orbital speed and mean spin of the balls, speeds of the rings,
 /// rad/s.
-const SPEEDS: [fn(&Sample) -> f64; 4] = [
-    |s| s.balls.iter().map(|b| b.orbital_speed_rad_s).sum::<f64>() / s.balls.len() as f64,
-    |s| {
-        s.balls.iter().map(|b| b.spin_rad_s.iter().map(|w| w * w).sum::<f64>().sqrt()).sum::<f64>()
-            / s.balls.len() as f64
+const SPEEDS: [fn(&Overview) -> f64; 4] = [
+    |o| o.orbital_speed_rad_s,
+    |o| {
+        let speed = |spin: &[f64; 3]| spin.iter().map(|w| w * w).sum::<f64>().sqrt();
+        o.spins_rad_s.iter().map(speed).sum::<f64>() / o.spins_rad_s.len() as f64
     },
-    |s| s.inner.speed_rad_s,
-    |s| s.outer.speed_rad_s,
+    |o| o.sample.inner.speed_rad_s,
+    |o| o.sample.outer.speed_rad_s,
 ];
 
 /// Multiples of a characteristic frequency that are marked.
@@ -105,7 +106,8 @@ impl Recent {
         [&self.times].into_iter().chain(&self.values).chain(&self.speeds).flatten().copied()
     }
 
-    pub(crate) fn push(&mut self, sample: &Sample) {
+    pub(crate) fn push(&mut self, overview: &Overview) {
+        let sample = &overview.sample;
         // Two samples of one time, at an event for instance, are one of an even series.
         if self.times.back().is_some_and(|&last| sample.time_s <= last) {
             return;
@@ -115,7 +117,7 @@ impl Recent {
             values.push_back(get(sample));
         }
         for (values, get) in self.speeds.iter_mut().zip(SPEEDS) {
-            values.push_back(get(sample));
+            values.push_back(get(overview));
         }
         if self.times.len() > SPECTRUM_SAMPLES {
             self.times.pop_front();

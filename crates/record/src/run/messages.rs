@@ -1,23 +1,25 @@
 //! `/bearing/state`, `/bearing/balls` and `/bearing/wear` of a run: a sample in the units that a plot wants.
 
+use super::overview::Overview;
 use crate::ball;
-use crate::messages::{fields, fill, fill_over, in_contact, over_fields};
+use crate::messages::{fields, fill};
 use crate::timeline::timestamp;
 use crate::units::{BILLION, CUBIC_MICROMETRE, MICRO_PER_UNIT, MILLI_PER_UNIT, degrees};
+use crate::wire::Numbers;
 use crate::wire::tribodyn::{Balls, TransientState, Wear};
 use std::sync::LazyLock;
-use tribodyn_bearing::quantities::{OfBall, Over, Quantity, RPM_PER_RAD_S};
-use tribodyn_dynamics::{POWER_IN, POWER_LOST, PowerSample, Sample, WearSample};
+use tribodyn_bearing::BallResult;
+use tribodyn_bearing::quantities::{Quantity, RPM_PER_RAD_S};
+use tribodyn_dynamics::{POWER_IN, POWER_LOST, PowerSample, WearSample};
 
 static IN: LazyLock<Vec<(&Quantity<PowerSample>, usize)>> = LazyLock::new(|| fields::<TransientState, _>(&POWER_IN));
 static LOST: LazyLock<Vec<(&Quantity<PowerSample>, usize)>> =
     LazyLock::new(|| fields::<TransientState, _>(&POWER_LOST));
-static OVER_BALLS: LazyLock<Vec<(OfBall, Over, usize)>> = LazyLock::new(over_fields::<TransientState>);
 
 /// Rings, cage, powers and extremes of the balls.
-pub(crate) fn state(sample: &Sample, log_time: u64, impacts: u64) -> TransientState {
+pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> TransientState {
+    let sample = &overview.sample;
     let (inner, outer, cage) = (&sample.inner, &sample.outer, &sample.cage);
-    let mean_orbital = sample.balls.iter().map(|b| b.orbital_speed_rad_s).sum::<f64>() / sample.balls.len() as f64;
     let [inner_displacement_x_um, inner_displacement_y_um, inner_displacement_z_um] =
         inner.displacement_m.map(|x| x * MICRO_PER_UNIT);
     let [outer_displacement_x_um, outer_displacement_y_um, outer_displacement_z_um] =
@@ -58,11 +60,11 @@ pub(crate) fn state(sample: &Sample, log_time: u64, impacts: u64) -> TransientSt
         inner_torque_nm: inner.torque_nm,
         outer_torque_nm: outer.torque_nm,
         cage_speed_rpm: cage.speed_rad_s * RPM_PER_RAD_S,
-        orbital_speed_mean_rpm: mean_orbital * RPM_PER_RAD_S,
+        orbital_speed_mean_rpm: overview.orbital_speed_rad_s * RPM_PER_RAD_S,
         cage_acceleration_rad_s2: cage.acceleration_rad_s2,
         cage_ball_torque_nmm: cage.ball_torque_nm * MILLI_PER_UNIT,
         cage_fluid_torque_nmm: cage.fluid_torque_nm * MILLI_PER_UNIT,
-        balls_in_contact: in_contact(&sample.balls),
+        balls_in_contact: overview.in_contact,
         impacts: u32::try_from(impacts).unwrap_or(u32::MAX),
         energy_j: sample.power.energy_j,
         imbalance_ppb: imbalance_ppb(sample.power.imbalance_j, sample.power.throughput_j),
@@ -70,7 +72,9 @@ pub(crate) fn state(sample: &Sample, log_time: u64, impacts: u64) -> TransientSt
     };
     fill(&mut message, &IN, &sample.power);
     fill(&mut message, &LOST, &sample.power);
-    fill_over(&mut message, &OVER_BALLS, &sample.balls);
+    for (quantity, place, value) in overview.over_balls() {
+        message.set_number(place, value * quantity.facts().shown.per_si);
+    }
     message
 }
 
@@ -93,24 +97,20 @@ pub(crate) fn wear(wear: &WearSample, time_s: f64, log_time: u64) -> Wear {
 }
 
 /// All balls.
-pub(crate) fn balls(sample: &Sample, log_time: u64) -> Balls {
+pub(crate) fn balls(balls: &[BallResult], time_s: f64, log_time: u64) -> Balls {
     Balls {
         timestamp: Some(timestamp(log_time)),
-        time_s: sample.time_s,
-        balls: sample.balls.iter().enumerate().map(|(i, ball)| ball::message(i, ball)).collect(),
+        time_s,
+        balls: balls.iter().enumerate().map(|(i, ball)| ball::message(i, ball)).collect(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wire::Numbers;
 
     #[test]
     fn identity_every_power_has_a_field() {
         assert_eq!((IN.len(), LOST.len()), (POWER_IN.len(), POWER_LOST.len()));
-        for name in ["load_inner_max_n", "peak_pressure_outer_max_gpa", "pocket_force_max_n", "orbital_speed_min_rpm"] {
-            assert!(OVER_BALLS.iter().any(|f| TransientState::NAMES[f.2] == name), "{name}");
-        }
     }
 }

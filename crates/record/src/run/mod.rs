@@ -5,11 +5,13 @@ mod events;
 mod frames;
 mod history;
 mod messages;
+mod overview;
 mod producer;
 mod rows;
 mod sink;
 mod topics;
 
+pub use overview::Overview;
 pub use producer::RecorderMemory;
 pub use rows::RunRows;
 pub use sink::{FileSink, Preamble, Sink, StreamSink};
@@ -22,7 +24,7 @@ use crate::{RecordError, contacts};
 use producer::Producer;
 use std::ops::ControlFlow;
 use std::path::Path;
-use tribodyn_bearing::Geometry;
+use tribodyn_bearing::{BallResult, Geometry};
 use tribodyn_case::Case;
 use tribodyn_dynamics::{Event, FilterBands, Observer, Sample};
 
@@ -114,6 +116,16 @@ impl<S: Sink> RunRecorder<S> {
         self.producer.remember(memory)
     }
 
+    /// Records a sample from what was kept of it, and its balls where they are to be recorded. The first sample of a run
+    /// should have them: the picture is scaled by their loads.
+    ///
+    /// # Errors
+    /// [`RecordError`] for a number that is not finite, another number of balls or a time before that of the last
+    /// sample, and where the sink cannot take it.
+    pub fn record(&mut self, overview: &Overview, balls: Option<&[BallResult]>) -> Result<(), RecordError> {
+        self.producer.sample(&mut self.sink, overview, balls)
+    }
+
     /// Writes what is pending and ends the recording. A run that was broken off early is as whole a recording.
     ///
     /// # Errors
@@ -128,8 +140,8 @@ impl<S: Sink> Observer for RunRecorder<S> {
     type Error = RecordError;
 
     fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, RecordError> {
-        self.producer.sample(&mut self.sink, sample, with_balls)?;
-        Ok(ControlFlow::Continue(()))
+        let balls = with_balls.then_some(&sample.balls[..]);
+        self.record(&Overview::of(sample), balls).map(ControlFlow::Continue)
     }
 
     fn event(&mut self, event: &Event) -> Result<(), RecordError> {

@@ -5,6 +5,7 @@ use super::events::Pending;
 use super::frames::Motion;
 use super::history::{self, LastTurn, QUANTITIES, Recent};
 use super::messages;
+use super::overview::Overview;
 use super::{RunRecording, Sink, Topic, log_time};
 use crate::RecordError;
 use crate::ball;
@@ -15,7 +16,7 @@ use crate::timeline::{EPOCH_NS, timestamp};
 use crate::wire::foxglove::{FrameTransforms, Log, SceneUpdate};
 use prost::Message;
 use serde::{Deserialize, Serialize};
-use tribodyn_bearing::Geometry;
+use tribodyn_bearing::{BallResult, Geometry};
 use tribodyn_dynamics::{Event, Sample, WearSample};
 
 /// Simulated time between wear, orbit and spectra, s.
@@ -26,6 +27,9 @@ const SLOW_STEP_S: f64 = 0.1;
 const FLUSH_STEP_S: f64 = 0.05;
 /// Tolerance of these steps: times are sums of steps and may fall short of a multiple by rounding, s.
 const ROUNDING_S: f64 = 1e-9;
+
+/// A sample and its balls.
+type Seen<'a> = (&'a Sample, &'a [BallResult]);
 
 /// Makes the messages.
 #[derive(Debug)]
@@ -170,29 +174,30 @@ impl Producer {
     pub(super) fn sample(
         &mut self,
         sink: &mut impl Sink,
-        sample: &Sample,
-        with_balls: bool,
+        overview: &Overview,
+        balls: Option<&[BallResult]>,
     ) -> Result<(), RecordError> {
-        check::check(sample, with_balls, self.geometry.ball_count, self.memory.last_time_s)?;
+        check::check(overview, balls, self.geometry.ball_count, self.memory.last_time_s)?;
+        let sample = &overview.sample;
         (self.memory.last_time_s, self.memory.last_wear) = (sample.time_s, sample.wear);
         let time = log_time(sample.time_s);
         let scales = match self.memory.scales {
             Some(scales) => scales,
-            None => self.geometry(sink, sample, time)?,
+            None => self.geometry(sink, (sample, balls.unwrap_or_default()), time)?,
         };
         self.log_due(sink, sample.time_s)?;
-        self.memory.motion.advance(sample);
+        self.memory.motion.advance(overview);
         self.memory.last_turn.push(sample);
-        self.memory.recent.push(sample);
-        let state = messages::state(sample, time, self.memory.pending.impacts());
+        self.memory.recent.push(overview);
+        let state = messages::state(overview, time, self.memory.pending.impacts());
         sink.state(&state);
         self.send(sink, Topic::State, time, &state)?;
-        if with_balls {
-            self.memory.found.push(sample);
-            let balls = messages::balls(sample, time);
-            sink.balls(&balls.balls);
-            self.send(sink, Topic::Balls, time, &balls)?;
-            self.scene(sink, sample, scales, time)?;
+        if let Some(balls) = balls {
+            self.memory.found.push(sample, balls);
+            let message = messages::balls(balls, sample.time_s, time);
+            sink.balls(&message.balls);
+            self.send(sink, Topic::Balls, time, &message)?;
+            self.scene(sink, (sample, balls), scales, time)?;
         }
         if sample.time_s + ROUNDING_S >= self.memory.next_slow_s {
             self.memory.next_slow_s = next(self.memory.next_slow_s, SLOW_STEP_S, sample.time_s);
@@ -206,11 +211,11 @@ impl Producer {
     }
 
     /// The bodies, at the first sample.
-    fn geometry(&mut self, sink: &mut impl Sink, sample: &Sample, time: u64) -> Result<Scales, RecordError> {
+    fn geometry(&mut self, sink: &mut impl Sink, (sample, balls): Seen, time: u64) -> Result<Scales, RecordError> {
         let ring_load_n = sample.inner.ball_force_n.map(|x| -x);
-        let scales = Scales::of_first(&sample.balls, ring_load_n);
+        let scales = Scales::of_first(balls, ring_load_n);
         self.memory.scales = Some(scales);
-        let first = sample.balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket.unwrap_or_default().lead_rad);
+        let first = balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket.unwrap_or_default().lead_rad);
         let bodies = Bodies {
             geometry: &self.geometry,
             pocket_gap: self.pocket_gap,
@@ -230,10 +235,16 @@ impl Producer {
     }
 
     /// Frames and contacts where enough has turned since the last ones.
-    fn scene(&mut self, sink: &mut impl Sink, s: &Sample, scales: Scales, time: u64) -> Result<(), RecordError> {
+    fn scene(
+        &mut self,
+        sink: &mut impl Sink,
+        (s, balls): Seen,
+        scales: Scales,
+        time: u64,
+    ) -> Result<(), RecordError> {
         if self.memory.motion.frames_due(s) {
             let mut transforms = std::mem::take(&mut self.transforms);
-            self.memory.motion.transforms(s, time, &mut transforms);
+            self.memory.motion.transforms((s, balls), time, &mut transforms);
             self.send(sink, Topic::Transforms, time, &transforms)?;
             self.transforms = transforms;
         }
@@ -246,9 +257,9 @@ impl Producer {
                 cage_angle_rad: s.cage.angle_rad,
                 ring_angles_rad: [s.inner.angle_rad, s.outer.angle_rad],
             };
-            contacts::update(&mut update, &drawing, &moment, &s.balls);
+            contacts::update(&mut update, &drawing, &moment, balls);
             self.send(sink, Topic::Contacts, time, &update)?;
-            self.send(sink, Topic::Azimuth, time, &ball::around(timestamp(time), s.time_s, &s.balls))?;
+            self.send(sink, Topic::Azimuth, time, &ball::around(timestamp(time), s.time_s, balls))?;
             self.contacts = update;
         }
         Ok(())

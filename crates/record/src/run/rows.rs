@@ -2,6 +2,7 @@
 
 use super::check;
 use super::events::Pending;
+use super::overview::Overview;
 use super::{log_time, messages};
 use crate::RecordError;
 use crate::file::replay::{RunItem, log_row};
@@ -42,13 +43,14 @@ impl<T: FnMut(RunItem)> Observer for RunRows<T> {
     type Error = RecordError;
 
     fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, RecordError> {
-        check::check(sample, with_balls, self.balls, self.last.0)?;
+        let overview = Overview::of(sample);
+        check::check(&overview, with_balls.then_some(&sample.balls), self.balls, self.last.0)?;
         self.last = (sample.time_s, sample.wear);
         self.log_due(sample.time_s);
         let time = log_time(sample.time_s);
-        (self.take)(RunItem::State(messages::state(sample, time, self.pending.impacts())));
+        (self.take)(RunItem::State(messages::state(&overview, time, self.pending.impacts())));
         if with_balls {
-            (self.take)(RunItem::Balls(sample.time_s, messages::balls(sample, time).balls));
+            (self.take)(RunItem::Balls(sample.time_s, messages::balls(&sample.balls, sample.time_s, time).balls));
         }
         Ok(ControlFlow::Continue(()))
     }

@@ -1,9 +1,10 @@
 //! Where the messages of a run go: a file, a stream in memory, a server, or several of them.
 
+use crate::held::Held;
 use crate::output::{Channel, Entries, Output, QUICK, active_path, file_error, mcap_error};
 use crate::{BallRow, RecordError, RecordingSummary, StateRow, read_summary};
 use std::fs::{self, File};
-use std::io::{BufWriter, ErrorKind, Seek, Write};
+use std::io::{ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// What a run says about itself before its first message.
@@ -124,7 +125,7 @@ impl<W: Write + Seek> Sink for StreamSink<W> {
 /// An MCAP file, `<path>.active` until it is whole.
 #[derive(Debug)]
 pub struct FileSink {
-    stream: StreamSink<BufWriter<File>>,
+    stream: StreamSink<Held<File>>,
     path: PathBuf,
 }
 
@@ -141,7 +142,8 @@ impl FileSink {
             _ => {}
         }
         let file = File::create_new(&active).map_err(|source| file_error("create", &active, source))?;
-        Ok(Self { stream: StreamSink::new(BufWriter::new(file), &active), path: path.to_owned() })
+        let held = Held::new(file).map_err(|source| file_error("create", &active, source))?;
+        Ok(Self { stream: StreamSink::new(held, &active), path: path.to_owned() })
     }
 
     /// The name of the file until it is whole.
@@ -168,8 +170,8 @@ impl Sink for FileSink {
     /// Closes the file and gives it its name. After an error `<path>.active` stays, with what could be written.
     fn finish(self) -> Result<RecordingSummary, RecordError> {
         let active = self.active();
-        let buffer = self.stream.finish()?;
-        let file = buffer.into_inner().map_err(|error| file_error("flush", &active, error.into_error()))?;
+        let held = self.stream.finish()?;
+        let file = held.into_inner().map_err(|source| file_error("flush", &active, source))?;
         file.sync_all().map_err(|source| file_error("close", &active, source))?;
         fs::rename(&active, &self.path).map_err(|source| file_error("move into place", &active, source))?;
         read_summary(&self.path)

@@ -9,7 +9,7 @@ use crate::{colour, frames, guide, scene};
 use prost_types::Timestamp;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::{Geometry, Side};
+use tribodyn_bearing::{BallResult, Geometry, Side};
 use tribodyn_case::Case;
 use tribodyn_dynamics::Sample;
 
@@ -118,8 +118,8 @@ impl Found {
     }
 
     /// Looks below every loaded ball.
-    pub(crate) fn push(&mut self, sample: &Sample) {
-        for ball in &sample.balls {
+    pub(crate) fn push(&mut self, sample: &Sample, balls: &[BallResult]) {
+        for ball in balls {
             let contacts = &ball.contacts;
             let sides =
                 [(&mut self.inner, &contacts.inner, &sample.inner), (&mut self.outer, &contacts.outer, &sample.outer)];

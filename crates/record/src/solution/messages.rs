@@ -23,7 +23,7 @@ pub(crate) fn fields<M: Numbers, T>(table: &'static [Quantity<T>]) -> Vec<(&'sta
 }
 
 /// Writes the numbers for all balls that a message holds.
-pub(crate) fn fill_over<M: Numbers>(message: &mut M, fields: &[(OfBall, Over, usize)], balls: &[BallResult]) {
+fn fill_over<M: Numbers>(message: &mut M, fields: &[(OfBall, Over, usize)], balls: &[BallResult]) {
     for (quantity, over, place) in fields {
         if let Some(value) = quantity.over(*over, balls) {
             message.set_number(*place, value * quantity.facts().shown.per_si);

@@ -14,7 +14,7 @@ use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 use std::thread::{Builder, JoinHandle};
 use tribodyn_bearing::BallResult;
 use tribodyn_dynamics::{Checkpoint, Event, Observer, Sample};
-use tribodyn_record::{RecordError, RunRecorder};
+use tribodyn_record::{Overview, RecordError, RunRecorder};
 
 /// The recorder that the thread works on.
 pub(super) type Recorder = RunRecorder<Tape>;
@@ -24,17 +24,40 @@ const BALLS_AT_ONCE: usize = 512;
 /// Such loads that wait at the most; with those that are made and worked on some 3 MB.
 const WAITING: usize = 4;
 
+/// A sample on its way: what is said of all balls together, and the balls where they are recorded.
+struct Taken {
+    overview: Overview,
+    balls: Vec<BallResult>,
+    with_balls: bool,
+}
+
+impl Taken {
+    fn of(sample: &Sample, with_balls: bool) -> Self {
+        let balls = if with_balls { sample.balls.clone() } else { Vec::new() };
+        Self { overview: Overview::of(sample), balls, with_balls }
+    }
+
+    /// The same in place of one that has been recorded.
+    fn take(&mut self, sample: &Sample, with_balls: bool) {
+        self.overview.take(sample);
+        self.with_balls = with_balls;
+        if with_balls {
+            self.balls.clone_from(&sample.balls);
+        }
+    }
+}
+
 /// What goes over the queue.
-#[allow(clippy::large_enum_variant)] // most items are samples, the largest
 enum Item {
-    Sample(Sample, bool),
+    Sample(Box<Taken>),
     Event(Event),
     /// State of the run at a time, s.
     Save(Box<Checkpoint>, f64),
 }
 
-/// Lists of balls that have been recorded, to be filled again: one thread would else free what the other allocates.
-type Lists = Vec<Vec<BallResult>>;
+/// Samples that have been recorded, to be filled again: one thread would else free what the other allocates.
+#[allow(clippy::vec_box)] // they go to and fro, and lie still
+type Spare = Vec<Box<Taken>>;
 
 /// Why nothing is recorded any more, and the simulated time of what could not be, s.
 pub(super) struct Failed {
@@ -69,9 +92,9 @@ pub(super) struct Recording {
     load: Vec<Item>,
     /// Balls in that load.
     balls: usize,
-    /// Lists that came back.
-    spare: Lists,
-    back: Receiver<Lists>,
+    /// Samples that came back.
+    spare: Spare,
+    back: Receiver<Spare>,
     failed: Arc<AtomicBool>,
     worker: Option<JoinHandle<Result<Recorder, Failed>>>,
 }
@@ -149,9 +172,14 @@ impl Observer for Recording {
     type Error = std::convert::Infallible;
 
     fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, Self::Error> {
-        let mut balls = self.spare.pop().unwrap_or_default();
-        balls.clone_from(&sample.balls);
-        self.load.push(Item::Sample(Sample { balls, ..*sample }, with_balls));
+        let taken = match self.spare.pop() {
+            Some(mut spare) => {
+                spare.take(sample, with_balls);
+                spare
+            }
+            None => Box::new(Taken::of(sample, with_balls)),
+        };
+        self.load.push(Item::Sample(taken));
         self.balls += sample.balls.len();
         if self.balls >= BALLS_AT_ONCE {
             self.hand_over();
@@ -165,20 +193,21 @@ impl Observer for Recording {
     }
 }
 
-/// Takes what comes over the queue until it ends, and gives the lists of balls back.
+/// Takes what comes over the queue until it ends, and gives the samples back.
 fn record(
     mut recorder: Recorder,
-    (loads, back): (&Receiver<Vec<Item>>, &Sender<Lists>),
+    (loads, back): (&Receiver<Vec<Item>>, &Sender<Spare>),
     keeper: &Keeper,
 ) -> Result<Recorder, Failed> {
     for load in loads {
-        let mut lists = Vec::with_capacity(load.len());
+        let mut done = Vec::with_capacity(load.len());
         for item in load {
             let (simulated_s, taken) = match item {
-                Item::Sample(sample, with_balls) => {
-                    let taken = recorder.sample(&sample, with_balls).map(drop);
-                    lists.push(sample.balls);
-                    (sample.time_s, taken)
+                Item::Sample(sample) => {
+                    let Taken { overview, balls, with_balls } = &*sample;
+                    let of = (overview.time_s(), recorder.record(overview, with_balls.then_some(&balls[..])));
+                    done.push(sample);
+                    of
                 }
                 Item::Event(event) => (event.time_s, recorder.event(&event)),
                 Item::Save(run, simulated_s) => {
@@ -189,7 +218,7 @@ fn record(
             taken.map_err(|error| Failed { simulated_s, reason: Reason::Recording(error) })?;
         }
         // A run that is over does not listen any more.
-        let _ = back.send(lists);
+        let _ = back.send(done);
     }
     Ok(recorder)
 }

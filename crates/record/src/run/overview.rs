@@ -1,0 +1,76 @@
+//! A moment of a run without its balls one by one.
+
+use crate::messages::{in_contact, over_fields};
+use crate::wire::tribodyn::TransientState;
+use std::sync::LazyLock;
+use tribodyn_bearing::quantities::{OfBall, Over};
+use tribodyn_dynamics::Sample;
+
+/// The numbers for all balls that a state holds, with the places of their fields.
+pub(super) static OVER_BALLS: LazyLock<Vec<(OfBall, Over, usize)>> = LazyLock::new(over_fields::<TransientState>);
+
+/// Rings, cage and powers of a sample, and what a recording says of all its balls together. Four of five samples have
+/// no more to say at the default rates, and this is a twentieth of the bytes.
+#[derive(Debug, Clone)]
+pub struct Overview {
+    /// The sample; its list of balls is empty.
+    pub(super) sample: Sample,
+    /// Mean over the balls, rad/s.
+    pub(super) orbital_speed_rad_s: f64,
+    /// Balls that carry load at both races.
+    pub(super) in_contact: u32,
+    /// The numbers of [`OVER_BALLS`], SI.
+    over: Vec<Option<f64>>,
+    /// Spin of each ball, rad/s: between samples with balls they turn on.
+    pub(super) spins_rad_s: Vec<[f64; 3]>,
+}
+
+impl Overview {
+    /// Of a sample with its balls.
+    pub fn of(sample: &Sample) -> Self {
+        let mut overview = Self {
+            sample: Sample { balls: Vec::new(), ..*sample },
+            orbital_speed_rad_s: 0.0,
+            in_contact: 0,
+            over: Vec::new(),
+            spins_rad_s: Vec::new(),
+        };
+        overview.take(sample);
+        overview
+    }
+
+    /// The same in place of another one, whose memory it keeps.
+    pub fn take(&mut self, sample: &Sample) {
+        let balls = &sample.balls;
+        self.sample = Sample { balls: Vec::new(), ..*sample };
+        self.orbital_speed_rad_s = balls.iter().map(|b| b.orbital_speed_rad_s).sum::<f64>() / balls.len() as f64;
+        self.in_contact = in_contact(balls);
+        self.over.clear();
+        self.over.extend(OVER_BALLS.iter().map(|(quantity, over, _)| quantity.over(*over, balls)));
+        self.spins_rad_s.clear();
+        self.spins_rad_s.extend(balls.iter().map(|b| b.spin_rad_s));
+    }
+
+    /// Simulated time, s.
+    pub fn time_s(&self) -> f64 {
+        self.sample.time_s
+    }
+
+    /// The numbers for all balls with what they are and the places of their fields; absent where the model has none.
+    pub(super) fn over_balls(&self) -> impl Iterator<Item = (&'static OfBall, usize, f64)> + '_ {
+        OVER_BALLS.iter().zip(&self.over).filter_map(|((quantity, _, place), value)| Some((quantity, *place, (*value)?)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wire::Numbers;
+
+    #[test]
+    fn identity_what_is_known_of_all_balls_has_a_field() {
+        for name in ["load_inner_max_n", "peak_pressure_outer_max_gpa", "pocket_force_max_n", "orbital_speed_min_rpm"] {
+            assert!(OVER_BALLS.iter().any(|f| TransientState::NAMES[f.2] == name), "{name}");
+        }
+    }
+}
