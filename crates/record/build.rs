@@ -56,5 +56,11 @@ fn implementation(message: &DescriptorProto, text: &mut String) -> std::fmt::Res
     for (place, (name, kind)) in numbers.iter().enumerate() {
         writeln!(text, "{place} => self.{name} = value as {kind},")?;
     }
-    writeln!(text, "_ => {{}} }} }} }}")
+    writeln!(text, "_ => {{}} }} }}")?;
+    writeln!(text, "fn set_numbers(&mut self, value: impl Fn(usize) -> Option<f64>) {{")?;
+    for (place, (name, kind)) in numbers.iter().enumerate() {
+        writeln!(text, "if let Some(value) = value({place}) {{ self.{name} = value as {kind}; }}")?;
+    }
+    let finite: Vec<String> = numbers.iter().map(|(name, _)| format!("self.{name}.is_finite()")).collect();
+    writeln!(text, "}} fn are_finite(&self) -> bool {{ {} }} }}", finite.join(" & "))
 }

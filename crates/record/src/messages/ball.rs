@@ -9,10 +9,10 @@ use std::sync::LazyLock;
 use tribodyn_bearing::quantities::{GIGAPASCAL, OfBall, PERCENT, RPM_PER_RAD_S, Scope};
 use tribodyn_bearing::{BallResult, ContactResult, Side};
 
-/// Each quantity of a ball that a message holds, with the place of its field.
-static FIELDS: LazyLock<Vec<(OfBall, usize)>> = LazyLock::new(|| {
-    let place = |q: &OfBall| Ball::place(&q.name_in(q.facts().shown));
-    OfBall::all().filter_map(|q| Some((q, place(&q)?))).collect()
+/// The quantity of a ball that belongs into each number of a message, in the order of their places.
+static FIELDS: LazyLock<Vec<Option<OfBall>>> = LazyLock::new(|| {
+    let called = |name: &str| OfBall::all().find(|q| q.name_in(q.facts().shown) == *name);
+    Ball::NAMES.iter().map(|name| called(name)).collect()
 });
 
 /// One ball; f32 halves the file and keeps seven digits.
@@ -25,11 +25,11 @@ pub(crate) fn message(index: usize, ball: &BallResult) -> Ball {
         pocket: pocket(ball).into(),
         ..Ball::default()
     };
-    for (quantity, place) in FIELDS.iter() {
-        if let Some(value) = quantity.get(ball) {
-            message.set_number(*place, value * quantity.facts().shown.per_si);
-        }
-    }
+    let fields = &FIELDS[..];
+    message.set_numbers(|place| {
+        let quantity = fields.get(place)?.as_ref()?;
+        Some(quantity.get(ball)? * quantity.facts().shown.per_si)
+    });
     message.azimuth_deg = degrees(ball.azimuth_rad) as f32;
     message
 }
@@ -42,10 +42,11 @@ pub fn read_ball(row: &Ball, scope: Scope) -> BallResult {
         Scope::Run => true,
     };
     let mut ball = BallResult::default();
-    for (quantity, place) in FIELDS.iter() {
-        let facts = quantity.facts();
-        if held(facts.scope) {
-            quantity.set(&mut ball, row.number(*place) / facts.shown.per_si);
+    for (place, quantity) in FIELDS.iter().enumerate() {
+        if let Some((quantity, facts)) = quantity.map(|q| (q, q.facts()))
+            && held(facts.scope)
+        {
+            quantity.set(&mut ball, row.number(place) / facts.shown.per_si);
         }
     }
     ball

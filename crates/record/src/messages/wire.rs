@@ -23,6 +23,12 @@ pub trait Numbers {
     /// Writes the number at a place, in the precision of its field; nothing beyond the last one.
     fn set_number(&mut self, place: usize, value: f64);
 
+    /// Writes the numbers that `value` has for their places, in the precision of their fields.
+    fn set_numbers(&mut self, value: impl Fn(usize) -> Option<f64>);
+
+    /// True if no number is infinite or not a number at all.
+    fn are_finite(&self) -> bool;
+
     /// The place of a name.
     fn place(name: &str) -> Option<usize> {
         Self::NAMES.iter().position(|known| *known == name)

@@ -2,36 +2,24 @@
 
 use super::overview::Overview;
 use crate::RecordError;
+use crate::wire::Numbers;
+use crate::wire::tribodyn::Ball;
 use tribodyn_bearing::BallResult;
 use tribodyn_bearing::quantities::{OfBall, joined};
 use tribodyn_dynamics::{POWER_IN, POWER_LOST, RingSample, Sample};
 
-/// Refuses a sample that cannot be recorded; `recorded` are its balls where they are. Of others their turning and what
-/// is told of all of them is looked at.
-pub(crate) fn check(
-    overview: &Overview,
-    recorded: Option<&[BallResult]>,
-    balls: usize,
-    last_time_s: f64,
-) -> Result<(), RecordError> {
+/// Refuses a sample that cannot be recorded.
+pub(crate) fn check(overview: &Overview, balls: usize, last_time_s: f64) -> Result<(), RecordError> {
     let (sample, spins) = (&overview.sample, &overview.spins_rad_s);
-    let counts = [spins.len(), recorded.map_or(spins.len(), <[_]>::len)];
-    if let Some(&solution) = counts.iter().find(|count| **count != balls) {
-        return Err(RecordError::BallCount { solution, case: balls });
-    }
+    check_count(spins.len(), balls)?;
     if sample.time_s < last_time_s {
         return Err(RecordError::TimeGoesBack { time_s: sample.time_s, last_s: last_time_s });
     }
-    let of_balls = || {
-        let balls = recorded.into_iter().flatten().enumerate();
-        balls.flat_map(|(k, b)| OfBall::all().map(move |q| (k, q, q.get(b))))
-    };
     // A finite number times zero is zero: one sum tells of all numbers whether one of them is not.
     let mut sum = 0.0;
     numbers(sample, &mut |_, values| sum += values.iter().map(|v| v * 0.0).sum::<f64>());
     sum += spins.as_flattened().iter().map(|v| v * 0.0).sum::<f64>();
     sum += overview.over_balls().map(|(.., value)| value * 0.0).sum::<f64>();
-    sum += of_balls().filter_map(|(.., value)| value.map(|v| v * 0.0)).sum::<f64>();
     if sum == 0.0 {
         return Ok(());
     }
@@ -41,17 +29,31 @@ pub(crate) fn check(
             found = Some(RecordError::NotFinite { field: name.to_owned(), value });
         }
     });
-    let mut bad = of_balls().filter_map(|(index, q, value)| {
-        let value = value.filter(|v| !v.is_finite())?;
-        Some(RecordError::NotFinite { field: format!("balls[{index}].{}", q.name_in(q.facts().unit)), value })
-    });
     let mut spinning = spins.iter().enumerate().filter_map(|(index, spin)| {
         let value = *spin.iter().find(|v| !v.is_finite())?;
         Some(RecordError::NotFinite { field: format!("balls[{index}].spin_rad_s"), value })
     });
     let mut over = overview.over_balls().filter(|(.., value)| !value.is_finite());
     let of_all = || over.next().map(|(q, _, value)| RecordError::NotFinite { field: q.name(), value });
-    found.or_else(|| bad.next()).or_else(|| spinning.next()).or_else(of_all).map_or(Ok(()), Err)
+    found.or_else(|| spinning.next()).or_else(of_all).map_or(Ok(()), Err)
+}
+
+/// Refuses balls that cannot be recorded; `messages` are those that they have become.
+pub(crate) fn check_balls(messages: &[Ball], balls: &[BallResult], count: usize) -> Result<(), RecordError> {
+    check_count(balls.len(), count)?;
+    if messages.iter().all(Numbers::are_finite) {
+        return Ok(());
+    }
+    let mut values = balls.iter().enumerate().flat_map(|(k, b)| OfBall::all().map(move |q| (k, q, q.get(b))));
+    let bad = values.find_map(|(index, q, value)| {
+        let value = value.filter(|v| !v.is_finite())?;
+        Some(RecordError::NotFinite { field: format!("balls[{index}].{}", q.name_in(q.facts().unit)), value })
+    });
+    bad.map_or(Ok(()), Err)
+}
+
+fn check_count(solution: usize, case: usize) -> Result<(), RecordError> {
+    if solution == case { Ok(()) } else { Err(RecordError::BallCount { solution, case }) }
 }
 
 /// Gets a name for some numbers, and the numbers.

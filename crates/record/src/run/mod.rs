@@ -116,8 +116,8 @@ impl<S: Sink> RunRecorder<S> {
         self.producer.remember(memory)
     }
 
-    /// Records a sample from what was kept of it, and its balls where they are to be recorded. The first sample of a run
-    /// should have them: the picture is scaled by their loads.
+    /// Records a sample from what was kept of it, and its balls where they are to be recorded. The first sample of a
+    /// run should have them: the picture is scaled by their loads.
     ///
     /// # Errors
     /// [`RecordError`] for a number that is not finite, another number of balls or a time before that of the last

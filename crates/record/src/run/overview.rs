@@ -58,7 +58,10 @@ impl Overview {
 
     /// The numbers for all balls with what they are and the places of their fields; absent where the model has none.
     pub(super) fn over_balls(&self) -> impl Iterator<Item = (&'static OfBall, usize, f64)> + '_ {
-        OVER_BALLS.iter().zip(&self.over).filter_map(|((quantity, _, place), value)| Some((quantity, *place, (*value)?)))
+        OVER_BALLS
+            .iter()
+            .zip(&self.over)
+            .filter_map(|((quantity, _, place), value)| Some((quantity, *place, (*value)?)))
     }
 }
 

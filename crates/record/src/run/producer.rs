@@ -177,10 +177,14 @@ impl Producer {
         overview: &Overview,
         balls: Option<&[BallResult]>,
     ) -> Result<(), RecordError> {
-        check::check(overview, balls, self.geometry.ball_count, self.memory.last_time_s)?;
-        let sample = &overview.sample;
-        (self.memory.last_time_s, self.memory.last_wear) = (sample.time_s, sample.wear);
+        let (sample, count) = (&overview.sample, self.geometry.ball_count);
         let time = log_time(sample.time_s);
+        let of_balls = balls.map(|balls| (balls, messages::balls(balls, sample.time_s, time)));
+        if let Some((balls, message)) = &of_balls {
+            check::check_balls(&message.balls, balls, count)?;
+        }
+        check::check(overview, count, self.memory.last_time_s)?;
+        (self.memory.last_time_s, self.memory.last_wear) = (sample.time_s, sample.wear);
         let scales = match self.memory.scales {
             Some(scales) => scales,
             None => self.geometry(sink, (sample, balls.unwrap_or_default()), time)?,
@@ -192,9 +196,8 @@ impl Producer {
         let state = messages::state(overview, time, self.memory.pending.impacts());
         sink.state(&state);
         self.send(sink, Topic::State, time, &state)?;
-        if let Some(balls) = balls {
+        if let Some((balls, message)) = of_balls {
             self.memory.found.push(sample, balls);
-            let message = messages::balls(balls, sample.time_s, time);
             sink.balls(&message.balls);
             self.send(sink, Topic::Balls, time, &message)?;
             self.scene(sink, (sample, balls), scales, time)?;
@@ -235,13 +238,7 @@ impl Producer {
     }
 
     /// Frames and contacts where enough has turned since the last ones.
-    fn scene(
-        &mut self,
-        sink: &mut impl Sink,
-        (s, balls): Seen,
-        scales: Scales,
-        time: u64,
-    ) -> Result<(), RecordError> {
+    fn scene(&mut self, sink: &mut impl Sink, (s, balls): Seen, scales: Scales, time: u64) -> Result<(), RecordError> {
         if self.memory.motion.frames_due(s) {
             let mut transforms = std::mem::take(&mut self.transforms);
             self.memory.motion.transforms((s, balls), time, &mut transforms);

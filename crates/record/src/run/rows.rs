@@ -44,13 +44,17 @@ impl<T: FnMut(RunItem)> Observer for RunRows<T> {
 
     fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, RecordError> {
         let overview = Overview::of(sample);
-        check::check(&overview, with_balls.then_some(&sample.balls), self.balls, self.last.0)?;
+        let time = log_time(sample.time_s);
+        let balls = with_balls.then(|| messages::balls(&sample.balls, sample.time_s, time).balls);
+        if let Some(messages) = &balls {
+            check::check_balls(messages, &sample.balls, self.balls)?;
+        }
+        check::check(&overview, self.balls, self.last.0)?;
         self.last = (sample.time_s, sample.wear);
         self.log_due(sample.time_s);
-        let time = log_time(sample.time_s);
         (self.take)(RunItem::State(messages::state(&overview, time, self.pending.impacts())));
-        if with_balls {
-            (self.take)(RunItem::Balls(sample.time_s, messages::balls(&sample.balls, sample.time_s, time).balls));
+        if let Some(balls) = balls {
+            (self.take)(RunItem::Balls(sample.time_s, balls));
         }
         Ok(ControlFlow::Continue(()))
     }
