@@ -24,7 +24,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (length_ms, start_ms, rate_khz) = (number(20.0)?, number(10.0)?, number(25.6)?);
     let mut text = fs::read_to_string(path)?;
     let rate = format!("kHz({rate_khz})");
-    for (path, value) in [("transient.scheme", "Fast(step: us(20))"), ("recording.state_rate", &rate)] {
+    let balls = format!("kHz({})", rate_khz / 5.0);
+    let changes =
+        [("transient.scheme", "Fast(step: us(20))"), ("recording.ball_rate", &balls), ("recording.state_rate", &rate)];
+    for (path, value) in changes {
         text = set_value(&text, path, value)?;
     }
     let mut run = Run::new(Case::from_ron(&text)?.run_inputs()?)?;

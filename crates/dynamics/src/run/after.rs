@@ -109,8 +109,8 @@ impl Run {
         let pocket = &self.machine.cage.pocket;
         let lead = |y: &[f64], k: usize| self.machine.lead(k, &y[l.ball(k)..], y[l.cage()]);
         for ball in 0..l.balls {
-            let (before, after) = (lead(&self.progress.state, ball), lead(&self.next, ball));
-            if pocket.penetration(before) > 0.0 || pocket.penetration(after) <= 0.0 {
+            let after = lead(&self.next, ball);
+            if pocket.penetration(after) <= 0.0 || pocket.penetration(lead(&self.progress.state, ball)) > 0.0 {
                 continue;
             }
             let b = &self.next[l.ball(ball)..][..BALL];
