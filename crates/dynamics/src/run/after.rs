@@ -1,7 +1,7 @@
 //! What happens after a step: samples, events, wear, and a look at whether all is well.
 
 use super::filter::Between;
-use super::{ACCELERATION_ERROR, LOOK_EVERY, Run, RunError, Scheme, WEAR_LOOK_EVERY};
+use super::{ACCELERATION_ERROR, FAST_LOOK_EVERY, LOOK_EVERY, Run, RunError, Scheme, WEAR_LOOK_EVERY};
 use crate::error::DynamicsError;
 use crate::layout::{AZIMUTH, BALL, ORBIT};
 use crate::observer::{Event, EventKind, Observer};
@@ -208,12 +208,14 @@ impl Run {
 
     /// Looks at stiffness and at balls that leave.
     pub(super) fn look<E>(&mut self) -> Result<(), RunError<E>> {
-        let known = self.progress.stiffness;
-        self.progress.stiffness = self.machine.stiffness(self.progress.time, &self.progress.state);
         let time_s = self.progress.time;
         if let Some((ball, distance)) = self.thrown_out(&self.progress.state) {
-            let blame = self.blame(known);
+            let blame = self.blame();
             return Err(DynamicsError::BallLost { ball, time_s, distance_mm: distance * 1e3, blame }.into());
+        }
+        let rarely = matches!(self.scheme, Scheme::Fast { .. });
+        if !rarely || self.progress.statistics.steps.is_multiple_of(FAST_LOOK_EVERY) {
+            self.progress.stiffness = self.machine.stiffness(time_s, &self.progress.state);
         }
         self.progress.looked.time = time_s;
         self.progress.looked.state.copy_from_slice(&self.progress.state);

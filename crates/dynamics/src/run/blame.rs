@@ -39,9 +39,8 @@ pub(super) struct Looked {
 }
 
 impl Run {
-    /// Whether the step or the case is to blame for what happened at the present time. `known` is the stiffness of the
-    /// last look before it.
-    pub(super) fn blame(&self, known: Stiffness) -> Blame {
+    /// Whether the step or the case is to blame for what happened since the last look.
+    pub(super) fn blame(&self) -> Blame {
         let step_s = self.step();
         let limits = match self.scheme {
             // Its steps follow from the error, whatever the stiffness.
@@ -56,6 +55,7 @@ impl Run {
         let beyond = |bound: &StepBound| bound.limit_s < step_s;
         let looked = &self.progress.looked;
         let of_bodies = || self.machine.body_bounds(looked.time, &looked.state, limits).into_iter().find(beyond);
+        let known = self.machine.stiffness(looked.time, &looked.state);
         let found = Some(self.of_balls(known)).filter(beyond).or_else(of_bodies);
         match found.or_else(|| self.on_the_way(limits).filter(beyond)) {
             Some(bound) => Blame::Step { step_s, bound: Box::new(bound) },

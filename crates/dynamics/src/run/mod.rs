@@ -137,8 +137,11 @@ pub enum RunError<E> {
     Observer(E),
 }
 
-/// Steps between looks at the stiffness and at balls that leave.
+/// Steps between looks at balls that leave and, but for the fast scheme, at the stiffness.
 const LOOK_EVERY: u64 = 1000;
+/// Steps of the fast scheme between looks at the stiffness, for which all patches are integrated; friction does not
+/// bound its step.
+const FAST_LOOK_EVERY: u64 = 8 * LOOK_EVERY;
 /// Steps between looks at the thinnest coating.
 const WEAR_LOOK_EVERY: u64 = 64;
 /// Distance from its place at which a ball counts as thrown out, in ball diameters.

@@ -110,7 +110,7 @@ impl Run {
         } else {
             "the work done".to_owned()
         };
-        DynamicsError::NotFinite { what, time_s: self.progress.time, blame: self.blame(self.progress.stiffness) }
+        DynamicsError::NotFinite { what, time_s: self.progress.time, blame: self.blame() }
     }
 
     /// The part of the step after which the first ball meets or leaves its pocket wall.
