@@ -56,15 +56,20 @@ impl Over {
 
     /// Of some values; absent where one is absent, or where there are none.
     pub fn of(self, values: impl Iterator<Item = Option<f64>>) -> Option<f64> {
-        values
-            .reduce(|a, b| match (self, a?, b?) {
-                (Self::Sum, a, b) => Some(a + b),
-                (Self::Min, a, b) => Some(a.min(b)),
-                (Self::Max, a, b) => Some(a.max(b)),
-                (Self::Largest, a, b) => Some(a.abs().max(b.abs())),
-            })?
-            .map(|value| if self == Self::Largest { value.abs() } else { value })
+        // The choice outside of the loop: a recording counts over the balls of every sample.
+        match self {
+            Self::Sum => reduce(values, |a, b| a + b),
+            Self::Min => reduce(values, f64::min),
+            Self::Max => reduce(values, f64::max),
+            Self::Largest => reduce(values.map(|value| value.map(f64::abs)), f64::max),
+        }
     }
+}
+
+/// Of values that are all there.
+fn reduce(mut values: impl Iterator<Item = Option<f64>>, of: impl Fn(f64, f64) -> f64) -> Option<f64> {
+    let first = values.next()??;
+    values.try_fold(first, |so_far, value| Some(of(so_far, value?)))
 }
 
 /// All about a quantity but its value.

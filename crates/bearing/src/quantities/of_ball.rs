@@ -72,7 +72,10 @@ impl OfBall {
 
     /// One number for all balls, SI.
     pub fn over(&self, over: Over, balls: &[BallResult]) -> Option<f64> {
-        over.of(balls.iter().map(|ball| self.get(ball)))
+        match self {
+            Self::Ball(q) => over.of(balls.iter().map(q.get)),
+            Self::Contact(side, q) => over.of(balls.iter().map(|ball| (q.get)(&ball.contacts[*side]))),
+        }
     }
 
     /// All numbers that the table has for all balls: the quantity and how it is counted.

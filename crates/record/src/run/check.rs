@@ -3,24 +3,31 @@
 use super::overview::Overview;
 use crate::RecordError;
 use crate::wire::Numbers;
-use crate::wire::tribodyn::Ball;
+use crate::wire::tribodyn::{Ball, TransientState};
 use tribodyn_bearing::BallResult;
 use tribodyn_bearing::quantities::{OfBall, joined};
 use tribodyn_dynamics::{POWER_IN, POWER_LOST, RingSample, Sample};
 
-/// Refuses a sample that cannot be recorded.
-pub(crate) fn check(overview: &Overview, balls: usize, last_time_s: f64) -> Result<(), RecordError> {
+/// Refuses a sample that cannot be recorded; `state` is the message that it has become.
+pub(crate) fn check(
+    overview: &Overview,
+    state: &TransientState,
+    balls: usize,
+    last_time_s: f64,
+) -> Result<(), RecordError> {
     let (sample, spins) = (&overview.sample, &overview.spins_rad_s);
     check_count(spins.len(), balls)?;
     if sample.time_s < last_time_s {
         return Err(RecordError::TimeGoesBack { time_s: sample.time_s, last_s: last_time_s });
     }
-    // A finite number times zero is zero: one sum tells of all numbers whether one of them is not.
-    let mut sum = 0.0;
-    numbers(sample, &mut |_, values| sum += values.iter().map(|v| v * 0.0).sum::<f64>());
-    sum += spins.as_flattened().iter().map(|v| v * 0.0).sum::<f64>();
-    sum += overview.over_balls().map(|(.., value)| value * 0.0).sum::<f64>();
-    if sum == 0.0 {
+    // What the message does not hold.
+    let (p, w) = (&sample.power, &sample.wear);
+    let [inner, outer] = [&sample.inner, &sample.outer].map(|ring| ring.angle_rad);
+    let volumes = [w.volume_inner_m3, w.volume_outer_m3, w.volume_cage_m3];
+    let rest = [p.imbalance_j, p.throughput_j, inner, outer, sample.cage.angle_rad, sample.cage.speed_filtered_rad_s];
+    let others = volumes.iter().chain(&rest).chain([&w.coating_inner_min_m, &w.coating_outer_min_m]);
+    let are_finite = others.chain(spins.as_flattened()).fold(true, |all, value| all & value.is_finite());
+    if are_finite && state.are_finite() {
         return Ok(());
     }
     let mut found = None;

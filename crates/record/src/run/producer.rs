@@ -183,7 +183,8 @@ impl Producer {
         if let Some((balls, message)) = &of_balls {
             check::check_balls(&message.balls, balls, count)?;
         }
-        check::check(overview, count, self.memory.last_time_s)?;
+        let state = messages::state(overview, time, self.memory.pending.impacts());
+        check::check(overview, &state, count, self.memory.last_time_s)?;
         (self.memory.last_time_s, self.memory.last_wear) = (sample.time_s, sample.wear);
         let scales = match self.memory.scales {
             Some(scales) => scales,
@@ -193,7 +194,6 @@ impl Producer {
         self.memory.motion.advance(overview);
         self.memory.last_turn.push(sample);
         self.memory.recent.push(overview);
-        let state = messages::state(overview, time, self.memory.pending.impacts());
         sink.state(&state);
         self.send(sink, Topic::State, time, &state)?;
         if let Some((balls, message)) = of_balls {

@@ -49,10 +49,11 @@ impl<T: FnMut(RunItem)> Observer for RunRows<T> {
         if let Some(messages) = &balls {
             check::check_balls(messages, &sample.balls, self.balls)?;
         }
-        check::check(&overview, self.balls, self.last.0)?;
+        let state = messages::state(&overview, time, self.pending.impacts());
+        check::check(&overview, &state, self.balls, self.last.0)?;
         self.last = (sample.time_s, sample.wear);
         self.log_due(sample.time_s);
-        (self.take)(RunItem::State(messages::state(&overview, time, self.pending.impacts())));
+        (self.take)(RunItem::State(state));
         if let Some(balls) = balls {
             (self.take)(RunItem::Balls(sample.time_s, balls));
         }
