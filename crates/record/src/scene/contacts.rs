@@ -182,26 +182,28 @@ fn of_ball(ball: &BallResult) -> [Contact; 2] {
 }
 
 fn add(entity: &mut SceneEntity, diameter: f64, scales: Scales, contact: &Contact) {
-    let (sin, cos) = contact.normal.sin_cos();
+    let outward = Rotation::about_z(contact.normal);
+    let [cos, sin] = outward.direction();
     let along = |distance: f64| [distance * cos, distance * sin, 0.0];
+    let color = Some(colour::scale(contact.pressure_pa / scales.pressure_pa));
     let part = contact.load_n / scales.load_n;
     // Loads of a run may outgrow the scale: the arrow says so up to a point.
     let length = LONGEST_ARROW * diameter * part.min(OVERLONG);
     let head = (0.28 * diameter).min(0.5 * length);
     entity.arrows.push(ArrowPrimitive {
         // The arrow lies along x of its pose: turned half round, it points against the normal.
-        pose: Some(pose(along(0.5 * diameter + length), Rotation::about_z(contact.normal + PI))),
+        pose: Some(pose(along(0.5 * diameter + length), outward.turned_round())),
         shaft_length: length - head,
         shaft_diameter: 0.09 * diameter,
         head_length: head,
         head_diameter: 0.22 * diameter,
-        color: Some(colour::scale(contact.pressure_pa / scales.pressure_pa)),
+        color,
     });
     let [across, rolling] = contact.semi_axes_m.map(|x| 2.0 * PATCH_EXAGGERATION * x);
     entity.spheres.push(SpherePrimitive {
         // x along the normal, y across the groove, z along rolling.
-        pose: Some(pose(along(0.5 * diameter), Rotation::about_z(contact.normal))),
+        pose: Some(pose(along(0.5 * diameter), outward)),
         size: Some(vector([2.0 * PATCH_HALF_THICKNESS * diameter, across, rolling])),
-        color: Some(colour::scale(contact.pressure_pa / scales.pressure_pa)),
+        color,
     });
 }

@@ -130,8 +130,10 @@ impl Poses<'_> {
         }
         let spins = &self.spins.rotations;
         for ((pair, spun), [azimuth, radius, axial]) in of_balls.chunks_exact_mut(2).zip(spins).zip(balls) {
-            let centre = [radius * azimuth.cos(), radius * azimuth.sin(), axial];
-            place(&mut pair[0], centre, Rotation::about_z(azimuth).after(Rotation::AXIAL_RADIAL_TANGENTIAL));
+            let turned = Rotation::about_z(azimuth);
+            let [cos, sin] = turned.direction();
+            let centre = [radius * cos, radius * sin, axial];
+            place(&mut pair[0], centre, turned.after(Rotation::AXIAL_RADIAL_TANGENTIAL));
             place(&mut pair[1], [0.0; 3], *spun);
         }
     }

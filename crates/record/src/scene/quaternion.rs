@@ -34,7 +34,19 @@ impl Rotation {
 
     /// Rotation about z, rad.
     pub(crate) fn about_z(angle: f64) -> Self {
-        Self { vector: [0.0, 0.0, (0.5 * angle).sin()], real: (0.5 * angle).cos() }
+        let (sin, cos) = (0.5 * angle).sin_cos();
+        Self { vector: [0.0, 0.0, sin], real: cos }
+    }
+
+    /// Half a turn farther about z, for a rotation about z.
+    pub(crate) fn turned_round(self) -> Self {
+        Self { vector: [0.0, 0.0, self.real], real: -self.vector[2] }
+    }
+
+    /// Cosine and sine of the angle of a rotation about z.
+    pub(crate) fn direction(self) -> [f64; 2] {
+        let (sin, cos) = (self.vector[2], self.real);
+        [(cos - sin) * (cos + sin), 2.0 * sin * cos]
     }
 
     /// First `inner`, then `self`.
@@ -112,6 +124,17 @@ mod tests {
             assert!(close(turned(q, [1.0, 0.0, 0.0]), [0.0, 0.0, 1.0]), "axial");
             assert!(close(turned(q, [0.0, 1.0, 0.0]), [cos, sin, 0.0]), "radial");
             assert!(close(turned(q, [0.0, 0.0, 1.0]), [-sin, cos, 0.0]), "tangential");
+        }
+    }
+
+    #[test]
+    fn identity_a_rotation_about_z_knows_its_direction_and_the_opposite() {
+        for angle in [-7.0, -1.0, 0.0, 0.3, 2.0, 6.0] {
+            let q = Rotation::about_z(angle);
+            let [cos, sin] = q.direction();
+            assert!((cos - angle.cos()).abs() < 4e-16 && (sin - angle.sin()).abs() < 4e-16, "{angle}");
+            let (round, exact) = (q.turned_round(), Rotation::about_z(angle + std::f64::consts::PI));
+            assert!(close(round.vector, exact.vector) && (round.real - exact.real).abs() < 1e-15, "{angle}");
         }
     }
 
