@@ -20,44 +20,26 @@ use tribodyn_record::{Overview, RecordError, RunRecorder};
 pub(super) type Recorder = RunRecorder<Tape>;
 
 /// Balls of all samples that go over at once: waking the other thread costs as much as taking some samples.
-const BALLS_AT_ONCE: usize = 512;
+const BALLS_AT_ONCE: usize = 2048;
 /// Such loads that wait at the most; with those that are made and worked on some 3 MB.
 const WAITING: usize = 4;
 
-/// A sample on its way: what is said of all balls together, and the balls where they are recorded.
-struct Taken {
-    overview: Overview,
-    balls: Vec<BallResult>,
-    with_balls: bool,
-}
-
-impl Taken {
-    fn of(sample: &Sample, with_balls: bool) -> Self {
-        let balls = if with_balls { sample.balls.clone() } else { Vec::new() };
-        Self { overview: Overview::of(sample), balls, with_balls }
-    }
-
-    /// The same in place of one that has been recorded.
-    fn take(&mut self, sample: &Sample, with_balls: bool) {
-        self.overview.take(sample);
-        self.with_balls = with_balls;
-        if with_balls {
-            self.balls.clone_from(&sample.balls);
-        }
-    }
-}
-
 /// What goes over the queue.
 enum Item {
-    Sample(Box<Taken>),
+    /// With its balls where they are recorded.
+    Sample(Box<Overview>, Option<Vec<BallResult>>),
     Event(Event),
     /// State of the run at a time, s.
     Save(Box<Checkpoint>, f64),
 }
 
-/// Samples that have been recorded, to be filled again: one thread would else free what the other allocates.
-#[allow(clippy::vec_box)] // they go to and fro, and lie still
-type Spare = Vec<Box<Taken>>;
+/// What has been recorded, to be filled again: one thread would else free what the other allocates.
+#[derive(Default)]
+struct Spare {
+    #[allow(clippy::vec_box)] // they go to and fro, and lie still
+    overviews: Vec<Box<Overview>>,
+    lists: Vec<Vec<BallResult>>,
+}
 
 /// Why nothing is recorded any more, and the simulated time of what could not be, s.
 pub(super) struct Failed {
@@ -92,7 +74,7 @@ pub(super) struct Recording {
     load: Vec<Item>,
     /// Balls in that load.
     balls: usize,
-    /// Samples that came back.
+    /// What came back.
     spare: Spare,
     back: Receiver<Spare>,
     failed: Arc<AtomicBool>,
@@ -115,7 +97,7 @@ impl Recording {
             queue: Some(queue),
             load: Vec::new(),
             balls: 0,
-            spare: Vec::new(),
+            spare: Spare::default(),
             back,
             failed,
             worker: Some(worker),
@@ -141,7 +123,10 @@ impl Recording {
         }
         let next = Vec::with_capacity(self.load.len());
         let load = std::mem::replace(&mut self.load, next);
-        self.spare.extend(self.back.try_iter().flatten());
+        for Spare { overviews, lists } in self.back.try_iter() {
+            self.spare.overviews.extend(overviews);
+            self.spare.lists.extend(lists);
+        }
         if let Some(queue) = &self.queue {
             // A recorder that does not listen any more has failed and says so at the end.
             let _ = queue.send(load);
@@ -172,14 +157,19 @@ impl Observer for Recording {
     type Error = std::convert::Infallible;
 
     fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, Self::Error> {
-        let taken = match self.spare.pop() {
+        let overview = match self.spare.overviews.pop() {
             Some(mut spare) => {
-                spare.take(sample, with_balls);
+                spare.take(sample);
                 spare
             }
-            None => Box::new(Taken::of(sample, with_balls)),
+            None => Box::new(Overview::of(sample)),
         };
-        self.load.push(Item::Sample(taken));
+        let balls = with_balls.then(|| {
+            let mut balls = self.spare.lists.pop().unwrap_or_default();
+            balls.clone_from(&sample.balls);
+            balls
+        });
+        self.load.push(Item::Sample(overview, balls));
         self.balls += sample.balls.len();
         if self.balls >= BALLS_AT_ONCE {
             self.hand_over();
@@ -193,21 +183,22 @@ impl Observer for Recording {
     }
 }
 
-/// Takes what comes over the queue until it ends, and gives the samples back.
+/// Takes what comes over the queue until it ends, and gives back what it came in.
 fn record(
     mut recorder: Recorder,
     (loads, back): (&Receiver<Vec<Item>>, &Sender<Spare>),
     keeper: &Keeper,
 ) -> Result<Recorder, Failed> {
     for load in loads {
-        let mut done = Vec::with_capacity(load.len());
+        let mut done = Spare { overviews: Vec::with_capacity(load.len()), lists: Vec::new() };
         for item in load {
             let (simulated_s, taken) = match item {
-                Item::Sample(sample) => {
-                    let Taken { overview, balls, with_balls } = &*sample;
-                    let of = (overview.time_s(), recorder.record(overview, with_balls.then_some(&balls[..])));
-                    done.push(sample);
-                    of
+                Item::Sample(overview, balls) => {
+                    let taken = recorder.record(&overview, balls.as_deref());
+                    let time_s = overview.time_s();
+                    done.overviews.push(overview);
+                    done.lists.extend(balls);
+                    (time_s, taken)
                 }
                 Item::Event(event) => (event.time_s, recorder.event(&event)),
                 Item::Save(run, simulated_s) => {
