@@ -1,6 +1,6 @@
 //! A stream that is written in large pieces, seeks included.
 
-use std::io::{Result, Seek, SeekFrom, Write};
+use std::io::{ErrorKind, Result, Seek, SeekFrom, Write};
 
 /// Bytes that are held at the most.
 const MOST: usize = 4 << 20;
@@ -31,16 +31,24 @@ impl<W: Write + Seek> Held<W> {
         Ok(self.inner)
     }
 
-    /// Writes out what is held; the stream then stands where the next byte goes.
+    /// Writes out what is held; the stream then stands where the next byte goes. What is left after an error is still
+    /// held, and no byte is written twice.
     fn let_go(&mut self) -> Result<()> {
-        self.inner.write_all(&self.bytes)?;
-        let end = self.start + self.bytes.len() as u64;
-        self.start += self.at as u64;
-        if self.start != end {
-            self.inner.seek(SeekFrom::Start(self.start))?;
+        let next = self.start + self.at as u64;
+        while !self.bytes.is_empty() {
+            let written = match self.inner.write(&self.bytes) {
+                Ok(0) => return Err(ErrorKind::WriteZero.into()),
+                Ok(written) => written,
+                Err(error) if error.kind() == ErrorKind::Interrupted => 0,
+                Err(error) => return Err(error),
+            };
+            self.bytes.drain(..written);
+            self.start += written as u64;
+            self.at = self.at.saturating_sub(written);
         }
-        self.bytes.clear();
-        self.at = 0;
+        if self.start != next {
+            self.start = self.inner.seek(SeekFrom::Start(next))?;
+        }
         Ok(())
     }
 }
@@ -106,6 +114,38 @@ mod tests {
             }
         }
         places
+    }
+
+    /// Takes three bytes at a time, and none while it is full.
+    struct Small(Cursor<Vec<u8>>, bool);
+
+    impl Write for Small {
+        fn write(&mut self, data: &[u8]) -> Result<usize> {
+            if self.1 && self.0.get_ref().len() >= 6 {
+                return Err(ErrorKind::StorageFull.into());
+            }
+            self.0.write(&data[..data.len().min(3)])
+        }
+
+        fn flush(&mut self) -> Result<()> {
+            Ok(())
+        }
+    }
+
+    impl Seek for Small {
+        fn seek(&mut self, to: SeekFrom) -> Result<u64> {
+            self.0.seek(to)
+        }
+    }
+
+    #[test]
+    fn limit_after_an_error_no_byte_is_lost_or_written_twice() {
+        let mut held = Held::new(Small(Cursor::new(Vec::new()), true)).unwrap();
+        held.write_all(b"0123456789").unwrap();
+        assert_eq!(held.flush().unwrap_err().kind(), ErrorKind::StorageFull);
+        held.write_all(b"ab").unwrap();
+        held.inner.1 = false;
+        assert_eq!(held.into_inner().unwrap().0.into_inner(), b"0123456789ab");
     }
 
     #[test]

@@ -10,7 +10,7 @@ use tribodyn_dynamics::Sample;
 pub(super) static OVER_BALLS: LazyLock<Vec<(OfBall, Over, usize)>> = LazyLock::new(over_fields::<TransientState>);
 
 /// Rings, cage and powers of a sample, and what a recording says of all its balls together. Four of five samples have
-/// no more to say at the default rates, and this is a twentieth of the bytes.
+/// no more to say at the default rates, and this is an eighth of the bytes.
 #[derive(Debug, Clone)]
 pub struct Overview {
     /// The sample; its list of balls is empty.

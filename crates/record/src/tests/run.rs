@@ -206,17 +206,24 @@ fn limit_impacts_are_thinned_out_and_counted() {
 fn limit_what_cannot_be_recorded_is_refused_by_name() {
     let case = case::case(BALLS);
     let sink = || StreamSink::new(Cursor::new(Vec::new()), Path::new("memory"));
-    let refused = |change: fn(&mut tribodyn_dynamics::Sample)| {
+    let refused_where = |with_balls: bool, change: fn(&mut tribodyn_dynamics::Sample)| {
         let mut recorder = RunRecorder::new(sink(), &recording(&case)).unwrap();
         assert!(recorder.sample(&sample(0.001), true).unwrap().is_continue());
         let mut wrong = sample(0.002);
         change(&mut wrong);
-        recorder.sample(&wrong, true).unwrap_err().to_string()
+        recorder.sample(&wrong, with_balls).unwrap_err().to_string()
     };
+    let refused = |change: fn(&mut tribodyn_dynamics::Sample)| refused_where(true, change);
     let text = refused(|s| s.balls[4].spin_rad_s[1] = f64::NAN);
     assert!(text.contains("balls[4].spin_radial_rad_s") && text.contains("NaN"), "{text}");
     let text = refused(|s| s.power.drag_w = f64::INFINITY);
-    assert!(text.contains("power_drag_w"), "{text}");
+    assert!(text.starts_with("drag_w") && text.contains("inf"), "{text}");
+    let text = refused(|s| s.wear.volume_cage_m3 = f64::NAN);
+    assert!(text.starts_with("volume_cage_m3"), "{text}");
+    let text = refused_where(false, |s| s.balls[2].orbital_speed_rad_s = f64::NAN);
+    assert!(text.starts_with("orbital_speed_mean_rpm"), "{text}");
+    let text = refused_where(false, |s| s.balls[2].spin_rad_s[0] = f64::INFINITY);
+    assert!(text.starts_with("spin_rad_s of a ball"), "{text}");
     let text = refused(|s| s.time_s = 0.0005);
     assert!(text.contains("0.0005") && text.contains("0.001"), "{text}");
     let text = refused(|s| s.balls.truncate(12));
