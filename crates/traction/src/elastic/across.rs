@@ -104,20 +104,21 @@ impl Crowding {
     #[inline(always)]
     pub(super) fn places<S: Simd>(&self, t: Lanes<S>) -> [Lanes<S>; 2] {
         let [first, second] = self.zeros;
+        let one = Lanes::splat(t.token(), 1.0);
         let up = exp(t * (0.5 * self.total)) * self.start;
-        let down = Lanes::splat(t.token(), self.width2) / up;
-        let ratio = Lanes::splat(t.token(), second - first) / (up + down);
+        let up2 = up * up;
+        let over = one / (up * (up2 + self.width2));
+        let down = (up2 + self.width2) * over * self.width2;
+        let ratio = up2 * over * (second - first);
         let turn = ratio + (ratio * ratio + 1.0).sqrt();
-        let y = if first.abs() < second.abs() {
-            (up * turn - down / turn) * 0.5 + first
-        } else {
-            (up / turn - down * turn) * 0.5 + second
-        };
-        let [first, second] = self.zeros.map(|zero| {
-            let d = y - zero;
-            (d * d + self.width2).sqrt()
-        });
-        [y, first * second * self.total / (first + second)]
+        let back = one / turn;
+        // Half of G Q, H/Q, G/Q and H Q.
+        let [up, down] = [up * 0.5, down * 0.5];
+        let (from_first, from_second) = ([up * turn, down * back], [up * back, down * turn]);
+        let ([a, b], zero) = if first.abs() < second.abs() { (from_first, first) } else { (from_second, second) };
+        // With G H = w² the sum of what makes a distance from a zero by its difference is the root of its square + w².
+        let (first, second) = (from_first[0] + from_first[1], from_second[0] + from_second[1]);
+        [a - b + zero, first * second * self.total / (first + second)]
     }
 }
 

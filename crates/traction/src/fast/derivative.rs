@@ -1,7 +1,7 @@
 //! The derivative of the seven integrals, from one more pass over the same nodes.
 
 use super::elementary::exp_m1;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, fused};
 use super::nodes::{Block, Kernel, NODES, ROWS};
 use super::values::row_slip;
 use super::{SMALLEST_SQUARE, Scaled, assemble as assemble_values, flatness, lanes::total};
@@ -70,34 +70,48 @@ pub(super) struct Row<S: Simd> {
     y: Lanes<S>,
     y2: Lanes<S>,
     u: Lanes<S>,
+    u2: Lanes<S>,
     offset: Lanes<S>,
     /// Change of u, and of v but for the spin, while y grows in proportion.
     du: Lanes<S>,
     dv: Lanes<S>,
-    sums: [Lanes<S>; 17],
+    /// Of share, f_y, w |Δv|, K_11, K_12, K_22, K_22 X, changes of f_x, of f_y and of the power.
+    sums: [Lanes<S>; 10],
+    /// Of f_y X, the power, K_12 X, K_22 X², change of f_y times X, changes of w |Δv| and with the slip scale.
+    products: [Lanes<S>; 7],
 }
 
 /// The integrals' sums, as [`Row`]'s times powers of Y.
 pub(super) struct Sums<'a, S: Simd> {
     of: &'a Scaled,
     load: &'a LoadTerms,
-    sums: [Lanes<S>; SUMS],
+    plain: [Lanes<S>; PLAIN],
+    products: [Lanes<S>; SUMS - PLAIN],
 }
 
 /// 8 of the values, 5 + 8 + 6 of the stiffness, 8 of the load, 1 of the slip scale.
 const SUMS: usize = 36;
+/// Those without a power of Y.
+const PLAIN: usize = 17;
+/// Where [`assemble`] has them, those without a power of Y first.
+#[rustfmt::skip]
+const PLACES: [usize; SUMS] = [
+    0, 1, 2, 6, 7, 8, 13, 18, 21, 24, 26, 27, 28, 29, 33, 34, 35,
+    3, 4, 5, 9, 10, 11, 12, 14, 15, 16, 17, 19, 20, 22, 23, 25, 30, 31, 32,
+];
 
 impl<'a, S: Simd> Sums<'a, S> {
     #[inline(always)]
     pub(super) fn new(simd: S, of: &'a Scaled, load: &'a LoadTerms) -> Self {
-        Self { of, load, sums: [Lanes::splat(simd, 0.0); SUMS] }
+        let zero = Lanes::splat(simd, 0.0);
+        Self { of, load, plain: [zero; PLAIN], products: [zero; SUMS - PLAIN] }
     }
 
     #[inline(always)]
     pub(super) fn totals(&self) -> [f64; SUMS] {
         let mut totals = [0.0; SUMS];
-        for (t, &sum) in totals.iter_mut().zip(&self.sums) {
-            *t = total(sum);
+        for (place, &sum) in PLACES.into_iter().zip(self.plain.iter().chain(&self.products)) {
+            totals[place] = total(sum);
         }
         totals
     }
@@ -121,78 +135,71 @@ impl<S: Simd> Sums<'_, S> {
     fn open(&self, y: Lanes<S>) -> Row<S> {
         let [u, offset, y2] = row_slip(self.of, y);
         let ([_, beta, alpha], [_, _, epsilon]) = (self.of.slip.longitudinal, self.of.slip.lateral);
-        let (du, dv) = (-(y * beta + y2 * (2.0 * alpha)), y2 * (2.0 * epsilon));
-        Row { y, y2, u, offset, du, dv, sums: [Lanes::splat(y.token(), 0.0); 17] }
+        let (du, dv) = (-y * fused(y, 2.0 * alpha, beta), y2 * (2.0 * epsilon));
+        let zero = Lanes::splat(y.token(), 0.0);
+        Row { y, y2, u, u2: u * u, offset, du, dv, sums: [zero; 10], products: [zero; 7] }
     }
 
     #[inline(always)]
     fn point(&self, row: &mut Row<S>, x: Lanes<S>, w: Lanes<S>) {
         let (of, load, u) = (self.of, self.load, row.u);
-        let spin = x * of.slip.lateral[1];
-        let v = row.offset + spin;
-        let squared = (u * u + v * v).max(SMALLEST_SQUARE);
+        let v = fused(x, of.slip.lateral[1], row.offset);
+        let squared = fused(v, v, row.u2).max(SMALLEST_SQUARE);
         let speed = squared.sqrt();
         let argument = speed * of.rate;
         let e = exp_m1((-argument).max(-700.0));
         let (decay, ratio) = (e + 1.0, e / argument);
-        let over_slip = decay * of.b + ratio * of.a_c;
+        let over_slip = fused(decay, of.b, ratio * of.a_c);
         // s d(κ/s)/ds: below rounding of κ/s where decay + ratio cancels at small slip.
-        let bend = -(decay * argument * of.b + (decay + ratio) * of.a_c);
+        let bend = fused(decay * argument, -of.b, (decay + ratio) * -of.a_c);
         let share = w * over_slip;
         // At rest every direction is as good: the bend vanishes there.
         let inverse = Lanes::splat(x.token(), 1.0) / squared;
         let along = w * bend * inverse;
         let (along_u, along_v) = (along * u, along * v);
-        let (k11, k12, k22) = (share + along_u * u, along_u * v, share + along_v * v);
-        let curve = w * (decay * (speed * load.second + load.first) + ratio * load.third);
-        let (du, dv) = (row.du, row.dv + spin);
-        let dfx = k11 * du + k12 * dv + curve * u;
-        let dfy = k12 * du + k22 * dv + curve * v;
-        let dot = u * du + v * dv;
-        let (fy, wear) = (share * v, w * speed);
-        let (k12_x, k22_x) = (k12 * x, k22 * x);
-        let terms = [
-            share,
-            fy,
-            fy * x,
-            share * squared,
-            wear,
-            k11,
-            k12,
-            k12_x,
-            k22,
-            k22_x,
-            k22_x * x,
-            dfx,
-            dfy,
-            dfy * x,
-            dfx * u + dfy * v + share * dot,
-            wear * dot * inverse,
-            (share + w * bend) * squared,
-        ];
-        for (sum, term) in row.sums.iter_mut().zip(terms) {
+        let (k11, k12, k22) = (fused(along_u, u, share), along_u * v, fused(along_v, v, share));
+        let curve = w * fused(decay, fused(speed, load.second, load.first), ratio * load.third);
+        let (du, dv) = (row.du, fused(x, of.slip.lateral[1], row.dv));
+        let dfx = fused(k11, du, fused(k12, dv, curve * u));
+        let dfy = fused(k12, du, fused(k22, dv, curve * v));
+        let dot = fused(u, du, v * dv);
+        let (fy, wear, k22_x) = (share * v, w * speed, k22 * x);
+        let dpower = fused(dfx, u, fused(dfy, v, share * dot));
+        let dscale = fused(w, bend, share);
+        for (sum, term) in row.sums.iter_mut().zip([share, fy, wear, k11, k12, k22, k22_x, dfx, dfy, dpower]) {
             *sum += term;
         }
+        let products =
+            [[fy, x], [share, squared], [k12, x], [k22_x, x], [dfy, x], [wear * dot, inverse], [dscale, squared]];
+        add_products(&mut row.products, products);
     }
 
     #[inline(always)]
     fn close(&mut self, row: Row<S>) {
         let (y, y2) = (row.y, row.y2);
-        let [share, fy, x_fy, power, wear, k11, k12, k12_x, k22, k22_x, k22_xx, dfx, dfy, xdfy, dpower, dwear, dscale] =
-            row.sums;
+        let [share, fy, wear, k11, k12, k22, k22_x, dfx, dfy, dpower] = row.sums;
+        let [x_fy, power, k12_x, k22_xx, xdfy, dwear, dscale] = row.products;
         let (fx, y3, y4) = (share * row.u, y * y2, y2 * y2);
-        #[rustfmt::skip]
-        let terms: [Lanes<S>; SUMS] = [
-            fx, fy, x_fy, y * fx, y2 * fx, y2 * fy, power, wear,
-            k11, k11 * y, k11 * y2, k11 * y3, k11 * y4,
-            k12, k12 * y, k12 * y2, k12 * y3, k12 * y4, k12_x, k12_x * y, k12_x * y2,
-            k22, k22 * y2, k22 * y4, k22_x, k22_x * y2, k22_xx,
-            dfx, dfy, xdfy, y * dfx, y2 * dfx, y2 * dfy, dpower, dwear,
-            dscale,
-        ];
-        for (sum, term) in self.sums.iter_mut().zip(terms) {
+        let plain =
+            [fx, fy, x_fy, power, wear, k11, k12, k12_x, k22, k22_x, k22_xx, dfx, dfy, xdfy, dpower, dwear, dscale];
+        for (sum, term) in self.plain.iter_mut().zip(plain) {
             *sum += term;
         }
+        #[rustfmt::skip]
+        let products = [
+            [fx, y], [fx, y2], [fy, y2], [k11, y], [k11, y2], [k11, y3], [k11, y4],
+            [k12, y], [k12, y2], [k12, y3], [k12, y4], [k12_x, y], [k12_x, y2], [k22, y2], [k22, y4], [k22_x, y2],
+            [dfx, y], [dfx, y2], [dfy, y2],
+        ];
+        add_products(&mut self.products, products);
+    }
+}
+
+/// Adds a product to each sum.
+#[inline(always)]
+fn add_products<S: Simd, const N: usize>(sums: &mut [Lanes<S>; N], products: [[Lanes<S>; 2]; N]) {
+    for (sum, [a, b]) in sums.iter_mut().zip(products) {
+        *sum = fused(a, b, *sum);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The nodes of a patch rule in lanes of eight, and the walk over them.
 
 use super::elementary::{exp, ln};
-use super::lanes::{LANES, Lanes, Mask};
+use super::lanes::{LANES, Lanes, Mask, fused};
 use crate::quadrature::Nodes;
 use crate::strips::{AlongNode, SMALLEST_WIDTH, SPINLESS, panels};
 use crate::{Quadrature, SlipField};
@@ -203,27 +203,28 @@ impl<S: Simd> Map<S> {
         // Rounding may place a strip at the very end outside the patch.
         let squared = ((-y + 1.0) * (y + 1.0)).max(0.0);
         let y2 = y * y;
-        let along = -(y * beta + y2 * alpha) + gamma;
-        let offset = y2 * epsilon + delta;
+        let along = fused(-y, fused(y, alpha, beta), gamma);
+        let offset = fused(y2, epsilon, delta);
         let (along2, offset2, q2) = (along * along, offset * offset, squared * (sigma * sigma));
         self.plain = q2.simd_le((along2 + offset2) * SPINLESS) | q2.simd_lt(1e-60);
         // Offset by the sign of q, which is that of the spin.
         let signed = if sigma > 0.0 { -offset } else { offset };
-        self.centre = signed / (q2 * q2 + offset2 * offset2).sqrt().sqrt();
+        self.centre = signed / fused(q2, q2, offset2 * offset2).sqrt().sqrt();
         self.chord = squared.sqrt();
         self.share *= squared;
         let inverse = Lanes::splat(y.token(), 1.0) / (q2 * squared);
         let q2_inverse = inverse * squared;
-        let outside = signed * (self.chord * sigma.abs()) * q2_inverse - self.centre;
-        self.width2 = (along2 * q2_inverse + outside * outside) + inverse * q2 * (SMALLEST_WIDTH * SMALLEST_WIDTH);
+        let outside = fused(signed * (self.chord * sigma.abs()), q2_inverse, -self.centre);
+        let least = inverse * q2 * (SMALLEST_WIDTH * SMALLEST_WIDTH);
+        self.width2 = fused(along2, q2_inverse, fused(outside, outside, least));
     }
 
     /// U and D.
     #[inline(always)]
     fn span(&mut self) {
         let (right, left) = (-self.centre + 1.0, self.centre + 1.0);
-        self.rising = right + (right * right + self.width2).sqrt();
-        self.falling = left + (left * left + self.width2).sqrt();
+        self.rising = right + fused(right, right, self.width2).sqrt();
+        self.falling = left + fused(left, left, self.width2).sqrt();
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! The seven integrals.
 
 use super::elementary::exp_m1;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, fused};
 use super::nodes::{Block, Kernel, NODES, ROWS};
 use super::{SMALLEST_SQUARE, Scaled};
 use fearless_simd::prelude::*;
@@ -28,7 +28,7 @@ struct Scratch<S: Simd> {
 pub(super) fn row_slip<S: Simd>(of: &Scaled, y: Lanes<S>) -> [Lanes<S>; 3] {
     let ([gamma, beta, alpha], [delta, _, epsilon]) = (of.slip.longitudinal, of.slip.lateral);
     let y2 = y * y;
-    [-(y * beta + y2 * alpha) + gamma, y2 * epsilon + delta, y2]
+    [fused(-y, fused(y, alpha, beta), gamma), fused(y2, epsilon, delta), y2]
 }
 
 impl<'a, S: Simd> Values<'a, S> {
@@ -52,11 +52,12 @@ impl<S: Simd> Kernel<S> for Values<'_, S> {
         for i in 0..rows {
             let [along, offset, _] = row_slip(of, block.y[i]);
             u[i] = along;
+            let along2 = along * along;
             for k in 0..nodes {
-                v[i][k] = offset + block.x[i][k] * of.slip.lateral[1];
-                squared[i][k] = (along * along + v[i][k] * v[i][k]).max(SMALLEST_SQUARE);
+                v[i][k] = fused(block.x[i][k], of.slip.lateral[1], offset);
+                squared[i][k] = fused(v[i][k], v[i][k], along2).max(SMALLEST_SQUARE);
                 share[i][k] = squared[i][k].sqrt();
-                self.sums[7] += block.w[i][k] * share[i][k];
+                self.sums[7] = fused(block.w[i][k], share[i][k], self.sums[7]);
             }
         }
         for (row, w) in share[..rows].iter_mut().zip(&block.w) {
@@ -65,7 +66,7 @@ impl<S: Simd> Kernel<S> for Values<'_, S> {
                 let e = exp_m1(argument.max(-700.0));
                 // e/(−C s) tends to one at rest.
                 let ratio = Lanes::splat(zero.token(), -of.a_c) / argument;
-                *speed = w * ((e + 1.0) * of.b + e * ratio);
+                *speed = w * fused(e + 1.0, of.b, e * ratio);
             }
         }
         for i in 0..rows {
@@ -73,18 +74,21 @@ impl<S: Simd> Kernel<S> for Values<'_, S> {
             for k in 0..nodes {
                 let share = share[i][k];
                 let share_v = share * v[i][k];
-                let terms = [share, share_v, share_v * block.x[i][k], share * squared[i][k]];
-                for (sum, term) in sums.iter_mut().zip(terms) {
-                    *sum += term;
-                }
+                sums[0] += share;
+                sums[1] += share_v;
+                sums[2] = fused(share_v, block.x[i][k], sums[2]);
+                sums[3] = fused(share, squared[i][k], sums[3]);
             }
             // Add Σ share, share v, share v X and share |Δv|² of the row at Y.
             let ([share, fy, x_fy, power], y) = (sums, block.y[i]);
             let (fx, y2) = (share * u[i], y * y);
-            let terms = [fx, fy, x_fy, y * fx, y2 * fx, y2 * fy, power];
-            for (sum, term) in self.sums.iter_mut().zip(terms) {
+            for (sum, term) in self.sums.iter_mut().zip([fx, fy, x_fy]) {
                 *sum += term;
             }
+            for (sum, (y, f)) in self.sums[3..].iter_mut().zip([(y, fx), (y2, fx), (y2, fy)]) {
+                *sum = fused(y, f, *sum);
+            }
+            self.sums[6] += power;
         }
     }
 }

@@ -1,12 +1,15 @@
 //! The march of eight strips from leading to trailing edge, with their first derivatives.
 
-use super::cell::{At, Cell, Direction};
+use super::LOTS;
+use super::cell::{Cell, Direction};
+use super::curve::At;
 use super::response::{Response, Solved};
 use super::setup::{Law, Varied};
+use super::start::Start;
 use crate::SlipField;
 use crate::elastic::Fastsim;
 use crate::elastic::grid::Node;
-use crate::fast::lanes::Lanes;
+use crate::fast::lanes::{Lanes, fused};
 use fearless_simd::prelude::*;
 
 /// Forces in the direction of the slip along x and y, X times the second, power and wear integral of a strip of half
@@ -20,15 +23,13 @@ pub(super) struct Strips<'a, const T: usize> {
     /// 1 where surfaces move along x, −1 against it.
     pub(super) direction: f64,
     pub(super) law: Law,
+    start: Start,
     pub(super) yielding: [f64; 2],
     /// C κ along rolling, with κ at a slip of C, and the length of the memory over θ.
     pub(super) taken_up: f64,
     memory: f64,
     pub(super) varied: [Varied; T],
 }
-
-/// Steps of a cell's iteration that are made without asking.
-const USUAL: usize = 2;
 
 /// The first changes are of the slip alone.
 const OF_SLIP: usize = 3;
@@ -94,10 +95,10 @@ impl<'a, const T: usize> Strips<'a, T> {
     ) -> Self {
         let direction = if rolling_speed < 0.0 { -1.0 } else { 1.0 };
         let (taken_up, memory) = (law.taken_up(yielding), law.memory(yielding));
-        Self { grid, slip, direction, law, yielding, taken_up, memory, varied }
+        Self { grid, slip, direction, start: Start::new(&law), law, yielding, taken_up, memory, varied }
     }
 
-    /// Marches `lots` of eight strips side by side, each at its own place across the groove.
+    /// Marches up to [`LOTS`] lots of eight strips side by side, each at its own place across the groove.
     #[inline(always)]
     pub(super) fn march<S: Simd>(&self, lots: &mut [March<S, T>]) {
         for lot in lots.iter_mut() {
@@ -105,29 +106,32 @@ impl<'a, const T: usize> Strips<'a, T> {
         }
         for node in &self.grid.nodes {
             let here = self.at_node(node);
+            let given = (here.yielding, here.keep);
             for lot in lots.iter_mut() {
                 self.open(node, &here, lot);
             }
-            // One step is hardly ever enough.
-            for _ in 0..USUAL {
-                for lot in lots.iter_mut() {
-                    lot.cell.improve(&self.law, here.yielding, here.keep);
-                }
+            let starts = self.starts(&here, lots);
+            for (lot, start) in lots.iter_mut().zip(starts) {
+                lot.cell.improve(&self.law, given, start);
             }
-            for _ in 0..200 {
-                let mut left = false;
-                for lot in lots.iter_mut().filter(|lot| !lot.cell.is_done()) {
-                    lot.cell.improve(&self.law, here.yielding, here.keep);
-                    left = true;
-                }
-                if !left {
-                    break;
-                }
+            for lot in lots.iter_mut().filter(|lot| !lot.cell.is_done()) {
+                lot.cell.search(&self.law, given);
             }
             for lot in lots.iter_mut() {
                 self.close(node, &here, lot);
             }
         }
+    }
+
+    /// Speeds from which the roots of one or two lots are searched.
+    #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, reason = "only the start is in single precision")]
+    fn starts<S: Simd>(&self, here: &AtNode<T>, lots: &[March<S, T>]) -> [Lanes<S>; LOTS] {
+        let (first, last) = (&lots[0].cell, &lots[lots.len() - 1].cell);
+        let trial = [first.trial[0].narrow(last.trial[0]), first.trial[1].narrow(last.trial[1])];
+        let [x, y] = here.yielding;
+        let given = ([x as f32, y as f32], here.keep as f32);
+        self.start.speed(trial, first.last.narrow(last.last), given).widen().into()
     }
 
     #[inline(always)]
@@ -150,8 +154,8 @@ impl<'a, const T: usize> Strips<'a, T> {
         let (y, zero) = (lot.y, Lanes::splat(lot.y.token(), 0.0));
         let y2 = y * y;
         lot.chord = ((-y + 1.0) * (y + 1.0)).max(0.0).sqrt();
-        lot.along = -(y * beta + y2 * alpha) + gamma;
-        lot.across = y2 * epsilon + delta;
+        lot.along = fused(-y, fused(y, alpha, beta), gamma);
+        lot.across = fused(y2, epsilon, delta);
         let edge = lot.chord * -self.direction;
         let v = lot.across + edge * sigma;
         let speed = (lot.along * lot.along + v * v).max(1e-200).sqrt();
@@ -179,17 +183,17 @@ impl<'a, const T: usize> Strips<'a, T> {
     /// X of the slip that a cell has.
     #[inline(always)]
     fn place_of_slip<S: Simd>(&self, node: &Node, lot: &March<S, T>) -> Lanes<S> {
-        lot.chord * ((lot.sticking * node.mean + node.cos) * -self.direction)
+        lot.chord * (fused(lot.sticking, node.mean, node.cos) * -self.direction)
     }
 
     #[inline(always)]
     fn open<S: Simd>(&self, node: &Node, here: &AtNode<T>, lot: &mut March<S, T>) {
         let mean = self.place_of_slip(node, lot);
-        let rigid = [lot.along, lot.across + mean * self.slip.lateral[1]];
+        let across = fused(mean, self.slip.lateral[1], lot.across);
         let carried = carried(node, &lot.traction);
-        let trial = [rigid[0] + carried[0] * here.pull[0], rigid[1] + carried[1] * here.pull[1]];
+        let trial = [fused(carried[0], here.pull[0], lot.along), fused(carried[1], here.pull[1], across)];
         let last = remembered(node, &lot.weakening).min(1.0);
-        lot.cell.open(&self.law, (here.yielding, here.keep), trial, last);
+        lot.cell.open(trial, last);
     }
 
     #[inline(always)]
@@ -200,7 +204,8 @@ impl<'a, const T: usize> Strips<'a, T> {
             let zero = Lanes::splat(lot.y.token(), 0.0);
             direction.a = direction.a.map(|a| lot.cell.rest.select(zero, a));
         }
-        let traction = direction.a.map(|a| a * of.value * node.sin);
+        let [along, across] = direction.a;
+        let traction = [along * of.value * node.sin, across * of.value * node.sin];
         let x = lot.chord * (-self.direction * node.cos);
         let power = of.value * lot.cell.speed;
         add_forces(&mut lot.sums, x, traction, node.weight);
@@ -232,10 +237,8 @@ impl<'a, const T: usize> Strips<'a, T> {
         let Solved { node, at, of, direction: Direction { a, .. }, x, mean, .. } = *solved;
         let [du, dv, turn] = tangent.slip;
         let change = carried(node, &tangent.traction);
-        let mut trial = [du, dv + mean * turn + tangent.mean * node.mean];
-        for (i, trial) in trial.iter_mut().enumerate() {
-            *trial += change[i] * here.pull[i];
-        }
+        let turned = fused(mean, turn, fused(tangent.mean, node.mean, dv));
+        let mut trial = [fused(change[0], here.pull[0], du), fused(change[1], here.pull[1], turned)];
         let mut weakening = remembered(node, &tangent.weakening) * here.keep;
         // Of κ at the same slip and weakening.
         let mut kappa = Lanes::splat(x.token(), 0.0);
@@ -266,14 +269,13 @@ impl<'a, const T: usize> Strips<'a, T> {
 /// Part of a difference that comes from the cells before.
 #[inline(always)]
 fn carried<S: Simd>(node: &Node, [last, before, first]: &[[Lanes<S>; 2]; 3]) -> [Lanes<S>; 2] {
-    let [a, b, c] = node.previous;
-    [last[0] * a + (before[0] * b + first[0] * c), last[1] * a + (before[1] * b + first[1] * c)]
+    [remembered(node, &[last[0], before[0], first[0]]), remembered(node, &[last[1], before[1], first[1]])]
 }
 
 #[inline(always)]
 fn remembered<S: Simd>(node: &Node, [last, before, first]: &[Lanes<S>; 3]) -> Lanes<S> {
     let [a, b, c] = node.previous;
-    *last * a + (*before * b + *first * c)
+    fused(*last, a, fused(*before, b, *first * c))
 }
 
 #[inline(always)]
@@ -284,15 +286,15 @@ fn pass_on<T: Copy>(history: &mut [T; 3], last: T) {
 #[inline(always)]
 fn add_forces<S: Simd>(sums: &mut StripSums<S>, x: Lanes<S>, [fx, fy]: [Lanes<S>; 2], weight: f64) {
     let fy = fy * weight;
-    for (sum, term) in sums.iter_mut().zip([fx * weight, fy, x * fy]) {
-        *sum += term;
-    }
+    sums[0] = fused(fx, weight, sums[0]);
+    sums[1] += fy;
+    sums[2] = fused(x, fy, sums[2]);
 }
 
 #[inline(always)]
 fn add_power<S: Simd>(sums: &mut StripSums<S>, terms: [Lanes<S>; 2], weight: f64) {
     for (sum, term) in sums[3..].iter_mut().zip(terms) {
-        *sum += term * weight;
+        *sum = fused(term, weight, *sum);
     }
 }
 

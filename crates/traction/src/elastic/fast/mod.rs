@@ -14,9 +14,11 @@
 
 mod assemble;
 mod cell;
+mod curve;
 mod march;
 mod response;
 mod setup;
+mod start;
 
 use super::Fastsim;
 use super::across::Crowding;

@@ -1,9 +1,10 @@
 //! Answers of a solved cell to changes of what it was given.
 
-use super::cell::{At, Cell, Coefficient, Direction};
+use super::cell::{Cell, Direction};
+use super::curve::{At, Coefficient};
 use super::setup::Law;
 use crate::elastic::grid::Node;
-use crate::fast::lanes::Lanes;
+use crate::fast::lanes::{Lanes, fused};
 use fearless_simd::prelude::*;
 
 /// A solved cell.
@@ -11,7 +12,7 @@ use fearless_simd::prelude::*;
 pub(super) struct Solved<'a, S: Simd> {
     pub(super) node: &'a Node,
     pub(super) at: &'a At<S>,
-    pub(super) of: &'a Coefficient<S>,
+    pub(super) of: &'a Coefficient<Lanes<S>>,
     pub(super) direction: &'a Direction<S>,
     /// Traction of the cells before, as it goes into the trial slip.
     pub(super) carried: [Lanes<S>; 2],
@@ -76,25 +77,26 @@ impl<S: Simd> Response<S> {
     #[inline(always)]
     pub(super) fn speed(&self, trial: [Lanes<S>; 2], weakening: Lanes<S>) -> Lanes<S> {
         let (by_trial, by_weakening) = self.speed;
-        by_trial[0] * trial[0] + by_trial[1] * trial[1] + by_weakening * weakening
+        fused(by_trial[0], trial[0], fused(by_trial[1], trial[1], by_weakening * weakening))
     }
 
     /// sin θ δt.
     #[inline(always)]
     pub(super) fn traction(&self, trial: [Lanes<S>; 2], weakening: Lanes<S>, speed: Lanes<S>) -> [Lanes<S>; 2] {
         let [e, m, n] = self.traction;
-        [0, 1].map(|k| e[k] * trial[k] + m[k] * speed + n[k] * weakening)
+        let of = |k: usize| fused(e[k], trial[k], fused(m[k], speed, n[k] * weakening));
+        [of(0), of(1)]
     }
 
     /// δκ.
     #[inline(always)]
     pub(super) fn coefficient(&self, weakening: Lanes<S>, speed: Lanes<S>) -> Lanes<S> {
-        self.slope * speed - self.rising * weakening
+        fused(self.slope, speed, -(self.rising * weakening))
     }
 
     /// Change of the weakening that is handed on.
     #[inline(always)]
     pub(super) fn weakening(&self, weakening: Lanes<S>, speed: Lanes<S>) -> Lanes<S> {
-        weakening + self.weakening * speed
+        fused(self.weakening, speed, weakening)
     }
 }

@@ -22,6 +22,22 @@ pub(super) struct Law<D = f64> {
     pub(super) steepness: D,
 }
 
+impl<D: Copy> Law<D> {
+    /// The same in other numbers.
+    pub(super) fn map<E>(&self, to: impl Fn(D) -> E) -> Law<E> {
+        let Kragelskii { a, b, c } = self.curve;
+        Law {
+            curve: Kragelskii { a: to(a), b: to(b), c: to(c) },
+            scale: to(self.scale),
+            peak_slip: to(self.peak_slip),
+            peak: to(self.peak),
+            over_peak: to(self.over_peak),
+            rise: self.rise,
+            steepness: to(self.steepness),
+        }
+    }
+}
+
 impl<D: Scalar> Law<D> {
     pub(super) fn new(curve: Kragelskii<D>, scale: D) -> Self {
         let (peak_slip, peak, steepness) = match curve.fall() {
@@ -57,17 +73,17 @@ impl<D: Scalar> Law<D> {
 /// exact at either end of the rising branch and in its slope there; the second is the curve itself, in which
 /// e^(−z) gives way to the reciprocal of five terms of its series.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rise {
+pub(super) struct Rise<E = f64> {
     /// K_m, or where nothing falls the coefficient at infinite slip.
-    pub(super) most: f64,
+    pub(super) most: E,
     /// σ_m, m/s.
-    pub(super) knee: f64,
+    pub(super) knee: E,
     /// n, σ_m times the initial slope over K_m.
-    pub(super) bow: f64,
+    pub(super) bow: E,
     /// d_∞, the share that is lost at infinite slip.
-    pub(super) lost: f64,
+    pub(super) lost: E,
     /// Cλ, s/m.
-    pub(super) rate: f64,
+    pub(super) rate: E,
 }
 
 impl Rise {
@@ -80,6 +96,12 @@ impl Rise {
         } else {
             Self { most: residual, knee: BOW * residual / slope, bow: BOW, lost: 0.0, rate }
         }
+    }
+
+    /// The same in other numbers.
+    pub(super) fn map<E>(&self, to: impl Fn(f64) -> E) -> Rise<E> {
+        let Self { most, knee, bow, lost, rate } = *self;
+        Rise { most: to(most), knee: to(knee), bow: to(bow), lost: to(lost), rate: to(rate) }
     }
 }
 

@@ -1,0 +1,146 @@
+//! The curve at a sliding speed and a step towards the root of a cell's equation, in single or double precision.
+
+use super::setup::Law;
+use crate::fast::elementary::{exp_m1, exp_m1_single};
+use crate::fast::lanes::{Fuse, Lanes, Singles, fused};
+use fearless_simd::prelude::*;
+
+/// Vectors of one precision or the other.
+pub(super) trait Real<S: Simd>: SimdFloat<S, Element: Fuse> {
+    fn number(x: f32) -> Self::Element;
+
+    /// exp(x) − 1 for x ≤ 0.
+    fn exp_m1(self) -> Self;
+}
+
+impl<S: Simd> Real<S> for Lanes<S> {
+    #[inline(always)]
+    fn number(x: f32) -> f64 {
+        x.into()
+    }
+
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        exp_m1(self.max(-700.0))
+    }
+}
+
+impl<S: Simd> Real<S> for Singles<S> {
+    #[inline(always)]
+    fn number(x: f32) -> f32 {
+        x
+    }
+
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        exp_m1_single(self.max(-80.0))
+    }
+}
+
+/// The curve at a sliding speed.
+#[derive(Clone, Copy)]
+pub(super) struct At<S: Simd, V: Real<S> = Lanes<S>> {
+    /// exp(−C s) − 1, exp(−C s) and s.
+    pub(super) e: V,
+    pub(super) decay: V,
+    pub(super) slip: V,
+    /// κ and dκ/dσ, without memory.
+    pub(super) plain: V,
+    pub(super) slope: V,
+    /// d²κ/dσ².
+    pub(super) bend: V,
+    /// σ, m/s.
+    pub(super) speed: V,
+    /// Lanes beyond the peak.
+    pub(super) past: V::Mask,
+}
+
+impl<S: Simd, V: Real<S>> At<S, V> {
+    #[inline(always)]
+    pub(super) fn new(law: &Law<V::Element>, speed: V) -> Self {
+        let slip = speed * law.scale;
+        let e = (slip * -law.curve.c).exp_m1();
+        let decay = e + V::number(1.0);
+        let plain = fused(slip * decay, law.curve.b, e * law.curve.a);
+        let inner = fused(fused(slip, law.curve.b, law.curve.a), -law.curve.c, law.curve.b);
+        let slope = decay * inner * law.scale;
+        let bend = fused(decay, law.curve.b * law.scale, slope) * (-law.curve.c * law.scale);
+        Self { e, decay, slip, plain, slope, bend, speed, past: slip.simd_gt(law.peak_slip) }
+    }
+
+    #[inline(always)]
+    pub(super) fn nothing(simd: S) -> Self {
+        let z = V::splat(simd, V::number(0.0));
+        Self { e: z, decay: z, slip: z, plain: z, slope: z, bend: z, speed: z, past: z.simd_lt(z) }
+    }
+
+    /// κ_r on the rising branch or at the peak, and the share d of it that is lost.
+    #[inline(always)]
+    pub(super) fn rising_and_lost(&self, law: &Law<V::Element>) -> [V; 2] {
+        let (simd, zero) = (self.e.token(), V::number(0.0));
+        let lost = fused(self.plain, -law.over_peak, V::number(1.0));
+        [self.past.select(V::splat(simd, law.peak), self.plain), self.past.select(lost, V::splat(simd, zero))]
+    }
+
+    /// κ in a cell that keeps the share `keep` of the weakening `last`.
+    #[inline(always)]
+    pub(super) fn coefficient(&self, law: &Law<V::Element>, last: V, keep: V::Element) -> Coefficient<V> {
+        let [rising, lost] = self.rising_and_lost(law);
+        let new = V::number(1.0) - keep;
+        let weakening = fused(last, keep, lost * new);
+        let left = -weakening + V::number(1.0);
+        let grows = self.past.select(V::splat(left.token(), new), left);
+        Coefficient { value: rising * left, slope: self.slope * grows, bend: self.bend * grows, weakening }
+    }
+}
+
+impl<S: Simd> At<S> {
+    /// At a speed so near that the exponential need not be taken again: within [`super::cell::SETTLED`].
+    #[inline(always)]
+    pub(super) fn moved_to(&self, law: &Law, speed: Lanes<S>) -> Self {
+        let far = speed - self.speed;
+        let slip = far * law.scale;
+        let x = slip * law.curve.c;
+        let less = self.decay * fused(x * x, -0.5, x);
+        Self {
+            e: self.e - less,
+            decay: self.decay - less,
+            slip: self.slip + slip,
+            plain: fused(fused(self.bend, far * 0.5, self.slope), far, self.plain),
+            slope: fused(self.bend, far, self.slope),
+            speed,
+            ..*self
+        }
+    }
+}
+
+/// κ, its derivatives over σ, and the weakening.
+#[derive(Clone, Copy)]
+pub(super) struct Coefficient<V> {
+    pub(super) value: V,
+    pub(super) slope: V,
+    pub(super) bend: V,
+    pub(super) weakening: V,
+}
+
+/// One step of Halley's method, for 1/S − 1 with S = Σ a², a = s_t/D:
+/// ```text
+/// S' = −2 R,   R = Σ a² D'/D,   R' = Σ a² (D''/D − 3 (D'/D)²),   P = S (1 − S)/2
+/// δσ = −P R/(S R² − P R'/2)
+/// ```
+/// with the powers of D_x D_y multiplied out, so that it is divided once. Takes s_t² and D with its derivatives, gives
+/// −δσ and a number below zero where σ is too small.
+#[inline(always)]
+pub(super) fn halley<S: Simd, V: Real<S>>(square: [V; 2], [dx, dy]: [V; 2], [gx, gy]: [V; 2], bend: [V; 2]) -> [V; 2] {
+    let (dx2, dy2, product) = (dx * dx, dy * dy, dx * dy);
+    let (nx, ny) = (square[0] * dy2, square[1] * dx2);
+    let short = fused(product, product, -(nx + ny));
+    let rise = fused(nx * dy, gx, ny * dx * gy);
+    let three = V::number(3.0);
+    let part = nx * dy2 * fused(bend[0], dx, -(gx * gx * three));
+    let parts = fused(ny * dx2, fused(bend[1], dy, -(gy * gy * three)), part);
+    let rise2 = rise * rise;
+    let quarter = V::number(0.25);
+    let slope = fused(short * parts, -quarter, rise2).max(rise2 * quarter);
+    [short * rise * product * V::number(0.5) / slope, short]
+}
