@@ -93,7 +93,7 @@ pub(super) struct Sums<'a, S: Simd> {
 const SUMS: usize = 36;
 /// Those without a power of Y.
 const PLAIN: usize = 17;
-/// Where [`assemble`] has them, those without a power of Y first.
+/// Where [`assemble`] has the sums that [`Sums::close`] makes, in its order: first those without a power of Y.
 #[rustfmt::skip]
 const PLACES: [usize; SUMS] = [
     0, 1, 2, 6, 7, 8, 13, 18, 21, 24, 26, 27, 28, 29, 33, 34, 35,

@@ -16,8 +16,6 @@ pub(super) struct Law<D = f64> {
     pub(super) peak: D,
     /// 1/K_m.
     pub(super) over_peak: D,
-    /// The rising branch, roughly.
-    pub(super) rise: Rise,
     /// λ times the steepest fall, s/m.
     pub(super) steepness: D,
 }
@@ -32,7 +30,6 @@ impl<D: Copy> Law<D> {
             peak_slip: to(self.peak_slip),
             peak: to(self.peak),
             over_peak: to(self.over_peak),
-            rise: self.rise,
             steepness: to(self.steepness),
         }
     }
@@ -44,9 +41,7 @@ impl<D: Scalar> Law<D> {
             Some(fall) => (fall.slip, curve.coefficient(fall.slip), fall.steepness * scale),
             None => (D::from(f64::INFINITY), D::one(), D::zero()),
         };
-        let (slope, rate) = (curve.initial_slope().re() * scale.re(), curve.c.re() * scale.re());
-        let rise = Rise::new(slope, peak_slip.re() / scale.re(), peak.re(), curve.d().re(), rate);
-        Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), rise, steepness }
+        Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), steepness }
     }
 
     /// Length of the memory of the weakening over θ, of which a cell that reaches k keeps memory/(memory + k).
@@ -63,45 +58,6 @@ impl<D: Scalar> Law<D> {
     /// Initial slope of the coefficient over the sliding speed, s/m.
     pub(super) fn initial_slope(&self) -> D {
         self.curve.initial_slope() * self.scale
-    }
-}
-
-/// A curve without transcendental functions, a few per cent off: with x = σ/σ_m and z = Cλ (σ − σ_m)
-/// ```text
-/// κ = K_m (n x − x²)/(1 + (n − 2) x),   x < 1,   κ = K_m (1 − d_∞ (1 − (1 + z) e^(−z))),   x > 1
-/// ```
-/// exact at either end of the rising branch and in its slope there; the second is the curve itself, in which
-/// e^(−z) gives way to the reciprocal of five terms of its series.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Rise<E = f64> {
-    /// K_m, or where nothing falls the coefficient at infinite slip.
-    pub(super) most: E,
-    /// σ_m, m/s.
-    pub(super) knee: E,
-    /// n, σ_m times the initial slope over K_m.
-    pub(super) bow: E,
-    /// d_∞, the share that is lost at infinite slip.
-    pub(super) lost: E,
-    /// Cλ, s/m.
-    pub(super) rate: E,
-}
-
-impl Rise {
-    fn new(slope: f64, peak_speed: f64, peak: f64, residual: f64, rate: f64) -> Self {
-        /// Of a curve that has no peak: where an exponential has come within 5 %.
-        const BOW: f64 = 3.0;
-        if peak_speed.is_finite() {
-            let (bow, lost) = (slope * peak_speed / peak, 1.0 - residual / peak);
-            Self { most: peak, knee: peak_speed, bow, lost, rate }
-        } else {
-            Self { most: residual, knee: BOW * residual / slope, bow: BOW, lost: 0.0, rate }
-        }
-    }
-
-    /// The same in other numbers.
-    pub(super) fn map<E>(&self, to: impl Fn(f64) -> E) -> Rise<E> {
-        let Self { most, knee, bow, lost, rate } = *self;
-        Rise { most: to(most), knee: to(knee), bow: to(bow), lost: to(lost), rate: to(rate) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Where the search for a cell's root starts: within about 1e-5 of it, in single precision, for two lots at once.
 
 use super::curve::{At, halley};
-use super::setup::{Law, Rise};
+use super::setup::Law;
 use crate::fast::lanes::{Singles, fused};
 use fearless_simd::prelude::*;
 
@@ -12,13 +12,49 @@ const LEAST: f32 = 1e-30;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Start {
     law: Law<f32>,
-    rise: Rise<f32>,
+    rise: Rise,
+}
+
+/// A curve without transcendental functions, a few per cent off: with x = σ/σ_m and z = Cλ (σ − σ_m)
+/// ```text
+/// κ = K_m (n x − x²)/(1 + (n − 2) x),   x < 1,   κ = K_m (1 − d_∞ (1 − (1 + z) e^(−z))),   x > 1
+/// ```
+/// exact at either end of the rising branch and in its slope there; the second is the curve itself, in which
+/// e^(−z) gives way to the reciprocal of five terms of its series.
+#[derive(Debug, Clone, Copy)]
+struct Rise {
+    /// K_m, or where nothing falls the coefficient at infinite slip.
+    most: f32,
+    /// σ_m, m/s.
+    knee: f32,
+    /// n, σ_m times the initial slope over K_m.
+    bow: f32,
+    /// d_∞, the share that is lost at infinite slip.
+    lost: f32,
+    /// Cλ, s/m.
+    rate: f32,
+}
+
+impl Rise {
+    fn new(law: &Law<f32>, slope: f32) -> Self {
+        /// Of a curve that has no peak: where an exponential has come within 5 %.
+        const BOW: f32 = 3.0;
+        let (knee, most, rate) = (law.peak_slip / law.scale, law.peak, law.curve.c * law.scale);
+        // D of the curve, its coefficient at infinite slip.
+        let residual = -law.curve.a;
+        if knee.is_finite() {
+            Self { most, knee, bow: slope * knee / most, lost: 1.0 - residual / most, rate }
+        } else {
+            Self { most: residual, knee: BOW * residual / slope, bow: BOW, lost: 0.0, rate }
+        }
+    }
 }
 
 impl Start {
     #[expect(clippy::cast_possible_truncation, reason = "what is found here is improved in double precision")]
     pub(super) fn new(law: &Law) -> Self {
-        Self { law: law.map(|x| x as f32), rise: law.rise.map(|x| x as f32) }
+        let single = law.map(|x| x as f32);
+        Self { rise: Rise::new(&single, law.initial_slope() as f32), law: single }
     }
 
     /// A speed for every lane, from its trial slip and its last weakening.
