@@ -26,7 +26,7 @@ impl Fuse for f32 {
 }
 
 /// a b + c, rounded once: the same bits from processors that have it as one instruction and from those that have not,
-/// which take several times as long.
+/// on which a patch takes ten to twenty times as long.
 #[inline(always)]
 pub(crate) fn fused<S: Simd, V: SimdFloat<S, Element: Fuse>>(
     a: V,
