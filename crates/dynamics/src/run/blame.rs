@@ -39,7 +39,7 @@ pub(super) struct Looked {
 }
 
 impl Run {
-    /// Whether the step or the case is to blame for what happened since the last look.
+    /// The step or the case, whichever is to blame for what happened since the last look.
     pub(super) fn blame(&self) -> Blame {
         let step_s = self.step();
         let limits = match self.scheme {

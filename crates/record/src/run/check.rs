@@ -21,8 +21,8 @@ pub(crate) fn check(
         return Err(RecordError::TimeGoesBack { time_s: sample.time_s, last_s: last_time_s });
     }
     let rest = not_in_state(sample);
-    let others = rest.iter().map(|(_, value)| value).chain(spins.as_flattened());
-    if state.are_finite() && others.fold(true, |all, value| all & value.is_finite()) {
+    let mut others = rest.iter().map(|(_, value)| value).chain(spins.as_flattened());
+    if state.are_finite() && others.all(|value| value.is_finite()) {
         return Ok(());
     }
     let of_state = TransientState::NAMES.iter().enumerate().map(|(place, name)| (*name, state.number(place)));

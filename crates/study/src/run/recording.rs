@@ -33,7 +33,7 @@ enum Item {
     Save(Box<Checkpoint>, f64),
 }
 
-/// What has been recorded, to be filled again: one thread would else free what the other allocates.
+/// Room of samples that have been recorded, to be filled again: one thread would else free what the other allocates.
 #[derive(Default)]
 struct Spare {
     #[allow(clippy::vec_box)] // they go to and fro, and lie still
@@ -74,7 +74,7 @@ pub(super) struct Recording {
     load: Vec<Item>,
     /// Balls in that load.
     balls: usize,
-    /// What came back.
+    /// Room that came back.
     spare: Spare,
     back: Receiver<Spare>,
     failed: Arc<AtomicBool>,

@@ -84,23 +84,27 @@ impl<D: Scalar> Crowding<D> {
     /// Y and dY/dτ at τ in [0, 1], with derivatives.
     pub(super) fn place(&self, t: f64) -> (D, D) {
         let [first, second] = self.zeros;
-        let up = self.start * (self.total * (0.5 * t)).exp();
-        let down = self.width2 / up;
-        let ratio = (second - first) / (up + down);
+        let up = (self.total * (0.5 * t)).exp() * self.start;
+        let up2 = up * up;
+        let over = (up * (up2 + self.width2)).recip();
+        let down = (up2 + self.width2) * over * self.width2;
+        let ratio = up2 * over * (second - first);
         let turn = ratio + (ratio * ratio + 1.0).sqrt();
+        let back = turn.recip();
+        // Half of G Q, H/Q, G/Q and H Q.
+        let [up, down] = [up * 0.5, down * 0.5];
+        let (from_first, from_second) = ([up * turn, down * back], [up * back, down * turn]);
         // From the zero that is nearer to the patch, where fewer digits are lost.
-        let y = if first.re().abs() < second.re().abs() {
-            first + (up * turn - down / turn) * 0.5
-        } else {
-            second + (up / turn - down * turn) * 0.5
-        };
-        let [first, second] = self.zeros.map(|zero| ((y - zero) * (y - zero) + self.width2).sqrt());
-        (y, self.total * first * second / (first + second))
+        let nearer = first.re().abs() < second.re().abs();
+        let ([a, b], zero) = if nearer { (from_first, first) } else { (from_second, second) };
+        // With G H = w² the sum of what makes a distance from a zero by its difference is the root of its square + w².
+        let (first, second) = (from_first[0] + from_first[1], from_second[0] + from_second[1]);
+        (a - b + zero, first * second * self.total / (first + second))
     }
 }
 
 impl Crowding {
-    /// Y and dY/dτ at eight τ in [0, 1].
+    /// [`Crowding::place`] at eight τ in [0, 1].
     #[inline(always)]
     pub(super) fn places<S: Simd>(&self, t: Lanes<S>) -> [Lanes<S>; 2] {
         let [first, second] = self.zeros;
@@ -112,11 +116,9 @@ impl Crowding {
         let ratio = up2 * over * (second - first);
         let turn = ratio + (ratio * ratio + 1.0).sqrt();
         let back = one / turn;
-        // Half of G Q, H/Q, G/Q and H Q.
         let [up, down] = [up * 0.5, down * 0.5];
         let (from_first, from_second) = ([up * turn, down * back], [up * back, down * turn]);
         let ([a, b], zero) = if first.abs() < second.abs() { (from_first, first) } else { (from_second, second) };
-        // With G H = w² the sum of what makes a distance from a zero by its difference is the root of its square + w².
         let (first, second) = (from_first[0] + from_first[1], from_second[0] + from_second[1]);
         [a - b + zero, first * second * self.total / (first + second)]
     }

@@ -8,7 +8,7 @@ use fearless_simd::prelude::*;
 /// Square of a trial slip that single precision can work with, (m/s)².
 const LEAST: f32 = 1e-30;
 
-/// What the start needs of a patch.
+/// Numbers of a patch that the start needs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Start {
     law: Law<f32>,
