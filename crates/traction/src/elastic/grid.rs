@@ -1,6 +1,7 @@
 //! Strips and cells of the patch.
 
 use crate::TractionError;
+use crate::fast::lanes::LANES;
 use crate::quadrature::gauss_legendre;
 use fearless_simd::Level;
 use nalgebra::{DMatrix, DVector};
@@ -39,6 +40,8 @@ pub struct Fastsim {
     pub(super) rule: FastsimRule,
     /// (τ, w) on [0, 1] across the patch.
     pub(super) across: Vec<(f64, f64)>,
+    /// The same in lanes; those left over have no weight.
+    pub(super) lots: Vec<[[f64; LANES]; 2]>,
     pub(super) nodes: Vec<Node>,
     pub(super) level: Level,
 }
@@ -116,8 +119,14 @@ impl Fastsim {
         let place = |i: usize| 2.0 * (CROWDING * (0.5 * spacing * i as f64).tan()).atan();
         let places: Vec<f64> = (0..rule.cells).map(place).collect();
         let node = |i: usize| Node::new(&places[..=i], spacing * places[i].sin() / (spacing * i as f64).sin());
-        let across = gauss_legendre(2 * rule.across).into_iter().map(|(t, w)| (0.5 * (1.0 + t), 0.5 * w)).collect();
-        Ok(Self { rule, across, nodes: (1..rule.cells).map(node).collect(), level: Level::new() })
+        let across: Vec<_> =
+            gauss_legendre(2 * rule.across).into_iter().map(|(t, w)| (0.5 * (1.0 + t), 0.5 * w)).collect();
+        let lots = across.chunks(LANES).map(|lot| {
+            let lane = |k: usize| lot.get(k).copied().unwrap_or((0.5, 0.0));
+            [std::array::from_fn(|k| lane(k).0), std::array::from_fn(|k| lane(k).1)]
+        });
+        let (lots, nodes) = (lots.collect(), (1..rule.cells).map(node).collect());
+        Ok(Self { rule, across, lots, nodes, level: Level::new() })
     }
 
     /// The rule that it was made from.

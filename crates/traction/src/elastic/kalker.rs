@@ -103,10 +103,16 @@ impl KalkerCoefficients {
 
     /// The coefficients of an ellipse with `axis_ratio` the semi-axis along rolling over the semi-axis across.
     pub fn at<D: Scalar>(&self, axis_ratio: D) -> CreepCoefficients<D> {
-        let u = axis_ratio.ln();
-        let [longitudinal, lateral, spin] =
-            self.splines.each_ref().map(|spline| spline.value(&self.abscissas, u).exp());
+        let [longitudinal, lateral, spin] = self.logarithms(axis_ratio).map(|logarithm| logarithm.exp());
         CreepCoefficients { longitudinal, lateral, spin }
+    }
+
+    /// Logarithms of the coefficients.
+    pub(super) fn logarithms<D: Scalar>(&self, axis_ratio: D) -> [D; 3] {
+        let u = axis_ratio.ln();
+        let inner = &self.abscissas[1..NODES - 1];
+        let piece = inner.iter().take_while(|&&node| node < u.re()).count();
+        self.splines.each_ref().map(|spline| spline.value(&self.abscissas, piece, u))
     }
 }
 
@@ -135,9 +141,9 @@ fn natural_bends(x: &[f64; NODES], y: &[f64; NODES]) -> [f64; NODES] {
 }
 
 impl Spline {
-    fn value<D: Scalar>(&self, x: &[f64; NODES], at: D) -> D {
+    /// The value in the piece that begins at a node.
+    fn value<D: Scalar>(&self, x: &[f64; NODES], piece: usize, at: D) -> D {
         let (values, bends) = (&self.values, &self.bends);
-        let piece = x[1..NODES - 1].iter().take_while(|&&node| node < at.re()).count();
         let (left, right) = (x[piece], x[piece + 1]);
         let width = right - left;
         let rise = (values[piece + 1] - values[piece]) / width;

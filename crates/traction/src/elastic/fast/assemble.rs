@@ -1,9 +1,9 @@
 //! Derivatives of the patch from those of its strips.
 
 use super::march::March;
-use super::setup::{Law, Varied, yielding};
+use super::setup::{Setup, Varied, yielding};
 use super::varying;
-use crate::elastic::{CreepCoefficients, TangentialElasticity};
+use crate::elastic::TangentialElasticity;
 use crate::fast::lanes::{Lanes, total};
 use crate::fast::{PatchDerivative, flatness};
 use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion, SlipUnit};
@@ -30,8 +30,7 @@ pub(super) struct Inputs<'a> {
     pub(super) curve_slope: &'a Kragelskii,
     pub(super) slip_unit: SlipUnit,
     pub(super) elasticity: &'a TangentialElasticity,
-    /// Of the axis ratio, which stays as the load grows.
-    pub(super) coefficients: &'a CreepCoefficients,
+    pub(super) setup: &'a Setup,
 }
 
 impl Inputs<'_> {
@@ -59,7 +58,8 @@ impl Inputs<'_> {
     }
 
     fn yielding(&self, tau: Dual64, motion: &RelativeMotion<Dual64>, rolling: Dual64) -> [Dual64; 2] {
-        yielding(&self.patch(tau), motion, rolling, (self.elasticity, self.coefficients))
+        // The axis ratio stays as the load grows.
+        yielding(&self.patch(tau), motion, rolling, (self.elasticity, &self.setup.coefficients))
     }
 
     /// The six changes.
@@ -67,14 +67,14 @@ impl Inputs<'_> {
         let (one, motion, v) = (Dual64::from(1.0), self.motion(), Dual64::from(self.rolling_speed));
         let curve = |k: fn(&Kragelskii) -> f64, p: f64| Dual64::new(k(self.curve), k(self.curve_slope) * p);
         let curve = |p: f64| Kragelskii { a: curve(|k| k.a, p), b: curve(|k| k.b, p), c: curve(|k| k.c, p) };
-        let fixed = Law::new(curve(0.0), self.slip_unit.scale(v));
+        let fixed = self.setup.law(curve(0.0), self.slip_unit.scale(v));
         let still = self.yielding(one, &motion, v);
         let along = |k: usize| {
             let mut slip = [[0.0; 3]; 3];
             slip[k][0] = 1.0;
             slip
         };
-        let mut varied = [Varied::new(fixed, still, [[0.0; 3]; 3]); CHANGES];
+        let mut varied = [Varied::new(self.setup, (fixed, still), [[0.0; 3]; 3]); CHANGES];
         for (k, change) in [ALONG, ACROSS, TURN].into_iter().enumerate() {
             varied[change].slip = along(k);
         }
@@ -83,17 +83,15 @@ impl Inputs<'_> {
         varied[LATERAL] = Varied { yielding: softer, memory: fixed.memory(softer).eps, ..varied[LATERAL] };
         let slip = crate::SlipField::new(self.patch, self.motion);
         let ([_, beta, alpha], [_, sigma, epsilon]) = (slip.longitudinal, slip.lateral);
+        let law = self.setup.law(curve(self.patch.peak_pressure), self.slip_unit.scale(v));
         varied[LOAD] = Varied::new(
-            Law::new(curve(self.patch.peak_pressure), self.slip_unit.scale(v)),
-            self.yielding(varying(1.0), &motion, v),
+            self.setup,
+            (law, self.yielding(varying(1.0), &motion, v)),
             [[0.0, -beta, -2.0 * alpha], [0.0, 0.0, 2.0 * epsilon], [sigma, 0.0, 0.0]],
         );
         let rolling = varying(self.rolling_speed);
-        varied[ROLLING] = Varied::new(
-            Law::new(curve(0.0), self.slip_unit.scale(rolling)),
-            self.yielding(one, &motion, rolling),
-            [[0.0; 3]; 3],
-        );
+        let law = self.setup.law(curve(0.0), self.slip_unit.scale(rolling));
+        varied[ROLLING] = Varied::new(self.setup, (law, self.yielding(one, &motion, rolling)), [[0.0; 3]; 3]);
         varied
     }
 

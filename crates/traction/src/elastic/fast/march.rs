@@ -4,7 +4,7 @@ use super::LOTS;
 use super::cell::{Cell, Direction};
 use super::curve::At;
 use super::response::{Response, Solved};
-use super::setup::{Law, Varied};
+use super::setup::{Law, Setup, Varied};
 use super::start::Start;
 use crate::SlipField;
 use crate::elastic::Fastsim;
@@ -90,11 +90,12 @@ impl<'a, const T: usize> Strips<'a, T> {
     pub(super) fn new(
         (grid, slip): (&'a Fastsim, SlipField),
         rolling_speed: f64,
-        (law, yielding): (Law, [f64; 2]),
+        setup: &Setup,
         varied: [Varied; T],
     ) -> Self {
         let direction = if rolling_speed < 0.0 { -1.0 } else { 1.0 };
-        let (taken_up, memory) = (law.taken_up(yielding), law.memory(yielding));
+        let Setup { law, yielding, .. } = *setup;
+        let (taken_up, memory) = (setup.taken_up(&law, yielding), law.memory(yielding));
         Self { grid, slip, direction, start: Start::new(&law), law, yielding, taken_up, memory, varied }
     }
 

@@ -24,7 +24,7 @@ use super::Fastsim;
 use super::across::Crowding;
 use super::elasticity::TangentialElasticity;
 use super::fastsim::elastic_patch_traction;
-use crate::fast::lanes::{LANES, Lanes, total};
+use crate::fast::lanes::{Lanes, total};
 use crate::fast::{PatchDerivative, assemble as assemble_values};
 use crate::{
     Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipField, SlipUnit,
@@ -33,7 +33,7 @@ use crate::{
 use fearless_simd::{dispatch, prelude::*};
 use march::{March, Strips};
 use num_dual::Dual64;
-use setup::{Law, yielding};
+use setup::Setup;
 
 /// Lots of eight strips that march side by side.
 const LOTS: usize = 2;
@@ -51,10 +51,9 @@ impl Fastsim {
         if patch.peak_pressure <= 0.0 {
             return PatchTraction::zero();
         }
-        let coefficients = elasticity.coefficients().at(patch.semi_rolling / patch.semi_lateral);
-        let law = Law::new(*curve, slip_unit.scale(rolling_speed));
-        let yielding = yielding(patch, motion, rolling_speed, (elasticity, &coefficients));
-        let strips = Strips::new((self, SlipField::new(patch, motion)), rolling_speed, (law, yielding), []);
+        let given = (curve, slip_unit.scale(rolling_speed));
+        let setup = Setup::new(self.level, (patch, motion, rolling_speed), given, elasticity);
+        let strips = Strips::new((self, SlipField::new(patch, motion)), rolling_speed, &setup, []);
         let sums = dispatch!(self.level, simd => {
             let mut sums = [Lanes::splat(simd, 0.0); 8];
             walk(simd, &strips, |lot, share| {
@@ -84,13 +83,12 @@ impl Fastsim {
         if patch.peak_pressure <= 0.0 {
             return PatchDerivative::zero();
         }
-        let coefficients = &elasticity.coefficients().at(patch.semi_rolling / patch.semi_lateral);
+        let given = (curve, slip_unit.scale(rolling_speed));
+        let setup = &Setup::new(self.level, (patch, motion, rolling_speed), given, elasticity);
         let inputs =
-            assemble::Inputs { patch, motion, rolling_speed, curve, curve_slope, slip_unit, elasticity, coefficients };
-        let law = Law::new(*curve, slip_unit.scale(rolling_speed));
-        let yielding = yielding(patch, motion, rolling_speed, (elasticity, coefficients));
+            assemble::Inputs { patch, motion, rolling_speed, curve, curve_slope, slip_unit, elasticity, setup };
         let slip = SlipField::new(patch, motion);
-        let strips = Strips::new((self, slip), rolling_speed, (law, yielding), inputs.varied());
+        let strips = Strips::new((self, slip), rolling_speed, setup, inputs.varied());
         dispatch!(self.level, simd => {
             let mut sums = assemble::Sums::new(simd, &inputs);
             walk(simd, &strips, |lot, share| sums.add(lot, share));
@@ -105,14 +103,9 @@ fn walk<S: Simd, const T: usize>(simd: S, strips: &Strips<'_, T>, mut take: impl
     let crowding = Crowding::new(strips.slip.longitudinal, strips.taken_up);
     let mut lots = [March::nothing(simd); LOTS];
     let mut shares = [Lanes::splat(simd, 0.0); LOTS];
-    for nodes in strips.grid.across.chunks(LOTS * LANES) {
-        let now = nodes.len().div_ceil(LANES);
-        for ((lot, share), nodes) in lots.iter_mut().zip(&mut shares).zip(nodes.chunks(LANES)) {
-            // Lanes that are left over have no weight.
-            let (mut t, mut weight) = ([0.5; LANES], [0.0; LANES]);
-            for ((t, weight), node) in t.iter_mut().zip(&mut weight).zip(nodes) {
-                (*t, *weight) = *node;
-            }
+    for places in strips.grid.lots.chunks(LOTS) {
+        let now = places.len();
+        for ((lot, share), &[t, weight]) in lots.iter_mut().zip(&mut shares).zip(places) {
             let [y, stretch] = crowding.places(Lanes::simd_from(simd, t));
             lot.y = y;
             *share = Lanes::simd_from(simd, weight) * stretch * ((-y + 1.0) * (y + 1.0)).max(0.0);

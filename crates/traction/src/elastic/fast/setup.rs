@@ -2,8 +2,14 @@
 
 use crate::elastic::cell::MEMORY;
 use crate::elastic::{CreepCoefficients, TangentialElasticity};
-use crate::{Kragelskii, Patch, RelativeMotion, Scalar, SlipCurve};
+use crate::fast::elementary::exp;
+use crate::fast::lanes::Lanes;
+use crate::{Kragelskii, Patch, RelativeMotion, Scalar};
+use fearless_simd::{Level, dispatch, prelude::*};
 use num_dual::Dual64;
+
+/// exp(−1).
+const INVERSE_E: f64 = 0.367_879_441_171_442_33;
 
 /// A curve with its peak.
 #[derive(Debug, Clone, Copy)]
@@ -36,12 +42,16 @@ impl<D: Copy> Law<D> {
 }
 
 impl<D: Scalar> Law<D> {
-    pub(super) fn new(curve: Kragelskii<D>, scale: D) -> Self {
-        let (peak_slip, peak, steepness) = match curve.fall() {
-            Some(fall) => (fall.slip, curve.coefficient(fall.slip), fall.steepness * scale),
-            None => (D::from(f64::INFINITY), D::one(), D::zero()),
+    /// With exp(−C S_m) of the values, or any number where nothing falls.
+    fn new(curve: Kragelskii<D>, scale: D, at_peak: f64) -> Self {
+        let Some(slip) = peak_slip(&curve) else {
+            let (peak_slip, peak, steepness) = (D::from(f64::INFINITY), D::one(), D::zero());
+            return Self { curve, scale, peak_slip, peak, over_peak: D::one(), steepness };
         };
-        Self { curve, scale, peak_slip, peak, over_peak: peak.recip(), steepness }
+        // B exp(−C S_m), which is C (K_m − D), and e times the fall at the inflection, 1/C beyond the peak.
+        let over_end = curve.b * exp_of(-curve.c * slip, at_peak);
+        let peak = over_end / curve.c - curve.a;
+        Self { curve, scale, peak_slip: slip, peak, over_peak: peak.recip(), steepness: over_end * scale * INVERSE_E }
     }
 
     /// Length of the memory of the weakening over θ, of which a cell that reaches k keeps memory/(memory + k).
@@ -50,15 +60,74 @@ impl<D: Scalar> Law<D> {
         softer * self.steepness * MEMORY
     }
 
-    /// C κ along rolling, with κ at a slip of C.
-    pub(super) fn taken_up(&self, [longitudinal, _]: [D; 2]) -> D {
-        longitudinal * self.curve.coefficient(longitudinal * self.scale)
-    }
-
     /// Initial slope of the coefficient over the sliding speed, s/m.
     pub(super) fn initial_slope(&self) -> D {
         self.curve.initial_slope() * self.scale
     }
+}
+
+/// Slip at the peak; none where nothing falls.
+fn peak_slip<D: Scalar>(curve: &Kragelskii<D>) -> Option<D> {
+    (curve.b.re() > 0.0 && curve.c.re() > 0.0).then(|| curve.c.recip() - curve.a / curve.b)
+}
+
+/// exp(x) with its derivatives, where that of the value is known.
+fn exp_of<D: Scalar>(x: D, known: f64) -> D {
+    (x - x.re()) * known + known
+}
+
+/// What a patch has once, with the exponentials that its changes need again.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Setup {
+    pub(super) law: Law,
+    pub(super) yielding: [f64; 2],
+    pub(super) coefficients: CreepCoefficients,
+    /// exp(−C S_m).
+    at_peak: f64,
+    /// exp(−C s) − 1 at the slip that is taken up.
+    at_taken_up: f64,
+}
+
+impl Setup {
+    pub(super) fn new(
+        level: Level,
+        (patch, motion, rolling_speed): (&Patch, &RelativeMotion, f64),
+        (curve, scale): (&Kragelskii, f64),
+        elasticity: &TangentialElasticity,
+    ) -> Self {
+        let [longitudinal, lateral, spin] =
+            elasticity.coefficients().logarithms(patch.semi_rolling / patch.semi_lateral);
+        let at_peak = peak_slip(curve).map_or(0.0, |slip| -curve.c * slip);
+        let [longitudinal, lateral, spin, at_peak] = exp_of_four(level, [longitudinal, lateral, spin, at_peak]);
+        let coefficients = CreepCoefficients { longitudinal, lateral, spin };
+        let law = Law::new(*curve, scale, at_peak);
+        let yielding = yielding(patch, motion, rolling_speed, (elasticity, &coefficients));
+        let at_taken_up = (-curve.c * (yielding[0] * scale)).exp_m1();
+        Self { law, yielding, coefficients, at_peak, at_taken_up }
+    }
+
+    /// The law of a curve and a λ that differ from the patch's by their derivatives.
+    pub(super) fn law<D: Scalar>(&self, curve: Kragelskii<D>, scale: D) -> Law<D> {
+        Law::new(curve, scale, self.at_peak)
+    }
+
+    /// C κ along rolling, with κ at a slip of C, of a law and a yielding that differ so.
+    pub(super) fn taken_up<D: Scalar>(&self, law: &Law<D>, [longitudinal, _]: [D; 2]) -> D {
+        let Kragelskii { a, b, c } = law.curve;
+        let slip = longitudinal * law.scale;
+        let decay = exp_of(-c * slip, self.at_taken_up + 1.0);
+        let less = (decay - decay.re()) + self.at_taken_up;
+        longitudinal * (b * slip * decay + a * less)
+    }
+}
+
+/// exp(x) of four numbers, of those below −700 as of that.
+fn exp_of_four(level: Level, x: [f64; 4]) -> [f64; 4] {
+    let [a, b, c, d] = x;
+    let all = dispatch!(level, simd => {
+        exp(Lanes::simd_from(simd, [a, b, c, d, 0.0, 0.0, 0.0, 0.0]).max(-700.0)).to_array()
+    });
+    [all[0], all[1], all[2], all[3]]
 }
 
 /// |V| L p_max/b along rolling and across, m/s, by the coefficients of the patch's axis ratio.
@@ -90,7 +159,8 @@ pub(super) struct Varied {
 }
 
 impl Varied {
-    pub(super) fn new(law: Law<Dual64>, yielding: [Dual64; 2], slip: [[f64; 3]; 3]) -> Self {
-        Self { taken_up: law.taken_up(yielding).eps, memory: law.memory(yielding).eps, law, yielding, slip }
+    pub(super) fn new(setup: &Setup, (law, yielding): (Law<Dual64>, [Dual64; 2]), slip: [[f64; 3]; 3]) -> Self {
+        let taken_up = setup.taken_up(&law, yielding).eps;
+        Self { taken_up, memory: law.memory(yielding).eps, law, yielding, slip }
     }
 }
