@@ -49,9 +49,53 @@ pub(super) enum Layout {
 /// Tables of the split strips.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Strips {
-    /// Share of the panel's length at a node across, and the derivative of this share times the node's weight.
-    across: Vec<[f64; 2]>,
+    /// The strips of one, two and three panels.
+    across: [Vec<Across>; PANELS],
     along: Vec<AlongNode>,
+}
+
+/// Two cuts make three panels at most.
+const PANELS: usize = 3;
+
+/// Eight strips across the groove.
+#[derive(Debug, Clone, PartialEq)]
+struct Across {
+    /// Which panel; none for lanes that are left over.
+    panel: [f64; LANES],
+    /// Share of the panel's length, and the derivative of this share times the node's weight.
+    share: [f64; LANES],
+    slope: [f64; LANES],
+}
+
+impl Across {
+    /// All strips of so many panels.
+    fn of(panels: usize, across: &[(f64, f64)]) -> Vec<Self> {
+        let strips: Vec<_> =
+            (0..panels).flat_map(|panel| across.iter().map(move |node| (panel as f64, *node))).collect();
+        let lot = |lot: &[(f64, (f64, f64))]| {
+            let mut lanes = Self { panel: [PANELS as f64; LANES], share: [0.0; LANES], slope: [0.0; LANES] };
+            for (k, &(panel, (t, w))) in lot.iter().enumerate() {
+                lanes.panel[k] = panel;
+                lanes.share[k] = t * t * (3.0 - 2.0 * t);
+                lanes.slope[k] = 6.0 * t * (1.0 - t) * w;
+            }
+            lanes
+        };
+        strips.chunks(LANES).map(lot).collect()
+    }
+
+    /// Y, and the width of the strip times the rule's weight; zero in lanes that are left over.
+    #[inline(always)]
+    fn places<S: Simd>(&self, simd: S, spans: &[[f64; 2]]) -> [Lanes<S>; 2] {
+        let zero = Lanes::splat(simd, 0.0);
+        let (panel, mut start, mut length) = (Lanes::simd_from(simd, self.panel), zero, zero);
+        for (k, &[from, long]) in spans.iter().enumerate() {
+            let here = panel.simd_eq(k as f64);
+            start = here.select(Lanes::splat(simd, from), start);
+            length = here.select(Lanes::splat(simd, long), length);
+        }
+        [start + length * Lanes::simd_from(simd, self.share), length * Lanes::simd_from(simd, self.slope)]
+    }
 }
 
 impl Layout {
@@ -59,7 +103,7 @@ impl Layout {
         match quadrature.nodes() {
             Nodes::Fixed(points) => Self::Paired(paired(points)),
             Nodes::Strips { across, along } => Self::Strips(Strips {
-                across: across.iter().map(|&(t, w)| [t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) * w]).collect(),
+                across: [1, 2, 3].map(|panels| Across::of(panels, across)),
                 along: along.clone(),
             }),
         }
@@ -122,30 +166,20 @@ fn paired(points: &[[f64; 3]]) -> Vec<[[f64; LANES]; 4]> {
 impl Strips {
     #[inline(always)]
     fn walk<S: Simd, K: Kernel<S>>(&self, simd: S, slip: &SlipField, kernel: &mut K) {
-        // Two cuts make three panels at most.
-        let mut spans = [[0.0; 2]; 3];
-        let mut count = 0;
+        let mut spans = [[0.0; 2]; PANELS];
+        let mut count: usize = 0;
         for (span, panel) in spans.iter_mut().zip(panels(slip.longitudinal)) {
             *span = [panel.start, panel.end - panel.start];
             count += 1;
         }
-        let mut strips = spans[..count].iter().flat_map(|&span| self.across.iter().map(move |&node| (span, node)));
-        let mut groups = (count * self.across.len()).div_ceil(LANES);
+        let Some(across) = count.checked_sub(1).and_then(|k| self.across.get(k)) else { return };
         let mut block = Block::new(simd);
         let mut maps = [Map::nothing(simd); ROWS];
-        while groups > 0 {
-            block.rows = groups.min(ROWS);
-            groups -= block.rows;
+        for lots in across.chunks(ROWS) {
+            block.rows = lots.len();
             let maps = &mut maps[..block.rows];
-            for (map, place) in maps.iter_mut().zip(&mut block.y) {
-                let (mut y, mut share) = ([0.0; LANES], [0.0; LANES]);
-                for (y, share) in y.iter_mut().zip(&mut share) {
-                    if let Some(([start, length], [grade, slope])) = strips.next() {
-                        (*y, *share) = (start + length * grade, length * slope);
-                    }
-                }
-                *place = Lanes::simd_from(simd, y);
-                map.share = Lanes::simd_from(simd, share);
+            for ((map, place), lot) in maps.iter_mut().zip(&mut block.y).zip(lots) {
+                [*place, map.share] = lot.places(simd, &spans[..count]);
                 map.locate(slip, *place);
             }
             for map in maps.iter_mut() {
