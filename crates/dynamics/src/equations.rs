@@ -7,7 +7,6 @@
 
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
-use std::f64::consts::TAU;
 use tribodyn_bearing::{
     AzimuthFrame, BallFriction, BallState, ContactForces, LoadedPatch, NormalContact, NormalLoads, PocketLoad,
     PocketMotion, RaceContact, Races, RingState, Side, Sliding,
@@ -260,7 +259,7 @@ impl Machine {
 
     /// Azimuth of the middle of a pocket against the cage, rad.
     pub fn place_in_cage(&self, index: usize) -> f64 {
-        TAU * index as f64 / self.layout.balls as f64
+        self.places[index]
     }
 
     /// The unknowns of a ball.

@@ -3,10 +3,11 @@
 use crate::fast::{Fast, Room};
 use crate::forces::System;
 use crate::layout::{BALL, ORBIT, SPIN};
+use crate::observer::BallDetail;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
 use tribodyn_bearing::quantities::OfBall;
-use tribodyn_bearing::{BallResult, Side};
+use tribodyn_bearing::{BallResult, ContactResult, Races, Side};
 use tribodyn_case::{Case, set_value};
 
 const END: f64 = 1.6e-3;
@@ -75,9 +76,16 @@ fn compare_samples(Started { mut machine, mut state, .. }: Started) {
         scheme.step(&mut machine, h * f64::from(step), &mut state, h);
     }
     let t = 60.0 * h;
-    let ((sums, lanes), (plain_sums, plain)) =
-        (scheme.look(&machine, (t, &state), &mut Room::default()), machine.balls(t, &state));
+    let look = |detail| scheme.look(&machine, (t, &state), (detail, &mut Room::default()));
+    let ((sums, lanes), (plain_sums, plain)) = (look(BallDetail::All), machine.balls(t, &state));
     assert_eq!(lanes.len(), plain.len());
+    let (same_sums, fewer) = look(BallDetail::Loads);
+    assert_eq!(format!("{same_sums:?}"), format!("{sums:?}"));
+    for (of_loads, all) in fewer.iter().zip(&lanes) {
+        let contact = |c: ContactResult| ContactResult { friction: None, transient: None, ..c };
+        let contacts = Races { inner: contact(all.contacts.inner), outer: contact(all.contacts.outer) };
+        assert_eq!(*of_loads, BallResult { fluid: None, motion: None, contacts, ..*all });
+    }
     let mut integrated = 0;
     for quantity in OfBall::all() {
         let values = |balls: &[BallResult]| -> Vec<f64> { balls.iter().filter_map(|b| quantity.get(b)).collect() };

@@ -28,7 +28,7 @@ mod fast_test;
 
 pub use blame::{Blame, StepBound};
 pub use error::DynamicsError;
-pub use observer::{Event, EventKind, Observer};
+pub use observer::{BallDetail, Event, EventKind, Observer};
 pub use power::{POWER_IN, POWER_LOST, PowerSample};
 pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
 pub use sample::{CageSample, RingSample, Sample, WearSample};

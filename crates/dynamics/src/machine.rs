@@ -3,6 +3,7 @@
 use crate::error::DynamicsError;
 use crate::layout::Layout;
 use crate::watch::Watch;
+use std::f64::consts::TAU;
 use tribodyn_bearing::{
     Bearing, CageBody, CoatingState, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory, Translation,
 };
@@ -29,6 +30,8 @@ pub(crate) struct Machine {
     pub thinnest: Races<f64>,
     /// Factor on wear in what it does to the raceways.
     pub wear_acceleration: f64,
+    /// Azimuths of the middles of the pockets against the cage, rad.
+    pub places: Vec<f64>,
     /// What the last evaluation of the derivative saw of each ball.
     pub watch: Vec<Watch>,
 }
@@ -131,9 +134,11 @@ impl Machine {
         let loads = [ring.x, ring.y, ring.z];
         let free = [0, 1, 2].map(|i| !matches!(loads[i], Translation::Held(_)));
         let raceways = Races::try_from_fn(|side| raceway(&bearing, side, &coatings[side], &defects[side]))?;
+        let balls = bearing.geometry.ball_count;
         Ok(Self {
-            layout: Layout { balls: bearing.geometry.ball_count },
-            watch: vec![Watch::default(); bearing.geometry.ball_count],
+            layout: Layout { balls },
+            places: (0..balls).map(|ball| TAU * ball as f64 / balls as f64).collect(),
+            watch: vec![Watch::default(); balls],
             inner: Support::new(&supports.inner, free),
             outer: Support::new(&supports.outer, [true; 2]),
             tilt,

@@ -10,7 +10,8 @@ pub trait Observer {
     /// What can go wrong with watching, for instance a full disk.
     type Error;
 
-    /// A sample. `with_balls` tells whether it is one of those at the ball rate; its balls are filled in always.
+    /// A sample. `with_balls` tells whether it is one of those at the ball rate; between them its balls have as much as
+    /// [`Self::between`] asks for.
     ///
     /// Break ends the run early, without an error.
     ///
@@ -24,6 +25,11 @@ pub trait Observer {
     /// Whatever the observer cannot do.
     fn event(&mut self, event: &Event) -> Result<(), Self::Error>;
 
+    /// How much the balls of samples between those at the ball rate have.
+    fn between(&self) -> BallDetail {
+        BallDetail::All
+    }
+
     /// A step was made, to a time in s. Break ends the run there, without an error; taken up again it makes the
     /// samples of a run that went on.
     fn stepped(&mut self, time_s: f64) -> ControlFlow<()> {
@@ -32,9 +38,23 @@ pub trait Observer {
     }
 }
 
+/// How much a sample has of its balls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BallDetail {
+    /// Everything.
+    All,
+    /// At least where they are, how they turn, their loads, pressures and pocket forces. The fast scheme leaves out
+    /// friction, fluid and accelerations then, and takes less time for a sample.
+    Loads,
+}
+
 /// The observer that keeps nothing, for a run of which only the final state is wanted.
 impl Observer for () {
     type Error = Infallible;
+
+    fn between(&self) -> BallDetail {
+        BallDetail::Loads
+    }
 
     fn sample(&mut self, _: &Sample, _: bool) -> Result<ControlFlow<()>, Infallible> {
         Ok(ControlFlow::Continue(()))

@@ -24,8 +24,9 @@ use crate::window::sinc;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decimator {
     factor: usize,
-    /// Weights by the place of an input in its output interval, then by the outputs that it goes into.
-    taps: Vec<[f64; SPAN]>,
+    /// Weights by the place of an input in its output interval, then by the outputs that it goes into, twice: from any
+    /// place on there are those of all outputs.
+    taps: Vec<[f64; 2 * SPAN]>,
 }
 
 /// The outputs that are not complete yet: all that a filter remembers.
@@ -35,7 +36,7 @@ pub struct DecimatorMemory {
     phase: usize,
     /// Place of the next output among the sums.
     head: usize,
-    /// Sums of all outputs in reach, each with its channels.
+    /// Sums of one channel after the other, each of all outputs in reach.
     sums: Vec<f64>,
 }
 
@@ -91,7 +92,8 @@ impl Decimator {
         }
         let sum: f64 = taps.iter().flatten().sum();
         taps.iter_mut().flatten().for_each(|tap| *tap /= sum);
-        Ok(Self { factor, taps })
+        let twice = |taps: [f64; SPAN]| std::array::from_fn(|output| taps[output % SPAN]);
+        Ok(Self { factor, taps: taps.into_iter().map(twice).collect() })
     }
 
     /// Inputs to an output.
@@ -104,7 +106,7 @@ impl Decimator {
         let mut sums = vec![0.0; SPAN * C];
         let mut share = 0.0;
         for output in (0..SPAN).rev() {
-            sums[output * C..][..C].iter_mut().zip(values).for_each(|(sum, value)| *sum = share * value);
+            values.iter().enumerate().for_each(|(channel, value)| sums[channel * SPAN + output] = share * value);
             share += self.taps.iter().map(|taps| taps[output]).sum::<f64>();
         }
         DecimatorMemory { phase: 0, head: 0, sums }
@@ -118,12 +120,12 @@ impl Decimator {
     /// Takes the means of one internal interval; returns an output with the last one of each output interval.
     ///
     /// The memory must be one of this filter ([`Self::remembers`]) with `C` channels.
+    #[inline(always)] // with the vector instructions of the caller
     pub fn push<const C: usize>(&self, memory: &mut DecimatorMemory, values: [f64; C]) -> Option<[f64; C]> {
-        let taps = &self.taps[memory.phase];
-        let (sums, head) = (memory.sums.as_chunks_mut::<C>().0, memory.head);
-        let (later, sooner) = sums.split_at_mut(head);
-        for (sums, tap) in sooner.iter_mut().chain(later).zip(taps) {
-            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += tap * value);
+        let (head, sums) = (memory.head, memory.sums.as_chunks_mut::<SPAN>().0);
+        let taps = &self.taps[memory.phase][SPAN - head..][..SPAN];
+        for (sums, value) in sums.iter_mut().zip(values) {
+            sums.iter_mut().zip(taps).for_each(|(sum, tap)| *sum += tap * value);
         }
         memory.phase += 1;
         if memory.phase < self.factor {
@@ -131,15 +133,17 @@ impl Decimator {
         }
         memory.phase = 0;
         memory.head = (head + 1) % SPAN;
-        Some(std::mem::replace(&mut sums[head], [0.0; C]))
+        let mut output = [0.0; C];
+        output.iter_mut().zip(sums).for_each(|(output, sums)| *output = std::mem::take(&mut sums[head]));
+        Some(output)
     }
 
     /// Gain at a frequency over the output rate, the mean over the internal intervals included; the phase is that of
     /// the delay.
     pub fn gain(&self, frequency: f64) -> f64 {
-        let of = |(phase, taps): (usize, &[f64; SPAN])| {
+        let of = |(phase, taps): (usize, &[f64; 2 * SPAN])| {
             let term = |(output, tap): (usize, &f64)| tap * (TAU * frequency * place(self.factor, phase, output)).cos();
-            taps.iter().enumerate().map(term).sum::<f64>()
+            taps[..SPAN].iter().enumerate().map(term).sum::<f64>()
         };
         sinc(frequency / self.factor as f64) * self.taps.iter().enumerate().map(of).sum::<f64>()
     }

@@ -1,5 +1,6 @@
 //! The drift: motion under contact springs, supports, loads and the centrifugal force.
 
+use super::halves::bodies;
 use super::lanes::{Lane, WIDTH, filled, get, put, sin_cos};
 use crate::equations::{Equations, Frame};
 use crate::forces::Sums;
@@ -266,8 +267,9 @@ pub(super) fn push_balls(balls: &mut [Lane; BALL], acceleration: &[Lane; 3], com
 
 /// Velocities of rings and cage.
 pub(super) fn push_bodies(l: Layout, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
-    y[l.cage() + 1] += h * a[l.cage() + 1];
-    for k in (l.inner() + 3..l.inner() + 6).chain(l.outer() + 2..l.outer() + 4) {
+    let [cage, rings @ ..] = bodies(l);
+    y[cage] += h * a[cage];
+    for k in rings {
         y[k] += h * (a[k] - common[k]);
     }
 }

@@ -12,7 +12,7 @@
 
 use crate::linear::LinearTraction;
 use crate::machine::Machine;
-use nalgebra::{Matrix3, Matrix5, Matrix6, Vector3, Vector5, Vector6};
+use nalgebra::{Matrix3, Matrix5, Matrix6, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{AzimuthFrame, BallState, NormalLoads, Side};
 
@@ -60,10 +60,11 @@ impl LinearFriction {
     }
 
     /// Force on the rings by their own velocities.
-    pub(super) fn on_rings(&self, v: &Vector6<f64>) -> Vector6<f64> {
-        let inner = self.own[0] * Vector3::new(v[0], v[1], v[2]);
-        let outer = self.own[1] * Vector3::new(v[3], v[4], v[5]);
-        Vector6::new(inner[0], inner[1], inner[2], outer[0], outer[1], outer[2])
+    pub(super) fn on_rings(&self) -> Matrix6<f64> {
+        let mut all = Matrix6::zeros();
+        all.fixed_view_mut::<3, 3>(0, 0).copy_from(&self.own[0]);
+        all.fixed_view_mut::<3, 3>(3, 3).copy_from(&self.own[1]);
+        all
     }
 }
 
@@ -199,11 +200,4 @@ pub(super) fn in_inertial_axes(axes: AzimuthFrame, v: &Vector6<f64>) -> Vector5<
     let inner = axes.to_inertial([v[0], v[1], v[2]]);
     let outer = axes.to_inertial([v[3], v[4], v[5]]);
     Vector5::new(inner[0], inner[1], inner[2], outer[0], outer[1])
-}
-
-/// (x, y, z) of the inner and (x, y) of the outer ring as (a, r, t).
-pub(super) fn ring_in_ball_axes(axes: AzimuthFrame, v: &Vector5<f64>) -> Vector6<f64> {
-    let [a, r, t] = axes.from_inertial([v[0], v[1], v[2]]);
-    let [_, outer_r, outer_t] = axes.from_inertial([v[3], v[4], 0.0]);
-    Vector6::new(a, r, t, 0.0, outer_r, outer_t)
 }

@@ -23,7 +23,7 @@ impl Fast {
         for (balls, half) in scratch.balls.iter_mut().zip(&scratch.half) {
             add(balls, half, -1.0);
         }
-        bodies(equations.machine().layout).for_each(|k| y[k] -= self.half[k]);
+        bodies(equations.machine().layout).into_iter().for_each(|k| y[k] -= self.half[k]);
     }
 
     /// The first half of the kick of a step `h`; the other is kept.
@@ -32,7 +32,7 @@ impl Fast {
         for (balls, half) in self.scratch.balls.iter().zip(&mut self.scratch.half) {
             half.copy_from_slice(&balls[VELOCITY..]);
         }
-        bodies(l).for_each(|k| self.half[k] = y[k]);
+        bodies(l).into_iter().for_each(|k| self.half[k] = y[k]);
         self.kick(equations, t, y, h);
         let Scratch { level, balls, half, .. } = &mut self.scratch;
         for (balls, half) in balls.iter_mut().zip(half) {
@@ -51,7 +51,7 @@ impl Fast {
         for (balls, half) in balls.iter_mut().zip(half) {
             dispatch!(*level, _simd => add(balls, half, 1.0));
         }
-        bodies(l).for_each(|k| y[k] += self.half[k]);
+        bodies(l).into_iter().for_each(|k| y[k] += self.half[k]);
     }
 
     /// Remembers the velocities at the start of a piece of the drift, without spins.
@@ -59,7 +59,7 @@ impl Fast {
         for (balls, before) in self.scratch.balls.iter().zip(&mut self.scratch.before) {
             before.copy_from_slice(&balls[VELOCITY..VELOCITY + 3]);
         }
-        bodies(l).for_each(|k| self.before[k] = y[k]);
+        bodies(l).into_iter().for_each(|k| self.before[k] = y[k]);
     }
 
     /// From the velocities in the middle of a piece to those expected at its end, farther by as much as from its start
@@ -79,7 +79,7 @@ impl Fast {
         for (balls, before) in self.scratch.balls.iter_mut().zip(&self.scratch.before) {
             balls[VELOCITY..VELOCITY + 3].copy_from_slice(before);
         }
-        bodies(l).for_each(|k| y[k] = self.before[k]);
+        bodies(l).into_iter().for_each(|k| y[k] = self.before[k]);
     }
 
     /// The state as samples have it, displacements corrected.
@@ -89,10 +89,11 @@ impl Fast {
     /// drift and kick together is −ω² times what vibrates of the displacement, whatever ω is, and takes its half back.
     /// Such a symplectic corrector is that of J. Wisdom, M. Holman, J. Touma, Fields Institute Communications 10 (1996)
     /// 217.
-    pub fn shown(&self, l: Layout, y: &[f64]) -> Vec<f64> {
-        let mut shown = y.to_vec();
+    pub fn show(&self, l: Layout, y: &[f64], shown: &mut Vec<f64>) {
+        shown.clear();
+        shown.extend_from_slice(y);
         if !self.ready {
-            return shown;
+            return;
         }
         let (share, by_kick) = (self.piece * self.piece / 16.0, 2.0 / self.step);
         for ball in 0..l.balls {
@@ -112,7 +113,6 @@ impl Fast {
         for (place, velocity) in of_rings.chain((0..2).map(|i| (l.outer() + i, l.outer() + 2 + i))) {
             shown[place] += share * self.acceleration(velocity, by_kick);
         }
-        shown
     }
 
     /// By the drift without its common part, and by the kick, from the memory.
@@ -122,8 +122,9 @@ impl Fast {
 }
 
 /// Places of the velocities of cage and rings.
-fn bodies(l: Layout) -> impl Iterator<Item = usize> {
-    [l.cage() + 1].into_iter().chain(l.inner() + 3..l.inner() + 6).chain(l.outer() + 2..l.outer() + 4)
+pub(super) fn bodies(l: Layout) -> [usize; 6] {
+    let (inner, outer) = (l.inner() + 3, l.outer() + 2);
+    [l.cage() + 1, inner, inner + 1, inner + 2, outer, outer + 1]
 }
 
 /// Half way back to the velocities in `half`, which then has the way made.

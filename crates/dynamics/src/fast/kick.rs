@@ -1,17 +1,17 @@
 //! The kick: friction at fixed position, linearly implicit.
 
-use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, ring_in_ball_axes};
+use super::friction::{in_inertial_axes, inverse_with_held, linear_friction};
 use super::grip::{Forms, Grips, follow, places, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
 use super::{Fast, Scratch};
 use crate::equations::{Equations, Frame};
-use crate::layout::{AZIMUTH, Layout};
+use crate::layout::Layout;
 use crate::linear::Contacts;
 use crate::machine::Machine;
 use crate::watch::Watch;
 use fearless_simd::dispatch;
 use nalgebra::{Matrix5, Vector5};
-use tribodyn_bearing::{AzimuthFrame, Races, Side};
+use tribodyn_bearing::{Races, Side};
 
 /// Steps between new matrices of the rings: they only predict, and turn with the balls by a degree or so.
 const RINGS_EVERY: usize = 16;
@@ -156,13 +156,18 @@ impl Fast {
         let (inner, outer) = (machine.inner.mass, machine.outer.mass);
         let mut sum = Matrix5::from_diagonal(&Vector5::new(inner, inner, inner, outer, outer));
         for (index, f) in self.friction.iter().enumerate() {
-            let axes = AzimuthFrame::at(self.scratch.balls[index / WIDTH][AZIMUTH].0[index % WIDTH]);
-            let given_back = f.coupling.tr_mul(&f.follow[1]);
-            for column in 0..5 {
-                let unit = ring_in_ball_axes(axes, &Vector5::ith(column, 1.0));
-                let force = in_inertial_axes(axes, &((given_back * unit + f.on_rings(&unit) * 0.5) * h));
-                let mut slot = sum.column_mut(column);
-                slot -= force;
+            let axes = self.scratch.stands[index / WIDTH].axes(index % WIDTH);
+            let force = f.coupling.tr_mul(&f.follow[1]) + f.on_rings() * 0.5;
+            // Columns are turned into the ball's axes first, their rows afterwards: x and y of a ring.
+            let x_and_y = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|unit| axes.from_inertial(unit));
+            let turned = |first: usize, [_, radial, along]: [f64; 3]| {
+                force.column(first + 1) * radial + force.column(first + 2) * along
+            };
+            let [x, y] = x_and_y;
+            let columns = [turned(0, x), turned(0, y), force.column(0).into(), turned(3, x), turned(3, y)];
+            for (k, column) in columns.iter().enumerate() {
+                let mut slot = sum.column_mut(k);
+                slot -= in_inertial_axes(axes, &(column * h));
             }
         }
         let free = machine.inner.free.iter().chain(&machine.outer.free);

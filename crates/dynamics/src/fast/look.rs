@@ -11,6 +11,7 @@ use crate::equations::{Equations, Frame, Touched};
 use crate::forces::Sums;
 use crate::layout::{AZIMUTH, BALL, VELOCITY};
 use crate::machine::Machine;
+use crate::observer::BallDetail;
 use fearless_simd::{Level, dispatch};
 use tribodyn_bearing::{BallResult, BallState, ContactSprings, PocketLoad, RaceContact, Races, Sheet, Side};
 
@@ -60,17 +61,31 @@ impl Seen {
 
     /// Writes a ball's result in place: a copy of what was just written number by number would wait for it.
     #[inline(always)]
-    fn write(&self, k: usize, result: &mut BallResult) {
+    fn write(&self, k: usize, (result, detail): (&mut BallResult, BallDetail)) {
         result.take(get(&self.ball, k));
-        result.fluid.get_or_insert_default().take(get(&self.fluid, k));
         result.pocket.get_or_insert_default().take(get(&self.pocket, k));
+        for side in Side::BOTH {
+            result.contacts[side].take(get(&self.contacts[side as usize], k));
+        }
+        if detail == BallDetail::Loads {
+            return leave_loads(result);
+        }
+        result.fluid.get_or_insert_default().take(get(&self.fluid, k));
         result.motion.get_or_insert_default().take(get(&self.motion, k));
         for side in Side::BOTH {
             let (contact, i) = (&mut result.contacts[side], side as usize);
-            contact.take(get(&self.contacts[i], k));
             contact.friction.get_or_insert_default().take(get(&self.frictions[i], k));
             contact.transient.get_or_insert_default().take(get(&self.transients[i], k));
         }
+    }
+}
+
+/// Leaves of a ball's result what [`BallDetail::Loads`] has.
+#[inline(always)]
+fn leave_loads(result: &mut BallResult) {
+    (result.fluid, result.motion) = (None, None);
+    for side in Side::BOTH {
+        (result.contacts[side].friction, result.contacts[side].transient) = (None, None);
     }
 }
 
@@ -90,7 +105,7 @@ impl Fast {
     }
 
     /// The balls with the linear forms of the last step, in the list that there is room for.
-    pub fn look(&self, machine: &Machine, (t, y): (f64, &[f64]), room: &mut Room) -> Balls {
+    pub fn look(&self, machine: &Machine, (t, y): (f64, &[f64]), (detail, room): (BallDetail, &mut Room)) -> Balls {
         let Scratch { level, forms, .. } = &self.scratch;
         let l = machine.layout;
         let of = Of {
@@ -110,14 +125,18 @@ impl Fast {
             dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, stand), grips));
             let pockets = of.pockets(block, &balls, grips);
             let (at, ellipses) = ((&balls, &*stand, forms, &*grips), of.ellipses(*level, stand));
-            dispatch!(*level, _simd => see(&of, at, (&ellipses, &pockets, &places), seen));
+            let beside = (&ellipses, &pockets, &places);
+            match detail {
+                BallDetail::All => dispatch!(*level, _simd => see::<true>(&of, at, beside, seen)),
+                BallDetail::Loads => dispatch!(*level, _simd => see::<false>(&of, at, beside, seen)),
+            }
             for k in 0..filled(l, block) {
                 let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
                 let sums_of_ball = if seen.near.0[k] > 0.0 {
-                    seen.write(k, result);
+                    seen.write(k, (result, detail));
                     get(&seen.sums, k)
                 } else {
-                    of.plainly((index, y), result)
+                    of.plainly((index, y), (result, detail))
                 };
                 sums.iter_mut().zip(sums_of_ball).for_each(|(sum, part)| *sum += part);
             }
@@ -154,12 +173,15 @@ impl Of<'_> {
     }
 
     /// A ball alone, its traction integrated.
-    fn plainly(&self, (index, y): (usize, &[f64]), result: &mut BallResult) -> [f64; 17] {
+    fn plainly(&self, (index, y): (usize, &[f64]), (result, detail): (&mut BallResult, BallDetail)) -> [f64; 17] {
         let (machine, mut sums) = (self.machine, Sums::default());
         let b = machine.unknowns(index, y);
         let forces = machine.ball(index, b, &self.frame, |patch| machine.kernel.traction(&machine.bearing, patch));
         machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &self.frame, &mut sums);
         *result = ball_result(&self.sheet, (b, self.frame.rings.inner.speed), &forces);
+        if detail == BallDetail::Loads {
+            leave_loads(result);
+        }
         sums.numbers()
     }
 }
@@ -225,25 +247,29 @@ fn ball(
 /// All balls of a block. Two loops, of which either leaves out what only the other needs: one is too long for the
 /// compiler to make vector instructions of it.
 #[inline(always)]
-fn see(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), beside: Beside<'_>, out: &mut Seen) {
+fn see<const ALL: bool>(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), beside: Beside<'_>, out: &mut Seen) {
     let of = *of;
     for k in 0..WIDTH {
         let (sums, result, near) = ball(&of, at, beside, k);
         put(&mut out.sums, k, sums.numbers());
-        put(&mut out.motion, k, result.motion.unwrap_or_default().numbers());
         let Races { inner, outer } = &result.contacts;
         put(&mut out.contacts[0], k, inner.numbers());
         put(&mut out.contacts[1], k, outer.numbers());
-        put(&mut out.frictions[0], k, inner.friction.unwrap_or_default().numbers());
-        put(&mut out.frictions[1], k, outer.friction.unwrap_or_default().numbers());
-        put(&mut out.transients[0], k, inner.transient.unwrap_or_default().numbers());
-        put(&mut out.transients[1], k, outer.transient.unwrap_or_default().numbers());
+        if ALL {
+            put(&mut out.motion, k, result.motion.unwrap_or_default().numbers());
+            put(&mut out.frictions[0], k, inner.friction.unwrap_or_default().numbers());
+            put(&mut out.frictions[1], k, outer.friction.unwrap_or_default().numbers());
+            put(&mut out.transients[0], k, inner.transient.unwrap_or_default().numbers());
+            put(&mut out.transients[1], k, outer.transient.unwrap_or_default().numbers());
+        }
         out.near.0[k] = near;
     }
     for k in 0..WIDTH {
         let (_, result, _) = ball(&of, at, beside, k);
         put(&mut out.ball, k, result.numbers());
-        put(&mut out.fluid, k, result.fluid.unwrap_or_default().numbers());
+        if ALL {
+            put(&mut out.fluid, k, result.fluid.unwrap_or_default().numbers());
+        }
         put(&mut out.pocket, k, result.pocket.unwrap_or_default().numbers());
     }
 }

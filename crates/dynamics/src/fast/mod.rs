@@ -50,7 +50,7 @@ use drift::{Stand, drift_acceleration, glide_balls, glide_bodies, push_balls, pu
 use fearless_simd::{Level, dispatch};
 use friction::LinearFriction;
 use grip::{Forms, Grips};
-use halves::VELOCITIES;
+use halves::{VELOCITIES, bodies};
 use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
 pub(crate) use look::Room;
 use nalgebra::Matrix5;
@@ -117,6 +117,16 @@ fn follow_slowly((common, given): (&mut f64, &mut f64), drift: f64, share: f64) 
     let before = *common;
     *common += share * (drift - before);
     *given = 0.5 * (before + *common);
+}
+
+/// The same for the balls of a block.
+#[inline(always)]
+fn follow_balls((common, given): (&mut [Lane; 3], &mut [Lane; 3]), drift: &[Lane; 3], share: f64) {
+    for i in 0..3 {
+        for k in 0..WIDTH {
+            follow_slowly((&mut common[i].0[k], &mut given[i].0[k]), drift[i].0[k], share);
+        }
+    }
 }
 
 /// The balls in lanes: all of it follows from the rest of the memory and the state.
@@ -308,17 +318,13 @@ impl Fast {
 
     /// Lets the common acceleration follow that of the drift.
     fn smooth(&mut self, l: Layout, h: f64) {
-        let Scratch { stands, common, given_back, .. } = &mut self.scratch;
+        let Scratch { level, stands, common, given_back, .. } = &mut self.scratch;
         let share = (h / SMOOTHING_TIME).min(1.0);
         for ((common, given), stand) in common.iter_mut().zip(given_back).zip(stands) {
-            for ((common, given), drift) in common.iter_mut().zip(given).zip(stand.acceleration()) {
-                for k in 0..WIDTH {
-                    follow_slowly((&mut common.0[k], &mut given.0[k]), drift.0[k], share);
-                }
-            }
+            dispatch!(*level, _simd => follow_balls((common, given), stand.acceleration(), share));
         }
         let share = (h / RING_SMOOTHING_TIME).min(1.0);
-        for k in l.cage()..self.drift.len() {
+        for k in bodies(l) {
             follow_slowly((&mut self.common[k], &mut self.given_back[k]), self.drift[k], share);
         }
     }

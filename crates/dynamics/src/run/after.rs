@@ -4,7 +4,7 @@ use super::filter::Between;
 use super::{ACCELERATION_ERROR, FAST_LOOK_EVERY, LOOK_EVERY, Run, RunError, Scheme, WEAR_LOOK_EVERY};
 use crate::error::DynamicsError;
 use crate::layout::{AZIMUTH, BALL, ORBIT};
-use crate::observer::{Event, EventKind, Observer};
+use crate::observer::{BallDetail, Event, EventKind, Observer};
 use crate::sample::Sample;
 use crate::stiffness::Stiffness;
 use std::ops::ControlFlow;
@@ -56,16 +56,18 @@ impl Run {
             let slopes = (!fast).then_some([p.derivative.as_slice(), self.next_derivative.as_slice()]);
             let step = Between { state: [&p.state, &self.next], slopes, length };
             let values = step.values(self.machine.layout, s);
-            let state: Option<Vec<f64>> = sample.then(|| match fast {
-                true => p.fast.shown(self.machine.layout, &self.next),
-                false => (0..self.next.len()).map(|i| step.at(s, i)).collect(),
-            });
+            let mut shown = std::mem::take(&mut self.shown);
+            if sample && fast {
+                p.fast.show(self.machine.layout, &self.next, &mut shown);
+            } else if sample {
+                shown.clear();
+                shown.extend((0..self.next.len()).map(|i| step.at(s, i)));
+            }
             self.filter.take(&mut self.progress.filter, values);
-            if let Some(state) = state
-                && self.hand_out(at, &state, observer)?.is_break()
-            {
+            if sample && self.hand_out(at, &shown, observer)?.is_break() {
                 flow = ControlFlow::Break(());
             }
+            self.shown = shown;
         }
     }
 
@@ -76,11 +78,12 @@ impl Run {
         observer: &mut O,
     ) -> Result<ControlFlow<()>, RunError<O::Error>> {
         let mut room = std::mem::take(&mut self.room);
-        let mut sample = self.sample_at(t, state, &mut room);
+        let with_balls = self.progress.samples.is_multiple_of(self.balls_every);
+        let detail = if with_balls { BallDetail::All } else { observer.between() };
+        let mut sample = self.sample_at(t, state, (detail, &mut room));
         if matches!(self.scheme, Scheme::Fast { .. }) {
             self.add_work(&mut sample);
         }
-        let with_balls = self.progress.samples.is_multiple_of(self.balls_every);
         self.progress.samples += 1;
         let flow = observer.sample(&sample, with_balls).map_err(RunError::Observer);
         room.balls = sample.balls;
@@ -128,11 +131,10 @@ impl Run {
     /// Contacts lost and made since the last step.
     pub(super) fn contact_events<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
         for ball in 0..self.machine.layout.balls {
-            for side in Side::BOTH {
-                let now = self.machine.watch[ball].loaded[side];
-                if now == self.progress.loaded[ball][side] {
-                    continue;
-                }
+            let loaded = self.machine.watch[ball].loaded;
+            let before = self.progress.loaded[ball];
+            for side in Side::BOTH.into_iter().filter(|side| loaded[*side] != before[*side]) {
+                let now = loaded[side];
                 self.progress.loaded[ball][side] = now;
                 let azimuth_deg = degrees(self.progress.state[self.machine.layout.ball(ball) + AZIMUTH]);
                 let inner = side == Side::Inner;

@@ -6,6 +6,7 @@
 
 use super::step::hermite;
 use crate::layout::Layout;
+use fearless_simd::{Level, dispatch};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::Scheme;
 use tribodyn_signal::{Decimator, DecimatorMemory};
@@ -70,6 +71,8 @@ pub(super) fn steps_of_sample(step: f64, rate: f64) -> f64 {
 /// The filter with its internal clock.
 #[derive(Debug, Clone)]
 pub(super) struct Filter {
+    /// The vector instructions of this processor.
+    level: Level,
     decimator: Decimator,
     bands: FilterBands,
 }
@@ -88,7 +91,7 @@ pub(super) struct FilterMemory {
 
 impl Filter {
     pub fn new(bands: FilterBands) -> Result<Self, tribodyn_signal::SignalError> {
-        Ok(Self { decimator: Decimator::new(bands.factor)?, bands })
+        Ok(Self { level: Level::new(), decimator: Decimator::new(bands.factor)?, bands })
     }
 
     /// Rate at which velocities are taken, Hz.
@@ -121,9 +124,9 @@ impl Filter {
         let rate = self.bands.internal_rate_hz();
         let means = std::array::from_fn(|k| rate * (now[k] - memory.last[k]));
         (memory.last, memory.passed) = (now, memory.passed + 1);
-        if let Some(output) = self.decimator.push(&mut memory.sums, means) {
-            memory.output = output;
-        }
+        let (decimator, sums) = (&self.decimator, &mut memory.sums);
+        let output = dispatch!(self.level, _simd => decimator.push(sums, means));
+        memory.output = output.unwrap_or(memory.output);
     }
 }
 

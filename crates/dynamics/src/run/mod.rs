@@ -15,7 +15,7 @@ use crate::forces::System;
 use crate::layout::{BALL, ORBIT, VELOCITY};
 use crate::linear::errors;
 use crate::machine::{Kernel, Machine};
-use crate::observer::Observer;
+use crate::observer::{BallDetail, Observer};
 use crate::rk4::Rk4;
 use crate::sample::Sample;
 use crate::start::{StartMotion, Started, start};
@@ -45,6 +45,8 @@ pub struct Run {
     solution: Solution,
     /// Room in which samples are put together.
     room: Room,
+    /// The state of the last sample.
+    shown: Vec<f64>,
 }
 
 /// Everything that changes during a run: save it, and [`Run::resume`] goes on from it to the same bytes.
@@ -231,6 +233,7 @@ impl Run {
             start: state,
             solution,
             room: Room::default(),
+            shown: Vec::new(),
             progress,
             machine,
         };
@@ -293,17 +296,21 @@ impl Run {
     pub fn sample(&self) -> Sample {
         let (p, l, mut room) = (&self.progress, self.machine.layout, Room::default());
         match self.scheme {
-            Scheme::Fast { .. } => self.sample_at(p.time, &p.fast.shown(l, &p.state), &mut room),
-            _ => self.sample_at(p.time, &p.state, &mut room),
+            Scheme::Fast { .. } => {
+                let mut shown = Vec::new();
+                p.fast.show(l, &p.state, &mut shown);
+                self.sample_at(p.time, &shown, (BallDetail::All, &mut room))
+            }
+            _ => self.sample_at(p.time, &p.state, (BallDetail::All, &mut room)),
         }
     }
 
-    fn sample_at(&self, t: f64, y: &[f64], room: &mut Room) -> Sample {
+    fn sample_at(&self, t: f64, y: &[f64], (detail, room): (BallDetail, &mut Room)) -> Sample {
         let p = &self.progress;
         let so_far = (p.energy_at_start, p.worn);
         let machine = &self.machine;
         let balls = match self.scheme {
-            Scheme::Fast { .. } if p.fast.has_forms() => p.fast.look(machine, (t, y), room),
+            Scheme::Fast { .. } if p.fast.has_forms() => p.fast.look(machine, (t, y), (detail, room)),
             _ => machine.balls(t, y),
         };
         let mut sample = machine.sample((t, y), so_far, balls);

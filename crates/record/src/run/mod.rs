@@ -26,7 +26,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use tribodyn_bearing::{BallResult, Geometry};
 use tribodyn_case::Case;
-use tribodyn_dynamics::{Event, FilterBands, Observer, Sample};
+use tribodyn_dynamics::{BallDetail, Event, FilterBands, Observer, Sample};
 
 /// What a recording of a run is made from.
 #[derive(Debug, Clone, Copy)]
@@ -142,6 +142,10 @@ impl<S: Sink> Observer for RunRecorder<S> {
     fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, RecordError> {
         let balls = with_balls.then_some(&sample.balls[..]);
         self.record(&Overview::of(sample), balls).map(ControlFlow::Continue)
+    }
+
+    fn between(&self) -> BallDetail {
+        Overview::DETAIL
     }
 
     fn event(&mut self, event: &Event) -> Result<(), RecordError> {

@@ -4,7 +4,7 @@ use crate::messages::{in_contact, over_fields};
 use crate::wire::tribodyn::TransientState;
 use std::sync::LazyLock;
 use tribodyn_bearing::quantities::{OfBall, Over};
-use tribodyn_dynamics::Sample;
+use tribodyn_dynamics::{BallDetail, Sample};
 
 /// The numbers for all balls that a state holds, with the places of their fields.
 pub(super) static OVER_BALLS: LazyLock<Vec<(OfBall, Over, usize)>> = LazyLock::new(over_fields::<TransientState>);
@@ -26,6 +26,9 @@ pub struct Overview {
 }
 
 impl Overview {
+    /// All that it takes of the balls.
+    pub const DETAIL: BallDetail = BallDetail::Loads;
+
     /// Of a sample with its balls.
     pub fn of(sample: &Sample) -> Self {
         let mut overview = Self {
@@ -69,6 +72,43 @@ impl Overview {
 mod tests {
     use super::*;
     use crate::wire::Numbers;
+    use std::convert::Infallible;
+    use std::ops::ControlFlow;
+    use tribodyn_case::{Case, set_value};
+    use tribodyn_dynamics::{Event, Observer, Run};
+
+    struct Keep(BallDetail, Vec<String>);
+
+    impl Observer for Keep {
+        type Error = Infallible;
+
+        fn sample(&mut self, sample: &Sample, _: bool) -> Result<ControlFlow<()>, Infallible> {
+            self.1.push(format!("{:?}", Overview::of(sample)));
+            Ok(ControlFlow::Continue(()))
+        }
+
+        fn event(&mut self, _: &Event) -> Result<(), Infallible> {
+            Ok(())
+        }
+
+        fn between(&self) -> BallDetail {
+            self.0
+        }
+    }
+
+    #[test]
+    fn identity_samples_with_less_of_the_balls_say_as_much_of_all_together() {
+        let text = include_str!("../../../../fixtures/cases/paper-ag.ron");
+        let text = set_value(text, "transient.scheme", "Fast(step: us(20))").unwrap();
+        let case = Case::from_ron(&text).unwrap();
+        let [all, less] = [BallDetail::All, Overview::DETAIL].map(|detail| {
+            let (mut keep, mut run) = (Keep(detail, Vec::new()), Run::new(case.run_inputs().unwrap()).unwrap());
+            run.advance(1e-3, &mut keep).unwrap();
+            keep.1
+        });
+        assert!(all.len() > 20);
+        assert_eq!(all, less);
+    }
 
     #[test]
     fn identity_what_is_known_of_all_balls_has_a_field() {

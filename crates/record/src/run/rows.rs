@@ -7,7 +7,7 @@ use super::{log_time, messages};
 use crate::RecordError;
 use crate::file::replay::{RunItem, log_row};
 use std::ops::ControlFlow;
-use tribodyn_dynamics::{Event, Observer, Sample, WearSample};
+use tribodyn_dynamics::{BallDetail, Event, Observer, Sample, WearSample};
 
 /// Hands out the rows that a reader of the recording would find, from samples and events: states, balls, the log, and
 /// at the end what has worn off. Nothing is encoded, and what is for the eye only is not made.
@@ -58,6 +58,10 @@ impl<T: FnMut(RunItem)> Observer for RunRows<T> {
             (self.take)(RunItem::Balls(sample.time_s, balls));
         }
         Ok(ControlFlow::Continue(()))
+    }
+
+    fn between(&self) -> BallDetail {
+        Overview::DETAIL
     }
 
     fn event(&mut self, event: &Event) -> Result<(), RecordError> {

@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 use std::thread::{Builder, JoinHandle};
 use tribodyn_bearing::BallResult;
-use tribodyn_dynamics::{Checkpoint, Event, Observer, Sample};
+use tribodyn_dynamics::{BallDetail, Checkpoint, Event, Observer, Sample};
 use tribodyn_record::{Overview, RecordError, RunRecorder};
 
 /// The recorder that the thread works on.
@@ -175,6 +175,10 @@ impl Observer for Recording {
             self.hand_over();
         }
         Ok(ControlFlow::Continue(()))
+    }
+
+    fn between(&self) -> BallDetail {
+        Overview::DETAIL
     }
 
     fn event(&mut self, event: &Event) -> Result<(), Self::Error> {

@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use tribodyn_dynamics::{
-    DynamicsError, Ending as Advanced, Event, EventKind, Observer, Run, RunError as Advance, Sample,
+    BallDetail, DynamicsError, Ending as Advanced, Event, EventKind, Observer, Run, RunError as Advance, Sample,
 };
 use tribodyn_record::{RunRecorder, RunRecording};
 
@@ -272,6 +272,10 @@ impl<P: FnMut(f64) -> ControlFlow<()>> Observer for Watch<'_, P> {
 
     fn event(&mut self, event: &Event) -> Result<(), Infallible> {
         self.recording.event(event)
+    }
+
+    fn between(&self) -> BallDetail {
+        self.recording.between()
     }
 
     fn stepped(&mut self, time_s: f64) -> ControlFlow<()> {

@@ -8,7 +8,7 @@ use crate::error::{StudyError, with_causes};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
-use tribodyn_dynamics::{DynamicsError, Ending, Event, Observer, RunError, Sample};
+use tribodyn_dynamics::{BallDetail, DynamicsError, Ending, Event, Observer, RunError, Sample};
 use tribodyn_record::{RecordError, RunItem, RunRows};
 
 /// Why a run without a recording has no summary.
@@ -59,6 +59,10 @@ impl<T: FnMut(RunItem)> Observer for Watch<'_, T> {
 
     fn event(&mut self, event: &Event) -> Result<(), RecordError> {
         self.rows.event(event)
+    }
+
+    fn between(&self) -> BallDetail {
+        self.rows.between()
     }
 
     fn stepped(&mut self, _time_s: f64) -> ControlFlow<()> {

@@ -66,5 +66,8 @@ fn one_by_one<E: Fuse>(a: &[E], b: &[E], c: &mut [E]) {
 /// Sum of the lanes, in an order that no vector width changes.
 #[inline(always)]
 pub(crate) fn total<S: Simd>(v: Lanes<S>) -> f64 {
-    ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]))
+    let (low, high) = v.split();
+    let (first, second) = (low + high).split();
+    let sums = first + second;
+    sums[0] + sums[1]
 }
