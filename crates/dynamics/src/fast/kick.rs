@@ -1,7 +1,7 @@
 //! The kick: friction at fixed position, linearly implicit.
 
 use super::friction::{in_inertial_axes, inverse_with_held, linear_friction};
-use super::grip::{Forms, Grips, follow, places, respond, surroundings, tractions};
+use super::grip::{Forms, Grips, follow, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
 use super::{Fast, Scratch};
 use crate::equations::{Equations, Frame};
@@ -81,8 +81,8 @@ impl Fast {
     fn grip<E: Equations>(&mut self, equations: &mut E, block: usize, frame: &Frame, renew: bool) -> f64 {
         let machine = equations.machine();
         let (balls, first) = (filled(machine.layout, block), WIDTH * block);
-        let places = places(machine, block);
         let scratch = &mut self.scratch;
+        let places = scratch.places[block];
         let at = (&scratch.balls[block], &scratch.stands[block], &scratch.forms[block]);
         let (equations_now, grips, now) = (&*equations, &mut scratch.grips[block], self.steps as f64);
         dispatch!(scratch.level, _simd => {

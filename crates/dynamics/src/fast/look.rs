@@ -2,7 +2,7 @@
 //! reach.
 
 use super::drift::{Stand, press};
-use super::grip::{Forms, Grips, LINEAR, places, slide, surroundings};
+use super::grip::{Forms, Grips, LINEAR, slide, surroundings};
 use super::lanes::{Lane, WIDTH, blocks, filled, gather, get, put};
 use super::numbers::Numbers;
 use super::{Fast, Scratch};
@@ -121,7 +121,7 @@ impl Fast {
         for (block, forms) in forms.iter().enumerate().take(blocks(l.balls)) {
             let balls = gather(l, y, block);
             press(*level, machine, (&of.frame, &balls), stand);
-            let places = places(machine, block);
+            let places = self.scratch.places[block];
             dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, stand), grips));
             let pockets = of.pockets(block, &balls, grips);
             let (at, ellipses) = ((&balls, &*stand, forms, &*grips), of.ellipses(*level, stand));

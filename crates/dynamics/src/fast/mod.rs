@@ -49,7 +49,7 @@ use crate::stiffness::or_infinite;
 use drift::{Stand, drift_acceleration, glide_balls, glide_bodies, push_balls, push_bodies};
 use fearless_simd::{Level, dispatch};
 use friction::LinearFriction;
-use grip::{Forms, Grips};
+use grip::{Forms, Grips, places};
 use halves::{VELOCITIES, bodies};
 use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
 pub(crate) use look::Room;
@@ -142,6 +142,8 @@ struct Scratch {
     half: Vec<[Lane; VELOCITIES]>,
     before: Vec<[Lane; 3]>,
     stands: Vec<Stand>,
+    /// Azimuths of the middles of the balls' pockets against the cage, rad.
+    places: Vec<Lane>,
     forms: Vec<Forms>,
     grips: Vec<Grips>,
 }
@@ -150,8 +152,9 @@ impl Default for Scratch {
     fn default() -> Self {
         let level = Level::new();
         let (balls, common, given_back) = (Vec::new(), Vec::new(), Vec::new());
-        let (half, before, stands, forms, grips) = (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { level, balls, common, given_back, half, before, stands, forms, grips }
+        let (half, before, stands, places) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (forms, grips) = (Vec::new(), Vec::new());
+        Self { level, balls, common, given_back, half, before, stands, places, forms, grips }
     }
 }
 
@@ -236,6 +239,7 @@ impl Fast {
         let fresh = !self.ready || scratch.stands.len() != blocks(l.balls);
         if fresh {
             scratch.stands.resize(blocks(l.balls), Stand::NONE);
+            scratch.places = (0..blocks(l.balls)).map(|block| places(equations.machine(), block)).collect();
             scratch.common.resize(blocks(l.balls), [Lane::ZERO; 3]);
             scratch.given_back.resize(blocks(l.balls), [Lane::ZERO; 3]);
             self.given_back.resize(y.len(), 0.0);

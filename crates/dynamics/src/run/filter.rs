@@ -94,6 +94,11 @@ impl Filter {
         Ok(Self { level: Level::new(), decimator: Decimator::new(bands.factor)?, bands })
     }
 
+    /// The vector instructions of this processor.
+    pub fn level(&self) -> Level {
+        self.level
+    }
+
     /// Rate at which velocities are taken, Hz.
     pub fn internal_rate_hz(&self) -> f64 {
         self.bands.internal_rate_hz()
@@ -167,8 +172,7 @@ impl Between<'_> {
     /// An unknown at a part of the step.
     pub fn at(&self, s: f64, i: usize) -> f64 {
         let [a, b] = self.state.map(|y| y[i]);
-        // The end itself, to the last digit.
-        if (s - 1.0).abs() < 1e-9 {
+        if is_end(s) {
             return b;
         }
         match self.slopes {
@@ -179,8 +183,13 @@ impl Between<'_> {
 
     /// What is filtered, at a part of the step.
     pub fn values(&self, l: Layout, s: f64) -> Values {
-        values(l, |i| self.at(s, i))
+        if is_end(s) { values(l, |i| self.state[1][i]) } else { values(l, |i| self.at(s, i)) }
     }
+}
+
+/// True for the end of a step itself, which is met to the last digit.
+fn is_end(s: f64) -> bool {
+    (s - 1.0).abs() < 1e-9
 }
 
 fn values(l: Layout, get: impl Fn(usize) -> f64) -> Values {
