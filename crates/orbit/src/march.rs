@@ -12,6 +12,8 @@ use nalgebra::{SMatrix, SVector};
 const LONGEST: f64 = 0.08;
 const FIRST: f64 = 0.01;
 const SHORTEST: f64 = 1e-6;
+/// Widths that there are within a factor of two.
+const RUNGS: f64 = 16.0;
 /// Intervals of a turn after which errors may be larger.
 const MANY: usize = 1000;
 /// Intervals after which a ball is thrown about too much to be followed.
@@ -29,6 +31,13 @@ type Block = SMatrix<f64, BALL, BALL>;
 type Ball = SVector<f64, BALL>;
 type Stack = SMatrix<f64, STACK, STACK>;
 type Points = SVector<f64, STACK>;
+
+/// The nearest of a ladder of widths. Where contacts begin and end the error of a step depends steeply on where it lies,
+/// and so does the next width: from step to step the last digit would grow until another mesh comes out. With widths
+/// that are exactly those of the ladder it is forgotten.
+fn rung(width: f64) -> f64 {
+    ((width.log2() * RUNGS).round() / RUNGS).exp2()
+}
 
 /// An interval that was tried.
 struct Tried {
@@ -82,7 +91,7 @@ impl Newton<'_> {
             place = self.place(end, &tried.values[STAGES - 1], border);
             let safety = 0.9 * (2 * ITERATIONS + 1) as f64 / (2 * ITERATIONS + tried.iterations) as f64;
             let growth = (safety * tried.error.max(1e-8).powf(-0.25)).clamp(0.2, if rejected { 1.0 } else { 5.0 });
-            width = (step * growth).clamp(SHORTEST, LONGEST);
+            width = rung(step * growth).clamp(SHORTEST, LONGEST);
             rejected = false;
         }
         orbit
