@@ -112,8 +112,8 @@ fn compare_chains(point: &OperatingPoint, (bearing, cage): (&Bearing, &CageBody)
         let solved = speeds.map(|inner_speed| {
             let point = OperatingPoint { inner_speed, ..point.clone() };
             let near =
-                start.take().and_then(|near| steady_orbit_near(&bearing, &point, &cage, &settings, &near).unwrap());
-            let solved = near.unwrap_or_else(|| steady_orbit(&bearing, &point, &cage, &settings).unwrap());
+                start.take().and_then(|near| steady_orbit_near(bearing, &point, cage, &settings, &near).unwrap());
+            let solved = near.unwrap_or_else(|| steady_orbit(bearing, &point, cage, &settings).unwrap());
             start = solved.start;
             let s = solved.solution;
             (s.intervals, [s.cage_speed_rpm, s.shaft_torque_nm, s.pocket_force_max_n, s.friction_w[0]])
