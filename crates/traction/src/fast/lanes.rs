@@ -63,6 +63,16 @@ fn one_by_one<E: Fuse>(a: &[E], b: &[E], c: &mut [E]) {
     }
 }
 
+/// [`total`] of each: a loop, where the compiler would not draw the closure of a map into the vector code.
+#[inline(always)]
+pub(crate) fn totals<S: Simd, const N: usize>(sums: &[Lanes<S>; N]) -> [f64; N] {
+    let mut totals = [0.0; N];
+    for (total_of, &sum) in totals.iter_mut().zip(sums) {
+        *total_of = total(sum);
+    }
+    totals
+}
+
 /// Sum of the lanes, in an order that no vector width changes.
 #[inline(always)]
 pub(crate) fn total<S: Simd>(v: Lanes<S>) -> f64 {

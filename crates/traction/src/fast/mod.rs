@@ -28,7 +28,7 @@ use crate::{
 };
 use crate::{PatchRule, patch::LEAST_ROLLING};
 use fearless_simd::{Level, dispatch};
-use lanes::total;
+use lanes::totals;
 use nodes::Layout;
 use values::Values;
 
@@ -107,7 +107,7 @@ impl FastPatch {
         let sums = dispatch!(self.level, simd => {
             let mut values = Values::new(simd, &scaled);
             self.layout.walk(simd, &scaled.slip, &mut values);
-            values.sums.map(total)
+            totals(&values.sums)
         });
         assemble(patch, scaled.scale, sums)
     }

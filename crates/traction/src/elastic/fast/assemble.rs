@@ -4,7 +4,7 @@ use super::march::March;
 use super::setup::{Setup, Varied, yielding};
 use super::varying;
 use crate::elastic::TangentialElasticity;
-use crate::fast::lanes::{Lanes, total};
+use crate::fast::lanes::{Lanes, totals};
 use crate::fast::{PatchDerivative, flatness};
 use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion, SlipUnit};
 use fearless_simd::prelude::*;
@@ -194,11 +194,7 @@ impl<'a, S: Simd> Sums<'a, S> {
 /// Sums over all lanes times a factor.
 #[inline(always)]
 fn all<S: Simd, const N: usize>(sums: &[Lanes<S>; N], factor: f64) -> [f64; N] {
-    let mut totals = [0.0; N];
-    for (t, &sum) in totals.iter_mut().zip(sums) {
-        *t = total(sum) * factor;
-    }
-    totals
+    totals(sums).map(|total| total * factor)
 }
 
 fn named([rolling, lateral, normal, about_lateral, about_rolling, power, wear]: [f64; 7]) -> PatchTraction {

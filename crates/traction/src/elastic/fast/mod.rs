@@ -24,7 +24,7 @@ use super::Fastsim;
 use super::across::Crowding;
 use super::elasticity::TangentialElasticity;
 use super::fastsim::elastic_patch_traction;
-use crate::fast::lanes::{Lanes, total};
+use crate::fast::lanes::{Lanes, totals};
 use crate::fast::{PatchDerivative, assemble as assemble_values};
 use crate::{
     Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipField, SlipUnit,
@@ -64,7 +64,7 @@ impl Fastsim {
                     *sum += term;
                 }
             });
-            sums.map(total)
+            totals(&sums)
         });
         assemble_values(patch, 1.0, sums)
     }
