@@ -10,6 +10,9 @@ use std::{env, error::Error, fs, path::PathBuf};
 /// Messages whose numbers are filled and read by their names.
 const BY_NAME: [&str; 3] = ["Ball", "BearingState", "TransientState"];
 
+/// The message of which there are the most.
+const OFTEN: &str = "Ball";
+
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=proto");
     let out = PathBuf::from(env::var("OUT_DIR")?);
@@ -33,7 +36,41 @@ fn numbers(set: &FileDescriptorSet) -> Result<String, std::fmt::Error> {
     for message in messages.filter(|message| BY_NAME.contains(&message.name())) {
         implementation(message, &mut text)?;
     }
+    let messages = set.file.iter().flat_map(|file| &file.message_type);
+    for message in messages.filter(|message| message.name() == OFTEN) {
+        flat(message, &mut text)?;
+    }
     Ok(text)
+}
+
+/// Encoding of a message of single numbers, the same bytes as the generated structure makes, with the keys worked out
+/// here.
+fn flat(message: &DescriptorProto, text: &mut String) -> std::fmt::Result {
+    writeln!(text, "impl super::Flat for super::tribodyn::{} {{", message.name())?;
+    writeln!(text, "fn put(&self, out: &mut Vec<u8>) {{")?;
+    for field in &message.field {
+        let (name, number) = (field.name(), field.number() as u64);
+        let key = |wire: u64| {
+            let mut key = Vec::new();
+            prost::encoding::encode_varint(number << 3 | wire, &mut key);
+            key
+        };
+        match field.r#type() {
+            Type::Float | Type::Double => {
+                let key = key(if field.r#type() == Type::Float { 5 } else { 1 });
+                writeln!(text, "if self.{name} != 0.0 {{ super::put(out, &{key:?}, &self.{name}.to_le_bytes()); }}")?;
+            }
+            Type::Uint32 | Type::Bool | Type::Enum => {
+                let key = key(0);
+                writeln!(
+                    text,
+                    "if self.{name} as u64 != 0 {{ super::put_varint(out, &{key:?}, self.{name} as u64); }}"
+                )?;
+            }
+            other => panic!("{name} is {other:?}: only single numbers are encoded here"),
+        }
+    }
+    writeln!(text, "}} }}")
 }
 
 fn implementation(message: &DescriptorProto, text: &mut String) -> std::fmt::Result {

@@ -1,5 +1,7 @@
 //! The messages as they lie in the file, generated from the `.proto` files of this crate.
 
+use prost::Message;
+
 /// Foxglove's public messages, as far as a recording uses them.
 pub mod foxglove {
     #![allow(missing_docs, clippy::all)] // generated: helper functions of enums carry no text
@@ -35,6 +37,47 @@ pub trait Numbers {
     }
 }
 
+/// A message that is encoded field by field with keys that are known, the bytes of [`prost::Message::encode_raw`]:
+/// of balls there are so many that it shows.
+pub(crate) trait Flat {
+    /// Appends the message.
+    fn put(&self, out: &mut Vec<u8>);
+}
+
+impl Flat for tribodyn::Balls {
+    fn put(&self, out: &mut Vec<u8>) {
+        let Self { timestamp, time_s, balls } = self;
+        tribodyn::Balls { timestamp: *timestamp, time_s: *time_s, balls: Vec::new() }.encode_raw(out);
+        let mut message = Vec::with_capacity(LONGEST_BALL);
+        for ball in balls {
+            message.clear();
+            ball.put(&mut message);
+            put_varint(out, &[BALLS_KEY], message.len() as u64);
+            out.extend_from_slice(&message);
+        }
+    }
+}
+
+/// Key of the balls among the fields of [`tribodyn::Balls`]: field 3, with a length.
+const BALLS_KEY: u8 = 3 << 3 | 2;
+/// Room for a ball, which has some 350 bytes.
+const LONGEST_BALL: usize = 512;
+
+/// A number with its key.
+#[inline(always)]
+fn put<const K: usize, const N: usize>(out: &mut Vec<u8>, key: &[u8; K], value: &[u8; N]) {
+    let mut both = [0; 16];
+    both[..K].copy_from_slice(key);
+    both[K..K + N].copy_from_slice(value);
+    out.extend_from_slice(&both[..K + N]);
+}
+
+/// A whole number with its key.
+fn put_varint(out: &mut Vec<u8>, key: &[u8], value: u64) {
+    out.extend_from_slice(key);
+    prost::encoding::encode_varint(value, out);
+}
+
 mod numbers {
     #![allow(clippy::all)] // generated from the `.proto` file
     include!(concat!(env!("OUT_DIR"), "/tribodyn_numbers.rs"));
@@ -45,3 +88,28 @@ pub(crate) const FOXGLOVE_DESCRIPTORS: &[u8] = include_bytes!(concat!(env!("OUT_
 
 /// Descriptor set of [`tribodyn`] with its imports, as the schema record holds it.
 pub(crate) const TRIBODYN_DESCRIPTORS: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/tribodyn.binpb"));
+
+#[cfg(test)]
+mod tests {
+    use super::Flat;
+    use super::tribodyn::{Ball, Balls};
+    use crate::wire::Numbers;
+    use prost::Message;
+
+    #[test]
+    fn identity_balls_have_the_bytes_of_their_generated_encoding() {
+        let ball = |k: usize| {
+            let mut ball =
+                Ball { index: k as u32, contact_outer: k.is_multiple_of(2), motion: k as i32 % 6, ..Ball::default() };
+            ball.set_numbers(|place| (place % 5 != k % 5).then_some((place as f64 - 20.0) * 1.7 + k as f64));
+            ball
+        };
+        let timestamp = Some(prost_types::Timestamp { seconds: 1_700_000_000, nanos: 12_345 });
+        for (timestamp, time_s, count) in [(None, 0.0, 0), (timestamp, 0.125, 1), (timestamp, -3.0, 300)] {
+            let balls = Balls { timestamp, time_s, balls: (0..count).map(ball).collect() };
+            let mut bytes = Vec::new();
+            balls.put(&mut bytes);
+            assert!(bytes == balls.encode_to_vec(), "{count}");
+        }
+    }
+}

@@ -13,7 +13,9 @@ use crate::contacts::{self, Drawing, Moment, Scales};
 use crate::raceway::{self, Defect, Found};
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, timestamp};
+use crate::wire::Flat;
 use crate::wire::foxglove::{FrameTransforms, Log, SceneUpdate};
+use crate::wire::tribodyn::Balls;
 use prost::Message;
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{BallResult, Geometry};
@@ -42,6 +44,7 @@ pub(super) struct Producer {
     transforms: FrameTransforms,
     contacts: SceneUpdate,
     buffer: Vec<u8>,
+    flat: Vec<u8>,
 }
 
 /// All of a recorder that changes during a run: how far the balls have turned, the samples behind spectra and orbits,
@@ -143,6 +146,7 @@ impl Producer {
             transforms: FrameTransforms::default(),
             contacts: SceneUpdate::default(),
             buffer: Vec::new(),
+            flat: Vec::new(),
         })
     }
 
@@ -169,6 +173,14 @@ impl Producer {
             }
         };
         sink.message(to as usize, self.memory.last_log_time, &self.buffer[..length])
+    }
+
+    /// The same for balls.
+    fn send_balls(&mut self, sink: &mut impl Sink, time: u64, balls: &Balls) -> Result<(), RecordError> {
+        self.memory.last_log_time = self.memory.last_log_time.max(time);
+        self.flat.clear();
+        balls.put(&mut self.flat);
+        sink.message(Topic::Balls as usize, self.memory.last_log_time, &self.flat)
     }
 
     pub(super) fn sample(
@@ -199,7 +211,7 @@ impl Producer {
         if let Some((balls, message)) = of_balls {
             self.memory.found.push(sample, balls);
             sink.balls(&message.balls);
-            self.send(sink, Topic::Balls, time, &message)?;
+            self.send_balls(sink, time, &message)?;
             self.scene(sink, (sample, balls), scales, time)?;
         }
         if sample.time_s + ROUNDING_S >= self.memory.next_slow_s {
