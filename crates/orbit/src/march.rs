@@ -32,9 +32,9 @@ type Ball = SVector<f64, BALL>;
 type Stack = SMatrix<f64, STACK, STACK>;
 type Points = SVector<f64, STACK>;
 
-/// The nearest of a ladder of widths. Where contacts begin and end the error of a step depends steeply on where it lies,
-/// and so does the next width: from step to step the last digit would grow until another mesh comes out. With widths
-/// that are exactly those of the ladder it is forgotten.
+/// The nearest of a ladder of widths. Where contacts begin and end, the error of a step depends steeply on where it
+/// lies, and so does the next width: from step to step a last digit would grow until another mesh comes out. Widths
+/// that are just those of the ladder forget it.
 fn rung(width: f64) -> f64 {
     ((width.log2() * RUNGS).round() / RUNGS).exp2()
 }
