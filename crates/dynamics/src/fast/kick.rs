@@ -158,12 +158,11 @@ impl Fast {
         for (index, f) in self.friction.iter().enumerate() {
             let axes = self.scratch.stands[index / WIDTH].axes(index % WIDTH);
             let force = f.coupling.tr_mul(&f.follow[1]) + f.on_rings() * 0.5;
-            // Columns are turned into the ball's axes first, their rows afterwards: x and y of a ring.
-            let x_and_y = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|unit| axes.from_inertial(unit));
+            // By the rings' velocities along x, y and z, which is the axial direction; then the forces are turned.
+            let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|unit| axes.from_inertial(unit));
             let turned = |first: usize, [_, radial, along]: [f64; 3]| {
                 force.column(first + 1) * radial + force.column(first + 2) * along
             };
-            let [x, y] = x_and_y;
             let columns = [turned(0, x), turned(0, y), force.column(0).into(), turned(3, x), turned(3, y)];
             for (k, column) in columns.iter().enumerate() {
                 let mut slot = sum.column_mut(k);

@@ -71,7 +71,7 @@ fn peak_slip<D: Scalar>(curve: &Kragelskii<D>) -> Option<D> {
     (curve.b.re() > 0.0 && curve.c.re() > 0.0).then(|| curve.c.recip() - curve.a / curve.b)
 }
 
-/// exp(x) with its derivatives, where that of the value is known.
+/// exp(x) with its first derivatives, where that of the value is known.
 fn exp_of<D: Scalar>(x: D, known: f64) -> D {
     (x - x.re()) * known + known
 }
