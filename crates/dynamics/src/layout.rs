@@ -43,6 +43,12 @@ impl Layout {
         self.inner() + 6
     }
 
+    /// Velocities of cage (one), inner (three) and outer ring (two).
+    pub fn velocities_of_bodies(self) -> [usize; 6] {
+        let (inner, outer) = (self.inner() + 3, self.outer() + 2);
+        [self.cage() + 1, inner, inner + 1, inner + 2, outer, outer + 1]
+    }
+
     /// Angles turned by inner and outer ring.
     pub fn angles(self) -> usize {
         self.outer() + 4

@@ -1,6 +1,5 @@
 //! The drift: motion under contact springs, supports, loads and the centrifugal force.
 
-use super::halves::bodies;
 use super::lanes::{Lane, WIDTH, filled, get, put, sin_cos};
 use crate::equations::{Equations, Frame};
 use crate::forces::Sums;
@@ -267,7 +266,7 @@ pub(super) fn push_balls(balls: &mut [Lane; BALL], acceleration: &[Lane; 3], com
 
 /// Velocities of rings and cage.
 pub(super) fn push_bodies(l: Layout, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
-    let [cage, rings @ ..] = bodies(l);
+    let [cage, rings @ ..] = l.velocities_of_bodies();
     y[cage] += h * a[cage];
     for k in rings {
         y[k] += h * (a[k] - common[k]);

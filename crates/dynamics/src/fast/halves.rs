@@ -23,7 +23,7 @@ impl Fast {
         for (balls, half) in scratch.balls.iter_mut().zip(&scratch.half) {
             add(balls, half, -1.0);
         }
-        bodies(equations.machine().layout).into_iter().for_each(|k| y[k] -= self.half[k]);
+        equations.machine().layout.velocities_of_bodies().into_iter().for_each(|k| y[k] -= self.half[k]);
     }
 
     /// The first half of the kick of a step `h`; the other is kept.
@@ -32,13 +32,13 @@ impl Fast {
         for (balls, half) in self.scratch.balls.iter().zip(&mut self.scratch.half) {
             half.copy_from_slice(&balls[VELOCITY..]);
         }
-        bodies(l).into_iter().for_each(|k| self.half[k] = y[k]);
+        l.velocities_of_bodies().into_iter().for_each(|k| self.half[k] = y[k]);
         self.kick(equations, t, y, h);
         let Scratch { level, balls, half, .. } = &mut self.scratch;
         for (balls, half) in balls.iter_mut().zip(half) {
             dispatch!(*level, _simd => halve(balls, half));
         }
-        for k in bodies(l) {
+        for k in l.velocities_of_bodies() {
             let before = self.half[k];
             self.half[k] = 0.5 * (y[k] - before);
             y[k] = before + self.half[k];
@@ -51,7 +51,7 @@ impl Fast {
         for (balls, half) in balls.iter_mut().zip(half) {
             dispatch!(*level, _simd => add(balls, half, 1.0));
         }
-        bodies(l).into_iter().for_each(|k| y[k] += self.half[k]);
+        l.velocities_of_bodies().into_iter().for_each(|k| y[k] += self.half[k]);
     }
 
     /// Remembers the velocities at the start of a piece of the drift, without spins.
@@ -59,7 +59,7 @@ impl Fast {
         for (balls, before) in self.scratch.balls.iter().zip(&mut self.scratch.before) {
             before.copy_from_slice(&balls[VELOCITY..VELOCITY + 3]);
         }
-        bodies(l).into_iter().for_each(|k| self.before[k] = y[k]);
+        l.velocities_of_bodies().into_iter().for_each(|k| self.before[k] = y[k]);
     }
 
     /// From the velocities in the middle of a piece to those expected at its end, farther by as much as from its start
@@ -69,7 +69,7 @@ impl Fast {
         for (balls, before) in balls.iter_mut().zip(before) {
             dispatch!(*level, _simd => ahead(balls, before));
         }
-        for k in bodies(l) {
+        for k in l.velocities_of_bodies() {
             (y[k], self.before[k]) = (2.0 * y[k] - self.before[k], y[k]);
         }
     }
@@ -79,7 +79,7 @@ impl Fast {
         for (balls, before) in self.scratch.balls.iter_mut().zip(&self.scratch.before) {
             balls[VELOCITY..VELOCITY + 3].copy_from_slice(before);
         }
-        bodies(l).into_iter().for_each(|k| y[k] = self.before[k]);
+        l.velocities_of_bodies().into_iter().for_each(|k| y[k] = self.before[k]);
     }
 
     /// The state as samples have it, displacements corrected.
@@ -119,12 +119,6 @@ impl Fast {
     fn acceleration(&self, place: usize, by_kick: f64) -> f64 {
         self.drift[place] - self.common[place] + by_kick * self.half[place]
     }
-}
-
-/// Places of the velocities of cage and rings.
-pub(super) fn bodies(l: Layout) -> [usize; 6] {
-    let (inner, outer) = (l.inner() + 3, l.outer() + 2);
-    [l.cage() + 1, inner, inner + 1, inner + 2, outer, outer + 1]
 }
 
 /// Half way back to the velocities in `half`, which then has the way made.

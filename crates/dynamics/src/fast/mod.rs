@@ -50,7 +50,7 @@ use drift::{Stand, drift_acceleration, glide_balls, glide_bodies, push_balls, pu
 use fearless_simd::{Level, dispatch};
 use friction::LinearFriction;
 use grip::{Forms, Grips, places};
-use halves::{VELOCITIES, bodies};
+use halves::VELOCITIES;
 use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
 pub(crate) use look::Room;
 use nalgebra::Matrix5;
@@ -328,7 +328,7 @@ impl Fast {
             dispatch!(*level, _simd => follow_balls((common, given), stand.acceleration(), share));
         }
         let share = (h / RING_SMOOTHING_TIME).min(1.0);
-        for k in bodies(l) {
+        for k in l.velocities_of_bodies() {
             follow_slowly((&mut self.common[k], &mut self.given_back[k]), self.drift[k], share);
         }
     }
