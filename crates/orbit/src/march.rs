@@ -13,7 +13,7 @@ const LONGEST: f64 = 0.08;
 const FIRST: f64 = 0.01;
 const SHORTEST: f64 = 1e-6;
 /// Widths that there are within a factor of two.
-const RUNGS: f64 = 16.0;
+const RUNGS: f64 = 6.0;
 /// Intervals of a turn after which errors may be larger.
 const MANY: usize = 1000;
 /// Intervals after which a ball is thrown about too much to be followed.
