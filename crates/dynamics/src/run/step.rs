@@ -7,6 +7,7 @@ use crate::layout::{BALL, ORBIT};
 use crate::observer::Observer;
 use fearless_simd::{Level, dispatch};
 use std::ops::ControlFlow;
+use tribodyn_bearing::Pocket;
 
 impl Run {
     /// One step of the scheme, in pieces where a pocket is met.
@@ -124,22 +125,37 @@ impl Run {
         let p = &self.progress;
         let lead = |y: &[f64], k: usize| self.machine.lead(k, &y[l.ball(k)..], y[l.cage()]);
         let rate = |y: &[f64], k: usize| y[l.ball(k) + ORBIT] - y[l.cage() + 1];
-        let mut first: Option<f64> = None;
-        for k in 0..l.balls {
-            let (a, b) = (lead(&p.state, k), lead(&self.next, k));
-            let (before, after) = (pocket.penetration(a), pocket.penetration(b));
-            if (before > 0.0) == (after > 0.0) {
-                continue;
-            }
-            let slopes = [rate(&p.state, k) * h, rate(&self.next, k) * h];
-            let gap = |s: f64| pocket.penetration(hermite(s, [a, b], slopes));
-            let at = bisect(gap, before > 0.0);
-            if at > CUT_MARGIN && at < 1.0 - CUT_MARGIN && first.is_none_or(|f| at < f) {
-                first = Some(at);
-            }
-        }
-        first
+        let whole = self.scheme.whole_step(h);
+        let crossings = (0..l.balls).filter_map(|k| {
+            let leads = [lead(&p.state, k), lead(&self.next, k)];
+            crossing(pocket, leads, [rate(&p.state, k) * h, rate(&self.next, k) * h], whole / h)
+        });
+        crossings.min_by(f64::total_cmp)
     }
+}
+
+impl Scheme {
+    /// The step of a scheme that has one of its own, else the one that was tried.
+    fn whole_step(&self, tried: f64) -> f64 {
+        match self {
+            Self::Rk4 { step, .. } | Self::Fast { step } => *step,
+            Self::DormandPrince { .. } => tried,
+        }
+    }
+}
+
+/// The part of a piece of a step after which a ball that leads its pocket's centre by two angles, with their changes
+/// over the piece at its rates, meets or leaves the wall; none where that is so near to an end that the scheme's whole
+/// step, so many pieces long, does not see it. The last piece of a step can be so short that a cut in it moves no digit
+/// of the lead, and another one would follow.
+fn crossing(pocket: &Pocket, leads: [f64; 2], slopes: [f64; 2], whole: f64) -> Option<f64> {
+    let [before, after] = leads.map(|lead| pocket.penetration(lead) > 0.0);
+    if before == after {
+        return None;
+    }
+    let at = bisect(|s| pocket.penetration(hermite(s, leads, slopes)), before);
+    let margin = CUT_MARGIN * whole.max(1.0);
+    (at > margin && at < 1.0 - margin).then_some(at)
 }
 
 /// Cubic through two values with their slopes over the interval, at `s` from 0 to 1.
@@ -170,4 +186,44 @@ fn are_finite(level: Level, values: &[f64]) -> bool {
         }
     }));
     sums.iter().sum::<f64>() + rest.iter().map(|value| 0.0 * value).sum::<f64>() == 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tribodyn_bearing::PocketForce;
+
+    fn pocket() -> Pocket {
+        Pocket {
+            radius: 0.0785,
+            clearance: 4e-3,
+            stiffness: 4e6,
+            damping: 1.0,
+            friction: 0.2,
+            ball_radius: 0.015,
+            force: PocketForce::FromWall,
+        }
+    }
+
+    #[test]
+    fn identity_a_crossing_stands_where_the_lead_passes_the_wall() {
+        let rate = 1e-4;
+        for (leads, at) in [([3.975e-3, 4.075e-3], 0.25), ([-4.06e-3, -3.96e-3], 0.6)] {
+            let found = crossing(&pocket(), leads, [rate; 2], 1.0).unwrap();
+            assert!((found - at).abs() < 1e-9, "{found}");
+        }
+        assert_eq!(crossing(&pocket(), [3.9e-3, 3.95e-3], [5e-5; 2], 1.0), None);
+    }
+
+    /// A piece of 4.3 ns of a step of 10 µs, in which a ball leaves its wall by one unit in the last place: cuts of 8 fs
+    /// would not move it and go on for half a million pieces.
+    #[test]
+    fn limit_a_piece_too_short_to_be_cut_is_gone_through() {
+        let (piece, whole, rate) = (4.3e-9, 1e-5, -0.124);
+        let lead = 4e-3 + 1e-15;
+        let (leads, slopes) = ([lead, lead + rate * piece], [rate * piece; 2]);
+        let at = crossing(&pocket(), leads, slopes, 1.0).unwrap();
+        assert!(at > CUT_MARGIN && lead + at * rate * piece >= 4e-3 - 1e-18, "{at}");
+        assert_eq!(crossing(&pocket(), leads, slopes, whole / piece), None);
+    }
 }
