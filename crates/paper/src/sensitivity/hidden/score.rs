@@ -41,6 +41,11 @@ impl Score {
         Ok(score)
     }
 
+    /// The lower count and the lower nearness of two scores.
+    pub fn worse(&self, other: &Self) -> Self {
+        Self { met: self.met.min(other.met), near: self.near.min(other.near) }
+    }
+
     /// The set with most rows first, with the nearest of those first.
     pub fn decide(&self, other: &Self) -> Ordering {
         other.met.cmp(&self.met).then(other.near.total_cmp(&self.near))
@@ -105,5 +110,6 @@ mod tests {
         let [lucky, sound] = [Score { met: 9, near: 7.0 }, Score { met: 8, near: 8.5 }];
         assert_eq!(lucky.decide(&sound), Ordering::Less);
         assert_eq!(lucky.lead(&sound), Ordering::Greater);
+        assert_eq!(lucky.worse(&sound), Score { met: 8, near: 7.0 });
     }
 }
