@@ -13,7 +13,7 @@ use fearless_simd::dispatch;
 use nalgebra::{Matrix5, Vector5};
 use tribodyn_bearing::{Races, Side};
 
-/// Steps between new matrices of the rings: they only predict, and turn with the balls by a degree or so.
+/// Steps between new matrices of the rings: they only predict, and turn with the balls by some ten degrees.
 const RINGS_EVERY: usize = 16;
 /// Most steps that a linear traction serves.
 const LONGEST_LINEAR: u64 = 64;
