@@ -215,8 +215,8 @@ mod tests {
         assert_eq!(crossing(&pocket(), [3.9e-3, 3.95e-3], [5e-5; 2], 1.0), None);
     }
 
-    /// A piece of 4.3 ns of a step of 10 µs, in which a ball leaves its wall by one unit in the last place: cuts of 8 fs
-    /// would not move it and go on for half a million pieces.
+    /// A piece of 4.3 ns of a step of 10 µs, in which a ball leaves its wall by one unit in the last place: cuts of 8
+    /// fs would not move it and go on for half a million pieces.
     #[test]
     fn limit_a_piece_too_short_to_be_cut_is_gone_through() {
         let (piece, whole, rate) = (4.3e-9, 1e-5, -0.124);
