@@ -96,8 +96,8 @@ type Frictions<D, L> = (Friction<<L as TractionLaw>::Curve<D>, D>, Friction<<L a
 
 /// State that passes from cell to cell.
 struct March<D> {
-    /// Traction over the strip's peak pressure in the last three cells.
-    traction: [[D; 2]; 3],
+    /// Traction over the strip's peak pressure: parts of the next three differences that are known.
+    traction: [[D; 3]; 2],
     /// The same of the weakening.
     weakening: [D; 3],
     guess: f64,
@@ -148,7 +148,8 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
         let entering = norm(edge);
         let sticking = sticking(self.taken_up, entering);
         let mut friction = self.friction(D::one());
-        let mut march = March { traction: [[zero; 2]; 3], weakening: [friction.0.at(entering)[1]; 3], guess: 0.0 };
+        let [_, weak] = friction.0.at(entering);
+        let mut march = March { traction: [[zero; 3]; 2], weakening: self.grid.entering.map(|a| weak * a), guess: 0.0 };
         for node in &self.grid.nodes {
             if self.law.pressure == PressureChoice::Local {
                 friction = self.friction(chord * node.sin);
@@ -156,7 +157,7 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
             let x = chord * (-self.direction * node.cos);
             let rigid = self.rigid_slip(x - chord * sticking * (self.direction * node.mean), y);
             let cell = self.step(node, rigid, &mut march, &friction);
-            let [traction, ..] = march.traction;
+            let traction = cell.traction.map(|t| t * node.sin);
             for (sum, part) in sums.force.iter_mut().zip(traction) {
                 *sum += part * node.weight;
             }
@@ -173,17 +174,14 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
 
     fn step(&self, node: &Node, rigid: [D; 2], march: &mut March<D>, (friction, slope): &Frictions<D, L>) -> Solved<D> {
         let yielding = self.yielding.map(|y| y * node.over_reach);
-        let trial: [D; 2] = std::array::from_fn(|k| {
-            let carried = carried(node, march.traction.map(|traction| traction[k]));
-            rigid[k] - yielding[k] * carried * node.over_sine
-        });
+        let trial: [D; 2] = std::array::from_fn(|k| rigid[k] - yielding[k] * march.traction[k][0] * node.over_sine);
         let keep = friction.fall.as_ref().map_or(D::zero(), |fall| {
             let [x, y] = self.yielding;
             let softer = if x.re() > y.re() { x } else { y };
             let memory = softer * friction.scale * fall.steepness * MEMORY;
             memory / (memory + node.memory_reach)
         });
-        let remembered = carried(node, march.weakening);
+        let [remembered, ..] = march.weakening;
         // The difference may overshoot where friction falls to almost nothing: it must not turn round.
         let remembered = if remembered.re() > 1.0 { D::one() } else { remembered };
         let cell = Cell { friction, trial, yielding, memory: [keep, remembered] };
@@ -195,9 +193,10 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
             memory: cell.memory.map(real),
         };
         let solved = cell.solve(&dual, march.guess);
-        let ([last, before, _], [weak, weaker, _]) = (march.traction, march.weakening);
-        march.traction = [solved.traction.map(|t| t * node.sin), last, before];
-        march.weakening = [solved.weakening, weak, weaker];
+        for (coming, traction) in march.traction.iter_mut().zip(solved.traction) {
+            pass_on(coming, node, traction * node.sin);
+        }
+        pass_on(&mut march.weakening, node, solved.weakening);
         march.guess = solved.speed.re();
         solved
     }
@@ -226,10 +225,10 @@ fn sticking<D: Scalar>(taken_up: D, entering: D) -> D {
     taken_up / (taken_up + entering * 0.5 + f64::MIN_POSITIVE)
 }
 
-/// Part of a difference that comes from the cells before.
-fn carried<D: Scalar>(node: &Node, [last, before, first]: [D; 3]) -> D {
-    let [a, b, c] = node.previous;
-    last * a + before * b + first * c
+/// Adds what is now known to the next three differences.
+fn pass_on<D: Scalar>(coming: &mut [D; 3], node: &Node, known: D) {
+    let [a, b, c] = node.next;
+    *coming = [known * a + coming[1], known * b + coming[2], known * c];
 }
 
 /// |v| with derivative zero at the origin.

@@ -43,6 +43,8 @@ pub struct Fastsim {
     /// The same in lanes; those left over have no weight.
     pub(super) lots: Vec<[[f64; LANES]; 2]>,
     pub(super) nodes: Vec<Node>,
+    /// As [`Node::next`], of what has been as it is at the leading edge for ever.
+    pub(super) entering: [f64; 3],
     pub(super) level: Level,
 }
 
@@ -58,16 +60,17 @@ pub(super) struct Node {
     pub(super) mean: f64,
     /// Weight of the traction here in the integral along the strip.
     pub(super) weight: f64,
-    /// A of the last three nodes; before the first node all is as at the leading edge.
-    pub(super) previous: [f64; 3],
+    /// A of what is here in the differences of the next three nodes.
+    pub(super) next: [f64; 3],
     /// 1/k, and k of what does not start from zero at the leading edge.
     pub(super) over_reach: f64,
     pub(super) memory_reach: f64,
 }
 
 impl Node {
-    /// The last of the places θ from the leading edge, with dφ sin θ/sin φ as its share of dθ.
-    fn new(places: &[f64], share: f64) -> Self {
+    /// The last of the places θ from the leading edge, with dφ sin θ/sin φ as its share of dθ, and its A of the last
+    /// three nodes.
+    fn new(places: &[f64], share: f64) -> (Self, [f64; 3]) {
         let last = places.len() - 1;
         let angle = places[last];
         let (sin, cos) = angle.sin_cos();
@@ -79,16 +82,17 @@ impl Node {
         let integral = |back: usize| if back > last { 0.0 } else { 0.5 * places[last - back].sin().powi(2) };
         let carried: f64 = previous.iter().zip(1..).map(|(a, back)| a * integral(back)).sum();
         let mean = (integral(0) - carried) * over_reach / sin;
-        Self {
+        let node = Self {
             cos,
             sin,
             over_sine: sin.recip(),
             mean: mean - cos,
             weight: share * sin,
-            previous,
+            next: [0.0; 3],
             over_reach,
             memory_reach: if last == 1 { angle } else { over_reach.recip() },
-        }
+        };
+        (node, previous)
     }
 }
 
@@ -125,8 +129,15 @@ impl Fastsim {
             let lane = |k: usize| lot.get(k).copied().unwrap_or((0.5, 0.0));
             [std::array::from_fn(|k| lane(k).0), std::array::from_fn(|k| lane(k).1)]
         });
-        let (lots, nodes) = (lots.collect(), (1..rule.cells).map(node).collect());
-        Ok(Self { rule, across, lots, nodes, level: Level::new() })
+        let lots = lots.collect();
+        let (mut nodes, previous): (Vec<_>, Vec<_>) = (1..rule.cells).map(node).unzip();
+        let of = |i: usize, back: usize| previous.get(i).map_or(0.0, |a: &[f64; 3]| a[back]);
+        for (i, node) in nodes.iter_mut().enumerate() {
+            node.next = [0, 1, 2].map(|back| of(i + back + 1, back));
+        }
+        // Before the first node all is as at the leading edge.
+        let entering = [0, 1, 2].map(|i| (i..3).map(|back| of(i, back)).sum());
+        Ok(Self { rule, across, lots, nodes, entering, level: Level::new() })
     }
 
     /// The rule that it was made from.
@@ -147,9 +158,16 @@ mod tests {
         let slopes: [fn(f64) -> f64; 4] = [|_| 0.0, f64::cos, f64::sin, |_| 1.0];
         for (i, node) in grid.nodes.iter().enumerate().skip(1) {
             for (value, slope) in values.iter().zip(slopes).take(if i == 1 { 3 } else { 4 }) {
-                let before = |j: usize| value(angles[(i + 1).saturating_sub(j)]);
-                let carried: f64 = node.previous.iter().zip(1..).map(|(a, j)| a * before(j)).sum();
-                let ours = (before(0) - carried) * node.over_reach;
+                let mut carried = 0.0;
+                for back in 0..3 {
+                    carried += match i.checked_sub(back + 1) {
+                        Some(last) => grid.nodes[last].next[back] * value(angles[last + 1]),
+                        None => 0.0,
+                    };
+                }
+                // What the leading edge has in the second and third difference, where it is not zero.
+                let edge = grid.entering.get(i).copied().unwrap_or_default();
+                let ours = (value(angles[i + 1]) - carried - edge * value(angles[0])) * node.over_reach;
                 assert!((ours - slope(angles[i + 1])).abs() < 1e-12, "{i}: {ours}");
             }
         }

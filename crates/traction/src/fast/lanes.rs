@@ -1,12 +1,13 @@
 //! The lanes that the kernels work in: eight doubles, in one register, two or four as the processor has them.
 
-use fearless_simd::{Level, SimdFloatElement, f32x16, f64x8, mask64x8, prelude::*};
+use fearless_simd::{Level, SimdFloatElement, f32x8, f32x16, f64x8, mask64x8, prelude::*};
 
 pub(crate) const LANES: usize = 8;
 pub(crate) type Lanes<S> = f64x8<S>;
 pub(crate) type Mask<S> = mask64x8<S>;
-/// Two lots of lanes in single precision.
-pub(crate) type Singles<S> = f32x16<S>;
+/// One and two lots of lanes in single precision.
+pub(crate) type Singles<S> = f32x8<S>;
+pub(crate) type Pairs<S> = f32x16<S>;
 
 /// Numbers whose products can be added with one rounding.
 pub(crate) trait Fuse: SimdFloatElement {

@@ -1,8 +1,9 @@
 //! The curve at a sliding speed and a step towards the root of a cell's equation, in single or double precision.
 
 use super::setup::Law;
+use crate::Kragelskii;
 use crate::fast::elementary::{exp_m1, exp_m1_single};
-use crate::fast::lanes::{Fuse, Lanes, Singles, fused};
+use crate::fast::lanes::{Fuse, Lanes, Pairs, Singles, fused};
 use fearless_simd::prelude::*;
 
 /// Vectors of one precision or the other.
@@ -37,6 +38,18 @@ impl<S: Simd> Real<S> for Singles<S> {
     }
 }
 
+impl<S: Simd> Real<S> for Pairs<S> {
+    #[inline(always)]
+    fn number(x: f32) -> f32 {
+        x
+    }
+
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        exp_m1_single(self.max(-80.0))
+    }
+}
+
 /// The curve at a sliding speed.
 #[derive(Clone, Copy)]
 pub(super) struct At<S: Simd, V: Real<S> = Lanes<S>> {
@@ -58,20 +71,15 @@ pub(super) struct At<S: Simd, V: Real<S> = Lanes<S>> {
 impl<S: Simd, V: Real<S>> At<S, V> {
     #[inline(always)]
     pub(super) fn new(law: &Law<V::Element>, speed: V) -> Self {
-        let slip = speed * law.scale;
-        let e = (slip * -law.curve.c).exp_m1();
+        let Kragelskii { a, b, c } = law.curve;
+        let (slip, rate) = (speed * law.scale, -c * law.scale);
+        let e = (speed * rate).exp_m1();
         let decay = e + V::number(1.0);
-        let plain = fused(slip * decay, law.curve.b, e * law.curve.a);
-        let inner = fused(fused(slip, law.curve.b, law.curve.a), -law.curve.c, law.curve.b);
-        let slope = decay * inner * law.scale;
-        let bend = fused(decay, law.curve.b * law.scale, slope) * (-law.curve.c * law.scale);
+        // What does not wait for the exponential in brackets.
+        let plain = fused(decay, slip * b, e * a);
+        let slope = decay * (fused(fused(slip, b, a), -c, b) * law.scale);
+        let bend = fused(decay, b * law.scale, slope) * rate;
         Self { e, decay, slip, plain, slope, bend, speed, past: slip.simd_gt(law.peak_slip) }
-    }
-
-    #[inline(always)]
-    pub(super) fn nothing(simd: S) -> Self {
-        let z = V::splat(simd, V::number(0.0));
-        Self { e: z, decay: z, slip: z, plain: z, slope: z, bend: z, speed: z, past: z.simd_lt(z) }
     }
 
     /// κ_r on the rising branch or at the peak, and the share d of it that is lost.
@@ -82,15 +90,16 @@ impl<S: Simd, V: Real<S>> At<S, V> {
         [self.past.select(V::splat(simd, law.peak), self.plain), self.past.select(lost, V::splat(simd, zero))]
     }
 
-    /// κ in a cell that keeps the share `keep` of the weakening `last`.
+    /// κ in a cell that keeps the share `keep` of the weakening `last`: as it stands on the rising branch, and with the
+    /// new share of what is lost beyond the peak.
     #[inline(always)]
     pub(super) fn coefficient(&self, law: &Law<V::Element>, last: V, keep: V::Element) -> Coefficient<V> {
-        let [rising, lost] = self.rising_and_lost(law);
-        let new = V::number(1.0) - keep;
-        let weakening = fused(last, keep, lost * new);
-        let left = -weakening + V::number(1.0);
-        let grows = self.past.select(V::splat(left.token(), new), left);
-        Coefficient { value: rising * left, slope: self.slope * grows, bend: self.bend * grows, weakening }
+        let (simd, zero, one) = (self.e.token(), V::number(0.0), V::number(1.0));
+        let left = fused(last, -keep, one);
+        let new = V::splat(simd, one - keep);
+        let part = self.past.select(new, left);
+        let peak = self.past.select((left - new) * law.peak, V::splat(simd, zero));
+        Coefficient { value: fused(self.plain, part, peak), slope: self.slope * part, bend: self.bend * part }
     }
 }
 
@@ -114,13 +123,12 @@ impl<S: Simd> At<S> {
     }
 }
 
-/// κ, its derivatives over σ, and the weakening.
+/// κ and its derivatives over σ.
 #[derive(Clone, Copy)]
 pub(super) struct Coefficient<V> {
     pub(super) value: V,
     pub(super) slope: V,
     pub(super) bend: V,
-    pub(super) weakening: V,
 }
 
 /// One step of Halley's method, for 1/S − 1 with S = Σ a², a = s_t/D:
@@ -135,7 +143,7 @@ pub(super) fn halley<S: Simd, V: Real<S>>(square: [V; 2], [dx, dy]: [V; 2], [gx,
     let (dx2, dy2, product) = (dx * dx, dy * dy, dx * dy);
     let (nx, ny) = (square[0] * dy2, square[1] * dx2);
     let short = fused(product, product, -(nx + ny));
-    let rise = fused(nx * dy, gx, ny * dx * gy);
+    let rise = fused(nx, dy * gx, ny * (dx * gy));
     let three = V::number(3.0);
     let part = nx * dy2 * fused(bend[0], dx, -(gx * gx * three));
     let parts = fused(ny * dx2, fused(bend[1], dy, -(gy * gy * three)), part);

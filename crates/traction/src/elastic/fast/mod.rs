@@ -24,7 +24,7 @@ use super::Fastsim;
 use super::across::Crowding;
 use super::elasticity::TangentialElasticity;
 use super::fastsim::elastic_patch_traction;
-use crate::fast::lanes::{Lanes, totals};
+use crate::fast::lanes::{LANES, Lanes, totals};
 use crate::fast::{PatchDerivative, assemble as assemble_values};
 use crate::{
     Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipField, SlipUnit,
@@ -34,9 +34,6 @@ use fearless_simd::{dispatch, prelude::*};
 use march::{March, Strips};
 use num_dual::Dual64;
 use setup::Setup;
-
-/// Lots of eight strips that march side by side.
-const LOTS: usize = 2;
 
 impl Fastsim {
     /// [`elastic_patch_traction`] of a Kragelskii curve with C > 0, the same at every point of the patch.
@@ -56,7 +53,7 @@ impl Fastsim {
         let strips = Strips::new((self, SlipField::new(patch, motion)), rolling_speed, &setup, []);
         let sums = dispatch!(self.level, simd => {
             let mut sums = [Lanes::splat(simd, 0.0); 8];
-            walk(simd, &strips, |lot, share| {
+            walk(simd, &strips, #[inline(always)] |lot: &March<_, 0>, share| {
                 let (y, y2) = (lot.y, lot.y * lot.y);
                 let [fx, fy, x_fy, power, wear] = lot.sums.map(|sum| sum * share);
                 let terms = [fx, fy, x_fy, y * fx, y2 * fx, y2 * fy, power, wear];
@@ -91,7 +88,7 @@ impl Fastsim {
         let strips = Strips::new((self, slip), rolling_speed, setup, inputs.varied());
         dispatch!(self.level, simd => {
             let mut sums = assemble::Sums::new(simd, &inputs);
-            walk(simd, &strips, |lot, share| sums.add(lot, share));
+            walk(simd, &strips, #[inline(always)] |lot: &March<_, _>, share| sums.add(lot, share));
             sums.derivative()
         })
     }
@@ -101,19 +98,32 @@ impl Fastsim {
 #[inline(always)]
 fn walk<S: Simd, const T: usize>(simd: S, strips: &Strips<'_, T>, mut take: impl FnMut(&March<S, T>, Lanes<S>)) {
     let crowding = Crowding::new(strips.slip.longitudinal, strips.taken_up);
-    let mut lots = [March::nothing(simd); LOTS];
-    let mut shares = [Lanes::splat(simd, 0.0); LOTS];
-    for places in strips.grid.lots.chunks(LOTS) {
-        let now = places.len();
-        for ((lot, share), &[t, weight]) in lots.iter_mut().zip(&mut shares).zip(places) {
-            let [y, stretch] = crowding.places(Lanes::simd_from(simd, t));
-            lot.y = y;
-            *share = Lanes::simd_from(simd, weight) * stretch * ((-y + 1.0) * (y + 1.0)).max(0.0);
-        }
-        strips.march(&mut lots[..now]);
-        for (lot, &share) in lots[..now].iter().zip(&shares) {
-            take(lot, share);
-        }
+    let (pairs, last) = strips.grid.lots.as_chunks();
+    for places in pairs {
+        march::<S, T, 2>(simd, (strips, &crowding), places, &mut take);
+    }
+    if let [places] = last {
+        march(simd, (strips, &crowding), &[*places], &mut take);
+    }
+}
+
+#[inline(always)]
+fn march<S: Simd, const T: usize, const L: usize>(
+    simd: S,
+    (strips, crowding): (&Strips<'_, T>, &Crowding),
+    places: &[[[f64; LANES]; 2]; L],
+    take: &mut impl FnMut(&March<S, T>, Lanes<S>),
+) {
+    let mut lots = [March::nothing(simd); L];
+    let mut shares = [Lanes::splat(simd, 0.0); L];
+    for ((lot, share), &[t, weight]) in lots.iter_mut().zip(&mut shares).zip(places) {
+        let [y, stretch] = crowding.places(Lanes::simd_from(simd, t));
+        lot.y = y;
+        *share = Lanes::simd_from(simd, weight) * stretch * ((-y + 1.0) * (y + 1.0)).max(0.0);
+    }
+    strips.march(&mut lots);
+    for (lot, &share) in lots.iter().zip(&shares) {
+        take(lot, share);
     }
 }
 

@@ -1,7 +1,6 @@
 //! Answers of a solved cell to changes of what it was given.
 
-use super::cell::{Cell, Direction};
-use super::curve::{At, Coefficient};
+use super::cell::{Around, Cell, Root};
 use super::setup::Law;
 use crate::elastic::grid::Node;
 use crate::fast::lanes::{Lanes, fused};
@@ -11,14 +10,11 @@ use fearless_simd::prelude::*;
 #[derive(Clone, Copy)]
 pub(super) struct Solved<'a, S: Simd> {
     pub(super) node: &'a Node,
-    pub(super) at: &'a At<S>,
-    pub(super) of: &'a Coefficient<Lanes<S>>,
-    pub(super) direction: &'a Direction<S>,
+    pub(super) cell: &'a Cell<S>,
+    pub(super) root: &'a Root<S>,
+    pub(super) around: &'a Around<S>,
     /// Traction of the cells before, as it goes into the trial slip.
     pub(super) carried: [Lanes<S>; 2],
-    pub(super) x: Lanes<S>,
-    /// X of the place whose slip the cell has.
-    pub(super) mean: Lanes<S>,
 }
 
 /// Changes of a cell with its trial slip s_t and its weakening w at the same slip, all else held:
@@ -39,38 +35,43 @@ pub(super) struct Response<S: Simd> {
 
 impl<S: Simd> Response<S> {
     #[inline(always)]
-    pub(super) fn new(cell: &Cell<S>, solved: &Solved<'_, S>, (yielding, keep): ([f64; 2], f64), law: &Law) -> Self {
-        let Solved { node, at, of, direction, .. } = *solved;
-        let Direction { a, inverse, grow, rise } = *direction;
+    pub(super) fn new(solved: &Solved<'_, S>, (yielding, keep): ([f64; 2], f64), law: &Law) -> Self {
+        let Solved { node, root: Root { of, direction: a, .. }, around, .. } = *solved;
+        let Around { at, inverse, grow, rise } = *around;
         let zero = Lanes::splat(rise.token(), 0.0);
         let over_rise = Lanes::splat(rise.token(), 1.0) / rise;
         let [rising, _] = at.rising_and_lost(law);
+        // Both directions one by one: closures of a map would not be drawn into the vector code.
         // κ falls by `rising` times the weakening: the same to the slip as if s_t grew by C times that along a.
-        let lost = [0, 1].map(|k| a[k] * rising);
-        let by_trial = [0, 1].map(|k| a[k] * inverse[k] * over_rise);
+        let lost = [a[0] * rising, a[1] * rising];
+        let by_trial = [a[0] * inverse[0] * over_rise, a[1] * inverse[1] * over_rise];
         let by_weakening = by_trial[0] * lost[0] * yielding[0] + by_trial[1] * lost[1] * yielding[1];
-        let e = inverse.map(|inverse| of.value * inverse * node.sin);
-        let m = [0, 1].map(|k| a[k] * (of.slope * node.sin - e[k] * grow[k]));
-        let n = [0, 1].map(|k| lost[k] * (e[k] * yielding[k] - node.sin));
+        let size = of.value * node.sin;
+        let e = [size * inverse[0], size * inverse[1]];
+        let steep = of.slope * node.sin;
+        let m = [a[0] * (steep - e[0] * grow[0]), a[1] * (steep - e[1] * grow[1])];
+        let n = [lost[0] * (e[0] * yielding[0] - node.sin), lost[1] * (e[1] * yielding[1] - node.sin)];
         let weakening = at.past.select(at.slope * ((keep - 1.0) * law.over_peak), zero);
         let response =
             Self { speed: (by_trial, by_weakening), traction: [e, m, n], slope: of.slope, rising, weakening };
-        if cell.rest.any_true() { response.at_rest(cell, solved, yielding, law) } else { response }
+        if solved.cell.rest.any_true() { response.at_rest(solved, yielding, law) } else { response }
     }
 
     /// The same with lanes at rest, where traction follows slip by the initial slope of the curve.
     #[inline(always)]
-    fn at_rest(self, cell: &Cell<S>, solved: &Solved<'_, S>, yielding: [f64; 2], law: &Law) -> Self {
-        let zero = Lanes::splat(self.slope.token(), 0.0);
-        let moving = |x: Lanes<S>| cell.rest.select(zero, x);
-        let initial = (-solved.of.weakening + 1.0) * law.initial_slope();
-        let [e, m, n] = self.traction;
-        let still = yielding.map(|c| initial * solved.node.sin / (initial * c + 1.0));
-        Self {
-            speed: (self.speed.0.map(moving), moving(self.speed.1)),
-            traction: [[0, 1].map(|k| cell.rest.select(still[k], e[k])), m.map(moving), n.map(moving)],
-            ..self
+    fn at_rest(self, solved: &Solved<'_, S>, yielding: [f64; 2], law: &Law) -> Self {
+        let (zero, rest) = (Lanes::splat(self.slope.token(), 0.0), solved.cell.rest);
+        let initial = (-solved.root.weakening + 1.0) * law.initial_slope();
+        let Self { mut speed, mut traction, .. } = self;
+        speed.1 = rest.select(zero, speed.1);
+        for k in 0..2 {
+            let still = initial * solved.node.sin / (initial * yielding[k] + 1.0);
+            speed.0[k] = rest.select(zero, speed.0[k]);
+            traction[0][k] = rest.select(still, traction[0][k]);
+            traction[1][k] = rest.select(zero, traction[1][k]);
+            traction[2][k] = rest.select(zero, traction[2][k]);
         }
+        Self { speed, traction, ..self }
     }
 
     /// δσ.
@@ -84,8 +85,10 @@ impl<S: Simd> Response<S> {
     #[inline(always)]
     pub(super) fn traction(&self, trial: [Lanes<S>; 2], weakening: Lanes<S>, speed: Lanes<S>) -> [Lanes<S>; 2] {
         let [e, m, n] = self.traction;
-        let of = |k: usize| fused(e[k], trial[k], fused(m[k], speed, n[k] * weakening));
-        [of(0), of(1)]
+        [
+            fused(e[0], trial[0], fused(m[0], speed, n[0] * weakening)),
+            fused(e[1], trial[1], fused(m[1], speed, n[1] * weakening)),
+        ]
     }
 
     /// δκ.

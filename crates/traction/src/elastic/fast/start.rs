@@ -1,8 +1,8 @@
 //! Where the search for a cell's root starts: within about 1e-5 of it, in single precision, for two lots at once.
 
-use super::curve::{At, halley};
+use super::curve::{At, Real, halley};
 use super::setup::Law;
-use crate::fast::lanes::{Singles, fused};
+use crate::fast::lanes::fused;
 use fearless_simd::prelude::*;
 
 /// Square of a trial slip that single precision can work with, (m/s)².
@@ -59,29 +59,25 @@ impl Start {
 
     /// A speed for every lane, from its trial slip and its last weakening.
     #[inline(always)]
-    pub(super) fn speed<S: Simd>(
+    pub(super) fn speed<S: Simd, V: Real<S, Element = f32>>(
         &self,
-        trial: [Singles<S>; 2],
-        last: Singles<S>,
+        trial: [V; 2],
+        last: V,
         (yielding, keep): ([f32; 2], f32),
-    ) -> Singles<S> {
-        let square = fused(trial[0], trial[0], trial[1] * trial[1]).max(LEAST);
-        let over = Singles::splat(square.token(), 1.0) / square.sqrt();
-        let high = square * over;
-        // In units of the trial slip, so that no power of it leaves the range.
-        let shares = [trial[0] * over, trial[1] * over];
-        let squares = [shares[0] * shares[0], shares[1] * shares[1]];
-        let guess = self.guess((high, over, squares), last, (yielding, keep));
-        let fits = guess.simd_gt(0.0) & guess.simd_lt(high);
-        let guess = fits.select(guess, high);
+    ) -> V {
+        let squares = [trial[0] * trial[0], trial[1] * trial[1]];
+        let square = (squares[0] + squares[1]).max(LEAST);
+        // The root and the division side by side, not one after the other.
+        let (high, over2) = (square.sqrt(), V::splat(square.token(), 1.0) / square);
+        let guess = self.guess((high, over2, squares), last, (yielding, keep));
         let of = At::new(&self.law, guess).coefficient(&self.law, last, keep);
-        let bend = of.bend * high;
+        // In units of the trial slip, so that no power of it leaves the range.
+        let (over, bend) = (high * over2, of.bend * high);
+        let squares = [squares[0] * over2, squares[1] * over2];
         let d = [fused(of.value, yielding[0], guess) * over, fused(of.value, yielding[1], guess) * over];
         let grow = [fused(of.slope, yielding[0], 1.0), fused(of.slope, yielding[1], 1.0)];
         let [change, _] = halley(squares, d, grow, [bend * yielding[0], bend * yielding[1]]);
-        let next = fused(-change, high, guess);
-        let fits = next.simd_gt(0.0) & next.simd_lt(high);
-        fits.select(next, guess)
+        fused(-change, high, guess)
     }
 
     /// The root with [`Rise`] for the curve, and with one C for both directions: on the rising branch that of
@@ -91,30 +87,29 @@ impl Start {
     /// else one step from the peak's κ of σ = |s_t| − c κ + 3/2 κ² (C_x − C_y)² s_t,x² s_t,y²/|s_t|⁵, whose last term
     /// has both C to second order.
     #[inline(always)]
-    fn guess<S: Simd>(
+    fn guess<S: Simd, V: Real<S, Element = f32>>(
         &self,
-        (high, over, [u2, v2]): (Singles<S>, Singles<S>, [Singles<S>; 2]),
-        last: Singles<S>,
+        (high, over2, [u2, v2]): (V, V, [V; 2]),
+        last: V,
         ([cx, cy], keep): ([f32; 2], f32),
-    ) -> Singles<S> {
+    ) -> V {
         let Rise { most, knee, bow, lost, rate } = self.rise;
         let over_knee = knee.recip();
-        let c = fused(u2, cx, v2 * cy);
+        let c = fused(u2, cx, v2 * cy) * over2;
         let peak = fused(last, -keep, 1.0) * most;
         let whole = high * over_knee;
-        let pull = c * peak * over_knee;
+        let pull = c * (peak * over_knee);
         let half = fused(pull, 0.5 * bow, fused(whole, 1.0 - 0.5 * bow, 0.5));
         let root = half + fused(-pull + (bow - 2.0), whole, half * half).max(0.0).sqrt();
-        let rising = whole.simd_lt(root);
+        let rising = whole / root * knee;
         // Beyond the peak.
         let z = ((fused(-c, peak, high) - knee) * rate).max(0.0);
         let z2 = z * z;
         let series = fused(z2, fused(z2, 1.0 / 24.0, fused(z, 1.0 / 6.0, 0.5)), z + 1.0);
-        let share = rising.select(whole, z + 1.0) / rising.select(root, series);
-        let kappa = fused(share - 1.0, most * lost * (1.0 - keep), peak);
-        let aside = kappa * (cx - cy);
-        let apart = aside * aside * (u2 * v2) * (over * 1.5);
+        let kappa = fused((z + 1.0) / series - 1.0, most * lost * (1.0 - keep), peak);
+        let aside = kappa * (cx - cy) * over2;
+        let apart = aside * aside * (u2 * v2) * (high * over2 * 1.5);
         let sliding = fused(-c, kappa, high).max(0.5 * knee) + apart;
-        rising.select(share * knee, sliding)
+        whole.simd_lt(root).select(rising, sliding).min(high)
     }
 }
