@@ -126,7 +126,8 @@ impl Fastsim {
         let across: Vec<_> =
             gauss_legendre(2 * rule.across).into_iter().map(|(t, w)| (0.5 * (1.0 + t), 0.5 * w)).collect();
         let lots = across.chunks(LANES).map(|lot| {
-            let lane = |k: usize| lot.get(k).copied().unwrap_or((0.5, 0.0));
+            // Once more the last strip, which needs nothing of its own.
+            let lane = |k: usize| lot.get(k).copied().unwrap_or((lot[lot.len() - 1].0, 0.0));
             [std::array::from_fn(|k| lane(k).0), std::array::from_fn(|k| lane(k).1)]
         });
         let lots = lots.collect();

@@ -9,7 +9,7 @@ use fearless_simd::prelude::*;
 const AT_REST: f64 = 1e-50;
 
 /// Relative step behind which the root is as good as rounding lets it be: the next step would be about its cube.
-pub(super) const SETTLED: f64 = 3e-5;
+pub(super) const SETTLED: f64 = 1e-4;
 
 /// One cell of eight strips.
 #[derive(Clone, Copy)]
