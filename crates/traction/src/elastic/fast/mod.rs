@@ -49,9 +49,9 @@ impl Fastsim {
             return PatchTraction::zero();
         }
         let given = (curve, slip_unit.scale(rolling_speed));
-        let setup = Setup::new(self.level, (patch, motion, rolling_speed), given, elasticity);
-        let strips = Strips::new((self, SlipField::new(patch, motion)), rolling_speed, &setup, []);
         let sums = dispatch!(self.level, simd => {
+            let setup = Setup::new(simd, (patch, motion, rolling_speed), given, elasticity);
+            let strips = Strips::new((self, SlipField::new(patch, motion)), rolling_speed, &setup, []);
             let mut sums = [Lanes::splat(simd, 0.0); 8];
             walk(simd, &strips, #[inline(always)] |lot: &March<_, 0>, share| {
                 let (y, y2) = (lot.y, lot.y * lot.y);
@@ -81,12 +81,12 @@ impl Fastsim {
             return PatchDerivative::zero();
         }
         let given = (curve, slip_unit.scale(rolling_speed));
-        let setup = &Setup::new(self.level, (patch, motion, rolling_speed), given, elasticity);
-        let inputs =
-            assemble::Inputs { patch, motion, rolling_speed, curve, curve_slope, slip_unit, elasticity, setup };
-        let slip = SlipField::new(patch, motion);
-        let strips = Strips::new((self, slip), rolling_speed, setup, inputs.varied());
         dispatch!(self.level, simd => {
+            let setup = &Setup::new(simd, (patch, motion, rolling_speed), given, elasticity);
+            let inputs =
+                assemble::Inputs { patch, motion, rolling_speed, curve, curve_slope, slip_unit, elasticity, setup };
+            let slip = SlipField::new(patch, motion);
+            let strips = Strips::new((self, slip), rolling_speed, setup, inputs.varied());
             let mut sums = assemble::Sums::new(simd, &inputs);
             walk(simd, &strips, #[inline(always)] |lot: &March<_, _>, share| sums.add(lot, share));
             sums.derivative()

@@ -2,10 +2,10 @@
 
 use crate::elastic::cell::MEMORY;
 use crate::elastic::{CreepCoefficients, TangentialElasticity};
-use crate::fast::elementary::exp;
+use crate::fast::elementary::{exp, exp_m1};
 use crate::fast::lanes::Lanes;
 use crate::{Kragelskii, Patch, RelativeMotion, Scalar};
-use fearless_simd::{Level, dispatch, prelude::*};
+use fearless_simd::prelude::*;
 use num_dual::Dual64;
 
 /// exp(−1).
@@ -89,8 +89,9 @@ pub(super) struct Setup {
 }
 
 impl Setup {
-    pub(super) fn new(
-        level: Level,
+    #[inline(always)]
+    pub(super) fn new<S: Simd>(
+        simd: S,
         (patch, motion, rolling_speed): (&Patch, &RelativeMotion, f64),
         (curve, scale): (&Kragelskii, f64),
         elasticity: &TangentialElasticity,
@@ -98,11 +99,11 @@ impl Setup {
         let [longitudinal, lateral, spin] =
             elasticity.coefficients().logarithms(patch.semi_rolling / patch.semi_lateral);
         let at_peak = peak_slip(curve).map_or(0.0, |slip| -curve.c * slip);
-        let [longitudinal, lateral, spin, at_peak] = exp_of_four(level, [longitudinal, lateral, spin, at_peak]);
+        let [longitudinal, lateral, spin, at_peak] = exp_of_four(simd, [longitudinal, lateral, spin, at_peak]);
         let coefficients = CreepCoefficients { longitudinal, lateral, spin };
         let law = Law::new(*curve, scale, at_peak);
         let yielding = yielding(patch, motion, rolling_speed, (elasticity, &coefficients));
-        let at_taken_up = (-curve.c * (yielding[0] * scale)).exp_m1();
+        let at_taken_up = exp_m1(Lanes::splat(simd, -curve.c * (yielding[0] * scale)).max(-700.0))[0];
         Self { law, yielding, coefficients, at_peak, at_taken_up }
     }
 
@@ -122,11 +123,9 @@ impl Setup {
 }
 
 /// exp(x) of four numbers, of those below −700 as of that.
-fn exp_of_four(level: Level, x: [f64; 4]) -> [f64; 4] {
-    let [a, b, c, d] = x;
-    let all = dispatch!(level, simd => {
-        exp(Lanes::simd_from(simd, [a, b, c, d, 0.0, 0.0, 0.0, 0.0]).max(-700.0)).to_array()
-    });
+#[inline(always)]
+fn exp_of_four<S: Simd>(simd: S, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
+    let all = exp(Lanes::simd_from(simd, [a, b, c, d, 0.0, 0.0, 0.0, 0.0]).max(-700.0));
     [all[0], all[1], all[2], all[3]]
 }
 
