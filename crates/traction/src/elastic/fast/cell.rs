@@ -99,9 +99,9 @@ impl<S: Simd> Cell<S> {
         let product = Lanes::splat(speed.token(), 1.0) / (dx * dy);
         let (ix, iy) = (dy * product, dx * product);
         let (ax, ay) = (u * ix, v * iy);
-        let (gx, gy) = (fused(of.slope, cx, 1.0) * ix, fused(of.slope, cy, 1.0) * iy);
-        let half = of.bend * 0.5;
-        let (bx, by) = (half * cx * ix, half * cy * iy);
+        let (cx, cy, half) = (ix * cx, iy * cy, of.bend * 0.5);
+        let (gx, gy) = (fused(of.slope, cx, ix), fused(of.slope, cy, iy));
+        let (bx, by) = (half * cx, half * cy);
         let (qx, qy) = (ax * ax, ay * ay);
         let short = -(qx + qy) + 1.0;
         let rise = fused(qx, gx, qy * gy);

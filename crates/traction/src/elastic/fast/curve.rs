@@ -53,10 +53,9 @@ impl<S: Simd> Real<S> for Pairs<S> {
 /// The curve at a sliding speed.
 #[derive(Clone, Copy)]
 pub(super) struct At<S: Simd, V: Real<S> = Lanes<S>> {
-    /// exp(−C s) − 1, exp(−C s) and s.
+    /// exp(−C s) − 1 and exp(−C s).
     pub(super) e: V,
     pub(super) decay: V,
-    pub(super) slip: V,
     /// κ and dκ/dσ, without memory.
     pub(super) plain: V,
     pub(super) slope: V,
@@ -72,14 +71,15 @@ impl<S: Simd, V: Real<S>> At<S, V> {
     #[inline(always)]
     pub(super) fn new(law: &Law<V::Element>, speed: V) -> Self {
         let Kragelskii { a, b, c } = law.curve;
-        let (slip, rate) = (speed * law.scale, -c * law.scale);
+        let rate = -c * law.scale;
+        let rising = b * law.scale;
         let e = (speed * rate).exp_m1();
         let decay = e + V::number(1.0);
         // What does not wait for the exponential in brackets.
-        let plain = fused(decay, slip * b, e * a);
-        let slope = decay * (fused(fused(slip, b, a), -c, b) * law.scale);
-        let bend = fused(decay, b * law.scale, slope) * rate;
-        Self { e, decay, slip, plain, slope, bend, speed, past: slip.simd_gt(law.peak_slip) }
+        let plain = fused(decay, speed * rising, e * a);
+        let slope = decay * fused(speed, rate * rising, V::splat(e.token(), a * rate + rising));
+        let bend = fused(decay, rising, slope) * rate;
+        Self { e, decay, plain, slope, bend, speed, past: speed.simd_gt(law.knee) }
     }
 
     /// κ_r on the rising branch or at the peak, and the share d of it that is lost.
@@ -108,13 +108,11 @@ impl<S: Simd> At<S> {
     #[inline(always)]
     pub(super) fn moved_to(&self, law: &Law, speed: Lanes<S>) -> Self {
         let far = speed - self.speed;
-        let slip = far * law.scale;
-        let x = slip * law.curve.c;
+        let x = far * (law.scale * law.curve.c);
         let less = self.decay * fused(x * x, -0.5, x);
         Self {
             e: self.e - less,
             decay: self.decay - less,
-            slip: self.slip + slip,
             plain: fused(fused(self.bend, far * 0.5, self.slope), far, self.plain),
             slope: fused(self.bend, far, self.slope),
             speed,

@@ -376,8 +376,9 @@ fn law_change<S: Simd>(law: &Law, varied: &Law<num_dual::Dual64>, at: &At<S>, sp
     if by.a.eps == 0.0 && by.b.eps == 0.0 && by.c.eps == 0.0 && varied.scale.eps == 0.0 {
         return [zero, zero];
     }
-    let inner = at.slip * law.curve.b + law.curve.a;
-    let by_curve = at.e * by.a.eps + at.slip * at.decay * (inner * -by.c.eps + by.b.eps);
+    let slip = speed * law.scale;
+    let inner = slip * law.curve.b + law.curve.a;
+    let by_curve = at.e * by.a.eps + slip * at.decay * (inner * -by.c.eps + by.b.eps);
     let plain = by_curve + speed * at.slope * (varied.scale.eps / law.scale);
     let lost = plain * -law.over_peak + at.plain * (peak * law.over_peak * law.over_peak);
     [at.past.select(Lanes::splat(speed.token(), peak), plain), at.past.select(lost, zero)]

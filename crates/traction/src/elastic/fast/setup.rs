@@ -17,8 +17,8 @@ pub(super) struct Law<D = f64> {
     pub(super) curve: Kragelskii<D>,
     /// λ, slip over sliding speed, s/m.
     pub(super) scale: D,
-    /// S_m and K_m; without a falling branch infinity and one.
-    pub(super) peak_slip: D,
+    /// S_m/λ, m/s, and K_m; without a falling branch infinity and one.
+    pub(super) knee: D,
     pub(super) peak: D,
     /// 1/K_m.
     pub(super) over_peak: D,
@@ -33,7 +33,7 @@ impl<D: Copy> Law<D> {
         Law {
             curve: Kragelskii { a: to(a), b: to(b), c: to(c) },
             scale: to(self.scale),
-            peak_slip: to(self.peak_slip),
+            knee: to(self.knee),
             peak: to(self.peak),
             over_peak: to(self.over_peak),
             steepness: to(self.steepness),
@@ -45,13 +45,14 @@ impl<D: Scalar> Law<D> {
     /// With exp(−C S_m) of the values, or any number where nothing falls.
     fn new(curve: Kragelskii<D>, scale: D, at_peak: f64) -> Self {
         let Some(slip) = peak_slip(&curve) else {
-            let (peak_slip, peak, steepness) = (D::from(f64::INFINITY), D::one(), D::zero());
-            return Self { curve, scale, peak_slip, peak, over_peak: D::one(), steepness };
+            let (knee, peak, steepness) = (D::from(f64::INFINITY), D::one(), D::zero());
+            return Self { curve, scale, knee, peak, over_peak: D::one(), steepness };
         };
         // B exp(−C S_m), which is C (K_m − D), and e times the fall at the inflection, 1/C beyond the peak.
         let over_end = curve.b * exp_of(-curve.c * slip, at_peak);
         let peak = over_end / curve.c - curve.a;
-        Self { curve, scale, peak_slip: slip, peak, over_peak: peak.recip(), steepness: over_end * scale * INVERSE_E }
+        let (over_peak, steepness) = (peak.recip(), over_end * scale * INVERSE_E);
+        Self { curve, scale, knee: slip / scale, peak, over_peak, steepness }
     }
 
     /// Length of the memory of the weakening over θ, of which a cell that reaches k keeps memory/(memory + k).

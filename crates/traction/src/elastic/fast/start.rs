@@ -39,7 +39,7 @@ impl Rise {
     fn new(law: &Law<f32>, slope: f32) -> Self {
         /// Of a curve that has no peak: where an exponential has come within 5 %.
         const BOW: f32 = 3.0;
-        let (knee, most, rate) = (law.peak_slip / law.scale, law.peak, law.curve.c * law.scale);
+        let (knee, most, rate) = (law.knee, law.peak, law.curve.c * law.scale);
         // D of the curve, its coefficient at infinite slip.
         let residual = -law.curve.a;
         if knee.is_finite() {
