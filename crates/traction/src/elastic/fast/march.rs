@@ -52,7 +52,7 @@ struct AtNode<const T: usize> {
 }
 
 /// Nodes whose numbers are worked out at once.
-const BLOCK: usize = 8;
+const BLOCK: usize = 4;
 
 /// Trial slip and last weakening of a cell.
 struct Open<S: Simd> {

@@ -2,6 +2,7 @@
 
 use super::curve::{At, Real, halley};
 use super::setup::Law;
+use crate::Kragelskii;
 use crate::fast::lanes::fused;
 use fearless_simd::prelude::*;
 
@@ -15,12 +16,12 @@ pub(super) struct Start {
     rise: Rise,
 }
 
-/// A curve without transcendental functions, a few per cent off: with x = σ/σ_m and z = Cλ (σ − σ_m)
+/// A curve without transcendental functions, a per cent off: with x = σ/σ_m and z = Cλ (σ − σ_m)
 /// ```text
-/// κ = K_m (n x − x²)/(1 + (n − 2) x),   x < 1,   κ = K_m (1 − d_∞ (1 − (1 + z) e^(−z))),   x > 1
+/// κ = K_m (n x − m x²)/(1 + (n − m − 1) x),   x < 1,   κ = K_m (1 − d_∞ (1 − (1 + z) e^(−z))),   x > 1
 /// ```
-/// exact at either end of the rising branch and in its slope there; the second is the curve itself, in which
-/// e^(−z) gives way to the reciprocal of five terms of its series.
+/// exact at either end and in the middle of the rising branch and in its initial slope; the second is the curve itself,
+/// in which e^(−z) gives way to the reciprocal of five terms of its series.
 #[derive(Debug, Clone, Copy)]
 struct Rise {
     /// K_m, or where nothing falls the coefficient at infinite slip.
@@ -29,6 +30,8 @@ struct Rise {
     knee: f32,
     /// n, σ_m times the initial slope over K_m.
     bow: f32,
+    /// m.
+    fall: f32,
     /// d_∞, the share that is lost at infinite slip.
     lost: f32,
     /// Cλ, s/m.
@@ -43,9 +46,15 @@ impl Rise {
         // D of the curve, its coefficient at infinite slip.
         let residual = -law.curve.a;
         if knee.is_finite() {
-            Self { most, knee, bow: slope * knee / most, lost: 1.0 - residual / most, rate }
+            let bow = slope * knee / most;
+            // (A + B s/2) exp(−C s/2) + D at the peak's s, whose exponential is in K_m.
+            let Kragelskii { a, b, c } = law.curve;
+            let decay = ((most - residual) * c / b).max(0.0).sqrt();
+            let middle = ((a + 0.5 * b * knee * law.scale) * decay + residual) / most;
+            let fall = (middle * (1.0 + bow) - bow) / (middle - 0.5);
+            Self { most, knee, bow, fall, lost: 1.0 - residual / most, rate }
         } else {
-            Self { most: residual, knee: BOW * residual / slope, bow: BOW, lost: 0.0, rate }
+            Self { most: residual, knee: BOW * residual / slope, bow: BOW, fall: 1.0, lost: 0.0, rate }
         }
     }
 }
@@ -82,7 +91,7 @@ impl Start {
 
     /// The root with [`Rise`] for the curve, and with one C for both directions: on the rising branch that of
     /// ```text
-    /// x + c K_m (1 − r w) (n x − x²)/(1 + (n − 2) x)/σ_m = |s_t|/σ_m,   c = Σ C_k s_t,k²/|s_t|²
+    /// x + c K_m (1 − r w) (n x − m x²)/(1 + (n − m − 1) x)/σ_m = |s_t|/σ_m
     /// ```
     /// else one step from the peak's κ of σ = |s_t| − c κ + 3/2 κ² (C_x − C_y)² s_t,x² s_t,y²/|s_t|⁵, whose last term
     /// has both C to second order.
@@ -93,23 +102,24 @@ impl Start {
         last: V,
         ([cx, cy], keep): ([f32; 2], f32),
     ) -> V {
-        let Rise { most, knee, bow, lost, rate } = self.rise;
+        let Rise { most, knee, bow, fall, lost, rate } = self.rise;
+        let pole = bow - fall - 1.0;
         let over_knee = knee.recip();
-        let c = fused(u2, cx, v2 * cy) * over2;
+        // C of a cell that sticks, 1/√Σ (s_t,k/C_k)² over 1/|s_t|, to second order of the difference.
+        let apart = 3.0 * (cx - cy) * (cx - cy) / (cx + cy);
+        let c = fused(u2 * v2 * -apart, over2, fused(u2, cx, v2 * cy)) * over2;
         let peak = fused(last, -keep, 1.0) * most;
         let whole = high * over_knee;
         let pull = c * (peak * over_knee);
-        let half = fused(pull, 0.5 * bow, fused(whole, 1.0 - 0.5 * bow, 0.5));
-        let root = half + fused(-pull + (bow - 2.0), whole, half * half).max(0.0).sqrt();
+        let half = fused(pull, 0.5 * bow, fused(whole, -0.5 * pole, 0.5));
+        let root = half + fused(fused(pull, -fall, pole), whole, half * half).max(0.0).sqrt();
         let rising = whole / root * knee;
         // Beyond the peak.
         let z = ((fused(-c, peak, high) - knee) * rate).max(0.0);
         let z2 = z * z;
         let series = fused(z2, fused(z2, 1.0 / 24.0, fused(z, 1.0 / 6.0, 0.5)), z + 1.0);
         let kappa = fused((z + 1.0) / series - 1.0, most * lost * (1.0 - keep), peak);
-        let aside = kappa * (cx - cy) * over2;
-        let apart = aside * aside * (u2 * v2) * (high * over2 * 1.5);
-        let sliding = fused(-c, kappa, high).max(0.5 * knee) + apart;
+        let sliding = fused(-c, kappa, high).max(0.5 * knee);
         whole.simd_lt(root).select(rising, sliding).min(high)
     }
 }
