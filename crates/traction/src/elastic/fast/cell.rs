@@ -8,7 +8,7 @@ use fearless_simd::prelude::*;
 /// Square of a trial slip below which nothing moves, (m/s)²: as in the plain cell.
 const AT_REST: f64 = 1e-50;
 
-/// Relative step behind which the root is as good as rounding lets it be: the next step would be about its cube.
+/// Relative step behind which the root is good to 1e-12: the next step would be a third of its cube.
 pub(super) const SETTLED: f64 = 1e-4;
 
 /// One cell of eight strips.

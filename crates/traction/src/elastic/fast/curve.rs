@@ -1,4 +1,4 @@
-//! The curve at a sliding speed and a step towards the root of a cell's equation, in single or double precision.
+//! The curve at a sliding speed, in single or double precision.
 
 use super::setup::Law;
 use crate::Kragelskii;
@@ -127,26 +127,4 @@ pub(super) struct Coefficient<V> {
     pub(super) value: V,
     pub(super) slope: V,
     pub(super) bend: V,
-}
-
-/// One step of Halley's method, for 1/S − 1 with S = Σ a², a = s_t/D:
-/// ```text
-/// S' = −2 R,   R = Σ a² D'/D,   R' = Σ a² (D''/D − 3 (D'/D)²),   P = S (1 − S)/2
-/// δσ = −P R/(S R² − P R'/2)
-/// ```
-/// with the powers of D_x D_y multiplied out, so that it is divided once. Takes s_t² and D with its derivatives, gives
-/// −δσ and a number below zero where σ is too small.
-#[inline(always)]
-pub(super) fn halley<S: Simd, V: Real<S>>(square: [V; 2], [dx, dy]: [V; 2], [gx, gy]: [V; 2], bend: [V; 2]) -> [V; 2] {
-    let (dx2, dy2, product) = (dx * dx, dy * dy, dx * dy);
-    let (nx, ny) = (square[0] * dy2, square[1] * dx2);
-    let short = fused(product, product, -(nx + ny));
-    let rise = fused(nx, dy * gx, ny * (dx * gy));
-    let three = V::number(3.0);
-    let part = nx * dy2 * fused(bend[0], dx, -(gx * gx * three));
-    let parts = fused(ny * dx2, fused(bend[1], dy, -(gy * gy * three)), part);
-    let rise2 = rise * rise;
-    let quarter = V::number(0.25);
-    let slope = fused(short * parts, -quarter, rise2).max(rise2 * quarter);
-    [short * rise * product * V::number(0.5) / slope, short]
 }

@@ -1,6 +1,6 @@
-//! Where the search for a cell's root starts: within about 1e-5 of it, in single precision, for two lots at once.
+//! Where the search for a cell's root starts: within about 1e-5 of it, in single precision, for one lot or two.
 
-use super::curve::{At, Real, halley};
+use super::curve::{At, Real};
 use super::setup::Law;
 use crate::Kragelskii;
 use crate::fast::lanes::fused;
@@ -85,16 +85,15 @@ impl Start {
         let squares = [squares[0] * over2, squares[1] * over2];
         let d = [fused(of.value, yielding[0], guess) * over, fused(of.value, yielding[1], guess) * over];
         let grow = [fused(of.slope, yielding[0], 1.0), fused(of.slope, yielding[1], 1.0)];
-        let [change, _] = halley(squares, d, grow, [bend * yielding[0], bend * yielding[1]]);
-        fused(-change, high, guess)
+        fused(step(squares, d, grow, [bend * yielding[0], bend * yielding[1]]), high, guess)
     }
 
     /// The root with [`Rise`] for the curve, and with one C for both directions: on the rising branch that of
     /// ```text
     /// x + c K_m (1 − r w) (n x − m x²)/(1 + (n − m − 1) x)/σ_m = |s_t|/σ_m
     /// ```
-    /// else one step from the peak's κ of σ = |s_t| − c κ + 3/2 κ² (C_x − C_y)² s_t,x² s_t,y²/|s_t|⁵, whose last term
-    /// has both C to second order.
+    /// else one step from the peak's κ of σ = |s_t| − c κ. c is that of a cell that sticks, |s_t|/√Σ (s_t,k/C_k)², to
+    /// second order in the difference of both C: what slips far hardly feels it.
     #[inline(always)]
     fn guess<S: Simd, V: Real<S, Element = f32>>(
         &self,
@@ -105,7 +104,6 @@ impl Start {
         let Rise { most, knee, bow, fall, lost, rate } = self.rise;
         let pole = bow - fall - 1.0;
         let over_knee = knee.recip();
-        // C of a cell that sticks, 1/√Σ (s_t,k/C_k)² over 1/|s_t|, to second order of the difference.
         let apart = 3.0 * (cx - cy) * (cx - cy) / (cx + cy);
         let c = fused(u2 * v2 * -apart, over2, fused(u2, cx, v2 * cy)) * over2;
         let peak = fused(last, -keep, 1.0) * most;
@@ -122,4 +120,19 @@ impl Start {
         let sliding = fused(-c, kappa, high).max(0.5 * knee);
         whole.simd_lt(root).select(rising, sliding).min(high)
     }
+}
+
+/// δσ of [`super::cell::Cell::near`] with the powers of D_x D_y multiplied out, so that it is divided once: here the
+/// chain is what takes time, not the number of products. Takes s_t² and D with its derivatives.
+#[inline(always)]
+fn step<S: Simd, V: Real<S, Element = f32>>(square: [V; 2], [dx, dy]: [V; 2], [gx, gy]: [V; 2], bend: [V; 2]) -> V {
+    let (dx2, dy2, product) = (dx * dx, dy * dy, dx * dy);
+    let (nx, ny) = (square[0] * dy2, square[1] * dx2);
+    let short = fused(product, product, -(nx + ny));
+    let rise = fused(nx, dy * gx, ny * (dx * gy));
+    let part = nx * dy2 * fused(bend[0], dx, gx * gx * -3.0);
+    let turn = fused(ny * dx2, fused(bend[1], dy, gy * gy * -3.0), part);
+    let rise2 = rise * rise;
+    let slope = fused(short * turn, -0.25, rise2).max(rise2 * 0.25);
+    short * rise * product * -0.5 / slope
 }
