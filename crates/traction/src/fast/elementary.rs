@@ -68,11 +68,12 @@ pub(crate) fn exp_m1<S: Simd>(x: Lanes<S>) -> Lanes<S> {
     fused(power, fused(r * r, series, r), power - 1.0)
 }
 
-/// exp(x) − 1 for |x| ≤ 80 in single precision, without loss of digits at small x.
+/// exp(x) − 1 for x ≤ 80 in single precision, without loss of digits at small x; below −80 as there.
 #[inline(always)]
 pub(crate) fn exp_m1_single<S: Simd, V: SimdFloat<S, Element = f32>>(x: V) -> V {
     /// 1.5 · 2^23: as [`TO_INTEGER`].
     const TO_INTEGER: f32 = 12_582_912.0;
+    let x = x.max(-80.0);
     let shifted = fused(x, std::f32::consts::LOG2_E, TO_INTEGER);
     let k = shifted - TO_INTEGER;
     // ln 2 is rounded by 2e-9, the product not at all.

@@ -49,7 +49,7 @@ pub(super) struct Root<S: Simd> {
     pub(super) direction: [Lanes<S>; 2],
 }
 
-/// What is left to know of a root when it is to be derived.
+/// More of a root, for its derivatives.
 #[derive(Clone, Copy)]
 pub(super) struct Around<S: Simd> {
     pub(super) at: At<S>,
@@ -66,12 +66,6 @@ impl<S: Simd> Near<S> {
         let ([gx, gy], [bx, by], far) = (self.grow, self.bend, self.far);
         let (x, y) = (fused(bx, far, gx) * far, fused(by, far, gy) * far);
         [fused(x, x, -x), fused(y, y, -y)]
-    }
-
-    /// True when every lane has its root.
-    #[inline(always)]
-    pub(super) fn is_done(&self) -> bool {
-        self.done.all_true()
     }
 }
 
@@ -113,9 +107,15 @@ impl<S: Simd> Cell<S> {
         Near { at, of, inverse: [ix, iy], direction: [ax, ay], grow: [gx, gy], bend: [bx, by], far, short, done }
     }
 
+    /// A step that ends at the root in every lane: the one that was made, or where that does not the last of a search.
+    #[inline(always)]
+    pub(super) fn last_step(&self, law: &Law, given: ([f64; 2], f64), near: Near<S>) -> Near<S> {
+        if near.done.all_true() { near } else { self.search(law, given, near) }
+    }
+
     /// The root of lanes that are not done, within a bracket.
     #[inline(always)]
-    pub(super) fn search(&self, law: &Law, given: ([f64; 2], f64), start: Near<S>) -> Near<S> {
+    fn search(&self, law: &Law, given: ([f64; 2], f64), start: Near<S>) -> Near<S> {
         let lanes = |x: f64| Lanes::splat(self.last.token(), x);
         let [u, v] = self.trial;
         let (mut low, mut high, mut last) = (lanes(0.0), fused(u, u, v * v).sqrt(), lanes(f64::INFINITY));

@@ -7,19 +7,17 @@ use crate::fast::lanes::{Fuse, Lanes, Pairs, Singles, fused};
 use fearless_simd::prelude::*;
 
 /// Vectors of one precision or the other.
-pub(super) trait Real<S: Simd>: SimdFloat<S, Element: Fuse> {
-    fn number(x: f32) -> Self::Element;
+pub(super) trait Real<S: Simd>: SimdFloat<S, Element: Fuse + From<f32>> {
+    #[inline(always)]
+    fn number(x: f32) -> Self::Element {
+        x.into()
+    }
 
     /// exp(x) − 1 for x ≤ 0.
     fn exp_m1(self) -> Self;
 }
 
 impl<S: Simd> Real<S> for Lanes<S> {
-    #[inline(always)]
-    fn number(x: f32) -> f64 {
-        x.into()
-    }
-
     #[inline(always)]
     fn exp_m1(self) -> Self {
         exp_m1(self.max(-700.0))
@@ -28,25 +26,15 @@ impl<S: Simd> Real<S> for Lanes<S> {
 
 impl<S: Simd> Real<S> for Singles<S> {
     #[inline(always)]
-    fn number(x: f32) -> f32 {
-        x
-    }
-
-    #[inline(always)]
     fn exp_m1(self) -> Self {
-        exp_m1_single(self.max(-80.0))
+        exp_m1_single(self)
     }
 }
 
 impl<S: Simd> Real<S> for Pairs<S> {
     #[inline(always)]
-    fn number(x: f32) -> f32 {
-        x
-    }
-
-    #[inline(always)]
     fn exp_m1(self) -> Self {
-        exp_m1_single(self.max(-80.0))
+        exp_m1_single(self)
     }
 }
 

@@ -71,7 +71,7 @@ pub(super) struct March<S: Simd, const T: usize> {
     pub(super) y: Lanes<S>,
     pub(super) chord: Lanes<S>,
     along: Lanes<S>,
-    /// What a cell's slip across has by its node: as it is, over cos θ, and over the mean.
+    /// Slip across: by itself, over a node's cos θ, and over its mean.
     across: [Lanes<S>; 3],
     /// Traction over pressure in the direction of slip, and weakening: parts of the next three differences.
     traction: [Coming<S>; 2],
@@ -157,14 +157,10 @@ impl<'a, const T: usize> Strips<'a, T> {
         if T == 0 {
             let given = (here.yielding, here.keep);
             let (first, last) = (Cell::new(first.trial, first.last), Cell::new(last.trial, last.last));
-            let mut near = first.near(&self.law, given, start);
-            let mut other = last.near(&self.law, given, other);
-            if !near.is_done() {
-                near = first.search(&self.law, given, near);
-            }
-            if !other.is_done() {
-                other = last.search(&self.law, given, other);
-            }
+            // Both steps before either search, so that their chains run side by side.
+            let (near, other) = (first.near(&self.law, given, start), last.near(&self.law, given, other));
+            let near = first.last_step(&self.law, given, near);
+            let other = last.last_step(&self.law, given, other);
             self.close(node, here, (&first, &near), &mut lots[0]);
             self.close(node, here, (&last, &other), &mut lots[L - 1]);
         } else {
@@ -204,10 +200,7 @@ impl<'a, const T: usize> Strips<'a, T> {
         lot: &mut March<S, T>,
     ) {
         let (given, cell) = ((here.yielding, here.keep), Cell::new(open.trial, open.last));
-        let mut near = cell.near(&self.law, given, start);
-        if !near.is_done() {
-            near = cell.search(&self.law, given, near);
-        }
+        let near = cell.last_step(&self.law, given, cell.near(&self.law, given, start));
         self.close(node, here, (&cell, &near), lot);
     }
 
