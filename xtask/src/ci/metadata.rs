@@ -19,6 +19,7 @@ pub struct Package {
     /// None for packages of the workspace.
     pub source: Option<String>,
     pub dependencies: Vec<Dependency>,
+    pub manifest_path: String,
 }
 
 #[derive(Debug, Deserialize)]
@@ -26,6 +27,8 @@ pub struct Dependency {
     pub name: String,
     /// `dev` or `build`; none for an ordinary dependency.
     pub kind: Option<String>,
+    /// Name in the sources, where it is not that of the package.
+    pub rename: Option<String>,
 }
 
 impl Metadata {

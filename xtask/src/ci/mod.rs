@@ -13,6 +13,7 @@ mod node;
 mod package;
 mod recording;
 mod supply;
+mod unused;
 
 use crate::built::cargo_program;
 use crate::error::Failure;
@@ -33,7 +34,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 17] = [
+const STEPS: [Step; 18] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -41,6 +42,7 @@ const STEPS: [Step; 17] = [
     ("documentation", || cargo(&["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
     ("layers", layers::check),
     ("circles", circles::check),
+    ("unused dependencies", unused::check),
     ("hygiene", hygiene::check),
     ("licences", licences::check),
     ("supply chain", supply::check),
