@@ -150,7 +150,11 @@ fn study_exit_code(error: &StudyError) -> u8 {
     match error {
         StudyError::Solver { source: QuasiStaticError::NotConverged { .. }, .. }
         | StudyError::Orbit {
-            source: OrbitError::NotConverged { .. } | OrbitError::Singular | OrbitError::Eigenvalues,
+            source:
+                OrbitError::NotConverged { .. }
+                | OrbitError::Singular
+                | OrbitError::Uncertain { .. }
+                | OrbitError::Eigenvalues,
             ..
         }
         | StudyError::Pair {

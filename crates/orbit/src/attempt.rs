@@ -177,6 +177,14 @@ pub(crate) fn at<'a>(problem: Problem<'a>, solved: &OrbitStart, orbit: &Orbit) -
     Ok(Newton::new(system, solved.scales))
 }
 
+/// The solver at a solution, with the very damping and centring of the pockets that it was found with.
+pub(crate) fn found<'a>(problem: Problem<'a>, solved: &OrbitStart) -> Result<Newton<'a>, OrbitError> {
+    let mut newton = at(problem, solved, &solved.orbit)?;
+    newton.system.cage.pocket.damping = solved.pocket_damping;
+    newton.system.centring = solved.centring;
+    Ok(newton)
+}
+
 /// The answer: the orbit by a rule that is good enough on it, where the one that was taken, for balls that roll or at a
 /// neighbour, is not.
 pub(crate) fn finish(
@@ -193,8 +201,44 @@ pub(crate) fn finish(
     let (origin, settling) = (newton.system.origin, newton.system.settling);
     let rule = newton.system.kernel.quadrature().rule();
     let carried = balls.iter().map(|(_, _, e)| e.loads.contacts.inner.normal.load).sum::<f64>() / balls.len() as f64;
-    let start = OrbitStart { orbit, jacobian, rule, origin, settling, eased, scales: newton.scales, carried, speeds };
+    let (scales, centring) = (newton.scales, newton.system.centring);
+    let pocket_damping = newton.system.cage.pocket.damping;
+    let start = OrbitStart {
+        orbit,
+        jacobian,
+        rule,
+        origin,
+        settling,
+        pocket_damping,
+        centring,
+        eased,
+        scales,
+        carried,
+        speeds,
+    };
+    verify(problem, &start)?;
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
+}
+
+/// By how much more than the tolerance an orbit may miss the balances of the bearing that it is said to be of: sums in
+/// another order round otherwise.
+const SAME: f64 = 10.0;
+
+/// Meets the balances once more, by the problem's own bearing with what the answer says was changed of it: whatever
+/// else a search left changed shows here.
+fn verify(problem: Problem<'_>, start: &OrbitStart) -> Result<(), OrbitError> {
+    let bearing = &start.eased.of(&prepared(problem.bearing, problem.settings));
+    let mut newton = found(Problem { bearing, ..problem }, start)?;
+    let pocket = newton.system.cage.pocket;
+    // Where nothing was eased, what centres the balls must be next to nothing too.
+    let worst = newton.residual(&start.orbit).worst;
+    let tolerance = problem.settings.tolerance;
+    if worst.relative <= SAME * tolerance
+        && (start.eased != Eased::NONE || start.centring <= CENTRING * pocket.stiffness)
+    {
+        return Ok(());
+    }
+    Err(OrbitError::not_converged(&newton.system, &start.orbit, &worst, tolerance))
 }
 
 /// The balls where those of an equilibrium stand.

@@ -40,6 +40,8 @@ pub(crate) struct Linear {
     intervals: Vec<Interval>,
     /// Start of the turn and border.
     lu: LU<f64, Const<FROM>, Const<FROM>>,
+    /// End of the turn by its start, cage and ring held.
+    turn: SMatrix<f64, BALL, BALL>,
 }
 
 /// A change of all unknowns, over their scales.
@@ -130,7 +132,18 @@ impl Linear {
         if !all.iter().all(|v| v.is_finite()) || !lu.is_invertible() {
             return Err(OrbitError::Singular);
         }
-        Ok(Self { intervals, lu })
+        Ok(Self { intervals, lu, turn: by_start })
+    }
+
+    /// Intervals of its mesh.
+    pub fn intervals(&self) -> usize {
+        self.intervals.len()
+    }
+
+    /// Largest modulus of a Floquet multiplier of a ball over the turn, cage and ring held: below one, a ball that is
+    /// moved off its orbit comes back to it.
+    pub fn multiplier(&self) -> f64 {
+        self.turn.complex_eigenvalues().iter().map(|v| v.re.hypot(v.im)).fold(0.0, f64::max)
     }
 
     /// The change that takes residuals away.

@@ -19,6 +19,8 @@ const SLOW: [f64; 3] = [0.03, 0.1, 0.3];
 /// Places of the way to real pockets at which cages are held, and starts at each from which one is followed.
 const PLACES: [f64; 3] = [1.0, 0.5, 0.3];
 const STARTS: usize = 3;
+/// Places at which balls are sent round where all else fails.
+const SOFTEST: [f64; 2] = [0.25, 0.0];
 /// First factor of the cage's speed, seen from where it starts, by how much its part above one grows and shrinks, and
 /// the least one.
 const FACTOR: f64 = 1.3;
@@ -42,7 +44,19 @@ pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedO
     let mut guessed = problem.bearing.clone();
     guessed.modelling.race_control = Some(RaceControl::Outer);
     let slid = if skids(error) { slid(problem, &guessed) } else { None };
-    slid.or_else(|| PLACES.iter().find_map(|place| held(problem, &guessed, *place))).or_else(|| led(problem, &guessed))
+    slid.or_else(|| PLACES.iter().find_map(|place| held(problem, &guessed, *place)))
+        .or_else(|| led(problem, &guessed))
+        .or_else(|| softest(problem))
+}
+
+/// The orbit in pockets so soft that they hardly do more than take idle balls along, where there is none in stiffer
+/// ones.
+fn softest(problem: Problem<'_>) -> Option<SolvedOrbit> {
+    let Problem { bearing, point, settings, .. } = problem;
+    let at = |share: &f64| {
+        begun(problem, (bearing, point), |newton, rolling, way| sliding(newton, rolling, (way, *share), settings)).ok()
+    };
+    SOFTEST.iter().find_map(at)
 }
 
 fn skids(error: &OrbitError) -> bool {

@@ -143,7 +143,7 @@ impl<'a> Newton<'a> {
     }
 
     /// Largest pocket force at the points of a mesh, or a slight part of the load, N.
-    fn pocket_peak(&self, orbit: &Orbit) -> f64 {
+    pub fn pocket_peak(&self, orbit: &Orbit) -> f64 {
         let force = |y: &[f64; BALL]| self.system.in_pocket(y, orbit.cage_speed).force.abs();
         orbit.values.iter().flatten().map(force).fold(SLIGHT * self.scales.force, f64::max)
     }

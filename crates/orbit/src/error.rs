@@ -39,6 +39,20 @@ pub enum OrbitError {
     /// The linearised equations have no solution.
     #[error("the linearised equations of the orbit are singular")]
     Singular,
+    /// A stiffness that does not pass its checks.
+    #[error(
+        "the stiffness of this orbit is not certain ({}), so none is given: balls open and close their pockets or \
+         contacts too often for one slope; a slightly different load or speed may have one, and differences of `solve` \
+         over larger steps a mean",
+        match error_estimate {
+            Some(error) => format!("finer meshes and slightly other loads differ by {:.1} %", 100.0 * error),
+            None => "its orbit is not found on a finer mesh or under slightly other loads".to_owned(),
+        }
+    )]
+    Uncertain {
+        /// Estimated error over √(K_ii K_jj); none where a check had no outcome.
+        error_estimate: Option<f64>,
+    },
     /// The eigenvalues of the linearised motion were not found.
     #[error("the eigenvalues of the linearised motion did not converge")]
     Eigenvalues,

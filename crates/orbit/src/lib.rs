@@ -24,9 +24,10 @@ mod system;
 mod way;
 
 pub use error::{OrbitError, OrbitPlace, OrbitReason};
-pub use modes::{Bodies, EnergyShares, Mode};
+pub use modes::{Bodies, EnergyShares, Mode, OrbitModes};
 pub use newton::OrbitStatistics;
 pub use settings::OrbitSettings;
 pub use solution::{POINTS, SteadyOrbit};
-pub use solve::{orbit_modes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near};
+pub use solve::{orbit_modes, orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near};
 pub use solved::{OrbitStart, SolvedOrbit};
+pub use stiffness::OrbitStiffness;

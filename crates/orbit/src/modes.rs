@@ -5,7 +5,9 @@
 //! dy/dt = f(y),  A = df/dy,  A v = λ v:   frequency |Im λ|/2π,  damping ratio −Re λ/|λ|,  unstable where Re λ > 0
 //! ```
 //!
-//! The matrix changes a little while balls pass; with the balls' azimuths frozen the modes are those of that instant.
+//! The matrix changes while balls pass; with the balls' azimuths frozen the modes are those of that instant. A mode
+//! that grows at one instant dies out at the next: what becomes of a disturbance in the long run the multipliers of the
+//! orbit over a whole turn say.
 
 use crate::OrbitError;
 use crate::collocation::Orbit;
@@ -29,14 +31,30 @@ pub struct Bodies {
     pub supports: Supports,
 }
 
-/// One natural mode: a pair of complex eigenvalues or a real one.
+/// Natural modes of a bearing, and what becomes of a small disturbance of its orbit.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OrbitModes {
+    /// By growing frequency, with pocket 0 of the cage at azimuth 0.
+    pub modes: Vec<Mode>,
+    /// Largest modulus of a Floquet multiplier: what is left, a turn of the cage later, of a small disturbance of a
+    /// ball while cage and rings keep to the orbit. Above 1 it grows.
+    pub multiplier: f64,
+    /// The same as a rate, 1/s.
+    pub growth_rate_per_s: f64,
+    /// Sentences on what makes them doubtful.
+    pub warnings: Vec<String>,
+}
+
+/// One natural mode: a pair of complex eigenvalues.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mode {
-    /// Frequency of the damped oscillation, Hz; 0 for a motion that creeps.
+    /// Frequency of the damped oscillation, Hz.
     pub frequency_hz: f64,
-    /// Damping ratio; negative where the mode grows.
+    /// Damping ratio; negative where the mode grows at the instant it belongs to, 0 where it cannot be told from
+    /// rounding.
     pub damping_ratio: f64,
-    /// Real part of the eigenvalue, 1/s; positive where the mode grows.
+    /// Real part of the eigenvalue, 1/s; positive where the mode grows at that instant, 0 where it cannot be told from
+    /// rounding.
     pub growth_rate_per_s: f64,
     /// Shares of the kinetic energy of inner ring, outer ring, balls' translation, balls' spin, cage.
     pub energy_shares: EnergyShares,
@@ -64,6 +82,11 @@ pub struct EnergyShares {
 }
 
 impl EnergyShares {
+    /// Part of the rings and the cage; the rest is that of the balls.
+    pub fn bodies(&self) -> f64 {
+        self.inner_ring + self.outer_ring + self.cage
+    }
+
     /// The largest part by name.
     pub fn leader(&self) -> &'static str {
         let parts = [
@@ -85,64 +108,83 @@ const BODIES: usize = CAGE + INNER + OUTER;
 const INPUTS: usize = BALL + BODIES;
 type Dual = DualSVec64<INPUTS>;
 
-/// Frequency below which a mode counts as one that creeps, Hz.
+/// Frequency below which a motion counts as one that creeps, Hz.
 const CREEP: f64 = 1e-3;
+/// Part of the matrix's norm that rounding brings into an eigenvalue.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Largest multiplier of an orbit that a ball keeps to. Where no ball touches its pocket one is 1: a ball may go before
+/// or behind as it likes.
+const KEEPS: f64 = 1.01;
+
+/// What becomes of a small disturbance of a ball over a turn: the largest multiplier, a sentence where it grows.
+pub(crate) fn multiplier(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<(f64, Option<String>), OrbitError> {
+    newton.system.ring = orbit.ring.map(RingFreedom::Held);
+    newton.system.held = Some(orbit.cage_speed);
+    let multiplier = newton.linearise(orbit)?.multiplier();
+    let grows = (multiplier > KEEPS).then(|| {
+        format!(
+            "a ball that is moved off this orbit a little is {multiplier:.2} times as far off a turn later: a run swings \
+             about the orbit, and its means differ from it"
+        )
+    });
+    Ok((multiplier, grows))
+}
 
 /// Modes of a converged orbit, with the cage's pocket 0 at azimuth 0, by growing frequency; motions that merely creep
-/// back are left out, growing ones are kept.
+/// are left out.
 pub(crate) fn modes(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Result<Vec<Mode>, OrbitError> {
-    let system = &newton.system;
-    let count = system.bearing.geometry.ball_count;
     let mut matrix = matrix(newton, orbit, bodies);
-    balance(&mut matrix, count);
+    balance(&mut matrix, newton.system.bearing.geometry.ball_count);
     let eigen = matrix.eigen().map_err(|_| OrbitError::Eigenvalues)?;
     let (values, vectors) = (eigen.S(), eigen.U());
+    let rounding = ROUNDING * matrix.norm_l2();
     let mut modes = Vec::new();
     for k in 0..matrix.nrows() {
-        let value = values[k];
-        let (re, im) = (value.re, value.im);
-        let oscillates = im > TAU * CREEP;
-        // Rounding leaves the rigid turning of balls and cage at about 1e-6 of the fastest eigenvalues.
-        let grows = im.abs() <= TAU * CREEP && re > 1e-3 * orbit.cage_speed.abs();
-        if !oscillates && !grows {
+        let (re, im) = (values[k].re, values[k].im);
+        if im <= (TAU * CREEP).max(1e-3 * orbit.cage_speed.abs()) {
             continue;
         }
+        let re = if re.abs() <= rounding { 0.0 } else { re };
         let size = |row: usize| vectors[(row, k)].re.hypot(vectors[(row, k)].im);
-        modes.push(shape(system, bodies, count, (re, im), &size));
+        modes.push(shape(&newton.system, bodies, (re, im), &size));
     }
     modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     Ok(modes)
 }
 
-fn shape(
-    system: &OrbitSystem<'_>,
-    bodies: &Bodies,
-    count: usize,
-    (re, im): (f64, f64),
-    size: &dyn Fn(usize) -> f64,
-) -> Mode {
+/// Parts of the kinetic energy of a motion with these amplitudes.
+pub(crate) fn energies(system: &OrbitSystem<'_>, bodies: &Bodies, size: &dyn Fn(usize) -> f64) -> EnergyShares {
+    let count = system.bearing.geometry.ball_count;
     let edge = BALL * count;
     let (inner, outer) = (edge + CAGE, edge + CAGE + INNER);
     let radius = 0.5 * system.bearing.geometry.pitch_diameter;
     let (m, j) = (system.bearing.ball_mass, system.bearing.ball_inertia);
-    let mut parts = EnergyShares::default();
+    let (mut balls, mut spin) = (0.0, 0.0);
     for ball in 0..count {
         let at = |k: usize| size(BALL * ball + k);
-        parts.balls += m * (at(VELOCITY).powi(2) + at(VELOCITY + 1).powi(2) + (radius * at(VELOCITY + 2)).powi(2));
-        parts.spin += j * (0..3).map(|k| at(SPIN + k).powi(2)).sum::<f64>();
+        balls += m * (at(VELOCITY).powi(2) + at(VELOCITY + 1).powi(2) + (radius * at(VELOCITY + 2)).powi(2));
+        spin += j * (0..3).map(|k| at(SPIN + k).powi(2)).sum::<f64>();
     }
-    parts.cage = bodies.cage.inertia * size(edge + 1).powi(2);
-    parts.inner_ring = bodies.supports.inner.mass * (0..3).map(|k| size(inner + 3 + k).powi(2)).sum::<f64>();
-    parts.outer_ring = bodies.supports.outer.mass * (0..2).map(|k| size(outer + 2 + k).powi(2)).sum::<f64>();
-    let total = (parts.balls + parts.spin + parts.cage + parts.inner_ring + parts.outer_ring).max(f64::MIN_POSITIVE);
-    let EnergyShares { inner_ring, outer_ring, balls, spin, cage } = parts;
-    let energy_shares = EnergyShares {
+    let cage = bodies.cage.inertia * size(edge + 1).powi(2);
+    let inner_ring = bodies.supports.inner.mass * (0..3).map(|k| size(inner + 3 + k).powi(2)).sum::<f64>();
+    let outer_ring = bodies.supports.outer.mass * (0..2).map(|k| size(outer + 2 + k).powi(2)).sum::<f64>();
+    let total = (balls + spin + cage + inner_ring + outer_ring).max(f64::MIN_POSITIVE);
+    EnergyShares {
         inner_ring: inner_ring / total,
         outer_ring: outer_ring / total,
         balls: balls / total,
         spin: spin / total,
         cage: cage / total,
-    };
+    }
+}
+
+fn shape(system: &OrbitSystem<'_>, bodies: &Bodies, (re, im): (f64, f64), size: &dyn Fn(usize) -> f64) -> Mode {
+    let count = system.bearing.geometry.ball_count;
+    let edge = BALL * count;
+    let (inner, outer) = (edge + CAGE, edge + CAGE + INNER);
+    let radius = 0.5 * system.bearing.geometry.pitch_diameter;
+    let energy_shares = energies(system, bodies, size);
     let mut inner_ring: [f64; 3] = std::array::from_fn(|k| size(inner + k));
     let mut outer_ring: [f64; 2] = std::array::from_fn(|k| size(outer + k));
     let mut balls: Vec<[f64; 3]> =
@@ -152,8 +194,8 @@ fn shape(
     inner_ring.iter_mut().chain(&mut outer_ring).chain(balls.iter_mut().flatten()).for_each(|v| *v /= largest);
     let modulus = re.hypot(im);
     Mode {
-        frequency_hz: if im.abs() <= TAU * CREEP { 0.0 } else { im / TAU },
-        damping_ratio: -re / modulus,
+        frequency_hz: im / TAU,
+        damping_ratio: if re == 0.0 { 0.0 } else { -re / modulus },
         growth_rate_per_s: re,
         energy_shares,
         inner_ring,

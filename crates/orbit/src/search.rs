@@ -122,11 +122,13 @@ fn patient<'a>(
     let real = way.eased(1.0);
     let mut furthest: Option<Reached> = None;
     for from in starts {
-        let Some(reached) = newton.followed(from, way, (settings.mesh_error, settings.tolerance)) else { continue };
+        let reached = newton.followed(from, way, (settings.mesh_error, settings.tolerance));
+        // However far the way led, what follows is tried on the bearing itself.
+        way.set(&mut newton.system, 1.0);
+        let Some(reached) = reached else { continue };
         if reached.share == 1.0 && reached.refined && holds(newton, &reached.found, settings) {
             return Ok((newton.halved(reached.found, settings.mesh_error, (settings.tolerance, DIRECT)), real));
         }
-        way.set(&mut newton.system, 1.0);
         if let Ok(found) = damped(newton, &reached.found.0, settings, (&SETTLING[..1], HASTE)) {
             return Ok((found, real));
         }

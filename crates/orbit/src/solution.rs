@@ -3,6 +3,7 @@
 use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
+use crate::solved::swinging;
 use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
 use crate::way::Eased;
 use serde::Serialize;
@@ -100,22 +101,12 @@ impl SteadyOrbit {
             let part = 100.0 * lost as f64 / self.points.len() as f64;
             format!("balls have no inner contact over {part:.0} % of their orbit")
         });
-        let swinging = self.swing_damping.map(|rate| {
-            format!(
-                "balls that little holds swing in their grooves without end: the orbit is the one on which that dies \
-                 out at {rate:.0} times the cage speed"
-            )
-        });
-        let heavy = self.ball_mass_factor.map(|factor| {
-            format!(
-                "balls are taken as {factor:.3e} times as heavy, so that those without load keep to the outer race: \
-                 their centrifugal force is still next to nothing beside the bearing's load"
-            )
-        });
-        let soft = self.pocket_stiffness_share.map(|share| {
-            format!("no orbit was found with pockets as stiff as given: this one has {share:.1e} of their stiffness")
-        });
-        lost.into_iter().chain(swinging).chain(heavy).chain(soft).collect()
+        let swinging = self.swing_damping.map(swinging);
+        let eased = Eased {
+            ball_mass: self.ball_mass_factor.unwrap_or(1.0),
+            pocket_stiffness: self.pocket_stiffness_share.unwrap_or(1.0),
+        };
+        lost.into_iter().chain(swinging).chain(eased.sentences()).collect()
     }
 }
 

@@ -1,15 +1,15 @@
 //! From a bearing at an operating point to its steady orbit.
 
 use crate::OrbitError;
-use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, prepared, resent, rolled, warm};
+use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, found, prepared, resent, rolled, warm};
 use crate::detours::detour;
-use crate::modes::{Bodies, Mode, modes};
+use crate::modes::{Bodies, OrbitModes, modes, multiplier};
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::settings::OrbitSettings;
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::statics::standing;
-use crate::stiffness::stiffness;
+use crate::stiffness::{OrbitStiffness, doubt, slopes, stiffness};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_quasistatic::StiffnessMatrix;
 use tribodyn_traction::FastPatch;
@@ -99,10 +99,10 @@ fn hurried(
     let mut newton = at(Problem { bearing: &eased, ..problem }, near, &orbit)?;
     let cheap = FastPatch::new(SLOPES)?;
     newton.slopes_by = Some(cheap.clone());
-    let found = newton.by_full_steps(orbit, settings.tolerance, (jacobians, within, near.jacobian.clone()));
+    let met = newton.by_full_steps(orbit, settings.tolerance, (jacobians, within, near.jacobian.clone()));
     newton.slopes_by = None;
-    let found = found.and_then(|found| serve(&mut newton, found, (settings, cheap)));
-    found.map(|found| finish(&mut newton, found, problem, near.eased)).transpose()
+    let met = met.and_then(|found| serve(&mut newton, found, (settings, cheap)));
+    met.map(|found| finish(&mut newton, found, problem, near.eased)).transpose()
 }
 
 /// An orbit on a neighbour's mesh, where that errs by no more than is allowed.
@@ -110,12 +110,33 @@ fn as_it_is(newton: &mut Newton<'_>, found: Found, (settings, cheap): (&OrbitSet
     fits(newton, &found.0, (settings, &cheap)).then_some(found)
 }
 
-/// Stiffness of the inner ring on its steady orbit: mean forces (N) and moments (N m) against displacements x, y, z
-/// (m) and tilts (rad), by row; balls and cage condensed.
+/// Stiffness of the inner ring on its steady orbit, balls and cage condensed, checked on a finer mesh and against
+/// orbits under slightly other loads.
 ///
 /// # Errors
-/// [`OrbitError::Singular`] where a displacement of the ring meets no resistance.
+/// [`OrbitError::Singular`] where a displacement of the ring meets no resistance, [`OrbitError::Uncertain`] where the
+/// checks find an error above 1 %.
 pub fn orbit_stiffness(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    cage: &CageBody,
+    settings: &OrbitSettings,
+    solved: &OrbitStart,
+) -> Result<OrbitStiffness, OrbitError> {
+    let bearing = &solved.eased.of(&prepared(bearing, settings));
+    let problem = Problem { bearing, point, cage, settings };
+    let mut newton = found(problem, solved)?;
+    let (stiffness, error_estimate) = stiffness(&mut newton, &solved.orbit, settings.tolerance)?;
+    let warnings = solved.sentences().into_iter().chain(doubt(error_estimate)).collect();
+    Ok(OrbitStiffness { stiffness, error_estimate, warnings })
+}
+
+/// The same on the mesh of the orbit and unchecked: slopes for Newton's method on a system that the bearing is part of,
+/// whose balances tell whether they were right.
+///
+/// # Errors
+/// [`OrbitError::Singular`].
+pub fn orbit_slopes(
     bearing: &Bearing,
     point: &OperatingPoint,
     cage: &CageBody,
@@ -123,11 +144,12 @@ pub fn orbit_stiffness(
     solved: &OrbitStart,
 ) -> Result<StiffnessMatrix, OrbitError> {
     let bearing = &solved.eased.of(&prepared(bearing, settings));
-    let problem = Problem { bearing, point, cage, settings };
-    stiffness(&mut at(problem, solved, &solved.orbit)?, &solved.orbit)
+    slopes(&mut found(Problem { bearing, point, cage, settings }, solved)?, &solved.orbit)
 }
 
-/// Natural modes of balls, cage and rings in their steady orbit, at the instant when pocket 0 stands at azimuth 0.
+/// Natural modes of balls, cage and rings in their steady orbit, at the instant when pocket 0 stands at azimuth 0, and
+/// what becomes of a small disturbance over a turn. Balls have the masses, pockets the stiffness and damping of the
+/// bearing, whatever the orbit was found with.
 ///
 /// # Errors
 /// [`OrbitError::Eigenvalues`].
@@ -137,8 +159,15 @@ pub fn orbit_modes(
     bodies: &Bodies,
     settings: &OrbitSettings,
     solved: &OrbitStart,
-) -> Result<Vec<Mode>, OrbitError> {
-    let bearing = &solved.eased.of(&prepared(bearing, settings));
-    let problem = Problem { bearing, point, cage: &bodies.cage, settings };
-    modes(&at(problem, solved, &solved.orbit)?, &solved.orbit, bodies)
+) -> Result<OrbitModes, OrbitError> {
+    let mut bearing = prepared(bearing, settings);
+    bearing.contact_damping = bodies.contact_damping;
+    let problem = Problem { bearing: &bearing, point, cage: &bodies.cage, settings };
+    let (mut newton, orbit) = (found(problem, solved)?, &solved.orbit);
+    (newton.system.cage, newton.system.settling) = (bodies.cage, 0.0);
+    let modes = modes(&newton, orbit, bodies)?;
+    let (multiplier, growing) = multiplier(&mut newton, orbit)?;
+    let turn = std::f64::consts::TAU / orbit.cage_speed.abs();
+    let warnings = solved.sentences().into_iter().chain(growing).collect();
+    Ok(OrbitModes { modes, multiplier, growth_rate_per_s: multiplier.ln() / turn, warnings })
 }

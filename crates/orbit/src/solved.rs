@@ -21,6 +21,9 @@ pub struct OrbitStart {
     pub(crate) origin: f64,
     /// Rate at which the swinging of balls dies out besides, 1/s.
     pub(crate) settling: f64,
+    /// Damping χ of the pockets, s/m, and stiffness that centres balls in them, N/m.
+    pub(crate) pocket_damping: f64,
+    pub(crate) centring: f64,
     pub(crate) eased: Eased,
     pub(crate) scales: Scales,
     /// Mean load of a ball on the inner race, N.
@@ -75,10 +78,24 @@ impl OrbitStart {
         orbit
     }
 
+    /// Sentences on what the orbit was found with that is not the bearing's.
+    pub(crate) fn sentences(&self) -> Vec<String> {
+        let swinging = swinging(self.settling / self.orbit.cage_speed.abs());
+        self.eased.sentences().into_iter().chain((self.settling > 0.0).then_some(swinging)).collect()
+    }
+
     /// Patch rule of the orbit.
     pub fn rule(&self) -> PatchRule {
         self.rule
     }
+}
+
+/// Sentence on balls that are damped at so many times the cage speed.
+pub(crate) fn swinging(rate: f64) -> String {
+    format!(
+        "balls that little holds swing in their grooves without end: the orbit is the one on which that dies out at \
+         {rate:.0} times the cage speed"
+    )
 }
 
 /// A steady orbit with what is needed to go on from it.

@@ -30,6 +30,9 @@ pub(crate) struct Eased {
 }
 
 impl Eased {
+    /// The case's own bearing.
+    pub const NONE: Self = Self { ball_mass: 1.0, pocket_stiffness: 1.0 };
+
     /// The bearing with its balls.
     pub fn of(&self, bearing: &Bearing) -> Bearing {
         let mut eased = bearing.clone();
@@ -37,6 +40,30 @@ impl Eased {
         eased.ball_inertia *= self.ball_mass;
         eased
     }
+
+    /// Sentences on what an orbit was found with that is not the bearing's.
+    pub fn sentences(&self) -> Vec<String> {
+        let heavy = (self.ball_mass != 1.0).then(|| {
+            format!(
+                "the balls were taken {} times as heavy as they are to find this orbit, so that those without load \
+                 keep to the outer race: their centrifugal force is still next to nothing beside the bearing's load",
+                times(self.ball_mass)
+            )
+        });
+        let soft = (self.pocket_stiffness != 1.0).then(|| {
+            format!(
+                "no orbit was found with pockets as stiff as given: this one has pockets {} times as soft",
+                times(1.0 / self.pocket_stiffness)
+            )
+        });
+        heavy.into_iter().chain(soft).collect()
+    }
+}
+
+/// A factor as one would say it: to three digits, without an exponent below a million.
+fn times(factor: f64) -> String {
+    let digits = (2 - factor.log10().floor() as i32).max(0);
+    if factor < 1e6 { format!("{factor:.*}", digits as usize) } else { format!("{factor:.1e}") }
 }
 
 /// The bearing with balls from heavy ones to those that it is solved with, each with the factor of their mass.

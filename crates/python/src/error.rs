@@ -115,7 +115,10 @@ fn solver(py: Python<'_>, message: &str, file: &str, source: &QuasiStaticError) 
 
 fn orbit(py: Python<'_>, message: &str, file: &str, source: &OrbitError) -> PyErr {
     let name = match source {
-        OrbitError::NotConverged { .. } | OrbitError::Singular | OrbitError::Eigenvalues => "SolveError",
+        OrbitError::NotConverged { .. }
+        | OrbitError::Singular
+        | OrbitError::Uncertain { .. }
+        | OrbitError::Eigenvalues => "SolveError",
         _ => "InputError",
     };
     with_facts(py, name, message, |facts| facts.set_item("file", file))

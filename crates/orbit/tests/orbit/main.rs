@@ -2,6 +2,7 @@
 
 mod support;
 
+mod checked;
 mod kicked;
 mod limits;
 mod linear;

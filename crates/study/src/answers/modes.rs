@@ -36,7 +36,7 @@ pub fn modes(file: &CaseFile, up_to_hz: f64) -> Result<ModesAnswer, StudyError> 
     let bodies =
         Bodies { cage: problem.cage, contact_damping: inputs.options.contact_damping, supports: inputs.supports };
     let modes = orbit_modes(&problem.bearing, &problem.point, &bodies, &problem.settings, start).map_err(failed)?;
-    let modes: Vec<Mode> = modes.into_iter().filter(|mode| mode.frequency_hz <= up_to_hz).collect();
+    let modes: Vec<Mode> = modes.modes.into_iter().filter(|mode| mode.frequency_hz <= up_to_hz).collect();
     let unstable = modes.iter().filter(|mode| mode.growth_rate_per_s > 0.0).count();
     Ok(ModesAnswer { cage_speed_rpm: solved.solution.cage_speed_rpm, unstable, modes })
 }

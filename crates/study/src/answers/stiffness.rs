@@ -77,7 +77,10 @@ fn at_speed(
             };
             *start = solved.map_err(no_orbit)?.start;
             match start.as_ref() {
-                Some(at) => orbit_stiffness(&bearing, &point, &cage, &settings, at).map_err(no_orbit),
+                Some(at) => {
+                    let found = orbit_stiffness(&bearing, &point, &cage, &settings, at).map_err(no_orbit)?;
+                    Ok(found.stiffness)
+                }
                 // A bearing at rest: the elastic equilibrium.
                 None => jones_harris_stiffness(&file.bearing_for(Purpose::JonesHarris)?, &point).map_err(failed),
             }

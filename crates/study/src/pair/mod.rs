@@ -14,7 +14,7 @@
 use crate::StudyError;
 use serde::Serialize;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, RingFreedom};
-use tribodyn_orbit::{OrbitError, OrbitSettings, OrbitStart, orbit_stiffness, steady_orbit, steady_orbit_from};
+use tribodyn_orbit::{OrbitError, OrbitSettings, OrbitStart, orbit_slopes, steady_orbit, steady_orbit_from};
 use tribodyn_quasistatic::{
     Model, QuasiStaticError, Solution, StiffnessMatrix, WarmStart, jones_harris_stiffness, solve, solve_from,
     traction_stiffness,
@@ -330,7 +330,7 @@ impl Pair<'_> {
                 let speeds = [point.inner_speed, point.outer_speed];
                 let solution = solved.solution.as_solution(&solved.solution.balls, speeds);
                 let stiffness = match &solved.start {
-                    Some(start) => orbit_stiffness(self.bearing, point, &cage, &settings, start)?,
+                    Some(start) => orbit_slopes(self.bearing, point, &cage, &settings, start)?,
                     // A bearing at rest: the elastic equilibrium.
                     None => jones_harris_stiffness(self.bearing, point)?,
                 };
