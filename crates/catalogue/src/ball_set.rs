@@ -4,7 +4,7 @@
 //! come in the sizes of ISO 3290. Of all sets that fit between the rings there is as a rule one that gives both
 //! ratings of the catalogue to half a percent.
 
-use crate::{CatalogueError, Envelope};
+use crate::{CatalogueError, Envelope, PublishedBalls};
 use std::f64::consts::PI;
 use tribodyn_rating::RatedBearing;
 
@@ -27,8 +27,21 @@ pub struct BallSet {
     pub ball_count: usize,
     /// Ball diameter, m.
     pub ball_diameter: f64,
+    /// Pitch diameter, m.
+    pub pitch_diameter: f64,
     /// Where they come from.
     pub origin: Origin,
+}
+
+/// The set whose ratings come second nearest to the catalogue's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RunnerUp {
+    /// Number of balls.
+    pub ball_count: usize,
+    /// Ball diameter, m.
+    pub ball_diameter: f64,
+    /// The larger of its relative deviations in C_r and C_0r.
+    pub deviation: f64,
 }
 
 /// Where the balls of a set come from.
@@ -36,12 +49,19 @@ pub struct BallSet {
 pub enum Origin {
     /// Both numbers were given.
     Given,
+    /// They are published, with the pitch diameter.
+    Published {
+        /// Where.
+        source: &'static str,
+    },
     /// The set whose ratings come nearest to the catalogue's; their relative deviations.
     Ratings {
         /// Of C_r.
         dynamic: f64,
         /// Of C_0r.
         at_rest: f64,
+        /// The set that comes second, for how sure this one is; none where only one fits.
+        next: Option<RunnerUp>,
     },
     /// A rule of thumb: 0.3 of the space between the rings, and as many as can be put in.
     Thumb,
@@ -54,6 +74,8 @@ pub struct KnownBalls {
     pub ball_count: Option<usize>,
     /// Ball diameter, m.
     pub ball_diameter: Option<f64>,
+    /// The set that is published; the numbers above go before it.
+    pub published: Option<PublishedBalls>,
 }
 
 /// Ball diameter over the space between bore and outside diameter.
@@ -73,9 +95,10 @@ impl Envelope {
     }
 
     /// The bearing with a set of balls and the grooves that the standards rate.
-    pub fn rated(&self, ball_count: usize, ball_diameter: f64) -> RatedBearing {
+    pub fn rated(&self, balls: &BallSet) -> RatedBearing {
         let [inner_coefficient, outer_coefficient] = USUAL_GROOVES;
-        let (pitch_diameter, contact_angle) = (self.mean_diameter(), self.contact_angle);
+        let BallSet { ball_count, ball_diameter, pitch_diameter, .. } = *balls;
+        let contact_angle = self.contact_angle;
         RatedBearing { ball_count, ball_diameter, pitch_diameter, contact_angle, inner_coefficient, outer_coefficient }
     }
 
@@ -84,8 +107,16 @@ impl Envelope {
     /// # Errors
     /// [`CatalogueError::NoBalls`] where none fits between the rings.
     pub fn ball_set(&self, known: KnownBalls, ratings: Option<Ratings>) -> Result<BallSet, CatalogueError> {
-        if let KnownBalls { ball_count: Some(ball_count), ball_diameter: Some(ball_diameter) } = known {
-            return Ok(BallSet { ball_count, ball_diameter, origin: Origin::Given });
+        let pitch_diameter = self.mean_diameter();
+        match known {
+            KnownBalls { ball_count: Some(ball_count), ball_diameter: Some(ball_diameter), .. } => {
+                return Ok(BallSet { ball_count, ball_diameter, pitch_diameter, origin: Origin::Given });
+            }
+            KnownBalls { ball_count: None, ball_diameter: None, published: Some(set) } => {
+                let PublishedBalls { ball_count, ball_diameter, pitch_diameter, source } = set;
+                return Ok(BallSet { ball_count, ball_diameter, pitch_diameter, origin: Origin::Published { source } });
+            }
+            _ => {}
         }
         let found = match ratings {
             Some(ratings) => self.by_ratings(known, ratings),
@@ -95,20 +126,29 @@ impl Envelope {
     }
 
     fn by_ratings(&self, known: KnownBalls, ratings: Ratings) -> Option<BallSet> {
-        let mut best: Option<(f64, BallSet)> = None;
+        let mut all: Vec<(f64, BallSet)> = Vec::new();
+        let pitch_diameter = self.mean_diameter();
         for ball_diameter in self.diameters(known) {
             for ball_count in self.counts(known, ball_diameter) {
-                let bearing = self.rated(ball_count, ball_diameter);
+                let bearing = self.rated(&BallSet { ball_count, ball_diameter, pitch_diameter, origin: Origin::Given });
                 let (Ok(dynamic), Ok(at_rest)) = (bearing.dynamic_rating(), bearing.static_rating()) else { continue };
                 let (dynamic, at_rest) = (dynamic / ratings.dynamic - 1.0, at_rest / ratings.at_rest - 1.0);
                 let worst = dynamic.abs().max(at_rest.abs());
-                if best.is_none_or(|(least, _)| worst < least) {
-                    let origin = Origin::Ratings { dynamic, at_rest };
-                    best = Some((worst, BallSet { ball_count, ball_diameter, origin }));
-                }
+                let origin = Origin::Ratings { dynamic, at_rest, next: None };
+                all.push((worst, BallSet { ball_count, ball_diameter, pitch_diameter, origin }));
             }
         }
-        best.map(|(_, set)| set)
+        all.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let next = all.get(1).map(|&(deviation, BallSet { ball_count, ball_diameter, .. })| RunnerUp {
+            ball_count,
+            ball_diameter,
+            deviation,
+        });
+        let mut best = all.first()?.1;
+        if let Origin::Ratings { next: second, .. } = &mut best.origin {
+            *second = next;
+        }
+        Some(best)
     }
 
     fn by_thumb(&self, known: KnownBalls) -> Option<BallSet> {
@@ -116,7 +156,7 @@ impl Envelope {
         let off = |d: &f64| (d - wanted).abs();
         let ball_diameter = self.diameters(known).into_iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
         let ball_count = known.ball_count.or_else(|| self.most(ball_diameter, 0))?;
-        Some(BallSet { ball_count, ball_diameter, origin: Origin::Thumb })
+        Some(BallSet { ball_count, ball_diameter, pitch_diameter: self.mean_diameter(), origin: Origin::Thumb })
     }
 
     /// The diameter given, or all standard ones between the rings, m.
@@ -149,14 +189,14 @@ impl Envelope {
     }
 }
 
-/// Ball diameters that ISO 3290 prefers, m: 64ths of an inch up to a half, 32nds up to one, 16ths up to two; halves
-/// of a millimetre up to 15 mm, whole ones up to 50 mm.
+/// Ball diameters that ISO 3290 prefers, m: 64ths of an inch up to a half, 32nds up to one, 16ths up to three; halves
+/// of a millimetre up to 15 mm, whole ones up to 75 mm.
 fn standard_diameters() -> impl Iterator<Item = f64> {
     let inch = |step: f64, from: u32, to: u32| (from..=to).map(move |k| f64::from(k) * step * 25.4e-3);
     let metric = |step: f64, from: u32, to: u32| (from..=to).map(move |k| f64::from(k) * step * 1e-3);
     inch(1.0 / 64.0, 4, 32)
         .chain(inch(1.0 / 32.0, 17, 32))
-        .chain(inch(1.0 / 16.0, 17, 32))
+        .chain(inch(1.0 / 16.0, 17, 48))
         .chain(metric(0.5, 4, 30))
-        .chain(metric(1.0, 16, 50))
+        .chain(metric(1.0, 16, 75))
 }

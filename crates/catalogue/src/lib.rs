@@ -2,13 +2,16 @@
 
 mod ball_set;
 mod clearance;
+mod designation;
 mod list;
 mod new_case;
+mod suffixes;
 
-pub use ball_set::{BallSet, KnownBalls, Origin, Ratings, USUAL_GROOVES};
-pub use clearance::normal_clearance;
-pub use list::{ListedBearing, SOURCE, find, listed};
+pub use ball_set::{BallSet, KnownBalls, Origin, Ratings, RunnerUp, USUAL_GROOVES};
+pub use clearance::ClearanceGroup;
+pub use list::{ListedBearing, PublishedBalls, SOURCE, find, listed, search};
 pub use new_case::NewCase;
+pub use suffixes::Part;
 
 /// Boundary dimensions of a bearing and its nominal contact angle, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,6 +35,28 @@ pub enum CatalogueError {
         /// What was asked for.
         designation: String,
         /// What there is.
+        allowed: String,
+    },
+    /// Bearings that the models do not hold for.
+    #[error("`{designation}` {why}")]
+    Type {
+        /// What was asked for.
+        designation: String,
+        /// Why the models do not hold.
+        why: String,
+    },
+    /// A part of a designation that is not understood.
+    #[error(
+        "`{part}` {place} the basic number of `{designation}` is not understood; allowed are {allowed}. Leave it out if it does not matter"
+    )]
+    Part {
+        /// What was asked for.
+        designation: String,
+        /// The part that is not understood.
+        part: String,
+        /// `before` or `after`.
+        place: &'static str,
+        /// What is understood there.
         allowed: String,
     },
     /// A contact angle that does not fit the designation.

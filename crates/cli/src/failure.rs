@@ -37,6 +37,9 @@ pub enum Failure {
     /// The table is written, but not every row is a solution.
     #[error("{failed} of {rows} rows have no solution; the column `error` of {} says why", path.display())]
     Unsolved { failed: usize, rows: usize, path: PathBuf },
+    /// A new case where a file stands.
+    #[error("{} is there already and stays as it is: name another file with -o, or replace it with --force", path.display())]
+    Exists { path: PathBuf },
     /// A run that was stopped before its end.
     #[error("stopped after {simulated_s} of {duration_s} s; --resume goes on from there")]
     Stopped { simulated_s: f64, duration_s: f64 },
@@ -110,6 +113,7 @@ impl Failure {
             }
             Self::Unsolved { .. }
             | Self::Stopped { .. }
+            | Self::Exists { .. }
             | Self::EnsembleStopped { .. }
             | Self::FailedMembers { .. }
             | Self::Signal(_)

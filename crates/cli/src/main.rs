@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod catalogue;
 mod check;
 mod drawn;
 mod ensemble;
@@ -42,6 +43,7 @@ struct Arguments {
 const AFTER_HELP: &str = "\
 Examples:
   tribodyn new 7210 --angle 40
+  tribodyn catalogue 62
   tribodyn check fixtures/cases/paper-ag.ron
   tribodyn solve fixtures/cases/paper-ag.ron --plot figures -o run.mcap
   tribodyn solve fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(30)' --json
@@ -64,6 +66,8 @@ Exit codes: 0 done, 1 did not converge or could not be written, 2 bad input.";
 enum Command {
     /// Write a complete case file from a designation or a few catalogue numbers
     New(new::Arguments),
+    /// List the bearings of the catalogue
+    Catalogue(catalogue::Arguments),
     /// Check a case file and print what follows from it
     Check(check::Arguments),
     /// Compute the Hertz contact of two bodies from their principal radii
@@ -101,6 +105,7 @@ enum Command {
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::New(arguments) => new::run(&arguments),
+        Command::Catalogue(arguments) => catalogue::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Hertz(arguments) => hertz::run(&arguments),
         Command::Traction(arguments) => traction::run(&arguments),

@@ -1,11 +1,12 @@
 //! `tribodyn new`: a complete case from a few catalogue numbers.
 
 use crate::failure::Failure;
+use crate::input::ReplaceArguments;
 use crate::table;
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use tribodyn_catalogue::{Envelope, KnownBalls, NewCase, Ratings, find};
-use tribodyn_study::{CaseFile, Limits, StudyError};
+use tribodyn_study::{CaseFile, Limits, StagedFiles, StudyError};
 
 /// Make a complete, commented case file from a designation, or from boundary dimensions.
 ///
@@ -13,10 +14,12 @@ use tribodyn_study::{CaseFile, Limits, StudyError};
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   tribodyn new 6206
+  tribodyn new \"6206-2RS C3\" --radial 2000 --speed 3000
+  tribodyn new 7014CDGA/P4A --axial -500
   tribodyn new 7210 --angle 40 -o pump.ron
   tribodyn new --bearing angular --bore 50 --outside 90 --width 20 --angle 40 --balls 15 --ball 12.7 -o case.ron")]
 pub struct Arguments {
-    /// A size of the list: 60, 62, 63 (bores 10 to 100 mm), 70, 72, 73 (10 to 65 mm), such as 6206 or 7210B
+    /// A designation with prefix and suffixes, such as 6206-2RS C3 or 7014CDGA/P4A; `tribodyn catalogue` lists the sizes
     #[arg(value_name = "DESIGNATION", required_unless_present_any = ["bore", "ask"], conflicts_with_all = ["bore", "outside", "width", "bearing"])]
     designation: Option<String>,
     /// Class of a bearing that is given by its dimensions
@@ -47,10 +50,10 @@ pub struct Arguments {
     #[arg(long, value_name = "N", requires = "dynamic_rating")]
     static_rating: Option<f64>,
     /// Radial load, N; a moderate one where left out
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     radial: Option<f64>,
     /// Axial load, N; a moderate one where left out
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     axial: Option<f64>,
     /// Speed of the inner ring, r/min; a moderate one where left out
     #[arg(long, value_name = "RPM", allow_negative_numbers = true)]
@@ -58,9 +61,11 @@ pub struct Arguments {
     /// Ask for what is not given, on a terminal
     #[arg(long)]
     ask: bool,
-    /// The case file; by default named after the bearing. A file that is there stays as it is
+    /// The case file; by default named after the bearing. A file that is there stays as it is without --force
     #[arg(short, long, value_name = "CASE.ron")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    replace: ReplaceArguments,
 }
 
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
@@ -78,12 +83,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         None => asked_bearing(arguments.angle)?,
     };
     let rpm = |speed: f64| speed * std::f64::consts::PI / 30.0;
-    case.balls = KnownBalls { ball_count: arguments.balls, ball_diameter: arguments.ball.map(|mm| mm * 1e-3) };
+    let published = case.balls.published;
+    case.balls =
+        KnownBalls { ball_count: arguments.balls, ball_diameter: arguments.ball.map(|mm| mm * 1e-3), published };
     if let (Some(dynamic), Some(at_rest)) = (arguments.dynamic_rating, arguments.static_rating) {
         for (option, value) in [("dynamic-rating", dynamic), ("static-rating", at_rest)] {
             number_option(option, value, |value| value > 0.0, "a load above 0 in N")?;
         }
-        (case.ratings, case.listed) = (Some(Ratings { dynamic, at_rest }), false);
+        (case.ratings, case.source) = (Some(Ratings { dynamic, at_rest }), None);
     }
     for (option, value) in [("radial", arguments.radial), ("axial", arguments.axial), ("speed", arguments.speed)] {
         value.map_or(Ok(()), |value| number_option(option, value, f64::is_finite, "a finite number"))?;
@@ -97,7 +104,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let path = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.ron", file_name(&case))));
     // A case that `check` would refuse is not written.
     CaseFile::from_text(&path.display().to_string(), text.clone(), &[], &Limits::NORMAL)?;
-    write_new(&path, &text)?;
+    write_new(&path, &text, arguments.replace.force)?;
     table::print_line(&format!("wrote {}: check it with `tribodyn check {0}`", path.display()))?;
     let assumed = text.lines().filter(|line| line.contains(": Assumed(")).count();
     table::print_line(&format!("{assumed} assumptions are in its sources, each with its reason: replace what you know"))
@@ -111,10 +118,7 @@ fn number_option(option: &'static str, value: f64, allowed: impl Fn(f64) -> bool
 }
 
 fn listed(designation: &str, angle: Option<f64>) -> Result<NewCase, Failure> {
-    let bearing = find(designation, angle)?;
-    let mut case = NewCase::new(bearing.envelope);
-    (case.designation, case.ratings, case.listed) = (Some(bearing.designation), bearing.ratings, true);
-    Ok(case)
+    Ok(NewCase::of_listed(find(designation, angle)?, designation))
 }
 
 fn by_dimensions(arguments: &Arguments) -> Result<NewCase, Failure> {
@@ -137,7 +141,10 @@ fn by_dimensions(arguments: &Arguments) -> Result<NewCase, Failure> {
 /// Name of the file of a case: its designation, or its dimensions.
 fn file_name(case: &NewCase) -> String {
     match &case.designation {
-        Some(designation) => designation.clone(),
+        Some(designation) => {
+            let plain: String = designation.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+            plain.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
+        }
         None => {
             let Envelope { bore, outside, width, .. } = case.envelope;
             let [bore, outside, width] = [bore, outside, width].map(|m| (m * 1e7).round() / 1e4);
@@ -146,10 +153,19 @@ fn file_name(case: &NewCase) -> String {
     }
 }
 
-/// Writes a file that is not there yet, whole or not at all.
-fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
+/// Writes a file, whole or not at all; one that is there is replaced with `force` only.
+fn write_new(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
     let failed = |source| StudyError::Write { path: path.to_owned(), source };
-    let mut file = std::fs::File::create_new(path).map_err(failed)?;
+    if force && path.is_file() {
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let mut staged = StagedFiles::new(path.parent().unwrap_or(Path::new("")), true)?;
+        staged.write(name, text.as_bytes())?;
+        return Ok(staged.publish()?);
+    }
+    let mut file = std::fs::File::create_new(path).map_err(|source| match source.kind() {
+        std::io::ErrorKind::AlreadyExists => Failure::Exists { path: path.to_owned() },
+        _ => failed(source).into(),
+    })?;
     let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all());
     if let Err(source) = written {
         // What is half-written must not stay; should removing fail too, the first failure is the news.

@@ -126,9 +126,10 @@ impl NewRequest {
         }
         let refused = |failure: CatalogueError| self.refused(py, &failure);
         let mut case = self.bearing(py)?;
-        case.balls = KnownBalls { ball_count: self.balls, ball_diameter: self.ball.map(|mm| mm * 1e-3) };
+        let published = case.balls.published;
+        case.balls = KnownBalls { ball_count: self.balls, ball_diameter: self.ball.map(|mm| mm * 1e-3), published };
         if let (Some(dynamic), Some(at_rest)) = (self.dynamic_rating, self.static_rating) {
-            (case.ratings, case.listed) = (Some(Ratings { dynamic, at_rest }), false);
+            (case.ratings, case.source) = (Some(Ratings { dynamic, at_rest }), None);
         }
         (case.radial_load, case.axial_load) = (self.radial, self.axial);
         case.speed = self.speed.map(|rpm| rpm * std::f64::consts::PI / 30.0);
@@ -140,9 +141,7 @@ impl NewRequest {
         match (&self.designation, self.bore, self.outside, self.width) {
             (Some(designation), None, None, None) => {
                 let listed = find(designation, self.angle).map_err(|failure| self.refused(py, &failure))?;
-                let mut case = NewCase::new(listed.envelope);
-                (case.designation, case.ratings, case.listed) = (Some(listed.designation), listed.ratings, true);
-                Ok(case)
+                Ok(NewCase::of_listed(listed, designation))
             }
             (None, Some(bore), Some(outside), Some(width)) => {
                 let [bore, outside, width] = [bore, outside, width].map(|mm| mm * 1e-3);

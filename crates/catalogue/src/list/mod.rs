@@ -1,16 +1,25 @@
-//! Sizes that a catalogue lists, with their boundary dimensions and load ratings.
+//! Sizes that catalogues list, with their boundary dimensions and load ratings.
 
 mod angular_contact;
+mod balls;
 mod deep_groove;
+mod thin;
+mod thin_angular;
 
-use crate::{CatalogueError, Envelope, Ratings};
+pub use balls::PublishedBalls;
 
-/// Where dimensions and ratings of the list come from.
+use crate::designation::Designation;
+use crate::suffixes::Part;
+use crate::{CatalogueError, ClearanceGroup, Envelope, Ratings};
+
+/// Where dimensions and ratings of most of the list come from.
 pub const SOURCE: &str = "NSK, Rolling Bearings, CAT. No. E1102; boundary dimensions as in ISO 15";
+const SOURCE_64: &str = "Koyo, Ball and Roller Bearings; boundary dimensions as in ISO 15";
+const SOURCE_718: &str = "NTN, Ball and Roller Bearings; boundary dimensions as in ISO 15";
 
 /// One line of the list.
 pub(crate) struct Row {
-    /// Designation without blanks; angular-contact bearings with the letter of their contact angle.
+    /// Designation without blanks; angular-contact bearings with the letters of their contact angle.
     designation: &'static str,
     /// Nominal contact angle, degrees.
     angle_deg: f64,
@@ -30,7 +39,7 @@ const fn row(designation: &'static str, angle_deg: i32, mm: [i32; 3], ratings: [
     }
 }
 
-/// A bearing of the list.
+/// A bearing of the list, and what a designation says of it besides.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ListedBearing {
     /// Its designation as the list has it.
@@ -39,6 +48,16 @@ pub struct ListedBearing {
     pub envelope: Envelope,
     /// Load ratings; absent where the list has the size, but not with this contact angle.
     pub ratings: Option<Ratings>,
+    /// The catalogue of dimensions and ratings.
+    pub source: &'static str,
+    /// Balls that are published for this size.
+    pub balls: Option<PublishedBalls>,
+    /// What stands before and after the basic number, with its meaning.
+    pub parts: Vec<Part>,
+    /// Group of radial internal clearance, where the designation says it.
+    pub clearance: Option<ClearanceGroup>,
+    /// True for balls of silicon nitride.
+    pub ceramic_balls: bool,
 }
 
 /// All bearings of the list, deep-groove ones first.
@@ -47,7 +66,8 @@ pub fn listed() -> impl Iterator<Item = ListedBearing> {
 }
 
 fn rows() -> impl Iterator<Item = &'static Row> {
-    deep_groove::ROWS.iter().chain(angular_contact::ROWS)
+    let deep_groove = deep_groove::ROWS.iter().chain(thin::ROWS);
+    deep_groove.chain(angular_contact::ROWS).chain(thin_angular::ROWS)
 }
 
 impl Row {
@@ -58,36 +78,49 @@ impl Row {
             designation: self.designation.to_owned(),
             envelope: Envelope { bore, outside, width, contact_angle: self.angle_deg.to_radians() },
             ratings: Some(Ratings { dynamic, at_rest }),
+            source: self.source(),
+            balls: balls::published(self.designation),
+            parts: Vec::new(),
+            clearance: None,
+            ceramic_balls: false,
         }
     }
 
-    /// The designation without the letter of the contact angle.
+    fn source(&self) -> &'static str {
+        match self.designation {
+            d if d.starts_with("64") => SOURCE_64,
+            d if d.starts_with("718") => SOURCE_718,
+            _ => SOURCE,
+        }
+    }
+
+    /// The designation without the letters of the contact angle.
     fn size(&self) -> &'static str {
         self.designation.trim_end_matches(char::is_alphabetic)
     }
 }
 
-/// Contact angles of the letters that makers use alike, degrees.
-const LETTERS: [(&str, f64); 7] =
-    [("A", 30.0), ("B", 40.0), ("BE", 40.0), ("BEP", 40.0), ("C", 15.0), ("AC", 25.0), ("A5", 25.0)];
-
-/// The bearing of a designation such as `6206`, `7210B` or, with an angle in degrees, `7210`; blanks and hyphens are
-/// ignored.
+/// The bearing of a designation as people write it, such as `6206`, `6205-2RS C3`, `7210B`, `7014CDGA/P4A`,
+/// `B7014-C-T-P4S` or, with an angle in degrees, `7210`.
 ///
 /// # Errors
-/// [`CatalogueError::Unknown`] with what the list has, [`CatalogueError::Angle`] for an angular-contact bearing without
-/// contact angle, with two of them, or for an angle where the bearing is a deep-groove one.
+/// [`CatalogueError::Unknown`] with what the list has, [`CatalogueError::Type`] for bearings that the models do not hold
+/// for, [`CatalogueError::Part`] for what is not understood, [`CatalogueError::Angle`] for an angular-contact bearing
+/// without contact angle, with two of them, or for an angle where the bearing is a deep-groove one.
 pub fn find(designation: &str, angle_deg: Option<f64>) -> Result<ListedBearing, CatalogueError> {
-    let plain: String = designation.chars().filter(|c| !matches!(c, ' ' | '-' | '_')).collect();
-    let plain = plain.to_uppercase();
-    let digits = plain.len().min(plain.find(|c: char| !c.is_ascii_digit()).unwrap_or(plain.len()));
-    let (size, suffix) = plain.split_at(digits);
-    let of_size: Vec<&Row> = rows().filter(|row| row.size() == size).collect();
+    let is_angular = |size: &str| rows().find(|row| row.size() == size).map(|row| row.angle_deg > 0.0);
+    let read = Designation::parse(designation, &is_angular)?;
+    let bearing = of_size(designation, &read, angle_deg)?;
+    let Designation { parts, clearance, ceramic_balls, .. } = read;
+    Ok(ListedBearing { parts, clearance, ceramic_balls, ..bearing })
+}
+
+/// The bearing of a size with the contact angle of its letter or the one given.
+fn of_size(designation: &str, read: &Designation, angle_deg: Option<f64>) -> Result<ListedBearing, CatalogueError> {
+    let of_size: Vec<&Row> = rows().filter(|row| row.size() == read.size).collect();
     let Some(first) = of_size.first() else {
-        return Err(CatalogueError::Unknown { designation: designation.to_owned(), allowed: allowed(size) });
+        return Err(CatalogueError::Unknown { designation: designation.to_owned(), allowed: allowed(&read.size) });
     };
-    let mut angles: Vec<f64> = of_size.iter().map(|row| row.angle_deg).collect();
-    angles.sort_by(f64::total_cmp);
     let refused = |why: &str| CatalogueError::Angle { designation: designation.to_owned(), why: why.to_owned() };
     if first.angle_deg == 0.0 {
         return match angle_deg {
@@ -95,33 +128,60 @@ pub fn find(designation: &str, angle_deg: Option<f64>) -> Result<ListedBearing, 
             Some(angle) => Err(refused(&format!("is a deep-groove bearing: it has no contact angle of {angle}°"))),
         };
     }
-    let of_letter = LETTERS.iter().find(|(letter, _)| *letter == suffix).map(|(_, angle)| *angle);
-    let angle = match (of_letter, angle_deg) {
+    let angle = match (read.angle_deg, angle_deg) {
         (Some(letter), Some(given)) if letter != given => {
-            return Err(refused(&format!("has {letter}° by its letter {suffix}, not {given}°")));
+            return Err(refused(&format!("has {letter}° by its letter, not {given}°")));
         }
         (Some(angle), _) | (None, Some(angle)) => angle,
         (None, None) => {
+            let mut angles: Vec<f64> = of_size.iter().map(|row| row.angle_deg).collect();
+            angles.sort_by(f64::total_cmp);
             let known: Vec<String> = angles.iter().map(|angle| format!("{angle}°")).collect();
-            return Err(refused(&format!("needs a contact angle; listed are {}", known.join(", "))));
+            let why = format!("needs a contact angle; listed are {}: add --angle or its letter", known.join(", "));
+            return Err(refused(&why));
         }
     };
     let mut bearing = of_size.iter().find(|row| row.angle_deg == angle).unwrap_or(first).bearing();
     if bearing.envelope.contact_angle != angle.to_radians() {
         // The size of the list with an angle that it has no ratings for.
-        bearing.designation = size.to_owned();
+        bearing.designation.clone_from(&read.size);
         bearing.envelope.contact_angle = angle.to_radians();
         bearing.ratings = None;
     }
     Ok(bearing)
 }
 
-/// What the list has, for a designation that it does not have: the series of its first two digits, or all series.
-fn allowed(size: &str) -> String {
-    let mut sizes: Vec<&str> = rows().map(Row::size).filter(|s| size.len() >= 2 && s.starts_with(&size[..2])).collect();
+/// Bearings of the list whose designation, as the list or as other makers have it, contains a text, or fits one with
+/// `*` for any letters; all for an empty one.
+pub fn search(pattern: &str) -> Vec<ListedBearing> {
+    let plain: String = pattern.to_uppercase().chars().filter(|c| !matches!(c, ' ' | '-')).collect();
+    let parts: Vec<&str> = plain.split('*').collect();
+    let fits = |name: &str| match parts[..] {
+        [part] => name.contains(part),
+        _ => globbed(name, &parts),
+    };
+    listed().filter(|bearing| fits(&bearing.designation)).collect()
+}
+
+/// Whether a name begins with the first part, ends with the last one, and has the others in order between.
+fn globbed(name: &str, parts: &[&str]) -> bool {
+    let [first, middle @ .., last] = parts else { return false };
+    let Some(mut rest) = name.strip_prefix(first).and_then(|rest| rest.strip_suffix(last)) else { return false };
+    middle.iter().all(|part| {
+        let found = rest.find(part);
+        rest = found.map_or(rest, |at| &rest[at + part.len()..]);
+        found.is_some()
+    })
+}
+
+/// What the list has, for a designation that it does not have: the series of its first digits, or all series.
+pub(crate) fn allowed(size: &str) -> String {
+    let series = if ["16", "61", "71"].iter().any(|s| size.starts_with(s)) { 3 } else { 2 };
+    let of_series = |s: &&str| size.len() > series && s.len() == size.len() && s.starts_with(&size[..series]);
+    let mut sizes: Vec<&str> = rows().map(Row::size).filter(of_series).collect();
     sizes.dedup();
     match (sizes.first(), sizes.last()) {
         (Some(first), Some(last)) => format!("{first} to {last}"),
-        _ => "series 60, 62, 63 (bores 10 to 100 mm), 70, 72 and 73 (10 to 65 mm)".to_owned(),
+        _ => "series 60, 62, 63, 64, 618, 619, 160 (deep groove), 70, 72, 73, 718, 719 (angular contact), bores up to 200 mm: `tribodyn catalogue` lists them".to_owned(),
     }
 }

@@ -3,7 +3,7 @@
 mod numbers;
 mod sections;
 
-use crate::{BallSet, CatalogueError, Envelope, KnownBalls, Ratings, SOURCE, normal_clearance};
+use crate::{BallSet, CatalogueError, ClearanceGroup, Envelope, KnownBalls, ListedBearing, Origin, Part, Ratings};
 use numbers::Numbers;
 use tribodyn_rating::RatingError;
 
@@ -16,10 +16,16 @@ pub struct NewCase {
     pub envelope: Envelope,
     /// Load ratings, where known.
     pub ratings: Option<Ratings>,
-    /// True if dimensions and ratings are those of the built-in list.
-    pub listed: bool,
+    /// Catalogue of dimensions and ratings; none where they were given.
+    pub source: Option<&'static str>,
     /// Number and diameter of the balls, where known.
     pub balls: KnownBalls,
+    /// Group of radial internal clearance of a deep-groove bearing; the normal one where it is not known.
+    pub clearance: Option<ClearanceGroup>,
+    /// True for balls of silicon nitride.
+    pub ceramic_balls: bool,
+    /// What the designation says besides the size.
+    pub parts: Vec<Part>,
     /// Radial load along x, N, where known.
     pub radial_load: Option<f64>,
     /// Axial load along z, N, where known.
@@ -58,11 +64,31 @@ impl NewCase {
             designation: None,
             envelope,
             ratings: None,
-            listed: false,
+            source: None,
             balls: KnownBalls::default(),
+            clearance: None,
+            ceramic_balls: false,
+            parts: Vec::new(),
             radial_load: None,
             axial_load: None,
             speed: None,
+        }
+    }
+
+    /// A case of a bearing of the list, by the designation as it was written where that says more than the list's.
+    pub fn of_listed(bearing: ListedBearing, written: &str) -> Self {
+        let ListedBearing { designation, envelope, ratings, source, balls, parts, clearance, ceramic_balls } = bearing;
+        // The letters of a contact angle are in the designation of the list.
+        let more = parts.iter().any(|part| !designation.ends_with(&part.text));
+        Self {
+            designation: Some(if more { written.trim().to_owned() } else { designation }),
+            ratings,
+            source: Some(source),
+            balls: KnownBalls { published: balls, ..KnownBalls::default() },
+            clearance,
+            ceramic_balls,
+            parts,
+            ..Self::new(envelope)
         }
     }
 
@@ -77,7 +103,7 @@ impl NewCase {
         let mut sources = Sources { lines: Vec::new() };
         let mut text = self.opening();
         text += &self.geometry(&balls, &numbers, &mut sources);
-        text += &sections::materials(&mut sources);
+        text += &sections::materials(self, &mut sources);
         text += &sections::tribology(&mut sources);
         text += &sections::cage(&numbers, &mut sources);
         text += &sections::operation(self, &numbers, &mut sources);
@@ -113,7 +139,7 @@ impl NewCase {
             let rule = format!("greater than 0 and below the space between the rings, {} mm", millimetres(space));
             require(diameter > 0.0 && diameter < space, "ball diameter", diameter, rule)?;
         }
-        if let KnownBalls { ball_count: Some(count), ball_diameter: Some(diameter) } = self.balls {
+        if let KnownBalls { ball_count: Some(count), ball_diameter: Some(diameter), .. } = self.balls {
             let chord = (std::f64::consts::PI / count as f64).sin() * self.envelope.mean_diameter();
             if count < 3 || chord <= diameter {
                 return Err(CatalogueError::Count { count, diameter_mm: diameter * 1e3 });
@@ -139,8 +165,9 @@ impl NewCase {
 
     fn opening(&self) -> String {
         let title = self.title();
+        let parts: String = self.parts.iter().map(|part| format!("// {}: {}.\n", part.text, part.meaning)).collect();
         format!(
-            "// {title}: a first case, complete.\n\
+            "// {title}: a first case, complete.\n{parts}\
              // All that no catalogue tells is assumed and marked so in the sources at the end, with the usual range:\n\
              // replace what you know. docs/case-file.md has every field.\n\
              (\n    name: \"{title}\",\n\n"
@@ -148,24 +175,31 @@ impl NewCase {
     }
 
     fn geometry(&self, balls: &BallSet, numbers: &Numbers, sources: &mut Sources) -> String {
-        let BallSet { ball_count, ball_diameter, origin } = *balls;
+        let BallSet { ball_count, ball_diameter, pitch_diameter, origin } = *balls;
         let Envelope { bore, contact_angle, .. } = self.envelope;
         sections::ball_sources(&origin, sources);
-        sources.assumed(
-            "geometry.pitch_diameter",
-            "mean of bore and outside diameter; makers' values differ by up to 2 %",
-        );
+        match origin {
+            Origin::Published { source } => sources.reference("geometry.pitch_diameter", source),
+            _ => sources.assumed(
+                "geometry.pitch_diameter",
+                "mean of bore and outside diameter; makers' values differ by up to 2 %",
+            ),
+        }
         let groove = "the class that ISO 281 rates; makers do not print it, usual 0.505 to 0.54";
         sources.assumed("geometry.inner_groove", groove);
         sources.assumed("geometry.outer_groove", groove);
         let fit = if self.is_deep_groove() {
-            let [least, most] = normal_clearance(bore);
+            let group = self.clearance.unwrap_or(ClearanceGroup::Normal);
+            let [least, most] = group.of_bore(bore);
             let [least_um, most_um] = [least, most].map(|c| (c * 1e6).round());
-            let why = format!("middle of clearance group CN, {least_um} to {most_um} um (ISO 5753-1), before mounting");
+            let why = format!(
+                "middle of clearance group {}, {least_um} to {most_um} um (ISO 5753-1), before mounting",
+                group.symbol()
+            );
             sources.assumed("geometry.fit", &why);
             format!("RadialClearance(um({}))", trim(0.5e6 * (least + most), 1))
         } else {
-            let nominal = if self.listed { "nominal, from the designation" } else { "nominal, as given" };
+            let nominal = if self.source.is_some() { "nominal, from the designation" } else { "nominal, as given" };
             sources.catalogue("geometry.fit", nominal);
             format!("ContactAngle(deg({}))", trim(contact_angle.to_degrees(), 3))
         };
@@ -187,14 +221,14 @@ impl NewCase {
 
 ",
             trim(ball_diameter * 1e3, 4),
-            millimetres(self.envelope.mean_diameter()),
+            millimetres(pitch_diameter),
             shoulder_mm = trim(numbers.shoulder * 1e3, 2),
         )
     }
 
     /// Name of the source of dimensions and ratings.
     fn source(&self) -> &'static str {
-        if self.listed { SOURCE } else { "as given" }
+        self.source.unwrap_or("as given")
     }
 }
 

@@ -27,9 +27,21 @@ pub(super) fn ball_sources(origin: &Origin, sources: &mut Sources) {
             sources.catalogue("geometry.ball_count", "as given");
             sources.catalogue("geometry.ball_diameter", "as given");
         }
-        Origin::Ratings { dynamic, at_rest } => {
+        Origin::Published { source } => {
+            sources.reference("geometry.ball_count", source);
+            sources.reference("geometry.ball_diameter", source);
+        }
+        Origin::Ratings { dynamic, at_rest, next } => {
+            let next = next.map_or_else(String::new, |next| {
+                format!(
+                    "; next best {} of {} mm, {:.1} % off",
+                    next.ball_count,
+                    trim(next.ball_diameter * 1e3, 3),
+                    100.0 * next.deviation
+                )
+            });
             let why = format!(
-                "the standard balls whose ratings by ISO 281 and ISO 76 come nearest to the catalogue's, {:+.1} % in C_r and {:+.1} % in C_0r",
+                "the standard balls whose ratings by ISO 281 and ISO 76 come nearest to the catalogue's, {:+.1} % in C_r and {:+.1} % in C_0r{next}",
                 100.0 * dynamic,
                 100.0 * at_rest
             );
@@ -46,16 +58,24 @@ pub(super) fn ball_sources(origin: &Origin, sources: &mut Sources) {
     }
 }
 
-pub(super) fn materials(sources: &mut Sources) -> String {
+pub(super) fn materials(case: &NewCase, sources: &mut Sources) -> String {
     sources.reference(
         "materials",
         "bearing steel 100Cr6 (SAE 52100), usual handbook values: 200 to 212 GPa, 7750 to 7850 kg/m3",
     );
     let steel = format!("(young: GPa(208), poisson: 0.3, density: kg_per_m3({STEEL}))");
+    let ceramic = "(young: GPa(310), poisson: 0.27, density: kg_per_m3(3200))";
+    let hint = format!("        // Silicon nitride balls: {ceramic}.\n");
+    let (hint, ball) = if case.ceramic_balls {
+        let why = "silicon nitride, usual handbook values: 300 to 320 GPa, 3150 to 3300 kg/m3";
+        sources.reference("materials.ball", why);
+        (String::new(), ceramic)
+    } else {
+        (hint, steel.as_str())
+    };
     format!(
         "    materials: (
-        // Silicon nitride balls: (young: GPa(310), poisson: 0.27, density: kg_per_m3(3200)).
-        ball: {steel},
+{hint}        ball: {ball},
         inner: {steel},
         outer: {steel},
     ),
@@ -138,7 +158,7 @@ pub(super) fn operation(case: &NewCase, numbers: &Numbers, sources: &mut Sources
         if given {
             sources.reference(path, "as given");
         } else {
-            let why = format!("a moderate load, {:.0} % of C_r; usual 2 to 30 %: put in your own", 100.0 * share);
+            let why = format!("a moderate load, {:.0} % of C_r; usual 1 to 20 %: put in your own", 100.0 * share);
             sources.assumed(path, &why);
         }
     };

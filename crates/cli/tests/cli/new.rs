@@ -22,7 +22,10 @@ fn limit_new_cases_check_without_warnings_and_solve() {
         ("6320", "6320.ron"),
         ("7000 --angle 15", "7000C.ron"),
         ("7210 --angle 40", "7210B.ron"),
-        ("7210 --angle 25", "7210.ron"),
+        ("7210 --angle 25", "7210AC.ron"),
+        ("608-2RS", "608-2RS.ron"),
+        ("61808", "61808.ron"),
+        ("71912ACD/HCP4A", "71912ACD-HCP4A.ron"),
         ("7313A", "7313A.ron"),
         ("--bearing angular --bore 50 --outside 90 --width 20 --angle 40 --balls 15 --ball 12.7 -o own.ron", "own.ron"),
         ("--bore 30 --outside 62 --width 16 --dynamic-rating 19500 --static-rating 11300", "bearing-30x62x16.ron"),
@@ -72,8 +75,10 @@ fn limit_what_new_cannot_make_is_refused() {
     let refused = |line: &str, parts: &[&str]| {
         run_in(&scratch.0, &format!("new {line}")).fails(2, parts);
     };
-    refused("7210", &["needs a contact angle", "15°, 30°, 40°"]);
-    refused("6299", &["no bearing `6299`", "6200 to 6220"]);
+    refused("7210", &["needs a contact angle", "15°, 25°, 30°, 40°"]);
+    refused("6299", &["no bearing `6299`", "6200 to 6240"]);
+    refused("6206garbage", &["`GARBAGE` after", "clearance (C2, CN, C3, C4, C5)"]);
+    refused("1206", &["self-aligning"]);
     refused("", &["required"]);
     refused("--bore 50", &["--outside"]);
     refused("--bearing angular --bore 50 --outside 90 --width 20", &["--angle"]);
@@ -84,8 +89,10 @@ fn limit_what_new_cannot_make_is_refused() {
     assert_eq!(scratch.names(), [""; 0], "nothing half-written");
     // A file that is there stays.
     scratch.file("6206.ron", "mine");
-    run_in(&scratch.0, "new 6206").fails(1, &["6206.ron"]);
+    run_in(&scratch.0, "new 6206").fails(1, &["6206.ron is there already", "-o", "--force"]);
     assert_eq!(std::fs::read_to_string(scratch.0.join("6206.ron")).unwrap(), "mine");
+    run_in(&scratch.0, "new 6206 --force").table();
+    assert!(std::fs::read_to_string(scratch.0.join("6206.ron")).unwrap().contains("ball_count: 9,"));
 }
 
 /// What passed in silence: a modulus in MPa, a density with a digit too few; and an axial position that is held.
@@ -132,4 +139,40 @@ fn identity_check_prints_the_drawn_mounted_and_running_bearing() {
     assert!((growth("contact_angle_drawn_deg") - growth("contact_angle_mounted_deg")).abs() < 1e-9);
     assert!(growth("contact_angle_running_deg") < 17.7);
     assert_eq!(checked["contact_angle_deg"].as_f64().unwrap(), growth("contact_angle_running_deg"));
+}
+
+/// A suffix does what it says: clearance and ceramic balls are in the case, and every part is explained in it. Loads
+/// may be negative.
+#[test]
+fn identity_suffixes_are_in_the_new_case() {
+    let scratch = Scratch::new();
+    let text = |options: &str| {
+        run_in(&scratch.0, &format!("new {options} -o case.ron --force")).table();
+        std::fs::read_to_string(scratch.0.join("case.ron")).unwrap()
+    };
+    let plain = text("6206");
+    assert!(plain.contains("RadialClearance(um(12.5))"), "{plain}");
+    // 13 to 28 µm.
+    let loose = text("6206-2RS/C3");
+    for part in ["RadialClearance(um(20.5))", "clearance group C3", "// 2RS: contact seal", "// C3: radial internal"] {
+        assert!(loose.contains(part), "`{part}` is not in\n{loose}");
+    }
+    let hybrid = text("7014ACD/HCP4A --axial -500 --radial -100");
+    for part in ["ball: (young: GPa(310)", "ContactAngle(deg(25))", "z: Force(N(-500))", "x: Force(N(-100))"] {
+        assert!(hybrid.contains(part), "`{part}` is not in\n{hybrid}");
+    }
+}
+
+#[test]
+fn identity_the_catalogue_lists_what_new_makes() {
+    let all = run_words("catalogue --json").json();
+    assert!(all.as_array().unwrap().len() > 500);
+    let found = run_words("catalogue 6205 --json").json();
+    let six = &found.as_array().unwrap()[0];
+    assert_eq!((&six["bore_mm"], &six["dynamic_rating_n"]), (&25.0.into(), &14_000.0.into()));
+    assert_eq!((&six["ball_count"], &six["pitch_diameter_mm"]), (&9.into(), &39.04.into()));
+    let listed = run_words("catalogue 7210*");
+    let table = listed.table();
+    assert!(table.contains("7210AC") && !table.contains("7310"), "{table}");
+    run_words("catalogue 99999").fails(2, &["no bearing of the list"]);
 }
