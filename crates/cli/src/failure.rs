@@ -3,7 +3,7 @@
 use crate::excerpt::Excerpt;
 use crate::harmless::harmless;
 use miette::{Diagnostic, MietteDiagnostic, SourceSpan};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tribodyn_case::CaseError;
 use tribodyn_dynamics::DynamicsError;
 use tribodyn_identify::IdentifyError;
@@ -44,8 +44,8 @@ pub enum Failure {
     #[error("stopped after {simulated_s} of {duration_s} s; --resume goes on from there")]
     Stopped { simulated_s: f64, duration_s: f64 },
     /// An ensemble that was stopped before all members were finished.
-    #[error("stopped: {finished} of {members} members are finished")]
-    EnsembleStopped { finished: usize, members: usize },
+    #[error("stopped: {finished} of {members} members are finished{}", goes_on(.table.as_deref()))]
+    EnsembleStopped { finished: usize, members: usize, table: Option<PathBuf> },
     /// The answer is given, but not every member has a part in it.
     #[error("{failed} of {members} members have no result; the answer says why")]
     FailedMembers { failed: usize, members: usize },
@@ -140,6 +140,14 @@ impl From<StudyError> for Failure {
     }
 }
 
+/// How a study that was stopped goes on.
+fn goes_on(table: Option<&Path>) -> String {
+    match table {
+        Some(table) => format!("; they are kept in {}.rows, and the same command goes on with them", table.display()),
+        None => "; with -o TABLE they would be kept, and the same command would go on with them".to_owned(),
+    }
+}
+
 /// The option that a failed reading may need.
 fn lifts(error: &RecordError) -> &'static str {
     if matches!(error, RecordError::TooLong { .. }) {
@@ -197,11 +205,12 @@ fn in_options(error: &StudyError) -> String {
                 SweepDifference::Cold => "these finished rows are of a sweep with another --cold".to_owned(),
                 other => other.to_string(),
             };
-            format!("{}: {difference}; delete it, or use --restart to solve all rows anew", path.display())
+            format!("{}: {difference}; delete it, or use --restart to begin anew", path.display())
         }
         StudyError::NoWear { .. } => {
             "--until is missing: nothing wears a coating through in this case: give a time in h".to_owned()
         }
+        StudyError::NoCoating { .. } => format!("{error}: give --clearance-limit in um, or --until in h"),
         StudyError::NotOurs { .. } => format!("{error} without --force"),
         StudyError::Unfinished { .. } => format!("{error}: --resume goes on with it, --restart forgets it"),
         StudyError::OtherVersion { .. }

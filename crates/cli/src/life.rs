@@ -1,13 +1,14 @@
 //! `tribodyn life`: how long a coating lasts.
 
 use crate::failure::Failure;
-use crate::input::CaseArguments;
+use crate::input::{CaseArguments, ReplaceArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
 use std::ops::ControlFlow;
-use tribodyn_study::{Life, LifeOptions, LifeStride, wear_life};
+use std::path::PathBuf;
+use tribodyn_study::{Life, LifeEnd, LifeOptions, LifeStride, LifeTable, Ours, wear_life};
 
-/// Wear the coatings of a bearing until one is through.
+/// Wear the raceways of a bearing until a coating is through, or wear has added a clearance that is given.
 ///
 /// The fatigue life of its steel is another question: `tribodyn rating` answers it.
 #[derive(clap::Args)]
@@ -17,20 +18,41 @@ pub struct Arguments {
     /// Equations of each stride
     #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
     model: ModelName,
-    /// Strides in which a new coating is worn away at its fastest spot; the error falls in proportion to their number
+    /// Strides in which a new coating is worn away at its fastest spot, or the clearance limit used up; the error falls
+    /// in proportion to their number
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     strides: u32,
     /// End after this running time in h, should the coatings last longer
     #[arg(long, value_name = "HOURS", value_parser = hours, allow_negative_numbers = true)]
     until: Option<f64>,
+    /// End when wear has added this much radial internal clearance in um, on the diameter as in ISO 5753: for races
+    /// without coating
+    #[arg(long, value_name = "UM", value_parser = micrometres, allow_negative_numbers = true)]
+    clearance_limit: Option<f64>,
+    /// Table to write, .parquet or .csv by its name: a row for each stride. Finished strides are beside it until it is
+    /// whole, and the same command goes on from there
+    #[arg(short, long, value_name = "TABLE")]
+    output: Option<PathBuf>,
+    /// Forget the finished strides of a life that was stopped
+    #[arg(long, requires = "output")]
+    restart: bool,
+    #[command(flatten)]
+    replace: ReplaceArguments,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
 }
 
 fn hours(text: &str) -> Result<f64, String> {
-    let value = text.parse().ok().filter(|hours: &f64| *hours > 0.0 && hours.is_finite());
-    value.ok_or_else(|| "allowed is a number of hours above 0".to_owned())
+    above_0(text).ok_or_else(|| "allowed is a number of hours above 0".to_owned())
+}
+
+fn micrometres(text: &str) -> Result<f64, String> {
+    above_0(text).ok_or_else(|| "allowed is a number of um above 0".to_owned())
+}
+
+fn above_0(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|value: &f64| *value > 0.0 && value.is_finite())
 }
 
 const HOUR: f64 = 3600.0;
@@ -40,14 +62,39 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let options = LifeOptions {
         strides: arguments.strides,
         until_s: arguments.until.map(|hours| hours * HOUR),
+        clearance_limit_m: arguments.clearance_limit.map(|um| um * 1e-6),
         equations: arguments.model.equations(),
     };
-    let life = wear_life(&file, options, |_| ControlFlow::Continue(()))?;
-    if arguments.json { table::print_json(&life) } else { print(&life) }
+    let life = match &arguments.output {
+        None => wear_life(&file, options, |_| ControlFlow::Continue(()))?,
+        Some(path) => {
+            arguments.replace.check(path, &arguments.case.path, Ours::Table)?;
+            let mut table = LifeTable::open(&file, options, path, arguments.restart)?;
+            let life = table.wear(|_| ControlFlow::Continue(()))?;
+            table.write(&life)?;
+            life
+        }
+    };
+    if arguments.json {
+        return table::print_json(&life);
+    }
+    print(&life)?;
+    arguments.output.as_ref().map_or(Ok(()), |path| table::print_line(&format!("\n{} is written", path.display())))
 }
 
-const HEADER: [&str; 10] =
-    ["turns", "h_i µm", "h_o µm", "α_0 °", "α_i °", "α_o °", "p_i GPa", "ω_c r/min", "w_i µm³/s", "w_o µm³/s"];
+const HEADER: [&str; 11] = [
+    "turns",
+    "h_i µm",
+    "h_o µm",
+    "ΔP_d µm",
+    "α_0 °",
+    "α_i °",
+    "α_o °",
+    "p_i GPa",
+    "ω_c r/min",
+    "w_i µm³/s",
+    "w_o µm³/s",
+];
 
 fn print(a: &Life) -> Result<(), Failure> {
     table::print_line(&format!("{}: {}\n", a.case, crate::harmless::visible(&a.bearing)))?;
@@ -61,6 +108,7 @@ fn print(a: &Life) -> Result<(), Failure> {
             format!("{:.4e}", r.revolutions),
             number(r.coating_inner_min_um, 3),
             number(r.coating_outer_min_um, 3),
+            number(r.clearance_growth_um, 3),
             number(r.contact_angle_free_deg, 3),
             range(r.contact_angle_inner_min_deg, r.contact_angle_inner_max_deg),
             range(r.contact_angle_outer_min_deg, r.contact_angle_outer_max_deg),
@@ -74,11 +122,7 @@ fn print(a: &Life) -> Result<(), Failure> {
     let header: Vec<&str> = std::iter::once(first.as_str()).chain(HEADER).collect();
     table::print_rows(&header, a.strides.iter().map(row))?;
     table::print_line("")?;
-    let end = match a.worn_through[..] {
-        [] => "no coating is through".to_owned(),
-        [race] => format!("the coating of the {race} race is through"),
-        _ => "both coatings are through".to_owned(),
-    };
+    let end = ending(a);
     if let Some(hours) = a.steel_shows_h {
         table::print_line(&format!("after {} {unit} steel shows in the middle of a track", time(hours)))?;
     }
@@ -87,4 +131,15 @@ fn print(a: &Life) -> Result<(), Failure> {
         table::print_line(&format!("warning: {warning}"))?;
     }
     Ok(())
+}
+
+fn ending(a: &Life) -> String {
+    let growth = a.strides.last().map_or(0.0, |end| end.clearance_growth_um);
+    match (a.ended_by, &a.worn_through[..]) {
+        (LifeEnd::ClearanceLimit, _) => format!("wear has added the clearance limit of {} µm", number(growth, 2)),
+        (LifeEnd::Grooves, _) => format!("wear has added {} µm of clearance", number(growth, 2)),
+        (_, []) => "no coating is through".to_owned(),
+        (_, [race]) => format!("the coating of the {race} race is through"),
+        _ => "both coatings are through".to_owned(),
+    }
 }

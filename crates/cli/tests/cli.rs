@@ -144,3 +144,19 @@ impl Outcome {
 fn assert_close(found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance * expected.abs(), "{found} is not {expected} to {tolerance:e}");
 }
+
+/// Starts a command that keeps finished rows in a file, and kills it as soon as there are so many.
+#[cfg(unix)]
+fn kill_after_rows(mut command: Command, rows: &Path, count: usize) {
+    let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    let began = std::time::Instant::now();
+    // The first line says what the rows belong to.
+    let found = || std::fs::read_to_string(rows).map_or(0, |text| text.matches('\n').count());
+    while found() <= count {
+        assert!(child.try_wait().unwrap().is_none(), "it ended before it could be killed");
+        assert!(began.elapsed() < std::time::Duration::from_secs(300), "no rows");
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+}

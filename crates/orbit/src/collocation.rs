@@ -44,7 +44,7 @@ fn lagrange_slope(points: &[f64; STAGES], k: usize, x: f64) -> f64 {
 pub(crate) type Values = [[f64; BALL]; STAGES];
 
 /// A mesh round the orbit with the unknowns on it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(crate) struct Orbit {
     /// Ends of the intervals in turns of the cage, from 0 to 1.
     pub ends: Vec<f64>,

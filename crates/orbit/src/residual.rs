@@ -17,8 +17,22 @@ pub(crate) const BORDER: usize = 1 + RING;
 /// up to a dozen.
 const ROUNDING: f64 = 16.0;
 
+/// Numbers of which some are infinite, which JSON does not have, by their bits.
+mod bits {
+    use super::BALL;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub fn serialize<S: Serializer>(values: &[f64; BALL], serializer: S) -> Result<S::Ok, S::Error> {
+        values.map(f64::to_bits).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; BALL], D::Error> {
+        <[u64; BALL]>::deserialize(deserializer).map(|bits| bits.map(f64::from_bits))
+    }
+}
+
 /// Typical magnitudes of the unknowns, by which rows and columns are divided.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(crate) struct Scales {
     pub ball: [f64; BALL],
     /// Cage speed and ring.
@@ -28,6 +42,7 @@ pub(crate) struct Scales {
     /// Force, N.
     pub force: f64,
     /// Largest change of a ball's unknowns in one step.
+    #[serde(with = "bits")]
     pub limits: [f64; BALL],
     /// Errors of a ball's unknowns in an interval that count alike, over their scales.
     pub errors: [f64; BALL],

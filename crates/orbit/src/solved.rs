@@ -6,15 +6,17 @@ use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
 use crate::system::{BALL, ORBIT, SPIN};
 use crate::way::Eased;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tribodyn_bearing::{AzimuthFrame, BallState, Motion, OperatingPoint, Races, Side};
 use tribodyn_traction::PatchRule;
 
 /// An orbit to start a neighbouring problem from.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct OrbitStart {
     pub(crate) orbit: Orbit,
     /// The last Jacobian on the orbit's mesh, where there was one.
+    #[serde(skip)]
     pub(crate) jacobian: Option<Jacobian>,
     pub(crate) rule: PatchRule,
     /// Azimuth at which the turn begins, rad.
@@ -32,6 +34,12 @@ pub struct OrbitStart {
 }
 
 impl OrbitStart {
+    /// The start as it is read back from what was written of it.
+    #[must_use]
+    pub fn without_jacobian(self) -> Self {
+        Self { jacobian: None, ..self }
+    }
+
     /// Balls, cage and ring at the instant when pocket 0 stands at azimuth 0.
     pub fn motion(&self, ball_count: usize) -> Motion {
         let (radau, orbit) = (Radau::new(), &self.orbit);

@@ -21,7 +21,7 @@ const RUNGS: usize = 13;
 const FRICTION: f64 = 0.01;
 
 /// By how much an orbit's bearing is not that of the case.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(crate) struct Eased {
     /// Mass of a ball over the real one.
     pub ball_mass: f64,

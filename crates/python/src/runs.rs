@@ -64,24 +64,33 @@ fn record(file: &CaseFile, output: &Path, beginning: Beginning, watch: &Watch) -
     Ok(answer)
 }
 
-/// Wears the coatings of a bearing until one is through; times in h.
+/// Wears the raceways of a bearing until a coating is through, a time (h) is over, or wear has added a clearance (um).
 #[pyfunction]
 pub fn life<'py>(
     py: Python<'py>,
     case: &NativeCase,
     model: &str,
     strides: u32,
-    until: Option<f64>,
+    limits: (Option<f64>, Option<f64>),
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
+    let (until, clearance_limit) = limits;
     if !(1..=10_000).contains(&strides) {
         return Err(error::argument(py, "strides", &strides.to_string(), "allowed is 1 to 10000"));
     }
     if let Some(hours) = until.filter(|hours| !(*hours > 0.0 && hours.is_finite())) {
         return Err(error::argument(py, "until", &hours.to_string(), "allowed is a number of hours above 0"));
     }
+    if let Some(um) = clearance_limit.filter(|um| !(*um > 0.0 && um.is_finite())) {
+        return Err(error::argument(py, "clearance_limit", &um.to_string(), "allowed is a number of um above 0"));
+    }
     let file = Arc::clone(&case.file);
-    let options = LifeOptions { strides, until_s: until.map(|hours| hours * 3600.0), equations: equations(py, model)? };
+    let options = LifeOptions {
+        strides,
+        until_s: until.map(|hours| hours * 3600.0),
+        clearance_limit_m: clearance_limit.map(|um| um * 1e-6),
+        equations: equations(py, model)?,
+    };
     let (life, stopped) = watched(py, progress, true, move |watch| {
         wear_life(&file, options, |_| {
             watch.add(1.0);

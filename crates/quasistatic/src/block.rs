@@ -55,7 +55,7 @@ pub(crate) trait BlockSystem {
 }
 
 /// Unknowns of all balls and of the ring.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(crate) struct BlockState {
     pub balls: Vec<[f64; BALL]>,
     pub ring: [f64; RING],

@@ -1,11 +1,12 @@
 //! What a solution leaves for a neighbouring problem to start from.
 
 use crate::block::{AXIAL, BALL, BlockState, ORBIT, RADIAL, RING, SPIN};
+use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{Races, Side};
 use tribodyn_traction::PatchRule;
 
 /// A solution's unknowns, to start a neighbouring problem from.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WarmStart {
     pub(crate) state: BlockState,
     pub(crate) rule: PatchRule,

@@ -1,7 +1,7 @@
 //! Why a procedure does not start, or ends before its time.
 
+use crate::difference::SweepDifference;
 use crate::holder::Holder;
-use crate::sweep::difference::SweepDifference;
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};
@@ -192,6 +192,14 @@ pub enum StudyError {
     /// A life without an end.
     #[error("{file}: nothing wears a coating through in this case: a time is needed at which its life ends")]
     NoWear {
+        /// Name of the case file.
+        file: String,
+    },
+    /// A life of races without coating, and without another end.
+    #[error(
+        "{file}: neither race has a coating, so there is nothing to wear through: a limit of clearance or a time is needed at which the life ends"
+    )]
+    NoCoating {
         /// Name of the case file.
         file: String,
     },

@@ -24,9 +24,13 @@ pub enum Ours {
 /// Bytes that are looked at from the start and from the end.
 const LOOK: u64 = 64 << 10;
 const MCAP: &[u8] = b"\x89MCAP0\r\n\x01";
-/// First columns of the tables of `stiffness` and `modes`.
-const TABLES: [&str; 3] =
-    ["inner_speed_rpm,k_x_x,k_x_y", "frequency,kxx,kxy,kyx,kyy,kzz", "frequency_hz,damping_ratio,growth_rate_per_s"];
+/// First columns of the tables of `stiffness` and `modes`; `frequency` is what the speed was called for ROSS 2.
+const TABLES: [&str; 4] = [
+    "inner_speed_rpm,k_x_x,k_x_y",
+    "speed,kxx,kxy,kyx,kyy,kzz",
+    "frequency,kxx,kxy,kyx,kyy,kzz",
+    "frequency_hz,damping_ratio,growth_rate_per_s",
+];
 const SVG: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
 const PAGE: &str = "<meta name=\"generator\" content=\"tribodyn\">";
 
@@ -67,9 +71,13 @@ impl Ours {
 
 fn told(text: &str) -> Option<Ours> {
     let first = text.lines().next().unwrap_or_default();
-    // Columns of sweeps, then of ensembles.
+    // Columns of sweeps, of ensembles, of lives.
     let has = |columns: [&str; 3]| columns.iter().all(|column| first.split(',').any(|name| name == *column));
-    let columns = || has(["converged", "cage_speed_rpm", "error"]) || has(["member", "cage_speed_mean_rpm", "error"]);
+    let columns = || {
+        has(["converged", "cage_speed_rpm", "error"])
+            || has(["member", "cage_speed_mean_rpm", "error"])
+            || has(["stride", "revolutions", "wear_rate_cage_um3_s"])
+    };
     let both = |a: &str, b: &str| text.contains(a) && text.contains(b);
     match text.chars().next()? {
         '<' if first.starts_with(SVG) && first.ends_with("font-family=\"sans-serif\" role=\"img\">") => {

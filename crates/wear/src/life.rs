@@ -6,6 +6,7 @@
 
 use crate::raceway::{BINS, middles};
 use crate::{Raceway, WearError};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// Wear rate of a race under one ball at an azimuth.
@@ -154,7 +155,7 @@ pub struct Stride {
 /// assert!((life.elapsed() / expected - 1.0).abs() < 1e-9);
 /// # Ok::<(), WearError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CoatingLife {
     inner: Raceway,
     outer: Raceway,
@@ -212,6 +213,18 @@ impl CoatingLife {
             inner_through: self.inner.worn_through(),
             outer_through: self.outer.worn_through(),
         })
+    }
+
+    /// Mean over the azimuth of the depth per time on the inner and the outer raceway at some rates of wear, m/s.
+    ///
+    /// # Errors
+    /// [`WearError`] for rates that [`Self::advance`] would refuse.
+    pub fn mean_depth_rates(&self, rates: &WearRates) -> Result<[f64; 2], WearError> {
+        let mean = |wear: &RaceWear, raceway: &Raceway| {
+            wear.check()?;
+            Ok(wear.depth_rates(raceway.track_radius()).iter().sum::<f64>() / BINS as f64)
+        };
+        Ok([mean(&rates.inner, &self.inner)?, mean(&rates.outer, &self.outer)?])
     }
 
     /// Inner raceway.

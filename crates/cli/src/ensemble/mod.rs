@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
-use tribodyn_study::ensemble::{Ensemble, EnsembleOptions, EnsembleReport, Outcome, Sampling, Spread};
+use tribodyn_study::ensemble::{Ensemble, EnsembleOptions, EnsembleReport, EnsembleTable, Outcome, Sampling, Spread};
 use tribodyn_study::sweep::Format;
 use tribodyn_study::{Ours, StagedFiles};
 
@@ -42,9 +42,13 @@ pub struct Arguments {
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
-    /// Table to write, .parquet or .csv by its name: a row for each member
+    /// Table to write, .parquet or .csv by its name: a row for each member. Finished members are beside it until it is
+    /// whole, and the same command goes on from there
     #[arg(short, long, value_name = "TABLE")]
     output: Option<PathBuf>,
+    /// Forget the finished members of an ensemble that was stopped
+    #[arg(long, requires = "output")]
+    restart: bool,
     /// Write figures of the distributions (SVG and PNG) to this folder
     #[arg(long, value_name = "DIR")]
     plot: Option<PathBuf>,
@@ -82,13 +86,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         arguments.replace.check(path, &arguments.case.path, Ours::Table)?;
     }
     // Who else writes the table, and where no figures can be, is told now and not after hours.
-    let table = arguments.output.as_deref().map(|path| ensemble.table(path)).transpose()?;
+    let mut table = arguments.output.as_deref().map(|path| ensemble.table(path, arguments.restart)).transpose()?;
     let plots =
         arguments.plot.as_deref().map(|folder| StagedFiles::new(folder, arguments.replace.force)).transpose()?;
     let stop = stop_flag()?;
-    let outcome = members(arguments, &ensemble, &pool, &stop);
+    let outcome = members(arguments, (&ensemble, table.as_mut()), &pool, &stop)?;
     let finished = outcome.members.len();
-    let stopped = || Failure::EnsembleStopped { finished, members: ensemble.members() };
+    let stopped = || {
+        let table = arguments.output.clone();
+        Failure::EnsembleStopped { finished, members: ensemble.members(), table }
+    };
     if finished == 0 {
         return Err(stopped());
     }
@@ -125,13 +132,23 @@ impl Arguments {
 }
 
 /// Runs the members on a pool, with a bar that shows how many are finished.
-fn members(arguments: &Arguments, ensemble: &Ensemble, pool: &rayon::ThreadPool, stop: &AtomicBool) -> Outcome {
+fn members(
+    arguments: &Arguments,
+    (ensemble, table): (&Ensemble, Option<&mut EnsembleTable<'_>>),
+    pool: &rayon::ThreadPool,
+    stop: &AtomicBool,
+) -> Result<Outcome, Failure> {
     let bar = if arguments.quiet { ProgressBar::hidden() } else { ProgressBar::new(ensemble.members() as u64) };
+    bar.set_position(table.as_ref().map_or(0, |table| table.resumed() as u64));
+    bar.reset_eta();
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} members, {eta} left") {
         bar.set_style(style);
     }
     bar.tick();
-    let outcome = pool.install(|| ensemble.run(stop, |_| bar.inc(1)));
+    let outcome = pool.install(|| match table {
+        Some(table) => table.run(stop, |_| bar.inc(1)),
+        None => Ok(ensemble.run(stop, |_| bar.inc(1))),
+    });
     bar.finish_and_clear();
-    outcome
+    Ok(outcome?)
 }

@@ -98,6 +98,9 @@ fn cost_rows(r: &EnsembleReport) -> Vec<(&'static str, String, &'static str)> {
     if r.finished < r.members {
         rows.push(("finished", r.finished.to_string(), ""));
     }
+    if r.resumed > 0 {
+        rows.push(("of an earlier run", r.resumed.to_string(), ""));
+    }
     rows.push(("without a result", r.failed.to_string(), ""));
     let drawn = match r.sampling {
         Sampling::Independent => "",

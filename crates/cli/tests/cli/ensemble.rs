@@ -197,7 +197,32 @@ fn limit_an_interrupted_ensemble_keeps_what_is_finished() {
     let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let finished = answer["finished"].as_u64().unwrap();
     assert!(message.contains(&format!("stopped: {finished} of 100000 members are finished")), "{message}");
+    assert!(message.contains("table.csv.rows"), "{message}");
     let (_, rows) = read(&table);
     assert!(rows.len() as u64 == finished && rows.iter().all(|row| row["complete"] == "true"));
-    assert_eq!(scratch.names(), ["case.ron", "table.csv"]);
+    assert_eq!(scratch.names(), ["case.ron", "table.csv", "table.csv.rows"]);
+}
+
+/// Killed in the middle and taken up again: the table of one that was not, byte for byte.
+#[cfg(unix)]
+#[test]
+fn identity_a_killed_ensemble_goes_on_to_the_same_table() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let [whole, table] = ["whole.csv", "table.csv"].map(|name| scratch.0.join(name));
+    let start: [&dyn AsRef<OsStr>; 8] = [&"--vary", &GAP, &"--vary", &LOAD, &"--members", &"12", &"--threads", &"1"];
+    let expected = ensemble(&case, &[&start[..], &[&"-o", &whole, &"--json"]].concat()).json();
+    assert_eq!(expected["resumed"], 0);
+    let head: [&dyn AsRef<OsStr>; 7] = [&"ensemble", &case, &"--set", &FAST, &"--duration", &"0.002", &"--quiet"];
+    let words = [&head[..], &start, &[&"-o", &table]].concat();
+    super::kill_after_rows(command(&words), &scratch.0.join("table.csv.rows"), 3);
+    assert!(!table.exists());
+    // Another ensemble is told apart.
+    let other = ensemble(&case, &[&start[..], &[&"--seed", &"2", &"-o", &table]].concat());
+    other.fails(2, &["table.csv.rows", "--seed", "--restart"]);
+    let answer = ensemble(&case, &[&start[..], &[&"-o", &table, &"--json"]].concat()).json();
+    assert!((3..12).contains(&answer["resumed"].as_u64().unwrap()), "{}", answer["resumed"]);
+    assert_eq!(answer["quantiles"], expected["quantiles"]);
+    assert_eq!(fs::read(&table).unwrap(), fs::read(&whole).unwrap());
+    assert_eq!(scratch.names(), ["case.ron", "table.csv", "whole.csv"]);
 }

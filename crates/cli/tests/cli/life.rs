@@ -1,7 +1,7 @@
 //! `life`: strides of wear between quasi-static solutions, with a cheap patch rule so that they take seconds in a debug
 //! build.
 
-use super::{Outcome, assert_close, fixture, run};
+use super::{Outcome, Scratch, assert_close, command, fixture, run};
 use serde_json::Value;
 use std::ffi::OsStr;
 
@@ -136,4 +136,75 @@ fn limit_what_lasts_for_ever_needs_an_end() {
     assert!(answer.table().contains("after 100.00 h") && answer.table().contains("no coating is through"));
     life(&[], &["--until", "-1"]).fails(2, &["number of hours above 0"]);
     life(&[], &["--strides", "0"]).fails(2, &["--strides"]);
+}
+
+const BARE: [&str; 2] = ["coatings.inner.thickness=um(0)", "coatings.outer.thickness=um(0)"];
+
+/// A bare bearing has nothing to wear through; a limit of clearance is reached in proportion to the wear coefficients,
+/// and is the sum of both depths on the diameter.
+#[test]
+fn limit_races_without_coating_wear_to_a_clearance() {
+    life(&BARE, &[]).fails(2, &["neither race has a coating", "--clearance-limit", "--until"]);
+    let to = |limit: &str, changes: &[&str]| {
+        life(&[&BARE[..], changes].concat(), &["--clearance-limit", limit, "--strides", "3", "--json"]).json()
+    };
+    let answer = to("12", &[]);
+    assert_eq!(answer["ended_by"], "clearance-limit");
+    assert_eq!(answer["worn_through"], serde_json::json!([]));
+    let strides = answer["strides"].as_array().unwrap();
+    assert_eq!(strides.len(), 4);
+    for (k, stride) in strides.iter().enumerate() {
+        assert_close(1.0 + number(stride, "clearance_growth_um"), 1.0 + 4.0 * k as f64, 1e-9);
+        let depths = ["inner", "outer"].map(|race| number(stride, &format!("wear_depth_{race}_mean_um")));
+        assert_close(1.0 + number(stride, "clearance_growth_um"), 1.0 + 2.0 * (depths[0] + depths[1]), 1e-9);
+    }
+    let slow = to("12", &["wear.inner.coefficient=1e-8", "wear.outer.coefficient=1e-8"]);
+    assert_close(number(&slow, "end_h"), 100.0 * number(&answer, "end_h"), 1e-9);
+    // A time ends it too, and where nothing else does, the grooves: never a clearance that no bearing has.
+    let timed = life(&BARE, &["--until", "1e-3", "--json"]).json();
+    assert_eq!((&timed["ended_by"], number(&timed, "end_h")), (&"time".into(), 1e-3));
+    let endless = life(&BARE, &["--until", "1e6", "--strides", "2", "--json"]).json();
+    assert_eq!(endless["ended_by"], "grooves");
+    assert!(endless["warnings"].to_string().contains("clearance limit"), "{}", endless["warnings"]);
+}
+
+/// Wear adds to the drawn clearance, and mounting happens once: the first stride of a mounted bearing is its solution.
+#[test]
+fn identity_a_mounted_bearing_wears_from_its_running_geometry() {
+    let ring = |diameter: &str| format!("(seat_diameter:{diameter},expansion:per_K(10.4e-6),temperature_rise:K(0))");
+    let (inner, outer) = (ring("mm(120)"), ring("mm(215)"));
+    let ball = "(expansion:per_K(10.4e-6),temperature_rise:K(0))";
+    let mounting = format!("mounting=(inner:{inner},outer:{outer},ball:{ball})");
+    let answer = life(&[&mounting], &["--strides", "1", "--model", "traction", "--json"]).json();
+    let case = fixture("paper-handset.ron");
+    let checked = run(&[&"check", &case, &"--set", &CHEAP, &"--set", &mounting, &"--json"]).json();
+    let (first, last) = (&answer["strides"][0], &answer["strides"][1]);
+    let running = checked["growth"]["contact_angle_running_deg"].as_f64().unwrap();
+    assert_close(number(first, "contact_angle_free_deg"), running, 1e-9);
+    // cos α0 falls by half of the added diametral clearance over the distance of the centres.
+    let half = 0.5e-6 * number(last, "clearance_growth_um") / number(&checked, "groove_centre_distance_m");
+    let worn = (running.to_radians().cos() - half).acos().to_degrees();
+    assert_close(number(last, "contact_angle_free_deg"), worn, 1e-3);
+}
+
+/// Killed in the middle and taken up again: the table of one that was not, byte for byte, by both equations.
+#[cfg(unix)]
+#[test]
+fn identity_a_killed_life_goes_on_to_the_same_table() {
+    let case = fixture("paper-handset.ron");
+    for model in ["traction", "steady-orbit"] {
+        let scratch = Scratch::new();
+        let [whole, table] = ["whole.csv", "table.csv"].map(|name| scratch.0.join(name));
+        let words = |table| -> [&dyn AsRef<OsStr>; 10] {
+            [&"life", &"--model", &model, &case, &"--set", &CHEAP, &"--strides", &"8", &"-o", table]
+        };
+        run(&words(&whole)).table();
+        super::kill_after_rows(command(&words(&table)), &scratch.0.join("table.csv.rows"), 3);
+        assert!(!table.exists());
+        let other = [&words(&table)[..], &[&"--until", &"1"]].concat();
+        run(&other).fails(2, &["table.csv.rows", "--until", "--restart"]);
+        run(&words(&table)).table();
+        assert_eq!(std::fs::read(&table).unwrap(), std::fs::read(&whole).unwrap());
+        assert_eq!(scratch.names(), ["table.csv", "whole.csv"]);
+    }
 }

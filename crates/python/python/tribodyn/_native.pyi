@@ -49,7 +49,11 @@ def run(
     progress: Optional[Callable[[float], object]],
 ) -> tuple[dict[str, Any], Optional[BaseException]]: ...
 def life(
-    case: Case, model: str, strides: int, until: Optional[float], progress: Optional[Callable[[float], object]]
+    case: Case,
+    model: str,
+    strides: int,
+    limits: tuple[Optional[float], Optional[float]],
+    progress: Optional[Callable[[float], object]],
 ) -> dict[str, Any]: ...
 def identify(
     path: str,

@@ -318,19 +318,24 @@ def life(
     *,
     strides: int = 20,
     until: Optional[float] = None,
+    clearance_limit: Optional[float] = None,
     progress: Progress = True,
 ) -> Life:
-    """Wears the coatings of a bearing until one is through.
+    """Wears the raceways of a bearing until a coating is through, or wear has added a clearance that is given.
 
     Args:
         case: the bearing with its coatings and wear coefficients
         model: equations of each stride, with traction
-        strides: strides in which a new coating is worn away at its fastest spot; the error falls with their number
+        strides: strides in which a new coating is worn away at its fastest spot, or the clearance limit used up; the
+            error falls with their number
         until: running time after which a life ends, should the coatings last longer, h
+        clearance_limit: radial internal clearance added by wear at which the life ends, on the diameter, um: for races
+            without coating
         progress: a bar where somebody watches; False for none; or a function of strides done and strides
     """
     with Bar(float(strides), "strides", progress) as bar:
-        return Life(_native.life(case._native, model, int(strides), None if until is None else float(until), bar))
+        limits = (None if until is None else float(until), None if clearance_limit is None else float(clearance_limit))
+        return Life(_native.life(case._native, model, int(strides), limits, bar))
 
 
 def identify(

@@ -1,10 +1,10 @@
 //! The draws of members: shares of the distributions, by seed and number alone.
 
 use crate::survey::Random;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// How the members lie in the space of the spreads.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sampling {
     /// Each member by itself: its values are the same in an ensemble of any size.

@@ -22,6 +22,8 @@ pub struct Member {
     pub wall_s: f64,
     /// Processor time of its thread, s; none where the system does not tell it.
     pub processor_s: Option<f64>,
+    /// True if an earlier run had finished it.
+    pub resumed: bool,
 }
 
 /// Runs a member on this thread; none where `stop` was set before its end.
@@ -38,7 +40,7 @@ pub(super) fn run_member(
     };
     let wall_s = began.elapsed().as_secs_f64();
     let processor_s = processor.and_then(|start| Some(start.try_elapsed().ok()?.as_secs_f64()));
-    Some(Member { number, figures, simulated_s, wall_s, processor_s })
+    Some(Member { number, figures, simulated_s, wall_s, processor_s, resumed: false })
 }
 
 /// Figures and simulated time (s), or why there are none.

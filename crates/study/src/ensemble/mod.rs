@@ -15,6 +15,7 @@ mod table;
 
 pub use draw::Sampling;
 pub use member::Member;
+pub(crate) use numbers::numbers_of;
 pub use quantiles::Quantiles;
 pub use report::{Cost, EnsembleReport, FailedMember, Varied};
 pub use spread::Spread;
@@ -53,8 +54,8 @@ pub struct EnsembleOptions {
 /// let gap = Spread::parse("cage.pocket_gap=mm(0.2 ± 0.02)")?;
 /// let options = EnsembleOptions { members: 16, seed: 1, sampling: Sampling::Independent };
 /// let ensemble = Ensemble::new(("case.ron", text), &[], &[gap], options, &Limits::NORMAL)?;
-/// let table = ensemble.table("table.csv".as_ref())?;
-/// let outcome = ensemble.run(&AtomicBool::new(false), |_finished| ());
+/// let mut table = ensemble.table("table.csv".as_ref(), false)?;
+/// let outcome = table.run(&AtomicBool::new(false), |_finished| ())?;
 /// table.write(&outcome.members)?;
 /// for figure in ensemble.report(&outcome).quantiles {
 ///     assert!(figure.p05 <= figure.p95);
@@ -80,7 +81,7 @@ pub struct Outcome {
     pub members: Vec<Member>,
     /// Threads that shared them.
     pub threads: usize,
-    /// Wall time of all of them, s.
+    /// Wall time of those that no earlier run had finished, s.
     pub wall_s: f64,
 }
 
@@ -140,17 +141,31 @@ impl Ensemble {
     /// Runs all members on the threads of the current rayon pool, the next one on the next free thread. `finished` gets
     /// each as it is done. Once `stop` is set, members that are not done are left out.
     pub fn run(&self, stop: &AtomicBool, finished: impl Fn(&Member) + Sync) -> Outcome {
+        let keep = |member: &Member| -> Result<(), std::convert::Infallible> {
+            finished(member);
+            Ok(())
+        };
+        let Ok(outcome) = self.run_some((0..self.options.members).collect(), stop, keep);
+        outcome
+    }
+
+    /// Runs some members; what `keep` fails at ends it.
+    fn run_some<E: Send>(
+        &self,
+        numbers: Vec<usize>,
+        stop: &AtomicBool,
+        keep: impl Fn(&Member) -> Result<(), E> + Sync,
+    ) -> Result<Outcome, E> {
         let began = Instant::now();
         let run = |number: usize| {
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
             let member = member::run_member(number, || self.member_case(number), stop)?;
-            finished(&member);
-            Some(member)
+            Some(keep(&member).map(|()| member))
         };
-        let members = (0..self.options.members).into_par_iter().with_max_len(1).filter_map(run).collect();
-        Outcome { members, threads: rayon::current_num_threads(), wall_s: began.elapsed().as_secs_f64() }
+        let members = numbers.into_par_iter().with_max_len(1).filter_map(run).collect::<Result<_, E>>()?;
+        Ok(Outcome { members, threads: rayon::current_num_threads(), wall_s: began.elapsed().as_secs_f64() })
     }
 }
 

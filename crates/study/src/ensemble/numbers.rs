@@ -7,7 +7,7 @@ use std::fmt;
 
 /// All numbers of an answer, with dots between levels, as `power.shaft_w`. What is null is a number that is absent;
 /// texts and lists are left out.
-pub(super) fn numbers_of(answer: &impl Serialize) -> Result<Vec<(String, Cell)>, serde_json::Error> {
+pub(crate) fn numbers_of(answer: &impl Serialize) -> Result<Vec<(String, Cell)>, serde_json::Error> {
     let text = serde_json::to_string(answer)?;
     let mut found = Vec::new();
     Numbers { path: String::new(), found: &mut found }.deserialize(&mut serde_json::Deserializer::from_str(&text))?;

@@ -31,7 +31,7 @@ pub struct FailedMember {
 pub struct Cost {
     /// Threads that shared the members.
     pub threads: usize,
-    /// Wall time of the whole ensemble, s.
+    /// Wall time of the ensemble, s, without members of an earlier run.
     pub wall_s: f64,
     /// Wall time of one member on its thread, s: the mean over those with figures.
     pub wall_per_member_s: Option<f64>,
@@ -39,7 +39,7 @@ pub struct Cost {
     pub processor_per_member_s: Option<f64>,
     /// Simulated time of all members, s.
     pub simulated_s: f64,
-    /// Simulated time of all members over the wall time of the ensemble.
+    /// Simulated time of the members over the wall time of the ensemble, without those of an earlier run.
     pub simulated_per_wall: f64,
     /// Simulated time of all members over their processor time.
     pub simulated_per_processor: Option<f64>,
@@ -56,6 +56,8 @@ pub struct EnsembleReport {
     pub members: usize,
     /// Members that are finished; fewer where the ensemble was stopped.
     pub finished: usize,
+    /// Finished members that an earlier run had finished.
+    pub resumed: usize,
     /// Finished members without figures.
     pub failed: usize,
     /// Seed of the draws.
@@ -91,6 +93,7 @@ impl Ensemble {
             bearing: self.base.case.name.clone(),
             members: self.options.members,
             finished: members.len(),
+            resumed: members.iter().filter(|member| member.resumed).count(),
             failed: failures.len(),
             seed: self.options.seed,
             sampling: self.options.sampling,
@@ -114,6 +117,7 @@ impl Cost {
         let complete = || members.iter().filter(|member| member.figures.is_ok());
         let mean = |sum: f64| (complete().count() > 0).then(|| sum / complete().count() as f64);
         let processor_s: Option<f64> = complete().map(|member| member.processor_s).sum();
+        let here = || complete().filter(|member| !member.resumed);
         let simulated_s = complete().map(|member| member.simulated_s).sum::<f64>();
         Self {
             threads: *threads,
@@ -121,7 +125,7 @@ impl Cost {
             wall_per_member_s: mean(complete().map(|member| member.wall_s).sum()),
             processor_per_member_s: processor_s.and_then(mean),
             simulated_s,
-            simulated_per_wall: simulated_s / wall_s,
+            simulated_per_wall: here().map(|member| member.simulated_s).sum::<f64>() / wall_s,
             simulated_per_processor: processor_s.filter(|s| *s > 0.0).map(|s| simulated_s / s),
         }
     }

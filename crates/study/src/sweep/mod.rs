@@ -6,9 +6,8 @@
 
 mod axis;
 mod columns;
-pub(crate) mod difference;
 mod grid;
-mod journal;
+mod identity;
 mod merge;
 mod neighbours;
 #[cfg(feature = "parquet")]
@@ -24,7 +23,7 @@ mod values;
 pub(crate) use axis::Axis;
 pub use axis::AxisSummary;
 pub use columns::{CONVERGED, Cell, Column, IMPLAUSIBLE, Kind};
-pub use difference::SweepDifference;
+pub(crate) use columns::{decode, encode};
 pub use grid::{Grid, SampleRows};
 pub use merge::{Merged, merge};
 pub use part::{Part, write_part};
@@ -37,8 +36,9 @@ pub use table::{Count, Format, Rows};
 pub(crate) use values::short;
 
 use crate::error::StudyError;
+use crate::journal::Journal;
 use crate::lock::OutputLock;
-use journal::{Identity, Journal};
+use identity::Identity;
 use rayon::prelude::*;
 use rows::Chunk;
 use std::ops::ControlFlow;
@@ -102,7 +102,12 @@ impl<'a> Sweep<'a> {
         let lock = OutputLock::take(&options.table)?;
         let columns = columns::columns(grid.columns());
         let identity = Identity::new(grid, options.shard, options.cold);
-        let journal = Journal::open(&options.table, &identity, grid, &columns, options.restart)?;
+        let chunk_at = |first: usize| {
+            let chunk = first / grid.chunk_rows();
+            let rows = if chunk < grid.chunks() { grid.chunk(chunk) } else { 0..0 };
+            (rows.start == first && !rows.is_empty() && options.shard.has(chunk)).then_some((chunk, rows))
+        };
+        let journal = Journal::open(&options.table, &identity, &chunk_at, &columns, options.restart)?;
         let Options { shard, cold, .. } = *options;
         Ok(Self { grid, shard, cold, table: options.table.clone(), format, columns, identity, journal, _lock: lock })
     }

@@ -1,7 +1,7 @@
 //! Tables as Parquet.
 
 use super::columns::{Cell, Column, Kind};
-use super::journal::{NOTES, SHARD_NOTE};
+use super::identity::{NOTES, SHARD_NOTE};
 use super::merge::{apart, in_order, same_columns};
 use super::table::{Count, Marks, Rows};
 use crate::error::StudyError;

@@ -2,7 +2,7 @@
 
 use super::columns::{self, CONVERGED, Cell};
 use super::grid::Grid;
-use super::journal::Identity;
+use super::identity::Identity;
 use super::rows::solve_chunks;
 use super::shard::Shard;
 use super::table::{self, Count, Format, Rows};

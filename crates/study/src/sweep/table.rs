@@ -1,10 +1,10 @@
 //! The finished table: CSV or Parquet, rows in the order of the grid.
 
 use super::columns::{CONVERGED, Cell, Column, IMPLAUSIBLE, decode, encode, header};
-use super::journal::Journal;
 use crate::answers::Equations;
 use crate::error::StudyError;
 use crate::files::StagedFiles;
+use crate::journal::Journal;
 use crate::plausibility::advice;
 use std::io::{BufWriter, Error, ErrorKind, Write};
 use std::path::{Path, PathBuf};

@@ -1,79 +1,33 @@
-//! Finished rows on disk while a sweep runs, so that one that was stopped can go on.
+//! Finished rows on disk while a sweep, an ensemble or a life goes on, so that one that was stopped can be taken up
+//! again.
 //!
-//! The file `TABLE.rows` begins with a line that says which sweep it belongs to. Then come finished chunks, each as its
+//! The file `TABLE.rows` begins with a line that says which study it belongs to. Then come finished chunks, each as its
 //! rows' lines in order, the chunks in the order in which they were finished. What a stop has left half written at the
 //! end is cut off.
 
-use super::columns::{Cell, Column, decode};
-use super::difference::SweepDifference;
-use super::grid::Grid;
-use super::shard::Shard;
+use crate::difference::SweepDifference;
 use crate::error::StudyError;
 use crate::files::with_suffix;
-use serde::{Deserialize, Serialize};
+use crate::sweep::{Cell, Column, decode};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
 use std::io::{BufRead, BufReader, Error, Read, Seek, SeekFrom, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// What makes two sweeps the same.
-#[derive(Debug, PartialEq, Serialize, Deserialize)]
-pub struct Identity {
-    /// Version of the command; another may give other numbers.
-    pub tribodyn: String,
-    /// The case's text with the changes of a single value.
-    pub case: String,
-    /// Name of the model.
-    pub model: String,
-    /// Swept paths and their values.
-    pub swept: Vec<(String, Vec<String>)>,
-    pub shard: Shard,
-    pub cold: bool,
+/// What makes two studies of a kind the same: the first line of the file.
+pub(crate) trait Identity: Serialize + DeserializeOwned {
+    /// How the study of a file differs from this one.
+    fn difference(&self, found: &Self) -> Option<SweepDifference>;
 }
 
-impl Identity {
-    pub fn new(grid: &Grid, shard: Shard, cold: bool) -> Self {
-        let swept = grid.values().into_iter().map(|(path, values)| (path.to_owned(), values.to_vec())).collect();
-        let (tribodyn, model) = (env!("CARGO_PKG_VERSION").to_owned(), grid.model.name().to_owned());
-        Self { tribodyn, case: grid.base().to_owned(), model, swept, shard, cold }
-    }
-
-    /// What the file of a table says of its sweep.
-    pub fn notes(&self) -> Result<Vec<(String, String)>, StudyError> {
-        let note = |name: &str, value| (name.to_owned(), value);
-        Ok(vec![
-            note(NOTES[0], self.tribodyn.clone()),
-            note(NOTES[1], self.case.clone()),
-            note(NOTES[2], self.model.clone()),
-            note(NOTES[3], serde_json::to_string(&self.swept)?),
-            note(SHARD_NOTE, self.shard.to_string()),
-        ])
-    }
-
-    /// How the sweep of a journal differs from this one.
-    fn difference(&self, line: &[u8]) -> Option<SweepDifference> {
-        let Ok(other) = serde_json::from_slice::<Self>(line) else {
-            return Some(SweepDifference::Unknown);
-        };
-        match &other {
-            o if o.tribodyn != self.tribodyn => Some(SweepDifference::Version { found: o.tribodyn.clone() }),
-            o if o.case != self.case => Some(SweepDifference::Case),
-            o if o.model != self.model => Some(SweepDifference::Model { found: o.model.clone() }),
-            o if o.swept != self.swept => Some(SweepDifference::Values),
-            o if o.shard != self.shard => Some(SweepDifference::Shard { found: o.shard.to_string() }),
-            o if o.cold != self.cold => Some(SweepDifference::Cold),
-            _ => None,
-        }
-    }
-}
-
-/// Keys in the file of a table that are the same for all parts of a sweep: version, case, model, swept values.
-pub const NOTES: [&str; 4] = ["tribodyn.version", "tribodyn.case", "tribodyn.model", "tribodyn.swept"];
-/// Key of the part.
-pub const SHARD_NOTE: &str = "tribodyn.shard";
+/// The chunk that begins with a row, by its number and its rows; none where no chunk of the study does.
+pub(crate) type Chunks<'a> = &'a dyn Fn(usize) -> Option<(usize, Range<usize>)>;
 
 /// Finished chunks on disk.
-pub struct Journal {
+pub(crate) struct Journal {
     path: PathBuf,
     file: File,
     end: u64,
@@ -82,11 +36,11 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Opens the journal of a table, with what is finished if it belongs to the same sweep.
+    /// Opens the journal of a table, with what is finished if it belongs to the same study.
     pub fn open(
         table: &Path,
-        identity: &Identity,
-        grid: &Grid,
+        identity: &impl Identity,
+        chunks: Chunks<'_>,
         columns: &[Column],
         restart: bool,
     ) -> Result<Self, StudyError> {
@@ -100,7 +54,7 @@ impl Journal {
         reader.read_until(b'\n', &mut line).map_err(write)?;
         // A first line without an end was stopped at birth.
         let fresh = restart || line.last() != Some(&b'\n');
-        if !fresh && let Some(difference) = identity.difference(&line) {
+        if !fresh && let Some(difference) = difference(identity, &line) {
             return Err(StudyError::OtherSweep { path, difference });
         }
         let (chunks, end) = if fresh {
@@ -108,7 +62,7 @@ impl Journal {
             (&file).write_all(&head).map_err(write)?;
             (BTreeMap::new(), head.len() as u64)
         } else {
-            finished(&mut reader, line.len() as u64, grid, identity.shard, columns).map_err(write)?
+            finished(&mut reader, line.len() as u64, chunks, columns).map_err(write)?
         };
         drop(reader);
         file.set_len(end).map_err(write)?;
@@ -159,31 +113,31 @@ impl Journal {
     }
 }
 
+/// How the study of a file's first line differs from another.
+fn difference<I: Identity>(identity: &I, line: &[u8]) -> Option<SweepDifference> {
+    match serde_json::from_slice::<I>(line) {
+        Ok(found) => identity.difference(&found),
+        Err(_) => Some(SweepDifference::Unknown),
+    }
+}
+
 type Finished = (BTreeMap<usize, (u64, usize)>, u64);
 
 /// The whole chunks from `start` on, and where they end.
-fn finished(
-    reader: &mut impl BufRead,
-    start: u64,
-    grid: &Grid,
-    shard: Shard,
-    columns: &[Column],
-) -> Result<Finished, Error> {
-    let (mut chunks, mut end) = (BTreeMap::new(), start);
+fn finished(reader: &mut impl BufRead, start: u64, chunks: Chunks<'_>, columns: &[Column]) -> Result<Finished, Error> {
+    let (mut found, mut end) = (BTreeMap::new(), start);
     loop {
         let mut length = 0;
-        let Some(first) = next_row(reader, columns, &mut length)? else { return Ok((chunks, end)) };
-        let chunk = first / grid.chunk_rows();
-        let rows = if chunk < grid.chunks() { grid.chunk(chunk) } else { 0..0 };
-        if rows.start != first || rows.is_empty() || !shard.has(chunk) || chunks.contains_key(&chunk) {
-            return Ok((chunks, end));
-        }
+        let Some(first) = next_row(reader, columns, &mut length)? else { return Ok((found, end)) };
+        let Some((chunk, rows)) = chunks(first).filter(|(chunk, _)| !found.contains_key(chunk)) else {
+            return Ok((found, end));
+        };
         for row in rows.skip(1) {
             if next_row(reader, columns, &mut length)? != Some(row) {
-                return Ok((chunks, end));
+                return Ok((found, end));
             }
         }
-        chunks.insert(chunk, (end, length));
+        found.insert(chunk, (end, length));
         end += length as u64;
     }
 }

@@ -1,12 +1,18 @@
-//! How long a coating lasts, by strides of wear between steady orbits or equilibria.
+//! How long a coating lasts, or how fast clearance grows, by strides of wear between steady orbits or equilibria.
 //!
 //! Wear of a race counts as added radial clearance, by its mean depth round the race: the free contact angle grows and
 //! the loads with it. The depth is in no other place, and the solution knows no bare steel.
 
+mod rows;
+mod table;
+
+pub use rows::{Life, LifeEnd, LifeStride};
+pub use table::LifeTable;
+
 use crate::answers::{Equations, OrbitProblem};
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use tribodyn_bearing::quantities::{OfBall, Over};
@@ -14,7 +20,7 @@ use tribodyn_bearing::{BallResult, Bearing, Side};
 use tribodyn_case::{Case, Coatings, Fit, Purpose};
 use tribodyn_orbit::{OrbitStart, SolvedOrbit, steady_orbit, steady_orbit_from};
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_near};
-use tribodyn_wear::{BallWear, CoatingLife, GrooveGeometry, RaceWear, Raceway, WearDepths, WearRates};
+use tribodyn_wear::{BallWear, CoatingLife, RaceWear, Raceway, WearRates};
 
 const HOUR: f64 = 3600.0;
 /// Longest stride where nothing else ends one, s: what lasts longer lasts for ever.
@@ -26,126 +32,147 @@ const STEEL_SHOWS: f64 = 1.0 / 3.0;
 /// Choices of a life besides its case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LifeOptions {
-    /// Strides in which a new coating is worn away at its fastest spot, 1 or more; the error falls in proportion to
-    /// their number.
+    /// Strides in which a new coating is worn away at its fastest spot, or the clearance limit used up, 1 or more; the
+    /// error falls in proportion to their number.
     pub strides: u32,
     /// Running time after which a life ends, should the coatings last longer, s.
     pub until_s: Option<f64>,
+    /// Radial internal clearance, added by wear, at which a life ends, on the diameter, m: for races without coating.
+    pub clearance_limit_m: Option<f64>,
     /// Equations of each stride: with traction, as nothing slides without.
     pub equations: Equations,
 }
 
-/// The life of a bearing's coatings.
-#[derive(Debug, Clone, Serialize)]
-pub struct Life {
-    /// Name of the case file.
-    pub case: String,
-    /// Name of the bearing.
-    pub bearing: String,
-    /// Races whose coating is through at the end: `inner`, `outer`.
-    pub worn_through: Vec<&'static str>,
-    /// Running time at the end, h.
-    pub end_h: f64,
-    /// Turns of the inner ring against the outer by then.
-    pub end_revolutions: f64,
-    /// When steel first showed in the middle of a track, h; absent where it did not.
-    pub steel_shows_h: Option<f64>,
-    /// Part of a new coating that a stride takes at its fastest spot.
-    pub loss_per_stride: f64,
-    /// The state at the start of each stride, and at the end.
-    pub strides: Vec<LifeStride>,
-    /// Of the solutions, and of what a life leaves out.
-    pub warnings: Vec<String>,
-}
-
-/// A worn bearing at one time of its life.
-#[derive(Debug, Clone, Serialize)]
-pub struct LifeStride {
-    /// Running time, h.
-    pub time_h: f64,
-    /// Turns of the inner ring against the outer.
-    pub revolutions: f64,
-    /// Thinnest coating of the inner race, µm.
-    pub coating_inner_min_um: f64,
-    /// Thinnest coating of the outer race, µm.
-    pub coating_outer_min_um: f64,
-    /// Mean depth worn off round the inner race, µm.
-    pub wear_depth_inner_mean_um: f64,
-    /// Mean depth worn off round the outer race, µm.
-    pub wear_depth_outer_mean_um: f64,
-    /// Free contact angle with the clearance that wear has added, degrees.
-    pub contact_angle_free_deg: f64,
-    /// Least contact angle of the balls at the inner race, degrees.
-    pub contact_angle_inner_min_deg: f64,
-    /// Largest contact angle of the balls at the inner race, degrees.
-    pub contact_angle_inner_max_deg: f64,
-    /// Least contact angle of the balls at the outer race, degrees.
-    pub contact_angle_outer_min_deg: f64,
-    /// Largest contact angle of the balls at the outer race, degrees.
-    pub contact_angle_outer_max_deg: f64,
-    /// Highest peak pressure at the inner race, GPa.
-    pub peak_pressure_inner_max_gpa: f64,
-    /// Highest peak pressure at the outer race, GPa.
-    pub peak_pressure_outer_max_gpa: f64,
-    /// Cage speed, r/min.
-    pub cage_speed_rpm: f64,
-    /// Wear rate of the inner race, µm³/s.
-    pub wear_rate_inner_um3_s: f64,
-    /// Wear rate of the outer race, µm³/s.
-    pub wear_rate_outer_um3_s: f64,
-    /// Wear rate of the cage, µm³/s.
-    pub wear_rate_cage_um3_s: f64,
-}
-
-/// Wears the coatings of a bearing until one is through. `progress` gets each stride as it is reached; a break ends the
-/// life there.
+/// Wears the raceways of a bearing until a coating is through, or wear has added the clearance or taken the time that
+/// the options allow. `progress` gets each stride as it is reached; a break ends the life there.
 ///
 /// # Errors
-/// The case makes no bearing, an equilibrium is not found, or nothing wears a coating through and no time is given.
+/// The case makes no bearing, an equilibrium is not found, or nothing ends the life: no race has a coating, or nothing
+/// wears it through, and neither clearance limit nor time is given.
 pub fn wear_life(
     file: &CaseFile,
     options: LifeOptions,
+    progress: impl FnMut(&LifeStride) -> ControlFlow<()>,
+) -> Result<Life, StudyError> {
+    worn_life(file, options, (Vec::new(), &mut |_, _| Ok(())), progress)
+}
+
+/// A finished stride with all that the next one goes on from.
+#[derive(Debug, Serialize, Deserialize)]
+struct Kept {
+    row: LifeStride,
+    warnings: Vec<String>,
+    /// At the end of the stride.
+    life: CoatingLife,
+    start: Option<Start>,
+}
+
+/// Keeps a finished stride, by its number.
+type Keep<'a> = &'a mut dyn FnMut(usize, &Kept) -> Result<(), StudyError>;
+
+/// [`wear_life`] after some strides that are finished; `keep` gets each further one.
+fn worn_life(
+    file: &CaseFile,
+    options: LifeOptions,
+    (finished, keep): (Vec<Kept>, Keep<'_>),
     mut progress: impl FnMut(&LifeStride) -> ControlFlow<()>,
 ) -> Result<Life, StudyError> {
     let mut worn = Worn::new(file, options.equations)?;
     let loss_per_stride = 1.0 / f64::from(options.strides);
     let [inner, outer] = worn.raceways()?;
+    let coated = [&inner, &outer].into_iter().any(|race| race.new_thickness() > 0.0);
+    if !coated && options.until_s.is_none() && options.clearance_limit_m.is_none() {
+        return Err(StudyError::NoCoating { file: file.name.clone() });
+    }
     let mut life = CoatingLife::new(inner, outer, loss_per_stride)?;
     let until = options.until_s.unwrap_or(FOR_EVER);
+    let bound = Bound::new(options.clearance_limit_m, &worn.new);
     let (mut rows, mut warnings) = (Vec::new(), Vec::new());
-    loop {
+    for kept in finished {
+        (life, worn.start) = (kept.life, kept.start);
+        rows.push(kept.row);
+        add_new(&mut warnings, &kept.warnings);
+    }
+    let ended_by = loop {
         let state = worn.state(&life)?;
-        for warning in &state.round.warnings {
-            if !warnings.contains(warning) {
-                warnings.push(warning.clone());
-            }
-        }
+        add_new(&mut warnings, &state.round.warnings);
         rows.push(worn.row(&life, &state));
         let stopped = progress(&rows[rows.len() - 1]).is_break();
         let left = until - life.elapsed();
-        if stopped || life.worn_through().is_some() || left <= 1e-9 * until {
-            if !stopped && options.until_s.is_none() && life.worn_through().is_none() {
-                return Err(StudyError::NoWear { file: file.name.clone() });
-            }
-            break;
+        match () {
+            () if life.worn_through().is_some() => break LifeEnd::WornThrough,
+            () if bound.reached(&life) => break bound.end,
+            () if stopped => break LifeEnd::Stopped,
+            () if left > 1e-9 * until => {}
+            () if options.until_s.is_some() => break LifeEnd::Time,
+            () => return Err(StudyError::NoWear { file: file.name.clone() }),
         }
         let rates = worn.rates(&state.round);
-        life.advance(left, |_, _| Ok::<_, StudyError>(rates))?;
-    }
-    warnings.extend(worn.warnings());
+        let longest = left.min(bound.longest(&life, &rates, loss_per_stride)?);
+        life.advance(longest, |_, _| Ok::<_, StudyError>(rates))?;
+        let (row, start) = (rows[rows.len() - 1].clone(), worn.start.clone());
+        keep(rows.len() - 1, &Kept { row, warnings: state.round.warnings, life: life.clone(), start })?;
+    };
+    warnings.extend(worn.warnings(ended_by));
     let end = rows[rows.len() - 1].clone();
     let through = [("inner", life.inner()), ("outer", life.outer())];
     Ok(Life {
         case: file.name.clone(),
         bearing: file.case.name.clone(),
+        ended_by,
         worn_through: through.iter().filter(|(_, r)| r.worn_through().is_some()).map(|(name, _)| *name).collect(),
         end_h: end.time_h,
         end_revolutions: end.revolutions,
         steel_shows_h: steel_shows(&rows, worn.coatings),
+        clearance_limit_um: options.clearance_limit_m.map(|limit| limit * 1e6),
         loss_per_stride,
         strides: rows,
         warnings,
     })
+}
+
+fn add_new(all: &mut Vec<String>, more: &[String]) {
+    for warning in more {
+        if !all.contains(warning) {
+            all.push(warning.clone());
+        }
+    }
+}
+
+/// Radial internal clearance that wear has added, on the diameter, m.
+fn growth(life: &CoatingLife) -> f64 {
+    2.0 * (life.inner().mean_depth() + life.outer().mean_depth())
+}
+
+/// The clearance, added by wear, at which a life ends.
+struct Bound {
+    /// On the diameter, m.
+    clearance: f64,
+    end: LifeEnd,
+}
+
+impl Bound {
+    /// The clearance asked for, but at most half of what is left until the balls no longer lie in both grooves: beyond
+    /// that no bearing runs, and just before it no contact angle is left.
+    fn new(asked: Option<f64>, bearing: &Bearing) -> Self {
+        let g = &bearing.geometry;
+        let grooves = 0.5 * (2.0 * g.centre_distance() - g.radial_clearance());
+        match asked.filter(|limit| *limit <= grooves) {
+            Some(clearance) => Self { clearance, end: LifeEnd::ClearanceLimit },
+            None => Self { clearance: grooves, end: LifeEnd::Grooves },
+        }
+    }
+
+    fn reached(&self, life: &CoatingLife) -> bool {
+        growth(life) >= self.clearance * (1.0 - 1e-9)
+    }
+
+    /// Longest stride, s, that adds a part of the bound at most and does not go beyond it; endless where nothing wears.
+    fn longest(&self, life: &CoatingLife, rates: &WearRates, part: f64) -> Result<f64, StudyError> {
+        let [inner, outer] = life.mean_depth_rates(rates)?;
+        let added = (part * self.clearance).min(self.clearance - growth(life));
+        Ok(added / (2.0 * (inner + outer)))
+    }
 }
 
 /// A bearing as it wears.
@@ -159,6 +186,7 @@ struct Worn<'a> {
 }
 
 /// The stride before.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 enum Start {
     Equilibrium(WarmStart),
     Orbit(Box<OrbitStart>),
@@ -170,6 +198,8 @@ struct State {
     balls: Vec<BallResult>,
     /// One ball round its orbit: all balls of an equilibrium, being one ball at other times.
     round: Solution,
+    /// Free contact angle, rad.
+    free_angle: f64,
 }
 
 impl<'a> Worn<'a> {
@@ -178,7 +208,7 @@ impl<'a> Worn<'a> {
             return Err(StudyError::argument("model", equations.name(), "without traction nothing slides and wears"));
         }
         let new = file.bearing_for(Purpose::Traction)?;
-        let coatings = file.case.coatings.as_ref().ok_or_else(|| StudyError::NoWear { file: file.name.clone() })?;
+        let coatings = file.case.coatings.as_ref().ok_or_else(|| StudyError::NoCoating { file: file.name.clone() })?;
         Ok(Self { file, coatings, point: file.case.operating_point(), new, equations, start: None })
     }
 
@@ -193,22 +223,15 @@ impl<'a> Worn<'a> {
         Ok([race(&coatings.inner, -outwards)?, race(&coatings.outer, outwards)?])
     }
 
-    /// The case with the free contact angle that the wear leaves.
+    /// The case with the clearance that wear has added to the drawn one; mounting and running are its own.
     fn case(&self, life: &CoatingLife) -> Result<Case, StudyError> {
-        let g = &self.new.geometry;
-        let groove = |side| g.coefficient(side) * g.ball_diameter;
-        let grooves = GrooveGeometry {
-            ball_diameter: g.ball_diameter,
-            inner_groove: groove(Side::Inner),
-            outer_groove: groove(Side::Outer),
-            inner_bottom: g.groove_centre_radius(Side::Inner) - groove(Side::Inner),
-            outer_bottom: g.groove_centre_radius(Side::Outer) + groove(Side::Outer),
-        };
-        let depths = WearDepths { inner: life.inner().mean_depth(), outer: life.outer().mean_depth() };
         let mut case = self.file.case.clone();
-        // Bottoms and back again would cost the last digits of the angle where nothing is worn.
-        let angle = if depths == WearDepths::NONE { g.contact_angle() } else { grooves.free_contact_angle(depths)? };
-        case.geometry.fit = Fit::ContactAngle(angle);
+        let growth = growth(life);
+        // There and back would cost the last digits of the angle where nothing is worn.
+        if growth > 0.0 {
+            let drawn = case.geometry.resolve().map_err(|source| self.file.not_usable(source.into()))?;
+            case.geometry.fit = Fit::RadialClearance(drawn.radial_clearance() + growth);
+        }
         // The clearance has all that is worn, what was so at the start too.
         if let Some(coatings) = &mut case.coatings {
             (coatings.inner.worn, coatings.outer.worn) = (0.0, 0.0);
@@ -237,7 +260,8 @@ impl<'a> Worn<'a> {
             None => solve(&bearing, &self.point, Model::Traction).map_err(failed)?,
         };
         self.start = solved.warm_start.map(Start::Equilibrium);
-        Ok(State { balls: solved.solution.balls.clone(), round: solved.solution })
+        let free_angle = bearing.geometry.contact_angle();
+        Ok(State { balls: solved.solution.balls.clone(), round: solved.solution, free_angle })
     }
 
     fn orbit(&mut self, case: &Case) -> Result<State, StudyError> {
@@ -249,9 +273,10 @@ impl<'a> Worn<'a> {
             _ => steady_orbit(bearing, point, cage, settings),
         };
         let SolvedOrbit { solution: orbit, start, .. } = solved.map_err(failed)?;
-        self.start = start.map(|start| Start::Orbit(Box::new(start)));
+        // Without the Jacobian: one that is taken up again does not have it.
+        self.start = start.map(|start| Start::Orbit(Box::new(start.without_jacobian())));
         let round = orbit.as_solution(&orbit.points, [point.inner_speed, point.outer_speed]);
-        Ok(State { balls: orbit.balls, round })
+        Ok(State { balls: orbit.balls, round, free_angle: bearing.geometry.contact_angle() })
     }
 
     fn rates(&self, solution: &Solution) -> WearRates {
@@ -282,10 +307,6 @@ impl<'a> Worn<'a> {
         };
         let race = |side, name, over| of(OfBall::contact(side, name), over);
         let depths = [life.inner().mean_depth(), life.outer().mean_depth()];
-        let angle = self.case(life).map_or(f64::NAN, |case| match case.geometry.fit {
-            Fit::ContactAngle(angle) => angle,
-            Fit::RadialClearance(_) => f64::NAN,
-        });
         LifeStride {
             time_h: time / HOUR,
             revolutions: time * turns,
@@ -293,7 +314,8 @@ impl<'a> Worn<'a> {
             coating_outer_min_um: life.outer().thinnest() * 1e6,
             wear_depth_inner_mean_um: depths[0] * 1e6,
             wear_depth_outer_mean_um: depths[1] * 1e6,
-            contact_angle_free_deg: angle * 180.0 / PI,
+            clearance_growth_um: growth(life) * 1e6,
+            contact_angle_free_deg: state.free_angle * 180.0 / PI,
             contact_angle_inner_min_deg: race(Side::Inner, "contact_angle", Over::Min),
             contact_angle_inner_max_deg: race(Side::Inner, "contact_angle", Over::Max),
             contact_angle_outer_min_deg: race(Side::Outer, "contact_angle", Over::Min),
@@ -308,13 +330,19 @@ impl<'a> Worn<'a> {
     }
 
     /// What the reader of a life must know.
-    fn warnings(&self) -> Vec<String> {
+    fn warnings(&self, end: LifeEnd) -> Vec<String> {
         let mut all = vec![
             "the life is in inverse proportion to the wear coefficients, which are orders of magnitude as a rule, and no film comes back from the cage"
                 .to_owned(),
         ];
         if !self.file.case.defects.is_empty() {
             all.push("the defects of the case have no part in this".to_owned());
+        }
+        if end == LifeEnd::Grooves {
+            all.push(
+                "wear has added half of the clearance that the grooves can hold: bearings are taken out long before; a clearance limit ends the life where yours is"
+                    .to_owned(),
+            );
         }
         all
     }

@@ -1,10 +1,10 @@
-//! How the finished rows of an earlier sweep differ from those that are asked for.
+//! How the finished rows of an earlier sweep, ensemble or life differ from those that are asked for.
 
-/// How finished rows on disk differ from those that a sweep would make.
+/// How finished rows on disk differ from those that a study would make.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SweepDifference {
     /// The file holds something else.
-    #[error("this is not a sweep's file of finished rows")]
+    #[error("this is no file of finished rows of such a study")]
     Unknown,
     /// Another version made them.
     #[error("these finished rows are of version {found} of the command")]
@@ -33,4 +33,10 @@ pub enum SweepDifference {
     /// Rows that start from neighbours and rows that do not.
     #[error("these finished rows are of a sweep with another choice of cold starts")]
     Cold,
+    /// Members drawn otherwise: other spreads, numbers of members or seeds.
+    #[error("these finished members are of other --vary, --members, --seed or --latin-hypercube")]
+    Draws,
+    /// Strides of another length, or a life with another end.
+    #[error("these finished strides are of other --strides, --until or --clearance-limit")]
+    Strides,
 }
