@@ -1,6 +1,7 @@
 //! `tribodyn sweep`: equilibria, or steady orbits, over a grid of case values.
 
 mod figures;
+mod long;
 mod plan;
 
 use crate::failure::Failure;
@@ -59,6 +60,9 @@ pub struct Arguments {
     /// Print what would be done and about how long it takes, and write nothing
     #[arg(long)]
     plan: bool,
+    /// Begin a sweep of more than ten million rows, or of an estimated day or more
+    #[arg(long)]
+    yes: bool,
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
@@ -129,12 +133,17 @@ fn solve(arguments: &Arguments, case: &Path) -> Result<(), Failure> {
         arguments.replace.check(path, case, Ours::Table)?;
     }
     arguments.plot.as_ref().map_or(Ok(()), |_| figures::check(&grid))?;
+    let plan = || Plan::new(&grid, arguments.shard, arguments.cold, pool.current_num_threads());
     match &arguments.output {
-        Some(path) if !arguments.plan => sweep(arguments, &grid, path.clone(), &pool),
-        _ => {
-            let threads = pool.current_num_threads();
-            plan::print(&Plan::new(&grid, arguments.shard, arguments.cold, threads), arguments.json)
+        Some(path) if !arguments.plan => {
+            // One that was begun and stopped has been asked about.
+            let begun = Path::new(&format!("{}.rows", path.display())).exists();
+            if !arguments.yes && !begun {
+                long::check(grid.rows, || plan().estimated_time_s)?;
+            }
+            sweep(arguments, &grid, path.clone(), &pool)
         }
+        _ => plan::print(&plan(), arguments.json),
     }
 }
 
