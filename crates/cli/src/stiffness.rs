@@ -23,7 +23,7 @@ pub struct Arguments {
     /// Write the matrices as a table, one row a speed (CSV)
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
-    /// Write the bearing coefficients over speed for rotor programs: frequency in rad/s, kxx … kzz in N/m (CSV)
+    /// Write the bearing coefficients over speed for rotor programs: speed in rad/s, kxx … kzz in N/m (CSV)
     #[arg(long, value_name = "FILE.csv")]
     ross: Option<PathBuf>,
     #[command(flatten)]
@@ -82,9 +82,10 @@ fn csv(answers: &[StiffnessAnswer]) -> String {
     text
 }
 
-/// Bearing coefficients over speed, under the names of the arguments of ROSS's `BearingElement`.
+/// Bearing coefficients over speed, under the names of the arguments of the `BearingElement` of ROSS 3, in which
+/// `frequency` is that of the whirl.
 fn ross(answers: &[StiffnessAnswer]) -> String {
-    let mut text = "frequency,kxx,kxy,kyx,kyy,kzz\n".to_owned();
+    let mut text = "speed,kxx,kxy,kyx,kyy,kzz\n".to_owned();
     for StiffnessAnswer { inner_speed_rpm, stiffness: k, .. } in answers {
         let speed = inner_speed_rpm / RPM_PER_RAD_S;
         let _ = writeln!(text, "{speed},{},{},{},{},{}", k[0][0], k[0][1], k[1][0], k[1][1], k[2][2]);

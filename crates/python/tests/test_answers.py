@@ -129,13 +129,25 @@ def test_identity_attributes_of_other_answers_are_declared(cases: Path) -> None:
 
 def test_limit_stiffness_goes_to_rotor_programs(plain: Case) -> None:
     stiffness = tribodyn.stiffness(plain, "jones-harris", speeds=[9000, 3000])
-    arguments = stiffness.to_ross()
-    assert list(arguments["frequency"]) == sorted(arguments["frequency"])
+    arguments = stiffness.to_ross(3)
+    assert list(arguments["speed"]) == sorted(arguments["speed"]) and "frequency" not in arguments
+    assert list(stiffness.to_ross(2)["frequency"]) == list(arguments["speed"])
     assert arguments["kxx"][1] == stiffness.stiffness[0, 0, 0] and stiffness.matrix.shape == (5, 5)
     assert list(stiffness.to_pandas().columns)[:2] == ["k_x_x", "k_x_y"]
     assert float(stiffness.to_xarray().sel(force="x", displacement="x")[0]) == stiffness.matrix[0, 0]
     inverse = stiffness.stiffness @ stiffness.compliance
     assert np.allclose(inverse, np.eye(5), atol=1e-6)
+
+
+def test_code_ross_builds_a_bearing_element(plain: Case) -> None:
+    """The element of the version that is installed has our stiffness at our speeds, and takes them as speeds."""
+    ross = pytest.importorskip("ross")
+    stiffness = tribodyn.stiffness(plain, "jones-harris", speeds=[3000, 6000, 9000])
+    arguments = stiffness.to_ross()
+    element = ross.BearingElement(n=0, cxx=0 * arguments["kxx"], **arguments)
+    speeds = stiffness.inner_speed_rpm * np.pi / 30.0
+    for speed, matrix in zip(speeds, stiffness.stiffness):
+        assert np.allclose(np.asarray(element.K(speed))[:2, :2], matrix[:2, :2], rtol=1e-6, atol=1.0)
 
 
 def test_limit_bad_questions_are_refused(paper: Case, plain: Case) -> None:

@@ -30,8 +30,8 @@ const TEST: [&str; 16] = [
     "nbclient",
     "ipykernel",
     "matplotlib",
-    "ross-rotordynamics==2.3.*",
-    // What ROSS 2.3 asks of it is gone from 7 on.
+    "ross-rotordynamics>=2.3,<4",
+    // What ROSS asks of it is gone from 7 on.
     "plotly<7",
 ];
 /// First release of Python that the wheel is for.

@@ -87,7 +87,7 @@ fn identity_tables_of_stiffness_hold_the_matrix() {
     assert_eq!((last.len(), last[1], last[2 + 4 * 5 + 3]), (26, k(0, 0), k(4, 4)));
     let table = std::fs::read_to_string(ross).unwrap();
     let mut lines = table.lines();
-    assert_eq!(lines.next(), Some("frequency,kxx,kxy,kyx,kyy,kzz"));
+    assert_eq!(lines.next(), Some("speed,kxx,kxy,kyx,kyy,kzz"));
     let first: Vec<f64> = lines.next().unwrap().split(',').map(|v| v.parse().unwrap()).collect();
     assert!((first[0] - 7000.0 * std::f64::consts::PI / 30.0).abs() < 1e-9);
 }

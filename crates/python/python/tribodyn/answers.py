@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
@@ -205,14 +206,25 @@ class Stiffness(Answer):
             self.stiffness, dims=("inner_speed_rpm", "force", "displacement"), coords=coordinates, name="stiffness"
         )
 
-    def to_ross(self) -> dict[str, NDArray[np.float64]]:
-        """Arguments of ROSS's ``BearingElement``: ``kxx``, ``kxy``, ``kyx``, ``kyy``, ``kzz`` in N/m over
-        ``frequency`` in rad/s, by rising speed."""
+    def to_ross(self, major: Optional[int] = None) -> dict[str, NDArray[np.float64]]:
+        """Arguments of ROSS's ``BearingElement``: ``kxx``, ``kxy``, ``kyx``, ``kyy``, ``kzz`` in N/m over the speed in
+        rad/s, by rising speed.
+
+        Args:
+            major: major version of ROSS that they are for, by default that which is installed, or 3. From 3 on the
+                speed of the rotor is ``speed``, and ``frequency`` that of the whirl; before, the speed is
+                ``frequency``
+        """
+        if major is None:
+            try:
+                major = int(importlib.metadata.version("ross-rotordynamics").split(".")[0])
+            except importlib.metadata.PackageNotFoundError:
+                major = 3
         order = np.argsort(self.inner_speed_rpm)
         matrices = self.stiffness[order]
         entries = {"kxx": (0, 0), "kxy": (0, 1), "kyx": (1, 0), "kyy": (1, 1), "kzz": (2, 2)}
         arguments = {name: np.ascontiguousarray(matrices[:, i, j]) for name, (i, j) in entries.items()}
-        arguments["frequency"] = self.inner_speed_rpm[order] * np.pi / 30.0
+        arguments["speed" if major >= 3 else "frequency"] = self.inner_speed_rpm[order] * np.pi / 30.0
         return arguments
 
     def __repr__(self) -> str:
@@ -282,16 +294,20 @@ class Modes(Answer):
 
 
 class Life(Answer):
-    """The life of a bearing's coatings."""
+    """The life of a bearing's raceways."""
 
     case: str
     bearing: str
+    #: ``worn-through``, ``clearance-limit``, ``time`` or ``grooves``
+    ended_by: str
     #: races whose coating is through at the end: ``inner``, ``outer``
     worn_through: list[str]
     end_h: float
     end_revolutions: float
     #: when steel first showed in the middle of a track; None where it did not
     steel_shows_h: Optional[float]
+    #: added clearance at which the life was to end; None where none was given
+    clearance_limit_um: Optional[float]
     #: part of a new coating that a stride takes at its fastest spot
     loss_per_stride: float
     #: the state at the start of each stride, and at the end
