@@ -55,3 +55,24 @@ fn limit_unknown_words_are_refused() {
     run_words("solve case.ron --varying maybe").fails(2, &["maybe", "true, false"]);
     run_words("").fails(2, &["Usage: tribodyn"]);
 }
+
+/// A slip in a range is a sweep of years: nothing is written before it is asked for twice.
+#[test]
+fn limit_a_sweep_of_many_millions_asks_for_yes() {
+    let scratch = super::Scratch::new();
+    let (case, table) = (super::fixture("paper-handset.ron"), scratch.0.join("table.csv"));
+    let many = super::run(&[
+        &"sweep",
+        &case,
+        &"--set",
+        &"ring.z.Force=kN(30..55 in 300)",
+        &"--set",
+        &"ring.x.Force=kN(8..20 in 300)",
+        &"--set",
+        &"speed.inner.Constant=rpm(9000..13000 in 300)",
+        &"-o",
+        &table,
+    ]);
+    many.fails(2, &["for 27000000 rows", "more than 10000000 rows", "--plan", "--yes"]);
+    assert_eq!(scratch.names(), [""; 0]);
+}

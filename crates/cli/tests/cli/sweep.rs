@@ -391,21 +391,3 @@ fn identity_parquet_holds_what_csv_holds() {
     }
     assert_eq!(rows, 4);
 }
-
-/// A slip in a range is a sweep of years: nothing is written before it is asked for twice.
-#[test]
-fn limit_a_sweep_of_many_millions_asks_for_yes() {
-    let scratch = Scratch::new();
-    let table = scratch.0.join("table.csv");
-    let axes: [&dyn AsRef<OsStr>; 6] = [
-        &"--set",
-        &"ring.z.Force=kN(30..55 in 300)",
-        &"--set",
-        &"ring.x.Force=kN(8..20 in 300)",
-        &"--set",
-        &"speed.inner.Constant=rpm(9000..13000 in 300)",
-    ];
-    let many = sweep(&[&axes[..], &[&"-o", &table]].concat());
-    many.fails(2, &["for 27000000 rows", "more than 10000000 rows", "--plan", "--yes"]);
-    assert_eq!(scratch.names(), [""; 0]);
-}
