@@ -15,8 +15,8 @@ pub enum ClearanceGroup {
     C5,
 }
 
-/// Bore up to which a row holds, mm; least and largest clearance of the groups C2, CN, C3, C4 and C5, µm. ISO 5753-1, as
-/// NSK, Rolling Bearings, CAT. No. E1102, table 9.9, prints it; the first row holds below 10 mm too.
+/// Bore up to which a row holds, mm; least and largest clearance of the groups C2, CN, C3, C4 and C5, µm. ISO 5753-1,
+/// as NSK, Rolling Bearings, CAT. No. E1102, table 9.9, prints it; the first row holds below 10 mm too.
 const GROUPS: [(f64, [[u32; 2]; 5]); 15] = [
     (10.0, [[0, 7], [2, 13], [8, 23], [14, 29], [20, 37]]),
     (18.0, [[0, 9], [3, 18], [11, 25], [18, 33], [25, 45]]),

@@ -19,7 +19,7 @@ use tribodyn_study::{CaseFile, Limits, StagedFiles, StudyError};
   tribodyn new 7210 --angle 40 -o pump.ron
   tribodyn new --bearing angular --bore 50 --outside 90 --width 20 --angle 40 --balls 15 --ball 12.7 -o case.ron")]
 pub struct Arguments {
-    /// A designation with prefix and suffixes, such as 6206-2RS C3 or 7014CDGA/P4A; `tribodyn catalogue` lists the sizes
+    /// A designation, such as 6206-2RS C3 or 7014CDGA/P4A; `tribodyn catalogue` lists the sizes
     #[arg(value_name = "DESIGNATION", required_unless_present_any = ["bore", "ask"], conflicts_with_all = ["bore", "outside", "width", "bearing"])]
     designation: Option<String>,
     /// Class of a bearing that is given by its dimensions

@@ -104,9 +104,9 @@ impl Row {
 /// `B7014-C-T-P4S` or, with an angle in degrees, `7210`.
 ///
 /// # Errors
-/// [`CatalogueError::Unknown`] with what the list has, [`CatalogueError::Type`] for bearings that the models do not hold
-/// for, [`CatalogueError::Part`] for what is not understood, [`CatalogueError::Angle`] for an angular-contact bearing
-/// without contact angle, with two of them, or for an angle where the bearing is a deep-groove one.
+/// [`CatalogueError::Unknown`] with what the list has, [`CatalogueError::Type`] for bearings that the models do not
+/// hold for, [`CatalogueError::Part`] for what is not understood, [`CatalogueError::Angle`] for an angular-contact
+/// bearing without contact angle, with two of them, or for an angle where the bearing is a deep-groove one.
 pub fn find(designation: &str, angle_deg: Option<f64>) -> Result<ListedBearing, CatalogueError> {
     let is_angular = |size: &str| rows().find(|row| row.size() == size).map(|row| row.angle_deg > 0.0);
     let read = Designation::parse(designation, &is_angular)?;

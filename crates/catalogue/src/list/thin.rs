@@ -2,8 +2,8 @@
 
 use super::{Row, row};
 
-/// NSK, Rolling Bearings, CAT. No. E1102, single-row deep-groove ball bearings, where the series 618 and 619 are called 68 and
-/// 69: bore, outside diameter and width (ISO 15), mm; C_r and C_0r, N.
+/// NSK, Rolling Bearings, CAT. No. E1102, single-row deep-groove ball bearings, where the series 618 and 619 are
+/// called 68 and 69: bore, outside diameter and width (ISO 15), mm; C_r and C_0r, N.
 #[rustfmt::skip]
 pub(super) const ROWS: &[Row] = &[
     row("61800", 0, [10, 19, 5], [1_720, 840]),
