@@ -17,13 +17,13 @@ pub struct Arguments {
     /// Normal load, N
     #[arg(long, allow_hyphen_values = true)]
     load: f64,
-    /// Young's modulus of body 1, GPa
+    /// Young's modulus of body 1, GPa; inf for a rigid body
     #[arg(long, default_value_t = 206.0, allow_hyphen_values = true)]
     young1: f64,
     /// Poisson's ratio of body 1
     #[arg(long, default_value_t = 0.3, allow_hyphen_values = true)]
     poisson1: f64,
-    /// Young's modulus of body 2, GPa
+    /// Young's modulus of body 2, GPa; inf for a rigid body
     #[arg(long, default_value_t = 206.0, allow_hyphen_values = true)]
     young2: f64,
     /// Poisson's ratio of body 2
@@ -60,12 +60,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if a.json {
         return table::print_json(&answer);
     }
-    table::print_pairs(&[
+    let mut rows = vec![
         ("ellipticity a/b", format!("{:.6}", answer.ellipticity), ""),
         ("semi-major axis a", format!("{:.6}", answer.semi_major_m * 1e3), "mm"),
         ("semi-minor axis b", format!("{:.6}", answer.semi_minor_m * 1e3), "mm"),
         ("peak pressure", format!("{:.6}", answer.peak_pressure_pa * 1e-9), "GPa"),
         ("approach", format!("{:.6}", answer.approach_m * 1e6), "µm"),
         ("stiffness Q/δ^1.5", format!("{:.6e}", answer.stiffness_n_per_m_1_5), "N/m^1.5"),
-    ])
+    ];
+    // Below the surface bodies differ by their Poisson's ratios alone.
+    let both = |values: [f64; 2], per_unit: f64| {
+        let shown = values.map(|value| format!("{:.6}", value * per_unit));
+        if a.poisson1 == a.poisson2 { shown[0].clone() } else { shown.join("  ") }
+    };
+    if let (Some(shear), Some(depth), Some(mises)) =
+        (answer.max_shear_pa, answer.max_shear_depth_m, answer.von_mises_pa)
+    {
+        rows.push(("largest shear stress below it", both(shear, 1e-9), "GPa"));
+        rows.push(("depth of it", both(depth, 1e3), "mm"));
+        rows.push(("von Mises stress at that depth", both(mises, 1e-9), "GPa"));
+    }
+    table::print_pairs(&rows)
 }

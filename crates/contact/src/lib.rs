@@ -4,11 +4,13 @@ mod bodies;
 mod elliptic;
 mod hertz;
 mod scalar;
+mod subsurface;
 
 pub use bodies::{Body, ElasticBody, RelativeCurvatures, effective_modulus, relative_curvatures};
 pub use elliptic::{CompleteElliptic, curvature_difference, curvature_ratio};
 pub use hertz::{Ellipse, HertzContact, MAX_ELLIPTICITY, MajorAxis, NEGLIGIBLE};
 pub use scalar::{Real, Scalar};
+pub use subsurface::Subsurface;
 
 /// Faults in the description of a contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

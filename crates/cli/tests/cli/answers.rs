@@ -33,8 +33,26 @@ fn limit_hertz_sphere_on_flat() {
         ] {
             assert_close(number(&answer, field), expected, 1e-13);
         }
-        assert_eq!(answer.as_object().unwrap().len(), 6);
+        assert_eq!(answer.as_object().unwrap().len(), 9);
     }
+}
+
+/// Below a circle the largest shear stress is 0.310 of the peak pressure at 0.481 of the radius for ν = 0.3 (Johnson,
+/// Contact Mechanics, 1985, 4.23), and a rigid body halves the approach of two alike.
+#[test]
+fn limit_hertz_below_the_surface_and_against_a_rigid_body() {
+    let answer = run_words("hertz --body1 6.35,6.35 --body2 inf,inf --load 100 --json").json();
+    let (radius, peak) = (number(&answer, "semi_major_m"), number(&answer, "peak_pressure_pa"));
+    let below = |field: &str| answer[field][0].as_f64().unwrap();
+    assert!((below("max_shear_pa") / peak - 0.310).abs() < 5e-4, "{answer}");
+    assert!((below("max_shear_depth_m") / radius - 0.481).abs() < 1e-3, "{answer}");
+    assert!((below("von_mises_pa") / peak - 0.620).abs() < 1e-3, "{answer}");
+    let rigid = run_words("hertz --body1 6.35,6.35 --body2 inf,inf --load 100 --young2 inf --json").json();
+    let ratio = number(&rigid, "approach_m") / number(&answer, "approach_m");
+    assert!((ratio - 0.5f64.powf(2.0 / 3.0)).abs() < 1e-9, "{ratio}");
+    run_words("hertz --body1 6,6 --body2 6,6 --load 9 --young1 inf --young2 inf").fails(2, &["--young2 inf", "rigid"]);
+    let none = run_words("hertz --body1 6,6 --body2 6,6 --load 0 --json").json();
+    assert!(none["max_shear_pa"].is_null(), "{none}");
 }
 
 #[test]

@@ -10,7 +10,7 @@ fn limit_hertz_refuses_impossible_numbers() {
     hertz("--body2 inf,inf --load inf").fails(2, &["--load inf: "]);
     hertz("--body2 inf,inf --load ten").fails(2, &["'ten'", "--load"]);
     hertz("--body2 inf,inf").fails(2, &["--load"]);
-    hertz("--body2 inf,inf --load 1 --young1 0").fails(2, &["--young1 0: allowed is a modulus in GPa above 0"]);
+    hertz("--body2 inf,inf --load 1 --young1 0").fails(2, &["--young1 0: allowed is a modulus in GPa above 0, or inf"]);
     hertz("--body2 inf,inf --load 1 --young2 NaN").fails(2, &["--young2 NaN: "]);
     hertz("--body2 inf,inf --load 1 --poisson1 0.5")
         .fails(2, &["--poisson1 0.5: allowed is a ratio from 0 to below 0.5"]);

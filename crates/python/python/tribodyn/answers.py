@@ -116,6 +116,11 @@ class Contact(Answer):
     approach_m: float
     #: load over approach to the power of 1.5
     stiffness_n_per_m_1_5: float
+    #: largest shear stress below the middle of the contact, in body 1 and in body 2; None without load
+    max_shear_pa: Optional[list[float]]
+    max_shear_depth_m: Optional[list[float]]
+    #: von Mises stress at that depth
+    von_mises_pa: Optional[list[float]]
 
 
 class TractionCurve(Answer):

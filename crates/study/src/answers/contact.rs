@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use serde::Serialize;
-use tribodyn_contact::{Body, ElasticBody, HertzContact, effective_modulus, relative_curvatures};
+use tribodyn_contact::{Body, ElasticBody, HertzContact, Subsurface, effective_modulus, relative_curvatures};
 
 /// Two bodies that are pressed together. Messages about a value call it by the name of the command's option.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +34,12 @@ pub struct HertzAnswer {
     pub approach_m: f64,
     /// Load over approach to the power of 1.5, N/m^1.5.
     pub stiffness_n_per_m_1_5: f64,
+    /// Largest shear stress below the middle of the contact, in body 1 and in body 2, Pa; absent without load.
+    pub max_shear_pa: Option<[f64; 2]>,
+    /// Depth of that stress, m.
+    pub max_shear_depth_m: Option<[f64; 2]>,
+    /// Von Mises stress at that depth, Pa.
+    pub von_mises_pa: Option<[f64; 2]>,
 }
 
 fn within(option: &'static str, value: f64, allowed: &str, ok: bool) -> Result<(), StudyError> {
@@ -51,7 +57,13 @@ pub fn hertz(question: &HertzQuestion) -> Result<HertzAnswer, StudyError> {
     let HertzQuestion { bodies, load_n, young_gpa, poisson, angle_deg } = question;
     within("load", *load_n, "a force in N, 0 or more", *load_n >= 0.0)?;
     for (option, value) in ["young1", "young2"].into_iter().zip(*young_gpa) {
-        within(option, value, "a modulus in GPa above 0", value > 0.0)?;
+        // A rigid body has an infinite modulus.
+        if value != f64::INFINITY {
+            within(option, value, "a modulus in GPa above 0, or inf for a rigid body", value > 0.0)?;
+        }
+    }
+    if young_gpa.iter().all(|young| young.is_infinite()) {
+        return Err(StudyError::argument("young2", f64::INFINITY, "allowed is one rigid body: two do not give way"));
     }
     for (option, value) in ["poisson1", "poisson2"].into_iter().zip(*poisson) {
         within(option, value, "a ratio from 0 to below 0.5", (0.0..0.5).contains(&value))?;
@@ -62,6 +74,8 @@ pub fn hertz(question: &HertzQuestion) -> Result<HertzAnswer, StudyError> {
     let gap = relative_curvatures(&bodies[0], &bodies[1], angle_deg.to_radians())?;
     let contact = HertzContact::new(gap.x, gap.y, modulus)?;
     let ellipse = contact.ellipse(*load_n);
+    let [first, second] = poisson.map(|poisson| ellipse.subsurface(poisson));
+    let of = |value: fn(&Subsurface) -> f64| first.as_ref().zip(second.as_ref()).map(|(a, b)| [value(a), value(b)]);
     let answer = HertzAnswer {
         ellipticity: contact.ellipticity,
         semi_major_m: ellipse.semi_major,
@@ -69,6 +83,9 @@ pub fn hertz(question: &HertzQuestion) -> Result<HertzAnswer, StudyError> {
         peak_pressure_pa: ellipse.peak_pressure,
         approach_m: contact.approach(*load_n),
         stiffness_n_per_m_1_5: contact.stiffness(),
+        max_shear_pa: of(|found| found.max_shear),
+        max_shear_depth_m: of(|found| found.max_shear_depth),
+        von_mises_pa: of(|found| found.von_mises),
     };
     check_range(&answer)?;
     Ok(answer)
