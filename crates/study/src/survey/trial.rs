@@ -220,26 +220,25 @@ mod tests {
     }
 
     /// Slow, with balls that lose their load (1), with drag on a cage that hardly touches (5), with tilted rings and
-    /// balls that press on their pockets most of the way (26), heavily loaded (59), sliding on both races (1315): none
-    /// of them was found by sending a ball round alone.
+    /// balls that press on their pockets most of the way (26), heavily loaded (59): none of them was found by sending a
+    /// ball round alone.
     #[test]
     fn limit_bearings_that_are_hard_to_find_have_orbits() {
-        for index in [1, 5, 26, 59, 1315] {
+        for index in [1, 5, 26, 59] {
             let solving = orbit_of(index);
             assert_eq!(solving.verdict, Verdict::Good, "{index}");
         }
     }
 
-    /// Rings that turn against each other, the cage guided by the land of the outer one, a tenth of a newton on the
-    /// balls: rolling they would hardly go round, but the film on the land takes cage and balls along.
+    /// A ball that slides on both races (1315), and one of a tenth of a newton that a guided cage takes along between
+    /// rings that turn against each other (12). Both had an orbit before orbits of heavier balls were no longer taken
+    /// for those of the bearing; they are refused with a reason now, and a search that finds them is missing.
     #[test]
-    fn limit_a_guided_cage_is_taken_along_by_its_land() {
-        let case = Case::from_ron(&random_bearing(1, 12).unwrap().text).unwrap();
-        let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(&case).unwrap();
-        let solution = steady_orbit(&bearing, &point, &cage, &settings).unwrap().solution;
-        let share = solution.cage_speed_rpm * std::f64::consts::TAU / 60.0 / point.outer_speed;
-        assert!(0.8 < share && share < 1.0, "{share}");
-        assert!(solution.warnings().is_empty() && solution.balls.iter().all(|ball| ball.contacts.inner.load_n > 0.0));
+    fn regress_two_bearings_have_no_orbit_of_their_own_masses_yet() {
+        for index in [12, 1315] {
+            let Verdict::Explained(why) = orbit_of(index).verdict else { panic!("{index} has an orbit now") };
+            assert!(why.contains("no steady orbit was found"), "{why}");
+        }
     }
 
     #[test]
