@@ -27,6 +27,7 @@ mod state;
 #[cfg(test)]
 mod test_bearing;
 mod tribology;
+mod watch;
 
 pub use bearing::{Bearing, BearingSpec, FluidForces, Race};
 pub use cage::{CageBody, Guidance};
@@ -57,6 +58,7 @@ pub use state::{BallState, Motion, RingState};
 pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};
 pub use tribodyn_wear::LocalSurface;
 pub use tribology::Tribology;
+pub use watch::{SearchObserver, SearchStage, SearchWatch};
 
 /// Why data do not make a bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

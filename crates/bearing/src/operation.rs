@@ -1,6 +1,7 @@
 //! An operating point of a bearing: what its ring carries, how fast it turns, and what a solver needs to know besides.
 //! It stands below the solvers, so that case files can give one without them.
 
+use crate::watch::SearchWatch;
 use tribodyn_traction::PatchChoice;
 
 /// A bearing at an operating point, with the solver's settings.
@@ -18,6 +19,8 @@ pub struct OperatingPoint {
     pub cage: Option<Cage>,
     /// Solver settings.
     pub numerics: SolverSettings,
+    /// By which a search is followed and ended.
+    pub watch: SearchWatch,
 }
 
 /// What each ring freedom carries or where it is held.

@@ -4,6 +4,7 @@ use crate::bearing::Bearing;
 use crate::history::{RingLoads, SpeedHistory};
 use crate::operation::{Cage, OperatingPoint, SolverSettings};
 use crate::races::{Races, Side};
+use crate::watch::SearchWatch;
 use tribodyn_traction::PatchChoice;
 use tribodyn_wear::Defect;
 
@@ -66,6 +67,7 @@ impl RunInputs {
             patch: Some(self.patch),
             cage: Some(self.cage.pockets),
             numerics: self.numerics,
+            watch: SearchWatch::default(),
         }
     }
 }

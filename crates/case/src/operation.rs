@@ -3,7 +3,7 @@
 use crate::{CageSpec, Case, CoatingSpec, Lacking, Purpose, RecordingSpec, RingSpec, SupportSpec};
 use tribodyn_bearing::{
     BearingError, Cage, CoatingState, GuidingLand, MovingCage, OperatingPoint, Races, RingLoads, RunInputs, RunOptions,
-    Side, SolverSettings, Support, Supports,
+    SearchWatch, Side, SolverSettings, Support, Supports,
 };
 use tribodyn_wear::Defect;
 
@@ -36,6 +36,7 @@ impl Case {
             patch: self.traction.as_ref().map(|traction| traction.patch),
             cage: self.cage.as_ref().map(CageSpec::pockets),
             numerics: self.solver_settings(),
+            watch: SearchWatch::default(),
         }
     }
 

@@ -79,12 +79,13 @@ where
     if speed == 0.0 {
         return Err(OrbitError::CageStands);
     }
+    point.watch.stage("balls that roll", Some(speed));
     let origin = bearing.azimuth(start::hardest(&rolling));
     let system = system(problem, (rolling.rule, speed, origin))?;
     let scales = start::scales((bearing, &cage.pocket), &point.ring, (start::mean_load(&rolling), speed));
     let ladder = ladder(bearing, (&rolling, speed));
     let way = Way::new(&system, &ladder, (&rolling, scales.force))?;
-    let mut newton = Newton::new(system, scales);
+    let mut newton = Newton::new(system, scales, point.watch.clone());
     let (found, eased) =
         search(&mut newton, &rolling, &way).map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
     finish(&mut newton, found, problem, eased)
@@ -174,7 +175,7 @@ pub(crate) fn at<'a>(problem: Problem<'a>, solved: &OrbitStart, orbit: &Orbit) -
     let of = (solved.rule, orbit.cage_speed, solved.origin);
     let mut system = OrbitSystem { settling: solved.settling, ..system(problem, of)? };
     system.cage.pocket.stiffness *= solved.eased.pocket_stiffness;
-    Ok(Newton::new(system, solved.scales))
+    Ok(Newton::new(system, solved.scales, problem.point.watch.clone()))
 }
 
 /// The solver at a solution, with the very damping and centring of the pockets that it was found with.

@@ -41,12 +41,24 @@ const ATTEMPTS: usize = 40;
 /// An orbit where a search from the balls that would roll ended with an error.
 pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedOrbit> {
     // Control by the inner race may have no balls on it that outer control leaves there.
+    let watch = &problem.point.watch;
     let mut guessed = problem.bearing.clone();
     guessed.modelling.race_control = Some(RaceControl::Outer);
+    watch.stage("an inner ring that turns more slowly", None);
     let slid = if skids(error) { slid(problem, &guessed) } else { None };
-    slid.or_else(|| PLACES.iter().find_map(|place| held(problem, &guessed, *place)))
-        .or_else(|| led(problem, &guessed))
-        .or_else(|| softest(problem))
+    let cages = || {
+        watch.stage("cages that are held at a speed", None);
+        PLACES.iter().find_map(|place| held(problem, &guessed, *place))
+    };
+    let tilts = || {
+        watch.stage("a ring that is tilted less", None);
+        led(problem, &guessed)
+    };
+    let pockets = || {
+        watch.stage("pockets that hardly hold a ball", None);
+        softest(problem)
+    };
+    slid.or_else(cages).or_else(tilts).or_else(pockets)
 }
 
 /// The orbit in pockets so soft that they hardly do more than take idle balls along, where there is none in stiffer
@@ -125,6 +137,9 @@ fn released(problem: Problem<'_>, first: HeldCage, from: f64) -> Option<SolvedOr
     let (mut near, mut beyond): (HeldCage, Option<HeldCage>) = (first, None);
     let (mut factor, mut part) = (FACTOR, 1.0);
     for _ in 0..ATTEMPTS {
+        if problem.point.watch.stops() {
+            return None;
+        }
         let (next, starts) = match &beyond {
             None => (onward(&near, from, factor), vec![&near]),
             Some(beyond) => between([&near, beyond], part),

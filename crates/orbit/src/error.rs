@@ -28,6 +28,9 @@ pub enum OrbitError {
         /// The cage speed that was reached, r/min.
         cage_speed_rpm: f64,
     },
+    /// The caller ended the search.
+    #[error("the search for the steady orbit was ended before it led to an answer")]
+    Ended,
     /// Rings that turn against each other as fast as leaves balls and cage in place: a turn has no end.
     #[error(
         "the rings turn against each other so that the cage stands still: there is no turn of it to follow; change one speed a little"

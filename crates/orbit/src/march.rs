@@ -105,6 +105,9 @@ impl Newton<'_> {
         let mut orbit = Orbit { values: Vec::with_capacity(near.intervals()), ..near.clone() };
         let mut y = *from;
         for j in 0..near.intervals() {
+            if self.watch.stops() {
+                return None;
+            }
             let [begin, width] = near.interval(j);
             let place = self.place(begin, &y, border);
             let guess =

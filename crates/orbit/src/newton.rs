@@ -8,7 +8,7 @@ use crate::system::{BALL, LEAD, ORBIT, OrbitSystem, RING, rings};
 use nalgebra::{Const, SMatrix, SVector};
 use num_dual::DualSVec64;
 use std::sync::Arc;
-use tribodyn_bearing::{LoadedPatch, RingFreedom};
+use tribodyn_bearing::{LoadedPatch, RingFreedom, SearchWatch};
 use tribodyn_traction::FastPatch;
 
 /// Statistics of a solve: a wrong Jacobian converges too, only slower.
@@ -63,10 +63,12 @@ pub(crate) struct Newton<'a> {
     /// Intervals that were tried in all turns, and the number after which a turn is not gone on with.
     pub tried: usize,
     work: usize,
+    /// By which the search is followed and ended.
+    pub watch: SearchWatch,
 }
 
 impl<'a> Newton<'a> {
-    pub fn new(system: OrbitSystem<'a>, scales: Scales) -> Self {
+    pub fn new(system: OrbitSystem<'a>, scales: Scales, watch: SearchWatch) -> Self {
         let statistics = OrbitStatistics::default();
         Self {
             system,
@@ -77,6 +79,7 @@ impl<'a> Newton<'a> {
             statistics,
             tried: 0,
             work: usize::MAX,
+            watch,
         }
     }
 
@@ -88,9 +91,9 @@ impl<'a> Newton<'a> {
         result
     }
 
-    /// True once all intervals of an attempt are tried.
+    /// True once all intervals of an attempt are tried, or the caller ends the search.
     pub fn is_spent(&self) -> bool {
-        self.tried >= self.work
+        self.tried >= self.work || self.watch.stops()
     }
 
     /// The same with other patches.
@@ -152,7 +155,7 @@ impl<'a> Newton<'a> {
     ) -> (Orbit, Residual) {
         let mut best = (f64::INFINITY, 0);
         for iteration in 0..limit {
-            if residual.worst.relative <= tolerance {
+            if residual.worst.relative <= tolerance || self.watch.stops() {
                 break;
             }
             if residual.worst.relative < 0.5 * best.0 {

@@ -67,6 +67,7 @@ pub(crate) fn find<'a>(
     if tame && let Some(found) = marched(newton, &first, way, (settings, MARCH.min(TURNS * first.intervals()))) {
         return Ok((found, real));
     }
+    newton.watch.stage("all of the turn at once", Some(speed));
     let mut starts = vec![even(newton, &Profile::new(&rolling.balls, speed), (speed, rolling.ring))];
     let equilibrium = solve(newton.system.bearing, point, Model::Traction).ok().and_then(|solved| solved.warm_start);
     if let Some(start) = equilibrium {
@@ -120,6 +121,7 @@ fn patient<'a>(
     settings: &OrbitSettings,
 ) -> Result<(Found, Eased), OrbitError> {
     let real = way.eased(1.0);
+    newton.watch.stage("softer pockets and heavier balls", Some(first.cage_speed));
     let mut furthest: Option<Reached> = None;
     for from in starts {
         let reached = newton.followed(from, way, (settings.mesh_error, settings.tolerance));
@@ -137,6 +139,7 @@ fn patient<'a>(
         }
     }
     let last = furthest.as_ref().map_or(first, |reached| &reached.found.0);
+    newton.watch.stage("balls whose swinging is damped", Some(last.cage_speed));
     let mut unmet = match damped(newton, last, settings, (&SETTLING[..1], LONG)) {
         Ok(found) => return Ok((found, real)),
         Err(unmet) => unmet,

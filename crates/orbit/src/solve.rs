@@ -37,10 +37,12 @@ pub fn steady_orbit(
     if let Some(standing) = standing(problem.bearing, point, cage) {
         return Ok(standing);
     }
-    match rolled(problem, problem.bearing) {
+    let found = match rolled(problem, problem.bearing) {
         Err(error @ OrbitError::NotConverged { .. }) => detour(problem, &error).ok_or(error),
         other => other,
-    }
+    };
+    // What an ended search did not reach says nothing of the bearing.
+    found.map_err(|error| if point.watch.stops() { OrbitError::Ended } else { error })
 }
 
 /// Solves from the orbit of a neighbouring problem, on its mesh and with its patch rule, the mesh made finer where it

@@ -52,6 +52,10 @@ pub(crate) trait BlockSystem {
     fn energy(&self, _state: &BlockState) -> f64 {
         0.0
     }
+    /// False once the caller ends the search.
+    fn goes_on(&self) -> bool {
+        true
+    }
 }
 
 /// Unknowns of all balls and of the ring.

@@ -22,6 +22,7 @@ struct Stepper<M> {
     iterate: Iterate,
     tolerance: f64,
     stuck: bool,
+    ended: bool,
 }
 
 impl<S: BlockSystem, M: Method> Solver<&S, Iteration> for Stepper<M> {
@@ -32,6 +33,7 @@ impl<S: BlockSystem, M: Method> Solver<&S, Iteration> for Stepper<M> {
     fn next_iter(&mut self, problem: &mut Problem<&S>, state: Iteration) -> Result<(Iteration, Option<KV>), Error> {
         let advanced = problem.problem("steps", |system| Ok(self.method.advance(*system, &mut self.iterate)))?;
         self.stuck = advanced.is_err();
+        self.ended = problem.problem("looks", |system| Ok(!system.goes_on()))?;
         Ok((state.cost(self.iterate.worst().residual), None))
     }
 
@@ -40,6 +42,8 @@ impl<S: BlockSystem, M: Method> Solver<&S, Iteration> for Stepper<M> {
             TerminationStatus::Terminated(TerminationReason::SolverConverged)
         } else if self.stuck {
             TerminationStatus::Terminated(TerminationReason::SolverExit("no acceptable step".into()))
+        } else if self.ended {
+            TerminationStatus::Terminated(TerminationReason::SolverExit("ended by the caller".into()))
         } else {
             TerminationStatus::NotTerminated
         }
@@ -55,7 +59,7 @@ pub(crate) fn run<S: BlockSystem, M: Method>(
     tolerance: f64,
     max_iterations: usize,
 ) -> Iterate {
-    let stepper = Stepper { method, iterate: start.clone(), tolerance, stuck: false };
+    let stepper = Stepper { method, iterate: start.clone(), tolerance, stuck: false, ended: false };
     Executor::new(system, stepper)
         .configure(|state| state.max_iters(max_iterations as u64))
         .timer(false)

@@ -5,7 +5,7 @@ use crate::jones_harris::{JonesHarris, Typical};
 use crate::with_traction::WithTraction;
 use nalgebra::SVector;
 use num_dual::{Derivative, DualSVec64};
-use tribodyn_bearing::{Bearing, Races, RingFreedom, Side};
+use tribodyn_bearing::{Bearing, Races, RingFreedom, SearchWatch, Side};
 use tribodyn_case::{Case, set_value};
 use tribodyn_traction::{FastPatch, PatchRule};
 
@@ -110,6 +110,7 @@ fn identity_jacobian_with_traction_is_that_of_differences() {
                 speeds,
                 kernel: FastPatch::new(PatchRule::GaussJacobi { radial: 6, angles: 16 }).unwrap(),
                 typical: Typical::new(&bearing, &RING_AT_REST, speeds),
+                watch: SearchWatch::default(),
             };
             check(&format!("{changes:?}, ball {index}"), &system, index, facing(&bearing, index, &mut seed), relative);
         }

@@ -109,6 +109,9 @@ pub enum QuasiStaticError {
         /// What is the matter, and what helps.
         reason: Box<Reason>,
     },
+    /// The caller ended the search.
+    #[error("the search for the equilibrium was ended before it led to an answer")]
+    Ended,
     /// A ball whose balances have no unique solution.
     #[error("ball {ball} has no unique answer to a displacement of the ring")]
     Singular {

@@ -56,7 +56,7 @@ pub(crate) fn relax<S: BlockSystem>(
     let mut best = at.clone();
     let mut tau = first_step;
     for _ in 0..max_steps {
-        if at.worst().residual <= tolerance || tau < SHORTEST_STEP {
+        if at.worst().residual <= tolerance || tau < SHORTEST_STEP || !system.goes_on() {
             break;
         }
         match implicit_step(system, &at, tau) {

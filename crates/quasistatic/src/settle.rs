@@ -44,7 +44,7 @@ pub(crate) fn settle_ball<S: BlockSystem>(
     let mut best = current.clone();
     let mut tau = first_step;
     for steps in 0..MAX_STEPS {
-        if current.relative <= tolerance || tau < SHORTEST_STEP {
+        if current.relative <= tolerance || tau < SHORTEST_STEP || !system.goes_on() {
             return Settled { ball: current.ball, residual: current.relative, steps };
         }
         match implicit_step(system, index, &current, ring, tau) {

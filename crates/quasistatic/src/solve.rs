@@ -193,7 +193,7 @@ pub(crate) fn traction_system<'a>(
 ) -> Result<WithTraction<'a>, QuasiStaticError> {
     let kernel = FastPatch::new(rule)?;
     let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
-    Ok(WithTraction { bearing, ring: point.ring, speeds, kernel, typical })
+    Ok(WithTraction { bearing, ring: point.ring, speeds, kernel, typical, watch: point.watch.clone() })
 }
 
 /// The neighbourhood of the equilibrium, with rigid patches.
@@ -201,9 +201,10 @@ fn scout(traction: &WithTraction<'_>, start: &BlockState) -> BlockState {
     if traction.bearing.elastic.is_none() {
         return settle(traction, start, SCOUTED, FROM_AFAR);
     }
-    let WithTraction { bearing, ring, speeds, ref kernel, typical } = *traction;
+    let WithTraction { bearing, ring, speeds, ref kernel, typical, ref watch } = *traction;
     let rigid = bearing.with_rigid_patches();
-    settle(&WithTraction { bearing: &rigid, ring, speeds, kernel: kernel.clone(), typical }, start, SCOUTED, FROM_AFAR)
+    let (kernel, watch) = (kernel.clone(), watch.clone());
+    settle(&WithTraction { bearing: &rigid, ring, speeds, kernel, typical, watch }, start, SCOUTED, FROM_AFAR)
 }
 
 /// Error of the patch integrals at a state, over the load: of the rule, or of strips and cells of elastic patches.
@@ -277,6 +278,9 @@ fn check(
     let worst = solved.worst();
     if worst.residual <= point.numerics.tolerance {
         return Ok(());
+    }
+    if point.watch.stops() {
+        return Err(QuasiStaticError::Ended);
     }
     let (place, equation) = match worst.ball {
         Some(index) => {

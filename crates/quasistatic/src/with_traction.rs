@@ -6,7 +6,7 @@
 use crate::block::{AXIAL, BALL, Balance, BlockSystem, ORBIT, RADIAL, RING, SPIN};
 use crate::jones_harris::{Typical, ring_state};
 use tribodyn_bearing::{
-    AzimuthFrame, BallLoads, BallState, Bearing, LoadedPatch, Races, RingFreedom, RingState, Scalar,
+    AzimuthFrame, BallLoads, BallState, Bearing, LoadedPatch, Races, RingFreedom, RingState, Scalar, SearchWatch,
 };
 use tribodyn_traction::{FastPatch, PatchTraction};
 
@@ -21,6 +21,7 @@ pub(crate) struct WithTraction<'a> {
     pub speeds: Races<f64>,
     pub kernel: FastPatch,
     pub typical: Typical,
+    pub watch: SearchWatch,
 }
 
 /// A ball, all that acts on it, and the inner ring.
@@ -128,6 +129,10 @@ impl BlockSystem for WithTraction<'_> {
         // The position follows at once, but a ball that touches nothing must not make the step singular.
         let floating = 1e-13 * self.typical.stiffness;
         [floating, floating, j, j, j, self.bearing.ball_mass * self.typical.radius]
+    }
+
+    fn goes_on(&self) -> bool {
+        !self.watch.stops()
     }
 
     fn step_limits(&self) -> ([f64; BALL], [f64; RING]) {

@@ -7,3 +7,4 @@ mod kicked;
 mod limits;
 mod linear;
 mod partly_loaded;
+mod watched;

@@ -127,9 +127,7 @@ impl From<QuasiStaticError> for Unsolved {
     fn from(error: QuasiStaticError) -> Self {
         let tried = match &error {
             QuasiStaticError::NotConverged { residual, iterations, .. } => Some((*residual, *iterations)),
-            QuasiStaticError::Missing { .. } | QuasiStaticError::Singular { .. } | QuasiStaticError::Traction(_) => {
-                None
-            }
+            _ => None,
         };
         Self { tried, message: error.to_string() }
     }
