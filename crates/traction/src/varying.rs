@@ -106,7 +106,51 @@ pub struct CoatingLaw {
     series: [Chebyshev; 3],
     /// The series and their derivatives in a quicker form, where it keeps the digits.
     powers: Option<[Powers; 2]>,
+    ends: Ends,
     reference_pressure: Option<f64>,
+}
+
+/// Part of the range of pressures over which a law goes from following the pressure to standing still.
+const ENDING: f64 = 0.01;
+
+/// Pressures at which a law stops following the pressure, Pa. Over `width` on either side the slope goes from one to
+/// zero in a straight line: a bend there would be one in the traction of a ball on its way round, and its slope a jump.
+/// Tested pressures are never within.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Ends {
+    least: f64,
+    most: f64,
+    width: f64,
+}
+
+impl Ends {
+    fn new(coating: &Coating) -> Self {
+        let [low, high] = coating.valid_pressure;
+        let width = ENDING * (high - low);
+        let tested = || coating.tested.iter().map(|test| test.pressure);
+        let least = low.min(tested().fold(f64::INFINITY, f64::min) - width);
+        let most = high.max(tested().fold(0.0, f64::max) + width);
+        Self { least, most, width }
+    }
+
+    /// The pressure at which the parameters are taken.
+    fn within<D: Scalar>(&self, pressure: D) -> D {
+        let Self { least, most, width } = *self;
+        let p = pressure.re();
+        if p <= least - width {
+            D::from(least)
+        } else if p >= most + width {
+            D::from(most)
+        } else if p < least + width {
+            let above = pressure - (least - width);
+            above * above * (0.25 / width) + least
+        } else if p > most - width {
+            let below = pressure - (most + width);
+            -(below * below * (0.25 / width)) + most
+        } else {
+            pressure
+        }
+    }
 }
 
 /// Enough for 1e-14 of A, B, C of parabolas over 1.5–4 GPa; the construction adapts.
@@ -149,7 +193,7 @@ impl CoatingLaw {
         }
         let series = series.unwrap_or_else(|| unreachable!("at least one length is tried")).map(Chebyshev::trimmed);
         let powers = Powers::new(&series);
-        Ok(Self { fit, series, powers, reference_pressure: None })
+        Ok(Self { fit, series, powers, ends: Ends::new(coating), reference_pressure: None })
     }
 
     /// The law with the parameters of one pressure in Pa for every contact (cases 2 and 4).
@@ -174,15 +218,7 @@ impl CoatingLaw {
     }
 
     fn clamped<D: Scalar>(&self, pressure: D) -> D {
-        let [low, high] = self.fit.valid_pressure;
-        let pressure = self.reference_pressure.map_or(pressure, D::from);
-        if pressure.re() < low {
-            D::from(low)
-        } else if pressure.re() > high {
-            D::from(high)
-        } else {
-            pressure
-        }
+        self.ends.within(self.reference_pressure.map_or(pressure, D::from))
     }
 }
 
@@ -209,11 +245,12 @@ impl TractionLaw for CoatingLaw {
     }
 
     fn kragelskii_slope(&self, pressure: f64) -> Option<Kragelskii> {
-        if self.reference_pressure.is_some() || self.clamps(pressure) {
+        let within = self.ends.within(Dual64::from(pressure).derivative());
+        if self.reference_pressure.is_some() || within.eps == 0.0 {
             return Some(Kragelskii { a: 0.0, b: 0.0, c: 0.0 });
         }
         let [a, b, c] = match &self.powers {
-            Some([_, slopes]) => slopes.values(pressure),
+            Some([_, slopes]) => slopes.values(within.re).map(|slope| slope * within.eps),
             None => {
                 let curve = self.at(Dual64::from(pressure).derivative());
                 [curve.a, curve.b, curve.c].map(|parameter| parameter.eps)
@@ -274,6 +311,43 @@ mod tests {
         let fixed = CoatingLaw::fixed(&Coating::library("ag").unwrap(), 2, 2.5e9).unwrap();
         assert_eq!(fixed.at(1.0e9), fixed.at(3.0e9));
         assert!(!fixed.clamps(1.0e9));
+    }
+
+    /// Between following the pressure and standing still there is neither a jump nor a bend; tested pressures are
+    /// followed to the last bit, those far outside stand still.
+    #[test]
+    fn limit_a_law_ends_without_a_bend() {
+        let points = |pressures: [f64; 3]| {
+            let paper = Coating::library("ag").unwrap().tested;
+            let tested = pressures.iter().zip(paper).map(|(&pressure, test)| crate::TestedCurve { pressure, ..test });
+            Coating::from_tests("own", tested.collect()).unwrap()
+        };
+        for coating in [Coating::library("ag").unwrap(), Coating::library("ptfe").unwrap(), points([1e9, 1.5e9, 2e9])] {
+            let law = CoatingLaw::varying(&coating, 2).unwrap();
+            let [first, last] = [coating.tested[0].pressure, coating.tested[2].pressure];
+            for share in [0.0, 0.13, 0.5, 0.9, 1.0] {
+                let p = first + share * (last - first);
+                assert_eq!(law.ends.within(p), p);
+            }
+            let [low, high] = coating.valid_pressure;
+            assert_eq!(law.at(0.5 * low), law.at(0.9 * low));
+            assert_eq!(law.at(2.0 * high), law.at(1.1 * high));
+            let step = 1e5;
+            let mut slopes: Vec<f64> = Vec::new();
+            let mut p = 0.95 * low;
+            while p < 1.05 * high {
+                let slope = law.kragelskii_slope(p).unwrap();
+                let central =
+                    (law.kragelskii(p + 0.5 * step).unwrap().a - law.kragelskii(p - 0.5 * step).unwrap().a) / step;
+                assert!((slope.a - central).abs() < 1e-3 * slope.a.abs() + 1e-15, "{p}: {} {central}", slope.a);
+                slopes.push(slope.a);
+                p += 1e6;
+            }
+            // Over a hundredth of the range a slope of up to 1e-10 per Pa comes down to nothing.
+            let steepest = slopes.iter().fold(0f64, |most, slope| most.max(slope.abs()));
+            let most = steepest * 1e6 / (ENDING * (high - low));
+            assert!(slopes.windows(2).all(|pair| (pair[1] - pair[0]).abs() < most), "a bend");
+        }
     }
 
     #[test]
