@@ -46,7 +46,12 @@ const DAMPER: &str = "critical damping of 1e6 kg on 1e13 N/m is 6e9 N s/m";
 
 /// The bounds, in the order of the case file. A path that is not here is a choice, or bounded where it is checked.
 const BOUNDS: &[Bound] = &[
-    bound("geometry.ball_count", [2.0, 1000.0], "", "slewing bearings have some hundred balls"),
+    bound(
+        "geometry.ball_count",
+        [2.0, 1000.0],
+        "",
+        "slewing bearings have some hundred balls; above 500 --no-limits is needed",
+    ),
     bound("geometry.ball_diameter", [1e-5, 1.0], "m", BALL),
     bound("geometry.pitch_diameter", [1e-4, 50.0], "m", PITCH),
     bound("materials.*.young", [1e6, 1e13], "Pa", STEEL),
@@ -263,12 +268,18 @@ impl Values {
             let [low, high] = bound.range;
             if !(low..=high).contains(&value) {
                 let unit = if bound.unit.is_empty() { String::new() } else { format!(" {}", bound.unit) };
-                let message = format!("must lie between {low:e} and {high:e}{unit}: {}", bound.reason);
+                let [low, high] = [low, high].map(plain);
+                let message = format!("must lie between {low} and {high}{unit}: {}", bound.reason);
                 return Err(Refusal { path, message });
             }
         }
         Ok(())
     }
+}
+
+/// A limit as a person writes it: in full up to a million.
+pub(super) fn plain(value: f64) -> String {
+    if value == 0.0 || (1e-3..=1e6).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
 
 /// True if a path is one of a pattern's: `*` stands for a name or an index.
@@ -365,11 +376,11 @@ mod tests {
         );
         assert!(line > 50 && column > 10, "{line}:{column}");
         let (message, ..) = refused("fluid.drag_coefficient", "1e300");
-        assert!(message.contains("must lie between 0e0 and 1e3: "), "{message}");
+        assert!(message.contains("must lie between 0 and 1000: "), "{message}");
         let (message, ..) = refused("supports.outer.damping", "(N_s_per_m(2), N_s_per_m(1e12))");
         assert!(message.contains("damping[1]") && message.contains("1e11 N s/m"), "{message}");
         let (message, ..) = refused("geometry.ball_count", "100000000");
-        assert!(message.contains("geometry.ball_count"), "{message}");
+        assert!(message.contains("must lie between 2 and 1000: ") && message.contains("500"), "{message}");
     }
 
     #[test]
