@@ -3,7 +3,8 @@
 use crate::failure::Failure;
 use crate::input::CaseArguments;
 use crate::table::{self, number};
-use tribodyn_study::answers::{GrowthAnswer, derived};
+use tribodyn_bearing::SearchWatch;
+use tribodyn_study::answers::{Derived, GrowthAnswer, derived};
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
 #[derive(clap::Args)]
@@ -36,13 +37,34 @@ fn growth_rows(growth: &GrowthAnswer) -> Vec<(&'static str, String, &'static str
     rows
 }
 
+/// Speed and loads of the case against what the bearing is made for.
+fn load_rows(a: &Derived) -> Vec<(&'static str, String, &'static str)> {
+    let mut rows = vec![("pitch diameter times speed", number(a.pitch_speed_mm_rpm, 0), "mm r/min")];
+    let loads = a.radial_load_n.zip(a.axial_load_n);
+    rows.extend(
+        loads.map(|(radial, axial)| {
+            ("loads, radial axial", format!("{}  {}", number(radial, 1), number(axial, 1)), "N")
+        }),
+    );
+    let mut row = |name, value: Option<f64>, digits, unit| {
+        rows.extend(value.map(|value| (name, number(value, digits), unit)));
+    };
+    row("dynamic load rating C_r", a.dynamic_rating_n, 0, "N");
+    row("static load rating C_0r", a.static_rating_n, 0, "N");
+    row("static safety s_0", a.static_safety, 2, "");
+    let estimate = a.peak_pressure_estimate_pa.filter(|pressure| *pressure > 0.0);
+    row("hardest pressed ball, first estimate", estimate.map(|pressure| pressure * 1e-9), 2, "GPa");
+    rows
+}
+
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let a = derived(&file)?;
+    let a = derived(&file.question(SearchWatch::default()))?;
     if arguments.json {
         return table::print_json(&a);
     }
-    table::print_line(&format!("{}: {}\n", file.name, crate::harmless::visible(&a.name)))?;
+    let name = crate::harmless::visible(&a.name);
+    table::print_line(&format!("{}: {name}\nlubrication: {}\n", file.name, a.lubrication))?;
     let mut rows = vec![
         ("free contact angle", number(a.contact_angle_deg, 4), "°"),
         ("radial clearance (diametral)", number(a.radial_clearance_m * 1e6, 2), "µm"),
@@ -62,13 +84,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         rows.push(("effective fluid density", number(density, 2), "kg/m³"));
         rows.push(("drag per ball at that speed", number(drag, 1), "N"));
     }
+    rows.extend(load_rows(&a));
     rows.extend(a.growth.iter().flat_map(growth_rows));
     table::print_pairs(&rows)?;
     for note in &a.notes {
         table::print_line(&format!("note: {note}"))?;
     }
-    for warning in &a.warnings {
-        table::print_line(&format!("warning: {warning}"))?;
-    }
-    Ok(())
+    table::print_warnings(&a.warnings)
 }

@@ -40,8 +40,14 @@ pub enum Failure {
     /// A new case where a file stands.
     #[error("{} is there already and stays as it is: name another file with -o, or replace it with --force", path.display())]
     Exists { path: PathBuf },
+    /// A search that was given up.
+    #[error(
+        "{file}: no answer after {limit_s} s of processor time{stage}; --time-limit gives it longer, `--model traction` \
+         asks less"
+    )]
+    OutOfTime { file: String, limit_s: f64, stage: String },
     /// A run that was stopped before its end.
-    #[error("stopped after {simulated_s} of {duration_s} s; --resume goes on from there")]
+    #[error("stopped after {} of {} s; --resume goes on from there", plain(*simulated_s), plain(*duration_s))]
     Stopped { simulated_s: f64, duration_s: f64 },
     /// An ensemble that was stopped before all members were finished.
     #[error("stopped: {finished} of {members} members are finished{}", goes_on(.table.as_deref()))]
@@ -55,6 +61,12 @@ pub enum Failure {
     Output(#[from] std::io::Error),
     #[error("cannot write the answer as JSON: {0}")]
     Json(#[from] serde_json::Error),
+}
+
+/// A number with six digits and no more than it needs.
+fn plain(value: f64) -> String {
+    let text = format!("{value:.5e}");
+    text.parse::<f64>().map_or(text, |rounded| rounded.to_string())
 }
 
 /// A refused case file with the place to point at.
@@ -112,6 +124,7 @@ impl Failure {
                 1
             }
             Self::Unsolved { .. }
+            | Self::OutOfTime { .. }
             | Self::Stopped { .. }
             | Self::Exists { .. }
             | Self::EnsembleStopped { .. }
@@ -160,23 +173,15 @@ fn lifts(error: &RecordError) -> &'static str {
 /// 2 where the input is to blame, 1 where the calculation or the disk is.
 fn study_exit_code(error: &StudyError) -> u8 {
     match error {
-        StudyError::Solver { source: QuasiStaticError::NotConverged { .. }, .. }
-        | StudyError::Orbit {
-            source:
-                OrbitError::NotConverged { .. }
-                | OrbitError::Singular
-                | OrbitError::Uncertain { .. }
-                | OrbitError::Eigenvalues,
-            ..
+        StudyError::Solver { source, .. } | StudyError::Pair { source: PairError::Equilibrium(source), .. } => {
+            equilibrium_exit_code(source)
         }
-        | StudyError::Pair {
-            source:
-                PairError::NotConverged { .. }
-                | PairError::Loose
-                | PairError::Equilibrium(QuasiStaticError::NotConverged { .. })
-                | PairError::Orbit(OrbitError::NotConverged { .. }),
-            ..
-        }
+        StudyError::Orbit { source, .. }
+        | StudyError::NoOrbitToStart { source, .. }
+        | StudyError::Pair { source: PairError::Orbit(source), .. } => orbit_exit_code(source),
+        StudyError::Pair { source: PairError::NotConverged { .. } | PairError::Loose | PairError::Ended, .. }
+        | StudyError::Busy { .. }
+        | StudyError::NoThread { .. }
         | StudyError::Write { .. }
         | StudyError::RefusalLost { .. }
         | StudyError::SweepStopped { .. }
@@ -189,6 +194,21 @@ fn study_exit_code(error: &StudyError) -> u8 {
         | StudyError::Record(_)
         | StudyError::Json(_) => 1,
         _ => 2,
+    }
+}
+
+fn equilibrium_exit_code(error: &QuasiStaticError) -> u8 {
+    match error {
+        QuasiStaticError::Missing { .. } | QuasiStaticError::Traction(_) => 2,
+        _ => 1,
+    }
+}
+
+fn orbit_exit_code(error: &OrbitError) -> u8 {
+    match error {
+        OrbitError::Start(source) => equilibrium_exit_code(source),
+        OrbitError::CageStands | OrbitError::AtRest | OrbitError::Traction(_) => 2,
+        _ => 1,
     }
 }
 

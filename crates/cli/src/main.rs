@@ -20,6 +20,7 @@ mod rating;
 mod recover;
 mod report;
 mod run;
+mod search;
 mod solve;
 mod stiffness;
 mod sweep;

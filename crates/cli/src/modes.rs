@@ -3,13 +3,14 @@
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit::write_table;
+use crate::search::{Search, TimeArguments};
 use crate::table::{self, number};
 use std::fmt::Write;
 use std::path::PathBuf;
 use tribodyn_orbit::Mode;
-use tribodyn_study::answers::{ModesAnswer, modes};
+use tribodyn_study::answers::{Answer, ModesAnswer, modes};
 
-/// Natural modes about the steady orbit: frequencies, damping ratios, shapes; unstable ones are named.
+/// Natural modes about the steady orbit: frequencies, damping ratios, shapes; and whether the orbit is stable.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -17,11 +18,16 @@ pub struct Arguments {
     /// Highest frequency, Hz
     #[arg(long, default_value_t = f64::INFINITY, value_name = "HZ")]
     up_to: f64,
+    /// Also the modes of the balls, which belong to the instant when pocket 0 stands at azimuth 0
+    #[arg(long)]
+    all: bool,
     /// Write the modes as a table (CSV)
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
     #[command(flatten)]
     replace: ReplaceArguments,
+    #[command(flatten)]
+    time: TimeArguments,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
@@ -29,15 +35,18 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let answer = modes(&file, arguments.up_to)?;
+    let search = Search::begin(&file, &arguments.time);
+    let answer = modes(&file.question(search.watch()), arguments.up_to, arguments.all).map_err(|error| search.failed(error))?;
+    drop(search);
     if let Some(path) = &arguments.csv {
-        write_table(path, &arguments.case.path, &csv(&answer.modes), &arguments.replace)?;
+        write_table(path, &arguments.case.path, &csv(&answer), &arguments.replace)?;
     }
     if arguments.json {
         return table::print_json(&answer);
     }
-    table::print_line(&format!("{}\n", file.name))?;
-    print(&answer)
+    table::print_head(&file.name, answer.findings())?;
+    print(answer.value())?;
+    table::print_warnings(answer.findings().warnings())
 }
 
 fn print(answer: &ModesAnswer) -> Result<(), Failure> {
@@ -53,14 +62,8 @@ fn print(answer: &ModesAnswer) -> Result<(), Failure> {
             .collect::<Vec<_>>()
     });
     table::print_rows(&header, rows)?;
-    for mode in answer.modes.iter().filter(|mode| mode.growth_rate_per_s > 0.0) {
-        let (frequency, rate) = (number(mode.frequency_hz, 2), number(mode.growth_rate_per_s, 3));
-        let ball = number(leading_ball(mode), 1);
-        let leader = mode.energy_shares.leader();
-        let text =
-            format!("warning: unstable mode at {frequency} Hz grows with {rate} 1/s, mostly {leader}, most at {ball}°");
-        table::print_line(&text)?;
-    }
+    let left = number(answer.multiplier, 3);
+    table::print_line(&format!("\na small disturbance of a ball is {left} times as large a turn of the cage later"))?;
     Ok(())
 }
 
@@ -72,11 +75,13 @@ fn leading_ball(mode: &Mode) -> f64 {
     360.0 * index as f64 / mode.balls.len().max(1) as f64
 }
 
-fn csv(modes: &[Mode]) -> String {
+fn csv(answer: &Answer<ModesAnswer>) -> String {
     let mut text = "frequency_hz,damping_ratio,growth_rate_per_s,energy_inner_ring,energy_outer_ring,energy_balls,\
-                    energy_spin,energy_cage,inner_x,inner_y,inner_z,outer_x,outer_y\n"
+                    energy_spin,energy_cage,inner_x,inner_y,inner_z,outer_x,outer_y,implausible,warnings\n"
         .to_owned();
-    for mode in modes {
+    let of = answer.findings();
+    let [implausible, warnings] = [of.implausible(), of.warnings().join("; ")].map(|words| table::csv_text(&words));
+    for mode in &answer.value().modes {
         let e = &mode.energy_shares;
         let numbers = [mode.frequency_hz, mode.damping_ratio, mode.growth_rate_per_s]
             .into_iter()
@@ -84,7 +89,7 @@ fn csv(modes: &[Mode]) -> String {
             .chain(mode.inner_ring)
             .chain(mode.outer_ring);
         let row: Vec<String> = numbers.map(|number| number.to_string()).collect();
-        let _ = writeln!(text, "{}", row.join(","));
+        let _ = writeln!(text, "{},{implausible},{warnings}", row.join(","));
     }
     text
 }

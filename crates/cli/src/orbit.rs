@@ -33,14 +33,11 @@ pub fn print(
     }
     pairs.push(("largest relative residual", format!("{:.1e}", s.residual), ""));
     pairs.push(("patch error estimate (of load)", format!("{:.1e}", s.patch_error_estimate), ""));
-    table::print_line(&format!("{name}\n"))?;
+    table::print_head(name, &answer.findings)?;
     table::print_pairs(&pairs)?;
     table::print_line("")?;
     rows(&s.balls)?;
-    for warning in &answer.solution.warnings {
-        table::print_line(&format!("warning: {warning}"))?;
-    }
-    Ok(())
+    table::print_warnings(answer.findings.warnings())
 }
 
 /// Writes a table under a temporary name first; it may not replace the case, nor a file of others unasked.

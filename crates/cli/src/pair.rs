@@ -2,14 +2,11 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
+use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
-use tribodyn_bearing::Bearing;
-use tribodyn_case::Purpose;
-use tribodyn_quasistatic::Model;
-use tribodyn_study::CaseFile;
-use tribodyn_study::answers::OrbitProblem;
-use tribodyn_study::pair::{Arrangement, Pair, PairBearing, PairModel, PairSolution, Preload, solve_pair};
+use tribodyn_study::answers::{Equations, PairSetting, pair};
+use tribodyn_study::pair::{Arrangement, PairBearing, PairSolution, Preload};
 
 /// Two bearings of a case on one rigid shaft: loads, preload, stiffness. The loads of the case act on the shaft, in the
 /// middle between the bearings.
@@ -29,9 +26,11 @@ pub struct Arguments {
     /// Force of a soft spring on the bearing at +z, whose outer ring slides, N
     #[arg(long, value_name = "N", conflicts_with = "offset")]
     spring: Option<f64>,
-    /// Equations of each bearing
-    #[arg(long, value_enum, default_value_t = ModelName::JonesHarris)]
-    model: ModelName,
+    /// Equations of each bearing [default: steady-orbit, or jones-harris for a case without traction or cage]
+    #[arg(long, value_enum)]
+    model: Option<ModelName>,
+    #[command(flatten)]
+    time: TimeArguments,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
@@ -59,12 +58,7 @@ impl From<ArrangementName> for Arrangement {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let (bearing, model) = model(arguments.model, &file)?;
-    let point = file.case.operating_point();
-    let pair = Pair {
-        bearing: &bearing,
-        point: &point,
-        model,
+    let setting = PairSetting {
         arrangement: arguments.arrangement.into(),
         distance: 1e-3 * allowed("distance", Some(arguments.distance), |mm| mm >= 0.0, "0 mm or more")?,
         preload: match arguments.spring {
@@ -72,11 +66,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             spring => Preload::SpringN(allowed("spring", spring, |n| n >= 0.0, "0 N or more")?),
         },
     };
-    let solution = solve_pair(&pair).map_err(|why| why.of(&file.name))?;
+    let equations = arguments.model.map_or_else(|| Equations::usual(&file.case), ModelName::equations);
+    let search = Search::begin(&file, &arguments.time);
+    let answer = pair(&file.question(search.watch()), equations, setting).map_err(|error| search.failed(error))?;
+    drop(search);
     if arguments.json {
-        return table::print_json(&solution);
+        return table::print_json(&answer);
     }
-    print(&file.name, &solution)
+    table::print_head(&file.name, answer.findings())?;
+    print(answer.value(), equations)?;
+    table::print_warnings(answer.findings().warnings())
 }
 
 /// A finite number that a rule allows.
@@ -88,22 +87,10 @@ fn allowed(option: &'static str, value: Option<f64>, rule: impl Fn(f64) -> bool,
     Err(Failure::Option { option, value: value.to_string(), message: format!("allowed is {text}") })
 }
 
-fn model(name: ModelName, file: &CaseFile) -> Result<(Bearing, PairModel), Failure> {
-    Ok(match name {
-        ModelName::JonesHarris => (file.bearing_for(Purpose::JonesHarris)?, PairModel::QuasiStatic(Model::JonesHarris)),
-        ModelName::Traction => (file.bearing_for(Purpose::Traction)?, PairModel::QuasiStatic(Model::Traction)),
-        ModelName::SteadyOrbit => {
-            let OrbitProblem { bearing, cage, settings, .. } = OrbitProblem::new(file)?;
-            (bearing, PairModel::SteadyOrbit(cage, settings))
-        }
-    })
-}
-
-fn print(name: &str, s: &PairSolution) -> Result<(), Failure> {
+fn print(s: &PairSolution, equations: Equations) -> Result<(), Failure> {
     let list = |values: &[f64], factor: f64, digits: usize| {
         values.iter().map(|v| number(v * factor, digits)).collect::<Vec<_>>().join("  ")
     };
-    table::print_line(&format!("{name}\n"))?;
     table::print_pairs(&[
         ("shaft displacement x y z", list(&s.shaft_displacement_m, 1e6, 3), "µm"),
         ("shaft tilt about x y", list(&s.shaft_tilt_rad, 1e3, 4), "mrad"),
@@ -112,6 +99,7 @@ fn print(name: &str, s: &PairSolution) -> Result<(), Failure> {
         ("radial stiffness along x y", list(&[s.stiffness[0][0], s.stiffness[1][1]], 1e-6, 2), "N/µm"),
         ("tilting stiffness about x y", list(&[s.stiffness[3][3], s.stiffness[4][4]], 1e-3, 3), "N m/mrad"),
         ("largest relative residual", format!("{:.1e}", s.residual), ""),
+        ("each bearing by the model", equations.name().to_owned(), ""),
     ])?;
     table::print_line("")?;
     let header = ["bearing at mm", "F_x N", "F_y N", "F_z N", "M_x N m", "M_y N m", "Q_i N", "p_i GPa", "α_i °"];

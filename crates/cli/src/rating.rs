@@ -2,9 +2,9 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
+use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
-use serde::Serialize;
 use tribodyn_study::answers::rated;
 use tribodyn_study::rating::{Rating, RatingSource};
 
@@ -15,36 +15,35 @@ use tribodyn_study::rating::{Rating, RatingSource};
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// Equations of the load distribution
-    #[arg(long, value_enum, default_value_t = ModelName::JonesHarris)]
-    model: ModelName,
+    /// Equations of the load distribution [default: steady-orbit, or jones-harris for a case without traction or cage]
+    #[arg(long, value_enum)]
+    model: Option<ModelName>,
+    #[command(flatten)]
+    time: TimeArguments,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
 }
 
-#[derive(Serialize)]
-struct Answer<'a> {
-    model: &'static str,
-    #[serde(flatten)]
-    rating: &'a Rating,
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let equations = arguments.model.equations();
-    let found = rated(&file, equations)?;
+    let search = Search::begin(&file, &arguments.time);
+    let equations = arguments.model.map(ModelName::equations);
+    let found = rated(&file.question(search.watch()), equations).map_err(|error| search.failed(error))?;
+    drop(search);
     if arguments.json {
-        return table::print_json(&Answer { model: equations.name(), rating: &found });
+        return table::print_json(&found);
     }
-    table::print_line(&format!("{}: {}\n", file.name, crate::harmless::visible(&file.case.name)))?;
-    table::print_pairs(&rows(&found))?;
-    Ok(())
+    let findings = found.findings();
+    let name = format!("{}: {}", file.name, crate::harmless::visible(&file.case.name));
+    table::print_head(&name, findings)?;
+    table::print_pairs(&rows(found.value(), findings.model().name()))?;
+    table::print_warnings(findings.warnings())
 }
 
 type Row = (&'static str, String, &'static str);
 
-fn rows(r: &Rating) -> Vec<Row> {
+fn rows(r: &Rating, model: &'static str) -> Vec<Row> {
     // Shown beside the value, where other rows have their unit.
     let rated = |value: f64, source| match source {
         RatingSource::Catalogue => (number(value, 0), "N, catalogue"),
@@ -58,14 +57,17 @@ fn rows(r: &Rating) -> Vec<Row> {
         ("dynamic load rating C_r", dynamic, dynamic_unit),
         ("static load rating C_0r", at_rest, static_unit),
         ("fatigue load limit C_u", limit, limit_unit),
-        ("loads, radial axial", format!("{}  {}", number(r.radial_load_n, 1), number(r.axial_load_n, 1)), "N"),
-        ("equivalent load P", number(r.equivalent_load_n, 1), "N"),
-        ("equivalent load of the ball loads P_ref", number(r.reference_load_n, 1), "N"),
     ];
+    if let (Some(radial), Some(axial)) = (r.radial_load_n, r.axial_load_n) {
+        rows.push(("loads, radial axial", format!("{}  {}", number(radial, 1), number(axial, 1)), "N"));
+    }
+    rows.push(("ball loads by the model", model.to_owned(), ""));
     let mut row = |name, value: Option<f64>, digits, unit| {
         rows.extend(value.map(|value| (name, number(value, digits), unit)));
     };
     let turns = "million turns";
+    row("equivalent load P", r.equivalent_load_n, 1, "N");
+    row("equivalent load of the ball loads P_ref", r.reference_load_n, 1, "N");
     row("basic rating life L_10, from P", r.rating_life_l10_mrev, 2, turns);
     row("reference rating life L_10r, from ball loads", r.rating_life_l10r_mrev, 2, turns);
     row("life modification factor a_ISO", r.life_modification_factor, 3, "");

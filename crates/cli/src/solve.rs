@@ -4,12 +4,12 @@ use crate::drawn;
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit;
+use crate::search::{Search, TimeArguments};
 use crate::table::{self, number};
-use crate::waiting::Waiting;
 use std::path::{Path, PathBuf};
 use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution};
 use tribodyn_record::{SolutionRecording, write_solution};
-use tribodyn_study::answers::{Equations, OrbitAnswer, equilibrium};
+use tribodyn_study::answers::{Equations, Equilibrium, OrbitAnswer, Tried, equilibrium};
 use tribodyn_study::{CaseFile, Change, Ours, StagedFiles};
 
 /// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
@@ -29,6 +29,10 @@ pub struct Arguments {
     /// Also search each ball for other equilibria, the ring held (about as long as a dozen solutions)
     #[arg(long)]
     roots: bool,
+    /// Say how far torque and cage speed of the steady orbit rest on each assumed value, by half and twice of it; without
+    /// this, on the pocket gap alone
+    #[arg(long)]
+    sensitivity: bool,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
@@ -40,6 +44,8 @@ pub struct Arguments {
     output: Option<PathBuf>,
     #[command(flatten)]
     replace: ReplaceArguments,
+    #[command(flatten)]
+    time: TimeArguments,
 }
 
 /// Equations of an operating point.
@@ -82,7 +88,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         arguments.replace.check(path, &arguments.case.path, Ours::Recording)?;
     }
     let Some(model) = arguments.model.equations().equilibrium() else { return orbit(arguments, &file) };
-    let answer = equilibrium(&file, model, arguments.roots)?;
+    if arguments.sensitivity {
+        let message = "sensitivities are those of the steady orbit".to_owned();
+        let value = format!("with --model {}", model.name());
+        return Err(Failure::Option { option: "sensitivity", value, message });
+    }
+    let search = Search::begin(&file, &arguments.time);
+    let answer = equilibrium(&file.question(search.watch()), model, arguments.roots).map_err(|e| search.failed(e))?;
+    drop(search);
     let solution = &answer.solution;
     let plots =
         arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, solution)).transpose()?;
@@ -99,7 +112,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.json {
         return table::print_json(&answer);
     }
-    print(&file.name, solution)?;
+    print(&file.name, &answer)?;
     answer.roots.as_deref().map_or(Ok(()), print_roots)
 }
 
@@ -109,10 +122,11 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
         let message = "the steady orbit is not searched for other equilibria; `--model traction` is".to_owned();
         return Err(Failure::Option { option: "roots", value: "with --model steady-orbit".to_owned(), message });
     }
-    let answer = {
-        let _waiting = Waiting::new(false, "seeking the steady orbit; `--model traction` is quicker");
-        OrbitAnswer::of(file)?
-    };
+    let search = Search::begin(file, &arguments.time);
+    let tried = if arguments.sensitivity { Tried::All } else { Tried::PocketGap };
+    let answer = OrbitAnswer::with_sensitivities(&file.question(search.watch()), tried);
+    let answer = answer.map_err(|error| search.failed(error))?;
+    drop(search);
     let plots = arguments.plot.as_ref();
     let plots = plots.map(|folder| stage_plots(folder, arguments.replace.force, &answer.round)).transpose()?;
     if let Some(path) = &arguments.output {
@@ -144,7 +158,8 @@ fn stage_plots(folder: &Path, force: bool, solution: &Solution) -> Result<Staged
     Ok(staged)
 }
 
-fn print(name: &str, s: &Solution) -> Result<(), Failure> {
+fn print(name: &str, answer: &Equilibrium) -> Result<(), Failure> {
+    let s = &answer.solution;
     let triple = |v: [f64; 3], factor: f64, digits: usize| v.map(|c| number(c * factor, digits)).join("  ");
     let mut rows = vec![
         ("cage speed", number(s.cage_speed_rpm, 3), "r/min"),
@@ -160,17 +175,14 @@ fn print(name: &str, s: &Solution) -> Result<(), Failure> {
     if let Some(error) = s.patch_error_estimate {
         rows.push(("patch error estimate (of load)", format!("{error:.1e}"), ""));
     }
-    table::print_line(&format!("{name}\n"))?;
+    table::print_head(name, &answer.findings)?;
     table::print_pairs(&rows)?;
     table::print_line("")?;
     // Jones–Harris says nothing about traction and slip.
     let columns = if s.model == Model::JonesHarris { HEADER.len() - 4 } else { HEADER.len() };
     let row = |b| ball_row(b).into_iter().take(columns).collect();
     table::print_rows(&HEADER[..columns], s.balls.iter().map(row))?;
-    for warning in &s.warnings {
-        table::print_line(&format!("warning: {warning}"))?;
-    }
-    Ok(())
+    table::print_warnings(&s.warnings)
 }
 
 /// Columns of the table of balls; the last four belong to traction.

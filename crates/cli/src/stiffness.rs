@@ -3,11 +3,12 @@
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit::write_table;
+use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table;
 use std::fmt::Write;
 use std::path::PathBuf;
-use tribodyn_study::answers::{StiffnessAnswer, stiffness};
+use tribodyn_study::answers::{Answer, StiffnessAnswer, stiffness};
 
 /// Stiffness of the inner ring: forces and moments against displacements and tilts, balls and cage in balance.
 #[derive(clap::Args)]
@@ -28,6 +29,8 @@ pub struct Arguments {
     ross: Option<PathBuf>,
     #[command(flatten)]
     replace: ReplaceArguments,
+    #[command(flatten)]
+    time: TimeArguments,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
@@ -38,7 +41,10 @@ const AXES: [&str; 5] = ["x", "y", "z", "tilt_x", "tilt_y"];
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let answers = stiffness(&file, arguments.model.equations(), &arguments.speeds)?;
+    let search = Search::begin(&file, &arguments.time);
+    let answers = stiffness(&file.question(search.watch()), arguments.model.equations(), &arguments.speeds);
+    let answers = answers.map_err(|error| search.failed(error))?;
+    drop(search);
     for (path, text) in [(&arguments.csv, csv(&answers)), (&arguments.ross, ross(&answers))] {
         if let Some(path) = path {
             write_table(path, &arguments.case.path, &text, &arguments.replace)?;
@@ -47,9 +53,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.json {
         return table::print_json(&answers);
     }
-    table::print_line(&format!("{}\n", file.name))?;
+    // The same at all speeds.
+    answers.first().map_or(Ok(()), |answer| table::print_head(&file.name, answer.findings()))?;
     for answer in &answers {
-        print(answer)?;
+        print(answer.value())?;
+        table::print_warnings(answer.findings().warnings())?;
+        table::print_line("")?;
     }
     Ok(())
 }
@@ -62,33 +71,46 @@ fn print(answer: &StiffnessAnswer) -> Result<(), Failure> {
         std::iter::once(name.to_owned()).chain(row.iter().map(|k| format!("{k:.4e}"))).collect::<Vec<_>>()
     });
     table::print_rows(&header, rows)?;
-    table::print_line("")
+    let error = answer.error_estimate.map(|error| format!("error estimate {error:.1e} of √(K_ii K_jj)"));
+    error.map_or(Ok(()), |line| table::print_line(&line))
 }
 
-/// One row a speed: the speed, then the matrix by rows.
-fn csv(answers: &[StiffnessAnswer]) -> String {
+/// One row a speed: the speed, then the matrix by rows, and what must be known of the operating point.
+fn csv(answers: &[Answer<StiffnessAnswer>]) -> String {
     let mut text = "inner_speed_rpm".to_owned();
     for row in AXES {
         for column in AXES {
             let _ = write!(text, ",k_{row}_{column}");
         }
     }
-    text.push('\n');
+    let _ = writeln!(text, "{FINDINGS}");
     for answer in answers {
-        let _ = write!(text, "{}", answer.inner_speed_rpm);
-        answer.stiffness.iter().flatten().for_each(|k| _ = write!(text, ",{k}"));
-        text.push('\n');
+        let StiffnessAnswer { inner_speed_rpm, stiffness, .. } = answer.value();
+        let _ = write!(text, "{inner_speed_rpm}");
+        stiffness.iter().flatten().for_each(|k| _ = write!(text, ",{k}"));
+        let _ = writeln!(text, "{}", findings(answer));
     }
     text
 }
 
+/// Columns of what must be known of the operating point.
+const FINDINGS: &str = ",error_estimate,implausible,warnings";
+
+fn findings(answer: &Answer<StiffnessAnswer>) -> String {
+    let of = answer.findings();
+    let error = answer.value().error_estimate.map_or_else(String::new, |error| error.to_string());
+    format!(",{error},{},{}", table::csv_text(&of.implausible()), table::csv_text(&of.warnings().join("; ")))
+}
+
 /// Bearing coefficients over speed, under the names of the arguments of the `BearingElement` of ROSS 3, in which
 /// `frequency` is that of the whirl.
-fn ross(answers: &[StiffnessAnswer]) -> String {
-    let mut text = "speed,kxx,kxy,kyx,kyy,kzz\n".to_owned();
-    for StiffnessAnswer { inner_speed_rpm, stiffness: k, .. } in answers {
+fn ross(answers: &[Answer<StiffnessAnswer>]) -> String {
+    let mut text = format!("speed,kxx,kxy,kyx,kyy,kzz{FINDINGS}\n");
+    for answer in answers {
+        let StiffnessAnswer { inner_speed_rpm, stiffness: k, .. } = answer.value();
         let speed = inner_speed_rpm / RPM_PER_RAD_S;
-        let _ = writeln!(text, "{speed},{},{},{},{},{}", k[0][0], k[0][1], k[1][0], k[1][1], k[2][2]);
+        let _ = write!(text, "{speed},{},{},{},{},{}", k[0][0], k[0][1], k[1][0], k[1][1], k[2][2]);
+        let _ = writeln!(text, "{}", findings(answer));
     }
     text
 }

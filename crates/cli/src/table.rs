@@ -5,6 +5,7 @@ use crate::harmless::{harmless, steers};
 use comfy_table::{CellAlignment, Table, presets};
 use serde::Serialize;
 use std::io::Write;
+use tribodyn_study::answers::Findings;
 
 /// Prints a value as indented JSON.
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
@@ -28,6 +29,21 @@ pub fn number(value: f64, digits: usize) -> String {
         Some(magnitude) if magnitude.bytes().all(|byte| matches!(byte, b'0' | b'.')) => magnitude.to_owned(),
         _ => text,
     }
+}
+
+/// The first lines of an answer: of which case it is, and what its bearing runs with.
+pub fn print_head(name: &str, findings: &Findings) -> Result<(), Failure> {
+    print_line(&format!("{name}\nlubrication: {}\n", findings.lubrication()))
+}
+
+/// What must be known of the operating point that an answer rests on, a line each.
+pub fn print_warnings(warnings: &[String]) -> Result<(), Failure> {
+    warnings.iter().try_for_each(|warning| print_line(&format!("warning: {warning}")))
+}
+
+/// A text as a field of a CSV table.
+pub fn csv_text(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
 }
 
 /// Prints name, value and unit, a line each.

@@ -12,6 +12,8 @@ mod documents;
 mod ensemble;
 #[path = "cli/files.rs"]
 mod files;
+#[path = "cli/findings.rs"]
+mod findings;
 #[path = "cli/implausible.rs"]
 mod implausible;
 #[path = "cli/life.rs"]

@@ -4,14 +4,15 @@ use crate::case::NativeCase;
 use crate::convert::to_python;
 use crate::error::{self, internal};
 use crate::solution::NativeSolution;
-use crate::watch::left_alone;
+use crate::watch::searching;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::sync::Arc;
+use tribodyn_bearing::SearchWatch;
 use tribodyn_bearing::quantities::{Facts, OfBall, Scope, joined};
 use tribodyn_contact::Body;
 use tribodyn_quasistatic::SOLUTION;
-use tribodyn_study::answers::{self, Equations, HertzQuestion, OrbitAnswer};
+use tribodyn_study::answers::{self, Equations, HertzQuestion, OrbitAnswer, Question, Tried};
 use tribodyn_study::{CaseFile, StudyError};
 
 /// Equations by their name.
@@ -21,11 +22,11 @@ pub fn equations(py: Python<'_>, model: &str) -> PyResult<Equations> {
 
 /// The equilibrium or the steady orbit of a case.
 #[pyfunction]
-pub fn solve(py: Python<'_>, case: &NativeCase, model: &str, roots: bool) -> PyResult<NativeSolution> {
+pub fn solve(py: Python<'_>, case: &NativeCase, model: &str, roots: bool, time_limit: f64) -> PyResult<NativeSolution> {
+    limit(py, time_limit)?;
     let file = Arc::clone(&case.file);
     let solved = match equations(py, model)?.equilibrium() {
-        Some(model) if !roots => py.detach(|| equilibrium(&file, model, false)),
-        Some(model) => left_alone(py, move || equilibrium(&file, model, true))?,
+        Some(model) => searching(py, time_limit, move |watch| equilibrium(&file, (model, roots), watch))?,
         None if roots => {
             return Err(error::argument(
                 py,
@@ -34,13 +35,25 @@ pub fn solve(py: Python<'_>, case: &NativeCase, model: &str, roots: bool) -> PyR
                 "the steady orbit is not searched for other equilibria; the model \"traction\" is",
             ));
         }
-        None => left_alone(py, move || orbit(&file))?,
+        None => searching(py, time_limit, move |watch| orbit(&file, watch))?,
     };
     solved.map_err(|failure| error::study(py, failure))
 }
 
-fn equilibrium(file: &CaseFile, model: tribodyn_quasistatic::Model, roots: bool) -> Result<NativeSolution, StudyError> {
-    let mut answer = answers::equilibrium(file, model, roots)?;
+/// A limit on processor time, s.
+fn limit(py: Python<'_>, seconds: f64) -> PyResult<()> {
+    if seconds > 0.0 {
+        return Ok(());
+    }
+    Err(error::argument(py, "time_limit", &seconds.to_string(), "allowed are seconds above 0, or inf"))
+}
+
+fn equilibrium(
+    file: &CaseFile,
+    (model, roots): (tribodyn_quasistatic::Model, bool),
+    watch: SearchWatch,
+) -> Result<NativeSolution, StudyError> {
+    let mut answer = answers::equilibrium(&file.question(watch), model, roots)?;
     // The head is what the command prints; balls are handed out as an array.
     let balls = std::mem::take(&mut answer.solution.balls);
     let head = serde_json::to_value(&answer)?;
@@ -49,38 +62,40 @@ fn equilibrium(file: &CaseFile, model: tribodyn_quasistatic::Model, roots: bool)
     Ok(NativeSolution::new(head, solution, None))
 }
 
-fn orbit(file: &CaseFile) -> Result<NativeSolution, StudyError> {
-    let answer = OrbitAnswer::of(file)?;
+fn orbit(file: &CaseFile, watch: SearchWatch) -> Result<NativeSolution, StudyError> {
+    let answer = OrbitAnswer::with_sensitivities(&file.question(watch), Tried::PocketGap)?;
     let head = serde_json::to_value(&answer)?;
     Ok(NativeSolution::new(head, answer.solution, Some(answer.round)))
 }
 
-/// A question whose answer is plain data, asked on a thread that an interrupt leaves alone.
+/// A question whose answer is plain data, asked on a thread of its own that an interrupt ends.
 fn ask<'py>(
     py: Python<'py>,
-    case: &NativeCase,
-    question: impl FnOnce(&CaseFile) -> Result<Value, StudyError> + Send + 'static,
+    (case, time_limit): (&NativeCase, f64),
+    question: impl FnOnce(&Question<'_>) -> Result<Value, StudyError> + Send + 'static,
 ) -> PyResult<Bound<'py, PyAny>> {
+    limit(py, time_limit)?;
     let file = Arc::clone(&case.file);
-    let answer = left_alone(py, move || question(&file))?;
+    let answer = searching(py, time_limit, move |watch| question(&file.question(watch)))?;
     to_python(py, &answer.map_err(|failure| error::study(py, failure))?)
 }
 
 /// What follows from a case before anything is solved.
 #[pyfunction]
 pub fn check<'py>(py: Python<'py>, case: &NativeCase) -> PyResult<Bound<'py, PyAny>> {
-    ask(py, case, |file| Ok(serde_json::to_value(answers::derived(file)?)?))
+    ask(py, (case, f64::INFINITY), |question| Ok(serde_json::to_value(answers::derived(question)?)?))
 }
 
 /// Rating life and static safety.
 #[pyfunction]
-pub fn rating<'py>(py: Python<'py>, case: &NativeCase, model: &str) -> PyResult<Bound<'py, PyAny>> {
-    let equations = equations(py, model)?;
-    ask(py, case, move |file| {
-        let mut answer = serde_json::to_value(answers::rated(file, equations)?)?;
-        answer["model"] = equations.name().into();
-        Ok(answer)
-    })
+pub fn rating<'py>(
+    py: Python<'py>,
+    case: &NativeCase,
+    model: Option<&str>,
+    time_limit: f64,
+) -> PyResult<Bound<'py, PyAny>> {
+    let equations = model.map(|model| equations(py, model)).transpose()?;
+    ask(py, (case, time_limit), move |question| Ok(serde_json::to_value(answers::rated(question, equations)?)?))
 }
 
 /// Stiffness at each of some speeds, r/min.
@@ -90,15 +105,18 @@ pub fn stiffness<'py>(
     case: &NativeCase,
     model: &str,
     speeds: Vec<f64>,
+    time_limit: f64,
 ) -> PyResult<Bound<'py, PyAny>> {
     let equations = equations(py, model)?;
-    ask(py, case, move |file| Ok(serde_json::to_value(answers::stiffness(file, equations, &speeds)?)?))
+    ask(py, (case, time_limit), move |question| {
+        Ok(serde_json::to_value(answers::stiffness(question, equations, &speeds)?)?)
+    })
 }
 
 /// Natural modes up to a frequency, Hz.
 #[pyfunction]
-pub fn modes<'py>(py: Python<'py>, case: &NativeCase, up_to: f64) -> PyResult<Bound<'py, PyAny>> {
-    ask(py, case, move |file| Ok(serde_json::to_value(answers::modes(file, up_to)?)?))
+pub fn modes<'py>(py: Python<'py>, case: &NativeCase, up_to: f64, time_limit: f64) -> PyResult<Bound<'py, PyAny>> {
+    ask(py, (case, time_limit), move |question| Ok(serde_json::to_value(answers::modes(question, up_to)?)?))
 }
 
 /// One Hertz contact; radii in mm, moduli in GPa.

@@ -79,6 +79,7 @@ pub fn study(py: Python<'_>, error: StudyError) -> PyErr {
             with_facts(py, "CaseError", &message, |facts| case_facts(facts, None, error))
         }
         StudyError::Argument { name, value, message } => argument(py, name, value, message),
+        error if error.is_ended() => exception(py, "SolveError", &message, &PyDict::new(py)),
         StudyError::Solver { file, source } => solver(py, &message, file, source),
         StudyError::Orbit { file, source } => orbit(py, &message, file, source),
         StudyError::Read { path, .. }

@@ -6,6 +6,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, mpsc};
 use std::time::Duration;
+use tribodyn_bearing::SearchWatch;
+use tribodyn_study::Patience;
 
 /// Time between looks at the interpreter.
 const LOOK_EVERY: Duration = Duration::from_millis(50);
@@ -84,7 +86,17 @@ fn look(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, watch: &Watch) -> P
     }
 }
 
-/// Work without progress that can be left to itself.
-pub fn left_alone<R: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> R + Send + 'static) -> PyResult<R> {
-    watched(py, None, false, |_| work()).map(|(result, _)| result)
+/// Work that searches: the limit on its processor time, s, ends it, and so does an interrupt.
+pub fn searching<R: Send + 'static>(
+    py: Python<'_>,
+    limit_s: f64,
+    work: impl FnOnce(SearchWatch) -> R + Send + 'static,
+) -> PyResult<R> {
+    let patience = Arc::new(Patience::of_seconds(limit_s));
+    let link = SearchWatch::new(patience.clone());
+    let done = watched(py, None, false, move |_| work(link));
+    if done.is_err() {
+        patience.stop();
+    }
+    done.map(|(result, _)| result)
 }

@@ -8,8 +8,7 @@ use crate::{Model, Solution};
 use tribodyn_bearing::{
     BallPlace, BallResult, Bearing, ContactPose, ContactResult, OperatingPoint, PocketForce, PocketResult, RaceControl,
 };
-use tribodyn_bearing::{RaceContact, Races, Sheet, Side};
-use tribodyn_traction::TractionLaw;
+use tribodyn_bearing::{Races, Sheet, Side};
 
 /// Inner slide-to-roll ratio beyond which the ball skids: past the peak of the library's coatings, which lies at 0.1 to
 /// 4 % for the slip units in use.
@@ -79,17 +78,9 @@ pub(crate) fn with_traction(
     let mut action = [0.0; 6];
     let sheet = bearing.sheet();
     let mut balls = Vec::with_capacity(solved.state.balls.len());
-    let mut clamped = Vec::new();
     for (index, &ball) in solved.state.balls.iter().enumerate() {
         let (state, loads, inner) = system.evaluate(index, ball, solved.state.ring);
         balls.push(sheet.ball(bearing.azimuth(index), &state, &loads, system.speeds.inner));
-        let out_of_range = |contact: &RaceContact, side| {
-            let law = bearing.tribology.as_ref().map(|t| &t.laws[side]);
-            contact.normal.load > 0.0 && law.is_some_and(|law| law.clamps(contact.ellipse.peak_pressure))
-        };
-        if out_of_range(&loads.contacts.inner, Side::Inner) || out_of_range(&loads.contacts.outer, Side::Outer) {
-            clamped.push(index);
-        }
         let on_ring = bearing.ring_action(&state, &loads, &inner);
         (0..6).for_each(|c| action[c] += on_ring[c]);
     }
@@ -98,10 +89,6 @@ pub(crate) fn with_traction(
     (solution.ring_load_n, solution.ring_moment_nm, solution.shaft_torque_nm) = ([x, y, z], [mx, my], Some(torque));
     (solution.residual, solution.iterations) = (solved.worst().residual, solved.statistics.accepted);
     solution.patch_error_estimate = Some(estimate);
-    if !clamped.is_empty() {
-        let text = "pressure outside the range of the coating's data, clamped";
-        solution.warnings.push(format!("{text}: {}", name_balls(&solution, &clamped)));
-    }
     lost_contacts(&mut solution);
     if solution.turns() {
         skidding(&mut solution);

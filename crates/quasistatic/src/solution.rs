@@ -53,7 +53,7 @@ pub struct Solution {
     pub iterations: usize,
     /// Estimated quadrature error of the traction force over the load, against a finer rule; absent for Jones–Harris.
     pub patch_error_estimate: Option<f64>,
-    /// Warnings: clamped pressure range, lost contacts, several or no roots, by ball.
+    /// Warnings: lost contacts, several or no roots, by ball.
     pub warnings: Vec<String>,
     /// One entry per ball, by azimuth.
     pub balls: Vec<BallResult>,

@@ -3,6 +3,7 @@
 //!     cargo run --release -p tribodyn-study --example solve_time -- CASE [jones-harris|traction|steady-orbit] [TIMES]
 
 use std::time::Instant;
+use tribodyn_bearing::SearchWatch;
 use tribodyn_quasistatic::Model;
 use tribodyn_study::answers::{OrbitProblem, equilibrium};
 use tribodyn_study::{CaseFile, StudyError};
@@ -13,13 +14,14 @@ fn main() -> Result<(), StudyError> {
     let model = arguments.next().unwrap_or_else(|| "traction".to_owned());
     let times = arguments.next().and_then(|count| count.parse().ok()).unwrap_or(20);
     let file = CaseFile::read(path.as_ref(), &[])?;
+    let question = file.question(SearchWatch::default());
     let mut least = f64::INFINITY;
     for _ in 0..times {
         let began = Instant::now();
         match model.as_str() {
-            "jones-harris" => drop(equilibrium(&file, Model::JonesHarris, false)?),
-            "traction" => drop(equilibrium(&file, Model::Traction, false)?),
-            _ => drop(OrbitProblem::new(&file)?.solve(&file)?),
+            "jones-harris" => drop(equilibrium(&question, Model::JonesHarris, false)?),
+            "traction" => drop(equilibrium(&question, Model::Traction, false)?),
+            _ => drop(OrbitProblem::new(&question)?.solve(question.name)?),
         }
         least = least.min(began.elapsed().as_secs_f64());
     }

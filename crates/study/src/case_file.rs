@@ -1,11 +1,12 @@
 //! Reading case files, with changes to single values.
 
+use crate::answers::Question;
 use crate::error::{RefusedCase, StudyError};
 use crate::files::read_at_most;
 use crate::limits::Limits;
 use std::fmt;
 use std::path::Path;
-use tribodyn_bearing::Bearing;
+use tribodyn_bearing::{Bearing, SearchWatch};
 use tribodyn_case::{Case, CaseError, InputError, Purpose, set_value};
 use tribodyn_dynamics::RunInputs;
 
@@ -97,28 +98,33 @@ impl CaseFile {
         }
     }
 
+    /// A question about the case, its searches linked to the asker.
+    pub fn question(&self, watch: SearchWatch) -> Question<'_> {
+        Question { name: &self.name, text: &self.text, case: &self.case, watch }
+    }
+
     /// The bearing that the solvers work with.
     pub fn bearing(&self) -> Result<Bearing, StudyError> {
-        self.case.bearing().map_err(|source| self.not_usable(source.into()))
+        self.plain().bearing()
     }
 
     /// [`Self::bearing`], where the case has all that a model needs.
     pub fn bearing_for(&self, purpose: Purpose) -> Result<Bearing, StudyError> {
-        self.case.require(purpose).map_err(|source| self.not_usable(source.into()))?;
-        self.bearing()
+        self.plain().bearing_for(purpose)
     }
 
     /// Inputs of a transient run.
     pub fn run_inputs(&self) -> Result<RunInputs, StudyError> {
-        self.case.run_inputs().map_err(|source| self.not_usable(source))
+        self.plain().run_inputs()
     }
 
     pub(crate) fn not_usable(&self, error: InputError) -> StudyError {
-        let file = self.name.clone();
-        match error {
-            InputError::Lacking(source) => StudyError::Lacking { file, source },
-            InputError::Bearing(source) => StudyError::Bearing { file, source },
-        }
+        self.plain().not_usable(error)
+    }
+
+    /// A question that nobody follows.
+    fn plain(&self) -> Question<'_> {
+        self.question(SearchWatch::default())
     }
 }
 

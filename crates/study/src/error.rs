@@ -104,6 +104,23 @@ pub enum StudyError {
         /// Reason.
         source: OrbitError,
     },
+    /// Loads far beyond what the bearing carries.
+    #[error("{file}: {why}")]
+    Overload {
+        /// Name of the case file.
+        file: String,
+        /// A first estimate in words.
+        why: String,
+    },
+    /// A bearing at rest, where a motion is asked for.
+    #[error(
+        "{file}: the rings do not turn against each other: a bearing at rest has no orbit to swing about; \
+         `speed.inner` or `speed.outer` other than the same gives it one"
+    )]
+    AtRest {
+        /// Name of the case file.
+        file: String,
+    },
     /// No steady orbit for a run to start from.
     #[error(
         "{file}: no steady orbit to start from: {source}; `transient.start: QuasiStatic` starts from the equilibrium"
@@ -360,6 +377,26 @@ pub enum StudyError {
 }
 
 impl StudyError {
+    /// True where an operating point was not found, or is none: what the standards say of the loads stands all the same.
+    pub fn leaves_a_rating(&self) -> bool {
+        matches!(
+            self,
+            Self::Overload { .. }
+                | Self::Solver { source: QuasiStaticError::NotConverged { .. } | QuasiStaticError::Ended, .. }
+                | Self::Orbit { source: OrbitError::NotConverged { .. } | OrbitError::Ended, .. }
+        )
+    }
+
+    /// True where the caller ended a search.
+    pub fn is_ended(&self) -> bool {
+        matches!(
+            self,
+            Self::Solver { source: QuasiStaticError::Ended, .. }
+                | Self::Orbit { source: OrbitError::Ended, .. }
+                | Self::Pair { source: crate::pair::PairError::Ended, .. }
+        )
+    }
+
     /// A value that a question cannot have.
     pub fn argument(name: &'static str, value: impl ToString, message: impl Into<String>) -> Self {
         Self::Argument { name, value: value.to_string(), message: message.into() }

@@ -1,13 +1,14 @@
 //! Rating life and static safety of a case: the formulas of `tribodyn-rating` on its catalogue numbers and its
 //! solution.
 
+use crate::plausibility::case_loads;
 use serde::Serialize;
 use tribodyn_bearing::Side;
-use tribodyn_case::{Case, Fit, RatingSpec};
+use tribodyn_case::{Case, Fit};
 use tribodyn_quasistatic::Solution;
 use tribodyn_rating::{
-    BallLoads, Lubrication, PERMISSIBLE_PRESSURE, RatedBearing, RatingError, Turning, basic_life_mrev, hours,
-    life_modification_factor, reliability_factor,
+    BallLoads, Lubrication, PERMISSIBLE_PRESSURE, RatedBearing, RatingError, ReferenceLife, Turning, basic_life_mrev,
+    hours, life_modification_factor, reliability_factor,
 };
 
 /// Where a load rating comes from.
@@ -20,7 +21,7 @@ pub enum RatingSource {
     Computed,
 }
 
-/// Ratings and lives of a bearing under the loads of a solution.
+/// Ratings and lives of a bearing under the loads of a solution, or of its case where there is no solution.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Rating {
     /// Nominal contact angle of the formulas, degrees.
@@ -37,16 +38,16 @@ pub struct Rating {
     pub fatigue_load_limit_n: f64,
     /// Where it comes from.
     pub fatigue_load_limit_source: RatingSource,
-    /// Radial load F_r of the solution, N.
-    pub radial_load_n: f64,
-    /// Axial load F_a of the solution, N.
-    pub axial_load_n: f64,
+    /// Radial load F_r, N; absent for a held ring without a solution.
+    pub radial_load_n: Option<f64>,
+    /// Axial load F_a, N.
+    pub axial_load_n: Option<f64>,
     /// Dynamic equivalent load P = X F_r + Y F_a, N.
-    pub equivalent_load_n: f64,
+    pub equivalent_load_n: Option<f64>,
     /// Basic rating life L_10 = (C_r/P)³, 10⁶ revolutions; absent without load.
     pub rating_life_l10_mrev: Option<f64>,
-    /// Equivalent load of the load distribution P_ref, N.
-    pub reference_load_n: f64,
+    /// Equivalent load of the load distribution P_ref, N; absent without a solution.
+    pub reference_load_n: Option<f64>,
     /// Basic reference rating life L_10r of the load distribution, 10⁶ revolutions; absent without load.
     pub rating_life_l10r_mrev: Option<f64>,
     /// Life modification factor a_ISO; absent where the case does not give the lubrication.
@@ -58,45 +59,74 @@ pub struct Rating {
     /// Hours at the speed of the case: of L_nmr where there is one, else of a_1 L_10r; absent at rest.
     pub rating_life_hours: Option<f64>,
     /// Static equivalent load P_0, N.
-    pub static_equivalent_load_n: f64,
+    pub static_equivalent_load_n: Option<f64>,
     /// Static safety s_0 = C_0r/P_0; absent without load.
     pub static_safety: Option<f64>,
-    /// Highest peak pressure of all contacts, Pa.
-    pub peak_pressure_max_pa: f64,
+    /// Highest peak pressure of all contacts, Pa; absent without a solution.
+    pub peak_pressure_max_pa: Option<f64>,
     /// Load that would bring it to 4.2 GPa over the load there is; absent without load.
     pub pressure_safety: Option<f64>,
 }
 
-/// Ratings and lives of a case under the ball loads of one of its solutions.
+impl Rating {
+    /// Without what a bearing that carries nothing does not have.
+    #[must_use]
+    pub fn unloaded(self) -> Self {
+        Self {
+            rating_life_l10_mrev: None,
+            rating_life_l10r_mrev: None,
+            life_modification_factor: None,
+            rating_life_lnmr_mrev: None,
+            rating_life_hours: None,
+            static_safety: None,
+            pressure_safety: None,
+            ..self
+        }
+    }
+}
+
+/// What follows from the ball loads of a solution.
+struct Distribution {
+    reference: ReferenceLife,
+    peak_pressure: f64,
+    relative_speed: f64,
+}
+
+/// Ratings and lives of a case under the ball loads of one of its solutions, or under its loads alone.
 ///
 /// # Errors
 /// [`RatingError`] for a bearing that the standards do not rate.
-pub fn rating(case: &Case, solution: &Solution) -> Result<Rating, RatingError> {
+pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, RatingError> {
     let spec = case.rating.unwrap_or_default();
-    let rated = rated_bearing(case, &spec)?;
+    let rated = rated_bearing(case);
     let (dynamic, dynamic_source) = rated_or(spec.dynamic, || rated.dynamic_rating())?;
     let (at_rest, static_source) = rated_or(spec.static_load, || rated.static_rating())?;
     let (limit, limit_source) = rated_or(spec.fatigue_limit, || rated.fatigue_load_limit(at_rest))?;
-    let [x, y, z] = solution.ring_load_n;
-    let (radial, axial) = (x.hypot(y), z.abs());
-    let equivalent = rated.equivalent_load(radial, axial)?;
-    let loads = Side::BOTH.map(|side| solution.balls.iter().map(|b| b.contacts[side].load_n).collect::<Vec<_>>());
-    let turning = Turning::of_speeds(solution.inner_speed_rad_s, solution.outer_speed_rad_s);
-    let reference = rated.reference_life(dynamic, &BallLoads { inner: &loads[0], outer: &loads[1], turning })?;
+    let loads = match solution.map(|solution| solution.ring_load_n) {
+        Some([x, y, z]) => Some([x.hypot(y), z.abs()]),
+        None => case_loads(case),
+    };
+    let of_loads = |of: fn(&RatedBearing, f64, f64) -> Result<f64, RatingError>| {
+        loads.map(|[radial, axial]| of(&rated, radial, axial)).transpose()
+    };
+    let equivalent = of_loads(RatedBearing::equivalent_load)?;
+    let static_load = of_loads(RatedBearing::static_equivalent_load)?;
+    let distribution = solution.map(|solution| distribution(&rated, dynamic, solution)).transpose()?;
+    let reference = distribution.as_ref().map(|found| &found.reference);
     let reliability = reliability_factor(spec.reliability.unwrap_or(90.0))?;
-    let modification = match (spec.viscosity_ratio, spec.contamination) {
-        (Some(viscosity_ratio), Some(contamination)) if reference.equivalent_load > 0.0 => {
+    let reference_load = reference.map(|reference| reference.equivalent_load);
+    let modification = match (spec.viscosity_ratio, spec.contamination, reference_load.filter(|load| *load > 0.0)) {
+        (Some(viscosity_ratio), Some(contamination), Some(load)) => {
             let film = Lubrication { viscosity_ratio, contamination };
-            Some(life_modification_factor(film, limit, reference.equivalent_load)?)
+            Some(life_modification_factor(film, limit, load)?)
         }
         _ => None,
     };
-    let modified = modification.zip(reference.life_mrev).map(|(factor, life)| reliability * factor * life);
-    let counted = modified.or(reference.life_mrev.map(|life| reliability * life));
-    let relative_speed = solution.inner_speed_rad_s - solution.outer_speed_rad_s;
-    let static_load = rated.static_equivalent_load(radial, axial)?;
-    let pressures = solution.balls.iter().flat_map(|b| Side::BOTH.map(|side| b.contacts[side].peak_pressure_pa));
-    let peak = pressures.fold(0.0, f64::max);
+    let life = reference.and_then(|reference| reference.life_mrev);
+    let modified = modification.zip(life).map(|(factor, life)| reliability * factor * life);
+    let counted = modified.or(life.map(|life| reliability * life));
+    let relative_speed = distribution.as_ref().map(|found| found.relative_speed);
+    let peak = distribution.as_ref().map(|found| found.peak_pressure);
     Ok(Rating {
         nominal_contact_angle_deg: rated.contact_angle.to_degrees(),
         dynamic_rating_n: dynamic,
@@ -105,21 +135,42 @@ pub fn rating(case: &Case, solution: &Solution) -> Result<Rating, RatingError> {
         static_rating_source: static_source,
         fatigue_load_limit_n: limit,
         fatigue_load_limit_source: limit_source,
-        radial_load_n: radial,
-        axial_load_n: axial,
+        radial_load_n: loads.map(|loads| loads[0]),
+        axial_load_n: loads.map(|loads| loads[1]),
         equivalent_load_n: equivalent,
-        rating_life_l10_mrev: basic_life_mrev(dynamic, equivalent),
-        reference_load_n: reference.equivalent_load,
-        rating_life_l10r_mrev: reference.life_mrev,
+        rating_life_l10_mrev: equivalent.and_then(|load| basic_life_mrev(dynamic, load)),
+        reference_load_n: reference_load,
+        rating_life_l10r_mrev: life,
         life_modification_factor: modification,
         reliability_factor: reliability,
         rating_life_lnmr_mrev: modified,
-        rating_life_hours: counted.and_then(|life| hours(life, relative_speed)),
+        rating_life_hours: counted.zip(relative_speed).and_then(|(life, speed)| hours(life, speed)),
         static_equivalent_load_n: static_load,
-        static_safety: (static_load > 0.0).then_some(at_rest / static_load),
+        static_safety: static_load.filter(|load| *load > 0.0).map(|load| at_rest / load),
         peak_pressure_max_pa: peak,
-        pressure_safety: (peak > 0.0).then_some((PERMISSIBLE_PRESSURE / peak).powi(3)),
+        pressure_safety: peak.filter(|peak| *peak > 0.0).map(|peak| (PERMISSIBLE_PRESSURE / peak).powi(3)),
     })
+}
+
+fn distribution(rated: &RatedBearing, dynamic: f64, solution: &Solution) -> Result<Distribution, RatingError> {
+    let loads = Side::BOTH.map(|side| solution.balls.iter().map(|b| b.contacts[side].load_n).collect::<Vec<_>>());
+    let turning = Turning::of_speeds(solution.inner_speed_rad_s, solution.outer_speed_rad_s);
+    let reference = rated.reference_life(dynamic, &BallLoads { inner: &loads[0], outer: &loads[1], turning })?;
+    let pressures = solution.balls.iter().flat_map(|b| Side::BOTH.map(|side| b.contacts[side].peak_pressure_pa));
+    Ok(Distribution {
+        reference,
+        peak_pressure: pressures.fold(0.0, f64::max),
+        relative_speed: solution.inner_speed_rad_s - solution.outer_speed_rad_s,
+    })
+}
+
+/// The static load rating C_0r of a case, N: of the catalogue, or by ISO 76.
+///
+/// # Errors
+/// [`RatingError`] for a bearing that the standard does not rate.
+pub fn static_rating(case: &Case) -> Result<f64, RatingError> {
+    rated_or(case.rating.unwrap_or_default().static_load, || rated_bearing(case).static_rating())
+        .map(|(value, _)| value)
 }
 
 fn rated_or(
@@ -134,18 +185,18 @@ fn rated_or(
 
 /// The bearing of the drawing as the standards see it. Its contact angle is nominal: 0 where the case gives a
 /// clearance.
-fn rated_bearing(case: &Case, spec: &RatingSpec) -> Result<RatedBearing, RatingError> {
-    let contact_angle = spec.contact_angle.unwrap_or(match case.geometry.fit {
+pub(crate) fn rated_bearing(case: &Case) -> RatedBearing {
+    let contact_angle = case.rating.and_then(|spec| spec.contact_angle).unwrap_or(match case.geometry.fit {
         Fit::ContactAngle(angle) => angle,
         Fit::RadialClearance(_) => 0.0,
     });
     let [inner_coefficient, outer_coefficient] = case.geometry.coefficients();
-    Ok(RatedBearing {
+    RatedBearing {
         ball_count: case.geometry.ball_count,
         ball_diameter: case.geometry.ball_diameter,
         pitch_diameter: case.geometry.pitch_diameter,
         contact_angle,
         inner_coefficient,
         outer_coefficient,
-    })
+    }
 }

@@ -6,6 +6,7 @@ mod plan;
 
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments, pool};
+use crate::search::TimeArguments;
 use crate::solve::ModelName;
 use crate::table::{number, print_json, print_line, print_pairs};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -44,6 +45,8 @@ pub struct Arguments {
     /// Equations to solve
     #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
     model: ModelName,
+    #[command(flatten)]
+    time: TimeArguments,
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -128,7 +131,8 @@ fn solve(arguments: &Arguments, case: &Path) -> Result<(), Failure> {
     let limits = arguments.limits.limits();
     let text = read_text(case, &limits)?;
     let (name, model) = (case.display().to_string(), arguments.model.equations());
-    let grid = pool.install(|| Grid::new(&name, text, &arguments.settings, (model, &limits)))?;
+    let mut grid = pool.install(|| Grid::new(&name, text, &arguments.settings, (model, &limits)))?;
+    grid.time_limit_s = arguments.time.limit_s;
     if let Some(path) = &arguments.output {
         arguments.replace.check(path, case, Ours::Table)?;
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.metadata
+import warnings
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
@@ -14,6 +15,21 @@ from ._answer import Answer
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+
+
+class OfOperatingPoint(Answer):
+    """An answer that rests on an operating point, with what must be known of that."""
+
+    #: equations of the operating point
+    model: str
+    #: what the bearing is lubricated with
+    lubrication: str
+    #: False where nothing loads the bearing
+    loaded: bool
+    #: sentences on what is unusual, beyond what was tested, or more than the model can mean
+    warnings: list[str]
+    #: names of what no bearing does
+    implausible: list[str]
 
 
 class Growth(Answer):
@@ -54,6 +70,21 @@ class Derived(Answer):
     cage_speed_free_rpm: float
     drag_per_ball_n: Optional[float]
     effective_fluid_density_kg_m3: Optional[float]
+    #: what the bearing is lubricated with
+    lubrication: str
+    #: C_r; None for a bearing that the standards do not rate
+    dynamic_rating_n: Optional[float]
+    #: C_0r
+    static_rating_n: Optional[float]
+    #: None where the ring is held along x, y or z, like all that follows from loads
+    radial_load_n: Optional[float]
+    axial_load_n: Optional[float]
+    #: s_0 = C_0r/P_0; None without load
+    static_safety: Optional[float]
+    #: of the hardest pressed ball, by a first estimate
+    peak_pressure_estimate_pa: Optional[float]
+    #: pitch diameter times the speed of the rings against each other
+    pitch_speed_mm_rpm: float
     growth: Growth
     sources: dict[str, Any]
     notes: list[str]
@@ -65,10 +96,9 @@ class Derived(Answer):
             self.growth = Growth(data["growth"])
 
 
-class Rating(Answer):
+class Rating(OfOperatingPoint):
     """Ratings and lives of a bearing's steel by ISO 281, ISO/TS 16281 and ISO 76, under the loads of a model."""
 
-    model: str
     nominal_contact_angle_deg: float
     #: basic dynamic load rating C_r
     dynamic_rating_n: float
@@ -80,14 +110,14 @@ class Rating(Answer):
     #: C_u
     fatigue_load_limit_n: float
     fatigue_load_limit_source: str
-    radial_load_n: float
-    axial_load_n: float
+    radial_load_n: Optional[float]
+    axial_load_n: Optional[float]
     #: P = X F_r + Y F_a
-    equivalent_load_n: float
+    equivalent_load_n: Optional[float]
     #: L_10 = (C_r/P)³, million turns
     rating_life_l10_mrev: Optional[float]
     #: P_ref, of the load distribution
-    reference_load_n: float
+    reference_load_n: Optional[float]
     #: L_10r, million turns
     rating_life_l10r_mrev: Optional[float]
     #: a_ISO; None where the case does not give the lubrication
@@ -98,10 +128,10 @@ class Rating(Answer):
     rating_life_lnmr_mrev: Optional[float]
     rating_life_hours: Optional[float]
     #: P_0
-    static_equivalent_load_n: float
+    static_equivalent_load_n: Optional[float]
     #: s_0 = C_0r/P_0
     static_safety: Optional[float]
-    peak_pressure_max_pa: float
+    peak_pressure_max_pa: Optional[float]
     #: load to 4.2 GPa over load
     pressure_safety: Optional[float]
 
@@ -176,6 +206,16 @@ class Stiffness(Answer):
     stiffness: NDArray[np.float64]
     #: its inverse; NaN where a displacement meets no resistance
     compliance: NDArray[np.float64]
+    #: equations of the operating point
+    model: str
+    #: what the bearing is lubricated with
+    lubrication: str
+    #: for each speed: False where nothing loads the bearing
+    loaded: list[bool]
+    #: for each speed: sentences on what is unusual, beyond what was tested, or more than the model can mean
+    warnings: list[list[str]]
+    #: for each speed: names of what no bearing does
+    implausible: list[list[str]]
 
     def __init__(self, answers: list[dict[str, Any]]) -> None:
         missing = [[float("nan")] * 5] * 5
@@ -184,6 +224,11 @@ class Stiffness(Answer):
                 "inner_speed_rpm": np.array([a["inner_speed_rpm"] for a in answers], dtype=np.float64),
                 "stiffness": np.array([a["stiffness"] for a in answers], dtype=np.float64),
                 "compliance": np.array([a.get("compliance", missing) for a in answers], dtype=np.float64),
+                "model": answers[0]["model"],
+                "lubrication": answers[0]["lubrication"],
+                "loaded": [a["loaded"] for a in answers],
+                "warnings": [a["warnings"] for a in answers],
+                "implausible": [a["implausible"] for a in answers],
             }
         )
 
@@ -200,6 +245,8 @@ class Stiffness(Answer):
         names = [f"k_{row}_{column}" for row in AXES for column in AXES]
         speeds = pandas.Index(self.inner_speed_rpm, name="inner_speed_rpm")
         frame: pd.DataFrame = pandas.DataFrame(self.stiffness.reshape(len(speeds), 25), index=speeds, columns=names)
+        frame["implausible"] = [", ".join(names) for names in self.implausible]
+        frame["warnings"] = ["; ".join(warnings) for warnings in self.warnings]
         return frame
 
     def to_xarray(self) -> xr.DataArray:
@@ -219,7 +266,12 @@ class Stiffness(Answer):
             major: major version of ROSS that they are for, by default that which is installed, or 3. From 3 on the
                 speed of the rotor is ``speed``, and ``frequency`` that of the whirl; before, the speed is
                 ``frequency``
+
+        What is implausible is a Python warning: the arguments have no room for it.
         """
+        for speed, implausible, said in zip(self.inner_speed_rpm, self.implausible, self.warnings):
+            if implausible:
+                warnings.warn(f"stiffness at {speed:.1f} r/min: {'; '.join(said)}", stacklevel=2)
         if major is None:
             try:
                 major = int(importlib.metadata.version("ross-rotordynamics").split(".")[0])
@@ -264,7 +316,7 @@ class Mode(Answer):
     balls: list[list[float]]
 
 
-class Modes(Answer):
+class Modes(OfOperatingPoint):
     """Natural modes of balls, cage and rings about the steady orbit, by frequency."""
 
     cage_speed_rpm: float

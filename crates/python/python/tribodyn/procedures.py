@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Literal, Union
+from typing import Literal, Optional, Union
 
 from . import _native
 from .answers import Contact, Derived, Modes, Rating, Stiffness, TractionCurve
@@ -14,48 +14,62 @@ from .solution import Solution
 #: and cage that a run settles to.
 Model = Literal["jones-harris", "traction", "steady-orbit"]
 
+#: Seconds of processor time after which a search for an operating point is given up.
+TIME_LIMIT_S = 60.0
 
-def solve(case: Case, model: Model = "steady-orbit", *, roots: bool = False) -> Solution:
+
+def solve(
+    case: Case, model: Model = "steady-orbit", *, roots: bool = False, time_limit: float = TIME_LIMIT_S
+) -> Solution:
     """The equilibrium of ring and balls, or their steady orbit.
 
     Args:
         case: the bearing at its operating point
         model: the equations
         roots: also search each ball for other equilibria, the ring held; about as long as a dozen solutions
+        time_limit: seconds of processor time after which the search is given up; ``inf`` for none
 
     Raises:
         InputError: the model cannot use the case
         SolveError: no solution was found
     """
-    return Solution(_native.solve(case._native, model, roots))
+    return Solution(_native.solve(case._native, model, roots, time_limit))
 
 
-def stiffness(case: Case, model: Model = "steady-orbit", *, speeds: Union[float, Iterable[float]] = ()) -> Stiffness:
+def stiffness(
+    case: Case,
+    model: Model = "steady-orbit",
+    *,
+    speeds: Union[float, Iterable[float]] = (),
+    time_limit: float = TIME_LIMIT_S,
+) -> Stiffness:
     """The 5 × 5 stiffness of the inner ring, balls and cage in balance.
 
     Args:
         case: the bearing at its operating point
         model: the equations of the operating point
         speeds: speeds of the inner ring, r/min; that of the case where none is given
+        time_limit: as of :func:`solve`, for all speeds together
     """
     given = [float(speeds)] if isinstance(speeds, (int, float)) else [float(speed) for speed in speeds]
-    return Stiffness(_native.stiffness(case._native, model, given))
+    return Stiffness(_native.stiffness(case._native, model, given, time_limit))
 
 
-def modes(case: Case, *, up_to: float = float("inf")) -> Modes:
+def modes(case: Case, *, up_to: float = float("inf"), time_limit: float = TIME_LIMIT_S) -> Modes:
     """Natural modes of balls, cage and rings about the steady orbit, up to a frequency in Hz.
 
     Masses and supports are those of a run: the case needs its sections ``transient`` and ``supports``.
     """
-    return Modes(_native.modes(case._native, up_to))
+    return Modes(_native.modes(case._native, up_to, time_limit))
 
 
-def rating_life(case: Case, model: Model = "jones-harris") -> Rating:
+def rating_life(case: Case, model: Optional[Model] = None, *, time_limit: float = TIME_LIMIT_S) -> Rating:
     """Rating life of the bearing's steel by ISO 281 and ISO/TS 16281, and static safety by ISO 76.
 
-    How long the coatings last is another question: :func:`life` answers it.
+    The ball loads are those of the steady orbit where no model is given, or of raceway control for a case without
+    traction or cage. How long the coatings last is another question: :func:`life` answers it.
     """
-    return Rating(_native.rating(case._native, model))
+    return Rating(_native.rating(case._native, model, time_limit))
 
 
 def check(case: Case) -> Derived:

@@ -117,7 +117,15 @@ class Solution(BearingQuantities, Answer):
     residual: float
     #: Newton steps taken
     iterations: int
+    #: what the bearing is lubricated with
+    lubrication: str
+    #: False where nothing loads the bearing
+    loaded: bool
     warnings: list[str]
+    #: names of what no bearing does
+    implausible: list[str]
+    #: torque and cage speed of an orbit with half and twice of an assumed value
+    sensitivities: list[dict[str, Any]]
     #: million turns; absent for a bearing that the standards do not rate
     rating_life_l10_mrev: float
     #: of the load distribution, million turns

@@ -1,8 +1,10 @@
 //! What follows from a case before anything is solved.
 
-use crate::case_file::CaseFile;
+use super::lubrication::lubrication;
+use super::{Equations, Question};
 use crate::error::StudyError;
-use crate::plausibility;
+use crate::plausibility::{self, StaticEstimate};
+use crate::rating::rating;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use tribodyn_bearing::{Bearing, BearingError, Geometry, Translation};
@@ -43,6 +45,22 @@ pub struct Derived {
     pub drag_per_ball_n: Option<f64>,
     /// Density of liquid and vapour, kg/m³; absent without a fluid.
     pub effective_fluid_density_kg_m3: Option<f64>,
+    /// What the bearing is lubricated with, in a line.
+    pub lubrication: String,
+    /// Basic dynamic load rating C_r, N; absent for a bearing that the standards do not rate.
+    pub dynamic_rating_n: Option<f64>,
+    /// Basic static load rating C_0r, N.
+    pub static_rating_n: Option<f64>,
+    /// Radial load, N; absent where the ring is held along x, y or z, like all that follows from loads.
+    pub radial_load_n: Option<f64>,
+    /// Axial load, N.
+    pub axial_load_n: Option<f64>,
+    /// Static safety s_0 = C_0r/P_0; absent without load.
+    pub static_safety: Option<f64>,
+    /// Peak pressure of the hardest pressed ball by a first estimate, Pa.
+    pub peak_pressure_estimate_pa: Option<f64>,
+    /// Pitch diameter times the speed of the rings against each other, mm r/min.
+    pub pitch_speed_mm_rpm: f64,
     /// Growth by fits and speed; absent where the case asks for none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub growth: Option<GrowthAnswer>,
@@ -83,10 +101,10 @@ pub struct GrowthAnswer {
 ///
 /// # Errors
 /// A case that makes no bearing.
-pub fn derived(file: &CaseFile) -> Result<Derived, StudyError> {
-    let bearing = file.bearing()?;
-    let unusable = |source| StudyError::Bearing { file: file.name.clone(), source };
-    Ok(answer(file, &bearing, growth(&file.case).map_err(unusable)?))
+pub fn derived(question: &Question<'_>) -> Result<Derived, StudyError> {
+    let bearing = question.bearing()?;
+    let growth = growth(question.case).map_err(|source| question.not_usable(source.into()))?;
+    Ok(answer(question, &bearing, growth))
 }
 
 /// A number with so many decimals, without the sign of a zero.
@@ -124,6 +142,9 @@ fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
         number(half, 1)
     );
     let mut notes = vec![datum];
+    if bearing.geometry.contact_angle() == 0.0 {
+        notes.push("the free contact angle is 0: under thrust it grows with the load".to_owned());
+    }
     if let Translation::Held(z) = case.ring.z
         && half > 0.0
     {
@@ -136,15 +157,15 @@ fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
     notes
 }
 
-fn answer(file: &CaseFile, bearing: &Bearing, growth: Option<GrowthAnswer>) -> Derived {
-    let case = &file.case;
+fn answer(question: &Question<'_>, bearing: &Bearing, growth: Option<GrowthAnswer>) -> Derived {
+    let case = question.case;
     let g = &bearing.geometry;
     let point = case.operating_point();
     let (inner, outer) = (bearing.races.inner.frozen::<f64>(), bearing.races.outer.frozen::<f64>());
     // No-slip orbit at the free contact angle: the speed at which drag is quoted.
     let gamma = g.ball_diameter * g.cos_contact_angle() / g.pitch_diameter;
     let orbit = 0.5 * (point.inner_speed * (1.0 - gamma) + point.outer_speed * (1.0 + gamma));
-    let mut warnings = plausibility::of_case(file, bearing);
+    let mut warnings = plausibility::of_case(case, (question.text, bearing));
     let drag =
         bearing.fluid.as_ref().map(|f| f.drag.force(0.5 * g.pitch_diameter * (orbit - f.swirl * point.inner_speed)));
     if let Some(drag) = drag {
@@ -156,9 +177,11 @@ fn answer(file: &CaseFile, bearing: &Bearing, growth: Option<GrowthAnswer>) -> D
             ));
         }
     }
-    if g.contact_angle() == 0.0 {
-        warnings.push("free contact angle is zero: an axial load needs a contact angle".into());
-    }
+    let estimate = plausibility::estimate(case, bearing);
+    let of_load = |of: fn(&StaticEstimate) -> f64| estimate.as_ref().map(of);
+    let unloaded = estimate.is_some_and(|found| found.ball_load_n == 0.0);
+    warnings.extend(unloaded.then(|| plausibility::NO_LOAD.to_owned()));
+    let rated = rating(case, None).ok();
     Derived {
         name: case.name.clone(),
         contact_angle_deg: g.contact_angle().to_degrees(),
@@ -176,6 +199,16 @@ fn answer(file: &CaseFile, bearing: &Bearing, growth: Option<GrowthAnswer>) -> D
         cage_speed_free_rpm: orbit * 30.0 / std::f64::consts::PI,
         drag_per_ball_n: drag,
         effective_fluid_density_kg_m3: bearing.fluid.as_ref().map(|f| f.drag.density_effective),
+        lubrication: lubrication(case, Equations::usual(case)),
+        dynamic_rating_n: rated.as_ref().map(|rated| rated.dynamic_rating_n),
+        static_rating_n: rated.as_ref().map(|rated| rated.static_rating_n),
+        radial_load_n: of_load(|found| found.radial_load_n),
+        axial_load_n: of_load(|found| found.axial_load_n),
+        static_safety: estimate.and_then(|found| found.static_safety),
+        peak_pressure_estimate_pa: of_load(|found| found.peak_pressure_pa),
+        pitch_speed_mm_rpm: (point.inner_speed - point.outer_speed).abs() * 30.0 / std::f64::consts::PI
+            * g.pitch_diameter
+            * 1e3,
         growth,
         sources: case.sources.clone(),
         notes: notes(case, bearing),

@@ -1,11 +1,9 @@
 //! The equilibrium of a case, with what stands beside it in an answer.
 
-use super::Equations;
-use crate::case_file::CaseFile;
+use super::{Equations, Findings, Question};
 use crate::error::StudyError;
-use crate::plausibility;
 use crate::rating::rating;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use tribodyn_bearing::Bearing;
 use tribodyn_case::Case;
 use tribodyn_quasistatic::{BallRoots, Model, Solution, Solved, other_roots, root_warnings, solve};
@@ -28,9 +26,10 @@ pub struct Lives {
 }
 
 impl Lives {
-    /// Of a case under the loads of a solution; none for a bearing that the standards do not rate.
-    pub(super) fn of(case: &Case, solution: &Solution) -> Option<Self> {
-        let rated = rating(case, solution).ok()?;
+    /// Of a case under the loads of a solution; none for a bearing that the standards do not rate, or that carries
+    /// nothing.
+    pub(super) fn of(case: &Case, solution: &Solution, loaded: bool) -> Option<Self> {
+        let rated = rating(case, Some(solution)).ok().filter(|_| loaded)?;
         Some(Self {
             rating_life_l10_mrev: rated.rating_life_l10_mrev,
             rating_life_l10r_mrev: rated.rating_life_l10r_mrev,
@@ -46,6 +45,9 @@ pub struct Equilibrium {
     /// Ring and balls.
     #[serde(flatten)]
     pub solution: Solution,
+    /// What must be known of it; its warnings are those of the solution.
+    #[serde(flatten, serialize_with = "beside")]
+    pub findings: Findings,
     /// Absent for a bearing that the standards do not rate; `tribodyn rating` says why.
     #[serde(flatten)]
     pub lives: Option<Lives>,
@@ -54,35 +56,40 @@ pub struct Equilibrium {
     pub roots: Option<Vec<BallRoots>>,
 }
 
+/// Model and warnings are the solution's already.
+fn beside<S: Serializer>(findings: &Findings, serializer: S) -> Result<S::Ok, S::Error> {
+    findings.beside().serialize(serializer)
+}
+
 /// The equilibrium of a case; `roots` also searches each ball for other equilibria.
 ///
 /// # Errors
 /// A case that the model cannot use, or an equilibrium that is not found.
-pub fn equilibrium(file: &CaseFile, model: Model, roots: bool) -> Result<Equilibrium, StudyError> {
+pub fn equilibrium(question: &Question<'_>, model: Model, roots: bool) -> Result<Equilibrium, StudyError> {
     if roots && model == Model::JonesHarris {
         let message = "without traction there are no other equilibria to search for";
         return Err(StudyError::argument("roots", "with --model jones-harris", message));
     }
-    let (bearing, Solved { mut solution, warm_start, .. }) = solved(file, model)?;
+    let (bearing, Solved { mut solution, warm_start, .. }) = solved(question, model)?;
     let start = warm_start.filter(|_| roots);
-    let point = file.case.operating_point();
-    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
+    let point = question.point();
+    let failed = |source| StudyError::Solver { file: question.name.to_owned(), source };
     let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
     solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
-    let found = plausibility::of_solution(&file.case, (&file.text, &bearing), &solution);
-    let found = found.map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?;
-    solution.warnings.extend(found.warnings(model.into()));
-    let lives = Lives::of(&file.case, &solution);
-    Ok(Equilibrium { solution, lives, roots })
+    let findings = Findings::of(question, &bearing, (model.into(), &solution))?;
+    solution.warnings = findings.warnings().to_vec();
+    let lives = Lives::of(question.case, &solution, findings.loaded());
+    Ok(Equilibrium { solution, findings, lives, roots })
 }
 
 /// The bearing of a case and its equilibrium alone.
 ///
 /// # Errors
 /// As [`equilibrium`].
-pub fn solved(file: &CaseFile, model: Model) -> Result<(Bearing, Solved), StudyError> {
-    let bearing = file.bearing_for(Equations::from(model).purpose())?;
-    let failed = |source| StudyError::Solver { file: file.name.clone(), source };
-    let solved = solve(&bearing, &file.case.operating_point(), model).map_err(failed)?;
+pub fn solved(question: &Question<'_>, model: Model) -> Result<(Bearing, Solved), StudyError> {
+    let bearing = question.bearing_for(Equations::from(model).purpose())?;
+    question.bearable(&bearing)?;
+    let failed = |source| StudyError::Solver { file: question.name.to_owned(), source };
+    let solved = solve(&bearing, &question.point(), model).map_err(failed)?;
     Ok((bearing, solved))
 }

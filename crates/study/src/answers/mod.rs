@@ -4,22 +4,32 @@ mod contact;
 mod curve;
 mod derived;
 mod equilibrium;
+mod findings;
+mod lubrication;
 mod modes;
 mod orbit;
+mod pair;
+mod question;
+mod rated;
+mod sensitivity;
 mod stiffness;
 
 pub use contact::{HertzAnswer, HertzQuestion, hertz};
 pub use curve::{CurveAnswer, traction_curve};
 pub use derived::{Derived, GrowthAnswer, derived};
 pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};
+pub use findings::{Answer, Beside, Findings};
 pub use modes::{ModesAnswer, modes};
 pub use orbit::{OrbitAnswer, OrbitProblem};
+pub use pair::{PairSetting, pair};
+pub use question::Question;
+pub use rated::rated;
+pub use sensitivity::{Sensitivity, Tried};
 pub use stiffness::{StiffnessAnswer, stiffness};
 
-use crate::case_file::CaseFile;
 use crate::error::StudyError;
-use crate::rating::{Rating, rating};
-use tribodyn_case::Purpose;
+use serde::{Serialize, Serializer};
+use tribodyn_case::{Case, Purpose};
 use tribodyn_quasistatic::Model;
 
 /// Equations of an operating point.
@@ -62,6 +72,12 @@ impl Equations {
         }
     }
 
+    /// Those of an answer for which nobody chose any: the steady orbit, or raceway control where the case has not what
+    /// traction needs.
+    pub fn usual(case: &Case) -> Self {
+        if case.require(Purpose::Traction).is_ok() { Self::SteadyOrbit } else { Self::JonesHarris }
+    }
+
     /// The use of a case that it asks for.
     pub(crate) fn purpose(self) -> Purpose {
         match self {
@@ -89,15 +105,9 @@ impl From<Model> for Equations {
     }
 }
 
-/// Rating life and static safety under the loads that some equations give.
-///
-/// # Errors
-/// A case that these equations do not solve, or a bearing that the standards do not rate.
-pub fn rated(file: &CaseFile, equations: Equations) -> Result<Rating, StudyError> {
-    let solution = match equations.equilibrium() {
-        Some(model) => solved(file, model)?.1.solution,
-        None => OrbitAnswer::of(file)?.solution,
-    };
-    let refused = |source| StudyError::Rating { file: file.name.clone(), source };
-    rating(&file.case, &solution).map_err(refused)
+/// Under its name.
+impl Serialize for Equations {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
 }

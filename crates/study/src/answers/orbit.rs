@@ -1,15 +1,15 @@
 //! The steady orbit of a case: an answer, and where stiffness and modes start.
 
-use super::{Equations, Lives};
-use crate::case_file::CaseFile;
+use super::findings::Beside;
+use super::sensitivity::{Sensitivity, Tried, sensitivities};
+use super::{Equations, Findings, Lives, Question};
 use crate::error::StudyError;
-use crate::plausibility;
 use serde::{Serialize, Serializer};
 use tribodyn_bearing::quantities::Fields;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, InputError, Purpose};
 use tribodyn_dynamics::StartMotion;
-use tribodyn_orbit::{OrbitError, OrbitSettings, SolvedOrbit, SteadyOrbit, steady_orbit};
+use tribodyn_orbit::{OrbitError, OrbitSettings, OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit};
 use tribodyn_quasistatic::Solution;
 
 /// A bearing with its cage at an operating point.
@@ -25,12 +25,15 @@ pub struct OrbitProblem {
 }
 
 impl OrbitProblem {
-    /// That of a case file.
+    /// That of a question, its searches linked to the asker.
     ///
     /// # Errors
     /// A case without what traction needs.
-    pub fn new(file: &CaseFile) -> Result<Self, StudyError> {
-        Self::of(&file.case).map_err(|source| file.not_usable(source))
+    pub fn new(question: &Question<'_>) -> Result<Self, StudyError> {
+        let mut problem = Self::of(question.case).map_err(|source| question.not_usable(source))?;
+        problem.point.watch = question.watch.clone();
+        question.bearable(&problem.bearing)?;
+        Ok(problem)
     }
 
     /// That of a case, with the damping of its runs where it has one.
@@ -59,12 +62,12 @@ impl OrbitProblem {
         Ok(StartMotion { motion: start.motion(orbit.balls.len()), rule: start.rule(), solution })
     }
 
-    /// The orbit.
+    /// The orbit; `name` is that of the case in messages.
     ///
     /// # Errors
     /// [`StudyError::Orbit`].
-    pub fn solve(&self, file: &CaseFile) -> Result<SolvedOrbit, StudyError> {
-        let failed = |source| StudyError::Orbit { file: file.name.clone(), source };
+    pub fn solve(&self, name: &str) -> Result<SolvedOrbit, StudyError> {
+        let failed = |source| StudyError::Orbit { file: name.to_owned(), source };
         steady_orbit(&self.bearing, &self.point, &self.cage, &self.settings).map_err(failed)
     }
 }
@@ -80,6 +83,10 @@ pub struct OrbitAnswer {
     pub round: Solution,
     /// Under the loads of the balls where they stand; absent for a bearing that the standards do not rate.
     pub lives: Option<Lives>,
+    /// What must be known of it; its warnings are those of the solutions too.
+    pub findings: Findings,
+    /// How far it rests on assumed values, as far as that was asked for.
+    pub sensitivities: Vec<Sensitivity>,
 }
 
 impl OrbitAnswer {
@@ -87,17 +94,43 @@ impl OrbitAnswer {
     ///
     /// # Errors
     /// A case without what traction needs, or an orbit that is not found.
-    pub fn of(file: &CaseFile) -> Result<Self, StudyError> {
-        let problem = OrbitProblem::new(file)?;
-        let orbit = problem.solve(file)?.solution;
-        let speeds = [problem.point.inner_speed, problem.point.outer_speed];
-        let mut round = orbit.as_solution(&orbit.points, speeds);
-        let found = plausibility::of_solution(&file.case, (&file.text, &problem.bearing), &round);
-        let found = found.map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?;
-        round.warnings.extend(found.warnings(Equations::SteadyOrbit));
+    pub fn of(question: &Question<'_>) -> Result<Self, StudyError> {
+        Self::with_start(question).map(|(_, answer, _)| answer)
+    }
+
+    /// The same with its sensitivities to assumed values, the leading ones among the warnings.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn with_sensitivities(question: &Question<'_>, tried: Tried) -> Result<Self, StudyError> {
+        let (problem, mut answer, start) = Self::with_start(question)?;
+        if let Some(start) = start.filter(|_| answer.findings.loaded()) {
+            answer.sensitivities = sensitivities(question.case, (&problem, &start), tried);
+            let torque = answer.orbit.shaft_torque_nm;
+            for warning in answer.sensitivities.iter().filter_map(|found| found.warning(torque)) {
+                answer.findings = answer.findings.with(warning.clone());
+                answer.solution.warnings.push(warning.clone());
+                answer.round.warnings.push(warning);
+            }
+        }
+        Ok(answer)
+    }
+
+    /// The same with its problem, and with what neighbours and linearisations begin with; a bearing at rest has none.
+    pub(crate) fn with_start(question: &Question<'_>) -> Result<(OrbitProblem, Self, Option<OrbitStart>), StudyError> {
+        let problem = OrbitProblem::new(question)?;
+        let SolvedOrbit { solution: orbit, start, .. } = problem.solve(question.name)?;
+        let answer = Self::answer(question, &problem, orbit)?;
+        Ok((problem, answer, start))
+    }
+
+    fn answer(question: &Question<'_>, problem: &OrbitProblem, orbit: SteadyOrbit) -> Result<Self, StudyError> {
+        let mut round = orbit.as_solution(&orbit.points, [problem.point.inner_speed, problem.point.outer_speed]);
+        let findings = Findings::of(question, &problem.bearing, (Equations::SteadyOrbit, &round))?;
+        round.warnings = findings.warnings().to_vec();
         let solution = Solution { balls: orbit.balls.clone(), ..round.clone() };
-        let lives = Lives::of(&file.case, &solution);
-        Ok(Self { orbit, solution, round, lives })
+        let lives = Lives::of(question.case, &solution, findings.loaded());
+        Ok(Self { orbit, solution, round, lives, findings, sensitivities: Vec::new() })
     }
 }
 
@@ -106,6 +139,8 @@ impl OrbitAnswer {
 struct Printed<'a> {
     #[serde(flatten)]
     solution: &'a Solution,
+    #[serde(flatten)]
+    beside: Beside,
     #[serde(flatten)]
     lives: Option<Lives>,
     power_loss_inner_w: f64,
@@ -121,6 +156,8 @@ struct Printed<'a> {
     ball_mass_factor: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pocket_stiffness_share: Option<f64>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    sensitivities: &'a [Sensitivity],
     points: Vec<Fields<'a>>,
 }
 
@@ -130,6 +167,7 @@ impl Serialize for OrbitAnswer {
         let [inner, outer] = orbit.friction_w;
         let printed = Printed {
             solution: &self.solution,
+            beside: self.findings.beside(),
             lives: self.lives,
             power_loss_inner_w: inner,
             power_loss_outer_w: outer,
@@ -141,6 +179,7 @@ impl Serialize for OrbitAnswer {
             swing_damping: orbit.swing_damping,
             ball_mass_factor: orbit.ball_mass_factor,
             pocket_stiffness_share: orbit.pocket_stiffness_share,
+            sensitivities: &self.sensitivities,
             points: orbit.points.iter().map(Fields).collect(),
         };
         printed.serialize(serializer)

@@ -101,6 +101,9 @@ pub enum PairError {
         /// Tolerance asked for.
         tolerance: f64,
     },
+    /// The caller ended the search.
+    #[error("the search for the pair was ended before it led to an answer")]
+    Ended,
     /// A spring in tandem has nothing to push against.
     #[error("bearings in tandem are not preloaded against each other by a spring; allowed is an offset")]
     SpringInTandem,

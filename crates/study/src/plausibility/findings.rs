@@ -1,16 +1,29 @@
 //! What is unusual about values that count against each other, and about a solution.
 
-use super::balls::{at, largest};
-use super::implausible::{Implausible, advice, implausible, names};
+use super::balls::{SHOULDER_MAX_DEG, at, largest};
+use super::implausible::{Implausible, advice, implausible, kinds, names};
 use super::shown;
 use crate::answers::Equations;
-use tribodyn_bearing::{BallResult, Bearing, BearingError, Races, Side};
-use tribodyn_case::{Case, Fit};
+use tribodyn_bearing::{BallResult, Bearing, BearingError, Races, RingFreedom, Side};
+use tribodyn_case::{Case, Fit, Medium};
 use tribodyn_quasistatic::Solution;
 use tribodyn_rating::PERMISSIBLE_PRESSURE;
 
-/// Pitch diameter times speed of the fastest rolling bearings, mm r/min.
-const SPEED_MAX: f64 = 3e6;
+/// Contact angle at which a bearing counts as an angular-contact one, degrees.
+const ANGULAR_DEG: f64 = 12.0;
+/// Density below which balls count as ceramic, kg/m³.
+const CERAMIC_DENSITY: f64 = 6000.0;
+/// Speed of the rings against each other times pitch diameter by type, mm r/min, with the type in words: limiting speeds
+/// of manufacturers' catalogues for deep-groove bearings in oil, spindle bearings of steel with oil and air, and those
+/// with ceramic balls or cooled by a cryogen (main shafts, turbopumps).
+const SPEED_MAX: [(f64, &str); 3] = [
+    (1.1e6, "deep-groove bearings in oil"),
+    (1.8e6, "angular-contact bearings with steel balls"),
+    (3e6, "angular-contact bearings with ceramic balls or in a cryogen"),
+];
+/// Tilt of the rings against each other by the same catalogues, mrad: ten minutes of arc for deep-groove bearings of
+/// usual clearance, three for angular-contact ones.
+const TILT_MAX: [f64; 2] = [3.0, 0.9];
 /// Radial clearance over ball diameter: group C5 of small bearings.
 const CLEARANCE_MAX: f64 = 0.02;
 /// Pocket gap over ball diameter.
@@ -30,11 +43,21 @@ pub fn case_findings(case: &Case, bearing: &Bearing) -> Vec<String> {
     let point = case.operating_point();
     let rpm = (point.inner_speed - point.outer_speed).abs() * 30.0 / std::f64::consts::PI;
     let speed = rpm * geometry.pitch_diameter * 1e3;
+    let angular = geometry.contact_angle().to_degrees() >= ANGULAR_DEG;
+    let (most, of) = speed_limit(case, angular);
     note(
-        speed > SPEED_MAX,
+        speed > most,
+        format!("pitch diameter times speed is {} mm r/min: usual is up to {} ({of})", shown(speed), shown(most)),
+    );
+    let tilt = point.ring[3..].iter().filter_map(|f| if let RingFreedom::Held(tilt) = f { Some(*tilt) } else { None });
+    let tilt = 1e3 * tilt.fold(0.0, f64::hypot);
+    let most = TILT_MAX[usize::from(angular)];
+    note(
+        tilt > most,
         format!(
-            "pitch diameter times speed is {} mm r/min: usual is up to 3e6 (main-shaft and turbopump bearings)",
-            shown(speed)
+            "the rings are tilted by {} mrad: usual is up to {most} ({} bearings)",
+            shown(tilt),
+            if angular { "angular-contact" } else { "deep-groove" }
         ),
     );
     if let Fit::RadialClearance(clearance) = case.geometry.fit {
@@ -73,6 +96,13 @@ pub fn case_findings(case: &Case, bearing: &Bearing) -> Vec<String> {
     found
 }
 
+/// The speed limit of a bearing's type, mm r/min, with the type in words.
+fn speed_limit(case: &Case, angular: bool) -> (f64, &'static str) {
+    let cooled = case.fluid.as_ref().is_some_and(|fluid| !matches!(fluid.medium, Medium::Custom { .. }));
+    let light = case.materials.ball.density < CERAMIC_DENSITY;
+    SPEED_MAX[usize::from(angular) + usize::from(angular && (light || cooled))]
+}
+
 fn within(value: f64, [least, most]: [f64; 2]) -> bool {
     (least..=most).contains(&value)
 }
@@ -86,6 +116,11 @@ pub struct SolutionFindings {
 }
 
 impl SolutionFindings {
+    /// What is implausible, each once.
+    pub fn kinds(&self) -> Vec<Implausible> {
+        kinds(&self.implausible)
+    }
+
     /// All sentences, and at the end the names of what is implausible in an answer of a model, with advice.
     pub fn warnings(self, model: Equations) -> Vec<String> {
         let last = names(&self.implausible).map(|names| format!("implausible: {names}; {}", advice(model)));
@@ -137,7 +172,8 @@ fn edge(
     race: &str,
 ) -> Option<String> {
     let radius = bearing.geometry.coefficient(side) * bearing.geometry.ball_diameter;
-    let shoulder = shoulders[side]?;
+    // A groove without a shoulder in the case ends somewhere too.
+    let shoulder = shoulders[side].unwrap_or(SHOULDER_MAX_DEG.to_radians());
     let loaded = |ball: &BallResult| ball.contacts[side].load_n > 0.0;
     let angle = |ball: &BallResult| loaded(ball).then(|| ball.contacts[side].angle_rad.abs());
     let (_, contact) = largest(solution, angle)?;
@@ -147,10 +183,11 @@ fn edge(
     // A ball whose middle is beyond it is another matter.
     (end > shoulder && contact <= shoulder).then(|| {
         format!(
-            "contact ellipse cut by the shoulder of the {race} race, {}: it ends at {}°, the groove at {}°; pressures at the edge are higher than Hertz's",
+            "contact ellipse cut by the shoulder of the {race} race, {}: it ends at {}°, the groove at {}°{}; pressures at the edge are higher than Hertz's",
             at(ball),
             degrees(end),
-            degrees(shoulder)
+            degrees(shoulder),
+            if shoulders[side].is_some() { "" } else { " at the latest" }
         )
     })
 }

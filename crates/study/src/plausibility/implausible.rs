@@ -4,16 +4,22 @@
 use super::balls::{SHOULDER_MAX_DEG, at, largest};
 use super::shown;
 use crate::answers::Equations;
+use serde::{Serialize, Serializer};
 use std::fmt;
 use tribodyn_bearing::{BallResult, Races, Side};
 use tribodyn_quasistatic::{Model, Solution};
 
 /// By how much a ball's load may be above the bearing's before it counts: residuals are far below.
 const SLACK: f64 = 0.01;
+/// Peak pressure beyond which no rolling contact is elastic, Pa: the hardness of bearing steel (handbook values of 7 to 8
+/// GPa for 60 to 64 HRC).
+const PRESSURE_MAX: f64 = 7e9;
 
 /// A thing about a solution that no bearing does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Implausible {
+    /// Pressed harder than steel is hard: Hertz's contact is elastic.
+    Pressure,
     /// A contact beyond the shoulder of its groove, or where no groove has one.
     ContactAngle,
     /// A ball that is pressed harder than the whole bearing.
@@ -29,12 +35,20 @@ pub enum Implausible {
 impl fmt::Display for Implausible {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::Pressure => "pressure",
             Self::ContactAngle => "contact angle",
             Self::BallLoad => "ball load",
             Self::IdleBalls => "idle balls",
             Self::PocketForce => "pocket force",
             Self::CageSpeed => "cage speed",
         })
+    }
+}
+
+/// Under the name that it has in tables.
+impl Serialize for Implausible {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 
@@ -53,7 +67,9 @@ pub fn advice(model: Equations) -> &'static str {
 pub fn implausible(solution: &Solution, shoulders: &Races<Option<f64>>) -> Vec<(Implausible, String)> {
     let angles =
         [(Side::Inner, "inner"), (Side::Outer, "outer")].map(|(side, race)| angle(solution, shoulders, side, race));
+    let pressed = pressed(solution).map(|sentence| (Implausible::Pressure, sentence));
     let found = angles.into_iter().flatten().map(|sentence| (Implausible::ContactAngle, sentence));
+    let found = pressed.into_iter().chain(found);
     let others = [
         (Implausible::BallLoad, ball_load(solution)),
         (Implausible::IdleBalls, idle(solution)),
@@ -63,11 +79,33 @@ pub fn implausible(solution: &Solution, shoulders: &Races<Option<f64>>) -> Vec<(
     found.chain(others.into_iter().filter_map(|(what, sentence)| Some((what, sentence?)))).collect()
 }
 
+/// What is implausible, each once.
+pub fn kinds(found: &[(Implausible, String)]) -> Vec<Implausible> {
+    let mut kinds: Vec<Implausible> = found.iter().map(|(what, _)| *what).collect();
+    kinds.dedup();
+    kinds
+}
+
 /// Names of what is implausible, for a field of a table; none where nothing is.
 pub fn names(found: &[(Implausible, String)]) -> Option<String> {
-    let mut names: Vec<Implausible> = found.iter().map(|(what, _)| *what).collect();
-    names.dedup();
+    let names = kinds(found);
     (!names.is_empty()).then(|| names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
+}
+
+/// A contact pressed harder than the hardness of the races.
+fn pressed(solution: &Solution) -> Option<String> {
+    let of =
+        |ball: &BallResult| Side::BOTH.map(|side| ball.contacts[side].peak_pressure_pa).into_iter().reduce(f64::max);
+    let (ball, pressure) = largest(solution, of)?;
+    (pressure > PRESSURE_MAX).then(|| {
+        format!(
+            "{} GPa, {}, is above the hardness of bearing steel, {} GPa: the contact would be plastic, these loads and \
+             deflections mean nothing",
+            shown(pressure * 1e-9),
+            at(ball),
+            shown(PRESSURE_MAX * 1e-9)
+        )
+    })
 }
 
 /// A contact beyond the end of the groove.

@@ -5,26 +5,27 @@
 //! Nothing is refused.
 
 mod balls;
+mod curves;
+mod estimate;
 mod findings;
 mod implausible;
 mod ranges;
 
+pub use curves::curve_findings;
+pub(crate) use curves::tested_gpa;
+pub use estimate::{NO_LOAD, StaticEstimate, case_loads, estimate, hopeless, is_loaded};
 pub use findings::{SolutionFindings, case_findings, solution_findings};
 pub use implausible::{Implausible, advice, names};
 pub use ranges::{USUAL_RANGES, UsualRange, usual_range};
 
-use crate::CaseFile;
 use tribodyn_bearing::{Bearing, BearingError};
 use tribodyn_case::{Case, Quantity, quantities};
 use tribodyn_quasistatic::Solution;
 
-/// All that is unusual about the values of a case.
-pub fn of_case(file: &CaseFile, bearing: &Bearing) -> Vec<String> {
-    of_values(&file.case, (&file.text, bearing)).collect()
-}
-
-fn of_values(case: &Case, (text, bearing): (&str, &Bearing)) -> impl Iterator<Item = String> {
-    unusual_values(text).into_iter().chain(case_findings(case, bearing))
+/// All that is unusual about the values of a case, given with its text.
+pub fn of_case(case: &Case, (text, bearing): (&str, &Bearing)) -> Vec<String> {
+    let load = estimate(case, bearing).and_then(|estimate| estimate.warning(case, (text, bearing)));
+    load.into_iter().chain(unusual_values(text)).chain(case_findings(case, bearing)).collect()
 }
 
 /// All that is unusual about the values of a case, given with its text, and about its solution.
@@ -37,7 +38,7 @@ pub fn of_solution(
     solution: &Solution,
 ) -> Result<SolutionFindings, BearingError> {
     let mut found = solution_findings(case, bearing, solution)?;
-    found.sentences.splice(0..0, of_values(case, (text, bearing)));
+    found.sentences.splice(0..0, of_case(case, (text, bearing)));
     Ok(found)
 }
 

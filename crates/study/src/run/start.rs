@@ -3,7 +3,7 @@
 use crate::answers::OrbitProblem;
 use crate::case_file::CaseFile;
 use crate::error::StudyError;
-use tribodyn_bearing::Start;
+use tribodyn_bearing::{SearchWatch, Start};
 use tribodyn_dynamics::Run;
 
 /// The run of a case at its start.
@@ -17,7 +17,7 @@ pub(crate) fn start_run(file: &CaseFile) -> Result<Run, StudyError> {
         return Run::new(inputs).map_err(cannot_start);
     }
     let point = inputs.operating_point_at(0.0);
-    let problem = OrbitProblem { point, ..OrbitProblem::new(file)? };
+    let problem = OrbitProblem { point, ..OrbitProblem::new(&file.question(SearchWatch::default()))? };
     let failed = |source| StudyError::NoOrbitToStart { file: file.name.clone(), source };
     let motion = problem.motion().map_err(failed)?;
     Run::moving(inputs, motion).map_err(cannot_start)

@@ -1,10 +1,10 @@
 //! Warnings of a run, put together by kind and ball.
 
+use crate::plausibility::tested_gpa;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use tribodyn_case::{Case, CurveSpec};
 use tribodyn_record::{BallRow, LogRow};
-use tribodyn_traction::Coating;
 
 /// A ball that leaves the load zone: files of earlier versions mark it as a warning.
 const CONTACT_LOST: &str = "contact-lost";
@@ -123,16 +123,6 @@ impl Tested {
             )
         })
     }
-}
-
-/// Lowest and highest tested pressure, GPa.
-fn tested_gpa(curve: &CurveSpec) -> Option<RangeInclusive<f64>> {
-    let pressures: Vec<f64> = match curve {
-        CurveSpec::Library(name) => Coating::library(name).ok()?.tested.iter().map(|test| test.pressure).collect(),
-        CurveSpec::Tested(points) => points.iter().map(|point| point.pressure).collect(),
-    };
-    let extreme = |start: f64, pick: fn(f64, f64) -> f64| 1e-9 * pressures.iter().copied().fold(start, pick);
-    (!pressures.is_empty()).then(|| extreme(f64::INFINITY, f64::min)..=extreme(0.0, f64::max))
 }
 
 #[cfg(test)]

@@ -8,8 +8,11 @@ use crate::answers::Equations;
 use crate::case_file::{CaseFile, Change};
 use crate::error::StudyError;
 use crate::limits::Limits;
+use crate::patience::Patience;
 use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::Arc;
+use tribodyn_bearing::SearchWatch;
 use tribodyn_case::{Case, CaseError, Template, set_value};
 
 /// Most rows of a grid, far beyond any computing time.
@@ -55,6 +58,8 @@ pub struct Grid {
     order: Order,
     /// Number of rows.
     pub rows: usize,
+    /// Processor time of a row, s, after which its search is ended; infinite where it may take what it takes.
+    pub time_limit_s: f64,
 }
 
 impl Grid {
@@ -142,7 +147,9 @@ impl Grid {
         (model, limits): (Equations, &Limits),
     ) -> Result<Self, StudyError> {
         let (name, base) = (name.to_owned(), String::new());
-        let mut grid = Self { model, name, original, fixed, base, template: None, limits: *limits, axes, order, rows };
+        let (limits, time_limit_s) = (*limits, f64::INFINITY);
+        let mut grid =
+            Self { model, name, original, fixed, base, template: None, limits, axes, order, rows, time_limit_s };
         // The first row stands for the case without axes too: messages come from there.
         grid.base = grid.original.clone();
         for change in &grid.fixed {
@@ -198,6 +205,16 @@ impl Grid {
     pub(crate) fn case(&self, text: &str) -> Result<Case, CaseError> {
         let case = Case::from_ron(text)?;
         self.limits.check(text, &case).map(|()| case)
+    }
+
+    /// The link of one row's search to the limit on its time.
+    pub(crate) fn watch(&self) -> SearchWatch {
+        let limited = self.time_limit_s.is_finite();
+        if limited {
+            SearchWatch::new(Arc::new(Patience::of_seconds(self.time_limit_s)))
+        } else {
+            SearchWatch::default()
+        }
     }
 
     /// Distance in rows of neighbours along each axis.

@@ -3,11 +3,11 @@
 use super::columns::{self, Cell, Solved, Unsolved};
 use super::grid::Grid;
 use super::neighbours::Neighbours;
-use crate::answers::OrbitProblem;
+use crate::answers::{Findings, OrbitProblem, Question};
 use crate::plausibility;
 use rayon::prelude::*;
 use std::ops::Range;
-use tribodyn_bearing::{Bearing, OperatingPoint};
+use tribodyn_bearing::{Bearing, OperatingPoint, SearchWatch};
 use tribodyn_case::Case;
 use tribodyn_orbit::{OrbitStart, SteadyOrbit, steady_orbit, steady_orbit_near};
 use tribodyn_quasistatic::{Model, Solution, WarmStart, solve, solve_near};
@@ -44,20 +44,23 @@ impl<'a> Chunk<'a> {
         let text = self.grid.text(row).ok_or_else(|| Unsolved::refused("a path is not in the case of this row"))?;
         let case = self.grid.case(&text).map_err(Unsolved::refused)?;
         case.require(self.grid.model.purpose()).map_err(Unsolved::refused)?;
-        let (bearing, (mut solution, round)) = match self.grid.model.equilibrium() {
+        let bearing = case.bearing().map_err(Unsolved::refused)?;
+        if let Some(why) = plausibility::hopeless(&case, (&text, &bearing)) {
+            return Err(Unsolved::refused(why));
+        }
+        let watch = self.grid.watch();
+        let (solution, round) = match self.grid.model.equilibrium() {
             Some(model) => {
-                let bearing = case.bearing().map_err(Unsolved::refused)?;
-                let solution = self.equilibrium(row, (&bearing, &case.operating_point()), model)?;
-                (bearing, (solution, None))
+                let point = OperatingPoint { watch, ..case.operating_point() };
+                (self.equilibrium(row, (&bearing, &point), model)?, None)
             }
-            None => self.orbit(row, &case)?,
+            None => self.orbit(row, &case, watch)?,
         };
         let all_round = round.as_ref().unwrap_or(&solution);
-        let found = plausibility::of_solution(&case, (&text, &bearing), all_round).map_err(Unsolved::refused)?;
-        solution.warnings.extend(found.sentences);
-        // `solve` has a sentence on what is implausible.
-        let implausible = plausibility::names(&found.implausible);
-        let warnings = solution.warnings.len() + usize::from(implausible.is_some());
+        let question = Question { name: "", text: &text, case: &case, watch: SearchWatch::default() };
+        let found = Findings::of(&question, &bearing, (self.grid.model, all_round)).map_err(Unsolved::refused)?;
+        let implausible = Some(found.implausible()).filter(|names| !names.is_empty());
+        let warnings = found.warnings().len();
         Ok(Solved { solution, round: round.map(|round| round.balls), warnings, implausible })
     }
 
@@ -83,8 +86,9 @@ impl<'a> Chunk<'a> {
     }
 
     /// The balls of an orbit where those of an equilibrium stand, and one ball round it.
-    fn orbit(&mut self, row: usize, case: &Case) -> Result<(Bearing, (Solution, Option<Solution>)), Unsolved> {
+    fn orbit(&mut self, row: usize, case: &Case, watch: SearchWatch) -> Result<(Solution, Option<Solution>), Unsolved> {
         let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(case).map_err(Unsolved::refused)?;
+        let point = OperatingPoint { watch, ..point };
         let round = |orbit: &SteadyOrbit| orbit.as_solution(&orbit.points, [point.inner_speed, point.outer_speed]);
         let alike = (point.patch, bearing.geometry.ball_count);
         let warm = self.orbits.start(self.grid, row, alike).and_then(|start| {
@@ -101,7 +105,7 @@ impl<'a> Chunk<'a> {
             self.orbits.add(row, alike, start);
         }
         let balls = orbit.as_solution(&orbit.balls, [point.inner_speed, point.outer_speed]);
-        Ok((bearing, (balls, Some(all_round))))
+        Ok((balls, Some(all_round)))
     }
 }
 

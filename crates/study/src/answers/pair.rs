@@ -1,0 +1,44 @@
+//! Two like bearings on one shaft, with what must be known of both.
+
+use super::{Answer, Equations, Findings, OrbitProblem, Question};
+use crate::error::StudyError;
+use crate::pair::{Arrangement, Pair, PairError, PairModel, PairSolution, Preload, solve_pair};
+
+/// How two bearings of a case stand on their shaft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairSetting {
+    /// How they stand to each other.
+    pub arrangement: Arrangement,
+    /// Distance between their middles, m.
+    pub distance: f64,
+    /// What presses them together.
+    pub preload: Preload,
+}
+
+/// Two bearings of a case on one rigid shaft.
+///
+/// # Errors
+/// A case that the equations cannot use, or a pair without an equilibrium that is found.
+pub fn pair(
+    question: &Question<'_>,
+    equations: Equations,
+    PairSetting { arrangement, distance, preload }: PairSetting,
+) -> Result<Answer<PairSolution>, StudyError> {
+    let (bearing, model) = match equations.equilibrium() {
+        Some(model) => (question.bearing_for(equations.purpose())?, PairModel::QuasiStatic(model)),
+        None => {
+            let OrbitProblem { bearing, cage, settings, .. } = OrbitProblem::new(question)?;
+            (bearing, PairModel::SteadyOrbit(cage, settings))
+        }
+    };
+    let point = question.point();
+    let pair = Pair { bearing: &bearing, point: &point, model, arrangement, distance, preload };
+    let failed = |error: PairError| if question.watch.stops() { PairError::Ended } else { error };
+    let solution = solve_pair(&pair).map_err(|error| failed(error).of(question.name))?;
+    let [first, second] = solution.bearings.each_ref();
+    let of = |bearing_of_pair: &crate::pair::PairBearing| {
+        Findings::of(question, &bearing, (equations, &bearing_of_pair.solution))
+    };
+    let findings = Findings::of_pair([of(first)?, of(second)?]);
+    Ok(Answer::new(findings, solution))
+}
