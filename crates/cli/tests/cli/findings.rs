@@ -78,9 +78,9 @@ fn regress_curves_beyond_their_tests_are_named_by_every_answer() {
         let answer = ask(command, &case, &[words, &["--json"]].concat()).json();
         let answer = if command == "stiffness" { &answer[0] } else { &answer };
         assert!(says(answer, "traction curve was tested at 2.5 to 3.5 GPa"), "{command} {words:?}: {answer}");
-        assert_eq!(answer["lubrication"], "dry curve `ag` on both races, dry", "{command}");
+        assert_eq!(answer["lubrication"], "solid film `ag` on both races, dry", "{command}");
         let shown = ask(command, &case, words);
-        assert!(shown.table().lines().nth(1).unwrap().starts_with("lubrication: dry curve `ag`"), "{}", shown.out);
+        assert!(shown.table().lines().nth(1).unwrap().starts_with("lubrication: solid film `ag`"), "{}", shown.out);
         assert!(shown.out.contains("warning: pressures on the inner race"), "{}", shown.out);
     }
 }

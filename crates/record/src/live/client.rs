@@ -14,6 +14,10 @@ const MOST_ANSWERS: usize = 1024;
 const BATCH: usize = 256 << 10;
 /// Longest pause of a client that takes nothing.
 pub(super) const STALLED: Duration = Duration::from_secs(10);
+/// Between two questions whether a client is still there, and the longest time without a word of it: one that reads
+/// nothing answers nothing, and its place is another's.
+const PING_STEP: Duration = Duration::from_secs(3);
+pub(super) const SILENT: Duration = Duration::from_secs(12);
 /// Between two lines that tell a client what it has missed.
 const REPORT_STEP: Duration = Duration::from_secs(1);
 
@@ -37,6 +41,8 @@ pub(super) struct Queue {
     /// Messages left out that the client knows of, and when it was told.
     pub(super) reported: (u64, Option<Instant>),
     pub(super) stage: Stage,
+    /// When the client was asked last whether it is there.
+    pub(super) asked: Option<Instant>,
 }
 
 /// Messages of one client.
@@ -157,8 +163,12 @@ impl Client {
     /// Waits for something to write; false when nothing more is to be written.
     pub(super) fn next(&self, batch: &mut Vec<Frame>) -> bool {
         let mut queue = self.queue();
-        while queue.is_empty() && queue.stage == Stage::Open {
-            queue = self.wake.wait(queue).unwrap_or_else(PoisonError::into_inner);
+        loop {
+            queue.ask();
+            if !queue.is_empty() || queue.stage != Stage::Open {
+                break;
+            }
+            queue = self.wake.wait_timeout(queue, PING_STEP).unwrap_or_else(PoisonError::into_inner).0;
         }
         if queue.stage == Stage::Over {
             // Answers to a goodbye are still due, messages are not.
@@ -178,6 +188,19 @@ impl Client {
 impl Queue {
     pub(super) fn is_empty(&self) -> bool {
         self.control.is_empty() && self.data.is_empty()
+    }
+
+    /// Asks the client now and then whether it is still there.
+    fn ask(&mut self) {
+        if self.stage != Stage::Open {
+            return;
+        }
+        // Who has just come is there.
+        let asked = *self.asked.get_or_insert_with(Instant::now);
+        if asked.elapsed() >= PING_STEP {
+            self.control.push_back(Frame::ping());
+            self.asked = Some(Instant::now());
+        }
     }
 
     /// Appends a message, the oldest ones making room for it.

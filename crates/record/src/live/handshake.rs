@@ -1,7 +1,7 @@
 //! The handshake: who is let in, and in which time.
 
 use super::Shared;
-use super::client::{Client, STALLED};
+use super::client::{Client, SILENT, STALLED};
 use super::protocol::{Frame, SUBPROTOCOLS};
 use std::io::{self, Read, Write};
 use std::sync::Arc;
@@ -80,7 +80,7 @@ pub(super) fn shake_hands(client: &Arc<Client>, shared: &Shared) -> Result<WebSo
     };
     let mut socket = tungstenite::accept_hdr_with_config(half, agree, Some(limits))
         .map_err(|error| io::Error::other(error.to_string()))?;
-    client.stream.set_read_timeout(None)?;
+    client.stream.set_read_timeout(Some(SILENT))?;
     let half = socket.get_mut();
     (half.queued, half.deadline) = (true, None);
     Ok(socket)

@@ -11,6 +11,9 @@
 //! should be one of this machine, and even there any program can read. Pages in a browser cannot, but for those of
 //! this machine and of the viewers that are known or were allowed ([`LiveServer::allow`]).
 //!
+//! A viewer is asked every few seconds whether it is still there; one that does not answer for twelve seconds loses its
+//! place.
+//!
 //! A handshake has five seconds in all. Connections that have not shaken hands yet take no viewer's place; the oldest
 //! of them makes room for a new one.
 //!

@@ -23,6 +23,7 @@ pub(super) const SUBPROTOCOLS: [&str; 2] = ["foxglove.sdk.v1", "foxglove.websock
 const TEXT: u8 = 0x1;
 const BINARY: u8 = 0x2;
 const CLOSE: u8 = 0x8;
+const PING: u8 = 0x9;
 /// "Normal closure", RFC 6455, section 7.4.1.
 const NORMAL: u16 = 1000;
 const MESSAGE_DATA: u8 = 0x01;
@@ -79,6 +80,10 @@ impl Frame {
 
     pub(super) fn time(log_time: u64) -> Self {
         Self::new(BINARY, &[&[TIME], &log_time.to_le_bytes()], None)
+    }
+
+    pub(super) fn ping() -> Self {
+        Self::new(PING, &[], None)
     }
 
     pub(super) fn close() -> Self {

@@ -330,6 +330,27 @@ fn limit_a_viewer_beyond_the_places_is_told_so() {
     }
 }
 
+/// Viewers that shake hands and then never read hold no place for ever; one that reads keeps its own.
+#[test]
+fn regress_viewers_that_never_read_lose_their_places() {
+    let mut server = start();
+    server.begin(&preamble()).unwrap();
+    let (mut reading, _, _) = Viewer::open(server.address());
+    reading.subscribe(0, 0);
+    let silent: Vec<Viewer> = (0..7).map(|_| Viewer::open(server.address()).0).collect();
+    reading.socket.get_mut().set_read_timeout(Some(Duration::from_millis(50))).unwrap();
+    let begun = Instant::now();
+    while Viewer::connect(server.address(), &["foxglove.sdk.v1"]).is_err() {
+        assert!(begun.elapsed() < Duration::from_secs(40), "eight places are held by viewers that never read");
+        // Reading answers the server's questions too.
+        let _ = reading.socket.read();
+    }
+    reading.socket.get_mut().set_read_timeout(Some(Duration::from_secs(30))).unwrap();
+    server.message(0, 1, b"one").unwrap();
+    assert_eq!(reading.data(), Some((0, 1, b"one".to_vec())));
+    drop(silent);
+}
+
 #[test]
 fn limit_an_address_that_others_can_reach_gives_a_warning() {
     assert!(LIVE_ADDRESS.parse::<SocketAddr>().unwrap().ip().is_loopback());

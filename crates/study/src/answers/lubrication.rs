@@ -24,8 +24,8 @@ pub fn lubrication(case: &Case, equations: Equations) -> String {
 /// A coating by its curve; its tests were those of a solid film, whatever the bearing has.
 fn named(coating: &CoatingSpec) -> String {
     match &coating.curve {
-        CurveSpec::Library(name) => format!("dry curve `{name}`"),
-        CurveSpec::Tested(_) => "a curve of the case".to_owned(),
+        CurveSpec::Library(name) => format!("solid film `{name}`"),
+        CurveSpec::Tested(_) => "solid film with the case's own curve".to_owned(),
     }
 }
 

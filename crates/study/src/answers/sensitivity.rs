@@ -109,8 +109,8 @@ impl Sensitivity {
 
     /// A sentence where the torque moves by more than a tenth.
     pub fn warning(&self, torque_nm: f64) -> Option<String> {
-        let named =
-            |torque: &Option<f64>| torque.is_none_or(|torque| (torque - torque_nm).abs() > NAMED * torque_nm.abs());
+        let moved = |torque: f64| (torque - torque_nm).abs() > NAMED * torque_nm.abs();
+        let named = |torque: &Option<f64>| torque.is_some_and(moved);
         if !self.shaft_torque_nm.iter().any(named) {
             return None;
         }
