@@ -9,7 +9,7 @@ use crate::table::{self, number};
 use std::path::{Path, PathBuf};
 use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution};
 use tribodyn_record::{SolutionRecording, write_solution};
-use tribodyn_study::answers::{Equations, Equilibrium, OrbitAnswer, Tried, equilibrium};
+use tribodyn_study::answers::{Equations, Equilibrium, OrbitAnswer, equilibrium};
 use tribodyn_study::{CaseFile, Change, Ours, StagedFiles};
 
 /// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
@@ -29,10 +29,6 @@ pub struct Arguments {
     /// Also search each ball for other equilibria, the ring held (about as long as a dozen solutions)
     #[arg(long)]
     roots: bool,
-    /// Say how far torque and cage speed of the steady orbit rest on each assumed value, by half and twice of it; without
-    /// this, on the pocket gap alone
-    #[arg(long)]
-    sensitivity: bool,
     /// Print JSON, and nothing else, to standard output
     #[arg(long)]
     json: bool,
@@ -88,11 +84,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         arguments.replace.check(path, &arguments.case.path, Ours::Recording)?;
     }
     let Some(model) = arguments.model.equations().equilibrium() else { return orbit(arguments, &file) };
-    if arguments.sensitivity {
-        let message = "sensitivities are those of the steady orbit".to_owned();
-        let value = format!("with --model {}", model.name());
-        return Err(Failure::Option { option: "sensitivity", value, message });
-    }
     let search = Search::begin(&file, &arguments.time);
     let answer = equilibrium(&file.question(search.watch()), model, arguments.roots).map_err(|e| search.failed(e))?;
     drop(search);
@@ -123,8 +114,7 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
         return Err(Failure::Option { option: "roots", value: "with --model steady-orbit".to_owned(), message });
     }
     let search = Search::begin(file, &arguments.time);
-    let tried = if arguments.sensitivity { Tried::All } else { Tried::PocketGap };
-    let answer = OrbitAnswer::with_sensitivities(&file.question(search.watch()), tried);
+    let answer = OrbitAnswer::with_sensitivities(&file.question(search.watch()));
     let answer = answer.map_err(|error| search.failed(error))?;
     drop(search);
     let plots = arguments.plot.as_ref();

@@ -12,7 +12,7 @@ use tribodyn_bearing::SearchWatch;
 use tribodyn_bearing::quantities::{Facts, OfBall, Scope, joined};
 use tribodyn_contact::Body;
 use tribodyn_quasistatic::SOLUTION;
-use tribodyn_study::answers::{self, Equations, HertzQuestion, OrbitAnswer, Question, Tried};
+use tribodyn_study::answers::{self, Equations, HertzQuestion, OrbitAnswer, Question};
 use tribodyn_study::{CaseFile, StudyError};
 
 /// Equations by their name.
@@ -63,7 +63,7 @@ fn equilibrium(
 }
 
 fn orbit(file: &CaseFile, watch: SearchWatch) -> Result<NativeSolution, StudyError> {
-    let answer = OrbitAnswer::with_sensitivities(&file.question(watch), Tried::PocketGap)?;
+    let answer = OrbitAnswer::with_sensitivities(&file.question(watch))?;
     let head = serde_json::to_value(&answer)?;
     Ok(NativeSolution::new(head, answer.solution, Some(answer.round)))
 }

@@ -53,9 +53,10 @@ impl Findings {
         let no_load = (!loaded).then(|| plausibility::NO_LOAD.to_owned());
         let mut warnings = solution.warnings.clone();
         warnings.extend(no_load);
-        // A run counts the pressures of all its samples instead.
-        warnings.extend(plausibility::curve_findings(question.case, solution));
         warnings.extend(found.warnings(equations));
+        // What is implausible stays last. A run counts the pressures of all its samples instead.
+        let at = warnings.len() - usize::from(!implausible.is_empty());
+        warnings.splice(at..at, plausibility::curve_findings(question.case, solution));
         let lubrication = lubrication(question.case, equations);
         Ok(Self { model: equations, lubrication, loaded, warnings, implausible })
     }

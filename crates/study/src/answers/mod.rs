@@ -24,7 +24,7 @@ pub use orbit::{OrbitAnswer, OrbitProblem};
 pub use pair::{PairSetting, pair};
 pub use question::Question;
 pub use rated::rated;
-pub use sensitivity::{Sensitivity, Tried};
+pub use sensitivity::Sensitivity;
 pub use stiffness::{StiffnessAnswer, stiffness};
 
 use crate::error::StudyError;

@@ -1,7 +1,7 @@
 //! The steady orbit of a case: an answer, and where stiffness and modes start.
 
 use super::findings::Beside;
-use super::sensitivity::{Sensitivity, Tried, sensitivities};
+use super::sensitivity::{Sensitivity, sensitivities};
 use super::{Equations, Findings, Lives, Question};
 use crate::error::StudyError;
 use serde::{Serialize, Serializer};
@@ -102,10 +102,10 @@ impl OrbitAnswer {
     ///
     /// # Errors
     /// As [`Self::of`].
-    pub fn with_sensitivities(question: &Question<'_>, tried: Tried) -> Result<Self, StudyError> {
+    pub fn with_sensitivities(question: &Question<'_>) -> Result<Self, StudyError> {
         let (problem, mut answer, start) = Self::with_start(question)?;
         if let Some(start) = start.filter(|_| answer.findings.loaded()) {
-            answer.sensitivities = sensitivities(question.case, (&problem, &start), tried);
+            answer.sensitivities = sensitivities(question.case, (&problem, &start));
             let torque = answer.orbit.shaft_torque_nm;
             for warning in answer.sensitivities.iter().filter_map(|found| found.warning(torque)) {
                 answer.findings = answer.findings.with(warning.clone());

@@ -1,6 +1,7 @@
 //! How far a steady orbit rests on values that were assumed: what half and twice of each make of it.
 
 use super::OrbitProblem;
+use crate::plausibility::shown;
 use serde::Serialize;
 use tribodyn_case::{Case, Source};
 use tribodyn_orbit::{OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit_near};
@@ -11,16 +12,18 @@ use tribodyn_traction::SlipUnit;
 pub struct Sensitivity {
     /// Path of the value in the case.
     pub path: &'static str,
-    /// Shaft torque with half and with twice the value, N m; absent where no orbit was found near by.
+    /// Factors of the value, 0.5 and 2, or as near to them as orbits were found; absent where none was.
+    pub factors: [Option<f64>; 2],
+    /// Shaft torque with each, N m.
     pub shaft_torque_nm: [Option<f64>; 2],
-    /// Cage speed with half and with twice the value, r/min.
+    /// Cage speed with each, r/min.
     pub cage_speed_rpm: [Option<f64>; 2],
 }
 
 /// A value of a case that can be multiplied.
 type Scale = fn(&mut Case, f64);
 
-/// Values that are seldom known, the pocket gap first: an answer always says what rests on that.
+/// Values that are seldom known.
 const VALUES: [(&str, Scale); 5] = [
     ("cage.pocket_gap", |case, by| case.cage.iter_mut().for_each(|cage| cage.pocket_gap *= by)),
     ("cage.pocket_friction", |case, by| case.cage.iter_mut().for_each(|cage| cage.pocket_friction *= by)),
@@ -35,41 +38,32 @@ const VALUES: [(&str, Scale); 5] = [
     }),
 ];
 
-/// Steps to half and to twice of a value: each near enough to start from the one before.
-const STEPS: [[f64; 2]; 2] = [[0.7, 0.5], [1.4, 2.0]];
-/// Part of the torque or of the cage's slip beyond which a warning names a value.
+/// Factors that are sought, the share of a step in each direction, and the least one.
+const FACTORS: [f64; 2] = [0.5, 2.0];
+const STEPS: usize = 8;
+const LEAST_STEP: f64 = 0.03;
+/// Part of the torque beyond which a warning names a value.
 const NAMED: f64 = 0.1;
-
-/// Which assumed values are tried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tried {
-    /// The pocket gap alone, some hundredths of the time of a solution.
-    PocketGap,
-    /// All.
-    All,
-}
 
 /// Sensitivities to the assumed values of a case, the largest change of torque first. Values that the case does not
 /// have, that are 0, or that have a source better than an assumption are left out.
-pub(super) fn sensitivities(
-    case: &Case,
-    (problem, start): (&OrbitProblem, &OrbitStart),
-    tried: Tried,
-) -> Vec<Sensitivity> {
-    let values = if tried == Tried::All { &VALUES[..] } else { &VALUES[..1] };
+pub(super) fn sensitivities(case: &Case, of_orbit: (&OrbitProblem, &OrbitStart)) -> Vec<Sensitivity> {
     let of = |(path, scale): &(&'static str, Scale)| {
         let mut other = case.clone();
-        scale(&mut other, 2.0);
+        scale(&mut other, 0.5);
         if other == *case || !is_assumed(case, path) {
             return None;
         }
-        let [half, twice] = STEPS.map(|steps| moved(case, (problem, start), *scale, steps));
-        let both = |number: fn(&SteadyOrbit) -> f64| [half.as_ref().map(number), twice.as_ref().map(number)];
-        let (shaft_torque_nm, cage_speed_rpm) =
-            (both(|orbit| orbit.shaft_torque_nm), both(|orbit| orbit.cage_speed_rpm));
-        Some(Sensitivity { path, shaft_torque_nm, cage_speed_rpm })
+        let found = FACTORS.map(|factor| moved(case, of_orbit, *scale, factor));
+        let both = |number: fn(&(f64, SteadyOrbit)) -> f64| found.each_ref().map(|found| found.as_ref().map(number));
+        Some(Sensitivity {
+            path,
+            factors: both(|found| found.0),
+            shaft_torque_nm: both(|found| found.1.shaft_torque_nm),
+            cage_speed_rpm: both(|found| found.1.cage_speed_rpm),
+        })
     };
-    let mut found: Vec<Sensitivity> = values.iter().filter_map(of).collect();
+    let mut found: Vec<Sensitivity> = VALUES.iter().filter_map(of).collect();
     found.sort_by(|a, b| b.span().total_cmp(&a.span()));
     found
 }
@@ -81,23 +75,33 @@ fn is_assumed(case: &Case, path: &str) -> bool {
     nearest.is_none_or(|(_, source)| matches!(source, Source::Assumed(_)))
 }
 
-/// The orbit at the last of some steps of a value.
+/// The orbit at a factor of a value, or as near to it as short steps lead, with that factor.
 fn moved(
     case: &Case,
     (problem, start): (&OrbitProblem, &OrbitStart),
     scale: Scale,
-    steps: [f64; 2],
-) -> Option<SteadyOrbit> {
-    let mut near: Option<SolvedOrbit> = None;
-    for by in steps {
+    factor: f64,
+) -> Option<(f64, SteadyOrbit)> {
+    let at = |by: f64, from: &OrbitStart| -> Option<SolvedOrbit> {
         let mut other = case.clone();
         scale(&mut other, by);
         let OrbitProblem { bearing, cage, settings, .. } = OrbitProblem::of(&other).ok()?;
-        let from = near.as_ref().map_or(Some(start), |solved| solved.start.as_ref())?;
-        near = steady_orbit_near(&bearing, &problem.point, &cage, &settings, from).ok()?;
-        near.as_ref()?;
+        steady_orbit_near(&bearing, &problem.point, &cage, &settings, from).ok()?
+    };
+    let mut reached: Option<(f64, SolvedOrbit)> = None;
+    let (mut part, mut step) = (0.0, 0.5);
+    for _ in 0..STEPS {
+        let next = f64::min(part + step, 1.0);
+        let from = reached.as_ref().map_or(Some(start), |(_, solved)| solved.start.as_ref())?;
+        match at(factor.powf(next), from) {
+            Some(solved) => (reached, part) = (Some((factor.powf(next), solved)), next),
+            None => step *= 0.4,
+        }
+        if part == 1.0 || step < LEAST_STEP {
+            break;
+        }
     }
-    near.map(|solved| solved.solution)
+    reached.map(|(by, solved)| (by, solved.solution))
 }
 
 impl Sensitivity {
@@ -114,14 +118,14 @@ impl Sensitivity {
         if !self.shaft_torque_nm.iter().any(named) {
             return None;
         }
-        let of = |torque: Option<f64>| {
-            torque.map_or_else(|| "not found near by".to_owned(), |torque| format!("{torque:.4} N m"))
-        };
-        let [half, twice] = self.shaft_torque_nm.map(of);
+        let both = self.factors.into_iter().zip(self.shaft_torque_nm);
+        let told = both.filter_map(|(factor, torque)| Some((factor?, torque?)));
+        let told: Vec<String> =
+            told.map(|(factor, torque)| format!("{torque:.4} N m with {} times of it", shown(factor))).collect();
         Some(format!(
-            "the shaft torque of {torque_nm:.4} N m rests on the assumed `{}`: with half of it {half}, with twice of it \
-             {twice}",
-            self.path
+            "the shaft torque of {torque_nm:.4} N m rests on the assumed `{}`: {}",
+            self.path,
+            told.join(", ")
         ))
     }
 }

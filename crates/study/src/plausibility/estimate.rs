@@ -19,6 +19,8 @@ const SAFETY_LEAST: f64 = 0.5;
 /// Estimated peak pressure beyond which nothing is solved, Pa: half as much again as the hardness of bearing steel, to
 /// which no contact is elastic.
 const PRESSURE_MOST: f64 = 12e9;
+/// Static safety of a load that somebody may have meant.
+const MEANT: std::ops::Range<f64> = 0.1..1e4;
 /// Stribeck's number.
 const STRIBECK: f64 = 5.0;
 /// Largest contact angle under thrust, rad.
@@ -142,7 +144,7 @@ fn slip(case: &Case, (text, bearing): (&str, &Bearing)) -> Option<String> {
     let carried = |value: f64| {
         let loads = if axial { [radial, value.abs()] } else { [value.abs(), thrust] };
         let safety = of_loads(case, bearing, loads).static_safety;
-        safety.is_some_and(|safety| (SAFETY_LEAST..1e4).contains(&safety))
+        safety.is_some_and(|safety| MEANT.contains(&safety))
     };
     largest.otherwise().into_iter().find(|(_, si)| carried(*si)).map(|(text, _)| text)
 }

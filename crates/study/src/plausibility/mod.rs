@@ -81,7 +81,7 @@ fn slip(quantity: &Quantity, range: &UsualRange) -> Option<String> {
 }
 
 /// A number with three digits, as a person writes it.
-fn shown(value: f64) -> String {
+pub(crate) fn shown(value: f64) -> String {
     if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
         let digits = (2 - value.abs().max(1e-3).log10().floor() as i32).clamp(0, 6) as usize;
         let text = format!("{value:.digits$}");
