@@ -24,7 +24,7 @@ fn seconds(text: &str) -> Result<f64, String> {
     found.ok_or_else(|| "allowed are seconds above 0, or inf".to_owned())
 }
 
-/// Seconds after which a line says on a standard error that is no terminal what takes the time.
+/// Seconds of processor time after which a line says on a standard error that is no terminal what takes the time.
 const QUIET_S: f64 = 2.0;
 const LOOK_EVERY: Duration = Duration::from_millis(100);
 
@@ -100,7 +100,7 @@ fn show(patience: &Patience, done: &AtomicBool, limit_s: f64, terminal: bool) {
         let stage = patience.reached().map_or_else(|| "rolling balls".to_owned(), words);
         bar.set_message(format!("seeking the operating point: {stage}, {seconds:.0} s"));
         bar.tick();
-        if !terminal && !told && seconds > QUIET_S {
+        if !terminal && !told && patience.spent_s() > QUIET_S {
             told = true;
             tell(&format!(
                 "seeking the operating point: {stage}; given up after {limit_s} s of processor time (--time-limit)"

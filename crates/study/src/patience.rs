@@ -1,7 +1,7 @@
 //! How long a search may go on, and what it last told.
 
 use cpu_time::ThreadTime;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 use tribodyn_bearing::{SearchObserver, SearchStage};
@@ -12,6 +12,8 @@ use tribodyn_bearing::{SearchObserver, SearchStage};
 pub struct Patience {
     limit: Option<Duration>,
     began: OnceLock<Duration>,
+    /// At the last look, µs.
+    spent: AtomicU64,
     stopped: AtomicBool,
     stage: Mutex<Option<SearchStage>>,
 }
@@ -25,6 +27,11 @@ impl Patience {
     /// Ends the search.
     pub fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
+    }
+
+    /// Processor time that the search had taken at its last look, s.
+    pub fn spent_s(&self) -> f64 {
+        1e-6 * self.spent.load(Ordering::Relaxed) as f64
     }
 
     /// What the search told last.
@@ -45,10 +52,11 @@ impl SearchObserver for Patience {
         if self.stopped.load(Ordering::Relaxed) {
             return true;
         }
-        let Some(limit) = self.limit else { return false };
         let now = ThreadTime::now().as_duration();
         // A search is done by one thread: its first look is its beginning.
-        let over = now.saturating_sub(*self.began.get_or_init(|| now)) > limit;
+        let spent = now.saturating_sub(*self.began.get_or_init(|| now));
+        self.spent.store(u64::try_from(spent.as_micros()).unwrap_or(u64::MAX), Ordering::Relaxed);
+        let over = self.limit.is_some_and(|limit| spent > limit);
         if over {
             self.stop();
         }
@@ -70,7 +78,7 @@ mod tests {
             looks += 1;
             assert!(looks < 10_000_000, "{sum}");
         }
-        assert!(looks > 1 && patience.stops());
+        assert!(looks > 1 && patience.stops() && patience.spent_s() >= 0.02);
         let endless = Patience::of_seconds(f64::INFINITY);
         assert!(!endless.stops());
         endless.stage(SearchStage { name: "first", cage_speed: Some(5.0) });

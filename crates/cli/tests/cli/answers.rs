@@ -292,6 +292,8 @@ fn identity_tables_fit_a_page_and_hold_what_json_holds() {
     // The first line of an answer holds the path of the case, which may be long.
     let cases = [&solved, &checked].map(|outcome| outcome.out.lines().skip(1).collect::<Vec<_>>().join("\n"));
     for text in printed.iter().chain(&cases) {
-        assert!(text.lines().all(|line| line.chars().count() <= 120), "{text}");
+        // Warnings are sentences, as long as they need to be.
+        let table = text.lines().filter(|line| !line.starts_with("warning: "));
+        assert!(table.clone().all(|line| line.chars().count() <= 120), "{text}");
     }
 }

@@ -3,8 +3,11 @@
 use super::OrbitProblem;
 use crate::plausibility::shown;
 use serde::Serialize;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use tribodyn_bearing::{OperatingPoint, SearchObserver, SearchStage, SearchWatch};
 use tribodyn_case::{Case, Source};
-use tribodyn_orbit::{OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit_near};
+use tribodyn_orbit::{OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit_from, steady_orbit_near};
 use tribodyn_traction::SlipUnit;
 
 /// An orbit with one assumed value halved and doubled.
@@ -18,6 +21,20 @@ pub struct Sensitivity {
     pub shaft_torque_nm: [Option<f64>; 2],
     /// Cage speed with each, r/min.
     pub cage_speed_rpm: [Option<f64>; 2],
+}
+
+/// Ends a search after some looks, or with that of the asker.
+struct Limited {
+    looks: AtomicUsize,
+    asker: SearchWatch,
+}
+
+impl SearchObserver for Limited {
+    fn stage(&self, _: SearchStage) {}
+
+    fn stops(&self) -> bool {
+        self.looks.fetch_add(1, Ordering::Relaxed) >= LOOKS || self.asker.stops()
+    }
 }
 
 /// A value of a case that can be multiplied.
@@ -42,6 +59,9 @@ const VALUES: [(&str, Scale); 5] = [
 const FACTORS: [f64; 2] = [0.5, 2.0];
 const STEPS: usize = 8;
 const LEAST_STEP: f64 = 0.03;
+/// Looks of a search for each factor, some times as many as a cold start takes: what is counted by looks is the same on
+/// every machine.
+const LOOKS: usize = 5000;
 /// Part of the torque beyond which a warning names a value.
 const NAMED: f64 = 0.1;
 
@@ -82,12 +102,21 @@ fn moved(
     scale: Scale,
     factor: f64,
 ) -> Option<(f64, SteadyOrbit)> {
-    let at = |by: f64, from: &OrbitStart| -> Option<SolvedOrbit> {
+    let problem_at = |by: f64| {
         let mut other = case.clone();
         scale(&mut other, by);
-        let OrbitProblem { bearing, cage, settings, .. } = OrbitProblem::of(&other).ok()?;
+        OrbitProblem::of(&other).ok()
+    };
+    let at = |by: f64, from: &OrbitStart| -> Option<SolvedOrbit> {
+        let OrbitProblem { bearing, cage, settings, .. } = problem_at(by)?;
         steady_orbit_near(&bearing, &problem.point, &cage, &settings, from).ok()?
     };
+    let limited = Limited { looks: AtomicUsize::new(0), asker: problem.point.watch.clone() };
+    let point = OperatingPoint { watch: SearchWatch::new(Arc::new(limited)), ..problem.point.clone() };
+    let OrbitProblem { bearing, cage, settings, .. } = problem_at(factor)?;
+    if let Ok(solved) = steady_orbit_from(&bearing, &point, &cage, &settings, start) {
+        return Some((factor, solved.solution));
+    }
     let mut reached: Option<(f64, SolvedOrbit)> = None;
     let (mut part, mut step) = (0.0, 0.5);
     for _ in 0..STEPS {
