@@ -183,7 +183,7 @@ fn regress_an_orbit_says_what_rests_on_the_assumed_pocket_gap() {
     let all = answer["sensitivities"].as_array().unwrap();
     let gap = all.iter().find(|found| found["path"] == "cage.pocket_gap").unwrap();
     assert!(
-        all.len() >= 3 && says(&answer, "rests on the assumed `cage.pocket_gap`"),
+        all.len() >= 3 && says(&answer, "rests on the assumed `cage.pocket_friction`"),
         "{all:?} {}",
         answer["warnings"]
     );
