@@ -36,7 +36,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
     let search = Search::begin(&file, &arguments.time);
-    let answer = modes(&file.question(search.watch()), arguments.up_to, arguments.all).map_err(|error| search.failed(error))?;
+    let answer =
+        modes(&file.question(search.watch()), arguments.up_to, arguments.all).map_err(|error| search.failed(error))?;
     drop(search);
     if let Some(path) = &arguments.csv {
         write_table(path, &arguments.case.path, &csv(&answer), &arguments.replace)?;

@@ -115,8 +115,14 @@ pub fn stiffness<'py>(
 
 /// Natural modes up to a frequency, Hz.
 #[pyfunction]
-pub fn modes<'py>(py: Python<'py>, case: &NativeCase, up_to: f64, time_limit: f64) -> PyResult<Bound<'py, PyAny>> {
-    ask(py, (case, time_limit), move |question| Ok(serde_json::to_value(answers::modes(question, up_to)?)?))
+pub fn modes<'py>(
+    py: Python<'py>,
+    case: &NativeCase,
+    up_to: f64,
+    all: bool,
+    time_limit: f64,
+) -> PyResult<Bound<'py, PyAny>> {
+    ask(py, (case, time_limit), move |question| Ok(serde_json::to_value(answers::modes(question, up_to, all)?)?))
 }
 
 /// One Hertz contact; radii in mm, moduli in GPa.

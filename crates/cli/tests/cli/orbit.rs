@@ -89,7 +89,7 @@ fn identity_tables_of_stiffness_hold_the_matrix() {
     assert_eq!((last.len(), last[1], last[2 + 4 * 5 + 3]), (26, k(0, 0), k(4, 4)));
     let table = std::fs::read_to_string(ross).unwrap();
     let mut lines = table.lines();
-    assert_eq!(lines.next(), Some("speed,kxx,kxy,kyx,kyy,kzz,implausible,warnings"));
+    assert_eq!(lines.next(), Some("speed,kxx,kxy,kyx,kyy,kzz,error_estimate,implausible,warnings"));
     let first = numbers(lines.next().unwrap());
     assert!(first.len() == 6 && (first[0] - 7000.0 * std::f64::consts::PI / 30.0).abs() < 1e-9);
 }

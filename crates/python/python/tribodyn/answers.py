@@ -206,6 +206,8 @@ class Stiffness(Answer):
     stiffness: NDArray[np.float64]
     #: its inverse; NaN where a displacement meets no resistance
     compliance: NDArray[np.float64]
+    #: largest estimated error of an element over √(K_ii K_jj), of orbits; NaN for equilibria
+    error_estimate: NDArray[np.float64]
     #: equations of the operating point
     model: str
     #: what the bearing is lubricated with
@@ -224,6 +226,9 @@ class Stiffness(Answer):
                 "inner_speed_rpm": np.array([a["inner_speed_rpm"] for a in answers], dtype=np.float64),
                 "stiffness": np.array([a["stiffness"] for a in answers], dtype=np.float64),
                 "compliance": np.array([a.get("compliance", missing) for a in answers], dtype=np.float64),
+                "error_estimate": np.array(
+                    [a.get("error_estimate", float("nan")) for a in answers], dtype=np.float64
+                ),
                 "model": answers[0]["model"],
                 "lubrication": answers[0]["lubrication"],
                 "loaded": [a["loaded"] for a in answers],
@@ -320,8 +325,10 @@ class Modes(OfOperatingPoint):
     """Natural modes of balls, cage and rings about the steady orbit, by frequency."""
 
     cage_speed_rpm: float
-    #: number of modes that grow
-    unstable: int
+    #: what is left, a turn of the cage later, of a small disturbance of a ball: above 1 it grows
+    multiplier: float
+    #: the same as a rate
+    growth_rate_per_s: float
     modes: list[Mode]
 
     def __init__(self, data: dict[str, Any]) -> None:

@@ -55,12 +55,15 @@ def stiffness(
     return Stiffness(_native.stiffness(case._native, model, given, time_limit))
 
 
-def modes(case: Case, *, up_to: float = float("inf"), time_limit: float = TIME_LIMIT_S) -> Modes:
+def modes(
+    case: Case, *, up_to: float = float("inf"), all: bool = False, time_limit: float = TIME_LIMIT_S
+) -> Modes:
     """Natural modes of balls, cage and rings about the steady orbit, up to a frequency in Hz.
 
-    Masses and supports are those of a run: the case needs its sections ``transient`` and ``supports``.
+    Masses and supports are those of a run: the case needs its sections ``transient`` and ``supports``. With ``all``
+    also those of the balls, which belong to the instant when pocket 0 stands at azimuth 0.
     """
-    return Modes(_native.modes(case._native, up_to, time_limit))
+    return Modes(_native.modes(case._native, up_to, all, time_limit))
 
 
 def rating_life(case: Case, model: Optional[Model] = None, *, time_limit: float = TIME_LIMIT_S) -> Rating:
