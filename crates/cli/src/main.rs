@@ -26,6 +26,7 @@ mod stiffness;
 mod sweep;
 mod table;
 mod traction;
+mod vibration;
 mod waiting;
 
 use clap::{Parser, Subcommand};
@@ -53,6 +54,7 @@ Examples:
   tribodyn modes fixtures/cases/paper-ag.ron --up-to 5000
   tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
   tribodyn report run.mcap -o report
+  tribodyn vibration motor.csv --rate 25600 --bearing 6206 --speed 1480
   tribodyn ensemble fixtures/cases/paper-ag.ron --vary 'cage.pocket_gap=mm(0.71 ± 0.02)' --members 16
   tribodyn life fixtures/cases/paper-ag.ron
   tribodyn rating fixtures/cases/bearing-218.ron
@@ -95,6 +97,8 @@ enum Command {
     Recover(recover::Arguments),
     /// Write figures, spectra and a summary of a recording
     Report(report::Arguments),
+    /// Find the faults of a bearing in a measured or recorded vibration signal
+    Vibration(vibration::Arguments),
     /// Write the Foxglove layout for viewers of a live run
     Layout(layout::Arguments),
     /// Solve for equilibria over a grid of case values
@@ -120,6 +124,7 @@ fn main() -> ExitCode {
         Command::Rating(arguments) => rating::run(&arguments),
         Command::Recover(arguments) => recover::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Vibration(arguments) => vibration::run(&arguments),
         Command::Layout(arguments) => layout::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Identify(arguments) => identify::run(&arguments),

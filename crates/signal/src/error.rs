@@ -92,12 +92,41 @@ pub enum SignalError {
         /// Greatest ratio of the mean to the slowest.
         limit: usize,
     },
+    /// A key phase without pulses.
+    #[error("the key phase has {pulses} pulses, but at least 3 are needed for a speed")]
+    TooFewPulses {
+        /// Pulses found.
+        pulses: usize,
+    },
     /// Less than one turn of the shaft.
     #[error("the samples span {turns} turns of the shaft, but one is needed")]
     TooFewTurns {
         /// Turns spanned.
         turns: f64,
     },
+    /// Too few turns of the shaft to tell the lines of a bearing apart.
+    #[error(
+        "the samples span {turns:.1} turns of the shaft, but {needed} are needed to tell the lines of a bearing apart"
+    )]
+    FewTurns {
+        /// Turns spanned.
+        turns: f64,
+        /// Turns needed.
+        needed: f64,
+    },
+    /// A rate too low for the lines of a bearing.
+    #[error(
+        "a sampling rate of {rate_hz} Hz is too low for the lines of this bearing at this speed: {needed_hz:.0} Hz are needed"
+    )]
+    SlowRate {
+        /// The rate, Hz.
+        rate_hz: f64,
+        /// Least rate, Hz.
+        needed_hz: f64,
+    },
+    /// A signal that does not change.
+    #[error("the signal is constant but for its trend")]
+    Still,
     /// No maximum of the autocorrelation between the bounds.
     #[error("the autocorrelation has no positive maximum between {shortest_s} s and {longest_s} s")]
     NoPeriod {

@@ -2,12 +2,15 @@
 
 mod bearing;
 mod decimator;
+mod diagnosis;
 mod envelope;
 mod error;
 mod harmonics;
+mod key_phase;
 mod order;
 mod period;
 mod settling;
+mod spectrogram;
 mod spectrum;
 mod statistics;
 mod transform;
@@ -16,12 +19,18 @@ mod window;
 
 pub use bearing::BearingFrequencies;
 pub use decimator::{Decimator, DecimatorMemory};
+pub use diagnosis::{
+    Band, CageSpeed, Diagnosis, Evidence, Fault, Harmonic, Kinematics, Search, Shaft, ShaftSpeed, Sideband, Verdict,
+    diagnose, kurtogram, whitened, without_trend,
+};
 pub use envelope::{envelope, envelope_spectrum};
 pub use error::SignalError;
 pub use harmonics::{HarmonicFamily, HarmonicLine};
+pub use key_phase::speed_by_pulses;
 pub use order::{AngleSamples, OrderPeak, OrderSpectrum, order_spectrum, resample_by_angle};
 pub use period::{Period, period};
 pub use settling::{Settling, SettlingRule, settling};
+pub use spectrogram::{Spectrogram, spectrogram};
 pub use spectrum::{Peak, Spectrum};
 pub use statistics::Statistics;
 pub use welch::{PowerDensity, Segments, welch};

@@ -2,6 +2,7 @@
 
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
+use rustfft::FftPlanner;
 
 use crate::error::SignalError;
 
@@ -27,6 +28,12 @@ pub(crate) fn inverse(mut lines: Vec<Complex<f64>>, count: usize) -> Result<Vec<
     let scale = 1.0 / count as f64;
     samples.iter_mut().for_each(|x| *x *= scale);
     Ok(samples)
+}
+
+/// `x_n = Σ X_k exp(2πi k n/N)`, without a factor.
+pub(crate) fn inverse_complex(mut lines: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
+    FftPlanner::<f64>::new().plan_fft_inverse(lines.len()).process(&mut lines);
+    lines
 }
 
 /// True if a line of a transform of `count` samples has a partner at negative frequency.

@@ -167,6 +167,9 @@ pub enum StudyError {
         /// Endings that are known.
         allowed: &'static str,
     },
+    /// A file of signals that is refused: the file, then the place in it, where there is one, and the reason.
+    #[error("{}:{}", .0.display(), .1)]
+    Signals(PathBuf, String),
     /// Finished rows of another sweep.
     #[error("{}: {difference}", path.display())]
     OtherSweep {

@@ -20,6 +20,7 @@ pub mod rating;
 pub mod run;
 pub mod survey;
 pub mod sweep;
+pub mod vibration;
 
 pub use case_file::{CaseFile, Change, path_and_value, read_text};
 pub use difference::SweepDifference;

@@ -2,6 +2,7 @@
 
 mod bearing;
 mod decimation;
+mod diagnosis;
 mod modulation;
 mod orders;
 mod spectra;

@@ -1,0 +1,170 @@
+//! What the evidence says.
+
+use super::Kinematics;
+use super::evidence::{Evidence, Fault};
+use super::shaft::ShaftSpeed;
+use serde::Serialize;
+
+/// The verdict on a bearing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Verdict {
+    /// The part that is damaged; none where no line of the bearing stands out.
+    pub fault: Option<Fault>,
+    /// Reasons, a sentence each.
+    pub reasons: Vec<String>,
+}
+
+/// Speed of the cage by a line of the bearing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CageSpeed {
+    /// Speed, r/min, with its sign.
+    pub speed_rpm: f64,
+    /// One standard deviation of it, r/min.
+    pub deviation_rpm: f64,
+    /// Name of the line.
+    pub from: String,
+}
+
+/// Decadic logarithm of the chance below which a family is taken for real.
+const SURE: f64 = -8.0;
+/// The same for a line from which only a speed is read.
+const READ: f64 = -6.0;
+/// Mean height of the first two harmonics over the floor from which a family is one of damage, dB.
+const HIGH_DB: f64 = 9.0;
+/// Modulation of the squared envelope from which a family is one of damage: balls pass a sound race at the same
+/// frequency.
+const DEEP: f64 = 0.1;
+/// Decadic logarithm of the chance of lines of a ball and their sidebands where the cage shows too: a damaged ball
+/// turns out of its track and strikes now and then only.
+const SURE_WITH_CAGE: f64 = -6.0;
+
+/// Height by which a line has to stand above those of the cage, not to be one of its multiples, dB: load and speed of
+/// the balls vary with the cage at other faults too, by less.
+const CAGE_DB: f64 = 6.0;
+
+/// Height below that line to which the fifth multiple of the cage may have fallen, dB.
+const ALL_DB: f64 = 10.0;
+
+impl Evidence {
+    /// Mean height of the first two harmonics, dB: those of a coincidence are not both high.
+    pub fn height_db(&self) -> f64 {
+        let first: Vec<f64> = self.harmonics.iter().filter(|h| h.order <= 2).map(|h| h.over_floor_db).collect();
+        if first.is_empty() { 0.0 } else { first.iter().sum::<f64>() / first.len() as f64 }
+    }
+
+    /// By which two families are compared: the mean height of the first two harmonics, the second one counted up to the
+    /// first. A train of impacts has its highest line at the fundamental; a second harmonic above it may be a line of
+    /// another family, as three times BPFO is nearly twice BPFI in many bearings.
+    fn rank(&self) -> f64 {
+        let of = |order: usize| self.harmonics.iter().find(|h| h.order == order).map(|h| h.over_floor_db);
+        let first = of(1).unwrap_or(0.0);
+        0.5 * (first + of(2).unwrap_or(0.0).min(first))
+    }
+
+    /// Whether the fundamental may be the lower or upper sideband of another family.
+    fn beside(&self, other: &Self) -> bool {
+        let reach = 2.0 * self.deviation_hz.hypot(other.deviation_hz) + 0.01 * self.frequency_hz;
+        let distance = (self.frequency_hz - other.frequency_hz).abs();
+        other.modulating_hz.is_some_and(|by| (distance - by).abs() < reach)
+    }
+
+    /// Whether the fundamental is a multiple of that of the cage, and not much higher: what strikes once in a turn of the
+    /// cage has all multiples, BPFO among them.
+    fn of_cage(&self, cage: &Self) -> bool {
+        let multiple = (self.frequency_hz / cage.frequency_hz).round();
+        let reach = 3.0 * self.deviation_hz.hypot(multiple * cage.deviation_hz) + 0.002 * self.frequency_hz;
+        // What a ball strikes in the load zone has a few multiples of the cage, what strikes once in a turn all of them.
+        let last = cage.harmonics.last().map_or(0.0, |h| h.over_floor_db);
+        let all = last > self.rank() - ALL_DB && self.rank() < cage.rank() + CAGE_DB;
+        all && (self.frequency_hz - multiple * cage.frequency_hz).abs() < reach
+    }
+
+    /// Whether the family stands out as that of damage does.
+    pub fn stands_out(&self) -> bool {
+        self.log_chance < SURE && self.height_db() > HIGH_DB && self.modulation > DEEP
+    }
+
+    fn said(&self) -> String {
+        let high: Vec<String> =
+            self.harmonics.iter().map(|h| format!("{} by {:.0} dB", h.order, h.over_floor_db)).collect();
+        let mut text = format!(
+            "{} at {:.3} Hz, {:+.2} % from pure rolling: harmonics over the noise floor {}; modulation of the squared envelope {:.3}; chance in noise 1e{:.0}",
+            self.fault.line(),
+            self.frequency_hz,
+            100.0 * (self.frequency_hz / self.expected_hz - 1.0),
+            high.join(", "),
+            self.modulation,
+            self.log_chance
+        );
+        if let Some(chance) = self.sidebands_log_chance {
+            let sides: Vec<String> = self.sidebands.iter().map(|s| format!("{:.0} dB", s.over_floor_db)).collect();
+            let by = if self.fault == Fault::Ball { "the cage" } else { "the shaft" };
+            text += &format!("; sidebands at the speed of {by} {}, chance 1e{chance:.0}", sides.join(", "));
+        }
+        text
+    }
+}
+
+pub(super) fn of(evidence: &[Evidence]) -> Verdict {
+    let by = |fault: Fault| evidence.iter().find(|e| e.fault == fault);
+    let passing = || [Fault::Outer, Fault::Inner, Fault::Ball].into_iter().filter_map(by).filter(|e| e.stands_out());
+    // What is a sideband of a family that stands out itself says nothing of its own.
+    let cage = by(Fault::Cage).filter(|e| e.stands_out());
+    let own = |e: &&Evidence| {
+        !passing().any(|other| other.fault != e.fault && e.beside(other)) && !cage.is_some_and(|cage| e.of_cage(cage))
+    };
+    let highest = passing().filter(own).max_by(|a, b| a.rank().total_cmp(&b.rank()));
+    let found = highest.or_else(|| {
+        let seen = |e: &&Evidence| e.log_chance + e.sidebands_log_chance.unwrap_or(0.0) < SURE_WITH_CAGE;
+        let ball = by(Fault::Ball).filter(seen).filter(own);
+        cage.and(ball).or(cage)
+    });
+    let mut reasons = Vec::new();
+    match found {
+        None => reasons.push(format!(
+            "no line of the bearing stands {HIGH_DB} dB over the noise with a chance below 1e{SURE:.0} and a modulation above {DEEP}"
+        )),
+        Some(e) => {
+            reasons.push(e.said());
+            if e.fault == Fault::Cage {
+                reasons.push("one ball unlike the others, a damaged one too, shows at the same frequency".to_owned());
+            }
+            if e.fault == Fault::Inner && e.sidebands_log_chance.is_some_and(|chance| chance > READ) {
+                reasons.push("no sidebands at the speed of the shaft: the load is axial, or the line is another's".to_owned());
+            }
+        }
+    }
+    let others = evidence.iter().filter(|e| found.is_none_or(|found| found.fault != e.fault) && e.log_chance < READ);
+    reasons.extend(others.map(|e| format!("also {}", e.said())));
+    Verdict { fault: found.map(|e| e.fault), reasons }
+}
+
+/// The speed of the cage by the line of the verdict, or by the highest one that gives it.
+pub(super) fn cage(
+    evidence: &[Evidence],
+    verdict: &Verdict,
+    bearing: &Kinematics,
+    shaft: &ShaftSpeed,
+) -> Option<CageSpeed> {
+    let balls = bearing.ball_count as f64;
+    let [inner, outer, cage] = [bearing.inner_turns, bearing.outer_turns, bearing.cage_turns()];
+    let of = |e: &Evidence| match e.fault {
+        Fault::Outer => {
+            let hz = outer * shaft.frequency_hz + (cage - outer).signum() * e.frequency_hz / balls;
+            Some((hz, (e.deviation_hz / balls).hypot(outer * shaft.deviation_hz)))
+        }
+        Fault::Inner => {
+            let hz = inner * shaft.frequency_hz - (inner - cage).signum() * e.frequency_hz / balls;
+            Some((hz, (e.deviation_hz / balls).hypot(inner * shaft.deviation_hz)))
+        }
+        Fault::Cage => Some((e.frequency_hz * cage.signum(), e.deviation_hz)),
+        // Its turns about its own axis hardly depend on the speed of the cage.
+        Fault::Ball => None,
+    };
+    let readable = |e: &&Evidence| e.log_chance < READ && e.fault != Fault::Ball;
+    let by_verdict = evidence.iter().filter(readable).find(|e| Some(e.fault) == verdict.fault);
+    let by = by_verdict
+        .or_else(|| evidence.iter().filter(readable).max_by(|a, b| a.height_db().total_cmp(&b.height_db())))?;
+    let (hz, deviation) = of(by)?;
+    Some(CageSpeed { speed_rpm: 60.0 * hz, deviation_rpm: 60.0 * deviation, from: by.fault.line().to_owned() })
+}

@@ -1,0 +1,15 @@
+//! Measured signals: files with their columns, and what they say of a bearing.
+
+mod bearing;
+mod csv;
+mod mat;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod question;
+mod recording;
+mod signal_file;
+mod wav;
+
+pub use bearing::{bearing_of_case, bearing_of_numbers};
+pub use question::{Analysis, Speed, Window, analysis};
+pub use signal_file::{Column, SignalFile};
