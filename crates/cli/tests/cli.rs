@@ -34,6 +34,8 @@ mod report;
 mod run;
 #[path = "cli/sweep.rs"]
 mod sweep;
+#[path = "cli/vibration.rs"]
+mod vibration;
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! Why a procedure does not start, or ends before its time.
 
 use crate::difference::SweepDifference;
-use crate::holder::Holder;
+use crate::holder::{Holder, by};
 use std::path::PathBuf;
 use tribodyn_bearing::BearingError;
 use tribodyn_case::{CaseError, Lacking};
@@ -417,11 +417,6 @@ pub struct RefusedCase {
     pub text: String,
     /// Reason, with the place in the text.
     pub error: CaseError,
-}
-
-/// Who writes an output, after the sentence that somebody does.
-fn by(holder: &Option<Holder>) -> String {
-    holder.as_ref().map_or_else(String::new, |holder| format!(", {holder}"))
 }
 
 /// The message of an error with those of its causes that it does not repeat: a full disk lies deep.

@@ -20,3 +20,8 @@ impl fmt::Display for Holder {
         write!(f, "pid {}{host} since {}", self.pid, self.since)
     }
 }
+
+/// Who writes an output, after the sentence that somebody does.
+pub(crate) fn by(holder: &Option<Holder>) -> String {
+    holder.as_ref().map_or_else(String::new, |holder| format!(", {holder}"))
+}

@@ -23,7 +23,7 @@ use tribodyn_study::{CaseFile, Limits, StagedFiles};
 
 A signal is searched for lines near those of pure rolling: within the uncertainty of the speed and the slip.")]
 pub struct Arguments {
-    /// Signal: .csv, .txt, .tsv or .dat with numbers in columns, .wav, .mat (level 5), .parquet, or the recording of a run
+    /// Signal: numbers in columns (.csv, .txt, .tsv, .dat), .wav, .mat (level 5), .parquet, or a recorded run (.mcap)
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// The column to evaluate, by its name or number
@@ -135,11 +135,12 @@ fn bearing(arguments: &Arguments, file: &SignalFile, limits: &Limits) -> Result<
         return Ok(bearing_of_case(&CaseFile::read_within(path, &[], limits)?)?);
     }
     let listed = tribodyn_catalogue::find(name, arguments.angle)?;
-    let balls = listed.envelope.ball_set(KnownBalls::default(), listed.ratings)?;
+    let known = KnownBalls { published: listed.balls, ..KnownBalls::default() };
+    let balls = listed.envelope.ball_set(known, listed.ratings)?;
     let kinematics = Kinematics {
         ball_count: balls.ball_count,
         ball_diameter_m: balls.ball_diameter,
-        pitch_diameter_m: listed.envelope.mean_diameter(),
+        pitch_diameter_m: balls.pitch_diameter,
         contact_angle_rad: listed.envelope.contact_angle,
         inner_turns: 1.0,
         outer_turns: 0.0,

@@ -47,9 +47,6 @@ const FLOOR_LINES: usize = 30;
 const MOST: f64 = 15.0;
 /// Numbers of harmonics that are tried for a family.
 const ORDERS: [usize; 4] = [1, 2, 3, 5];
-/// Standard deviation of a line of impacts that slip by a per cent each, in distances of lines: between the mean rate
-/// of a record of some hundred impacts and the peak of its spectrum.
-const OF_SLIP: f64 = 0.15;
 /// Height over the floor from which a line is used to find a frequency: noise reaches it once in 1600 lines.
 const USED: f64 = 7.4;
 
@@ -160,9 +157,8 @@ impl FlooredLines {
             if total > 0.0 {
                 fundamental = used().map(|l| weight(l) * l.1 / l.0 as f64).sum::<f64>() / total;
                 let scatter = used().map(|l| weight(l) * (l.1 / l.0 as f64 - fundamental).powi(2)).sum::<f64>() / total;
-                // A line in noise is known to about 0.55/√(power over floor) of the distance between lines; slips that
-                // add up move all harmonics alike.
-                let known = 0.55 / (total * self.averages).sqrt() + OF_SLIP / self.averages.sqrt();
+                // A line in noise is known to about 0.55/√(power over floor) of the distance between lines.
+                let known = 0.55 / (total * self.averages).sqrt();
                 deviation = (scatter / (used().count() as f64)).sqrt().max(known);
             }
         }

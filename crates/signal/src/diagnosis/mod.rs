@@ -2,9 +2,9 @@
 //! characteristic lines in it and what they say.
 //!
 //! The order of the steps is that of R. B. Randall, J. Antoni, Mech. Syst. Signal Process. 25 (2011) 485,
-//! doi:10.1016/j.ymssp.2010.07.017: trend off, tones and resonances whitened, band by spectral kurtosis, spectrum of the
-//! squared envelope, over shaft angle where the speed is known at each sample. Speeds are known to some per cent and
-//! balls slip, so that each line is looked for in a range and the chance that noise stands as high anywhere in that
+//! doi:10.1016/j.ymssp.2010.07.017: trend off, tones and resonances whitened, band by spectral kurtosis, spectrum of
+//! the squared envelope, over shaft angle where the speed is known at each sample. Speeds are known to some per cent
+//! and balls slip, so that each line is looked for in a range and the chance that noise stands as high anywhere in that
 //! range is what counts.
 
 mod bands;

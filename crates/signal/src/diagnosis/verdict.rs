@@ -63,17 +63,17 @@ impl Evidence {
 
     /// Whether the fundamental may be the lower or upper sideband of another family.
     fn beside(&self, other: &Self) -> bool {
-        let reach = 2.0 * self.deviation_hz.hypot(other.deviation_hz) + 0.01 * self.frequency_hz;
+        let reach = 0.01 * self.frequency_hz;
         let distance = (self.frequency_hz - other.frequency_hz).abs();
         other.modulating_hz.is_some_and(|by| (distance - by).abs() < reach)
     }
 
-    /// Whether the fundamental is a multiple of that of the cage, and not much higher: what strikes once in a turn of the
-    /// cage has all multiples, BPFO among them.
+    /// Whether the fundamental is a multiple of that of the cage, and not much higher: what strikes once in a turn of
+    /// the cage has all multiples, BPFO among them.
     fn of_cage(&self, cage: &Self) -> bool {
         let multiple = (self.frequency_hz / cage.frequency_hz).round();
         let reach = 3.0 * self.deviation_hz.hypot(multiple * cage.deviation_hz) + 0.002 * self.frequency_hz;
-        // What a ball strikes in the load zone has a few multiples of the cage, what strikes once in a turn all of them.
+        // What a ball strikes in the load zone has a few multiples of the cage, what strikes once in a turn has all.
         let last = cage.harmonics.last().map_or(0.0, |h| h.over_floor_db);
         let all = last > self.rank() - ALL_DB && self.rank() < cage.rank() + CAGE_DB;
         all && (self.frequency_hz - multiple * cage.frequency_hz).abs() < reach

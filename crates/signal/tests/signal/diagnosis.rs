@@ -137,8 +137,8 @@ fn diagnosed(m: &Machine, samples: &[f64]) -> Diagnosis {
 #[test]
 fn paper_ratios_of_the_case_western_bearings() {
     // Bearing Data Center, Case Western Reserve University, "Bearing Information": multiples of the shaft's speed. Its
-    // numbers for the cage, 0.39828 and 0.3817, are 3e-5 and 7e-5 off its own numbers for the outer race over Z, and from
-    // its diameters 4.7135 comes out as 4.71344, 3.0530 as 3.05312, 3.9874 as 3.98768.
+    // numbers for the cage, 0.39828 and 0.3817, are 3e-5 and 7e-5 off its own numbers for the outer race over Z, and
+    // from its diameters 4.7135 comes out as 4.71344, 3.0530 as 3.05312, 3.9874 as 3.98768.
     let published = [
         (bearing_6205(), [3.5848, 5.4152, 4.7135], [0.39828, 3.5e-5]),
         (of_inches(8, 0.2656, 1.122), [3.0530, 4.9469, 3.9874], [0.3817, 7.5e-5]),

@@ -8,6 +8,8 @@ mod parquet;
 mod question;
 mod recording;
 mod signal_file;
+#[cfg(test)]
+mod tests;
 mod wav;
 
 pub use bearing::{bearing_of_case, bearing_of_numbers};

@@ -12,8 +12,8 @@ use tribodyn_signal::{Diagnosis, Kinematics, Search, Shaft, SignalError, Statist
 pub enum Speed {
     /// A speed, Hz, about which the true one lies.
     Near(f64),
-    /// A column of the file: speeds in r/min, in Hz where its name ends in `_hz`, in rad/s where it ends in `_rad_s`. One
-    /// number alone is a speed near the true one.
+    /// A column of the file: speeds in r/min, in Hz where its name ends in `_hz`, in rad/s where it ends in `_rad_s`.
+    /// One number alone is a speed near the true one.
     Column(String),
     /// A column with pulses, and their number in a turn.
     KeyPhase(String, f64),

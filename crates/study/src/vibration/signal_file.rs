@@ -34,12 +34,12 @@ impl SignalFile {
         Self { columns, rate_hz, first_line: None, case_text: None }
     }
 
-    /// Reads a file by the ending of its name: `.csv`, `.txt`, `.tsv`, `.dat`, `.wav`, `.mat`, `.parquet`, and `.mcap` for
-    /// the recording of a run.
+    /// Reads a file by the ending of its name: `.csv`, `.txt`, `.tsv`, `.dat`, `.wav`, `.mat`, `.parquet`, and `.mcap`
+    /// for the recording of a run.
     ///
     /// # Errors
-    /// A file that cannot be read or is longer than the limit, of another kind, damaged, or with something in it that is
-    /// no number.
+    /// A file that cannot be read or is longer than the limit, of another kind, damaged, or with something in it that
+    /// is no number.
     pub fn read(path: &Path, limits: &Limits) -> Result<Self, StudyError> {
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_lowercase();
         if ending == "mcap" || ending == "active" {

@@ -1,0 +1,46 @@
+//! `vibration`: a verdict with figures on a signal of known impacts, and what is refused.
+
+use super::{Scratch, run_words};
+use std::f64::consts::TAU;
+
+/// Two seconds of impacts at BPFO of a 6205 that turns at 1797 r/min, ringing at 3.1 kHz, in noise.
+fn signal() -> String {
+    let (rate, pass) = (12_000.0, 3.5848 * 29.95);
+    let mut state = 1u64;
+    let mut noise = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    };
+    let sample = |n: usize| {
+        let t = n as f64 / rate;
+        let since = (t * pass).fract() / pass;
+        let ring = (-600.0 * since).exp() * (TAU * 3100.0 * since).sin();
+        format!("{}\n", ring + 0.3 * (TAU * 29.95 * t).sin() + 0.5 * noise())
+    };
+    (0..24_000).map(sample).collect()
+}
+
+#[test]
+fn limit_an_outer_race_is_told_and_drawn() {
+    let scratch = Scratch::new();
+    let file = scratch.file("signal.csv", format!("acceleration\n{}", signal()));
+    let (file, folder) = (file.display().to_string(), scratch.0.join("out"));
+    let command = format!("vibration {file} --rate 12000 --bearing 9,7.94,39.04 --speed 1797");
+    let answer = run_words(&format!("{command} --json -o {}", folder.display())).json();
+    assert_eq!(answer["verdict"]["fault"], "outer");
+    let cage = answer["cage"]["speed_rpm"].as_f64().unwrap();
+    assert!((cage / (3.5848 / 9.0 * 1797.0) - 1.0).abs() < 1e-3, "{cage}");
+    for name in ["vibration.json", "envelope-spectrum.svg", "kurtogram.png", "signal.svg"] {
+        assert!(folder.join(name).is_file(), "{name}");
+    }
+    for (options, message) in [
+        ("--rate 12000 --bearing 9,7.94,39.04", "--speed"),
+        ("--rate 12000 --speed 1797", "--bearing"),
+        ("--bearing 9,7.94,39.04 --speed 1797", "--rate"),
+        ("--rate 12000 --bearing 9,7.94,39.04 --speed 0", "--speed 0"),
+        ("--rate 12000 --bearing 9,7.94,39.04 --speed 1797 --slip 40", "--slip 40"),
+        ("--rate 12000 --bearing 9,79.4,39.04 --speed 1797", "are no bearing"),
+    ] {
+        run_words(&format!("vibration {file} {options}")).fails(2, &[message]);
+    }
+}
