@@ -88,6 +88,9 @@ pub struct Evidence {
     pub band_hz: [f64; 2],
     /// Whether the band was cut from the whitened signal.
     pub whitened: bool,
+    /// Mean height of the lines one turn of the cage below and above the fundamental, dB.
+    #[serde(skip)]
+    pub(super) beside_db: f64,
     /// The candidate among those seen.
     #[serde(skip)]
     pub(super) candidate: usize,
@@ -246,7 +249,12 @@ impl<'a> Seen<'a> {
                     Fault::Ball => Some(per_turn.cage_hz * speed.frequency_hz),
                     _ => None,
                 };
-                Some(self.one(fault, expected_hz, candidate, &found, modulating))
+                let cage_hz = per_turn.cage_hz * speed.frequency_hz;
+                let mut one = self.one(fault, expected_hz, candidate, &found, modulating);
+                let (_, near) = self.lines[candidate].at(&[one.frequency_hz - cage_hz, one.frequency_hz + cage_hz]);
+                let heights = near.iter().map(|(_, over)| 10.0 * over.max(1e-12).log10()).sum::<f64>();
+                one.beside_db = heights / near.len().max(1) as f64;
+                Some(one)
             })
             .collect()
     }
@@ -284,6 +292,7 @@ impl<'a> Seen<'a> {
             sidebands_log_chance,
             band_hz: [band.low_hz, band.high_hz],
             whitened,
+            beside_db: 0.0,
             candidate,
         }
     }

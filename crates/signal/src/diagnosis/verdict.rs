@@ -38,9 +38,10 @@ const DEEP: f64 = 0.1;
 /// turns out of its track and strikes now and then only.
 const SURE_WITH_CAGE: f64 = -6.0;
 
-/// Height by which a line has to stand above those of the cage, not to be one of its multiples, dB: load and speed of
-/// the balls vary with the cage at other faults too, by less.
-const CAGE_DB: f64 = 6.0;
+/// Height by which a line has to stand above FTF and above those one turn of the cage beside it, not to be one of many
+/// multiples, dB: at other faults too impacts vary with the cage, but a line that is modulated wholly has sidebands 6 dB
+/// below it.
+const CAGE_DB: f64 = 5.0;
 
 /// Height below that line to which the fifth multiple of the cage may have fallen, dB.
 const ALL_DB: f64 = 10.0;
@@ -68,14 +69,17 @@ impl Evidence {
         other.modulating_hz.is_some_and(|by| (distance - by).abs() < reach)
     }
 
-    /// Whether the fundamental is a multiple of that of the cage, and not much higher: what strikes once in a turn of
-    /// the cage has all multiples, BPFO among them.
+    /// Whether the fundamental is one of many multiples of that of the cage and not much higher than the others: what
+    /// strikes once in a turn of the cage has all multiples, BPFO among them.
     fn of_cage(&self, cage: &Self) -> bool {
         let multiple = (self.frequency_hz / cage.frequency_hz).round();
         let reach = 3.0 * self.deviation_hz.hypot(multiple * cage.deviation_hz) + 0.002 * self.frequency_hz;
         // What a ball strikes in the load zone has a few multiples of the cage, what strikes once in a turn has all.
         let last = cage.harmonics.last().map_or(0.0, |h| h.over_floor_db);
-        let all = last > self.rank() - ALL_DB && self.rank() < cage.rank() + CAGE_DB;
+        let own = |e: &Self| e.harmonics.first().map_or(0.0, |h| h.over_floor_db);
+        let first = own(self);
+        let near = self.beside_db.min(own(cage));
+        let all = last > self.rank() - ALL_DB && near > first - CAGE_DB;
         all && (self.frequency_hz - multiple * cage.frequency_hz).abs() < reach
     }
 
