@@ -8,7 +8,7 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 16] = [
+const LAYERS: [(&str, &[&str]); 17] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-traction", &["tribodyn-contact"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
@@ -51,6 +51,8 @@ const LAYERS: [(&str, &[&str]); 16] = [
             "tribodyn-dynamics",
         ],
     ),
+    // Shafts on bearings.
+    ("tribodyn-shaft", &["tribodyn-contact", "tribodyn-bearing", "tribodyn-quasistatic"]),
     // Recordings of runs hold spectra that a viewer cannot compute.
     (
         "tribodyn-record",
@@ -73,6 +75,8 @@ const LAYERS: [(&str, &[&str]); 16] = [
             "tribodyn-orbit",
             "tribodyn-record",
             "tribodyn-rating",
+            "tribodyn-catalogue",
+            "tribodyn-shaft",
         ],
     ),
 ];
