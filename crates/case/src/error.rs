@@ -46,6 +46,13 @@ impl CaseError {
         }
     }
 
+    /// An error about the value at a path of a text, or about the section around it.
+    pub fn at(text: &str, path: &str, message: String) -> Self {
+        let path = Path::parse(path).unwrap_or_default();
+        let found = Outline::new(text).map(|outline| outline.find(&path).unwrap_or_else(|missing| missing.deepest));
+        Self::new(text, found.unwrap_or(0..0), &path, message)
+    }
+
     /// An error of the reader, which stopped at `path`.
     pub(super) fn from_reader(text: &str, spanned: &SpannedError, path: &serde_path_to_error::Path) -> Self {
         let mut path = field_path(path);

@@ -106,6 +106,14 @@ dimension!(SLOWNESS, "a time per length", "s_per_m(0.5)", {
     "s_per_m" => |v| v,
 });
 
+dimension!(TILT_STIFFNESS, "a tilting stiffness", "Nm_per_mrad(20)", {
+    "Nm_per_rad" => |v| v,
+    "Nm_per_mrad" => |v| shifted(v, 3),
+});
+dimension!(UNBALANCE, "an unbalance", "g_mm(50)", {
+    "kg_m" => |v| v,
+    "g_mm" => |v| shifted(v, -6),
+});
 dimension!(EXPANSION, "a coefficient of thermal expansion", "per_K(11.5e-6)", {
     "per_K" => |v| v,
 });
@@ -113,7 +121,9 @@ dimension!(TEMPERATURE_DIFFERENCE, "a temperature difference", "K(40)", {
     "K" => |v| v,
 });
 
-const ALL: [&Dimension; 18] = [
+const ALL: [&Dimension; 20] = [
+    &TILT_STIFFNESS,
+    &UNBALANCE,
     &LENGTH,
     &ANGLE,
     &PRESSURE,
@@ -198,6 +208,12 @@ readers! {
     expansion: EXPANSION;
     /// Temperature difference, K.
     temperature_difference: TEMPERATURE_DIFFERENCE;
+    /// Tilting stiffness, N m/rad.
+    tilt_stiffness: TILT_STIFFNESS;
+    /// Unbalance, kg m.
+    unbalance: UNBALANCE;
+    /// Damping constant, N s/m.
+    damping: DAMPING;
 }
 
 macro_rules! optionals {
@@ -222,6 +238,14 @@ optionals! {
     optional_angle: angle;
     /// A force that may be left out, N.
     optional_force: force;
+    /// A length that may be left out, m.
+    optional_length: length;
+    /// A mass that may be left out, kg.
+    optional_mass: mass;
+    /// A damping constant that may be left out, N s/m.
+    optional_damping: damping;
+    /// A rotational speed that may be left out, rad/s.
+    optional_speed: speed;
 }
 
 macro_rules! triples {
