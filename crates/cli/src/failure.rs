@@ -10,6 +10,7 @@ use tribodyn_identify::IdentifyError;
 use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
+use tribodyn_shaft::ShaftError;
 use tribodyn_study::pair::PairError;
 use tribodyn_study::{RefusedCase, StudyError, SweepDifference, with_causes};
 
@@ -182,6 +183,14 @@ fn study_exit_code(error: &StudyError) -> u8 {
         StudyError::Pair { source: PairError::NotConverged { .. } | PairError::Loose | PairError::Ended, .. }
         | StudyError::Busy { .. }
         | StudyError::NoThread { .. }
+        | StudyError::Shaft {
+            source:
+                ShaftError::NotConverged { .. }
+                | ShaftError::Loose { .. }
+                | ShaftError::Eigenvalues
+                | ShaftError::Bearing { source: QuasiStaticError::NotConverged { .. }, .. },
+            ..
+        }
         | StudyError::Write { .. }
         | StudyError::RefusalLost { .. }
         | StudyError::SweepStopped { .. }

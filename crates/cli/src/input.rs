@@ -97,7 +97,8 @@ impl CaseArguments {
     }
 }
 
-fn change(text: &str) -> Result<Change, String> {
+/// A change of `--set`.
+pub fn change(text: &str) -> Result<Change, String> {
     path_and_value(text).map(|[path, value]| Change::new(format!("--set {text}"), path, value))
 }
 

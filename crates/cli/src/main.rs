@@ -21,6 +21,9 @@ mod recover;
 mod report;
 mod run;
 mod search;
+mod set;
+mod shaft;
+mod sheet;
 mod solve;
 mod stiffness;
 mod sweep;
@@ -52,6 +55,9 @@ Examples:
   tribodyn solve fixtures/cases/paper-ag.ron --model steady-orbit
   tribodyn stiffness fixtures/cases/paper-ag.ron --speeds 5000,10000,14000 --ross coefficients.csv
   tribodyn modes fixtures/cases/paper-ag.ron --up-to 5000
+  tribodyn sheet 6206 --radial 2000 --axial 300 --speed 3000
+  tribodyn set 7012C --arrangement DB --preload 200
+  tribodyn shaft fixtures/shafts/motor.ron --modes 0,3000,6000
   tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
   tribodyn report run.mcap -o report
   tribodyn vibration motor.csv --rate 25600 --bearing 6206 --speed 1480
@@ -85,6 +91,12 @@ enum Command {
     Modes(modes::Arguments),
     /// Solve two preloaded bearings on one shaft
     Pair(pair::Arguments),
+    /// Put life, safety, stiffness, torque and frequencies of a bearing under a load on one page
+    Sheet(sheet::Arguments),
+    /// Work out preload, unloading force and axial rigidity of a set of bearings
+    Set(set::Arguments),
+    /// Solve for a shaft in its bearings: reactions, deflections, lives, modes
+    Shaft(shaft::Arguments),
     /// Simulate a bearing in time and record it
     Run(run::Arguments),
     /// Simulate a bearing in time many times, with case values drawn at random
@@ -118,6 +130,9 @@ fn main() -> ExitCode {
         Command::Stiffness(arguments) => stiffness::run(&arguments),
         Command::Modes(arguments) => modes::run(&arguments),
         Command::Pair(arguments) => pair::run(&arguments),
+        Command::Sheet(arguments) => sheet::run(&arguments),
+        Command::Set(arguments) => set::run(&arguments),
+        Command::Shaft(arguments) => shaft::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Ensemble(arguments) => ensemble::run(&arguments),
         Command::Life(arguments) => life::run(&arguments),

@@ -43,7 +43,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 type Row = (&'static str, String, &'static str);
 
-fn rows(r: &Rating, model: &'static str) -> Vec<Row> {
+/// Ratings, lives and safeties, a row each.
+pub fn rows(r: &Rating, model: &'static str) -> Vec<Row> {
     // Shown beside the value, where other rows have their unit.
     let rated = |value: f64, source| match source {
         RatingSource::Catalogue => (number(value, 0), "N, catalogue"),

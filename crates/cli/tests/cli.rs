@@ -32,6 +32,8 @@ mod rating;
 mod report;
 #[path = "cli/run.rs"]
 mod run;
+#[path = "cli/shaft.rs"]
+mod shaft;
 #[path = "cli/sweep.rs"]
 mod sweep;
 #[path = "cli/vibration.rs"]

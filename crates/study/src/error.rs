@@ -139,6 +139,27 @@ pub enum StudyError {
         /// Reason.
         source: tribodyn_rating::RatingError,
     },
+    /// A bearing that the built-in list does not have.
+    #[error(transparent)]
+    Catalogue(#[from] tribodyn_catalogue::CatalogueError),
+    /// A shaft without an answer.
+    #[error("{file}: {source}")]
+    Shaft {
+        /// Name of the shaft's file, and of the bearing where it is about one.
+        file: String,
+        /// Reason.
+        source: tribodyn_shaft::ShaftError,
+    },
+    /// A matrix that cannot be read.
+    #[error("{}:{line}: {message}", path.display())]
+    Matrix {
+        /// The file.
+        path: PathBuf,
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong and what is allowed.
+        message: String,
+    },
     /// Two lists of values for one place of the case.
     #[error("{first} and {second} sweep the same value")]
     Overlap {

@@ -1,0 +1,197 @@
+//! `tribodyn set`: bearings side by side, pressed against each other.
+
+use crate::drawn;
+use crate::failure::Failure;
+use crate::input::{LimitArguments, ReplaceArguments, change};
+use crate::table::{self, number};
+use std::path::{Path, PathBuf};
+use tribodyn_case::Case;
+use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
+use tribodyn_study::preload::{ARRANGEMENTS, SetAnswer, SetPreload, SetQuestion, bearing_set};
+use tribodyn_study::shaft::listed_case;
+use tribodyn_study::{CaseFile, Change, Limits, StagedFiles};
+
+/// Preload, unloading force and axial rigidity of a set of like bearings, and its displacement under axial load.
+///
+/// Speed, fits and temperatures are those of the case. With radial loads and moments use `pair` or `shaft`.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn set 7012C --arrangement DB --preload 200
+  tribodyn set spindle.ron --arrangement QBC --preload 300 --given mounted --loads 0,500,1000
+  tribodyn set 7210B --sides +-- --offset 5")]
+pub struct Arguments {
+    /// A designation of the built-in list, such as 7012C, or a case file (RON); a listed bearing is at rest
+    #[arg(value_name = "BEARING")]
+    bearing: String,
+    /// Replace one value of the case, such as 'speed.inner=Constant(rpm(8000))'; may be repeated
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = change)]
+    changes: Vec<Change>,
+    #[command(flatten)]
+    limits: LimitArguments,
+    /// How the bearings stand: DB, DF, DT, TBT, TFT, TT, QBC, QFC, QBT or QT
+    #[arg(long, value_name = "NAME", required_unless_present = "sides")]
+    arrangement: Option<String>,
+    /// The side that each bearing carries, from −z to +z, such as ++- for two against one
+    #[arg(long, value_name = "SIGNS", conflicts_with = "arrangement", allow_hyphen_values = true)]
+    sides: Option<String>,
+    /// Preload, N
+    #[arg(long, value_name = "N", required_unless_present_any = ["offset", "spring"])]
+    preload: Option<f64>,
+    /// Condition in which the preload is given
+    #[arg(long, value_enum, default_value_t = Given::Unmounted, requires = "preload")]
+    given: Given,
+    /// How far each bearing is pressed in off the shaft, µm
+    #[arg(long, value_name = "UM", allow_hyphen_values = true, conflicts_with = "preload")]
+    offset: Option<f64>,
+    /// Force of a soft spring in place of the bearings that carry −z, N
+    #[arg(long, value_name = "N", conflicts_with_all = ["preload", "offset"])]
+    spring: Option<f64>,
+    /// Axial loads along +z, N, as N,N,…; up to the unloading force without it
+    #[arg(long, value_name = "N", value_delimiter = ',', allow_hyphen_values = true)]
+    loads: Vec<f64>,
+    /// Write a figure of the displacement under load into this folder, as SVG and PNG
+    #[arg(long, value_name = "FOLDER")]
+    plot: Option<PathBuf>,
+    #[command(flatten)]
+    replace: ReplaceArguments,
+    /// Print JSON, and nothing else, to standard output
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+enum Given {
+    /// Off the shaft, as catalogues have it
+    Unmounted,
+    /// Mounted, at rest and cold
+    Mounted,
+    /// At the speed and the temperatures of the case
+    Running,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let case = bearing_case(&arguments.bearing, &arguments.changes, &arguments.limits.limits())?;
+    let question = SetQuestion { sides: sides(arguments)?, preload: preload(arguments)?, loads: loads(arguments)? };
+    let answer = bearing_set(&arguments.bearing, &case, &question)?;
+    if let Some(folder) = &arguments.plot {
+        let mut staged = StagedFiles::new(folder, arguments.replace.force)?;
+        drawn::stage(&mut staged, &figure(&arguments.bearing, &answer)?)?;
+        staged.publish()?;
+    }
+    if arguments.json {
+        return table::print_json(&answer);
+    }
+    print(&arguments.bearing, &answer)
+}
+
+/// The case of a file, or of a designation.
+pub fn bearing_case(bearing: &str, changes: &[Change], limits: &Limits) -> Result<Case, Failure> {
+    let path = Path::new(bearing);
+    if path.extension().is_some_and(|ending| ending == "ron") || path.exists() {
+        return Ok(CaseFile::read_within(path, changes, limits)?.case);
+    }
+    Ok(listed_case(bearing, changes, limits)?)
+}
+
+fn sides(arguments: &Arguments) -> Result<Vec<bool>, Failure> {
+    let refused = |option: &'static str, value: &str, message: String| Failure::Option {
+        option,
+        value: value.to_owned(),
+        message,
+    };
+    if let Some(signs) = &arguments.sides {
+        let all: Option<Vec<bool>> = signs
+            .chars()
+            .map(|sign| match sign {
+                '+' => Some(true),
+                '-' => Some(false),
+                _ => None,
+            })
+            .collect();
+        let allowed = "allowed are 1 to 8 signs + or -, such as ++-".to_owned();
+        return all.filter(|all| (1..=8).contains(&all.len())).ok_or_else(|| refused("sides", signs, allowed));
+    }
+    let name = arguments.arrangement.as_deref().unwrap_or_default();
+    let found = ARRANGEMENTS.iter().find(|(known, _)| known.eq_ignore_ascii_case(name));
+    let allowed = || ARRANGEMENTS.map(|(known, _)| known).join(", ");
+    let found = found.map(|(_, sides)| sides.to_vec());
+    found.ok_or_else(|| refused("arrangement", name, format!("allowed are {}; any other by --sides", allowed())))
+}
+
+fn preload(arguments: &Arguments) -> Result<SetPreload, Failure> {
+    let allowed = |option: &'static str, value: f64, rule: bool, text: &str| match rule && value.is_finite() {
+        true => Ok(value),
+        false => Err(Failure::Option { option, value: value.to_string(), message: format!("allowed is {text}") }),
+    };
+    if let Some(force) = arguments.preload {
+        let force = allowed("preload", force, force >= 0.0, "0 N or more")?;
+        return Ok(match arguments.given {
+            Given::Unmounted => SetPreload::UnmountedN(force),
+            Given::Mounted => SetPreload::MountedN(force),
+            Given::Running => SetPreload::RunningN(force),
+        });
+    }
+    if let Some(force) = arguments.spring {
+        return Ok(SetPreload::SpringN(allowed("spring", force, force >= 0.0, "0 N or more")?));
+    }
+    let offset = arguments.offset.unwrap_or(f64::NAN);
+    Ok(SetPreload::OffsetM(1e-6 * allowed("offset", offset, true, "a finite number of µm")?))
+}
+
+fn loads(arguments: &Arguments) -> Result<Vec<f64>, Failure> {
+    match arguments.loads.iter().find(|load| !load.is_finite()) {
+        Some(load) => {
+            let message = "allowed are finite loads in N".to_owned();
+            Err(Failure::Option { option: "loads", value: load.to_string(), message })
+        }
+        None => Ok(arguments.loads.clone()),
+    }
+}
+
+fn print(name: &str, answer: &SetAnswer) -> Result<(), Failure> {
+    table::print_line(&format!("{name}\n"))?;
+    let optional = |value: Option<f64>, digits: usize| value.map_or_else(|| "–".to_owned(), |v| number(v, digits));
+    let header = ["condition", "r/min", "preload N", "rigidity N/µm", "unloading +z N", "−z N", "over preload"];
+    table::print_rows(
+        &header,
+        answer.conditions.iter().map(|c| {
+            vec![
+                c.condition.to_owned(),
+                number(c.speed_rpm, 0),
+                number(c.preload_n, 1),
+                number(c.rigidity_n_per_m * 1e-6, 2),
+                optional(c.unloading_force_n[0], 1),
+                optional(c.unloading_force_n[1], 1),
+                optional(c.unloading_over_preload[0], 3),
+            ]
+        }),
+    )?;
+    let offsets = answer.offset_m.iter().map(|offset| number(offset * 1e6, 3)).collect::<Vec<_>>().join("  ");
+    table::print_line(&format!("\neach bearing pressed in off the shaft, µm: {offsets}\n"))?;
+    let header = ["load N", "displacement µm", "rigidity N/µm", "axial force on each bearing N"];
+    table::print_rows(
+        &header,
+        answer.states.iter().map(|s| {
+            vec![
+                number(s.load_n, 1),
+                number(s.displacement_m * 1e6, 3),
+                number(s.rigidity_n_per_m * 1e-6, 2),
+                s.bearing_force_n.iter().map(|force| number(*force, 1)).collect::<Vec<_>>().join("  "),
+            ]
+        }),
+    )
+}
+
+fn figure(name: &str, answer: &SetAnswer) -> Result<Figure, Failure> {
+    let of = |value: &dyn Fn(&tribodyn_study::preload::SetState) -> f64| {
+        answer.states.iter().map(|s| (s.load_n, value(s))).collect()
+    };
+    let load = || Axis::new("Axial load", "N");
+    let moved = Series::line("displacement", of(&|s| 1e6 * s.displacement_m));
+    let rigid = Series::line("rigidity", of(&|s| 1e-6 * s.rigidity_n_per_m));
+    let panels = [
+        Panel::Cartesian(LineChart::new("Displacement", load(), Axis::new("Displacement", "µm"), vec![moved])),
+        Panel::Cartesian(LineChart::new("Rigidity", load(), Axis::new("Axial rigidity", "N/µm"), vec![rigid])),
+    ];
+    Ok(Figure::new("set", format!("Set of {name}"), &panels)?)
+}

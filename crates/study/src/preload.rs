@@ -1,0 +1,239 @@
+//! Sets of like bearings on one seat, pressed against each other: preload, unloading force, axial rigidity.
+
+use crate::error::StudyError;
+use serde::Serialize;
+use tribodyn_bearing::{Bearing, OperatingPoint};
+use tribodyn_case::Case;
+use tribodyn_quasistatic::Model;
+use tribodyn_shaft::{AxialSet, Member, RestingBearing, RingForce, ShaftError, TurningBearing};
+
+const RPM_PER_RAD_S: f64 = 30.0 / std::f64::consts::PI;
+
+/// How the bearings of a set stand, by the names of catalogues: the side that each carries, from −z to +z.
+pub const ARRANGEMENTS: [(&str, &[bool]); 10] = [
+    ("DB", &[true, false]),
+    ("DF", &[false, true]),
+    ("DT", &[true, true]),
+    ("TBT", &[true, true, false]),
+    ("TFT", &[false, true, true]),
+    ("TT", &[true, true, true]),
+    ("QBC", &[true, true, false, false]),
+    ("QFC", &[false, false, true, true]),
+    ("QBT", &[true, true, true, false]),
+    ("QT", &[true, true, true, true]),
+];
+
+/// What presses the bearings of a set together.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SetPreload {
+    /// Force, N, of the bearings off the shaft, as catalogues have it.
+    UnmountedN(f64),
+    /// Force, N, of the mounted bearings at rest and at the temperature of the drawing.
+    MountedN(f64),
+    /// Force, N, at the speed and the temperatures of the case.
+    RunningN(f64),
+    /// How far each bearing is pressed in, m, off the shaft: half of what the faces of a pair are ground off.
+    OffsetM(f64),
+    /// Force, N, of a soft spring that replaces the bearings that carry −z.
+    SpringN(f64),
+}
+
+/// A question about a set.
+#[derive(Debug, Clone)]
+pub struct SetQuestion {
+    /// Side of each bearing, from −z to +z: true where it carries a shaft pushed along +z.
+    pub sides: Vec<bool>,
+    /// What presses them together.
+    pub preload: SetPreload,
+    /// Axial loads along +z, N; where none are given, up to the unloading force.
+    pub loads: Vec<f64>,
+}
+
+/// A set under one axial load.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SetState {
+    /// Axial load along +z, N.
+    pub load_n: f64,
+    /// Displacement from the unloaded set, m.
+    pub displacement_m: f64,
+    /// Axial rigidity dF/dz, N/m.
+    pub rigidity_n_per_m: f64,
+    /// Axial force on each bearing, N.
+    pub bearing_force_n: Vec<f64>,
+}
+
+/// A set in one condition.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SetCondition {
+    /// Name of the condition.
+    pub condition: &'static str,
+    /// Speed, r/min.
+    pub speed_rpm: f64,
+    /// Preload, N: the smaller of what the sides carry without load.
+    pub preload_n: f64,
+    /// Axial rigidity without load, N/m.
+    pub rigidity_n_per_m: f64,
+    /// Loads along +z and −z under which the other side lifts off, N; absent where it never does.
+    pub unloading_force_n: [Option<f64>; 2],
+    /// Unloading forces over the preload.
+    pub unloading_over_preload: [Option<f64>; 2],
+}
+
+/// A set.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SetAnswer {
+    /// How far each bearing is pressed in off the shaft, m.
+    pub offset_m: Vec<f64>,
+    /// Off the shaft, mounted, and at the speed and temperatures of the case, as far as they differ.
+    pub conditions: Vec<SetCondition>,
+    /// Under load, in the last of these conditions.
+    pub states: Vec<SetState>,
+}
+
+/// Loads of a table, over the unloading force.
+const STEPS: u32 = 10;
+/// Load of a table for a set without unloading force, over the preload.
+const OVER_PRELOAD: f64 = 3.0;
+
+/// A bearing in one condition; the offset that mounting and heat add to that off the shaft, m.
+struct Condition {
+    name: &'static str,
+    bearing: Bearing,
+    point: OperatingPoint,
+    speed: f64,
+    added: f64,
+}
+
+impl Condition {
+    /// At rest the bearing is elastic.
+    fn ring(&self) -> Box<dyn RingForce + '_> {
+        match self.speed == 0.0 {
+            true => Box::new(RestingBearing { bearing: &self.bearing, first_ball: 0.0 }),
+            false => Box::new(TurningBearing::new(&self.bearing, &self.point, Model::JonesHarris)),
+        }
+    }
+
+    fn set<'a>(&'a self, question: &SetQuestion, offsets: &[f64]) -> AxialSet<'a> {
+        let members = question.sides.iter().map(|&carries_plus_z| Member { carries_plus_z, ring: self.ring() });
+        AxialSet {
+            members: members.collect(),
+            offsets: offsets.iter().map(|offset| offset + self.added).collect(),
+            spring: match question.preload {
+                SetPreload::SpringN(force) => Some(force),
+                _ => None,
+            },
+        }
+    }
+}
+
+/// Preload, unloading force and rigidity of a set of bearings of a case, and its displacement under loads.
+///
+/// # Errors
+/// [`StudyError::Shaft`] where nothing carries a load or a bearing has no equilibrium.
+pub fn bearing_set(name: &str, case: &Case, question: &SetQuestion) -> Result<SetAnswer, StudyError> {
+    let failed = |source: ShaftError| StudyError::Shaft { file: name.to_owned(), source };
+    let conditions = conditions(name, case)?;
+    let mut offsets = vec![0.0; question.sides.len()];
+    let (at, force) = match question.preload {
+        SetPreload::OffsetM(offset) => {
+            offsets.fill(offset);
+            (0, None)
+        }
+        SetPreload::SpringN(_) => (0, None),
+        SetPreload::UnmountedN(force) => (0, Some(force)),
+        SetPreload::MountedN(force) => (conditions.iter().position(|c| c.name == MOUNTED).unwrap_or(0), Some(force)),
+        SetPreload::RunningN(force) => (conditions.len() - 1, Some(force)),
+    };
+    if let Some(force) = force {
+        let mut set = conditions[at].set(question, &offsets);
+        set.preload(force).map_err(failed)?;
+        offsets = set.offsets.iter().map(|offset| offset - conditions[at].added).collect();
+    }
+    let mut answers = Vec::with_capacity(conditions.len());
+    for condition in &conditions {
+        let mut set = condition.set(question, &offsets);
+        let unloaded = set.under(0.0).map_err(failed)?;
+        let preload_n = set.preload_force().map_err(failed)?;
+        let unloading_force_n = if preload_n > 0.0 { set.unloading_forces().map_err(failed)? } else { [None; 2] };
+        answers.push(SetCondition {
+            condition: condition.name,
+            speed_rpm: condition.speed * RPM_PER_RAD_S,
+            preload_n,
+            rigidity_n_per_m: unloaded.stiffness,
+            unloading_force_n,
+            unloading_over_preload: unloading_force_n.map(|force| force.map(|force| force / preload_n)),
+        });
+    }
+    let (Some(last), Some(answer)) = (conditions.last(), answers.last()) else { unreachable!("there is one at least") };
+    let mut set = last.set(question, &offsets);
+    let loads = if question.loads.is_empty() { table(answer, question) } else { question.loads.clone() };
+    let rest = set.under(0.0).map_err(failed)?.displacement;
+    let mut states = Vec::with_capacity(loads.len());
+    for load in loads {
+        let state = set.under(load).map_err(failed)?;
+        states.push(SetState {
+            load_n: load,
+            displacement_m: state.displacement - rest,
+            rigidity_n_per_m: state.stiffness,
+            bearing_force_n: state.forces,
+        });
+    }
+    Ok(SetAnswer { offset_m: offsets, conditions: answers, states })
+}
+
+fn table(answer: &SetCondition, question: &SetQuestion) -> Vec<f64> {
+    let spring = match question.preload {
+        SetPreload::SpringN(force) => force,
+        _ => 0.0,
+    };
+    let most = answer.unloading_force_n[0].unwrap_or(OVER_PRELOAD * answer.preload_n.max(spring));
+    (0..=STEPS).map(|k| 1.2 * most * f64::from(k) / f64::from(STEPS)).collect()
+}
+
+/// Names of the conditions.
+const OFF: &str = "off the shaft, at rest";
+const MOUNTED: &str = "mounted, at rest";
+const RUNNING: &str = "at speed and temperature";
+
+fn conditions(name: &str, case: &Case) -> Result<Vec<Condition>, StudyError> {
+    let failed = |source| StudyError::Bearing { file: name.to_owned(), source };
+    let lacking = |source| StudyError::Lacking { file: name.to_owned(), source };
+    case.require(tribodyn_case::Purpose::JonesHarris).map_err(lacking)?;
+    let at_speed = |case: &Case, speed: f64| {
+        let mut case = case.clone();
+        case.speed.inner = tribodyn_bearing::SpeedHistory::Constant(speed);
+        case
+    };
+    let speed = case.operating_point().inner_speed;
+    let off = Case { mounting: None, ..at_speed(case, 0.0) };
+    let drawn = off.bearing().map_err(failed)?;
+    let reach = drawn.geometry.centre_distance() * drawn.geometry.sin_contact_angle();
+    let mut all = Vec::new();
+    let mut push = |name: &'static str, case: &Case, speed: f64| {
+        let bearing = case.bearing().map_err(failed)?;
+        // Rings that grow bring the groove centres nearer at the same place along the axis.
+        let geometry = &bearing.geometry;
+        let added = reach - geometry.centre_distance() * geometry.sin_contact_angle();
+        all.push(Condition { name, bearing, point: case.operating_point(), speed, added });
+        Ok::<(), StudyError>(())
+    };
+    push(OFF, &off, 0.0)?;
+    if case.mounting.is_some() {
+        let mut cold = at_speed(case, 0.0);
+        if let Some(mounting) = &mut cold.mounting {
+            mounting.ball.temperature_rise = 0.0;
+            for ring in [&mut mounting.inner, &mut mounting.outer] {
+                ring.temperature_rise = 0.0;
+                if let Some(seat) = &mut ring.seat {
+                    seat.temperature_rise = 0.0;
+                }
+            }
+        }
+        push(MOUNTED, &cold, 0.0)?;
+    }
+    if speed != 0.0 || case.mounting.is_some() {
+        push(RUNNING, &at_speed(case, speed), speed)?;
+    }
+    Ok(all)
+}

@@ -1,0 +1,131 @@
+//! The file of a shaft with the cases of its bearings.
+
+use crate::case_file::{CaseFile, Change, read_text};
+use crate::error::{RefusedCase, StudyError};
+use crate::limits::Limits;
+use std::path::{Path, PathBuf};
+use tribodyn_case::{BearingChoice, Carries, Case, CaseError, Fit, HousingFile, ShaftSystem, SpeedSpec};
+use tribodyn_catalogue::{NewCase, find};
+
+/// A shaft's file, changes made, with all that it names.
+pub struct ShaftFile {
+    /// Name for messages.
+    pub name: String,
+    /// What it says.
+    pub system: ShaftSystem,
+    /// The case of each bearing, as it runs on the shaft but for its speed.
+    pub cases: Vec<Case>,
+    /// Rows of the housing's stiffness over five freedoms of each seat, where there is one.
+    pub housing: Option<Vec<Vec<f64>>>,
+}
+
+impl ShaftFile {
+    /// Reads the file, makes the changes, and reads what it names.
+    ///
+    /// # Errors
+    /// [`StudyError`] with the place in the file.
+    pub fn read(path: &Path, changes: &[Change], limits: &Limits) -> Result<Self, StudyError> {
+        let name = path.display().to_string();
+        let mut text = read_text(path, limits)?;
+        for change in changes {
+            text = change
+                .apply(&text)
+                .map_err(|error| StudyError::Change { option: change.to_string(), error: Box::new(error) })?;
+        }
+        let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
+        Self::from_text(&name, &text, &folder, limits)
+    }
+
+    /// From a text; what it names stands in a folder.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn from_text(name: &str, text: &str, folder: &Path, limits: &Limits) -> Result<Self, StudyError> {
+        let refused = |error: CaseError| {
+            let (file, text) = (name.to_owned(), text.to_owned());
+            StudyError::Case(Box::new(RefusedCase { file, options: String::new(), text, error }))
+        };
+        let system = ShaftSystem::from_ron(text).map_err(refused)?;
+        let mut cases = Vec::with_capacity(system.bearings.len());
+        for (index, spec) in system.bearings.iter().enumerate() {
+            let at = |field: &str, message: String| {
+                let path = format!("bearings[{index}].{field}");
+                refused(CaseError::at(text, &path, message))
+            };
+            let mut case = match &spec.bearing {
+                BearingChoice::Listed(designation) => {
+                    listed_case(designation, &[], limits).map_err(|error| match error {
+                        StudyError::Catalogue(error) => at("bearing", error.to_string()),
+                        other => other,
+                    })?
+                }
+                BearingChoice::Case(file) => CaseFile::read_within(&folder.join(file), &[], limits)?.case,
+            };
+            if let Some(mounting) = spec.mounting {
+                case.mounting = Some(mounting);
+            }
+            if let Some(clearance) = spec.clearance {
+                case.geometry.fit = Fit::RadialClearance(clearance);
+                case.mounting = None;
+            }
+            if spec.carries == Carries::Both && matches!(case.geometry.fit, Fit::ContactAngle(_)) {
+                let message = "an angular-contact bearing carries one direction; allowed are PlusZ, MinusZ".to_owned();
+                return Err(at("carries", message));
+            }
+            cases.push(case);
+        }
+        let housing = match &system.housing {
+            Some(HousingFile::Matrix(file)) => Some(matrix(&folder.join(file), system.bearings.len(), limits)?),
+            None => None,
+        };
+        Ok(Self { name: name.to_owned(), system, cases, housing })
+    }
+
+    /// The case of a bearing at a speed of the shaft in rad/s: fits and growth are those of that speed.
+    pub fn case_at(&self, index: usize, speed: f64) -> Case {
+        let mut case = self.cases[index].clone();
+        let constant = tribodyn_bearing::SpeedHistory::Constant;
+        case.speed = SpeedSpec { inner: constant(speed), outer: constant(0.0) };
+        case
+    }
+}
+
+/// A case of the built-in list, at rest, with changes.
+///
+/// # Errors
+/// A designation that is not in the list, and changes that cannot be made.
+pub fn listed_case(designation: &str, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
+    let text = NewCase::of_listed(find(designation, None)?, designation).text()?;
+    let mut case = CaseFile::from_text(designation, text, changes, limits)?.case;
+    if !changes.iter().any(|change| change.concerns("speed.inner")) {
+        case.speed.inner = tribodyn_bearing::SpeedHistory::Constant(0.0);
+    }
+    Ok(case)
+}
+
+/// A matrix of 5 or 6 rows and columns for each seat; the sixth, about z, is left out.
+fn matrix(path: &Path, seats: usize, limits: &Limits) -> Result<Vec<Vec<f64>>, StudyError> {
+    let text = read_text(path, limits)?;
+    let refused = |line: usize, message: String| StudyError::Matrix { path: path.to_owned(), line, message };
+    let mut rows = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        if line.trim().is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let numbers = line.split([',', ';', ' ', '\t']).filter(|word| !word.is_empty());
+        let numbers: Result<Vec<f64>, _> = numbers.map(str::parse::<f64>).collect();
+        match numbers {
+            Ok(row) if row.iter().all(|number| number.is_finite()) => rows.push(row),
+            _ => return Err(refused(index + 1, "allowed are finite numbers parted by commas".to_owned())),
+        }
+    }
+    let of = if rows.len() == 6 * seats { 6 } else { 5 };
+    let n = of * seats;
+    if rows.len() != n || rows.iter().any(|row| row.len() != n) {
+        let message = format!("{} rows; allowed are 5 or 6 rows and columns for each of {seats} seats", rows.len());
+        return Err(refused(1, message));
+    }
+    let kept = |k: &usize| k % of < 5;
+    let row = |i: usize| (0..n).filter(kept).map(|j| rows[i][j]).collect();
+    Ok((0..n).filter(kept).map(row).collect())
+}

@@ -1,0 +1,173 @@
+//! One bearing under one load on one page: life, safety, deflection, stiffness, torque, frequencies, limits.
+
+use crate::error::StudyError;
+use crate::plausibility::solution_findings;
+use crate::rating::{Rating, rating};
+use serde::Serialize;
+use std::f64::consts::PI;
+use tribodyn_bearing::{SpeedHistory, Tilt, Translation};
+use tribodyn_case::{Case, Purpose, RingSpec};
+use tribodyn_quasistatic::{Model, StiffnessMatrix, jones_harris_stiffness, solve};
+use tribodyn_signal::BearingFrequencies;
+
+/// Loads and speed of a sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SheetQuestion {
+    /// Radial load, N.
+    pub radial: f64,
+    /// Axial load, N.
+    pub axial: f64,
+    /// Speed of the inner ring, rad/s.
+    pub speed: f64,
+}
+
+/// All that is asked of a bearing first.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sheet {
+    /// Name of the bearing.
+    pub name: String,
+    /// Number of balls.
+    pub ball_count: usize,
+    /// Their diameter, m.
+    pub ball_diameter_m: f64,
+    /// Pitch diameter, m.
+    pub pitch_diameter_m: f64,
+    /// Radial internal clearance in operation, m.
+    pub radial_clearance_m: f64,
+    /// Radial load, N.
+    pub radial_load_n: f64,
+    /// Axial load, N.
+    pub axial_load_n: f64,
+    /// Speed of the inner ring, r/min.
+    pub speed_rpm: f64,
+    /// Ratings, equivalent loads, lives, safety.
+    pub rating: Rating,
+    /// Displacement of the inner ring under the load: x, y, z, m; z from where the balls just touch.
+    pub ring_displacement_m: [f64; 3],
+    /// Moment that keeps the rings aligned, N m.
+    pub tilting_moment_nm: f64,
+    /// Stiffness of the inner ring at this load, by rows: N, N m over m, rad.
+    pub stiffness: StiffnessMatrix,
+    /// Balls that carry load on the inner race.
+    pub loaded_balls: usize,
+    /// Largest load of a ball on the inner race, N.
+    pub ball_load_max_n: f64,
+    /// Least and largest contact angle of the loaded balls on the inner race, rad.
+    pub contact_angle_rad: [f64; 2],
+    /// Friction torque by a rule of thumb, N m.
+    pub friction_torque_estimate_nm: f64,
+    /// Power of it, W.
+    pub friction_power_estimate_w: f64,
+    /// Frequencies of defects at the mean contact angle, Hz; absent at rest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frequencies: Option<BearingFrequencies>,
+    /// Pitch diameter times speed, mm r/min.
+    pub speed_factor_mm_rpm: f64,
+    /// Warnings.
+    pub warnings: Vec<String>,
+}
+
+const RPM_PER_RAD_S: f64 = 30.0 / PI;
+/// Coefficients of friction of the rule M = ½ µ P d for good lubrication and P ≈ C/10: deep-groove and angular-contact
+/// bearings in the makers' catalogues.
+const FRICTION: [f64; 2] = [0.0015, 0.0020];
+/// Least equivalent load over C_r for ball bearings: below it balls slide.
+const LEAST_LOAD: f64 = 0.01;
+/// Largest equivalent load over C_r for which the life formula stands (ISO 281).
+const LARGEST_LOAD: f64 = 0.5;
+/// Speed factor up to which grease is usual, mm r/min.
+const GREASE: f64 = 500_000.0;
+
+/// The sheet of a case under loads.
+///
+/// # Errors
+/// A bearing that has no equilibrium there, or that the standards do not rate.
+pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet, StudyError> {
+    let mut case = case.clone();
+    // The sheet tells nothing of the cage.
+    case.cage = None;
+    case.speed.inner = SpeedHistory::Constant(question.speed);
+    case.ring = RingSpec {
+        x: Translation::Force(question.radial),
+        y: Translation::Force(0.0),
+        z: Translation::Force(question.axial),
+        tilt_x: Tilt::Held(0.0),
+        tilt_y: Tilt::Held(0.0),
+    };
+    let file = || name.to_owned();
+    case.require(Purpose::JonesHarris).map_err(|source| StudyError::Lacking { file: file(), source })?;
+    let bearing = case.bearing().map_err(|source| StudyError::Bearing { file: file(), source })?;
+    let point = case.operating_point();
+    let failed = |source| StudyError::Solver { file: file(), source };
+    let solution = solve(&bearing, &point, Model::JonesHarris).map_err(failed)?.solution;
+    let stiffness = jones_harris_stiffness(&bearing, &point).map_err(failed)?;
+    let rating = rating(&case, &solution).map_err(|source| StudyError::Rating { file: file(), source })?;
+    let inner = solution.balls.iter().map(|ball| ball.contacts.inner);
+    let most = inner.clone().map(|contact| contact.load_n).fold(0.0, f64::max);
+    let loaded: Vec<_> = inner.filter(|contact| contact.load_n > 1e-6 * most).collect();
+    let angles = loaded.iter().map(|contact| contact.angle_rad);
+    let range = angles.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], a| [low.min(a), high.max(a)]);
+    let geometry = &bearing.geometry;
+    let mean = loaded.iter().map(|contact| contact.angle_rad).sum::<f64>() / loaded.len().max(1) as f64;
+    let frequencies = BearingFrequencies::from_geometry(
+        geometry.ball_count,
+        geometry.ball_diameter,
+        geometry.pitch_diameter,
+        mean,
+        question.speed,
+        0.0,
+    )?;
+    let angular = rating.nominal_contact_angle_deg > 0.0;
+    let bore = geometry.pitch_diameter - 2.0 * geometry.ball_diameter;
+    let torque = 0.5 * FRICTION[usize::from(angular)] * rating.equivalent_load_n * bore;
+    let speed_rpm = question.speed * RPM_PER_RAD_S;
+    let speed_factor_mm_rpm = geometry.pitch_diameter * 1e3 * speed_rpm.abs();
+    let mut warnings = limits(&rating, speed_factor_mm_rpm);
+    let found = solution_findings(&case, &bearing, &solution);
+    warnings.extend(found.map_err(|source| StudyError::Bearing { file: file(), source })?.sentences);
+    Ok(Sheet {
+        name: case.name,
+        ball_count: geometry.ball_count,
+        ball_diameter_m: geometry.ball_diameter,
+        pitch_diameter_m: geometry.pitch_diameter,
+        radial_clearance_m: geometry.radial_clearance(),
+        radial_load_n: question.radial,
+        axial_load_n: question.axial,
+        speed_rpm,
+        ring_displacement_m: solution.ring_displacement_m,
+        tilting_moment_nm: solution.ring_moment_nm[0].hypot(solution.ring_moment_nm[1]),
+        stiffness,
+        loaded_balls: loaded.len(),
+        ball_load_max_n: most,
+        contact_angle_rad: if loaded.is_empty() { [0.0; 2] } else { range },
+        friction_torque_estimate_nm: torque,
+        friction_power_estimate_w: torque * question.speed.abs(),
+        frequencies: (question.speed != 0.0).then_some(frequencies),
+        speed_factor_mm_rpm,
+        rating,
+        warnings,
+    })
+}
+
+fn limits(rating: &Rating, speed_factor: f64) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let over = rating.equivalent_load_n / rating.dynamic_rating_n;
+    if over > LARGEST_LOAD {
+        warnings.push(format!("the equivalent load is {over:.2} C_r: the life formula stands up to 0.5 C_r"));
+    }
+    if over < LEAST_LOAD {
+        warnings.push(format!("the equivalent load is {over:.4} C_r: below 0.01 C_r balls slide instead of rolling"));
+    }
+    if let Some(safety) = rating.static_safety.filter(|safety| *safety < 1.0) {
+        warnings.push(format!("the static safety is {safety:.2}: below 1 the races are dented for good"));
+    }
+    if rating.peak_pressure_max_pa > 4.2e9 {
+        let pressure = rating.peak_pressure_max_pa * 1e-9;
+        warnings.push(format!("the peak pressure is {pressure:.2} GPa: above 4.2 GPa races yield"));
+    }
+    if speed_factor > GREASE {
+        warnings
+            .push(format!("pitch diameter times speed is {speed_factor:.0} mm r/min: above 500000 grease is unusual"));
+    }
+    warnings
+}
