@@ -48,13 +48,16 @@ fn bearing(numbers: &mut Numbers, bore: f64, deep_groove: bool) -> Bearing {
     Bearing::new(BearingSpec::new(geometry.unwrap(), (steel, 7800.0), modelling)).unwrap()
 }
 
-/// A locating bearing and one that slides, or a pair of angular-contact bearings pressed together, or both kinds.
+/// Where a bearing stands: node, side, offset, spring of a ring that slides.
+type Stand = (usize, bool, f64, Option<f64>);
+
+/// A locating bearing and others that slide, or angular-contact bearings pressed together, on a random shaft.
 fn random(
     numbers: &mut Numbers,
     bearings: &[Bearing],
     deep_groove: bool,
     bore: f64,
-) -> (Shaft, Vec<(usize, bool, f64, Option<f64>)>, Vec<[f64; 5]>) {
+) -> (Shaft, Vec<Stand>, Vec<[f64; 5]>) {
     let count = 6 + (numbers.next() * 10.0) as usize;
     let material = Material::new(210e9, 0.3, 7850.0);
     let elements: Vec<Element> = (0..count)
@@ -87,8 +90,8 @@ fn random(
     let size = 2e6 * bore * bore;
     for _ in 0..3 {
         let node = (numbers.next() * (count + 1) as f64) as usize;
-        for k in 0..3 {
-            loads[node][k] += size * numbers.between(-1.0, 1.0) * if k == 2 { 0.3 } else { 1.0 };
+        for (part, share) in loads[node].iter_mut().zip([1.0, 1.0, 0.3]) {
+            *part += share * size * numbers.between(-1.0, 1.0);
         }
     }
     (shaft, supports, loads)
