@@ -180,6 +180,9 @@ pub enum Source {
     Reference(String),
     /// Chosen for this case, with the reason.
     Assumed(String),
+    /// Chosen by a search because results then come nearest to what is published, with where the search is told: it
+    /// says nothing of the true value, and those results are no evidence.
+    Searched(String),
     /// Found by identification, with its standard deviation in the unit of the file.
     Identified {
         /// Standard deviation, in the unit of the field.

@@ -71,10 +71,11 @@ impl Runs {
 
     /// Origin of the parameters that the paper does not print.
     pub fn provenance(&self) -> String {
-        let (mut assumed, mut identified) = (0, 0);
+        let (mut assumed, mut searched, mut identified) = (0, 0, 0);
         for source in self.cases[0].case.sources.values() {
             match source {
                 Source::Assumed(_) => assumed += 1,
+                Source::Searched(_) => searched += 1,
                 Source::Identified { .. } => identified += 1,
                 Source::Published(_) | Source::Catalogue(_) | Source::Reference(_) => {}
             }
@@ -83,7 +84,11 @@ impl Runs {
             0 => "none is identified yet".to_owned(),
             count => format!("{count} identified"),
         };
-        format!("of the case's parameters {assumed} are assumed, {identification}")
+        let search = match searched {
+            0 => String::new(),
+            count => format!("{count} chosen by a search, "),
+        };
+        format!("of the case's parameters {assumed} are assumed, {search}{identification}")
     }
 }
 
