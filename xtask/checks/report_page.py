@@ -5,7 +5,7 @@ Usage: python3 report_page.py [--browser PROGRAM] [--pictures DIR] REPORT.html .
 Python's standard library and Chromium are all it needs: the browser is driven by its DevTools protocol over a pair of pipes.
 Each page is opened 1280 and 400 px wide, light and dark, with scripts and without, and as print. Failures are errors of the
 console, requests to anywhere else, a page wider than its window, clipped text, text without contrast, drawings without size and
-charts without drawn pixels; with scripts also a cursor without read-out, and zoom, reset and legends that change nothing.
+charts without drawn pixels; with scripts also false numbers at the ticks of an axis, a cursor without read-out, and zoom, reset and legends that change nothing.
 """
 
 import argparse
@@ -108,10 +108,49 @@ LOOK = r"""
 })
 """
 
+# Runs before the page's own scripts: remembers the texts of each canvas with where they stand, since it was last cleared.
+TEXTS = r"""
+(() => {
+  const of = window.textsOf = new WeakMap(), context = CanvasRenderingContext2D.prototype;
+  const { fillText, clearRect } = context;
+  context.fillText = function (text, x, y, ...more) {
+    const p = this.getTransform().transformPoint({ x, y });
+    if (!of.has(this.canvas)) of.set(this.canvas, []);
+    of.get(this.canvas).push([String(text), p.x, p.y]);
+    return fillText.call(this, text, x, y, ...more);
+  };
+  context.clearRect = function (...all) { of.delete(this.canvas); return clearRect.apply(this, all); };
+})()
+"""
+
+# Numbers along an axis that are not those of their places: on a line they must rise as the places do. The first and the last
+# number of an axis say its scale, and no number between them may be off by more than a hundredth of a step.
+TICKS = r"""
+(() => {
+  const wrong = [];
+  const value = t => /^[−-]?\d+(\.\d+)?(e[−-]?\d+)?$/.test(t) ? Number(t.replaceAll("−", "-")) : null;
+  for (const canvas of document.querySelectorAll("figure canvas")) {
+    const numbers = (window.textsOf.get(canvas) ?? []).map(([t, x, y]) => [value(t), x, y, t]).filter(n => n[0] != null);
+    for (const [along, across] of [[1, 2], [2, 1]]) {
+      const lines = Map.groupBy(numbers, n => Math.round(n[across]));
+      for (const line of lines.values()) {
+        const places = [...new Map(line.map(n => [Math.round(n[along]), n])).values()].sort((a, b) => a[along] - b[along]);
+        if (places.length < 3) continue;
+        const [first, last] = [places[0], places.at(-1)], slope = (last[0] - first[0]) / (last[along] - first[along]);
+        const step = Math.abs(last[0] - first[0]) / (places.length - 1), name = canvas.closest("figure").id;
+        const off = places.find(n => Math.abs(first[0] + slope * (n[along] - first[along]) - n[0]) > 0.02 * step + 1.5 * Math.abs(slope));
+        if (step === 0 || off) wrong.push(`${name}: ticks ${places.map(n => n[3]).join(", ")} are not those of their places`);
+      }
+    }
+  }
+  return wrong;
+})()
+"""
+
 # Middle of the first chart, its read-outs, and what it shows.
 FIRST = r"""
 (() => {
-  const u = document.querySelector("figure .uplot"), over = u.querySelector(".u-over"), c = u.querySelector("canvas");
+  const u = document.querySelector("figure.live-shown .uplot"), over = u.querySelector(".u-over"), c = u.querySelector("canvas");
   u.scrollIntoView({ block: "center" });
   const b = over.getBoundingClientRect();
   const press = t => [...u.closest("figure").querySelectorAll("button")].find(e => e.textContent === t);
@@ -146,6 +185,7 @@ class Browser:
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
+        self.call("Page.addScriptToEvaluateOnNewDocument", source=TEXTS)
 
     def receive(self, until):
         while b"\0" not in self.buffer:
@@ -242,21 +282,31 @@ def handled(browser):
     zoomed = browser.evaluate(FIRST)["picture"]
     if zoomed == first["picture"]:
         yield "dragging does not zoom"
-    browser.evaluate("document.querySelector('figure .uplot .u-over').dispatchEvent(new MouseEvent('dblclick', {bubbles: true}))")
+    browser.evaluate("document.querySelector('figure.live-shown .uplot .u-over').dispatchEvent(new MouseEvent('dblclick', {bubbles: true}))")
     browser.frames()
     again = browser.evaluate(FIRST)["picture"]
     if again != first["picture"]:
         yield "a double click does not bring the first view back"
-    browser.evaluate("document.querySelector('figure .uplot .u-series:nth-child(2) th').click()")
+    browser.evaluate("document.querySelector('figure.live-shown .uplot .u-series:nth-child(2) th').click()")
     browser.frames()
     if browser.evaluate(FIRST)["picture"] == again:
         yield "a legend entry does not hide its curve"
-    browser.evaluate("document.querySelector('figure .uplot .u-series:nth-child(2) th').click()")
+    browser.evaluate("document.querySelector('figure.live-shown .uplot .u-series:nth-child(2) th').click()")
     whole = browser.evaluate("(e => e && (e.click(), true))(press('Whole run'))")
     browser.frames()
     if whole and browser.evaluate(FIRST)["picture"] == again:
         yield "the whole run is not shown on demand"
     browser.evaluate("press('Steady part')?.click(); scrollTo(0, 0)")
+
+
+def ticked(browser):
+    """False numbers at the axes, at the first view and zoomed in by two and two: steps of 1, 2, 2.5 and 5 then all occur."""
+    for zoom in range(8):
+        yield from browser.evaluate(TICKS)
+        browser.evaluate("document.querySelectorAll('button[aria-label=\"Zoom in\"]').forEach(b => b.click())")
+        browser.frames()
+    browser.evaluate("document.querySelectorAll('figure .uplot .u-over').forEach(e => e.dispatchEvent(new MouseEvent('dblclick', {bubbles: true})))")
+    browser.frames()
 
 
 def checked(browser, page, pictures):
@@ -277,6 +327,7 @@ def checked(browser, page, pictures):
             found.append("paper is not white")
         if expected and scheme == "light":
             found.extend(handled(browser))
+            found.extend(ticked(browser))
         found.extend(browser.complaints(url))
         wrong.extend(f"{page.parent.name}/{page.name}, {name}: {text}" for text in dict.fromkeys(found))
         if pictures:

@@ -124,6 +124,9 @@ pub enum PlotError {
         /// The label.
         label: String,
     },
+    /// Lengths that make no bearing.
+    #[error("the lengths make no bearing that can be drawn")]
+    NoBearing,
     /// Published points refer to a run that is not drawn.
     #[error("the points {series:?} belong to a run {run:?} that is not among the runs")]
     UnknownRun {

@@ -178,6 +178,11 @@ impl Figure {
         Ok(Self { name, title, svg })
     }
 
+    /// A figure that is drawn already.
+    pub(crate) fn drawn(name: &str, title: &str, svg: String) -> Self {
+        Self { name: name.to_owned(), title: title.to_owned(), svg }
+    }
+
     /// The figure as SVG text. Text stays text, in the viewer's sans-serif face.
     pub fn svg(&self) -> &str {
         &self.svg

@@ -2,6 +2,7 @@
 
 mod axes;
 mod bars;
+mod bearing;
 mod book;
 mod cartesian;
 mod chart;
@@ -28,6 +29,7 @@ mod ticks;
 mod turn;
 
 pub use bars::BarChart;
+pub use bearing::{BearingDrawing, bearing_figure};
 pub use cartesian::{Abscissas, LineChart};
 pub use error::PlotError;
 pub use figure::{Figure, Panel};

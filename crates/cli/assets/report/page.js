@@ -26,13 +26,25 @@
     return made;
   };
 
-  /// Decimals at which numbers a step apart differ.
-  const decimals = (step) => Math.min(8, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  /// Fewest decimals that say a step whole, 0.25 with two of them; steps have three figures at most.
+  const decimals = (step) => {
+    const least = Math.min(12, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+    const whole = (k) => Math.abs(step * 10 ** k - Math.round(step * 10 ** k)) < 1e-4 * step * 10 ** k;
+    return [0, 1, 2].map((more) => least + more).find(whole) ?? least + 2;
+  };
   const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   const power = (k) => "10" + (k < 0 ? "⁻" : "") + [...String(Math.abs(k))].map((d) => SUPERSCRIPTS[d]).join("");
+  /// `2.25e-7`: decimals of the mantissa so that the step is whole.
+  const scientific = (v, step) => {
+    if (Math.abs(v) < 1e-6 * step) return "0";
+    const order = Math.floor(Math.log10(Math.abs(v)) + 1e-9);
+    return v.toExponential(Math.min(12, decimals(step / 10 ** order)));
+  };
   const numbers = (values) => {
     const step = values.length > 1 ? Math.abs(values[1] - values[0]) : Math.abs(values[0]) || 1;
-    return values.map((v) => (Math.abs(v) >= 1e6 ? v.toExponential(2) : v.toFixed(decimals(step))).replace("-", "−"));
+    const most = Math.max(...values.map((v) => Math.abs(v ?? 0)));
+    const write = (v) => (most < 1e6 && step >= 1e-6 ? v.toFixed(decimals(step)) : scientific(v, step));
+    return values.map((v) => (v == null ? v : write(v).replace("-", "−").replace("e+", "e")));
   };
   const figures = (v) => {
     if (v == null) return "–";
@@ -41,8 +53,12 @@
   };
   const withUnit = (label, unit) => (unit ? `${label}, ${unit}` : label);
 
-  const padded = (low, high) => {
+  /// A range with room around it. Columns have seven figures: less than a millionth of the values is rounding.
+  const padded = (low, high, cover) => {
     if (low == null || high == null) return [0, 1];
+    if (cover) [low, high] = [Math.min(low, cover[0]), Math.max(high, cover[1])];
+    const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high));
+    if (high - low < least) [low, high] = [0.5 * (low + high - 1e4 * least), 0.5 * (low + high + 1e4 * least)];
     const room = high > low ? 0.06 * (high - low) : 0.1 * Math.abs(high) || 1;
     return [low - room, high + room];
   };
@@ -145,7 +161,7 @@
       series: [{ label: chart.label, value: readout(chart) }, ...lines],
       scales: { x: { time: false, range: (u, low, high) => (low === high ? [low - 0.5, low + 0.5] : [low, high]) },
         y: log ? { distr: 3, range: (_, low, high) => (low > 0 ? [decade(low), high * (chart.marks.length ? 40 : 2)] : [0.1, 1]) }
-          : { range: (_, low, high) => padded(low, high) } },
+          : { range: (_, low, high) => padded(low, high, panel.cover) } },
       axes: axes(chart, last),
       cursor: { drag: { x: true, y: false, dist: 6 }, points: { size: 7 }, sync: { key: state.key, setSeries: false },
         bind: { dblclick: () => () => { show(state, chart.views[0]); return null; } } },

@@ -17,10 +17,12 @@ pub struct Content {
     pub subtitle: &'static str,
     /// What the reader must know first.
     pub warnings: Vec<String>,
-    /// What was run, and every value of its case: before all results.
-    pub opening: Vec<Table>,
     /// Results, the most important first.
     pub tables: Vec<Table>,
+    /// What was run or compared: after the results.
+    pub opening: Vec<Table>,
+    /// Every value of the case, folded.
+    pub inputs: Vec<Table>,
     pub notes: Vec<String>,
     /// Text of the case file.
     pub case_text: Option<String>,
@@ -28,8 +30,6 @@ pub struct Content {
 
 impl Content {
     pub fn of_run(answer: &Answer, case: Option<&CaseFile>, run: &Run) -> Self {
-        let mut opening = vec![opening::of_run(answer, case, run)];
-        opening.extend(values(&answer.case_values));
         let mut tables = vec![
             tables::results(answer),
             tables::operation(&answer.operation, &tables::steady(answer)),
@@ -46,8 +46,9 @@ impl Content {
             title,
             subtitle: "Transient run",
             warnings: warnings(answer),
-            opening,
             tables,
+            opening: vec![opening::of_run(answer, case, run)],
+            inputs: values(&answer.case_values),
             notes: answer.notes.clone(),
             case_text: run.case_text.clone(),
         }

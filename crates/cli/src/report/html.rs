@@ -13,33 +13,58 @@ const UPLOT: &str = include_str!("../../assets/uplot/uPlot.iife.min.js");
 const UPLOT_STYLE: &str = include_str!("../../assets/uplot/uPlot.min.css");
 const UPLOT_LICENCE: &str = include_str!("../../assets/uplot/LICENSE");
 
-/// `report.html`.
+/// The figures beside the first results: the bearing, and the loads round it.
+const LEADING: [&str; 3] = ["bearing", "orbit-load", "contact-loads"];
+
+/// `report.html`: results with the bearing and its loads, the other figures, what was run, and every input folded.
 pub fn page(content: &Content, figures: &[Figure], live: &Live) -> Result<String, serde_json::Error> {
     let (wide, narrow): (Vec<&Table>, Vec<&Table>) = content.tables.iter().partition(|t| t.wide);
     let (figured, wide): (Vec<&Table>, Vec<&Table>) = wide.into_iter().partition(|t| !t.numbers.is_empty());
+    let (leading, others): (Vec<&Figure>, Vec<&Figure>) =
+        figures.iter().partition(|figure| LEADING.contains(&figure.name.as_str()));
     let mut html = head(&content.title, content.subtitle);
-    let before = content.opening.iter().take(1).chain(narrow.first().copied()).chain(figured.iter().copied());
-    html += &navigation(before, &wide, content.case_text.is_some());
+    let before = narrow.first().copied().into_iter().chain(figured.iter().copied());
+    html += &navigation(before, &wide, content);
     html += "<main>\n";
     html += &warnings(content);
-    content.opening.iter().for_each(|t| html += &section(t));
-    html += "<div class=\"pair\">\n";
-    narrow.iter().for_each(|t| html += &section(t));
-    html += "</div>\n";
+    let beside: String = leading.iter().map(|f| drawing(f)).collect();
+    let beside = (!beside.is_empty()).then(|| format!("<div>\n{beside}</div>\n"));
+    let first = narrow.iter().take(1).map(|t| section(t));
+    html += &pair(first.chain(beside));
+    html += &pair(narrow.iter().skip(1).map(|t| section(t)));
     figured.iter().for_each(|t| html += &section(t));
     html += "<h2 id=\"figures\">Figures</h2>\n";
     content.notes.iter().for_each(|note| html += &format!("<p>{}</p>\n", escape(note)));
-    html += &drawings(figures);
-    wide.iter().for_each(|t| html += &section(t));
+    html += &drawings(&others);
+    content.opening.iter().chain(wide).for_each(|t| html += &section(t));
+    html += &inputs(content);
+    html += "</main>\n";
+    html += &script(live)?;
+    Ok(html + "</body>\n</html>\n")
+}
+
+/// Parts side by side where the page is wide enough; nothing without any.
+fn pair(parts: impl Iterator<Item = String>) -> String {
+    let inside: String = parts.collect();
+    if inside.is_empty() { inside } else { format!("<div class=\"pair\">\n{inside}</div>\n") }
+}
+
+/// Every value of the case, and the case file: folded, they are longer than all else.
+fn inputs(content: &Content) -> String {
+    let mut html = String::new();
+    if !content.inputs.is_empty() {
+        let tables: String = content.inputs.iter().map(section).collect();
+        html += &format!(
+            "<h2 id=\"inputs\">Inputs</h2>\n<details>\n<summary>Every value of the case, with its source</summary>\n{tables}</details>\n"
+        );
+    }
     if let Some(text) = &content.case_text {
         html += &format!(
             "<h2 id=\"case-file\">Case file</h2>\n<details>\n<summary>The whole case file</summary>\n<pre>{}</pre>\n</details>\n",
             escape(text)
         );
     }
-    html += "</main>\n";
-    html += &script(live)?;
-    Ok(html + "</body>\n</html>\n")
+    html
 }
 
 fn head(title: &str, subtitle: &str) -> String {
@@ -55,12 +80,15 @@ fn head(title: &str, subtitle: &str) -> String {
 }
 
 /// Links to the parts of the page.
-fn navigation<'a>(before: impl Iterator<Item = &'a Table>, after: &[&Table], case_file: bool) -> String {
+fn navigation<'a>(before: impl Iterator<Item = &'a Table>, after: &[&Table], content: &Content) -> String {
     let link = |anchor: &str, name: &str| format!("<a href=\"#{anchor}\">{}</a>", escape(name));
     let mut links: String = before.map(|t| link(&anchor(&t.title), &t.title)).collect();
     links += &link("figures", "Figures");
-    links.extend(after.iter().map(|t| link(&anchor(&t.title), &t.title)));
-    if case_file {
+    links.extend(content.opening.iter().chain(after.iter().copied()).map(|t| link(&anchor(&t.title), &t.title)));
+    if !content.inputs.is_empty() {
+        links += &link("inputs", "Inputs");
+    }
+    if content.case_text.is_some() {
         links += &link("case-file", "Case file");
     }
     format!("<nav><div>{links}</div></nav>\n")
@@ -91,23 +119,20 @@ fn warnings(content: &Content) -> String {
     format!("<section class=\"warnings\">\n<h2>Warnings</h2>\n<ul>\n{items}</ul>\n</section>\n")
 }
 
+/// A figure as its drawing.
+fn drawing(f: &Figure) -> String {
+    let alone = f.svg().trim_start_matches(|c| c != '\n').trim_start();
+    let svg = if f.svg().starts_with("<?xml") { alone } else { f.svg() };
+    let wide = svg.split('"').nth(3).filter(|text| text.parse::<f64>().is_ok()).unwrap_or("0");
+    let class = format!("class=\"still\" style=\"--wide: {wide}px\"");
+    format!("<figure id=\"{}\">\n<div {class}>\n{}</div>\n</figure>\n", f.name, compact(svg))
+}
+
 /// Figures of one panel width side by side, wide ones alone.
-fn drawings(figures: &[Figure]) -> String {
-    let one = |f: &Figure| {
-        let alone = f.svg().trim_start_matches(|c| c != '\n').trim_start();
-        let svg = if f.svg().starts_with("<?xml") { alone } else { f.svg() };
-        let wide = svg.split('"').nth(3).filter(|text| text.parse::<f64>().is_ok()).unwrap_or("0");
-        let class = format!("class=\"still\" style=\"--wide: {wide}px\"");
-        format!("<figure id=\"{}\">\n<div {class}>\n{}</div>\n</figure>\n", f.name, compact(svg))
-    };
+fn drawings(figures: &[&Figure]) -> String {
     let (polar, others): (Vec<&Figure>, Vec<&Figure>) = figures.iter().partition(|f| f.name.starts_with("orbit-"));
-    let mut html: String = others.iter().map(|f| one(f)).collect();
-    if !polar.is_empty() {
-        html += "<div class=\"pair\">\n";
-        polar.iter().for_each(|f| html += &one(f));
-        html += "</div>\n";
-    }
-    html
+    let html: String = others.iter().map(|f| drawing(f)).collect();
+    html + &pair(polar.iter().map(|f| drawing(f)))
 }
 
 /// The same drawing with paths of lines in relative coordinates of one decimal: about half as long.

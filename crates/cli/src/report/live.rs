@@ -82,6 +82,9 @@ struct Panel {
     title: String,
     label: String,
     unit: String,
+    /// Range that the ordinate covers at least.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cover: Option<(f64, f64)>,
     lines: Vec<Line>,
 }
 
@@ -104,7 +107,8 @@ impl Live {
                 lines.push(Line { label: line.label.to_owned(), y: self.column(&extremes(line.y, each)) });
             }
             let (label, unit) = (panel.quantity.label.clone(), panel.quantity.unit.clone());
-            panels.push(Panel { title: panel.title.to_owned(), label, unit, lines });
+            let cover = panel.quantity.at_least;
+            panels.push(Panel { title: panel.title.to_owned(), label, unit, cover, lines });
         }
         self.charts.push(Chart {
             name: plan.name.to_owned(),

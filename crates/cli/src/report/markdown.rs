@@ -12,13 +12,14 @@ pub fn page(content: &Content, figures: &[Figure]) -> String {
         text += "\n## Warnings\n\n";
         content.warnings.iter().for_each(|warning| text += &format!("- {}\n", escape(warning)));
     }
-    content.opening.iter().chain(&content.tables).for_each(|table| text += &markdown(table));
+    content.tables.iter().chain(&content.opening).for_each(|table| text += &markdown(table));
     text += "\n## Figures\n";
     for figure in figures {
         let title = escape(&figure.title);
         text += &format!("\n### {title}\n\n![{title}]({}.svg)\n", figure.name);
     }
     content.notes.iter().for_each(|note| text += &format!("\n{}\n", escape(note)));
+    content.inputs.iter().for_each(|table| text += &markdown(table));
     text
 }
 
