@@ -3,8 +3,9 @@
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments};
 use std::path::{Path, PathBuf};
+use tribodyn_bearing::Races;
 use tribodyn_record::{Layout, LayoutKind};
-use tribodyn_study::{CaseFile, Ours, StagedFiles, StudyError};
+use tribodyn_study::{CaseFile, Ours, StagedFiles};
 
 /// Write the Foxglove layout.
 #[derive(clap::Args)]
@@ -29,7 +30,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let layout = match &arguments.case {
         Some(path) => {
             let file = CaseFile::read_within(path, &[], &arguments.limits.limits())?;
-            Layout::new(kind, &file.case).map_err(|source| StudyError::Bearing { file: file.name.clone(), source })?
+            let speeds = Races { inner: file.case.speed.inner.clone(), outer: file.case.speed.outer.clone() };
+            Layout::new(kind, &file.case.name, &file.bearing()?.geometry, &speeds)
         }
         None => Layout::general(kind),
     };

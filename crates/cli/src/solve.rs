@@ -91,13 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let plots =
         arguments.plot.as_ref().map(|folder| stage_plots(folder, arguments.replace.force, solution)).transpose()?;
     if let Some(path) = &arguments.output {
-        let recording = SolutionRecording {
-            case_text: &file.text,
-            case: &file.case,
-            solution,
-            generator: concat!("tribodyn ", env!("CARGO_PKG_VERSION")),
-        };
-        write_solution(path, &recording)?;
+        record(path, &file, solution)?;
     }
     plots.map_or(Ok(()), StagedFiles::publish)?;
     if arguments.json {
@@ -120,13 +114,7 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
     let plots = arguments.plot.as_ref();
     let plots = plots.map(|folder| stage_plots(folder, arguments.replace.force, &answer.round)).transpose()?;
     if let Some(path) = &arguments.output {
-        let recording = SolutionRecording {
-            case_text: &file.text,
-            case: &file.case,
-            solution: &answer.solution,
-            generator: concat!("tribodyn ", env!("CARGO_PKG_VERSION")),
-        };
-        write_solution(path, &recording)?;
+        record(path, file, &answer.solution)?;
     }
     plots.map_or(Ok(()), StagedFiles::publish)?;
     if arguments.json {
@@ -139,6 +127,20 @@ fn orbit(arguments: &Arguments, file: &CaseFile) -> Result<(), Failure> {
         };
         table::print_rows(&columns, balls.iter().map(row))
     })
+}
+
+/// Records one orbit of what was solved.
+fn record(path: &Path, file: &CaseFile, solution: &Solution) -> Result<(), Failure> {
+    let recording = SolutionRecording {
+        case_text: &file.text,
+        name: &file.case.name,
+        bearing: &file.bearing()?,
+        point: &file.case.operating_point(),
+        solution,
+        generator: concat!("tribodyn ", env!("CARGO_PKG_VERSION")),
+    };
+    write_solution(path, &recording)?;
+    Ok(())
 }
 
 fn stage_plots(folder: &Path, force: bool, solution: &Solution) -> Result<StagedFiles, Failure> {

@@ -20,6 +20,6 @@ impl Observer for Print {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/cases/paper-ag.ron");
-    Run::new(Case::from_ron(&fs::read_to_string(path)?)?.run_inputs()?)?.advance(0.5e-3, &mut Print)?;
+    let _ = Run::new(Case::from_ron(&fs::read_to_string(path)?)?.run_inputs()?)?.advance(0.5e-3, &mut Print)?;
     Ok(())
 }

@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         text = set_value(&text, path, value)?;
     }
     let mut run = Run::new(Case::from_ron(&text)?.run_inputs()?)?;
-    run.advance(1e-3 * start_ms, &mut ())?;
+    let _ = run.advance(1e-3 * start_ms, &mut ())?;
     let before = run.statistics();
     if !measured(&mut run, 1e-3 * (start_ms + length_ms)) {
         return Err("the run ended early".into());

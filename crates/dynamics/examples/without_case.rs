@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let drives = (RingLoads::forces([20e3, 0.0, 44e3]), [1466.0, 0.0].map(SpeedHistory::Constant).into());
     let options = RunOptions::new(1e-3, Scheme::Fast { step: 10e-6 }, 0.02);
     let mut run = Run::new(RunInputs::new(bearing, drives, cage, Supports { inner, outer }, options))?;
-    run.advance(f64::INFINITY, &mut ())?;
+    let _ = run.advance(f64::INFINITY, &mut ())?;
     println!("cage {:.1} rad/s after {:.1} ms", run.sample().cage.speed_rad_s, run.time() * 1e3);
     Ok(())
 }

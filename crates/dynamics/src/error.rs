@@ -79,6 +79,20 @@ pub enum DynamicsError {
         /// The step, s.
         step_s: f64,
     },
+    /// Friction that the fast scheme has to take explicitly, and a step that is too long for it.
+    #[error(
+        "after {time_s} s the step of {step_s:.2e} s is too long: with this traction law the fast scheme takes friction explicitly, and that of ball {ball} is stable up to {limit_s:.2e} s only; shorten the step"
+    )]
+    UnstableFriction {
+        /// Simulated time, s.
+        time_s: f64,
+        /// The step, s.
+        step_s: f64,
+        /// The longest stable step, s.
+        limit_s: f64,
+        /// The ball with the fastest decay.
+        ball: usize,
+    },
     /// The adaptive scheme cannot hold its tolerance.
     #[error("the step fell below {step_s:.1e} s after {time_s} s without meeting the tolerance {tolerance:.1e}")]
     StepTooSmall {

@@ -30,7 +30,10 @@ pub use blame::{Blame, StepBound};
 pub use error::DynamicsError;
 pub use observer::{BallDetail, Event, EventKind, Observer};
 pub use power::{POWER_IN, POWER_LOST, PowerSample};
-pub use run::{ACCELERATION_ERROR, Checkpoint, Ending, FilterBands, Run, RunError, Statistics};
+pub use run::{
+    ACCELERATION_ERROR, ACCELERATION_PART, AccelerationError, Checkpoint, Ending, FilterBands, Run, RunError,
+    Statistics,
+};
 pub use sample::{CageSample, RingSample, Sample, WearSample};
 pub use start::StartMotion;
 pub use stiffness::Stiffness;

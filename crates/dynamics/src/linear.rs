@@ -11,11 +11,14 @@ use tribodyn_traction::{PatchChoice, PatchDerivative, PatchTraction, RelativeMot
 pub(crate) const LINEAR_ERROR: f64 = 5.5e-4;
 /// Error of a patch rule that does not show beside that of the linear traction, over it.
 const RULE_OVER_LINEAR: f64 = 2.0 / 11.0;
-/// Target at which the linear traction begins to be finer than [`LINEAR_ERROR`].
-const FINEST_AT_FULL: f64 = 1e-5;
+/// Target at which the linear traction begins to be finer than [`LINEAR_ERROR`]. At a target of 1e-5, which is to carry
+/// accelerations, it then errs by 5.5e-5: with ten times as much the peak acceleration of the paper's case at 20 µs is
+/// 7.97 m/s², with this 5.5, and explicit schemes have 5.2. Three times as many patches are integrated, which takes a
+/// quarter more time.
+const FINEST_AT_FULL: f64 = 1e-4;
 
 /// Patch rule and linear error of a run. Those of the fast scheme come both from the case's target: a rule much finer
-/// than the linear traction between its refreshes costs and brings nothing. A target finer than 1e-5 refines both.
+/// than the linear traction between its refreshes costs and brings nothing. A target finer than 1e-4 refines both.
 /// Named rules are taken as they are, and by the other schemes every rule is.
 pub(crate) fn errors(scheme: Scheme, patch: PatchChoice) -> (PatchChoice, f64) {
     let (Scheme::Fast { .. }, PatchChoice::TargetError { relative }) = (scheme, patch) else {
@@ -247,8 +250,8 @@ mod tests {
         let close =
             |a: [f64; 2], b: [f64; 2]| assert!(a.iter().zip(b).all(|(a, b)| (a / b - 1.0).abs() < 1e-12), "{a:?}");
         close(of(1e-3), [1e-3, LINEAR_ERROR]);
-        close(of(1e-5), [1e-4, LINEAR_ERROR]);
-        close(of(1e-6), [1e-5, 0.1 * LINEAR_ERROR]);
+        close(of(1e-4), [1e-4, LINEAR_ERROR]);
+        close(of(1e-5), [1e-5, 0.1 * LINEAR_ERROR]);
         let named = PatchChoice::Named(PatchRule::SplitStrip { across: 5, along: 3 });
         assert_eq!(errors(fast, named), (named, LINEAR_ERROR));
         let fine = PatchChoice::TargetError { relative: 1e-6 };

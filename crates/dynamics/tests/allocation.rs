@@ -15,10 +15,10 @@ fn allocations(scheme: &str, until: f64) -> (u64, u64) {
     ];
     let text = changes.iter().fold(PAPER_AG.to_owned(), |text, (path, value)| set_value(&text, path, value).unwrap());
     let mut run = Run::new(Case::from_ron(&text).unwrap().run_inputs().unwrap()).unwrap();
-    run.advance(1e-3, &mut ()).unwrap();
+    let _ = run.advance(1e-3, &mut ()).unwrap();
     let before = run.statistics().steps;
     let counted = allocation_counter::measure(|| {
-        run.advance(until, &mut ()).unwrap();
+        let _ = run.advance(until, &mut ()).unwrap();
     });
     (counted.count_total, run.statistics().steps - before)
 }

@@ -84,4 +84,12 @@ pub enum IdentifyError {
     /// A transient run.
     #[error(transparent)]
     Run(#[from] DynamicsError),
+    /// A run whose numbers may be wrong without another sign.
+    #[error("a run's step of {step_s:.2e} s is beyond the stability of its scheme, {limit_s:.2e} s: shorten the step")]
+    Unstable {
+        /// The step, s.
+        step_s: f64,
+        /// The longest stable step, s.
+        limit_s: f64,
+    },
 }

@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::f64::consts::{SQRT_2, TAU};
 use std::ops::ControlFlow;
 use tribodyn_case::Case;
-use tribodyn_dynamics::{Event, EventKind, Observer, Run, RunError, Sample};
+use tribodyn_dynamics::{Ending, Event, EventKind, Observer, Run, RunError, Sample};
 
 use crate::IdentifyError;
 
@@ -80,10 +80,13 @@ impl Settled {
     pub fn of(case: &Case) -> Result<Self, IdentifyError> {
         let mut run = Run::new(case.run_inputs()?)?;
         let mut keep = Keep::default();
-        run.advance(f64::INFINITY, &mut keep).map_err(|error| match error {
+        let ending = run.advance(f64::INFINITY, &mut keep).map_err(|error| match error {
             RunError::Dynamics(error) => IdentifyError::from(error),
             RunError::Observer(never) => match never {},
         })?;
+        if let Ending::BeyondStability { step_s, limit_s } = ending {
+            return Err(IdentifyError::Unstable { step_s, limit_s });
+        }
         Ok(keep.settled(case.rates().state_rate, case.geometry.ball_count))
     }
 }

@@ -39,9 +39,6 @@ pub enum RecordError {
         /// Its value, in the unit of the field.
         value: f64,
     },
-    /// The case makes no bearing.
-    #[error(transparent)]
-    Bearing(#[from] tribodyn_bearing::BearingError),
     /// The bearing cannot be drawn.
     #[error("{field} = {value} of the case gives no bearing that can be drawn")]
     Geometry {

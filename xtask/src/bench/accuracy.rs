@@ -76,7 +76,7 @@ fn trace(
     }
     let start = run.checkpoint();
     let mut trace = Trace::default();
-    run.advance(f64::INFINITY, &mut trace).map_err(failed)?;
+    let _ = run.advance(f64::INFINITY, &mut trace).map_err(failed)?;
     Ok((trace, start))
 }
 

@@ -77,7 +77,7 @@ impl Prepared {
         self.run.resume(self.start.clone()).map_err(|source| failed(RunError::Dynamics(source)))?;
         let before = self.run.statistics();
         let (time, result) = timed(|| self.run.advance(until, &mut ()));
-        result.map_err(failed)?;
+        let _ = result.map_err(failed)?;
         let after = self.run.statistics();
         self.least = self.least.min(time);
         self.evaluations = (after.evaluations - before.evaluations) as f64;

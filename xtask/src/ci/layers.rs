@@ -54,10 +54,7 @@ const LAYERS: [(&str, &[&str]); 17] = [
     // Shafts on bearings.
     ("tribodyn-shaft", &["tribodyn-contact", "tribodyn-bearing", "tribodyn-quasistatic"]),
     // Recordings of runs hold spectra that a viewer cannot compute.
-    (
-        "tribodyn-record",
-        &["tribodyn-bearing", "tribodyn-case", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"],
-    ),
+    ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
     ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
     // Procedures as a library: all physics, and recordings.
     (

@@ -111,11 +111,13 @@ fn folder(path: &Path, extension: &str) -> Result<Vec<Vec<u8>>, Failure> {
 /// checksums, so that changed bytes are read.
 fn recordings() -> Result<Vec<Vec<u8>>, Failure> {
     let case = Case::from_ron(&RUN_CASE).map_err(refused)?;
-    let mut run = Run::new(case.run_inputs().map_err(failed)?).map_err(failed)?;
+    let inputs = &case.run_inputs().map_err(failed)?;
+    let mut run = Run::new(inputs.clone()).map_err(failed)?;
     let sink = Thin::new();
-    let input = RunRecording { case_text: "(name: \"seed\")", case: &case, generator: "tribodyn fuzz" };
+    let (case_text, name) = ("(name: \"seed\")", &case.name);
+    let input = RunRecording { case_text, name, inputs, facts: &[], warnings: &[], generator: "tribodyn fuzz" };
     let mut recorder = RunRecorder::new(sink, &input)?;
-    run.advance(0.002, &mut recorder).map_err(failed)?;
+    let _ = run.advance(0.002, &mut recorder).map_err(failed)?;
     let (compressed, plain) = recorder.finish()?;
     Ok(vec![compressed, plain])
 }

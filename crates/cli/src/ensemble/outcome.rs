@@ -6,7 +6,7 @@ use crate::harmless::visible;
 use crate::run::{acceleration, significant};
 use crate::table::{number, print_line, print_pairs, print_rows};
 use tribodyn_study::ensemble::{EnsembleReport, Quantiles, Sampling};
-use tribodyn_study::run::carries_accelerations;
+use tribodyn_study::run::{carries_accelerations_of_patch, carries_accelerations_of_scheme};
 
 /// A figure in the table for people: its column, its name, its unit, and decimals.
 struct Shown {
@@ -80,7 +80,10 @@ pub fn print(answer: &Answer) -> Result<(), Failure> {
 fn quantile_rows(r: &EnsembleReport) -> Vec<Vec<String>> {
     let of = |column: &str| r.quantiles.iter().find(|q| q.quantity == column);
     // An error that is not known does not speak against accelerations.
-    let carried = of("patch_error_estimate").is_none_or(|q| carries_accelerations(Some(q.p95)));
+    let patch = of("patch_error_estimate").is_none_or(|q| carries_accelerations_of_patch(Some(q.p95)));
+    let rms = ["x", "y"].map(|axis| of(&format!("outer_acceleration_{axis}_rms_m_s2")).map_or(0.0, |q| q.p50));
+    let scheme = of("acceleration_error_m_s2").map(|q| q.p95);
+    let carried = patch && carries_accelerations_of_scheme(scheme, rms);
     let row = |shown: &Shown, quantiles: &Quantiles| {
         let value = |v: f64| number(v, shown.decimals);
         let carried = carried || !shown.column.starts_with("outer_acceleration");

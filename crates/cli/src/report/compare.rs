@@ -41,7 +41,7 @@ pub struct Difference {
     a: f64,
     b: f64,
     difference: f64,
-    /// Difference over the magnitude of A; none where A is 0, and of directions.
+    /// Difference over the magnitude of A; none where A is 0 to the decimals that are shown, and of directions.
     relative_percent: Option<f64>,
 }
 
@@ -57,7 +57,9 @@ impl Difference {
         let difference = b - a;
         // A direction has no magnitude: azimuth 0 is as good as any.
         let direction = ["load_zone_middle_deg", "highest_load_azimuth_deg"].contains(&quantity.as_str());
-        let relative_percent = (a != 0.0 && !direction).then(|| 100.0 * difference / a.abs());
+        // Rounding, 1e-15 of something large, has no percentage.
+        let shows = a.abs() >= 0.5 * 10f64.powi(-(digits as i32));
+        let relative_percent = (shows && !direction).then(|| 100.0 * difference / a.abs());
         Self { quantity, name, unit, digits, a, b, difference, relative_percent }
     }
 }
@@ -90,8 +92,9 @@ pub fn compared(a: &Evaluated, b: &Evaluated) -> Result<(Comparison, Content, Ve
         title: format!("{} against {}", name(&answer.b), name(&answer.a)),
         subtitle: "Comparison of two recordings",
         warnings: shown(&answer.warnings),
-        opening,
         tables: vec![table(&answer.differences)],
+        opening,
+        inputs: Vec::new(),
         notes: answer.notes.clone(),
         case_text: None,
     };
@@ -305,6 +308,9 @@ mod tests {
         let both = differences(&run, &of(span(1.0, -2.0, 5.0)));
         assert_eq!(both.iter().map(|d| d.difference).collect::<Vec<_>>(), [0.0, -4.0, 1.0, 0.0]);
         assert_eq!(Difference::new(Default::default(), "", 0, [0.0, 1.0]).relative_percent, None);
+        // Both print as 0.000.
+        assert_eq!(Difference::new(Default::default(), "", 3, [2e-7, 7e-9]).relative_percent, None);
+        assert_eq!(Difference::new(Default::default(), "", 3, [5e-4, 1e-3]).relative_percent, Some(100.0));
     }
 
     #[test]

@@ -1,9 +1,11 @@
-//! Histories and balances of a run.
+//! The bearing, and histories and balances of a run.
 
 use super::live::{Kind, Live, Plan as LivePlan, View};
-use tribodyn_plot::{Axis, Figure, History, PlotError, Samples, bars, stacked_bars, time_history};
+use tribodyn_plot::{
+    Axis, BearingDrawing, Figure, History, PlotError, Samples, bars, bearing_figure, stacked_bars, time_history,
+};
 use tribodyn_record::{Run, StateRow};
-use tribodyn_study::evaluation::facts::BallWear;
+use tribodyn_study::evaluation::facts::{BallWear, said};
 use tribodyn_study::run::Summary;
 
 /// A line of a history: its label and where it is in a row.
@@ -96,9 +98,62 @@ const HISTORIES: [(&str, &str, &[Plan]); 6] = [
     ),
 ];
 
+/// Part of the loads on the ring above which their resultant across the axis has a direction.
+const DIRECTED: f64 = 1e-3;
+
+/// The bearing as the file describes it, with the direction of a load (N, across and along the axis); none where the
+/// file does not say its geometry.
+pub fn bearing(run: &Run, [x, y, z]: [f64; 3]) -> Option<Figure> {
+    let number = |key: &str| said(run, key)?.parse::<f64>().ok();
+    let radial = x.hypot(y);
+    let drawing = BearingDrawing {
+        ball_count: number("ball_count")? as usize,
+        ball_diameter: 1e-3 * number("ball_diameter_mm")?,
+        pitch_diameter: 1e-3 * number("pitch_diameter_mm")?,
+        groove_coefficients: [number("inner_groove_coefficient")?, number("outer_groove_coefficient")?],
+        contact_angle: number("free_contact_angle_deg")?.to_radians(),
+        radial_load: (radial > DIRECTED * radial.hypot(z)).then(|| y.atan2(x)),
+    };
+    bearing_figure(&drawing).ok()
+}
+
+/// The load on the inner ring of a run at its end, N: what the balls hold.
+pub fn load(run: &Run) -> [f64; 3] {
+    let last = run.states.last();
+    last.map_or([0.0; 3], |r| [-r.inner_ball_force_x_n, -r.inner_ball_force_y_n, -r.inner_ball_force_z_n])
+}
+
+/// Part of the greatest value of a unit in a figure below which a spread is rounding, of the numbers or of the solver.
+const LEAST_SPREAD: f64 = 1e-6;
+/// Errors of the acceleration, rms, in the spread of an axis that shows no more than them.
+const ERRORS_SHOWN: f64 = 20.0;
+
+/// The least spread that shows in a panel of a figure: the greatest of rounding and of the error of what is drawn.
+fn least_spread(unit: &str, figure: &[(&str, f64)], acceleration_error_m_s2: Option<f64>) -> f64 {
+    let greatest = figure.iter().filter(|(of, _)| *of == unit).fold(0.0, |most: f64, (_, value)| most.max(*value));
+    let of_error = if unit == "m/s²" { ERRORS_SHOWN * acceleration_error_m_s2.unwrap_or(0.0) } else { 0.0 };
+    (LEAST_SPREAD * greatest).max(of_error)
+}
+
+/// An axis of a quantity that covers a spread about the middle of the values where they have less.
+fn resolved(quantity: Axis, values: &[Vec<f64>], spread: f64) -> Axis {
+    let all = || values.iter().flatten();
+    let (low, high) = all().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(*v), b.max(*v)));
+    if high - low >= spread || !low.is_finite() {
+        return quantity;
+    }
+    let middle = 0.5 * (low + high);
+    quantity.covering(middle - 0.5 * spread, middle + 0.5 * spread)
+}
+
 /// Quantities over time. The start does not set the scales: what is drawn is the part of the run that the means are of;
 /// the interactive figures have the whole run too.
-pub fn histories(run: &Run, summary: &Summary, live: &mut Live) -> Result<Vec<Figure>, PlotError> {
+pub fn histories(
+    run: &Run,
+    summary: &Summary,
+    acceleration_error_m_s2: Option<f64>,
+    live: &mut Live,
+) -> Result<Vec<Figure>, PlotError> {
     let time: Vec<f64> = run.states.iter().map(|row| row.time_s).collect();
     let from = time.partition_point(|t| *t < summary.averaged_from_s);
     let steady = if time.len() - from < FEWEST { 0 } else { from };
@@ -106,13 +161,19 @@ pub fn histories(run: &Run, summary: &Summary, live: &mut Live) -> Result<Vec<Fi
     for (name, title, plans) in &HISTORIES {
         let values: Values =
             plans.iter().map(|(.., lines)| lines.iter().map(|(_, get)| rows(run, *get)).collect()).collect();
-        figures.push(time_history(name, title, &panels(plans, &time, &values, steady))?);
+        let greatest: Vec<(&str, f64)> = plans
+            .iter()
+            .zip(&values)
+            .map(|((_, _, unit, _), lines)| (*unit, lines.iter().flatten().fold(0.0, |most: f64, v| most.max(v.abs()))))
+            .collect();
+        let spread = |unit: &str| least_spread(unit, &greatest, acceleration_error_m_s2);
+        figures.push(time_history(name, title, &panels(plans, &time, &values, (steady, &spread)))?);
         live.add(LivePlan {
             name,
             title,
             kind: Kind::History,
             abscissa: Axis::new("Time", "s"),
-            panels: &panels(plans, &time, &values, 0),
+            panels: &panels(plans, &time, &values, (0, &spread)),
             views: views(&time, steady),
             marks: Vec::new(),
             shaft_hz: None,
@@ -132,11 +193,16 @@ fn rows(run: &Run, get: fn(&StateRow) -> f64) -> Vec<f64> {
 }
 
 /// The panels of a figure from a sample on.
-fn panels<'a>(plans: &[Plan], time: &'a [f64], values: &'a Values, from: usize) -> Vec<History<'a>> {
+fn panels<'a>(
+    plans: &[Plan],
+    time: &'a [f64],
+    values: &'a Values,
+    (from, spread): (usize, &dyn Fn(&str) -> f64),
+) -> Vec<History<'a>> {
     let line = |((label, _), y): (&Line, &'a Vec<f64>)| Samples { label, x: &time[from..], y: &y[from..] };
     let panel = |((title, quantity, unit, lines), values): (&Plan, &'a Vec<Vec<f64>>)| History {
         title,
-        quantity: Axis::new(*quantity, *unit),
+        quantity: resolved(Axis::new(*quantity, *unit), values, spread(unit)),
         samples: lines.iter().zip(values).map(line).collect(),
     };
     plans.iter().zip(values).map(panel).collect()
@@ -185,4 +251,24 @@ pub fn balances(summary: &Summary, worn: &[BallWear]) -> Result<Vec<Figure>, Plo
         )?);
     }
     Ok(figures)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A picometre on a displacement of 64 µm along another axis, and 1e-7 m/s² under an error of as much, are flat.
+    #[test]
+    fn limit_rounding_is_not_drawn_as_vibration() {
+        let ripple = |about: f64, height: f64| vec![vec![about - height, about + height]];
+        let displacements = [("µm", 64.0), ("µm", 1e-6)];
+        let spread = least_spread("µm", &displacements, None);
+        let axis = resolved(Axis::new("Displacement", "µm"), &ripple(0.0, 1e-6), spread);
+        assert_eq!(axis.at_least, Some((-3.2e-5, 3.2e-5)));
+        assert_eq!(resolved(Axis::new("Displacement", "µm"), &ripple(64.0, 0.1), spread).at_least, None);
+        let spread = least_spread("m/s²", &[("m/s²", 1e-7)], Some(1e-7));
+        let axis = resolved(Axis::new("Acceleration", "m/s²"), &ripple(0.0, 1e-7), spread);
+        assert_eq!(axis.at_least, Some((-1e-6, 1e-6)));
+        assert_eq!(least_spread("m/s²", &[("m/s²", 3.0)], Some(0.01)), 0.2);
+    }
 }

@@ -28,10 +28,10 @@ use std::path::{Path, PathBuf};
 use tribodyn_plot::Figure;
 use tribodyn_record::{Damage, RecordError, Run, read_recording_within};
 use tribodyn_signal::BearingFrequencies;
-use tribodyn_study::evaluation::facts::{self, BallWear, Rolling, Start, said};
+use tribodyn_study::evaluation::facts::{self, BallWear, Rolling, said};
 use tribodyn_study::evaluation::published::{Compared, compared};
 use tribodyn_study::evaluation::quantities::{self, Quantities};
-use tribodyn_study::run::{Summary, carries_accelerations};
+use tribodyn_study::run::{KnownAtEnd, KnownAtStart, Summary, carries_accelerations};
 use tribodyn_study::{CaseFile, Limits, StagedFiles, StudyError};
 use values::CaseValue;
 
@@ -65,9 +65,15 @@ pub struct Answer {
     generator: String,
     #[serde(flatten)]
     damage: Damage,
-    cage_speed_start_rpm: Option<f64>,
-    patch_error_estimate: Option<f64>,
-    /// Whether that error is small enough for accelerations.
+    /// Simulated time of the whole run, s; none where the file does not say it.
+    duration_s: Option<f64>,
+    /// What the run knew before its first step.
+    #[serde(flatten)]
+    known: KnownAtStart,
+    /// What it knew at its end; absent where the recording was cut off before it.
+    #[serde(flatten)]
+    outcome: Option<KnownAtEnd>,
+    /// Whether the errors of patch and scheme are small enough for accelerations.
     accelerations_supported: bool,
     frequencies: BearingFrequencies,
     rolling: Option<Rolling>,
@@ -82,7 +88,7 @@ pub struct Answer {
     ball_wear: Vec<BallWear>,
     /// Every value of the case.
     case_values: Vec<CaseValue>,
-    /// Of the quasi-static solution of the same case.
+    /// Of the solution from which the run started.
     warnings_at_start: Vec<String>,
     /// Races whose pressures left the range in which the coating was tested.
     untested_pressures: Vec<String>,
@@ -91,6 +97,13 @@ pub struct Answer {
     figures: Vec<String>,
     /// Figures that could not be made, and why.
     notes: Vec<String>,
+}
+
+impl Answer {
+    /// Error of the accelerations, rms, m/s², where the recording says it.
+    fn acceleration_error(&self) -> Option<f64> {
+        self.outcome.and_then(|outcome| outcome.acceleration_error_m_s2)
+    }
 }
 
 /// A recording, evaluated.
@@ -204,7 +217,7 @@ impl Evaluated {
 }
 
 fn no_case(missing: bool) -> Option<String> {
-    missing.then(|| "The recording has no readable case: its values and the start are missing here.".to_owned())
+    missing.then(|| "The recording has no readable case: its values are missing here.".to_owned())
 }
 
 fn evaluate(
@@ -214,7 +227,7 @@ fn evaluate(
     (case, case_values): (Option<&CaseFile>, Vec<CaseValue>),
 ) -> Result<(Answer, Vec<Figure>, Live), Failure> {
     let summary = case.iter().fold(summary, |summary, file| summary.judged(&file.case));
-    let start = case.map_or_else(Start::default, Start::of);
+    let (known, outcome) = (KnownAtStart::read(run), KnownAtEnd::read(run));
     let from_s = summary.averaged_from_s;
     let speeds = facts::ring_speeds(run, from_s);
     let frequencies = facts::frequencies(run, from_s, summary.cage_speed_mean_rpm * TAU / 60.0, speeds)?;
@@ -222,8 +235,10 @@ fn evaluate(
     let ball_wear = facts::ball_wear(&run.balls);
     let mut notes: Vec<String> = no_case(case.is_none()).into_iter().collect();
     let mut live = Live::default();
-    let mut figures = figures::histories(run, &summary, &mut live)?;
-    figures.extend(spectra::figures(run, &summary, &frequencies, &mut notes, &mut live)?);
+    let mut figures: Vec<Figure> = figures::bearing(run, figures::load(run)).into_iter().collect();
+    let error_m_s2 = outcome.and_then(|outcome| outcome.acceleration_error_m_s2);
+    figures.extend(figures::histories(run, &summary, error_m_s2, &mut live)?);
+    figures.extend(spectra::figures(run, (&summary, error_m_s2), &frequencies, &mut notes, &mut live)?);
     figures.extend(orbit::figures(run, &mut notes, &mut live)?);
     figures.extend(figures::balances(&summary, &ball_wear)?);
     let said = |key: &str| said(run, key).unwrap_or_default().to_owned();
@@ -232,9 +247,9 @@ fn evaluate(
         bearing: said("bearing"),
         generator: said("generator"),
         damage: run.damage,
-        cage_speed_start_rpm: start.cage_speed_rpm,
-        patch_error_estimate: start.patch_error_estimate,
-        accelerations_supported: carries_accelerations(start.patch_error_estimate),
+        duration_s: facts::said(run, "duration_s").and_then(|text| text.parse().ok()),
+        accelerations_supported: carries_accelerations(&summary, &known, outcome.as_ref()),
+        outcome,
         rolling: facts::rolling(run, &operation, speeds),
         frequencies,
         summary,
@@ -242,7 +257,8 @@ fn evaluate(
         start: quantities::of_start(run, from_s),
         ball_wear,
         case_values,
-        warnings_at_start: start.warnings,
+        warnings_at_start: known.warnings_at_start.clone(),
+        known,
         untested_pressures: case.map_or_else(Vec::new, |file| facts::untested(&file.case, run)),
         validation: Vec::new(),
         figures: figures.iter().map(|figure| figure.name.clone()).collect(),

@@ -30,8 +30,14 @@ pub fn of_run(answer: &Answer, case: Option<&CaseFile>, run: &Run) -> Table {
                 .filter_map(|(name, path)| Some(row(name, described(&file.text, path)?))),
         );
     }
+    if let Some(step) = answer.known.step_s {
+        rows.push(row("Step taken", format!("{} µs", number(step * 1e6, 3))));
+    }
+    if let Some(error) = answer.acceleration_error() {
+        rows.push(row("Error of accelerations, rms", format!("{error:.1e} m/s²")));
+    }
     rows.push(row("Samples", format!("{} of rings and cage, {} of the balls", run.states.len(), run.balls.len())));
-    if let Some(error) = answer.patch_error_estimate {
+    if let Some(error) = answer.known.patch_error_estimate {
         rows.push(row("Patch error estimate", format!("{error:.1e} of the load")));
     }
     rows.extend(of_file(&answer.generator, &answer.recording.display().to_string()));

@@ -2,8 +2,8 @@
 
 use super::content::{Content, damage, values};
 use super::page_table::Table;
-use super::tables;
 use super::values::CaseValue;
+use super::{figures, tables};
 use crate::failure::Failure;
 use crate::run::shown;
 use crate::table::number;
@@ -77,7 +77,8 @@ pub fn evaluate(
     (case, case_values): (Option<&CaseFile>, Vec<CaseValue>),
 ) -> Result<(SolutionAnswer, Vec<Figure>), Failure> {
     let solution = solved(run, row);
-    let figures = tribodyn_plot::solution_figures(&[("solution", &solution)], &[])?;
+    let mut figures: Vec<Figure> = figures::bearing(run, solution.ring_load_n).into_iter().collect();
+    figures.extend(tribodyn_plot::solution_figures(&[("solution", &solution)], &[])?);
     let operation = quantities::of_solution(run, row, facts::ball_radius_m(run));
     let speeds = [solution.inner_speed_rad_s, solution.outer_speed_rad_s];
     let text = |key: &str| said(run, key).unwrap_or_default().to_owned();
@@ -154,14 +155,13 @@ pub fn content(answer: &SolutionAnswer, case: Option<&CaseFile>, run: &Run) -> C
         warnings.push("The solution has not converged.".to_owned());
     }
     warnings.extend(answer.warnings.iter().cloned());
-    let mut opening = vec![opening(answer, case, run)];
-    opening.extend(values(&answer.case_values));
     let text = "Over all balls, where they carry load. The load zone is where the inner race carries a ball with more than 1 % of the highest load.";
     Content {
         title: if answer.bearing.is_empty() { "Solution".to_owned() } else { answer.bearing.clone() },
         subtitle: if answer.model == Equations::SteadyOrbit.name() { "Steady orbit" } else { "Quasi-static solution" },
         warnings: shown(&warnings),
-        opening,
+        opening: vec![opening(answer, case, run)],
+        inputs: values(&answer.case_values),
         tables: [
             Some(tables::operation(&answer.operation, text)),
             answer.power.as_ref().map(powers),

@@ -25,7 +25,7 @@ struct Half<'a> {
 
 pub fn figures(
     run: &Run,
-    summary: &Summary,
+    (summary, error_m_s2): (&Summary, Option<f64>),
     frequencies: &BearingFrequencies,
     notes: &mut Vec<String>,
     live: &mut Live,
@@ -48,6 +48,16 @@ pub fn figures(
         notes.push("There are no spectra: the outer ring does not move.".to_owned());
         return Ok(Vec::new());
     }
+    // An axis without vibration above the error of the run has no spectrum but of that error.
+    let rms = [summary.outer_acceleration_x_rms_m_s2, summary.outer_acceleration_y_rms_m_s2];
+    let above = rms.map(|rms| error_m_s2.is_none_or(|error| rms > error));
+    if let Some(error) = error_m_s2.filter(|_| above == [false; 2]) {
+        notes.push(format!(
+            "There are no spectra: the acceleration of the outer ring, {:.1e} m/s² rms, is not above the error of the run, {error:.1e} m/s².",
+            rms[0].max(rms[1])
+        ));
+        return Ok(Vec::new());
+    }
     let plain: Vec<Spectrum> =
         axes.iter().map(|a| Spectrum::of(a, half.rate_hz, Window::Hann)).collect::<Result<_, _>>()?;
     let envelopes: Vec<Spectrum> =
@@ -61,8 +71,9 @@ pub fn figures(
         let lines: Vec<Samples> = spectra
             .iter()
             .zip(["along X", "along Y"])
-            .filter(|(s, _)| s.amplitude.iter().any(|a| *a > 0.0))
-            .map(|(s, label)| {
+            .zip(above)
+            .filter(|((s, _), above)| *above && s.amplitude.iter().any(|a| *a > 0.0))
+            .map(|((s, label), _)| {
                 let shown = s.frequency_hz.partition_point(|f| *f <= most);
                 Samples { label, x: &s.frequency_hz[..shown], y: &s.amplitude[..shown] }
             })

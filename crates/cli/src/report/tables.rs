@@ -37,9 +37,7 @@ pub fn results(answer: &Answer) -> Table {
         row("Impacts on pockets, whole run", s.impacts.to_string(), ""),
         row("Fewest balls in contact, whole run", s.balls_in_contact_min.to_string(), ""),
     ];
-    if let Some(speed) = answer.cage_speed_start_rpm {
-        rows.insert(1, row("Cage speed at the start", number(speed, 3), "r/min"));
-    }
+    rows.insert(1, row("Cage speed at the start", number(s.cage_speed_start_rpm, 3), "r/min"));
     let text = format!(
         "Means and extremes from {} to {} s. Rms and peak are about the mean. {}",
         number(s.averaged_from_s, 4),
@@ -209,7 +207,7 @@ pub fn facts(answer: &Answer, run: &Run) -> Table {
         vec!["Samples of rings and cage".to_owned(), run.states.len().to_string()],
         vec!["Samples of the balls".to_owned(), run.balls.len().to_string()],
     ];
-    if let Some(error) = answer.patch_error_estimate {
+    if let Some(error) = answer.known.patch_error_estimate {
         rows.push(vec!["Patch error estimate (of the load)".to_owned(), format!("{error:.1e}")]);
     }
     let entries = run.metadata.get("simulation").into_iter().flatten();

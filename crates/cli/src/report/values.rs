@@ -10,7 +10,7 @@ pub struct CaseValue {
     pub path: String,
     /// With its unit.
     pub value: String,
-    /// `published`, `catalogue`, `reference`, `assumed`, `identified`, `default`, or empty where no source is given.
+    /// `published`, `catalogue`, `reference`, `assumed`, `searched`, `identified`, `default`, or empty where no source is given.
     pub class: &'static str,
     pub source: String,
 }
@@ -60,6 +60,7 @@ fn described(source: &Source) -> (&'static str, String) {
         Source::Catalogue(from) => ("catalogue", from.clone()),
         Source::Reference(from) => ("reference", from.clone()),
         Source::Assumed(why) => ("assumed", why.clone()),
+        Source::Searched(of) => ("searched", of.clone()),
         Source::Identified { spread, from } => ("identified", format!("spread {spread}; {from}")),
     }
 }

@@ -18,7 +18,7 @@ pub fn print(r: &RunReport) -> Result<(), Failure> {
     }
     rows.extend(solver_rows(r));
     table::print_pairs(&rows)?;
-    table::print_line(&format!("\nscheme      {}\npatch rule  {}", r.scheme, r.patch_rule))?;
+    table::print_line(&format!("\nscheme      {}\npatch rule  {}", r.known.scheme, r.known.patch_rule))?;
     let of_run = r.summary.iter().flat_map(|summary| &summary.warnings);
     let all = r.warnings_at_start.iter().chain(&r.untested_pressures).chain(of_run);
     for warning in shown(&all.cloned().collect::<Vec<_>>()) {
@@ -40,7 +40,7 @@ fn motion_rows(s: &Summary, r: &RunReport) -> Vec<Row> {
     vec![
         ("simulated time", number(s.simulated_s, 6), "s"),
         ("times real time", significant(r.simulated_per_wall), ""),
-        ("cage speed at the start", number(r.cage_speed_start_rpm, 3), "r/min"),
+        ("cage speed at the start", number(s.cage_speed_start_rpm, 3), "r/min"),
         ("cage speed, mean of last half", number(s.cage_speed_mean_rpm, 3), "r/min"),
         ("orbital speeds, least and most", pair(s.orbital_speed_min_rpm, s.orbital_speed_max_rpm, 2), "r/min"),
         ("outer ring acceleration, rms x y", rms, rms_unit),
@@ -70,20 +70,26 @@ fn wear_rows(s: &Summary) -> Vec<Row> {
 }
 
 fn solver_rows(r: &RunReport) -> Vec<Row> {
-    let c = &r.scheme_statistics;
+    let c = &r.outcome.scheme_statistics;
     let mut rows = vec![
         ("steps kept", c.steps.to_string(), ""),
         ("steps rejected", c.rejected.to_string(), ""),
         ("steps cut at pockets", c.cut_at_pocket.to_string(), ""),
         ("evaluations of all forces", c.evaluations.to_string(), ""),
-        ("longest stable fixed step", number(r.stiffness.runge_kutta_step_s * 1e6, 2), "µs"),
+        ("longest stable fixed step", number(r.outcome.stiffness.runge_kutta_step_s * 1e6, 2), "µs"),
     ];
-    if let Some(error) = r.patch_error_estimate {
+    if let Some(step) = r.known.step_s {
+        rows.push(("step taken", number(step * 1e6, 3), "µs"));
+    }
+    if let Some(error) = r.outcome.acceleration_error_m_s2 {
+        rows.push(("error of accelerations, rms", format!("{error:.1e}"), "m/s²"));
+    }
+    if let Some(error) = r.known.patch_error_estimate {
         rows.push(("patch error estimate (of load)", format!("{error:.1e}"), ""));
     }
     rows
 }
-/// Value and unit of an acceleration in a table: only where the patch rule carries it.
+/// Value and unit of an acceleration in a table: only where patch rule and scheme carry it.
 pub fn acceleration(value: String, carried: bool) -> (String, &'static str) {
-    if carried { (value, "m/s²") } else { ("–".to_owned(), "patch rule too coarse") }
+    if carried { (value, "m/s²") } else { ("–".to_owned(), "not resolved") }
 }

@@ -202,6 +202,11 @@ impl Fast {
         }
     }
 
+    /// Part of the load by which the linear traction may err.
+    pub fn linear_error(&self) -> f64 {
+        self.linear_error
+    }
+
     /// From `y` at `t` over `h`, in place: the second half of the last kick, the drift, the first half of a new kick.
     pub fn step<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
         let l = equations.machine().layout;

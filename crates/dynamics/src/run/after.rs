@@ -6,7 +6,7 @@ use crate::error::DynamicsError;
 use crate::layout::{AZIMUTH, BALL, ORBIT};
 use crate::observer::{BallDetail, Event, EventKind, Observer};
 use crate::sample::Sample;
-use crate::stiffness::Stiffness;
+use crate::stiffness::{EULER_LIMIT, Stiffness};
 use std::ops::ControlFlow;
 use tribodyn_bearing::Side;
 
@@ -249,8 +249,22 @@ impl Run {
         observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)
     }
 
+    /// Refuses a step of the fast scheme that friction does not allow where the scheme has to take it explicitly: with a
+    /// law of one's own, or one of the local pressure. The scheme promises stable friction, and the balls then slide
+    /// too fast by some per cent without another sign.
+    pub(super) fn refuse_unstable_friction(&self) -> Result<(), DynamicsError> {
+        let Stiffness { traction_rate_per_s, ball, .. } = self.progress.stiffness;
+        let Scheme::Fast { step: step_s } = self.scheme else { return Ok(()) };
+        let limit_s = EULER_LIMIT / traction_rate_per_s;
+        if self.machine.kernel.has_derivative(&self.machine.bearing) || step_s <= limit_s {
+            return Ok(());
+        }
+        Err(DynamicsError::UnstableFriction { time_s: self.progress.time, step_s, limit_s, ball })
+    }
+
     /// Says once that a fixed step is beyond the bound.
     pub(super) fn warn_if_stiff<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
+        self.refuse_unstable_friction()?;
         let Stiffness { traction_rate_per_s, ball, contact_frequency_hz, .. } = self.progress.stiffness;
         let (step, name) = match self.scheme {
             Scheme::Rk4 { step, .. } => (step, "the Runge–Kutta method"),
@@ -258,10 +272,14 @@ impl Run {
             Scheme::DormandPrince { .. } => return Ok(()),
         };
         let limit = self.longest_step();
-        if self.progress.warned || step <= limit {
+        if step <= limit {
             return Ok(());
         }
-        self.progress.warned = true;
+        let first = self.progress.beyond.is_none();
+        self.progress.beyond = Some(self.progress.beyond.map_or(limit, |before| before.min(limit)));
+        if !first {
+            return Ok(());
+        }
         let message = format!(
             "the step of {step:.2e} s is beyond the stability of {name}, {limit:.2e} s here (friction of ball {ball} decays at {traction_rate_per_s:.2e} per s, contacts vibrate at {contact_frequency_hz:.0} Hz): results may be wrong without a sign; shorten the step, or take the fast scheme where friction is the stiffer"
         );

@@ -2,10 +2,12 @@
 
 mod after;
 mod blame;
+mod companion;
 mod filter;
 mod resume;
 mod step;
 
+pub use companion::{ACCELERATION_PART, AccelerationError};
 pub use filter::FilterBands;
 
 use crate::dp54::{DormandPrince, StepControl};
@@ -35,6 +37,8 @@ pub struct Run {
     duration: f64,
     state_rate: f64,
     balls_every: u64,
+    /// Relative tolerance of the solution at the start.
+    tolerance: f64,
     filter: Filter,
     progress: Checkpoint,
     /// State and derivative at the end of a step.
@@ -77,7 +81,8 @@ pub struct Checkpoint {
     statistics: Statistics,
     stiffness: Stiffness,
     thinnest: Races<f64>,
-    warned: bool,
+    /// The shortest of the longest stable steps that were found below the run's own, s.
+    beyond: Option<f64>,
     looked: Looked,
 }
 
@@ -120,10 +125,19 @@ impl Scheme {
 }
 
 /// How a run ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[must_use = "a run that was stopped or whose step is unstable ends without an error"]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Ending {
     /// At its duration.
     Complete,
+    /// At its duration, but its fixed step was beyond the stability of the scheme on the way: numbers may be wrong
+    /// without another sign.
+    BeyondStability {
+        /// The step, s.
+        step_s: f64,
+        /// The shortest of the longest stable steps that were found, s.
+        limit_s: f64,
+    },
     /// The observer broke it off.
     Stopped,
 }
@@ -174,7 +188,7 @@ impl Run {
     ///
     /// # Errors
     /// [`DynamicsError`] where nothing holds the outer ring, there is no quasi-static solution to start from, or the
-    /// step is too short to come to an end.
+    /// step is too short to come to an end or too long for friction that the scheme takes explicitly.
     pub fn new(inputs: RunInputs) -> Result<Self, DynamicsError> {
         Self::from_start(inputs, None)
     }
@@ -196,8 +210,10 @@ impl Run {
             return Err(DynamicsError::NoProgress { time_s: 0.0, step_s });
         }
         let (patch, linear_error) = errors(scheme, inputs.patch);
+        let tolerance = inputs.numerics.tolerance;
         let Started { machine, state, solution } = start(RunInputs { patch, ..inputs }, motion)?;
         let filter = Filter::new(FilterBands::new(scheme, state_rate))?;
+        let stiffness = machine.stiffness(0.0, &state);
         let progress = Checkpoint {
             time: 0.0,
             steps: 0,
@@ -215,9 +231,9 @@ impl Run {
             rates: [0.0; 3],
             filter: filter.at_start(machine.layout, &state),
             statistics: Statistics::default(),
-            stiffness: machine.stiffness(0.0, &state),
+            stiffness,
             thinnest: machine.thinnest,
-            warned: false,
+            beyond: None,
             looked: Looked { time: 0.0, state: state.clone() },
             state: state.clone(),
         };
@@ -225,6 +241,7 @@ impl Run {
             scheme: Scheme::new(scheme, state_rate),
             duration,
             state_rate,
+            tolerance,
             balls_every: (state_rate / ball_rate).round().max(1.0) as u64,
             filter,
             next: state.clone(),
@@ -238,6 +255,7 @@ impl Run {
             machine,
         };
         run.begin();
+        run.refuse_unstable_friction()?;
         Ok(run)
     }
 
@@ -348,7 +366,10 @@ impl Run {
                 return Ok(Ending::Stopped);
             }
         }
-        Ok(Ending::Complete)
+        Ok(match (self.progress.beyond, self.step_s()) {
+            (Some(limit_s), Some(step_s)) => Ending::BeyondStability { step_s, limit_s },
+            _ => Ending::Complete,
+        })
     }
 }
 

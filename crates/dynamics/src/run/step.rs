@@ -10,6 +10,15 @@ use std::ops::ControlFlow;
 use tribodyn_bearing::Pocket;
 
 impl Run {
+    /// The fixed step that is taken, s: that of the fast scheme divides the time between samples. None where steps
+    /// follow from the error.
+    pub fn step_s(&self) -> Option<f64> {
+        match self.scheme {
+            Scheme::Rk4 { step, .. } | Scheme::Fast { step } => Some(step),
+            Scheme::DormandPrince { .. } => None,
+        }
+    }
+
     /// One step of the scheme, in pieces where a pocket is met.
     pub(super) fn one_step<O: Observer>(
         &mut self,

@@ -33,7 +33,7 @@ fn case(race: &str, rate_hz: f64) -> Case {
 
 fn samples(case: &Case) -> Vec<Sample> {
     let mut keep = Keep::default();
-    Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap();
+    let _ = Run::new(case.run_inputs().unwrap()).unwrap().advance(f64::INFINITY, &mut keep).unwrap();
     keep.samples
 }
 

@@ -1,7 +1,9 @@
 //! Whole runs: equilibria that stay, orders of convergence, symmetries, schemes against each other, trouble.
 
 mod aliasing;
+mod companion;
 mod equilibrium;
+mod own_law;
 mod schemes;
 mod symmetry;
 mod trouble;
@@ -55,6 +57,6 @@ impl Observer for Keep {
 fn run(case: &Case) -> (Run, Keep) {
     let mut run = Run::new(case.run_inputs().unwrap()).unwrap_or_else(|e| panic!("{e}"));
     let mut keep = Keep::default();
-    run.advance(f64::INFINITY, &mut keep).unwrap_or_else(|e| panic!("{e}"));
+    let _ = run.advance(f64::INFINITY, &mut keep).unwrap_or_else(|e| panic!("{e}"));
     (run, keep)
 }

@@ -128,7 +128,7 @@ fn identity_fast_kernel_gives_the_run_of_the_plain_one() {
     let case = case(&[("transient.duration", "s(0.0005)"), ("transient.scheme", "RungeKutta4(step: us(10))")]);
     let last = |mut run: Run| {
         let mut keep = Keep::default();
-        run.advance(f64::INFINITY, &mut keep).unwrap();
+        let _ = run.advance(f64::INFINITY, &mut keep).unwrap();
         keep.samples.pop().unwrap()
     };
     let fast = last(Run::new(case.run_inputs().unwrap()).unwrap());
@@ -162,12 +162,12 @@ fn identity_halving_the_step_hardly_moves_the_cage() {
 fn resumed(case: &Case, stop_after: usize) -> (Run, Keep) {
     let mut first = Run::new(case.run_inputs().unwrap()).unwrap();
     let mut keep = Keep { stop_after, ..Default::default() };
-    first.advance(f64::INFINITY, &mut keep).unwrap();
+    let _ = first.advance(f64::INFINITY, &mut keep).unwrap();
     let text = serde_json::to_string(&first.checkpoint()).unwrap();
     let mut second = Run::new(case.run_inputs().unwrap()).unwrap();
     second.resume(serde_json::from_str(&text).unwrap()).unwrap();
     keep.stop_after = 0;
-    second.advance(f64::INFINITY, &mut keep).unwrap();
+    let _ = second.advance(f64::INFINITY, &mut keep).unwrap();
     (second, keep)
 }
 

@@ -81,7 +81,7 @@ fn limit_a_checkpoint_with_impossible_values_is_refused() {
     let case = case(&[("transient.scheme", "Fast(step: us(10))"), ("transient.duration", "s(0.01)")]);
     let begun = || {
         let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
-        run.advance(0.001, &mut Keep::default()).unwrap();
+        let _ = run.advance(0.001, &mut Keep::default()).unwrap();
         run
     };
     let sound = serde_json::to_value(begun().checkpoint()).unwrap();
@@ -109,7 +109,7 @@ fn limit_a_checkpoint_with_impossible_values_is_refused() {
     }
     let mut run = begun();
     run.resume(serde_json::from_value(sound).unwrap()).unwrap();
-    run.advance(0.002, &mut Keep::default()).unwrap();
+    let _ = run.advance(0.002, &mut Keep::default()).unwrap();
 }
 
 /// The radial load grows beyond what a soft support holds: balls and rings leave their place together.

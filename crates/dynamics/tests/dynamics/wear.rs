@@ -69,7 +69,7 @@ fn limit_accelerated_wear_goes_through_the_coating_and_says_so() {
     let case = with(WORN, &changes);
     let mut keep = Keep::default();
     let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
-    run.advance(f64::INFINITY, &mut keep).unwrap();
+    let _ = run.advance(f64::INFINITY, &mut keep).unwrap();
     let through = keep.events.iter().filter(|e| matches!(e.kind, EventKind::CoatingThrough { .. })).count();
     assert!(through >= 1, "{:?}", keep.samples.last().unwrap().wear);
     assert!(

@@ -80,7 +80,7 @@ impl Mean {
         (inputs.options.state_rate, inputs.options.ball_rate) = (rate, rate);
         let until = inputs.options.duration;
         let mut mean = Self { span: [settling * turn, until], bins: vec![[0.0; 3]; POINTS], ..Self::default() };
-        Run::moving(inputs, motion)?.advance(until, &mut mean)?;
+        let _ = Run::moving(inputs, motion)?.advance(until, &mut mean)?;
         let sums = [&mut mean.cage_torque, &mut mean.torque, &mut mean.orbital_speed];
         sums.into_iter().chain(&mut mean.load).for_each(|sum| *sum /= mean.weight);
         Ok(mean)

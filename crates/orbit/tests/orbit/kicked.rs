@@ -66,7 +66,7 @@ fn identity_a_kicked_ring_rings_at_the_frequency_of_its_mode() {
     let (bearing, rate) = (inputs.bearing.clone(), inputs.options.state_rate);
     let mut run = Run::new(inputs).unwrap();
     let mut axial = Axial::default();
-    run.advance(run.duration(), &mut axial).unwrap();
+    let _ = run.advance(run.duration(), &mut axial).unwrap();
     let (frequency, growth) = ringing(&axial.0, 1.0 / rate);
 
     let settings = OrbitSettings::default();

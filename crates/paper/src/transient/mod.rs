@@ -83,16 +83,19 @@ fn run(plan: &Plan, recording: Option<PathBuf>) -> Result<Transient, PaperError>
     let failed = |source| PaperError::Transient { run: plan.id.clone(), source: Box::new(source) };
     let inputs =
         case.run_inputs().map_err(|source| PaperError::Inputs { run: plan.id.clone(), source: Box::new(source) })?;
-    let mut solver = Run::new(inputs).map_err(failed)?;
+    let mut solver = Run::new(inputs.clone()).map_err(failed)?;
     let recorder = match &recording {
         None => None,
         Some(path) => {
             let generator = concat!("tribodyn xtask ", env!("CARGO_PKG_VERSION"));
-            Some(RunRecorder::create(path, &RunRecording { case_text: &text, case: &case, generator })?)
+            let (facts, warnings) = (&[], &[]);
+            let recording =
+                RunRecording { case_text: &text, name: &case.name, inputs: &inputs, facts, warnings, generator };
+            Some(RunRecorder::create(path, &recording)?)
         }
     };
     let mut observer = trace::Observing { trace: Trace::new(&case), recorder };
-    solver.advance(f64::INFINITY, &mut observer).map_err(|error| match error {
+    let _ = solver.advance(f64::INFINITY, &mut observer).map_err(|error| match error {
         RunError::Dynamics(source) => failed(source),
         RunError::Observer(source) => PaperError::Record(source),
     })?;

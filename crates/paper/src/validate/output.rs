@@ -18,9 +18,14 @@ const PNG_WIDTH: u32 = 1600;
 pub fn recordings(folder: &Path, runs: &Runs) -> Result<(), PaperError> {
     std::fs::create_dir_all(folder).map_err(|source| PaperError::Write { path: folder.to_owned(), source })?;
     for run in runs.all() {
+        let refused =
+            |source| PaperError::Inputs { run: run.id.to_owned(), source: Box::new(InputError::Bearing(source)) };
+        let bearing = run.case.bearing().map_err(refused)?;
         let recording = SolutionRecording {
             case_text: &run.text,
-            case: &run.case,
+            name: &run.case.name,
+            bearing: &bearing,
+            point: &run.case.operating_point(),
             solution: &run.solution,
             generator: concat!("tribodyn xtask ", env!("CARGO_PKG_VERSION")),
         };

@@ -201,11 +201,14 @@ class Run(Answer):
     duration_s: float
     wall_s: float
     simulated_per_wall: float
-    #: of the quasi-static solution from which the run starts
-    cage_speed_start_rpm: float
+    #: the fixed step that was taken; None where steps follow from the error
+    step_s: Optional[float]
     patch_rule: str
     patch_error_estimate: Optional[float]
-    #: whether the patch rule is fine enough for accelerations
+    #: error of the outer ring's acceleration by step, patch and linear traction together, rms; None where the run is
+    #: too short to tell
+    acceleration_error_m_s2: Optional[float]
+    #: whether patch rule and scheme are fine enough for accelerations
     accelerations_supported: bool
     scheme: str
     scheme_statistics: dict[str, Any]
@@ -217,6 +220,8 @@ class Run(Answer):
     settled_at_s: Optional[float]
     samples: int
     cage_speed_mean_rpm: float
+    #: of the first sample
+    cage_speed_start_rpm: float
     cage_speed_end_rpm: float
     orbital_speed_min_rpm: float
     orbital_speed_max_rpm: float

@@ -119,9 +119,13 @@ impl<W: Write + Seek> Output<W> {
     }
 
     /// The metadata record `simulation` and the attachments, before all messages.
-    pub(crate) fn describe(&mut self, entries: &Entries, case_text: &str, layout: &str) -> McapResult<()> {
-        let metadata = entries.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect();
-        self.writer.write_metadata(&Metadata { name: "simulation".into(), metadata })?;
+    pub(crate) fn describe(
+        &mut self,
+        entries: &[(&'static str, String)],
+        case_text: &str,
+        layout: &str,
+    ) -> McapResult<()> {
+        self.metadata("simulation", entries)?;
         for (name, media_type, text) in
             [(CASE_ATTACHMENT, "text/plain", case_text), (LAYOUT_ATTACHMENT, "application/json", layout)]
         {
@@ -134,6 +138,12 @@ impl<W: Write + Seek> Output<W> {
             })?;
         }
         Ok(())
+    }
+
+    /// A metadata record.
+    pub(crate) fn metadata(&mut self, name: &str, entries: &[(&'static str, String)]) -> McapResult<()> {
+        let metadata = entries.iter().map(|(key, value)| ((*key).to_owned(), value.clone())).collect();
+        self.writer.write_metadata(&Metadata { name: name.into(), metadata })
     }
 
     pub(crate) fn log(&mut self, channel: usize, time: u64, message: &impl Message) -> McapResult<()> {

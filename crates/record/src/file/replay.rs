@@ -33,10 +33,18 @@ pub struct LogRow {
     pub time_s: f64,
     /// Whether the reader of a report must know.
     pub warning: bool,
-    /// What kind of event: `impact`, `contact-lost`, `contact-made`, `coating-through` or `warning`.
+    /// What kind of event: `impact`, `contact-lost`, `contact-made`, `coating-through`, `warning`, or `start` for a
+    /// warning of the state that the run starts from.
     pub kind: String,
     /// The text; of frequent kinds it tells how many more there were.
     pub message: String,
+}
+
+impl LogRow {
+    /// Whether it is a warning of the state that the run starts from.
+    pub fn is_of_start(&self) -> bool {
+        self.kind == crate::run::START
+    }
 }
 
 /// Longest message with numbers, bytes: five thousand balls. A message of empty balls takes a hundred times its length

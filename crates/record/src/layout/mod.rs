@@ -12,9 +12,7 @@ use crate::mesh;
 use panels::Panel;
 pub(crate) use panels::round_up;
 use serde_json::{Map, Value, json};
-use tribodyn_bearing::SpeedHistory;
-use tribodyn_bearing::{BearingError, Geometry, Side};
-use tribodyn_case::Case;
+use tribodyn_bearing::{Geometry, Races, Side, SpeedHistory};
 use tribodyn_signal::BearingFrequencies;
 
 /// What a recording shows.
@@ -48,17 +46,10 @@ impl Layout {
         Self { kind, title: "Bearing".to_owned(), ball_count: 13, outside_diameter_m: 0.215, band_hz: 5000.0 }
     }
 
-    /// For the bearing and the speeds of a case.
-    ///
-    /// # Errors
-    /// [`BearingError`] if the case makes no bearing.
-    pub fn new(kind: LayoutKind, case: &Case) -> Result<Self, BearingError> {
-        Ok(Self::of(kind, case, &case.geometry.resolve()?))
-    }
-
-    pub(crate) fn of(kind: LayoutKind, case: &Case, geometry: &Geometry) -> Self {
+    /// For a bearing with a name and the speeds of its rings.
+    pub fn new(kind: LayoutKind, name: &str, geometry: &Geometry, speeds: &Races<SpeedHistory>) -> Self {
         let general = Self::general(kind);
-        let [inner, outer] = [&case.speed.inner, &case.speed.outer].map(highest);
+        let Races { inner, outer } = speeds.each_ref().map(highest);
         let frequencies = BearingFrequencies::from_geometry(
             geometry.ball_count,
             geometry.ball_diameter,
@@ -71,7 +62,7 @@ impl Layout {
         let band_hz = if ball_pass > 0.0 { panels::round_up(BAND_OVER_BALL_PASS * ball_pass) } else { general.band_hz };
         Self {
             kind,
-            title: case.name.clone(),
+            title: name.to_owned(),
             ball_count: geometry.ball_count,
             outside_diameter_m: 2.0 * mesh::back_radius(geometry, Side::Outer),
             band_hz,
@@ -108,7 +99,7 @@ impl Layout {
     }
 }
 
-/// Highest magnitude of a speed, rad/s.
+/// The speed of the highest magnitude, rad/s.
 fn highest(speed: &SpeedHistory) -> f64 {
     match speed {
         SpeedHistory::Constant(value) => *value,

@@ -11,6 +11,9 @@ use tribodyn_dynamics::{Event, EventKind};
 /// Simulated time that shares one line of a kind, s.
 pub(crate) const WINDOW_S: f64 = 1e-3;
 
+/// The kind of the warnings of the state that a run starts from.
+pub(crate) const START: &str = "start";
+
 /// The kinds that are thinned out.
 const KINDS: usize = 3;
 
@@ -74,6 +77,17 @@ impl Pending {
             .iter_mut()
             .filter_map(move |slot| slot.take_if(over))
             .map(|window| line(&window.event, window.more))
+    }
+}
+
+/// A warning of the state that a run starts from.
+pub(super) fn at_start(warning: &str, log_time: u64) -> Log {
+    Log {
+        timestamp: Some(timestamp(log_time)),
+        level: Level::Warning.into(),
+        message: warning.to_owned(),
+        name: START.into(),
+        ..Log::default()
     }
 }
 

@@ -106,6 +106,12 @@ impl Recent {
         [&self.times].into_iter().chain(&self.values).chain(&self.speeds).flatten().copied()
     }
 
+    /// Samples behind a spectrum: the largest power of two that there is; 0 where they are too few.
+    pub(super) fn spectrum_samples(&self) -> usize {
+        let count = if self.times.is_empty() { 0 } else { 1 << self.times.len().ilog2() };
+        if count < LEAST_SPECTRUM_SAMPLES { 0 } else { count }
+    }
+
     pub(crate) fn push(&mut self, overview: &Overview) {
         let sample = &overview.sample;
         // Two samples of one time, at an event for instance, are one of an even series.
@@ -135,14 +141,12 @@ impl Recent {
         balls: usize,
         log_time: u64,
     ) -> Result<Option<Spectrum>, RecordError> {
-        let count = if self.times.is_empty() { 0 } else { 1 << self.times.len().ilog2() };
+        let count = self.spectrum_samples();
         let first = self.times.len() - count;
-        let (Some(&start), Some(&end)) = (self.times.get(first), self.times.back()) else {
-            return Ok(None);
-        };
-        let step = (end - start) / count.saturating_sub(1).max(1) as f64;
+        let (Some(&start), Some(&end)) = (self.times.get(first), self.times.back()) else { return Ok(None) };
+        let step = (end - start) / (count - 1) as f64;
         let even = |(i, &t): (usize, &f64)| (t - start - step * i as f64).abs() < 0.01 * step;
-        if count < LEAST_SPECTRUM_SAMPLES || !self.times.range(first..).enumerate().all(even) {
+        if !self.times.range(first..).enumerate().all(even) {
             return Ok(None);
         }
         let samples: Vec<f64> = self.values[quantity].range(first..).copied().collect();

@@ -11,6 +11,7 @@ mod rows;
 mod sink;
 mod topics;
 
+pub(crate) use events::START;
 pub use overview::Overview;
 pub use producer::RecorderMemory;
 pub use rows::RunRows;
@@ -24,8 +25,7 @@ use crate::{RecordError, contacts};
 use producer::Producer;
 use std::ops::ControlFlow;
 use std::path::Path;
-use tribodyn_bearing::{BallResult, Geometry};
-use tribodyn_case::Case;
+use tribodyn_bearing::{BallResult, RunInputs};
 use tribodyn_dynamics::{BallDetail, Event, FilterBands, Observer, Sample};
 
 /// What a recording of a run is made from.
@@ -33,8 +33,14 @@ use tribodyn_dynamics::{BallDetail, Event, FilterBands, Observer, Sample};
 pub struct RunRecording<'a> {
     /// The text of the case file, attached unchanged.
     pub case_text: &'a str,
-    /// The same case, parsed.
-    pub case: &'a Case,
+    /// Name of the bearing, the title of the recording.
+    pub name: &'a str,
+    /// What is run: the bearing of the picture and the metadata is the mounted one.
+    pub inputs: &'a RunInputs,
+    /// What else is known before the first step, for the metadata.
+    pub facts: &'a [(&'static str, String)],
+    /// Warnings of the state that the run starts from, for the log.
+    pub warnings: &'a [String],
     /// Program and version, such as `tribodyn 0.1.0`: the file says who wrote it.
     pub generator: &'a str,
 }
@@ -63,11 +69,9 @@ impl RunRecorder<FileSink> {
     /// because the run failed, the file keeps what was recorded and [`crate::recover()`] makes a whole one of it.
     ///
     /// # Errors
-    /// [`RecordError`] if the file cannot be created or the case makes no bearing.
+    /// [`RecordError`] if the file cannot be created.
     pub fn create(path: &Path, input: &RunRecording) -> Result<Self, RecordError> {
-        // A case that is refused leaves no file.
-        let producer = Producer::new(input)?;
-        Self::begin(FileSink::create(path)?, producer, input)
+        Self::new(FileSink::create(path)?, input)
     }
 }
 
@@ -75,21 +79,17 @@ impl<S: Sink> RunRecorder<S> {
     /// Starts a recording into any sink.
     ///
     /// # Errors
-    /// [`RecordError`] if the sink cannot begin or the case makes no bearing.
-    pub fn new(sink: S, input: &RunRecording) -> Result<Self, RecordError> {
-        Self::begin(sink, Producer::new(input)?, input)
-    }
-
-    fn begin(mut sink: S, producer: Producer, input: &RunRecording) -> Result<Self, RecordError> {
-        let entries = entries(input, &producer.geometry);
+    /// [`RecordError`] if the sink cannot begin.
+    pub fn new(mut sink: S, input: &RunRecording) -> Result<Self, RecordError> {
+        let RunInputs { bearing, speeds, .. } = input.inputs;
         sink.begin(&Preamble {
             channels: &CHANNELS,
             generator: input.generator,
             case_text: input.case_text,
-            layout: &Layout::of(LayoutKind::Run, input.case, &producer.geometry).json(),
-            entries: &entries,
+            layout: &Layout::new(LayoutKind::Run, input.name, &bearing.geometry, speeds).json(),
+            entries: &entries(input),
         })?;
-        Ok(Self { sink, producer })
+        Ok(Self { sink, producer: Producer::new(input) })
     }
 
     /// Where the messages go.
@@ -126,6 +126,15 @@ impl<S: Sink> RunRecorder<S> {
         self.producer.sample(&mut self.sink, overview, balls)
     }
 
+    /// Adds what is known only at the end of a run, before [`Self::finish`]: a metadata record of its own, `outcome`.
+    ///
+    /// # Errors
+    /// [`RecordError`] if it cannot be stored.
+    pub fn conclude(&mut self, entries: &[(&'static str, String)]) -> Result<(), RecordError> {
+        self.producer.end(&mut self.sink)?;
+        self.sink.outcome(entries)
+    }
+
     /// Writes what is pending and ends the recording. A run that was broken off early is as whole a recording.
     ///
     /// # Errors
@@ -153,41 +162,38 @@ impl<S: Sink> Observer for RunRecorder<S> {
     }
 }
 
-fn entries(input: &RunRecording, geometry: &Geometry) -> Entries {
-    let case = input.case;
+fn entries(input: &RunRecording) -> Entries {
+    let (geometry, options) = (&input.inputs.bearing.geometry, &input.inputs.options);
+    let bands = FilterBands::new(options.scheme, options.state_rate);
     let mut entries = vec![
         ("kind", "transient run".to_owned()),
-        ("bearing", case.name.clone()),
+        ("bearing", input.name.to_owned()),
         ("ball_count", geometry.ball_count.to_string()),
         ("ball_diameter_mm", (geometry.ball_diameter * 1e3).to_string()),
         ("pitch_diameter_mm", (geometry.pitch_diameter * 1e3).to_string()),
+        ("inner_groove_coefficient", geometry.inner_coefficient.to_string()),
+        ("outer_groove_coefficient", geometry.outer_coefficient.to_string()),
         ("free_contact_angle_deg", geometry.contact_angle().to_degrees().to_string()),
         ("patch_exaggeration", contacts::PATCH_EXAGGERATION.to_string()),
         // The same case always gives the same run.
         ("seed", "none".to_owned()),
         ("generator", input.generator.to_owned()),
         ("case_fnv1a64", format!("{:016x}", fnv1a(input.case_text.as_bytes()))),
+        ("duration_s", options.duration.to_string()),
+        ("start", format!("{:?}", options.start)),
+        ("scheme", format!("{:?}", options.scheme)),
+        ("contact_damping", options.contact_damping.to_string()),
+        ("wear_acceleration", options.wear_acceleration.to_string()),
+        ("state_rate_hz", options.state_rate.to_string()),
+        ("ball_rate_hz", options.ball_rate.to_string()),
+        ("filtered", FILTERED.to_owned()),
+        ("point_samples", POINT_SAMPLES.to_owned()),
+        ("filter", "linear-phase FIR, Kaiser window, then decimation".to_owned()),
+        ("filter_pass_band_hz", bands.pass_band_hz().to_string()),
+        ("filter_stop_band_hz", bands.stop_band_hz().to_string()),
+        ("filter_delay_s", bands.delay_s().to_string()),
+        ("filter_internal_rate_hz", bands.internal_rate_hz().to_string()),
     ];
-    if let Some(transient) = &case.transient {
-        entries.push(("duration_s", transient.duration.to_string()));
-        entries.push(("start", format!("{:?}", transient.start)));
-        entries.push(("scheme", format!("{:?}", transient.scheme)));
-        entries.push(("contact_damping", transient.contact_damping.to_string()));
-        entries.push(("wear_acceleration", transient.wear_acceleration.to_string()));
-    }
-    if let Some(recording) = &case.recording {
-        entries.push(("state_rate_hz", recording.state_rate.to_string()));
-        entries.push(("ball_rate_hz", recording.ball_rate.to_string()));
-    }
-    if let Some(transient) = &case.transient {
-        let bands = FilterBands::new(transient.scheme, case.rates().state_rate);
-        entries.push(("filtered", FILTERED.to_owned()));
-        entries.push(("point_samples", POINT_SAMPLES.to_owned()));
-        entries.push(("filter", "linear-phase FIR, Kaiser window, then decimation".to_owned()));
-        entries.push(("filter_pass_band_hz", bands.pass_band_hz().to_string()));
-        entries.push(("filter_stop_band_hz", bands.stop_band_hz().to_string()));
-        entries.push(("filter_delay_s", bands.delay_s().to_string()));
-        entries.push(("filter_internal_rate_hz", bands.internal_rate_hz().to_string()));
-    }
+    entries.extend(input.facts.iter().cloned());
     entries
 }

@@ -103,7 +103,7 @@ mod tests {
         let case = Case::from_ron(&text).unwrap();
         let [all, less] = [BallDetail::All, Overview::DETAIL].map(|detail| {
             let (mut keep, mut run) = (Keep(detail, Vec::new()), Run::new(case.run_inputs().unwrap()).unwrap());
-            run.advance(1e-3, &mut keep).unwrap();
+            let _ = run.advance(1e-3, &mut keep).unwrap();
             keep.1
         });
         assert!(all.len() > 20);

@@ -1,7 +1,7 @@
 //! From samples and events to messages, and what has to be remembered between them.
 
 use super::check;
-use super::events::Pending;
+use super::events::{self, Pending};
 use super::frames::Motion;
 use super::history::{self, LastTurn, QUANTITIES, Recent};
 use super::messages;
@@ -21,8 +21,12 @@ use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{BallResult, Geometry};
 use tribodyn_dynamics::{Event, Sample, WearSample};
 
-/// Simulated time between wear, orbit and spectra, s.
-const SLOW_STEP_S: f64 = 0.1;
+/// Simulated time between wear, coating and path of the inner ring, s: one second of a viewer that plays at a hundredth
+/// of the speed.
+const SLOW_STEP_S: f64 = 0.01;
+/// Simulated time between spectra, s, once all their samples are there: they are most of what comes slowly. Before
+/// that there is one whenever twice the samples give half the distance between lines.
+const SPECTRA_STEP_S: f64 = 0.1;
 /// Simulated time after which a chunk is closed, s; a full one (1 MiB) is closed before. A killed run loses at most
 /// this. A program of 20 s per simulated second then loses one second of its work; the clock itself cannot decide,
 /// since the same case has to give the same bytes.
@@ -37,7 +41,9 @@ type Seen<'a> = (&'a Sample, &'a [BallResult]);
 #[derive(Debug)]
 pub(super) struct Producer {
     pub(super) geometry: Geometry,
-    pocket_gap: Option<f64>,
+    pocket_gap: f64,
+    /// Warnings of the state that the run starts from, for the log.
+    warnings: Vec<String>,
     defects: Vec<Defect>,
     memory: RecorderMemory,
     /// The last messages of their kind and the last encoded one, kept for their memory and their names.
@@ -65,6 +71,9 @@ pub struct RecorderMemory {
     last_log_time: u64,
     next_slow_s: f64,
     next_flush_s: f64,
+    /// Time of the last spectra, s, and samples behind them.
+    last_spectra_s: f64,
+    spectra_samples: usize,
 }
 
 impl RecorderMemory {
@@ -80,8 +89,11 @@ impl RecorderMemory {
             last_time_s: 0.0,
             last_wear: WearSample::default(),
             last_log_time: EPOCH_NS,
-            next_slow_s: SLOW_STEP_S,
+            // The first sample has what comes slowly too, so that no panel is empty at the start.
+            next_slow_s: 0.0,
             next_flush_s: FLUSH_STEP_S,
+            last_spectra_s: 0.0,
+            spectra_samples: 0,
         }
     }
 }
@@ -111,6 +123,8 @@ impl RecorderMemory {
             |field, due: f64, step: f64| within(field, due, self.last_time_s - step, self.last_time_s + 2.0 * step);
         after("next_slow_s", self.next_slow_s, SLOW_STEP_S)?;
         after("next_flush_s", self.next_flush_s, FLUSH_STEP_S)?;
+        within("last_spectra_s", self.last_spectra_s, 0.0, self.last_time_s)?;
+        within("spectra_samples", self.spectra_samples as f64, 0.0, history::SPECTRUM_SAMPLES as f64)?;
         let log_time_s = (self.last_log_time as f64 - EPOCH_NS as f64) * 1e-9;
         within("last_log_time since the epoch, s", log_time_s, -1e-6, self.last_time_s + 1.0)?;
         within("impacts", self.pending.impacts() as f64, 0.0, MOST_EVENTS)?;
@@ -136,18 +150,19 @@ impl RecorderMemory {
 }
 
 impl Producer {
-    pub(super) fn new(input: &RunRecording) -> Result<Self, RecordError> {
-        let geometry = input.case.geometry.resolve()?;
-        Ok(Self {
+    pub(super) fn new(input: &RunRecording) -> Self {
+        let geometry = input.inputs.bearing.geometry;
+        Self {
             geometry,
-            pocket_gap: input.case.cage.as_ref().map(|cage| cage.pocket_gap),
-            defects: raceway::defects(input.case),
+            pocket_gap: input.inputs.cage.pockets.pocket_gap,
+            warnings: input.warnings.to_vec(),
+            defects: raceway::defects(input.inputs),
             memory: RecorderMemory::new(geometry.ball_count),
             transforms: FrameTransforms::default(),
             contacts: SceneUpdate::default(),
             buffer: Vec::new(),
             flat: Vec::new(),
-        })
+        }
     }
 
     pub(super) fn memory(&self) -> &RecorderMemory {
@@ -233,7 +248,7 @@ impl Producer {
         let first = balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket.unwrap_or_default().lead_rad);
         let bodies = Bodies {
             geometry: &self.geometry,
-            pocket_gap: self.pocket_gap,
+            pocket_gap: Some(self.pocket_gap),
             first_azimuth: first - sample.cage.angle_rad,
             scales,
             ring_load_n,
@@ -242,8 +257,9 @@ impl Producer {
         };
         let update = scene::geometry(&bodies, timestamp(time));
         self.send(sink, Topic::Geometry, time, &update)?;
-        // Wear from nothing on, so that the panel shows something from the start.
-        self.wear(sink, time)?;
+        for line in std::mem::take(&mut self.warnings).iter().map(|warning| events::at_start(warning, time)) {
+            self.send(sink, Topic::Log, time, &line)?;
+        }
         // The channels are declared in this chunk: a small one is seldom hit by damage, and all others need it.
         sink.flush()?;
         Ok(scales)
@@ -279,13 +295,22 @@ impl Producer {
         self.send(sink, Topic::Wear, time, &wear)
     }
 
-    /// Wear, coating, orbit and spectra of the last sample.
+    /// Wear, coating and orbit of the last sample, and spectra where new ones say more.
     fn slow(&mut self, sink: &mut impl Sink, time: u64) -> Result<(), RecordError> {
         self.wear(sink, time)?;
         let coating = self.memory.found.message(&self.geometry, timestamp(time));
         self.send(sink, Topic::Coating, time, &coating)?;
         let orbit = self.memory.last_turn.message(self.memory.last_time_s, time);
         self.send(sink, Topic::Orbit, time, &orbit)?;
+        let (finer, time_s) = (self.memory.recent.spectrum_samples(), self.memory.last_time_s);
+        let due = time_s + ROUNDING_S >= self.memory.last_spectra_s + SPECTRA_STEP_S;
+        if due || finer > self.memory.spectra_samples { self.spectra(sink, time) } else { Ok(()) }
+    }
+
+    /// Spectra up to the last sample.
+    fn spectra(&mut self, sink: &mut impl Sink, time: u64) -> Result<(), RecordError> {
+        self.memory.last_spectra_s = self.memory.last_time_s;
+        self.memory.spectra_samples = self.memory.recent.spectrum_samples();
         let topics = [Topic::SpectrumOuter, Topic::SpectrumInner, Topic::SpectrumCage];
         for (quantity, topic) in topics.into_iter().enumerate().take(QUANTITIES.len()) {
             if let Some(spectrum) = self.memory.recent.spectrum(quantity, self.geometry.ball_count, time)? {
@@ -318,8 +343,12 @@ impl Producer {
         if self.memory.scales.is_none() {
             return Ok(());
         }
-        let between = self.memory.last_time_s > self.memory.next_slow_s - SLOW_STEP_S + ROUNDING_S;
-        if between { self.slow(sink, self.memory.last_log_time) } else { Ok(()) }
+        let (last_s, time) = (self.memory.last_time_s, self.memory.last_log_time);
+        if last_s > self.memory.next_slow_s - SLOW_STEP_S + ROUNDING_S {
+            self.memory.next_slow_s = last_s + SLOW_STEP_S;
+            self.slow(sink, time)?;
+        }
+        if last_s > self.memory.last_spectra_s { self.spectra(sink, time) } else { Ok(()) }
     }
 }
 

@@ -45,6 +45,15 @@ pub trait Sink {
     /// Takes the numbers of the balls whose message comes next.
     fn balls(&mut self, _rows: &[BallRow]) {}
 
+    /// Takes what is known only at the end of a run, as keys and values of the metadata record `outcome`; once, after
+    /// all messages. Whoever has no use for it needs not take it.
+    ///
+    /// # Errors
+    /// [`RecordError`] if it cannot be stored.
+    fn outcome(&mut self, _entries: &[(&'static str, String)]) -> Result<(), RecordError> {
+        Ok(())
+    }
+
     /// Makes what was taken so far survive an end of the program.
     ///
     /// # Errors
@@ -108,6 +117,11 @@ impl<W: Write + Seek> Sink for StreamSink<W> {
         written.map_err(|source| mcap_error("write", &self.name, source))
     }
 
+    fn outcome(&mut self, entries: &[(&'static str, String)]) -> Result<(), RecordError> {
+        let written = self.output()?.metadata("outcome", entries);
+        written.map_err(|source| mcap_error("write", &self.name, source))
+    }
+
     fn flush(&mut self) -> Result<(), RecordError> {
         let flushed = self.output()?.writer.flush();
         flushed.map_err(|source| mcap_error("write", &self.name, source))
@@ -167,6 +181,10 @@ impl Sink for FileSink {
         self.stream.flush()
     }
 
+    fn outcome(&mut self, entries: &[(&'static str, String)]) -> Result<(), RecordError> {
+        self.stream.outcome(entries)
+    }
+
     /// Closes the file and gives it its name. After an error `<path>.active` stays, with what could be written.
     fn finish(self) -> Result<RecordingSummary, RecordError> {
         let active = self.active();
@@ -202,6 +220,11 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
         self.1.balls(rows);
     }
 
+    fn outcome(&mut self, entries: &[(&'static str, String)]) -> Result<(), RecordError> {
+        self.0.outcome(entries)?;
+        self.1.outcome(entries)
+    }
+
     fn flush(&mut self) -> Result<(), RecordError> {
         self.0.flush()?;
         self.1.flush()
@@ -230,6 +253,10 @@ impl<S: Sink> Sink for Option<S> {
 
     fn balls(&mut self, rows: &[BallRow]) {
         self.iter_mut().for_each(|sink| sink.balls(rows));
+    }
+
+    fn outcome(&mut self, entries: &[(&'static str, String)]) -> Result<(), RecordError> {
+        self.as_mut().map_or(Ok(()), |sink| sink.outcome(entries))
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {

@@ -9,8 +9,7 @@ use crate::{colour, frames, guide, scene};
 use prost_types::Timestamp;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::{BallResult, Geometry, Side};
-use tribodyn_case::Case;
+use tribodyn_bearing::{BallResult, Geometry, RunInputs, Side};
 use tribodyn_dynamics::Sample;
 
 /// Sectors of a raceway.
@@ -35,11 +34,13 @@ pub(crate) struct Defect {
     depth: f64,
 }
 
-/// The defects of a case.
-pub(crate) fn defects(case: &Case) -> Vec<Defect> {
-    let one =
-        |d: &tribodyn_case::DefectSpec| Defect { side: d.race, azimuth: d.azimuth, width: d.width, depth: d.depth };
-    case.defects.iter().map(one).collect()
+/// The defects of a run, those of the inner race first.
+pub(crate) fn defects(inputs: &RunInputs) -> Vec<Defect> {
+    let of = |side| {
+        let all = inputs.defects[side].iter();
+        all.map(move |d| Defect { side, azimuth: d.azimuth, width: d.width, depth: d.depth })
+    };
+    Side::BOTH.into_iter().flat_map(of).collect()
 }
 
 fn frame(side: Side) -> &'static str {

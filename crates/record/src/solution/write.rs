@@ -14,8 +14,7 @@ use crate::{RecordError, RecordingSummary, TemporaryFile, read_summary};
 use mcap::McapResult;
 use std::io::{BufWriter, Seek, Write};
 use std::path::Path;
-use tribodyn_bearing::{BallResult, Geometry};
-use tribodyn_case::Case;
+use tribodyn_bearing::{BallResult, Bearing, Geometry, OperatingPoint, Races, SpeedHistory};
 use tribodyn_quasistatic::Solution;
 use tribodyn_quasistatic::{AzimuthRule, OverAzimuth};
 
@@ -29,8 +28,12 @@ pub const LAYOUT_ATTACHMENT: &str = "tribodyn.json";
 pub struct SolutionRecording<'a> {
     /// The text of the case file, attached unchanged.
     pub case_text: &'a str,
-    /// The same case, parsed: geometry, title and pocket gap are used.
-    pub case: &'a Case,
+    /// Name of the bearing, the title of the recording.
+    pub name: &'a str,
+    /// The bearing that was solved, mounted and at speed: it is the one that is drawn and described.
+    pub bearing: &'a Bearing,
+    /// The operating point that was solved.
+    pub point: &'a OperatingPoint,
     /// The solution.
     pub solution: &'a Solution,
     /// Program and version, such as `tribodyn 0.1.0`: the file says who wrote it.
@@ -61,7 +64,7 @@ pub fn write_solution(path: &Path, input: &SolutionRecording) -> Result<Recordin
 /// Everything checked and ready to be written.
 pub(crate) struct Recording<'a> {
     input: SolutionRecording<'a>,
-    geometry: Geometry,
+    geometry: &'a Geometry,
     timeline: Timeline,
     over: OverAzimuth<'a>,
 }
@@ -69,8 +72,8 @@ pub(crate) struct Recording<'a> {
 impl<'a> Recording<'a> {
     pub(crate) fn new(input: &SolutionRecording<'a>) -> Result<Self, RecordError> {
         let solution = input.solution;
-        let geometry = input.case.geometry.resolve()?;
-        check(solution, &geometry)?;
+        let geometry = &input.bearing.geometry;
+        check(solution, geometry)?;
         Ok(Self { input: *input, geometry, timeline: Timeline::new(solution)?, over: OverAzimuth::new(solution) })
     }
 
@@ -91,8 +94,8 @@ impl<'a> Recording<'a> {
     /// The bodies and the warnings, at time 0.
     fn write_start<W: Write + Seek>(&self, out: &mut Output<W>) -> McapResult<()> {
         let bodies = Bodies {
-            geometry: &self.geometry,
-            pocket_gap: self.input.case.cage.as_ref().map(|cage| cage.pocket_gap),
+            geometry: self.geometry,
+            pocket_gap: self.input.point.cage.map(|cage| cage.pocket_gap),
             first_azimuth: self.over.start(0),
             scales: Scales::of(self.input.solution),
             ring_load_n: self.input.solution.ring_load_n,
@@ -122,7 +125,7 @@ impl<'a> Recording<'a> {
         let time = timeline.log_time(sample);
         if sample.is_multiple_of(timeline.frame_stride) {
             out.log(Topic::Transforms as usize, time, &frames::transforms(solution, timeline, sample, &balls, spins))?;
-            let drawing = Drawing { geometry: &self.geometry, scales: Scales::of(solution), defects: &[] };
+            let drawing = Drawing { geometry: self.geometry, scales: Scales::of(solution), defects: &[] };
             let seconds = timeline.seconds(sample);
             let moment = Moment {
                 log_time: time,
@@ -140,24 +143,28 @@ impl<'a> Recording<'a> {
     }
 
     fn layout(&self) -> String {
-        Layout::of(LayoutKind::Solution, self.input.case, &self.geometry).json()
+        let OperatingPoint { inner_speed, outer_speed, .. } = *self.input.point;
+        let speeds = Races { inner: inner_speed, outer: outer_speed }.map(SpeedHistory::Constant);
+        Layout::new(LayoutKind::Solution, self.input.name, self.geometry, &speeds).json()
     }
 
     fn metadata(&self) -> Entries {
         let (solution, timeline) = (self.input.solution, &self.timeline);
-        let geometry = &self.geometry;
+        let geometry = self.geometry;
         vec![
             ("kind", "solution, one orbit of the cage".to_owned()),
-            ("bearing", self.input.case.name.clone()),
+            ("bearing", self.input.name.to_owned()),
             ("ball_count", geometry.ball_count.to_string()),
             ("ball_diameter_mm", (geometry.ball_diameter * 1e3).to_string()),
             ("pitch_diameter_mm", (geometry.pitch_diameter * 1e3).to_string()),
+            ("inner_groove_coefficient", geometry.inner_coefficient.to_string()),
+            ("outer_groove_coefficient", geometry.outer_coefficient.to_string()),
             ("free_contact_angle_deg", geometry.contact_angle().to_degrees().to_string()),
             ("model", solution.equations().to_owned()),
             ("converged", solution.converged.to_string()),
             ("residual", solution.residual.to_string()),
             ("iterations", solution.iterations.to_string()),
-            ("tolerance", self.input.case.numerics.tolerance.to_string()),
+            ("tolerance", self.input.point.numerics.tolerance.to_string()),
             ("cage_speed_rpm", solution.cage_speed_rpm.to_string()),
             ("interpolation", AzimuthRule::of(solution).name().to_owned()),
             ("step_ns", timeline.step_ns.to_string()),

@@ -1,5 +1,6 @@
 //! The case behind the made-up solution.
 
+use tribodyn_bearing::{OperatingPoint, RunInputs};
 use tribodyn_case::Case;
 
 /// A bearing of the 7224 envelope.
@@ -36,6 +37,26 @@ pub(crate) const TEXT: &str = r#"(
         pocket_stiffness: N_per_m(1e7),
         pocket_friction: 0.1,
         drag_torque: Nm(0.0),
+        inertia: kg_m2(0.002),
+    ),
+    supports: (
+        inner: (
+            mass: kg(12),
+            stiffness: (N_per_um(0), N_per_um(0), N_per_um(0)),
+            damping: (N_s_per_m(2000), N_s_per_m(2000), N_s_per_m(2000)),
+        ),
+        outer: (
+            mass: kg(5),
+            stiffness: (N_per_um(500), N_per_um(500)),
+            damping: (N_s_per_m(5000), N_s_per_m(5000)),
+        ),
+    ),
+    transient: (
+        duration: s(1),
+        start: QuasiStatic,
+        scheme: RungeKutta4(step: us(5)),
+        contact_damping: 0.02,
+        wear_acceleration: 0,
     ),
     wear: (
         inner: (coefficient: 1e-6, hardness: GPa(6.0)),
@@ -54,9 +75,24 @@ pub(crate) const TEXT: &str = r#"(
 )
 "#;
 
+/// A case made into what the solvers take.
+pub(crate) struct Made {
+    pub name: String,
+    pub inputs: RunInputs,
+    pub point: OperatingPoint,
+}
+
+impl Made {
+    /// Of a case with all that a run needs.
+    pub fn of(case: &Case) -> Self {
+        let inputs = case.run_inputs().expect("a case that runs");
+        Self { name: case.name.clone(), inputs, point: case.operating_point() }
+    }
+}
+
 /// The case with another number of balls.
-pub(crate) fn case(ball_count: usize) -> Case {
+pub(crate) fn case(ball_count: usize) -> Made {
     let mut case = Case::from_ron(TEXT).expect("the text above is a sound case");
     case.geometry.ball_count = ball_count;
-    case
+    Made::of(&case)
 }

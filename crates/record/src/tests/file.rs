@@ -49,8 +49,9 @@ fn identity_summary_agrees_with_what_a_reader_finds() {
 fn identity_metadata_and_attachments_come_back() {
     let (mut case, solution, path) = (case::case(BALLS), solution(BALLS), path("attachments"));
     // A tenth of the bearing that the layout is made for.
-    case.geometry.ball_diameter *= 0.1;
-    case.geometry.pitch_diameter *= 0.1;
+    let geometry = &mut case.inputs.bearing.geometry;
+    geometry.ball_diameter *= 0.1;
+    geometry.pitch_diameter *= 0.1;
     let summary = write_solution(&path, &input(&case, &solution)).unwrap();
     let file = std::fs::read(&path).unwrap();
     std::fs::remove_file(&path).unwrap();
@@ -70,7 +71,10 @@ fn identity_metadata_and_attachments_come_back() {
     assert_eq!(texts[1].0, LAYOUT_ATTACHMENT);
     // The attached layout is that of the case, whose camera stands at the bearing's distance.
     let text = String::from_utf8(texts[1].1.clone()).unwrap();
-    assert_eq!(text, Layout::new(LayoutKind::Solution, &case).unwrap().json());
+    assert_eq!(
+        text,
+        Layout::new(LayoutKind::Solution, &case.name, &case.inputs.bearing.geometry, &case.inputs.speeds).json()
+    );
     let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     let camera = json["configById"]["3D!bearing"]["cameraState"]["distance"].as_f64().unwrap();
     assert!((camera - 2.3 * 0.0215).abs() < 3e-4, "{camera} m");

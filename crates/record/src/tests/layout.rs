@@ -12,7 +12,8 @@ use std::collections::BTreeSet;
 const KINDS: [&str; 7] = ["3D", "Plot", "RosOut", "RawMessages", "StateTransitions", "Tab", "Table"];
 
 fn layout(kind: LayoutKind) -> Value {
-    let text = Layout::new(kind, &case::case(9)).unwrap().json();
+    let case::Made { name, inputs, .. } = case::case(9);
+    let text = Layout::new(kind, &name, &inputs.bearing.geometry, &inputs.speeds).json();
     serde_json::from_str(&text).unwrap()
 }
 

@@ -13,6 +13,7 @@ mod rows;
 mod run;
 mod sample;
 mod scene;
+mod start;
 
 use crate::SolutionRecording;
 use crate::wire::{foxglove, tribodyn};
@@ -21,7 +22,6 @@ use prost::Message;
 use std::io::Cursor;
 use std::path::PathBuf;
 use tribodyn_bearing::{BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, Races};
-use tribodyn_case::Case;
 use tribodyn_quasistatic::{Model, Solution};
 
 const BALLS: usize = 13;
@@ -112,8 +112,10 @@ fn path(test: &str) -> PathBuf {
     std::env::temp_dir().join(format!("tribodyn-record-{}-{test}.mcap", std::process::id()))
 }
 
-fn input<'a>(case: &'a Case, solution: &'a Solution) -> SolutionRecording<'a> {
-    SolutionRecording { case_text: case::TEXT, case, solution, generator: "tribodyn 0.1.0 (test)" }
+fn input<'a>(made: &'a case::Made, solution: &'a Solution) -> SolutionRecording<'a> {
+    let case::Made { name, inputs, point } = made;
+    let (case_text, generator) = (case::TEXT, "tribodyn 0.1.0 (test)");
+    SolutionRecording { case_text, name, bearing: &inputs.bearing, point, solution, generator }
 }
 
 /// The bytes of a recording.

@@ -9,7 +9,6 @@ use std::path::Path;
 use tribodyn_bearing::{
     BallMotionResult, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, Races, TransientContact,
 };
-use tribodyn_case::Case;
 use tribodyn_dynamics::{CageSample, Event, EventKind, Observer, PowerSample, RingSample, Sample, WearSample};
 
 /// Speeds of shaft and cage, rad/s.
@@ -111,8 +110,10 @@ pub(super) fn impact(time_s: f64, ball: usize, speed: f64) -> Event {
     Event { time_s, kind }
 }
 
-pub(super) fn recording(case: &Case) -> RunRecording<'_> {
-    RunRecording { case_text: case::TEXT, case, generator: "tribodyn 0.1.0 (test)" }
+pub(super) fn recording(made: &case::Made) -> RunRecording<'_> {
+    let case::Made { name, inputs, .. } = made;
+    let (case_text, generator) = (case::TEXT, "tribodyn 0.1.0 (test)");
+    RunRecording { case_text, name, inputs, facts: &[], warnings: &[], generator }
 }
 
 /// Feeds a recorder, or whoever else observes: states at `rate` Hz, every `stride`-th of them with balls, an impact

@@ -1,10 +1,10 @@
 //! What is drawn besides bodies and contacts: scales, forces, defects, coating.
 
-use super::sample::{CAGE, SHAFT, sample};
+use super::sample::{CAGE, SHAFT, recording, sample};
 use super::{BALLS, Payload, bytes, case, decode, solution};
 use crate::wire::foxglove::{SceneEntity, SceneUpdate};
 use crate::wire::tribodyn::{AroundBearing, Balls, ball::Motion, ball::Pocket};
-use crate::{RunRecorder, RunRecording, StreamSink};
+use crate::{RunRecorder, StreamSink};
 use prost::Message;
 use std::f64::consts::TAU;
 use std::io::Cursor;
@@ -12,10 +12,9 @@ use std::path::Path;
 use tribodyn_case::Case;
 use tribodyn_dynamics::{Observer, Sample};
 
-fn record(case: &Case, samples: &[Sample]) -> Vec<u8> {
+fn record(made: &case::Made, samples: &[Sample]) -> Vec<u8> {
     let sink = StreamSink::new(Cursor::new(Vec::new()), Path::new("memory"));
-    let input = RunRecording { case_text: case::TEXT, case, generator: "test" };
-    let mut recorder = RunRecorder::new(sink, &input).unwrap();
+    let mut recorder = RunRecorder::new(sink, &recording(made)).unwrap();
     for sample in samples {
         assert!(recorder.sample(sample, true).unwrap().is_continue());
     }
@@ -115,7 +114,7 @@ fn identity_balls_over_azimuth_are_sorted_and_the_same_balls() {
 fn identity_a_defect_lights_up_while_a_ball_passes() {
     let defect = "defects: [(race: Inner, azimuth: deg(41), width: deg(4), depth: um(20), bare: 0)],\n    speed:";
     let text = case::TEXT.replacen("speed:", defect, 1);
-    let case = Case::from_ron(&text).unwrap();
+    let case = case::Made::of(&Case::from_ron(&text).unwrap());
     // The shaft is faster than the cage: the defect runs into the ball ahead of it.
     let met = (TAU / 13.0 * 2.0 - 41.0_f64.to_radians()) / (SHAFT - CAGE);
     let samples = [0.0, met].map(sample);

@@ -14,8 +14,8 @@ const WARNINGS: &str = "warnings";
 /// The part of a run's report that depends on its case alone, not on the machine.
 #[derive(Serialize)]
 struct Figures<'a> {
-    cage_speed_start_rpm: f64,
     patch_error_estimate: Option<f64>,
+    acceleration_error_m_s2: Option<f64>,
     #[serde(flatten)]
     summary: &'a Summary,
     scheme_statistics: Statistics,
@@ -26,8 +26,8 @@ pub(super) fn columns() -> Result<Vec<Column>, StudyError> {
     // Names and kinds are those of any summary.
     let Some(summary) = Summary::of(&[StateRow::default()], None, &[]) else { return Ok(Vec::new()) };
     let figures = Figures {
-        cage_speed_start_rpm: 0.0,
         patch_error_estimate: None,
+        acceleration_error_m_s2: None,
         summary: &summary,
         scheme_statistics: Statistics::default(),
     };
@@ -43,10 +43,10 @@ pub(super) fn columns() -> Result<Vec<Column>, StudyError> {
 pub(super) fn figures(report: &RunReport) -> Result<Vec<Cell>, StudyError> {
     let Some(summary) = &report.summary else { return Ok(Vec::new()) };
     let figures = Figures {
-        cage_speed_start_rpm: report.cage_speed_start_rpm,
-        patch_error_estimate: report.patch_error_estimate,
+        patch_error_estimate: report.known.patch_error_estimate,
+        acceleration_error_m_s2: report.outcome.acceleration_error_m_s2,
         summary,
-        scheme_statistics: report.scheme_statistics,
+        scheme_statistics: report.outcome.scheme_statistics,
     };
     let warnings = report.warnings_at_start.len() + report.untested_pressures.len() + summary.warnings.len();
     let numbers = numbers_of(&figures)?.into_iter().map(|(_, cell)| cell);

@@ -1,41 +1,13 @@
 //! Numbers of a report that are not in the summary of a run.
 
 use super::quantities::Quantities;
-use crate::case_file::CaseFile;
 use crate::error::StudyError;
-use crate::run::warnings::{self, Tested};
+use crate::run::warnings::Tested;
 use serde::Serialize;
 use std::f64::consts::TAU;
 use tribodyn_case::Case;
-use tribodyn_quasistatic::{Model, solve};
 use tribodyn_record::{BallRow, Run};
 use tribodyn_signal::BearingFrequencies;
-
-/// The quasi-static solution of the same case.
-#[derive(Debug, Default)]
-pub struct Start {
-    /// Cage speed, r/min; none without a solution.
-    pub cage_speed_rpm: Option<f64>,
-    /// Error of the patch rule over the contact load, where the rule gives one.
-    pub patch_error_estimate: Option<f64>,
-    /// Of the solution, or why there is none.
-    pub warnings: Vec<String>,
-}
-
-impl Start {
-    /// Of the case of a run.
-    pub fn of(file: &CaseFile) -> Self {
-        let Ok(bearing) = file.bearing() else { return Self::default() };
-        match solve(&bearing, &file.case.operating_point(), Model::Traction) {
-            Ok(solved) => Self {
-                cage_speed_rpm: Some(solved.solution.cage_speed_rpm),
-                patch_error_estimate: solved.solution.patch_error_estimate,
-                warnings: warnings::at_start(solved.solution.warnings),
-            },
-            Err(error) => Self { warnings: vec![format!("no quasi-static solution: {error}")], ..Self::default() },
-        }
-    }
-}
 
 /// Mean speeds of the rings over a part of a run, rad/s.
 pub fn ring_speeds(run: &Run, from_s: f64) -> [f64; 2] {

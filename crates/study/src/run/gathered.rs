@@ -155,6 +155,8 @@ pub struct Gathered {
     blocks: Vec<Block>,
     rows: usize,
     last: Option<StateRow>,
+    /// Cage speed of the first row, r/min.
+    cage_speed_start_rpm: f64,
     balls_in_contact_min: u32,
 }
 
@@ -166,12 +168,23 @@ impl Default for Gathered {
 
 impl Gathered {
     fn with_most(most: usize) -> Self {
-        Self { rows_of_block: 1, most, blocks: Vec::new(), rows: 0, last: None, balls_in_contact_min: u32::MAX }
+        Self {
+            rows_of_block: 1,
+            most,
+            blocks: Vec::new(),
+            rows: 0,
+            last: None,
+            cage_speed_start_rpm: 0.0,
+            balls_in_contact_min: u32::MAX,
+        }
     }
 
     /// Takes in the next row.
     pub fn add(&mut self, row: StateRow) {
         let one = Block::of(&row);
+        if self.rows == 0 {
+            self.cage_speed_start_rpm = row.cage_speed_rpm;
+        }
         self.rows += 1;
         self.balls_in_contact_min = self.balls_in_contact_min.min(row.balls_in_contact);
         self.last = Some(row);
@@ -227,6 +240,7 @@ impl Gathered {
             settled,
             samples: self.rows,
             cage_speed_mean_rpm: moments(|b| b.cage_speed)?.mean,
+            cage_speed_start_rpm: self.cage_speed_start_rpm,
             cage_speed_end_rpm: last.cage_speed_rpm,
             orbital_speed_min_rpm: orbital[0],
             orbital_speed_max_rpm: orbital[1],

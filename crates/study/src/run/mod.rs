@@ -3,6 +3,7 @@
 pub mod balance;
 mod checkpoint;
 mod gathered;
+mod known;
 mod outcome;
 mod recording;
 mod resume;
@@ -19,9 +20,12 @@ pub use balance::imbalance;
 pub(crate) use checkpoint::FORMAT as CHECKPOINT_FORMAT;
 #[doc(hidden)]
 pub use checkpoint::is_checkpoint;
+pub use known::{KnownAtEnd, KnownAtStart};
 pub use outcome::{RunOutcome, RunReport, Stopped};
 pub use session::{Beginning, PreparedRun, RunSession};
 pub use settled::Settled;
-pub use summary::{Powers, Summary, Worn, carries_accelerations};
+pub use summary::{
+    Powers, Summary, Worn, carries_accelerations, carries_accelerations_of_patch, carries_accelerations_of_scheme,
+};
 pub use tape::Viewers;
 pub(crate) use unrecorded::run_unrecorded;

@@ -240,7 +240,9 @@ mod tests {
 
     fn recorder(file: &CaseFile, files: &Files) -> Recorder {
         let tape = Tape::create(&files.recording, &file.case, None).unwrap();
-        RunRecorder::new(tape, &RunRecording { case_text: &file.text, case: &file.case, generator: "test" }).unwrap()
+        let inputs = &file.run_inputs().unwrap();
+        let (case_text, name, generator) = (&file.text, &file.case.name, "test");
+        RunRecorder::new(tape, &RunRecording { case_text, name, inputs, facts: &[], warnings: &[], generator }).unwrap()
     }
 
     fn folder(name: &str) -> PathBuf {
@@ -257,7 +259,7 @@ mod tests {
         let mut alone = recorder(&file, &one);
         let mut first = run();
         for k in 1..=12 {
-            first.advance(1e-3 * f64::from(k), &mut alone).unwrap();
+            let _ = first.advance(1e-3 * f64::from(k), &mut alone).unwrap();
         }
         alone.finish().unwrap();
         let two = Files::new(&folder.join("two.mcap"));
@@ -266,7 +268,7 @@ mod tests {
         // Handed over in pieces of any length, with a checkpoint in between.
         let mut second = run();
         for k in 1..=12 {
-            second.advance(1e-3 * f64::from(k), &mut aside).unwrap();
+            let _ = second.advance(1e-3 * f64::from(k), &mut aside).unwrap();
             aside.hand_over();
             if k == 5 {
                 aside.save(second.checkpoint(), second.time());
@@ -294,7 +296,7 @@ mod tests {
         let keeper = Keeper { checkpoint: folder.join("missing/checkpoint"), case_text: file.text.clone() };
         let mut aside = Recording::start(recorder(&file, &files), keeper).unwrap();
         let mut run = Run::new(file.run_inputs().unwrap()).unwrap();
-        run.advance(2e-4, &mut aside).unwrap();
+        let _ = run.advance(2e-4, &mut aside).unwrap();
         let saved_at = run.time();
         aside.save(run.checkpoint(), saved_at);
         let began = std::time::Instant::now();
@@ -303,7 +305,7 @@ mod tests {
         }
         assert!(aside.has_failed());
         // Whatever comes after it is taken and dropped.
-        run.advance(1e-2, &mut aside).unwrap();
+        let _ = run.advance(1e-2, &mut aside).unwrap();
         let Err(Failed { simulated_s, reason: Reason::Checkpoint(error) }) = aside.end() else { panic!("it failed") };
         assert_eq!((simulated_s, error.kind()), (saved_at, std::io::ErrorKind::NotFound));
         std::fs::remove_dir_all(folder).unwrap();

@@ -5,6 +5,7 @@
 //! that was never stopped. What is recorded is encoded and compressed on a second thread.
 
 use super::checkpoint::{Files, Saved};
+use super::known::{KnownAtEnd, KnownAtStart};
 use super::outcome::{RunOutcome, RunReport, Stopped};
 use super::recording::{Failed, Keeper, Reason, Recorder, Recording};
 use super::resume;
@@ -18,6 +19,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
+use tribodyn_bearing::RunInputs;
 use tribodyn_dynamics::{
     BallDetail, DynamicsError, Ending as Advanced, Event, EventKind, Observer, Run, RunError as Advance, Sample,
 };
@@ -57,6 +59,7 @@ pub enum Beginning {
 pub struct PreparedRun<'a> {
     file: &'a CaseFile,
     run: Run,
+    inputs: RunInputs,
     files: Files,
     saved: Option<Saved>,
     lock: OutputLock,
@@ -72,8 +75,8 @@ impl<'a> PreparedRun<'a> {
         let lock = OutputLock::take(recording)?;
         let files = Files::new(recording);
         let saved = earlier(beginning, &files, &file.text)?;
-        let run = start_run(file)?;
-        Ok(Self { file, run, files, saved, lock })
+        let (run, inputs) = start_run(file)?;
+        Ok(Self { file, run, inputs, files, saved, lock })
     }
 
     /// Opens the recording; `viewers` get all of it as it is written.
@@ -81,10 +84,12 @@ impl<'a> PreparedRun<'a> {
     /// # Errors
     /// The recording cannot be written, or the earlier one cannot be read.
     pub fn begin(self, viewers: Option<Box<dyn Viewers>>) -> Result<RunSession<'a>, StudyError> {
-        let Self { file, mut run, files, saved, lock } = self;
+        let Self { file, mut run, inputs, files, saved, lock } = self;
+        let known = KnownAtStart::of(&run, file);
+        let begun = Begun { file, inputs: &inputs, known: &known };
         let recorder = match saved {
-            None => RunSession::start(file, &files, viewers),
-            Some(saved) => RunSession::resume(file, &mut run, &files, saved, viewers),
+            None => begun.start(&files, viewers),
+            Some(saved) => begun.resume(&mut run, &files, saved, viewers),
         }?;
         let from_s = run.time();
         let keeper = Keeper { checkpoint: files.checkpoint.clone(), case_text: file.text.clone() };
@@ -93,7 +98,7 @@ impl<'a> PreparedRun<'a> {
             keeper.save(&recorder, run.checkpoint(), from_s).map_err(|failed| failed.into_error(&files))?;
         }
         let recording = Recording::start(recorder, keeper).map_err(|source| StudyError::NoThread { source })?;
-        Ok(RunSession { file, from_s, run, files, recording, _lock: lock })
+        Ok(RunSession { file, known, from_s, run, files, recording, _lock: lock })
     }
 }
 
@@ -133,6 +138,7 @@ enum Ending {
 /// A run with its recording.
 pub struct RunSession<'a> {
     file: &'a CaseFile,
+    known: KnownAtStart,
     /// Simulated time at which this part of the run begins, s.
     from_s: f64,
     run: Run,
@@ -142,39 +148,55 @@ pub struct RunSession<'a> {
     _lock: OutputLock,
 }
 
-impl<'a> RunSession<'a> {
-    fn start(file: &CaseFile, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recorder, StudyError> {
+/// What a recording is begun with.
+struct Begun<'a> {
+    file: &'a CaseFile,
+    inputs: &'a RunInputs,
+    known: &'a KnownAtStart,
+}
+
+impl Begun<'_> {
+    fn start(&self, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recorder, StudyError> {
         for old in [&files.checkpoint, &files.active, &files.earlier] {
             remove(old)?;
         }
-        Self::record(file, files, viewers)
+        self.record(files, viewers)
     }
 
     fn resume(
-        file: &CaseFile,
+        &self,
         run: &mut Run,
         files: &Files,
         saved: Saved,
         viewers: Option<Box<dyn Viewers>>,
     ) -> Result<Recorder, StudyError> {
         resume::set_aside(files)?;
-        let mut recorder = Self::record(file, files, viewers)?;
+        let mut recorder = self.record(files, viewers)?;
         resume::copy(files, &saved, recorder.sink_mut())?;
         recorder.remember(saved.recorder)?;
         let resumed = run.resume(saved.run);
-        resumed.map_err(|source| StudyError::CannotStart { file: file.name.clone(), source })?;
+        resumed.map_err(|source| StudyError::CannotStart { file: self.file.name.clone(), source })?;
         // The new file holds what the checkpoint counts and more. A newer checkpoint would count on messages that only
         // the new one has, and with the old file still there a resumption would look for them in that.
         remove(&files.earlier)?;
         Ok(recorder)
     }
 
-    fn record(file: &CaseFile, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recorder, StudyError> {
-        let tape = Tape::create(&files.recording, &file.case, viewers)?;
-        let recording = RunRecording { case_text: &file.text, case: &file.case, generator: GENERATOR };
+    fn record(&self, files: &Files, viewers: Option<Box<dyn Viewers>>) -> Result<Recorder, StudyError> {
+        let tape = Tape::create(&files.recording, &self.file.case, viewers)?;
+        let recording = RunRecording {
+            case_text: &self.file.text,
+            name: &self.file.case.name,
+            inputs: self.inputs,
+            facts: &self.known.entries(),
+            warnings: &self.known.warnings_at_start,
+            generator: GENERATOR,
+        };
         Ok(RunRecorder::new(tape, &recording)?)
     }
+}
 
+impl RunSession<'_> {
     /// Simulated time, s.
     pub fn time_s(&self) -> f64 {
         self.run.time()
@@ -202,7 +224,8 @@ impl<'a> RunSession<'a> {
         loop {
             let mut watch = Watch { recording: &mut self.recording, progress: &mut progress, clock: &mut clock };
             match self.run.advance(f64::INFINITY, &mut watch) {
-                Ok(Advanced::Complete) => return Ending::Complete,
+                // A step beyond its stability is among the warnings of the log.
+                Ok(Advanced::Complete | Advanced::BeyondStability { .. }) => return Ending::Complete,
                 Ok(Advanced::Stopped) => self.recording.save(self.run.checkpoint(), self.run.time()),
                 Err(Advance::Dynamics(error)) => return Ending::BrokenOff(error),
             }
@@ -215,7 +238,7 @@ impl<'a> RunSession<'a> {
 
     /// Closes the recording, whatever the ending. The wall time of the run is that until all is recorded.
     fn finish(self, ending: Ending, began: Instant) -> Result<RunOutcome, StudyError> {
-        let Self { file, from_s, run, files, recording, _lock } = self;
+        let Self { file, known, from_s, run, files, recording, _lock } = self;
         let time_s = run.time();
         let mut recorder = recording.end().map_err(|failed| failed.into_error(&files))?;
         let wall_s = began.elapsed().as_secs_f64();
@@ -225,7 +248,9 @@ impl<'a> RunSession<'a> {
             let kind = EventKind::Warning { message: format!("the run was broken off: {error}") };
             recorder.event(&Event { time_s, kind }).map_err(not_recorded)?;
         }
-        let report = RunReport::begin(&run, file, wall_s);
+        let outcome = KnownAtEnd::of(&run);
+        recorder.conclude(&outcome.entries()).map_err(not_recorded)?;
+        let report = RunReport::begin(&run, file, (known, outcome), wall_s);
         let tally = recorder.finish().map_err(not_recorded)?;
         if !matches!(ending, Ending::Stopped) {
             remove(&files.checkpoint)?;

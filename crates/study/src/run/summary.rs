@@ -1,11 +1,12 @@
 //! What a recorded run comes to in a few numbers.
 
 use super::balance::{Judgement, judge};
+use super::known::{KnownAtEnd, KnownAtStart};
 use super::settled::Settled;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use tribodyn_bearing::quantities::joined;
 use tribodyn_case::Case;
-use tribodyn_dynamics::{ACCELERATION_ERROR, POWER_IN, POWER_LOST, PowerSample};
+use tribodyn_dynamics::{ACCELERATION_ERROR, ACCELERATION_PART, POWER_IN, POWER_LOST, PowerSample};
 use tribodyn_record::WearRow;
 
 /// Numbers of a run; means, rms and extremes are of its second half, where what is left of the start has faded most, or
@@ -25,6 +26,8 @@ pub struct Summary {
     pub samples: usize,
     /// Mean cage speed, r/min.
     pub cage_speed_mean_rpm: f64,
+    /// Cage speed of the first sample, r/min.
+    pub cage_speed_start_rpm: f64,
     /// Cage speed at the end, r/min.
     pub cage_speed_end_rpm: f64,
     /// Least orbital speed of a ball, r/min.
@@ -94,8 +97,22 @@ impl Serialize for Powers {
 }
 
 /// Whether the patch rule is fine enough for accelerations; an error that is not known does not speak against it.
-pub fn carries_accelerations(patch_error_estimate: Option<f64>) -> bool {
+pub fn carries_accelerations_of_patch(patch_error_estimate: Option<f64>) -> bool {
     patch_error_estimate.is_none_or(|error| error <= ACCELERATION_ERROR)
+}
+
+/// Whether an error of the scheme, m/s², is small against accelerations along x and y, rms, m/s². One that is not known
+/// carries none.
+pub fn carries_accelerations_of_scheme(error_m_s2: Option<f64>, [x, y]: [f64; 2]) -> bool {
+    error_m_s2.is_some_and(|error| error <= ACCELERATION_PART * x.hypot(y))
+}
+
+/// Whether the accelerations of a run are carried: by the patch rule, and by step, patch and linear traction together
+/// against the accelerations themselves. A run that is too short to tell, or was cut off, carries none.
+pub fn carries_accelerations(summary: &Summary, known: &KnownAtStart, outcome: Option<&KnownAtEnd>) -> bool {
+    let error_m_s2 = outcome.and_then(|outcome| outcome.acceleration_error_m_s2);
+    let rms = [summary.outer_acceleration_x_rms_m_s2, summary.outer_acceleration_y_rms_m_s2];
+    carries_accelerations_of_scheme(error_m_s2, rms) && carries_accelerations_of_patch(known.patch_error_estimate)
 }
 
 /// What has worn off since the start, without the acceleration of wear.

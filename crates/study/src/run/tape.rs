@@ -130,6 +130,10 @@ impl Sink for Tape {
         self.tally.add_balls(rows);
     }
 
+    fn outcome(&mut self, entries: &[(&'static str, String)]) -> Result<(), RecordError> {
+        self.file()?.outcome(entries)
+    }
+
     fn flush(&mut self) -> Result<(), RecordError> {
         self.file()?.flush()?;
         self.safe += self.loose.len() as u64;

@@ -1,5 +1,6 @@
 //! A run without a recording, and what it comes to.
 
+use super::known::{KnownAtEnd, KnownAtStart};
 use super::outcome::RunReport;
 use super::start::start_run;
 use super::tally::Tally;
@@ -31,16 +32,18 @@ pub(crate) enum NoSummary {
 /// Runs a case to its end; none where `stop` was set before. Its numbers are those of a recorded run, to the last bit.
 pub(crate) fn run_unrecorded(file: &CaseFile, stop: &AtomicBool) -> Result<Option<RunReport>, NoSummary> {
     let began = Instant::now();
-    let mut run = start_run(file)?;
+    let (mut run, _) = start_run(file)?;
     let mut tally = Tally::new(&file.case);
     let mut watch = Watch { rows: RunRows::new(file.case.geometry.ball_count, |item| tally.take(item)), stop };
     match run.advance(f64::INFINITY, &mut watch) {
-        Ok(Ending::Complete) => watch.rows.finish(),
+        // A step beyond its stability is among the warnings of the log.
+        Ok(Ending::Complete | Ending::BeyondStability { .. }) => watch.rows.finish(),
         Ok(Ending::Stopped) => return Ok(None),
         Err(RunError::Dynamics(error)) => return Err(error.into()),
         Err(RunError::Observer(error)) => return Err(error.into()),
     }
-    let report = RunReport::begin(&run, file, began.elapsed().as_secs_f64());
+    let known = (KnownAtStart::of(&run, file), KnownAtEnd::of(&run));
+    let report = RunReport::begin(&run, file, known, began.elapsed().as_secs_f64());
     report.summed_up(&file.case, &tally, 0.0).map(Some).ok_or(NoSummary::NoSample)
 }
 

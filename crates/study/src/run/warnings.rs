@@ -23,7 +23,7 @@ pub struct Warnings {
 impl Warnings {
     /// Takes in a line of the log.
     pub fn add(&mut self, row: &LogRow) {
-        if !row.warning || row.kind == CONTACT_LOST {
+        if !row.warning || row.kind == CONTACT_LOST || row.is_of_start() {
             return;
         }
         let found = &mut self.found;
