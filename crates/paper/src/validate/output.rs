@@ -8,6 +8,7 @@ use super::runs::Runs;
 use crate::error::PaperError;
 use crate::{files, table};
 use std::path::Path;
+use tribodyn_case::InputError;
 use tribodyn_plot::{Quantity, SolutionCharts, solution_charts};
 use tribodyn_record::{SolutionRecording, write_solution};
 
