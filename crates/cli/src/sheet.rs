@@ -5,6 +5,7 @@ use crate::input::{LimitArguments, ReplaceArguments, change};
 use crate::set::bearing_case;
 use crate::table::{self, number};
 use std::path::PathBuf;
+use tribodyn_study::answers::Equations;
 use tribodyn_study::sheet::{Sheet, SheetQuestion, sheet};
 use tribodyn_study::{Change, StagedFiles};
 
@@ -78,6 +79,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 type Row = (&'static str, String, &'static str);
 
+/// A number that there is under load only.
+fn shown(value: Option<f64>, factor: f64, digits: usize) -> String {
+    value.map_or_else(|| "no load: not defined".to_owned(), |value| number(value * factor, digits))
+}
+
 /// The sheet part by part.
 fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
     let list = |values: &[f64], factor: f64, digits: usize| {
@@ -107,16 +113,16 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
         ("balls under load", s.loaded_balls.to_string(), ""),
         ("largest ball load", number(s.ball_load_max_n, 1), "N"),
         ("contact angles, inner race", list(&s.contact_angle_rad, 180.0 / std::f64::consts::PI, 2), "°"),
-        ("highest peak pressure", number(s.rating.peak_pressure_max_pa * 1e-9, 3), "GPa"),
+        ("highest peak pressure", shown(s.rating.peak_pressure_max_pa, 1e-9, 3), "GPa"),
     ];
     let friction = vec![
-        ("friction torque, rule of thumb", number(s.friction_torque_estimate_nm * 1e3, 2), "N mm"),
-        ("power of it", number(s.friction_power_estimate_w, 2), "W"),
+        ("friction torque, rule of thumb", shown(s.friction_torque_estimate_nm, 1e3, 2), "N mm"),
+        ("power of it", shown(s.friction_power_estimate_w, 1.0, 2), "W"),
     ];
     let mut parts = vec![
         ("Bearing", bearing),
         ("Operation", operation),
-        ("Life and safety", crate::rating::rows(&s.rating)),
+        ("Life and safety", crate::rating::rows(&s.rating, Equations::JonesHarris.name())),
         ("Balls", balls),
         ("Deflection and stiffness", deflection),
         ("Friction", friction),

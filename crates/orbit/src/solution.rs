@@ -3,9 +3,8 @@
 use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::solved::swinging;
 use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
-use crate::way::Eased;
+use crate::way::{Eased, swinging};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult};

@@ -5,7 +5,7 @@ use crate::newton::{Jacobian, OrbitStatistics};
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
 use crate::system::{BALL, ORBIT, SPIN};
-use crate::way::Eased;
+use crate::way::{Eased, swinging};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tribodyn_bearing::{AzimuthFrame, BallState, Motion, OperatingPoint, Races, Side};
@@ -96,14 +96,6 @@ impl OrbitStart {
     pub fn rule(&self) -> PatchRule {
         self.rule
     }
-}
-
-/// Sentence on balls that are damped at so many times the cage speed.
-pub(crate) fn swinging(rate: f64) -> String {
-    format!(
-        "balls that little holds swing in their grooves without end: the orbit is the one on which that dies out at \
-         {rate:.0} times the cage speed"
-    )
 }
 
 /// A steady orbit with what is needed to go on from it.

@@ -141,3 +141,11 @@ impl<'a> Way<'a> {
         (share * (self.ladder.len() - 1) as f64) as usize
     }
 }
+
+/// Sentence on balls that are damped at so many times the cage speed.
+pub(crate) fn swinging(rate: f64) -> String {
+    format!(
+        "balls that little holds swing in their grooves without end: the orbit is the one on which that dies out at \
+         {rate:.0} times the cage speed"
+    )
+}

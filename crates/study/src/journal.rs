@@ -8,7 +8,7 @@
 use crate::difference::SweepDifference;
 use crate::error::StudyError;
 use crate::files::with_suffix;
-use crate::sweep::{Cell, Column, decode};
+use crate::sweep::columns::{Cell, Column, decode};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;

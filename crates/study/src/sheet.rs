@@ -54,10 +54,10 @@ pub struct Sheet {
     pub ball_load_max_n: f64,
     /// Least and largest contact angle of the loaded balls on the inner race, rad.
     pub contact_angle_rad: [f64; 2],
-    /// Friction torque by a rule of thumb, N m.
-    pub friction_torque_estimate_nm: f64,
-    /// Power of it, W.
-    pub friction_power_estimate_w: f64,
+    /// Friction torque by a rule of thumb, N m; absent without load.
+    pub friction_torque_estimate_nm: Option<f64>,
+    /// Power of it, W; absent without load.
+    pub friction_power_estimate_w: Option<f64>,
     /// Frequencies of defects at the mean contact angle, Hz; absent at rest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frequencies: Option<BearingFrequencies>,
@@ -101,7 +101,7 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
     let failed = |source| StudyError::Solver { file: file(), source };
     let solution = solve(&bearing, &point, Model::JonesHarris).map_err(failed)?.solution;
     let stiffness = jones_harris_stiffness(&bearing, &point).map_err(failed)?;
-    let rating = rating(&case, &solution).map_err(|source| StudyError::Rating { file: file(), source })?;
+    let rating = rating(&case, Some(&solution)).map_err(|source| StudyError::Rating { file: file(), source })?;
     let inner = solution.balls.iter().map(|ball| ball.contacts.inner);
     let most = inner.clone().map(|contact| contact.load_n).fold(0.0, f64::max);
     let loaded: Vec<_> = inner.filter(|contact| contact.load_n > 1e-6 * most).collect();
@@ -119,7 +119,7 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
     )?;
     let angular = rating.nominal_contact_angle_deg > 0.0;
     let bore = geometry.pitch_diameter - 2.0 * geometry.ball_diameter;
-    let torque = 0.5 * FRICTION[usize::from(angular)] * rating.equivalent_load_n * bore;
+    let torque = rating.equivalent_load_n.map(|load| 0.5 * FRICTION[usize::from(angular)] * load * bore);
     let speed_rpm = question.speed * RPM_PER_RAD_S;
     let speed_factor_mm_rpm = geometry.pitch_diameter * 1e3 * speed_rpm.abs();
     let mut warnings = limits(&rating, speed_factor_mm_rpm);
@@ -141,7 +141,7 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
         ball_load_max_n: most,
         contact_angle_rad: if loaded.is_empty() { [0.0; 2] } else { range },
         friction_torque_estimate_nm: torque,
-        friction_power_estimate_w: torque * question.speed.abs(),
+        friction_power_estimate_w: torque.map(|torque| torque * question.speed.abs()),
         frequencies: (question.speed != 0.0).then_some(frequencies),
         speed_factor_mm_rpm,
         rating,
@@ -151,18 +151,18 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
 
 fn limits(rating: &Rating, speed_factor: f64) -> Vec<String> {
     let mut warnings = Vec::new();
-    let over = rating.equivalent_load_n / rating.dynamic_rating_n;
-    if over > LARGEST_LOAD {
+    let over = rating.equivalent_load_n.map(|load| load / rating.dynamic_rating_n);
+    if let Some(over) = over.filter(|over| *over > LARGEST_LOAD) {
         warnings.push(format!("the equivalent load is {over:.2} C_r: the life formula stands up to 0.5 C_r"));
     }
-    if over < LEAST_LOAD {
+    if let Some(over) = over.filter(|over| *over < LEAST_LOAD) {
         warnings.push(format!("the equivalent load is {over:.4} C_r: below 0.01 C_r balls slide instead of rolling"));
     }
     if let Some(safety) = rating.static_safety.filter(|safety| *safety < 1.0) {
         warnings.push(format!("the static safety is {safety:.2}: below 1 the races are dented for good"));
     }
-    if rating.peak_pressure_max_pa > 4.2e9 {
-        let pressure = rating.peak_pressure_max_pa * 1e-9;
+    if let Some(pressure) = rating.peak_pressure_max_pa.filter(|pressure| *pressure > 4.2e9) {
+        let pressure = pressure * 1e-9;
         warnings.push(format!("the peak pressure is {pressure:.2} GPa: above 4.2 GPa races yield"));
     }
     if speed_factor > GREASE {

@@ -145,6 +145,7 @@ fn limit_slow_jones_harris_is_the_resting_bearing() {
         patch: None,
         cage: None,
         numerics: SolverSettings::default(),
+        watch: tribodyn_bearing::SearchWatch::default(),
     };
     let solved = solve(&bearing, &point, Model::JonesHarris).unwrap().solution;
     let ([x, y, z], [mx, my]) = (solved.ring_load_n, solved.ring_moment_nm);

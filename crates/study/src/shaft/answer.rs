@@ -168,7 +168,7 @@ fn bearing(file: &ShaftFile, running: &Running<'_>, found: &Equilibrium, index: 
     if let Some(pressure) = pressure.filter(|p| *p > YIELD) {
         warnings.push(format!("the peak pressure of {:.2} GPa is above 4.2 GPa, where races yield", pressure * 1e-9));
     }
-    let rated = solution.as_ref().map(|s| rating(&file.case_at(index, running.speed), s));
+    let rated = solution.as_ref().map(|s| rating(&file.case_at(index, running.speed), Some(s)));
     let rating = match rated {
         Some(Ok(rating)) => Some(rating),
         Some(Err(why)) => {

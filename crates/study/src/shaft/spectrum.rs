@@ -77,7 +77,7 @@ fn equivalent(duties: &[DutyAnswer], index: usize, mean_speed: f64) -> Option<f6
     let mut sum = 0.0;
     for duty in duties {
         let rating = duty.shaft.bearings[index].rating.as_ref()?;
-        sum += duty.share * duty.shaft.speed_rpm.abs() * rating.reference_load_n.powi(3);
+        sum += duty.share * duty.shaft.speed_rpm.abs() * rating.reference_load_n.unwrap_or(0.0).powi(3);
     }
     (mean_speed > 0.0).then(|| (sum / mean_speed).cbrt())
 }

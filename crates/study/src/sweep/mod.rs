@@ -5,7 +5,7 @@
 //! grid alone, not on threads, shards or stops on the way.
 
 mod axis;
-mod columns;
+pub(crate) mod columns;
 mod grid;
 mod identity;
 mod merge;
