@@ -10,7 +10,9 @@ use tribodyn_paper::files;
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
 const LAYERS: [(&str, &[&str]); 17] = [
     ("tribodyn-contact", &[]),
-    ("tribodyn-traction", &["tribodyn-contact"]),
+    ("tribodyn-lubricant", &[]),
+    // Films under shear.
+    ("tribodyn-traction", &["tribodyn-contact", "tribodyn-lubricant"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
     ("tribodyn-fluid", &[]),
     ("tribodyn-signal", &[]),
@@ -18,10 +20,21 @@ const LAYERS: [(&str, &[&str]); 17] = [
     ("tribodyn-rating", &["tribodyn-contact"]),
     // Balls from load ratings.
     ("tribodyn-catalogue", &["tribodyn-rating"]),
-    ("tribodyn-bearing", &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid"]),
+    (
+        "tribodyn-bearing",
+        &["tribodyn-contact", "tribodyn-lubricant", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid"],
+    ),
     (
         "tribodyn-case",
-        &["tribodyn-contact", "tribodyn-traction", "tribodyn-wear", "tribodyn-fluid", "tribodyn-bearing"],
+        &[
+            "tribodyn-contact",
+            "tribodyn-lubricant",
+            "tribodyn-traction",
+            "tribodyn-wear",
+            "tribodyn-fluid",
+            "tribodyn-rating",
+            "tribodyn-bearing",
+        ],
     ),
     ("tribodyn-quasistatic", &["tribodyn-traction", "tribodyn-bearing"]),
     // Samples are filtered before they are thinned out.
@@ -61,6 +74,7 @@ const LAYERS: [(&str, &[&str]); 17] = [
         "tribodyn-study",
         &[
             "tribodyn-contact",
+            "tribodyn-lubricant",
             "tribodyn-traction",
             "tribodyn-wear",
             "tribodyn-fluid",
