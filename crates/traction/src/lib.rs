@@ -5,6 +5,7 @@ mod choose;
 mod coating;
 mod elastic;
 mod fast;
+mod film;
 mod kragelskii;
 mod law;
 mod patch;
@@ -21,13 +22,14 @@ pub use elastic::{
     linear_elastic_patch_traction,
 };
 pub use fast::{FastPatch, PatchDerivative, fast_patch_traction, linear_patch_traction};
+pub use film::{FilmContact, FilmLaw, FilmShear, FilmState, FilmStress, FilmTemperature, asperity_share};
 pub use kragelskii::{Fall, Kragelskii, Peak, SlipCurve};
 pub use law::{CustomLaw, Law, LawCurve, OverSlip};
 pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};
 pub use quadrature::Quadrature;
 pub use settings::{PatchChoice, PatchRule, PressureChoice, SlipUnit};
 pub use tribodyn_contact::Scalar;
-pub use varying::{CoatingLaw, PressureFit, TractionLaw};
+pub use varying::{CoatingLaw, Conditions, PressureFit, TractionLaw};
 
 /// Faults in traction data or a patch rule.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,6 +1,6 @@
 //! Traction of one contact patch: force, moment, power and wear integral with spin, lateral and differential slip.
 
-use crate::{PressureChoice, Quadrature, Scalar, SlipCurve, SlipUnit, TractionLaw};
+use crate::{Conditions, FilmContact, PressureChoice, Quadrature, Scalar, SlipCurve, SlipUnit, TractionLaw};
 
 /// The contact ellipse and the surface it lies on.
 ///
@@ -193,8 +193,13 @@ pub fn patch_traction<D: Scalar, L: TractionLaw>(
     if patch.peak_pressure.re() <= 0.0 {
         return sum;
     }
+    if let Some(film) = law.law.film() {
+        return film.traction(&FilmContact { patch: *patch, motion: *motion, rolling_speed }, quadrature);
+    }
     let scale = law.slip_unit.scale(rolling_speed);
-    let peak_curve = law.law.at(patch.peak_pressure);
+    let under =
+        |pressure| law.law.under(&Conditions { pressure, entrainment_speed: rolling_speed.abs(), patch: *patch });
+    let peak_curve = under(patch.peak_pressure);
     let (a, b) = (patch.semi_lateral, patch.semi_rolling);
     let flatness = 0.5 / patch.surface_radius;
     quadrature.for_each(&SlipField::new(patch, motion), |unit_x, unit_y, weight| {
@@ -204,7 +209,7 @@ pub fn patch_traction<D: Scalar, L: TractionLaw>(
         let slip = speed * scale;
         let over_slip = match law.pressure {
             PressureChoice::Peak => peak_curve.over_slip(slip),
-            PressureChoice::Local => law.law.at(local_pressure(patch, unit_x, unit_y)).over_slip(slip),
+            PressureChoice::Local => under(local_pressure(patch, unit_x, unit_y)).over_slip(slip),
         };
         // κ/|Δv| = (κ/s)·scale stays finite where the slip vanishes.
         let share = weight * over_slip * scale;

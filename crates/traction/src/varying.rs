@@ -1,16 +1,52 @@
 //! Curve parameters that vary with contact pressure (the paper's Eq. 2).
 
 use crate::chebyshev::{Chebyshev, Powers};
-use crate::{Coating, Kragelskii, Peak, Scalar, SlipCurve, TractionError};
+use crate::{Coating, FilmLaw, Kragelskii, Patch, Peak, Scalar, SlipCurve, TractionError};
 use num_dual::Dual64;
 
-/// A traction law: the curve κ(s) that holds at a contact pressure. Implement it to bring your own curve.
+/// What a traction law may know of a point of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conditions<D = f64> {
+    /// Pressure, Pa: the highest of the contact or that at the point, as the law is taken.
+    pub pressure: D,
+    /// Entrainment speed, the mean of both surface speeds along rolling, m/s.
+    pub entrainment_speed: D,
+    /// The contact's ellipse and highest pressure.
+    pub patch: Patch<D>,
+}
+
+impl<D: Scalar> Conditions<D> {
+    /// The same in another scalar.
+    pub(crate) fn map<T: Scalar>(&self, to: impl Fn(D) -> T) -> Conditions<T> {
+        let patch = Patch {
+            semi_lateral: to(self.patch.semi_lateral),
+            semi_rolling: to(self.patch.semi_rolling),
+            peak_pressure: to(self.patch.peak_pressure),
+            ball_radius: self.patch.ball_radius,
+            surface_radius: self.patch.surface_radius,
+        };
+        Conditions { pressure: to(self.pressure), entrainment_speed: to(self.entrainment_speed), patch }
+    }
+}
+
+/// A traction law: the curve κ(s) that holds at a point of a contact. Implement it to bring your own curve.
 pub trait TractionLaw: Sync {
     /// The curve at one pressure.
     type Curve<D: Scalar>: SlipCurve<D>;
 
     /// The curve at contact pressure `pressure` in Pa.
     fn at<D: Scalar>(&self, pressure: D) -> Self::Curve<D>;
+
+    /// The curve under the conditions of a contact; that of their pressure unless a law asks for more.
+    fn under<D: Scalar>(&self, conditions: &Conditions<D>) -> Self::Curve<D> {
+        self.at(conditions.pressure)
+    }
+
+    /// The film of a law that is one of a lubricant: all patch integrals then go through
+    /// [`FilmLaw::traction`], which has pressures, temperatures and slip units of its own.
+    fn film(&self) -> Option<&FilmLaw> {
+        None
+    }
 
     /// True if `pressure` in Pa lies outside the range of the data, so that it is clamped.
     fn clamps(&self, pressure: f64) -> bool;

@@ -4,7 +4,7 @@ use super::across::Crowding;
 use super::cell::{Cell, Friction, MEMORY, Solved};
 use super::elasticity::TangentialElasticity;
 use super::grid::{Fastsim, Node};
-use crate::{Fall, TractionLaw};
+use crate::{Conditions, Fall, TractionLaw};
 use crate::{Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, SlipCurve, SlipField};
 use num_dual::Dual64;
 
@@ -73,7 +73,8 @@ struct Strips<'a, D, L> {
     slip: SlipField<D>,
     /// λ, s/m.
     scale: D,
-    peak_pressure: D,
+    /// At the highest pressure.
+    conditions: Conditions<D>,
     /// |V| L p_max/b, m/s.
     yielding: [D; 2],
     /// C κ along rolling, with κ at a slip of C.
@@ -118,22 +119,25 @@ impl<'a, D: Scalar, L: TractionLaw> Strips<'a, D, L> {
         let yielding = [flexibility.longitudinal, flexibility.lateral].map(|l| per_flexibility * l);
         let scale = law.slip_unit.scale(rolling_speed);
         let [longitudinal, _] = yielding;
-        let taken_up = longitudinal * law.law.at(patch.peak_pressure).coefficient(longitudinal * scale);
-        let (slip, peak_pressure) = (SlipField::new(patch, motion), patch.peak_pressure);
-        Self { grid, law, slip, scale, peak_pressure, yielding, taken_up, direction }
+        let entrainment_speed = rolling_speed.abs();
+        let conditions = Conditions { pressure: patch.peak_pressure, entrainment_speed, patch: *patch };
+        let taken_up = longitudinal * law.law.under(&conditions).coefficient(longitudinal * scale);
+        let slip = SlipField::new(patch, motion);
+        Self { grid, law, slip, scale, conditions, yielding, taken_up, direction }
     }
 
     /// The curve at a point in the scalar and in dual numbers, at the peak pressure or at the point's own.
     fn friction(&self, share: D) -> Frictions<D, L> {
         let pressure = match self.law.pressure {
-            PressureChoice::Peak => self.peak_pressure,
-            PressureChoice::Local => self.peak_pressure * share,
+            PressureChoice::Peak => self.conditions.pressure,
+            PressureChoice::Local => self.conditions.pressure * share,
         };
-        let curve = self.law.law.at(pressure);
+        let conditions = Conditions { pressure, ..self.conditions };
+        let curve = self.law.law.under(&conditions);
         let fall = curve.fall();
         let real = |x: D| Dual64::from(x.re());
         let real_fall = fall.as_ref().map(|f| Fall { slip: real(f.slip), steepness: real(f.steepness) });
-        let dual = self.law.law.at(real(pressure));
+        let dual = self.law.law.under(&conditions.map(real));
         (
             Friction { curve, fall, scale: self.scale },
             Friction { curve: dual, fall: real_fall, scale: real(self.scale) },

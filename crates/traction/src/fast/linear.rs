@@ -1,7 +1,9 @@
 //! The patch integral to first order in numbers that carry derivatives, with no node evaluated on such numbers.
 
 use super::{FastPatch, PatchDerivative};
-use crate::{Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, TractionLaw, patch_traction};
+use crate::{
+    FilmContact, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, TractionLaw, patch_traction,
+};
 use std::f64::consts::PI;
 
 impl PatchDerivative {
@@ -44,6 +46,11 @@ pub fn linear_patch_traction<D: Scalar, L: TractionLaw>(
     rolling_speed: D,
     law: &PatchLaw<'_, L>,
 ) -> PatchTraction<D> {
+    let load = patch.peak_pressure * patch.semi_lateral * patch.semi_rolling * (2.0 / 3.0 * PI);
+    if let Some(film) = law.law.film() {
+        let contact = FilmContact { patch: patch.re(), motion: motion.re(), rolling_speed: rolling_speed.re() };
+        return film.derivative(&contact, &fast.quadrature).first_order(motion, load, rolling_speed);
+    }
     let pressure = patch.peak_pressure.re();
     let curves = match law.pressure {
         PressureChoice::Peak => law.law.kragelskii(pressure).zip(law.law.kragelskii_slope(pressure)),
@@ -54,6 +61,5 @@ pub fn linear_patch_traction<D: Scalar, L: TractionLaw>(
     };
     let (patch_re, motion_re) = (patch.re(), motion.re());
     let derivative = fast.derivative(&patch_re, &motion_re, rolling_speed.re(), (&curve, &slope), law.slip_unit);
-    let load = patch.peak_pressure * patch.semi_lateral * patch.semi_rolling * (2.0 / 3.0 * PI);
     derivative.first_order(motion, load, rolling_speed)
 }

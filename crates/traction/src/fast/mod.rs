@@ -23,8 +23,8 @@ pub use derivative::PatchDerivative;
 pub use linear::linear_patch_traction;
 
 use crate::{
-    Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, Quadrature, RelativeMotion, SlipField, SlipUnit,
-    TractionError, TractionLaw, patch_traction,
+    FilmContact, Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, Quadrature, RelativeMotion, SlipField,
+    SlipUnit, TractionError, TractionLaw, patch_traction,
 };
 use crate::{PatchRule, patch::LEAST_ROLLING};
 use fearless_simd::{Level, dispatch};
@@ -178,6 +178,9 @@ pub fn fast_patch_traction<L: TractionLaw>(
     rolling_speed: f64,
     law: &PatchLaw<'_, L>,
 ) -> PatchTraction {
+    if let Some(film) = law.law.film() {
+        return film.value(&FilmContact { patch: *patch, motion: *motion, rolling_speed }, &fast.quadrature);
+    }
     let curve = match law.pressure {
         PressureChoice::Peak => law.law.kragelskii(patch.peak_pressure),
         PressureChoice::Local => None,
