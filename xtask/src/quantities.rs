@@ -14,8 +14,8 @@ const HEAD: &str = "# Quantities
 Every number of a result has one name, which ends in its unit. `solve --json` and sweeps have it in the unit of the
 second column, recordings and reports in that of the third; the rest of the name is the same. A number that a model
 does not have is absent: Jones–Harris has those marked \"all\", an equilibrium with traction those marked
-\"traction\" too, a run also those marked \"run\". This page is made from the tables of the program by `cargo xtask
-quantities`; `cargo xtask ci` fails where it is out of date.
+\"traction\" too, of a bearing with oil or grease those marked \"lubricated\", a run also those marked \"run\". This page is
+made from the tables of the program by `cargo xtask quantities`; `cargo xtask ci` fails where it is out of date.
 ";
 
 const BALLS: &str = "
@@ -91,6 +91,7 @@ fn table<'a>(text: &mut String, rows: impl Iterator<Item = &'a Facts>, race: &st
         let scope = match facts.scope {
             Scope::All => "all",
             Scope::Traction => "traction",
+            Scope::Lubricated => "lubricated",
             Scope::Run => "run",
         };
         let column = |over: &Over| {

@@ -11,7 +11,7 @@ use crate::tribology::Tribology;
 use std::f64::consts::PI;
 use tribodyn_contact::{ContactError, ElasticBody, HertzContact, Scalar, effective_modulus};
 use tribodyn_fluid::{BallDrag, Churning};
-use tribodyn_traction::FastsimRule;
+use tribodyn_traction::{FastsimRule, TractionLaw};
 use tribodyn_wear::LocalSurface;
 
 /// All that a [`Bearing`] is made of, SI.
@@ -185,11 +185,13 @@ impl Bearing {
             let ball_share = spec.ball.compliance() / (spec.ball.compliance() + ring.compliance());
             Ok::<_, BearingError>(Race { hertz, surface_radius, ball_share })
         };
+        // A film has the flexibility of its bodies in series.
+        let film = spec.tribology.as_ref().is_some_and(|t| t.laws.inner.film().or(t.laws.outer.film()).is_some());
         let elastic = match spec.modelling.patch {
-            Some(PatchSurfaces::Elastic { strips, cells }) => {
+            Some(PatchSurfaces::Elastic { strips, cells }) if !film => {
                 Some(ElasticPatches::new(FastsimRule { across: strips, cells }, &spec.ball, &spec.rings)?)
             }
-            Some(PatchSurfaces::Rigid) | None => None,
+            Some(PatchSurfaces::Rigid | PatchSurfaces::Elastic { .. }) | None => None,
         };
         Ok(Self {
             geometry,

@@ -5,6 +5,7 @@ mod cage;
 mod contact;
 mod cylinder;
 mod elastic;
+mod films;
 mod frame;
 mod geometry;
 mod growth;
@@ -49,8 +50,8 @@ pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};
 pub use pocket::{Pocket, PocketLoad, PocketMotion};
 pub use races::{Races, Side};
 pub use result::{
-    BallMotionResult, BallPlace, BallResult, ContactResult, FluidResult, FrictionResult, PocketResult, Sheet,
-    TransientContact,
+    BallMotionResult, BallPlace, BallResult, ContactResult, FilmResult, FluidResult, FrictionResult, PocketResult,
+    Sheet, TransientContact,
 };
 pub use run_inputs::{CoatingState, GuidingLand, MovingCage, RunInputs, RunOptions, Scheme, Start, Support, Supports};
 pub use sliding::{ContactForces, Sliding};
@@ -84,6 +85,9 @@ pub enum BearingError {
     /// Wear of the raceways.
     #[error(transparent)]
     Wear(#[from] tribodyn_wear::WearError),
+    /// Data of a lubricant.
+    #[error(transparent)]
+    Lubricant(#[from] tribodyn_lubricant::LubricantError),
     /// Fluid state.
     #[error(transparent)]
     Fluid(#[from] tribodyn_fluid::FluidError),

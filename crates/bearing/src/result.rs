@@ -59,8 +59,23 @@ pub struct ContactResult {
     pub spin_ratio_per_m: f64,
     /// Traction and what follows from it; absent in a model without traction.
     pub friction: Option<FrictionResult>,
+    /// Film of the lubricant; absent where there is none and where the ball has left the race.
+    pub film: Option<FilmResult>,
     /// Damping, wear and defects where the ball stands; absent in an equilibrium.
     pub transient: Option<TransientContact>,
+}
+
+/// The lubricant film of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct FilmResult {
+    /// Central thickness, m.
+    pub central_m: f64,
+    /// Least thickness, m.
+    pub minimum_m: f64,
+    /// Film parameter λ: least thickness over roughness.
+    pub lambda_ratio: f64,
+    /// Mean temperature of the film in the contact less that of its surroundings, K.
+    pub temperature_rise_k: f64,
 }
 
 /// Friction of one ball–race contact.
@@ -250,6 +265,7 @@ impl Sheet {
             rolling_speed_m_s: rolling_speed.abs(),
             spin_ratio_per_m: spin_ratio,
             friction: None,
+            film: None,
             transient: None,
         }
     }

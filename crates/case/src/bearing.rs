@@ -7,7 +7,7 @@ use std::cell::RefCell;
 use tribodyn_bearing::{Bearing, BearingError, BearingSpec, Dimensions, FluidForces, Geometry, Races, Tribology};
 use tribodyn_contact::ElasticBody;
 use tribodyn_fluid::{BallDrag, Churning, Fluid, effective_density, frontal_area};
-use tribodyn_traction::{Coating, CoatingLaw, Law, Peak, TestedCurve};
+use tribodyn_traction::{Coating, CoatingLaw, Law, Peak, PressureChoice, SlipUnit, TestedCurve};
 use tribodyn_wear::{Archard, LocalSurface, Raceway};
 
 impl Case {
@@ -28,13 +28,26 @@ impl Case {
             ball_density: self.materials.ball.density,
             rings: Races { inner: elastic(&self.materials.inner), outer: elastic(&self.materials.outer) },
             modelling: self.modelling,
-            tribology: self.tribology()?,
+            tribology: self.tribology(&geometry)?,
             fluid: self.fluid.as_ref().map(|f| fluid_forces(f, radius)).transpose()?,
             worn,
         })
     }
 
-    fn tribology(&self) -> Result<Option<Tribology>, BearingError> {
+    fn tribology(&self, geometry: &Geometry) -> Result<Option<Tribology>, BearingError> {
+        if let (Some(lubricant), Some(wear)) = (&self.lubricant, &self.wear) {
+            let rings = Races { inner: elastic(&self.materials.inner), outer: elastic(&self.materials.outer) };
+            return Ok(Some(Tribology {
+                laws: lubricant.laws(geometry, elastic(&self.materials.ball), rings)?,
+                bare_law: None,
+                differential_slip: true,
+                // The film has its own: it knows speeds and local pressures.
+                slip_unit: SlipUnit::MeterPerSecond,
+                pressure_choice: PressureChoice::Local,
+                wear: Races { inner: archard(&wear.inner), outer: archard(&wear.outer) },
+                wear_cage: archard(&wear.cage),
+            }));
+        }
         let (Some(coatings), Some(traction), Some(wear)) = (&self.coatings, &self.traction, &self.wear) else {
             return Ok(None);
         };

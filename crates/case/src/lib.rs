@@ -3,6 +3,7 @@
 mod bearing;
 mod error;
 mod locate;
+mod lubricant;
 mod missing;
 mod mounting;
 mod needs;
@@ -22,6 +23,8 @@ mod validate_transient;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_lubricant;
 #[cfg(test)]
 mod tests_mounting;
 #[cfg(test)]

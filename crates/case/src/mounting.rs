@@ -142,7 +142,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
         }
     }
     if let Some(spec) = &case.rating {
-        rating(spec)?;
+        rating(spec, case.lubricant.is_some())?;
     }
     let Some(mounting) = &case.mounting else { return Ok(()) };
     heat("mounting.ball", mounting.ball.expansion, mounting.ball.temperature_rise)?;
@@ -200,7 +200,7 @@ fn seat_of(path: &str, seat: &SeatSpec, diameter: f64, side: Side) -> Verdict {
     require(allowed, &format!("{path}.far_diameter"), message)
 }
 
-fn rating(spec: &RatingSpec) -> Verdict {
+fn rating(spec: &RatingSpec, lubricated: bool) -> Verdict {
     let given = [("dynamic", spec.dynamic), ("static_load", spec.static_load), ("fatigue_limit", spec.fatigue_limit)];
     for (name, value) in given {
         value.map_or(Ok(()), |value| positive(&format!("rating.{name}"), value))?;
@@ -214,8 +214,16 @@ fn rating(spec: &RatingSpec) -> Verdict {
     require(kappa, "rating.viscosity_ratio", "must be at least 0.1, where ISO 281 begins")?;
     let clean = spec.contamination.is_none_or(|factor| (0.0..=1.0).contains(&factor));
     require(clean, "rating.contamination", "must lie between 0 and 1")?;
-    let both = spec.viscosity_ratio.is_some() == spec.contamination.is_some();
-    require(both, "rating", "viscosity_ratio and contamination belong together: give both or none")?;
+    let clean = spec.contamination.is_some() || spec.cleanliness.is_some();
+    let once = spec.contamination.is_none() || spec.cleanliness.is_none();
+    require(once, "rating", "contamination and cleanliness say the same: give one of them")?;
+    let both = spec.viscosity_ratio.is_none() || clean;
+    require(both, "rating", "viscosity_ratio and contamination (or cleanliness) belong together: give both or none")?;
+    let alone = spec.viscosity_ratio.is_some() || lubricated || !clean;
+    require(alone, "rating", "contamination and viscosity_ratio (or a lubricant) belong together: give both or none")?;
+    for (name, value) in [("bore", spec.bore), ("outside", spec.outside)] {
+        value.map_or(Ok(()), |value| positive(&format!("rating.{name}"), value))?;
+    }
     let share = spec.reliability.is_none_or(|percent| (90.0..=99.95).contains(&percent));
     require(share, "rating.reliability", "must lie between 90 and 99.95 percent")
 }

@@ -40,15 +40,15 @@ const WITH_TRACTION: &[Purpose] = &[Purpose::Traction, Purpose::Transient];
 const PARTS: &[Part] = &[
     Part {
         path: "coatings",
-        holds: "inner and outer, each with curve and thickness",
+        holds: "inner and outer, each with curve and thickness; or a `lubricant` in their place",
         needed_by: WITH_TRACTION,
-        present: |case| case.coatings.is_some(),
+        present: |case| case.coatings.is_some() || case.lubricant.is_some(),
     },
     Part {
         path: "traction",
         holds: "slip_unit, order, varying, reference_pressure, differential_slip, pressure, patch",
         needed_by: WITH_TRACTION,
-        present: |case| case.traction.is_some(),
+        present: |case| case.traction.is_some() || case.lubricant.is_some(),
     },
     Part {
         path: "cage",

@@ -33,7 +33,7 @@ impl Case {
             ring: self.ring.loads().at(time),
             inner_speed: self.speed.inner.at(time),
             outer_speed: self.speed.outer.at(time),
-            patch: self.traction.as_ref().map(|traction| traction.patch),
+            patch: self.patch(),
             cage: self.cage.as_ref().map(CageSpec::pockets),
             numerics: self.solver_settings(),
             watch: SearchWatch::default(),
@@ -60,22 +60,28 @@ impl Case {
     /// bearing.
     pub fn run_inputs(&self) -> Result<RunInputs, InputError> {
         self.require(Purpose::Transient)?;
-        let (Some(coatings), Some(traction), Some(cage), Some(supports), Some(transient)) =
-            (&self.coatings, &self.traction, &self.cage, &self.supports, &self.transient)
+        let (Some(patch), Some(cage), Some(supports), Some(transient)) =
+            (self.patch(), &self.cage, &self.supports, &self.transient)
         else {
             return Err(self.lacking(Purpose::Transient).into());
         };
         let RecordingSpec { state_rate, ball_rate } = self.rates();
         let coating = |spec: &CoatingSpec| CoatingState { thickness: spec.thickness, worn: spec.worn };
+        // In oil there is no coating that could wear through.
+        let none = CoatingState { thickness: 0.0, worn: 0.0 };
+        let coatings = match &self.coatings {
+            Some(coatings) => Races { inner: coating(&coatings.inner), outer: coating(&coatings.outer) },
+            None => Races { inner: none, outer: none },
+        };
         Ok(RunInputs {
             bearing: self.bearing()?,
             ring: self.ring.loads(),
             speeds: Races { inner: self.speed.inner.clone(), outer: self.speed.outer.clone() },
             cage: cage.moving().ok_or_else(|| self.lacking(Purpose::Transient))?,
             supports: Supports { inner: supports.inner.support(), outer: supports.outer.support() },
-            coatings: Races { inner: coating(&coatings.inner), outer: coating(&coatings.outer) },
+            coatings,
             defects: Races::from_fn(|side| self.defects_of(side)),
-            patch: traction.patch,
+            patch,
             numerics: self.solver_settings(),
             options: RunOptions {
                 duration: transient.duration,

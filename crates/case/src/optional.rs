@@ -10,6 +10,8 @@ const OPTIONAL: &[&str] = &[
     "coatings.bare",
     "coatings.*.worn",
     "traction",
+    "lubricant",
+    "lubricant.starvation",
     "fluid",
     "cage",
     "cage.inertia",

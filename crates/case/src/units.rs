@@ -121,7 +121,17 @@ dimension!(TEMPERATURE_DIFFERENCE, "a temperature difference", "K(40)", {
     "K" => |v| v,
 });
 
-const ALL: [&Dimension; 20] = [
+dimension!(KINEMATIC_VISCOSITY, "a kinematic viscosity", "mm2_per_s(68)", {
+    "m2_per_s" => |v| v,
+    "mm2_per_s" => |v| shifted(v, -6),
+    "cSt" => |v| shifted(v, -6),
+});
+dimension!(PRESSURE_COEFFICIENT, "a pressure-viscosity coefficient", "per_GPa(20)", {
+    "per_Pa" => |v| v,
+    "per_GPa" => |v| shifted(v, -9),
+});
+
+const ALL: [&Dimension; 22] = [
     &TILT_STIFFNESS,
     &UNBALANCE,
     &LENGTH,
@@ -142,6 +152,8 @@ const ALL: [&Dimension; 20] = [
     &SLOWNESS,
     &EXPANSION,
     &TEMPERATURE_DIFFERENCE,
+    &KINEMATIC_VISCOSITY,
+    &PRESSURE_COEFFICIENT,
 ];
 
 /// Whether `name` is a unit of any dimension.
@@ -214,6 +226,10 @@ readers! {
     unbalance: UNBALANCE;
     /// Damping constant, N s/m.
     damping: DAMPING;
+    /// Kinematic viscosity, m²/s.
+    kinematic_viscosity: KINEMATIC_VISCOSITY;
+    /// Pressure–viscosity coefficient, 1/Pa.
+    pressure_coefficient: PRESSURE_COEFFICIENT;
 }
 
 macro_rules! optionals {
@@ -246,6 +262,8 @@ optionals! {
     optional_damping: damping;
     /// A rotational speed that may be left out, rad/s.
     optional_speed: speed;
+    /// A density that may be left out, kg/m³.
+    optional_density: density;
 }
 
 macro_rules! triples {

@@ -64,6 +64,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
     }
     super::validate_transient::validate(case)?;
     super::mounting::validate(case)?;
+    super::lubricant::validate(case)?;
     modelling(&case.modelling)?;
     numerics(&case.numerics)?;
     super::validate_bounds::validate(case)
@@ -220,7 +221,12 @@ fn traction(spec: &TractionSpec) -> Verdict {
         positive("traction.slip_unit.Scaled.per_m_s", per_m_s)?;
     }
     positive("traction.reference_pressure", spec.reference_pressure)?;
-    let counts = match spec.patch {
+    patch_rule("traction.patch", spec.patch)
+}
+
+/// The rule of the contact patches.
+pub(super) fn patch_rule(path: &str, patch: PatchChoice) -> Verdict {
+    let counts = match patch {
         PatchChoice::Named(PatchRule::PolarMidpoint { radial, circumferential }) => {
             [("PolarMidpoint.radial", radial), ("PolarMidpoint.circumferential", circumferential)]
         }
@@ -234,12 +240,12 @@ fn traction(spec: &TractionSpec) -> Verdict {
             let (low, high) = TARGET_ERROR;
             let allowed = relative > low && relative < high;
             let message = format!("must lie between {low:e} and {high}, limits excluded");
-            return require(allowed, "traction.patch.TargetError.relative", message);
+            return require(allowed, &format!("{path}.TargetError.relative"), message);
         }
     };
     for (name, count) in counts {
         let allowed = (1..=NODES_MAX).contains(&count);
-        require(allowed, &format!("traction.patch.{name}"), format!("must lie between 1 and {NODES_MAX}"))?;
+        require(allowed, &format!("{path}.{name}"), format!("must lie between 1 and {NODES_MAX}"))?;
     }
     Ok(())
 }

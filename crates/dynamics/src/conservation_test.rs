@@ -10,15 +10,15 @@ use crate::start::{Started, start};
 use std::sync::Arc;
 use tribodyn_bearing::{AzimuthFrame, Races, RingOffset, Translation};
 use tribodyn_case::{Case, set_value};
-use tribodyn_traction::{CustomLaw, Law, OverSlip};
+use tribodyn_traction::{Conditions, CustomLaw, Law, OverSlip};
 
 /// No friction at any slip.
 #[derive(Debug)]
 struct Frictionless;
 
 impl CustomLaw for Frictionless {
-    fn over_slip(&self, _: f64, _: f64) -> OverSlip {
-        OverSlip { value: 0.0, by_slip: 0.0, by_pressure: 0.0 }
+    fn over_slip(&self, _: f64, _: &Conditions) -> OverSlip {
+        OverSlip { value: 0.0, by_slip: 0.0, by_pressure: 0.0, by_entrainment: 0.0 }
     }
 }
 

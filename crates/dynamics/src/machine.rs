@@ -8,7 +8,7 @@ use tribodyn_bearing::{
     Bearing, CageBody, CoatingState, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory, Translation,
 };
 use tribodyn_traction::{
-    FastPatch, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
+    FastPatch, FilmContact, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
 };
 use tribodyn_wear::{Defect, Raceway};
 
@@ -60,6 +60,9 @@ impl Kernel {
         const PRESSURE: f64 = 2e9;
         let Some(tribology) = &bearing.tribology else { return false };
         let curve = |side| tribology.laws[side].kragelskii_slope(PRESSURE).is_some();
+        if Side::BOTH.into_iter().all(|side| tribology.laws[side].film().is_some()) {
+            return matches!(self, Self::Fast(_));
+        }
         matches!(self, Self::Fast(_))
             && tribology.pressure_choice == PressureChoice::Peak
             && curve(Side::Inner)
@@ -67,10 +70,14 @@ impl Kernel {
     }
 
     /// Traction with its derivatives by motion and load, of coating and bare steel by their shares; none for laws
-    /// without a Kragelskii curve.
+    /// that are neither a Kragelskii curve nor a film.
     pub fn derivative(&self, p: &LoadedPatch<'_, f64>) -> Option<PatchDerivative> {
         let Self::Fast(fast) = self else { return None };
         let tribology = p.tribology?;
+        if let Some(film) = tribology.laws[p.side].film() {
+            let contact = FilmContact { patch: p.patch, motion: p.motion, rolling_speed: p.rolling_speed };
+            return Some(film.derivative(&contact, fast.quadrature()));
+        }
         if tribology.pressure_choice != PressureChoice::Peak {
             return None;
         }

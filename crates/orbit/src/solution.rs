@@ -112,8 +112,7 @@ impl SteadyOrbit {
 /// A ball as a result, with what a motion has besides an equilibrium.
 pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL], e: &Evaluation) -> BallResult {
     let pocket = &e.friction.pocket;
-
-    BallResult {
+    let mut ball = BallResult {
         pocket: Some(PocketResult {
             lead_rad: y[LEAD],
             force_n: pocket.force,
@@ -125,7 +124,9 @@ pub(crate) fn ball_result(system: &OrbitSystem<'_>, azimuth: f64, y: &[f64; BALL
             velocity_m_s: [y[VELOCITY], y[VELOCITY + 1]],
         }),
         ..system.bearing.sheet().ball(azimuth, &e.state, &e.loads, system.speeds.inner)
-    }
+    };
+    system.bearing.put_films(std::slice::from_mut(&mut ball));
+    ball
 }
 
 /// Azimuth, unknowns and forces of a ball at a place round the bearing.

@@ -169,6 +169,7 @@ pub fn quantities<'py>(py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let models = match facts.scope {
             Scope::All => "all",
             Scope::Traction => "traction",
+            Scope::Lubricated => "lubricated",
             Scope::Run => "run",
         };
         json!({

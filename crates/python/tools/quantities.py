@@ -26,7 +26,12 @@ GROUPS = (
     ("BallArrays", "ball", "NDArray[np.float64]", "The same of all balls, an array each."),
 )
 
-MODELS = {"all": "", "traction": "; with traction only", "run": "; of runs only"}
+MODELS = {
+    "all": "",
+    "traction": "; with traction only",
+    "lubricated": "; with a lubricant only",
+    "run": "; of runs only",
+}
 
 
 def main() -> None:

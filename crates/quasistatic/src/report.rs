@@ -84,6 +84,7 @@ pub(crate) fn with_traction(
         let on_ring = bearing.ring_action(&state, &loads, &inner);
         (0..6).for_each(|c| action[c] += on_ring[c]);
     }
+    bearing.put_films(&mut balls);
     let mut solution = solution(Model::Traction, bearing, solved.state.ring, balls, point);
     let [x, y, z, mx, my, torque] = action;
     (solution.ring_load_n, solution.ring_moment_nm, solution.shaft_torque_nm) = ([x, y, z], [mx, my], Some(torque));

@@ -8,7 +8,7 @@ mod static_rating;
 
 pub use dynamic_rating::RatedBearing;
 pub use equivalent::{LoadFactors, basic_life_mrev};
-pub use modified::{Lubrication, life_modification_factor, reference_viscosity, reliability_factor};
+pub use modified::{Cleanliness, Lubrication, life_modification_factor, reference_viscosity, reliability_factor};
 pub use reference::{BallLoads, ReferenceLife, Turning, hours};
 pub use static_rating::PERMISSIBLE_PRESSURE;
 

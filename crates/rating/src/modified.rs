@@ -13,6 +13,43 @@ pub struct Lubrication {
     pub contamination: f64,
 }
 
+/// How clean the lubricant of a bearing is, by the classes of ISO 281:2007, table 13.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Cleanliness {
+    /// Particles of the size of the film: laboratories.
+    Extreme,
+    /// Oil through an extremely fine filter; sealed bearings greased for life.
+    High,
+    /// Oil through a fine filter; shielded bearings greased for life.
+    Normal,
+    /// Slightly dirty lubricant.
+    Slight,
+    /// Bearings without seals, coarse filters, wear and dirt from around.
+    Typical,
+    /// Very dirty surroundings and insufficient seals.
+    Severe,
+    /// Beyond all that.
+    VerySevere,
+}
+
+impl Cleanliness {
+    /// Contamination factor e_C on a pitch diameter in m: the middle of its range in the table.
+    pub fn contamination(self, pitch_diameter: f64) -> f64 {
+        // Below 100 mm, and from there on.
+        let [small, large] = match self {
+            Self::Extreme => [1.0, 1.0],
+            Self::High => [0.7, 0.85],
+            Self::Normal => [0.55, 0.7],
+            Self::Slight => [0.4, 0.5],
+            Self::Typical => [0.2, 0.3],
+            Self::Severe => [0.05, 0.05],
+            Self::VerySevere => [0.0, 0.0],
+        };
+        if pitch_diameter < 0.1 { small } else { large }
+    }
+}
+
 /// Largest a_ISO.
 const FACTOR_MAX: f64 = 50.0;
 /// Smallest viscosity ratio with a formula.

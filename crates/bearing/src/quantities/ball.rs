@@ -168,7 +168,7 @@ pub static BALL: [Quantity<BallResult>; 24] = [
 ];
 
 /// Quantities of a ball–race contact.
-pub static CONTACT: [Quantity<ContactResult>; 18] = [
+pub static CONTACT: [Quantity<ContactResult>; 22] = [
     C::new(["contact_angle", "Contact angle", "Contact angle"], [DEGREE, DEGREE], place!(.angle_rad))
         .over(&[Over::Min, Over::Max])
         .reported(3),
@@ -276,6 +276,49 @@ pub static CONTACT: [Quantity<ContactResult>; 18] = [
     .in_scope(Scope::Traction)
     .along(Course::Positive)
     .over(&[Over::Sum]),
+    C::new(
+        ["film_central", "Central film thickness", "Central thickness of the lubricant film"],
+        [METRE, MICROMETRE],
+        place!(film ? central_m),
+    )
+    .in_scope(Scope::Lubricated)
+    .along(Course::Positive)
+    .over(&[Over::Min])
+    .reported(3),
+    C::new(
+        ["film_minimum", "Least film thickness", "Least thickness of the lubricant film, in its constriction"],
+        [METRE, MICROMETRE],
+        place!(film ? minimum_m),
+    )
+    .in_scope(Scope::Lubricated)
+    .along(Course::Positive)
+    .over(&[Over::Min])
+    .reported(3),
+    C::new(
+        [
+            "lambda_ratio",
+            "Film parameter λ",
+            "Film parameter λ: least film thickness over the roughness of both bodies",
+        ],
+        [ONE, ONE],
+        place!(film ? lambda_ratio),
+    )
+    .in_scope(Scope::Lubricated)
+    .along(Course::Positive)
+    .over(&[Over::Min])
+    .reported(2),
+    C::new(
+        [
+            "film_temperature_rise",
+            "Film temperature rise",
+            "Mean temperature of the film in the contact less that of its surroundings",
+        ],
+        [KELVIN, KELVIN],
+        place!(film ? temperature_rise_k),
+    )
+    .in_scope(Scope::Lubricated)
+    .over(&[Over::Max])
+    .reported(1),
     C::new(
         ["damping", "Damping force", "Normal force on top of the load by the damping of the contact"],
         [NEWTON, NEWTON],

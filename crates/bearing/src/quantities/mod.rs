@@ -16,6 +16,8 @@ pub enum Scope {
     All,
     /// Equilibria with traction, and runs.
     Traction,
+    /// The same of a bearing with oil or grease.
+    Lubricated,
     /// Runs alone.
     Run,
 }

@@ -1,6 +1,6 @@
 //! Quantities read from a ball: its own and those of its two contacts.
 
-use super::{BALL, CONTACT, Facts, Over, Quantity, Unit, joined};
+use super::{BALL, CONTACT, Facts, Over, Quantity, Scope, Unit, joined};
 use crate::races::Side;
 use crate::result::{BallResult, ContactResult};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -74,7 +74,15 @@ impl OfBall {
     pub fn over(&self, over: Over, balls: &[BallResult]) -> Option<f64> {
         match self {
             Self::Ball(q) => over.of(balls.iter().map(q.get)),
-            Self::Contact(side, q) => over.of(balls.iter().map(|ball| (q.get)(&ball.contacts[*side]))),
+            Self::Contact(side, q) => {
+                let values = balls.iter().map(|ball| (q.get)(&ball.contacts[*side]));
+                // A ball that has left a race has no film there; the others have.
+                if q.facts.scope == Scope::Lubricated {
+                    over.of(values.filter(Option::is_some))
+                } else {
+                    over.of(values)
+                }
+            }
         }
     }
 
@@ -109,7 +117,6 @@ impl Serialize for Fields<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantities::Scope;
     use std::collections::BTreeSet;
 
     /// A row that reads another field than it writes, or two rows of one field, would be found here.

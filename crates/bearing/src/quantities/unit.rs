@@ -60,6 +60,8 @@ pub const METRE_PER_SECOND: Unit = Unit::new("m_s", "m/s", 1.0);
 pub const MILLIMETRE_PER_SECOND: Unit = Unit::new("mm_s", "mm/s", 1e3);
 /// Reciprocal metre.
 pub const PER_METRE: Unit = Unit::new("per_m", "1/m", 1.0);
+/// Kelvin.
+pub const KELVIN: Unit = Unit::new("k", "K", 1.0);
 /// Watt.
 pub const WATT: Unit = Unit::new("w", "W", 1.0);
 /// Cubic metre per second.

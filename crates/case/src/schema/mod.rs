@@ -3,12 +3,14 @@
 //! Every dimensional value carries its unit in the text (`mm(30.16)`, `rpm(14000)`); the deserialisers of
 //! [`super::units`] turn it into the SI number held here.
 
+mod lubricant;
 mod mounting;
 mod operation;
 mod rating;
 mod transient;
 mod tribology;
 
+pub use lubricant::*;
 pub use mounting::*;
 pub use operation::*;
 pub use rating::*;
@@ -38,6 +40,9 @@ pub struct Case {
     /// How slip, pressure and patch quadrature are treated.
     #[serde(default)]
     pub traction: Option<TractionSpec>,
+    /// Oil or grease, in the place of coatings.
+    #[serde(default)]
+    pub lubricant: Option<LubricantSpec>,
     /// The fluid the balls move through; absent for a dry bearing without drag and churning.
     #[serde(default)]
     pub fluid: Option<FluidSpec>,

@@ -21,6 +21,7 @@ fn inner([sin, cos]: [f64; 2], slip: f64, swing: f64) -> ContactResult {
         semi_axes_m: [3.1e-3, 0.36e-3],
         rolling_speed_m_s: 54.0,
         spin_ratio_per_m: 5.2,
+        film: None,
         friction: Some(FrictionResult {
             traction_n: [64.0 + (9.0 - 6.0 * swing) * cos + 5.0 * slip, 20.0],
             slide_to_roll: [1e-3 * ((0.2 - 1.5 * cos + 0.3 * swing * sin) * (0.25 + 0.75 * slip) - 0.3), 4e-4],
@@ -43,6 +44,7 @@ fn outer(cos: f64, slip: f64, swing: f64) -> ContactResult {
         semi_axes_m: [2.9e-3, 0.44e-3],
         rolling_speed_m_s: 54.2,
         spin_ratio_per_m: -0.4,
+        film: None,
         friction: Some(FrictionResult {
             traction_n: [58.0 - (11.0 - 7.0 * swing) * cos + 4.0 * slip, -18.0],
             slide_to_roll: [1e-3 * (0.35 * cos - 0.4 - 0.12 * slip), -3e-4],

@@ -152,6 +152,22 @@ class BallQuantities:
     wear_rate_inner_m3_s: float
     #: Archard wear rate of the race, m³/s; with traction only
     wear_rate_outer_m3_s: float
+    #: Central thickness of the lubricant film, m; with a lubricant only
+    film_central_inner_m: float
+    #: Central thickness of the lubricant film, m; with a lubricant only
+    film_central_outer_m: float
+    #: Least thickness of the lubricant film, in its constriction, m; with a lubricant only
+    film_minimum_inner_m: float
+    #: Least thickness of the lubricant film, in its constriction, m; with a lubricant only
+    film_minimum_outer_m: float
+    #: Film parameter λ: least film thickness over the roughness of both bodies; with a lubricant only
+    lambda_ratio_inner: float
+    #: Film parameter λ: least film thickness over the roughness of both bodies; with a lubricant only
+    lambda_ratio_outer: float
+    #: Mean temperature of the film in the contact less that of its surroundings, K; with a lubricant only
+    film_temperature_rise_inner_k: float
+    #: Mean temperature of the film in the contact less that of its surroundings, K; with a lubricant only
+    film_temperature_rise_outer_k: float
     #: Normal force on top of the load by the damping of the contact, N; of runs only
     damping_inner_n: float
     #: Normal force on top of the load by the damping of the contact, N; of runs only
@@ -277,6 +293,22 @@ class BallArrays:
     wear_rate_inner_m3_s: NDArray[np.float64]
     #: Archard wear rate of the race, m³/s; with traction only
     wear_rate_outer_m3_s: NDArray[np.float64]
+    #: Central thickness of the lubricant film, m; with a lubricant only
+    film_central_inner_m: NDArray[np.float64]
+    #: Central thickness of the lubricant film, m; with a lubricant only
+    film_central_outer_m: NDArray[np.float64]
+    #: Least thickness of the lubricant film, in its constriction, m; with a lubricant only
+    film_minimum_inner_m: NDArray[np.float64]
+    #: Least thickness of the lubricant film, in its constriction, m; with a lubricant only
+    film_minimum_outer_m: NDArray[np.float64]
+    #: Film parameter λ: least film thickness over the roughness of both bodies; with a lubricant only
+    lambda_ratio_inner: NDArray[np.float64]
+    #: Film parameter λ: least film thickness over the roughness of both bodies; with a lubricant only
+    lambda_ratio_outer: NDArray[np.float64]
+    #: Mean temperature of the film in the contact less that of its surroundings, K; with a lubricant only
+    film_temperature_rise_inner_k: NDArray[np.float64]
+    #: Mean temperature of the film in the contact less that of its surroundings, K; with a lubricant only
+    film_temperature_rise_outer_k: NDArray[np.float64]
     #: Normal force on top of the load by the damping of the contact, N; of runs only
     damping_inner_n: NDArray[np.float64]
     #: Normal force on top of the load by the damping of the contact, N; of runs only

@@ -38,6 +38,7 @@ fn ball(azimuth: f64) -> BallResult {
         semi_axes_m: [2.6e-3 + 4e-4 * one, 3.4e-4 + 5e-5 * one],
         rolling_speed_m_s: 57.0,
         spin_ratio_per_m: 21.0 + one,
+        film: None,
         friction: Some(FrictionResult {
             traction_n: [95.0 + 8.0 * one, -120.0 + 5.0 * two],
             slide_to_roll: [-0.002 * one, 0.001],
@@ -55,6 +56,7 @@ fn ball(azimuth: f64) -> BallResult {
         semi_axes_m: [2.9e-3 + 4e-4 * one, 4.4e-4 + 5e-5 * one],
         rolling_speed_m_s: 61.0,
         spin_ratio_per_m: 3.0 + one,
+        film: None,
         friction: Some(FrictionResult {
             traction_n: [60.0 - 8.0 * one, 118.0 + 5.0 * two],
             slide_to_roll: [0.001 + 0.0005 * two, 0.002 * one],

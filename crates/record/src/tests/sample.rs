@@ -28,6 +28,7 @@ fn contact(angle_deg: f64, load: f64) -> ContactResult {
         peak_pressure_pa: 2.1e9 * (load / 4000.0).cbrt(),
         spin_ratio_per_m: 21.0,
         rolling_speed_m_s: 57.0,
+        film: None,
         friction: Some(FrictionResult {
             traction_n: [95.0, -120.0],
             slide_to_roll: [-0.002, 0.001],
