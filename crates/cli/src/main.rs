@@ -6,6 +6,7 @@ mod drawn;
 mod ensemble;
 mod excerpt;
 mod failure;
+mod film;
 mod harmless;
 mod hertz;
 mod identify;
@@ -28,6 +29,7 @@ mod solve;
 mod stiffness;
 mod sweep;
 mod table;
+mod torque;
 mod traction;
 mod vibration;
 mod waiting;
@@ -64,6 +66,7 @@ Examples:
   tribodyn ensemble fixtures/cases/paper-ag.ron --vary 'cage.pocket_gap=mm(0.71 ± 0.02)' --members 16
   tribodyn life fixtures/cases/paper-ag.ron
   tribodyn rating fixtures/cases/bearing-218.ron
+  tribodyn film contact --oil mineral-vg68 --temperature 70 --load 555 --speed 3.46 --radius 3.78 --across 120
   tribodyn sweep fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(10..60 by 5)' -o table.parquet
   tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
   tribodyn traction --coating ag --pressure 2.5 --slip 0,1,3,10
@@ -103,6 +106,10 @@ enum Command {
     Ensemble(ensemble::Arguments),
     /// Compute the life of the coatings: wear over many revolutions until one is worn through
     Life(life::Arguments),
+    /// Compute lubricant films: of every contact of a case, or of one contact
+    Film(film::Arguments),
+    /// Compute the friction torque by cause, beside SKF's and Palmgren's formulas
+    Torque(torque::Arguments),
     /// Compute rating life and static safety by ISO 281, ISO/TS 16281 and ISO 76
     Rating(rating::Arguments),
     /// Rescue a whole recording from one that was cut off or damaged
@@ -136,6 +143,8 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Ensemble(arguments) => ensemble::run(&arguments),
         Command::Life(arguments) => life::run(&arguments),
+        Command::Film(arguments) => film::run(&arguments),
+        Command::Torque(arguments) => torque::run(&arguments),
         Command::Rating(arguments) => rating::run(&arguments),
         Command::Recover(arguments) => recover::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),

@@ -38,6 +38,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = format!("{}: {}", file.name, crate::harmless::visible(&file.case.name));
     table::print_head(&name, findings)?;
     table::print_pairs(&rows(found.value(), findings.model().name()))?;
+    if let Some(note) = &found.value().lubrication_note {
+        table::print_line(&format!("note: {note}"))?;
+    }
     table::print_warnings(findings.warnings())
 }
 
@@ -71,6 +74,8 @@ pub fn rows(r: &Rating, model: &'static str) -> Vec<Row> {
     row("equivalent load of the ball loads P_ref", r.reference_load_n, 1, "N");
     row("basic rating life L_10, from P", r.rating_life_l10_mrev, 2, turns);
     row("reference rating life L_10r, from ball loads", r.rating_life_l10r_mrev, 2, turns);
+    row("viscosity ratio κ", r.viscosity_ratio, 3, "");
+    row("contamination factor e_C", r.contamination_factor, 2, "");
     row("life modification factor a_ISO", r.life_modification_factor, 3, "");
     row("reliability factor a_1", (r.reliability_factor != 1.0).then_some(r.reliability_factor), 3, "");
     row("modified reference rating life L_nmr", r.rating_life_lnmr_mrev, 2, turns);

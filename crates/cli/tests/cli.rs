@@ -22,6 +22,8 @@ mod life;
 mod merge;
 #[path = "cli/new.rs"]
 mod new;
+#[path = "cli/oil.rs"]
+mod oil;
 #[path = "cli/orbit.rs"]
 mod orbit;
 #[path = "cli/pair.rs"]

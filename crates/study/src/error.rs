@@ -45,6 +45,9 @@ pub enum StudyError {
     /// Bodies that make no contact.
     #[error(transparent)]
     Contact(#[from] tribodyn_contact::ContactError),
+    /// A lubricant or a film that is refused.
+    #[error(transparent)]
+    Lubricant(#[from] tribodyn_lubricant::LubricantError),
     /// A coating or a law that is refused.
     #[error(transparent)]
     Traction(#[from] tribodyn_traction::TractionError),

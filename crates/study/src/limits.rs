@@ -57,8 +57,9 @@ impl Limits {
     pub fn check(&self, text: &str, case: &Case) -> Result<(), CaseError> {
         let balls = case.geometry.ball_count;
         above("geometry.ball_count", balls as f64, self.balls as f64, "balls", text)?;
-        let nodes = case.traction.as_ref().map_or(0.0, |traction| 2.0 * nodes(traction.patch) * balls as f64);
-        above("traction.patch", nodes, self.nodes as f64, "nodes at all contacts", text)?;
+        let nodes = case.patch().map_or(0.0, |patch| 2.0 * nodes(patch) * balls as f64);
+        let path = if case.lubricant.is_some() { "lubricant.patch" } else { "traction.patch" };
+        above(path, nodes, self.nodes as f64, "nodes at all contacts", text)?;
         let iterations = case.numerics.max_iterations;
         above("numerics.max_iterations", iterations as f64, self.iterations as f64, "iterations", text)?;
         let Some(transient) = &case.transient else { return Ok(()) };

@@ -8,7 +8,7 @@ use tribodyn_case::{Case, Fit};
 use tribodyn_quasistatic::Solution;
 use tribodyn_rating::{
     BallLoads, Lubrication, PERMISSIBLE_PRESSURE, RatedBearing, RatingError, ReferenceLife, Turning, basic_life_mrev,
-    hours, life_modification_factor, reliability_factor,
+    hours, life_modification_factor, reference_viscosity, reliability_factor,
 };
 
 /// Where a load rating comes from.
@@ -52,6 +52,15 @@ pub struct Rating {
     pub rating_life_l10r_mrev: Option<f64>,
     /// Life modification factor a_ISO; absent where the case does not give the lubrication.
     pub life_modification_factor: Option<f64>,
+    /// Viscosity ratio κ of the lubricant; absent where the case does not give the lubrication, and at rest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub viscosity_ratio: Option<f64>,
+    /// Contamination factor e_C; absent where the case does not give it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contamination_factor: Option<f64>,
+    /// What keeps a_ISO from being worked out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lubrication_note: Option<String>,
     /// Life factor for reliability a_1.
     pub reliability_factor: f64,
     /// Modified reference rating life L_nmr, 10⁶ revolutions; absent where the case does not give the lubrication.
@@ -115,8 +124,15 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
     let reference = distribution.as_ref().map(|found| &found.reference);
     let reliability = reliability_factor(spec.reliability.unwrap_or(90.0))?;
     let reference_load = reference.map(|reference| reference.equivalent_load);
-    let modification = match (spec.viscosity_ratio, spec.contamination, reference_load.filter(|load| *load > 0.0)) {
-        (Some(viscosity_ratio), Some(contamination), Some(load)) => {
+    let viscosity_ratio = match spec.viscosity_ratio {
+        Some(ratio) => Some(ratio),
+        None => solution.map(|solution| viscosity_ratio(case, solution)).transpose()?.flatten(),
+    };
+    let pitch = case.geometry.pitch_diameter;
+    let contamination = spec.contamination.or(spec.cleanliness.map(|class| class.contamination(pitch)));
+    let too_thin = viscosity_ratio.filter(|ratio| *ratio < KAPPA_MIN);
+    let modification = match (viscosity_ratio, contamination, reference_load.filter(|load| *load > 0.0)) {
+        (Some(viscosity_ratio), Some(contamination), Some(load)) if too_thin.is_none() => {
             let film = Lubrication { viscosity_ratio, contamination };
             Some(life_modification_factor(film, limit, load)?)
         }
@@ -142,6 +158,11 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
         reference_load_n: reference_load,
         rating_life_l10r_mrev: life,
         life_modification_factor: modification,
+        viscosity_ratio,
+        contamination_factor: contamination,
+        lubrication_note: too_thin.map(|ratio| {
+            format!("the viscosity ratio is {ratio:.3}: ISO 281 has a_ISO from 0.1 on, below it count on wear")
+        }),
         reliability_factor: reliability,
         rating_life_lnmr_mrev: modified,
         rating_life_hours: counted.zip(relative_speed).and_then(|(life, speed)| hours(life, speed)),
@@ -171,6 +192,19 @@ fn distribution(rated: &RatedBearing, dynamic: f64, solution: &Solution) -> Resu
 pub fn static_rating(case: &Case) -> Result<f64, RatingError> {
     rated_or(case.rating.unwrap_or_default().static_load, || rated_bearing(case).static_rating())
         .map(|(value, _)| value)
+}
+
+/// Least viscosity ratio for which ISO 281 has a_ISO.
+const KAPPA_MIN: f64 = 0.1;
+
+/// κ = ν/ν_1 of the case's lubricant at the speed of the rings against each other; absent without one or at rest.
+fn viscosity_ratio(case: &Case, solution: &Solution) -> Result<Option<f64>, RatingError> {
+    let Some(lubricant) = &case.lubricant else { return Ok(None) };
+    let speed = solution.inner_speed_rad_s - solution.outer_speed_rad_s;
+    // A case with an oil that is none is refused when it is read.
+    let (Ok(oil), true) = (lubricant.oil.oil(), speed != 0.0) else { return Ok(None) };
+    let reference = reference_viscosity(speed, case.geometry.pitch_diameter)?;
+    Ok(Some(oil.viscosity.kinematic(lubricant.temperature) / reference))
 }
 
 fn rated_or(

@@ -4,6 +4,7 @@ mod contact;
 mod curve;
 mod derived;
 mod equilibrium;
+mod film;
 mod findings;
 mod lubrication;
 mod modes;
@@ -13,11 +14,13 @@ mod question;
 mod rated;
 mod sensitivity;
 mod stiffness;
+mod torque;
 
 pub use contact::{HertzAnswer, HertzQuestion, hertz};
 pub use curve::{CurveAnswer, traction_curve};
 pub use derived::{Derived, GrowthAnswer, derived};
 pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};
+pub use film::{ContactFilm, ContactFilmQuestion, FilmAnswer, OilAnswer, contact_film, films};
 pub use findings::{Answer, Beside, Findings};
 pub use modes::{ModesAnswer, modes};
 pub use orbit::{OrbitAnswer, OrbitProblem};
@@ -26,11 +29,13 @@ pub use question::Question;
 pub use rated::rated;
 pub use sensitivity::Sensitivity;
 pub use stiffness::{StiffnessAnswer, stiffness};
+pub use torque::{TorqueAnswer, torque};
 
 use crate::error::StudyError;
 use serde::{Serialize, Serializer};
+use tribodyn_bearing::Bearing;
 use tribodyn_case::{Case, Purpose};
-use tribodyn_quasistatic::Model;
+use tribodyn_quasistatic::{Model, Solution};
 
 /// Equations of an operating point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -109,5 +114,20 @@ impl From<Model> for Equations {
 impl Serialize for Equations {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
+    }
+}
+
+/// The solution of a case by some equations, its bearing, and what must be known of it.
+fn solution_by(question: &Question<'_>, equations: Equations) -> Result<(Bearing, Solution, Findings), StudyError> {
+    match equations.equilibrium() {
+        Some(model) => {
+            let (bearing, solved) = solved(question, model)?;
+            let findings = Findings::of(question, &bearing, (equations, &solved.solution))?;
+            Ok((bearing, solved.solution, findings))
+        }
+        None => {
+            let answer = OrbitAnswer::of(question)?;
+            Ok((question.bearing_for(equations.purpose())?, answer.solution, answer.findings))
+        }
     }
 }

@@ -1,0 +1,167 @@
+//! `tribodyn film`: lubricant films of a case, or of one contact.
+
+use crate::failure::Failure;
+use crate::input::CaseArguments;
+use crate::solve::ModelName;
+use crate::table::{self, number};
+use serde::Serialize;
+use tribodyn_study::answers::{ContactFilm, ContactFilmQuestion, FilmAnswer, OilAnswer, contact_film, films};
+
+/// Film thickness by Hamrock and Dowson with inlet heating and starvation, film parameter and viscosity ratio.
+///
+/// Of every loaded contact of a case with a lubricant: `tribodyn film case CASE.ron`. Of one contact of two steel
+/// bodies: `tribodyn film contact --oil mineral-vg68 …`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    of: Of,
+}
+
+#[derive(clap::Subcommand)]
+enum Of {
+    /// Every loaded contact of a case
+    Case(OfCase),
+    /// One contact
+    Contact(OfContact),
+}
+
+#[derive(clap::Args)]
+struct OfCase {
+    #[command(flatten)]
+    case: CaseArguments,
+    /// Equations of loads and speeds
+    #[arg(long, value_enum, default_value_t = ModelName::Traction)]
+    model: ModelName,
+    /// Print JSON, and nothing else, to standard output
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(clap::Args)]
+struct OfContact {
+    /// Oil of the library: mineral, pao, ester or polyglycol with a grade, such as mineral-vg68
+    #[arg(long)]
+    oil: String,
+    /// Temperature of the oil before the contact, °C
+    #[arg(long, value_name = "DEG_C", allow_negative_numbers = true)]
+    temperature: f64,
+    /// Normal load, N
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    load: f64,
+    /// Entrainment speed, the mean of both surface speeds, m/s
+    #[arg(long, value_name = "M_S", allow_negative_numbers = true)]
+    speed: f64,
+    /// Radius of relative curvature along rolling, mm
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    radius: f64,
+    /// Radius of relative curvature across rolling, mm; as along it where left out
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    across: Option<f64>,
+    /// Slide-to-roll ratio
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    slide_to_roll: f64,
+    /// Root-mean-square roughness of both surfaces together, µm
+    #[arg(long, value_name = "UM", default_value_t = 0.07, allow_negative_numbers = true)]
+    roughness: f64,
+    /// Film thickness over that of a flooded contact; 0.7 for grease
+    #[arg(long, default_value_t = 1.0, allow_negative_numbers = true)]
+    starvation: f64,
+    /// Young's modulus of both bodies, GPa
+    #[arg(long, default_value_t = 208.0, allow_negative_numbers = true)]
+    young: f64,
+    /// Poisson's ratio of both bodies
+    #[arg(long, default_value_t = 0.3, allow_negative_numbers = true)]
+    poisson: f64,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct ContactAnswer {
+    oil: OilAnswer,
+    #[serde(flatten)]
+    film: ContactFilm,
+}
+
+type Row = (&'static str, String, &'static str);
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.of {
+        Of::Case(arguments) => of_case(arguments),
+        Of::Contact(arguments) => of_contact(arguments),
+    }
+}
+
+fn oil_rows(oil: &OilAnswer) -> Vec<Row> {
+    vec![
+        ("temperature of the oil", number(oil.temperature_deg_c, 1), "°C"),
+        ("kinematic viscosity", number(oil.kinematic_viscosity_mm2_s, 3), "mm²/s"),
+        ("dynamic viscosity", number(oil.dynamic_viscosity_pa_s * 1e3, 3), "mPa s"),
+        ("pressure-viscosity coefficient", number(oil.pressure_viscosity_per_pa * 1e9, 2), "1/GPa"),
+    ]
+}
+
+fn of_contact(a: &OfContact) -> Result<(), Failure> {
+    let (oil, film) = contact_film(&ContactFilmQuestion {
+        oil: a.oil.clone(),
+        temperature_deg_c: a.temperature,
+        starvation: a.starvation,
+        roughness_um: a.roughness,
+        load_n: a.load,
+        speed_m_s: a.speed,
+        slide_to_roll: a.slide_to_roll,
+        rolling_radius_mm: a.radius,
+        lateral_radius_mm: a.across.unwrap_or(a.radius),
+        young_gpa: a.young,
+        poisson: a.poisson,
+    })?;
+    if a.json {
+        return table::print_json(&ContactAnswer { oil, film });
+    }
+    let mut rows = oil_rows(&oil);
+    rows.push(("central film thickness", number(film.film_central_m * 1e6, 4), "µm"));
+    rows.push(("least film thickness", number(film.film_minimum_m * 1e6, 4), "µm"));
+    rows.push(("film parameter λ", number(film.lambda_ratio, 2), ""));
+    table::print_pairs(&rows)
+}
+
+fn of_case(arguments: &OfCase) -> Result<(), Failure> {
+    let file = arguments.case.read()?;
+    let found = films(&file, arguments.model.equations())?;
+    if arguments.json {
+        return table::print_json(&found);
+    }
+    table::print_line(&format!("{}: {}\n", file.name, crate::harmless::visible(&file.case.name)))?;
+    table::print_pairs(&case_rows(&found))?;
+    table::print_line("")?;
+    let header = ["ball", "race", "Q, N", "u, m/s", "h central, µm", "h least, µm", "λ", "film rise, K"];
+    table::print_rows(&header, found.contacts.iter().map(contact_row))?;
+    for warning in &found.warnings {
+        table::print_line(&format!("warning: {warning}"))?;
+    }
+    Ok(())
+}
+
+fn case_rows(found: &FilmAnswer) -> Vec<Row> {
+    let mut rows = oil_rows(&found.oil);
+    rows.push(("film over that of flooded contacts", number(found.starvation, 2), ""));
+    let reference = found.reference_viscosity_mm2_s.map(|value| number(value, 3));
+    rows.extend(reference.map(|value| ("viscosity asked for by ISO 281, ν_1", value, "mm²/s")));
+    rows.extend(found.viscosity_ratio.map(|value| ("viscosity ratio κ", number(value, 3), "")));
+    rows.push(("speed times pitch diameter", number(found.speed_factor_mm_rpm, 0), "mm r/min"));
+    rows
+}
+
+fn contact_row(contact: &ContactFilm) -> Vec<String> {
+    vec![
+        contact.ball.map_or_else(String::new, |ball| ball.to_string()),
+        contact.race.unwrap_or_default().to_owned(),
+        number(contact.load_n, 1),
+        number(contact.entrainment_speed_m_s, 3),
+        number(contact.film_central_m * 1e6, 3),
+        number(contact.film_minimum_m * 1e6, 3),
+        number(contact.lambda_ratio, 2),
+        contact.film_temperature_rise_k.map_or_else(String::new, |rise| number(rise, 1)),
+    ]
+}

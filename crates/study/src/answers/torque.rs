@@ -1,0 +1,160 @@
+//! Friction torque of a bearing by cause, beside the formulas of SKF and of Palmgren.
+
+use super::{Answer, Equations, Question, solution_by};
+use crate::error::StudyError;
+use serde::Serialize;
+use tribodyn_bearing::Side;
+use tribodyn_case::{Fit, OilSpec};
+use tribodyn_lubricant::{PalmgrenBearing, SkfBearing, SkfLoads, SkfSeries};
+
+/// Torque that the shaft needs, N m, by cause.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TorqueAnswer {
+    /// Speed of the rings against each other, r/min.
+    pub speed_rpm: f64,
+    /// Radial load, N.
+    pub radial_load_n: f64,
+    /// Axial load, N.
+    pub axial_load_n: f64,
+    /// All of it.
+    pub torque_nm: f64,
+    /// Resistance of the films' inlets to rolling.
+    pub rolling_nm: f64,
+    /// Shear of the films at the inner race.
+    pub sliding_inner_nm: f64,
+    /// The same at the outer race.
+    pub sliding_outer_nm: f64,
+    /// Drag and churning of the fluid around the balls.
+    pub fluid_nm: f64,
+    /// Cage: pockets, and drag of guiding land and surroundings.
+    pub cage_nm: f64,
+    /// SKF's model: rolling.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub skf_rolling_nm: Option<f64>,
+    /// SKF's model: sliding.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub skf_sliding_nm: Option<f64>,
+    /// SKF's model, without seals and the drag of an oil bath.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub skf_torque_nm: Option<f64>,
+    /// Palmgren's formula: of the lubricant.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub palmgren_viscous_nm: Option<f64>,
+    /// Palmgren's formula: of the load.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub palmgren_load_nm: Option<f64>,
+    /// Palmgren's formula.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub palmgren_torque_nm: Option<f64>,
+    /// What the formulas had to assume.
+    pub notes: Vec<String>,
+}
+
+/// Friction torque at the operating point of a case.
+///
+/// # Errors
+/// A case that the equations do not solve, that stands still, or that the standards do not rate.
+pub fn torque(question: &Question<'_>, equations: Equations) -> Result<Answer<TorqueAnswer>, StudyError> {
+    let (bearing, solution, findings) = solution_by(question, equations)?;
+    let speed = solution.inner_speed_rad_s - solution.outer_speed_rad_s;
+    let turning = solution.shaft_torque_nm.filter(|_| speed != 0.0);
+    let Some(torque) = turning else {
+        let message = "a friction torque needs traction and a speed of the rings against each other";
+        return Err(StudyError::argument("case", question.name, message));
+    };
+    let of = |power: f64| power / speed.abs();
+    let contacts = |side: Side| solution.balls.iter().map(move |ball| ball.contacts[side]);
+    let rolling = Side::BOTH.map(|side| contacts(side).map(|c| bearing.rolling_power(side, &c)).sum::<f64>());
+    let friction =
+        Side::BOTH.map(|side| contacts(side).filter_map(|c| c.friction).map(|f| f.power_loss_w).sum::<f64>());
+    let fluid: f64 = solution.balls.iter().filter_map(|ball| ball.fluid).map(|fluid| fluid.power_loss_w).sum();
+    let [x, y, z] = solution.ring_load_n;
+    let known = of(friction.iter().sum::<f64>() + fluid);
+    let mut answer = TorqueAnswer {
+        speed_rpm: speed.abs() * 30.0 / std::f64::consts::PI,
+        radial_load_n: x.hypot(y),
+        axial_load_n: z.abs(),
+        torque_nm: torque.abs(),
+        rolling_nm: of(rolling.iter().sum()),
+        sliding_inner_nm: of(friction[0] - rolling[0]),
+        sliding_outer_nm: of(friction[1] - rolling[1]),
+        fluid_nm: of(fluid),
+        cage_nm: torque.abs() - known,
+        skf_rolling_nm: None,
+        skf_sliding_nm: None,
+        skf_torque_nm: None,
+        palmgren_viscous_nm: None,
+        palmgren_load_nm: None,
+        palmgren_torque_nm: None,
+        notes: Vec::new(),
+    };
+    formulas(question, speed, &mut answer)?;
+    Ok(Answer::new(findings, answer))
+}
+
+/// Contact angle from which a bearing counts as an angular contact bearing, rad.
+const ANGULAR: f64 = 0.2;
+/// Section D − d over ball diameter of a usual bearing.
+const SECTION: f64 = 3.3;
+
+fn formulas(question: &Question<'_>, speed: f64, answer: &mut TorqueAnswer) -> Result<(), StudyError> {
+    let case = question.case;
+    let Some(lubricant) = &case.lubricant else {
+        answer.notes.push("SKF and Palmgren need a lubricant, which the case does not have".to_owned());
+        return Ok(());
+    };
+    let spec = case.rating.unwrap_or_default();
+    let refused = |source| StudyError::Rating { file: question.name.to_owned(), source };
+    let static_rating = crate::rating::static_rating(case).map_err(refused)?;
+    let nominal = spec.contact_angle.unwrap_or(match case.geometry.fit {
+        Fit::ContactAngle(angle) => angle,
+        Fit::RadialClearance(_) => 0.0,
+    });
+    let angular_contact = nominal > ANGULAR;
+    let g = &case.geometry;
+    let half_section = 0.5 * SECTION * g.ball_diameter;
+    if spec.bore.is_none() || spec.outside.is_none() {
+        answer.notes.push("bore and outside diameter estimated: give rating.bore and rating.outside".to_owned());
+    }
+    let series = if angular_contact {
+        Some(SkfSeries::angular_contact())
+    } else {
+        if spec.series.is_none() {
+            answer.notes.push("SKF's constants are those of series 62: give rating.series".to_owned());
+        }
+        let found = SkfSeries::deep_groove(spec.series.unwrap_or(62));
+        if found.is_none() {
+            answer.notes.push("SKF has no constants for rating.series".to_owned());
+        }
+        found
+    };
+    let viscosity = lubricant.oil.oil()?.viscosity.kinematic(lubricant.temperature);
+    let synthetic = match &lubricant.oil {
+        OilSpec::Library(name) => !name.starts_with("mineral"),
+        OilSpec::Grade { stock, .. } | OilSpec::Viscosities { stock, .. } => stock.name() != "mineral",
+    };
+    if let Some(series) = series {
+        let bearing = SkfBearing {
+            bore: spec.bore.unwrap_or(g.pitch_diameter - half_section),
+            outside: spec.outside.unwrap_or(g.pitch_diameter + half_section),
+            series,
+            static_rating,
+        };
+        let skf = bearing.torque(&SkfLoads {
+            radial: answer.radial_load_n,
+            axial: answer.axial_load_n,
+            speed,
+            viscosity,
+            supply: lubricant.supply,
+            synthetic,
+        })?;
+        (answer.skf_rolling_nm, answer.skf_sliding_nm) = (Some(skf.rolling), Some(skf.sliding));
+        answer.skf_torque_nm = Some(skf.total());
+    }
+    let bearing = PalmgrenBearing { pitch_diameter: g.pitch_diameter, angular_contact, static_rating };
+    let loads = [answer.radial_load_n, answer.axial_load_n];
+    let palmgren = bearing.torque(loads, speed, viscosity, lubricant.supply)?;
+    (answer.palmgren_viscous_nm, answer.palmgren_load_nm) = (Some(palmgren.viscous), Some(palmgren.load));
+    answer.palmgren_torque_nm = Some(palmgren.total());
+    Ok(())
+}
