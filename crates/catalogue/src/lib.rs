@@ -10,7 +10,7 @@ mod suffixes;
 pub use ball_set::{BallSet, KnownBalls, Origin, Ratings, RunnerUp, USUAL_GROOVES};
 pub use clearance::ClearanceGroup;
 pub use list::{ListedBearing, PublishedBalls, SOURCE, find, listed, search};
-pub use new_case::NewCase;
+pub use new_case::{NewCase, NewLubricant};
 pub use suffixes::Part;
 
 /// Boundary dimensions of a bearing and its nominal contact angle, SI.
@@ -29,6 +29,12 @@ pub struct Envelope {
 /// Why there is no bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CatalogueError {
+    /// A lubricant that a new case cannot have.
+    #[error("lubricant \"{word}\": allowed are ag, ptfe, grease, vg68 and the other grades, and oils such as pao-vg32")]
+    Lubricant {
+        /// The word.
+        word: String,
+    },
     /// A designation that the list does not have.
     #[error("no bearing `{designation}` in the list; allowed: {allowed}; any other by --bore, --outside and --width")]
     Unknown {

@@ -14,6 +14,13 @@ pub struct Part {
     pub meaning: &'static str,
 }
 
+impl Part {
+    /// True for seals and shields.
+    pub(crate) fn closes(&self) -> bool {
+        [SHIELD, LOW_SEAL, SEAL].contains(&self.meaning)
+    }
+}
+
 /// The effect of a suffix on a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Effect {

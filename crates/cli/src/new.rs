@@ -5,7 +5,7 @@ use crate::input::ReplaceArguments;
 use crate::table;
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use tribodyn_catalogue::{Envelope, KnownBalls, NewCase, Ratings, find};
+use tribodyn_catalogue::{Envelope, KnownBalls, NewCase, NewLubricant, Ratings, find};
 use tribodyn_study::{CaseFile, Limits, StagedFiles, StudyError};
 
 /// Make a complete, commented case file from a designation, or from boundary dimensions.
@@ -58,6 +58,10 @@ pub struct Arguments {
     /// Speed of the inner ring, r/min; a moderate one where left out
     #[arg(long, value_name = "RPM", allow_negative_numbers = true)]
     speed: Option<f64>,
+    /// Lubricant: vg68 and other grades of mineral oil, an oil such as pao-vg32, grease, or ag or ptfe for a dry bearing; by
+    /// default grease for sealed bearings and vg68 for open ones
+    #[arg(long, value_name = "NAME")]
+    lubricant: Option<String>,
     /// Ask for what is not given, on a terminal
     #[arg(long)]
     ask: bool,
@@ -97,6 +101,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     (case.radial_load, case.axial_load) = (arguments.radial, arguments.axial);
     case.speed = arguments.speed.map(rpm);
+    case.lubricant = arguments.lubricant.as_deref().map(NewLubricant::parse).transpose()?;
     if arguments.ask {
         ask_operation(&mut case)?;
     }

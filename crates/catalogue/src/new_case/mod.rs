@@ -1,9 +1,11 @@
 //! A complete case from what a catalogue has: every value with its source, and every assumption marked as one.
 
+mod lubricant;
 mod numbers;
 mod sections;
 
 use crate::{BallSet, CatalogueError, ClearanceGroup, Envelope, KnownBalls, ListedBearing, Origin, Part, Ratings};
+pub use lubricant::NewLubricant;
 use numbers::Numbers;
 use tribodyn_rating::RatingError;
 
@@ -32,6 +34,8 @@ pub struct NewCase {
     pub axial_load: Option<f64>,
     /// Speed of the inner ring, rad/s, where known.
     pub speed: Option<f64>,
+    /// Lubricant, where known; else the usual one of the bearing's class.
+    pub lubricant: Option<NewLubricant>,
 }
 
 /// A value of the case that is not in the catalogue, or is.
@@ -72,6 +76,7 @@ impl NewCase {
             radial_load: None,
             axial_load: None,
             speed: None,
+            lubricant: None,
         }
     }
 
@@ -104,7 +109,7 @@ impl NewCase {
         let mut text = self.opening();
         text += &self.geometry(&balls, &numbers, &mut sources);
         text += &sections::materials(self, &mut sources);
-        text += &sections::tribology(&mut sources);
+        text += &self.lubricant().section(&mut sources);
         text += &sections::cage(&numbers, &mut sources);
         text += &sections::operation(self, &numbers, &mut sources);
         text += &sections::transient(&numbers, &mut sources);
@@ -146,6 +151,11 @@ impl NewCase {
             }
         }
         Ok(())
+    }
+
+    /// The lubricant, by the bearing's class where none is given.
+    fn lubricant(&self) -> NewLubricant {
+        self.lubricant.clone().unwrap_or_else(|| NewLubricant::usual(self.parts.iter().any(Part::closes)))
     }
 
     fn is_deep_groove(&self) -> bool {

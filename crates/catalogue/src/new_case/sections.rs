@@ -84,8 +84,9 @@ pub(super) fn materials(case: &NewCase, sources: &mut Sources) -> String {
     )
 }
 
-pub(super) fn tribology(sources: &mut Sources) -> String {
-    let coating = "a solid lubricant of the library; the model has no oil or grease film. Films are 0.2 to 20 um thick";
+/// A solid lubricant on both races, with wear.
+pub(super) fn coating(name: &str, sources: &mut Sources) -> String {
+    let coating = "a solid lubricant of the library. Films are 0.2 to 20 um thick";
     sources.assumed("coatings.inner", coating);
     sources.assumed("coatings.outer", coating);
     sources.assumed(
@@ -99,9 +100,10 @@ pub(super) fn tribology(sources: &mut Sources) -> String {
     sources.assumed("traction.patch", "accelerations and pocket forces settle at this error; 1e-3 for a quick look");
     sources.assumed("traction", "the fullest model: parameters that vary with pressure, and differential slip");
     sources.assumed("wear", "orders of magnitude: wear coefficients 1e-7 to 1e-4, silver 250 MPa, cage 60 to 200 MPa");
-    "    coatings: (
-        inner: (curve: Library(\"ag\"), thickness: um(2)),
-        outer: (curve: Library(\"ag\"), thickness: um(2)),
+    format!(
+        "    coatings: (
+        inner: (curve: Library(\"{name}\"), thickness: um(2)),
+        outer: (curve: Library(\"{name}\"), thickness: um(2)),
     ),
 
     traction: (
@@ -123,7 +125,7 @@ pub(super) fn tribology(sources: &mut Sources) -> String {
     ),
 
 "
-    .to_owned()
+    )
 }
 
 pub(super) fn cage(numbers: &Numbers, sources: &mut Sources) -> String {
@@ -273,8 +275,25 @@ pub(super) fn rating(case: &NewCase, numbers: &Numbers, sources: &mut Sources) -
             );
         }
     }
-    fields += "        // With a lubricant film: viscosity_ratio: 2, contamination: 0.5, reliability: 90.\n";
+    if let Some((class, why)) = case.lubricant().cleanliness() {
+        sources.assumed("rating.cleanliness", why);
+        fields += &format!("        cleanliness: {class},\n");
+    }
+    let [bore, outside] = [case.envelope.bore, case.envelope.outside].map(|d| trim(d * 1e3, 4));
+    fields +=
+        &format!("        // For SKF's friction torque.\n        bore: mm({bore}),\n        outside: mm({outside}),\n");
+    if let Some(series) = series(case) {
+        fields += &format!("        series: {series},\n");
+    }
     format!(
         "    // For `tribodyn rating`: the nominal contact angle and the load ratings.\n    rating: (\n{fields}    ),\n\n"
     )
+}
+
+/// Series of a listed deep-groove bearing: its digits without those of the bore, of which three digits have one.
+fn series(case: &NewCase) -> Option<String> {
+    let name = case.designation.as_ref()?.trim_start_matches(|c: char| !c.is_ascii_digit());
+    let digits: String = name.chars().take_while(char::is_ascii_digit).collect();
+    let series = digits.get(..digits.len().checked_sub(if digits.len() == 3 { 1 } else { 2 })?)?;
+    (case.source.is_some() && case.is_deep_groove() && !series.is_empty()).then(|| series.to_owned())
 }
