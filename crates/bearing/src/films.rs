@@ -6,11 +6,13 @@ use crate::races::Side;
 use crate::result::{BallResult, ContactResult, FilmResult};
 use tribodyn_traction::{FilmLaw, Patch, TractionLaw};
 
+/// Rolling speed below which a contact entrains no film to speak of, m/s: a ball that nothing drives.
+const LEAST_ROLLING: f64 = 1e-4;
+
 impl Geometry {
-    /// Radius of relative curvature along rolling R_x at the free contact angle, m.
-    pub fn rolling_radius(&self, side: Side) -> f64 {
-        let [rolling, _] = self.curvatures(side, self.cos_contact_angle());
-        rolling.recip()
+    /// Radii of relative curvature along and across rolling at the free contact angle, R_x and R_y, m.
+    pub fn relative_radii(&self, side: Side) -> [f64; 2] {
+        self.curvatures(side, self.cos_contact_angle()).map(f64::recip)
     }
 }
 
@@ -54,7 +56,8 @@ impl Bearing {
     }
 
     fn film(&self, law: &FilmLaw, contact: &ContactResult) -> Option<FilmResult> {
-        let friction = contact.friction.filter(|_| contact.load_n > 0.0)?;
+        let rolls = contact.load_n > 0.0 && contact.rolling_speed_m_s > LEAST_ROLLING;
+        let friction = contact.friction.filter(|_| rolls)?;
         let patch = self.film_patch(contact);
         let [along, across] = friction.slide_to_roll;
         let (state, rise) =

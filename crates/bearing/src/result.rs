@@ -59,7 +59,7 @@ pub struct ContactResult {
     pub spin_ratio_per_m: f64,
     /// Traction and what follows from it; absent in a model without traction.
     pub friction: Option<FrictionResult>,
-    /// Film of the lubricant; absent where there is none and where the ball has left the race.
+    /// Film of the lubricant; absent where there is none, and where the ball has left the race or does not roll.
     pub film: Option<FilmResult>,
     /// Damping, wear and defects where the ball stands; absent in an equilibrium.
     pub transient: Option<TransientContact>,

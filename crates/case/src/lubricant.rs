@@ -34,13 +34,12 @@ impl OilSpec {
                     limiting_shear: limiting_shear.unwrap_or(usual.limiting_shear),
                     ..usual
                 };
-                let coefficient = match pressure {
-                    Some(PressureSpec::At40(coefficient)) => coefficient,
-                    Some(PressureSpec::SoKlaus) => so_klaus(at_40, oil.density(GRADING_TEMPERATURE), &curve),
-                    None => stock.pressure_coefficient(at_40),
-                };
-                let index = roelands_index(coefficient, oil.dynamic(GRADING_TEMPERATURE))?;
-                Oil { pressure: PressureViscosity::Roelands { index }, ..oil }
+                let coefficient = pressure.map(|pressure| match pressure {
+                    PressureSpec::At40(coefficient) => coefficient,
+                    PressureSpec::SoKlaus => so_klaus(at_40, oil.density(GRADING_TEMPERATURE), &curve),
+                });
+                let index = coefficient.map(|alpha| roelands_index(alpha, oil.dynamic(GRADING_TEMPERATURE)));
+                index.transpose()?.map_or(oil, |index| Oil { pressure: PressureViscosity::Roelands { index }, ..oil })
             }
         };
         oil.check()?;
@@ -81,7 +80,7 @@ impl LubricantSpec {
             let law = FilmLaw::new(
                 (oil, self.temperature, self.inlet(side)?),
                 (shear, self.boundary_friction),
-                geometry.rolling_radius(side),
+                geometry.relative_radii(side),
                 [ball, rings[side]],
             )?;
             Ok(law.into())

@@ -236,10 +236,10 @@ fn in_options(error: &StudyError) -> String {
             };
             format!("{}: {difference}; delete it, or use --restart to begin anew", path.display())
         }
-        StudyError::NoWear { .. } => {
+        StudyError::NoWear(_) => {
             "--until is missing: nothing wears a coating through in this case: give a time in h".to_owned()
         }
-        StudyError::NoCoating { .. } => format!("{error}: give --clearance-limit in um, or --until in h"),
+        StudyError::NoCoating(_) => format!("{error}: give --clearance-limit in um, or --until in h"),
         StudyError::NotOurs { .. } => format!("{error} without --force"),
         StudyError::Unfinished { .. } => format!("{error}: --resume goes on with it, --restart forgets it"),
         StudyError::OtherVersion { .. }

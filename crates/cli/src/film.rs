@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
+use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
 use serde::Serialize;
@@ -29,6 +30,8 @@ enum Of {
 struct OfCase {
     #[command(flatten)]
     case: CaseArguments,
+    #[command(flatten)]
+    time: TimeArguments,
     /// Equations of loads and speeds
     #[arg(long, value_enum, default_value_t = ModelName::Traction)]
     model: ModelName,
@@ -128,19 +131,20 @@ fn of_contact(a: &OfContact) -> Result<(), Failure> {
 
 fn of_case(arguments: &OfCase) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let found = films(&file, arguments.model.equations())?;
+    let search = Search::begin(&file, &arguments.time);
+    let answer =
+        films(&file.question(search.watch()), arguments.model.equations()).map_err(|error| search.failed(error))?;
+    drop(search);
     if arguments.json {
-        return table::print_json(&found);
+        return table::print_json(&answer);
     }
-    table::print_line(&format!("{}: {}\n", file.name, crate::harmless::visible(&file.case.name)))?;
-    table::print_pairs(&case_rows(&found))?;
+    let (findings, found) = (answer.findings(), answer.value());
+    table::print_head(&format!("{}: {}", file.name, crate::harmless::visible(&file.case.name)), findings)?;
+    table::print_pairs(&case_rows(found))?;
     table::print_line("")?;
     let header = ["ball", "race", "Q, N", "u, m/s", "h central, µm", "h least, µm", "λ", "film rise, K"];
     table::print_rows(&header, found.contacts.iter().map(contact_row))?;
-    for warning in &found.warnings {
-        table::print_line(&format!("warning: {warning}"))?;
-    }
-    Ok(())
+    table::print_warnings(findings.warnings())
 }
 
 fn case_rows(found: &FilmAnswer) -> Vec<Row> {

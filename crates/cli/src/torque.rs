@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
+use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
 use tribodyn_study::answers::{TorqueAnswer, torque};
@@ -11,6 +12,8 @@ use tribodyn_study::answers::{TorqueAnswer, torque};
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
+    #[command(flatten)]
+    time: TimeArguments,
     /// Equations to solve
     #[arg(long, value_enum, default_value_t = ModelName::Traction)]
     model: ModelName,
@@ -21,11 +24,15 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let found = torque(&file, arguments.model.equations())?;
+    let search = Search::begin(&file, &arguments.time);
+    let answer =
+        torque(&file.question(search.watch()), arguments.model.equations()).map_err(|error| search.failed(error))?;
+    drop(search);
     if arguments.json {
-        return table::print_json(&found);
+        return table::print_json(&answer);
     }
-    table::print_line(&format!("{}: {}\n", file.name, crate::harmless::visible(&file.case.name)))?;
+    let (findings, found) = (answer.findings(), answer.value());
+    table::print_head(&format!("{}: {}", file.name, crate::harmless::visible(&file.case.name)), findings)?;
     let loads = format!("{}  {}", number(found.radial_load_n, 1), number(found.axial_load_n, 1));
     table::print_pairs(&[
         ("speed", number(found.speed_rpm, 1), "r/min"),
@@ -33,14 +40,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("friction power", number(found.torque_nm * found.speed_rpm * std::f64::consts::PI / 30.0, 2), "W"),
     ])?;
     table::print_line("")?;
-    table::print_rows(&["torque, N mm", "tribodyn", "SKF", "Palmgren"], rows(&found).into_iter())?;
+    table::print_rows(&["torque, N mm", "tribodyn", "SKF", "Palmgren"], rows(found).into_iter())?;
     for note in &found.notes {
         table::print_line(&format!("note: {note}"))?;
     }
-    for warning in &found.warnings {
-        table::print_line(&format!("warning: {warning}"))?;
-    }
-    Ok(())
+    table::print_warnings(findings.warnings())
 }
 
 fn rows(t: &TorqueAnswer) -> Vec<Vec<String>> {

@@ -82,6 +82,17 @@ pub fn roelands_index(coefficient: f64, viscosity: f64) -> Result<f64, Lubricant
     Ok(coefficient / (ROELANDS_PRESSURE * (positive("viscosity", viscosity, "Pa s")?.ln() + ROELANDS_SHIFT)))
 }
 
+/// Roelands' Z from a mean coefficient ln[η(p)/η0]/p in 1/Pa up to a pressure p in Pa, at a viscosity in Pa s.
+///
+/// # Errors
+/// As [`roelands_index`].
+pub fn roelands_index_of_mean(mean: f64, pressure: f64, viscosity: f64) -> Result<f64, LubricantError> {
+    // Checks the coefficient and the viscosity.
+    roelands_index(mean, viscosity)?;
+    let rise = mean * pressure / (viscosity.ln() + ROELANDS_SHIFT);
+    Ok((1.0 + rise).ln() / (1.0 + ROELANDS_PRESSURE * pressure).ln())
+}
+
 /// Pressure–viscosity coefficient by the correlation of So and Klaus, 1/Pa, from kinematic viscosity (m²/s), density
 /// (kg/m³) at that temperature and the slope of Walther's equation. Its own error is about 15 % (B. Y. C. So and
 /// E. E. Klaus, ASLE Trans. 23 (1980) 409).

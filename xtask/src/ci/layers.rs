@@ -8,7 +8,7 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 17] = [
+const LAYERS: [(&str, &[&str]); 18] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-lubricant", &[]),
     // Films under shear.

@@ -64,6 +64,7 @@ impl NewLubricant {
             _ => "a mineral oil of the library for moderate speeds; viscosity index 95, usual VG 32 to 150",
         };
         sources.assumed("lubricant.oil", why);
+        sources.assumed("lubricant.supply", "grease in a closed bearing, an oil bath in an open one");
         sources.assumed("lubricant.temperature", "a bearing at moderate load and speed; usual 40 to 100 degC");
         sources.assumed(
             "lubricant.roughness",
@@ -71,10 +72,8 @@ impl NewLubricant {
         );
         sources.assumed("lubricant.shear", "Eyring stress of mineral oils; usual 3 to 10 MPa");
         sources.assumed("lubricant.boundary_friction", "steel on steel with additives; usual 0.08 to 0.15");
-        sources.assumed(
-            "lubricant.patch",
-            "accelerations and pocket forces settle at this error; 1e-5 for a run with more digits",
-        );
+        sources
+            .assumed("lubricant.patch", "accelerations and pocket forces settle at this error; 1e-3 for a quick look");
         sources.assumed(
             "wear",
             "order of magnitude of steel in oil where asperities touch, 1e-9 to 1e-7; 7 GPa, cage 60 to 200 MPa",
@@ -89,7 +88,7 @@ impl NewLubricant {
         roughness: (ball: um(0.02), inner: um(0.06), outer: um(0.06)),
         shear: Eyring(MPa(5)),
         boundary_friction: 0.12,
-        patch: TargetError(relative: 1e-4),
+        patch: TargetError(relative: 1e-5),
     ),
 
     // No `fluid`: the drag of the oil on balls and cage is left out.

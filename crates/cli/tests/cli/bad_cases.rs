@@ -282,7 +282,7 @@ fn limit_what_asks_for_too_much_is_refused_unless_the_limits_are_lifted() {
 fn limit_a_model_that_the_case_has_no_sections_for_is_refused() {
     let scratch = Scratch::new();
     let (run_file, case) = (scratch.0.join("run.mcap"), fixture("bearing-218.ron"));
-    let coatings = "`coatings` (inner and outer, each with curve and thickness)";
+    let coatings = "`coatings` (inner and outer, each with curve and thickness; or a `lubricant` in their place)";
     let needs = format!("{}: the traction model needs what the case does not have: {coatings}", case.display());
     let parts = [
         "`traction` (slip_unit",

@@ -4,20 +4,22 @@ use crate::{Keep, case};
 use std::sync::Arc;
 use tribodyn_bearing::Side;
 use tribodyn_dynamics::{DynamicsError, Ending, Run, RunInputs};
-use tribodyn_traction::{Coating, CoatingLaw, CustomLaw, Law, OverSlip, SlipCurve, TractionLaw};
+use tribodyn_traction::{Coating, CoatingLaw, Conditions, CustomLaw, Law, OverSlip, SlipCurve, TractionLaw};
 
 /// The silver coating's law handed in as one's own, with slopes by differences.
 #[derive(Debug)]
 struct Silver(CoatingLaw);
 
 impl CustomLaw for Silver {
-    fn over_slip(&self, slip: f64, pressure: f64) -> OverSlip {
+    fn over_slip(&self, slip: f64, contact: &Conditions) -> OverSlip {
+        let pressure = contact.pressure;
         let at = |slip: f64, pressure: f64| self.0.at(pressure).over_slip(slip);
         let (ds, dp) = (1e-6 * slip.abs().max(1e-6), 1e-6 * pressure);
         OverSlip {
             value: at(slip, pressure),
             by_slip: (at(slip + ds, pressure) - at(slip - ds, pressure)) / (2.0 * ds),
             by_pressure: (at(slip, pressure + dp) - at(slip, pressure - dp)) / (2.0 * dp),
+            by_entrainment: 0.0,
         }
     }
 }

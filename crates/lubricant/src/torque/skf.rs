@@ -48,6 +48,8 @@ const DRY_SLIDING: f64 = 0.15;
 const MINERAL_SLIDING: f64 = 0.05;
 /// Sliding friction in a film of synthetic oil.
 const SYNTHETIC_SLIDING: f64 = 0.04;
+/// Axial load over radial load below which there is none: SKF's formulas for deep grooves jump there.
+const NO_AXIAL: f64 = 1e-6;
 const MM: f64 = 1e3;
 
 /// Load, speed and oil of a bearing, SI.
@@ -148,7 +150,7 @@ impl SkfBearing {
     fn variables(&self, at: &SkfLoads, pitch: f64, rpm: f64) -> Result<[f64; 2], LubricantError> {
         let (radial, axial) = (at.radial.abs(), at.axial.abs());
         Ok(match self.series {
-            SkfSeries::DeepGroove([r1, _, s1, _]) if axial == 0.0 => {
+            SkfSeries::DeepGroove([r1, _, s1, _]) if axial <= NO_AXIAL * radial => {
                 [r1 * pitch.powf(1.96) * radial.powf(0.54), s1 * pitch.powf(-0.26) * radial.powf(5.0 / 3.0)]
             }
             SkfSeries::DeepGroove([r1, r2, s1, s2]) => {
@@ -202,8 +204,9 @@ mod tests {
     fn limit_a_small_axial_load_adds_little_and_grease_starves() {
         let bath = at(3000.0);
         let plain = deep_groove().torque(&bath).unwrap();
-        let loaded = deep_groove().torque(&SkfLoads { axial: 1e-3, ..bath }).unwrap();
-        assert!((loaded.rolling / plain.rolling - 1.0).abs() < 1e-3);
+        let loaded = deep_groove().torque(&SkfLoads { axial: 2e-3, ..bath }).unwrap();
+        assert!((loaded.rolling / plain.rolling - 1.0).abs() < 1e-3 && loaded.sliding > plain.sliding);
+        assert_eq!(deep_groove().torque(&SkfLoads { axial: 1e-12, ..bath }).unwrap(), plain);
         let grease = deep_groove().torque(&SkfLoads { supply: Supply::Grease, ..bath }).unwrap();
         assert!(grease.rolling < plain.rolling && grease.sliding == plain.sliding);
         let synthetic = deep_groove().torque(&SkfLoads { synthetic: true, ..bath }).unwrap();

@@ -119,6 +119,7 @@ pub fn contact_film(question: &ContactFilmQuestion) -> Result<(OilAnswer, Contac
         entrainment: q.speed_m_s,
         slide_to_roll: q.slide_to_roll,
         rolling_radius: rolling,
+        lateral_radius: lateral,
         ellipticity: ellipse.semi_lateral() / ellipse.semi_rolling(),
         peak_pressure: ellipse.peak_pressure,
         effective_modulus: modulus,

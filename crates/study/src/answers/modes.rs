@@ -35,7 +35,7 @@ pub fn modes(question: &Question<'_>, up_to_hz: f64, all: bool) -> Result<Answer
     let inputs = question.run_inputs()?;
     let (problem, answer, start) = OrbitAnswer::with_start(question)?;
     let failed = |source| StudyError::Orbit { file: question.name.to_owned(), source };
-    let start = start.ok_or_else(|| StudyError::AtRest { file: question.name.to_owned() })?;
+    let start = start.ok_or_else(|| StudyError::AtRest(question.name.to_owned()))?;
     let bodies =
         Bodies { cage: problem.cage, contact_damping: inputs.options.contact_damping, supports: inputs.supports };
     let modes = orbit_modes(&problem.bearing, &problem.point, &bodies, &problem.settings, &start).map_err(failed)?;

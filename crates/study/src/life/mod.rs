@@ -82,7 +82,7 @@ fn worn_life(
     let [inner, outer] = worn.raceways()?;
     let coated = [&inner, &outer].into_iter().any(|race| race.new_thickness() > 0.0);
     if !coated && options.until_s.is_none() && options.clearance_limit_m.is_none() {
-        return Err(StudyError::NoCoating { file: file.name.clone() });
+        return Err(StudyError::NoCoating(file.name.clone()));
     }
     let mut life = CoatingLife::new(inner, outer, loss_per_stride)?;
     let until = options.until_s.unwrap_or(FOR_EVER);
@@ -105,7 +105,7 @@ fn worn_life(
             () if stopped => break LifeEnd::Stopped,
             () if left > 1e-9 * until => {}
             () if options.until_s.is_some() => break LifeEnd::Time,
-            () => return Err(StudyError::NoWear { file: file.name.clone() }),
+            () => return Err(StudyError::NoWear(file.name.clone())),
         }
         let rates = worn.rates(&state.round);
         let longest = left.min(bound.longest(&life, &rates, loss_per_stride)?);
@@ -208,7 +208,7 @@ impl<'a> Worn<'a> {
             return Err(StudyError::argument("model", equations.name(), "without traction nothing slides and wears"));
         }
         let new = file.bearing_for(Purpose::Traction)?;
-        let coatings = file.case.coatings.as_ref().ok_or_else(|| StudyError::NoCoating { file: file.name.clone() })?;
+        let coatings = file.case.coatings.as_ref().ok_or_else(|| StudyError::NoCoating(file.name.clone()))?;
         Ok(Self { file, coatings, point: file.case.operating_point(), new, equations, start: None })
     }
 

@@ -51,6 +51,8 @@ pub struct FilmLaw {
     pub boundary_friction: f64,
     /// Radius of relative curvature along rolling R_x, m.
     pub rolling_radius: f64,
+    /// Radius of relative curvature across rolling R_y, m.
+    pub lateral_radius: f64,
     /// Effective modulus E', Pa.
     pub effective_modulus: f64,
     /// Tangential elasticity of ball and ring.
@@ -105,19 +107,29 @@ impl<D: Scalar> FilmContact<D> {
 }
 
 impl FilmLaw {
-    /// A film between two bodies with a radius of relative curvature along rolling, m.
+    /// A film between two bodies with radii of relative curvature along and across rolling, m.
     ///
     /// # Errors
     /// Those of [`TangentialElasticity::of_bodies`].
     pub fn new(
         (oil, temperature, inlet): (Oil, f64, InletFilm),
         (shear, boundary_friction): (FilmShear, f64),
-        rolling_radius: f64,
+        [rolling_radius, lateral_radius]: [f64; 2],
         bodies: [ElasticBody; 2],
     ) -> Result<Self, crate::TractionError> {
         let effective_modulus = tribodyn_contact::effective_modulus(&bodies[0], &bodies[1]);
         let elasticity = TangentialElasticity::of_bodies(bodies)?;
-        Ok(Self { oil, temperature, inlet, shear, boundary_friction, rolling_radius, effective_modulus, elasticity })
+        Ok(Self {
+            oil,
+            temperature,
+            inlet,
+            shear,
+            boundary_friction,
+            rolling_radius,
+            lateral_radius,
+            effective_modulus,
+            elasticity,
+        })
     }
 
     /// The contact for the film formulas.
@@ -127,6 +139,7 @@ impl FilmLaw {
             entrainment: contact.rolling_speed,
             slide_to_roll: contact.slide_to_roll(),
             rolling_radius: D::from(self.rolling_radius),
+            lateral_radius: self.lateral_radius,
             ellipticity: contact.patch.semi_lateral / contact.patch.semi_rolling,
             peak_pressure: contact.patch.peak_pressure,
             effective_modulus: self.effective_modulus,

@@ -17,7 +17,7 @@ fn law(shear: FilmShear) -> FilmLaw {
     let oil = BaseStock::Mineral.oil(68.0, None).unwrap();
     let temperature = 343.15;
     let inlet = InletFilm::new(&oil, temperature, 1.0, 0.07e-6).unwrap();
-    FilmLaw::new((oil, temperature, inlet), (shear, 0.12), 3.776e-3, [STEEL_BODY; 2]).unwrap()
+    FilmLaw::new((oil, temperature, inlet), (shear, 0.12), [3.776e-3, 0.1238], [STEEL_BODY; 2]).unwrap()
 }
 
 const EYRING: FilmShear = FilmShear::Eyring { stress: 5e6 };

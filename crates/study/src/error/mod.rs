@@ -1,5 +1,10 @@
 //! Why a procedure does not start, or ends before its time.
 
+mod kinds;
+mod refused;
+
+pub use refused::{RefusedCase, with_causes};
+
 use crate::difference::SweepDifference;
 use crate::holder::{Holder, by};
 use std::path::PathBuf;
@@ -117,13 +122,10 @@ pub enum StudyError {
     },
     /// A bearing at rest, where a motion is asked for.
     #[error(
-        "{file}: the rings do not turn against each other: a bearing at rest has no orbit to swing about; \
+        "{0}: the rings do not turn against each other: a bearing at rest has no orbit to swing about; \
          `speed.inner` or `speed.outer` other than the same gives it one"
     )]
-    AtRest {
-        /// Name of the case file.
-        file: String,
-    },
+    AtRest(String),
     /// No steady orbit for a run to start from.
     #[error(
         "{file}: no steady orbit to start from: {source}; `transient.start: QuasiStatic` starts from the equilibrium"
@@ -234,19 +236,13 @@ pub enum StudyError {
     #[error(transparent)]
     Wear(#[from] tribodyn_wear::WearError),
     /// A life without an end.
-    #[error("{file}: nothing wears a coating through in this case: a time is needed at which its life ends")]
-    NoWear {
-        /// Name of the case file.
-        file: String,
-    },
+    #[error("{0}: nothing wears a coating through in this case: a time is needed at which its life ends")]
+    NoWear(String),
     /// A life of races without coating, and without another end.
     #[error(
-        "{file}: neither race has a coating, so there is nothing to wear through: a limit of clearance or a time is needed at which the life ends"
+        "{0}: neither race has a coating, so there is nothing to wear through: a limit of clearance or a time is needed at which the life ends"
     )]
-    NoCoating {
-        /// Name of the case file.
-        file: String,
-    },
+    NoCoating(String),
     /// A file of somebody else's that would be lost.
     #[error("{} stands there and is not {wanted} that tribodyn wrote: it is not replaced", path.display())]
     NotOurs {
@@ -401,58 +397,4 @@ pub enum StudyError {
     /// Something that cannot be written as JSON.
     #[error("cannot write JSON: {0}")]
     Json(#[from] serde_json::Error),
-}
-
-impl StudyError {
-    /// True where an operating point was not found, or is none: what the standards say of the loads stands all the same.
-    pub fn leaves_a_rating(&self) -> bool {
-        matches!(
-            self,
-            Self::Overload { .. }
-                | Self::Solver { source: QuasiStaticError::NotConverged { .. } | QuasiStaticError::Ended, .. }
-                | Self::Orbit { source: OrbitError::NotConverged { .. } | OrbitError::Ended, .. }
-        )
-    }
-
-    /// True where the caller ended a search.
-    pub fn is_ended(&self) -> bool {
-        matches!(
-            self,
-            Self::Solver { source: QuasiStaticError::Ended, .. }
-                | Self::Orbit { source: OrbitError::Ended, .. }
-                | Self::Pair { source: crate::pair::PairError::Ended, .. }
-        )
-    }
-
-    /// A value that a question cannot have.
-    pub fn argument(name: &'static str, value: impl ToString, message: impl Into<String>) -> Self {
-        Self::Argument { name, value: value.to_string(), message: message.into() }
-    }
-}
-
-/// A refused case with the place to point at.
-#[derive(Debug)]
-pub struct RefusedCase {
-    /// Name of the case file.
-    pub file: String,
-    /// The changes that brought the value in, each with a colon; empty where it stands in the file.
-    pub options: String,
-    /// The text that was read, changes made.
-    pub text: String,
-    /// Reason, with the place in the text.
-    pub error: CaseError,
-}
-
-/// The message of an error with those of its causes that it does not repeat: a full disk lies deep.
-pub fn with_causes(error: &dyn std::error::Error) -> String {
-    let mut message = error.to_string();
-    let mut cause = error.source();
-    while let Some(error) = cause {
-        let text = error.to_string();
-        if !message.contains(&text) {
-            message = format!("{message}: {text}");
-        }
-        cause = error.source();
-    }
-    message
 }
