@@ -39,8 +39,8 @@ const DEEP: f64 = 0.1;
 const SURE_WITH_CAGE: f64 = -6.0;
 
 /// Height by which a line has to stand above FTF and above those one turn of the cage beside it, not to be one of many
-/// multiples, dB: at other faults too impacts vary with the cage, but a line that is modulated wholly has sidebands 6 dB
-/// below it.
+/// multiples, dB: at other faults too impacts vary with the cage, but a line that is modulated wholly has sidebands
+/// 6 dB below it.
 const CAGE_DB: f64 = 5.0;
 
 /// Height below that line to which the fifth multiple of the cage may have fallen, dB.
