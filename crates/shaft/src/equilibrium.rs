@@ -1,8 +1,8 @@
 //! Equilibrium of shaft, bearings and housings by Newton's method on all nodes.
 //!
-//! Balls that lift off and clearance make the tangent jump or vanish. Where Newton's method from the unloaded shaft finds
-//! no way, springs that centre the shaft in its bearings are added, the load is put on in steps, and the springs are taken
-//! away again.
+//! Balls that lift off and clearance make the tangent jump or vanish. Where Newton's method from the unloaded shaft
+//! finds no way, springs that centre the shaft in its bearings are added, the load is put on in steps, and the springs
+//! are taken away again.
 
 use crate::element::FREEDOMS;
 use crate::error::ShaftError;
@@ -40,7 +40,8 @@ pub struct Equilibrium {
     pub rings: Vec<Vector>,
     /// Force (N) and moment about the bearing's middle (N m) of each bearing on the shaft.
     pub reactions: Vec<Vector>,
-    /// Stiffness of each bearing in the shaft's axes: force on the shaft against its displacement, with the sign changed.
+    /// Stiffness of each bearing in the shaft's axes: force on the shaft against its displacement, with the sign
+    /// changed.
     pub stiffnesses: Vec<StiffnessMatrix>,
     /// Largest residual of all freedoms over the largest force or moment.
     pub residual: f64,

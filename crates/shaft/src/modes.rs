@@ -74,8 +74,8 @@ const ONE_WAY: f64 = 0.5;
 const FLAT: f64 = 1e-6;
 
 impl LinearShaft {
-    /// Modes at a speed of rotation in rad/s, by growing frequency; motions that meet no resistance and those that creep
-    /// are left out.
+    /// Modes at a speed of rotation in rad/s, by growing frequency; motions that meet no resistance and those that
+    /// creep are left out.
     ///
     /// # Errors
     /// [`ShaftError::Massless`], [`ShaftError::Size`] and [`ShaftError::Eigenvalues`].

@@ -72,8 +72,8 @@ fn longest_step(bearing: &Bearing) -> [f64; 2] {
     [length, 2.0 * length / bearing.geometry.pitch_diameter]
 }
 
-/// A ball bearing at rest and without friction. Each ball then stands on the line between the groove centres, pressed by
-/// both contacts in series, so that it drops out of the equations:
+/// A ball bearing at rest and without friction. Each ball then stands on the line between the groove centres, pressed
+/// by both contacts in series, so that it drops out of the equations:
 ///
 /// ```text
 /// s = |A| − (f_i + f_o − 1) D,   Q = s^1.5 / (K_i^(−2/3) + K_o^(−2/3))^1.5 for s > 0

@@ -173,8 +173,8 @@ impl AxialSet<'_> {
         Ok(of(true).min(of(false)))
     }
 
-    /// Loads along +z and along −z (N) under which the bearings of the other side lift off; absent where there are none,
-    /// or where a spring keeps them loaded.
+    /// Loads along +z and along −z (N) under which the bearings of the other side lift off; absent where there are
+    /// none, or where a spring keeps them loaded.
     ///
     /// # Errors
     /// Those of the bearings.

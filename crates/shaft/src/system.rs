@@ -11,7 +11,8 @@ use tribodyn_quasistatic::StiffnessMatrix;
 pub struct Support<'a> {
     /// Node at the bearing's middle.
     pub node: usize,
-    /// Whether the bearing carries a shaft pushed along +z; else it is the mirror image and carries one pushed along −z.
+    /// Whether the bearing carries a shaft pushed along +z; else it is the mirror image and carries one pushed along
+    /// −z.
     pub carries_plus_z: bool,
     /// How far its inner ring is pushed into the load side when the shaft has not moved, m: preload, or below 0 play.
     pub offset: f64,

@@ -83,17 +83,7 @@ const GREASE: f64 = 500_000.0;
 /// # Errors
 /// A bearing that has no equilibrium there, or that the standards do not rate.
 pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet, StudyError> {
-    let mut case = case.clone();
-    // The sheet tells nothing of the cage.
-    case.cage = None;
-    case.speed.inner = SpeedHistory::Constant(question.speed);
-    case.ring = RingSpec {
-        x: Translation::Force(question.radial),
-        y: Translation::Force(0.0),
-        z: Translation::Force(question.axial),
-        tilt_x: Tilt::Held(0.0),
-        tilt_y: Tilt::Held(0.0),
-    };
+    let case = loaded(case, question);
     let file = || name.to_owned();
     case.require(Purpose::JonesHarris).map_err(|source| StudyError::Lacking { file: file(), source })?;
     let bearing = case.bearing().map_err(|source| StudyError::Bearing { file: file(), source })?;
@@ -147,6 +137,21 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
         rating,
         warnings,
     })
+}
+
+/// The case under the loads of the question, its rings aligned.
+fn loaded(case: &Case, question: &SheetQuestion) -> Case {
+    let ring = RingSpec {
+        x: Translation::Force(question.radial),
+        y: Translation::Force(0.0),
+        z: Translation::Force(question.axial),
+        tilt_x: Tilt::Held(0.0),
+        tilt_y: Tilt::Held(0.0),
+    };
+    // The sheet tells nothing of the cage.
+    let mut case = Case { ring, cage: None, ..case.clone() };
+    case.speed.inner = SpeedHistory::Constant(question.speed);
+    case
 }
 
 fn limits(rating: &Rating, speed_factor: f64) -> Vec<String> {

@@ -15,8 +15,8 @@ use tribodyn_study::{Change, StagedFiles};
 
 /// A shaft in its bearings: reactions, deflections, stresses, lives, modes, critical speeds, unbalance.
 ///
-/// Bearings are those of the built-in list or of case files, in quasi-static equilibrium (Jones and Harris); at rest they
-/// are elastic. docs/shaft.md has every field of the file.
+/// Bearings are those of the built-in list or of case files, in quasi-static equilibrium (Jones and Harris); at rest
+/// they are elastic. docs/shaft.md has every field of the file.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   tribodyn shaft fixtures/shafts/motor.ron
@@ -40,10 +40,12 @@ pub struct Arguments {
     /// Write the nodes of the shaft as a table: place, displacements, slopes, forces, moments, stresses (CSV)
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
-    /// Write each bearing's coefficients over the speeds of --modes, or at the speed of the file, for rotor programs (CSV)
+    /// Write each bearing's coefficients over the speeds of --modes, or at the speed of the file, for rotor programs
+    /// (CSV)
     #[arg(long, value_name = "FILE.csv")]
     ross: Option<PathBuf>,
-    /// Write the bearings as springs for finite-element programs: CalculiX (.inp) or Nastran (.bdf) by the name's ending
+    /// Write the bearings as springs for finite-element programs: CalculiX (.inp) or Nastran (.bdf) by the name's
+    /// ending
     #[arg(long, value_name = "FILE")]
     springs: Option<PathBuf>,
     /// Write figures into this folder, as SVG and PNG

@@ -73,6 +73,12 @@ fn shaft(answer: &ShaftAnswer) -> Result<(), Failure> {
         ]
     };
     table::print_rows(&header, answer.bearings.iter().map(row))?;
+    extremes(answer)?;
+    table::print_line("")
+}
+
+/// Where the shaft bends and is stressed most.
+fn extremes(answer: &ShaftAnswer) -> Result<(), Failure> {
     let deepest = answer.stations.iter().max_by(|a, b| radial(a.displacement_m).total_cmp(&radial(b.displacement_m)));
     let hardest = answer.stations.iter().max_by(|a, b| a.equivalent_stress_pa.total_cmp(&b.equivalent_stress_pa));
     let bent = answer.stations.iter().map(|s| s.bending_moment_nm[0].hypot(s.bending_moment_nm[1]));
@@ -94,7 +100,7 @@ fn shaft(answer: &ShaftAnswer) -> Result<(), Failure> {
             ("residual, loads and reactions", format!("{:.1e}", answer.unbalanced.max(answer.residual)), ""),
         ])?;
     }
-    table::print_line("")
+    Ok(())
 }
 
 fn radial([x, y, _]: [f64; 3]) -> f64 {

@@ -47,8 +47,8 @@ fn code_ross_frequencies_at_speed() {
     }
 }
 
-/// A free slender beam: β l = 4.730041 and 7.853205 of Euler and Bernoulli, and four rigid motions of the planes and one along the axis
-/// that have no frequency.
+/// A free slender beam: β l = 4.730041 and 7.853205 of Euler and Bernoulli, and four rigid motions of the planes and
+/// one along the axis that have no frequency.
 #[test]
 fn limit_free_slender_beam() {
     let material = Material::new(210e9, 0.3, 7850.0);

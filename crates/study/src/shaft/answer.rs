@@ -91,6 +91,8 @@ pub struct ShaftAnswer {
 
 /// Share of the largest torque that may be left over.
 const TORQUE: f64 = 1e-6;
+/// Share of the largest ball load below which a ball counts as unloaded.
+const UNLOADED: f64 = 1e-6;
 /// Pressure above which a contact is said to yield, Pa (ISO 76).
 const YIELD: f64 = 4.2e9;
 
@@ -141,50 +143,25 @@ fn warnings(running: &Running<'_>, found: &Equilibrium) -> Vec<String> {
 
 fn bearing(file: &ShaftFile, running: &Running<'_>, found: &Equilibrium, index: usize) -> BearingAnswer {
     let spec = &file.system.bearings[index];
-    let bearing = &running.bearings[index];
     let (reaction, node) = (found.reactions[index], running.node(spec.at));
     let against: Vector = std::array::from_fn(|k| found.nodes[node][k] - found.seats[index][k]);
-    let resting = RestingBearing { bearing, first_ball: 0.0 };
     let solution = held_solution(running, found, index);
-    let mut warnings = Vec::new();
-    // Load and angle of each ball on the inner race.
-    let balls: Vec<(f64, f64)> = match &solution {
-        Some(s) => s.balls.iter().map(|b| (b.contacts.inner.load_n, b.contacts.inner.angle_rad)).collect(),
-        None => (0..bearing.geometry.ball_count)
-            .map(|k| {
-                let ball = resting.ball(resting.azimuth(k), found.rings[index]);
-                (ball.load, ball.sin.atan2(ball.cos))
-            })
-            .collect(),
-    };
-    let most = balls.iter().fold(0.0f64, |m, ball| m.max(ball.0));
-    let loaded: Vec<&(f64, f64)> = balls.iter().filter(|ball| ball.0 > 1e-6 * most).collect();
-    let angles = loaded.iter().map(|ball| ball.1);
-    let range = angles.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], a| [low.min(a), high.max(a)]);
+    let balls = Balls::of(running, found, index, solution.as_ref());
     let pressure = solution.as_ref().map(|s| {
         let all = s.balls.iter().flat_map(|b| [b.contacts.inner.peak_pressure_pa, b.contacts.outer.peak_pressure_pa]);
         all.fold(0.0, f64::max)
     });
+    let rated = solution.as_ref().map(|s| rating(&file.case_at(index, running.speed), Some(s)));
+    let mut warnings = balls.warnings(spec.carries);
     if let Some(pressure) = pressure.filter(|p| *p > YIELD) {
         warnings.push(format!("the peak pressure of {:.2} GPa is above 4.2 GPa, where races yield", pressure * 1e-9));
     }
-    let rated = solution.as_ref().map(|s| rating(&file.case_at(index, running.speed), Some(s)));
-    let rating = match rated {
-        Some(Ok(rating)) => Some(rating),
-        Some(Err(why)) => {
-            warnings.push(format!("no rating life: {why}"));
-            None
-        }
+    match &rated {
+        Some(Err(why)) => warnings.push(format!("no rating life: {why}")),
         None => {
             warnings.push("the balls have no equilibrium of their own here: no pressures, no rating".to_owned());
-            None
         }
-    };
-    if spec.carries != Carries::Both && range[0] < 0.0 {
-        warnings.push("balls bear on the side on which an angular-contact bearing has no shoulder".to_owned());
-    }
-    if spec.carries != Carries::Both && loaded.is_empty() {
-        warnings.push("no ball carries load: the preload is lost".to_owned());
+        Some(Ok(_)) => {}
     }
     BearingAnswer {
         name: spec.name.clone(),
@@ -195,13 +172,53 @@ fn bearing(file: &ShaftFile, running: &Running<'_>, found: &Equilibrium, index: 
         axial_load_n: reaction[2].abs(),
         ring_displacement_m: [against[0], against[1], against[2]],
         ring_tilt_rad: [against[3], against[4]],
-        loaded_balls: loaded.len(),
-        ball_load_max_n: most,
+        loaded_balls: balls.loaded,
+        ball_load_max_n: balls.most,
         peak_pressure_max_pa: pressure,
-        contact_angle_rad: if loaded.is_empty() { [0.0; 2] } else { range },
+        contact_angle_rad: balls.angles,
         stiffness: found.stiffnesses[index],
-        rating,
+        rating: rated.and_then(Result::ok),
         warnings,
+    }
+}
+
+/// Loads and angles of a bearing's balls on the inner race.
+struct Balls {
+    most: f64,
+    loaded: usize,
+    angles: [f64; 2],
+}
+
+impl Balls {
+    /// Of a solution; without one those of the bearing at rest.
+    fn of(running: &Running<'_>, found: &Equilibrium, index: usize, solution: Option<&Solution>) -> Self {
+        let bearing = &running.bearings[index];
+        let resting = RestingBearing { bearing, first_ball: 0.0 };
+        let balls: Vec<(f64, f64)> = match solution {
+            Some(s) => s.balls.iter().map(|b| (b.contacts.inner.load_n, b.contacts.inner.angle_rad)).collect(),
+            None => (0..bearing.geometry.ball_count)
+                .map(|k| {
+                    let ball = resting.ball(resting.azimuth(k), found.rings[index]);
+                    (ball.load, ball.sin.atan2(ball.cos))
+                })
+                .collect(),
+        };
+        let most = balls.iter().fold(0.0f64, |m, ball| m.max(ball.0));
+        let loaded: Vec<f64> = balls.iter().filter(|ball| ball.0 > UNLOADED * most).map(|ball| ball.1).collect();
+        let range =
+            loaded.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], a| [low.min(*a), high.max(*a)]);
+        Self { most, loaded: loaded.len(), angles: if loaded.is_empty() { [0.0; 2] } else { range } }
+    }
+
+    fn warnings(&self, carries: Carries) -> Vec<String> {
+        let mut warnings = Vec::new();
+        if carries != Carries::Both && self.angles[0] < 0.0 {
+            warnings.push("balls bear on the side on which an angular-contact bearing has no shoulder".to_owned());
+        }
+        if carries != Carries::Both && self.loaded == 0 {
+            warnings.push("no ball carries load: the preload is lost".to_owned());
+        }
+        warnings
     }
 }
 
