@@ -30,8 +30,8 @@ const FACE: [f64; 2] = [465.0, 185.0];
 /// Ball diameter in the section and radius of the outer ring in the face, px.
 const BALL_PX: f64 = 120.0;
 const OUTSIDE_PX: f64 = 122.0;
-/// Half width of the rings and distance of their backs from the pitch circle, in ball diameters: not in a case, drawn in
-/// usual proportions.
+/// Half width of the rings and distance of their backs from the pitch circle, in ball diameters: not in a case, drawn
+/// in usual proportions.
 const HALF_WIDTH: f64 = 0.62;
 const BACK: f64 = 0.88;
 /// Half width of the drawn grooves in ball diameters.

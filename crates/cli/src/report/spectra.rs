@@ -48,16 +48,13 @@ pub fn figures(
         notes.push("There are no spectra: the outer ring does not move.".to_owned());
         return Ok(Vec::new());
     }
-    // An axis without vibration above the error of the run has no spectrum but of that error.
-    let rms = [summary.outer_acceleration_x_rms_m_s2, summary.outer_acceleration_y_rms_m_s2];
-    let above = rms.map(|rms| error_m_s2.is_none_or(|error| rms > error));
-    if let Some(error) = error_m_s2.filter(|_| above == [false; 2]) {
-        notes.push(format!(
-            "There are no spectra: the acceleration of the outer ring, {:.1e} m/s² rms, is not above the error of the run, {error:.1e} m/s².",
-            rms[0].max(rms[1])
-        ));
-        return Ok(Vec::new());
-    }
+    let above = match above_error(summary, error_m_s2) {
+        Ok(above) => above,
+        Err(why) => {
+            notes.push(why);
+            return Ok(Vec::new());
+        }
+    };
     let plain: Vec<Spectrum> =
         axes.iter().map(|a| Spectrum::of(a, half.rate_hz, Window::Hann)).collect::<Result<_, _>>()?;
     let envelopes: Vec<Spectrum> =
@@ -84,6 +81,19 @@ pub fn figures(
         }
     }
     Ok(figures)
+}
+
+/// The axes, X and Y, with vibration above the error of the run, or why none has: a spectrum would be of the error.
+fn above_error(summary: &Summary, error_m_s2: Option<f64>) -> Result<[bool; 2], String> {
+    let rms = [summary.outer_acceleration_x_rms_m_s2, summary.outer_acceleration_y_rms_m_s2];
+    let above = rms.map(|rms| error_m_s2.is_none_or(|error| rms > error));
+    match error_m_s2.filter(|_| above == [false; 2]) {
+        None => Ok(above),
+        Some(error) => Err(format!(
+            "There are no spectra: the acceleration of the outer ring, {:.1e} m/s² rms, is not above the error of the run, {error:.1e} m/s².",
+            rms[0].max(rms[1])
+        )),
+    }
 }
 
 fn amplitude() -> Axis {

@@ -10,7 +10,8 @@ pub struct CaseValue {
     pub path: String,
     /// With its unit.
     pub value: String,
-    /// `published`, `catalogue`, `reference`, `assumed`, `searched`, `identified`, `default`, or empty where no source is given.
+    /// `published`, `catalogue`, `reference`, `assumed`, `searched`, `identified`, `default`, or empty where
+    /// no source is given.
     pub class: &'static str,
     pub source: String,
 }

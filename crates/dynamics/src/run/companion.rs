@@ -30,8 +30,8 @@ pub const ACCELERATION_PART: f64 = 0.1;
 /// Error of the accelerations of the outer ring across the axis, by step, patch rule and linear traction together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct AccelerationError {
-    /// Root mean square of the difference between the run's numerics and finer ones, and no less than what the tolerance
-    /// of the solution at the start leaves, m/s².
+    /// Root mean square of the difference between the run's numerics and finer ones, and no less than what the
+    /// tolerance of the solution at the start leaves, m/s².
     pub error_m_s2: f64,
     /// Root mean square of the finer acceleration about its mean over the same time, m/s².
     pub acceleration_m_s2: f64,

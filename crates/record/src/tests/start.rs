@@ -6,8 +6,8 @@ use super::{BALLS, case, path};
 use crate::{RunRecorder, RunRecording, read_run};
 use tribodyn_case::{Case, set_value};
 
-/// A default run lasts 0.1 s and is watched at a hundredth of its speed: what comes slowly is there from the first second
-/// of that on.
+/// A default run lasts 0.1 s and is watched at a hundredth of its speed: what comes slowly is there from the first
+/// second of that on.
 #[test]
 fn limit_no_panel_is_empty_at_the_start_of_a_recording() {
     let file = run_bytes(2560, 25_600.0, 5);

@@ -1,5 +1,5 @@
-//! What a run knows of itself beside its samples: before the first step, and at the end. It is in the recording, so that
-//! a report says what the run said and works nothing out anew.
+//! What a run knows of itself beside its samples: before the first step, and at the end. It is in the recording, so
+//! that a report says what the run said and works nothing out anew.
 
 use super::warnings;
 use crate::case_file::CaseFile;
@@ -13,8 +13,8 @@ use tribodyn_quasistatic::Solution;
 /// What is known before the first step.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct KnownAtStart {
-    /// The fixed step that is taken, s; the fast scheme's divides the time between samples. None where steps follow from
-    /// the error.
+    /// The fixed step that is taken, s; the fast scheme's divides the time between samples. None where steps follow
+    /// from the error.
     pub step_s: Option<f64>,
     /// Rule by which patches are integrated.
     pub patch_rule: String,
@@ -34,8 +34,8 @@ pub struct KnownAtEnd {
     pub scheme_statistics: Statistics,
     /// Stiffness of the equations of motion.
     pub stiffness: Stiffness,
-    /// Error of the outer ring's acceleration by step, patch and linear traction together, rms, m/s²; none where the run
-    /// is too short to tell.
+    /// Error of the outer ring's acceleration by step, patch and linear traction together, rms, m/s²; none where the
+    /// run is too short to tell.
     pub acceleration_error_m_s2: Option<f64>,
 }
 
