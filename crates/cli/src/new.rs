@@ -58,8 +58,8 @@ pub struct Arguments {
     /// Speed of the inner ring, r/min; a moderate one where left out
     #[arg(long, value_name = "RPM", allow_negative_numbers = true)]
     speed: Option<f64>,
-    /// Lubricant: vg68 and other grades of mineral oil, an oil such as pao-vg32, grease, or ag or ptfe for a dry bearing; by
-    /// default grease for sealed bearings and vg68 for open ones
+    /// Lubricant: vg68 and other grades of mineral oil, an oil such as pao-vg32, grease, or ag or ptfe for a dry
+    /// bearing; by default grease for sealed bearings and vg68 for open ones
     #[arg(long, value_name = "NAME")]
     lubricant: Option<String>,
     /// Ask for what is not given, on a terminal

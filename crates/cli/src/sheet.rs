@@ -148,7 +148,8 @@ fn page(s: &Sheet, parts: &[(&'static str, Vec<Row>)]) -> String {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"generator\" \
          content=\"tribodyn\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{0}</title>\n<style>:root{{color-scheme:light dark}}body{{font:15px/1.45 system-ui,sans-serif;\
-         max-width:60rem;margin:2rem auto;padding:0 1rem}}main{{columns:2 24rem;column-gap:3rem}}section{{break-inside:avoid}}\
+         max-width:60rem;margin:2rem auto;padding:0 1rem}}main{{columns:2 24rem;column-gap:3rem}}\
+         section{{break-inside:avoid}}\
          h2{{font-size:1.05rem;margin:1rem 0 .3rem}}table{{border-collapse:collapse;width:100%}}\
          td{{padding:.1rem .3rem;border-bottom:1px solid #8884}}td:nth-child(2){{text-align:right;\
          font-variant-numeric:tabular-nums}}.warning{{border-left:4px solid #c60;padding-left:.6rem}}</style>\n\

@@ -106,9 +106,9 @@ impl InletFilm {
 
     /// Resistance of the inlet to rolling, N, on each of both surfaces against its motion.
     ///
-    /// Source: L. Houpert, ASME J. Tribol. 109 (1987) 363: 2.86 E' R_x² (R_y/R_x)^0.348 G^0.022 U^0.66 W^0.47. Heating and
-    /// starvation take as much of it as of the film: both come from the viscosity and the oil in the inlet, of which
-    /// the film has the power 0.67.
+    /// Source: L. Houpert, ASME J. Tribol. 109 (1987) 363: 2.86 E' R_x² (R_y/R_x)^0.348 G^0.022 U^0.66 W^0.47. Heating
+    /// and starvation take as much of it as of the film: both come from the viscosity and the oil in the inlet, of
+    /// which the film has the power 0.67.
     pub fn rolling_resistance<D: Scalar>(&self, contact: &RollingContact<D>) -> D {
         let [speed, material, load] = contact.groups(self.viscosity, self.pressure_coefficient);
         let radius = contact.rolling_radius;

@@ -51,9 +51,9 @@ impl BaseStock {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Mineral, Self::Pao, Self::Ester, Self::Polyglycol];
 
-    /// Viscosity under pressure by P. W. Gold, A. Schmidt, H. Dicke, J. Loos and C. Assmann, J. Synth. Lubr. 18 (2001) 51; spread about 15 %.
-    /// Densities, viscosity indices and thermal data: usual values of data sheets, spread 5, 10 and 10 %. Limiting
-    /// shear: disc machine traction of each stock at 1 GPa and 40 °C, spread 25 %.
+    /// Viscosity under pressure by P. W. Gold, A. Schmidt, H. Dicke, J. Loos and C. Assmann, J. Synth. Lubr. 18 (2001)
+    /// 51; spread about 15 %. Densities, viscosity indices and thermal data: usual values of data sheets, spread 5, 10
+    /// and 10 %. Limiting shear: disc machine traction of each stock at 1 GPa and 40 °C, spread 25 %.
     fn typical(self) -> Typical {
         let heat = |conductivity, specific_heat| Thermal { conductivity, specific_heat };
         match self {
@@ -97,8 +97,8 @@ impl BaseStock {
         self.typical().name
     }
 
-    /// Mean pressure–viscosity coefficient up to 0.2 GPa at a kinematic viscosity in m²/s, 1/Pa. That at ambient pressure,
-    /// [`Oil::pressure_coefficient`], is larger: viscosity rises the less the higher the pressure.
+    /// Mean pressure–viscosity coefficient up to 0.2 GPa at a kinematic viscosity in m²/s, 1/Pa. That at ambient
+    /// pressure, [`Oil::pressure_coefficient`], is larger: viscosity rises the less the higher the pressure.
     pub fn mean_pressure_coefficient(self, kinematic: f64) -> f64 {
         let [s, t] = self.typical().pressure;
         s * 1e-9 * (kinematic * MM2_PER_M2).powf(t)

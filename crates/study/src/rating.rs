@@ -124,12 +124,7 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
     let reference = distribution.as_ref().map(|found| &found.reference);
     let reliability = reliability_factor(spec.reliability.unwrap_or(90.0))?;
     let reference_load = reference.map(|reference| reference.equivalent_load);
-    let viscosity_ratio = match spec.viscosity_ratio {
-        Some(ratio) => Some(ratio),
-        None => solution.map(|solution| viscosity_ratio(case, solution)).transpose()?.flatten(),
-    };
-    let pitch = case.geometry.pitch_diameter;
-    let contamination = spec.contamination.or(spec.cleanliness.map(|class| class.contamination(pitch)));
+    let (viscosity_ratio, contamination) = lubrication(case, solution)?;
     let too_thin = viscosity_ratio.filter(|ratio| *ratio < KAPPA_MIN);
     let modification = match (viscosity_ratio, contamination, reference_load.filter(|load| *load > 0.0)) {
         (Some(viscosity_ratio), Some(contamination), Some(load)) if too_thin.is_none() => {
@@ -160,9 +155,7 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
         life_modification_factor: modification,
         viscosity_ratio,
         contamination_factor: contamination,
-        lubrication_note: too_thin.map(|ratio| {
-            format!("the viscosity ratio is {ratio:.3}: ISO 281 has a_ISO from 0.1 on, below it count on wear")
-        }),
+        lubrication_note: too_thin.map(thin_film),
         reliability_factor: reliability,
         rating_life_lnmr_mrev: modified,
         rating_life_hours: counted.zip(relative_speed).and_then(|(life, speed)| hours(life, speed)),
@@ -171,6 +164,21 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
         peak_pressure_max_pa: peak,
         pressure_safety: peak.filter(|peak| *peak > 0.0).map(|peak| (PERMISSIBLE_PRESSURE / peak).powi(3)),
     })
+}
+
+/// Viscosity ratio and contamination factor, as far as the case tells them.
+fn lubrication(case: &Case, solution: Option<&Solution>) -> Result<(Option<f64>, Option<f64>), RatingError> {
+    let spec = case.rating.unwrap_or_default();
+    let viscosity_ratio = match spec.viscosity_ratio {
+        Some(ratio) => Some(ratio),
+        None => solution.map(|solution| viscosity_ratio(case, solution)).transpose()?.flatten(),
+    };
+    let pitch = case.geometry.pitch_diameter;
+    Ok((viscosity_ratio, spec.contamination.or(spec.cleanliness.map(|class| class.contamination(pitch)))))
+}
+
+fn thin_film(ratio: f64) -> String {
+    format!("the viscosity ratio is {ratio:.3}: ISO 281 has a_ISO from 0.1 on, below it count on wear")
 }
 
 fn distribution(rated: &RatedBearing, dynamic: f64, solution: &Solution) -> Result<Distribution, RatingError> {

@@ -116,18 +116,8 @@ fn formulas(question: &Question<'_>, speed: f64, answer: &mut TorqueAnswer) -> R
     if spec.bore.is_none() || spec.outside.is_none() {
         answer.notes.push("bore and outside diameter estimated: give rating.bore and rating.outside".to_owned());
     }
-    let series = if angular_contact {
-        Some(SkfSeries::angular_contact())
-    } else {
-        if spec.series.is_none() {
-            answer.notes.push("SKF's constants are those of series 62: give rating.series".to_owned());
-        }
-        let found = SkfSeries::deep_groove(spec.series.unwrap_or(62));
-        if found.is_none() {
-            answer.notes.push("SKF has no constants for rating.series".to_owned());
-        }
-        found
-    };
+    let series =
+        if angular_contact { Some(SkfSeries::angular_contact()) } else { deep_groove(spec.series, &mut answer.notes) };
     let viscosity = lubricant.oil.oil()?.viscosity.kinematic(lubricant.temperature);
     let synthetic = match &lubricant.oil {
         OilSpec::Library(name) => !name.starts_with("mineral"),
@@ -157,4 +147,16 @@ fn formulas(question: &Question<'_>, speed: f64, answer: &mut TorqueAnswer) -> R
     (answer.palmgren_viscous_nm, answer.palmgren_load_nm) = (Some(palmgren.viscous), Some(palmgren.load));
     answer.palmgren_torque_nm = Some(palmgren.total());
     Ok(())
+}
+
+/// SKF's constants of a series of deep-groove bearings; what had to be assumed goes to the notes.
+fn deep_groove(series: Option<u16>, notes: &mut Vec<String>) -> Option<SkfSeries> {
+    if series.is_none() {
+        notes.push("SKF's constants are those of series 62: give rating.series".to_owned());
+    }
+    let found = SkfSeries::deep_groove(series.unwrap_or(62));
+    if found.is_none() {
+        notes.push("SKF has no constants for rating.series".to_owned());
+    }
+    found
 }

@@ -5,7 +5,8 @@ use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 
 impl StudyError {
-    /// True where an operating point was not found, or is none: what the standards say of the loads stands all the same.
+    /// True where an operating point was not found, or is none: what the standards say of the loads stands all the
+    /// same.
     pub fn leaves_a_rating(&self) -> bool {
         matches!(
             self,

@@ -13,9 +13,9 @@ use tribodyn_rating::PERMISSIBLE_PRESSURE;
 const ANGULAR_DEG: f64 = 12.0;
 /// Density below which balls count as ceramic, kg/m³.
 const CERAMIC_DENSITY: f64 = 6000.0;
-/// Speed of the rings against each other times pitch diameter by type, mm r/min, with the type in words: limiting speeds
-/// of manufacturers' catalogues for deep-groove bearings in oil, spindle bearings of steel with oil and air, and those
-/// with ceramic balls or cooled by a cryogen (main shafts, turbopumps).
+/// Speed of the rings against each other times pitch diameter by type, mm r/min, with the type in words: limiting
+/// speeds of manufacturers' catalogues for deep-groove bearings in oil, spindle bearings of steel with oil and air, and
+/// those with ceramic balls or cooled by a cryogen (main shafts, turbopumps).
 const SPEED_MAX: [(f64, &str); 3] = [
     (1.1e6, "deep-groove bearings in oil"),
     (1.8e6, "angular-contact bearings with steel balls"),

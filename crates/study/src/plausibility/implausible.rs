@@ -11,8 +11,8 @@ use tribodyn_quasistatic::{Model, Solution};
 
 /// By how much a ball's load may be above the bearing's before it counts: residuals are far below.
 const SLACK: f64 = 0.01;
-/// Peak pressure beyond which no rolling contact is elastic, Pa: the hardness of bearing steel (handbook values of 7 to 8
-/// GPa for 60 to 64 HRC).
+/// Peak pressure beyond which no rolling contact is elastic, Pa: the hardness of bearing steel (handbook values of 7 to
+/// 8 GPa for 60 to 64 HRC).
 const PRESSURE_MAX: f64 = 7e9;
 
 /// A thing about a solution that no bearing does.

@@ -2,8 +2,8 @@
 //!
 //! The inlet retards both surfaces with F_R, so that u_1 and u_2 lose the power F_R (|u_1| + |u_2|); the pressure there
 //! makes the pair free of a net force. What is left on the ball is a moment M = −F_R r_b about its lateral axis and a
-//! force F = F_R l along rolling, with l such that the race has its −F_R too: for a race of radius R about the bearing's
-//! axis and an orbit of radius r_c, l = ±(R ∓ r_b)/r_c. From the relative motion alone, l = −2 u_2/W_x − 1.
+//! force F = F_R l along rolling, with l such that the race has its −F_R too: for a race of radius R about the
+//! bearing's axis and an orbit of radius r_c, l = ±(R ∓ r_b)/r_c. From the relative motion alone, l = −2 u_2/W_x − 1.
 
 use super::{FilmContact, FilmLaw};
 use crate::{PatchTraction, Scalar};
