@@ -8,10 +8,11 @@ use crate::terminal::{print, progress};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Duration;
+use tribodyn_case::CaseError;
 use tribodyn_paper::{PaperError, files, markers, table};
 use tribodyn_study::answers::Equations;
 use tribodyn_study::survey::{
-    ModelCounts, Options, RandomBearing, Regime, SchemeCounts, Tally, Trial, Verdict, survey,
+    AtRest, ModelCounts, Options, RandomBearing, Regime, SchemeCounts, Tally, Trial, Verdict, survey, survey_at_rest,
 };
 
 /// Marks of the blocks of equilibria, of orbits and of runs: what was not tried this time stays.
@@ -32,6 +33,9 @@ pub struct Arguments {
     /// Bearings to run, from the first on
     #[arg(long, default_value_t = 0)]
     runs: u64,
+    /// Bearings to solve at rest, by every model and in pairs on a shaft, from the first on
+    #[arg(long, default_value_t = 0)]
+    at_rest: u64,
     /// Seed of the family of bearings
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -98,7 +102,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             files::write(&path, text.as_bytes())?;
         }
     }
-    let failed = tally.solutions.values().map(|of| of.counts.failed).sum::<usize>()
+    let missed = at_rest(arguments).map_err(refused)?;
+    let failed = missed
+        + tally.solutions.values().map(|of| of.counts.failed).sum::<usize>()
         + tally.runs.values().map(|scheme| scheme.counts.failed).sum::<usize>();
     if failed > 0 {
         let findings =
@@ -106,6 +112,29 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Check { what: "survey", findings });
     }
     Ok(())
+}
+
+/// The verdict on a part of a trial.
+type Part = fn(&AtRest) -> &Verdict;
+
+/// Solves bearings that stand still and prints how many are solved; says how many are wrong.
+fn at_rest(arguments: &Arguments) -> Result<usize, CaseError> {
+    let tried = survey_at_rest(arguments.seed, arguments.first, arguments.at_rest)?;
+    let mut wrong = 0;
+    let parts: [(&str, Part); 2] = [("alone", |t| &t.alone), ("in pairs", |t| &t.pair)];
+    for (what, of) in parts {
+        let good = tried.iter().filter(|trial| *of(trial) == Verdict::Good).count();
+        for (index, trial) in tried.iter().enumerate() {
+            let (Verdict::Explained(why) | Verdict::Failed(why)) = of(trial) else { continue };
+            wrong += usize::from(matches!(of(trial), Verdict::Failed(_)));
+            progress(&format!("bearing {} at rest, {what}: {why}", arguments.first + index as u64));
+        }
+        if !tried.is_empty() {
+            let share = 100.0 * good as f64 / tried.len() as f64;
+            progress(&format!("at rest {what}: {good} of {} solved ({share:.2} %)", tried.len()));
+        }
+    }
+    Ok(wrong)
 }
 
 /// The case of a trial that was not good, or only good by a rescue, with what there was at its head.

@@ -1,7 +1,8 @@
 //! Groove-centre geometry of an angular-contact ball bearing (Jones).
 
 use crate::BearingError;
-use crate::races::Side;
+use crate::races::{Races, Side};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use tribodyn_contact::Scalar;
 
@@ -32,6 +33,15 @@ pub enum Fit {
     RadialClearance(f64),
 }
 
+/// The sides of a groove that have a shoulder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Shoulders {
+    /// Both: the race carries thrust either way, as in deep-groove bearings and those with a split ring.
+    Both,
+    /// The one on which a positive axial load presses the balls; the other side is relieved.
+    One,
+}
+
 /// The unloaded bearing, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Geometry {
@@ -49,12 +59,14 @@ pub struct Geometry {
     contact_angle: [f64; 3],
     /// Diametral interference of balls that are pressed radially without load, m; 0 where there is clearance.
     interference: f64,
+    /// Shoulders of the grooves; absent where they are not known.
+    pub shoulders: Option<Races<Shoulders>>,
 }
 
-/// Largest diametral interference over the distance of the groove centres: beyond it no ring is still elastic.
-const INTERFERENCE_MAX: f64 = 0.1;
-
 impl Geometry {
+    /// Largest diametral interference over the distance of the groove centres: beyond it no ring is still elastic.
+    pub const INTERFERENCE_MAX: f64 = 0.1;
+
     /// Works out the free contact angle.
     ///
     /// # Errors
@@ -66,7 +78,7 @@ impl Geometry {
             Fit::ContactAngle(angle) => (angle, 0.0),
             Fit::RadialClearance(clearance) => {
                 let centre_distance = (inner_coefficient + outer_coefficient - 1.0) * ball_diameter;
-                let (least, most) = (-INTERFERENCE_MAX * centre_distance, 2.0 * centre_distance);
+                let (least, most) = (-Self::INTERFERENCE_MAX * centre_distance, 2.0 * centre_distance);
                 if !(least..=most).contains(&clearance) {
                     return Err(BearingError::Clearance { clearance, least, most });
                 }
@@ -83,7 +95,18 @@ impl Geometry {
             outer_coefficient,
             contact_angle: [contact_angle, contact_angle.sin(), contact_angle.cos()],
             interference,
+            shoulders: None,
         })
+    }
+
+    /// The same bearing with its grooves' shoulders.
+    pub fn with_shoulders(self, shoulders: Option<Races<Shoulders>>) -> Self {
+        Self { shoulders, ..self }
+    }
+
+    /// True where a groove has a shoulder on one side only, so that the bearing carries thrust along +Z alone.
+    pub fn is_one_sided(&self) -> bool {
+        self.shoulders.is_some_and(|shoulders| Side::BOTH.iter().any(|side| shoulders[*side] == Shoulders::One))
     }
 
     /// Free contact angle α0, rad.

@@ -118,7 +118,7 @@ impl Growth {
         let cosine = ((centre.inner - centre.outer) / distance).min(1.0);
         // The balls touch the outer race at the free contact angle.
         let orbit = centre.outer + (groove.outer - 0.5 * ball_diameter) * cosine;
-        let geometry = Geometry::new(Dimensions {
+        let grown = Geometry::new(Dimensions {
             ball_count: drawn.ball_count,
             ball_diameter,
             pitch_diameter: 2.0 * orbit,
@@ -126,6 +126,7 @@ impl Growth {
             outer_coefficient,
             fit: Fit::RadialClearance(clearance),
         })?;
+        let geometry = grown.with_shoulders(drawn.shoulders);
         Ok(GrownBearing { geometry, raceway_growth, seat_pressure })
     }
 }

@@ -23,6 +23,7 @@ pub mod quantities;
 mod races;
 mod result;
 mod run_inputs;
+mod side;
 mod sliding;
 mod state;
 #[cfg(test)]
@@ -36,7 +37,7 @@ pub use contact::{BallLoads, BallPose, LoadedPatch, NormalContact, NormalLoads, 
 pub use cylinder::{Cylinder, Solid};
 pub use elastic::ElasticPatches;
 pub use frame::AzimuthFrame;
-pub use geometry::{ContactPose, Dimensions, Fit, Geometry};
+pub use geometry::{ContactPose, Dimensions, Fit, Geometry, Shoulders};
 pub use growth::{GrownBearing, Growth, MountedRing, Seat};
 pub use history::{RingLoads, SpeedHistory, Tilt, Translation};
 pub use lean::{Lean, RingOffset};
@@ -54,6 +55,7 @@ pub use result::{
     Sheet, TransientContact,
 };
 pub use run_inputs::{CoatingState, GuidingLand, MovingCage, RunInputs, RunOptions, Scheme, Start, Support, Supports};
+pub use side::{WrongSide, uncarried_thrust, wrong_sides};
 pub use sliding::{ContactForces, Sliding};
 pub use state::{BallState, Motion, RingState};
 pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};

@@ -198,7 +198,7 @@ impl Bearing {
 
     /// Contact constants of a race: frozen at the free contact angle, or those of the actual one.
     #[inline]
-    pub(crate) fn hertz<D: Scalar>(&self, side: Side, pose: &ContactPose<D>) -> HertzContact<D> {
+    pub fn hertz<D: Scalar>(&self, side: Side, pose: &ContactPose<D>) -> HertzContact<D> {
         let race = &self.races[side];
         if self.modelling.contact_at_actual_angle {
             let [rolling, lateral] = self.geometry.curvatures(side, pose.cos);

@@ -1,7 +1,8 @@
 //! From a case to the bearing that the solvers work with.
 
 use crate::{
-    ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, MaterialSpec, Medium, TractionSpec,
+    ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, MaterialSpec, Medium, ShouldersSpec,
+    TractionSpec,
 };
 use std::cell::RefCell;
 use tribodyn_bearing::{Bearing, BearingError, BearingSpec, Dimensions, FluidForces, Geometry, Races, Tribology};
@@ -77,14 +78,15 @@ impl GeometrySpec {
             Fit::ContactAngle(angle) => tribodyn_bearing::Fit::ContactAngle(angle),
             Fit::RadialClearance(clearance) => tribodyn_bearing::Fit::RadialClearance(clearance),
         };
-        Geometry::new(Dimensions {
+        let drawn = Geometry::new(Dimensions {
             ball_count: self.ball_count,
             ball_diameter: self.ball_diameter,
             pitch_diameter: self.pitch_diameter,
             inner_coefficient,
             outer_coefficient,
             fit,
-        })
+        })?;
+        Ok(drawn.with_shoulders(self.shoulders.map(|ShouldersSpec { inner, outer }| Races { inner, outer })))
     }
 }
 

@@ -4,6 +4,7 @@ use super::outline::{Missing, Path, Segment};
 
 /// Paths of fields that may be left out; `*` is any one step.
 const OPTIONAL: &[&str] = &[
+    "geometry.shoulders",
     "geometry.inner_shoulder",
     "geometry.outer_shoulder",
     "coatings",

@@ -5,7 +5,7 @@
 
 use super::*;
 use std::f64::consts::PI;
-use tribodyn_bearing::{Modelling, PatchSurfaces, SpeedHistory, Tilt, Translation};
+use tribodyn_bearing::{Geometry, Modelling, PatchSurfaces, SpeedHistory, Tilt, Translation};
 use tribodyn_fluid::Fluid;
 use tribodyn_traction::{Coating, PatchChoice, PatchRule, SlipUnit, coating_names};
 
@@ -145,11 +145,13 @@ fn fit(spec: Fit, distance: f64) -> Verdict {
         ),
         Fit::RadialClearance(clearance) => {
             let most = 2.0 * distance * (1.0 - largest.cos());
+            let least = -Geometry::INTERFERENCE_MAX * distance;
             require(
-                (0.0..=most).contains(&clearance),
+                (least..=most).contains(&clearance),
                 "geometry.fit.RadialClearance",
                 format!(
-                    "must lie between 0 and {} mm, where the free contact angle is {CONTACT_ANGLE_MAX_DEG}° with these grooves",
+                    "must lie between {} mm, an interference of a tenth of the distance of the groove centres, and {} mm, where the free contact angle is {CONTACT_ANGLE_MAX_DEG}° with these grooves",
+                    millimetres(least),
                     millimetres(most)
                 ),
             )

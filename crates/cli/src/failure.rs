@@ -208,7 +208,7 @@ fn study_exit_code(error: &StudyError) -> u8 {
 
 fn equilibrium_exit_code(error: &QuasiStaticError) -> u8 {
     match error {
-        QuasiStaticError::Missing { .. } | QuasiStaticError::Traction(_) => 2,
+        QuasiStaticError::Missing { .. } | QuasiStaticError::Traction(_) | QuasiStaticError::NoShoulder { .. } => 2,
         _ => 1,
     }
 }

@@ -36,6 +36,8 @@ mod report;
 mod run;
 #[path = "cli/shaft.rs"]
 mod shaft;
+#[path = "cli/sides.rs"]
+mod sides;
 #[path = "cli/sweep.rs"]
 mod sweep;
 #[path = "cli/vibration.rs"]

@@ -71,11 +71,11 @@ where
     F: for<'a> FnOnce(&mut Newton<'a>, &RollingStart, &Way<'a>) -> Result<(Found, Eased), OrbitError>,
 {
     let Problem { bearing, point, cage, .. } = problem;
+    if [slower.inner_speed, slower.outer_speed] == [0.0; 2] {
+        return statics::still(bearing, point, cage);
+    }
     let rolling = rolling_start(guessed, slower)?;
     let speed = start::cage_speed(&rolling);
-    if [slower.inner_speed, slower.outer_speed] == [0.0; 2] {
-        return Ok(statics::at_rest(bearing, point, cage, (&rolling, FastPatch::new(rolling.rule)?)));
-    }
     if speed == 0.0 {
         return Err(OrbitError::CageStands);
     }

@@ -78,6 +78,7 @@ impl SteadyOrbit {
         Solution {
             model: Model::Traction,
             converged: true,
+            stable: None,
             cage_speed_rpm: self.cage_speed_rpm,
             ring_displacement_m: self.ring_displacement_m,
             ring_tilt_rad: self.ring_tilt_rad,

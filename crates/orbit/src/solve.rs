@@ -12,7 +12,7 @@ use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::statics::standing;
 use crate::stiffness::{OrbitStiffness, doubt, slopes, stiffness};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
-use tribodyn_quasistatic::StiffnessMatrix;
+use tribodyn_quasistatic::{StiffnessMatrix, check_thrust};
 use tribodyn_traction::FastPatch;
 
 /// Jacobians with cheap slopes from a neighbour, after which those of the patches themselves are taken: where a cage
@@ -34,6 +34,7 @@ pub fn steady_orbit(
     cage: &CageBody,
     settings: &OrbitSettings,
 ) -> Result<SolvedOrbit, OrbitError> {
+    check_thrust(bearing, point)?;
     let problem = Problem { bearing: &prepared(bearing, settings), point, cage, settings };
     if let Some(standing) = standing(problem.bearing, point, cage) {
         return Ok(standing);
@@ -58,6 +59,7 @@ pub fn steady_orbit_from(
     settings: &OrbitSettings,
     near: &OrbitStart,
 ) -> Result<SolvedOrbit, OrbitError> {
+    check_thrust(bearing, point)?;
     let problem = Problem { bearing, point, cage, settings };
     if let Some(solved) = hurried(problem, near, (HURRY, f64::INFINITY), fitted)? {
         return Ok(solved);
@@ -78,6 +80,7 @@ pub fn steady_orbit_near(
     settings: &OrbitSettings,
     near: &OrbitStart,
 ) -> Result<Option<SolvedOrbit>, OrbitError> {
+    check_thrust(bearing, point)?;
     let problem = Problem { bearing, point, cage, settings };
     if let Some(solved) = hurried(problem, near, (NEXT_DOOR, WITHIN), as_it_is)? {
         return Ok(Some(solved));

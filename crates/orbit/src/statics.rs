@@ -1,11 +1,12 @@
 //! A bearing at rest: the elastic equilibrium, balls where they stand.
 
+use crate::OrbitError;
 use crate::means::Means;
 use crate::newton::OrbitStatistics;
 use crate::solution::{SteadyOrbit, ball_result};
 use crate::solved::SolvedOrbit;
 use crate::system::{BALL, OrbitSystem};
-use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint, Races, RingFreedom};
+use tribodyn_bearing::{BallResult, Bearing, CageBody, OperatingPoint, Races, RingFreedom, RingOffset};
 use tribodyn_quasistatic::{RollingStart, rolling_start};
 use tribodyn_traction::FastPatch;
 
@@ -22,6 +23,7 @@ pub(crate) fn standing(bearing: &Bearing, point: &OperatingPoint, cage: &CageBod
     if driven || point.inner_speed == 0.0 || point.ring.iter().any(loaded) {
         return None;
     }
+    let bearing = &to_first_order(bearing);
     let rolling = rolling_start(bearing, &OperatingPoint { inner_speed: 0.0, ..point.clone() }).ok()?;
     let pressed: f64 = rolling.inner_loads.iter().sum();
     let kernel = FastPatch::new(rolling.rule).ok()?;
@@ -33,8 +35,20 @@ pub(crate) fn standing(bearing: &Bearing, point: &OperatingPoint, cage: &CageBod
     })
 }
 
+/// The bearing at rest with the offsets of its rings to first order, of which the elastic equilibrium knows.
+pub(crate) fn still(bearing: &Bearing, point: &OperatingPoint, cage: &CageBody) -> Result<SolvedOrbit, OrbitError> {
+    let bearing = &to_first_order(bearing);
+    let rolling = rolling_start(bearing, point)?;
+    let kernel = FastPatch::new(rolling.rule)?;
+    Ok(at_rest(bearing, point, cage, (&rolling, kernel)))
+}
+
+fn to_first_order(bearing: &Bearing) -> Bearing {
+    Bearing { ring_offset: RingOffset::FirstOrder, ..bearing.clone() }
+}
+
 /// The start's equilibrium as a solution; nothing moves, so nothing rubs.
-pub(crate) fn at_rest(
+fn at_rest(
     bearing: &Bearing,
     point_of: &OperatingPoint,
     cage: &CageBody,

@@ -203,6 +203,15 @@ fn external<S: BlockSystem>(system: &S) -> SVector<f64, RING> {
     SVector::from(system.ring().each_ref().map(load))
 }
 
+/// The change of all unknowns.
+#[derive(Debug, Clone)]
+pub(crate) struct Step {
+    pub balls: Vec<SVector<f64, BALL>>,
+    pub ring: SVector<f64, RING>,
+    /// Forces on the ring against its displacement with the balls eliminated, by rows; that of the step's slopes.
+    pub stiffness: SMatrix<f64, RING, RING>,
+}
+
 /// A singular block: which ball (or the ring) has no unique step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Singular;
@@ -215,11 +224,7 @@ pub(crate) struct Shift {
 }
 
 /// Solves (J − μ W) Δ = −F.
-pub(crate) fn step<S: BlockSystem>(
-    system: &S,
-    linear: &Linearised,
-    mu: f64,
-) -> Result<(Vec<SVector<f64, BALL>>, SVector<f64, RING>), Singular> {
+pub(crate) fn step<S: BlockSystem>(system: &S, linear: &Linearised, mu: f64) -> Result<Step, Singular> {
     let (ball_weight, ring_weight) = system.weights();
     // The tiny share keeps a ring without any stiffness (all loads zero) solvable; it vanishes against contacts.
     let shift = Shift { ball: ball_weight.map(|w| mu * w), ring: ring_weight.map(|w| (mu + 1e-13) * w) };
@@ -227,11 +232,7 @@ pub(crate) fn step<S: BlockSystem>(
 }
 
 /// Solves (J − shift) Δ = −F by eliminating the balls.
-pub(crate) fn step_with<S: BlockSystem>(
-    system: &S,
-    linear: &Linearised,
-    shift: &Shift,
-) -> Result<(Vec<SVector<f64, BALL>>, SVector<f64, RING>), Singular> {
+pub(crate) fn step_with<S: BlockSystem>(system: &S, linear: &Linearised, shift: &Shift) -> Result<Step, Singular> {
     let mut schur = SMatrix::<f64, RING, RING>::zeros();
     let mut right = -linear.ring_residual;
     let mut eliminated = Vec::with_capacity(linear.balls.len());
@@ -247,6 +248,7 @@ pub(crate) fn step_with<S: BlockSystem>(
         right += block.on_ring * residual;
         eliminated.push((by_ring, residual));
     }
+    let stiffness = -schur;
     for (k, freedom) in system.ring().iter().enumerate() {
         match freedom {
             RingFreedom::Loaded(_) => schur[(k, k)] -= shift.ring[k],
@@ -261,15 +263,14 @@ pub(crate) fn step_with<S: BlockSystem>(
     let ring = schur.lu().solve(&right).ok_or(Singular)?;
     let balls = eliminated.iter().map(|(by_ring, residual)| -residual - by_ring * ring).collect::<Vec<_>>();
     let finite = ring.iter().all(|v| v.is_finite()) && balls.iter().flatten().all(|v: &f64| v.is_finite());
-    if finite { Ok((balls, ring)) } else { Err(Singular) }
+    if finite { Ok(Step { balls, ring, stiffness }) } else { Err(Singular) }
 }
 
 /// Adds a share of a step, shortened as a whole where any unknown would change by more than its limit.
 pub(crate) fn apply<S: BlockSystem>(
     system: &S,
     state: &BlockState,
-    balls: &[SVector<f64, BALL>],
-    ring: &SVector<f64, RING>,
+    Step { balls, ring, .. }: &Step,
     mut share: f64,
 ) -> BlockState {
     let (ball_limit, ring_limit) = system.step_limits();
@@ -321,6 +322,10 @@ pub(crate) struct Iterate {
     pub state: BlockState,
     pub residuals: Residuals,
     pub statistics: SolverStatistics,
+    /// Stiffness of the ring by the slopes of the last step; none before the first one.
+    pub stiffness: Option<SMatrix<f64, RING, RING>>,
+    /// True if the equilibrium is stable; none where that was not judged.
+    pub stable: Option<bool>,
 }
 
 impl Iterate {
@@ -331,7 +336,7 @@ impl Iterate {
             }
         }
         let residuals = Residuals::new(system, &state);
-        Self { state, residuals, statistics: SolverStatistics::default() }
+        Self { state, residuals, statistics: SolverStatistics::default(), stiffness: None, stable: None }
     }
 
     pub fn worst(&self) -> Worst {

@@ -130,6 +130,7 @@ fn identity_jacobian_of_jones_harris_is_that_of_differences() {
                 speeds,
                 inner_control: vec![inner; 13],
                 centrifugal_at_free_pitch: index == 3,
+                bounded: true,
                 frozen: None,
                 typical: Typical::new(&bearing, &RING_AT_REST, speeds),
             };

@@ -23,6 +23,9 @@ pub(crate) struct JonesHarris<'a> {
     /// Per ball: whether the inner race controls.
     pub inner_control: Vec<bool>,
     pub centrifugal_at_free_pitch: bool,
+    /// Whether the friction that holds the gyroscopic moments is bounded by the loads; a guess for other models may
+    /// take it from nowhere.
+    pub bounded: bool,
     /// Inertia is frozen in the first phase, where forces then have a convex potential.
     pub frozen: Option<f64>,
     pub typical: Typical,
@@ -155,6 +158,36 @@ pub(crate) fn ring_state<D: Scalar>(ring: [D; RING], speed: f64) -> RingState<D>
     }
 }
 
+/// Friction over load that no dry contact exceeds for long; clean steel has 0.5 to 0.8.
+const FRICTION_MAX: f64 = 1.0;
+
+/// The friction of both races that is to hold a gyroscopic moment, N, as far as their loads give it: what one of them
+/// cannot hold the other one takes over, and what neither can turns the ball.
+fn held<D: Scalar>(wanted: Races<D>, loads: Races<D>) -> Races<D> {
+    let beyond = |side: Side, force: D| {
+        let most = loads[side] * FRICTION_MAX;
+        let excess = force.re().abs() - most.re();
+        if excess > 0.0 { force - most * force.re().signum() } else { D::zero() }
+    };
+    let over = Races { inner: beyond(Side::Inner, wanted.inner), outer: beyond(Side::Outer, wanted.outer) };
+    if over.inner.re() == 0.0 && over.outer.re() == 0.0 {
+        return wanted;
+    }
+    let taken = Races { inner: wanted.inner - over.inner + over.outer, outer: wanted.outer - over.outer + over.inner };
+    Races {
+        inner: taken.inner - beyond(Side::Inner, taken.inner),
+        outer: taken.outer - beyond(Side::Outer, taken.outer),
+    }
+}
+
+/// Force (N) and moment (N m) of the inner ring on a ball on which it presses with an axial and a radial force.
+pub(crate) fn ring_action<D: Scalar>(bearing: &Bearing, index: usize, [axial, radial]: [D; 2]) -> [D; RING] {
+    let frame = AzimuthFrame::at(bearing.azimuth(index));
+    let lever = bearing.geometry.groove_centre_radius(Side::Inner);
+    let [x, y, z] = frame.lift().to_inertial([axial, radial, D::zero()]);
+    [x, y, z, axial * (lever * frame.sin), axial * (-lever * frame.cos)]
+}
+
 impl BlockSystem for JonesHarris<'_> {
     fn ring(&self) -> &[RingFreedom; RING] {
         &self.ring
@@ -172,8 +205,9 @@ impl BlockSystem for JonesHarris<'_> {
         };
         // λ M_g / D.
         let shares = self.bearing.modelling.gyroscopic_shares(inner_control);
+        let wanted = shares.map(|share| moment * (share / self.bearing.geometry.ball_diameter));
         let Races { inner: f_i, outer: f_o } =
-            shares.map(|share| moment * (share / self.bearing.geometry.ball_diameter));
+            if self.bounded { held(wanted, Races { inner: q_i, outer: q_o }) } else { wanted };
         let on_ball_i = [q_i * i.sin + f_i * i.cos, q_i * i.cos - f_i * i.sin];
         let on_ball_o = [-q_o * o.sin - f_o * o.cos, -q_o * o.cos + f_o * o.sin];
         let motion = [k.spin[0], k.spin[1], D::zero(), k.orbital_speed];
@@ -196,11 +230,8 @@ impl BlockSystem for JonesHarris<'_> {
             speed,
             speed,
         ];
-        let frame = AzimuthFrame::at(self.bearing.azimuth(index));
         let lever = self.bearing.geometry.groove_centre_radius(Side::Inner);
-        let [axial, radial] = on_ball_i;
-        let [x, y, z] = frame.lift().to_inertial([axial, radial, D::zero()]);
-        let ring = [x, y, z, axial * (lever * frame.sin), axial * (-lever * frame.cos)];
+        let ring = ring_action(self.bearing, index, on_ball_i);
         let total = q_i.re() + floor;
         Balance { residual, scale, ring, ring_scale: [total, total, total, total * lever, total * lever] }
     }
@@ -239,5 +270,21 @@ impl BlockSystem for JonesHarris<'_> {
             }
         }
         energy
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_friction_of_raceway_control_is_bounded_by_the_loads() {
+        let both = |inner, outer| Races { inner, outer };
+        // Enough load: as the model has it, to the last bit.
+        assert_eq!(held(both(0.3, -0.1), both(1.0, 1.0)), both(0.3, -0.1));
+        // What one race cannot hold the other one takes over, as far as it can.
+        assert_eq!(held(both(10.0, 0.0), both(4.0, 100.0)), both(4.0, 6.0));
+        assert_eq!(held(both(-10.0, 0.0), both(0.0, 3.0)), both(0.0, -3.0));
+        assert_eq!(held(both(2.0, 2.0), both(0.0, 0.0)), both(0.0, 0.0));
     }
 }

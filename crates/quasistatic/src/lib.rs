@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod at_rest;
 mod azimuth;
 mod block;
 mod cage;
@@ -17,6 +18,7 @@ mod secant;
 mod settle;
 mod solution;
 mod solve;
+mod stability;
 mod start;
 mod stiffness;
 mod warm;
@@ -27,13 +29,16 @@ mod branch_test;
 #[cfg(test)]
 mod jacobian_test;
 
+pub use at_rest::{Seated, shaft_at_rest};
 pub use azimuth::{AzimuthRule, OverAzimuth};
 pub use block::SolverStatistics;
+pub use needs::check_thrust;
 pub use problem::{Place, QuasiStaticError, Reason};
 pub use rolling::{RollingStart, rolling_start};
 pub use roots::{BallRoots, Root, other_roots, root_warnings};
 pub use solution::{Model, SOLUTION, Solution};
 pub use solve::{Solved, solve};
+pub use stability::{is_stable, ring_stability};
 pub use start::{BallMotion, WarmStart};
 pub use stiffness::{StiffnessMatrix, compliance, jones_harris_stiffness, traction_stiffness};
 pub use tribodyn_bearing::{

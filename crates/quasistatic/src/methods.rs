@@ -1,6 +1,6 @@
 //! Two ways to step: downhill in a convex energy, and Newton with the balls settled one by one where it fails.
 
-use crate::block::{BlockState, BlockSystem, Iterate, Linearised, Residuals, apply, linearise, step};
+use crate::block::{BlockState, BlockSystem, Iterate, Linearised, Residuals, Step, apply, linearise, step};
 use crate::driver::{Method, Stuck};
 use crate::settle::{FROM_AFAR, settle_ball};
 
@@ -22,8 +22,8 @@ impl Method for Downhill {
         let energy = system.energy(&iterate.state);
         while self.mu < HOPELESS {
             let mu = if self.mu < NEGLIGIBLE { 0.0 } else { self.mu };
-            if let Ok((balls, ring)) = step(system, &linear, mu) {
-                let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
+            if let Ok(step) = step(system, &linear, mu) {
+                let trial = apply(system, &iterate.state, &step, 1.0);
                 // Rounding of a sum of a few hundred terms must not stop the last steps.
                 if system.energy(&trial) <= energy + 1e-13 * energy.abs() {
                     let residuals = Residuals::new(system, &trial);
@@ -66,8 +66,8 @@ impl NewtonOrNested {
     /// A step with the slopes of an earlier one and what the steps since have taught.
     fn chord_step<S: BlockSystem>(&mut self, system: &S, iterate: &mut Iterate) -> bool {
         let Some(linear) = self.chord.take() else { return false };
-        let Ok((balls, ring)) = step(system, &linear, 0.0) else { return false };
-        self.try_step(system, iterate, linear, apply(system, &iterate.state, &balls, &ring, 1.0))
+        let Ok(step) = step(system, &linear, 0.0) else { return false };
+        self.try_step(system, iterate, linear, &step)
     }
 
     /// Keeps a trial that is worth it, and the slopes too where they serve well.
@@ -76,8 +76,9 @@ impl NewtonOrNested {
         system: &S,
         iterate: &mut Iterate,
         mut linear: Linearised,
-        trial: BlockState,
+        step: &Step,
     ) -> bool {
+        let trial = apply(system, &iterate.state, step, 1.0);
         let residuals = Residuals::new(system, &trial);
         let (before, after) = (iterate.worst().residual, residuals.worst.residual);
         if after > WORTHWHILE * before {
@@ -88,6 +89,7 @@ impl NewtonOrNested {
             self.chord = Some(linear);
         }
         iterate.keep(trial, residuals);
+        iterate.stiffness = Some(step.stiffness);
         true
     }
 
@@ -103,8 +105,8 @@ impl NewtonOrNested {
     ) -> bool {
         let linear = linearise(system, &from);
         iterate.statistics.jacobians += 1;
-        let Ok((balls, ring)) = step(system, &linear, 0.0) else { return false };
-        let trial = apply(system, &from, &balls, &ring, 1.0);
+        let Ok(step) = step(system, &linear, 0.0) else { return false };
+        let trial = apply(system, &from, &step, 1.0);
         let reached = Residuals::new(system, &trial);
         let worth = reached.worst.residual <= WORTHWHILE * iterate.worst().residual;
         if worth {
@@ -113,6 +115,7 @@ impl NewtonOrNested {
             self.chord = Some(linear);
             iterate.keep(from, residuals);
             iterate.keep(trial, reached);
+            iterate.stiffness = Some(step.stiffness);
         }
         worth
     }
@@ -141,16 +144,16 @@ impl Method for NewtonOrNested {
         let linear = linearise(system, &iterate.state);
         iterate.statistics.jacobians += 1;
         // A tiny weight keeps a ball that touches nothing solvable.
-        let (balls, ring) = step(system, &linear, 0.0).or_else(|_| step(system, &linear, 1e-9)).map_err(|_| Stuck)?;
-        let trial = apply(system, &iterate.state, &balls, &ring, 1.0);
-        if self.try_step(system, iterate, linear, trial) {
+        let step = step(system, &linear, 0.0).or_else(|_| step(system, &linear, 1e-9)).map_err(|_| Stuck)?;
+        if self.try_step(system, iterate, linear, &step) {
             return Ok(());
         }
+        iterate.stiffness = None;
         let before = iterate.worst().residual;
         let mut least: Option<(BlockState, Residuals)> = None;
         for halving in 0..self.halvings {
             let share = 0.5f64.powi(halving);
-            let predicted = apply(system, &iterate.state, &balls, &ring, share);
+            let predicted = apply(system, &iterate.state, &step, share);
             let settled = settle(system, &predicted, self.settle_to, FROM_AFAR);
             let residuals = Residuals::new(system, &settled);
             let reached = residuals.worst.residual;

@@ -126,7 +126,33 @@ pub enum QuasiStaticError {
         /// All that is missing.
         missing: Vec<&'static str>,
     },
+    /// A load that presses the balls on a side of their grooves that has no shoulder, or on none.
+    #[error(
+        "the grooves have a shoulder on one side only (`geometry.shoulders`), on which a positive axial load presses the balls, and the axial load `ring.z` is {axial_n} N{}",
+        wrong_way(*axial_n)
+    )]
+    NoShoulder {
+        /// Axial load, N.
+        axial_n: f64,
+    },
+    /// Balls that the inner race presses nowhere, while the ring is loaded.
+    #[error(
+        "{model:?} model: no equilibrium was found in which a ball is loaded; what is left carries the ring by friction without load: take another race_control, more load, or the model with traction"
+    )]
+    NoLoadedBall {
+        /// Which equations.
+        model: Model,
+    },
     /// Patch quadrature.
     #[error(transparent)]
     Traction(#[from] TractionError),
+}
+
+/// What would help against an axial load that no shoulder carries.
+fn wrong_way(axial_n: f64) -> &'static str {
+    if axial_n < 0.0 {
+        ": turn its sign, or give the grooves both shoulders where they have them"
+    } else {
+        ": a radial load alone pushes such a bearing apart; give it an axial load or a preload above 0, or hold `ring.z`"
+    }
 }

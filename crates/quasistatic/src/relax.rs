@@ -93,8 +93,8 @@ fn implicit_step<S: BlockSystem>(system: &S, from: &At, tau: f64) -> Option<(At,
         previous = size;
         let mut linear = linearise(system, &at.state);
         pull.add_to(&mut linear);
-        let (balls, ring) = step_with(system, &linear, &shift).ok()?;
-        at = At::new(system, apply(system, &at.state, &balls, &ring, 1.0));
+        let step = step_with(system, &linear, &shift).ok()?;
+        at = At::new(system, apply(system, &at.state, &step, 1.0));
         if !at.worst().residual.is_finite() {
             return None;
         }

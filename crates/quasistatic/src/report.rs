@@ -47,6 +47,7 @@ pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &O
     let mut solution = solution(Model::JonesHarris, bearing, solved.state.ring, balls, point);
     (solution.ring_load_n, solution.ring_moment_nm) = (ring_load, ring_moment);
     (solution.residual, solution.iterations) = (solved.worst().residual, solved.statistics.accepted);
+    judged(&mut solution, solved);
     lost_contacts(&mut solution);
     let released = system.inner_control.iter().filter(|inner| !**inner).count();
     if bearing.modelling.race_control == Some(RaceControl::Inner) && released > 0 {
@@ -90,6 +91,7 @@ pub(crate) fn with_traction(
     (solution.ring_load_n, solution.ring_moment_nm, solution.shaft_torque_nm) = ([x, y, z], [mx, my], Some(torque));
     (solution.residual, solution.iterations) = (solved.worst().residual, solved.statistics.accepted);
     solution.patch_error_estimate = Some(estimate);
+    judged(&mut solution, solved);
     lost_contacts(&mut solution);
     if solution.turns() {
         skidding(&mut solution);
@@ -128,6 +130,7 @@ fn solution(
     Solution {
         model,
         converged: true,
+        stable: None,
         cage_speed_rpm: mean * 30.0 / std::f64::consts::PI,
         ring_displacement_m: [ring[0], ring[1], ring[2]],
         ring_tilt_rad: [ring[3], ring[4]],
@@ -157,7 +160,20 @@ fn warn(solution: &mut Solution, text: &str, is: impl Fn(&BallResult) -> bool) {
     }
 }
 
+fn judged(solution: &mut Solution, solved: &Iterate) {
+    solution.stable = solved.stable;
+    if solved.stable == Some(false) {
+        let text =
+            "the equilibrium is not stable: the ring runs away from it by a small push, and no stable one was found";
+        solution.warnings.push(text.to_owned());
+    }
+}
+
+/// At rest there is nothing to drive: a ball out of the load zone is as it should be.
 fn lost_contacts(solution: &mut Solution) {
+    if solution.inner_speed_rad_s == 0.0 && solution.outer_speed_rad_s == 0.0 {
+        return;
+    }
     warn(solution, "no contact with the inner race, nothing drives the ball", |b| b.contacts.inner.load_n <= 0.0);
     warn(solution, "no contact with the outer race", |b| b.contacts.outer.load_n <= 0.0);
 }

@@ -99,6 +99,12 @@ fn rounding(residual: f64) -> Reason {
     Reason::Rounding { attainable: 10f64.powf((3.0 * residual).log10().ceil()) }
 }
 
+/// Why the nearest state at rest is no equilibrium.
+pub(crate) fn why_not_at_rest(nearest: &Iterate) -> Reason {
+    let residual = nearest.worst().residual;
+    if residual <= ROUNDING_AT_REST { rounding(residual) } else { Reason::Unknown }
+}
+
 /// Goes from slow to fast; gives what came nearest and the share of the speed that was reached. `elastic` is the state
 /// without gyroscopic moments, under the centrifugal force (N) of the full speed.
 pub(crate) fn jones_harris(

@@ -1,6 +1,7 @@
 //! States from which others go on: the rolling start of the steady orbit, and the equations at a solution.
 
 use crate::Model;
+use crate::at_rest::is_at_rest;
 use crate::block::{BlockState, RING};
 use crate::jones_harris::{JonesHarris, Typical};
 use crate::needs;
@@ -38,7 +39,8 @@ pub fn rolling_start(bearing: &Bearing, point: &OperatingPoint) -> Result<Rollin
     needs::check(bearing, point, Model::Traction)?;
     let Rolling { system, elastic, solved } = rolling_state(bearing, point, false);
     let mut traction = traction_system(bearing, point, system.typical, SCOUT)?;
-    let rolling = solved.unwrap_or(elastic);
+    // At rest there is no other guess.
+    let rolling = if is_at_rest(point) { solved? } else { solved.unwrap_or(elastic) };
     let (residual, state) = (rolling.worst().residual, rolling.state);
     let chosen = choose_quadrature(&mut traction, &state, point)?;
     let rule = traction.kernel.quadrature().rule();

@@ -33,6 +33,9 @@ pub struct Solution {
     pub converged: bool,
     /// Mean orbital speed of the balls, r/min.
     pub cage_speed_rpm: f64,
+    /// True if the ring comes back from a small push, by its stiffness with the balls in balance; absent where that was
+    /// not judged.
+    pub stable: Option<bool>,
     /// Displacement of the inner ring against the outer: x, y (radial), z (axial), m.
     pub ring_displacement_m: [f64; 3],
     /// Tilt of the inner ring about X and Y, rad.
@@ -175,6 +178,9 @@ impl Serialize for Solution {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("model", self.equations())?;
         map.serialize_entry("converged", &self.converged)?;
+        if let Some(stable) = self.stable {
+            map.serialize_entry("stable", &stable)?;
+        }
         for Quantity { facts, get, .. } in &SOLUTION {
             if let Some(value) = get(self) {
                 map.serialize_entry(&joined(&[facts.name, facts.unit.suffix]), &(value * facts.unit.per_si))?;

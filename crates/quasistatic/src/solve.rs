@@ -1,4 +1,4 @@
-//! From a cold start to the equilibrium.
+//! From a cold start to the equilibrium. At rest all models have the one of [`crate::at_rest`]; else
 //!
 //! 1. Elastic phase: inertia frozen, forces from a convex potential; the Newton iteration with a descending energy
 //!    finds the ring and the balls from the unloaded position, contacts lost or not.
@@ -7,17 +7,19 @@
 //!    balls alone in pseudo-time with the ring held, so that each slows down under drag into the stable root connected
 //!    to rolling, with a cheap patch rule and then with the wanted one; then ring and balls together by Newton.
 
-use crate::block::{BALL, BlockState, BlockSystem, Iterate, ORBIT, RING, SPIN, SolverStatistics};
+use crate::at_rest::{AtRest, Moments, is_at_rest, thrown};
+use crate::block::{AXIAL, BALL, BlockState, BlockSystem, Iterate, ORBIT, RADIAL, RING, SPIN, SolverStatistics};
 use crate::driver;
 use crate::jones_harris::{self, JonesHarris, Kinematics, Typical, kinematics};
 use crate::methods::{Downhill, NewtonOrNested, settle};
 use crate::problem::{Place, QuasiStaticError, Reason};
 use crate::rescue;
 use crate::settle::{FROM_AFAR, FROM_NEAR};
+use crate::stability::steadied;
 use crate::start::WarmStart;
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, needs, report};
-use tribodyn_bearing::{BallLoads, Bearing, OperatingPoint, RaceControl, Races, Side};
+use tribodyn_bearing::{BallLoads, Bearing, OperatingPoint, RaceControl, Races, RingFreedom, Side};
 use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, TractionError, choose_rule};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
@@ -28,6 +30,9 @@ const GUESSED_CONTROL: RaceControl = RaceControl::Outer;
 const GUESSED_AT_FREE_PITCH: bool = true;
 /// How often the residual may rise where balls fall into skidding: each ball can do so about once.
 const JUMPS: usize = 8;
+/// Centrifugal force of a ball over a typical load below which the elastic phase may end before it has brought all
+/// balls to their place.
+const SLOW: f64 = 1e-4;
 /// Rounds of asking which race controls before a ball on the border counts as decided.
 const CONTROL_ROUNDS: usize = 4;
 /// Residual at which the balls are settled enough for the wanted patch rule, which leaves about 5e-3 of them; a ball on
@@ -62,6 +67,9 @@ pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<
             Ok(Solved { solution, statistics: rolling.statistics, warm_start: None })
         }
         Model::Traction => {
+            if is_at_rest(point) {
+                return at_rest(bearing, point, system.typical, solved?);
+            }
             let mut traction = traction_system(bearing, point, system.typical, SCOUT)?;
             // Raceway control may have no solution where traction has one: then the elastic state is the guess.
             let rolling = solved.unwrap_or(elastic);
@@ -72,6 +80,18 @@ pub fn solve(bearing: &Bearing, point: &OperatingPoint, model: Model) -> Result<
             finish(&traction, [settled, start], point, rolling.statistics, estimate)
         }
     }
+}
+
+/// The answer with traction for a bearing at rest, by the rule that the operating point asks for.
+fn at_rest(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    typical: Typical,
+    solved: Iterate,
+) -> Result<Solved, QuasiStaticError> {
+    let mut traction = traction_system(bearing, point, typical, SCOUT)?;
+    let estimate = choose_quadrature(&mut traction, &solved.state, point)?;
+    answer(&traction, solved, point, estimate)
 }
 
 /// The elastic state, and the Jones–Harris one that starts from it.
@@ -94,14 +114,15 @@ pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wa
         speeds,
         inner_control: vec![inner_everywhere; g.ball_count],
         centrifugal_at_free_pitch: bearing.modelling.centrifugal_at_free_pitch.unwrap_or(GUESSED_AT_FREE_PITCH),
+        bounded: wanted,
         frozen: None,
         typical,
     };
-    let offset = g.groove_offset(Side::Outer);
-    let free = [offset * g.sin_contact_angle(), offset * g.cos_contact_angle()];
-    let unloaded = system.pose(0, [free[0], free[1], 0.0, 0.0, 0.0, 0.0], [0.0; RING]);
-    let k: Kinematics<f64> = kinematics(bearing, &unloaded, speeds, inner_everywhere, true);
-    let ball = [free[0], free[1], k.spin[0], k.spin[1], 0.0, k.orbital_speed];
+    if is_at_rest(point) {
+        let (elastic, solved) = standing(bearing, point, (typical, wanted));
+        return Rolling { system, elastic, solved };
+    }
+    let (k, ball) = rolling_free(&system, inner_everywhere);
     let start = BlockState { balls: vec![ball; g.ball_count], ring: [0.0; RING] };
     system.frozen = Some(k.centrifugal_force);
     let limit = point.numerics.max_iterations;
@@ -110,6 +131,9 @@ pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wa
     system.frozen = None;
     let mut statistics = elastic.statistics;
     let mut state = elastic.state.clone();
+    if wanted && k.centrifugal_force < SLOW * typical.force {
+        throw_out_idle_balls(&system, &mut state, k.centrifugal_force);
+    }
     // Solve, ask each ball which race controls, solve again; a few rounds settle it, or the last answer stands.
     for round in 0.. {
         let mut solved = newton(&system, state, point);
@@ -128,7 +152,8 @@ pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wa
             solved.statistics = statistics;
             let reason = || rescue::why_no_raceway_control(&system, &solved, reached);
             let checked = check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point, reason);
-            return Rolling { system, elastic, solved: checked.map(|()| solved) };
+            let solved = checked.and_then(|()| if wanted { carried(&system, solved, point) } else { Ok(solved) });
+            return Rolling { system, elastic, solved };
         }
         system.inner_control = inner_control;
         state = if control == RaceControl::Inner { elastic.state.clone() } else { solved.state };
@@ -136,9 +161,55 @@ pub(crate) fn rolling_state<'a>(bearing: &'a Bearing, point: &OperatingPoint, wa
     unreachable!("the loop returns in its last round")
 }
 
+/// An unloaded ball that rolls at the free contact angle.
+fn rolling_free(system: &JonesHarris<'_>, inner_control: bool) -> (Kinematics<f64>, [f64; BALL]) {
+    let g = &system.bearing.geometry;
+    let offset = g.groove_offset(Side::Outer);
+    let [axial, radial] = [offset * g.sin_contact_angle(), offset * g.cos_contact_angle()];
+    let unloaded = system.pose(0, [axial, radial, 0.0, 0.0, 0.0, 0.0], [0.0; RING]);
+    let k = kinematics(system.bearing, &unloaded, system.speeds, inner_control, true);
+    (k, [axial, radial, k.spin[0], k.spin[1], 0.0, k.orbital_speed])
+}
+
+/// The equilibrium of a bearing at rest, and whether it is met.
+fn standing(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    (typical, wanted): (Typical, bool),
+) -> (Iterate, Result<Iterate, QuasiStaticError>) {
+    let moments = if wanted { Moments::OfPotential } else { Moments::AboutRing };
+    let solved = AtRest::of(bearing, point, (typical, moments)).solve_bearing(point);
+    let reason = || rescue::why_not_at_rest(&solved);
+    let checked = check(&solved, Model::JonesHarris, &jones_harris::EQUATIONS, bearing, point, reason);
+    (solved.clone(), checked.map(|()| solved))
+}
+
+/// A stable equilibrium in which balls carry the load.
+fn carried(system: &JonesHarris<'_>, solved: Iterate, point: &OperatingPoint) -> Result<Iterate, QuasiStaticError> {
+    let solved = steadied(system, solved, &system.typical, point);
+    let idle = |(index, &ball): (usize, &[f64; BALL])| {
+        let inner = system.pose(index, ball, solved.state.ring).contacts.inner;
+        system.typical.is_idle(system.bearing.contact_load(Side::Inner, &inner).0)
+    };
+    let loaded = |freedom: &RingFreedom| matches!(freedom, RingFreedom::Loaded(load) if *load != 0.0);
+    if point.ring.iter().any(loaded) && solved.state.balls.iter().enumerate().all(idle) {
+        return Err(QuasiStaticError::NoLoadedBall { model: Model::JonesHarris });
+    }
+    Ok(solved)
+}
+
 fn newton<S: BlockSystem>(system: &S, start: BlockState, point: &OperatingPoint) -> Iterate {
     let method = NewtonOrNested::new(0.1 * point.numerics.tolerance, JUMPS);
     driver::run(system, Iterate::new(system, start), method, point.numerics.tolerance, point.numerics.max_iterations)
+}
+
+/// Brings balls that the rings do not press to where the centrifugal force (N) throws them.
+fn throw_out_idle_balls(system: &JonesHarris<'_>, state: &mut BlockState, centrifugal: f64) {
+    for (index, ball) in state.balls.iter_mut().enumerate() {
+        if let Some(place) = thrown(system.bearing, index, state.ring, centrifugal) {
+            [ball[AXIAL], ball[RADIAL]] = place;
+        }
+    }
 }
 
 /// Balls that the inner race can hold where it cannot hold all: those that it touches in the elastic state. The others
@@ -254,6 +325,16 @@ pub(crate) fn finish(
     }
     let reason = || rescue::why_no_steady_state(system, &solved);
     check(&solved, Model::Traction, &with_traction::EQUATIONS, system.bearing, point, reason)?;
+    answer(system, steadied(system, solved, &system.typical, point), point, estimate)
+}
+
+/// The answer of the model with traction at its solution.
+fn answer(
+    system: &WithTraction<'_>,
+    solved: Iterate,
+    point: &OperatingPoint,
+    estimate: Option<f64>,
+) -> Result<Solved, QuasiStaticError> {
     let estimate = match estimate {
         Some(error) => error,
         None => patch_error(system, &solved.state)?,

@@ -1,12 +1,14 @@
 //! Stiffness of the inner ring at an equilibrium: how the balls' forces on it grow with its displacement while they
 //! stay in balance. It is the Schur complement of Newton's Jacobian, so that it is exact.
 
+use crate::at_rest::{AtRest, Moments, is_at_rest};
 use crate::block::{BlockState, BlockSystem, RING, linearise};
+use crate::jones_harris::Typical;
 use crate::problem::QuasiStaticError;
 use crate::rolling::{rolling_system, traction_of};
 use crate::start::WarmStart;
 use nalgebra::SMatrix;
-use tribodyn_bearing::{Bearing, OperatingPoint};
+use tribodyn_bearing::{Bearing, OperatingPoint, Races};
 
 /// Forces (N) and moments (N m) about X and Y against displacements x, y, z (m) and tilts about X and Y (rad), by row.
 pub type StiffnessMatrix = [[f64; RING]; RING];
@@ -20,6 +22,9 @@ pub fn traction_stiffness(
     point: &OperatingPoint,
     at: &WarmStart,
 ) -> Result<StiffnessMatrix, QuasiStaticError> {
+    if is_at_rest(point) {
+        return stiffness_at_rest(bearing, point, (at.state.ring, Moments::AboutRing));
+    }
     condensed(&traction_of(bearing, point, at)?, &at.state)
 }
 
@@ -29,7 +34,20 @@ pub fn traction_stiffness(
 /// As [`crate::solve()`], and [`QuasiStaticError::Singular`].
 pub fn jones_harris_stiffness(bearing: &Bearing, point: &OperatingPoint) -> Result<StiffnessMatrix, QuasiStaticError> {
     let (system, state) = rolling_system(bearing, point)?;
+    if is_at_rest(point) {
+        return stiffness_at_rest(bearing, point, (state.ring, Moments::OfPotential));
+    }
     condensed(&system, &state)
+}
+
+/// At rest the balls follow from the ring: those that carry nothing have no part in it.
+fn stiffness_at_rest(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    (ring, moments): ([f64; RING], Moments),
+) -> Result<StiffnessMatrix, QuasiStaticError> {
+    let typical = Typical::new(bearing, &point.ring, Races { inner: 0.0, outer: 0.0 });
+    condensed(&AtRest::of(bearing, point, (typical, moments)).with_actual_constants(), &AtRest::state(ring))
 }
 
 /// Displacements and tilts by unit forces and moments; none where one of them meets no resistance.
@@ -39,7 +57,7 @@ pub fn compliance(stiffness: &StiffnessMatrix) -> Option<StiffnessMatrix> {
 }
 
 /// −dF/dq with the balls eliminated.
-fn condensed<S: BlockSystem>(system: &S, state: &BlockState) -> Result<StiffnessMatrix, QuasiStaticError> {
+pub(crate) fn condensed<S: BlockSystem>(system: &S, state: &BlockState) -> Result<StiffnessMatrix, QuasiStaticError> {
     let mut sum = SMatrix::<f64, RING, RING>::zeros();
     for (ball, block) in linearise(system, state).balls.iter().enumerate() {
         let by_ring = block.own.lu().solve(&block.by_ring).ok_or(QuasiStaticError::Singular { ball })?;

@@ -1,19 +1,25 @@
 //! From the solution of a neighbouring problem to the equilibrium.
 
+use crate::at_rest::is_at_rest;
 use crate::block::SolverStatistics;
 use crate::jones_harris::Typical;
 use crate::problem::QuasiStaticError;
-use crate::solve::{Solved, choose_quadrature, finish, traction_system};
+use crate::solve::{Solved, choose_quadrature, finish, solve, traction_system};
 use crate::start::WarmStart;
 use crate::with_traction::WithTraction;
 use crate::{Model, needs};
 use tribodyn_bearing::{Bearing, OperatingPoint, Races};
+use tribodyn_traction::PatchChoice;
 
 /// Solves the traction model from the solution of a neighbouring problem, with its patch rule.
 ///
 /// # Errors
 /// As [`solve`](crate::solve()).
 pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) -> Result<Solved, QuasiStaticError> {
+    if is_at_rest(point) {
+        let rule = Some(PatchChoice::Named(start.rule));
+        return solve(bearing, &OperatingPoint { patch: rule, ..point.clone() }, Model::Traction);
+    }
     near(bearing, point, start).map(|(_, solved)| solved)
 }
 
@@ -23,6 +29,9 @@ pub fn solve_from(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) 
 /// # Errors
 /// As [`solve`](crate::solve()).
 pub fn solve_near(bearing: &Bearing, point: &OperatingPoint, start: &WarmStart) -> Result<Solved, QuasiStaticError> {
+    if is_at_rest(point) {
+        return solve(bearing, point, Model::Traction);
+    }
     let (mut traction, solved) = near(bearing, point, start)?;
     let allowed = point.patch.is_none_or(|patch| patch.allows(solved.solution.patch_error_estimate));
     let Some(WarmStart { state, .. }) = solved.warm_start.as_ref().filter(|_| !allowed && bearing.elastic.is_none())

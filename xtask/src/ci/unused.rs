@@ -9,9 +9,8 @@ use tribodyn_paper::files;
 
 /// Dependencies that are there for a feature of theirs, or to build what the tests have built: their `Cargo.toml` says
 /// why.
-const FOR_FEATURES: [(&str, &str); 5] = [
+const FOR_FEATURES: [(&str, &str); 4] = [
     ("tribodyn-identify", "argmin_math"),
-    ("tribodyn-quasistatic", "argmin_math"),
     ("tribodyn-python", "bitflags"),
     ("tribodyn-python", "either"),
     ("tribodyn-python", "syn"),

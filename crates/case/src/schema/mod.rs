@@ -20,7 +20,7 @@ pub use tribology::*;
 use super::units;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use tribodyn_bearing::{Modelling, SolverSettings};
+use tribodyn_bearing::{Modelling, Shoulders, SolverSettings};
 
 /// One bearing, its materials, its operating point and the numerics.
 ///
@@ -102,12 +102,25 @@ pub struct GeometrySpec {
     pub outer_groove: Groove,
     /// Contact angle or radial clearance, one gives the other.
     pub fit: Fit,
+    /// Sides on which the grooves have shoulders; absent where that is not known.
+    #[serde(default)]
+    pub shoulders: Option<ShouldersSpec>,
     /// Edge of the inner groove on the side on which the balls bear.
     #[serde(default)]
     pub inner_shoulder: Option<Shoulder>,
     /// Edge of the outer groove there.
     #[serde(default)]
     pub outer_shoulder: Option<Shoulder>,
+}
+
+/// Sides on which the grooves have shoulders: both, or the one on which a positive axial load presses the balls.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ShouldersSpec {
+    /// Of the inner groove.
+    pub inner: Shoulders,
+    /// Of the outer groove.
+    pub outer: Shoulders,
 }
 
 /// The transverse radius of a raceway groove.
@@ -126,7 +139,7 @@ pub enum Groove {
 pub enum Fit {
     /// Free contact angle α0, rad.
     ContactAngle(#[serde(deserialize_with = "units::angle")] f64),
-    /// Diametral (radial internal) clearance P_d, m: cos α0 = 1 − P_d/(2A).
+    /// Diametral (radial internal) clearance P_d, m: cos α0 = 1 − P_d/(2A). Below 0 the balls are pressed radially.
     RadialClearance(#[serde(deserialize_with = "units::length")] f64),
 }
 

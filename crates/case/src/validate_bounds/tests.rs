@@ -2,7 +2,7 @@
 
 use super::*;
 
-const FULL: &str = include_str!("../../../fixtures/cases/paper-ag-worn.ron");
+const FULL: &str = include_str!("../../../../fixtures/cases/paper-ag-worn.ron");
 
 /// With a kind of value in place of another one, so that all that a case can hold stands in one of them.
 fn variants() -> Vec<String> {

@@ -213,6 +213,7 @@ impl NewCase {
             sources.catalogue("geometry.fit", nominal);
             format!("ContactAngle(deg({}))", trim(contact_angle.to_degrees(), 3))
         };
+        let sides = self.sides(sources);
         let shoulder = "height over the bottom of the groove on the loaded side; deep groove 0.15 to 0.25 D, angular contact 0.25 to 0.45 D";
         sources.assumed("geometry.inner_shoulder", shoulder);
         sources.assumed("geometry.outer_shoulder", shoulder);
@@ -224,6 +225,8 @@ impl NewCase {
         inner_groove: Coefficient(0.52),
         outer_groove: Coefficient(0.53),
         fit: {fit},
+        // Sides on which the grooves go up: One is the side on which a positive axial load presses the balls.
+        shoulders: {sides},
         // How far the groove goes up the side: the contact ellipse must not reach its edge.
         inner_shoulder: Height(mm({shoulder_mm})),
         outer_shoulder: Height(mm({shoulder_mm})),
@@ -234,6 +237,17 @@ impl NewCase {
             millimetres(pitch_diameter),
             shoulder_mm = trim(numbers.shoulder * 1e3, 2),
         )
+    }
+
+    /// Sides on which the grooves have shoulders.
+    fn sides(&self, sources: &mut Sources) -> &'static str {
+        if self.is_deep_groove() {
+            sources.reference("geometry.shoulders", "deep-groove bearings have two shoulders on either ring");
+            return "(inner: Both, outer: Both)";
+        }
+        let why = "outer ring relieved on one side, so that thrust is carried along +z only; Both on either ring for a split ring";
+        sources.assumed("geometry.shoulders", why);
+        "(inner: Both, outer: One)"
     }
 
     /// Name of the source of dimensions and ratings.

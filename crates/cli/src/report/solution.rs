@@ -116,6 +116,7 @@ fn solved(run: &Run, row: &SolutionRow) -> Solution {
     let mut solution = Solution {
         model,
         converged: said(run, "converged") == Some("true"),
+        stable: None,
         cage_speed_rpm: 0.0,
         ring_displacement_m: [0.0; 3],
         ring_tilt_rad: [0.0; 2],

@@ -23,3 +23,18 @@ fn limit_a_pair_needs_one_preload() {
     run(&[&"pair", &case, &"--arrangement", &"dt", &"--distance", &"60", &"--spring", &"100"]).fails(2, &["tandem"]);
     run(&[&"pair", &case, &"--arrangement", &"db", &"--distance", &"-60", &"--offset", &"1"]).fails(2, &["distance"]);
 }
+
+/// Bearings in tandem without offset share their load at rest as they do in slow turning.
+#[test]
+fn limit_a_pair_at_rest_is_solved() {
+    let case = fixture("angular-7210.ron");
+    for arrangement in ["db", "df", "dt"] {
+        let words = ["--arrangement", arrangement, "--distance", "60", "--offset", "0"];
+        let at_rest = ["--set", "speed.inner=Constant(rpm(0))", "--json"];
+        let mut all: Vec<&dyn AsRef<std::ffi::OsStr>> = vec![&"pair", &case];
+        words.iter().chain(&at_rest).for_each(|word| all.push(word));
+        let answer = run(&all).json();
+        let load = |bearing: usize, axis: usize| answer["bearings"][bearing]["load_n"][axis].as_f64().unwrap();
+        assert!((load(0, 0) + load(1, 0) - 4000.0).abs() < 1e-3 && (load(0, 2) + load(1, 2) - 3000.0).abs() < 1e-3);
+    }
+}

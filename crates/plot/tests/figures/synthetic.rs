@@ -89,6 +89,7 @@ pub fn solution(model: Model, slip: f64, swing: f64) -> Solution {
     Solution {
         model,
         converged: true,
+        stable: None,
         cage_speed_rpm: 5802.0,
         ring_displacement_m: [2.4e-5, 0.0, 6.0e-5],
         ring_tilt_rad: [0.0; 2],

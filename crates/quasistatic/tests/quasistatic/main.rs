@@ -1,5 +1,6 @@
 //! The quasi-static models from the case file to the solution.
 
+mod at_rest;
 mod identities;
 mod limits;
 mod published;

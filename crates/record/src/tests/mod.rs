@@ -93,6 +93,7 @@ fn solution(balls: usize) -> Solution {
     Solution {
         model: Model::Traction,
         converged: true,
+        stable: None,
         cage_speed_rpm: 5802.0,
         ring_displacement_m: [1.1e-5, -2e-6, 6.4e-5],
         ring_tilt_rad: [1e-5, 2e-5],

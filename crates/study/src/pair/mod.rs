@@ -11,13 +11,15 @@
 //! inside. Sources: T. A. Harris, M. N. Kotzalas, Essential Concepts of Bearing Technology, 2006, section 9.4
 //! (preloaded pairs); the mirror is ours.
 
+mod step;
+
 use crate::StudyError;
 use serde::Serialize;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, RingFreedom};
 use tribodyn_orbit::{OrbitError, OrbitSettings, OrbitStart, orbit_slopes, steady_orbit, steady_orbit_from};
 use tribodyn_quasistatic::{
-    Model, QuasiStaticError, Solution, StiffnessMatrix, WarmStart, jones_harris_stiffness, solve, solve_from,
-    traction_stiffness,
+    Model, QuasiStaticError, Seated, Solution, StiffnessMatrix, WarmStart, jones_harris_stiffness, shaft_at_rest,
+    solve, solve_from, traction_stiffness,
 };
 
 /// How the bearings stand to each other.
@@ -191,6 +193,7 @@ pub fn solve_pair(pair: &Pair<'_>) -> Result<PairSolution, PairError> {
         let step = pair.step(&now).ok_or(PairError::Loose)?;
         let farthest = step[..3].iter().fold(f64::MIN_POSITIVE, |m, v| m.max(v.abs()));
         let mut share = (LONGEST * pair.bearing.geometry.ball_diameter / farthest).min(1.0);
+        let before = shaft;
         for halving in 0..=HALVINGS {
             let moved: Vector = std::array::from_fn(|k| shaft[k] + share * step[k]);
             let trial = pair.evaluate(&moved, &mut near);
@@ -202,8 +205,14 @@ pub fn solve_pair(pair: &Pair<'_>) -> Result<PairSolution, PairError> {
             }
             share *= 0.5;
         }
+        if shaft == before {
+            break;
+        }
     }
     if now.residual > pair.tolerance() {
+        if pair.inverse(&now).is_none() {
+            return Err(PairError::Loose);
+        }
         return Err(PairError::NotConverged { residual: now.residual, tolerance: pair.tolerance() });
     }
     Ok(pair.solution(shaft, now))
@@ -224,9 +233,29 @@ impl Pair<'_> {
         (100.0 * self.point.numerics.tolerance).max(1e-9)
     }
 
-    /// Held freedoms where they are held; along Z where the bearings just touch under the load.
+    /// Where the pair stands at rest; where that is not found, where the bearings just touch.
     fn start(&self) -> Vector {
-        std::array::from_fn(|k| if let RingFreedom::Held(value) = self.point.ring[k] { value } else { 0.0 })
+        let still = OperatingPoint { inner_speed: 0.0, outer_speed: 0.0, ..self.point.clone() };
+        let seated = |index| Seated {
+            bearing: self.bearing,
+            seat: self.transfer(index),
+            shift: self.shift(index),
+            spring: self.spring(index),
+        };
+        let held = self.point.ring.map(|freedom| if let RingFreedom::Held(value) = freedom { value } else { 0.0 });
+        shaft_at_rest(vec![seated(0), seated(1)], &still).unwrap_or(held)
+    }
+
+    /// Axial displacement of a bearing's ring by the preload, m.
+    fn shift(&self, index: usize) -> f64 {
+        // In tandem the offset is how much farther the first is pushed than the second.
+        let share = if self.arrangement == Arrangement::Tandem && index == 1 { -0.5 } else { 0.5 };
+        if let Preload::OffsetM(offset) = self.preload { share * offset } else { 0.0 }
+    }
+
+    /// Force of the spring on a bearing whose ring slides, N.
+    fn spring(&self, index: usize) -> Option<f64> {
+        if let Preload::SpringN(force) = self.preload { (index == 1).then_some(force) } else { None }
     }
 
     fn position(&self, index: usize) -> f64 {
@@ -247,15 +276,10 @@ impl Pair<'_> {
     fn ring(&self, index: usize, shaft: &Vector) -> [RingFreedom; FREEDOMS] {
         let moved = times(&self.transfer(index), shaft);
         let mut ring = moved.map(RingFreedom::Held);
-        match self.preload {
-            Preload::OffsetM(offset) => {
-                // In tandem the offset is how much farther the first is pushed than the second.
-                let share = if self.arrangement == Arrangement::Tandem && index == 1 { -0.5 } else { 0.5 };
-                ring[2] = RingFreedom::Held(moved[2] + share * offset);
-            }
-            Preload::SpringN(force) if index == 1 => ring[2] = RingFreedom::Loaded(force),
-            Preload::SpringN(_) => {}
-        }
+        ring[2] = match self.spring(index) {
+            Some(force) => RingFreedom::Loaded(force),
+            None => RingFreedom::Held(moved[2] + self.shift(index)),
+        };
         ring
     }
 
@@ -296,6 +320,8 @@ impl Pair<'_> {
             // The ring gives way along Z: it carries the spring alone, and the rest is what is left with Z free.
             force[2] = load;
             let along = stiffness[2];
+            // A bearing that touches nowhere gives way without a force.
+            let along = if along[2] == 0.0 { [0.0, 0.0, 1.0, 0.0, 0.0] } else { along };
             for row in &mut stiffness {
                 let share = row[2] / along[2];
                 row.iter_mut().zip(along).for_each(|(k, by)| *k -= share * by);
@@ -341,19 +367,6 @@ impl Pair<'_> {
                 Ok((solution, stiffness))
             }
         }
-    }
-
-    /// The step of Newton's method.
-    fn step(&self, now: &Evaluated) -> Option<Vector> {
-        let mut matrix = now.stiffness;
-        for (k, freedom) in self.point.ring.iter().enumerate() {
-            if matches!(freedom, RingFreedom::Held(_)) {
-                matrix[k] = [0.0; FREEDOMS];
-                matrix[k][k] = 1.0;
-            }
-        }
-        let inverse = tribodyn_quasistatic::compliance(&matrix)?;
-        Some(times(&inverse, &now.lacking))
     }
 
     fn solution(&self, [x, y, z, tilt @ ..]: Vector, now: Evaluated) -> PairSolution {

@@ -108,3 +108,34 @@ fn identity_stiffness_is_that_of_differences() {
         assert!((load[column] - 1.0).abs() < 1e-4, "{column} {load:?}");
     }
 }
+
+/// At rest as in slow turning: preloaded, loose, on a spring and in tandem, balls without load in most of them.
+#[test]
+fn limit_a_pair_at_rest_is_the_limit_of_slow_turning() {
+    let cases = [
+        (800.0, 300.0, Arrangement::BackToBack, Preload::OffsetM(OFFSET)),
+        (800.0, 300.0, Arrangement::BackToBack, Preload::OffsetM(-OFFSET)),
+        (300.0, -900.0, Arrangement::FaceToFace, Preload::OffsetM(0.0)),
+        (900.0, 200.0, Arrangement::FaceToFace, Preload::SpringN(300.0)),
+        (500.0, 1500.0, Arrangement::Tandem, Preload::OffsetM(0.0)),
+    ];
+    for (radial, axial, arrangement, preload) in cases {
+        let at_speed = |speed: f64| {
+            let (bearing, mut point) = problem(radial, axial);
+            point.inner_speed = speed;
+            solved(&(bearing, point), arrangement, preload)
+        };
+        let (still, turning) = (at_speed(0.0), at_speed(0.01));
+        for (a, b) in still.bearings.iter().zip(&turning.bearings) {
+            for k in 0..3 {
+                let difference = (a.load_n[k] - b.load_n[k]).abs();
+                assert!(difference < 1e-4 * (radial + axial.abs()), "{arrangement:?} {:?} {:?}", a.load_n, b.load_n);
+            }
+        }
+        let carried = |k: usize| still.bearings.iter().map(|b| b.load_n[k]).sum::<f64>();
+        assert!((carried(0) - radial).abs() < 1e-6 * radial && (carried(2) - axial).abs() < 1e-6 * axial.abs());
+        for k in 0..5 {
+            assert!(close(still.stiffness[k][k], turning.stiffness[k][k], 1e-2), "{arrangement:?} {k}");
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::balls::{SHOULDER_MAX_DEG, at, largest};
 use super::implausible::{Implausible, advice, implausible, kinds, names};
-use super::shown;
+use super::{shown, side};
 use crate::answers::Equations;
 use tribodyn_bearing::{BallResult, Bearing, BearingError, Races, RingFreedom, Side};
 use tribodyn_case::{Case, Fit, Medium};
@@ -37,10 +37,10 @@ const SLIDE_MAX: f64 = 0.1;
 
 /// Sentences on values of a case that are unusual against each other.
 pub fn case_findings(case: &Case, bearing: &Bearing) -> Vec<String> {
-    let mut found = Vec::new();
+    let point = case.operating_point();
+    let mut found: Vec<String> = side::of_point(bearing, &point).into_iter().collect();
     let mut note = |unusual: bool, sentence: String| found.extend(unusual.then_some(sentence));
     let geometry = &bearing.geometry;
-    let point = case.operating_point();
     let rpm = (point.inner_speed - point.outer_speed).abs() * 30.0 / std::f64::consts::PI;
     let speed = rpm * geometry.pitch_diameter * 1e3;
     let angular = geometry.contact_angle().to_degrees() >= ANGULAR_DEG;
@@ -147,7 +147,9 @@ pub fn solution_findings(
             sentences.extend(spinning(bearing, solution, side, race));
         }
     }
-    let implausible = implausible(solution, &shoulders);
+    let sides = side::of_solution(bearing, solution);
+    sentences.extend(sides.open);
+    let implausible: Vec<_> = sides.implausible.into_iter().chain(implausible(solution, &shoulders)).collect();
     sentences.extend(implausible.iter().map(|(_, sentence)| sentence.clone()));
     Ok(SolutionFindings { sentences, implausible })
 }

@@ -10,6 +10,7 @@ mod estimate;
 mod findings;
 mod implausible;
 mod ranges;
+mod side;
 
 pub use curves::curve_findings;
 pub(crate) use curves::tested_gpa;

@@ -3,12 +3,14 @@
 //!
 //! A bearing is drawn as the text of a case file, so that each failure is a file that can be looked at by itself.
 
+mod at_rest;
 mod bearing;
 mod momentum;
 mod random;
 mod table;
 mod trial;
 
+pub use at_rest::{AtRest, loads_returned, solve_at_rest, survey_at_rest};
 pub use bearing::{Kind, RandomBearing, random_bearing};
 pub use random::Random;
 pub use table::{Counts, ModelCounts, Regime, SchemeCounts, Tally};
