@@ -339,3 +339,31 @@ fn identity_units_give_the_closest_number_in_si() {
     let mut table = ron::Deserializer::from_str("[(s(0), rpm(0)), (ms(500), rad_per_s(7)),]").unwrap();
     assert_eq!(units::speed_table(&mut table), Ok(vec![(0.0, 0.0), (0.5, 7.0)]));
 }
+
+/// NIST Special Publication 811 (2008), appendix B.8: factors to SI, all of them exact or to the digits printed there.
+#[test]
+fn paper_inch_and_pound_units() {
+    type Reader = fn(&mut ron::Deserializer<'_>) -> ron::Result<f64>;
+    #[rustfmt::skip]
+    let rows: &[(Reader, &str, f64, f64)] = &[
+        (|d| units::length(d), "in(1)", 0.0254, 1e-15),
+        (|d| units::length(d), "in(0.3125)", 7.9375e-3, 1e-15),
+        (|d| units::force(d), "lbf(1)", 4.448_221_615_260_5, 1e-15),
+        (|d| units::pressure(d), "psi(1)", 6.894_757e3, 1e-7),
+        (|d| units::pressure(d), "ksi(30000)", 206.842_7e9, 1e-6),
+        (|d| units::torque(d), "lbf_in(1)", 0.112_984_8, 1e-6),
+        (|d| units::stiffness(d), "lbf_per_in(1)", 175.126_8, 1e-6),
+        (|d| units::mass(d), "lb(1)", 0.453_592_37, 1e-15),
+        (|d| units::density(d), "lb_per_in3(1)", 2.767_990e4, 1e-6),
+        (|d| units::temperature(d), "degF(32)", 273.15, 1e-15),
+        (|d| units::temperature(d), "degF(212)", 373.15, 1e-15),
+        (|d| units::temperature(d), "degF(-459.67)", 0.0, 1e-15),
+    ];
+    for &(reader, text, expected, relative) in rows {
+        let found = read(text, reader).unwrap();
+        assert!(
+            (found - expected).abs() <= relative * expected.abs().max(1e-300),
+            "{text}: {found} instead of {expected}"
+        );
+    }
+}

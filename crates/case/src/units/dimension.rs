@@ -21,6 +21,14 @@ fn shifted(value: f64, exponent: i32) -> f64 {
     format!("{value}e{exponent}").parse().unwrap_or(value)
 }
 
+/// Pound, kg, and standard gravity, m/s²: both exact by definition, as is the inch, m.
+const POUND: f64 = 0.453_592_37;
+const GRAVITY: f64 = 9.806_65;
+const INCH: f64 = 0.0254;
+/// Pound-force, N, and pound-force on a square inch, Pa.
+const POUND_FORCE: f64 = POUND * GRAVITY;
+const PSI: f64 = POUND_FORCE / (INCH * INCH);
+
 /// Declares a dimension, each unit beside its conversion.
 macro_rules! dimension {
     ($name:ident, $noun:literal, $example:literal, { $($unit:literal => $to_si:expr),+ $(,)? }) => {
@@ -33,7 +41,8 @@ dimension!(LENGTH, "a length", "mm(30.16)", {
     "m" => |v| v,
     "mm" => |v| shifted(v, -3),
     "um" => |v| shifted(v, -6),
-    "inch" => |v| v * 0.0254,
+    "inch" => |v| v * INCH,
+    "in" => |v| v * INCH,
 });
 dimension!(ANGLE, "an angle", "deg(18)", {
     "rad" => |v| v,
@@ -45,18 +54,23 @@ dimension!(PRESSURE, "a pressure", "GPa(2.5)", {
     "kPa" => |v| shifted(v, 3),
     "MPa" => |v| shifted(v, 6),
     "GPa" => |v| shifted(v, 9),
+    "psi" => |v| v * PSI,
+    "ksi" => |v| 1e3 * v * PSI,
 });
 dimension!(DENSITY, "a density", "kg_per_m3(7800)", {
     "kg_per_m3" => |v| v,
     "g_per_cm3" => |v| shifted(v, 3),
+    "lb_per_in3" => |v| v * POUND / (INCH * INCH * INCH),
 });
 dimension!(FORCE, "a force", "kN(20)", {
     "N" => |v| v,
     "kN" => |v| shifted(v, 3),
+    "lbf" => |v| v * POUND_FORCE,
 });
 dimension!(TORQUE, "a torque", "Nm(1.5)", {
     "Nm" => |v| v,
     "Nmm" => |v| shifted(v, -3),
+    "lbf_in" => |v| v * POUND_FORCE * INCH,
 });
 dimension!(SPEED, "a rotational speed", "rpm(14000)", {
     "rad_per_s" => |v| v,
@@ -65,6 +79,7 @@ dimension!(SPEED, "a rotational speed", "rpm(14000)", {
 dimension!(TEMPERATURE, "a temperature", "K(87.5)", {
     "K" => |v| v,
     "degC" => |v| v + 273.15,
+    "degF" => |v| (v + 459.67) / 1.8,
 });
 dimension!(VISCOSITY, "a dynamic viscosity", "uPa_s(119.7)", {
     "Pa_s" => |v| v,
@@ -74,6 +89,7 @@ dimension!(VISCOSITY, "a dynamic viscosity", "uPa_s(119.7)", {
 dimension!(STIFFNESS, "a stiffness", "N_per_um(10)", {
     "N_per_m" => |v| v,
     "N_per_um" => |v| shifted(v, 6),
+    "lbf_per_in" => |v| v * POUND_FORCE / INCH,
 });
 dimension!(TIME, "a time", "s(0.5)", {
     "s" => |v| v,
@@ -83,6 +99,7 @@ dimension!(TIME, "a time", "s(0.5)", {
 dimension!(MASS, "a mass", "kg(2.5)", {
     "kg" => |v| v,
     "g" => |v| shifted(v, -3),
+    "lb" => |v| v * POUND,
 });
 dimension!(INERTIA, "a moment of inertia", "kg_m2(0.004)", {
     "kg_m2" => |v| v,
