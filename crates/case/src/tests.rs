@@ -56,7 +56,7 @@ const IMPOSSIBLE: &[Refused] = &[
     ("outer_groove: Coefficient(0.527)", "outer_groove: Coefficient(«NaN»)", "geometry.outer_groove.Coefficient", "above 0.5"),
     ("ContactAngle(deg(18))", "ContactAngle(«deg(-1)»)", "geometry.fit.ContactAngle", "between 0° and 60°"),
     ("ContactAngle(deg(18))", "ContactAngle(«rad(1.05)»)", "geometry.fit.ContactAngle", "between 0° and 60°"),
-    ("ContactAngle(deg(18))", "RadialClearance(«mm(2)»)", "geometry.fit.RadialClearance", "between 0 and 1.6286 mm"),
+    ("ContactAngle(deg(18))", "RadialClearance(«mm(2)»)", "geometry.fit.RadialClearance", "groove centres, and 1.6286 mm"),
     ("ContactAngle(deg(18))", "RadialClearance(«um(-1)»)", "geometry.fit.RadialClearance", "between 0 and"),
     ("GPa(200)", "«GPa(0)»", "materials.ball.young", "greater than 0"),
     ("poisson: 0.28", "poisson: «0.5»", "materials.ball.poisson", "below 0.5"),

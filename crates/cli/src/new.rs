@@ -58,8 +58,9 @@ pub struct Arguments {
     /// Speed of the inner ring, r/min; a moderate one where left out
     #[arg(long, value_name = "RPM", allow_negative_numbers = true)]
     speed: Option<f64>,
-    /// Lubricant: vg68 and other grades of mineral oil, an oil such as pao-vg32, grease, or ag or ptfe for a dry
-    /// bearing; by default grease for sealed bearings and vg68 for open ones
+    /// Lubricant: `usual` is grease for sealed bearings and oil VG 68 for open ones; vg32 and other grades of mineral
+    /// oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film. By default ag: orbits and runs in oil take
+    /// minutes
     #[arg(long, value_name = "NAME")]
     lubricant: Option<String>,
     /// Ask for what is not given, on a terminal
@@ -101,7 +102,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     (case.radial_load, case.axial_load) = (arguments.radial, arguments.axial);
     case.speed = arguments.speed.map(rpm);
-    case.lubricant = arguments.lubricant.as_deref().map(NewLubricant::parse).transpose()?;
+    case.lubricant = match arguments.lubricant.as_deref() {
+        Some("usual") => Some(case.usual_lubricant()),
+        word => word.map(NewLubricant::parse).transpose()?,
+    };
     if arguments.ask {
         ask_operation(&mut case)?;
     }

@@ -126,7 +126,8 @@ mod tests {
             ("7210B", NewLubricant::Oil("mineral-vg68".into())),
         ] {
             let case = NewCase::of_listed(find(designation, None).unwrap(), designation);
-            assert_eq!(case.lubricant(), lubricant, "{designation}");
+            assert_eq!(case.usual_lubricant(), lubricant, "{designation}");
+            assert_eq!(case.lubricant(), NewLubricant::Coating("ag"), "{designation}");
         }
     }
 }

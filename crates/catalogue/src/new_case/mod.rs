@@ -153,9 +153,14 @@ impl NewCase {
         Ok(())
     }
 
-    /// The lubricant, by the bearing's class where none is given.
+    /// Grease where seals or shields close the bearing, else oil.
+    pub fn usual_lubricant(&self) -> NewLubricant {
+        NewLubricant::usual(self.parts.iter().any(Part::closes))
+    }
+
+    /// The lubricant; a silver film where none is given, with which orbits and runs are fast.
     fn lubricant(&self) -> NewLubricant {
-        self.lubricant.clone().unwrap_or_else(|| NewLubricant::usual(self.parts.iter().any(Part::closes)))
+        self.lubricant.clone().unwrap_or(NewLubricant::Coating("ag"))
     }
 
     fn is_deep_groove(&self) -> bool {

@@ -1,12 +1,16 @@
 //! What a bearing runs with, in a line.
 
 use super::Equations;
-use tribodyn_case::{Case, CoatingSpec, CurveSpec, FluidSpec, Medium};
+use tribodyn_case::{Case, CoatingSpec, CurveSpec, FluidSpec, LubricantSpec, Medium, OilSpec};
+use tribodyn_lubricant::{Supply, ZERO_CELSIUS};
 
-/// Coatings and fluid of a case, as the first lines of an answer say them.
+/// Lubricant, or coatings, and fluid of a case, as the first lines of an answer say them.
 pub fn lubrication(case: &Case, equations: Equations) -> String {
     if equations == Equations::JonesHarris {
         return "no part of this model: balls roll without friction".to_owned();
+    }
+    if let Some(lubricant) = &case.lubricant {
+        return oil(lubricant);
     }
     let surfaces = case.coatings.as_ref().map_or_else(
         || "bare races".to_owned(),
@@ -18,6 +22,20 @@ pub fn lubrication(case: &Case, equations: Equations) -> String {
     match &case.fluid {
         Some(fluid) => format!("{surfaces}, {}", medium(fluid)),
         None => format!("{surfaces}, dry"),
+    }
+}
+
+/// Oil or grease at its temperature.
+fn oil(lubricant: &LubricantSpec) -> String {
+    let name = match &lubricant.oil {
+        OilSpec::Library(name) => name.clone(),
+        OilSpec::Grade { stock, vg, .. } => format!("{} VG {vg}", stock.name()),
+        OilSpec::Viscosities { stock, .. } => format!("{} by its data sheet", stock.name()),
+    };
+    let temperature = lubricant.temperature - ZERO_CELSIUS;
+    match lubricant.supply {
+        Supply::Grease => format!("grease on {name} at {temperature:.0} °C"),
+        _ => format!("oil {name} at {temperature:.0} °C"),
     }
 }
 

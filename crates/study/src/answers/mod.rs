@@ -77,10 +77,14 @@ impl Equations {
         }
     }
 
-    /// Those of an answer for which nobody chose any: the steady orbit, or raceway control where the case has not what
-    /// traction needs.
+    /// Those of an answer for which nobody chose any: the steady orbit; in oil, where orbits take minutes, the
+    /// equilibrium with traction; raceway control where the case has not what traction needs.
     pub fn usual(case: &Case) -> Self {
-        if case.require(Purpose::Traction).is_ok() { Self::SteadyOrbit } else { Self::JonesHarris }
+        match case.require(Purpose::Traction) {
+            Ok(()) if case.lubricant.is_some() => Self::Traction,
+            Ok(()) => Self::SteadyOrbit,
+            Err(_) => Self::JonesHarris,
+        }
     }
 
     /// The use of a case that it asks for.
