@@ -3,7 +3,6 @@
 mod attempt;
 mod chain;
 mod collocation;
-mod damping;
 mod detours;
 mod direct;
 mod error;
@@ -24,14 +23,11 @@ mod stiffness;
 mod system;
 mod way;
 
-pub use damping::LessDamping;
 pub use error::{OrbitError, OrbitPlace, OrbitReason};
 pub use modes::{Bodies, EnergyShares, Mode, OrbitModes};
 pub use newton::OrbitStatistics;
 pub use settings::OrbitSettings;
 pub use solution::{POINTS, SteadyOrbit};
-pub use solve::{
-    less_damped_orbit, orbit_modes, orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near,
-};
+pub use solve::{orbit_modes, orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near};
 pub use solved::{OrbitStart, SolvedOrbit};
 pub use stiffness::OrbitStiffness;

@@ -11,7 +11,6 @@
 
 use crate::OrbitError;
 use crate::collocation::Orbit;
-use crate::damping::KEEPS;
 use crate::newton::Newton;
 use crate::system::{BALL, OrbitSystem, SPIN, VELOCITY};
 use faer::Mat;
@@ -114,14 +113,19 @@ const CREEP: f64 = 1e-3;
 /// Part of the matrix's norm that rounding brings into an eigenvalue.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// What becomes of a small disturbance of a ball over a turn: the largest multiplier, a sentence where it grows. Where
-/// no ball touches its pocket one is 1: a ball may go before or behind as it likes.
+/// Largest multiplier of an orbit that a ball keeps to. Where no ball touches its pocket one is 1: a ball may go before
+/// or behind as it likes.
+const KEEPS: f64 = 1.01;
+
+/// What becomes of a small disturbance of a ball over a turn: the largest multiplier, a sentence where it grows.
 pub(crate) fn multiplier(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<(f64, Option<String>), OrbitError> {
-    let multiplier = newton.multiplier(orbit)?;
+    newton.system.ring = orbit.ring.map(RingFreedom::Held);
+    newton.system.held = Some(orbit.cage_speed);
+    let multiplier = newton.linearise(orbit)?.multiplier();
     let grows = (multiplier > KEEPS).then(|| {
         format!(
-            "a ball that is moved off this orbit a little is {multiplier:.2} times as far off a turn later: a run \
-             swings about the orbit, and its means differ from it"
+            "a ball that is moved off this orbit a little is {multiplier:.2} times as far off a turn later: a run swings \
+             about the orbit, and its means differ from it"
         )
     });
     Ok((multiplier, grows))

@@ -3,7 +3,6 @@
 mod support;
 
 mod checked;
-mod damped;
 mod kicked;
 mod limits;
 mod linear;
