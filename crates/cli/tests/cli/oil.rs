@@ -26,8 +26,9 @@ fn code_oil_and_torque_of_a_6206() {
             .map(|part| number(&torque, part))
             .sum();
         assert_close(parts, number(&torque, "torque_nm"), 1e-9);
-        // Nothing but rolling and sliding brakes it: the power of the contacts is that of the shaft.
-        assert!(number(&torque, "cage_nm").abs() < 1e-6 * number(&torque, "torque_nm"), "{torque}");
+        // Nothing but rolling and sliding brakes it: the power of the contacts is that of the shaft, to what an
+        // equilibrium leaves that takes the ring's offset to first order.
+        assert!(number(&torque, "cage_nm").abs() < 1e-4 * number(&torque, "torque_nm"), "{torque}");
     }
 }
 

@@ -91,8 +91,8 @@ fn pair((seed, index): (u64, u64), bearing: &Bearing, point: &OperatingPoint) ->
         RingFreedom::Held(_) => usual,
     };
     let (radial, axial) = (load(0), load(2));
-    let radial = if radial == 0.0 && axial == 0.0 { usual } else { radial };
     let axial = random.one_of(&[(0.3, 0.0), (0.4, axial), (0.3, -axial)]);
+    let radial = if radial == 0.0 && axial == 0.0 { usual } else { radial };
     let tilts = random.one_of(&[(0.5, RingFreedom::Held(0.0)), (0.5, RingFreedom::Loaded(0.0))]);
     let ring = [RingFreedom::Loaded(radial), RingFreedom::Loaded(0.0), RingFreedom::Loaded(axial), tilts, tilts];
     let point = OperatingPoint { ring, ..point.clone() };

@@ -106,7 +106,7 @@ fn identity_matlab_arrays_come_back() {
         "X105RPM",
         6,
         [1, 1],
-        &[2u16.to_le_bytes(), 4u16.to_le_bytes()].concat().into_iter().chain(*b"\x04\x07\0\0").collect::<Vec<u8>>(),
+        &[4u16.to_le_bytes(), 2u16.to_le_bytes()].concat().into_iter().chain(*b"\x04\x07\0\0").collect::<Vec<u8>>(),
     );
     let matrix = array("both", 7, [2, 2], &element(7, &[1f32, 2.0, 3.0, 4.0].map(f32::to_le_bytes).concat()));
     let inner = array("", 6, [1, 4], &element(9, &numbers));
