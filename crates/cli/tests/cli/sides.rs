@@ -43,6 +43,6 @@ fn limit_balls_on_an_unknown_side_are_named() {
     let both = solve("--set ring.z.Force=N(-3000) --set geometry.shoulders=(inner:Both,outer:Both)");
     assert!(!both.contains("does not say whether"), "{both}");
     // Held on the wrong side of a ring with one shoulder: balls there are implausible.
-    let held = solve("--set ring.z=Held(um(-180)) --set geometry.shoulders=(inner:Both,outer:One)");
+    let held = solve("--set ring.z=Held(um(-850)) --set geometry.shoulders=(inner:Both,outer:One)");
     assert!(held.contains("has no shoulder") && held.contains("implausible: contact angle"), "{held}");
 }
