@@ -56,7 +56,9 @@ impl Viewer {
 
     fn subscribe(&mut self, id: u32, channel: usize) {
         self.ask(&json!({ "op": "subscribe", "subscriptions": [{ "id": id, "channelId": channel }] }));
-        assert_eq!(self.socket.read().unwrap(), Message::Pong("done".into()));
+        // The server asks in between whether its viewer is there.
+        let answer = std::iter::repeat_with(|| self.socket.read().unwrap()).find(|message| !message.is_ping());
+        assert_eq!(answer, Some(Message::Pong("done".into())));
     }
 
     /// The next message of a channel; none when the server has closed the connection in good order.
