@@ -4,6 +4,7 @@ mod at_rest;
 mod azimuth;
 mod block;
 mod cage;
+mod condensed;
 mod driver;
 mod jones_harris;
 mod methods;
@@ -32,6 +33,7 @@ mod jacobian_test;
 pub use at_rest::{Seated, shaft_at_rest};
 pub use azimuth::{AzimuthRule, OverAzimuth};
 pub use block::SolverStatistics;
+pub use condensed::{StiffnessMatrix, compliance};
 pub use needs::check_thrust;
 pub use problem::{Place, QuasiStaticError, Reason};
 pub use rolling::{RollingStart, rolling_start};
@@ -40,7 +42,7 @@ pub use solution::{Model, SOLUTION, Solution};
 pub use solve::{Solved, solve};
 pub use stability::{is_stable, ring_stability};
 pub use start::{BallMotion, WarmStart};
-pub use stiffness::{StiffnessMatrix, compliance, jones_harris_stiffness, traction_stiffness};
+pub use stiffness::{jones_harris_stiffness, traction_stiffness};
 pub use tribodyn_bearing::{
     BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl, Races, RingFreedom, Side,
     SolverSettings,

@@ -6,13 +6,13 @@
 //! criterion: H. Ziegler, Principles of Structural Stability, Blaisdell 1968, chapter 2 (static instability).
 
 use crate::block::{BlockState, BlockSystem, Iterate, RING};
+use crate::condensed::{StiffnessMatrix, condensed};
 use crate::driver;
 use crate::jones_harris::Typical;
 use crate::methods::NewtonOrNested;
 use crate::problem::QuasiStaticError;
 use crate::relax::relax;
 use crate::settle::FROM_AFAR;
-use crate::stiffness::{StiffnessMatrix, condensed};
 use nalgebra::{DMatrix, SMatrix, linalg::Schur};
 use tribodyn_bearing::{OperatingPoint, RingFreedom};
 

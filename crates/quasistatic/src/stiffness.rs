@@ -2,16 +2,13 @@
 //! stay in balance. It is the Schur complement of Newton's Jacobian, so that it is exact.
 
 use crate::at_rest::{AtRest, Moments, is_at_rest};
-use crate::block::{BlockState, BlockSystem, RING, linearise};
+use crate::block::RING;
+use crate::condensed::{StiffnessMatrix, condensed};
 use crate::jones_harris::Typical;
 use crate::problem::QuasiStaticError;
 use crate::rolling::{rolling_system, traction_of};
 use crate::start::WarmStart;
-use nalgebra::SMatrix;
 use tribodyn_bearing::{Bearing, OperatingPoint, Races};
-
-/// Forces (N) and moments (N m) about X and Y against displacements x, y, z (m) and tilts about X and Y (rad), by row.
-pub type StiffnessMatrix = [[f64; RING]; RING];
 
 /// Stiffness at an equilibrium with traction. It is symmetric only without friction.
 ///
@@ -48,20 +45,4 @@ fn stiffness_at_rest(
 ) -> Result<StiffnessMatrix, QuasiStaticError> {
     let typical = Typical::new(bearing, &point.ring, Races { inner: 0.0, outer: 0.0 });
     condensed(&AtRest::of(bearing, point, (typical, moments)).with_actual_constants(), &AtRest::state(ring))
-}
-
-/// Displacements and tilts by unit forces and moments; none where one of them meets no resistance.
-pub fn compliance(stiffness: &StiffnessMatrix) -> Option<StiffnessMatrix> {
-    let inverse = SMatrix::<f64, RING, RING>::from(*stiffness).try_inverse()?;
-    inverse.iter().all(|c| c.is_finite()).then(|| inverse.into())
-}
-
-/// −dF/dq with the balls eliminated.
-pub(crate) fn condensed<S: BlockSystem>(system: &S, state: &BlockState) -> Result<StiffnessMatrix, QuasiStaticError> {
-    let mut sum = SMatrix::<f64, RING, RING>::zeros();
-    for (ball, block) in linearise(system, state).balls.iter().enumerate() {
-        let by_ring = block.own.lu().solve(&block.by_ring).ok_or(QuasiStaticError::Singular { ball })?;
-        sum -= block.ring - block.on_ring * by_ring;
-    }
-    Ok(sum.transpose().into())
 }

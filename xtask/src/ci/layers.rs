@@ -100,10 +100,11 @@ const TOP: [(&str, &[&str]); 4] = [
     ("xtask", &["tribodyn-python"]),
 ];
 /// Crates that tests and benches may use besides: those of the solvers read the case files of `fixtures`.
-const IN_TESTS: [(&str, &str); 3] = [
+const IN_TESTS: [(&str, &str); 4] = [
     ("tribodyn-quasistatic", "tribodyn-case"),
     ("tribodyn-dynamics", "tribodyn-case"),
     ("tribodyn-orbit", "tribodyn-case"),
+    ("tribodyn-record", "tribodyn-case"),
 ];
 
 pub fn check() -> Result<Outcome, Failure> {

@@ -151,34 +151,3 @@ mod tests {
         assert!(solved > 60, "{solved}");
     }
 }
-#[cfg(test)]
-mod scan_tmp {
-    use super::*;
-    #[test]
-    fn scan_tmp() {
-        let var = |name: &str, or: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(or);
-        let (start, n, seed) = (var("SCAN_0", 0), var("SCAN_N", 0), var("SCAN_SEED", 1));
-        let only = std::env::var("SCAN_REST").is_ok();
-        for index in start..start + n {
-            let drawn = random_bearing(seed, index).unwrap();
-            let at = solve_at_rest(&drawn);
-            if at.alone != Verdict::Good || at.pair != Verdict::Good {
-                println!("{index} AT REST {at:?}");
-            }
-            if only {
-                continue;
-            }
-            let case = Case::from_ron(&drawn.text).unwrap();
-            let (bearing, point) = (case.bearing().unwrap(), case.operating_point());
-            for model in [Model::JonesHarris, Model::Traction] {
-                match solve(&bearing, &point, model) {
-                    Err(e) => println!("{index} {model:?} ERR {e}"),
-                    Ok(s) if s.solution.stable != Some(true) || s.statistics.rescues > 0 => {
-                        println!("{index} {model:?} stable {:?} rescues {}", s.solution.stable, s.statistics.rescues);
-                    }
-                    Ok(_) => {}
-                }
-            }
-        }
-    }
-}

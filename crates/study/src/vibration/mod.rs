@@ -6,6 +6,7 @@ mod mat;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod question;
+mod read;
 mod recording;
 mod signal_file;
 #[cfg(test)]

@@ -1,9 +1,6 @@
 //! A file of signals: columns of numbers sampled together.
 
-use super::{csv, mat, recording, wav};
 use crate::error::StudyError;
-use crate::files::read_at_most;
-use crate::limits::Limits;
 use std::path::Path;
 
 /// One signal of a file.
@@ -34,31 +31,6 @@ impl SignalFile {
         Self { columns, rate_hz, first_line: None, case_text: None }
     }
 
-    /// Reads a file by the ending of its name: `.csv`, `.txt`, `.tsv`, `.dat`, `.wav`, `.mat`, `.parquet`, and `.mcap`
-    /// for the recording of a run.
-    ///
-    /// # Errors
-    /// A file that cannot be read or is longer than the limit, of another kind, damaged, or with something in it that
-    /// is no number.
-    pub fn read(path: &Path, limits: &Limits) -> Result<Self, StudyError> {
-        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_lowercase();
-        if ending == "mcap" || ending == "active" {
-            return recording::read(path, limits);
-        }
-        let bytes = || {
-            read_at_most(path, limits.recording_bytes)
-                .map_err(|source| StudyError::Read { path: path.to_owned(), source })
-        };
-        match ending.as_str() {
-            "csv" | "txt" | "tsv" | "dat" => csv::read(path, &bytes()?),
-            "wav" => wav::read(path, &bytes()?),
-            "mat" => mat::read(path, &bytes()?, limits),
-            #[cfg(feature = "parquet")]
-            "parquet" => super::parquet::read(path),
-            _ => Err(damaged(path, format!("allowed is a name that ends in {ENDINGS}"))),
-        }
-    }
-
     /// The column of a name, or of a number from 1.
     pub fn column(&self, name: &str) -> Option<&Column> {
         let by_name = self.columns.iter().find(|column| column.name == name);
@@ -71,11 +43,6 @@ impl SignalFile {
         self.columns.iter().take(40).map(shown).collect::<Vec<_>>().join(", ")
     }
 }
-
-#[cfg(feature = "parquet")]
-const ENDINGS: &str = ".csv, .txt, .tsv, .dat, .wav, .mat, .parquet or .mcap";
-#[cfg(not(feature = "parquet"))]
-const ENDINGS: &str = ".csv, .txt, .tsv, .dat, .wav, .mat or .mcap";
 
 /// A file that is refused for what is in it.
 pub(super) fn damaged(path: &Path, why: impl std::fmt::Display) -> StudyError {
