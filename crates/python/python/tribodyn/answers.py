@@ -226,9 +226,7 @@ class Stiffness(Answer):
                 "inner_speed_rpm": np.array([a["inner_speed_rpm"] for a in answers], dtype=np.float64),
                 "stiffness": np.array([a["stiffness"] for a in answers], dtype=np.float64),
                 "compliance": np.array([a.get("compliance", missing) for a in answers], dtype=np.float64),
-                "error_estimate": np.array(
-                    [a.get("error_estimate", float("nan")) for a in answers], dtype=np.float64
-                ),
+                "error_estimate": np.array([a.get("error_estimate", float("nan")) for a in answers], dtype=np.float64),
                 "model": answers[0]["model"],
                 "lubrication": answers[0]["lubrication"],
                 "loaded": [a["loaded"] for a in answers],

@@ -55,9 +55,7 @@ def stiffness(
     return Stiffness(_native.stiffness(case._native, model, given, time_limit))
 
 
-def modes(
-    case: Case, *, up_to: float = float("inf"), all: bool = False, time_limit: float = TIME_LIMIT_S
-) -> Modes:
+def modes(case: Case, *, up_to: float = float("inf"), all: bool = False, time_limit: float = TIME_LIMIT_S) -> Modes:
     """Natural modes of balls, cage and rings about the steady orbit, up to a frequency in Hz.
 
     Masses and supports are those of a run: the case needs its sections ``transient`` and ``supports``. With ``all``

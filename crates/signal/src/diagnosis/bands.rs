@@ -127,7 +127,7 @@ pub fn without_trend(samples: &[f64]) -> Vec<f64> {
     samples.iter().enumerate().map(|(n, x)| x - mean - slope * place(n)).collect()
 }
 
-/// The samples with all lines of their spectrum at one magnitude, mean square 1: see [`Lines::whitened`].
+/// The samples with all lines of their spectrum at one magnitude, mean square 1 (see `Lines::whitened`).
 ///
 /// # Errors
 ///
