@@ -113,6 +113,8 @@ class Solution(BearingQuantities, Answer):
     #: ``jones-harris``, ``traction`` or ``steady-orbit``
     model: str
     converged: bool
+    #: True if the ring comes back from a small push; absent where that was not judged
+    stable: bool
     #: largest relative residual of all balances
     residual: float
     #: Newton steps taken
