@@ -8,9 +8,9 @@ use crate::terminal::{print, progress};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Duration;
+use tribodyn::answers::Equations;
 use tribodyn_case::CaseError;
 use tribodyn_paper::{PaperError, files, markers, table};
-use tribodyn_study::answers::Equations;
 use tribodyn_study::survey::{
     AtRest, ModelCounts, Options, RandomBearing, Regime, SchemeCounts, Tally, Trial, Verdict, survey, survey_at_rest,
 };

@@ -3,9 +3,9 @@
 use crate::error::Failure;
 use crate::terminal::{notes, print, progress};
 use std::path::PathBuf;
+use tribodyn::path_and_value;
 use tribodyn_paper::sensitivity;
 use tribodyn_paper::validate::{Validation, paper_case};
-use tribodyn_study::path_and_value;
 
 /// Options of `validate`.
 #[derive(clap::Args)]

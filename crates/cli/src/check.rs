@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::input::CaseArguments;
 use crate::table::{self, number};
+use tribodyn::answers::{Derived, GrowthAnswer, derived};
 use tribodyn_bearing::SearchWatch;
-use tribodyn_study::answers::{Derived, GrowthAnswer, derived};
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
 #[derive(clap::Args)]

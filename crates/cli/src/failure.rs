@@ -4,6 +4,8 @@ use crate::excerpt::Excerpt;
 use crate::harmless::harmless;
 use miette::{Diagnostic, MietteDiagnostic, SourceSpan};
 use std::path::{Path, PathBuf};
+use tribodyn::pair::PairError;
+use tribodyn::{AnswerError, RefusedCase};
 use tribodyn_case::CaseError;
 use tribodyn_dynamics::DynamicsError;
 use tribodyn_identify::IdentifyError;
@@ -11,8 +13,7 @@ use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
 use tribodyn_shaft::ShaftError;
-use tribodyn_study::pair::PairError;
-use tribodyn_study::{RefusedCase, StudyError, SweepDifference, with_causes};
+use tribodyn_study::{StudyError, SweepDifference, with_causes};
 
 /// A failed command; its exit code says whether the input or the calculation is to blame.
 #[derive(Debug, thiserror::Error, Diagnostic)]
@@ -143,7 +144,7 @@ impl Failure {
 impl From<StudyError> for Failure {
     fn from(error: StudyError) -> Self {
         match error {
-            StudyError::Case(refused) => {
+            StudyError::Answer(AnswerError::Case(refused)) => {
                 let RefusedCase { file, options, text, error } = *refused;
                 let excerpt = Excerpt::new(&file, &text, error.offset, error.length);
                 let span = excerpt.span;
@@ -151,6 +152,12 @@ impl From<StudyError> for Failure {
             }
             other => Self::Study(other),
         }
+    }
+}
+
+impl From<AnswerError> for Failure {
+    fn from(error: AnswerError) -> Self {
+        StudyError::from(error).into()
     }
 }
 
@@ -174,14 +181,9 @@ fn lifts(error: &RecordError) -> &'static str {
 /// 2 where the input is to blame, 1 where the calculation or the disk is.
 fn study_exit_code(error: &StudyError) -> u8 {
     match error {
-        StudyError::Solver { source, .. } | StudyError::Pair { source: PairError::Equilibrium(source), .. } => {
-            equilibrium_exit_code(source)
-        }
-        StudyError::Orbit { source, .. }
-        | StudyError::NoOrbitToStart { source, .. }
-        | StudyError::Pair { source: PairError::Orbit(source), .. } => orbit_exit_code(source),
-        StudyError::Pair { source: PairError::NotConverged { .. } | PairError::Loose | PairError::Ended, .. }
-        | StudyError::Busy { .. }
+        StudyError::Answer(error) => answer_exit_code(error),
+        StudyError::NoOrbitToStart { source, .. } => orbit_exit_code(source),
+        StudyError::Busy { .. }
         | StudyError::NoThread { .. }
         | StudyError::Shaft {
             source:
@@ -206,6 +208,20 @@ fn study_exit_code(error: &StudyError) -> u8 {
     }
 }
 
+fn answer_exit_code(error: &AnswerError) -> u8 {
+    match error {
+        AnswerError::Solver { source, .. } | AnswerError::Pair { source: PairError::Equilibrium(source), .. } => {
+            equilibrium_exit_code(source)
+        }
+        AnswerError::Orbit { source, .. } | AnswerError::Pair { source: PairError::Orbit(source), .. } => {
+            orbit_exit_code(source)
+        }
+        AnswerError::Pair { source: PairError::NotConverged { .. } | PairError::Loose | PairError::Ended, .. }
+        | AnswerError::Frequencies(_) => 1,
+        _ => 2,
+    }
+}
+
 fn equilibrium_exit_code(error: &QuasiStaticError) -> u8 {
     match error {
         QuasiStaticError::Missing { .. } | QuasiStaticError::Traction(_) | QuasiStaticError::NoShoulder { .. } => 2,
@@ -224,7 +240,7 @@ fn orbit_exit_code(error: &OrbitError) -> u8 {
 /// The message with the options of the command that it is about.
 fn in_options(error: &StudyError) -> String {
     match error {
-        StudyError::Argument { name, value, message } => format!("--{name} {value}: {message}"),
+        StudyError::Answer(AnswerError::Argument { name, value, message }) => format!("--{name} {value}: {message}"),
         StudyError::Overlap { first, second } => format!("--set {first} and --set {second} sweep the same value"),
         StudyError::TableFormat { .. } => format!("--output {error}"),
         StudyError::OtherSweep { path, difference } => {
@@ -252,7 +268,7 @@ fn in_options(error: &StudyError) -> String {
             format!("{error}: give the same file and the same --set and --duration, or start anew with --restart")
         }
         // Where a reader finds what the case does not have.
-        StudyError::Lacking { .. } => {
+        StudyError::Answer(AnswerError::Lacking { .. }) => {
             format!("{error}; docs/case-file.md has the fields, fixtures/cases/paper-ag-worn.ron an example of each")
         }
         StudyError::NotRecorded { active, .. } | StudyError::NoCheckpoint { active, .. } => {

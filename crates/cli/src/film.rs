@@ -6,7 +6,7 @@ use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
 use serde::Serialize;
-use tribodyn_study::answers::{ContactFilm, ContactFilmQuestion, FilmAnswer, OilAnswer, contact_film, films};
+use tribodyn::answers::{ContactFilm, ContactFilmQuestion, FilmAnswer, OilAnswer, contact_film, films};
 
 /// Film thickness by Hamrock and Dowson with inlet heating and starvation, film parameter and viscosity ratio.
 ///

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::table;
+use tribodyn::answers::{HertzQuestion, hertz};
 use tribodyn_contact::Body;
-use tribodyn_study::answers::{HertzQuestion, hertz};
 
 /// Hertz contact of two bodies, given by their principal radii in mm (negative: concave, inf: flat).
 #[derive(clap::Args)]

@@ -4,7 +4,8 @@ use crate::failure::Failure;
 use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use tribodyn_study::{CaseFile, Change, Limits, Ours, StudyError, path_and_value};
+use tribodyn::{CaseFile, Change, Limits, path_and_value};
+use tribodyn_study::{Ours, StudyError, read_case};
 
 /// Limits on what a file may ask for.
 #[derive(clap::Args)]
@@ -93,7 +94,7 @@ impl CaseArguments {
 
     /// The case with changes.
     pub fn read_with(&self, changes: &[Change]) -> Result<CaseFile, StudyError> {
-        CaseFile::read_within(&self.path, changes, &self.limits.limits())
+        read_case(&self.path, changes, &self.limits.limits())
     }
 }
 
@@ -111,7 +112,7 @@ pub fn pool(threads: Option<NonZeroUsize>) -> Result<rayon::ThreadPool, Failure>
 #[cfg(test)]
 mod tests {
     use super::change;
-    use tribodyn_study::Change;
+    use tribodyn::Change;
 
     #[test]
     fn limit_a_change_has_a_path_and_a_value() {

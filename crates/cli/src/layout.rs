@@ -5,7 +5,7 @@ use crate::input::{LimitArguments, ReplaceArguments};
 use std::path::{Path, PathBuf};
 use tribodyn_bearing::Races;
 use tribodyn_record::{Layout, LayoutKind};
-use tribodyn_study::{CaseFile, Ours, StagedFiles};
+use tribodyn_study::{Ours, StagedFiles, read_case};
 
 /// Write the Foxglove layout.
 #[derive(clap::Args)]
@@ -29,7 +29,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let kind = if arguments.solution { LayoutKind::Solution } else { LayoutKind::Run };
     let layout = match &arguments.case {
         Some(path) => {
-            let file = CaseFile::read_within(path, &[], &arguments.limits.limits())?;
+            let file = read_case(path, &[], &arguments.limits.limits())?;
             let speeds = Races { inner: file.case.speed.inner.clone(), outer: file.case.speed.outer.clone() };
             Layout::new(kind, &file.case.name, &file.bearing()?.geometry, &speeds)
         }

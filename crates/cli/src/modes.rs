@@ -7,8 +7,8 @@ use crate::search::{Search, TimeArguments};
 use crate::table::{self, number};
 use std::fmt::Write;
 use std::path::PathBuf;
+use tribodyn::answers::{Answer, ModesAnswer, modes};
 use tribodyn_orbit::Mode;
-use tribodyn_study::answers::{Answer, ModesAnswer, modes};
 
 /// Natural modes about the steady orbit: frequencies, damping ratios, shapes; and whether the orbit is stable.
 #[derive(clap::Args)]

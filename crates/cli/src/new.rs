@@ -5,8 +5,9 @@ use crate::input::ReplaceArguments;
 use crate::table;
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use tribodyn::{CaseFile, Limits};
 use tribodyn_catalogue::{Envelope, KnownBalls, NewCase, NewLubricant, Ratings, find};
-use tribodyn_study::{CaseFile, Limits, StagedFiles, StudyError};
+use tribodyn_study::{StagedFiles, StudyError};
 
 /// Make a complete, commented case file from a designation, or from boundary dimensions.
 ///

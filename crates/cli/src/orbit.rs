@@ -4,8 +4,8 @@ use crate::failure::Failure;
 use crate::input::ReplaceArguments;
 use crate::table::{self, number};
 use std::path::Path;
+use tribodyn::answers::OrbitAnswer;
 use tribodyn_bearing::BallResult;
-use tribodyn_study::answers::OrbitAnswer;
 use tribodyn_study::{Ours, StagedFiles};
 
 /// Summary and balls; `rows` prints the table of balls.

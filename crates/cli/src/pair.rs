@@ -5,8 +5,8 @@ use crate::input::CaseArguments;
 use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
-use tribodyn_study::answers::{Equations, PairSetting, pair};
-use tribodyn_study::pair::{Arrangement, PairBearing, PairSolution, Preload};
+use tribodyn::answers::{Equations, PairSetting, pair};
+use tribodyn::pair::{Arrangement, PairBearing, PairSolution, Preload};
 
 /// Two bearings of a case on one rigid shaft: loads, preload, stiffness. The loads of the case act on the shaft, in the
 /// middle between the bearings.

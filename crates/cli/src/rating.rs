@@ -5,8 +5,8 @@ use crate::input::CaseArguments;
 use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
-use tribodyn_study::answers::rated;
-use tribodyn_study::rating::{Rating, RatingSource};
+use tribodyn::answers::rated;
+use tribodyn::rating::{Rating, RatingSource};
 
 /// Rating life of the bearing's steel by ISO 281 and ISO/TS 16281, and static safety by ISO 76.
 ///

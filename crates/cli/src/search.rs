@@ -7,9 +7,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
+use tribodyn::CaseFile;
+use tribodyn::plausibility::estimate;
 use tribodyn_bearing::{SearchStage, SearchWatch};
-use tribodyn_study::plausibility::estimate;
-use tribodyn_study::{CaseFile, Patience, StudyError};
+use tribodyn_study::{Patience, StudyError};
 
 /// The limit on a search.
 #[derive(clap::Args)]
@@ -58,7 +59,8 @@ impl Search {
     }
 
     /// The failure of the search as a person reads it.
-    pub fn failed(&self, error: StudyError) -> Failure {
+    pub fn failed(&self, error: impl Into<StudyError>) -> Failure {
+        let error = error.into();
         if error.is_ended() {
             let stage =
                 self.patience.reached().map_or_else(String::new, |stage| format!(", while trying {}", words(stage)));

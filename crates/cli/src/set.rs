@@ -5,11 +5,12 @@ use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments, change};
 use crate::table::{self, number};
 use std::path::{Path, PathBuf};
+use tribodyn::{Change, Limits};
 use tribodyn_case::Case;
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
 use tribodyn_study::preload::{ARRANGEMENTS, SetAnswer, SetPreload, SetQuestion, bearing_set};
 use tribodyn_study::shaft::listed_case;
-use tribodyn_study::{CaseFile, Change, Limits, StagedFiles};
+use tribodyn_study::{StagedFiles, read_case};
 
 /// Preload, unloading force and axial rigidity of a set of like bearings, and its displacement under axial load.
 ///
@@ -88,7 +89,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 pub fn bearing_case(bearing: &str, changes: &[Change], limits: &Limits) -> Result<Case, Failure> {
     let path = Path::new(bearing);
     if path.extension().is_some_and(|ending| ending == "ron") || path.exists() {
-        return Ok(CaseFile::read_within(path, changes, limits)?.case);
+        return Ok(read_case(path, changes, limits)?.case);
     }
     Ok(listed_case(bearing, changes, limits)?)
 }

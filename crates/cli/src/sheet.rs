@@ -5,9 +5,10 @@ use crate::input::{LimitArguments, ReplaceArguments, change};
 use crate::set::bearing_case;
 use crate::table::{self, number};
 use std::path::PathBuf;
-use tribodyn_study::answers::Equations;
-use tribodyn_study::sheet::{Sheet, SheetQuestion, sheet};
-use tribodyn_study::{Change, StagedFiles};
+use tribodyn::Change;
+use tribodyn::answers::Equations;
+use tribodyn::sheet::{Sheet, SheetQuestion, sheet};
+use tribodyn_study::StagedFiles;
 
 /// Life, safety, deflection, stiffness, torque, frequencies of defects and limits of a bearing under a load.
 ///

@@ -7,10 +7,11 @@ use crate::orbit;
 use crate::search::{Search, TimeArguments};
 use crate::table::{self, number};
 use std::path::{Path, PathBuf};
+use tribodyn::answers::{Equations, Equilibrium, OrbitAnswer, equilibrium};
+use tribodyn::{CaseFile, Change};
 use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution};
 use tribodyn_record::{SolutionRecording, write_solution};
-use tribodyn_study::answers::{Equations, Equilibrium, OrbitAnswer, equilibrium};
-use tribodyn_study::{CaseFile, Change, Ours, StagedFiles};
+use tribodyn_study::{Ours, StagedFiles};
 
 /// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
 #[derive(clap::Args)]

@@ -8,7 +8,7 @@ use crate::solve::ModelName;
 use crate::table;
 use std::fmt::Write;
 use std::path::PathBuf;
-use tribodyn_study::answers::{Answer, StiffnessAnswer, stiffness};
+use tribodyn::answers::{Answer, StiffnessAnswer, stiffness};
 
 /// Stiffness of the inner ring: forces and moments against displacements and tilts, balls and cage in balance.
 #[derive(clap::Args)]

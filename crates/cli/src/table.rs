@@ -5,7 +5,7 @@ use crate::harmless::{harmless, steers};
 use comfy_table::{CellAlignment, Table, presets};
 use serde::Serialize;
 use std::io::Write;
-use tribodyn_study::answers::Findings;
+use tribodyn::answers::Findings;
 
 /// Prints a value as indented JSON.
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {

@@ -5,7 +5,7 @@ use crate::input::CaseArguments;
 use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
-use tribodyn_study::answers::{TorqueAnswer, torque};
+use tribodyn::answers::{TorqueAnswer, torque};
 
 /// Friction torque of a bearing by cause, beside SKF's model and Palmgren's formula.
 #[derive(clap::Args)]

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::table;
 use std::io::Write;
-use tribodyn_study::answers::traction_curve;
+use tribodyn::answers::traction_curve;
 
 /// Traction coefficient of a coating at a contact pressure, over slip in the unit of the coating's own data.
 #[derive(clap::Args)]

@@ -41,6 +41,7 @@ pub(crate) struct Linear {
     /// Start of the turn and border.
     lu: LU<f64, Const<FROM>, Const<FROM>>,
     /// End of the turn by its start, cage and ring held.
+    #[cfg_attr(not(feature = "modes"), expect(dead_code, reason = "asked for by modes"))]
     turn: SMatrix<f64, BALL, BALL>,
 }
 
@@ -142,6 +143,7 @@ impl Linear {
 
     /// Largest modulus of a Floquet multiplier of a ball over the turn, cage and ring held: below one, a ball that is
     /// moved off its orbit comes back to it.
+    #[cfg(feature = "modes")]
     pub fn multiplier(&self) -> f64 {
         self.turn.complex_eigenvalues().iter().map(|v| v.re.hypot(v.im)).fold(0.0, f64::max)
     }

@@ -8,6 +8,7 @@ mod direct;
 mod error;
 mod march;
 mod means;
+#[cfg(feature = "modes")]
 mod modes;
 mod newton;
 mod residual;
@@ -24,10 +25,11 @@ mod system;
 mod way;
 
 pub use error::{OrbitError, OrbitPlace, OrbitReason};
-pub use modes::{Bodies, EnergyShares, Mode, OrbitModes};
+#[cfg(feature = "modes")]
+pub use modes::{Bodies, EnergyShares, Mode, OrbitModes, orbit_modes};
 pub use newton::OrbitStatistics;
 pub use settings::OrbitSettings;
 pub use solution::{POINTS, SteadyOrbit};
-pub use solve::{orbit_modes, orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near};
+pub use solve::{orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near};
 pub use solved::{OrbitStart, SolvedOrbit};
 pub use stiffness::OrbitStiffness;

@@ -10,15 +10,20 @@
 //! orbit over a whole turn say.
 
 use crate::OrbitError;
+use crate::attempt::{Problem, found, prepared};
 use crate::collocation::Orbit;
 use crate::newton::Newton;
+use crate::settings::OrbitSettings;
+use crate::solved::OrbitStart;
 use crate::system::{BALL, OrbitSystem, SPIN, VELOCITY};
 use faer::Mat;
 use nalgebra::SVector;
 use num_dual::DualSVec64;
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::{CageBody, LoadedPatch, Races, RingFreedom, RingState, Support, Supports};
+use tribodyn_bearing::{
+    Bearing, CageBody, LoadedPatch, OperatingPoint, Races, RingFreedom, RingState, Support, Supports,
+};
 
 /// Masses of all that moves besides the balls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,12 +118,37 @@ const CREEP: f64 = 1e-3;
 /// Part of the matrix's norm that rounding brings into an eigenvalue.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
+/// Natural modes of balls, cage and rings in their steady orbit, at the instant when pocket 0 stands at azimuth 0, and
+/// what becomes of a small disturbance over a turn. Balls have the masses, pockets the stiffness and damping of the
+/// bearing, whatever the orbit was found with.
+///
+/// # Errors
+/// [`OrbitError::Eigenvalues`].
+pub fn orbit_modes(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    bodies: &Bodies,
+    settings: &OrbitSettings,
+    solved: &OrbitStart,
+) -> Result<OrbitModes, OrbitError> {
+    let mut bearing = prepared(bearing, settings);
+    bearing.contact_damping = bodies.contact_damping;
+    let problem = Problem { bearing: &bearing, point, cage: &bodies.cage, settings };
+    let (mut newton, orbit) = (found(problem, solved)?, &solved.orbit);
+    (newton.system.cage, newton.system.settling) = (bodies.cage, 0.0);
+    let modes = modes(&newton, orbit, bodies)?;
+    let (multiplier, growing) = multiplier(&mut newton, orbit)?;
+    let turn = std::f64::consts::TAU / orbit.cage_speed.abs();
+    let warnings = solved.sentences().into_iter().chain(growing).collect();
+    Ok(OrbitModes { modes, multiplier, growth_rate_per_s: multiplier.ln() / turn, warnings })
+}
+
 /// Largest multiplier of an orbit that a ball keeps to. Where no ball touches its pocket one is 1: a ball may go before
 /// or behind as it likes.
 const KEEPS: f64 = 1.01;
 
 /// What becomes of a small disturbance of a ball over a turn: the largest multiplier, a sentence where it grows.
-pub(crate) fn multiplier(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<(f64, Option<String>), OrbitError> {
+fn multiplier(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<(f64, Option<String>), OrbitError> {
     newton.system.ring = orbit.ring.map(RingFreedom::Held);
     newton.system.held = Some(orbit.cage_speed);
     let multiplier = newton.linearise(orbit)?.multiplier();
@@ -133,7 +163,7 @@ pub(crate) fn multiplier(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<(f64,
 
 /// Modes of a converged orbit, with the cage's pocket 0 at azimuth 0, by growing frequency; motions that merely creep
 /// are left out.
-pub(crate) fn modes(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Result<Vec<Mode>, OrbitError> {
+fn modes(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Result<Vec<Mode>, OrbitError> {
     let mut matrix = matrix(newton, orbit, bodies);
     balance(&mut matrix, newton.system.bearing.geometry.ball_count);
     let eigen = matrix.eigen().map_err(|_| OrbitError::Eigenvalues)?;

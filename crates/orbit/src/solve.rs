@@ -3,7 +3,6 @@
 use crate::OrbitError;
 use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, found, prepared, resent, rolled, warm};
 use crate::detours::detour;
-use crate::modes::{Bodies, OrbitModes, modes, multiplier};
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::settings::OrbitSettings;
@@ -150,29 +149,4 @@ pub fn orbit_slopes(
 ) -> Result<StiffnessMatrix, OrbitError> {
     let bearing = &solved.eased.of(&prepared(bearing, settings));
     slopes(&mut found(Problem { bearing, point, cage, settings }, solved)?, &solved.orbit)
-}
-
-/// Natural modes of balls, cage and rings in their steady orbit, at the instant when pocket 0 stands at azimuth 0, and
-/// what becomes of a small disturbance over a turn. Balls have the masses, pockets the stiffness and damping of the
-/// bearing, whatever the orbit was found with.
-///
-/// # Errors
-/// [`OrbitError::Eigenvalues`].
-pub fn orbit_modes(
-    bearing: &Bearing,
-    point: &OperatingPoint,
-    bodies: &Bodies,
-    settings: &OrbitSettings,
-    solved: &OrbitStart,
-) -> Result<OrbitModes, OrbitError> {
-    let mut bearing = prepared(bearing, settings);
-    bearing.contact_damping = bodies.contact_damping;
-    let problem = Problem { bearing: &bearing, point, cage: &bodies.cage, settings };
-    let (mut newton, orbit) = (found(problem, solved)?, &solved.orbit);
-    (newton.system.cage, newton.system.settling) = (bodies.cage, 0.0);
-    let modes = modes(&newton, orbit, bodies)?;
-    let (multiplier, growing) = multiplier(&mut newton, orbit)?;
-    let turn = std::f64::consts::TAU / orbit.cage_speed.abs();
-    let warnings = solved.sentences().into_iter().chain(growing).collect();
-    Ok(OrbitModes { modes, multiplier, growth_rate_per_s: multiplier.ln() / turn, warnings })
 }

@@ -49,6 +49,7 @@ pub(crate) struct Evaluation<D = f64> {
     /// Forces (x, y, z) and moments (about x, y) of the inner ring on the ball.
     pub ring: [D; RING],
     /// Forces (x, y) of the outer ring on the ball.
+    #[cfg_attr(not(feature = "modes"), expect(dead_code, reason = "asked for by modes"))]
     pub outer: [D; 2],
     /// Torque of the inner ring on the ball about the ring's axis, N m.
     pub torque: D,

@@ -8,12 +8,13 @@ use crate::watch::searching;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::sync::Arc;
+use tribodyn::CaseFile;
+use tribodyn::answers::{self, Equations, HertzQuestion, OrbitAnswer, Question};
 use tribodyn_bearing::SearchWatch;
 use tribodyn_bearing::quantities::{Facts, OfBall, Scope, joined};
 use tribodyn_contact::Body;
 use tribodyn_quasistatic::SOLUTION;
-use tribodyn_study::answers::{self, Equations, HertzQuestion, OrbitAnswer, Question};
-use tribodyn_study::{CaseFile, StudyError};
+use tribodyn_study::StudyError;
 
 /// Equations by their name.
 pub fn equations(py: Python<'_>, model: &str) -> PyResult<Equations> {

@@ -4,9 +4,10 @@ use crate::error;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
+use tribodyn::{CaseFile, Change, Limits};
 use tribodyn_case::{locate, values};
 use tribodyn_catalogue::{CatalogueError, Envelope, KnownBalls, NewCase, Ratings, find};
-use tribodyn_study::{CaseFile, Change, Limits, StudyError};
+use tribodyn_study::{StudyError, read_case};
 
 /// A case that was accepted. It does not change.
 #[pyclass(frozen, name = "Case", module = "tribodyn._native")]
@@ -20,7 +21,7 @@ fn limits(no_limits: bool) -> Limits {
 }
 
 impl NativeCase {
-    fn accept(py: Python<'_>, file: Result<CaseFile, StudyError>, limits: Limits) -> PyResult<Self> {
+    fn accept<E: Into<StudyError>>(py: Python<'_>, file: Result<CaseFile, E>, limits: Limits) -> PyResult<Self> {
         let file = file.map_err(|failure| error::study(py, failure))?;
         Ok(Self { file: Arc::new(file), limits })
     }
@@ -32,7 +33,7 @@ impl NativeCase {
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf, no_limits: bool) -> PyResult<Self> {
         let limits = limits(no_limits);
-        Self::accept(py, py.detach(|| CaseFile::read_within(&path, &[], &limits)), limits)
+        Self::accept(py, py.detach(|| read_case(&path, &[], &limits)), limits)
     }
 
     /// Reads a text; `name` stands for the file in messages.

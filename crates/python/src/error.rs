@@ -3,12 +3,13 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::Path;
+use tribodyn::{AnswerError, RefusedCase};
 use tribodyn_case::CaseError;
 use tribodyn_identify::IdentifyError;
 use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
-use tribodyn_study::{RefusedCase, StudyError, with_causes};
+use tribodyn_study::{StudyError, with_causes};
 
 /// An exception of `tribodyn._errors` by its name.
 fn exception(py: Python<'_>, name: &str, message: &str, facts: &Bound<'_, PyDict>) -> PyErr {
@@ -65,23 +66,11 @@ fn case_facts(facts: &Bound<'_, PyDict>, file: Option<&str>, error: &CaseError) 
 }
 
 /// A failure of a procedure.
-pub fn study(py: Python<'_>, error: StudyError) -> PyErr {
+pub fn study(py: Python<'_>, error: impl Into<StudyError>) -> PyErr {
+    let error = error.into();
     let message = error.to_string();
     match &error {
-        StudyError::Case(refused) => {
-            let RefusedCase { file, error, text, .. } = &**refused;
-            with_facts(py, "CaseError", &message, |facts| {
-                case_facts(facts, Some(file), error)?;
-                facts.set_item("text", line_of(text, error.line))
-            })
-        }
-        StudyError::Change { error, .. } => {
-            with_facts(py, "CaseError", &message, |facts| case_facts(facts, None, error))
-        }
-        StudyError::Argument { name, value, message } => argument(py, name, value, message),
-        error if error.is_ended() => exception(py, "SolveError", &message, &PyDict::new(py)),
-        StudyError::Solver { file, source } => solver(py, &message, file, source),
-        StudyError::Orbit { file, source } => orbit(py, &message, file, source),
+        StudyError::Answer(error) => answer(py, &message, error),
         StudyError::Read { path, .. }
         | StudyError::Write { path, .. }
         | StudyError::NoCheckpoint { checkpoint: path, .. }
@@ -99,6 +88,27 @@ pub fn study(py: Python<'_>, error: StudyError) -> PyErr {
         }
         StudyError::Json(_) | StudyError::RefusalLost { .. } => internal(py, &message),
         _ => with_facts(py, "InputError", &message, |facts| facts.set_item("allowed", allowed(&message))),
+    }
+}
+
+/// A question without an answer.
+fn answer(py: Python<'_>, message: &str, error: &AnswerError) -> PyErr {
+    match error {
+        AnswerError::Case(refused) => {
+            let RefusedCase { file, error, text, .. } = &**refused;
+            with_facts(py, "CaseError", message, |facts| {
+                case_facts(facts, Some(file), error)?;
+                facts.set_item("text", line_of(text, error.line))
+            })
+        }
+        AnswerError::Change { error, .. } => {
+            with_facts(py, "CaseError", message, |facts| case_facts(facts, None, error))
+        }
+        AnswerError::Argument { name, value, message } => argument(py, name, value, message),
+        error if error.is_ended() => exception(py, "SolveError", message, &PyDict::new(py)),
+        AnswerError::Solver { file, source } => solver(py, message, file, source),
+        AnswerError::Orbit { file, source } => orbit(py, message, file, source),
+        _ => with_facts(py, "InputError", message, |facts| facts.set_item("allowed", allowed(message))),
     }
 }
 

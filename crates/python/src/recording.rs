@@ -7,9 +7,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 use std::path::PathBuf;
+use tribodyn::Limits;
 use tribodyn_record::wire::Numbers;
 use tribodyn_record::{BallRow, LogRow, Run, SolutionRow, StateRow, WearRow, read_recording_within};
-use tribodyn_study::Limits;
 
 /// Names, and a row for each time.
 type Series<'py> = (&'static [&'static str], Bound<'py, PyArray2<f64>>);

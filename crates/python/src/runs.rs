@@ -10,9 +10,10 @@ use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use tribodyn::{AnswerError, CaseFile, Change, Limits};
 use tribodyn_identify::{IdentifyError, Problem, identify as identified};
 use tribodyn_study::run::{Beginning, PreparedRun};
-use tribodyn_study::{CaseFile, Change, LifeOptions, Limits, StudyError, read_text, wear_life};
+use tribodyn_study::{LifeOptions, StudyError, read_text, wear_life};
 
 /// Runs a case in time and records it. `progress` gets the simulated time, s. The answer is the command's, with where
 /// the run was stopped, and the exception that stopped it.
@@ -44,7 +45,7 @@ pub fn run<'py>(
 }
 
 /// The case with another duration.
-fn with_duration(file: &CaseFile, seconds: f64, limits: &Limits) -> Result<CaseFile, StudyError> {
+fn with_duration(file: &CaseFile, seconds: f64, limits: &Limits) -> Result<CaseFile, AnswerError> {
     // A duration alone makes no section: the news is all that is missing, and not the path.
     if file.case.transient.is_none() {
         file.run_inputs()?;

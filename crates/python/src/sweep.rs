@@ -11,11 +11,12 @@ use pyo3::types::{PyDict, PyList};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
+use tribodyn::Limits;
+use tribodyn_study::StudyError;
 use tribodyn_study::sweep::{
     Cell, Column, Count, Grid, Kind, Options, Part, Plan, SampleRows, Setting, Shard, Sweep, merge, solve_chunks,
     write_part,
 };
-use tribodyn_study::{Limits, StudyError};
 
 /// The rows of a sweep.
 #[pyclass(frozen, name = "Grid", module = "tribodyn._native")]

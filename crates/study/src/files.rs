@@ -1,11 +1,11 @@
 //! Files on disk: read within bounds, and written under temporary names until everything else is written.
 
 use crate::error::StudyError;
-use crate::limits::lifted;
 use crate::ours::Ours;
 use std::fs;
 use std::io::{Error, ErrorKind, Read, Result, Write};
 use std::path::{Path, PathBuf};
+use tribodyn::lifted;
 use tribodyn_record::TemporaryFile;
 
 /// The bytes of a file that has at most so many.

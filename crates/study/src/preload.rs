@@ -2,6 +2,7 @@
 
 use crate::error::StudyError;
 use serde::Serialize;
+use tribodyn::AnswerError;
 use tribodyn_bearing::{Bearing, OperatingPoint};
 use tribodyn_case::Case;
 use tribodyn_quasistatic::Model;
@@ -197,8 +198,8 @@ const MOUNTED: &str = "mounted, at rest";
 const RUNNING: &str = "at speed and temperature";
 
 fn conditions(name: &str, case: &Case) -> Result<Vec<Condition>, StudyError> {
-    let failed = |source| StudyError::Bearing { file: name.to_owned(), source };
-    let lacking = |source| StudyError::Lacking { file: name.to_owned(), source };
+    let failed = |source| AnswerError::Bearing { file: name.to_owned(), source };
+    let lacking = |source| AnswerError::Lacking { file: name.to_owned(), source };
     case.require(tribodyn_case::Purpose::JonesHarris).map_err(lacking)?;
     let at_speed = |case: &Case, speed: f64| {
         let mut case = case.clone();

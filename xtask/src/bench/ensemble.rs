@@ -4,8 +4,8 @@ use super::CASE;
 use super::row::{Limit, Row};
 use crate::error::Failure;
 use std::sync::atomic::AtomicBool;
+use tribodyn::Limits;
 use tribodyn_case::set_value;
-use tribodyn_study::Limits;
 use tribodyn_study::ensemble::{Cost, Ensemble, EnsembleOptions, Sampling, Spread};
 
 const GROUP: &str = "ensemble";

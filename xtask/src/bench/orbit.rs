@@ -5,10 +5,10 @@ use super::clock::least_per_call;
 use super::row::{Limit, Row};
 use super::speed::{FAST, per_second};
 use crate::error::Failure;
+use tribodyn::answers::OrbitProblem;
 use tribodyn_bearing::RingFreedom;
 use tribodyn_orbit::{OrbitError, steady_orbit, steady_orbit_from};
 use tribodyn_paper::PaperError;
-use tribodyn_study::answers::OrbitProblem;
 
 const GROUP: &str = "steady orbit";
 /// Strips and cells of an elastic patch.

@@ -17,7 +17,7 @@ struct Example {
     tolerance: f64,
 }
 
-const EXAMPLES: [Example; 6] = [
+const EXAMPLES: [Example; 7] = [
     Example { package: "tribodyn-contact", name: "ball_on_race", label: "10000 N:", expected: 2.244, tolerance: 6e-4 },
     // NSK prints 19 500 N for the bearing 6206.
     Example { package: "tribodyn-rating", name: "deep_groove", label: "C_r", expected: 19456.0, tolerance: 0.6 },
@@ -46,6 +46,8 @@ const EXAMPLES: [Example; 6] = [
     },
     // Our own: nothing is published of this bearing.
     Example { package: "tribodyn-dynamics", name: "without_case", label: "cage", expected: 616.9, tolerance: 0.06 },
+    // Likewise.
+    Example { package: "tribodyn", name: "angular_7210", label: "cage speed", expected: 4125.0, tolerance: 0.06 },
 ];
 
 pub fn check() -> Result<Outcome, Failure> {

@@ -8,7 +8,7 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 18] = [
+const LAYERS: [(&str, &[&str]); 19] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-lubricant", &[]),
     // Films under shear.
@@ -69,10 +69,27 @@ const LAYERS: [(&str, &[&str]); 18] = [
     // Recordings of runs hold spectra that a viewer cannot compute.
     ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
     ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
+    // The front door: answers about a case, without files.
+    (
+        "tribodyn",
+        &[
+            "tribodyn-contact",
+            "tribodyn-lubricant",
+            "tribodyn-traction",
+            "tribodyn-signal",
+            "tribodyn-rating",
+            "tribodyn-catalogue",
+            "tribodyn-bearing",
+            "tribodyn-case",
+            "tribodyn-quasistatic",
+            "tribodyn-orbit",
+        ],
+    ),
     // Procedures as a library: all physics, and recordings.
     (
         "tribodyn-study",
         &[
+            "tribodyn",
             "tribodyn-contact",
             "tribodyn-lubricant",
             "tribodyn-traction",

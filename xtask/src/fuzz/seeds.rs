@@ -8,12 +8,12 @@ use std::io::Cursor;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
+use tribodyn::{CaseFile, Limits};
 use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::Run;
 use tribodyn_paper::{PaperError, files};
 use tribodyn_record::{Preamble, RecordError, RunRecorder, RunRecording, Sink, StreamSink};
 use tribodyn_study::run::{Beginning, PreparedRun};
-use tribodyn_study::{CaseFile, Limits};
 
 /// The case whose recording and checkpoint are seeds, and in which values are changed: it can run. Neither comments nor
 /// sources but one, and a cheap patch rule: what is not under trial takes no time.

@@ -7,14 +7,14 @@ use serde_json::Value;
 use std::fmt::Write;
 use std::io::Cursor;
 use std::path::Path;
+use tribodyn::answers::Equations;
+use tribodyn::{CaseFile, Limits};
 use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{Checkpoint, Run};
 use tribodyn_identify::Problem;
 use tribodyn_record::{RunReader, RunRecorder, RunRecording, StreamSink, recover_stream};
-use tribodyn_study::answers::Equations;
 use tribodyn_study::evaluation::published::is_figures;
 use tribodyn_study::sweep::{Grid, Setting};
-use tribodyn_study::{CaseFile, Limits};
 
 /// A target with what it needs besides its input.
 pub struct Subject {

@@ -7,8 +7,8 @@ use super::tables;
 use super::values::CaseValue;
 use crate::run::shown;
 use crate::table::number;
+use tribodyn::CaseFile;
 use tribodyn_record::{Damage, Run};
-use tribodyn_study::CaseFile;
 
 /// Everything but the figures.
 pub struct Content {

@@ -25,6 +25,7 @@ use serde::Serialize;
 use solution::SolutionAnswer;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
+use tribodyn::{CaseFile, Limits};
 use tribodyn_plot::Figure;
 use tribodyn_record::{Damage, RecordError, Run, read_recording_within};
 use tribodyn_signal::BearingFrequencies;
@@ -32,7 +33,7 @@ use tribodyn_study::evaluation::facts::{self, BallWear, Rolling, said};
 use tribodyn_study::evaluation::published::{Compared, compared};
 use tribodyn_study::evaluation::quantities::{self, Quantities};
 use tribodyn_study::run::{KnownAtEnd, KnownAtStart, Summary, carries_accelerations};
-use tribodyn_study::{CaseFile, Limits, StagedFiles, StudyError};
+use tribodyn_study::{StagedFiles, StudyError};
 use values::CaseValue;
 
 /// Make figures, spectra and a summary of a recorded run or solution, or compare two recordings.

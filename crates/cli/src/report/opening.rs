@@ -4,9 +4,9 @@ use super::Answer;
 use super::page_table::Table;
 use super::values::readable;
 use crate::table::number;
+use tribodyn::CaseFile;
 use tribodyn_case::locate;
 use tribodyn_record::Run;
-use tribodyn_study::CaseFile;
 use tribodyn_study::evaluation::facts::said;
 
 fn row(name: &str, value: impl Into<String>) -> Vec<String> {

@@ -20,8 +20,9 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use tribodyn::CaseFile;
 use tribodyn_study::run::{Beginning, PreparedRun};
-use tribodyn_study::{CaseFile, Ours, StudyError};
+use tribodyn_study::{Ours, StudyError};
 
 /// Run a bearing in time and record it.
 #[derive(clap::Args)]

@@ -10,8 +10,9 @@ use crate::orbit::write_table;
 use crate::table;
 use serde::Serialize;
 use std::path::PathBuf;
+use tribodyn::Change;
+use tribodyn_study::StagedFiles;
 use tribodyn_study::shaft::{LifeAnswer, ShaftFile, WhirlAnswer, shaft_life, whirl};
-use tribodyn_study::{Change, StagedFiles};
 
 /// A shaft in its bearings: reactions, deflections, stresses, lives, modes, critical speeds, unbalance.
 ///

@@ -8,10 +8,11 @@ use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use tribodyn::{CaseFile, Limits};
 use tribodyn_catalogue::KnownBalls;
 use tribodyn_signal::{Evidence, Fault, Kinematics, Search};
 use tribodyn_study::vibration::{Analysis, SignalFile, Speed, Window, analysis, bearing_of_case, bearing_of_numbers};
-use tribodyn_study::{CaseFile, Limits, StagedFiles};
+use tribodyn_study::{StagedFiles, read_case};
 
 /// Find the faults of a bearing in a vibration signal: the lines of its envelope spectrum, the speed of its cage, a
 /// verdict with its reasons.
@@ -132,7 +133,7 @@ fn bearing(arguments: &Arguments, file: &SignalFile, limits: &Limits) -> Result<
     }
     let path = Path::new(name);
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ron")) || path.is_file() {
-        return Ok(bearing_of_case(&CaseFile::read_within(path, &[], limits)?)?);
+        return Ok(bearing_of_case(&read_case(path, &[], limits)?)?);
     }
     let listed = tribodyn_catalogue::find(name, arguments.angle)?;
     let known = KnownBalls { published: listed.balls, ..KnownBalls::default() };

@@ -1,13 +1,13 @@
 //! One member: its case, its run, and what that took.
 
 use super::figures::figures;
-use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use crate::run::run_unrecorded;
 use crate::sweep::Cell;
 use cpu_time::ThreadTime;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
+use tribodyn::CaseFile;
 
 /// A member that is finished.
 #[derive(Debug, Clone, PartialEq)]

@@ -21,13 +21,13 @@ pub use report::{Cost, EnsembleReport, FailedMember, Varied};
 pub use spread::Spread;
 pub use table::{COMPLETE, EnsembleTable};
 
-use crate::case_file::{CaseFile, Change};
 use crate::error::StudyError;
-use crate::limits::Limits;
 use crate::sweep::{Axis, Column};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
+use tribodyn::Limits;
+use tribodyn::{CaseFile, Change};
 
 /// Most members: their rows are held in memory, a kilobyte each.
 const MAX_MEMBERS: usize = 100_000;
@@ -48,7 +48,8 @@ pub struct EnsembleOptions {
 /// ```no_run
 /// use std::sync::atomic::AtomicBool;
 /// use tribodyn_study::ensemble::{Ensemble, EnsembleOptions, Sampling, Spread};
-/// use tribodyn_study::{Limits, read_text};
+/// use tribodyn::Limits;
+/// use tribodyn_study::read_text;
 ///
 /// let text = read_text("case.ron".as_ref(), &Limits::NORMAL)?;
 /// let gap = Spread::parse("cage.pocket_gap=mm(0.2 ± 0.02)")?;

@@ -1,9 +1,9 @@
 //! How a value is spread over the members: `mm(0.2 ± 0.02)` and `mm(0.18..0.22)`.
 
 use super::normal::normal_quantile;
-use crate::case_file::Change;
 use crate::sweep::{Setting, short};
 use std::fmt;
+use tribodyn::Change;
 
 /// Signs between a mean and its standard deviation.
 const SIGNS: [&str; 2] = ["±", "+-"];

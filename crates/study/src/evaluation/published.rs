@@ -2,10 +2,10 @@
 
 use crate::case_file::read_text;
 use crate::error::StudyError;
-use crate::limits::Limits;
 use serde::Serialize;
 use serde_json::Value;
 use std::path::Path;
+use tribodyn::Limits;
 
 const HEAD: &str = "id,quantity,published,tolerance,source";
 

@@ -9,12 +9,12 @@ mod table;
 pub use rows::{Life, LifeEnd, LifeStride};
 pub use table::LifeTable;
 
-use crate::answers::{Equations, OrbitProblem};
-use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
+use tribodyn::answers::{Equations, OrbitProblem};
+use tribodyn::{AnswerError, CaseFile};
 use tribodyn_bearing::quantities::{OfBall, Over};
 use tribodyn_bearing::{BallResult, Bearing, Side};
 use tribodyn_case::{Case, Coatings, Fit, Purpose};
@@ -247,7 +247,7 @@ impl<'a> Worn<'a> {
     }
 
     fn equilibrium(&mut self, case: &Case) -> Result<State, StudyError> {
-        let failed = |source| StudyError::Solver { file: self.file.name.clone(), source };
+        let failed = |source| AnswerError::Solver { file: self.file.name.clone(), source };
         let bearing = case.bearing().map_err(|source| self.file.not_usable(source.into()))?;
         let estimate = |solved: &Solved| solved.solution.patch_error_estimate;
         let fine = |solved: &Solved| self.point.patch.is_none_or(|patch| patch.allows(estimate(solved)));
@@ -265,7 +265,7 @@ impl<'a> Worn<'a> {
     }
 
     fn orbit(&mut self, case: &Case) -> Result<State, StudyError> {
-        let failed = |source| StudyError::Orbit { file: self.file.name.clone(), source };
+        let failed = |source| AnswerError::Orbit { file: self.file.name.clone(), source };
         let problem = OrbitProblem::of(case).map_err(|source| self.file.not_usable(source))?;
         let OrbitProblem { bearing, point, cage, settings } = &problem;
         let solved = match &self.start {

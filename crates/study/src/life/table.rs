@@ -1,7 +1,6 @@
 //! The table of a life: a row for each stride, with the strides that are finished beside it until it is whole.
 
 use super::{Kept, Life, LifeOptions, LifeStride, worn_life};
-use crate::case_file::CaseFile;
 use crate::difference::SweepDifference;
 use crate::ensemble::numbers_of;
 use crate::error::StudyError;
@@ -12,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::io::{Error, ErrorKind};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use tribodyn::CaseFile;
 
 /// What makes two lives the same.
 #[derive(Debug, Serialize, Deserialize)]

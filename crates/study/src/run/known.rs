@@ -2,10 +2,10 @@
 //! that a report says what the run said and works nothing out anew.
 
 use super::warnings;
-use crate::case_file::CaseFile;
-use crate::plausibility;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use tribodyn::CaseFile;
+use tribodyn::plausibility;
 use tribodyn_bearing::PatchSurfaces;
 use tribodyn_dynamics::{Run, Statistics, Stiffness};
 use tribodyn_quasistatic::Solution;

@@ -222,7 +222,8 @@ fn record(
 mod tests {
     use super::super::checkpoint::Files;
     use super::*;
-    use crate::case_file::CaseFile;
+    use crate::read_case;
+    use tribodyn::{CaseFile, Change, Limits};
     use tribodyn_dynamics::Run;
     use tribodyn_record::{RunRecording, read_summary};
 
@@ -234,8 +235,8 @@ mod tests {
             ("transient.scheme", "Fast(step: us(20))"),
             ("traction.patch", "SplitStrip(across: 5, along: 3)"),
         ];
-        let changes = changes.map(|(path, value)| crate::Change::new(format!("--set {path}"), path, value));
-        CaseFile::read(CASE.as_ref(), &changes).unwrap()
+        let changes = changes.map(|(path, value)| Change::new(format!("--set {path}"), path, value));
+        read_case(CASE.as_ref(), &changes, &Limits::NORMAL).unwrap()
     }
 
     fn recorder(file: &CaseFile, files: &Files) -> Recorder {

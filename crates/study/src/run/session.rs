@@ -11,7 +11,6 @@ use super::recording::{Failed, Keeper, Reason, Recorder, Recording};
 use super::resume;
 use super::start::start_run;
 use super::tape::{Tape, Viewers};
-use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use crate::lock::OutputLock;
 use std::convert::Infallible;
@@ -19,6 +18,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
+use tribodyn::CaseFile;
 use tribodyn_bearing::RunInputs;
 use tribodyn_dynamics::{
     BallDetail, DynamicsError, Ending as Advanced, Event, EventKind, Observer, Run, RunError as Advance, Sample,
@@ -47,10 +47,11 @@ pub enum Beginning {
 ///
 /// ```no_run
 /// use std::ops::ControlFlow;
-/// use tribodyn_study::CaseFile;
+/// use tribodyn::Limits;
+/// use tribodyn_study::read_case;
 /// use tribodyn_study::run::{Beginning, PreparedRun};
 ///
-/// let file = CaseFile::read("case.ron".as_ref(), &[])?;
+/// let file = read_case("case.ron".as_ref(), &[], &Limits::NORMAL)?;
 /// let prepared = PreparedRun::new(&file, "run.mcap".as_ref(), Beginning::New)?;
 /// let outcome = prepared.begin(None)?.complete(|_time_s| ControlFlow::Continue(()))?;
 /// assert!(outcome.stopped.is_none() && outcome.report.summary.is_some());

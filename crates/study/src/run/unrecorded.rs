@@ -4,11 +4,11 @@ use super::known::{KnownAtEnd, KnownAtStart};
 use super::outcome::RunReport;
 use super::start::start_run;
 use super::tally::Tally;
-use crate::case_file::CaseFile;
 use crate::error::{StudyError, with_causes};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
+use tribodyn::CaseFile;
 use tribodyn_dynamics::{BallDetail, DynamicsError, Ending, Event, Observer, RunError, Sample};
 use tribodyn_record::{RecordError, RunItem, RunRows};
 

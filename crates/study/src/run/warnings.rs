@@ -1,8 +1,8 @@
 //! Warnings of a run, put together by kind and ball.
 
-use crate::plausibility::tested_gpa;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
+use tribodyn::plausibility::tested_gpa;
 use tribodyn_case::{Case, CurveSpec};
 use tribodyn_record::{BallRow, LogRow};
 

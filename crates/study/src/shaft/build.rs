@@ -3,6 +3,7 @@
 use super::file::ShaftFile;
 use super::loads;
 use crate::error::StudyError;
+use tribodyn::AnswerError;
 use tribodyn_bearing::{Bearing, BearingError, Geometry, OperatingPoint};
 use tribodyn_case::{Carries, Case, LoadSpec, MaterialSpec, OuterRing, PreloadSpec, Purpose, WeightSpec};
 use tribodyn_quasistatic::Model;
@@ -46,8 +47,8 @@ impl<'a> Running<'a> {
         for (index, spec) in file.system.bearings.iter().enumerate() {
             let case = file.case_at(index, speed);
             let name = || format!("{}: bearing {}", file.name, spec.name);
-            case.require(Purpose::JonesHarris).map_err(|source| StudyError::Lacking { file: name(), source })?;
-            let refused = |source: BearingError| StudyError::Bearing { file: name(), source };
+            case.require(Purpose::JonesHarris).map_err(|source| AnswerError::Lacking { file: name(), source })?;
+            let refused = |source: BearingError| AnswerError::Bearing { file: name(), source };
             let bearing = case.bearing().map_err(refused)?;
             growth.push(reach(&case.geometry.resolve().map_err(refused)?) - reach(&bearing.geometry));
             bearings.push(bearing);
@@ -164,7 +165,7 @@ impl<'a> Running<'a> {
         let spec = &self.file.system.bearings[index];
         let drawn = Case { mounting: None, ..self.file.case_at(index, 0.0) }.bearing();
         let name = || format!("{}: bearing {}", self.file.name, spec.name);
-        let bearing = drawn.map_err(|source| StudyError::Bearing { file: name(), source })?;
+        let bearing = drawn.map_err(|source| AnswerError::Bearing { file: name(), source })?;
         let mut resting = RestingBearing { bearing: &bearing, first_ball: 0.0 };
         offset_for(&mut resting, force).map_err(|source| failed(self.file, source))
     }

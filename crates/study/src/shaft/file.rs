@@ -1,9 +1,9 @@
 //! The file of a shaft with the cases of its bearings.
 
-use crate::case_file::{CaseFile, Change, read_text};
-use crate::error::{RefusedCase, StudyError};
-use crate::limits::Limits;
+use crate::case_file::{read_case, read_text};
+use crate::error::StudyError;
 use std::path::{Path, PathBuf};
+use tribodyn::{AnswerError, CaseFile, Change, Limits, RefusedCase};
 use tribodyn_case::{BearingChoice, Carries, Case, CaseError, Fit, HousingFile, ShaftSystem, SpeedSpec};
 use tribodyn_catalogue::{NewCase, find};
 
@@ -30,7 +30,7 @@ impl ShaftFile {
         for change in changes {
             text = change
                 .apply(&text)
-                .map_err(|error| StudyError::Change { option: change.to_string(), error: Box::new(error) })?;
+                .map_err(|error| AnswerError::Change { option: change.to_string(), error: Box::new(error) })?;
         }
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_owned);
         Self::from_text(&name, &text, &folder, limits)
@@ -43,7 +43,7 @@ impl ShaftFile {
     pub fn from_text(name: &str, text: &str, folder: &Path, limits: &Limits) -> Result<Self, StudyError> {
         let refused = |error: CaseError| {
             let (file, text) = (name.to_owned(), text.to_owned());
-            StudyError::Case(Box::new(RefusedCase { file, options: String::new(), text, error }))
+            StudyError::from(AnswerError::Case(Box::new(RefusedCase { file, options: String::new(), text, error })))
         };
         let system = ShaftSystem::from_ron(text).map_err(refused)?;
         let mut cases = Vec::with_capacity(system.bearings.len());
@@ -55,11 +55,11 @@ impl ShaftFile {
             let mut case = match &spec.bearing {
                 BearingChoice::Listed(designation) => {
                     listed_case(designation, &[], limits).map_err(|error| match error {
-                        StudyError::Catalogue(error) => at("bearing", error.to_string()),
+                        StudyError::Answer(AnswerError::Catalogue(error)) => at("bearing", error.to_string()),
                         other => other,
                     })?
                 }
-                BearingChoice::Case(file) => CaseFile::read_within(&folder.join(file), &[], limits)?.case,
+                BearingChoice::Case(file) => read_case(&folder.join(file), &[], limits)?.case,
             };
             if let Some(mounting) = spec.mounting {
                 case.mounting = Some(mounting);
@@ -95,7 +95,8 @@ impl ShaftFile {
 /// # Errors
 /// A designation that is not in the list, and changes that cannot be made.
 pub fn listed_case(designation: &str, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
-    let text = NewCase::of_listed(find(designation, None)?, designation).text()?;
+    let text = find(designation, None).and_then(|found| NewCase::of_listed(found, designation).text());
+    let text = text.map_err(AnswerError::from)?;
     let mut case = CaseFile::from_text(designation, text, changes, limits)?.case;
     if !changes.iter().any(|change| change.concerns("speed.inner")) {
         case.speed.inner = tribodyn_bearing::SpeedHistory::Constant(0.0);

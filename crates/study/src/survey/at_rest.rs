@@ -3,9 +3,9 @@
 use super::bearing::{RandomBearing, random_bearing};
 use super::random::Random;
 use super::trial::Verdict;
-use crate::answers::OrbitProblem;
-use crate::pair::{Arrangement, Pair, PairModel, Preload, solve_pair};
 use rayon::prelude::*;
+use tribodyn::answers::OrbitProblem;
+use tribodyn::pair::{Arrangement, Pair, PairModel, Preload, solve_pair};
 use tribodyn_bearing::{Bearing, OperatingPoint, RingFreedom};
 use tribodyn_case::{Case, CaseError};
 use tribodyn_orbit::steady_orbit;

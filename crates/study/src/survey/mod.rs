@@ -16,9 +16,9 @@ pub use random::Random;
 pub use table::{Counts, ModelCounts, Regime, SchemeCounts, Tally};
 pub use trial::{Running, Solving, Verdict, run_short, solve_by};
 
-use crate::answers::Equations;
 use rayon::prelude::*;
 use std::time::Duration;
+use tribodyn::answers::Equations;
 use tribodyn_case::CaseError;
 
 /// What to try.

@@ -2,9 +2,9 @@
 
 use super::trial::{Solving, Verdict};
 use super::{RandomBearing, Trial};
-use crate::answers::Equations;
 use std::collections::BTreeMap;
 use std::time::Duration;
+use tribodyn::answers::Equations;
 
 /// A band of nominal pressure and of pitch diameter times speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -2,11 +2,11 @@
 
 use super::bearing::RandomBearing;
 use super::momentum::Balance;
-use crate::answers::{Equations, OrbitProblem};
 use crate::run::balance::{Judgement, judge};
 use serde::Serialize;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
+use tribodyn::answers::{Equations, OrbitProblem};
 use tribodyn_bearing::Scheme;
 use tribodyn_case::Case;
 use tribodyn_dynamics::{DynamicsError, Ending, Event, Observer, Run, RunError, Sample};

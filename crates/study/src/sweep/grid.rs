@@ -4,14 +4,14 @@
 use super::axis::{Axis, AxisSummary};
 use super::columns::{Cell, Column};
 use super::setting::Setting;
-use crate::answers::Equations;
-use crate::case_file::{CaseFile, Change};
 use crate::error::StudyError;
-use crate::limits::Limits;
 use crate::patience::Patience;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
+use tribodyn::Limits;
+use tribodyn::answers::Equations;
+use tribodyn::{CaseFile, Change};
 use tribodyn_bearing::SearchWatch;
 use tribodyn_case::{Case, CaseError, Template, set_value};
 
@@ -190,7 +190,7 @@ impl Grid {
         match CaseFile::from_text(&self.name, self.original.clone(), &changes, &self.limits)
             .and_then(|file| file.bearing_for(self.model.purpose()))
         {
-            Err(failure) => failure,
+            Err(failure) => failure.into(),
             // Texts are refused by the same reader: there is nothing that only one of both refuses.
             Ok(_) => StudyError::RefusalLost { row },
         }

@@ -62,8 +62,8 @@ pub struct Options {
 ///
 /// ```no_run
 /// use std::ops::ControlFlow;
-/// use tribodyn_study::Limits;
-/// use tribodyn_study::answers::Equations;
+/// use tribodyn::Limits;
+/// use tribodyn::answers::Equations;
 /// use tribodyn_study::sweep::{Grid, Options, Setting, Shard, Sweep};
 ///
 /// let path = std::path::Path::new("case.ron");

@@ -3,10 +3,10 @@
 use super::columns::{self, Cell, Solved, Unsolved};
 use super::grid::Grid;
 use super::neighbours::Neighbours;
-use crate::answers::{Findings, OrbitProblem, Question};
-use crate::plausibility;
 use rayon::prelude::*;
 use std::ops::Range;
+use tribodyn::answers::{Findings, OrbitProblem, Question};
+use tribodyn::plausibility;
 use tribodyn_bearing::{Bearing, OperatingPoint, SearchWatch};
 use tribodyn_case::Case;
 use tribodyn_orbit::{OrbitStart, SteadyOrbit, steady_orbit, steady_orbit_near};
@@ -152,8 +152,8 @@ fn within_target(solution: &Solution, point: &OperatingPoint) -> bool {
 mod tests {
     use super::super::Setting;
     use super::*;
-    use crate::answers::Equations;
-    use crate::limits::Limits;
+    use tribodyn::Limits;
+    use tribodyn::answers::Equations;
 
     fn grid(settings: &[&str]) -> Grid {
         grid_of(settings, Equations::Traction)

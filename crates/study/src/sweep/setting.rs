@@ -1,7 +1,7 @@
 //! What is swept: a place of the case with its values.
 
 use super::values;
-use crate::case_file::Change;
+use tribodyn::Change;
 
 /// Values for one place of the case: `PATH=VALUES`.
 #[derive(Debug, Clone)]

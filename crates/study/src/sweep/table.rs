@@ -1,13 +1,13 @@
 //! The finished table: CSV or Parquet, rows in the order of the grid.
 
 use super::columns::{CONVERGED, Cell, Column, IMPLAUSIBLE, decode, encode, header};
-use crate::answers::Equations;
 use crate::error::StudyError;
 use crate::files::StagedFiles;
 use crate::journal::Journal;
-use crate::plausibility::advice;
 use std::io::{BufWriter, Error, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use tribodyn::answers::Equations;
+use tribodyn::plausibility::advice;
 
 /// What a table is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

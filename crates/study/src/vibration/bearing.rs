@@ -1,8 +1,8 @@
 //! The bearing that a signal is of.
 
-use crate::case_file::CaseFile;
 use crate::error::StudyError;
 use std::f64::consts::TAU;
+use tribodyn::CaseFile;
 use tribodyn_signal::Kinematics;
 
 /// The bearing of a case with the speeds of its rings; the shaft's speed, Hz, beside it: that of the inner ring, or of

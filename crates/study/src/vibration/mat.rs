@@ -5,8 +5,8 @@
 
 use super::signal_file::{Column, SignalFile, damaged};
 use crate::error::StudyError;
-use crate::limits::Limits;
 use std::path::Path;
+use tribodyn::Limits;
 
 const HEADER: usize = 128;
 const MATRIX: u32 = 14;

@@ -4,8 +4,8 @@ use super::signal_file::{SignalFile, damaged};
 use super::{csv, mat, recording, wav};
 use crate::error::StudyError;
 use crate::files::read_at_most;
-use crate::limits::Limits;
 use std::path::Path;
+use tribodyn::Limits;
 
 impl SignalFile {
     /// Reads a file by the ending of its name: `.csv`, `.txt`, `.tsv`, `.dat`, `.wav`, `.mat`, `.parquet`, and `.mcap`

@@ -2,8 +2,8 @@
 
 use super::signal_file::{Column, SignalFile, damaged};
 use crate::error::StudyError;
-use crate::limits::Limits;
 use std::path::Path;
+use tribodyn::Limits;
 use tribodyn_record::{StateRow, read_recording_within};
 
 /// Names and values of the columns; the first is the one that is evaluated where none is asked for.

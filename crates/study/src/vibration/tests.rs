@@ -1,8 +1,8 @@
 //! Files of signals in each format, sound and damaged.
 
 use super::{SignalFile, Speed, Window, analysis, bearing_of_numbers};
-use crate::limits::Limits;
 use std::path::{Path, PathBuf};
+use tribodyn::Limits;
 use tribodyn_signal::Search;
 
 struct Scratch(PathBuf);

@@ -1,7 +1,7 @@
 //! Rating life and static safety of a case.
 
 use super::{Answer, Equations, Findings, OrbitAnswer, Question, solved};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use crate::plausibility;
 use crate::rating::{Rating, rating};
 
@@ -10,9 +10,9 @@ use crate::rating::{Rating, rating};
 ///
 /// # Errors
 /// A case that these equations cannot use, or a bearing that the standards do not rate.
-pub fn rated(question: &Question<'_>, equations: Option<Equations>) -> Result<Answer<Rating>, StudyError> {
+pub fn rated(question: &Question<'_>, equations: Option<Equations>) -> Result<Answer<Rating>, AnswerError> {
     let equations = equations.unwrap_or_else(|| Equations::usual(question.case));
-    let refused = |source| StudyError::Rating { file: question.name.to_owned(), source };
+    let refused = |source| AnswerError::Rating { file: question.name.to_owned(), source };
     let found = match equations.equilibrium() {
         Some(model) => solved(question, model).and_then(|(bearing, solved)| {
             Ok((Findings::of(question, &bearing, (equations, &solved.solution))?, solved.solution))

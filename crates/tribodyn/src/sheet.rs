@@ -1,6 +1,6 @@
 //! One bearing under one load on one page: life, safety, deflection, stiffness, torque, frequencies, limits.
 
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use crate::plausibility::solution_findings;
 use crate::rating::{Rating, rating};
 use serde::Serialize;
@@ -82,16 +82,16 @@ const GREASE: f64 = 500_000.0;
 ///
 /// # Errors
 /// A bearing that has no equilibrium there, or that the standards do not rate.
-pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet, StudyError> {
+pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet, AnswerError> {
     let case = loaded(case, question);
     let file = || name.to_owned();
-    case.require(Purpose::JonesHarris).map_err(|source| StudyError::Lacking { file: file(), source })?;
-    let bearing = case.bearing().map_err(|source| StudyError::Bearing { file: file(), source })?;
+    case.require(Purpose::JonesHarris).map_err(|source| AnswerError::Lacking { file: file(), source })?;
+    let bearing = case.bearing().map_err(|source| AnswerError::Bearing { file: file(), source })?;
     let point = case.operating_point();
-    let failed = |source| StudyError::Solver { file: file(), source };
+    let failed = |source| AnswerError::Solver { file: file(), source };
     let solution = solve(&bearing, &point, Model::JonesHarris).map_err(failed)?.solution;
     let stiffness = jones_harris_stiffness(&bearing, &point).map_err(failed)?;
-    let rating = rating(&case, Some(&solution)).map_err(|source| StudyError::Rating { file: file(), source })?;
+    let rating = rating(&case, Some(&solution)).map_err(|source| AnswerError::Rating { file: file(), source })?;
     let inner = solution.balls.iter().map(|ball| ball.contacts.inner);
     let most = inner.clone().map(|contact| contact.load_n).fold(0.0, f64::max);
     let loaded: Vec<_> = inner.filter(|contact| contact.load_n > 1e-6 * most).collect();
@@ -114,7 +114,7 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
     let speed_factor_mm_rpm = geometry.pitch_diameter * 1e3 * speed_rpm.abs();
     let mut warnings = limits(&rating, speed_factor_mm_rpm);
     let found = solution_findings(&case, &bearing, &solution);
-    warnings.extend(found.map_err(|source| StudyError::Bearing { file: file(), source })?.sentences);
+    warnings.extend(found.map_err(|source| AnswerError::Bearing { file: file(), source })?.sentences);
     Ok(Sheet {
         name: case.name,
         ball_count: geometry.ball_count,

@@ -3,13 +3,12 @@
 use super::findings::Beside;
 use super::sensitivity::{Sensitivity, sensitivities};
 use super::{Equations, Findings, Lives, Question};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use serde::{Serialize, Serializer};
 use tribodyn_bearing::quantities::Fields;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, InputError, Purpose};
-use tribodyn_dynamics::StartMotion;
-use tribodyn_orbit::{OrbitError, OrbitSettings, OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit};
+use tribodyn_orbit::{OrbitSettings, OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit};
 use tribodyn_quasistatic::Solution;
 
 /// A bearing with its cage at an operating point.
@@ -29,7 +28,7 @@ impl OrbitProblem {
     ///
     /// # Errors
     /// A case without what traction needs.
-    pub fn new(question: &Question<'_>) -> Result<Self, StudyError> {
+    pub fn new(question: &Question<'_>) -> Result<Self, AnswerError> {
         let mut problem = Self::of(question.case).map_err(|source| question.not_usable(source))?;
         problem.point.watch = question.watch.clone();
         question.bearable(&problem.bearing)?;
@@ -50,24 +49,12 @@ impl OrbitProblem {
         Ok(Self { cage: CageBody::new(&cage, &bearing), bearing, point, settings })
     }
 
-    /// The motion of the orbit at an instant, for a run to start from.
-    ///
-    /// # Errors
-    /// [`OrbitError`]; of a standstill there is no orbit.
-    pub(crate) fn motion(&self) -> Result<StartMotion, OrbitError> {
-        let SolvedOrbit { solution: orbit, start, .. } =
-            steady_orbit(&self.bearing, &self.point, &self.cage, &self.settings)?;
-        let solution = orbit.as_solution(&orbit.balls, [self.point.inner_speed, self.point.outer_speed]);
-        let start = start.ok_or(OrbitError::AtRest)?;
-        Ok(StartMotion { motion: start.motion(orbit.balls.len()), rule: start.rule(), solution })
-    }
-
     /// The orbit; `name` is that of the case in messages.
     ///
     /// # Errors
-    /// [`StudyError::Orbit`].
-    pub fn solve(&self, name: &str) -> Result<SolvedOrbit, StudyError> {
-        let failed = |source| StudyError::Orbit { file: name.to_owned(), source };
+    /// [`AnswerError::Orbit`].
+    pub fn solve(&self, name: &str) -> Result<SolvedOrbit, AnswerError> {
+        let failed = |source| AnswerError::Orbit { file: name.to_owned(), source };
         steady_orbit(&self.bearing, &self.point, &self.cage, &self.settings).map_err(failed)
     }
 }
@@ -94,7 +81,7 @@ impl OrbitAnswer {
     ///
     /// # Errors
     /// A case without what traction needs, or an orbit that is not found.
-    pub fn of(question: &Question<'_>) -> Result<Self, StudyError> {
+    pub fn of(question: &Question<'_>) -> Result<Self, AnswerError> {
         Self::with_start(question).map(|(_, answer, _)| answer)
     }
 
@@ -102,7 +89,7 @@ impl OrbitAnswer {
     ///
     /// # Errors
     /// As [`Self::of`].
-    pub fn with_sensitivities(question: &Question<'_>) -> Result<Self, StudyError> {
+    pub fn with_sensitivities(question: &Question<'_>) -> Result<Self, AnswerError> {
         let (problem, mut answer, start) = Self::with_start(question)?;
         if let Some(start) = start.filter(|_| answer.findings.loaded()) {
             answer.sensitivities = sensitivities(question.case, (&problem, &start));
@@ -117,14 +104,14 @@ impl OrbitAnswer {
     }
 
     /// The same with its problem, and with what neighbours and linearisations begin with; a bearing at rest has none.
-    pub(crate) fn with_start(question: &Question<'_>) -> Result<(OrbitProblem, Self, Option<OrbitStart>), StudyError> {
+    pub(crate) fn with_start(question: &Question<'_>) -> Result<(OrbitProblem, Self, Option<OrbitStart>), AnswerError> {
         let problem = OrbitProblem::new(question)?;
         let SolvedOrbit { solution: orbit, start, .. } = problem.solve(question.name)?;
         let answer = Self::answer(question, &problem, orbit)?;
         Ok((problem, answer, start))
     }
 
-    fn answer(question: &Question<'_>, problem: &OrbitProblem, orbit: SteadyOrbit) -> Result<Self, StudyError> {
+    fn answer(question: &Question<'_>, problem: &OrbitProblem, orbit: SteadyOrbit) -> Result<Self, AnswerError> {
         let mut round = orbit.as_solution(&orbit.points, [problem.point.inner_speed, problem.point.outer_speed]);
         let findings = Findings::of(question, &problem.bearing, (Equations::SteadyOrbit, &round))?;
         round.warnings = findings.warnings().to_vec();

@@ -1,7 +1,7 @@
 //! Natural modes about the steady orbit.
 
 use super::{Answer, Findings, OrbitAnswer, Question};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use serde::Serialize;
 use tribodyn_orbit::{Bodies, Mode, OrbitModes, orbit_modes};
 
@@ -27,15 +27,15 @@ const OF_BODIES: f64 = 0.1;
 ///
 /// # Errors
 /// A case without masses and supports of a run, a bearing at rest, or an orbit that is not found.
-pub fn modes(question: &Question<'_>, up_to_hz: f64, all: bool) -> Result<Answer<ModesAnswer>, StudyError> {
+pub fn modes(question: &Question<'_>, up_to_hz: f64, all: bool) -> Result<Answer<ModesAnswer>, AnswerError> {
     if up_to_hz.is_nan() || up_to_hz <= 0.0 {
-        return Err(StudyError::argument("up-to", up_to_hz, "allowed is a frequency above 0 Hz"));
+        return Err(AnswerError::argument("up-to", up_to_hz, "allowed is a frequency above 0 Hz"));
     }
     // Masses and supports are those of a run.
     let inputs = question.run_inputs()?;
     let (problem, answer, start) = OrbitAnswer::with_start(question)?;
-    let failed = |source| StudyError::Orbit { file: question.name.to_owned(), source };
-    let start = start.ok_or_else(|| StudyError::AtRest(question.name.to_owned()))?;
+    let failed = |source| AnswerError::Orbit { file: question.name.to_owned(), source };
+    let start = start.ok_or_else(|| AnswerError::AtRest(question.name.to_owned()))?;
     let bodies =
         Bodies { cage: problem.cage, contact_damping: inputs.options.contact_damping, supports: inputs.supports };
     let modes = orbit_modes(&problem.bearing, &problem.point, &bodies, &problem.settings, &start).map_err(failed)?;

@@ -1,7 +1,7 @@
 //! Friction torque of a bearing by cause, beside the formulas of SKF and of Palmgren.
 
 use super::{Answer, Equations, Question, solution_by};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use serde::Serialize;
 use tribodyn_bearing::Side;
 use tribodyn_case::{Fit, OilSpec};
@@ -54,13 +54,13 @@ pub struct TorqueAnswer {
 ///
 /// # Errors
 /// A case that the equations do not solve, that stands still, or that the standards do not rate.
-pub fn torque(question: &Question<'_>, equations: Equations) -> Result<Answer<TorqueAnswer>, StudyError> {
+pub fn torque(question: &Question<'_>, equations: Equations) -> Result<Answer<TorqueAnswer>, AnswerError> {
     let (bearing, solution, findings) = solution_by(question, equations)?;
     let speed = solution.inner_speed_rad_s - solution.outer_speed_rad_s;
     let turning = solution.shaft_torque_nm.filter(|_| speed != 0.0);
     let Some(torque) = turning else {
         let message = "a friction torque needs traction and a speed of the rings against each other";
-        return Err(StudyError::argument("case", question.name, message));
+        return Err(AnswerError::argument("case", question.name, message));
     };
     let of = |power: f64| power / speed.abs();
     let contacts = |side: Side| solution.balls.iter().map(move |ball| ball.contacts[side]);
@@ -97,14 +97,14 @@ const ANGULAR: f64 = 0.2;
 /// Section D − d over ball diameter of a usual bearing.
 const SECTION: f64 = 3.3;
 
-fn formulas(question: &Question<'_>, speed: f64, answer: &mut TorqueAnswer) -> Result<(), StudyError> {
+fn formulas(question: &Question<'_>, speed: f64, answer: &mut TorqueAnswer) -> Result<(), AnswerError> {
     let case = question.case;
     let Some(lubricant) = &case.lubricant else {
         answer.notes.push("SKF and Palmgren need a lubricant, which the case does not have".to_owned());
         return Ok(());
     };
     let spec = case.rating.unwrap_or_default();
-    let refused = |source| StudyError::Rating { file: question.name.to_owned(), source };
+    let refused = |source| AnswerError::Rating { file: question.name.to_owned(), source };
     let static_rating = crate::rating::static_rating(case).map_err(refused)?;
     let nominal = spec.contact_angle.unwrap_or(match case.geometry.fit {
         Fit::ContactAngle(angle) => angle,

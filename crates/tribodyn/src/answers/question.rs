@@ -1,10 +1,9 @@
 //! A question about a case, and the link to whoever asks it.
 
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use crate::plausibility;
-use tribodyn_bearing::{Bearing, OperatingPoint, SearchWatch};
+use tribodyn_bearing::{Bearing, OperatingPoint, RunInputs, SearchWatch};
 use tribodyn_case::{Case, InputError, Purpose};
-use tribodyn_dynamics::RunInputs;
 
 /// A case with the text that it was read from, and the link to whoever asks.
 #[derive(Debug, Clone)]
@@ -29,7 +28,7 @@ impl Question<'_> {
     ///
     /// # Errors
     /// A case that makes no bearing.
-    pub fn bearing(&self) -> Result<Bearing, StudyError> {
+    pub fn bearing(&self) -> Result<Bearing, AnswerError> {
         self.case.bearing().map_err(|source| self.not_usable(source.into()))
     }
 
@@ -37,7 +36,7 @@ impl Question<'_> {
     ///
     /// # Errors
     /// As [`Self::bearing`]; all that is missing.
-    pub fn bearing_for(&self, purpose: Purpose) -> Result<Bearing, StudyError> {
+    pub fn bearing_for(&self, purpose: Purpose) -> Result<Bearing, AnswerError> {
         self.case.require(purpose).map_err(|source| self.not_usable(source.into()))?;
         self.bearing()
     }
@@ -45,10 +44,10 @@ impl Question<'_> {
     /// Refuses loads to which no search gives an answer that means anything: a slip of a unit would cost minutes.
     ///
     /// # Errors
-    /// [`StudyError::Overload`] with a first estimate.
-    pub fn bearable(&self, bearing: &Bearing) -> Result<(), StudyError> {
+    /// [`AnswerError::Overload`] with a first estimate.
+    pub fn bearable(&self, bearing: &Bearing) -> Result<(), AnswerError> {
         match plausibility::hopeless(self.case, (self.text, bearing)) {
-            Some(why) => Err(StudyError::Overload { file: self.name.to_owned(), why }),
+            Some(why) => Err(AnswerError::Overload { file: self.name.to_owned(), why }),
             None => Ok(()),
         }
     }
@@ -57,15 +56,16 @@ impl Question<'_> {
     ///
     /// # Errors
     /// A case without what a run needs.
-    pub fn run_inputs(&self) -> Result<RunInputs, StudyError> {
+    pub fn run_inputs(&self) -> Result<RunInputs, AnswerError> {
         self.case.run_inputs().map_err(|source| self.not_usable(source))
     }
 
-    pub(crate) fn not_usable(&self, error: InputError) -> StudyError {
+    /// The error of an input that makes no bearing, with the name of the case.
+    pub fn not_usable(&self, error: InputError) -> AnswerError {
         let file = self.name.to_owned();
         match error {
-            InputError::Lacking(source) => StudyError::Lacking { file, source },
-            InputError::Bearing(source) => StudyError::Bearing { file, source },
+            InputError::Lacking(source) => AnswerError::Lacking { file, source },
+            InputError::Bearing(source) => AnswerError::Bearing { file, source },
         }
     }
 }

@@ -7,7 +7,7 @@ use tribodyn_quasistatic::Solution;
 use tribodyn_traction::Coating;
 
 /// Lowest and highest tested pressure of a curve, GPa.
-pub(crate) fn tested_gpa(curve: &CurveSpec) -> Option<RangeInclusive<f64>> {
+pub fn tested_gpa(curve: &CurveSpec) -> Option<RangeInclusive<f64>> {
     let pressures: Vec<f64> = match curve {
         CurveSpec::Library(name) => Coating::library(name).ok()?.tested.iter().map(|test| test.pressure).collect(),
         CurveSpec::Tested(points) => points.iter().map(|point| point.pressure).collect(),

@@ -1,6 +1,6 @@
 //! One Hertz contact of two bodies.
 
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use serde::Serialize;
 use tribodyn_contact::{Body, ElasticBody, HertzContact, Subsurface, effective_modulus, relative_curvatures};
 
@@ -42,18 +42,18 @@ pub struct HertzAnswer {
     pub von_mises_pa: Option<[f64; 2]>,
 }
 
-fn within(option: &'static str, value: f64, allowed: &str, ok: bool) -> Result<(), StudyError> {
+fn within(option: &'static str, value: f64, allowed: &str, ok: bool) -> Result<(), AnswerError> {
     if ok && value.is_finite() {
         return Ok(());
     }
-    Err(StudyError::argument(option, value, format!("allowed is {allowed}")))
+    Err(AnswerError::argument(option, value, format!("allowed is {allowed}")))
 }
 
 /// Size and pressure of the contact.
 ///
 /// # Errors
 /// A value that makes no contact, or numbers beyond what can be calculated with.
-pub fn hertz(question: &HertzQuestion) -> Result<HertzAnswer, StudyError> {
+pub fn hertz(question: &HertzQuestion) -> Result<HertzAnswer, AnswerError> {
     let HertzQuestion { bodies, load_n, young_gpa, poisson, angle_deg } = question;
     within("load", *load_n, "a force in N, 0 or more", *load_n >= 0.0)?;
     for (option, value) in ["young1", "young2"].into_iter().zip(*young_gpa) {
@@ -63,7 +63,7 @@ pub fn hertz(question: &HertzQuestion) -> Result<HertzAnswer, StudyError> {
         }
     }
     if young_gpa.iter().all(|young| young.is_infinite()) {
-        return Err(StudyError::argument("young2", f64::INFINITY, "allowed is one rigid body: two do not give way"));
+        return Err(AnswerError::argument("young2", f64::INFINITY, "allowed is one rigid body: two do not give way"));
     }
     for (option, value) in ["poisson1", "poisson2"].into_iter().zip(*poisson) {
         within(option, value, "a ratio from 0 to below 0.5", (0.0..0.5).contains(&value))?;
@@ -92,7 +92,7 @@ pub fn hertz(question: &HertzQuestion) -> Result<HertzAnswer, StudyError> {
 }
 
 /// JSON has no infinity: numbers that overflow are refused instead.
-fn check_range(answer: &HertzAnswer) -> Result<(), StudyError> {
+fn check_range(answer: &HertzAnswer) -> Result<(), AnswerError> {
     let values = [
         ("the ellipticity", answer.ellipticity),
         ("the semi-major axis", answer.semi_major_m),
@@ -102,7 +102,7 @@ fn check_range(answer: &HertzAnswer) -> Result<(), StudyError> {
         ("the stiffness", answer.stiffness_n_per_m_1_5),
     ];
     match values.into_iter().find(|(_, value)| !value.is_finite()) {
-        Some((quantity, value)) => Err(StudyError::OutOfRange { quantity, value }),
+        Some((quantity, value)) => Err(AnswerError::OutOfRange { quantity, value }),
         None => Ok(()),
     }
 }

@@ -1,7 +1,7 @@
 //! The 5 × 5 stiffness of the inner ring over its speed.
 
 use super::{Answer, Equations, Findings, OrbitProblem, Question};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use serde::Serialize;
 use tribodyn_case::Purpose;
 use tribodyn_orbit::{OrbitStart, OrbitStiffness, SolvedOrbit, orbit_stiffness, steady_orbit, steady_orbit_from};
@@ -32,9 +32,9 @@ pub fn stiffness(
     question: &Question<'_>,
     equations: Equations,
     speeds_rpm: &[f64],
-) -> Result<Vec<Answer<StiffnessAnswer>>, StudyError> {
+) -> Result<Vec<Answer<StiffnessAnswer>>, AnswerError> {
     if let Some(speed) = speeds_rpm.iter().find(|speed| !speed.is_finite()) {
-        return Err(StudyError::argument("speeds", speed, "allowed are finite speeds in r/min"));
+        return Err(AnswerError::argument("speeds", speed, "allowed are finite speeds in r/min"));
     }
     let given = question.case.operating_point().inner_speed;
     let speeds: Vec<f64> =
@@ -56,9 +56,9 @@ fn at_speed(
     question: &Question<'_>,
     speed: f64,
     start: &mut Option<OrbitStart>,
-) -> Result<(Findings, StiffnessMatrix, Option<f64>), StudyError> {
-    let failed = |source| StudyError::Solver { file: question.name.to_owned(), source };
-    let no_orbit = |source| StudyError::Orbit { file: question.name.to_owned(), source };
+) -> Result<(Findings, StiffnessMatrix, Option<f64>), AnswerError> {
+    let failed = |source| AnswerError::Solver { file: question.name.to_owned(), source };
+    let no_orbit = |source| AnswerError::Orbit { file: question.name.to_owned(), source };
     let mut point = question.point();
     point.inner_speed = speed;
     if let Some(model) = equations.equilibrium() {

@@ -12,8 +12,7 @@ mod implausible;
 mod ranges;
 mod side;
 
-pub use curves::curve_findings;
-pub(crate) use curves::tested_gpa;
+pub use curves::{curve_findings, tested_gpa};
 pub use estimate::{NO_LOAD, StaticEstimate, case_loads, estimate, hopeless, is_loaded};
 pub use findings::{SolutionFindings, case_findings, solution_findings};
 pub use implausible::{Implausible, advice, names};

@@ -1,7 +1,7 @@
 //! Lubricant films: of one contact, and of every contact of a case.
 
 use super::{Answer, Equations, Question, solution_by};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use serde::Serialize;
 use tribodyn_bearing::Side;
 use tribodyn_lubricant::{InletFilm, Oil, RollingContact, ZERO_CELSIUS};
@@ -104,7 +104,7 @@ fn oil_answer(oil: &Oil, temperature: f64) -> OilAnswer {
 ///
 /// # Errors
 /// Values that make no oil, contact or film.
-pub fn contact_film(question: &ContactFilmQuestion) -> Result<(OilAnswer, ContactFilm), StudyError> {
+pub fn contact_film(question: &ContactFilmQuestion) -> Result<(OilAnswer, ContactFilm), AnswerError> {
     let q = question;
     let oil = Oil::library(&q.oil)?;
     let temperature = q.temperature_deg_c + ZERO_CELSIUS;
@@ -143,9 +143,13 @@ pub fn contact_film(question: &ContactFilmQuestion) -> Result<(OilAnswer, Contac
 ///
 /// # Errors
 /// A case without lubricant, or one that the equations do not solve.
-pub fn films(question: &Question<'_>, equations: Equations) -> Result<Answer<FilmAnswer>, StudyError> {
+pub fn films(question: &Question<'_>, equations: Equations) -> Result<Answer<FilmAnswer>, AnswerError> {
     let Some(lubricant) = &question.case.lubricant else {
-        return Err(StudyError::argument("case", question.name, "it has no `lubricant`, so its contacts have no film"));
+        return Err(AnswerError::argument(
+            "case",
+            question.name,
+            "it has no `lubricant`, so its contacts have no film",
+        ));
     };
     let (_, solution, findings) = solution_by(question, equations)?;
     let oil = lubricant.oil.oil()?;
@@ -154,7 +158,7 @@ pub fn films(question: &Question<'_>, equations: Equations) -> Result<Answer<Fil
     let reference = if speed == 0.0 {
         None
     } else {
-        let refused = |source| StudyError::Rating { file: question.name.to_owned(), source };
+        let refused = |source| AnswerError::Rating { file: question.name.to_owned(), source };
         Some(reference_viscosity(speed, pitch).map_err(refused)?)
     };
     let contacts: Vec<ContactFilm> = solution

@@ -1,7 +1,7 @@
 //! Two like bearings on one shaft, with what must be known of both.
 
 use super::{Answer, Equations, Findings, OrbitProblem, Question};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use crate::pair::{Arrangement, Pair, PairError, PairModel, PairSolution, Preload, solve_pair};
 
 /// How two bearings of a case stand on their shaft.
@@ -23,7 +23,7 @@ pub fn pair(
     question: &Question<'_>,
     equations: Equations,
     PairSetting { arrangement, distance, preload }: PairSetting,
-) -> Result<Answer<PairSolution>, StudyError> {
+) -> Result<Answer<PairSolution>, AnswerError> {
     let (bearing, model) = match equations.equilibrium() {
         Some(model) => (question.bearing_for(equations.purpose())?, PairModel::QuasiStatic(model)),
         None => {
@@ -33,8 +33,11 @@ pub fn pair(
     };
     let point = question.point();
     let pair = Pair { bearing: &bearing, point: &point, model, arrangement, distance, preload };
-    let failed = |error: PairError| if question.watch.stops() { PairError::Ended } else { error };
-    let solution = solve_pair(&pair).map_err(|error| failed(error).of(question.name))?;
+    let failed = |error: PairError| {
+        let source = if question.watch.stops() { PairError::Ended } else { error };
+        AnswerError::Pair { file: question.name.to_owned(), source }
+    };
+    let solution = solve_pair(&pair).map_err(failed)?;
     let [first, second] = solution.bearings.each_ref();
     let of = |bearing_of_pair: &crate::pair::PairBearing| {
         Findings::of(question, &bearing, (equations, &bearing_of_pair.solution))

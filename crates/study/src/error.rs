@@ -1,61 +1,19 @@
 //! Why a procedure does not start, or ends before its time.
 
-mod kinds;
-mod refused;
-
-pub use refused::{RefusedCase, with_causes};
-
 use crate::difference::SweepDifference;
 use crate::holder::{Holder, by};
 use std::path::PathBuf;
-use tribodyn_bearing::BearingError;
-use tribodyn_case::{CaseError, Lacking};
+use tribodyn::AnswerError;
 use tribodyn_dynamics::DynamicsError;
 use tribodyn_orbit::OrbitError;
-use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
 
 /// A procedure that cannot start, go on or finish.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// A case that is refused.
-    #[error("{}{}:{}:{}: {}", .0.options, .0.file, .0.error.line, .0.error.column, .0.error)]
-    Case(Box<RefusedCase>),
-    /// A change of a case that cannot be made.
-    #[error("{option}: {error}")]
-    Change {
-        /// The change as its author named it.
-        option: String,
-        /// Reason.
-        error: Box<CaseError>,
-    },
-    /// A value that a question cannot have.
-    #[error("{name} = {value}: {message}")]
-    Argument {
-        /// The value's name: that of the command's option.
-        name: &'static str,
-        /// The value.
-        value: String,
-        /// What is allowed, or why it is refused.
-        message: String,
-    },
-    /// An answer beyond what can be calculated with.
-    #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
-    OutOfRange {
-        /// The quantity.
-        quantity: &'static str,
-        /// What comes out.
-        value: f64,
-    },
-    /// Bodies that make no contact.
+    /// A question to the case without an answer.
     #[error(transparent)]
-    Contact(#[from] tribodyn_contact::ContactError),
-    /// A lubricant or a film that is refused.
-    #[error(transparent)]
-    Lubricant(#[from] tribodyn_lubricant::LubricantError),
-    /// A coating or a law that is refused.
-    #[error(transparent)]
-    Traction(#[from] tribodyn_traction::TractionError),
+    Answer(#[from] AnswerError),
     /// A file that cannot be read.
     #[error("cannot read {}: {source}", path.display())]
     Read {
@@ -72,60 +30,6 @@ pub enum StudyError {
         /// Reason.
         source: std::io::Error,
     },
-    /// A case that makes no bearing.
-    #[error("{file}: {source}")]
-    Bearing {
-        /// Name of the case file.
-        file: String,
-        /// Reason.
-        source: BearingError,
-    },
-    /// A case without what a model needs.
-    #[error("{file}: {source}")]
-    Lacking {
-        /// Name of the case file.
-        file: String,
-        /// All that is missing.
-        source: Lacking,
-    },
-    /// A pair that has no equilibrium.
-    #[error("{file}: {source}")]
-    Pair {
-        /// Name of the case file.
-        file: String,
-        /// Reason.
-        source: crate::pair::PairError,
-    },
-    /// An equilibrium that is not found.
-    #[error("{file}: {source}")]
-    Solver {
-        /// Name of the case file.
-        file: String,
-        /// Reason.
-        source: QuasiStaticError,
-    },
-    /// A steady orbit that is not found.
-    #[error("{file}: {source}; the model `traction` asks less: each ball in its place by itself")]
-    Orbit {
-        /// Name of the case file.
-        file: String,
-        /// Reason.
-        source: OrbitError,
-    },
-    /// Loads far beyond what the bearing carries.
-    #[error("{file}: {why}")]
-    Overload {
-        /// Name of the case file.
-        file: String,
-        /// A first estimate in words.
-        why: String,
-    },
-    /// A bearing at rest, where a motion is asked for.
-    #[error(
-        "{0}: the rings do not turn against each other: a bearing at rest has no orbit to swing about; \
-         `speed.inner` or `speed.outer` other than the same gives it one"
-    )]
-    AtRest(String),
     /// No steady orbit for a run to start from.
     #[error(
         "{file}: no steady orbit to start from: {source}; `transient.start: QuasiStatic` starts from the equilibrium"
@@ -136,17 +40,6 @@ pub enum StudyError {
         /// Reason.
         source: OrbitError,
     },
-    /// A bearing that the standards do not rate.
-    #[error("{file}: {source}")]
-    Rating {
-        /// Name of the case file.
-        file: String,
-        /// Reason.
-        source: tribodyn_rating::RatingError,
-    },
-    /// A bearing that the built-in list does not have.
-    #[error(transparent)]
-    Catalogue(#[from] tribodyn_catalogue::CatalogueError),
     /// A shaft without an answer.
     #[error("{file}: {source}")]
     Shaft {
@@ -397,4 +290,30 @@ pub enum StudyError {
     /// Something that cannot be written as JSON.
     #[error("cannot write JSON: {0}")]
     Json(#[from] serde_json::Error),
+}
+
+impl StudyError {
+    /// True where the caller ended a search.
+    pub fn is_ended(&self) -> bool {
+        matches!(self, Self::Answer(error) if error.is_ended())
+    }
+
+    /// A value that a procedure cannot have.
+    pub(crate) fn argument(name: &'static str, value: impl ToString, message: impl Into<String>) -> Self {
+        Self::Answer(AnswerError::argument(name, value, message))
+    }
+}
+
+/// The message of an error with those of its causes that it does not repeat: a full disk lies deep.
+pub fn with_causes(error: &dyn std::error::Error) -> String {
+    let mut message = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        let text = error.to_string();
+        if !message.contains(&text) {
+            message = format!("{message}: {text}");
+        }
+        cause = error.source();
+    }
+    message
 }

@@ -1,7 +1,7 @@
 //! The equilibrium of a case, with what stands beside it in an answer.
 
 use super::{Equations, Findings, Question};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use crate::rating::rating;
 use serde::{Serialize, Serializer};
 use tribodyn_bearing::Bearing;
@@ -65,15 +65,15 @@ fn beside<S: Serializer>(findings: &Findings, serializer: S) -> Result<S::Ok, S:
 ///
 /// # Errors
 /// A case that the model cannot use, or an equilibrium that is not found.
-pub fn equilibrium(question: &Question<'_>, model: Model, roots: bool) -> Result<Equilibrium, StudyError> {
+pub fn equilibrium(question: &Question<'_>, model: Model, roots: bool) -> Result<Equilibrium, AnswerError> {
     if roots && model == Model::JonesHarris {
         let message = "without traction there are no other equilibria to search for";
-        return Err(StudyError::argument("roots", "with --model jones-harris", message));
+        return Err(AnswerError::argument("roots", "with --model jones-harris", message));
     }
     let (bearing, Solved { mut solution, warm_start, .. }) = solved(question, model)?;
     let start = warm_start.filter(|_| roots);
     let point = question.point();
-    let failed = |source| StudyError::Solver { file: question.name.to_owned(), source };
+    let failed = |source| AnswerError::Solver { file: question.name.to_owned(), source };
     let roots = start.map(|start| other_roots(&bearing, &point, &start)).transpose().map_err(failed)?;
     solution.warnings.extend(roots.iter().flat_map(|roots| root_warnings(roots)));
     let findings = Findings::of(question, &bearing, (model.into(), &solution))?;
@@ -86,10 +86,10 @@ pub fn equilibrium(question: &Question<'_>, model: Model, roots: bool) -> Result
 ///
 /// # Errors
 /// As [`equilibrium`].
-pub fn solved(question: &Question<'_>, model: Model) -> Result<(Bearing, Solved), StudyError> {
+pub fn solved(question: &Question<'_>, model: Model) -> Result<(Bearing, Solved), AnswerError> {
     let bearing = question.bearing_for(Equations::from(model).purpose())?;
     question.bearable(&bearing)?;
-    let failed = |source| StudyError::Solver { file: question.name.to_owned(), source };
+    let failed = |source| AnswerError::Solver { file: question.name.to_owned(), source };
     let solved = solve(&bearing, &question.point(), model).map_err(failed)?;
     Ok((bearing, solved))
 }

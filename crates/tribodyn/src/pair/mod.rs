@@ -13,7 +13,6 @@
 
 mod step;
 
-use crate::StudyError;
 use serde::Serialize;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, RingFreedom};
 use tribodyn_orbit::{OrbitError, OrbitSettings, OrbitStart, orbit_slopes, steady_orbit, steady_orbit_from};
@@ -109,13 +108,6 @@ pub enum PairError {
     /// A spring in tandem has nothing to push against.
     #[error("bearings in tandem are not preloaded against each other by a spring; allowed is an offset")]
     SpringInTandem,
-}
-
-impl PairError {
-    /// As an error of a case.
-    pub fn of(self, file: &str) -> StudyError {
-        StudyError::Pair { file: file.to_owned(), source: self }
-    }
 }
 
 /// One bearing of a solved pair.

@@ -2,7 +2,7 @@
 
 use super::lubrication::lubrication;
 use super::{Equations, Question};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use crate::plausibility::{self, Implausible};
 use serde::Serialize;
 use tribodyn_bearing::Bearing;
@@ -45,7 +45,7 @@ impl Findings {
         question: &Question<'_>,
         bearing: &Bearing,
         (equations, solution): (Equations, &Solution),
-    ) -> Result<Self, StudyError> {
+    ) -> Result<Self, AnswerError> {
         let found = plausibility::of_solution(question.case, (question.text, bearing), solution);
         let found = found.map_err(|source| question.not_usable(source.into()))?;
         let loaded = plausibility::is_loaded(bearing, solution);
@@ -68,8 +68,8 @@ impl Findings {
     pub(super) fn unsolved(
         question: &Question<'_>,
         equations: Equations,
-        why: &StudyError,
-    ) -> Result<Self, StudyError> {
+        why: &AnswerError,
+    ) -> Result<Self, AnswerError> {
         let bearing = question.bearing()?;
         let mut warnings = plausibility::of_case(question.case, (question.text, &bearing));
         warnings.push(format!("no load distribution: {why}"));

@@ -7,6 +7,7 @@ mod equilibrium;
 mod film;
 mod findings;
 mod lubrication;
+#[cfg(feature = "modes")]
 mod modes;
 mod orbit;
 mod pair;
@@ -22,6 +23,7 @@ pub use derived::{Derived, GrowthAnswer, derived};
 pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};
 pub use film::{ContactFilm, ContactFilmQuestion, FilmAnswer, OilAnswer, contact_film, films};
 pub use findings::{Answer, Beside, Findings};
+#[cfg(feature = "modes")]
 pub use modes::{ModesAnswer, modes};
 pub use orbit::{OrbitAnswer, OrbitProblem};
 pub use pair::{PairSetting, pair};
@@ -31,7 +33,7 @@ pub use sensitivity::Sensitivity;
 pub use stiffness::{StiffnessAnswer, stiffness};
 pub use torque::{TorqueAnswer, torque};
 
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use serde::{Serialize, Serializer};
 use tribodyn_bearing::Bearing;
 use tribodyn_case::{Case, Purpose};
@@ -59,12 +61,12 @@ impl Equations {
     /// By name.
     ///
     /// # Errors
-    /// [`StudyError::Argument`] for any other name.
-    pub fn parse(name: &str) -> Result<Self, StudyError> {
+    /// [`AnswerError::Argument`] for any other name.
+    pub fn parse(name: &str) -> Result<Self, AnswerError> {
         let found = Self::ALL.iter().find(|(known, _)| *known == name);
         found.map(|(_, equations)| *equations).ok_or_else(|| {
             let allowed = Self::ALL.map(|(known, _)| known).join(", ");
-            StudyError::argument("model", name, format!("allowed are {allowed}"))
+            AnswerError::argument("model", name, format!("allowed are {allowed}"))
         })
     }
 
@@ -88,7 +90,7 @@ impl Equations {
     }
 
     /// The use of a case that it asks for.
-    pub(crate) fn purpose(self) -> Purpose {
+    pub fn purpose(self) -> Purpose {
         match self {
             Self::JonesHarris => Purpose::JonesHarris,
             Self::Traction | Self::SteadyOrbit => Purpose::Traction,
@@ -122,7 +124,7 @@ impl Serialize for Equations {
 }
 
 /// The solution of a case by some equations, its bearing, and what must be known of it.
-fn solution_by(question: &Question<'_>, equations: Equations) -> Result<(Bearing, Solution, Findings), StudyError> {
+fn solution_by(question: &Question<'_>, equations: Equations) -> Result<(Bearing, Solution, Findings), AnswerError> {
     match equations.equilibrium() {
         Some(model) => {
             let (bearing, solved) = solved(question, model)?;

@@ -2,7 +2,7 @@
 
 use super::lubrication::lubrication;
 use super::{Equations, Question};
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use crate::plausibility::{self, StaticEstimate};
 use crate::rating::rating;
 use serde::Serialize;
@@ -101,7 +101,7 @@ pub struct GrowthAnswer {
 ///
 /// # Errors
 /// A case that makes no bearing.
-pub fn derived(question: &Question<'_>) -> Result<Derived, StudyError> {
+pub fn derived(question: &Question<'_>) -> Result<Derived, AnswerError> {
     let bearing = question.bearing()?;
     let growth = growth(question.case).map_err(|source| question.not_usable(source.into()))?;
     Ok(answer(question, &bearing, growth))

@@ -1,6 +1,6 @@
 //! The traction curve of a coating at one pressure.
 
-use crate::error::StudyError;
+use crate::error::AnswerError;
 use serde::Serialize;
 use tribodyn_traction::{Coating, CoatingLaw, SlipCurve, TractionLaw};
 
@@ -42,12 +42,17 @@ pub struct CurveAnswer {
 ///
 /// # Errors
 /// A coating that the library does not have, or a value that is refused.
-pub fn traction_curve(coating: &str, pressure_gpa: f64, slip: &[f64], order: usize) -> Result<CurveAnswer, StudyError> {
+pub fn traction_curve(
+    coating: &str,
+    pressure_gpa: f64,
+    slip: &[f64],
+    order: usize,
+) -> Result<CurveAnswer, AnswerError> {
     if !(pressure_gpa.is_finite() && pressure_gpa > 0.0) {
-        return Err(StudyError::argument("pressure", pressure_gpa, "allowed is a pressure in GPa above 0"));
+        return Err(AnswerError::argument("pressure", pressure_gpa, "allowed is a pressure in GPa above 0"));
     }
     if let Some(slip) = slip.iter().find(|s| !(s.is_finite() && **s >= 0.0)) {
-        return Err(StudyError::argument("slip", slip, "allowed are slips of 0 or more"));
+        return Err(AnswerError::argument("slip", slip, "allowed are slips of 0 or more"));
     }
     let coating = Coating::library(coating)?;
     let law = CoatingLaw::varying(&coating, order)?;

@@ -112,7 +112,7 @@ fn short(value: f64) -> String {
 }
 
 /// The end of a message about a limit.
-pub(crate) fn lifted(limit: impl Display) -> String {
+pub fn lifted(limit: impl Display) -> String {
     format!("the limit for files that may come from elsewhere is {limit}, which --no-limits lifts")
 }
 

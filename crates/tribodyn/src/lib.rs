@@ -1,0 +1,25 @@
+#![doc = include_str!("../README.md")]
+
+pub mod answers;
+mod case_file;
+mod error;
+mod limits;
+pub mod pair;
+pub mod plausibility;
+pub mod rating;
+mod refused;
+pub mod sheet;
+
+pub use case_file::{CaseFile, Change, path_and_value, without_mark};
+pub use error::AnswerError;
+pub use limits::{Limits, lifted};
+pub use refused::RefusedCase;
+
+// What answers are made of, so that a program needs this crate only.
+pub use tribodyn_bearing::{
+    BallResult, Bearing, ContactResult, OperatingPoint, Races, SearchObserver, SearchStage, SearchWatch, Side,
+};
+pub use tribodyn_case::{Case, CaseError};
+pub use tribodyn_catalogue::{Envelope, KnownBalls, NewCase, NewLubricant, find as find_bearing};
+pub use tribodyn_orbit::{OrbitSettings, SteadyOrbit, steady_orbit};
+pub use tribodyn_quasistatic::{Model, Solution, StiffnessMatrix, solve};
