@@ -1,7 +1,6 @@
 //! Arguments of several commands: case files with changes, limits on what files may ask for, permission to replace.
 
 use crate::failure::Failure;
-use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use tribodyn::{CaseFile, Change, Limits, path_and_value};
@@ -30,29 +29,9 @@ pub struct ReplaceArguments {
 }
 
 impl ReplaceArguments {
-    /// Refuses a path of output at which something stands that may not be replaced: the case, what is no plain file,
-    /// and, without `--force`, what is not of ours or not of the `wanted` kind.
+    /// Refuses a path of output at which something stands that may not be replaced.
     pub fn check(&self, path: &Path, case: &Path, wanted: Ours) -> Result<(), Failure> {
-        let (kind, replaceable) = match wanted {
-            Ours::Recording => ("recording", "a recording"),
-            Ours::Table => ("table", "a table"),
-            _ => ("layout", "a layout"),
-        };
-        let Ok(standing) = fs::canonicalize(path) else { return Ok(()) };
-        if fs::canonicalize(case).is_ok_and(|case| case == standing) {
-            let message = format!("the {kind} would replace the case file");
-            return Err(Failure::Option { option: "output", value: path.display().to_string(), message });
-        }
-        let failure = |source| StudyError::Write { path: path.to_owned(), source };
-        if !standing.is_file() {
-            let source = std::io::Error::new(std::io::ErrorKind::InvalidInput, "it is not a regular file");
-            return Err(failure(source).into());
-        }
-        let ours = |found: Ours| found == wanted || found == Ours::Empty;
-        if self.force || Ours::of(&standing).map_err(failure)?.is_some_and(ours) {
-            return Ok(());
-        }
-        Err(StudyError::NotOurs { path: path.to_owned(), wanted: replaceable }.into())
+        Ok(wanted.may_replace(path, case, self.force)?)
     }
 }
 

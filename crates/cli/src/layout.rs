@@ -3,9 +3,8 @@
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments};
 use std::path::{Path, PathBuf};
-use tribodyn_bearing::Races;
 use tribodyn_record::{Layout, LayoutKind};
-use tribodyn_study::{Ours, StagedFiles, read_case};
+use tribodyn_study::{Ours, StagedFiles, layout_of, read_case};
 
 /// Write the Foxglove layout.
 #[derive(clap::Args)]
@@ -28,11 +27,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let kind = if arguments.solution { LayoutKind::Solution } else { LayoutKind::Run };
     let layout = match &arguments.case {
-        Some(path) => {
-            let file = read_case(path, &[], &arguments.limits.limits())?;
-            let speeds = Races { inner: file.case.speed.inner.clone(), outer: file.case.speed.outer.clone() };
-            Layout::new(kind, &file.case.name, &file.bearing()?.geometry, &speeds)
-        }
+        Some(path) => layout_of(&read_case(path, &[], &arguments.limits.limits())?, kind)?,
         None => Layout::general(kind),
     };
     let case = arguments.case.as_deref().unwrap_or(Path::new(""));

@@ -3,10 +3,8 @@
 use crate::failure::Failure;
 use crate::input::ReplaceArguments;
 use crate::table::{number, print_json, print_pairs};
-use serde::Serialize;
-use std::path::{Path, PathBuf};
-use tribodyn_record::Damage;
-use tribodyn_study::Ours;
+use std::path::PathBuf;
+use tribodyn_study::recover;
 
 /// Make a whole recording of one that was cut off or damaged.
 #[derive(clap::Args)]
@@ -24,29 +22,8 @@ pub struct Arguments {
     json: bool,
 }
 
-#[derive(Serialize)]
-struct Answer {
-    recording: PathBuf,
-    output: PathBuf,
-    messages: u64,
-    messages_lost: u64,
-    simulated_s: f64,
-    #[serde(flatten)]
-    damage: Damage,
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    // There is no case here that could be replaced.
-    arguments.replace.check(&arguments.output, Path::new(""), Ours::Recording)?;
-    let done = tribodyn_record::recover(&arguments.recording, &arguments.output)?;
-    let answer = Answer {
-        recording: arguments.recording.clone(),
-        output: arguments.output.clone(),
-        messages: done.messages,
-        messages_lost: done.messages_lost,
-        simulated_s: done.last_time_s(),
-        damage: done.damage,
-    };
+    let answer = recover(&arguments.recording, &arguments.output, arguments.replace.force)?;
     if arguments.json {
         return print_json(&answer);
     }

@@ -4,13 +4,12 @@ use crate::drawn;
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments, change};
 use crate::table::{self, number};
-use std::path::{Path, PathBuf};
-use tribodyn::{Change, Limits};
-use tribodyn_case::Case;
+use std::path::PathBuf;
+use tribodyn::Change;
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
-use tribodyn_study::preload::{ARRANGEMENTS, SetAnswer, SetPreload, SetQuestion, bearing_set};
-use tribodyn_study::shaft::listed_case;
-use tribodyn_study::{StagedFiles, read_case};
+use tribodyn_study::StagedFiles;
+use tribodyn_study::preload::{SetAnswer, SetPreload, SetQuestion, bearing_set, sides};
+use tribodyn_study::shaft::named_case;
 
 /// Preload, unloading force and axial rigidity of a set of like bearings, and its displacement under axial load.
 ///
@@ -71,8 +70,12 @@ enum Given {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let case = bearing_case(&arguments.bearing, &arguments.changes, &arguments.limits.limits())?;
-    let question = SetQuestion { sides: sides(arguments)?, preload: preload(arguments)?, loads: loads(arguments)? };
+    let case = named_case(&arguments.bearing, &arguments.changes, &arguments.limits.limits())?;
+    let question = SetQuestion {
+        sides: sides(arguments.arrangement.as_deref(), arguments.sides.as_deref())?,
+        preload: preload(arguments)?,
+        loads: loads(arguments)?,
+    };
     let answer = bearing_set(&arguments.bearing, &case, &question)?;
     if let Some(folder) = &arguments.plot {
         let mut staged = StagedFiles::new(folder, arguments.replace.force)?;
@@ -83,40 +86,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return table::print_json(&answer);
     }
     print(&arguments.bearing, &answer)
-}
-
-/// The case of a file, or of a designation.
-pub fn bearing_case(bearing: &str, changes: &[Change], limits: &Limits) -> Result<Case, Failure> {
-    let path = Path::new(bearing);
-    if path.extension().is_some_and(|ending| ending == "ron") || path.exists() {
-        return Ok(read_case(path, changes, limits)?.case);
-    }
-    Ok(listed_case(bearing, changes, limits)?)
-}
-
-fn sides(arguments: &Arguments) -> Result<Vec<bool>, Failure> {
-    let refused = |option: &'static str, value: &str, message: String| Failure::Option {
-        option,
-        value: value.to_owned(),
-        message,
-    };
-    if let Some(signs) = &arguments.sides {
-        let all: Option<Vec<bool>> = signs
-            .chars()
-            .map(|sign| match sign {
-                '+' => Some(true),
-                '-' => Some(false),
-                _ => None,
-            })
-            .collect();
-        let allowed = "allowed are 1 to 8 signs + or -, such as ++-".to_owned();
-        return all.filter(|all| (1..=8).contains(&all.len())).ok_or_else(|| refused("sides", signs, allowed));
-    }
-    let name = arguments.arrangement.as_deref().unwrap_or_default();
-    let found = ARRANGEMENTS.iter().find(|(known, _)| known.eq_ignore_ascii_case(name));
-    let allowed = || ARRANGEMENTS.map(|(known, _)| known).join(", ");
-    let found = found.map(|(_, sides)| sides.to_vec());
-    found.ok_or_else(|| refused("arrangement", name, format!("allowed are {}; any other by --sides", allowed())))
 }
 
 fn preload(arguments: &Arguments) -> Result<SetPreload, Failure> {

@@ -2,13 +2,13 @@
 
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments, change};
-use crate::set::bearing_case;
 use crate::table::{self, number};
 use std::path::PathBuf;
 use tribodyn::Change;
 use tribodyn::answers::Equations;
 use tribodyn::sheet::{Sheet, SheetQuestion, sheet};
 use tribodyn_study::StagedFiles;
+use tribodyn_study::shaft::named_case;
 
 /// Life, safety, deflection, stiffness, torque, frequencies of defects and limits of a bearing under a load.
 ///
@@ -54,7 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             return Err(Failure::Option { option, value: value.to_string(), message: message.to_owned() });
         }
     }
-    let case = bearing_case(&arguments.bearing, &arguments.changes, &arguments.limits.limits())?;
+    let case = named_case(&arguments.bearing, &arguments.changes, &arguments.limits.limits())?;
     let speed = arguments.speed * std::f64::consts::PI / 30.0;
     let question = SheetQuestion { radial: arguments.radial, axial: arguments.axial, speed };
     let found = sheet(&arguments.bearing, &case, &question)?;

@@ -4,6 +4,8 @@ use crate::error::StudyError;
 use crate::files::read_at_most;
 use std::path::Path;
 use tribodyn::{CaseFile, Change, Limits, without_mark};
+use tribodyn_bearing::Races;
+use tribodyn_record::{Layout, LayoutKind};
 
 /// Reads a case file, makes the changes, parses and validates, within limits.
 ///
@@ -11,6 +13,15 @@ use tribodyn::{CaseFile, Change, Limits, without_mark};
 /// [`StudyError::Read`], and a case that is refused.
 pub fn read_case(path: &Path, changes: &[Change], limits: &Limits) -> Result<CaseFile, StudyError> {
     Ok(CaseFile::from_text(&path.display().to_string(), read_text(path, limits)?, changes, limits)?)
+}
+
+/// The Foxglove layout for recordings of a case.
+///
+/// # Errors
+/// A case that makes no bearing.
+pub fn layout_of(file: &CaseFile, kind: LayoutKind) -> Result<Layout, StudyError> {
+    let speeds = Races { inner: file.case.speed.inner.clone(), outer: file.case.speed.outer.clone() };
+    Ok(Layout::new(kind, &file.case.name, &file.bearing()?.geometry, &speeds))
 }
 
 /// The text of a case, a problem or a table of figures, without the byte order mark that some editors put in front.

@@ -1,7 +1,8 @@
 //! Files that tribodyn wrote: only those are replaced unasked.
 
-use std::fs::File;
-use std::io::{Read, Result, Seek, SeekFrom};
+use crate::error::StudyError;
+use std::fs::{self, File};
+use std::io::{Error, ErrorKind, Read, Result, Seek, SeekFrom};
 use std::path::Path;
 
 /// The content of a file of ours.
@@ -59,6 +60,33 @@ impl Ours {
             Some("ron") => Self::of_text(&path.with_file_name("identification.json")),
             _ => told(&text),
         })
+    }
+
+    /// Refuses a path of output at which something stands that may not be replaced: the case, what is no plain file,
+    /// and, without `force`, what is not of ours or not of this kind.
+    ///
+    /// # Errors
+    /// [`StudyError`] that says which of these.
+    pub fn may_replace(self, path: &Path, case: &Path, force: bool) -> std::result::Result<(), StudyError> {
+        let (kind, replaceable) = match self {
+            Self::Recording => ("recording", "a recording"),
+            Self::Table => ("table", "a table"),
+            _ => ("layout", "a layout"),
+        };
+        let Ok(standing) = fs::canonicalize(path) else { return Ok(()) };
+        if fs::canonicalize(case).is_ok_and(|case| case == standing) {
+            let message = format!("the {kind} would replace the case file");
+            return Err(StudyError::argument("output", path.display(), message));
+        }
+        let failure = |source| StudyError::Write { path: path.to_owned(), source };
+        if !standing.is_file() {
+            return Err(failure(Error::new(ErrorKind::InvalidInput, "it is not a regular file")));
+        }
+        let ours = |found: Self| found == self || found == Self::Empty;
+        if force || Self::of(&standing).map_err(failure)?.is_some_and(ours) {
+            return Ok(());
+        }
+        Err(StudyError::NotOurs { path: path.to_owned(), wanted: replaceable })
     }
 
     /// The kind of another file by its beginning alone; none where there is none.

@@ -24,6 +24,31 @@ pub const ARRANGEMENTS: [(&str, &[bool]); 10] = [
     ("QT", &[true, true, true, true]),
 ];
 
+/// The side that each bearing of a set carries, from −z to +z, true for +z: by the name of its arrangement, or by signs
+/// such as `++-`.
+///
+/// # Errors
+/// A name or signs that are none.
+pub fn sides(arrangement: Option<&str>, signs: Option<&str>) -> Result<Vec<bool>, StudyError> {
+    if let Some(signs) = signs {
+        let side = |sign| match sign {
+            '+' => Some(true),
+            '-' => Some(false),
+            _ => None,
+        };
+        let all: Option<Vec<bool>> = signs.chars().map(side).collect();
+        let refused = || StudyError::argument("sides", signs, "allowed are 1 to 8 signs + or -, such as ++-");
+        return all.filter(|all| (1..=8).contains(&all.len())).ok_or_else(refused);
+    }
+    let name = arrangement.unwrap_or_default();
+    let found = ARRANGEMENTS.iter().find(|(known, _)| known.eq_ignore_ascii_case(name));
+    let refused = || {
+        let known = ARRANGEMENTS.map(|(known, _)| known).join(", ");
+        StudyError::argument("arrangement", name, format!("allowed are {known}; any other by its sides"))
+    };
+    found.map(|(_, sides)| sides.to_vec()).ok_or_else(refused)
+}
+
 /// What presses the bearings of a set together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]

@@ -8,11 +8,10 @@ use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments, change};
 use crate::orbit::write_table;
 use crate::table;
-use serde::Serialize;
 use std::path::PathBuf;
 use tribodyn::Change;
 use tribodyn_study::StagedFiles;
-use tribodyn_study::shaft::{LifeAnswer, ShaftFile, WhirlAnswer, shaft_life, whirl};
+use tribodyn_study::shaft::{ShaftFile, shaft_outcome};
 
 /// A shaft in its bearings: reactions, deflections, stresses, lives, modes, critical speeds, unbalance.
 ///
@@ -59,27 +58,15 @@ pub struct Arguments {
     json: bool,
 }
 
-#[derive(Serialize)]
-struct Answer<'a> {
-    name: &'a str,
-    #[serde(flatten)]
-    life: &'a LifeAnswer,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    whirl: Option<&'a WhirlAnswer>,
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = ShaftFile::read(&arguments.path, &arguments.changes, &arguments.limits.limits())?;
     let springs = arguments.springs.as_ref().map(|path| cards::Format::of(path)).transpose()?;
-    let life = shaft_life(&file)?;
-    let whirl = match arguments.modes.is_empty() {
-        true => None,
-        false => Some(whirl(&file, &arguments.modes, arguments.up_to)?),
-    };
+    let outcome = shaft_outcome(&file, &arguments.modes, arguments.up_to)?;
+    let (life, whirl) = (&outcome.life, outcome.whirl.as_ref());
     let staged = match &arguments.plot {
         Some(folder) => {
             let mut staged = StagedFiles::new(folder, arguments.replace.force)?;
-            for figure in figures::figures(&file, &life, whirl.as_ref()) {
+            for figure in figures::figures(&file, life, whirl) {
                 crate::drawn::stage(&mut staged, &figure?)?;
             }
             Some(staged)
@@ -88,17 +75,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let write = |path: &PathBuf, text: &str| write_table(path, &arguments.path, text, &arguments.replace);
     if let Some(path) = &arguments.csv {
-        write(path, &cards::stations(&life))?;
+        write(path, &cards::stations(life))?;
     }
     if let Some(path) = &arguments.ross {
-        write(path, &cards::ross(&file, &life, &arguments.modes)?)?;
+        write(path, &cards::ross(&file, life, &arguments.modes)?)?;
     }
     if let (Some(path), Some(format)) = (&arguments.springs, springs) {
-        write(path, &cards::springs(&file, &life, format))?;
+        write(path, &cards::springs(&file, life, format))?;
     }
     staged.map_or(Ok(()), StagedFiles::publish)?;
     if arguments.json {
-        return table::print_json(&Answer { name: &file.system.name, life: &life, whirl: whirl.as_ref() });
+        return table::print_json(&outcome);
     }
-    print::print(&file, &life, whirl.as_ref())
+    print::print(&file, life, whirl)
 }

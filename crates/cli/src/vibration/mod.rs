@@ -8,11 +8,9 @@ use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use tribodyn::{CaseFile, Limits};
-use tribodyn_catalogue::KnownBalls;
-use tribodyn_signal::{Evidence, Fault, Kinematics, Search};
-use tribodyn_study::vibration::{Analysis, SignalFile, Speed, Window, analysis, bearing_of_case, bearing_of_numbers};
-use tribodyn_study::{StagedFiles, read_case};
+use tribodyn_signal::{Evidence, Fault, Search};
+use tribodyn_study::StagedFiles;
+use tribodyn_study::vibration::{Analysis, SignalQuestion, Window, diagnosed};
 
 /// Find the faults of a bearing in a vibration signal: the lines of its envelope spectrum, the speed of its cage, a
 /// verdict with its reasons.
@@ -80,16 +78,25 @@ struct Answer<'a> {
     analysis: &'a Analysis,
 }
 
+impl Arguments {
+    fn question(&self) -> SignalQuestion {
+        SignalQuestion {
+            file: self.file.clone(),
+            channel: self.channel.clone(),
+            rate_hz: self.rate,
+            bearing: self.bearing.clone(),
+            angle_deg: self.angle,
+            speed: self.speed.clone(),
+            key_phase: self.key_phase.clone().map(|column| (column, self.pulses)),
+            window: Window { from_s: self.from, to_s: self.to },
+            speed_tolerance_percent: self.speed_tolerance,
+            slip_percent: self.slip,
+        }
+    }
+}
+
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let limits = arguments.limits.limits();
-    let search =
-        Search { speed: share("speed-tolerance", arguments.speed_tolerance)?, slip: share("slip", arguments.slip)? };
-    let file = SignalFile::read(&arguments.file, &limits)?;
-    let (bearing, case_hz) = bearing(arguments, &file, &limits)?;
-    let speed = speed(arguments, &file, case_hz)?;
-    let window = Window { from_s: arguments.from, to_s: arguments.to };
-    let signal = (arguments.channel.as_deref(), arguments.rate);
-    let found = analysis(&arguments.file, &file, signal, window, &speed, &bearing, search)?;
+    let found = diagnosed(&arguments.question(), &arguments.limits.limits())?;
     let generator = format!("tribodyn {}", env!("CARGO_PKG_VERSION"));
     let answer = Answer { generator, file: &arguments.file, analysis: &found };
     if let Some(folder) = &arguments.output {
@@ -107,73 +114,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Some(folder) => table::print_line(&format!("figures: {}", folder.display())),
         None => Ok(()),
     }
-}
-
-/// An option in per cent as a share, from 0 to 20 %.
-fn share(option: &'static str, percent: f64) -> Result<f64, Failure> {
-    if (0.0..=20.0).contains(&percent) {
-        return Ok(0.01 * percent);
-    }
-    Err(Failure::Option { option, value: percent.to_string(), message: "allowed is 0 to 20 %".to_owned() })
-}
-
-/// The bearing, and the speed of the shaft that its case has, Hz.
-fn bearing(arguments: &Arguments, file: &SignalFile, limits: &Limits) -> Result<(Kinematics, Option<f64>), Failure> {
-    let Some(name) = &arguments.bearing else {
-        let Some(text) = &file.case_text else {
-            let message =
-                "it is missing: the file says no bearing; give a case file, a designation or balls,ball mm,pitch mm";
-            return Err(Failure::Option { option: "bearing", value: String::new(), message: message.to_owned() });
-        };
-        let case = CaseFile::from_text(&arguments.file.display().to_string(), text.clone(), &[], limits)?;
-        return Ok(bearing_of_case(&case)?);
-    };
-    if let Some(bearing) = bearing_of_numbers(name) {
-        return Ok((bearing, None));
-    }
-    let path = Path::new(name);
-    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ron")) || path.is_file() {
-        return Ok(bearing_of_case(&read_case(path, &[], limits)?)?);
-    }
-    let listed = tribodyn_catalogue::find(name, arguments.angle)?;
-    let known = KnownBalls { published: listed.balls, ..KnownBalls::default() };
-    let balls = listed.envelope.ball_set(known, listed.ratings)?;
-    let kinematics = Kinematics {
-        ball_count: balls.ball_count,
-        ball_diameter_m: balls.ball_diameter,
-        pitch_diameter_m: balls.pitch_diameter,
-        contact_angle_rad: listed.envelope.contact_angle,
-        inner_turns: 1.0,
-        outer_turns: 0.0,
-    };
-    Ok((kinematics, None))
-}
-
-/// The speed that is asked for, or that of a recording, or that of the case.
-fn speed(arguments: &Arguments, file: &SignalFile, case_hz: Option<f64>) -> Result<Speed, Failure> {
-    if let Some(column) = &arguments.key_phase {
-        return Ok(Speed::KeyPhase(column.clone(), arguments.pulses));
-    }
-    if let Some(given) = &arguments.speed {
-        let refused = || Failure::Option {
-            option: "speed",
-            value: given.clone(),
-            message: "allowed is a speed in r/min above 0 or below it, or the name of a column".to_owned(),
-        };
-        if file.columns.iter().any(|column| column.name == *given) && given.parse::<f64>().is_err() {
-            return Ok(Speed::Column(given.clone()));
-        }
-        let rpm: f64 = given.parse().map_err(|_| refused())?;
-        return if rpm.is_finite() && rpm != 0.0 { Ok(Speed::Near(rpm.abs() / 60.0)) } else { Err(refused()) };
-    }
-    if file.case_text.is_some() {
-        return Ok(Speed::Column("inner_speed_rpm".to_owned()));
-    }
-    case_hz.map(Speed::Near).ok_or_else(|| Failure::Option {
-        option: "speed",
-        value: String::new(),
-        message: "it is missing: lines are looked for by the speed of the shaft; give r/min or a column".to_owned(),
-    })
 }
 
 /// The part that a fault is of.

@@ -110,8 +110,8 @@ impl Ensemble {
         self.columns().into_iter().chain(cost).collect()
     }
 
-    /// The fields of a member's row.
-    fn row(&self, member: &Member) -> Vec<Cell> {
+    /// The fields of a member's row, in the order of [`Self::columns`].
+    pub fn row(&self, member: &Member) -> Vec<Cell> {
         let varied = self.axes.iter().map(|axis| axis.cells[member.number].clone());
         let mut cells: Vec<Cell> = [Cell::Integer(member.number as i64)].into_iter().chain(varied).collect();
         match &member.figures {

@@ -90,6 +90,18 @@ impl ShaftFile {
     }
 }
 
+/// The case of a file, or of a designation of the built-in list, which is at rest.
+///
+/// # Errors
+/// As [`read_case`] and [`listed_case`].
+pub fn named_case(bearing: &str, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
+    let path = Path::new(bearing);
+    if path.extension().is_some_and(|ending| ending == "ron") || path.exists() {
+        return Ok(read_case(path, changes, limits)?.case);
+    }
+    listed_case(bearing, changes, limits)
+}
+
 /// A case of the built-in list, at rest, with changes.
 ///
 /// # Errors

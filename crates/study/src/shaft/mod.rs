@@ -4,12 +4,14 @@ mod answer;
 mod build;
 mod file;
 mod loads;
+mod outcome;
 mod spectrum;
 mod whirl;
 
 pub use answer::{BearingAnswer, ShaftAnswer, Station};
 pub use build::{Running, System};
-pub use file::{ShaftFile, listed_case};
+pub use file::{ShaftFile, listed_case, named_case};
+pub use outcome::{ShaftOutcome, shaft_outcome};
 pub use spectrum::{DutyAnswer, LifeAnswer, shaft_life};
 pub use tribodyn_shaft::{Mode, Whirl};
 pub use whirl::{Critical, SpeedAnswer, WhirlAnswer, whirl};

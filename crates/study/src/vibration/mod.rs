@@ -1,5 +1,6 @@
 //! Measured signals: files with their columns, and what they say of a bearing.
 
+mod ask;
 mod bearing;
 mod csv;
 mod mat;
@@ -13,6 +14,7 @@ mod signal_file;
 mod tests;
 mod wav;
 
+pub use ask::{SignalQuestion, diagnosed};
 pub use bearing::{bearing_of_case, bearing_of_numbers};
 pub use question::{Analysis, Speed, Window, analysis};
 pub use signal_file::{Column, SignalFile};

@@ -1,0 +1,110 @@
+//! A question about a measured signal in the words of its asker: which bearing, at which speed.
+
+use super::{Analysis, SignalFile, Speed, Window, analysis, bearing_of_case, bearing_of_numbers};
+use crate::case_file::read_case;
+use crate::error::StudyError;
+use std::path::{Path, PathBuf};
+use tribodyn::{AnswerError, CaseFile, Limits};
+use tribodyn_catalogue::KnownBalls;
+use tribodyn_signal::{Kinematics, Search};
+
+/// What is asked of a signal.
+#[derive(Debug, Clone)]
+pub struct SignalQuestion {
+    /// File with the signal.
+    pub file: PathBuf,
+    /// Column to evaluate, by its name or number.
+    pub channel: Option<String>,
+    /// Sampling rate, Hz, where the file does not say it.
+    pub rate_hz: Option<f64>,
+    /// A case file, a designation, or numbers as [`bearing_of_numbers`] takes them; a recording says its own.
+    pub bearing: Option<String>,
+    /// Nominal contact angle of an angular-contact designation, degrees.
+    pub angle_deg: Option<f64>,
+    /// Speed of the shaft in r/min, or the column that holds it.
+    pub speed: Option<String>,
+    /// Column with the pulses of a key phase, and their number in a turn.
+    pub key_phase: Option<(String, f64)>,
+    /// The part to evaluate.
+    pub window: Window,
+    /// How far the true speed may lie from the one given, %.
+    pub speed_tolerance_percent: f64,
+    /// How far slip and contact angle may move the cage from pure rolling, %.
+    pub slip_percent: f64,
+}
+
+/// What a signal says of its bearing.
+///
+/// # Errors
+/// A file that cannot be read, a bearing or a speed that is missing, and as [`analysis`].
+pub fn diagnosed(question: &SignalQuestion, limits: &Limits) -> Result<Analysis, StudyError> {
+    let q = question;
+    let speed_share = share("speed-tolerance", q.speed_tolerance_percent)?;
+    let search = Search { speed: speed_share, slip: share("slip", q.slip_percent)? };
+    let file = SignalFile::read(&q.file, limits)?;
+    let (bearing, case_hz) = bearing(q, &file, limits)?;
+    let speed = speed(q, &file, case_hz)?;
+    analysis(&q.file, &file, (q.channel.as_deref(), q.rate_hz), q.window, &speed, &bearing, search)
+}
+
+/// Per cent as a share, from 0 to 20 %.
+fn share(name: &'static str, percent: f64) -> Result<f64, StudyError> {
+    if (0.0..=20.0).contains(&percent) {
+        return Ok(0.01 * percent);
+    }
+    Err(StudyError::argument(name, percent, "allowed is 0 to 20 %"))
+}
+
+/// The bearing, and the speed of the shaft that its case has, Hz.
+fn bearing(q: &SignalQuestion, file: &SignalFile, limits: &Limits) -> Result<(Kinematics, Option<f64>), StudyError> {
+    let Some(name) = &q.bearing else {
+        let Some(text) = &file.case_text else {
+            let message =
+                "it is missing: the file says no bearing; give a case file, a designation or balls,ball mm,pitch mm";
+            return Err(StudyError::argument("bearing", "", message));
+        };
+        return bearing_of_case(&CaseFile::from_text(&q.file.display().to_string(), text.clone(), &[], limits)?);
+    };
+    if let Some(bearing) = bearing_of_numbers(name) {
+        return Ok((bearing, None));
+    }
+    let path = Path::new(name);
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ron")) || path.is_file() {
+        return bearing_of_case(&read_case(path, &[], limits)?);
+    }
+    let listed = tribodyn_catalogue::find(name, q.angle_deg).map_err(AnswerError::from)?;
+    let known = KnownBalls { published: listed.balls, ..KnownBalls::default() };
+    let balls = listed.envelope.ball_set(known, listed.ratings).map_err(AnswerError::from)?;
+    let kinematics = Kinematics {
+        ball_count: balls.ball_count,
+        ball_diameter_m: balls.ball_diameter,
+        pitch_diameter_m: balls.pitch_diameter,
+        contact_angle_rad: listed.envelope.contact_angle,
+        inner_turns: 1.0,
+        outer_turns: 0.0,
+    };
+    Ok((kinematics, None))
+}
+
+/// The speed that is asked for, or that of a recording, or that of the case.
+fn speed(q: &SignalQuestion, file: &SignalFile, case_hz: Option<f64>) -> Result<Speed, StudyError> {
+    if let Some((column, pulses)) = &q.key_phase {
+        return Ok(Speed::KeyPhase(column.clone(), *pulses));
+    }
+    if let Some(given) = &q.speed {
+        let refused = || {
+            let allowed = "allowed is a speed in r/min above 0 or below it, or the name of a column";
+            StudyError::argument("speed", given, allowed)
+        };
+        if file.columns.iter().any(|column| column.name == *given) && given.parse::<f64>().is_err() {
+            return Ok(Speed::Column(given.clone()));
+        }
+        let rpm: f64 = given.parse().map_err(|_| refused())?;
+        return if rpm.is_finite() && rpm != 0.0 { Ok(Speed::Near(rpm.abs() / 60.0)) } else { Err(refused()) };
+    }
+    if file.case_text.is_some() {
+        return Ok(Speed::Column("inner_speed_rpm".to_owned()));
+    }
+    let missing = "it is missing: lines are looked for by the speed of the shaft; give r/min or a column";
+    case_hz.map(Speed::Near).ok_or_else(|| StudyError::argument("speed", "", missing))
+}
