@@ -40,6 +40,7 @@ pub use operation::InputError;
 pub use quantity::{Quantity, quantities};
 pub use schema::*;
 pub use shaft::*;
+pub use units::{in_si, unit_names};
 
 use outline::{Outline, Path};
 use ron::extensions::Extensions;

@@ -3,13 +3,13 @@
 use crate::case::NativeCase;
 use crate::convert::to_python;
 use crate::error::{self, internal};
-use crate::solution::NativeSolution;
+use crate::solution::{Plain, Solved};
 use crate::watch::searching;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::sync::Arc;
 use tribodyn::CaseFile;
-use tribodyn::answers::{self, Equations, HertzQuestion, OrbitAnswer, Question};
+use tribodyn::answers::{self, ContactFilmQuestion, Equations, HertzQuestion, OrbitAnswer, Question};
 use tribodyn_bearing::SearchWatch;
 use tribodyn_bearing::quantities::{Facts, OfBall, Scope, joined};
 use tribodyn_contact::Body;
@@ -23,7 +23,13 @@ pub fn equations(py: Python<'_>, model: &str) -> PyResult<Equations> {
 
 /// The equilibrium or the steady orbit of a case.
 #[pyfunction]
-pub fn solve(py: Python<'_>, case: &NativeCase, model: &str, roots: bool, time_limit: f64) -> PyResult<NativeSolution> {
+pub fn solve<'py>(
+    py: Python<'py>,
+    case: &NativeCase,
+    model: &str,
+    roots: bool,
+    time_limit: f64,
+) -> PyResult<Plain<'py>> {
     limit(py, time_limit)?;
     let file = Arc::clone(&case.file);
     let solved = match equations(py, model)?.equilibrium() {
@@ -38,7 +44,7 @@ pub fn solve(py: Python<'_>, case: &NativeCase, model: &str, roots: bool, time_l
         }
         None => searching(py, time_limit, move |watch| orbit(&file, watch))?,
     };
-    solved.map_err(|failure| error::study(py, failure))
+    solved.map_err(|failure| error::study(py, failure))?.plain(py)
 }
 
 /// A limit on processor time, s.
@@ -53,20 +59,20 @@ fn equilibrium(
     file: &CaseFile,
     (model, roots): (tribodyn_quasistatic::Model, bool),
     watch: SearchWatch,
-) -> Result<NativeSolution, StudyError> {
+) -> Result<Solved, StudyError> {
     let mut answer = answers::equilibrium(&file.question(watch), model, roots)?;
     // The head is what the command prints; balls are handed out as an array.
     let balls = std::mem::take(&mut answer.solution.balls);
     let head = serde_json::to_value(&answer)?;
     let mut solution = answer.solution;
     solution.balls = balls;
-    Ok(NativeSolution::new(head, solution, None))
+    Ok(Solved::new(head, solution, None))
 }
 
-fn orbit(file: &CaseFile, watch: SearchWatch) -> Result<NativeSolution, StudyError> {
+fn orbit(file: &CaseFile, watch: SearchWatch) -> Result<Solved, StudyError> {
     let answer = OrbitAnswer::with_sensitivities(&file.question(watch))?;
     let head = serde_json::to_value(&answer)?;
-    Ok(NativeSolution::new(head, answer.solution, Some(answer.round)))
+    Ok(Solved::new(head, answer.solution, Some(answer.round)))
 }
 
 /// A question whose answer is plain data, asked on a thread of its own that an interrupt ends.
@@ -124,6 +130,59 @@ pub fn modes<'py>(
     time_limit: f64,
 ) -> PyResult<Bound<'py, PyAny>> {
     ask(py, (case, time_limit), move |question| Ok(serde_json::to_value(answers::modes(question, up_to, all)?)?))
+}
+
+/// Friction torque by cause.
+#[pyfunction]
+pub fn torque<'py>(py: Python<'py>, case: &NativeCase, model: &str, time_limit: f64) -> PyResult<Bound<'py, PyAny>> {
+    let equations = equations(py, model)?;
+    ask(py, (case, time_limit), move |question| Ok(serde_json::to_value(answers::torque(question, equations)?)?))
+}
+
+/// Lubricant films of all contacts of a case.
+#[pyfunction]
+pub fn films<'py>(py: Python<'py>, case: &NativeCase, model: &str, time_limit: f64) -> PyResult<Bound<'py, PyAny>> {
+    let equations = equations(py, model)?;
+    ask(py, (case, time_limit), move |question| Ok(serde_json::to_value(answers::films(question, equations)?)?))
+}
+
+/// One lubricated contact of two like bodies.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct FilmRequest {
+    oil: String,
+    temperature: f64,
+    load: f64,
+    speed: f64,
+    radius: f64,
+    across: f64,
+    slide_to_roll: f64,
+    roughness: f64,
+    starvation: f64,
+    young: f64,
+    poisson: f64,
+}
+
+/// The lubricant film of one contact; radii in mm, temperature in °C, roughness in um.
+#[pyfunction]
+pub fn contact_film<'py>(py: Python<'py>, request: FilmRequest) -> PyResult<Bound<'py, PyAny>> {
+    let question = ContactFilmQuestion {
+        oil: request.oil,
+        temperature_deg_c: request.temperature,
+        starvation: request.starvation,
+        roughness_um: request.roughness,
+        load_n: request.load,
+        speed_m_s: request.speed,
+        slide_to_roll: request.slide_to_roll,
+        rolling_radius_mm: request.radius,
+        lateral_radius_mm: request.across,
+        young_gpa: request.young,
+        poisson: request.poisson,
+    };
+    let (oil, film) = answers::contact_film(&question).map_err(|failure| error::study(py, failure))?;
+    let mut answer = serde_json::to_value(&film).map_err(|failure| internal(py, &failure.to_string()))?;
+    answer["oil"] = serde_json::to_value(oil).map_err(|failure| internal(py, &failure.to_string()))?;
+    to_python(py, &answer)
 }
 
 /// One Hertz contact; radii in mm, moduli in GPa.

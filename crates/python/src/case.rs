@@ -161,3 +161,15 @@ impl NewRequest {
         error::argument(py, "designation", value, &failure.to_string())
     }
 }
+
+/// A number with a unit in SI; None for a word that is no unit.
+#[pyfunction]
+pub fn in_si(unit: &str, number: f64) -> Option<f64> {
+    tribodyn_case::in_si(unit, number)
+}
+
+/// Names of all units of case files, a list for each kind of quantity.
+#[pyfunction]
+pub fn unit_names() -> Vec<Vec<&'static str>> {
+    tribodyn_case::unit_names().into_iter().map(<[_]>::to_vec).collect()
+}

@@ -3,7 +3,7 @@
 use crate::error::internal;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{PyBool, PyDict, PyList};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -35,4 +35,25 @@ fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
             Ok(dict.into_any())
         }
     }
+}
+
+/// Plain values of Python, as [`to_python`] makes them; anything else is null.
+pub fn from_python(value: &Bound<'_, PyAny>) -> PyResult<Value> {
+    if let Ok(fields) = value.cast::<PyDict>() {
+        let pairs = fields.iter().map(|(name, value)| Ok((name.extract::<String>()?, from_python(&value)?)));
+        return Ok(Value::Object(pairs.collect::<PyResult<_>>()?));
+    }
+    if let Ok(values) = value.cast::<PyList>() {
+        return Ok(Value::Array(values.iter().map(|value| from_python(&value)).collect::<PyResult<_>>()?));
+    }
+    if let Ok(text) = value.extract::<String>() {
+        return Ok(Value::String(text));
+    }
+    if value.is_instance_of::<PyBool>() {
+        return Ok(Value::Bool(value.extract()?));
+    }
+    if let Ok(count) = value.extract::<i64>() {
+        return Ok(count.into());
+    }
+    Ok(value.extract::<f64>().map_or(Value::Null, Value::from))
 }

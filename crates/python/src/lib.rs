@@ -12,10 +12,13 @@
 mod answers;
 mod case;
 mod convert;
+mod ensemble;
 mod error;
 mod figures;
 mod recording;
 mod runs;
+mod sets;
+mod signals;
 mod solution;
 mod sweep;
 mod watch;
@@ -26,15 +29,23 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _native {
     #[pymodule_export]
-    use super::answers::{check, hertz, modes, quantities, rating, solve, stiffness, traction_curve};
+    use super::answers::{
+        check, contact_film, films, hertz, modes, quantities, rating, solve, stiffness, torque, traction_curve,
+    };
     #[pymodule_export]
-    use super::case::NativeCase;
+    use super::case::{NativeCase, in_si, unit_names};
     #[pymodule_export]
-    use super::recording::read_recording;
+    use super::ensemble::ensemble;
+    #[pymodule_export]
+    use super::recording::{read_recording, recorded_names};
     #[pymodule_export]
     use super::runs::{identification_starts, identify, life, run};
     #[pymodule_export]
-    use super::solution::NativeSolution;
+    use super::sets::{catalogue, pair, set, shaft, sheet};
+    #[pymodule_export]
+    use super::signals::{layout, recover, vibration};
+    #[pymodule_export]
+    use super::solution::solution_figures;
     #[pymodule_export]
     use super::sweep::{NativeGrid, merge_tables};
     #[pymodule_export]

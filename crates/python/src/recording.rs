@@ -80,3 +80,14 @@ fn balls<'py>(py: Python<'py>, run: &Run) -> PyResult<BallSeries<'py>> {
     let numbers = PyArray1::from_vec(py, numbers).reshape([times.len(), count, width])?;
     Ok((PyArray1::from_vec(py, times), BallRow::NAMES, numbers))
 }
+
+/// Names of all numbers of a recording, by the series that they are in.
+#[pyfunction]
+pub fn recorded_names(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    let names = PyDict::new(py);
+    names.set_item("states", StateRow::NAMES)?;
+    names.set_item("solution", SolutionRow::NAMES)?;
+    names.set_item("wear", WORN)?;
+    names.set_item("balls", BallRow::NAMES)?;
+    Ok(names)
+}

@@ -1,64 +1,52 @@
-//! A solution that stays in Rust until its numbers are asked for.
+//! Solutions as plain values: what the command prints, and the numbers of the balls as tables.
 
-use crate::convert::to_python;
+use crate::convert::{from_python, to_python};
 use crate::error::internal;
 use crate::figures;
-use numpy::PyArray2;
+use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use tribodyn_bearing::quantities::OfBall;
-use tribodyn_quasistatic::Solution;
+use serde_json::Value;
+use tribodyn_bearing::BallResult;
+use tribodyn_bearing::quantities::{OfBall, joined};
+use tribodyn_quasistatic::{Model, SOLUTION, Solution};
 
 /// Numbers of balls: names, and an array with a row for each ball.
 pub type Table<'py> = (Vec<String>, Bound<'py, PyArray2<f64>>);
 
+/// All but the balls, the balls, and for a steady orbit a ball round it.
+pub type Plain<'py> = (Bound<'py, PyAny>, Table<'py>, Option<Table<'py>>);
+
 /// An equilibrium or a steady orbit.
-#[pyclass(frozen, name = "Solution", module = "tribodyn._native")]
-pub struct NativeSolution {
+pub struct Solved {
     /// What the command prints, without the balls.
-    pub head: serde_json::Value,
+    head: Value,
     /// The balls where an equilibrium has them.
-    pub solution: Solution,
+    solution: Solution,
     /// A ball round its orbit, for a steady orbit.
-    pub points: Option<Solution>,
+    points: Option<Solution>,
 }
 
-impl NativeSolution {
+impl Solved {
     /// From what the command prints.
-    pub fn new(mut head: serde_json::Value, solution: Solution, points: Option<Solution>) -> Self {
+    pub fn new(mut head: Value, solution: Solution, points: Option<Solution>) -> Self {
         if let Some(fields) = head.as_object_mut() {
             fields.remove("balls");
             fields.remove("points");
         }
         Self { head, solution, points }
     }
-}
 
-#[pymethods]
-impl NativeSolution {
-    /// All but the balls, by name.
-    fn head<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.head)
-    }
-
-    /// The balls.
-    fn balls<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
-        table(py, &self.solution)
-    }
-
-    /// A ball round its orbit; None for an equilibrium.
-    fn points<'py>(&self, py: Python<'py>) -> PyResult<Option<Table<'py>>> {
-        self.points.as_ref().map(|points| table(py, points)).transpose()
-    }
-
-    /// Figures over the azimuth as SVG, by name.
-    fn figures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        figures::of_solution(py, self.points.as_ref().unwrap_or(&self.solution))
+    /// As Python has it.
+    pub fn plain<'py>(&self, py: Python<'py>) -> PyResult<Plain<'py>> {
+        let points = self.points.as_ref().map(|points| table(py, points)).transpose()?;
+        Ok((to_python(py, &self.head)?, table(py, &self.solution)?, points))
     }
 }
 
+/// The table of all balls; NaN where a ball does not have what others have.
 fn table<'py>(py: Python<'py>, solution: &Solution) -> PyResult<Table<'py>> {
-    let held = |q: &OfBall| solution.balls.first().is_some_and(|ball| q.get(ball).is_some());
+    let held = |q: &OfBall| solution.balls.iter().any(|ball| q.get(ball).is_some());
     let quantities: Vec<OfBall> = OfBall::all().filter(held).collect();
     let names: Vec<String> = quantities.iter().map(|q| q.name_in(q.facts().unit)).collect();
     let value = |q: &OfBall, ball| q.get(ball).map_or(f64::NAN, |value| value * q.facts().unit.per_si);
@@ -66,4 +54,59 @@ fn table<'py>(py: Python<'py>, solution: &Solution) -> PyResult<Table<'py>> {
         solution.balls.iter().map(|ball| quantities.iter().map(|q| value(q, ball)).collect()).collect();
     let array = PyArray2::from_vec2(py, &rows).map_err(|error| internal(py, &error.to_string()))?;
     Ok((names, array))
+}
+
+/// Figures over the azimuth as SVG, by name: of the numbers that [`Solved::plain`] gave.
+#[pyfunction]
+pub fn solution_figures<'py>(
+    py: Python<'py>,
+    head: &Bound<'py, PyDict>,
+    names: Vec<String>,
+    values: PyReadonlyArray2<'py, f64>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let head = from_python(head)?;
+    let rows = values.as_array();
+    let solution = solution(&head, &names, rows.rows().into_iter().map(|row| row.to_vec()));
+    figures::of_solution(py, &solution)
+}
+
+/// A solution from its numbers by name.
+fn solution(head: &Value, names: &[String], rows: impl Iterator<Item = Vec<f64>>) -> Solution {
+    let number = |name: &str| head.get(name).and_then(Value::as_f64);
+    let quantities: Vec<Option<OfBall>> =
+        names.iter().map(|name| OfBall::all().find(|q| q.name_in(q.facts().unit) == *name)).collect();
+    let ball = |row: Vec<f64>| {
+        let mut ball = BallResult::default();
+        for (q, value) in quantities.iter().zip(row) {
+            if let Some(q) = q.as_ref().filter(|_| !value.is_nan()) {
+                q.set(&mut ball, value / q.facts().unit.per_si);
+            }
+        }
+        ball
+    };
+    let raceway_control = head.get("model").and_then(Value::as_str) == Some(Model::JonesHarris.name());
+    let mut solution = Solution {
+        model: if raceway_control { Model::JonesHarris } else { Model::Traction },
+        converged: head.get("converged").and_then(Value::as_bool).unwrap_or(false),
+        cage_speed_rpm: 0.0,
+        stable: head.get("stable").and_then(Value::as_bool),
+        ring_displacement_m: [0.0; 3],
+        ring_tilt_rad: [0.0; 2],
+        ring_load_n: [0.0; 3],
+        ring_moment_nm: [0.0; 2],
+        shaft_torque_nm: None,
+        inner_speed_rad_s: 0.0,
+        outer_speed_rad_s: 0.0,
+        residual: number("residual").unwrap_or(f64::NAN),
+        iterations: 0,
+        patch_error_estimate: None,
+        warnings: Vec::new(),
+        balls: rows.map(ball).collect(),
+    };
+    for q in &SOLUTION {
+        if let Some(value) = number(&joined(&[q.facts.name, q.facts.unit.suffix])) {
+            (q.set)(&mut solution, value / q.facts.unit.per_si);
+        }
+    }
+    solution
 }

@@ -306,6 +306,11 @@ impl Data {
     }
 }
 
+/// Columns of some rows as arrays by name.
+pub fn table_arrays<'py>(py: Python<'py>, columns: &[Column], rows: Vec<Vec<Cell>>) -> PyResult<Bound<'py, PyDict>> {
+    arrays(py, columns, vec![transposed(columns, rows)])
+}
+
 fn arrays<'py>(py: Python<'py>, columns: &[Column], parts: Vec<Vec<Data>>) -> PyResult<Bound<'py, PyDict>> {
     let mut whole: Vec<Data> = columns.iter().map(|column| Data::of(column.kind)).collect();
     for part in parts {

@@ -92,7 +92,7 @@ def test_identity_samples_are_solved_as_they_are_drawn(plain: Case) -> None:
 def test_limit_tolerances_may_be_distributions(plain: Case) -> None:
     stats = pytest.importorskip("scipy.stats")
     spreads = {"geometry.fit.ContactAngle": (deg, stats.norm(40.0, 0.5)), "geometry.ball_count": (14.0, 15.9)}
-    angles = [float(text[4:-1]) for text in tribodyn.sobol(spreads, 64, seed=1)["geometry.fit.ContactAngle"]]
+    angles = [angle.value for angle in tribodyn.sobol(spreads, 64, seed=1)["geometry.fit.ContactAngle"]]
     assert abs(np.mean(angles) - 40.0) < 0.1 and 0.4 < np.std(angles) < 0.6
     with pytest.raises(InputError, match="allowed are"):
         tribodyn.sobol({"a.b": "nonsense"}, 4)

@@ -166,6 +166,11 @@ const ALL: [&Dimension; 22] = [
     &PRESSURE_COEFFICIENT,
 ];
 
+/// Names of all units of case files, a list for each kind of quantity.
+pub fn unit_names() -> Vec<&'static [&'static str]> {
+    ALL.iter().map(|dimension| dimension.names).collect()
+}
+
 /// Whether `name` is a unit of any dimension.
 pub(crate) fn is_unit(name: &str) -> bool {
     ALL.iter().any(|dimension| dimension.names.contains(&name))
@@ -175,8 +180,9 @@ pub(super) fn dimension_of(unit: &str) -> Option<(&'static Dimension, usize)> {
     ALL.iter().find_map(|dimension| Some((*dimension, dimension.names.iter().position(|name| *name == unit)?)))
 }
 
-/// A number with a unit in SI; `None` for a word that is no unit.
-pub(crate) fn in_si(unit: &str, number: f64) -> Option<f64> {
+/// A number with a unit of case files in SI; `None` for a word that is no unit. `K` is a temperature, and a difference
+/// of two: both are in kelvin.
+pub fn in_si(unit: &str, number: f64) -> Option<f64> {
     dimension_of(unit).map(|(dimension, at)| dimension.to_si[at](number))
 }
 

@@ -5,7 +5,8 @@
 
 mod dimension;
 
-pub(crate) use dimension::{in_si, is_unit, others};
+pub use dimension::{in_si, unit_names};
+pub(crate) use dimension::{is_unit, others};
 
 use dimension::{
     ANGLE, DAMPING, DENSITY, Dimension, EXPANSION, FORCE, FREQUENCY, INERTIA, KINEMATIC_VISCOSITY, LENGTH, MASS,

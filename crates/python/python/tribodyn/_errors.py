@@ -9,6 +9,18 @@ class TribodynError(Exception):
     """Any failure of this package."""
 
 
+class TribodynWarning(UserWarning):
+    """Any warning of this package. ``warnings.simplefilter("error", TribodynWarning)`` makes errors of them."""
+
+
+class ModelWarning(TribodynWarning):
+    """What is unusual, beyond what was tested, or more than the model can mean."""
+
+
+class PlausibilityWarning(TribodynWarning):
+    """What no bearing does: do not use the numbers that it names."""
+
+
 class InputError(TribodynError, ValueError):
     """A value that is refused.
 

@@ -32,3 +32,13 @@ def figure(svg: str) -> str:
     """A figure in a page; what stands before the drawing belongs to files only."""
     start = svg.find("<svg")
     return f"<div style='max-width:60em'>{svg[start:]}</div>" if start >= 0 else ""
+
+
+def text(words: str) -> str:
+    """Words that may hold what HTML reads otherwise."""
+    return escape(words)
+
+
+def warnings(sentences: Iterable[str]) -> str:
+    """Warnings, a paragraph each."""
+    return "".join(f"<p>warning: {escape(sentence)}</p>" for sentence in sentences)

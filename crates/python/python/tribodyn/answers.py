@@ -9,27 +9,14 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _html
-from ._answer import Answer
+from . import _html, _plots
+from ._answer import Answer, OfOperatingPoint
+from ._errors import PlausibilityWarning
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
-
-
-class OfOperatingPoint(Answer):
-    """An answer that rests on an operating point, with what must be known of that."""
-
-    #: equations of the operating point
-    model: str
-    #: what the bearing is lubricated with
-    lubrication: str
-    #: False where nothing loads the bearing
-    loaded: bool
-    #: sentences on what is unusual, beyond what was tested, or more than the model can mean
-    warnings: list[str]
-    #: names of what no bearing does
-    implausible: list[str]
+    from matplotlib.axes import Axes
 
 
 class Growth(Answer):
@@ -46,9 +33,16 @@ class Growth(Answer):
     seat_pressure_inner_pa: Optional[float]
     seat_pressure_outer_pa: Optional[float]
 
+    def _draw(self, ax: Axes) -> None:
+        states = ("drawn", "mounted", "running")
+        ax.plot(states, [1e6 * getattr(self, f"radial_clearance_{state}_m") for state in states], "o-")
+        _plots.label(ax, "", "radial internal clearance, µm")
+
 
 class Derived(Answer):
     """What follows from a case before anything is solved."""
+
+    _parts = {"growth": Growth}
 
     name: str
     #: free contact angle
@@ -90,10 +84,11 @@ class Derived(Answer):
     notes: list[str]
     warnings: list[str]
 
-    def __init__(self, data: dict[str, Any]) -> None:
-        super().__init__(data)
-        if "growth" in data:
-            self.growth = Growth(data["growth"])
+    def _draw(self, ax: Axes) -> None:
+        if hasattr(self, "growth"):
+            self.growth._draw(ax)
+        else:
+            _plots.bars(ax, {"inner": self.ellipticity_inner, "outer": self.ellipticity_outer}, "ellipticity")
 
 
 class Rating(OfOperatingPoint):
@@ -135,6 +130,11 @@ class Rating(OfOperatingPoint):
     #: load to 4.2 GPa over load
     pressure_safety: Optional[float]
 
+    def _draw(self, ax: Axes) -> None:
+        names = ("rating_life_l10_mrev", "rating_life_l10r_mrev", "rating_life_lnmr_mrev")
+        lives = {name[len("rating_life_") : -len("_mrev")]: self.__dict__.get(name) for name in names}
+        _plots.bars(ax, lives, "life, million turns")
+
 
 class Contact(Answer):
     """A Hertz contact."""
@@ -151,6 +151,10 @@ class Contact(Answer):
     max_shear_depth_m: Optional[list[float]]
     #: von Mises stress at that depth
     von_mises_pa: Optional[list[float]]
+
+    def _draw(self, ax: Axes) -> None:
+        half = {"along the longer axis": self.semi_major_m, "along the shorter axis": self.semi_minor_m}
+        _plots.pressure(ax, half, self.peak_pressure_pa)
 
 
 class TractionCurve(Answer):
@@ -178,6 +182,10 @@ class TractionCurve(Answer):
         super().__init__(data)
         self.slip = np.asarray(data["slip"], dtype=np.float64)
         self.coefficient = np.asarray(data["coefficient"], dtype=np.float64)
+
+    def _draw(self, ax: Axes) -> None:
+        ax.plot(self.slip, self.coefficient, "o-")
+        _plots.label(ax, "slip", "traction coefficient")
 
     def to_pandas(self) -> pd.Series[Any]:
         """Coefficients over slip."""
@@ -274,7 +282,8 @@ class Stiffness(Answer):
         """
         for speed, implausible, said in zip(self.inner_speed_rpm, self.implausible, self.warnings):
             if implausible:
-                warnings.warn(f"stiffness at {speed:.1f} r/min: {'; '.join(said)}", stacklevel=2)
+                message = f"stiffness at {speed:.1f} r/min: {'; '.join(said)}"
+                warnings.warn(message, PlausibilityWarning, stacklevel=2)
         if major is None:
             try:
                 major = int(importlib.metadata.version("ross-rotordynamics").split(".")[0])
@@ -287,8 +296,17 @@ class Stiffness(Answer):
         arguments["speed" if major >= 3 else "frequency"] = self.inner_speed_rpm[order] * np.pi / 30.0
         return arguments
 
+    def _draw(self, ax: Axes) -> None:
+        if len(self.inner_speed_rpm) == 1:
+            _plots.heat(ax, self.matrix, AXES)
+            return
+        for place, name in enumerate(AXES[:3]):
+            ax.plot(self.inner_speed_rpm, 1e-6 * self.stiffness[:, place, place], "o-", label=f"along {name}")
+        _plots.label(ax, "speed of the inner ring, r/min", "stiffness, N/µm", legend=True)
+
     def __repr__(self) -> str:
-        return f"Stiffness({len(self.inner_speed_rpm)} speeds)"
+        names = sorted({name for names in self.implausible for name in names})
+        return f"Stiffness({len(self.inner_speed_rpm)} speeds{'; implausible: ' + ', '.join(names) if names else ''})"
 
     def _repr_html_(self) -> str:
         pairs = zip(self.inner_speed_rpm, self.stiffness)
@@ -299,7 +317,7 @@ class Stiffness(Answer):
                 [(name, *map(float, row)) for name, row in zip(("F_x", "F_y", "F_z", "M_x", "M_y"), matrix)],
             )
             for speed, matrix in pairs
-        )
+        ) + _plots.svg(self)
 
 
 class Mode(Answer):
@@ -318,9 +336,14 @@ class Mode(Answer):
     #: of each ball: axial, radial, along the orbit
     balls: list[list[float]]
 
+    def _draw(self, ax: Axes) -> None:
+        _plots.bars(ax, self.energy_shares, "share of the kinetic energy")
+
 
 class Modes(OfOperatingPoint):
     """Natural modes of balls, cage and rings about the steady orbit, by frequency."""
+
+    _parts = {"modes": Mode}
 
     cage_speed_rpm: float
     #: what is left, a turn of the cage later, of a small disturbance of a ball: above 1 it grows
@@ -329,9 +352,9 @@ class Modes(OfOperatingPoint):
     growth_rate_per_s: float
     modes: list[Mode]
 
-    def __init__(self, data: dict[str, Any]) -> None:
-        super().__init__(data)
-        self.modes = [Mode(mode) for mode in data["modes"]]
+    def _draw(self, ax: Axes) -> None:
+        ax.plot([mode.frequency_hz for mode in self.modes], [mode.damping_ratio for mode in self.modes], "o")
+        _plots.label(ax, "frequency, Hz", "damping ratio")
 
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
         """A row for each mode."""
@@ -352,7 +375,7 @@ class Modes(OfOperatingPoint):
     def _repr_html_(self) -> str:
         frame = self.to_pandas()
         rows = [tuple(row) for row in frame.itertuples(index=False)]
-        return _html.table(f"{len(self.modes)} modes", list(frame.columns), rows)
+        return _html.table(f"{len(self.modes)} modes", list(frame.columns), rows) + _plots.svg(self)
 
 
 class Life(Answer):
@@ -375,6 +398,13 @@ class Life(Answer):
     #: the state at the start of each stride, and at the end
     strides: list[dict[str, float]]
     warnings: list[str]
+
+    def _draw(self, ax: Axes) -> None:
+        for name in self.strides[0]:
+            if name.startswith("coating_") and name.endswith("_um"):
+                words = name[:-3].replace("_", " ")
+                ax.plot([s["time_h"] for s in self.strides], [s[name] for s in self.strides], label=words)
+        _plots.label(ax, "time, h", "coating left, µm", legend=True)
 
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
         """A row for each stride; columns with their units in their names."""
@@ -405,6 +435,13 @@ class Identification(Answer):
     #: the case file with the identified values and their sources
     case_text: str
 
+    def _draw(self, ax: Axes) -> None:
+        names = [parameter["name"] for parameter in self.parameters]
+        spreads = [abs((p["spread"] or 0.0) / p["value"]) if p["value"] else 0.0 for p in self.parameters]
+        ax.errorbar(range(len(names)), [1.0] * len(names), yerr=spreads, fmt="o", capsize=4)
+        ax.set_xticks(range(len(names)), names, rotation=45)
+        _plots.label(ax, "", "value with its spread, over the value")
+
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
         """A row for each parameter."""
         import pandas
@@ -415,4 +452,4 @@ class Identification(Answer):
     def _repr_html_(self) -> str:
         rows = [(p["name"], p["value"], p["spread"], p["determined"], p["at_bound"]) for p in self.parameters]
         head = ("parameter", "value", "spread", "determined", "at bound")
-        return _html.table(self.hypothesis or "the case as it is", head, rows)
+        return _html.table(self.hypothesis or "the case as it is", head, rows) + _plots.svg(self)

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Optional, Union
 
-from . import _html, _native
-from ._errors import CaseError, FileError
+from . import _html, _native, units
+from ._errors import CaseError, FileError, InputError
 from .answers import Derived
 
-#: What a value of a case may be given as: text of a case file, a number, or a truth value.
-Value = Union[str, float, int, bool]
+#: What a value of a case may be given as: a quantity (``tribodyn.kN(3)``, or one of Pint's), a number where the value
+#: has no unit, a truth value, or text as in a case file.
+Value = Any
 
-_QUANTITY = re.compile(r"\s*[A-Za-z_][A-Za-z_0-9]*\(\s*[-+0-9.eE]+\s*\)\s*")
-_CHOICE = re.compile(r"\s*([A-Za-z_][A-Za-z_0-9]*)\s*\(")
+_NUMBER = re.compile(r"[-+]?(?:\d[\d_]*\.?\d*(?:[eE][-+]?\d+)?|NaN|inf)")
 
 
 class Case:
@@ -24,8 +25,8 @@ class Case:
 
     >>> import tribodyn
     >>> case = tribodyn.Case.new("7210", angle=40)
-    >>> case["geometry.ball_count"]
-    '15'
+    >>> case["geometry.ball_count"], case["geometry.ball_diameter"]
+    (15, mm(12.7))
     """
 
     def __init__(self, native: _native.Case) -> None:
@@ -123,20 +124,24 @@ class Case:
         except OSError as error:
             raise FileError(f"cannot write {os.fspath(path)}: {error}", file=os.fspath(path)) from error
 
-    def __getitem__(self, path: str) -> str:
-        """The text of the value at a path, such as ``kN(54.76)`` at ``ring.z.Force``."""
-        value = self._native.value(path)
-        if value is None:
+    def __getitem__(self, path: str) -> Any:
+        """The value at a path: a :class:`Quantity`, a number, a truth value, or the text of anything else.
+
+        ``case["ring.z"]`` is ``Force(kN(54.76))``: 54760.0 as a number, ``.value`` 54.76, ``.unit`` kN, ``.text`` as in
+        the file.
+        """
+        text = self._native.value(path)
+        if text is None:
             known = [known for known in self if known.startswith(path.split(".")[0])]
             allowed = f"allowed are paths such as {', '.join(known[:8])}" if known else f"allowed are {', '.join(self)}"
             raise CaseError(f"{self.file}: nothing at {path}; {allowed}", file=self.file, path=path, allowed=allowed)
-        return value
+        return _value(text)
 
     def __setitem__(self, path: str, value: Value) -> None:
         """Changes the value at a path; the case stays as it was where the new one is refused.
 
-        A plain quantity keeps the choice that it stands in: ``case["ring.z"] = "kN(30)"`` makes ``Force(kN(30))`` of
-        ``Force(kN(54.76))``.
+        A quantity alone keeps the choice that it stands in: ``case["ring.z"] = kN(30)`` makes ``Force(kN(30))`` of
+        ``Force(kN(54.76))``. A number without its unit is refused where there is one.
         """
         self._native = self._replaced({path: value})
 
@@ -144,12 +149,12 @@ class Case:
         """Paths of all single values."""
         return (path for path, _ in self._native.values())
 
-    def values(self) -> dict[str, str]:
-        """All single values by path, as text."""
-        return dict(self._native.values())
+    def values(self) -> dict[str, Any]:
+        """All single values by path."""
+        return {path: _value(text) for path, text in self._native.values()}
 
     def replace(self, changes: Optional[Mapping[str, Value]] = None, **more: Value) -> Case:
-        """A copy with other values: ``case.replace(**{"ring.z.Force": "kN(30)"})``, or with a dictionary."""
+        """A copy with other values: ``case.replace({"ring.z": kN(30)})``."""
         return Case(self._replaced({**(changes or {}), **more}))
 
     def copy(self) -> Case:
@@ -161,25 +166,21 @@ class Case:
         return Derived(_native.check(self._native))
 
     def _replaced(self, changes: Mapping[str, Value]) -> _native.Case:
-        texts = [(path, as_text(value)) for path, value in changes.items()]
-        try:
-            return self._native.replaced(texts)
-        except CaseError:
-            # A quantity for a choice, such as `Force`: once more with the choices that stand there.
-            kept = [(self._into_choice(path, text), text) for path, text in texts]
-            if kept == texts:
-                raise
-            try:
-                return self._native.replaced(kept)
-            except CaseError:
-                pass
-            raise
+        return self._native.replaced([self._change(path, value) for path, value in changes.items()])
 
-    def _into_choice(self, path: str, text: str) -> str:
-        if not _QUANTITY.fullmatch(text):
-            return path
-        choice = _CHOICE.match(self._native.value(path) or "")
-        return f"{path}.{choice.group(1)}" if choice else path
+    def _change(self, path: str, value: Value) -> tuple[str, str]:
+        """The change as the compiled half takes it: a number or a quantity alone goes into the choice around it."""
+        there = self._native.value(path) or ""
+        if hasattr(value, "magnitude") and hasattr(value, "to"):
+            value = _of_pint(path, value, units.read(there))
+        try:
+            text = as_text(value)
+        except TypeError as error:
+            raise InputError(f"{path}: {error}", path=path, value=repr(value), allowed=str(error)) from None
+        quantity = units.read(text)
+        alone = quantity is not None and quantity.choice is None
+        choice = units.choice_of(there) if alone or _NUMBER.fullmatch(text.strip()) else None
+        return (f"{path}.{choice}" if choice else path), text
 
     def __repr__(self) -> str:
         return f"Case({self.name!r}, file={self.file!r})"
@@ -205,10 +206,41 @@ def as_text(value: Value) -> str:
     """A value as a case file has it."""
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, (int, float)):
-        return repr(value)
+    if isinstance(value, units.Quantity):
+        return value.text
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
+        return repr(value) if math.isfinite(value) else units.number(value)
     if hasattr(value, "item"):
         return as_text(value.item())
     if not isinstance(value, str):
-        raise TypeError(f"a value of a case is text, a number or a truth value, not {type(value).__name__}")
+        raise TypeError(f"allowed are a quantity, a number, a truth value or text, not {type(value).__name__}")
     return value
+
+
+def _value(text: str) -> Any:
+    """A value of a case file as Python has it."""
+    quantity = units.read(text)
+    if quantity is not None:
+        return quantity
+    word = text.strip()
+    if word in ("true", "false"):
+        return word == "true"
+    if _NUMBER.fullmatch(word):
+        plain = word.replace("_", "")
+        return int(plain) if re.fullmatch(r"[-+]?\d+", plain) else float(plain)
+    return word
+
+
+def _of_pint(path: str, value: Any, there: Optional[units.Quantity]) -> units.Quantity:
+    """A quantity of Pint's in the unit that stands at the path."""
+    if there is None:
+        allowed = "allowed is a quantity of tribodyn.units: no unit stands there that Pint's could be turned into"
+        raise InputError(f"{path} = {value}: {allowed}", path=path, value=str(value), allowed=allowed)
+    try:
+        return units.Quantity(float(value.to(units.pint_name(there.unit)).magnitude), there.unit)
+    except (TypeError, ValueError, AttributeError) as error:
+        allowed = f"allowed is what can be turned into {there.unit}"
+        message = f"{path} = {value}: {allowed}: {error}"
+        raise CaseError(message, path=path, value=str(value), allowed=allowed) from error

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable, Sequence
 from typing import Literal, Optional, Union
 
 from . import _native
+from ._answer import warned
+from ._errors import ModelWarning, PlausibilityWarning
 from .answers import Contact, Derived, Modes, Rating, Stiffness, TractionCurve
 from .case import Case
 from .solution import Solution
@@ -33,7 +36,7 @@ def solve(
         InputError: the model cannot use the case
         SolveError: no solution was found
     """
-    return Solution(_native.solve(case._native, model, roots, time_limit))
+    return warned(Solution(*_native.solve(case._native, model, roots, time_limit)))
 
 
 def stiffness(
@@ -52,7 +55,12 @@ def stiffness(
         time_limit: as of :func:`solve`, for all speeds together
     """
     given = [float(speeds)] if isinstance(speeds, (int, float)) else [float(speed) for speed in speeds]
-    return Stiffness(_native.stiffness(case._native, model, given, time_limit))
+    answer = Stiffness(_native.stiffness(case._native, model, given, time_limit))
+    for speed, said, implausible in zip(answer.inner_speed_rpm, answer.warnings, answer.implausible):
+        for place, sentence in enumerate(said):
+            kind = PlausibilityWarning if implausible and place == len(said) - 1 else ModelWarning
+            warnings.warn(f"at {speed:.1f} r/min: {sentence}", kind, stacklevel=2)
+    return answer
 
 
 def modes(case: Case, *, up_to: float = float("inf"), all: bool = False, time_limit: float = TIME_LIMIT_S) -> Modes:
@@ -61,7 +69,7 @@ def modes(case: Case, *, up_to: float = float("inf"), all: bool = False, time_li
     Masses and supports are those of a run: the case needs its sections ``transient`` and ``supports``. With ``all``
     also those of the balls, which belong to the instant when pocket 0 stands at azimuth 0.
     """
-    return Modes(_native.modes(case._native, up_to, all, time_limit))
+    return warned(Modes(_native.modes(case._native, up_to, all, time_limit)))
 
 
 def rating_life(case: Case, model: Optional[Model] = None, *, time_limit: float = TIME_LIMIT_S) -> Rating:
@@ -70,7 +78,7 @@ def rating_life(case: Case, model: Optional[Model] = None, *, time_limit: float 
     The ball loads are those of the steady orbit where no model is given, or of raceway control for a case without
     traction or cage. How long the coatings last is another question: :func:`life` answers it.
     """
-    return Rating(_native.rating(case._native, model, time_limit))
+    return warned(Rating(_native.rating(case._native, model, time_limit)))
 
 
 def check(case: Case) -> Derived:

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import os
 import tempfile
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _html, _native
-from ._answer import Answer
+from . import _html, _native, _plots, units
+from ._answer import Answer, Comparable, warned
 from ._errors import InputError, Stopped
 from ._progress import Bar, Progress
+from ._quantities import RecordedBallArrays, SolutionArrays, StateArrays, WornArrays
 from .answers import Identification, Life
 from .case import Case
 from .procedures import Model
@@ -22,11 +22,12 @@ from .procedures import Model
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+    from matplotlib.axes import Axes
 
 PathLike = Union[str, os.PathLike[str]]
 
 
-class Series:
+class Series(Comparable, _plots.Pictured):
     """Numbers over time, or one row of them. Attributes are arrays, views of one table; names end in their unit."""
 
     def __init__(self, names: list[str], values: NDArray[np.float64]) -> None:
@@ -50,10 +51,12 @@ class Series:
         column: NDArray[np.float64] = self._values[:, self._columns[name]]
         return column
 
-    def __getattr__(self, name: str) -> NDArray[np.float64]:
-        if name.startswith("_") or name not in self.__dict__.get("_columns", {}):
-            raise AttributeError(f"{type(self).__name__} has no attribute {name}")
-        return self[name]
+    if not TYPE_CHECKING:  # The arrays are declared.
+
+        def __getattr__(self, name: str) -> NDArray[np.float64]:
+            if name.startswith("_") or name not in self.__dict__.get("_columns", {}):
+                raise AttributeError(f"{type(self).__name__} has no attribute {name}")
+            return self[name]
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._names]
@@ -77,11 +80,43 @@ class Series:
         data = {name: ("time_s", self[name]) for name in self._names if name != "time_s"}
         return xarray.Dataset(data, coords={"time_s": self["time_s"]})
 
+    def plot(self, *names: str, ax: Optional[Axes] = None) -> Axes:
+        """Draws numbers over time, by default the first one. Gives matplotlib's axes."""
+        ax = _plots.axes(ax)
+        self._over_time(ax, names)
+        return ax
+
+    def _draw(self, ax: Axes) -> None:
+        self._over_time(ax, ())
+
+    def _over_time(self, ax: Axes, names: tuple[str, ...]) -> None:
+        usual = [name for name in (self._usual, *self._names) if name in self._columns and name != "time_s"]
+        for name in names or usual[:1]:
+            ax.plot(self["time_s"], self[name], linewidth=0.8, label=name)
+        _plots.label(ax, "time, s", "", legend=True)
+
+    #: what is drawn where nothing is asked for
+    _usual = ""
+
     def __repr__(self) -> str:
         return f"{type(self).__name__}({len(self)} times, {len(self._names)} quantities)"
 
 
-class BallSeries:
+class States(StateArrays, Series):
+    """Rings, cage and powers of a run."""
+
+    _usual = "cage_speed_rpm"
+
+
+class SolutionState(SolutionArrays, Series):
+    """The bearing of a recorded solution, in one row."""
+
+
+class Worn(WornArrays, Series):
+    """What has worn off, over time."""
+
+
+class BallSeries(RecordedBallArrays, Comparable, _plots.Pictured):
     """Numbers of all balls over time, in single precision as they are recorded.
 
     Attributes are arrays by time and ball, views of one table: ``recording.balls.load_inner_n[:, 0]``.
@@ -104,10 +139,12 @@ class BallSeries:
         column: NDArray[np.float32] = self._values[:, :, self._columns[name]]
         return column
 
-    def __getattr__(self, name: str) -> NDArray[np.float32]:
-        if name.startswith("_") or name not in self.__dict__.get("_columns", {}):
-            raise AttributeError(f"BallSeries has no attribute {name}")
-        return self[name]
+    if not TYPE_CHECKING:  # The arrays are declared.
+
+        def __getattr__(self, name: str) -> NDArray[np.float32]:
+            if name.startswith("_") or name not in self.__dict__.get("_columns", {}):
+                raise AttributeError(f"BallSeries has no attribute {name}")
+            return self[name]
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._names]
@@ -133,21 +170,31 @@ class BallSeries:
         frame: pd.DataFrame = pandas.DataFrame(table, index=index, columns=self._names)
         return frame
 
+    def plot(self, name: str = "load_inner_n", *, ax: Optional[Axes] = None) -> Axes:
+        """Draws a quantity of all balls over time. Gives matplotlib's axes."""
+        ax = _plots.axes(ax)
+        ax.plot(self.time_s, self[name], linewidth=0.6)
+        _plots.label(ax, "time, s", name)
+        return ax
+
+    def _draw(self, ax: Axes) -> None:
+        self.plot(ax=ax)
+
     def __repr__(self) -> str:
         return f"BallSeries({len(self)} times, {self._values.shape[1]} balls, {len(self._names)} quantities)"
 
 
-class Recording:
+class Recording(Comparable, _plots.Pictured):
     """A recording read back: a run in time, or one orbit of a solution."""
 
     #: rings, cage and powers over time
-    states: Series
+    states: States
     #: balls over time
     balls: BallSeries
     #: what had worn off over time
-    wear: Series
+    wear: Worn
     #: the bearing of a recorded solution; empty for a run
-    solution: Series
+    solution: SolutionState
     #: the log: ``time_s``, ``warning``, ``kind``, ``message``
     events: list[dict[str, Any]]
     #: records about the run by name; ``simulation`` describes it
@@ -159,16 +206,16 @@ class Recording:
 
     def __init__(self, path: PathLike, data: dict[str, Any]) -> None:
         self.path = os.fspath(path)
-        self.states = Series(*data["states"])
+        self.states = States(*data["states"])
         self.balls = BallSeries(*data["balls"])
-        self.wear = Series(*data["wear"])
-        self.solution = Series(*data["solution"])
+        self.wear = Worn(*data["wear"])
+        self.solution = SolutionState(*data["solution"])
         self.events = data["events"]
         self.metadata = data["metadata"]
         self.case_text = data["case_text"]
         self.whole = data["whole"]
 
-    @cached_property
+    @property
     def case(self) -> Case:
         """The case that was run."""
         if self.case_text is None:
@@ -188,7 +235,14 @@ class Recording:
 
     def _repr_html_(self) -> str:
         rows = [("states", len(self.states)), ("times of balls", len(self.balls)), ("events", len(self.events))]
-        return _html.table(self.path, ("", ""), rows)
+        return _html.table(self.path, ("", ""), rows) + _plots.svg(self)
+
+    def _draw(self, ax: Axes) -> None:
+        """The cage of a run; the balls of a recorded solution over one orbit."""
+        if len(self.states):
+            self.states._draw(ax)
+        else:
+            self.balls._draw(ax)
 
 
 class Run(Answer):
@@ -247,6 +301,9 @@ class Run(Answer):
     #: what was recorded
     data: Recording
 
+    def _draw(self, ax: Axes) -> None:
+        self.data._draw(ax)
+
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
         """Rings, cage and powers over time."""
         return self.data.to_pandas()
@@ -287,8 +344,8 @@ def run(
             answer = _run(case, duration, Path(folder) / "run.mcap", "new", progress)
             answer.data.states  # read before the folder goes
             answer.__dict__["recording"] = None
-            return answer
-    return _run(case, duration, Path(record), "resume" if resume else "restart" if restart else "new", progress)
+            return warned(answer)
+    return warned(_run(case, duration, Path(record), "resume" if resume else "restart" if restart else "new", progress))
 
 
 def _run(case: Case, duration: Optional[float], path: Path, beginning: str, progress: Progress) -> Run:
@@ -309,12 +366,7 @@ def _run(case: Case, duration: Optional[float], path: Path, beginning: str, prog
 
 def _duration(case: Case) -> float:
     text = case._native.value("transient.duration") or ""
-    factors = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
-    unit, _, number = text.partition("(")
-    try:
-        return float(number.rstrip(") ")) * factors.get(unit.strip(), 1.0)
-    except ValueError:
-        return 0.0
+    return float(units.read(text) or 0.0)
 
 
 def life(
@@ -340,7 +392,7 @@ def life(
     """
     with Bar(float(strides), "strides", progress) as bar:
         limits = (None if until is None else float(until), None if clearance_limit is None else float(clearance_limit))
-        return Life(_native.life(case._native, model, int(strides), limits, bar))
+        return warned(Life(_native.life(case._native, model, int(strides), limits, bar)))
 
 
 def identify(

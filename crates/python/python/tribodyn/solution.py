@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _html, _native
-from ._answer import Answer
+from . import _html, _native, _plots
+from ._answer import Answer, Comparable, OfOperatingPoint
+from ._errors import InputError
 from ._quantities import BallArrays, BallQuantities, BearingQuantities
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+    from matplotlib.axes import Axes
 
 
 class Ball(BallQuantities, Answer):
     """A ball with its two contacts. What its model does not have is absent."""
 
 
-class Balls(BallArrays):
+class Balls(Comparable, _plots.Pictured, BallArrays):
     """All balls by azimuth. Attributes are arrays, such as ``balls.load_inner_n``; ``balls[0]`` is one ball.
 
     Arrays are views of one table: nothing is copied.
@@ -32,6 +33,31 @@ class Balls(BallArrays):
         self._names = names
         self._columns = {name: place for place, name in enumerate(names)}
         self._values = values
+
+    @classmethod
+    def of(cls, rows: list[dict[str, float]]) -> Balls:
+        """From a dictionary for each ball, as the command's JSON has it."""
+        names = list(dict.fromkeys(name for row in rows for name in row))
+        numbers = [[row.get(name, np.nan) for name in names] for row in rows]
+        return cls(names, np.array(numbers, dtype=np.float64).reshape(len(rows), len(names)))
+
+    def plot(self, *names: str, ax: Optional[Axes] = None) -> Axes:
+        """Draws quantities over the azimuth, by default the contact loads. Gives matplotlib's axes."""
+        ax = _plots.axes(ax)
+        self._over_azimuth(ax, names)
+        return ax
+
+    def _draw(self, ax: Axes) -> None:
+        self._over_azimuth(ax, ())
+
+    def _over_azimuth(self, ax: Axes, names: tuple[str, ...]) -> None:
+        shown = names or ("load_inner_n", "load_outer_n")
+        for name in shown:
+            if name not in self._columns:
+                allowed = f"allowed are {', '.join(self._names)}"
+                raise InputError(f"no quantity {name}; {allowed}", path="names", value=name, allowed=allowed)
+            ax.plot(self.azimuth_deg, self._values[:, self._columns[name]], "o-", markersize=3, label=name)
+        _plots.label(ax, "azimuth, °", shown[0] if len(shown) == 1 else "", legend=True)
 
     @property
     def names(self) -> list[str]:
@@ -43,20 +69,41 @@ class Balls(BallArrays):
         """The table: a row for each ball, a column for each name."""
         return self._values
 
-    def __getattr__(self, name: str) -> NDArray[np.float64]:
-        columns = self.__dict__.get("_columns", {})
-        if name in columns:
-            column: NDArray[np.float64] = self._values[:, columns[name]]
-            return column
-        if name in BallArrays.__annotations__:
-            raise AttributeError(f"these balls have no {name}: their model does not give it")
-        raise AttributeError(f"Balls has no attribute {name}")
+    if not TYPE_CHECKING:  # The arrays are declared.
+
+        def __getattr__(self, name: str) -> NDArray[np.float64]:
+            columns = self.__dict__.get("_columns", {})
+            if name in columns:
+                return self._values[:, columns[name]]
+            if name in BallArrays.__annotations__:
+                raise AttributeError(f"these balls have no {name}: their model does not give it")
+            raise AttributeError(f"Balls has no attribute {name}")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._names]
 
     def __len__(self) -> int:
         return len(self._values)
 
-    def __getitem__(self, index: int) -> Ball:
-        return Ball(dict(zip(self._names, self._values[index].tolist())))
+    @overload
+    def __getitem__(self, index: int) -> Ball: ...
+
+    @overload
+    def __getitem__(self, index: Union[slice, list[int], NDArray[Any]]) -> Balls: ...
+
+    def __getitem__(self, index: Union[int, slice, list[int], NDArray[Any]]) -> Union[Ball, Balls]:
+        """One ball, or some: by a slice, by their places, or by a mask such as ``balls.load_inner_n > 0``."""
+        if not isinstance(index, (int, np.integer)):
+            return Balls(self._names, self._values[index])
+        return Ball(self._row(self._values[index].tolist()))
+
+    def _row(self, numbers: list[float]) -> dict[str, float]:
+        """What a ball has: there is no film where it has left its race."""
+        return {name: number for name, number in zip(self._names, numbers) if number == number}
+
+    def to_list(self) -> list[dict[str, float]]:
+        """A dictionary for each ball, as the command's JSON has it."""
+        return [self._row(numbers) for numbers in self._values.tolist()]
 
     def __iter__(self) -> Iterator[Ball]:
         return (self[index] for index in range(len(self)))
@@ -87,6 +134,9 @@ class Balls(BallArrays):
         return f"Balls({len(self)} balls, {len(self._names)} quantities)"
 
     def _repr_html_(self) -> str:
+        return self._table() + _plots.svg(self)
+
+    def _table(self) -> str:
         shown = [name for name in _SHOWN if name in self._columns]
         rows = zip(*(self._values[:, self._columns[name]].tolist() for name in shown))
         return _html.table(f"{len(self)} balls", shown, rows)
@@ -107,7 +157,7 @@ _SHOWN = (
 )
 
 
-class Solution(BearingQuantities, Answer):
+class Solution(BearingQuantities, OfOperatingPoint):
     """The equilibrium of ring and balls, or their steady orbit. What its model does not have is absent."""
 
     #: ``jones-harris``, ``traction`` or ``steady-orbit``
@@ -119,13 +169,6 @@ class Solution(BearingQuantities, Answer):
     residual: float
     #: Newton steps taken
     iterations: int
-    #: what the bearing is lubricated with
-    lubrication: str
-    #: False where nothing loads the bearing
-    loaded: bool
-    warnings: list[str]
-    #: names of what no bearing does
-    implausible: list[str]
     #: torque and cage speed of an orbit with half and twice of an assumed value
     sensitivities: list[dict[str, Any]]
     #: million turns; absent for a bearing that the standards do not rate
@@ -154,20 +197,14 @@ class Solution(BearingQuantities, Answer):
     #: other equilibria of each ball, where they were searched for
     roots: list[dict[str, Any]]
 
-    def __init__(self, native: _native.Solution) -> None:
-        super().__init__(native.head())
-        self._native = native
+    #: all balls by azimuth
+    balls: Balls
+    #: a ball round its orbit, every two degrees of azimuth; None for an equilibrium
+    points: Optional[Balls]
 
-    @cached_property
-    def balls(self) -> Balls:
-        """All balls by azimuth."""
-        return Balls(*self._native.balls())
-
-    @cached_property
-    def points(self) -> Optional[Balls]:
-        """A ball round its orbit, every two degrees of azimuth; None for an equilibrium."""
-        points = self._native.points()
-        return None if points is None else Balls(*points)
+    def __init__(self, head: dict[str, Any], balls: _native.BallTable, points: Optional[_native.BallTable]) -> None:
+        round_ = None if points is None else Balls(*points)
+        super().__init__({**head, "balls": Balls(*balls), "points": round_})
 
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
         """A row for each ball; numbers of the bearing are in ``frame.attrs``."""
@@ -183,30 +220,33 @@ class Solution(BearingQuantities, Answer):
 
     def to_dict(self) -> dict[str, Any]:
         """What ``solve --json`` prints."""
-        answer = {name: value for name, value in self._native.head().items()}
-        for name, balls in (("balls", self.balls), ("points", self.points)):
-            if balls is not None:
-                answer[name] = [dict(zip(balls.names, row)) for row in balls.values.tolist()]
+        answer = super().to_dict()
+        if self.points is None:
+            del answer["points"]
         return answer
 
     def figures(self) -> dict[str, str]:
-        """Figures over the azimuth as SVG, by name: ``contact-angle``, ``contact-load``, …"""
-        return self._native.figures()
+        """Figures over the azimuth as SVG, by name: ``contact-angles``, ``contact-loads``, …"""
+        balls = self.balls if self.points is None else self.points
+        return _native.solution_figures(self._numbers(), balls.names, np.ascontiguousarray(balls.values))
+
+    def plot(self, *names: str, ax: Optional[Axes] = None) -> Axes:
+        """Draws quantities of the balls over the azimuth, by default the contact loads. Gives matplotlib's axes."""
+        return (self.balls if self.points is None else self.points).plot(*names, ax=ax)
+
+    def _draw(self, ax: Axes) -> None:
+        (self.balls if self.points is None else self.points)._draw(ax)
 
     def _numbers(self) -> dict[str, Any]:
-        return {n: v for n, v in self._native.head().items() if isinstance(v, (int, float, str))}
+        return {n: v for n, v in self._single().items() if v is not None}
 
     def _repr_html_(self) -> str:
         rows = [(name, value) for name, value in self._numbers().items()]
         figures = self.figures()
-        drawn = next((figures[name] for name in ("contact-load", *figures) if name in figures), "")
-        warnings = "".join(f"<p>warning: {warning}</p>" for warning in self.warnings)
+        drawn = next((figures[name] for name in ("contact-loads", *figures) if name in figures), "")
         return (
             _html.table(f"{self.model} solution", ("", ""), rows)
-            + self.balls._repr_html_()
-            + warnings
+            + self.balls._table()
+            + _html.warnings(self.warnings)
             + _html.figure(drawn)
         )
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self._native.head()]

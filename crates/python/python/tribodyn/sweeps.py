@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _html, _native
-from ._answer import Answer
-from ._errors import InputError
+from . import _html, _native, _plots
+from ._answer import Answer, Comparable
+from ._errors import InputError, PlausibilityWarning
 from ._progress import Bar, Progress
+from ._quantities import SweepColumns
 from .case import Case, as_text
 from .procedures import Model
-from .units import Unit
+from .units import Quantity, Unit
 
 if TYPE_CHECKING:
     import pandas as pd
+    from matplotlib.axes import Axes
 
 PathLike = Union[str, os.PathLike[str]]
 
@@ -43,7 +46,7 @@ class Plan(Answer):
     estimated_time_s: float
 
 
-class Sweep:
+class Sweep(SweepColumns, Comparable, _plots.Pictured):
     """The rows of a sweep. Columns are arrays by name, in the order of the grid."""
 
     def __init__(self, columns: dict[str, Any], swept: list[str]) -> None:
@@ -61,11 +64,16 @@ class Sweep:
             raise KeyError(f"no column {name}; allowed are {', '.join(self._columns)}")
         return self._columns[name]
 
-    def __getattr__(self, name: str) -> Any:
-        columns = self.__dict__.get("_columns", {})
-        if name.startswith("_") or name not in columns:
-            raise AttributeError(f"Sweep has no column {name}")
-        return columns[name]
+    if not TYPE_CHECKING:  # The columns are declared; those of swept values are `sweep["…"]`.
+
+        def __getattr__(self, name: str) -> Any:
+            columns = self.__dict__.get("_columns", {})
+            if name.startswith("_") or name not in columns:
+                raise AttributeError(f"Sweep has no column {name}")
+            return columns[name]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(name for name in self._columns if name.isidentifier())]
 
     def __len__(self) -> int:
         return len(self._columns["row"])
@@ -95,7 +103,18 @@ class Sweep:
         shown = [*self.swept, "converged", "cage_speed_rpm", "shaft_torque_nm", "implausible", "error"]
         shown = [name for name in shown if name in self._columns]
         rows = list(zip(*(list(self._columns[name]) for name in shown)))
-        return _html.table(repr(self), shown, rows)
+        return _html.table(repr(self), shown, rows) + _plots.svg(self)
+
+    def plot(self, quantity: str = "cage_speed_rpm", *, over: Optional[str] = None, ax: Optional[Axes] = None) -> Axes:
+        """Draws a column over another one, by default over the first swept one. Gives matplotlib's axes."""
+        ax = _plots.axes(ax)
+        x = over or next(iter(self.swept), "row")
+        ax.plot(self[x], self[quantity], "o", markersize=3)
+        _plots.label(ax, x, quantity)
+        return ax
+
+    def _draw(self, ax: Axes) -> None:
+        self.plot(ax=ax)
 
 
 class Table(Answer):
@@ -113,8 +132,6 @@ class Table(Answer):
 
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
         """The table, read back."""
-        import warnings
-
         import pandas
 
         frame: pd.DataFrame
@@ -126,6 +143,9 @@ class Table(Answer):
         else:
             frame = pandas.read_parquet(self.output)
         return frame
+
+    def _draw(self, ax: Axes) -> None:
+        self.to_pandas().plot(x="row", y="cage_speed_rpm", ax=ax)
 
 
 def grid(
@@ -206,15 +226,11 @@ def sweep(
     rows = grid(case, values, samples=samples, model=model, cold=cold)
     with Bar(float(rows.rows), "rows", progress) as bar:
         columns = rows.solve((0, rows.chunks), threads, bar)
-    return Sweep({name: _array(column) for name, column in columns.items()}, rows.swept())
-
-
-def _array(column: Any) -> Any:
-    if isinstance(column, list):
-        texts = np.empty(len(column), dtype=object)
-        texts[:] = column
-        return texts
-    return column
+    answer = Sweep({name: _plots.column(column) for name, column in columns.items()}, rows.swept())
+    if answer.implausible_rows:
+        message = f"{answer.implausible_rows} of {len(answer)} rows name what no bearing does: column `implausible`"
+        warnings.warn(message, PlausibilityWarning, stacklevel=2)
+    return answer
 
 
 def sweep_to(
@@ -264,13 +280,15 @@ def _table(output: str, rows: int, failed: int, implausible: int, resumed: int) 
 
 
 Distribution = Any
+#: A value of a path: a quantity, or a plain number.
+Sample = Union[Quantity, float]
 #: A range with its ends, a frozen distribution of ``scipy.stats``, or either with a unit before it.
 Spread = Union[tuple[float, float], Distribution, tuple[Union[Unit, str], Any]]
 
 
 def latin_hypercube(
     spreads: Mapping[str, Spread], count: int, *, seed: Union[int, None] = None
-) -> dict[str, list[str]]:
+) -> dict[str, list[Sample]]:
     """Samples by a Latin hypercube (SciPy): for :func:`sweep`.
 
     Args:
@@ -284,10 +302,8 @@ def latin_hypercube(
     return _drawn(qmc.LatinHypercube(len(spreads), seed=seed).random(count), spreads)
 
 
-def sobol(spreads: Mapping[str, Spread], count: int, *, seed: Union[int, None] = None) -> dict[str, list[str]]:
+def sobol(spreads: Mapping[str, Spread], count: int, *, seed: Union[int, None] = None) -> dict[str, list[Sample]]:
     """Samples by a scrambled Sobol sequence (SciPy); ``count`` is best a power of two. As :func:`latin_hypercube`."""
-    import warnings
-
     from scipy.stats import qmc
 
     with warnings.catch_warnings():
@@ -295,16 +311,16 @@ def sobol(spreads: Mapping[str, Spread], count: int, *, seed: Union[int, None] =
         return _drawn(qmc.Sobol(len(spreads), seed=seed).random(count), spreads)
 
 
-def from_unit_cube(points: NDArray[np.float64], spreads: Mapping[str, Spread]) -> dict[str, list[str]]:
+def from_unit_cube(points: NDArray[np.float64], spreads: Mapping[str, Spread]) -> dict[str, list[Sample]]:
     """Samples from points in the unit cube, a column for each path: for other samplers, such as SALib's."""
     return _drawn(np.asarray(points, dtype=np.float64), spreads)
 
 
-def _drawn(points: NDArray[np.float64], spreads: Mapping[str, Spread]) -> dict[str, list[str]]:
+def _drawn(points: NDArray[np.float64], spreads: Mapping[str, Spread]) -> dict[str, list[Sample]]:
     return {path: _values(points[:, i], path, spread) for i, (path, spread) in enumerate(spreads.items())}
 
 
-def _values(shares: NDArray[np.float64], path: str, spread: Spread) -> list[str]:
+def _values(shares: NDArray[np.float64], path: str, spread: Spread) -> list[Sample]:
     unit: Optional[Unit] = None
     given: Any = spread
     if isinstance(given, Sequence) and len(given) == 2 and isinstance(given[0], (Unit, str)):
@@ -322,4 +338,4 @@ def _values(shares: NDArray[np.float64], path: str, spread: Spread) -> list[str]
     if not np.all(np.isfinite(numbers)):
         allowed = "allowed are finite numbers: a distribution is asked for shares from 0 to below 1"
         raise InputError(f"{path}: {allowed}", path=path, value=repr(spread), allowed=allowed)
-    return unit(numbers) if unit is not None else [repr(float(number)) for number in numbers]
+    return [*unit(numbers)] if unit is not None else [float(number) for number in numbers]

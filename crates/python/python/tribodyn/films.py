@@ -1,0 +1,174 @@
+"""Lubricated bearings: films of their contacts, and friction torque by cause."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional
+
+from . import _native, _plots
+from ._answer import Answer, OfOperatingPoint, warned
+from .case import Case
+from .procedures import TIME_LIMIT_S, Model
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.axes import Axes
+
+
+class Oil(Answer):
+    """An oil at a temperature."""
+
+    temperature_deg_c: float
+    kinematic_viscosity_mm2_s: float
+    #: at ambient pressure
+    dynamic_viscosity_pa_s: float
+    density_kg_m3: float
+    pressure_viscosity_per_pa: float
+
+
+class ContactFilm(Answer):
+    """The film of one contact."""
+
+    _parts = {"oil": Oil}
+
+    #: from 0; absent where only one contact was asked for
+    ball: int
+    #: ``inner`` or ``outer``; likewise
+    race: str
+    load_n: float
+    entrainment_speed_m_s: float
+    film_central_m: float
+    film_minimum_m: float
+    #: film parameter λ
+    lambda_ratio: float
+    #: absent where traction is not solved for
+    film_temperature_rise_k: float
+    #: the oil at the inlet, where only one contact was asked for
+    oil: Oil
+
+    def _draw(self, ax: Axes) -> None:
+        _plots.bars(ax, {"central": 1e6 * self.film_central_m, "least": 1e6 * self.film_minimum_m}, "film, µm")
+
+
+class Films(OfOperatingPoint):
+    """The films of all loaded contacts of a case."""
+
+    _parts = {"oil": Oil, "contacts": ContactFilm}
+
+    #: the oil at the inlet
+    oil: Oil
+    #: film thickness over that of flooded contacts
+    starvation: float
+    #: viscosity ratio κ; None at rest
+    viscosity_ratio: Optional[float]
+    #: viscosity that ISO 281 asks for at this speed; None at rest
+    reference_viscosity_mm2_s: Optional[float]
+    speed_factor_mm_rpm: float
+    #: ball by ball
+    contacts: list[ContactFilm]
+
+    def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
+        """A row for each contact."""
+        import pandas
+
+        frame: pd.DataFrame = pandas.DataFrame([contact.to_dict() for contact in self.contacts])
+        return frame
+
+    def _draw(self, ax: Axes) -> None:
+        for race in ("inner", "outer"):
+            of = [contact for contact in self.contacts if contact.race == race]
+            ax.plot([c.ball for c in of], [1e6 * c.film_minimum_m for c in of], "o", label=f"{race} race")
+        _plots.label(ax, "ball", "least film thickness, µm", legend=True)
+
+
+class Torque(OfOperatingPoint):
+    """Torque that the shaft needs, by cause, beside SKF's model and Palmgren's formula."""
+
+    #: of the rings against each other
+    speed_rpm: float
+    radial_load_n: float
+    axial_load_n: float
+    #: all of it
+    torque_nm: float
+    #: resistance of the films' inlets to rolling
+    rolling_nm: float
+    #: shear of the films at the inner race
+    sliding_inner_nm: float
+    sliding_outer_nm: float
+    #: drag and churning of the fluid around the balls
+    fluid_nm: float
+    #: pockets, and drag of guiding land and surroundings
+    cage_nm: float
+    #: SKF's model; absent without a lubricant, as are those below
+    skf_rolling_nm: float
+    skf_sliding_nm: float
+    #: without seals and the drag of an oil bath
+    skf_torque_nm: float
+    #: Palmgren's formula: of the lubricant
+    palmgren_viscous_nm: float
+    #: of the load
+    palmgren_load_nm: float
+    palmgren_torque_nm: float
+    #: what the formulas had to assume
+    notes: list[str]
+
+    def _draw(self, ax: Axes) -> None:
+        names = ("rolling_nm", "sliding_inner_nm", "sliding_outer_nm", "fluid_nm", "cage_nm", "torque_nm")
+        found = {
+            name: getattr(self, name) for name in (*names, "skf_torque_nm", "palmgren_torque_nm") if hasattr(self, name)
+        }
+        _plots.bars(ax, {name[:-3].replace("_", " "): 1e3 * value for name, value in found.items()}, "torque, N mm")
+
+
+def torque(case: Case, model: Model = "traction", *, time_limit: float = TIME_LIMIT_S) -> Torque:
+    """Friction torque of a bearing by cause, beside SKF's model and Palmgren's formula."""
+    return warned(Torque(_native.torque(case._native, model, time_limit)))
+
+
+def film(case: Case, model: Model = "traction", *, time_limit: float = TIME_LIMIT_S) -> Films:
+    """Films of every loaded contact of a case with a lubricant: Hamrock and Dowson, inlet heating, starvation."""
+    return warned(Films(_native.films(case._native, model, time_limit)))
+
+
+def contact_film(
+    oil: str,
+    *,
+    temperature: float,
+    load: float,
+    speed: float,
+    radius: float,
+    across: Optional[float] = None,
+    slide_to_roll: float = 0.0,
+    roughness: float = 0.07,
+    starvation: float = 1.0,
+    young: float = 208.0,
+    poisson: float = 0.3,
+) -> ContactFilm:
+    """The film of one contact of two like bodies.
+
+    Args:
+        oil: of the library: mineral, pao, ester or polyglycol with a grade, such as ``"mineral-vg68"``
+        temperature: of the oil before the contact, °C
+        load: normal load, N
+        speed: entrainment speed, the mean of both surface speeds, m/s
+        radius: of relative curvature along rolling, mm
+        across: the same across rolling, mm; as along it where left out
+        slide_to_roll: slide-to-roll ratio
+        roughness: root mean square of both surfaces together, um
+        starvation: film thickness over that of a flooded contact; 0.7 for grease
+        young: Young's modulus of both bodies, GPa
+        poisson: Poisson's ratio of both bodies
+    """
+    request = {
+        "oil": oil,
+        "temperature": temperature,
+        "load": load,
+        "speed": speed,
+        "radius": radius,
+        "across": radius if across is None else across,
+        "slide_to_roll": slide_to_roll,
+        "roughness": roughness,
+        "starvation": starvation,
+        "young": young,
+        "poisson": poisson,
+    }
+    return ContactFilm(_native.contact_film(request))

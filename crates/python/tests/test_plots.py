@@ -1,0 +1,68 @@
+"""Pictures: every answer draws itself into axes of matplotlib, and shows itself with a figure in notebooks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import tribodyn
+from tribodyn import InputError
+
+from .conftest import ROOT, SHORT_S
+from .test_pickles import MAKERS, _oil, _plain, _worn
+
+matplotlib = pytest.importorskip("matplotlib")
+
+#: What has no numbers to draw.
+UNDRAWN = {"case", "unit"}
+MORE: dict[str, Any] = {
+    "pair": lambda: tribodyn.pair(_plain(), "DB", 20, offset=10, model="jones-harris"),
+    "set": lambda: tribodyn.bearing_set(_plain(), "DB", preload=200),
+    "sheet": lambda: tribodyn.sheet(_plain(), radial=1000, axial=800, speed=3000),
+    "shaft": lambda: tribodyn.shaft(ROOT / "fixtures" / "shafts" / "motor.ron"),
+    "film": lambda: tribodyn.film(_oil(), "jones-harris"),
+    "torque": lambda: tribodyn.torque(_oil()),
+    "listed": lambda: tribodyn.catalogue("6206")[0],
+    "ensemble": lambda: tribodyn.ensemble(
+        _worn(), {"cage.pocket_gap": "mm(0.71 ± 0.02)"}, 2, duration=SHORT_S, progress=False
+    ),
+}
+
+
+@pytest.fixture(autouse=True)
+def unseen() -> Any:
+    matplotlib.use("Agg")
+    yield
+    matplotlib.pyplot.close("all")
+
+
+@pytest.mark.parametrize("kind", [*(MAKERS.keys() - UNDRAWN), *MORE])
+def test_limit_an_answer_draws_itself(kind: str) -> None:
+    from matplotlib import pyplot
+
+    answer = {**MAKERS, **MORE}[kind]()
+    drawn = answer.plot()
+    assert isinstance(drawn, matplotlib.axes.Axes)
+    assert drawn.lines or drawn.patches or drawn.images or drawn.containers, kind
+    given = pyplot.figure().add_subplot()
+    assert answer.plot(ax=given) is given
+    if kind != "ball":
+        assert "<svg" in answer._repr_html_()
+
+
+def test_identity_lines_hold_the_numbers_of_the_answer() -> None:
+    solution = tribodyn.solve(_plain(), "jones-harris")
+    line = solution.plot("contact_angle_inner_deg").lines[0]
+    assert np.array_equal(line.get_ydata(), solution.balls.contact_angle_inner_deg)
+    assert np.array_equal(line.get_xdata(), solution.balls.azimuth_deg)
+    with pytest.raises(InputError, match="load_inner_n"):
+        solution.plot("load_iner_n")
+
+
+def test_limit_a_notebook_leaves_no_figure_open(tmp_path: Path) -> None:
+    from matplotlib import pyplot
+
+    rating = tribodyn.rating_life(_plain(), "jones-harris")
+    assert rating._repr_html_() == rating._repr_html_() and not pyplot.get_fignums()
