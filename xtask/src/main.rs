@@ -11,6 +11,7 @@ mod error;
 mod faults;
 mod figures;
 mod fuzz;
+mod notices;
 mod page;
 mod python;
 mod quantities;
@@ -52,6 +53,8 @@ enum Command {
     Survey(survey::Arguments),
     /// Try kills, full disks, two at once, damaged files, hostile viewers on the built command
     Faults(faults::Arguments),
+    /// Write the licences of all that the command and the Python package are linked with
+    Notices(notices::Arguments),
     /// Run everything that continuous integration runs
     Ci {
         /// Only this step, by the name that it is reported by; may be given several times.
@@ -72,6 +75,7 @@ fn main() -> ExitCode {
         Command::Page(arguments) => page::run(&arguments),
         Command::Survey(arguments) => survey::run(&arguments),
         Command::Faults(arguments) => faults::run(&arguments),
+        Command::Notices(arguments) => notices::run(&arguments),
         Command::Ci { steps } => ci::run(&steps),
     };
     match done {

@@ -13,6 +13,7 @@ mod identify;
 mod input;
 mod layout;
 mod life;
+mod manual;
 mod modes;
 mod new;
 mod orbit;
@@ -34,14 +35,14 @@ mod traction;
 mod vibration;
 mod waiting;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use failure::Failure;
 use std::io::Write;
 use std::process::ExitCode;
 
 /// Tribo-dynamics of ball bearings.
 #[derive(Parser)]
-#[command(version, about, arg_required_else_help = true, after_help = AFTER_HELP)]
+#[command(name = "tribodyn", version, about, arg_required_else_help = true, after_help = AFTER_HELP)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -124,6 +125,11 @@ enum Command {
     Sweep(sweep::Arguments),
     /// Identify unknown parameters of a case from published or measured figures
     Identify(identify::Arguments),
+    /// Print a script by which a shell completes these commands
+    Completions(manual::CompletionArguments),
+    /// Write the manual pages
+    #[command(hide = true)]
+    Man(manual::ManArguments),
 }
 
 fn main() -> ExitCode {
@@ -152,6 +158,8 @@ fn main() -> ExitCode {
         Command::Layout(arguments) => layout::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Identify(arguments) => identify::run(&arguments),
+        Command::Completions(arguments) => manual::completions(&arguments, Arguments::command()),
+        Command::Man(arguments) => manual::man(&arguments, Arguments::command()),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -18,6 +18,8 @@ mod findings;
 mod implausible;
 #[path = "cli/life.rs"]
 mod life;
+#[path = "cli/manual.rs"]
+mod manual;
 #[path = "cli/merge.rs"]
 mod merge;
 #[path = "cli/new.rs"]

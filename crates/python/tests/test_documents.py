@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import doctest
 import importlib
+import importlib.metadata
 import io
 import math
 import re
@@ -62,6 +63,13 @@ def agree(printed: str, said: str, where: str) -> None:
 def test_limit_examples_of_docstrings(module: str) -> None:
     found = doctest.testmod(importlib.import_module(module))
     assert found.attempted > 0 and found.failed == 0
+
+
+def test_identity_the_package_has_the_licence_of_the_project() -> None:
+    """Both in the wheel and beside the sources."""
+    assert (ROOT / "crates" / "python" / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
+    metadata = importlib.metadata.metadata("tribodyn")
+    assert metadata["License-Expression"] == "MIT" and "LICENSE" in (metadata.get_all("License-File") or [])
 
 
 def test_limit_everything_public_is_documented() -> None:

@@ -43,6 +43,7 @@ FUNCTIONS = {
 }
 #: Commands that Python does not need, and why.
 LEFT_OUT = {
+    "completions": "a shell completes the command's words; Python has its own ways",
     "help": "docstrings are Python's help",
     "report": "its pages are made by the command alone; Python has the recording and draws it",
 }

@@ -53,9 +53,10 @@ def test_limit_mypy_refuses_a_misspelt_attribute(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "mypy", "--config-file", "pyproject.toml", "--no-pretty", *map(str, files)]
     done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=PACKAGE)
     errors = [line for line in done.stdout.splitlines() if ": error:" in line]
-    assert not [line for line in errors if str(script) in line], done.stdout
+    # A cache may know the same text from another folder.
+    assert not [line for line in errors if f"{script.name}:" in line], done.stdout
     for file in files[1:]:
-        found = [line for line in errors if f"{file}:" in line]
+        found = [line for line in errors if f"/{file.name}:" in line]
         assert found and all("attr-defined" in line for line in found), (file.read_text(), done.stdout)
 
 

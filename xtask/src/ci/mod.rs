@@ -7,7 +7,7 @@ mod hygiene;
 mod layers;
 mod licences;
 mod listed;
-mod metadata;
+pub mod metadata;
 mod named;
 mod node;
 mod package;

@@ -85,6 +85,7 @@ class Answer(Comparable, _plots.Pictured):
 
     def __repr__(self) -> str:
         single = [f"{n}={_html.number(v)}" for n, v in self._single().items()]
+        single += [f"{len(v)} {n}" for n, v in self.__dict__.items() if n in self._parts and isinstance(v, list)]
         implausible = self.__dict__.get("implausible")
         end = f"; implausible: {', '.join(implausible)}" if implausible else ""
         return f"{type(self).__name__}({', '.join(single[:6])}{', …' if len(single) > 6 else ''}{end})"
