@@ -6,6 +6,7 @@ use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
+use tribodyn_bearing::SearchWatch;
 use tribodyn_identify::{Identification, Problem, Relation, identify};
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
 use tribodyn_study::{StagedFiles, read_text};
@@ -46,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let case_path = path.parent().unwrap_or(Path::new("")).join(&problem.case);
     let case = read_text(&case_path, &limits)?;
     let progress = progress_bar(problem.starts * problem.hypotheses.len().max(1));
-    let answers = identify(&problem, &case, &|| progress.inc(1)).map_err(refused);
+    let answers = identify(&problem, &case, &|| progress.inc(1), &SearchWatch::default()).map_err(refused);
     progress.finish_and_clear();
     let answers = answers?;
     let files = arguments

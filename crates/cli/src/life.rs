@@ -6,6 +6,7 @@ use crate::solve::ModelName;
 use crate::table::{self, number};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
+use tribodyn_bearing::SearchWatch;
 use tribodyn_study::{Life, LifeEnd, LifeOptions, LifeStride, LifeTable, Ours, wear_life};
 
 /// Wear the raceways of a bearing until a coating is through, or wear has added a clearance that is given.
@@ -64,6 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         until_s: arguments.until.map(|hours| hours * HOUR),
         clearance_limit_m: arguments.clearance_limit.map(|um| um * 1e-6),
         equations: arguments.model.equations(),
+        watch: SearchWatch::default(),
     };
     let life = match &arguments.output {
         None => wear_life(&file, options, |_| ControlFlow::Continue(()))?,

@@ -5,8 +5,9 @@ use crate::problem::{Datum, Hypothesis, ModelName, Problem, Quantity, Relation};
 use crate::settled::Settled;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use tribodyn_bearing::{OperatingPoint, SearchWatch};
 use tribodyn_case::{Case, Purpose, locate, set_value};
-use tribodyn_quasistatic::{Model, OverAzimuth, Solution, WarmStart, solve, solve_from};
+use tribodyn_quasistatic::{Model, OverAzimuth, QuasiStaticError, Solution, WarmStart, solve, solve_from};
 
 /// A case file's text with holes where the free parameters stand.
 #[derive(Debug, Clone)]
@@ -56,6 +57,8 @@ struct Variant {
 pub struct ForwardModel {
     variants: BTreeMap<String, Variant>,
     base: Template,
+    /// By which searches and runs are ended.
+    pub watch: SearchWatch,
 }
 
 /// Solutions by run, and starts for the neighbourhood.
@@ -92,7 +95,7 @@ impl ForwardModel {
             Case::from_ron(&text)?;
             Ok((name.clone(), Variant { template: Template::new(text, &paths)?, model: run.model }))
         });
-        Ok(Self { variants: variants.collect::<Result<_, IdentifyError>>()?, base })
+        Ok(Self { variants: variants.collect::<Result<_, IdentifyError>>()?, base, watch: SearchWatch::default() })
     }
 
     /// The case file's text with these values.
@@ -107,18 +110,21 @@ impl ForwardModel {
     pub fn evaluate(&self, values: &[f64], near: Option<&Evaluation>) -> Result<Evaluation, IdentifyError> {
         let mut out = Evaluation::default();
         for (name, variant) in &self.variants {
+            if self.watch.stops() {
+                return Err(QuasiStaticError::Ended.into());
+            }
             let case = Case::from_ron(&variant.template.fill(values))?;
             let (model, purpose) = match variant.model {
                 ModelName::JonesHarris => (Model::JonesHarris, Purpose::JonesHarris),
                 ModelName::Traction => (Model::Traction, Purpose::Traction),
                 ModelName::Transient => {
-                    out.settled.insert(name.clone(), Settled::of(&case)?);
+                    out.settled.insert(name.clone(), Settled::of(&case, &self.watch)?);
                     continue;
                 }
             };
             case.require(purpose)?;
             let bearing = case.bearing()?;
-            let point = case.operating_point();
+            let point = OperatingPoint { watch: self.watch.clone(), ..case.operating_point() };
             let warm = near.and_then(|n| n.warm.get(name));
             let solved = match warm {
                 Some(start) => solve_from(&bearing, &point, start).or_else(|_| solve(&bearing, &point, model)),

@@ -7,6 +7,7 @@ use crate::problem::{Datum, Hypothesis, Parameter, Problem, Relation};
 use crate::search::{Search, search};
 use crate::uncertainty::{Uncertainty, uncertainty};
 use serde::Serialize;
+use tribodyn_bearing::SearchWatch;
 use tribodyn_case::{locate, set_value};
 
 /// The answer under one hypothesis.
@@ -109,7 +110,7 @@ const NAMED_SHARES: usize = 4;
 
 /// Identifies under every hypothesis of a problem.
 ///
-/// `finished` is called after each start, from any thread.
+/// `finished` is called after each start, from any thread; `watch` ends the search.
 ///
 /// # Errors
 /// See [`IdentifyError`].
@@ -117,13 +118,15 @@ pub fn identify(
     problem: &Problem,
     case_text: &str,
     finished: &(dyn Fn() + Sync),
+    watch: &SearchWatch,
 ) -> Result<Vec<Identification>, IdentifyError> {
     let hypotheses: Vec<Option<&Hypothesis>> =
         if problem.hypotheses.is_empty() { vec![None] } else { problem.hypotheses.iter().map(Some).collect() };
     hypotheses
         .into_iter()
         .map(|hypothesis| {
-            let squares = LeastSquares::new(problem, case_text, hypothesis)?;
+            let mut squares = LeastSquares::new(problem, case_text, hypothesis)?;
+            squares.model.watch = watch.clone();
             let found = search(&squares, problem.seed, problem.starts, finished)?;
             answer(&squares, &found, hypothesis)
         })

@@ -3,8 +3,10 @@
 use std::convert::Infallible;
 use std::f64::consts::{SQRT_2, TAU};
 use std::ops::ControlFlow;
+use tribodyn_bearing::SearchWatch;
 use tribodyn_case::Case;
 use tribodyn_dynamics::{Ending, Event, EventKind, Observer, Run, RunError, Sample};
+use tribodyn_quasistatic::QuasiStaticError;
 
 use crate::IdentifyError;
 
@@ -46,6 +48,7 @@ struct Keep {
     states: Vec<State>,
     /// Time s, ball, azimuth degrees.
     impacts: Vec<(f64, usize, f64)>,
+    watch: SearchWatch,
 }
 
 impl Observer for Keep {
@@ -61,7 +64,7 @@ impl Observer for Keep {
             mean_orbit: balls.iter().map(|b| b.orbital_speed_rad_s).sum::<f64>() / balls.len() as f64,
             orbit: balls.first().map_or(f64::NAN, |b| b.orbital_speed_rad_s),
         });
-        Ok(ControlFlow::Continue(()))
+        Ok(if self.watch.stops() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
     }
 
     fn event(&mut self, event: &Event) -> Result<(), Infallible> {
@@ -73,19 +76,22 @@ impl Observer for Keep {
 }
 
 impl Settled {
-    /// Runs a case to the end of its duration.
+    /// Runs a case to the end of its duration, or until it is ended from outside.
     ///
     /// # Errors
     /// A case without what a run needs, a run that fails.
-    pub fn of(case: &Case) -> Result<Self, IdentifyError> {
+    pub fn of(case: &Case, watch: &SearchWatch) -> Result<Self, IdentifyError> {
         let mut run = Run::new(case.run_inputs()?)?;
-        let mut keep = Keep::default();
+        let mut keep = Keep { watch: watch.clone(), ..Keep::default() };
         let ending = run.advance(f64::INFINITY, &mut keep).map_err(|error| match error {
             RunError::Dynamics(error) => IdentifyError::from(error),
             RunError::Observer(never) => match never {},
         })?;
         if let Ending::BeyondStability { step_s, limit_s } = ending {
             return Err(IdentifyError::Unstable { step_s, limit_s });
+        }
+        if keep.watch.stops() {
+            return Err(QuasiStaticError::Ended.into());
         }
         Ok(keep.settled(case.rates().state_rate, case.geometry.ball_count))
     }
@@ -170,7 +176,7 @@ mod tests {
             }
         });
         let impacts = vec![(0.002, 0, 200.0), (0.017, 0, 250.0), (0.018, 0, 300.0), (0.02, 1, 270.0), (0.021, 1, 20.0)];
-        let s = Keep { states: states.collect(), impacts }.settled(1e4, 2);
+        let s = Keep { states: states.collect(), impacts, ..Keep::default() }.settled(1e4, 2);
         assert!((s.orbital_speed_rpm - 6000.0).abs() < 1e-9);
         assert!((s.orbital_limits_rpm[0] - 5940.0).abs() < 0.2 && (s.orbital_limits_rpm[1] - 6060.0).abs() < 0.2);
         assert!((s.outer_amplitude_m_s2 - 4.0).abs() < 1e-9 && (s.outer_peak_m_s2 - 4.0).abs() < 0.02);

@@ -2,6 +2,7 @@
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
+use tribodyn_bearing::SearchWatch;
 use tribodyn_case::{Case, set_value};
 use tribodyn_identify::{Datum, Hypothesis, IdentifyError, LeastSquares, Problem, Quantity, Relation, identify};
 use tribodyn_quasistatic::{Model, solve};
@@ -60,7 +61,7 @@ fn synthetic(noise_seed: Option<u64>) -> Problem {
 
 #[test]
 fn identity_exact_data_give_the_parameters_back() {
-    let answer = &identify(&synthetic(None), CASE, &|| ()).unwrap()[0];
+    let answer = &identify(&synthetic(None), CASE, &|| (), &SearchWatch::default()).unwrap()[0];
     assert!(answer.cost < 1e-8, "cost {}", answer.cost);
     for (p, (_, truth)) in answer.parameters.iter().zip(TRUTH) {
         assert!((p.value - truth).abs() < 1e-3 * p.spread.max(1e-12), "{}: {} against {truth}", p.name, p.value);
@@ -73,7 +74,7 @@ fn identity_exact_data_give_the_parameters_back() {
 fn identity_noisy_data_give_the_parameters_within_two_spreads() {
     let mut inside = 0;
     for seed in 0..20 {
-        let answer = &identify(&synthetic(Some(seed)), CASE, &|| ()).unwrap()[0];
+        let answer = &identify(&synthetic(Some(seed)), CASE, &|| (), &SearchWatch::default()).unwrap()[0];
         let within = |(p, (_, truth)): (&tribodyn_identify::ParameterResult, (&str, f64))| {
             (p.value - truth).abs() <= 2.0 * p.spread
         };
@@ -86,11 +87,11 @@ fn identity_noisy_data_give_the_parameters_within_two_spreads() {
 #[test]
 fn identity_the_seed_and_the_threads_do_not_change_the_answer() {
     let problem = synthetic(Some(3));
-    let first = identify(&problem, CASE, &|| ()).unwrap();
-    assert_eq!(first, identify(&problem, CASE, &|| ()).unwrap());
+    let first = identify(&problem, CASE, &|| (), &SearchWatch::default()).unwrap();
+    assert_eq!(first, identify(&problem, CASE, &|| (), &SearchWatch::default()).unwrap());
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    assert_eq!(first, one.install(|| identify(&problem, CASE, &|| ())).unwrap());
-    let other = identify(&Problem { seed: 99, ..problem }, CASE, &|| ()).unwrap();
+    assert_eq!(first, one.install(|| identify(&problem, CASE, &|| (), &SearchWatch::default())).unwrap());
+    let other = identify(&Problem { seed: 99, ..problem }, CASE, &|| (), &SearchWatch::default()).unwrap();
     for (a, b) in first[0].parameters.iter().zip(&other[0].parameters) {
         assert!((a.value - b.value).abs() < 0.05 * a.spread, "{}: {} and {}", a.name, a.value, b.value);
     }
@@ -101,7 +102,7 @@ fn limit_an_undetermined_parameter_is_said_to_be_one() {
     // A cage speed alone cannot tell the two groove coefficients apart, and says little of either.
     let mut problem = synthetic(None);
     problem.data.truncate(1);
-    let answer = &identify(&problem, CASE, &|| ()).unwrap()[0];
+    let answer = &identify(&problem, CASE, &|| (), &SearchWatch::default()).unwrap()[0];
     let lost: Vec<_> = answer.parameters.iter().filter(|p| !p.determined).collect();
     assert!(lost.len() >= 2, "{:?}", answer.parameters);
     for p in lost {
@@ -113,7 +114,7 @@ fn limit_an_undetermined_parameter_is_said_to_be_one() {
 
 #[test]
 fn identity_every_share_sums_to_one_with_the_weak_prior_left_out() {
-    let answer = &identify(&synthetic(Some(1)), CASE, &|| ()).unwrap()[0];
+    let answer = &identify(&synthetic(Some(1)), CASE, &|| (), &SearchWatch::default()).unwrap()[0];
     for p in &answer.parameters {
         let sum: f64 = p.determined_by.iter().map(|(_, share)| share).sum();
         assert!(sum > 0.5 && sum <= 1.0 + 1e-9, "{}: {sum}", p.name);
@@ -122,7 +123,7 @@ fn identity_every_share_sums_to_one_with_the_weak_prior_left_out() {
 
 #[test]
 fn limit_the_completed_case_is_a_case_with_sources() {
-    let answer = &identify(&synthetic(Some(2)), CASE, &|| ()).unwrap()[0];
+    let answer = &identify(&synthetic(Some(2)), CASE, &|| (), &SearchWatch::default()).unwrap()[0];
     let case = Case::from_ron(&answer.case_text).unwrap();
     let source = format!("{:?}", case.sources["geometry.inner_groove"]);
     assert!(source.contains("Identified"), "{source}");
@@ -147,7 +148,7 @@ fn with_relations() -> Problem {
 fn identity_ratios_and_orders_are_data() {
     let problem = with_relations();
     problem.check().unwrap();
-    let answer = &identify(&problem, CASE, &|| ()).unwrap()[0];
+    let answer = &identify(&problem, CASE, &|| (), &SearchWatch::default()).unwrap()[0];
     for (p, (_, truth)) in answer.parameters.iter().zip(TRUTH) {
         assert!((p.value - truth).abs() < 1e-2 * p.spread, "{}: {} against {truth}", p.name, p.value);
     }
@@ -158,7 +159,7 @@ fn identity_ratios_and_orders_are_data() {
     // An order that does not hold pulls as a value does.
     let mut broken = problem;
     broken.data.last_mut().unwrap().value = 40.0;
-    let answer = &identify(&broken, CASE, &|| ()).unwrap()[0];
+    let answer = &identify(&broken, CASE, &|| (), &SearchWatch::default()).unwrap()[0];
     let order = answer.data.last().unwrap();
     assert!(order.deviation < 0.0 && (order.deviation - (order.computed - 40.0)).abs() < 1e-12, "{order:?}");
     assert!(answer.conflicts.iter().any(|c| c.starts_with("order is missed")), "{:?}", answer.conflicts);
@@ -168,7 +169,7 @@ fn identity_ratios_and_orders_are_data() {
 fn limit_the_evidence_is_the_integral_over_one_parameter() {
     let mut problem = synthetic(Some(4));
     problem.parameters.truncate(1);
-    let found = &identify(&problem, CASE, &|| ()).unwrap()[0];
+    let found = &identify(&problem, CASE, &|| (), &SearchWatch::default()).unwrap()[0];
     let squares = LeastSquares::new(&problem, CASE, None).unwrap();
     let (best, wide) = (&found.parameters[0], 15_000.0);
     let cost = |coordinate: f64| squares.point(nalgebra::DVector::from_element(1, coordinate), None).unwrap().cost();
@@ -193,7 +194,8 @@ fn limit_evidence_prefers_the_value_that_made_the_data() {
         hypothesis("free", &[]),
         hypothesis("false", &[(groove, "0.53")]),
     ];
-    let evidence: Vec<f64> = identify(&problem, CASE, &|| ()).unwrap().iter().map(|a| a.log_evidence).collect();
+    let evidence: Vec<f64> =
+        identify(&problem, CASE, &|| (), &SearchWatch::default()).unwrap().iter().map(|a| a.log_evidence).collect();
     // A free value explains as much and could have been anything; a false one explains nothing.
     assert!(evidence[0] > evidence[1] + 1.0 && evidence[1] > evidence[2] + 10.0, "{evidence:?}");
 }
@@ -211,9 +213,9 @@ fn limit_bad_problems_are_refused_with_their_place() {
     assert!(with("seed: 5", "seeds: 5").contains("line 2"));
     let mut problem = synthetic(None);
     problem.parameters[0].paths = vec!["ring.z.Force".into()];
-    assert!(matches!(identify(&problem, CASE, &|| ()), Err(IdentifyError::NotANumber { .. })));
+    assert!(matches!(identify(&problem, CASE, &|| (), &SearchWatch::default()), Err(IdentifyError::NotANumber { .. })));
     problem.parameters[0].paths = vec!["ring.w".into()];
-    assert!(matches!(identify(&problem, CASE, &|| ()), Err(IdentifyError::Path { .. })));
+    assert!(matches!(identify(&problem, CASE, &|| (), &SearchWatch::default()), Err(IdentifyError::Path { .. })));
     problem = synthetic(None);
     problem.data.push(Datum { value: f64::NAN, ..problem.data[0].clone() });
     assert!(problem.check().is_err());

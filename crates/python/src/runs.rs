@@ -11,6 +11,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tribodyn::{AnswerError, CaseFile, Change, Limits};
+use tribodyn_bearing::SearchWatch;
 use tribodyn_identify::{IdentifyError, Problem, identify as identified};
 use tribodyn_study::run::{Beginning, PreparedRun};
 use tribodyn_study::{LifeOptions, StudyError, read_text, wear_life};
@@ -91,8 +92,10 @@ pub fn life<'py>(
         until_s: until.map(|hours| hours * 3600.0),
         clearance_limit_m: clearance_limit.map(|um| um * 1e-6),
         equations: equations(py, model)?,
+        watch: SearchWatch::default(),
     };
     let (life, stopped) = watched(py, progress, true, move |watch| {
+        let options = LifeOptions { watch: watch.searches(), ..options };
         wear_life(&file, options, |_| {
             watch.add(1.0);
             if watch.stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -136,8 +139,10 @@ pub fn identify<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let Posed { problem, case } = posed(py, &path, seed, starts)?;
     let pool = pool(py, threads)?;
-    let (answers, _) =
-        watched(py, progress, false, move |watch| pool.install(|| identified(&problem, &case, &|| watch.add(1.0))))?;
+    let (answers, _) = watched(py, progress, false, move |watch| {
+        let told = || watch.add(1.0);
+        pool.install(|| identified(&problem, &case, &told, &watch.searches()))
+    })?;
     let answers = answers.map_err(|failure| error::identify(py, &path.display().to_string(), &failure))?;
     to_python(py, &answers)
 }

@@ -4,7 +4,7 @@ use crate::answers::equations;
 use crate::convert::to_python;
 use crate::error;
 use crate::runs::pool;
-use crate::watch::watched;
+use crate::watch::watched_by;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -146,7 +146,8 @@ impl NativeGrid {
         let pool = pool(py, threads)?;
         let (grid, cold) = (Arc::clone(&self.grid), self.cold);
         let threads = pool.current_num_threads();
-        let (plan, _) = watched(py, None, false, move |_| Plan::new(&grid, Shard::ALL, cold, threads))?;
+        let stop = Arc::clone(&grid.stop);
+        let (plan, _) = watched_by(py, None, (false, stop), move |_| Plan::new(&grid, Shard::ALL, cold, threads))?;
         to_python(py, &plan)
     }
 
@@ -161,7 +162,8 @@ impl NativeGrid {
         let (grid, cold, pool) = (Arc::clone(&self.grid), self.cold, pool(py, threads)?);
         let columns = grid.table_columns();
         let kinds: Vec<Column> = columns.clone();
-        let (solved, stopped) = watched(py, progress, true, move |watch| {
+        let stop = Arc::clone(&grid.stop);
+        let (solved, stopped) = watched_by(py, progress, (true, stop), move |watch| {
             let take = |rows: Vec<Vec<Cell>>| {
                 watch.add(rows.len() as f64);
                 (!watch.stopped()).then(|| transposed(&kinds, rows))
@@ -185,7 +187,8 @@ impl NativeGrid {
     ) -> PyResult<(usize, usize)> {
         let (grid, cold, pool) = (Arc::clone(&self.grid), self.cold, pool(py, threads)?);
         let part = Part { chunks: chunks.0..chunks.1.min(grid.chunks()), cold };
-        let (written, stopped) = watched(py, None, true, move |watch| {
+        let stop = Arc::clone(&grid.stop);
+        let (written, stopped) = watched_by(py, None, (true, stop), move |watch| {
             pool.install(|| write_part(&grid, &part, &path, |_| !watch.stopped()))
         })?;
         match (written.map_err(|failure| error::study(py, failure))?, stopped) {
@@ -208,7 +211,8 @@ impl NativeGrid {
     ) -> PyResult<(usize, usize, usize, usize)> {
         let shard = Shard::parse(shard).map_err(|allowed| error::argument(py, "shard", shard, &allowed))?;
         let (grid, cold, pool) = (Arc::clone(&self.grid), self.cold, pool(py, threads)?);
-        let (written, stopped) = watched(py, progress, true, move |watch| {
+        let stop = Arc::clone(&grid.stop);
+        let (written, stopped) = watched_by(py, progress, (true, stop), move |watch| {
             let mut sweep = Sweep::open(&grid, &Options { table, shard, cold, restart })?;
             let resumed = sweep.finished_rows();
             watch.add(resumed as f64);

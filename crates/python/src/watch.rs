@@ -15,7 +15,7 @@ const LOOK_EVERY: Duration = Duration::from_millis(50);
 /// What work tells of itself, and is told.
 #[derive(Default)]
 pub struct Watch {
-    stop: AtomicBool,
+    stop: Arc<AtomicBool>,
     done: AtomicU64,
 }
 
@@ -36,6 +36,11 @@ impl Watch {
     pub fn stopped(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
+
+    /// By which searches of the work are ended.
+    pub fn searches(&self) -> SearchWatch {
+        SearchWatch::new(Arc::new(Patience::of_seconds(f64::INFINITY).ended_with(Arc::clone(&self.stop))))
+    }
 }
 
 /// Does work on a thread of its own. `progress` is called with what is done; an interrupt, or an exception of
@@ -47,7 +52,18 @@ pub fn watched<R: Send + 'static>(
     wait: bool,
     work: impl FnOnce(&Watch) -> R + Send + 'static,
 ) -> PyResult<(R, Option<PyErr>)> {
-    let watch = Arc::new(Watch::default());
+    watched_by(py, progress, (wait, Arc::default()), work)
+}
+
+/// [`watched`] with a flag of one's own that asks the work to end.
+pub fn watched_by<R: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    (wait, stop): (bool, Arc<AtomicBool>),
+    work: impl FnOnce(&Watch) -> R + Send + 'static,
+) -> PyResult<(R, Option<PyErr>)> {
+    stop.store(false, Ordering::Relaxed);
+    let watch = Arc::new(Watch { stop, done: AtomicU64::default() });
     let (sender, receiver) = mpsc::channel();
     let of_work = Arc::clone(&watch);
     std::thread::spawn(move || {

@@ -2,7 +2,7 @@
 
 use cpu_time::ThreadTime;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 use tribodyn_bearing::{SearchObserver, SearchStage};
 
@@ -15,6 +15,8 @@ pub struct Patience {
     /// At the last look, µs.
     spent: AtomicU64,
     stopped: AtomicBool,
+    /// Ends this search with others.
+    with: Option<Arc<AtomicBool>>,
     stage: Mutex<Option<SearchStage>>,
 }
 
@@ -22,6 +24,12 @@ impl Patience {
     /// With a limit in s of processor time; none where that is infinite.
     pub fn of_seconds(limit: f64) -> Self {
         Self { limit: Duration::try_from_secs_f64(limit).ok(), ..Self::default() }
+    }
+
+    /// Ended with others, too, once the flag that they share is set.
+    #[must_use]
+    pub fn ended_with(self, others: Arc<AtomicBool>) -> Self {
+        Self { with: Some(others), ..self }
     }
 
     /// Ends the search.
@@ -49,7 +57,8 @@ impl SearchObserver for Patience {
     }
 
     fn stops(&self) -> bool {
-        if self.stopped.load(Ordering::Relaxed) {
+        let with_others = self.with.as_ref().is_some_and(|others| others.load(Ordering::Relaxed));
+        if with_others || self.stopped.load(Ordering::Relaxed) {
             return true;
         }
         let now = ThreadTime::now().as_duration();

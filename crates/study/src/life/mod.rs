@@ -16,7 +16,7 @@ use std::ops::ControlFlow;
 use tribodyn::answers::{Equations, OrbitProblem};
 use tribodyn::{AnswerError, CaseFile};
 use tribodyn_bearing::quantities::{OfBall, Over};
-use tribodyn_bearing::{BallResult, Bearing, Side};
+use tribodyn_bearing::{BallResult, Bearing, SearchWatch, Side};
 use tribodyn_case::{Case, Coatings, Fit, Purpose};
 use tribodyn_orbit::{OrbitStart, SolvedOrbit, steady_orbit, steady_orbit_from};
 use tribodyn_quasistatic::{Model, OperatingPoint, Solution, Solved, WarmStart, solve, solve_near};
@@ -30,7 +30,7 @@ const FOR_EVER: f64 = 1e12;
 const STEEL_SHOWS: f64 = 1.0 / 3.0;
 
 /// Choices of a life besides its case.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct LifeOptions {
     /// Strides in which a new coating is worn away at its fastest spot, or the clearance limit used up, 1 or more; the
     /// error falls in proportion to their number.
@@ -41,6 +41,8 @@ pub struct LifeOptions {
     pub clearance_limit_m: Option<f64>,
     /// Equations of each stride: with traction, as nothing slides without.
     pub equations: Equations,
+    /// By which the search of a stride is ended.
+    pub watch: SearchWatch,
 }
 
 /// Wears the raceways of a bearing until a coating is through, or wear has added the clearance or taken the time that
@@ -78,6 +80,7 @@ fn worn_life(
     mut progress: impl FnMut(&LifeStride) -> ControlFlow<()>,
 ) -> Result<Life, StudyError> {
     let mut worn = Worn::new(file, options.equations)?;
+    worn.point.watch = options.watch.clone();
     let loss_per_stride = 1.0 / f64::from(options.strides);
     let [inner, outer] = worn.raceways()?;
     let coated = [&inner, &outer].into_iter().any(|race| race.new_thickness() > 0.0);
@@ -267,7 +270,8 @@ impl<'a> Worn<'a> {
     fn orbit(&mut self, case: &Case) -> Result<State, StudyError> {
         let failed = |source| AnswerError::Orbit { file: self.file.name.clone(), source };
         let problem = OrbitProblem::of(case).map_err(|source| self.file.not_usable(source))?;
-        let OrbitProblem { bearing, point, cage, settings } = &problem;
+        let OrbitProblem { bearing, cage, settings, .. } = &problem;
+        let point = &OperatingPoint { watch: self.point.watch.clone(), ..problem.point.clone() };
         let solved = match &self.start {
             Some(Start::Orbit(near)) => steady_orbit_from(bearing, point, cage, settings, near),
             _ => steady_orbit(bearing, point, cage, settings),

@@ -89,7 +89,7 @@ impl<'a> LifeTable<'a> {
             let cells = [Cell::Integer(stride as i64), Cell::Text(serde_json::to_string(kept)?)];
             journal.append(stride, &(encode(&cells) + "\n"))
         };
-        worn_life(self.file, self.options, (std::mem::take(&mut self.kept), &mut keep), progress)
+        worn_life(self.file, self.options.clone(), (std::mem::take(&mut self.kept), &mut keep), progress)
     }
 
     /// Writes the table, under its name only when it is whole; the finished strides beside it are removed.

@@ -12,6 +12,7 @@ use std::sync::Arc;
 use tribodyn::Limits;
 use tribodyn::answers::Equations;
 use tribodyn::{CaseFile, Change};
+use std::sync::atomic::{AtomicBool, Ordering};
 use tribodyn_bearing::SearchWatch;
 use tribodyn_case::{Case, CaseError, Template, set_value};
 
@@ -60,6 +61,8 @@ pub struct Grid {
     pub rows: usize,
     /// Processor time of a row, s, after which its search is ended; infinite where it may take what it takes.
     pub time_limit_s: f64,
+    /// Once set, the searches of all rows end and no further row is begun.
+    pub stop: Arc<AtomicBool>,
 }
 
 impl Grid {
@@ -148,8 +151,20 @@ impl Grid {
     ) -> Result<Self, StudyError> {
         let (name, base) = (name.to_owned(), String::new());
         let (limits, time_limit_s) = (*limits, f64::INFINITY);
-        let mut grid =
-            Self { model, name, original, fixed, base, template: None, limits, axes, order, rows, time_limit_s };
+        let mut grid = Self {
+            model,
+            name,
+            original,
+            fixed,
+            base,
+            template: None,
+            limits,
+            axes,
+            order,
+            rows,
+            time_limit_s,
+            stop: Arc::default(),
+        };
         // The first row stands for the case without axes too: messages come from there.
         grid.base = grid.original.clone();
         for change in &grid.fixed {
@@ -209,12 +224,13 @@ impl Grid {
 
     /// The link of one row's search to the limit on its time.
     pub(crate) fn watch(&self) -> SearchWatch {
-        let limited = self.time_limit_s.is_finite();
-        if limited {
-            SearchWatch::new(Arc::new(Patience::of_seconds(self.time_limit_s)))
-        } else {
-            SearchWatch::default()
-        }
+        let patience = Patience::of_seconds(self.time_limit_s).ended_with(Arc::clone(&self.stop));
+        SearchWatch::new(Arc::new(patience))
+    }
+
+    /// Whether no further row is begun.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
     }
 
     /// Distance in rows of neighbours along each axis.

@@ -139,11 +139,12 @@ impl<'a> Sweep<'a> {
         // One chunk at a time for each thread: the next free thread takes the next one.
         open.par_iter().with_max_len(1).try_for_each(|&chunk| {
             let rows = grid.chunk(chunk);
-            let lines = Chunk::new(grid, cold).lines(rows.clone());
+            let stopped = || StudyError::SweepStopped { path: path.clone() };
+            let lines = Chunk::new(grid, cold).lines(rows.clone()).ok_or_else(stopped)?;
             journal.lock().unwrap_or_else(PoisonError::into_inner).append(chunk, &lines)?;
             match progress(rows.len()) {
                 ControlFlow::Continue(()) => Ok(()),
-                ControlFlow::Break(()) => Err(StudyError::SweepStopped { path: path.clone() }),
+                ControlFlow::Break(()) => Err(stopped()),
             }
         })
     }

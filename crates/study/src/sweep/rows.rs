@@ -30,9 +30,17 @@ impl<'a> Chunk<'a> {
         Self { grid, cold, equilibria: Neighbours::new(), orbits: Neighbours::new() }
     }
 
-    /// The lines of some rows, each with its end.
-    pub fn lines(&mut self, rows: Range<usize>) -> String {
-        rows.map(|row| columns::encode(&self.row(row)) + "\n").collect()
+    /// The lines of some rows, each with its end; none where the sweep was stopped on the way.
+    pub fn lines(&mut self, rows: Range<usize>) -> Option<String> {
+        Some(self.rows(rows)?.iter().map(|row| columns::encode(row) + "\n").collect())
+    }
+
+    /// The fields of some rows; none where the sweep was stopped on the way.
+    fn rows(&mut self, rows: Range<usize>) -> Option<Vec<Vec<Cell>>> {
+        let grid = self.grid;
+        let solved = rows.map(|row| (!grid.is_stopped()).then(|| self.row(row))).collect();
+        // The search that a stop ended says nothing of its row.
+        if grid.is_stopped() { None } else { solved }
     }
 
     /// The fields of a row.
@@ -121,7 +129,7 @@ pub fn solve_chunks<T: Send>(
 ) -> Option<Vec<T>> {
     let solve = |index| {
         let mut chunk = Chunk::new(grid, cold);
-        take(grid.chunk(index).map(|row| chunk.row(row)).collect())
+        chunk.rows(grid.chunk(index)).and_then(&take)
     };
     chunks.into_par_iter().with_max_len(1).map(solve).collect()
 }
