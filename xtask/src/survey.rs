@@ -7,18 +7,21 @@ use crate::error::Failure;
 use crate::terminal::{print, progress};
 use std::fmt::Write;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 use tribodyn::answers::Equations;
 use tribodyn_case::CaseError;
 use tribodyn_paper::{PaperError, files, markers, table};
 use tribodyn_study::survey::{
-    AtRest, ModelCounts, Options, RandomBearing, Regime, SchemeCounts, Tally, Trial, Verdict, survey, survey_at_rest,
+    AtRest, Compared, ModelCounts, Options, RandomBearing, Regime, SchemeCounts, Tally, Trial, Verdict, survey,
+    survey_at_rest, survey_stiffness,
 };
 
 /// Marks of the blocks of equilibria, of orbits and of runs: what was not tried this time stays.
 const EQUILIBRIA: [&str; 2] = ["<!-- survey:begin -->", "<!-- survey:end -->"];
 const ORBITS: [&str; 2] = ["<!-- survey-orbits:begin -->", "<!-- survey-orbits:end -->"];
 const RUNS: [&str; 2] = ["<!-- survey-runs:begin -->", "<!-- survey-runs:end -->"];
+const STIFFNESS: [&str; 2] = ["<!-- survey-stiffness:begin -->", "<!-- survey-stiffness:end -->"];
 const DOCUMENT: &str = "docs/reliability.md";
 
 /// Options of `cargo xtask survey`.
@@ -36,6 +39,9 @@ pub struct Arguments {
     /// Bearings to solve at rest, by every model and in pairs on a shaft, from the first on
     #[arg(long, default_value_t = 0)]
     at_rest: u64,
+    /// Bearings whose stiffness is compared with differences of solutions, from the first on
+    #[arg(long, default_value_t = 0)]
+    stiffness: u64,
     /// Seed of the family of bearings
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -93,16 +99,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         (RUNS, options.runs, runs(&tally, options.longest_run)),
     ];
     for (marks, count, block) in blocks.into_iter().filter(|(_, count, _)| *count > 0) {
-        let Arguments { seed, first, .. } = arguments;
-        let block = format!("Bearings {first} to {} of seed {seed}.\n\n{block}\n", first + count - 1);
-        print(&block)?;
-        if arguments.write {
-            let path = files::root().join(DOCUMENT);
-            let text = markers::replaced(DOCUMENT, &files::read(&path)?, &block, marks)?;
-            files::write(&path, text.as_bytes())?;
-        }
+        show(arguments, marks, count, &block)?;
     }
-    let missed = at_rest(arguments).map_err(refused)?;
+    let (block, off) = stiffness(arguments, &options.models).map_err(refused)?;
+    if arguments.stiffness > 0 {
+        show(arguments, STIFFNESS, arguments.stiffness, &block)?;
+    }
+    let missed = off + at_rest(arguments).map_err(refused)?;
     let failed = missed
         + tally.solutions.values().map(|of| of.counts.failed).sum::<usize>()
         + tally.runs.values().map(|scheme| scheme.counts.failed).sum::<usize>();
@@ -112,6 +115,63 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Check { what: "survey", findings });
     }
     Ok(())
+}
+
+/// Prints a table, and writes it into the document where that is asked for.
+fn show(arguments: &Arguments, marks: [&'static str; 2], count: u64, block: &str) -> Result<(), Failure> {
+    let Arguments { seed, first, .. } = arguments;
+    let block = format!("Bearings {first} to {} of seed {seed}.\n\n{block}\n", first + count - 1);
+    print(&block)?;
+    if arguments.write {
+        let path = files::root().join(DOCUMENT);
+        let text = markers::replaced(DOCUMENT, &files::read(&path)?, &block, marks)?;
+        files::write(&path, text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Stiffness beside differences, as a table; how many matrices are off without a word.
+fn stiffness(arguments: &Arguments, models: &[Equations]) -> Result<(String, usize), CaseError> {
+    let Arguments { seed, first, stiffness: count, .. } = *arguments;
+    let mut off = 0;
+    let mut rows = Vec::new();
+    for model in models {
+        let done = AtomicU64::new(0);
+        let finished = || {
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            if done.is_multiple_of(16) {
+                progress(&format!("stiffness, {}: {done} of {count}", model.name()));
+            }
+        };
+        let compared = survey_stiffness((seed, first), count, *model, &finished)?;
+        for (index, one) in compared.iter().enumerate() {
+            if let Verdict::Failed(why) = &one.verdict {
+                progress(&format!("stiffness of bearing {}: {why}", first + index as u64));
+            }
+        }
+        rows.push(stiffness_row(*model, &compared));
+        off += compared.iter().filter(|one| matches!(one.verdict, Verdict::Failed(_))).count();
+    }
+    let head = ["model", "bearings", "judged", "within 1e-3", "say it themselves", "off", "median", "99 %", "largest"];
+    Ok((table::markdown(&head, &rows), off))
+}
+
+fn stiffness_row(model: Equations, compared: &[Compared]) -> Vec<String> {
+    let mut deviations: Vec<f64> = compared.iter().filter_map(|one| one.deviation).collect();
+    deviations.sort_by(f64::total_cmp);
+    let at = |share: f64| {
+        let index = (share * deviations.len().saturating_sub(1) as f64).round() as usize;
+        deviations.get(index).map_or_else(|| "–".to_owned(), |deviation| format!("{deviation:.1e}"))
+    };
+    let count = |of: fn(&Compared) -> bool| compared.iter().filter(|one| of(one)).count().to_string();
+    let counts = [
+        count(|one| one.deviation.is_some()),
+        count(|one| one.verdict == Verdict::Good),
+        count(|one| one.deviation.is_some() && matches!(one.verdict, Verdict::Explained(_))),
+        count(|one| matches!(one.verdict, Verdict::Failed(_))),
+    ];
+    let head = [model.name().to_owned(), compared.len().to_string()];
+    head.into_iter().chain(counts).chain([0.5, 0.99, 1.0].map(at)).collect()
 }
 
 /// The verdict on a part of a trial.

@@ -105,7 +105,7 @@ fn show(patience: &Patience, done: &AtomicBool, limit_s: f64, terminal: bool) {
         if !terminal && !told && patience.spent_s() > QUIET_S {
             told = true;
             tell(&format!(
-                "seeking the operating point: {stage}; given up after {limit_s} s of processor time (--time-limit)"
+                "seeking the operating point: {stage}; it may take {limit_s} s of processor time (--time-limit)"
             ));
         }
         std::thread::park_timeout(LOOK_EVERY);

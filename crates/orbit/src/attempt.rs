@@ -195,7 +195,7 @@ pub(crate) fn finish(
     eased: Eased,
 ) -> Result<SolvedOrbit, OrbitError> {
     let (found, balls, patch_error) = sharpened(newton, found, problem)?;
-    let solution = solution(newton, &found, (&balls, patch_error), &eased);
+    let solution = solution(newton, &found, (&balls, patch_error), (&eased, problem.cage.pocket.damping));
     let (orbit, _) = found;
     let speeds = Races { inner: problem.point.inner_speed, outer: problem.point.outer_speed };
     let jacobian = newton.last.take().filter(|last| last.is_of(&orbit));

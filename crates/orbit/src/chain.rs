@@ -143,7 +143,6 @@ impl Linear {
 
     /// Largest modulus of a Floquet multiplier of a ball over the turn, cage and ring held: below one, a ball that is
     /// moved off its orbit comes back to it.
-    #[cfg(feature = "modes")]
     pub fn multiplier(&self) -> f64 {
         self.turn.complex_eigenvalues().iter().map(|v| v.re.hypot(v.im)).fold(0.0, f64::max)
     }

@@ -3,6 +3,7 @@
 mod attempt;
 mod chain;
 mod collocation;
+mod damping;
 mod detours;
 mod direct;
 mod error;
@@ -24,12 +25,13 @@ mod stiffness;
 mod system;
 mod way;
 
+pub use damping::LessDamping;
 pub use error::{OrbitError, OrbitPlace, OrbitReason};
 #[cfg(feature = "modes")]
 pub use modes::{Bodies, EnergyShares, Mode, OrbitModes, orbit_modes};
 pub use newton::OrbitStatistics;
 pub use settings::OrbitSettings;
 pub use solution::{POINTS, SteadyOrbit};
-pub use solve::{orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near};
+pub use solve::{less_damped_orbit, orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near};
 pub use solved::{OrbitStart, SolvedOrbit};
 pub use stiffness::OrbitStiffness;

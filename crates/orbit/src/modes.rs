@@ -12,6 +12,7 @@
 use crate::OrbitError;
 use crate::attempt::{Problem, found, prepared};
 use crate::collocation::Orbit;
+use crate::damping::KEEPS;
 use crate::newton::Newton;
 use crate::settings::OrbitSettings;
 use crate::solved::OrbitStart;
@@ -143,19 +144,14 @@ pub fn orbit_modes(
     Ok(OrbitModes { modes, multiplier, growth_rate_per_s: multiplier.ln() / turn, warnings })
 }
 
-/// Largest multiplier of an orbit that a ball keeps to. Where no ball touches its pocket one is 1: a ball may go before
-/// or behind as it likes.
-const KEEPS: f64 = 1.01;
-
-/// What becomes of a small disturbance of a ball over a turn: the largest multiplier, a sentence where it grows.
+/// What becomes of a small disturbance of a ball over a turn: the largest multiplier, a sentence where it grows. Where
+/// no ball touches its pocket one is 1: a ball may go before or behind as it likes.
 fn multiplier(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<(f64, Option<String>), OrbitError> {
-    newton.system.ring = orbit.ring.map(RingFreedom::Held);
-    newton.system.held = Some(orbit.cage_speed);
-    let multiplier = newton.linearise(orbit)?.multiplier();
+    let multiplier = newton.multiplier(orbit)?;
     let grows = (multiplier > KEEPS).then(|| {
         format!(
-            "a ball that is moved off this orbit a little is {multiplier:.2} times as far off a turn later: a run swings \
-             about the orbit, and its means differ from it"
+            "a ball that is moved off this orbit a little is {multiplier:.2} times as far off a turn later: a run \
+             swings about the orbit, and its means differ from it"
         )
     });
     Ok((multiplier, grows))

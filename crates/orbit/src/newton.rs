@@ -267,6 +267,17 @@ impl<'a> Newton<'a> {
         Linear::new(slopes, &direct)
     }
 
+    /// Largest modulus of a Floquet multiplier of a ball on an orbit, cage and ring held: below one, a ball that is
+    /// moved off it comes back.
+    pub fn multiplier(&mut self, orbit: &Orbit) -> Result<f64, OrbitError> {
+        let held = orbit.ring.map(RingFreedom::Held);
+        let ring = std::mem::replace(&mut self.system.ring, held);
+        let cage = self.system.held.replace(orbit.cage_speed);
+        let linear = self.linearise(orbit);
+        (self.system.ring, self.system.held) = (ring, cage);
+        Ok(linear?.multiplier())
+    }
+
     /// Slopes of the border's residuals by the border itself, without the balls.
     fn border_slopes(&self, orbit: &Orbit) -> [[f64; BORDER]; BORDER] {
         let mut slopes = [[0.0; BORDER]; BORDER];

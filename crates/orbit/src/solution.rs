@@ -1,6 +1,7 @@
 //! Results of a steady orbit.
 
 use crate::collocation::Orbit;
+use crate::damping::{LessDamping, not_followed, pocket_force_max};
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
@@ -14,7 +15,7 @@ use tribodyn_quasistatic::{Model, Solution};
 pub const POINTS: usize = 180;
 
 /// r/min per rad/s.
-const RPM_PER_RAD_S: f64 = 60.0 / TAU;
+pub(crate) const RPM_PER_RAD_S: f64 = 60.0 / TAU;
 
 /// The periodic motion of balls and cage under steady loads.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,7 +38,7 @@ pub struct SteadyOrbit {
     pub fluid_w: f64,
     /// Mean power of friction and damping in the pockets, W.
     pub pocket_w: f64,
-    /// Largest pocket force of either direction, N.
+    /// Largest pocket force of either direction, N; where the pockets' damping is raised, at the places of `points`.
     pub pocket_force_max_n: f64,
     /// Azimuths at which a ball meets a wall of its pocket, degrees.
     pub pocket_contact_azimuths_deg: Vec<f64>,
@@ -57,6 +58,11 @@ pub struct SteadyOrbit {
     pub ball_mass_factor: Option<f64>,
     /// Stiffness of the pockets over that of the case, where no orbit was found with that; absent where it is.
     pub pocket_stiffness_share: Option<f64>,
+    /// Damping of the pockets and that of the case, χ of Hunt and Crossley, s/m, where balls touch their pockets and
+    /// the orbit was found with more than the case gives; absent where that has no part.
+    pub raised_pocket_damping_s_per_m: Option<[f64; 2]>,
+    /// The orbit with the case's own damping of the pockets, where it was asked for and differs.
+    pub less_damped: Option<LessDamping>,
     /// True if the inner ring turns without touching a ball, and balls and cage stand still.
     pub undriven: bool,
     /// The balls when they stand where those of an equilibrium do, the first at azimuth 0.
@@ -108,6 +114,16 @@ impl SteadyOrbit {
         };
         lost.into_iter().chain(swinging).chain(eased.sentences()).collect()
     }
+
+    /// What the raised damping of the pockets changes, where that was looked at and is worth a sentence, or that no
+    /// orbit with less of it was found.
+    pub fn damping_sentence(&self) -> Option<String> {
+        let [raised, given] = self.raised_pocket_damping_s_per_m?;
+        match self.less_damped {
+            Some(less) => less.sentence(self),
+            None => Some(not_followed(raised, given)),
+        }
+    }
 }
 
 /// A ball as a result, with what a motion has besides an equilibrium.
@@ -150,15 +166,23 @@ pub(crate) fn placed(newton: &Newton<'_>, orbit: &Orbit, count: usize) -> impl I
 /// A patch rule that cannot be laid out for the estimate of its error.
 pub(crate) fn solution(
     newton: &Newton<'_>,
-    (orbit, found): &Found,
+    at: &Found,
     (balls, patch_error_estimate): (&[Placed], f64),
-    eased: &Eased,
+    (eased, given): (&Eased, f64),
 ) -> SteadyOrbit {
+    let (orbit, found) = at;
     let system = &newton.system;
     let means = &found.means;
     let result = |(azimuth, y, e): &Placed| ball_result(system, *azimuth, y, e);
     let points: Vec<BallResult> = placed(newton, orbit, POINTS).map(|at| result(&at)).collect();
     let count = system.bearing.geometry.ball_count as f64;
+    let given = [system.cage.pocket.damping, given];
+    let touches = pocket_force_max(newton, at);
+    let raised = (touches > 0.0 && given[0] > given[1]).then_some(given);
+    // A ball may meet its pocket between two points of the result; raised damping makes much of the first touch, which
+    // is no force of the case.
+    let at_points = points.iter().filter_map(|p| p.pocket).map(|p| p.force_n.abs()).fold(0.0, f64::max);
+    let pocket_force_max_n = if raised.is_some() { at_points } else { touches.max(at_points) };
     let [x, y, z, tilt @ ..] = orbit.ring;
     let [fx, fy, fz, moment @ ..] = means.ring;
     SteadyOrbit {
@@ -171,7 +195,7 @@ pub(crate) fn solution(
         friction_w: means.friction.map(|w| count * w),
         fluid_w: count * means.fluid,
         pocket_w: count * means.pocket,
-        pocket_force_max_n: points.iter().filter_map(|p| p.pocket).map(|p| p.force_n.abs()).fold(0.0, f64::max),
+        pocket_force_max_n,
         pocket_contact_azimuths_deg: contacts(newton, orbit),
         residual: found.worst.relative,
         patch_error_estimate,
@@ -180,6 +204,8 @@ pub(crate) fn solution(
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
         ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),
         pocket_stiffness_share: (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness),
+        raised_pocket_damping_s_per_m: raised,
+        less_damped: None,
         undriven: false,
         balls: balls.iter().map(result).collect(),
         points,

@@ -2,6 +2,7 @@
 
 use crate::OrbitError;
 use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, found, prepared, resent, rolled, warm};
+use crate::damping::{LessDamping, less_damped};
 use crate::detours::detour;
 use crate::newton::Newton;
 use crate::residual::Found;
@@ -133,6 +134,25 @@ pub fn orbit_stiffness(
     let (stiffness, error_estimate) = stiffness(&mut newton, &solved.orbit, settings.tolerance)?;
     let warnings = solved.sentences().into_iter().chain(doubt(error_estimate)).collect();
     Ok(OrbitStiffness { stiffness, error_estimate, warnings })
+}
+
+/// The same orbit with the damping that the case gives its pockets, for what the raised damping of the search changes;
+/// none where it changes nothing, or no orbit is found with less. It takes some times as long as the orbit itself.
+///
+/// # Errors
+/// [`OrbitError::Traction`].
+pub fn less_damped_orbit(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    cage: &CageBody,
+    settings: &OrbitSettings,
+    solved: &OrbitStart,
+) -> Result<Option<LessDamping>, OrbitError> {
+    let bearing = &solved.eased.of(&prepared(bearing, settings));
+    let problem = Problem { bearing, point, cage, settings };
+    let mut newton = found(problem, solved)?;
+    let residual = newton.residual(&solved.orbit);
+    less_damped(&mut newton, (solved.orbit.clone(), residual), problem)
 }
 
 /// The same on the mesh of the orbit and unchecked: slopes for Newton's method on a system that the bearing is part of,

@@ -98,6 +98,8 @@ fn at_rest(
         swing_damping: None,
         ball_mass_factor: None,
         pocket_stiffness_share: None,
+        raised_pocket_damping_s_per_m: None,
+        less_damped: None,
         undriven: false,
         points: balls.clone(),
         balls,

@@ -3,6 +3,7 @@
 mod support;
 
 mod checked;
+mod damped;
 mod kicked;
 mod limits;
 mod linear;

@@ -9,10 +9,10 @@ use crate::patience::Patience;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use tribodyn::Limits;
 use tribodyn::answers::Equations;
 use tribodyn::{CaseFile, Change};
-use std::sync::atomic::{AtomicBool, Ordering};
 use tribodyn_bearing::SearchWatch;
 use tribodyn_case::{Case, CaseError, Template, set_value};
 

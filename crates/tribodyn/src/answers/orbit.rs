@@ -8,7 +8,7 @@ use serde::{Serialize, Serializer};
 use tribodyn_bearing::quantities::Fields;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, InputError, Purpose};
-use tribodyn_orbit::{OrbitSettings, OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit};
+use tribodyn_orbit::{OrbitSettings, OrbitStart, SolvedOrbit, SteadyOrbit, less_damped_orbit, steady_orbit};
 use tribodyn_quasistatic::Solution;
 
 /// A bearing with its cage at an operating point.
@@ -85,7 +85,8 @@ impl OrbitAnswer {
         Self::with_start(question).map(|(_, answer, _)| answer)
     }
 
-    /// The same with its sensitivities to assumed values, the leading ones among the warnings.
+    /// The same with its sensitivities to assumed values, the leading ones among the warnings, and with what the damping
+    /// changes that a search gives the pockets.
     ///
     /// # Errors
     /// As [`Self::of`].
@@ -94,7 +95,9 @@ impl OrbitAnswer {
         if let Some(start) = start.filter(|_| answer.findings.loaded()) {
             answer.sensitivities = sensitivities(question.case, (&problem, &start));
             let torque = answer.orbit.shaft_torque_nm;
-            for warning in answer.sensitivities.iter().filter_map(|found| found.warning(torque)) {
+            let assumed = answer.sensitivities.iter().filter_map(|found| found.warning(torque));
+            let warnings: Vec<String> = assumed.chain(less_damped(&problem, (&mut answer.orbit, &start))).collect();
+            for warning in warnings {
                 answer.findings = answer.findings.with(warning.clone());
                 answer.solution.warnings.push(warning.clone());
                 answer.round.warnings.push(warning);
@@ -119,6 +122,15 @@ impl OrbitAnswer {
         let lives = Lives::of(question.case, &solution, findings.loaded());
         Ok(Self { orbit, solution, round, lives, findings, sensitivities: Vec::new() })
     }
+}
+
+/// What the damping of the pockets changes that the search has raised, as a sentence where that is worth one.
+fn less_damped(problem: &OrbitProblem, (orbit, start): (&mut SteadyOrbit, &OrbitStart)) -> Option<String> {
+    orbit.raised_pocket_damping_s_per_m?;
+    let OrbitProblem { bearing, point, cage, settings } = problem;
+    let found = less_damped_orbit(bearing, point, cage, settings, start);
+    orbit.less_damped = found.ok().flatten();
+    orbit.damping_sentence()
 }
 
 /// An orbit as `solve --json` prints it.
