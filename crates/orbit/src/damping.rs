@@ -1,16 +1,17 @@
 //! The orbit with the damping that a case gives its pockets: a search needs more, so that balls do not bounce on, and
 //! the answer says what that changes.
 
-use crate::attempt::Problem;
 use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::search::{HASTE, PATIENCE, damped};
-use crate::solution::{RPM_PER_RAD_S, SteadyOrbit};
 use crate::system::LEAD;
 use crate::{OrbitError, OrbitSettings};
 use serde::Serialize;
+use std::f64::consts::TAU;
 
+/// r/min per rad/s.
+pub(crate) const RPM_PER_RAD_S: f64 = 60.0 / TAU;
 /// Factor of the damping from orbit to orbit, at first and at least as near to 1 as is tried: where none is found half
 /// the way on the logarithmic scale is tried.
 const LOWER: f64 = 0.316;
@@ -50,12 +51,10 @@ impl LessDamping {
     }
 
     /// Sentence on what the raised damping changes; none where that is next to nothing.
-    pub(crate) fn sentence(&self, orbit: &SteadyOrbit) -> Option<String> {
-        let pairs = [
-            (orbit.cage_speed_rpm, self.cage_speed_rpm),
-            (orbit.shaft_torque_nm, self.shaft_torque_nm),
-            (orbit.pocket_force_max_n, self.pocket_force_max_n),
-        ];
+    /// Given are cage speed, r/min, torque, N m, and pocket force, N, with the raised damping.
+    pub(crate) fn sentence(&self, with_raised: [f64; 3]) -> Option<String> {
+        let own = [self.cage_speed_rpm, self.shaft_torque_nm, self.pocket_force_max_n];
+        let pairs: [(f64, f64); 3] = std::array::from_fn(|k| (with_raised[k], own[k]));
         let moved = pairs.iter().zip(CHANGES).any(|((a, b), least)| (a - b).abs() > least * b.abs());
         if !moved && self.is_given() && self.multiplier <= KEEPS {
             return None;
@@ -77,7 +76,7 @@ impl LessDamping {
              N{stays}",
             raised(self.raised_s_per_m, self.given_s_per_m),
             self.cage_speed_rpm,
-            orbit.cage_speed_rpm,
+            with_raised[0],
         ))
     }
 }
@@ -107,9 +106,9 @@ pub(crate) fn not_followed(damping: f64, given: f64) -> String {
 pub(crate) fn less_damped(
     newton: &mut Newton<'_>,
     found: Found,
-    Problem { cage, settings, .. }: Problem<'_>,
+    (given, settings): (f64, &OrbitSettings),
 ) -> Result<Option<LessDamping>, OrbitError> {
-    let (raised, given) = (newton.system.cage.pocket.damping, cage.pocket.damping);
+    let raised = newton.system.cage.pocket.damping;
     if given >= raised || pocket_force_max(newton, &found) == 0.0 {
         return Ok(None);
     }

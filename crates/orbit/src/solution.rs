@@ -1,7 +1,7 @@
 //! Results of a steady orbit.
 
 use crate::collocation::Orbit;
-use crate::damping::{LessDamping, not_followed, pocket_force_max};
+use crate::damping::{LessDamping, RPM_PER_RAD_S, not_followed, pocket_force_max};
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
@@ -13,9 +13,6 @@ use tribodyn_quasistatic::{Model, Solution};
 
 /// Places round the orbit at which a solution is given: every two degrees.
 pub const POINTS: usize = 180;
-
-/// r/min per rad/s.
-pub(crate) const RPM_PER_RAD_S: f64 = 60.0 / TAU;
 
 /// The periodic motion of balls and cage under steady loads.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -120,7 +117,7 @@ impl SteadyOrbit {
     pub fn damping_sentence(&self) -> Option<String> {
         let [raised, given] = self.raised_pocket_damping_s_per_m?;
         match self.less_damped {
-            Some(less) => less.sentence(self),
+            Some(less) => less.sentence([self.cage_speed_rpm, self.shaft_torque_nm, self.pocket_force_max_n]),
             None => Some(not_followed(raised, given)),
         }
     }

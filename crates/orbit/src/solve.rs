@@ -152,7 +152,7 @@ pub fn less_damped_orbit(
     let problem = Problem { bearing, point, cage, settings };
     let mut newton = found(problem, solved)?;
     let residual = newton.residual(&solved.orbit);
-    less_damped(&mut newton, (solved.orbit.clone(), residual), problem)
+    less_damped(&mut newton, (solved.orbit.clone(), residual), (cage.pocket.damping, settings))
 }
 
 /// The same on the mesh of the orbit and unchecked: slopes for Newton's method on a system that the bearing is part of,

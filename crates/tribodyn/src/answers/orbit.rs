@@ -85,8 +85,8 @@ impl OrbitAnswer {
         Self::with_start(question).map(|(_, answer, _)| answer)
     }
 
-    /// The same with its sensitivities to assumed values, the leading ones among the warnings, and with what the damping
-    /// changes that a search gives the pockets.
+    /// The same with its sensitivities to assumed values, the leading ones among the warnings, and with what it changes
+    /// that a search damps the pockets.
     ///
     /// # Errors
     /// As [`Self::of`].
