@@ -71,6 +71,9 @@ where
     F: for<'a> FnOnce(&mut Newton<'a>, &RollingStart, &Way<'a>) -> Result<(Found, Eased), OrbitError>,
 {
     let Problem { bearing, point, cage, .. } = problem;
+    if point.watch.stops() {
+        return Err(OrbitError::Ended);
+    }
     if [slower.inner_speed, slower.outer_speed] == [0.0; 2] {
         return statics::still(bearing, point, cage);
     }

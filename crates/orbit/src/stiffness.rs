@@ -64,6 +64,9 @@ pub(crate) fn stiffness(
     let linear = newton.linearise(orbit)?;
     let mut at = Slope::new(newton, orbit.clone(), linear)?;
     for _ in 0..HALVINGS {
+        if newton.watch.stops() {
+            return Err(OrbitError::Ended);
+        }
         let finer = halved(newton, &at.orbit);
         let met = newton.met(finer.clone(), (tolerance, PATIENCE));
         let is_met = met.is_some();
