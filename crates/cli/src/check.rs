@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
+use crate::rating::frequency_rows;
 use crate::table::{self, number};
 use tribodyn::answers::{Derived, GrowthAnswer, derived};
 use tribodyn_bearing::SearchWatch;
@@ -80,6 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("ellipticity outer", number(a.ellipticity_outer, 4), ""),
         ("cage speed, rolling at the free angle", number(a.cage_speed_free_rpm, 1), "r/min"),
     ];
+    rows.extend(a.frequencies.iter().flat_map(frequency_rows));
     if let (Some(drag), Some(density)) = (a.drag_per_ball_n, a.effective_fluid_density_kg_m3) {
         rows.push(("effective fluid density", number(density, 2), "kg/m³"));
         rows.push(("drag per ball at that speed", number(drag, 1), "N"));

@@ -7,6 +7,7 @@ use crate::solve::ModelName;
 use crate::table::{self, number};
 use tribodyn::answers::rated;
 use tribodyn::rating::{Rating, RatingSource};
+use tribodyn_signal::BearingFrequencies;
 
 /// Rating life of the bearing's steel by ISO 281 and ISO/TS 16281, and static safety by ISO 76.
 ///
@@ -37,14 +38,28 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let findings = found.findings();
     let name = format!("{}: {}", file.name, crate::harmless::visible(&file.case.name));
     table::print_head(&name, findings)?;
-    table::print_pairs(&rows(found.value(), findings.model().name()))?;
+    let mut printed = rows(found.value(), findings.model().name());
+    printed.extend(found.value().frequencies.iter().flat_map(frequency_rows));
+    table::print_pairs(&printed)?;
     if let Some(note) = &found.value().lubrication_note {
         table::print_line(&format!("note: {note}"))?;
     }
     table::print_warnings(findings.warnings())
 }
 
-type Row = (&'static str, String, &'static str);
+pub type Row = (&'static str, String, &'static str);
+
+/// Frequencies of defects, a row each.
+pub fn frequency_rows(f: &BearingFrequencies) -> Vec<Row> {
+    vec![
+        ("rotation", number(f.shaft_hz, 3), "Hz"),
+        ("cage, FTF", number(f.cage_hz, 3), "Hz"),
+        ("defect of the outer race, BPFO", number(f.ball_pass_outer_hz, 3), "Hz"),
+        ("defect of the inner race, BPFI", number(f.ball_pass_inner_hz, 3), "Hz"),
+        ("turns of a ball, BSF", number(f.ball_spin_hz, 3), "Hz"),
+        ("defect of a ball, 2 BSF", number(f.ball_defect_hz, 3), "Hz"),
+    ]
+}
 
 /// Ratings, lives and safeties, a row each.
 pub fn rows(r: &Rating, model: &'static str) -> Vec<Row> {

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments, change};
+use crate::rating::{Row, frequency_rows};
 use crate::table::{self, number};
 use std::path::PathBuf;
 use tribodyn::Change;
@@ -78,8 +79,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     found.warnings.iter().try_for_each(|warning| table::print_line(&format!("warning: {warning}")))
 }
 
-type Row = (&'static str, String, &'static str);
-
 /// A number that there is under load only.
 fn shown(value: Option<f64>, factor: f64, digits: usize) -> String {
     value.map_or_else(|| "no load: not defined".to_owned(), |value| number(value * factor, digits))
@@ -128,15 +127,8 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
         ("Deflection and stiffness", deflection),
         ("Friction", friction),
     ];
-    if let Some(f) = &s.frequencies {
-        let rows = vec![
-            ("rotation", number(f.shaft_hz, 3), "Hz"),
-            ("cage", number(f.cage_hz, 3), "Hz"),
-            ("defect of the outer race", number(f.ball_pass_outer_hz, 3), "Hz"),
-            ("defect of the inner race", number(f.ball_pass_inner_hz, 3), "Hz"),
-            ("defect of a ball", number(f.ball_defect_hz, 3), "Hz"),
-        ];
-        parts.push(("Frequencies", rows));
+    if let Some(found) = &s.rating.frequencies {
+        parts.push(("Frequencies", frequency_rows(found)));
     }
     parts
 }

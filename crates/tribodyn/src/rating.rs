@@ -3,13 +3,14 @@
 
 use crate::plausibility::case_loads;
 use serde::Serialize;
-use tribodyn_bearing::Side;
-use tribodyn_case::{Case, Fit};
+use tribodyn_bearing::{ContactResult, Side};
+use tribodyn_case::{Case, Fit, GeometrySpec};
 use tribodyn_quasistatic::Solution;
 use tribodyn_rating::{
     BallLoads, Lubrication, PERMISSIBLE_PRESSURE, RatedBearing, RatingError, ReferenceLife, Turning, basic_life_mrev,
     hours, life_modification_factor, reference_viscosity, reliability_factor,
 };
+use tribodyn_signal::BearingFrequencies;
 
 /// Where a load rating comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -75,6 +76,10 @@ pub struct Rating {
     pub peak_pressure_max_pa: Option<f64>,
     /// Load that would bring it to 4.2 GPa over the load there is; absent without load.
     pub pressure_safety: Option<f64>,
+    /// Frequencies of defects, of balls that roll at the mean contact angle of the loaded ones, Hz; absent at rest and
+    /// without a solution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frequencies: Option<BearingFrequencies>,
 }
 
 impl Rating {
@@ -136,8 +141,7 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
     let life = reference.and_then(|reference| reference.life_mrev);
     let modified = modification.zip(life).map(|(factor, life)| reliability * factor * life);
     let counted = modified.or(life.map(|life| reliability * life));
-    let relative_speed = distribution.as_ref().map(|found| found.relative_speed);
-    let peak = distribution.as_ref().map(|found| found.peak_pressure);
+    let (relative_speed, peak) = distribution.as_ref().map(|found| (found.relative_speed, found.peak_pressure)).unzip();
     Ok(Rating {
         nominal_contact_angle_deg: rated.contact_angle.to_degrees(),
         dynamic_rating_n: dynamic,
@@ -163,7 +167,33 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
         static_safety: static_load.filter(|load| *load > 0.0).map(|load| at_rest / load),
         peak_pressure_max_pa: peak,
         pressure_safety: peak.filter(|peak| *peak > 0.0).map(|peak| (PERMISSIBLE_PRESSURE / peak).powi(3)),
+        frequencies: solution.and_then(|solution| frequencies_loaded(case, solution)),
     })
+}
+
+/// Contacts of the inner race that carry load, as part of the largest load.
+const LOADED: f64 = 1e-6;
+
+/// Contacts on the inner race that carry load.
+pub(crate) fn loaded_contacts(solution: &Solution) -> Vec<ContactResult> {
+    let inner = solution.balls.iter().map(|ball| ball.contacts.inner);
+    let most = inner.clone().map(|contact| contact.load_n).fold(0.0, f64::max);
+    inner.filter(|contact| contact.load_n > LOADED * most).collect()
+}
+
+/// Frequencies of defects of balls that roll at the mean contact angle of the loaded ones.
+fn frequencies_loaded(case: &Case, solution: &Solution) -> Option<BearingFrequencies> {
+    let loaded = loaded_contacts(solution);
+    let sum: f64 = loaded.iter().map(|contact| contact.angle_rad).sum();
+    frequencies(&case.geometry, sum / loaded.len() as f64, [solution.inner_speed_rad_s, solution.outer_speed_rad_s])
+}
+
+/// Frequencies of defects of balls that roll at a contact angle, rad, between rings of these speeds, rad/s; none for
+/// rings that do not turn against each other.
+pub(crate) fn frequencies(spec: &GeometrySpec, angle: f64, [inner, outer]: [f64; 2]) -> Option<BearingFrequencies> {
+    let GeometrySpec { ball_count, ball_diameter, pitch_diameter, .. } = *spec;
+    let found = BearingFrequencies::from_geometry(ball_count, ball_diameter, pitch_diameter, angle, inner, outer);
+    found.ok().filter(|_| inner != outer)
 }
 
 /// Viscosity ratio and contamination factor, as far as the case tells them.

@@ -2,13 +2,12 @@
 
 use crate::error::AnswerError;
 use crate::plausibility::solution_findings;
-use crate::rating::{Rating, rating};
+use crate::rating::{Rating, loaded_contacts, rating};
 use serde::Serialize;
 use std::f64::consts::PI;
 use tribodyn_bearing::{SpeedHistory, Tilt, Translation};
 use tribodyn_case::{Case, Purpose, RingSpec};
 use tribodyn_quasistatic::{Model, StiffnessMatrix, jones_harris_stiffness, solve};
-use tribodyn_signal::BearingFrequencies;
 
 /// Loads and speed of a sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,9 +57,6 @@ pub struct Sheet {
     pub friction_torque_estimate_nm: Option<f64>,
     /// Power of it, W; absent without load.
     pub friction_power_estimate_w: Option<f64>,
-    /// Frequencies of defects at the mean contact angle, Hz; absent at rest.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub frequencies: Option<BearingFrequencies>,
     /// Pitch diameter times speed, mm r/min.
     pub speed_factor_mm_rpm: f64,
     /// Warnings.
@@ -92,21 +88,11 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
     let solution = solve(&bearing, &point, Model::JonesHarris).map_err(failed)?.solution;
     let stiffness = jones_harris_stiffness(&bearing, &point).map_err(failed)?;
     let rating = rating(&case, Some(&solution)).map_err(|source| AnswerError::Rating { file: file(), source })?;
-    let inner = solution.balls.iter().map(|ball| ball.contacts.inner);
-    let most = inner.clone().map(|contact| contact.load_n).fold(0.0, f64::max);
-    let loaded: Vec<_> = inner.filter(|contact| contact.load_n > 1e-6 * most).collect();
+    let loaded = loaded_contacts(&solution);
+    let most = loaded.iter().map(|contact| contact.load_n).fold(0.0, f64::max);
     let angles = loaded.iter().map(|contact| contact.angle_rad);
     let range = angles.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], a| [low.min(a), high.max(a)]);
     let geometry = &bearing.geometry;
-    let mean = loaded.iter().map(|contact| contact.angle_rad).sum::<f64>() / loaded.len().max(1) as f64;
-    let frequencies = BearingFrequencies::from_geometry(
-        geometry.ball_count,
-        geometry.ball_diameter,
-        geometry.pitch_diameter,
-        mean,
-        question.speed,
-        0.0,
-    )?;
     let angular = rating.nominal_contact_angle_deg > 0.0;
     let bore = geometry.pitch_diameter - 2.0 * geometry.ball_diameter;
     let torque = rating.equivalent_load_n.map(|load| 0.5 * FRICTION[usize::from(angular)] * load * bore);
@@ -132,7 +118,6 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
         contact_angle_rad: if loaded.is_empty() { [0.0; 2] } else { range },
         friction_torque_estimate_nm: torque,
         friction_power_estimate_w: torque.map(|torque| torque * question.speed.abs()),
-        frequencies: (question.speed != 0.0).then_some(frequencies),
         speed_factor_mm_rpm,
         rating,
         warnings,

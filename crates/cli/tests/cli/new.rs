@@ -4,7 +4,7 @@ use super::{Outcome, Scratch, command, fixture, run_words};
 use std::ffi::OsStr;
 use std::path::Path;
 
-fn run_in(folder: &Path, line: &str) -> Outcome {
+pub(crate) fn run_in(folder: &Path, line: &str) -> Outcome {
     let words: Vec<&str> = line.split_whitespace().collect();
     let words: Vec<&dyn AsRef<OsStr>> = words.iter().map(|word| word as _).collect();
     let output = command(&words).current_dir(folder).output().unwrap();

@@ -1,6 +1,7 @@
 //! `rating`: against another program, and against hand calculations in the standards' own numbers.
 
-use super::{assert_close, fixture, run_words};
+use super::new::run_in;
+use super::{Scratch, assert_close, fixture, run_words};
 use serde_json::Value;
 
 /// The bearing of another program's two values: Z 7, D 11.5, d_m 43.5 mm, f 0.52 and 0.53, 210 GPa, 0.3, no clearance.
@@ -74,4 +75,24 @@ fn identity_modified_life_and_hours() {
     assert_close(number(&plain, "static_equivalent_load_n"), 0.26 * 22_250.0, 1e-6);
     let fails = run_words(&format!("rating {} --set geometry.fit=ContactAngle(deg(50))", case.to_str().unwrap()));
     fails.fails(2, &["nominal contact angle 50", "0° to 45°"]);
+}
+
+/// The ratios that Case Western Reserve University gives of its 6205, at the nominal angle; under load the contact
+/// angle grows, and balls go round faster.
+#[test]
+fn paper_frequencies_of_a_known_bearing_in_check_and_rating() {
+    let scratch = Scratch::new();
+    run_in(&scratch.0, "new 6205 --lubricant ag -o case.ron").table();
+    let ratios = |command: &str| {
+        let f = run_in(&scratch.0, &format!("{command} case.ron --json")).json()["frequencies"].clone();
+        ["cage_hz", "ball_pass_outer_hz", "ball_pass_inner_hz", "ball_defect_hz"]
+            .map(|name| number(&f, name) / number(&f, "shaft_hz"))
+    };
+    let free = ratios("check");
+    for (found, published) in free.into_iter().zip([0.39828, 3.5848, 5.4152, 4.7135]) {
+        assert_close(found, published, 3e-4);
+    }
+    let loaded = ratios("rating --model jones-harris");
+    assert!(loaded[1] > free[1] && loaded[1] < 1.05 * free[1], "{loaded:?} {free:?}");
+    assert_close(loaded[1] + loaded[2], 9.0, 1e-12);
 }

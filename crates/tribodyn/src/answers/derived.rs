@@ -4,11 +4,12 @@ use super::lubrication::lubrication;
 use super::{Equations, Question};
 use crate::error::AnswerError;
 use crate::plausibility::{self, StaticEstimate};
-use crate::rating::rating;
+use crate::rating::{frequencies, rated_bearing, rating};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use tribodyn_bearing::{Bearing, BearingError, Geometry, Translation};
 use tribodyn_case::{Case, Growths, Source};
+use tribodyn_signal::BearingFrequencies;
 
 /// The running bearing.
 #[derive(Debug, Clone, Serialize)]
@@ -41,6 +42,10 @@ pub struct Derived {
     pub ellipticity_outer: f64,
     /// Cage speed of balls that roll at the free contact angle, r/min.
     pub cage_speed_free_rpm: f64,
+    /// Frequencies of defects of balls that roll at the nominal contact angle, 0 in a deep-groove bearing, Hz; absent
+    /// at rest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frequencies: Option<BearingFrequencies>,
     /// Drag on a ball at that speed, N; absent without a fluid.
     pub drag_per_ball_n: Option<f64>,
     /// Density of liquid and vapour, kg/m³; absent without a fluid.
@@ -182,6 +187,7 @@ fn answer(question: &Question<'_>, bearing: &Bearing, growth: Option<GrowthAnswe
     let unloaded = estimate.is_some_and(|found| found.ball_load_n == 0.0);
     warnings.extend(unloaded.then(|| plausibility::NO_LOAD.to_owned()));
     let rated = rating(case, None).ok();
+    let nominal = rated_bearing(case).contact_angle;
     Derived {
         name: case.name.clone(),
         contact_angle_deg: g.contact_angle().to_degrees(),
@@ -197,6 +203,7 @@ fn answer(question: &Question<'_>, bearing: &Bearing, growth: Option<GrowthAnswe
         ellipticity_inner: inner.ellipticity,
         ellipticity_outer: outer.ellipticity,
         cage_speed_free_rpm: orbit * 30.0 / std::f64::consts::PI,
+        frequencies: frequencies(&case.geometry, nominal, [point.inner_speed, point.outer_speed]),
         drag_per_ball_n: drag,
         effective_fluid_density_kg_m3: bearing.fluid.as_ref().map(|f| f.drag.density_effective),
         lubrication: lubrication(case, Equations::usual(case)),
