@@ -24,7 +24,7 @@ from ._errors import (
     TribodynWarning,
 )
 from ._native import VERSION as __version__
-from .answers import Contact, Derived, Identification, Life, Mode, Modes, Rating, Stiffness, TractionCurve
+from .answers import Contact, Derived, Frequencies, Identification, Life, Mode, Modes, Rating, Stiffness, TractionCurve
 from .case import Case
 from .ensembles import Ensemble, Quantiles, ensemble
 from .films import ContactFilm, Films, Oil, Torque, contact_film, film, torque
@@ -108,6 +108,7 @@ __all__ = [
     "Ensemble",
     "FileError",
     "Films",
+    "Frequencies",
     "Identification",
     "InputError",
     "Life",

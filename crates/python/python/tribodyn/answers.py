@@ -39,10 +39,26 @@ class Growth(Answer):
         _plots.label(ax, "", "radial internal clearance, µm")
 
 
+class Frequencies(Answer):
+    """Frequencies of a bearing and of its defects."""
+
+    shaft_hz: float
+    cage_hz: float
+    ball_pass_outer_hz: float
+    ball_pass_inner_hz: float
+    #: of a ball about its own axis
+    ball_spin_hz: float
+    #: a defect of a ball meets a race
+    ball_defect_hz: float
+
+    def _draw(self, ax: Axes) -> None:
+        _plots.bars(ax, self.to_dict(), "frequency, Hz")
+
+
 class Derived(Answer):
     """What follows from a case before anything is solved."""
 
-    _parts = {"growth": Growth}
+    _parts = {"growth": Growth, "frequencies": Frequencies}
 
     name: str
     #: free contact angle
@@ -80,6 +96,8 @@ class Derived(Answer):
     #: pitch diameter times the speed of the rings against each other
     pitch_speed_mm_rpm: float
     growth: Growth
+    #: of defects, balls that roll at the nominal contact angle; absent at rest
+    frequencies: Frequencies
     sources: dict[str, Any]
     notes: list[str]
     warnings: list[str]
@@ -93,6 +111,8 @@ class Derived(Answer):
 
 class Rating(OfOperatingPoint):
     """Ratings and lives of a bearing's steel by ISO 281, ISO/TS 16281 and ISO 76, under the loads of a model."""
+
+    _parts = {"frequencies": Frequencies}
 
     nominal_contact_angle_deg: float
     #: basic dynamic load rating C_r
@@ -129,6 +149,8 @@ class Rating(OfOperatingPoint):
     peak_pressure_max_pa: Optional[float]
     #: load to 4.2 GPa over load
     pressure_safety: Optional[float]
+    #: of defects, balls that roll at the mean contact angle of the loaded ones; absent at rest and without a solution
+    frequencies: Frequencies
 
     def _draw(self, ax: Axes) -> None:
         names = ("rating_life_l10_mrev", "rating_life_l10r_mrev", "rating_life_lnmr_mrev")

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _html, _native, _plots
 from ._answer import Answer, OfOperatingPoint, warned
-from .answers import Rating
+from .answers import Frequencies, Rating
 from .case import Case, Value, as_text
 from .procedures import TIME_LIMIT_S, Model
 from .solution import Balls, Solution
@@ -124,22 +124,6 @@ class BearingSet(Answer):
     def _draw(self, ax: Axes) -> None:
         ax.plot([s.load_n for s in self.states], [1e6 * s.displacement_m for s in self.states], "o-")
         _plots.label(ax, "axial load, N", "displacement, µm")
-
-
-class Frequencies(Answer):
-    """Frequencies of a bearing and of its defects."""
-
-    shaft_hz: float
-    cage_hz: float
-    ball_pass_outer_hz: float
-    ball_pass_inner_hz: float
-    #: of a ball about its own axis
-    ball_spin_hz: float
-    #: a defect of a ball meets a race
-    ball_defect_hz: float
-
-    def _draw(self, ax: Axes) -> None:
-        _plots.bars(ax, self.to_dict(), "frequency, Hz")
 
 
 class Sheet(Answer):
