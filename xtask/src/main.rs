@@ -20,6 +20,7 @@ mod sensitivity;
 mod survey;
 mod terminal;
 mod validate;
+mod web;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -55,6 +56,8 @@ enum Command {
     Faults(faults::Arguments),
     /// Write the licences of all that the command and the Python package are linked with
     Notices(notices::Arguments),
+    /// Build the page in the browser into target/web, and serve it
+    Web(web::Arguments),
     /// Run everything that continuous integration runs
     Ci {
         /// Only this step, by the name that it is reported by; may be given several times.
@@ -76,6 +79,7 @@ fn main() -> ExitCode {
         Command::Survey(arguments) => survey::run(&arguments),
         Command::Faults(arguments) => faults::run(&arguments),
         Command::Notices(arguments) => notices::run(&arguments),
+        Command::Web(arguments) => web::run(&arguments),
         Command::Ci { steps } => ci::run(&steps),
     };
     match done {

@@ -50,16 +50,13 @@ pub fn check_usual() -> Result<Checked, Failure> {
 }
 
 fn check(arguments: &Arguments) -> Result<Checked, Failure> {
-    let browsers: Vec<&str> = arguments.browser.as_deref().map_or(BROWSERS.to_vec(), |named| vec![named]);
-    let Some(browser) = browsers.iter().copied().find(|browser| answers(browser)) else {
-        return Ok(Checked::Skipped(format!("no browser: none of {} answers --version", browsers.join(", "))));
+    let browser = match first_of(arguments.browser.as_deref()) {
+        Ok(browser) => browser,
+        Err(reason) => return Ok(Checked::Skipped(reason)),
     };
-    if !answers("python3") {
-        return Ok(Checked::Skipped("no python3, which drives the browser".to_owned()));
-    }
     let pages = if arguments.pages.is_empty() { vec![usual_page()?] } else { arguments.pages.clone() };
     let mut command = Command::new("python3");
-    command.arg(files::root().join(SCRIPT)).args(["--browser", browser]);
+    command.arg(files::root().join(SCRIPT)).args(["--browser", &browser]);
     if let Some(folder) = &arguments.pictures {
         command.arg("--pictures").arg(folder);
     }
@@ -67,8 +64,24 @@ fn check(arguments: &Arguments) -> Result<Checked, Failure> {
     Ok(Checked::Passed)
 }
 
+/// A browser that can be driven; the error says what is missing.
+pub fn browser() -> Result<String, String> {
+    first_of(None)
+}
+
+fn first_of(named: Option<&str>) -> Result<String, String> {
+    let browsers: Vec<&str> = named.map_or(BROWSERS.to_vec(), |named| vec![named]);
+    let Some(browser) = browsers.iter().find(|browser| answers(browser)) else {
+        return Err(format!("no browser: none of {} answers --version", browsers.join(", ")));
+    };
+    if !answers("python3") {
+        return Err("no python3, which drives the browser".to_owned());
+    }
+    Ok((*browser).to_owned())
+}
+
 /// True if a program can be started.
-fn answers(program: &str) -> bool {
+pub fn answers(program: &str) -> bool {
     let status = Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     status.is_ok_and(|status| status.success())
 }
@@ -100,7 +113,8 @@ fn tribodyn(program: &Path, arguments: [Vec<OsString>; 2]) -> Result<(), Failure
     finished(command.args(arguments.concat()).stdout(Stdio::null()), &program.display().to_string(), "tribodyn")
 }
 
-fn finished(command: &mut Command, program: &str, name: &str) -> Result<(), Failure> {
+/// Runs a command to its end.
+pub fn finished(command: &mut Command, program: &str, name: &str) -> Result<(), Failure> {
     let status = command.status().map_err(|source| Failure::Start { program: program.to_owned(), source })?;
     if status.success() { Ok(()) } else { Err(Failure::Command { command: name.to_owned(), status }) }
 }

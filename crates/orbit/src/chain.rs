@@ -41,7 +41,6 @@ pub(crate) struct Linear {
     /// Start of the turn and border.
     lu: LU<f64, Const<FROM>, Const<FROM>>,
     /// End of the turn by its start, cage and ring held.
-    #[cfg_attr(not(feature = "modes"), expect(dead_code, reason = "asked for by modes"))]
     turn: SMatrix<f64, BALL, BALL>,
 }
 

@@ -18,8 +18,11 @@ pub use refused::RefusedCase;
 // What answers are made of, so that a program needs this crate only.
 pub use tribodyn_bearing::{
     BallResult, Bearing, ContactResult, OperatingPoint, Races, SearchObserver, SearchStage, SearchWatch, Side,
+    Translation,
 };
 pub use tribodyn_case::{Case, CaseError};
-pub use tribodyn_catalogue::{Envelope, KnownBalls, NewCase, NewLubricant, find as find_bearing};
+pub use tribodyn_catalogue::{
+    Envelope, KnownBalls, NewCase, NewLubricant, Ratings, find as find_bearing, search as search_bearings,
+};
 pub use tribodyn_orbit::{OrbitSettings, SteadyOrbit, steady_orbit};
 pub use tribodyn_quasistatic::{Model, Solution, StiffnessMatrix, solve};

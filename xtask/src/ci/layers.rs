@@ -8,7 +8,7 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 19] = [
+const LAYERS: [(&str, &[&str]); 20] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-lubricant", &[]),
     // Films under shear.
@@ -85,6 +85,8 @@ const LAYERS: [(&str, &[&str]); 19] = [
             "tribodyn-orbit",
         ],
     ),
+    // What runs in the page.
+    ("tribodyn-web", &["tribodyn"]),
     // Procedures as a library: all physics, and recordings.
     (
         "tribodyn-study",

@@ -20,6 +20,7 @@ use crate::error::Failure;
 use crate::page::{self, Checked};
 use crate::quantities;
 use crate::validate;
+use crate::web;
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
@@ -34,7 +35,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 18] = [
+const STEPS: [Step; 20] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -50,7 +51,10 @@ const STEPS: [Step; 18] = [
     ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
     ("figures", figures::check),
     ("recording read by Python", || recording::check(&recordings())),
-    ("report in a browser", report_page),
+    ("report in a browser", || page::check_usual().map(outcome)),
+    // The front door and all below it compile for a browser.
+    ("wasm32", || web::build().map(outcome)),
+    ("page in a browser", || web::check().map(outcome)),
     ("recording read by Node", || node::check(&recordings())),
     ("Python package", package::check),
 ];
@@ -102,11 +106,11 @@ pub fn run(wanted: &[String]) -> Result<(), Failure> {
     Err(Failure::Check { what: "continuous integration failed", findings: failed })
 }
 
-fn report_page() -> Result<Outcome, Failure> {
-    Ok(match page::check_usual()? {
+fn outcome(checked: Checked) -> Outcome {
+    match checked {
         Checked::Passed => Outcome::Done,
         Checked::Skipped(reason) => Outcome::Skipped(reason),
-    })
+    }
 }
 
 /// Runs Cargo in the workspace, its output shown.

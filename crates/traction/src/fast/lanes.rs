@@ -16,18 +16,19 @@ pub(crate) trait Fuse: SimdFloatElement {
 
 impl Fuse for f64 {
     fn fused(self, b: Self, c: Self) -> Self {
-        self.mul_add(b, c)
+        if cfg!(target_arch = "wasm32") { self * b + c } else { self.mul_add(b, c) }
     }
 }
 
 impl Fuse for f32 {
     fn fused(self, b: Self, c: Self) -> Self {
-        self.mul_add(b, c)
+        if cfg!(target_arch = "wasm32") { self * b + c } else { self.mul_add(b, c) }
     }
 }
 
 /// a b + c, rounded once: the same bits from processors that have it as one instruction and from those that have not,
-/// on which a patch takes ten to twenty times as long.
+/// on which a patch takes ten to twenty times as long. WebAssembly has no such instruction on any processor: there the
+/// product is rounded too, and bits differ from those of other targets.
 #[inline(always)]
 pub(crate) fn fused<S: Simd, V: SimdFloat<S, Element: Fuse>>(
     a: V,
@@ -35,7 +36,9 @@ pub(crate) fn fused<S: Simd, V: SimdFloat<S, Element: Fuse>>(
     c: impl SimdInto<V, S>,
 ) -> V {
     let simd = a.token();
-    if has_fused(simd.level()) {
+    if cfg!(target_arch = "wasm32") {
+        a * b.simd_into(simd) + c.simd_into(simd)
+    } else if has_fused(simd.level()) {
         a.mul_add(b, c)
     } else {
         let mut sum: V = c.simd_into(simd);

@@ -1,0 +1,9 @@
+#![doc = include_str!("../README.md")]
+
+mod answer;
+mod curve;
+#[cfg(target_arch = "wasm32")]
+mod exports;
+mod question;
+
+pub use answer::ask;

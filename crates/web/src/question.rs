@@ -1,0 +1,134 @@
+//! Questions of the page, as it writes them.
+
+use serde::Deserialize;
+use std::f64::consts::PI;
+use tribodyn::sheet::SheetQuestion;
+use tribodyn::{
+    AnswerError, CaseFile, Envelope, KnownBalls, Limits, NewCase, NewLubricant, Ratings, Translation, find_bearing,
+};
+
+/// A question; numbers in the units of the form.
+#[derive(Deserialize)]
+#[serde(tag = "ask", rename_all = "kebab-case")]
+pub(crate) enum Question {
+    /// Bearings of the list whose designation begins so.
+    Catalogue {
+        /// Beginning of a designation.
+        pattern: String,
+    },
+    /// The text of the case file.
+    Case(Form),
+    /// What takes milliseconds.
+    Quick(Form),
+    /// The usual model of the case.
+    Full(Form),
+    /// The steady orbit, whatever is usual.
+    Orbit(Form),
+    /// Numbers over a load or a speed.
+    Curve {
+        /// The bearing.
+        form: Form,
+        /// What changes.
+        range: Range,
+    },
+}
+
+/// Values along a curve.
+#[derive(Deserialize, Clone, Copy)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Range {
+    /// What changes.
+    pub over: Over,
+    /// First value, N or r/min.
+    pub from: f64,
+    /// Last value.
+    pub to: f64,
+    /// Number of values.
+    pub count: usize,
+}
+
+/// What changes along a curve.
+#[derive(Deserialize, Clone, Copy)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Over {
+    Radial,
+    Axial,
+    Speed,
+}
+
+/// A bearing by its designation or by its numbers, loads and speed; what is absent is assumed.
+#[derive(Deserialize, Clone, Default)]
+#[serde(default)]
+pub(crate) struct Form {
+    pub designation: Option<String>,
+    /// Nominal contact angle, degrees.
+    pub angle: Option<f64>,
+    /// Boundary dimensions, mm, of a bearing without designation.
+    pub bore: Option<f64>,
+    pub outside: Option<f64>,
+    pub width: Option<f64>,
+    /// Number and diameter (mm) of the balls.
+    pub balls: Option<usize>,
+    pub ball: Option<f64>,
+    /// Load ratings, N.
+    pub dynamic_rating: Option<f64>,
+    pub static_rating: Option<f64>,
+    /// Loads, N.
+    pub radial: Option<f64>,
+    pub axial: Option<f64>,
+    /// Speed of the inner ring, r/min.
+    pub speed: Option<f64>,
+    /// By the words of `tribodyn new --lubricant`.
+    pub lubricant: Option<String>,
+}
+
+impl Form {
+    /// Name of the case in messages.
+    pub fn name(&self) -> &str {
+        self.designation.as_deref().unwrap_or("bearing")
+    }
+
+    /// The text of its case file.
+    pub fn text(&self) -> Result<String, AnswerError> {
+        let mut case = self.bearing()?;
+        let published = case.balls.published;
+        case.balls = KnownBalls { ball_count: self.balls, ball_diameter: self.ball.map(|mm| mm * 1e-3), published };
+        if let (Some(dynamic), Some(at_rest)) = (self.dynamic_rating, self.static_rating) {
+            (case.ratings, case.source) = (Some(Ratings { dynamic, at_rest }), None);
+        }
+        (case.radial_load, case.axial_load) = (self.radial, self.axial);
+        case.speed = self.speed.map(|rpm| rpm * PI / 30.0);
+        case.lubricant = match self.lubricant.as_deref() {
+            None | Some("usual") => Some(case.usual_lubricant()),
+            Some(word) => Some(NewLubricant::parse(word)?),
+        };
+        Ok(case.text()?)
+    }
+
+    fn bearing(&self) -> Result<NewCase, AnswerError> {
+        if let Some(designation) = &self.designation {
+            return Ok(NewCase::of_listed(find_bearing(designation, self.angle)?, designation));
+        }
+        let size = |name: &'static str, value: Option<f64>| {
+            value.ok_or_else(|| AnswerError::argument(name, "nothing", "allowed is a length in mm, or a designation"))
+        };
+        let [bore, outside, width] =
+            [size("bore", self.bore)?, size("outside", self.outside)?, size("width", self.width)?].map(|mm| mm * 1e-3);
+        Ok(NewCase::new(Envelope { bore, outside, width, contact_angle: self.angle.unwrap_or(0.0).to_radians() }))
+    }
+
+    /// The case that it makes.
+    pub fn case(&self) -> Result<CaseFile, AnswerError> {
+        CaseFile::from_text(self.name(), self.text()?, &[], &Limits::NORMAL)
+    }
+}
+
+/// Loads and speed of a case whose ring is loaded by forces.
+pub(crate) fn operation(file: &CaseFile) -> SheetQuestion {
+    let force = |along: &Translation| if let Translation::Force(force) = along { *force } else { 0.0 };
+    SheetQuestion {
+        radial: force(&file.case.ring.x),
+        axial: force(&file.case.ring.z),
+        speed: file.case.operating_point().inner_speed,
+    }
+}
