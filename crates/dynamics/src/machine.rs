@@ -76,7 +76,7 @@ impl Kernel {
         let tribology = p.tribology?;
         if let Some(film) = tribology.laws[p.side].film() {
             let contact = FilmContact { patch: p.patch, motion: p.motion, rolling_speed: p.rolling_speed };
-            return Some(film.derivative(&contact, fast.quadrature()));
+            return Some(film.derivative(&contact, fast));
         }
         if tribology.pressure_choice != PressureChoice::Peak {
             return None;

@@ -13,7 +13,7 @@ pub use error::LubricantError;
 pub use film::{FilmThickness, InletFilm, RollingContact};
 pub use library::{BaseStock, GRADES, GREASE_STARVATION, oil_names, stock_names};
 pub use oil::{Oil, Thermal};
-pub use pressure::{PressureViscosity, roelands_index, roelands_index_of_mean, so_klaus};
+pub use pressure::{PressureViscosity, ROELANDS_PRESSURE, roelands_index, roelands_index_of_mean, so_klaus};
 pub use torque::{PalmgrenBearing, PalmgrenTorque, SkfBearing, SkfLoads, SkfSeries, SkfTorque, Supply};
 pub use viscosity_index::{viscosity_at_100, viscosity_index};
 pub use walther::Walther;

@@ -23,7 +23,7 @@ pub enum PressureViscosity {
 /// ln(η0/η∞) = ln η0 + 9.67 of Roelands, η∞ = 6.31e-5 Pa s.
 const ROELANDS_SHIFT: f64 = 9.67;
 /// Reciprocal of his 196.2 MPa, 1/Pa.
-const ROELANDS_PRESSURE: f64 = 5.1e-9;
+pub const ROELANDS_PRESSURE: f64 = 5.1e-9;
 /// Pressure–viscosity coefficients that oils have, 1/GPa.
 const COEFFICIENTS: [f64; 2] = [3.0, 60.0];
 

@@ -133,7 +133,7 @@ impl<S: Simd> Kernel<S> for Sums<'_, S> {
 impl<S: Simd> Sums<'_, S> {
     #[inline(always)]
     fn open(&self, y: Lanes<S>) -> Row<S> {
-        let [u, offset, y2] = row_slip(self.of, y);
+        let [u, offset, y2] = row_slip(&self.of.slip, y);
         let ([_, beta, alpha], [_, _, epsilon]) = (self.of.slip.longitudinal, self.of.slip.lateral);
         let (du, dv) = (-y * fused(y, 2.0 * alpha, beta), y2 * (2.0 * epsilon));
         let zero = Lanes::splat(y.token(), 0.0);

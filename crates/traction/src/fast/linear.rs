@@ -49,7 +49,7 @@ pub fn linear_patch_traction<D: Scalar, L: TractionLaw>(
     let load = patch.peak_pressure * patch.semi_lateral * patch.semi_rolling * (2.0 / 3.0 * PI);
     if let Some(film) = law.law.film() {
         let contact = FilmContact { patch: patch.re(), motion: motion.re(), rolling_speed: rolling_speed.re() };
-        return film.derivative(&contact, &fast.quadrature).first_order(motion, load, rolling_speed);
+        return film.derivative(&contact, fast).first_order(motion, load, rolling_speed);
     }
     let pressure = patch.peak_pressure.re();
     let curves = match law.pressure {

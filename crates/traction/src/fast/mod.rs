@@ -16,8 +16,8 @@ mod derivative;
 pub(crate) mod elementary;
 pub(crate) mod lanes;
 mod linear;
-mod nodes;
-mod values;
+pub(crate) mod nodes;
+pub(crate) mod values;
 
 pub use derivative::PatchDerivative;
 pub use linear::linear_patch_traction;
@@ -33,7 +33,7 @@ use nodes::Layout;
 use values::Values;
 
 /// Least |Δv|², m²/s²: at rest κ/s takes its limit, and 0/0 is avoided.
-const SMALLEST_SQUARE: f64 = 1e-280;
+pub(crate) const SMALLEST_SQUARE: f64 = 1e-280;
 /// Least C λ, s/m, for the same reason.
 const SMALLEST_RATE: f64 = 1e-100;
 
@@ -82,6 +82,16 @@ impl FastPatch {
     /// Lays out the nodes of a quadrature.
     pub fn of(quadrature: Quadrature) -> Self {
         Self { layout: Layout::new(&quadrature), quadrature, level: Level::new() }
+    }
+
+    /// The vector instructions of this processor.
+    pub(crate) fn level(&self) -> Level {
+        self.level
+    }
+
+    /// Its nodes.
+    pub(crate) fn layout(&self) -> &Layout {
+        &self.layout
     }
 
     /// The same nodes for the generic integral.
@@ -179,7 +189,7 @@ pub fn fast_patch_traction<L: TractionLaw>(
     law: &PatchLaw<'_, L>,
 ) -> PatchTraction {
     if let Some(film) = law.law.film() {
-        return film.value(&FilmContact { patch: *patch, motion: *motion, rolling_speed }, &fast.quadrature);
+        return film.fast_value(&FilmContact { patch: *patch, motion: *motion, rolling_speed }, fast);
     }
     let curve = match law.pressure {
         PressureChoice::Peak => law.law.kragelskii(patch.peak_pressure),

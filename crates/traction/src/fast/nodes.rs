@@ -8,25 +8,25 @@ use crate::{Quadrature, SlipField};
 use fearless_simd::prelude::*;
 
 /// Sums over the nodes.
-pub(super) trait Kernel<S: Simd> {
+pub(crate) trait Kernel<S: Simd> {
     /// Adds a block of nodes.
     fn block(&mut self, block: &Block<S>);
 }
 
 /// Rows in a block, and nodes in one of its rows. The work on a node is one long chain of dependent operations: a block
 /// is passed through in stages, so that the chains of its nodes run side by side.
-pub(super) const ROWS: usize = 2;
-pub(super) const NODES: usize = 4;
+pub(crate) const ROWS: usize = 2;
+pub(crate) const NODES: usize = 4;
 
 /// Some rows of nodes; a row is a line of constant Y, on which the longitudinal slip is constant.
-pub(super) struct Block<S: Simd> {
-    pub(super) y: [Lanes<S>; ROWS],
+pub(crate) struct Block<S: Simd> {
+    pub(crate) y: [Lanes<S>; ROWS],
     /// X and the weight of the nodes, row by row.
-    pub(super) x: [[Lanes<S>; NODES]; ROWS],
-    pub(super) w: [[Lanes<S>; NODES]; ROWS],
+    pub(crate) x: [[Lanes<S>; NODES]; ROWS],
+    pub(crate) w: [[Lanes<S>; NODES]; ROWS],
     /// Number of these in use.
-    pub(super) rows: usize,
-    pub(super) nodes: usize,
+    pub(crate) rows: usize,
+    pub(crate) nodes: usize,
 }
 
 impl<S: Simd> Block<S> {
@@ -39,7 +39,7 @@ impl<S: Simd> Block<S> {
 
 /// The nodes of a rule, eight to a lane group; numbers left over carry no weight.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Layout {
+pub(crate) enum Layout {
     /// (X₁, X₂, Y, w): two nodes of the same Y and weight.
     Paired(Vec<[[f64; LANES]; 4]>),
     /// Strips across the groove.
@@ -48,7 +48,7 @@ pub(super) enum Layout {
 
 /// Tables of the split strips.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Strips {
+pub(crate) struct Strips {
     /// The strips of one, two and three panels.
     across: [Vec<Across>; PANELS],
     along: Vec<AlongNode>,
@@ -99,7 +99,7 @@ impl Across {
 }
 
 impl Layout {
-    pub(super) fn new(quadrature: &Quadrature) -> Self {
+    pub(crate) fn new(quadrature: &Quadrature) -> Self {
         match quadrature.nodes() {
             Nodes::Fixed(points) => Self::Paired(paired(points)),
             Nodes::Strips { across, along } => Self::Strips(Strips {
@@ -109,9 +109,20 @@ impl Layout {
         }
     }
 
+    /// Most groups of eight nodes.
+    pub(crate) fn groups(&self) -> usize {
+        match self {
+            Self::Paired(groups) => 2 * groups.len(),
+            Self::Strips(strips) => {
+                let along: usize = strips.along.iter().map(AlongNode::multiplicity).sum();
+                strips.across.iter().map(Vec::len).max().unwrap_or(0) * along
+            }
+        }
+    }
+
     /// Feeds every node to the kernel.
     #[inline(always)]
-    pub(super) fn walk<S: Simd, K: Kernel<S>>(&self, simd: S, slip: &SlipField, kernel: &mut K) {
+    pub(crate) fn walk<S: Simd, K: Kernel<S>>(&self, simd: S, slip: &SlipField, kernel: &mut K) {
         match self {
             Self::Paired(groups) => {
                 let mut block = Block::new(simd);

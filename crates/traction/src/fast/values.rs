@@ -4,6 +4,7 @@ use super::elementary::exp_m1;
 use super::lanes::{Lanes, fused};
 use super::nodes::{Block, Kernel, NODES, ROWS};
 use super::{SMALLEST_SQUARE, Scaled};
+use crate::SlipField;
 use fearless_simd::prelude::*;
 
 /// Sums over the unit disc without the factor p a b λ: share = w κ/s, f = share Δv.
@@ -25,8 +26,8 @@ struct Scratch<S: Simd> {
 
 /// u and the part of v that is constant on the row at Y, and Y².
 #[inline(always)]
-pub(super) fn row_slip<S: Simd>(of: &Scaled, y: Lanes<S>) -> [Lanes<S>; 3] {
-    let ([gamma, beta, alpha], [delta, _, epsilon]) = (of.slip.longitudinal, of.slip.lateral);
+pub(crate) fn row_slip<S: Simd>(slip: &SlipField, y: Lanes<S>) -> [Lanes<S>; 3] {
+    let ([gamma, beta, alpha], [delta, _, epsilon]) = (slip.longitudinal, slip.lateral);
     let y2 = y * y;
     [fused(-y, fused(y, alpha, beta), gamma), fused(y2, epsilon, delta), y2]
 }
@@ -50,7 +51,7 @@ impl<S: Simd> Kernel<S> for Values<'_, S> {
         let zero = Lanes::splat(block.y[0].token(), 0.0);
         let Scratch { u, v, squared, share } = &mut self.scratch;
         for i in 0..rows {
-            let [along, offset, _] = row_slip(of, block.y[i]);
+            let [along, offset, _] = row_slip(&of.slip, block.y[i]);
             u[i] = along;
             let along2 = along * along;
             for k in 0..nodes {

@@ -12,7 +12,7 @@
 //! h is the central thickness, not less than the roughness: sqrt(h_c² + R_q²). The inlet resists rolling besides.
 
 mod asperities;
-mod derivative;
+mod lanes;
 mod node;
 mod rolling;
 mod temperature;
@@ -106,6 +106,13 @@ impl<D: Scalar> FilmContact<D> {
     }
 }
 
+impl FilmContact {
+    /// d ln |V|/dV, s/m; 0 where the speed is taken as the least.
+    fn log_speed_slope(&self) -> f64 {
+        if self.rolling_speed.abs() > LEAST_ROLLING { self.rolling_speed.recip() } else { 0.0 }
+    }
+}
+
 impl FilmLaw {
     /// A film between two bodies with radii of relative curvature along and across rolling, m.
     ///
@@ -158,7 +165,8 @@ impl FilmLaw {
     pub fn under_power(&self, patch: &Patch, speed: f64, slide_to_roll: f64, power: f64) -> (FilmState, f64) {
         let contact = sliding_contact(patch, speed, slide_to_roll);
         let sheared = power - 2.0 * self.rolling_resistance(&contact) * speed;
-        (self.state(&contact), self.heating(&contact) * sheared)
+        let state = self.state(&contact);
+        (state, self.heating(&contact, self.gap(state.thickness.central)) * sheared)
     }
 
     /// Power of the inlet's resistance to rolling on both surfaces, W.
@@ -174,11 +182,16 @@ impl FilmLaw {
     /// The film of a contact at a temperature in K, ready to be sheared at every point.
     fn shearing<D: Scalar>(&self, contact: &FilmContact<D>, temperature: D) -> Shearing<D> {
         let FilmState { thickness, asperity_share, .. } = self.state(contact);
+        self.sheared(contact, (self.gap(thickness.central), asperity_share), temperature)
+    }
+
+    /// [`Self::shearing`] with the thickness (m) and the share of asperities that the film has.
+    fn sheared<D: Scalar>(&self, contact: &FilmContact<D>, (gap, share): (D, D), temperature: D) -> Shearing<D> {
         let coefficients = self.elasticity.coefficients();
         let ratio = contact.patch.semi_rolling.re() / contact.patch.semi_lateral.re();
         let stick = coefficients.at(ratio).longitudinal * self.elasticity.shear_modulus() / PI;
         let stress = FilmStress::new(&self.oil, (self.shear, self.boundary_friction), temperature);
-        Shearing { stress, gap: self.gap(thickness.central), creep: contact.speed() / stick, share: asperity_share }
+        Shearing { stress, gap, creep: contact.speed() / stick, share }
     }
 
     /// [`Self::traction`] in double precision.
@@ -199,8 +212,9 @@ impl FilmLaw {
         let settled = self.settled(&contact.re(), quadrature);
         let at_rest = D::from(settled.temperature);
         // One Newton step on numbers that carry derivatives: its value is that of the fixed point.
-        let power = integrate(&self.shearing(contact, at_rest), contact, quadrature).power;
-        let off = power * self.heating(contact) + self.temperature - settled.temperature;
+        let shearing = self.shearing(contact, at_rest);
+        let power = integrate(&shearing, contact, quadrature).power;
+        let off = power * self.heating(contact, shearing.gap) + self.temperature - settled.temperature;
         let temperature = (off - off.re()) * (1.0 / (1.0 - settled.slope)) + settled.temperature;
         let sheared = integrate(&self.shearing(contact, temperature), contact, quadrature);
         self.with_rolling(contact, sheared)

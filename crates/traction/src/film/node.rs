@@ -1,7 +1,6 @@
 //! The stress at one point of a film.
 
 use crate::Scalar;
-use num_dual::Dual64;
 use tribodyn_lubricant::{Oil, PressureViscosity};
 
 /// How a film is sheared beyond Newton's law.
@@ -44,7 +43,7 @@ pub(super) struct Shearing<D = f64> {
 }
 
 /// Pressures below which 1 Pa is taken, where the limiting stress would be 0/0.
-const LEAST_PRESSURE: f64 = 1.0;
+pub(super) const LEAST_PRESSURE: f64 = 1.0;
 /// Arguments below which the functions are taken by their series.
 const SMALL: f64 = 1e-3;
 
@@ -59,6 +58,18 @@ impl<D: Scalar> FilmStress<D> {
             stiffness: oil.pressure.stiffness(ambient),
             limiting: oil.limiting_shear_at(temperature),
             boundary_friction,
+        }
+    }
+
+    /// Without derivatives.
+    pub(super) fn re(&self) -> FilmStress {
+        FilmStress {
+            shear: self.shear,
+            pressure: self.pressure,
+            log_ambient: self.log_ambient.re(),
+            stiffness: self.stiffness.re(),
+            limiting: self.limiting.re(),
+            boundary_friction: self.boundary_friction,
         }
     }
 
@@ -102,126 +113,4 @@ fn saturation<D: Scalar>(x: D) -> D {
 /// asinh(x)/x.
 fn eyring<D: Scalar>(x: D) -> D {
     if x.re() < SMALL { x * x * (-1.0 / 6.0) + 1.0 } else { (x + (x * x + 1.0).sqrt()).ln() / x }
-}
-
-/// The stress over the sliding speed at one point, and its slopes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct NodeSlopes {
-    /// Stress over speed t, Pa s/m.
-    pub value: f64,
-    /// v dt/dv.
-    pub bend: f64,
-    /// p dt/dp.
-    pub by_log_pressure: f64,
-    /// dt/dT, per K.
-    pub by_temperature: f64,
-    /// dt/dh, per m.
-    pub by_gap: f64,
-    /// dt/d ln V, through the flexibility of the bodies.
-    pub by_log_creep: f64,
-    /// dt/df.
-    pub by_share: f64,
-}
-
-/// A film at one temperature with the slopes of its oil by temperature.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Sloped {
-    pub at: Shearing,
-    /// d ln η0/dT, 1/K.
-    log_ambient_slope: f64,
-    /// d stiffness/dT, 1/K.
-    stiffness_slope: f64,
-    /// d ln Λ/dT, 1/K.
-    limiting_slope: f64,
-}
-
-impl Sloped {
-    pub fn new(at: Shearing, oil: &Oil, temperature: f64) -> Self {
-        let (shear, friction) = (at.stress.shear, at.stress.boundary_friction);
-        let dual = FilmStress::new(oil, (shear, friction), Dual64::from(temperature).derivative());
-        Self {
-            at,
-            log_ambient_slope: dual.log_ambient.eps,
-            stiffness_slope: dual.stiffness.eps,
-            limiting_slope: dual.limiting.eps / dual.limiting.re,
-        }
-    }
-
-    /// Stress over speed and its slopes at a pressure in Pa, with ln(η/η0) by pressure alone (see
-    /// [`PressureViscosity::relative_log`]), and a sliding speed in m/s.
-    #[inline]
-    pub fn slopes(&self, pressure: f64, relative_log: f64, speed: f64) -> NodeSlopes {
-        let Shearing { stress, gap, creep, share } = &self.at;
-        let pressure = pressure.max(LEAST_PRESSURE);
-        let compliance = gap * (-(relative_log * stress.stiffness) - stress.log_ambient).exp();
-        let newton = 1.0 / (compliance + creep);
-        let limit = stress.limiting * pressure;
-        // t, dt/d ln m, dt/d ln v and dt/d ln τ_L of the film.
-        let (film, by_newton, by_speed, by_limit) = match stress.shear {
-            FilmShear::LimitingShear => {
-                let (phi, x_slope) = saturation_slope(newton * speed / limit);
-                (newton * phi, newton * (phi + x_slope), newton * x_slope, -newton * x_slope)
-            }
-            FilmShear::Eyring { stress: reference } => {
-                let (psi, x_slope) = eyring_slope(newton * speed / reference);
-                let free = newton * psi;
-                if free * speed > limit {
-                    let capped = limit / speed;
-                    (capped, 0.0, -capped, capped)
-                } else {
-                    (free, newton * (psi + x_slope), newton * x_slope, 0.0)
-                }
-            }
-        };
-        let stick = 1.0 / creep;
-        let (phi, x_slope) = saturation_slope(stick * speed / (pressure * stress.boundary_friction));
-        let (dry, dry_bend) = (stick * phi, stick * x_slope);
-        // d ln m = −m (dA); A = h/η + creep.
-        let [log_gap, log_creep] = [-newton * compliance, -newton * creep];
-        let log_viscosity = by_newton * -log_gap;
-        let pressed = stress.stiffness * pressure * stress.pressure.relative_log_slope(pressure);
-        let warmed = self.log_ambient_slope + self.stiffness_slope * relative_log;
-        let blend = |film: f64, dry: f64| film + (dry - film) * share;
-        NodeSlopes {
-            value: blend(film, dry),
-            bend: blend(by_speed, dry_bend),
-            by_log_pressure: blend(log_viscosity * pressed + by_limit, -dry_bend),
-            by_temperature: blend(log_viscosity * warmed + by_limit * self.limiting_slope, 0.0),
-            by_gap: blend(by_newton * log_gap / gap, 0.0),
-            by_log_creep: blend(by_newton * log_creep, -(dry + dry_bend)),
-            by_share: dry - film,
-        }
-    }
-
-    /// ln(η/η0) by pressure alone.
-    pub fn relative_log(&self, pressure: f64) -> f64 {
-        self.at.stress.pressure.relative_log(pressure.max(LEAST_PRESSURE))
-    }
-
-    /// Stress over speed and its slope by temperature.
-    #[inline]
-    pub fn by_temperature(&self, pressure: f64, relative_log: f64, speed: f64) -> [f64; 2] {
-        let NodeSlopes { value, by_temperature, .. } = self.slopes(pressure, relative_log, speed);
-        [value, by_temperature]
-    }
-}
-
-/// φ(x) = (1 − e^(−x))/x and x φ'(x).
-fn saturation_slope(x: f64) -> (f64, f64) {
-    if x < SMALL {
-        return ((x / 3.0 - 1.0) * x * 0.5 + 1.0, (x * (2.0 / 3.0) - 1.0) * x * 0.5);
-    }
-    let decay = (-x).exp_m1();
-    let phi = -decay / x;
-    (phi, decay + 1.0 - phi)
-}
-
-/// ψ(x) = asinh(x)/x and x ψ'(x).
-fn eyring_slope(x: f64) -> (f64, f64) {
-    if x < SMALL {
-        return (1.0 - x * x / 6.0, -x * x / 3.0);
-    }
-    let root = (x * x + 1.0).sqrt();
-    let psi = (x + root).ln() / x;
-    (psi, 1.0 / root - psi)
 }

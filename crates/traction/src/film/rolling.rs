@@ -46,4 +46,40 @@ impl FilmLaw {
         let resistance = self.rolling_resistance(contact) * if rolling_speed.re() < 0.0 { -1.0 } else { 1.0 };
         [resistance * lever, resistance * -radius, resistance * *rolling_speed * 2.0]
     }
+
+    /// [`Self::rolling_loads`] with their slopes by motion, load and rolling speed, from the resistance (N) and its
+    /// own.
+    pub(super) fn rolling_slopes(&self, contact: &FilmContact, resistance: f64, by: &[f64; 7]) -> RollingSlopes {
+        let FilmContact { patch, motion, rolling_speed } = contact;
+        if motion.rolling.abs() < LEAST_ROLLING {
+            return RollingSlopes::default();
+        }
+        let radius = patch.ball_radius;
+        let [along, _] = motion.centre_slip(radius);
+        let race = rolling_speed - along * 0.5;
+        let lever = race / motion.rolling * -2.0 - 1.0;
+        let sign = if *rolling_speed < 0.0 { -1.0 } else { 1.0 };
+        let mut lever_by = [0.0; 7];
+        lever_by[0] = (1.0 + 2.0 * race / motion.rolling) / motion.rolling;
+        lever_by[3] = radius / motion.rolling;
+        lever_by[6] = -2.0 / motion.rolling;
+        let resistance = sign * resistance;
+        RollingSlopes {
+            value: [resistance * lever, resistance * -radius, resistance * rolling_speed * 2.0],
+            by: std::array::from_fn(|input| {
+                let change = sign * by[input];
+                let faster = if input == 6 { resistance } else { 0.0 };
+                let force = change * lever + resistance * lever_by[input];
+                [force, change * -radius, 2.0 * (change * rolling_speed + faster)]
+            }),
+        }
+    }
+}
+
+/// Force along rolling, moment about the lateral axis and power of the inlet, with their slopes by motion, load and
+/// rolling speed.
+#[derive(Default)]
+pub(super) struct RollingSlopes {
+    pub value: [f64; 3],
+    pub by: [[f64; 3]; 7],
 }

@@ -1,8 +1,8 @@
 //! The temperature of a film: that of its surroundings and what shear adds.
 
-use super::node::Sloped;
-use super::{FilmContact, FilmLaw, STEEL, STEEL_DIFFUSIVITY};
+use super::{FilmContact, FilmLaw, FilmStress, STEEL, STEEL_DIFFUSIVITY, Shearing};
 use crate::{Quadrature, Scalar, SlipField};
+use num_dual::Dual64;
 use std::f64::consts::PI;
 
 /// Temperature of a film in its patch.
@@ -22,38 +22,42 @@ const ROUNDS: usize = 40;
 const SETTLED: f64 = 1e-10;
 
 impl FilmLaw {
-    /// Rise of the mean temperature over the frictional power, K/W: within the film, and of both surfaces as a band of
-    /// heat passes over them (J. C. Jaeger, Proc. R. Soc. NSW 76 (1942) 203; slow contacts by their Péclet number).
-    pub(super) fn heating<D: Scalar>(&self, contact: &FilmContact<D>) -> D {
+    /// Rise of the mean temperature over the frictional power, K/W: within the film of a thickness (m), and of both
+    /// surfaces as a band of heat passes over them (J. C. Jaeger, Proc. R. Soc. NSW 76 (1942) 203; slow contacts by
+    /// their Péclet number).
+    pub(super) fn heating<D: Scalar>(&self, contact: &FilmContact<D>, gap: D) -> D {
         let b = contact.patch.semi_rolling;
-        let gap = self.gap(self.state(contact).thickness.central);
         let passing = contact.speed() + b.recip() * STEEL_DIFFUSIVITY;
         let flash = (b / passing * (2.0 / (PI * STEEL))).sqrt() * (2.0 / 3.0);
         let within = gap * (1.0 / (8.0 * self.oil.thermal.conductivity));
         (within + flash) / (contact.patch.semi_lateral * b * PI)
     }
 
+    /// A film at a temperature (K) other than that for which it is there.
+    pub(super) fn warmed<D: Scalar>(&self, film: &Shearing, temperature: D) -> Shearing<D> {
+        let stress = FilmStress::new(&self.oil, (self.shear, self.boundary_friction), temperature);
+        let [gap, creep, share] = [film.gap, film.creep, film.share].map(D::from);
+        Shearing { stress, gap, creep, share }
+    }
+
     /// The temperature at which shear heats the film as much as it is warmer than its surroundings. Heat falls with
     /// temperature, so there is one, and Newton steps held between bounds find it.
     pub fn settled(&self, contact: &FilmContact, quadrature: &Quadrature) -> FilmTemperature {
-        let heating = self.heating(contact);
-        let nodes = nodes(contact, quadrature, |pressure| self.oil.pressure.relative_log(pressure.max(1.0)));
+        let nodes = nodes(contact, quadrature);
         let at_rest = self.shearing(contact, self.temperature);
+        let heating = self.heating(contact, at_rest.gap);
         let mut low = self.temperature;
         let mut high = f64::INFINITY;
         let mut temperature = low;
         let mut slope = 0.0;
         for round in 1..=ROUNDS {
-            let stress = super::FilmStress::new(&self.oil, (self.shear, self.boundary_friction), temperature);
-            let film = Sloped::new(super::Shearing { stress, ..at_rest }, &self.oil, temperature);
-            let [mut power, mut by_temperature] = [0.0; 2];
-            for [pressure, relative_log, squared, weight] in &nodes {
-                let [value, change] = film.by_temperature(*pressure, *relative_log, squared.sqrt());
-                power += weight * squared * value;
-                by_temperature += weight * squared * change;
-            }
-            slope = heating * by_temperature;
-            let off = self.temperature + heating * power - temperature;
+            let film = self.warmed(&at_rest, Dual64::from(temperature).derivative());
+            let of_node = |[pressure, squared, weight]: &[f64; 3]| {
+                film.over_speed(Dual64::from(*pressure), Dual64::from(squared.sqrt())) * (weight * squared)
+            };
+            let power = nodes.iter().map(of_node).fold(Dual64::from(0.0), |sum, power| sum + power);
+            slope = heating * power.eps;
+            let off = self.temperature + heating * power.re - temperature;
             if off > 0.0 {
                 low = temperature;
             } else {
@@ -71,8 +75,8 @@ impl FilmLaw {
     }
 }
 
-/// Pressure, relative log of the viscosity, square of the sliding speed and weight of every node.
-fn nodes(contact: &FilmContact, quadrature: &Quadrature, relative_log: impl Fn(f64) -> f64) -> Vec<[f64; 4]> {
+/// Pressure, square of the sliding speed and area of every node.
+fn nodes(contact: &FilmContact, quadrature: &Quadrature) -> Vec<[f64; 3]> {
     let FilmContact { patch, motion, .. } = contact;
     let (a, b) = (patch.semi_lateral, patch.semi_rolling);
     let mut found = Vec::with_capacity(256);
@@ -81,8 +85,7 @@ fn nodes(contact: &FilmContact, quadrature: &Quadrature, relative_log: impl Fn(f
         if inside > 0.0 {
             let depth = inside.sqrt();
             let [u, v] = motion.slip_at(b * x, a * y, patch);
-            let pressure = patch.peak_pressure * depth;
-            found.push([pressure, relative_log(pressure), u * u + v * v, a * b * weight / depth]);
+            found.push([patch.peak_pressure * depth, u * u + v * v, a * b * weight / depth]);
         }
     });
     found
