@@ -19,6 +19,7 @@ mod rows;
 mod sensitivity;
 mod survey;
 mod terminal;
+mod torque;
 mod validate;
 mod web;
 
@@ -44,6 +45,8 @@ enum Command {
     Figures(figures::Arguments),
     /// Rewrite the page of all quantities from their tables
     Quantities,
+    /// Work out the friction torque of catalogue bearings beside SKF's model
+    Torque(torque::Arguments),
     /// Measure kernels, transient schemes and the quasi-static solver
     Bench(bench::Arguments),
     /// Try inputs by the million on everything that reads files and messages from elsewhere
@@ -73,6 +76,7 @@ fn main() -> ExitCode {
         Command::Sensitivity(arguments) => sensitivity::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Quantities => quantities::write(),
+        Command::Torque(arguments) => torque::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),

@@ -217,6 +217,7 @@ fn answer_exit_code(error: &AnswerError) -> u8 {
             orbit_exit_code(source)
         }
         AnswerError::Pair { source: PairError::NotConverged { .. } | PairError::Loose | PairError::Ended, .. }
+        | AnswerError::Runaway { .. }
         | AnswerError::Frequencies(_) => 1,
         _ => 2,
     }

@@ -8,6 +8,7 @@ mod excerpt;
 mod failure;
 mod film;
 mod harmless;
+mod heat;
 mod hertz;
 mod identify;
 mod input;
@@ -109,6 +110,8 @@ enum Command {
     Life(life::Arguments),
     /// Compute lubricant films: of every contact of a case, or of one contact
     Film(film::Arguments),
+    /// Compute the temperatures of a lubricated bearing from its friction
+    Heat(heat::Arguments),
     /// Compute the friction torque by cause, beside SKF's and Palmgren's formulas
     Torque(torque::Arguments),
     /// Compute rating life and static safety by ISO 281, ISO/TS 16281 and ISO 76
@@ -150,6 +153,7 @@ fn main() -> ExitCode {
         Command::Ensemble(arguments) => ensemble::run(&arguments),
         Command::Life(arguments) => life::run(&arguments),
         Command::Film(arguments) => film::run(&arguments),
+        Command::Heat(arguments) => heat::run(&arguments),
         Command::Torque(arguments) => torque::run(&arguments),
         Command::Rating(arguments) => rating::run(&arguments),
         Command::Recover(arguments) => recover::run(&arguments),

@@ -94,6 +94,17 @@ pub enum AnswerError {
         /// Reason.
         source: OrbitError,
     },
+    /// Temperatures that friction and cooling do not agree on.
+    #[error("{file}: {why}")]
+    Runaway {
+        /// Name of the case file.
+        file: String,
+        /// How far they went.
+        why: String,
+    },
+    /// Conductances that are none.
+    #[error(transparent)]
+    Thermal(#[from] tribodyn_thermal::ThermalError),
     /// Loads far beyond what the bearing carries.
     #[error("{file}: {why}")]
     Overload {

@@ -8,9 +8,11 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 20] = [
+const LAYERS: [(&str, &[&str]); 21] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-lubricant", &[]),
+    // Nodes and conductances alone.
+    ("tribodyn-thermal", &[]),
     // Films under shear.
     ("tribodyn-traction", &["tribodyn-contact", "tribodyn-lubricant"]),
     ("tribodyn-wear", &["tribodyn-contact", "tribodyn-traction"]),
@@ -78,6 +80,7 @@ const LAYERS: [(&str, &[&str]); 20] = [
             "tribodyn-traction",
             "tribodyn-signal",
             "tribodyn-rating",
+            "tribodyn-thermal",
             "tribodyn-catalogue",
             "tribodyn-bearing",
             "tribodyn-case",

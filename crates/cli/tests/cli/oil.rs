@@ -1,6 +1,6 @@
 //! A bearing in oil: films, torque, life, and what is refused.
 
-use super::{assert_close, fixture, run_words};
+use super::{Scratch, assert_close, fixture, run_words};
 use serde_json::Value;
 
 fn oil(command: &str, options: &str) -> Value {
@@ -92,4 +92,74 @@ fn limit_bad_oils_and_contacts_are_refused() {
     set("lubricant.oil=Library(\"whale-vg68\")").fails(2, &["lubricant.oil", "as in mineral-vg68"]);
     let dry = fixture("paper-ag.ron");
     run_words(&format!("film case {}", dry.to_str().unwrap())).fails(2, &["no `lubricant`"]);
+}
+
+/// A sealed 6206 at 3000 r/min under a twentieth of its rating is hand-warm; all friction arrives at the surroundings.
+#[test]
+fn identity_a_greased_bearing_is_hand_warm_and_its_heat_leaves() {
+    let scratch = Scratch::new();
+    let case = scratch.0.join("case.ron");
+    let case = case.to_str().unwrap();
+    run_words(&format!("new 6206-2RS --lubricant usual --radial 975 --axial 0 --speed 3000 -o {case}")).table();
+    let heat = |options: &str| run_words(&format!("heat {case} {options} --json")).json();
+    let usual = heat("");
+    let outer = number(&usual, "outer_temperature_deg_c");
+    assert!((25.0..60.0).contains(&outer), "{usual}");
+    assert!(number(&usual, "ball_temperature_deg_c") > outer && outer > number(&usual, "housing_temperature_deg_c"));
+    for found in [&usual, &heat("--cooling 0.3"), &heat("--oil-flow 0.5")] {
+        let left: f64 = ["heat_shaft_w", "heat_housing_w", "heat_oil_w"].iter().map(|way| number(found, way)).sum();
+        assert_close(left, number(found, "friction_power_w"), 1e-9);
+        // The power is that of the torque at this speed.
+        let shaft = number(found, "torque_nm") * 3000.0 * std::f64::consts::PI / 30.0;
+        assert_close(number(found, "friction_power_w"), shaft, 1e-3);
+    }
+    // Less cooling, warmer and thinner oil; the other way with a flow of oil.
+    let [closed, flooded] = ["--cooling 0.3", "--oil-flow 0.5"].map(heat);
+    assert!(number(&closed, "outer_temperature_deg_c") > outer + 5.0, "{closed}");
+    assert!(number(&closed, "kinematic_viscosity_mm2_s") < number(&usual, "kinematic_viscosity_mm2_s"));
+    assert!(number(&flooded, "outer_temperature_deg_c") < outer, "{flooded}");
+}
+
+#[test]
+fn limit_heat_that_cannot_leave_and_bad_surroundings_are_refused() {
+    let case = fixture("oil-6206.ron");
+    let heat = |options: &str| run_words(&format!("heat {} {options}", case.to_str().unwrap()));
+    heat("--cooling 0.005 --set speed.inner=Constant(rpm(12000))").fails(1, &["run away", "W of friction"]);
+    heat("--cooling 0").fails(2, &["--cooling", "a factor above 0"]);
+    heat("--surroundings 400").fails(2, &["--surroundings", "-60 to 150 °C"]);
+    heat("--oil-flow nan").fails(2, &["--oil-flow"]);
+    let dry = fixture("paper-ag.ron");
+    run_words(&format!("heat {}", dry.to_str().unwrap())).fails(2, &["need a lubricant"]);
+}
+
+/// Rows of docs/torque.md, from the speed at which films are thin to the fastest, come out again.
+#[test]
+fn regress_the_table_of_torques() {
+    let page = std::fs::read_to_string(fixture("../../docs/torque.md")).unwrap();
+    let rows: Vec<Vec<&str>> = page
+        .lines()
+        .filter(|line| line.contains(" | vg"))
+        .map(|line| line.split('|').map(str::trim).filter(|cell| !cell.is_empty()).collect())
+        .collect();
+    assert_eq!(rows.len(), 180);
+    let scratch = Scratch::new();
+    let case = scratch.0.join("case.ron");
+    let case = case.to_str().unwrap();
+    for (bearing, rating, speeds) in [("6204", 12_800.0, ["500", "15000"]), ("6206", 19_500.0, ["2000", "10000"])] {
+        let radial = rating / 20.0;
+        run_words(&format!("new {bearing} --lubricant vg68 --radial {radial} --axial 0 -o {case} --force")).table();
+        for rpm in speeds {
+            let row = rows.iter().find(|row| row[..4] == [bearing, "vg68", "C/20", rpm]).unwrap();
+            let line = format!("torque {case} --set speed.inner=Constant(rpm({rpm})) --json");
+            let torque = run_words(&line).json();
+            for (column, field) in [(5, "rolling_nm"), (6, "sliding"), (7, "torque_nm"), (10, "skf_torque_nm")] {
+                let found = match field {
+                    "sliding" => number(&torque, "sliding_inner_nm") + number(&torque, "sliding_outer_nm"),
+                    field => number(&torque, field),
+                };
+                let printed: f64 = row[column].parse().unwrap();
+                assert!((1e3 * found - printed).abs() < 0.01 * printed + 0.006, "{row:?} {field}: {found}");
+            }
+        }
+    }
 }

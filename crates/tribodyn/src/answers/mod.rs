@@ -6,6 +6,7 @@ mod derived;
 mod equilibrium;
 mod film;
 mod findings;
+mod heat;
 mod lubrication;
 #[cfg(feature = "modes")]
 mod modes;
@@ -23,6 +24,7 @@ pub use derived::{Derived, GrowthAnswer, derived};
 pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};
 pub use film::{ContactFilm, ContactFilmQuestion, FilmAnswer, OilAnswer, contact_film, films};
 pub use findings::{Answer, Beside, Findings};
+pub use heat::{HeatAnswer, Surroundings, heat};
 #[cfg(feature = "modes")]
 pub use modes::{ModesAnswer, modes};
 pub use orbit::{OrbitAnswer, OrbitProblem};

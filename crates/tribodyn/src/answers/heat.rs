@@ -1,0 +1,312 @@
+//! Temperatures of a bearing from its friction, which depends on them.
+
+use super::{Answer, Equations, Question, solution_by};
+use crate::error::AnswerError;
+use serde::Serialize;
+use tribodyn_bearing::{Bearing, Side};
+use tribodyn_case::{Case, HeatSpec, MountedRingSpec, MountingSpec};
+use tribodyn_lubricant::ZERO_CELSIUS;
+use tribodyn_quasistatic::Solution;
+use tribodyn_thermal::{BearingSize, Conductances, Heat, Temperatures, passing_conductance};
+
+/// What surrounds the bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surroundings {
+    /// Temperature of air, shaft end and oil supply, °C.
+    pub temperature_deg_c: f64,
+    /// Conductances to the surroundings over the usual ones.
+    pub cooling: f64,
+    /// Width of the bearing, mm; estimated where it is not known.
+    pub width_mm: Option<f64>,
+    /// Oil that flows through, l/min.
+    pub oil_flow_l_min: f64,
+}
+
+/// Temperatures at which all friction leaves.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct HeatAnswer {
+    /// Inner ring, °C.
+    pub inner_temperature_deg_c: f64,
+    /// Balls, °C.
+    pub ball_temperature_deg_c: f64,
+    /// Outer ring, °C.
+    pub outer_temperature_deg_c: f64,
+    /// Oil or grease between them, °C.
+    pub oil_temperature_deg_c: f64,
+    /// Housing, °C.
+    pub housing_temperature_deg_c: f64,
+    /// Mean of the surfaces, which the films have at their inlets, °C.
+    pub film_inlet_temperature_deg_c: f64,
+    /// Kinematic viscosity there, mm²/s.
+    pub kinematic_viscosity_mm2_s: f64,
+    /// Friction torque there, N m.
+    pub torque_nm: f64,
+    /// All friction, W.
+    pub friction_power_w: f64,
+    /// Heat to the surroundings along the shaft, W.
+    pub heat_shaft_w: f64,
+    /// From the housing, W.
+    pub heat_housing_w: f64,
+    /// With the oil that flows through, W.
+    pub heat_oil_w: f64,
+    /// Radial clearance of the running bearing, m; below 0 it is preloaded.
+    pub radial_clearance_m: f64,
+    /// Solutions that it took.
+    pub rounds: usize,
+    /// What had to be assumed.
+    pub notes: Vec<String>,
+}
+
+/// Change of every temperature below which they have settled, K.
+const SETTLED: f64 = 1e-3;
+/// Solutions after which temperatures that do not settle are given up.
+const ROUNDS: usize = 60;
+/// Temperature at which bearing steel and every usual lubricant are lost, °C.
+const LOST: f64 = 250.0;
+/// Temperature of the drawing, K.
+const DRAWN: f64 = ZERO_CELSIUS + 20.0;
+/// Thermal expansion of bearing steel, 1/K.
+const EXPANSION: f64 = 11.5e-6;
+/// Conductivity times density times specific heat of bearing steel, J²/(m⁴ K² s).
+const STEEL: f64 = 46.0 * 7810.0 * 475.0;
+/// Section D − d over ball diameter, and width over section, of usual bearings.
+const SECTION: f64 = 3.3;
+const WIDTH: f64 = 0.5;
+
+/// Temperatures of a lubricated bearing in steady state: friction is solved for at the temperatures that it makes.
+///
+/// # Errors
+/// A case without a lubricant, that stands still or has no solution; temperatures that run away or do not settle.
+pub fn heat(
+    question: &Question<'_>,
+    equations: Equations,
+    surroundings: &Surroundings,
+) -> Result<Answer<HeatAnswer>, AnswerError> {
+    let Some(lubricant) = &question.case.lubricant else {
+        return Err(AnswerError::argument(
+            "case",
+            question.name,
+            "temperatures need a lubricant: a section `lubricant`",
+        ));
+    };
+    let mut notes = Vec::new();
+    let size = size(question.case, surroundings, &mut notes)?;
+    if question.case.mounting.is_none() {
+        notes.push("without `mounting` the rings grow by heat and speed, in no seats".to_owned());
+    }
+    let mut at = Temperatures::even(lubricant.temperature);
+    let mut steps = Steps::default();
+    for round in 1..=ROUNDS {
+        let case = warmed(question.case, &size, &at);
+        let warm = Question { case: &case, ..question.clone() };
+        let (bearing, solution, findings) = solution_by(&warm, equations)?;
+        let found = Found::new(question.name, &solution)?;
+        let conductances = found.conductances(&case, &size, surroundings)?;
+        let ambient = surroundings.temperature_deg_c + ZERO_CELSIUS;
+        let next = conductances.steady(&found.heat, ambient)?;
+        let off = difference(&next, &at);
+        if off.iter().all(|off| off.abs() < SETTLED) {
+            let answer = HeatAnswer {
+                rounds: round,
+                notes,
+                ..answer(&case, &bearing, (&conductances, &next, ambient), &found)?
+            };
+            return Ok(Answer::new(findings, answer));
+        }
+        at = steps.next(&at, off);
+        let hottest = at.to_array().into_iter().fold(f64::NEG_INFINITY, f64::max) - ZERO_CELSIUS;
+        if hottest.is_nan() || hottest >= LOST {
+            let why = format!(
+                "the temperatures run away: {hottest:.0} °C and rising with {:.0} W of friction",
+                found.heat.total()
+            );
+            return Err(AnswerError::Runaway { file: question.name.to_owned(), why });
+        }
+    }
+    let why = format!("the temperatures do not settle in {ROUNDS} rounds");
+    Err(AnswerError::Runaway { file: question.name.to_owned(), why })
+}
+
+/// Heat and contacts of a solution.
+struct Found {
+    heat: Heat,
+    /// Between balls and inner, outer ring, W/K.
+    contacts: [f64; 2],
+    torque: f64,
+}
+
+impl Found {
+    fn new(name: &str, solution: &Solution) -> Result<Self, AnswerError> {
+        let speed = solution.inner_speed_rad_s - solution.outer_speed_rad_s;
+        let Some(torque) = solution.shaft_torque_nm.filter(|_| speed != 0.0) else {
+            let message = "friction needs traction and a speed of the rings against each other";
+            return Err(AnswerError::argument("case", name, message));
+        };
+        let contacts = |side: Side| solution.balls.iter().map(move |ball| ball.contacts[side]);
+        let friction =
+            Side::BOTH.map(|side| contacts(side).filter_map(|c| c.friction).map(|f| f.power_loss_w).sum::<f64>());
+        let passing = Side::BOTH.map(|side| {
+            let of = |c: tribodyn_bearing::ContactResult| {
+                passing_conductance(c.semi_axes_m, c.rolling_speed_m_s.abs(), STEEL)
+            };
+            contacts(side).filter(|contact| contact.load_n > 0.0).map(of).sum::<f64>()
+        });
+        let fluid: f64 = solution.balls.iter().filter_map(|ball| ball.fluid).map(|fluid| fluid.power_loss_w).sum();
+        // What the shaft gives and contacts and fluid do not take is lost at the cage.
+        let cage = (torque * speed - friction.iter().sum::<f64>() - fluid).max(0.0);
+        // Two surfaces of one steel share what is made between them.
+        let heat = Heat {
+            inner: 0.5 * friction[0],
+            balls: 0.5 * (friction[0] + friction[1]),
+            outer: 0.5 * friction[1],
+            oil: fluid + cage,
+        };
+        Ok(Self { heat, contacts: passing, torque: torque.abs() })
+    }
+
+    fn conductances(
+        &self,
+        case: &Case,
+        size: &BearingSize,
+        surroundings: &Surroundings,
+    ) -> Result<Conductances, AnswerError> {
+        let [inner, outer] = self.contacts;
+        let usual = Conductances::usual(size, inner, outer);
+        let flow = surroundings.oil_flow_l_min * 1e-3 / 60.0;
+        let carried = match &case.lubricant {
+            Some(lubricant) if flow > 0.0 => {
+                let oil = lubricant.oil.oil()?;
+                flow * oil.density(lubricant.temperature) * oil.thermal.specific_heat
+            }
+            _ => 0.0,
+        };
+        Ok(Conductances {
+            inner_surroundings: surroundings.cooling * usual.inner_surroundings,
+            housing_surroundings: surroundings.cooling * usual.housing_surroundings,
+            oil_surroundings: carried,
+            ..usual
+        })
+    }
+}
+
+/// Steps towards the fixed point, each as long as the last two say (Aitken's, for vectors: B. M. Irons and
+/// R. C. Tuck, Int. J. Numer. Meth. Engng 1 (1969) 275).
+struct Steps {
+    last: Option<[f64; 5]>,
+    length: f64,
+}
+
+impl Default for Steps {
+    fn default() -> Self {
+        Self { last: None, length: 0.7 }
+    }
+}
+
+impl Steps {
+    /// Shortest and longest step over the way to what was found.
+    const LENGTHS: [f64; 2] = [0.05, 1.5];
+    /// Longest step, K: a cold oil's friction says nothing of where the temperatures end.
+    const LONGEST: f64 = 40.0;
+
+    fn next(&mut self, at: &Temperatures, off: [f64; 5]) -> Temperatures {
+        if let Some(last) = self.last {
+            let change: Vec<f64> = off.iter().zip(last).map(|(off, last)| off - last).collect();
+            let squared: f64 = change.iter().map(|change| change * change).sum();
+            let along: f64 = change.iter().zip(last).map(|(change, last)| change * last).sum();
+            if squared > 0.0 {
+                let [least, most] = Self::LENGTHS;
+                self.length = (-self.length * along / squared).clamp(least, most);
+            }
+        }
+        self.last = Some(off);
+        let at = at.to_array();
+        let step = |node: usize| (self.length * off[node]).clamp(-Self::LONGEST, Self::LONGEST);
+        Temperatures::from_array(std::array::from_fn(|node| at[node] + step(node)))
+    }
+}
+
+fn difference(a: &Temperatures, b: &Temperatures) -> [f64; 5] {
+    let (a, b) = (a.to_array(), b.to_array());
+    std::array::from_fn(|node| a[node] - b[node])
+}
+
+fn size(case: &Case, surroundings: &Surroundings, notes: &mut Vec<String>) -> Result<BearingSize, AnswerError> {
+    let spec = case.rating.unwrap_or_default();
+    let g = &case.geometry;
+    let half_section = 0.5 * SECTION * g.ball_diameter;
+    if spec.bore.is_none() || spec.outside.is_none() {
+        notes.push("bore and outside diameter estimated: give rating.bore and rating.outside".to_owned());
+    }
+    let bore = spec.bore.unwrap_or(g.pitch_diameter - half_section);
+    let outside = spec.outside.unwrap_or(g.pitch_diameter + half_section);
+    if bore <= 0.0 || outside <= bore {
+        return Err(AnswerError::argument("case", "rating", "bore and outside diameter are none of a bearing"));
+    }
+    let width = surroundings.width_mm.map(|width| width * 1e-3).unwrap_or_else(|| {
+        notes.push("width estimated as half of D − d: give --width".to_owned());
+        WIDTH * (outside - bore)
+    });
+    Ok(BearingSize { bore, outside, width })
+}
+
+/// The temperature that films have at their inlets: the mean of the surfaces.
+fn inlet(at: &Temperatures) -> f64 {
+    (at.inner + at.outer + 2.0 * at.balls) / 4.0
+}
+
+/// The case with its oil, rings and balls at these temperatures.
+fn warmed(case: &Case, size: &BearingSize, at: &Temperatures) -> Case {
+    let mut warm = case.clone();
+    if let Some(lubricant) = &mut warm.lubricant {
+        lubricant.temperature = inlet(at);
+    }
+    let free =
+        |seat_diameter: f64| MountedRingSpec { seat_diameter, expansion: EXPANSION, temperature_rise: 0.0, seat: None };
+    let mut mounting = case.mounting.unwrap_or_else(|| MountingSpec {
+        inner: free(size.bore),
+        outer: free(size.outside),
+        ball: HeatSpec { expansion: EXPANSION, temperature_rise: 0.0 },
+    });
+    mounting.inner.temperature_rise = at.inner - DRAWN;
+    mounting.outer.temperature_rise = at.outer - DRAWN;
+    mounting.ball.temperature_rise = at.balls - DRAWN;
+    if let Some(shaft) = &mut mounting.inner.seat {
+        shaft.temperature_rise = at.inner - DRAWN;
+    }
+    if let Some(housing) = &mut mounting.outer.seat {
+        housing.temperature_rise = at.housing - DRAWN;
+    }
+    warm.mounting = Some(mounting);
+    warm
+}
+
+fn answer(
+    case: &Case,
+    bearing: &Bearing,
+    (conductances, at, ambient): (&Conductances, &Temperatures, f64),
+    found: &Found,
+) -> Result<HeatAnswer, AnswerError> {
+    let celsius = at.to_array().map(|kelvin| kelvin - ZERO_CELSIUS);
+    let [inner, balls, outer, oil, housing] = celsius;
+    let viscosity = match &case.lubricant {
+        Some(lubricant) => lubricant.oil.oil()?.kinematic_mm2_s(inlet(at)),
+        None => f64::NAN,
+    };
+    Ok(HeatAnswer {
+        inner_temperature_deg_c: inner,
+        ball_temperature_deg_c: balls,
+        outer_temperature_deg_c: outer,
+        oil_temperature_deg_c: oil,
+        housing_temperature_deg_c: housing,
+        film_inlet_temperature_deg_c: inlet(at) - ZERO_CELSIUS,
+        kinematic_viscosity_mm2_s: viscosity,
+        torque_nm: found.torque,
+        friction_power_w: found.heat.total(),
+        heat_shaft_w: conductances.inner_surroundings * (at.inner - ambient),
+        heat_housing_w: conductances.housing_surroundings * (at.housing - ambient),
+        heat_oil_w: conductances.oil_surroundings * (at.oil - ambient),
+        radial_clearance_m: bearing.geometry.radial_clearance(),
+        rounds: 0,
+        notes: Vec::new(),
+    })
+}
