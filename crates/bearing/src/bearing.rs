@@ -1,6 +1,7 @@
 //! A bearing made ready for the solvers: geometry, masses, contact constants, traction laws and fluid forces.
 
 use crate::BearingError;
+use crate::deviations::Deviations;
 use crate::elastic::ElasticPatches;
 use crate::geometry::Geometry;
 use crate::lean::RingOffset;
@@ -82,6 +83,8 @@ pub struct Bearing {
     pub contact_damping: f64,
     /// Tangential elasticity of the patches; absent where their surfaces are rigid.
     pub elastic: Option<ElasticPatches>,
+    /// Waviness of races and unequal balls; none unless they are put in.
+    pub deviations: Deviations,
 }
 
 /// One raceway.
@@ -205,12 +208,8 @@ impl Bearing {
             worn: spec.worn,
             contact_damping: 0.0,
             elastic,
+            deviations: Deviations::default(),
         })
-    }
-
-    /// Azimuth of ball `index` when ball 0 is at 0, rad.
-    pub fn azimuth(&self, index: usize) -> f64 {
-        2.0 * PI * index as f64 / self.geometry.ball_count as f64
     }
 
     /// Wear rate of a race, m³/s, from the wear integral of its patch; 0 where nothing is known of the surfaces.

@@ -23,7 +23,7 @@ impl Case {
             Some(coatings) => Races { inner: worn(&coatings.inner)?, outer: worn(&coatings.outer)? },
             None => Races { inner: LocalSurface::NEW, outer: LocalSurface::NEW },
         };
-        Bearing::new(BearingSpec {
+        let mut bearing = Bearing::new(BearingSpec {
             geometry,
             ball: elastic(&self.materials.ball),
             ball_density: self.materials.ball.density,
@@ -32,7 +32,11 @@ impl Case {
             tribology: self.tribology(&geometry)?,
             fluid: self.fluid.as_ref().map(|f| fluid_forces(f, radius)).transpose()?,
             worn,
-        })
+        })?;
+        if let Some(deviations) = &self.deviations {
+            bearing.deviations = deviations.of(geometry.ball_count)?;
+        }
+        Ok(bearing)
     }
 
     fn tribology(&self, geometry: &Geometry) -> Result<Option<Tribology>, BearingError> {

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod bearing;
+mod deviations;
 mod error;
 mod locate;
 mod lubricant;

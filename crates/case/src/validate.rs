@@ -65,6 +65,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
     super::validate_transient::validate(case)?;
     super::mounting::validate(case)?;
     super::lubricant::validate(case)?;
+    super::deviations::validate(case)?;
     modelling(&case.modelling)?;
     numerics(&case.numerics)?;
     super::validate_bounds::validate(case)

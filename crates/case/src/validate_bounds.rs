@@ -38,6 +38,7 @@ const HARDNESS: &str = "soft polymers have 1e6 Pa, diamond 1e11 Pa";
 const LOAD: &str = "the largest bearings carry 1e8 N";
 const MOMENT: &str = "the largest bearings carry 1e9 N m";
 const PLACE: &str = "a ring that is held farther away has left its balls";
+const ANGLE: &str = "an azimuth is an angle on a ring";
 const TILT: &str = "a ring that is tilted further has left its balls";
 const INSTANT: &str = "a table is in simulated time, which ends at 1e4 s";
 const MASS: &str = "rings and what moves with them weigh a milligram to some thousand tonnes";
@@ -94,7 +95,11 @@ const BOUNDS: &[Bound] = &[
     bound("supports.*.mass", [1e-9, 1e8], "kg", MASS),
     bound("supports.*.stiffness[*]", [0.0, 1e14], "N/m", SPRING),
     bound("supports.*.damping[*]", [0.0, 1e11], "N s/m", DAMPER),
-    bound("defects[*].azimuth", [-1e4, 1e4], "rad", "an azimuth is an angle on a ring"),
+    bound("deviations.position.ball", [-1e4, 1e4], "rad", ANGLE),
+    bound("deviations.position.inner", [-1e4, 1e4], "rad", ANGLE),
+    bound("deviations.position.outer", [-1e4, 1e4], "rad", ANGLE),
+    bound("deviations.*.waves[*].phase", [-1e4, 1e4], "rad", ANGLE),
+    bound("defects[*].azimuth", [-1e4, 1e4], "rad", ANGLE),
     bound("transient.wear_acceleration", [0.0, 1e15], "", "a ring would be gone in one step"),
     bound("transient.duration", [1e-12, 1e4], "s", "time is counted in doubles"),
     bound("transient.scheme.*.step", [1e-12, 1e-4], "s", "sound passes an atom of steel in 5e-14 s"),
@@ -234,6 +239,7 @@ impl Values {
             self.support("inner", inner);
             self.support("outer", outer);
         }
+        self.deviations(case);
         for (i, defect) in case.defects.iter().enumerate() {
             self.add(format!("defects[{i}].azimuth"), defect.azimuth);
         }
@@ -251,6 +257,20 @@ impl Values {
         if let Some(recording) = &case.recording {
             self.add("recording.state_rate", recording.state_rate);
             self.add("recording.ball_rate", recording.ball_rate);
+        }
+    }
+
+    fn deviations(&mut self, case: &Case) {
+        let Some(spec) = &case.deviations else { return };
+        for (name, angle) in
+            [("ball", spec.position.ball), ("inner", spec.position.inner), ("outer", spec.position.outer)]
+        {
+            self.add(format!("deviations.position.{name}"), angle);
+        }
+        for (name, race) in [("inner", &spec.inner), ("outer", &spec.outer)] {
+            for (i, wave) in race.waves.iter().enumerate() {
+                self.add(format!("deviations.{name}.waves[{i}].phase"), wave.phase);
+            }
         }
     }
 

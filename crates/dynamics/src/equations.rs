@@ -132,7 +132,7 @@ pub(crate) trait Equations {
         mut traction: impl FnMut(&LoadedPatch<'_, f64>) -> PatchTraction,
     ) -> BallForces {
         let machine = self.machine();
-        let (axes, position, surfaces) = machine.place(b, frame);
+        let (axes, position, surfaces) = machine.place(index, b, frame);
         let state = self.state_at(axes, position, b);
         let normal = machine.normal_loads(&state, &surfaces, frame);
         let r = normal.orbit_radius;
@@ -199,15 +199,15 @@ impl Machine {
         Frame { rings: Races { inner, outer }, angles: [y[a], y[a + 1]].into(), cage: [y[c], y[c + 1]] }
     }
 
-    /// Axes of a ball with the unknowns `b`, its centre against the outer groove centre, and the surfaces under it.
+    /// Axes of a ball with its number and the unknowns `b`, its centre against the outer groove centre, and the surfaces under it.
     #[inline]
-    pub fn place(&self, b: &[f64], frame: &Frame) -> (AzimuthFrame, [f64; 2], Races<LocalSurface>) {
+    pub fn place(&self, index: usize, b: &[f64], frame: &Frame) -> (AzimuthFrame, [f64; 2], Races<LocalSurface>) {
         let axes = AzimuthFrame::at(b[AZIMUTH]);
         let centre = frame.rings.each_ref().map(|ring| axes.from_inertial(ring.displacement));
         let surfaces = Races::from_fn(|side| {
             // Seen from the ring's own axis the ball stands a little behind.
             let [_, radial, along] = centre[side];
-            self.surface(side, b[AZIMUTH] - along / (b[RADIUS] - radial) - frame.angles[side])
+            self.surface(side, index, b[AZIMUTH] - along / (b[RADIUS] - radial) - frame.angles[side])
         });
         let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
         (axes, Self::position(axes, [b[AXIAL], b[RADIUS]], frame, groove), surfaces)
@@ -232,13 +232,23 @@ impl Machine {
         Races::from_fn(|side| LocalSurface { depth: -self.bearing.worn[side].depth, ..LocalSurface::NEW })
     }
 
-    /// Surface of a raceway at an azimuth of its ring; what had worn off all round at the start is in the pose of the
-    /// ball.
+    /// Surface of a raceway under a ball at an azimuth of its ring; what had worn off all round at the start is in the
+    /// pose of the ball.
     #[inline]
-    fn surface(&self, side: Side, azimuth: f64) -> LocalSurface {
+    fn surface(&self, side: Side, ball: usize, azimuth: f64) -> LocalSurface {
         let mut surface = self.raceways[side].at(azimuth);
         surface.depth -= self.bearing.worn[side].depth;
+        if !self.bearing.deviations.are_none() {
+            let (depth, slope) = self.bearing.deviations.at(side, ball, azimuth);
+            surface.depth += depth;
+            surface.slope += slope;
+        }
         surface
+    }
+
+    /// True while every race is round and as it was when the run began, and all balls are equal.
+    pub fn is_even(&self) -> bool {
+        self.raceways.inner.is_new() && self.raceways.outer.is_new() && self.bearing.deviations.are_none()
     }
 
     /// Force and friction of the pocket on a ball.

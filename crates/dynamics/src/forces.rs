@@ -93,9 +93,9 @@ impl Machine {
         sums.powers.energy += elastic_energy(normal);
     }
 
-    /// Elastic energy of the contacts of a ball with the unknowns `b`, J.
-    pub fn elastic_energy(&self, b: &[f64], frame: &Frame) -> f64 {
-        let (axes, position, surfaces) = self.place(b, frame);
+    /// Elastic energy of the contacts of a ball with its number and the unknowns `b`, J.
+    pub fn elastic_energy(&self, index: usize, b: &[f64], frame: &Frame) -> f64 {
+        let (axes, position, surfaces) = self.place(index, b, frame);
         let normal = self.normal_loads(&self.state_at(axes, position, b), &surfaces, frame);
         normal.contacts.iter().map(|(_, contact)| elastic_energy(contact)).sum()
     }

@@ -3,7 +3,6 @@
 use crate::error::DynamicsError;
 use crate::layout::Layout;
 use crate::watch::Watch;
-use std::f64::consts::TAU;
 use tribodyn_bearing::{
     Bearing, CageBody, CoatingState, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory, Translation,
 };
@@ -144,7 +143,7 @@ impl Machine {
         let balls = bearing.geometry.ball_count;
         Ok(Self {
             layout: Layout { balls },
-            places: (0..balls).map(|ball| TAU * ball as f64 / balls as f64).collect(),
+            places: (0..balls).map(|ball| bearing.azimuth(ball)).collect(),
             watch: vec![Watch::default(); balls],
             inner: Support::new(&supports.inner, free),
             outer: Support::new(&supports.outer, [true; 2]),

@@ -54,6 +54,8 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     }
     state[l.cage() + 1] = motion.cage_speed;
     state[l.inner()..l.inner() + 3].copy_from_slice(&[x, y, z]);
+    let turned = machine.bearing.deviations.turned;
+    state[l.angles()..l.angles() + 2].copy_from_slice(&[turned.inner, turned.outer]);
     set_springs(&mut machine, &state);
     Ok(Started { machine, state, solution })
 }

@@ -185,7 +185,7 @@ impl<'a> AtRest<'a> {
         let [axial, radial] = groove_centres_apart(bearing, index, ring);
         let apart = (axial * axial + radial * radial).sqrt();
         let direction = [axial / apart, radial / apart];
-        let approach = apart - (reach(bearing, Side::Inner) + reach(bearing, Side::Outer));
+        let approach = apart - (reach(bearing, index, Side::Inner) + reach(bearing, index, Side::Outer));
         let compliance = Races::from_fn(|side| {
             let hertz = if self.frozen {
                 bearing.races[side].frozen::<D>()
@@ -209,10 +209,10 @@ impl<'a> AtRest<'a> {
     fn place(&self, bearing: &Bearing, index: usize, ring: [f64; RING]) -> [f64; 2] {
         let Pressed { direction: [sin, cos], approach, outer_share, .. } = self.pressed(bearing, index, ring);
         if approach > 0.0 {
-            let length = reach(bearing, Side::Outer) + outer_share * approach;
+            let length = reach(bearing, index, Side::Outer) + outer_share * approach;
             return [length * sin, length * cos];
         }
-        let reaches = Races::from_fn(|side| reach(bearing, side));
+        let reaches = Races::from_fn(|side| reach(bearing, index, side));
         let apart = reaches.inner + reaches.outer + approach;
         let middle = 0.5 * (apart + reaches.outer - reaches.inner);
         let thrown = outermost([apart * sin, apart * cos], reaches);
@@ -260,7 +260,7 @@ fn outermost([axial, radial]: [f64; 2], Races { inner, outer }: Races<f64>) -> [
 /// the outer groove, m. None for a ball that they press.
 pub(crate) fn thrown(bearing: &Bearing, index: usize, ring: [f64; RING], centrifugal: f64) -> Option<[f64; 2]> {
     let centre = groove_centres_apart(bearing, index, ring);
-    let reaches = Races::from_fn(|side| reach(bearing, side));
+    let reaches = Races::from_fn(|side| reach(bearing, index, side));
     if centre[0].hypot(centre[1]) > reaches.inner + reaches.outer {
         return None;
     }
@@ -281,18 +281,23 @@ pub(crate) fn thrown(bearing: &Bearing, index: usize, ring: [f64; RING], centrif
 }
 
 /// Distance of the centre of an unloaded ball from that of a groove, m.
-fn reach(bearing: &Bearing, side: Side) -> f64 {
+fn reach(bearing: &Bearing, index: usize, side: Side) -> f64 {
+    drawn_reach(bearing, side) + bearing.depth_under(index, side)
+}
+
+/// The same of the ball of the drawing on a round race.
+fn drawn_reach(bearing: &Bearing, side: Side) -> f64 {
     bearing.geometry.groove_offset(side) + bearing.worn[side].depth
 }
 
 /// From the outer to the inner groove centre at a ball: axial, radial, m.
 fn groove_centres_apart<D: Scalar>(bearing: &Bearing, index: usize, ring: [D; RING]) -> [D; 2] {
     let frame = AzimuthFrame::at(bearing.azimuth(index)).lift();
-    let outer = reach(bearing, Side::Outer);
+    let outer = drawn_reach(bearing, Side::Outer);
     let (inner_ring, outer_ring) = (ring_state(ring, 0.0), RingState::centred(D::zero()));
     let rings = Races { inner: &inner_ring, outer: &outer_ring };
     let inner = bearing.pose(frame, [D::zero(), D::from(outer)], rings).contacts.inner;
-    let length = inner.approach + reach(bearing, Side::Inner);
+    let length = inner.approach + drawn_reach(bearing, Side::Inner);
     [inner.sin * length, inner.cos * length + outer]
 }
 

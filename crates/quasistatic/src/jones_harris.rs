@@ -136,7 +136,11 @@ impl JonesHarris<'_> {
         let frame = AzimuthFrame::at(self.bearing.azimuth(index)).lift();
         let inner = ring_state(ring, self.speeds.inner);
         let outer = RingState::centred(D::from(self.speeds.outer));
-        self.bearing.pose(frame, [ball[AXIAL], ball[RADIAL]], Races { inner: &inner, outer: &outer })
+        let mut pose = self.bearing.pose(frame, [ball[AXIAL], ball[RADIAL]], Races { inner: &inner, outer: &outer });
+        for side in Side::BOTH {
+            pose.contacts[side].approach -= self.bearing.depth_under(index, side);
+        }
+        pose
     }
 
     /// Contact load; with constants at the free angle in the first phase, or it would have no potential.

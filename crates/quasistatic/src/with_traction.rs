@@ -50,7 +50,8 @@ impl WithTraction<'_> {
             spin: [ball[SPIN] + ball[ORBIT], ball[SPIN + 1], ball[SPIN + 2]],
         };
         let rings = Races { inner: &inner, outer: &outer };
-        let loads = self.bearing.ball_loads_with(&state, rings, self.bearing.surfaces().each_ref(), traction);
+        let loads =
+            self.bearing.ball_loads_with(&state, rings, self.bearing.surfaces_under(index).each_ref(), traction);
         (state, loads, inner)
     }
 

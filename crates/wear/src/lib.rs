@@ -1,18 +1,28 @@
 #![doc = include_str!("../README.md")]
 
 mod archard;
+mod ball_size;
 mod defect;
 mod geometry;
 mod life;
+mod profile;
 mod raceway;
+mod random;
+mod spall;
 mod surface;
+mod waviness;
 
 pub use archard::{Archard, archard_rate, cage_rate};
+pub use ball_size::{ball_deviations, ball_grades, lot_variation};
 pub use defect::Defect;
 pub use geometry::{GrooveGeometry, WearDepths};
 pub use life::{BallWear, CoatingLife, RaceWear, Stride, WearRates};
+pub use profile::Profile;
 pub use raceway::{BINS, ProfilePoint, Raceway};
+pub use random::Random;
+pub use spall::{Spall, SpallPath, Track};
 pub use surface::LocalSurface;
+pub use waviness::{HIGHEST_ORDER, Wave, WaveSpectrum, waviness};
 
 /// Errors of worn geometry, raceways and wear data.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -75,6 +85,26 @@ pub enum WearError {
         /// Name of the value.
         name: &'static str,
         /// The value given, m, rad or a fraction.
+        value: f64,
+        /// Allowed values.
+        allowed: &'static str,
+    },
+    /// A value that no spall has.
+    #[error("{name} of a spall is {value}: allowed is {allowed}")]
+    Spall {
+        /// Name of the value.
+        name: &'static str,
+        /// The value given, SI.
+        value: f64,
+        /// Allowed values.
+        allowed: &'static str,
+    },
+    /// A value that no wave has.
+    #[error("{name} of a wave is {value}: allowed is {allowed}")]
+    Wave {
+        /// Name of the value.
+        name: &'static str,
+        /// The value given, SI.
         value: f64,
         /// Allowed values.
         allowed: &'static str,

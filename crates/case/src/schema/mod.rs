@@ -3,6 +3,7 @@
 //! Every dimensional value carries its unit in the text (`mm(30.16)`, `rpm(14000)`); the deserialisers of
 //! [`super::units`] turn it into the SI number held here.
 
+mod deviations;
 mod lubricant;
 mod mounting;
 mod operation;
@@ -10,6 +11,7 @@ mod rating;
 mod transient;
 mod tribology;
 
+pub use deviations::*;
 pub use lubricant::*;
 pub use mounting::*;
 pub use operation::*;
@@ -65,6 +67,9 @@ pub struct Case {
     /// Masses and supports of the rings; a transient run needs them.
     #[serde(default)]
     pub supports: Option<SupportsSpec>,
+    /// Waviness of the races and unequal balls; without them races are round and balls equal.
+    #[serde(default)]
+    pub deviations: Option<DeviationsSpec>,
     /// Local defects of the raceways.
     #[serde(default)]
     pub defects: Vec<DefectSpec>,

@@ -204,7 +204,7 @@ pub(super) fn drift_acceleration<E: Equations>(
     let frame = machine.frame(t, y);
     let mut sums = Sums::default();
     for (block, (balls, out)) in balls.iter().zip(stands).enumerate() {
-        press(level, equations, (&frame, balls), out);
+        press(level, equations, (&frame, block, balls), out);
         for k in 0..filled(l, block) {
             for side in Side::BOTH {
                 let on_ball = get(&out.found.on_rings[side as usize], k);
@@ -218,15 +218,15 @@ pub(super) fn drift_acceleration<E: Equations>(
     a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);
 }
 
-/// How the balls of a block are pressed on their races.
+/// How the balls of a block, by its number, are pressed on their races.
 pub(super) fn press<E: Equations>(
     level: Level,
     equations: &E,
-    (frame, balls): (&Frame, &[Lane; BALL]),
+    (frame, block, balls): (&Frame, usize, &[Lane; BALL]),
     out: &mut Stand,
 ) {
     let machine = equations.machine();
-    surfaces(machine, frame, balls, &mut out.surfaces);
+    surfaces(machine, frame, (block, balls), &mut out.surfaces);
     if machine.bearing.modelling.contact_at_actual_angle {
         return springs_by_angle(equations, frame, balls, out);
     }
@@ -236,10 +236,10 @@ pub(super) fn press<E: Equations>(
 }
 
 /// The surfaces under the balls of a block.
-fn surfaces(machine: &Machine, frame: &Frame, balls: &[Lane; BALL], out: &mut [[Lane; 3]; 2]) {
-    let new = machine.raceways.inner.is_new() && machine.raceways.outer.is_new();
+fn surfaces(machine: &Machine, frame: &Frame, (block, balls): (usize, &[Lane; BALL]), out: &mut [[Lane; 3]; 2]) {
+    let new = machine.is_even();
     for k in 0..WIDTH {
-        let here = if new { machine.new_surfaces() } else { machine.place(&get(balls, k), frame).2 };
+        let here = if new { machine.new_surfaces() } else { machine.place(block * WIDTH + k, &get(balls, k), frame).2 };
         for (side, surface) in here.iter() {
             put(&mut out[side as usize], k, [surface.depth, surface.slope, surface.bare]);
         }

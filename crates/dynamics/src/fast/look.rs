@@ -120,7 +120,7 @@ impl Fast {
         let [(stand, grips, seen)] = &mut room.found[..] else { unreachable!("there is one") };
         for (block, forms) in forms.iter().enumerate().take(blocks(l.balls)) {
             let balls = gather(l, y, block);
-            press(*level, machine, (&of.frame, &balls), stand);
+            press(*level, machine, (&of.frame, block, &balls), stand);
             let places = self.scratch.places[block];
             dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, stand), grips));
             let pockets = of.pockets(block, &balls, grips);

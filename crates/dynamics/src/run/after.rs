@@ -196,7 +196,7 @@ impl Run {
         let y = &self.progress.state;
         let frame = self.machine.frame(self.progress.time, y);
         (0..self.machine.layout.balls)
-            .map(|ball| self.machine.elastic_energy(self.machine.unknowns(ball, y), &frame))
+            .map(|ball| self.machine.elastic_energy(ball, self.machine.unknowns(ball, y), &frame))
             .sum()
     }
 

@@ -1,6 +1,7 @@
 //! The quasi-static models from the case file to the solution.
 
 mod at_rest;
+mod deviations;
 mod identities;
 mod limits;
 mod published;

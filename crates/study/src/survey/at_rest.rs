@@ -1,7 +1,6 @@
 //! Random bearings at rest: one by every model, and two of them on a shaft.
 
 use super::bearing::{RandomBearing, random_bearing};
-use super::random::Random;
 use super::trial::Verdict;
 use rayon::prelude::*;
 use tribodyn::answers::OrbitProblem;
@@ -10,6 +9,7 @@ use tribodyn_bearing::{Bearing, OperatingPoint, RingFreedom};
 use tribodyn_case::{Case, CaseError};
 use tribodyn_orbit::steady_orbit;
 use tribodyn_quasistatic::{Model, Solution, jones_harris_stiffness, solve};
+use tribodyn_wear::Random;
 
 /// Ring loads that are returned may differ from those of the case by this many tolerances of the loads on the balls.
 const TOLERANCES: f64 = 10.0;

@@ -1,9 +1,9 @@
 //! Random bearings: physically sensible, of all kinds, loads, speeds and supports, each the text of a case file.
 
-use super::random::Random;
 use std::fmt::{self, Write};
 use tribodyn_bearing::Side;
 use tribodyn_case::{Case, CaseError, set_value};
+use tribodyn_wear::Random;
 
 /// Kind of a random bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

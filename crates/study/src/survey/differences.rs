@@ -1,7 +1,7 @@
 //! The stiffness of random bearings against differences of solutions, along a random direction.
 
 use super::bearing::{RandomBearing, random_bearing};
-use super::random::Random;
+use tribodyn_wear::Random;
 use super::trial::Verdict;
 use rayon::prelude::*;
 use std::fmt::Display;

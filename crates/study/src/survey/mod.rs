@@ -7,16 +7,15 @@ mod at_rest;
 mod bearing;
 mod differences;
 mod momentum;
-mod random;
 mod table;
 mod trial;
 
 pub use at_rest::{AtRest, loads_returned, solve_at_rest, survey_at_rest};
 pub use bearing::{Kind, RandomBearing, random_bearing};
 pub use differences::{Compared, compare_stiffness, survey_stiffness};
-pub use random::Random;
 pub use table::{Counts, ModelCounts, Regime, SchemeCounts, Tally};
 pub use trial::{Running, Solving, Verdict, run_short, solve_by};
+pub use tribodyn_wear::Random;
 
 use rayon::prelude::*;
 use std::time::Duration;
