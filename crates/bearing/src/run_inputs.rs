@@ -6,7 +6,7 @@ use crate::operation::{Cage, OperatingPoint, SolverSettings};
 use crate::races::{Races, Side};
 use crate::watch::SearchWatch;
 use tribodyn_traction::PatchChoice;
-use tribodyn_wear::Defect;
+use tribodyn_wear::{Defect, Spall};
 
 /// A bearing with what loads, holds and drives it over time, SI.
 #[derive(Debug, Clone)]
@@ -25,6 +25,8 @@ pub struct RunInputs {
     pub coatings: Races<CoatingState>,
     /// Local defects of the races.
     pub defects: Races<Vec<Defect>>,
+    /// Spalls of the races.
+    pub spalls: Races<Vec<Spall>>,
     /// Quadrature over the contact patches.
     pub patch: PatchChoice,
     /// Settings of the quasi-static solution at the start.
@@ -52,6 +54,7 @@ impl RunInputs {
             supports,
             coatings: Races { inner: bare, outer: bare },
             defects: Races::default(),
+            spalls: Races::default(),
             patch: PatchChoice::TargetError { relative: 1e-5 },
             numerics: SolverSettings::default(),
             options,

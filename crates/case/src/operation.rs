@@ -1,11 +1,11 @@
 //! From a case to an operating point and to the inputs of a run.
 
-use crate::{CageSpec, Case, CoatingSpec, Lacking, Purpose, RecordingSpec, RingSpec, SupportSpec};
+use crate::{CageSpec, Case, CoatingSpec, Lacking, Purpose, RecordingSpec, RingSpec, SpallSpec, SupportSpec};
 use tribodyn_bearing::{
     BearingError, Cage, CoatingState, GuidingLand, MovingCage, OperatingPoint, Races, RingLoads, RunInputs, RunOptions,
     SearchWatch, Side, SolverSettings, Support, Supports,
 };
-use tribodyn_wear::Defect;
+use tribodyn_wear::{Defect, Spall};
 
 /// Rates where a case has no recording section: the rig's acquisition and a fifth of it.
 const RATES: RecordingSpec = RecordingSpec { state_rate: 25_600.0, ball_rate: 5_120.0 };
@@ -81,6 +81,7 @@ impl Case {
             supports: Supports { inner: supports.inner.support(), outer: supports.outer.support() },
             coatings,
             defects: Races::from_fn(|side| self.defects_of(side)),
+            spalls: Races::from_fn(|side| self.spalls_of(side)),
             patch,
             numerics: self.solver_settings(),
             options: RunOptions {
@@ -103,6 +104,18 @@ impl Case {
     fn defects_of(&self, side: Side) -> Vec<Defect> {
         let of_side = self.defects.iter().filter(|d| d.race == side);
         of_side.map(|d| Defect { azimuth: d.azimuth, width: d.width, depth: d.depth, bare: d.bare }).collect()
+    }
+
+    fn spalls_of(&self, side: Side) -> Vec<Spall> {
+        let spall = |s: &SpallSpec| Spall {
+            azimuth: s.azimuth,
+            length: s.length,
+            width: s.width,
+            depth: s.depth,
+            edge_radius: s.edge_radius,
+            across: s.across,
+        };
+        self.spalls.iter().filter(|s| s.race == side).map(spall).collect()
     }
 
     fn solver_settings(&self) -> SolverSettings {

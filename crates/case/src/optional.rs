@@ -24,6 +24,7 @@ const OPTIONAL: &[&str] = &[
     "deviations.*",
     "deviations.*.*",
     "defects",
+    "spalls",
     "transient",
     "recording",
     "mounting",

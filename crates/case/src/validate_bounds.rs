@@ -99,6 +99,7 @@ const BOUNDS: &[Bound] = &[
     bound("deviations.position.inner", [-1e4, 1e4], "rad", ANGLE),
     bound("deviations.position.outer", [-1e4, 1e4], "rad", ANGLE),
     bound("deviations.*.waves[*].phase", [-1e4, 1e4], "rad", ANGLE),
+    bound("spalls[*].azimuth", [-1e4, 1e4], "rad", ANGLE),
     bound("defects[*].azimuth", [-1e4, 1e4], "rad", ANGLE),
     bound("transient.wear_acceleration", [0.0, 1e15], "", "a ring would be gone in one step"),
     bound("transient.duration", [1e-12, 1e4], "s", "time is counted in doubles"),
@@ -240,6 +241,9 @@ impl Values {
             self.support("outer", outer);
         }
         self.deviations(case);
+        for (i, spall) in case.spalls.iter().enumerate() {
+            self.add(format!("spalls[{i}].azimuth"), spall.azimuth);
+        }
         for (i, defect) in case.defects.iter().enumerate() {
             self.add(format!("defects[{i}].azimuth"), defect.azimuth);
         }

@@ -34,6 +34,9 @@ pub(super) fn validate(case: &Case) -> Verdict {
     for (i, defect) in case.defects.iter().enumerate() {
         self::defect(&format!("defects[{i}]"), defect, case)?;
     }
+    for (i, spec) in case.spalls.iter().enumerate() {
+        spall(&format!("spalls[{i}]"), spec, case.geometry.ball_diameter)?;
+    }
     if let Some(spec) = &case.cage {
         cage(spec)?;
     }
@@ -88,6 +91,23 @@ fn defect(path: &str, spec: &DefectSpec, case: &Case) -> Verdict {
         spec.bare == 0.0 || case.coatings.as_ref().is_some_and(|coatings| coatings.bare.is_some()),
         &format!("{path}.bare"),
         "where the coating is gone the curve of what lies bare is needed: add coatings.bare",
+    )
+}
+
+fn spall(path: &str, spec: &SpallSpec, ball: f64) -> Verdict {
+    let within = |name: &str, value: f64, [least, most]: [f64; 2], of: &str| {
+        let message = format!("must be {} 0 and at most {of}, {} mm", if least > 0.0 { "above" } else { "at least" }, 1e3 * most);
+        require((least..=most).contains(&value), &format!("{path}.{name}"), message)
+    };
+    let above = f64::MIN_POSITIVE;
+    within("length", spec.length, [above, 0.8 * ball], "0.8 ball diameters")?;
+    within("width", spec.width, [above, 2.0 * ball], "two ball diameters")?;
+    within("depth", spec.depth, [0.0, 0.1 * ball], "a tenth of the ball diameter")?;
+    within("edge_radius", spec.edge_radius, [0.0, 0.02 * ball], "a fiftieth of the ball diameter")?;
+    require(
+        spec.across.abs() <= ball,
+        &format!("{path}.across"),
+        format!("must lie within one ball diameter, ±{} mm", 1e3 * ball),
     )
 }
 

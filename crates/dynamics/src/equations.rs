@@ -203,14 +203,17 @@ impl Machine {
     #[inline]
     pub fn place(&self, index: usize, b: &[f64], frame: &Frame) -> (AzimuthFrame, [f64; 2], Races<LocalSurface>) {
         let axes = AzimuthFrame::at(b[AZIMUTH]);
-        let centre = frame.rings.each_ref().map(|ring| axes.from_inertial(ring.displacement));
-        let surfaces = Races::from_fn(|side| {
-            // Seen from the ring's own axis the ball stands a little behind.
-            let [_, radial, along] = centre[side];
-            self.surface(side, index, b[AZIMUTH] - along / (b[RADIUS] - radial) - frame.angles[side])
-        });
+        let surfaces = Races::from_fn(|side| self.surface(side, index, Self::on_ring(side, axes, b, frame)));
         let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
         (axes, Self::position(axes, [b[AXIAL], b[RADIUS]], frame, groove), surfaces)
+    }
+
+    /// Azimuth of a ball with the unknowns `b` in the frame of a ring, rad.
+    #[inline]
+    pub fn on_ring(side: Side, axes: AzimuthFrame, b: &[f64], frame: &Frame) -> f64 {
+        // Seen from the ring's own axis the ball stands a little behind.
+        let [_, radial, along] = axes.from_inertial(frame.rings[side].displacement);
+        b[AZIMUTH] - along / (b[RADIUS] - radial) - frame.angles[side]
     }
 
     /// How hard a ball is pressed on its races.
@@ -243,12 +246,18 @@ impl Machine {
             surface.depth += depth;
             surface.slope += slope;
         }
+        for spall in &self.spalls[side] {
+            let (depth, slope) = spall.at(azimuth);
+            surface.depth += depth;
+            surface.slope += slope;
+        }
         surface
     }
 
     /// True while every race is round and as it was when the run began, and all balls are equal.
     pub fn is_even(&self) -> bool {
-        self.raceways.inner.is_new() && self.raceways.outer.is_new() && self.bearing.deviations.are_none()
+        let as_new = |side| self.raceways[side].is_new() && self.spalls[side].is_empty();
+        Side::BOTH.into_iter().all(as_new) && self.bearing.deviations.are_none()
     }
 
     /// Force and friction of the pocket on a ball.

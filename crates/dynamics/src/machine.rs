@@ -9,7 +9,7 @@ use tribodyn_bearing::{
 use tribodyn_traction::{
     FastPatch, FilmContact, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
 };
-use tribodyn_wear::{Defect, Raceway};
+use tribodyn_wear::{Defect, Raceway, SpallPath};
 
 /// A bearing with its cage, supports, loads and drives.
 #[derive(Debug, Clone)]
@@ -25,6 +25,8 @@ pub(crate) struct Machine {
     pub loads: [Translation; 3],
     pub speeds: Races<SpeedHistory>,
     pub raceways: Races<Raceway>,
+    /// Paths of the balls over the spalls of the races.
+    pub spalls: Races<Vec<SpallPath>>,
     /// Thinnest coating left on each, m, as of the last look.
     pub thinnest: Races<f64>,
     /// Factor on wear in what it does to the raceways.
@@ -153,6 +155,7 @@ impl Machine {
             speeds,
             thinnest: raceways.each_ref().map(Raceway::thinnest),
             raceways,
+            spalls: Races::default(),
             wear_acceleration: options.wear_acceleration,
             kernel: Kernel::Fast(FastPatch::of(quadrature)),
             bearing,
@@ -166,9 +169,5 @@ fn raceway(
     coating: &CoatingState,
     defects: &[Defect],
 ) -> Result<Raceway, DynamicsError> {
-    let g = &bearing.geometry;
-    // Where the balls touch at the free contact angle.
-    let outwards = g.ball_radius() * g.cos_contact_angle();
-    let track = 0.5 * g.pitch_diameter + if side == Side::Inner { -outwards } else { outwards };
-    Ok(Raceway::new(coating.thickness, coating.worn, track, defects)?)
+    Ok(Raceway::new(coating.thickness, coating.worn, bearing.track_radius(side), defects)?)
 }

@@ -114,6 +114,21 @@ pub enum EventKind {
         /// Azimuth in the ring's frame, degrees.
         azimuth_deg: f64,
     },
+    /// A ball has passed a spall.
+    SpallPassed {
+        /// The ball.
+        ball: usize,
+        /// On the inner race, otherwise on the outer.
+        inner: bool,
+        /// The spall, counted from 0 on each race.
+        spall: usize,
+        /// Time at which the ball's middle was over the first edge, s.
+        entered_s: f64,
+        /// Time at which it was over the middle and met the second edge, s.
+        struck_s: f64,
+        /// Time at which it was over the second edge, s.
+        left_s: f64,
+    },
     /// The solver must be doubted: a message for people.
     Warning {
         /// What and why.

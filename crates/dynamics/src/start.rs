@@ -5,9 +5,13 @@ use crate::error::DynamicsError;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
-use tribodyn_bearing::{AzimuthFrame, BallState, Motion, RingOffset, RunInputs, Side, Start};
+use tribodyn_bearing::{AzimuthFrame, BallState, Motion, Races, RingOffset, RunInputs, Side, Start};
 use tribodyn_quasistatic::{BallMotion, Model, Solution, WarmStart, solve};
 use tribodyn_traction::{PatchRule, Quadrature};
+use tribodyn_wear::{Spall, SpallPath};
+
+/// Load of the contact that bridges a spall where no ball carries any at the start, N: ellipses go with its cube root.
+const LEAST_LOAD: f64 = 1.0;
 
 /// A machine at its start.
 pub(crate) struct Started {
@@ -39,7 +43,9 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     if found != expected {
         return Err(DynamicsError::Balls { found, expected });
     }
+    let spalls = std::mem::take(&mut inputs.spalls);
     let mut machine = Machine::new(inputs, Quadrature::new(rule)?)?;
+    machine.spalls = paths_over(&machine, spalls, &solution)?;
     let [x, y, z, tilt @ ..] = motion.ring;
     machine.tilt = tilt;
     let mut state = vec![0.0; machine.layout.len()];
@@ -58,6 +64,23 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     state[l.angles()..l.angles() + 2].copy_from_slice(&[turned.inner, turned.outer]);
     set_springs(&mut machine, &state);
     Ok(Started { machine, state, solution })
+}
+
+/// Paths of the balls over spalls, for the contact of the most loaded ball. Spalls without depth are left out, so that
+/// a race with such a one is whole to the last bit.
+fn paths_over(
+    machine: &Machine,
+    spalls: Races<Vec<Spall>>,
+    solution: &Solution,
+) -> Result<Races<Vec<SpallPath>>, DynamicsError> {
+    Races::try_from_fn(|side| {
+        let loads = solution.balls.iter().map(|ball| ball.contacts[side].load_n);
+        let track = machine.bearing.track(side, loads.fold(LEAST_LOAD, f64::max));
+        let paths = spalls[side].iter().map(|spall| spall.path(&track));
+        let mut paths = paths.collect::<Result<Vec<_>, _>>()?;
+        paths.retain(|path| !path.is_flat());
+        Ok(paths)
+    })
 }
 
 /// The equilibrium of time 0, in which each ball keeps its place.

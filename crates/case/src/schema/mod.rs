@@ -73,6 +73,9 @@ pub struct Case {
     /// Local defects of the raceways.
     #[serde(default)]
     pub defects: Vec<DefectSpec>,
+    /// Spalls of the raceways.
+    #[serde(default)]
+    pub spalls: Vec<SpallSpec>,
     /// The transient run, for `run`.
     #[serde(default)]
     pub transient: Option<TransientSpec>,

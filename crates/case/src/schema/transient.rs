@@ -50,6 +50,32 @@ pub struct DefectSpec {
     pub bare: f64,
 }
 
+/// A spall of a raceway, with two edges along the path of the balls.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SpallSpec {
+    /// The raceway.
+    pub race: Side,
+    /// Its middle in the ring's own frame, rad.
+    #[serde(deserialize_with = "units::angle")]
+    pub azimuth: f64,
+    /// Length between its edges along the path, m.
+    #[serde(deserialize_with = "units::length")]
+    pub length: f64,
+    /// Width across the groove, m.
+    #[serde(deserialize_with = "units::length")]
+    pub width: f64,
+    /// Depth of its bottom, m.
+    #[serde(deserialize_with = "units::length")]
+    pub depth: f64,
+    /// Radius of its edges, m; sharp where left out.
+    #[serde(default, deserialize_with = "units::length")]
+    pub edge_radius: f64,
+    /// Distance of its middle across the groove from the middle of the contact, m.
+    #[serde(default, deserialize_with = "units::length")]
+    pub across: f64,
+}
+
 /// The transient run.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]

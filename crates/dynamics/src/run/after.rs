@@ -19,6 +19,7 @@ impl Run {
     ) -> Result<ControlFlow<()>, RunError<O::Error>> {
         self.progress.statistics.steps += 1;
         let from = self.progress.time;
+        self.spall_events(t, observer)?;
         self.pocket_events(t, observer)?;
         let mut flow = self.samples_within(from, t, observer)?;
         std::mem::swap(&mut self.progress.state, &mut self.next);

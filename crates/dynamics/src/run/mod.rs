@@ -5,6 +5,7 @@ mod blame;
 mod companion;
 mod filter;
 mod resume;
+mod spalls;
 mod step;
 
 pub use companion::{ACCELERATION_PART, AccelerationError};
@@ -24,6 +25,7 @@ use crate::start::{StartMotion, Started, start};
 use crate::stiffness::Stiffness;
 use blame::Looked;
 use filter::{Filter, FilterMemory, steps_of_sample};
+use spalls::OverSpall;
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{Races, RunInputs, RunOptions};
 use tribodyn_quasistatic::Solution;
@@ -69,6 +71,8 @@ pub struct Checkpoint {
     wear_work: f64,
     raceways: Races<Raceway>,
     loaded: Vec<Races<bool>>,
+    /// Balls that are over a spall.
+    over_spalls: Vec<OverSpall>,
     through: Races<bool>,
     control: StepControl,
     fast: Fast,
@@ -224,6 +228,7 @@ impl Run {
             wear_work: 0.0,
             raceways: machine.raceways.clone(),
             loaded: vec![Races::default(); machine.layout.balls],
+            over_spalls: Vec::new(),
             through: Races::default(),
             control: StepControl::new(FIRST_STEP),
             fast: Fast::with_linear_error(linear_error),
@@ -354,6 +359,7 @@ impl Run {
         if self.progress.samples == 0 {
             self.warn_if_coarse(observer)?;
             self.warn_if_undersampled(observer)?;
+            self.warn_if_stepping_over_spalls(observer)?;
             let state = self.progress.state.clone();
             if self.hand_out(self.progress.time, &state, observer)?.is_break() {
                 return Ok(Ending::Stopped);

@@ -56,6 +56,10 @@ impl Run {
                 return Err(refused(field, found as f64, format!("{expected} entries")));
             }
         }
+        let over = c.over_spalls.iter().all(|over| over.is_of(&self.machine));
+        if !over {
+            return Err(refused("over_spalls", c.over_spalls.len() as f64, "balls and spalls of the case".to_owned()));
+        }
         match c.stiffness.ball < balls {
             true => Ok(()),
             false => Err(refused("stiffness.ball", c.stiffness.ball as f64, format!("0 to {}", balls - 1))),

@@ -80,6 +80,7 @@ impl Trace {
             }
             EventKind::Warning { message } => self.warnings.push(message.clone()),
             EventKind::ContactLost { .. } | EventKind::ContactMade { .. } | EventKind::CoatingThrough { .. } => {}
+            EventKind::SpallPassed { .. } => {}
         }
     }
 }

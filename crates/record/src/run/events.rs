@@ -37,7 +37,7 @@ fn rank(kind: &EventKind) -> Option<(usize, f64)> {
         EventKind::Impact { closing_speed_m_s, .. } => Some((0, closing_speed_m_s.abs())),
         EventKind::ContactLost { .. } => Some((1, 0.0)),
         EventKind::ContactMade { .. } => Some((2, 0.0)),
-        EventKind::CoatingThrough { .. } | EventKind::Warning { .. } => None,
+        EventKind::CoatingThrough { .. } | EventKind::SpallPassed { .. } | EventKind::Warning { .. } => None,
     }
 }
 
@@ -116,6 +116,14 @@ fn line(event: &Event, more: usize) -> Log {
             let azimuth = azimuth_deg.rem_euclid(360.0);
             let text = format!("the coating of the {} race is worn through at {azimuth:.1}° of the ring", race(*inner));
             ("coating-through", Level::Warning, text)
+        }
+        EventKind::SpallPassed { ball, inner, spall, entered_s, struck_s, left_s } => {
+            let text = format!(
+                "ball {ball} has passed spall {spall} of the {} race: over its first edge at {entered_s:.7} s, against \
+                 the second at {struck_s:.7} s, over it at {left_s:.7} s",
+                race(*inner)
+            );
+            ("spall-passed", Level::Info, text)
         }
         EventKind::Warning { message } => ("warning", Level::Warning, message.clone()),
     };

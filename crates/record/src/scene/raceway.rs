@@ -32,13 +32,34 @@ pub(crate) struct Defect {
     azimuth: f64,
     width: f64,
     depth: f64,
+    /// Edges across the groove, rad from the free contact angle.
+    across: [f64; 2],
+    name: &'static str,
 }
 
-/// The defects of a run, those of the inner race first.
+/// The defects and spalls of a run, those of the inner race first.
 pub(crate) fn defects(inputs: &RunInputs) -> Vec<Defect> {
     let of = |side| {
         let all = inputs.defects[side].iter();
-        all.map(move |d| Defect { side, azimuth: d.azimuth, width: d.width, depth: d.depth })
+        let defects = all.map(move |d| Defect {
+            side,
+            azimuth: d.azimuth,
+            width: d.width,
+            depth: d.depth,
+            across: [-DEFECT_HALF_WIDTH, DEFECT_HALF_WIDTH],
+            name: "defect",
+        });
+        let g = &inputs.bearing.geometry;
+        let (track, groove) = (inputs.bearing.track_radius(side), g.coefficient(side) * g.ball_diameter);
+        let spalls = inputs.spalls[side].iter().map(move |s| Defect {
+            side,
+            azimuth: s.azimuth,
+            width: s.length / track,
+            depth: s.depth,
+            across: [s.across - 0.5 * s.width, s.across + 0.5 * s.width].map(|place| place / groove),
+            name: "spall",
+        });
+        defects.chain(spalls)
     };
     Side::BOTH.into_iter().flat_map(of).collect()
 }
@@ -56,7 +77,8 @@ impl Defect {
         let start = self.azimuth - 0.5 * self.width;
         let along: Vec<f64> = (0..=pieces as usize).map(|i| start + self.width * i as f64 / pieces).collect();
         let contact = geometry.contact_angle();
-        let across = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|part| contact + part * DEFECT_HALF_WIDTH);
+        let [from, to] = self.across;
+        let across = [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| contact + from + part * (to - from));
         let strip = mesh::strip(geometry, self.side, &along, &across, lift * geometry.ball_diameter);
         entity.triangles.push(strip.message(color));
     }
@@ -72,7 +94,7 @@ impl Defect {
         };
         let (sin, cos) = self.azimuth.sin_cos();
         let digits = |value: f64| (value * 100.0).round() / 100.0;
-        let text = format!("defect {}° x {} µm", digits(self.width.to_degrees()), digits(self.depth * 1e6));
+        let text = format!("{} {}° x {} µm", self.name, digits(self.width.to_degrees()), digits(self.depth * 1e6));
         entity.texts.push(guide::Stage::new(geometry).label([radius * cos, radius * sin, up], text));
         entity
     }
