@@ -96,7 +96,8 @@ fn defect(path: &str, spec: &DefectSpec, case: &Case) -> Verdict {
 
 fn spall(path: &str, spec: &SpallSpec, ball: f64) -> Verdict {
     let within = |name: &str, value: f64, [least, most]: [f64; 2], of: &str| {
-        let message = format!("must be {} 0 and at most {of}, {} mm", if least > 0.0 { "above" } else { "at least" }, 1e3 * most);
+        let message =
+            format!("must be {} 0 and at most {of}, {} mm", if least > 0.0 { "above" } else { "at least" }, 1e3 * most);
         require((least..=most).contains(&value), &format!("{path}.{name}"), message)
     };
     let above = f64::MIN_POSITIVE;

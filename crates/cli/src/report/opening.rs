@@ -93,17 +93,24 @@ fn of_case(bearing: &str, case: Option<&CaseFile>, run: &Run) -> Vec<Vec<String>
     }
     let fluid = described(&file.text, "fluid.medium");
     rows.push(row("Fluid", fluid.unwrap_or_else(|| "none: no drag, no churning".to_owned())));
-    if !file.case.defects.is_empty() {
-        let count = file.case.defects.len();
+    let lists = [
+        ("Defects", "defects", file.case.defects.len(), ["race", "azimuth", "width", "depth"]),
+        ("Spalls", "spalls", file.case.spalls.len(), ["race", "azimuth", "length", "depth"]),
+    ];
+    for (name, list, count, fields) in lists.into_iter().filter(|(_, _, count, _)| *count > 0) {
         let one = |k| {
-            each(
-                &["race", "azimuth", "width", "depth"]
-                    .map(|f| (f, format!("defects[{k}].{f}")))
-                    .each_ref()
-                    .map(|(f, p)| (*f, p.as_str())),
-            )
+            let paths = fields.map(|field| (field, format!("{list}[{k}].{field}")));
+            each(&paths.each_ref().map(|(field, path)| (*field, path.as_str())))
         };
-        rows.push(row("Defects", (0..count).map(one).collect::<Vec<_>>().join("; ")));
+        rows.push(row(name, (0..count).map(one).collect::<Vec<_>>().join("; ")));
+    }
+    let deviations = ["deviations.inner", "deviations.outer", "deviations.balls"];
+    let deviations: Vec<String> = deviations
+        .iter()
+        .filter_map(|path| Some(format!("{}: {}", path.rsplit('.').next()?, described(&file.text, path)?)))
+        .collect();
+    if !deviations.is_empty() {
+        rows.push(row("Deviations", deviations.join("; ")));
     }
     rows
 }

@@ -83,6 +83,8 @@ fn defaults(case: &Case) -> Vec<(String, String)> {
     let absent = [
         ("fluid", case.fluid.is_none(), "none: no drag, no churning"),
         ("defects", case.defects.is_empty(), "none"),
+        ("spalls", case.spalls.is_empty(), "none"),
+        ("deviations", case.deviations.is_none(), "none: round races, equal balls"),
         ("cage.guidance", case.cage.as_ref().is_some_and(|cage| cage.guidance.is_none()), "none: guided by the balls"),
     ];
     all.extend(absent.into_iter().filter(|(_, is, _)| *is).map(|(path, _, value)| (path.to_owned(), value.to_owned())));

@@ -3,6 +3,7 @@
 mod aliasing;
 mod companion;
 mod equilibrium;
+mod faults;
 mod own_law;
 mod schemes;
 mod symmetry;
