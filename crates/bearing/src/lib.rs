@@ -18,6 +18,7 @@ mod motion;
 mod normal;
 mod operation;
 mod patch_traction;
+mod places;
 mod pocket;
 mod quadrature_error;
 pub mod quantities;

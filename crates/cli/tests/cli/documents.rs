@@ -68,8 +68,8 @@ fn run_examples(name: &str, text: &str, folder: &Path) -> usize {
 fn regress_examples_of_the_documents() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut examples = 0;
-    let pages =
-        ["case-file", "sweep", "running", "ensemble", "life", "rating", "shaft", "faults"].map(|page| format!("docs/{page}.md"));
+    let pages = ["case-file", "sweep", "running", "ensemble", "life", "rating", "shaft", "faults"]
+        .map(|page| format!("docs/{page}.md"));
     for name in ["README.md".to_owned()].into_iter().chain(pages) {
         let text = std::fs::read_to_string(root.join(&name)).unwrap();
         examples += run_examples(&name, &text, &root);

@@ -239,7 +239,9 @@ pub(super) fn press<E: Equations>(
 fn surfaces(machine: &Machine, frame: &Frame, (block, balls): (usize, &[Lane; BALL]), out: &mut [[Lane; 3]; 2]) {
     let new = machine.is_even();
     for k in 0..WIDTH {
-        let here = if new { machine.new_surfaces() } else { machine.place(block * WIDTH + k, &get(balls, k), frame).2 };
+        // Lanes that are left over go with the last ball.
+        let ball = (block * WIDTH + k).min(machine.layout.balls - 1);
+        let here = if new { machine.new_surfaces() } else { machine.place(ball, &get(balls, k), frame).2 };
         for (side, surface) in here.iter() {
             put(&mut out[side as usize], k, [surface.depth, surface.slope, surface.bare]);
         }

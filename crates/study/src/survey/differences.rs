@@ -1,7 +1,6 @@
 //! The stiffness of random bearings against differences of solutions, along a random direction.
 
 use super::bearing::{RandomBearing, random_bearing};
-use tribodyn_wear::Random;
 use super::trial::Verdict;
 use rayon::prelude::*;
 use std::fmt::Display;
@@ -12,6 +11,7 @@ use tribodyn_orbit::{OrbitStart, orbit_stiffness, steady_orbit, steady_orbit_fro
 use tribodyn_quasistatic::{
     Model, Solution, StiffnessMatrix, WarmStart, jones_harris_stiffness, solve, solve_from, traction_stiffness,
 };
+use tribodyn_wear::Random;
 
 /// Largest deviation from differences, over √(K_ii K_jj), of a matrix that is right.
 const ALLOWED: f64 = 1e-3;
