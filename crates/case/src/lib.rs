@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod bearing;
+mod dataset;
 mod deviations;
 mod error;
 mod locate;
@@ -33,6 +34,7 @@ mod tests_needs;
 #[cfg(test)]
 mod tests_transient;
 
+pub use dataset::*;
 pub use error::CaseError;
 pub use locate::{Template, locate, set_value, values};
 pub use mounting::Growths;
@@ -55,13 +57,7 @@ impl Case {
     /// [`CaseError`] with position, path, value and what is allowed, for the first thing that is wrong; of missing
     /// fields it names all.
     pub fn from_ron(text: &str) -> Result<Self, CaseError> {
-        let case: Self = parse(text)?;
-        // What the reader accepts has an outline; without one there would be nothing to point at.
-        let Some(outline) = Outline::new(text) else {
-            let message = "the file cannot be outlined: brackets or strings do not match".to_owned();
-            return Err(CaseError::new(text, 0..text.len(), &Path::default(), message));
-        };
-        validate::validate(&case).map_err(|refusal| refused(text, &outline, refusal))?;
+        let (case, outline) = checked(text, validate::validate)?;
         sources::check(text, &case, &outline)?;
         Ok(case)
     }
@@ -73,14 +69,33 @@ impl ShaftSystem {
     /// # Errors
     /// [`CaseError`] as for [`Case::from_ron`].
     pub fn from_ron(text: &str) -> Result<Self, CaseError> {
-        let system: Self = parse(text)?;
-        let Some(outline) = Outline::new(text) else {
-            let message = "the file cannot be outlined: brackets or strings do not match".to_owned();
-            return Err(CaseError::new(text, 0..text.len(), &Path::default(), message));
-        };
-        validate_shaft::validate(&system).map_err(|refusal| refused(text, &outline, refusal))?;
-        Ok(system)
+        checked(text, validate_shaft::validate).map(|(system, _)| system)
     }
+}
+
+impl DatasetPlan {
+    /// Reads the plan of a data set from RON text and checks that every value is possible.
+    ///
+    /// # Errors
+    /// [`CaseError`] as for [`Case::from_ron`].
+    pub fn from_ron(text: &str) -> Result<Self, CaseError> {
+        checked(text, dataset::validate).map(|(plan, _)| plan)
+    }
+}
+
+/// What a text says if all of it is possible, with its outline.
+fn checked<'t, T: DeserializeOwned>(
+    text: &'t str,
+    validate: impl Fn(&T) -> validate::Verdict,
+) -> Result<(T, Outline<'t>), CaseError> {
+    let read: T = parse(text)?;
+    // What the reader accepts has an outline; without one there would be nothing to point at.
+    let Some(outline) = Outline::new(text) else {
+        let message = "the file cannot be outlined: brackets or strings do not match".to_owned();
+        return Err(CaseError::new(text, 0..text.len(), &Path::default(), message));
+    };
+    validate(&read).map_err(|refusal| refused(text, &outline, refusal))?;
+    Ok((read, outline))
 }
 
 /// A refusal with its place in the text.

@@ -2,6 +2,8 @@
 
 mod catalogue;
 mod check;
+#[cfg(feature = "parquet")]
+mod dataset;
 mod drawn;
 mod ensemble;
 mod excerpt;
@@ -106,6 +108,9 @@ enum Command {
     Run(run::Arguments),
     /// Simulate a bearing in time many times, with case values drawn at random
     Ensemble(ensemble::Arguments),
+    /// Make a data set of vibration signals with labels: bearings with and without spalls
+    #[cfg(feature = "parquet")]
+    Dataset(dataset::Arguments),
     /// Compute the life of the coatings: wear over many revolutions until one is worn through
     Life(life::Arguments),
     /// Compute lubricant films: of every contact of a case, or of one contact
@@ -151,6 +156,8 @@ fn main() -> ExitCode {
         Command::Shaft(arguments) => shaft::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Ensemble(arguments) => ensemble::run(&arguments),
+        #[cfg(feature = "parquet")]
+        Command::Dataset(arguments) => dataset::run(&arguments),
         Command::Life(arguments) => life::run(&arguments),
         Command::Film(arguments) => film::run(&arguments),
         Command::Heat(arguments) => heat::run(&arguments),

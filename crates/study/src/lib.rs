@@ -1,6 +1,8 @@
 #![doc = include_str!("../README.md")]
 
 mod case_file;
+#[cfg(feature = "parquet")]
+pub mod dataset;
 mod difference;
 pub mod ensemble;
 mod error;

@@ -15,6 +15,8 @@ mod table;
 
 pub use draw::Sampling;
 pub use member::Member;
+#[cfg(feature = "parquet")]
+pub(crate) use normal::normal_quantile;
 pub(crate) use numbers::numbers_of;
 pub use quantiles::Quantiles;
 pub use report::{Cost, EnsembleReport, FailedMember, Varied};

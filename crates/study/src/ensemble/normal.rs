@@ -21,7 +21,7 @@ const ENDS: [[f64; 4]; 2] = [
 
 /// Values below which a share (above 0, below 1) of a normal distribution lies, in standard deviations from its mean;
 /// relative error 2e-7.
-pub(super) fn normal_quantile(share: f64) -> f64 {
+pub(crate) fn normal_quantile(share: f64) -> f64 {
     let off = share - 0.5;
     if off.abs() <= 0.425 {
         return off * ratio(&MIDDLE, 0.425 * 0.425 - off * off);

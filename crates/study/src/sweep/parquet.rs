@@ -179,18 +179,20 @@ fn cells(row: Row) -> Option<Vec<Cell>> {
     row.into_columns().into_iter().map(cell).collect()
 }
 
-fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
-    let field = |column: &Column| {
-        let (physical, logical) = match column.kind {
-            Kind::Integer => (Physical::INT64, None),
-            Kind::Number => (Physical::DOUBLE, None),
-            Kind::Truth => (Physical::BOOLEAN, None),
-            Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
-        };
-        let repetition = if column.optional { Repetition::OPTIONAL } else { Repetition::REQUIRED };
-        let builder = Type::primitive_type_builder(&column.name, physical).with_repetition(repetition);
-        builder.with_logical_type(logical).build().map(Arc::new)
+/// A column as the format has it.
+pub(crate) fn field(column: &Column) -> Result<TypePtr, ParquetError> {
+    let (physical, logical) = match column.kind {
+        Kind::Integer => (Physical::INT64, None),
+        Kind::Number => (Physical::DOUBLE, None),
+        Kind::Truth => (Physical::BOOLEAN, None),
+        Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
     };
+    let repetition = if column.optional { Repetition::OPTIONAL } else { Repetition::REQUIRED };
+    let builder = Type::primitive_type_builder(&column.name, physical).with_repetition(repetition);
+    builder.with_logical_type(logical).build().map(Arc::new)
+}
+
+fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
     let fields = columns.iter().map(field).collect::<Result<_, _>>()?;
     Type::group_type_builder("sweep").with_fields(fields).build().map(Arc::new)
 }
@@ -212,7 +214,8 @@ fn write_group(
     Ok(())
 }
 
-fn write_column<'c>(
+/// Writes the cells of a column.
+pub(crate) fn write_column<'c>(
     mut writer: SerializedColumnWriter<'_>,
     column: &Column,
     cells: impl Iterator<Item = &'c Cell> + Clone,
