@@ -7,6 +7,9 @@ const FULL: &str = include_str!("../../../../fixtures/cases/paper-ag-worn.ron");
 /// With a kind of value in place of another one, so that all that a case can hold stands in one of them.
 fn variants() -> Vec<String> {
     let tested = "Tested([(pressure: GPa(2.5), peak_slip: 1.0, peak_coefficient: 0.1, residual_coefficient: 0.08)])";
+    let deviations = "(inner: (waves: [(order: 9, amplitude: um(0.2), phase: deg(10))]), \
+                      outer: (spectrum: (first: 2, last: 9, amplitude: um(1), exponent: 1.5, seed: 1)), \
+                      position: (ball: deg(3), inner: deg(4), outer: deg(5)))";
     let changes: [&[(&str, &str)]; 5] = [
         &[],
         &[
@@ -17,6 +20,8 @@ fn variants() -> Vec<String> {
             ("speed.inner", "Table([(s(0), rpm(0)), (s(1), rpm(9000))])"),
             ("fluid.medium", "Custom(density: kg_per_m3(800), viscosity: mPa_s(1))"),
             ("transient.scheme", "Fast(step: us(5))"),
+            ("deviations", deviations),
+            ("spalls", "[(race: Outer, azimuth: deg(3), length: mm(1), width: mm(2), depth: um(50))]"),
         ],
         &[("traction.order", "0"), ("coatings.inner.curve", tested), ("coatings.bare.curve", tested)],
         &[("transient.scheme", "RungeKutta4(step: us(2))"), ("geometry.fit", "RadialClearance(um(40))")],

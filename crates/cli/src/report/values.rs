@@ -245,7 +245,7 @@ mod tests {
             let value = found.iter().find(|v| v.path == path).unwrap_or_else(|| panic!("{path} is not listed"));
             (value.value.as_str(), value.class, value.source.as_str())
         };
-        assert_eq!(found.len(), values(text).len() + 3, "and the defaults of what is left out");
+        assert_eq!(found.len(), values(text).len() + 5, "and the defaults of what is left out");
         assert_eq!(of("geometry.ball_diameter").0, "30.16 mm");
         assert_eq!(of("geometry.pitch_diameter").1, "identified");
         assert!(of("geometry.pitch_diameter").2.starts_with("spread 0.46; "));

@@ -137,7 +137,7 @@ fn limit_a_bad_plan_writes_nothing() {
         ("lengths: [mm(3)]", "lengths: []", "allowed are 1 to 1000"),
         ("\"acc_x\"", "\"Acc X\"", "lower-case letters"),
         ("balls: 10", "balls: 11", "grade of ISO 3290-1"),
-        ("lengths: [mm(3)]", "lengths: [mm(20)]", "0.8 ball diameters"),
+        ("lengths: [mm(3)]", "lengths: [mm(28)]", "0.8 ball diameters"),
     ] {
         assert!(PLAN.contains(from), "{from}");
         let plan = plan(&scratch, &PLAN.replace(from, to));

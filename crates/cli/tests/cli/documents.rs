@@ -59,6 +59,9 @@ fn run_examples(name: &str, text: &str, folder: &Path) -> usize {
         let arguments: Vec<&dyn AsRef<OsStr>> = words.iter().map(|word| word as _).collect();
         let output = command(&arguments).current_dir(folder).output().unwrap();
         let printed = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        // On a slow machine a search gives a sign of life.
+        let lasting = printed.lines().filter(|line| !line.starts_with("seeking the operating point: "));
+        let printed: String = lasting.flat_map(|line| [line, "\n"]).collect();
         assert!(agrees(shown, &printed), "{name}: `tribodyn {line}` now prints\n{printed}");
     }
     count
