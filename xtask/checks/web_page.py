@@ -172,7 +172,7 @@ def compared(browser, command, folder):
         shown = {name: browser.evaluate(f"parseFloat(document.getElementById('{name}')?.textContent)") for name in ("life", "pressure", "k-axial", "bpfo", "ball-load")}
         sheet = quick["sheet"]
         expected = {"life": sheet["rating"]["rating_life_l10_mrev"], "pressure": sheet["rating"]["peak_pressure_max_pa"] * 1e-9,
-                    "k-axial": sheet["stiffness"][2][2] * 1e-6, "bpfo": sheet["frequencies"]["ball_pass_outer_hz"], "ball-load": sheet["ball_load_max_n"]}
+                    "k-axial": sheet["stiffness"][2][2] * 1e-6, "bpfo": sheet["rating"]["frequencies"]["ball_pass_outer_hz"], "ball-load": sheet["ball_load_max_n"]}
         for name, value in expected.items():
             if not math.isclose(shown[name] or math.nan, value, rel_tol=SHOWN):
                 yield f"{designation}: the page shows {name} {shown[name]}, its module says {value}"

@@ -65,7 +65,7 @@ function table(place, caption, rows) {
 const line = (label, value, unit, id, digits = 4) => [label, known(value) ? short(value, digits) : null, unit, id];
 
 export function tables({ rating, frequencies, geometry }, { sheet, derived }) {
-  const r = sheet.rating ?? {}, f = sheet.frequencies ?? {}, d = derived.error ? {} : derived;
+  const r = sheet.rating ?? {}, f = sheet.rating?.frequencies ?? {}, d = derived.error ? {} : derived;
   table(rating, "Ratings and lives", [
     line("Dynamic rating C_r", r.dynamic_rating_n, "N"), line("Static rating C_0r", r.static_rating_n, "N"),
     line("Fatigue load limit C_u", r.fatigue_load_limit_n, "N"), line("Equivalent load P", r.equivalent_load_n, "N"),
