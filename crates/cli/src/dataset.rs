@@ -13,7 +13,7 @@ use tribodyn_study::Ours;
 use tribodyn_study::dataset::{Dataset, DatasetReport, MAT, TABLE};
 
 /// Simulate bearings with and without spalls under several loads and speeds, and write what sensors on the housing see:
-/// a row a member in Parquet, with the class, the spall, the loads, and the times at which each ball was over each edge.
+/// a row a member in Parquet, with class, spall and loads, and the times at which each ball was over each edge.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Plan of the data set (RON)

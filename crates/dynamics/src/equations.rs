@@ -199,7 +199,8 @@ impl Machine {
         Frame { rings: Races { inner, outer }, angles: [y[a], y[a + 1]].into(), cage: [y[c], y[c + 1]] }
     }
 
-    /// Axes of a ball with its number and the unknowns `b`, its centre against the outer groove centre, and the surfaces under it.
+    /// Axes of a ball with its number and the unknowns `b`, its centre against the outer groove centre, and the
+    /// surfaces under it.
     #[inline]
     pub fn place(&self, index: usize, b: &[f64], frame: &Frame) -> (AzimuthFrame, [f64; 2], Races<LocalSurface>) {
         let axes = AzimuthFrame::at(b[AZIMUTH]);

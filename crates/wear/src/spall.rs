@@ -47,8 +47,8 @@ pub struct Track {
 /// inner race  h = R + r − R cos(β − |θ|) − sqrt(r² − R² sin²(β − |θ|)),     |θ| < β,  h ≤ h_0
 /// ```
 ///
-/// to the bottom at most: two arcs with a cusp between them, where the rate of h jumps by 2 v tan ϑ, sin ϑ = L/2r, v the
-/// speed of the centre about the ring's axis. Round edges put r + r_e for r, R ± r_e for R (outer, inner race) and
+/// to the bottom at most: two arcs with a cusp between them, where the rate of h jumps by 2 v tan ϑ, sin ϑ = L/2r, v
+/// the speed of the centre about the ring's axis. Round edges put r + r_e for r, R ± r_e for R (outer, inner race) and
 /// L + 2 r_e for L; at a contact angle α it is R/cos α for R and θ cos α for θ.
 ///
 /// A contact is not a point: the arcs are averaged over the length 2b of its ellipse with the weights ¾ (1 − ξ²), the

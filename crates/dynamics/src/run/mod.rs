@@ -159,8 +159,7 @@ pub enum RunError<E> {
 
 /// Steps between looks at balls that leave and, but for the fast scheme, at the stiffness.
 const LOOK_EVERY: u64 = 1000;
-/// Steps of the fast scheme between looks at the stiffness, for which all patches are integrated; friction does not
-/// bound its step.
+/// The same for the fast scheme, which integrates all patches to look; friction does not bound its step.
 const FAST_LOOK_EVERY: u64 = 8 * LOOK_EVERY;
 /// Steps between looks at the thinnest coating.
 const WEAR_LOOK_EVERY: u64 = 64;

@@ -1,5 +1,5 @@
-//! A member as a MATLAB file of level 5, whole and not packed, as the readers of public data sets expect it: a column of
-//! samples for each sensor, and the speed.
+//! A member as a MATLAB file of level 5, whole and not packed, as the readers of public data sets expect it: a column
+//! of samples for each sensor, and the speed.
 //!
 //! Format: The MathWorks, "MAT-File Format", version 5.
 
