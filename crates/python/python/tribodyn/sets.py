@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _html, _native, _plots
 from ._answer import Answer, OfOperatingPoint, warned
-from .answers import Frequencies, Rating
+from .answers import Rating
 from .case import Case, Value, as_text
 from .procedures import TIME_LIMIT_S, Model
 from .solution import Balls, Solution
@@ -129,7 +129,7 @@ class BearingSet(Answer):
 class Sheet(Answer):
     """All that is asked of a bearing first."""
 
-    _parts = {"rating": Rating, "frequencies": Frequencies}
+    _parts = {"rating": Rating}
 
     name: str
     ball_count: int
@@ -156,8 +156,6 @@ class Sheet(Answer):
     #: by a rule of thumb; None without load
     friction_torque_estimate_nm: Optional[float]
     friction_power_estimate_w: Optional[float]
-    #: absent at rest
-    frequencies: Frequencies
     #: pitch diameter times speed
     speed_factor_mm_rpm: float
     warnings: list[str]
