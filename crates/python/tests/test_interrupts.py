@@ -25,7 +25,9 @@ WORK = {
 def test_limit_an_interrupt_ends_work_and_nothing_goes_on(work: str) -> None:
     program = textwrap.dedent(
         f"""
-        import time, tribodyn
+        import signal, time, tribodyn
+        # A shell that starts the tests in the background has them ignore interrupts.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         case = tribodyn.Case.read({str(CASES / "angular-7210.ron")!r})
         paper = {str(CASES / "paper-ag.ron")!r}
         print("begun", flush=True)
