@@ -25,7 +25,7 @@ pub struct DatasetPlan {
     pub speeds: Vec<PlanSpeed>,
     /// Bearings of each case, class and length: each has waves, balls and a spall of its own.
     pub bearings: usize,
-    /// What all spalls have in common.
+    /// Depth, width and edges of all spalls.
     pub spall: PlanSpall,
     /// Waviness of both races and grade of the balls; as the case has them where left out.
     #[serde(default)]
@@ -47,7 +47,7 @@ pub struct DatasetPlan {
     pub seed: u64,
 }
 
-/// What is the matter with a bearing.
+/// The fault of a bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum FaultClass {
     /// Nothing.
@@ -75,7 +75,7 @@ pub struct PlanLoad {
 #[serde(transparent)]
 pub struct PlanSpeed(#[serde(deserialize_with = "units::speed")] pub f64);
 
-/// What all spalls of a data set have in common.
+/// Depth, width and edges of all spalls of a data set.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlanSpall {
@@ -93,7 +93,7 @@ pub struct PlanSpall {
     pub zone: f64,
 }
 
-/// What all bearings of a data set have in common in form and size; phases and sizes are those of each.
+/// Form and size of all bearings of a data set; phases and sizes are those of each.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlanDeviations {

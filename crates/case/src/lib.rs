@@ -83,7 +83,7 @@ impl DatasetPlan {
     }
 }
 
-/// What a text says if all of it is possible, with its outline.
+/// A text read and found possible, with its outline.
 fn checked<'t, T: DeserializeOwned>(
     text: &'t str,
     validate: impl Fn(&T) -> validate::Verdict,

@@ -57,7 +57,12 @@ const IMPOSSIBLE: &[Refused] = &[
     ("ContactAngle(deg(18))", "ContactAngle(«deg(-1)»)", "geometry.fit.ContactAngle", "between 0° and 60°"),
     ("ContactAngle(deg(18))", "ContactAngle(«rad(1.05)»)", "geometry.fit.ContactAngle", "between 0° and 60°"),
     ("ContactAngle(deg(18))", "RadialClearance(«mm(2)»)", "geometry.fit.RadialClearance", "groove centres, and 1.6286 mm"),
-    ("ContactAngle(deg(18))", "RadialClearance(«um(-500)»)", "geometry.fit.RadialClearance", "must lie between -0.1629 mm"),
+    (
+        "ContactAngle(deg(18))",
+        "RadialClearance(«um(-500)»)",
+        "geometry.fit.RadialClearance",
+        "must lie between -0.1629 mm",
+    ),
     ("GPa(200)", "«GPa(0)»", "materials.ball.young", "greater than 0"),
     ("poisson: 0.28", "poisson: «0.5»", "materials.ball.poisson", "below 0.5"),
     ("density: kg_per_m3(7800)", "density: «kg_per_m3(-7800)»", "materials.ball.density", "greater than 0"),

@@ -10,7 +10,7 @@ mod suffixes;
 pub use ball_set::{BallSet, KnownBalls, Origin, Ratings, RunnerUp, USUAL_GROOVES};
 pub use clearance::ClearanceGroup;
 pub use list::{ListedBearing, PublishedBalls, SOURCE, find, listed, search};
-pub use new_case::{NewCase, NewLubricant};
+pub use new_case::{Given, NewCase, NewLubricant};
 pub use suffixes::Part;
 
 /// Boundary dimensions of a bearing and its nominal contact angle, SI.

@@ -23,13 +23,13 @@ pub struct Arguments {
     #[arg(long, value_name = "DEG_C", default_value_t = 20.0, allow_negative_numbers = true)]
     surroundings: f64,
     /// Conductances of shaft and housing to the surroundings over those of ISO 15312's reference
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_negative_numbers = true)]
     cooling: f64,
     /// Width of the bearing, mm; half of D − d where left out
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     width: Option<f64>,
     /// Oil that flows through the bearing, l/min
-    #[arg(long, value_name = "L_PER_MIN", default_value_t = 0.0)]
+    #[arg(long, value_name = "L_PER_MIN", default_value_t = 0.0, allow_negative_numbers = true)]
     oil_flow: f64,
     /// Equations to solve
     #[arg(long, value_enum, default_value_t = ModelName::Traction)]

@@ -6,7 +6,7 @@ use crate::table;
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use tribodyn::{CaseFile, Limits};
-use tribodyn_catalogue::{Envelope, KnownBalls, NewCase, NewLubricant, Ratings, find};
+use tribodyn_catalogue::{Envelope, Given, NewCase, Ratings, find};
 use tribodyn_study::{StagedFiles, StudyError};
 
 /// Make a complete, commented case file from a designation, or from boundary dimensions.
@@ -88,25 +88,23 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         None if arguments.bore.is_some() => by_dimensions(arguments)?,
         None => asked_bearing(arguments.angle)?,
     };
-    let rpm = |speed: f64| speed * std::f64::consts::PI / 30.0;
-    let published = case.balls.published;
-    case.balls =
-        KnownBalls { ball_count: arguments.balls, ball_diameter: arguments.ball.map(|mm| mm * 1e-3), published };
-    if let (Some(dynamic), Some(at_rest)) = (arguments.dynamic_rating, arguments.static_rating) {
-        for (option, value) in [("dynamic-rating", dynamic), ("static-rating", at_rest)] {
-            number_option(option, value, |value| value > 0.0, "a load above 0 in N")?;
-        }
-        (case.ratings, case.source) = (Some(Ratings { dynamic, at_rest }), None);
+    let ratings = arguments.dynamic_rating.zip(arguments.static_rating);
+    let ratings = ratings.map(|(dynamic, at_rest)| Ratings { dynamic, at_rest });
+    for (option, value) in ratings.iter().flat_map(|r| [("dynamic-rating", r.dynamic), ("static-rating", r.at_rest)]) {
+        number_option(option, value, |value| value > 0.0, "a load above 0 in N")?;
     }
     for (option, value) in [("radial", arguments.radial), ("axial", arguments.axial), ("speed", arguments.speed)] {
         value.map_or(Ok(()), |value| number_option(option, value, f64::is_finite, "a finite number"))?;
     }
-    (case.radial_load, case.axial_load) = (arguments.radial, arguments.axial);
-    case.speed = arguments.speed.map(rpm);
-    case.lubricant = match arguments.lubricant.as_deref() {
-        Some("usual") => Some(case.usual_lubricant()),
-        word => word.map(NewLubricant::parse).transpose()?,
-    };
+    case = case.given(Given {
+        balls: arguments.balls,
+        ball_mm: arguments.ball,
+        ratings,
+        radial: arguments.radial,
+        axial: arguments.axial,
+        speed_rpm: arguments.speed,
+        lubricant: arguments.lubricant.clone(),
+    })?;
     if arguments.ask {
         ask_operation(&mut case)?;
     }

@@ -6,6 +6,7 @@ use crate::newton::Newton;
 use crate::residual::Found;
 use crate::search::{HASTE, PATIENCE, damped};
 use crate::system::LEAD;
+use crate::way::said;
 use crate::{OrbitError, OrbitSettings};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -59,11 +60,11 @@ impl LessDamping {
         if !moved && self.is_given() && self.multiplier <= KEEPS {
             return None;
         }
-        let [_, (torque, less_torque), (force, less_force)] = pairs.map(|(a, b)| (digits(a), digits(b)));
+        let [_, (torque, less_torque), (force, less_force)] = pairs.map(|(a, b)| (said(a, 4), said(b, 4)));
         let with = if self.is_given() {
             "with the damping of the case".to_owned()
         } else {
-            format!("with {} s/m, the least at which an orbit was found,", digits(self.damping_s_per_m))
+            format!("with {} s/m, the least at which an orbit was found,", said(self.damping_s_per_m, 4))
         };
         let stays = if self.multiplier <= KEEPS {
             ""
@@ -81,15 +82,9 @@ impl LessDamping {
     }
 }
 
-/// A number to four digits, without an exponent where it is not tiny or huge.
-fn digits(value: f64) -> String {
-    let places = 3 - value.abs().max(f64::MIN_POSITIVE).log10().floor() as i32;
-    if (0..=8).contains(&places) { format!("{value:.*}", places as usize) } else { format!("{value:.3e}") }
-}
-
 /// Beginning of a sentence on pockets that are damped more than a case says.
 fn raised(damping: f64, given: f64) -> String {
-    format!("the pockets are damped with {} s/m instead of {given} s/m,", digits(damping))
+    format!("the pockets are damped with {} s/m instead of {given} s/m,", said(damping, 4))
 }
 
 /// Sentence on an orbit that could not be followed to less damping.

@@ -112,8 +112,7 @@ impl SteadyOrbit {
         lost.into_iter().chain(swinging).chain(eased.sentences()).collect()
     }
 
-    /// What the raised damping of the pockets changes, where that was looked at and is worth a sentence, or that no
-    /// orbit with less of it was found.
+    /// Sentence on the raised damping of the pockets, where it changes something or no orbit with less of it was found.
     pub fn damping_sentence(&self) -> Option<String> {
         let [raised, given] = self.raised_pocket_damping_s_per_m?;
         match self.less_damped {

@@ -47,23 +47,28 @@ impl Eased {
             format!(
                 "the balls were taken {} times as heavy as they are to find this orbit, so that those without load \
                  keep to the outer race: their centrifugal force is still next to nothing beside the bearing's load",
-                times(self.ball_mass)
+                said(self.ball_mass, 3)
             )
         });
         let soft = (self.pocket_stiffness != 1.0).then(|| {
             format!(
                 "no orbit was found with pockets as stiff as given: this one has pockets {} times as soft",
-                times(1.0 / self.pocket_stiffness)
+                said(1.0 / self.pocket_stiffness, 3)
             )
         });
         heavy.into_iter().chain(soft).collect()
     }
 }
 
-/// A factor as one would say it: to three digits, without an exponent below a million.
-fn times(factor: f64) -> String {
-    let digits = (2 - factor.log10().floor() as i32).max(0);
-    if factor < 1e6 { format!("{factor:.*}", digits as usize) } else { format!("{factor:.1e}") }
+/// A number as one would say it: to so many digits, without an exponent between 1e-6 and a million.
+pub(crate) fn said(value: f64, digits: usize) -> String {
+    let size = value.abs().max(f64::MIN_POSITIVE);
+    let places = (digits as i32 - 1 - size.log10().floor() as i32).max(0);
+    if (1e-6..1e6).contains(&size) {
+        format!("{value:.*}", places as usize)
+    } else {
+        format!("{value:.*e}", digits - 1)
+    }
 }
 
 /// The bearing with balls from heavy ones to those that it is solved with, each with the factor of their mass.

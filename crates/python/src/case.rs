@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use tribodyn::{CaseFile, Change, Limits};
 use tribodyn_case::{locate, values};
-use tribodyn_catalogue::{CatalogueError, Envelope, KnownBalls, NewCase, Ratings, find};
+use tribodyn_catalogue::{CatalogueError, Envelope, Given, NewCase, Ratings, find};
 use tribodyn_study::{StudyError, read_case};
 
 /// A case that was accepted. It does not change.
@@ -107,6 +107,7 @@ pub struct NewRequest {
     radial: Option<f64>,
     axial: Option<f64>,
     speed: Option<f64>,
+    lubricant: Option<String>,
 }
 
 impl NewRequest {
@@ -126,14 +127,19 @@ impl NewRequest {
             }
         }
         let refused = |failure: CatalogueError| self.refused(py, &failure);
-        let mut case = self.bearing(py)?;
-        let published = case.balls.published;
-        case.balls = KnownBalls { ball_count: self.balls, ball_diameter: self.ball.map(|mm| mm * 1e-3), published };
-        if let (Some(dynamic), Some(at_rest)) = (self.dynamic_rating, self.static_rating) {
-            (case.ratings, case.source) = (Some(Ratings { dynamic, at_rest }), None);
-        }
-        (case.radial_load, case.axial_load) = (self.radial, self.axial);
-        case.speed = self.speed.map(|rpm| rpm * std::f64::consts::PI / 30.0);
+        let ratings = self.dynamic_rating.zip(self.static_rating);
+        let given = Given {
+            balls: self.balls,
+            ball_mm: self.ball,
+            ratings: ratings.map(|(dynamic, at_rest)| Ratings { dynamic, at_rest }),
+            radial: self.radial,
+            axial: self.axial,
+            speed_rpm: self.speed,
+            lubricant: self.lubricant.clone(),
+        };
+        let word = self.lubricant.as_deref().unwrap_or("None");
+        let unknown = |failure: CatalogueError| error::argument(py, "lubricant", word, &failure.to_string());
+        let case = self.bearing(py)?.given(given).map_err(unknown)?;
         let name = case.designation.clone().unwrap_or_else(|| "new case".to_owned());
         Ok((name, case.text().map_err(refused)?))
     }

@@ -15,7 +15,7 @@ use tribodyn::Change;
 use tribodyn_study::ensemble::{Ensemble, EnsembleOptions, Sampling, Spread};
 use tribodyn_study::{Ours, StudyError};
 
-/// What is asked of an ensemble.
+/// The settings of an ensemble.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct EnsembleRequest {

@@ -34,7 +34,7 @@ fn answer<'py, T: Serialize + Send + 'static>(
     to_python(py, &answer.map_err(|failure| error::study(py, failure))?)
 }
 
-/// What presses two bearings together: the gap that clamping closes, um, or the force of a spring, N.
+/// The preload of two bearings: the gap that clamping closes, um, or the force of a spring, N.
 type Pressed = (Option<f64>, Option<f64>);
 
 /// Two like bearings on one rigid shaft.

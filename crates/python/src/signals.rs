@@ -12,7 +12,7 @@ use tribodyn_record::{Layout, LayoutKind};
 use tribodyn_study::layout_of;
 use tribodyn_study::vibration::{SignalQuestion, Window, diagnosed};
 
-/// What is asked of a signal.
+/// A signal and the questions about it.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct SignalRequest {

@@ -85,23 +85,12 @@ fn solution(head: &Value, names: &[String], rows: impl Iterator<Item = Vec<f64>>
         ball
     };
     let raceway_control = head.get("model").and_then(Value::as_str) == Some(Model::JonesHarris.name());
+    let model = if raceway_control { Model::JonesHarris } else { Model::Traction };
     let mut solution = Solution {
-        model: if raceway_control { Model::JonesHarris } else { Model::Traction },
         converged: head.get("converged").and_then(Value::as_bool).unwrap_or(false),
-        cage_speed_rpm: 0.0,
         stable: head.get("stable").and_then(Value::as_bool),
-        ring_displacement_m: [0.0; 3],
-        ring_tilt_rad: [0.0; 2],
-        ring_load_n: [0.0; 3],
-        ring_moment_nm: [0.0; 2],
-        shaft_torque_nm: None,
-        inner_speed_rad_s: 0.0,
-        outer_speed_rad_s: 0.0,
         residual: number("residual").unwrap_or(f64::NAN),
-        iterations: 0,
-        patch_error_estimate: None,
-        warnings: Vec::new(),
-        balls: rows.map(ball).collect(),
+        ..Solution::of_balls(model, rows.map(ball).collect())
     };
     for q in &SOLUTION {
         if let Some(value) = number(&joined(&[q.facts.name, q.facts.unit.suffix])) {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 from pathlib import Path
+from typing import Any
 
 import pytest
 import tribodyn
@@ -150,6 +151,7 @@ def test_limit_new_cases_come_from_the_catalogue_or_from_dimensions(tmp_path: Pa
     assert any("Assumed" in source for source in case.sources.values())
     loaded = Case.new("6206", radial=1000, axial=500, speed=3000)
     assert tribodyn.solve(loaded, "jones-harris").ring_load_x_n == pytest.approx(1000, rel=1e-4)
+    assert Case.new("6206", lubricant="vg32")["lubricant.oil.Library"].text == '"mineral-vg32"'
     own = Case.new(bore=50, outside=90, width=20, angle=40, balls=15, ball=12.7)
     assert own["geometry.ball_count"] == 15
     own.write(tmp_path / "own.ron")
@@ -170,11 +172,12 @@ def test_limit_new_cases_come_from_the_catalogue_or_from_dimensions(tmp_path: Pa
         {"bore": 50.0, "outside": 90.0, "width": 20.0, "balls": 2, "ball": 12.7},
         {"designation": "6206", "dynamic_rating": -1.0, "static_rating": 5.0},
         {"designation": "6206", "speed": float("inf")},
+        {"designation": "6206", "lubricant": "butter"},
     ],
 )
-def test_limit_impossible_new_cases_are_refused(request_: dict[str, float]) -> None:
+def test_limit_impossible_new_cases_are_refused(request_: dict[str, Any]) -> None:
     with pytest.raises(InputError) as caught:
-        Case.new(**request_)  # type: ignore[arg-type]
+        Case.new(**request_)
     assert caught.value.allowed
 
 

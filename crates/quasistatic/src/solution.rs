@@ -63,6 +63,29 @@ pub struct Solution {
 }
 
 impl Solution {
+    /// A solution of which only the model and the balls are known, with zeros or nothing for the rest: what else is
+    /// read back is set in it.
+    pub fn of_balls(model: Model, balls: Vec<BallResult>) -> Self {
+        Self {
+            model,
+            converged: false,
+            cage_speed_rpm: 0.0,
+            stable: None,
+            ring_displacement_m: [0.0; 3],
+            ring_tilt_rad: [0.0; 2],
+            ring_load_n: [0.0; 3],
+            ring_moment_nm: [0.0; 2],
+            shaft_torque_nm: None,
+            inner_speed_rad_s: 0.0,
+            outer_speed_rad_s: 0.0,
+            residual: f64::NAN,
+            iterations: 0,
+            patch_error_estimate: None,
+            warnings: Vec::new(),
+            balls,
+        }
+    }
+
     /// Name of the equations in answers and recordings: those of the model, or `steady-orbit` where the balls move as
     /// they do on one.
     pub fn equations(&self) -> &'static str {

@@ -94,6 +94,14 @@ pub enum AnswerError {
         /// Reason.
         source: OrbitError,
     },
+    /// A case of which such a question cannot be asked.
+    #[error("{file}: {why}")]
+    NotAsked {
+        /// Name of the case file.
+        file: String,
+        /// What the case would need.
+        why: String,
+    },
     /// Temperatures that friction and cooling do not agree on.
     #[error("{file}: {why}")]
     Runaway {
@@ -149,6 +157,11 @@ impl AnswerError {
                 | Self::Orbit { source: OrbitError::Ended, .. }
                 | Self::Pair { source: PairError::Ended, .. }
         )
+    }
+
+    /// A case of which such a question cannot be asked: it would need what `why` says.
+    pub(crate) fn not_asked(file: &str, why: &str) -> Self {
+        Self::NotAsked { file: file.to_owned(), why: why.to_owned() }
     }
 
     /// A value that a question cannot have.

@@ -22,7 +22,7 @@ pub use tribodyn_bearing::{
 };
 pub use tribodyn_case::{Case, CaseError};
 pub use tribodyn_catalogue::{
-    Envelope, KnownBalls, NewCase, NewLubricant, Ratings, find as find_bearing, search as search_bearings,
+    Envelope, Given, KnownBalls, NewCase, NewLubricant, Ratings, find as find_bearing, search as search_bearings,
 };
 pub use tribodyn_orbit::{OrbitSettings, SteadyOrbit, steady_orbit};
 pub use tribodyn_quasistatic::{Model, Solution, StiffnessMatrix, solve};

@@ -1,11 +1,8 @@
 //! Questions of the page, as it writes them.
 
 use serde::Deserialize;
-use std::f64::consts::PI;
 use tribodyn::sheet::SheetQuestion;
-use tribodyn::{
-    AnswerError, CaseFile, Envelope, KnownBalls, Limits, NewCase, NewLubricant, Ratings, Translation, find_bearing,
-};
+use tribodyn::{AnswerError, CaseFile, Envelope, Given, Limits, NewCase, Ratings, Translation, find_bearing};
 
 /// A question; numbers in the units of the form.
 #[derive(Deserialize)]
@@ -90,18 +87,16 @@ impl Form {
 
     /// The text of its case file.
     pub fn text(&self) -> Result<String, AnswerError> {
-        let mut case = self.bearing()?;
-        let published = case.balls.published;
-        case.balls = KnownBalls { ball_count: self.balls, ball_diameter: self.ball.map(|mm| mm * 1e-3), published };
-        if let (Some(dynamic), Some(at_rest)) = (self.dynamic_rating, self.static_rating) {
-            (case.ratings, case.source) = (Some(Ratings { dynamic, at_rest }), None);
-        }
-        (case.radial_load, case.axial_load) = (self.radial, self.axial);
-        case.speed = self.speed.map(|rpm| rpm * PI / 30.0);
-        case.lubricant = match self.lubricant.as_deref() {
-            None | Some("usual") => Some(case.usual_lubricant()),
-            Some(word) => Some(NewLubricant::parse(word)?),
-        };
+        let ratings = self.dynamic_rating.zip(self.static_rating);
+        let case = self.bearing()?.given(Given {
+            balls: self.balls,
+            ball_mm: self.ball,
+            ratings: ratings.map(|(dynamic, at_rest)| Ratings { dynamic, at_rest }),
+            radial: self.radial,
+            axial: self.axial,
+            speed_rpm: self.speed,
+            lubricant: Some(self.lubricant.clone().unwrap_or_else(|| "usual".to_owned())),
+        })?;
         Ok(case.text()?)
     }
 

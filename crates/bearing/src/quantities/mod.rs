@@ -99,6 +99,14 @@ pub struct Facts {
     pub digits: Option<usize>,
 }
 
+impl Facts {
+    /// True for a number by which a recording, that has one for each quantity, says that a ball has no such quantity:
+    /// a film of no thickness is none.
+    pub fn is_absence(&self, number: f64) -> bool {
+        self.scope == Scope::Lubricated && number == 0.0
+    }
+}
+
 /// Reads a number from a result; absent where the model does not have it.
 pub type Get<T> = fn(&T) -> Option<f64>;
 /// Writes a number to a result.

@@ -7,6 +7,7 @@ mod sections;
 use crate::{BallSet, CatalogueError, ClearanceGroup, Envelope, KnownBalls, ListedBearing, Origin, Part, Ratings};
 pub use lubricant::NewLubricant;
 use numbers::Numbers;
+use std::f64::consts::PI;
 use tribodyn_rating::RatingError;
 
 /// What is known of a bearing that a case is made for, SI.
@@ -36,6 +37,25 @@ pub struct NewCase {
     pub speed: Option<f64>,
     /// Lubricant, where known; else the usual one of the bearing's class.
     pub lubricant: Option<NewLubricant>,
+}
+
+/// What the asker of a new case knows, in the units of catalogues; what is absent is assumed.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Given {
+    /// Number of balls.
+    pub balls: Option<usize>,
+    /// Diameter of a ball, mm.
+    pub ball_mm: Option<f64>,
+    /// Load ratings C_r and C_0r, N, where both are known.
+    pub ratings: Option<Ratings>,
+    /// Radial load, N.
+    pub radial: Option<f64>,
+    /// Axial load, N.
+    pub axial: Option<f64>,
+    /// Speed of the inner ring, r/min.
+    pub speed_rpm: Option<f64>,
+    /// Lubricant: `usual`, or a word of [`NewLubricant::parse`].
+    pub lubricant: Option<String>,
 }
 
 /// A value of the case that is not in the catalogue, or is.
@@ -95,6 +115,30 @@ impl NewCase {
             parts,
             ..Self::new(envelope)
         }
+    }
+
+    /// The same with what its asker knows.
+    ///
+    /// # Errors
+    /// [`CatalogueError::Lubricant`].
+    pub fn given(self, given: Given) -> Result<Self, CatalogueError> {
+        let Given { balls, ball_mm, ratings, radial, axial, speed_rpm, lubricant } = given;
+        let lubricant = match lubricant.as_deref() {
+            Some("usual") => Some(self.usual_lubricant()),
+            word => word.map(NewLubricant::parse).transpose()?,
+        };
+        let source = if ratings.is_some() { None } else { self.source };
+        let ball_diameter = ball_mm.map(|mm| mm * 1e-3);
+        Ok(Self {
+            balls: KnownBalls { ball_count: balls, ball_diameter, ..self.balls },
+            ratings: ratings.or(self.ratings),
+            source,
+            radial_load: radial,
+            axial_load: axial,
+            speed: speed_rpm.map(|rpm| rpm * PI / 30.0),
+            lubricant,
+            ..self
+        })
     }
 
     /// The text of the case file (RON), complete and commented.

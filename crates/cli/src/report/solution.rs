@@ -113,26 +113,13 @@ fn solved(run: &Run, row: &SolutionRow) -> Solution {
         _ => (Model::Traction, Scope::Traction),
     };
     let number = |key: &str| said(run, key).and_then(|text| text.parse().ok());
+    let first = run.balls.first().map(|(_, balls)| balls.iter().map(|ball| read_ball(ball, scope)).collect());
     let mut solution = Solution {
-        model,
         converged: said(run, "converged") == Some("true"),
-        stable: None,
-        cage_speed_rpm: 0.0,
-        ring_displacement_m: [0.0; 3],
-        ring_tilt_rad: [0.0; 2],
-        ring_load_n: [0.0; 3],
-        ring_moment_nm: [0.0; 2],
-        shaft_torque_nm: None,
-        inner_speed_rad_s: 0.0,
-        outer_speed_rad_s: 0.0,
         residual: number("residual").unwrap_or_default(),
         iterations: number("iterations").map_or(0, |steps| steps as usize),
-        patch_error_estimate: None,
         warnings: run.events.iter().filter(|row| row.warning).map(|row| row.message.clone()).collect(),
-        balls: run
-            .balls
-            .first()
-            .map_or_else(Vec::new, |(_, balls)| balls.iter().map(|ball| read_ball(ball, scope)).collect()),
+        ..Solution::of_balls(model, first.unwrap_or_default())
     };
     read_state(&mut solution, row);
     solution

@@ -29,7 +29,9 @@ const PLAN: &str = r#"(
     settle: ms(0.5),
     duration: ms(2.5),
     rate: kHz(25.6),
-    sensors: [(name: "acc_x", direction: deg(0), direct: 1, modes: [(frequency: kHz(3), damping: 0.03, gain: 1)], noise: 0.01)],
+    sensors: [
+        (name: "acc_x", direction: deg(0), direct: 1, modes: [(frequency: kHz(3), damping: 0.03, gain: 1)], noise: 0.01),
+    ],
     test_share: 0.5,
     seed: 7,
 )"#;
@@ -108,7 +110,7 @@ fn number(field: &Field) -> f64 {
     *value
 }
 
-/// What is finished when a set is killed is not run again, and the table is that of a set which was not.
+/// A set that is killed goes on with the members that are left, and its table is that of a set which was not.
 #[cfg(unix)]
 #[test]
 fn identity_a_killed_set_goes_on_where_it_was() {

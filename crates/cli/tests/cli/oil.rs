@@ -125,11 +125,12 @@ fn limit_heat_that_cannot_leave_and_bad_surroundings_are_refused() {
     let case = fixture("oil-6206.ron");
     let heat = |options: &str| run_words(&format!("heat {} {options}", case.to_str().unwrap()));
     heat("--cooling 0.005 --set speed.inner=Constant(rpm(12000))").fails(1, &["run away", "W of friction"]);
+    heat("--cooling -1").fails(2, &["--cooling", "a factor above 0"]);
     heat("--cooling 0").fails(2, &["--cooling", "a factor above 0"]);
     heat("--surroundings 400").fails(2, &["--surroundings", "-60 to 150 °C"]);
     heat("--oil-flow nan").fails(2, &["--oil-flow"]);
     let dry = fixture("paper-ag.ron");
-    run_words(&format!("heat {}", dry.to_str().unwrap())).fails(2, &["need a lubricant"]);
+    run_words(&format!("heat {}", dry.to_str().unwrap())).fails(2, &["paper-ag.ron: it has no `lubricant`, which temperatures need"]);
 }
 
 /// Rows of docs/torque.md, from the speed at which films are thin to the fastest, come out again.

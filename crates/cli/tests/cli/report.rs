@@ -65,6 +65,8 @@ fn regress_a_report_holds_loads_speed_and_every_value_of_the_case() {
     assert!(place(">Results<") < place("<figure id=\"bearing\">"));
     assert!(place("<figure id=\"bearing\">") < place(">Power balance<"));
     let operation = &answer["operation"];
+    // A dry bearing has no films, and a report none of no thickness.
+    assert!(!operation.as_object().unwrap().keys().any(|key| key.starts_with("film") || key.starts_with("lambda")));
     assert!(number(operation, "friction_torque_mean_nm") > 0.0, "{operation}");
     assert_eq!(number(operation, "load_zone_deg"), 360.0);
     assert_eq!(number(operation, "loaded_balls_min"), 13.0);

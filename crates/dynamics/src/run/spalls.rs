@@ -24,7 +24,7 @@ pub(super) struct OverSpall {
 }
 
 impl OverSpall {
-    /// Whether the machine has such a ball and spall, and times are times.
+    /// True if the machine has such a ball and spall, and times are times.
     pub(super) fn is_of(&self, machine: &Machine) -> bool {
         let there = self.ball < machine.layout.balls && self.spall < machine.spalls[self.side].len();
         there && self.entered.is_finite() && self.struck.is_none_or(f64::is_finite)
@@ -75,7 +75,8 @@ impl Run {
             return Ok(());
         }
         let message = format!(
-            "a ball crosses half of its contact's length in {:.2e} s: steps of {step:.2e} s do not resolve how it meets the edge of a spall; {limit:.1e} s do",
+            "a ball crosses half of its contact's length in {:.2e} s: steps of {step:.2e} s do not resolve how it \
+             meets the edge of a spall; {limit:.1e} s do",
             STEPS_OF_CONTACT * limit
         );
         let kind = EventKind::Warning { message };

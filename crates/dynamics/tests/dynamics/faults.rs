@@ -33,7 +33,7 @@ fn limit_without_size_no_bit_changes() {
     }
 }
 
-/// What is uneven on one side of the load, and the other way round on the other side, with the rings turning backwards.
+/// Faults on one side of the load, and their mirror image on the other side, with the rings turning backwards.
 #[test]
 fn identity_a_mirrored_bearing_has_the_mirrored_motion() {
     let waves = |phase: f64| format!("(waves: [(order: 11, amplitude: um(1), phase: rad({phase}))])");

@@ -1,4 +1,4 @@
-//! What the damping that a search gives the pockets changes.
+//! Orbits with the pockets' own damping beside those with what a search gives them.
 
 use crate::support::fixture_with;
 use tribodyn_orbit::{OrbitSettings, less_damped_orbit, steady_orbit};

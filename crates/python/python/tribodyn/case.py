@@ -65,6 +65,7 @@ class Case:
         radial: Optional[float] = None,
         axial: Optional[float] = None,
         speed: Optional[float] = None,
+        lubricant: Optional[str] = None,
     ) -> Case:
         """A complete case from a designation, or from boundary dimensions.
 
@@ -79,6 +80,8 @@ class Case:
             dynamic_rating, static_rating: load ratings C_r and C_0r, N
             radial, axial: loads, N
             speed: speed of the inner ring, r/min
+            lubricant: ``"usual"`` (grease for sealed bearings, oil VG 68 for open ones), ``"vg32"``, ``"pao-vg46"``,
+                ``"grease"``, ``"ag"``, ``"ptfe"``; silver where left out
         """
         request = {
             "designation": designation,
@@ -93,6 +96,7 @@ class Case:
             "radial": radial,
             "axial": axial,
             "speed": speed,
+            "lubricant": lubricant,
         }
         return cls(_native.Case.make(request))
 

@@ -57,7 +57,8 @@ class Balls(Comparable, _plots.Pictured, BallArrays):
                 allowed = f"allowed are {', '.join(self._names)}"
                 raise InputError(f"no quantity {name}; {allowed}", path="names", value=name, allowed=allowed)
             ax.plot(self.azimuth_deg, self._values[:, self._columns[name]], "o-", markersize=3, label=name)
-        _plots.label(ax, "azimuth, °", shown[0] if len(shown) == 1 else "", legend=True)
+        y = "contact load, N" if not names else shown[0] if len(shown) == 1 else ""
+        _plots.label(ax, "azimuth, °", y, legend=True)
 
     @property
     def names(self) -> list[str]:

@@ -48,7 +48,7 @@ fn wave(order: u32) -> String {
     format!("[(order: {order}, amplitude: um(0.2), phase: deg(0))]")
 }
 
-/// What turns under a wave of each race, and over how many periods the pitch of the balls goes.
+/// The part that turns under a wave of each race, and the periods that the pitch of the balls goes over.
 const RACES: [[&str; 2]; 2] =
     [["deviations.outer.waves", "deviations.position.ball"], ["deviations.inner.waves", "deviations.position.inner"]];
 

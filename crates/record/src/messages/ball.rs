@@ -41,12 +41,11 @@ pub fn read_ball(row: &Ball, scope: Scope) -> BallResult {
         Scope::Traction | Scope::Lubricated => of != Scope::Run,
         Scope::Run => true,
     };
-    // A number that no ball had is 0 in the message: a film that thin is none.
-    let held = |of: Scope, number: f64| held(of) && (of != Scope::Lubricated || number != 0.0);
     let mut ball = BallResult::default();
     for (place, quantity) in FIELDS.iter().enumerate() {
         if let Some((quantity, facts)) = quantity.map(|q| (q, q.facts()))
-            && held(facts.scope, row.number(place))
+            && held(facts.scope)
+            && !facts.is_absence(row.number(place))
         {
             quantity.set(&mut ball, row.number(place) / facts.shown.per_si);
         }

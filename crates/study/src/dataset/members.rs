@@ -17,7 +17,7 @@ pub(super) struct Individual {
     pub length: Option<f64>,
     /// Azimuth of its middle, rad.
     pub azimuth: Option<f64>,
-    /// Whether its members are for tests.
+    /// True if its members are for tests.
     pub test: bool,
     /// Seeds of waves and balls.
     seeds: [u64; 3],
@@ -125,7 +125,8 @@ impl Choice {
             let races = [("inner", form.inner, seeds[0]), ("outer", form.outer, seeds[1])];
             for (race, SpectrumSpec { first, last, amplitude, exponent, .. }, seed) in races {
                 let spectrum = format!(
-                    "(spectrum: (first: {first}, last: {last}, amplitude: m({amplitude:e}), exponent: {exponent:e}, seed: {seed}))"
+                    "(spectrum: (first: {first}, last: {last}, amplitude: m({amplitude:e}), exponent: {exponent:e}, \
+                     seed: {seed}))"
                 );
                 changes.push((if race == "inner" { "deviations.inner" } else { "deviations.outer" }, spectrum));
             }
@@ -136,7 +137,8 @@ impl Choice {
             let race = if *fault == FaultClass::Inner { "Inner" } else { "Outer" };
             let spall = &plan.spall;
             let spalls = format!(
-                "[(race: {race}, azimuth: rad({azimuth:e}), length: m({length:e}), width: m({:e}), depth: m({:e}), edge_radius: m({:e}))]",
+                "[(race: {race}, azimuth: rad({azimuth:e}), length: m({length:e}), width: m({:e}), depth: m({:e}), \
+                 edge_radius: m({:e}))]",
                 spall.width, spall.depth, spall.edge_radius
             );
             changes.push(("spalls", spalls));

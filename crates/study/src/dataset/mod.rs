@@ -45,7 +45,7 @@ pub struct Dataset {
     limits: Limits,
 }
 
-/// What makes two data sets the same.
+/// Two data sets are the same where these are.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Identity {
@@ -65,7 +65,7 @@ impl journal::Identity for Identity {
     }
 }
 
-/// What was done.
+/// The state of a data set after a call.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DatasetReport {
     /// Members of the set.
@@ -74,7 +74,7 @@ pub struct DatasetReport {
     pub finished: usize,
     /// Those of the finished ones that have no signal.
     pub failed: usize,
-    /// Bearings for training and for tests.
+    /// Bearings for training.
     pub bearings_train: usize,
     /// Bearings for tests.
     pub bearings_test: usize,
@@ -179,8 +179,8 @@ impl Dataset {
         };
         open.par_iter().with_max_len(1).try_for_each(run)?;
         let (wall_s, run) = (began.elapsed().as_secs_f64(), count.into_inner().unwrap_or_else(PoisonError::into_inner));
-        let mut report = self.report((wall_s, run), &journal, &plain)?;
-        report.finished = self.members() - open.len() + run;
+        let finished = self.members() - open.len() + run;
+        let report = self.report((wall_s, run, finished), &journal, &plain)?;
         if report.finished == self.members() {
             self.write(folder, &columns, &journal, mat)?;
             journal.delete()?;
@@ -190,7 +190,7 @@ impl Dataset {
 
     fn report(
         &self,
-        (wall_s, run): (f64, usize),
+        (wall_s, run, finished): (f64, usize, usize),
         journal: &Journal,
         columns: &[Column],
     ) -> Result<DatasetReport, StudyError> {
@@ -208,7 +208,7 @@ impl Dataset {
         let bearings_test = self.individuals.iter().filter(|individual| individual.test).count();
         Ok(DatasetReport {
             members: self.members(),
-            finished: 0,
+            finished,
             failed,
             bearings_train: self.individuals.len() - bearings_test,
             bearings_test,

@@ -1,12 +1,10 @@
 //! A data set as Parquet: a row a member, signals as lists of single precision.
 
 use super::row::{List, numbers, singles};
-use crate::sweep::{Cell, Column, field, write_column};
-use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical, ZstdLevel};
+use crate::sweep::{Cell, Column, Notes, field, properties, write_column};
+use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::writer::ColumnWriter;
 use parquet::errors::ParquetError;
-use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{Type, TypePtr};
 use std::io::Write;
@@ -19,15 +17,10 @@ const GROUP: usize = 256;
 pub(super) fn write<E: From<ParquetError>>(
     writer: impl Write + Send,
     columns: &[(Column, Option<List>)],
-    notes: Vec<(String, String)>,
+    notes: Notes,
     rows: impl Iterator<Item = Result<Vec<Cell>, E>>,
 ) -> Result<(), E> {
-    let properties = WriterProperties::builder()
-        .set_compression(Compression::ZSTD(ZstdLevel::default()))
-        .set_created_by(concat!("tribodyn version ", env!("CARGO_PKG_VERSION")).to_owned())
-        .set_key_value_metadata(Some(notes.into_iter().map(|(key, value)| KeyValue::new(key, value)).collect()))
-        .build();
-    let mut file = SerializedFileWriter::new(writer, schema(columns)?, Arc::new(properties))?;
+    let mut file = SerializedFileWriter::new(writer, schema(columns)?, properties(notes))?;
     let mut group = Vec::with_capacity(GROUP);
     for row in rows {
         group.push(row?);

@@ -1,4 +1,4 @@
-//! What a sensor makes of the acceleration of the outer ring.
+//! A sensor on the acceleration of the outer ring.
 
 use crate::ensemble::normal_quantile;
 use std::f64::consts::PI;

@@ -191,9 +191,10 @@ fn of_balls(rows: &[&[BallRow]], orbit: &[&[BallRow]], ball_radius_m: Option<f64
     let mut all: Vec<Quantity> = OfBall::all()
         .filter_map(|q| {
             let place = BallRow::place(&q.name_in(q.facts().shown))?;
+            let there = |number: &f64| !q.facts().is_absence(*number);
             let values = match q.side() {
-                None => span(balls().map(|b| b.number(place))),
-                Some(side) => span(loaded(side).map(|b| b.number(place))),
+                None => span(balls().map(|b| b.number(place)).filter(there)),
+                Some(side) => span(loaded(side).map(|b| b.number(place)).filter(there)),
             };
             reported(&q, values?)
         })

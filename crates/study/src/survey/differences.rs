@@ -83,11 +83,8 @@ fn compared(bearing: &RandomBearing, model: Equations) -> Result<Compared, Verdi
         parts.fold(0.0, f64::max)
     };
     let held = OperatingPoint { ring: found.ring.map(RingFreedom::Held), ..problem.point.clone() };
-    let same = found.loads(&problem, &held).is_some_and(|again| {
-        let parts = (0..5).map(|i| (again[i] - found.carried[i]).abs() / (k[i][i].abs().sqrt() * scale));
-        parts.fold(0.0, f64::max) < SAME * found.approach
-    });
-    if !same {
+    let again = found.loads(&problem, &held);
+    if !again.is_some_and(|again| off(&again, &found.carried) < SAME * found.approach) {
         return Err(explained("with the ring held where it is, the balls come to another equilibrium"));
     }
     for step in STEPS {

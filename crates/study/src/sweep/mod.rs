@@ -27,7 +27,7 @@ pub(crate) use columns::{decode, encode};
 pub use grid::{Grid, SampleRows};
 pub use merge::{Merged, merge};
 #[cfg(feature = "parquet")]
-pub(crate) use parquet::{field, write_column};
+pub(crate) use parquet::{Notes, field, properties, write_column};
 pub use part::{Part, write_part};
 pub use plan::Plan;
 pub use rows::solve_chunks;

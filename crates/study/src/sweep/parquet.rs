@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Keys and values beside the rows.
-type Notes = Vec<(String, String)>;
+pub(crate) type Notes = Vec<(String, String)>;
 
 /// Rows that are held before they are written: about 10 MB.
 const GROUP: usize = 1 << 14;
@@ -39,6 +39,16 @@ pub(crate) fn write(
     Ok(count)
 }
 
+/// How our tables are packed and signed, with notes as key–value metadata.
+pub(crate) fn properties(notes: Notes) -> Arc<WriterProperties> {
+    let properties = WriterProperties::builder()
+        .set_compression(Compression::ZSTD(ZstdLevel::default()))
+        .set_created_by(concat!("tribodyn version ", env!("CARGO_PKG_VERSION")).to_owned())
+        .set_key_value_metadata(Some(notes.into_iter().map(|(key, value)| KeyValue::new(key, value)).collect()))
+        .build();
+    Arc::new(properties)
+}
+
 /// A table that is being written.
 struct Output<'a, W: Write + Send> {
     file: SerializedFileWriter<W>,
@@ -48,12 +58,7 @@ struct Output<'a, W: Write + Send> {
 
 impl<'a, W: Write + Send> Output<'a, W> {
     fn begin(writer: W, columns: &'a [Column], notes: Vec<(String, String)>) -> Result<Self, ParquetError> {
-        let properties = WriterProperties::builder()
-            .set_compression(Compression::ZSTD(ZstdLevel::default()))
-            .set_created_by(concat!("tribodyn version ", env!("CARGO_PKG_VERSION")).to_owned())
-            .set_key_value_metadata(Some(notes.into_iter().map(|(key, value)| KeyValue::new(key, value)).collect()))
-            .build();
-        let file = SerializedFileWriter::new(writer, schema(columns)?, Arc::new(properties))?;
+        let file = SerializedFileWriter::new(writer, schema(columns)?, properties(notes))?;
         Ok(Self { file, columns, group: Vec::new() })
     }
 

@@ -8,7 +8,7 @@ use tribodyn::{AnswerError, CaseFile, Limits};
 use tribodyn_catalogue::KnownBalls;
 use tribodyn_signal::{Kinematics, Search};
 
-/// What is asked of a signal.
+/// A signal and the questions about it.
 #[derive(Debug, Clone)]
 pub struct SignalQuestion {
     /// File with the signal.

@@ -6,22 +6,22 @@ use tribodyn_lubricant::{BaseStock, PressureViscosity};
 
 const STEEL_BODY: ElasticBody = ElasticBody { young: 208e9, poisson: 0.3 };
 
-fn rule(radial: usize, angles: usize) -> Quadrature {
+pub(super) fn rule(radial: usize, angles: usize) -> Quadrature {
     Quadrature::new(PatchRule::GaussJacobi { radial, angles }).unwrap()
 }
 
 /// The inner contact of a 6206.
-fn law(shear: FilmShear) -> FilmLaw {
+pub(super) fn law(shear: FilmShear) -> FilmLaw {
     let oil = BaseStock::Mineral.oil(68.0, None).unwrap();
     let temperature = 343.15;
     let inlet = InletFilm::new(&oil, temperature, 1.0, 0.07e-6).unwrap();
     FilmLaw::new((oil, temperature, inlet), (shear, 0.12), [3.776e-3, 0.1238], [STEEL_BODY; 2]).unwrap()
 }
 
-const EYRING: FilmShear = FilmShear::Eyring { stress: 5e6 };
+pub(super) const EYRING: FilmShear = FilmShear::Eyring { stress: 5e6 };
 
 /// Rolling at 3.46 m/s with some slip and spin, under 555 N.
-fn contact(slip: f64, spin: f64) -> FilmContact {
+pub(super) fn contact(slip: f64, spin: f64) -> FilmContact {
     let ball_radius = 4.7625e-3;
     let about_lateral = -1500.0;
     FilmContact {

@@ -145,11 +145,7 @@ pub fn contact_film(question: &ContactFilmQuestion) -> Result<(OilAnswer, Contac
 /// A case without lubricant, or one that the equations do not solve.
 pub fn films(question: &Question<'_>, equations: Equations) -> Result<Answer<FilmAnswer>, AnswerError> {
     let Some(lubricant) = &question.case.lubricant else {
-        return Err(AnswerError::argument(
-            "case",
-            question.name,
-            "it has no `lubricant`, so its contacts have no film",
-        ));
+        return Err(AnswerError::not_asked(question.name, "it has no `lubricant`, so its contacts have no film"));
     };
     let (_, solution, findings) = solution_by(question, equations)?;
     let oil = lubricant.oil.oil()?;

@@ -83,14 +83,10 @@ pub fn heat(
     surroundings: &Surroundings,
 ) -> Result<Answer<HeatAnswer>, AnswerError> {
     let Some(lubricant) = &question.case.lubricant else {
-        return Err(AnswerError::argument(
-            "case",
-            question.name,
-            "temperatures need a lubricant: a section `lubricant`",
-        ));
+        return Err(AnswerError::not_asked(question.name, "it has no `lubricant`, which temperatures need"));
     };
     let mut notes = Vec::new();
-    let size = size(question.case, surroundings, &mut notes)?;
+    let size = size((question.name, question.case), surroundings, &mut notes)?;
     if question.case.mounting.is_none() {
         notes.push("without `mounting` the rings grow by heat and speed, in no seats".to_owned());
     }
@@ -106,11 +102,8 @@ pub fn heat(
         let next = conductances.steady(&found.heat, ambient)?;
         let off = difference(&next, &at);
         if off.iter().all(|off| off.abs() < SETTLED) {
-            let answer = HeatAnswer {
-                rounds: round,
-                notes,
-                ..answer(&case, &bearing, (&conductances, &next, ambient), &found)?
-            };
+            let viscosity = lubricant.oil.oil()?.kinematic_mm2_s(inlet(&next));
+            let answer = answer((&bearing, viscosity), (&conductances, &next, ambient), &found, (round, notes));
             return Ok(Answer::new(findings, answer));
         }
         at = steps.next(&at, off);
@@ -139,8 +132,8 @@ impl Found {
     fn new(name: &str, solution: &Solution) -> Result<Self, AnswerError> {
         let speed = solution.inner_speed_rad_s - solution.outer_speed_rad_s;
         let Some(torque) = solution.shaft_torque_nm.filter(|_| speed != 0.0) else {
-            let message = "friction needs traction and a speed of the rings against each other";
-            return Err(AnswerError::argument("case", name, message));
+            let why = "friction needs traction and a speed of the rings against each other";
+            return Err(AnswerError::not_asked(name, why));
         };
         let contacts = |side: Side| solution.balls.iter().map(move |ball| ball.contacts[side]);
         let friction =
@@ -230,7 +223,11 @@ fn difference(a: &Temperatures, b: &Temperatures) -> [f64; 5] {
     std::array::from_fn(|node| a[node] - b[node])
 }
 
-fn size(case: &Case, surroundings: &Surroundings, notes: &mut Vec<String>) -> Result<BearingSize, AnswerError> {
+fn size(
+    (name, case): (&str, &Case),
+    surroundings: &Surroundings,
+    notes: &mut Vec<String>,
+) -> Result<BearingSize, AnswerError> {
     let spec = case.rating.unwrap_or_default();
     let g = &case.geometry;
     let half_section = 0.5 * SECTION * g.ball_diameter;
@@ -240,7 +237,8 @@ fn size(case: &Case, surroundings: &Surroundings, notes: &mut Vec<String>) -> Re
     let bore = spec.bore.unwrap_or(g.pitch_diameter - half_section);
     let outside = spec.outside.unwrap_or(g.pitch_diameter + half_section);
     if bore <= 0.0 || outside <= bore {
-        return Err(AnswerError::argument("case", "rating", "bore and outside diameter are none of a bearing"));
+        let why = "`rating.bore` must be above 0 and less than `rating.outside`";
+        return Err(AnswerError::not_asked(name, why));
     }
     let width = surroundings.width_mm.map(|width| width * 1e-3).unwrap_or_else(|| {
         notes.push("width estimated as half of D − d: give --width".to_owned());
@@ -281,18 +279,13 @@ fn warmed(case: &Case, size: &BearingSize, at: &Temperatures) -> Case {
 }
 
 fn answer(
-    case: &Case,
-    bearing: &Bearing,
+    (bearing, viscosity): (&Bearing, f64),
     (conductances, at, ambient): (&Conductances, &Temperatures, f64),
     found: &Found,
-) -> Result<HeatAnswer, AnswerError> {
-    let celsius = at.to_array().map(|kelvin| kelvin - ZERO_CELSIUS);
-    let [inner, balls, outer, oil, housing] = celsius;
-    let viscosity = match &case.lubricant {
-        Some(lubricant) => lubricant.oil.oil()?.kinematic_mm2_s(inlet(at)),
-        None => f64::NAN,
-    };
-    Ok(HeatAnswer {
+    (rounds, notes): (usize, Vec<String>),
+) -> HeatAnswer {
+    let [inner, balls, outer, oil, housing] = at.to_array().map(|kelvin| kelvin - ZERO_CELSIUS);
+    HeatAnswer {
         inner_temperature_deg_c: inner,
         ball_temperature_deg_c: balls,
         outer_temperature_deg_c: outer,
@@ -306,7 +299,7 @@ fn answer(
         heat_housing_w: conductances.housing_surroundings * (at.housing - ambient),
         heat_oil_w: conductances.oil_surroundings * (at.oil - ambient),
         radial_clearance_m: bearing.geometry.radial_clearance(),
-        rounds: 0,
-        notes: Vec::new(),
-    })
+        rounds,
+        notes,
+    }
 }

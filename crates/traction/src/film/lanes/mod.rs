@@ -201,3 +201,6 @@ fn place_of(row: usize, column: usize) -> usize {
     let (low, high) = if row < column { (row, column) } else { (column, row) };
     high * (high + 1) / 2 + low
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,49 +1,8 @@
 //! Films in the vector kernel against the plain integral, values and slopes.
 
+use crate::film::tests::{EYRING, contact, law, rule};
+use crate::{FastPatch, FilmContact, FilmShear, Patch, PatchRule, PatchTraction, RelativeMotion};
 use num_dual::{Derivative, DualNum, DualSVec64};
-use tribodyn_contact::ElasticBody;
-use tribodyn_lubricant::{BaseStock, InletFilm};
-use tribodyn_traction::{
-    FastPatch, FilmContact, FilmLaw, FilmShear, Patch, PatchRule, PatchTraction, Quadrature, RelativeMotion,
-};
-
-const STEEL_BODY: ElasticBody = ElasticBody { young: 208e9, poisson: 0.3 };
-const EYRING: FilmShear = FilmShear::Eyring { stress: 5e6 };
-
-fn rule(radial: usize, angles: usize) -> Quadrature {
-    Quadrature::new(PatchRule::GaussJacobi { radial, angles }).unwrap()
-}
-
-/// The inner contact of a 6206.
-fn law(shear: FilmShear) -> FilmLaw {
-    let oil = BaseStock::Mineral.oil(68.0, None).unwrap();
-    let temperature = 343.15;
-    let inlet = InletFilm::new(&oil, temperature, 1.0, 0.07e-6).unwrap();
-    FilmLaw::new((oil, temperature, inlet), (shear, 0.12), [3.776e-3, 0.1238], [STEEL_BODY; 2]).unwrap()
-}
-
-/// Rolling at 3.46 m/s with some slip and spin, under 555 N.
-fn contact(slip: f64, spin: f64) -> FilmContact {
-    let ball_radius = 4.7625e-3;
-    let about_lateral = -1500.0;
-    FilmContact {
-        patch: Patch {
-            semi_lateral: 1.26e-3,
-            semi_rolling: 0.134e-3,
-            peak_pressure: 1.57e9,
-            ball_radius,
-            surface_radius: 4.85e-3,
-        },
-        motion: RelativeMotion {
-            rolling: slip - about_lateral * ball_radius,
-            lateral: 0.3 * slip,
-            spin,
-            about_lateral,
-            about_rolling: 4.0,
-        },
-        rolling_speed: 3.46,
-    }
-}
 
 /// Motion, load and rolling speed.
 type Dual = DualSVec64<7>;
