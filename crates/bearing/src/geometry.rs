@@ -144,6 +144,11 @@ impl Geometry {
         2.0 * self.centre_distance() * (1.0 - self.cos_contact_angle()) - self.interference
     }
 
+    /// Diametral interference of balls that are pressed radially without load, m; 0 where there is clearance.
+    pub fn interference(&self) -> f64 {
+        self.interference
+    }
+
     /// Radial distance of the circles of groove centres, A cos α0 without interference, m.
     #[inline(always)]
     pub fn radial_distance(&self) -> f64 {

@@ -9,6 +9,7 @@ mod ensemble;
 mod excerpt;
 mod failure;
 mod film;
+mod fmu;
 mod harmless;
 mod heat;
 mod hertz;
@@ -62,6 +63,7 @@ Examples:
   tribodyn stiffness fixtures/cases/paper-ag.ron --speeds 5000,10000,14000 --ross coefficients.csv
   tribodyn modes fixtures/cases/paper-ag.ron --up-to 5000
   tribodyn sheet 6206 --radial 2000 --axial 300 --speed 3000
+  tribodyn fmu fixtures/cases/angular-7210.ron -o bearing.fmu
   tribodyn set 7012C --arrangement DB --preload 200
   tribodyn shaft fixtures/shafts/motor.ron --modes 0,3000,6000
   tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
@@ -115,6 +117,8 @@ enum Command {
     Life(life::Arguments),
     /// Compute lubricant films: of every contact of a case, or of one contact
     Film(film::Arguments),
+    /// Write a bearing as a functional mock-up unit for multibody and system simulation
+    Fmu(fmu::Arguments),
     /// Compute the temperatures of a lubricated bearing from its friction
     Heat(heat::Arguments),
     /// Compute the friction torque by cause, beside SKF's and Palmgren's formulas
@@ -160,6 +164,7 @@ fn main() -> ExitCode {
         Command::Dataset(arguments) => dataset::run(&arguments),
         Command::Life(arguments) => life::run(&arguments),
         Command::Film(arguments) => film::run(&arguments),
+        Command::Fmu(arguments) => fmu::run(&arguments),
         Command::Heat(arguments) => heat::run(&arguments),
         Command::Torque(arguments) => torque::run(&arguments),
         Command::Rating(arguments) => rating::run(&arguments),

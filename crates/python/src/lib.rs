@@ -15,6 +15,7 @@ mod convert;
 mod ensemble;
 mod error;
 mod figures;
+mod fmus;
 mod recording;
 mod runs;
 mod sets;
@@ -36,6 +37,8 @@ mod _native {
     use super::case::{NativeCase, in_si, unit_names};
     #[pymodule_export]
     use super::ensemble::ensemble;
+    #[pymodule_export]
+    use super::fmus::fmu;
     #[pymodule_export]
     use super::recording::{read_recording, recorded_names};
     #[pymodule_export]

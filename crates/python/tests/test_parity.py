@@ -33,6 +33,7 @@ FUNCTIONS = {
     "ensemble": "ensemble",
     "life": "life",
     "film": "film",
+    "fmu": "fmu",
     "torque": "torque",
     "rating": "rating_life",
     "recover": "recover",

@@ -40,6 +40,14 @@ pub enum StudyError {
         /// Reason.
         source: OrbitError,
     },
+    /// A bearing that makes no FMU.
+    #[error("{file}: {source}")]
+    Fmu {
+        /// Name of the case file.
+        file: String,
+        /// Reason.
+        source: tribodyn_fmu::FmuError,
+    },
     /// A shaft without an answer.
     #[error("{file}: {source}")]
     Shaft {

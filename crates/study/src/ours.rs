@@ -16,6 +16,8 @@ pub enum Ours {
     Figure,
     /// A Foxglove layout (JSON).
     Layout,
+    /// A functional mock-up unit.
+    Fmu,
     /// A page, a summary, or what an identification found.
     Report,
     /// Nothing: an empty file, in which nothing can be lost.
@@ -53,6 +55,8 @@ impl Ours {
         Ok(match path.extension().and_then(|e| e.to_str()) {
             _ if head.is_empty() => Some(Self::Empty),
             _ if head.starts_with(MCAP) => recorded(&head).then_some(Self::Recording),
+            // The description is the first file of the archive, not compressed.
+            _ if head.starts_with(b"PK\x03\x04") => text.contains("generationTool=\"tribodyn").then_some(Self::Fmu),
             _ if head.starts_with(b"PAR1") => holds(&tail, b"tribodyn version").then_some(Self::Table),
             // Bitmaps say nothing of their maker; they are made with a drawing of the same name.
             Some("png") => beside("svg").filter(|_| head.starts_with(b"\x89PNG")),
@@ -71,6 +75,7 @@ impl Ours {
         let (kind, replaceable) = match self {
             Self::Recording => ("recording", "a recording"),
             Self::Table => ("table", "a table"),
+            Self::Fmu => ("FMU", "an FMU"),
             _ => ("layout", "a layout"),
         };
         let Ok(standing) = fs::canonicalize(path) else { return Ok(()) };

@@ -8,7 +8,7 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 21] = [
+const LAYERS: [(&str, &[&str]); 22] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-lubricant", &[]),
     // Nodes and conductances alone.
@@ -71,6 +71,8 @@ const LAYERS: [(&str, &[&str]); 21] = [
     // Recordings of runs hold spectra that a viewer cannot compute.
     ("tribodyn-record", &["tribodyn-bearing", "tribodyn-quasistatic", "tribodyn-dynamics", "tribodyn-signal"]),
     ("tribodyn-plot", &["tribodyn-bearing", "tribodyn-quasistatic"]),
+    // C sources that solve the same equations, and the numbers of a bearing for them.
+    ("tribodyn-fmu", &["tribodyn-bearing"]),
     // The front door: answers about a case, without files.
     (
         "tribodyn",
@@ -107,6 +109,7 @@ const LAYERS: [(&str, &[&str]); 21] = [
             "tribodyn-dynamics",
             "tribodyn-orbit",
             "tribodyn-record",
+            "tribodyn-fmu",
             "tribodyn-rating",
             "tribodyn-catalogue",
             "tribodyn-shaft",

@@ -15,7 +15,7 @@ use tribodyn_paper::{PaperError, files};
 /// What builds the wheel.
 const BUILD: [&str; 1] = ["maturin>=1.9,<2"];
 /// What the tests need besides the package.
-const TEST: [&str; 16] = [
+const TEST: [&str; 17] = [
     "numpy>=1.22",
     "pandas>=1.5",
     "pandas-stubs",
@@ -33,6 +33,7 @@ const TEST: [&str; 16] = [
     "ross-rotordynamics>=2.3,<4",
     // What ROSS asks of it is gone from 7 on.
     "plotly<7",
+    "FMPy>=0.3.20",
 ];
 /// First release of Python that the wheel is for.
 const OLDEST: (u32, u32) = (3, 9);

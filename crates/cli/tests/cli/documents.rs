@@ -102,6 +102,16 @@ fn regress_first_bearing() {
     assert!(scratch.0.join("report/foxglove-layout.json").exists());
 }
 
+/// The FMU of a new bearing, in a folder of its own.
+#[test]
+fn regress_functional_mock_up_unit() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/fmu.md");
+    let text = std::fs::read_to_string(path).unwrap();
+    let scratch = Scratch::new();
+    assert!(run_examples("docs/fmu.md", &text, &scratch.0) == 2);
+    assert!(scratch.0.join("7210.fmu").exists());
+}
+
 #[test]
 fn limit_comparison_of_examples_skips_nothing_else() {
     assert!(agrees("a\n…\nd\n", "a\nb\nc\nd\n") && agrees("a\n…\n", "a\n") && agrees("…\nb\n", "a\nb\n"));

@@ -130,7 +130,8 @@ fn limit_heat_that_cannot_leave_and_bad_surroundings_are_refused() {
     heat("--surroundings 400").fails(2, &["--surroundings", "-60 to 150 °C"]);
     heat("--oil-flow nan").fails(2, &["--oil-flow"]);
     let dry = fixture("paper-ag.ron");
-    run_words(&format!("heat {}", dry.to_str().unwrap())).fails(2, &["paper-ag.ron: it has no `lubricant`, which temperatures need"]);
+    run_words(&format!("heat {}", dry.to_str().unwrap()))
+        .fails(2, &["paper-ag.ron: it has no `lubricant`, which temperatures need"]);
 }
 
 /// Rows of docs/torque.md, from the speed at which films are thin to the fastest, come out again.

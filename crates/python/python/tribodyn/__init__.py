@@ -28,6 +28,7 @@ from .answers import Contact, Derived, Frequencies, Identification, Life, Mode, 
 from .case import Case
 from .ensembles import Ensemble, Quantiles, ensemble
 from .films import ContactFilm, Films, Oil, Torque, contact_film, film, torque
+from .fmus import Fmu, fmu
 from .procedures import check, hertz, modes, rating_life, solve, stiffness, traction_curve
 from .runs import BallSeries, Recording, Run, Series, SolutionState, States, Worn, identify, life, read_recording, run
 from .sets import BearingSet, Pair, PairBearing, Shaft, Sheet, bearing_set, pair, shaft, sheet
@@ -108,6 +109,7 @@ __all__ = [
     "Ensemble",
     "FileError",
     "Films",
+    "Fmu",
     "Frequencies",
     "Identification",
     "InputError",
@@ -152,6 +154,7 @@ __all__ = [
     "contact_film",
     "ensemble",
     "film",
+    "fmu",
     "from_unit_cube",
     "hertz",
     "identify",
