@@ -144,10 +144,46 @@ def test_code_ross_builds_a_bearing_element(plain: Case) -> None:
     ross = pytest.importorskip("ross")
     stiffness = tribodyn.stiffness(plain, "jones-harris", speeds=[3000, 6000, 9000])
     arguments = stiffness.to_ross()
-    element = ross.BearingElement(n=0, cxx=0 * arguments["kxx"], **arguments)
+    element = ross.BearingElement(n=0, **arguments)
+    damped = ross.BearingElement(n=0, **stiffness.to_ross(damping=1.25e-5))
     speeds = stiffness.inner_speed_rpm * np.pi / 30.0
     for speed, matrix in zip(speeds, stiffness.stiffness):
         assert np.allclose(np.asarray(element.K(speed))[:2, :2], matrix[:2, :2], rtol=1e-6, atol=1.0)
+        assert np.all(np.asarray(element.C(speed)) == 0.0)
+        lost = 1.25e-5 * matrix[:2, :2]
+        assert np.allclose(np.asarray(damped.C(speed))[:2, :2], lost, rtol=1e-6, atol=1e-5)
+
+
+def test_identity_damping_for_rotor_programs_is_that_of_the_modes(cases: Path) -> None:
+    """A mass on the spring and the dashpot of an axis has frequency and damping of the mode that they are from."""
+    case = Case.read(cases / "paper-ag-worn.ron")
+    stiffness, modes = tribodyn.stiffness(case), tribodyn.modes(case, up_to=5000)
+    arguments = stiffness.to_ross(3, damping=modes)
+    for name in "xyz":
+        k, c = arguments[f"k{name}{name}"][0], arguments[f"c{name}{name}"][0]
+        # λ² m + λ c + k = 0 of the mass that has the modulus of the mode's eigenvalue.
+        eigenvalues = [complex(mode.growth_rate_per_s, 2 * np.pi * mode.frequency_hz) for mode in modes.modes]
+        rests = [abs(v**2 * k / abs(v) ** 2 + v * c + k) / k for v in eigenvalues if v.imag > 0]
+        assert min(rests) < 1e-9, name
+    assert arguments["cxy"][0] == pytest.approx(
+        np.sqrt(arguments["cxx"] * arguments["cyy"] / (arguments["kxx"] * arguments["kyy"]))[0] * arguments["kxy"][0]
+    )
+    each = stiffness.to_ross(3, damping=[modes])
+    assert all(np.array_equal(each[name], arguments[name]) for name in arguments)
+    for bad in (-1.0, float("nan"), [modes, modes]):
+        with pytest.raises(InputError, match="allowed"):
+            stiffness.to_ross(3, damping=bad)
+
+
+def test_limit_tilts_that_rotor_programs_do_not_have_are_told(plain: Case) -> None:
+    stiffness = tribodyn.stiffness(plain, "jones-harris")
+    with pytest.warns(tribodyn.ModelWarning, match="kxx by") as caught:
+        stiffness.to_ross(3)
+    messages = [str(warning.message) for warning in caught]
+    said = float(next(m for m in messages if "kxx by" in m).split("kxx by ")[1].split(" %")[0])
+    compliance = np.linalg.inv(stiffness.matrix)
+    freed = np.linalg.inv(compliance[:3, :3])
+    assert said == round(100 * (1 - freed[0, 0] / stiffness.matrix[0, 0]))
 
 
 def test_limit_bad_questions_are_refused(paper: Case, plain: Case) -> None:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import importlib.metadata
 import warnings
-from typing import TYPE_CHECKING, Any, Optional
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _html, _plots
 from ._answer import Answer, OfOperatingPoint
-from ._errors import PlausibilityWarning
+from ._errors import InputError, ModelWarning, PlausibilityWarning
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -219,6 +220,8 @@ class TractionCurve(Answer):
         return series
 
 
+#: Share of a stiffness that tilts would take away, from which on :meth:`Stiffness.to_ross` says so.
+TOLD_SOFTER = 0.01
 #: Directions of the stiffness: forces and moments by rows, displacements (m) and tilts (rad) by columns.
 AXES = ("x", "y", "z", "tilt_x", "tilt_y")
 
@@ -291,14 +294,24 @@ class Stiffness(Answer):
             self.stiffness, dims=("inner_speed_rpm", "force", "displacement"), coords=coordinates, name="stiffness"
         )
 
-    def to_ross(self, major: Optional[int] = None) -> dict[str, NDArray[np.float64]]:
-        """Arguments of ROSS's ``BearingElement``: ``kxx``, ``kxy``, ``kyx``, ``kyy``, ``kzz`` in N/m over the speed in
-        rad/s, by rising speed.
+    def to_ross(
+        self, major: Optional[int] = None, *, damping: Union[float, Modes, Sequence[Modes]] = 0.0
+    ) -> dict[str, NDArray[np.float64]]:
+        """Arguments of ROSS's ``BearingElement``: ``kxx``, ``kxy``, ``kyx``, ``kyy``, ``kzz`` in N/m and ``cxx`` to
+        ``czz`` in N s/m over the speed in rad/s, by rising speed.
+
+        The element has translations only: tilts are held, and moments are left out. A :class:`ModelWarning` says how
+        much of the stiffness would be gone were the ring free to tilt.
 
         Args:
             major: major version of ROSS that they are for, by default that which is installed, or 3. From 3 on the
                 speed of the rotor is ``speed``, and ``frequency`` that of the whirl; before, the speed is
                 ``frequency``
+            damping: a time in s by which the stiffness is multiplied, 0 for none; or the :class:`Modes` of the
+                bearing, one for all speeds or one for each in the order of ``inner_speed_rpm``. Of the modes that
+                take the inner ring along x, y, z each that does so most gives a time τ = 2ζ/ω, and c_ij is
+                √(τ_i τ_j) k_ij. What the supports of the case damp is in it: give it undamped ones for the bearing's
+                own
 
         What is implausible is a Python warning: the arguments have no room for it.
         """
@@ -306,17 +319,53 @@ class Stiffness(Answer):
             if implausible:
                 message = f"stiffness at {speed:.1f} r/min: {'; '.join(said)}"
                 warnings.warn(message, PlausibilityWarning, stacklevel=2)
+        softer = self._softer_by_tilts()
+        if np.max(softer) > TOLD_SOFTER:
+            shares = ", ".join(f"{name} by {100 * share:.0f} %" for name, share in zip(("kxx", "kyy", "kzz"), softer))
+            message = f"the element has no tilts: they are held, and a ring that is free to tilt is softer, {shares}"
+            warnings.warn(message, ModelWarning, stacklevel=2)
         if major is None:
             try:
                 major = int(importlib.metadata.version("ross-rotordynamics").split(".")[0])
             except importlib.metadata.PackageNotFoundError:
                 major = 3
         order = np.argsort(self.inner_speed_rpm)
-        matrices = self.stiffness[order]
-        entries = {"kxx": (0, 0), "kxy": (0, 1), "kyx": (1, 0), "kyy": (1, 1), "kzz": (2, 2)}
-        arguments = {name: np.ascontiguousarray(matrices[:, i, j]) for name, (i, j) in entries.items()}
+        stiffness = self.stiffness[order]
+        root = np.sqrt(self._damping_times(damping)[order])
+        lost = stiffness[:, :3, :3] * root[:, :, None] * root[:, None, :]
+        entries = {"xx": (0, 0), "xy": (0, 1), "yx": (1, 0), "yy": (1, 1), "zz": (2, 2)}
+        arguments = {
+            letter + name: np.ascontiguousarray(matrices[:, i, j])
+            for letter, matrices in (("k", stiffness), ("c", lost))
+            for name, (i, j) in entries.items()
+        }
         arguments["speed" if major >= 3 else "frequency"] = self.inner_speed_rpm[order] * np.pi / 30.0
         return arguments
+
+    def _softer_by_tilts(self) -> NDArray[np.float64]:
+        """Share of the stiffness along x, y, z that is gone where the ring is free to tilt, the most of all speeds."""
+        matrices = self.stiffness
+        freed = matrices[:, :3, :3] - matrices[:, :3, 3:] @ np.linalg.pinv(matrices[:, 3:, 3:]) @ matrices[:, 3:, :3]
+        held = np.diagonal(matrices[:, :3, :3], axis1=1, axis2=2)
+        gone = np.divide(held - np.diagonal(freed, axis1=1, axis2=2), held, out=np.zeros_like(held), where=held != 0)
+        most: NDArray[np.float64] = np.abs(gone).max(axis=0)
+        return most
+
+    def _damping_times(self, damping: Union[float, Modes, Sequence[Modes]]) -> NDArray[np.float64]:
+        """Damping over stiffness along x, y, z at each speed, s."""
+        count = len(self.inner_speed_rpm)
+        if isinstance(damping, Modes):
+            return np.tile(damping.damping_times_s(), (count, 1))
+        if isinstance(damping, (int, float)):
+            if not 0.0 <= damping < float("inf"):
+                allowed = "allowed is a time in s, 0 or more, or modes"
+                raise InputError(f"damping = {damping}: {allowed}", path="damping", value=str(damping), allowed=allowed)
+            return np.full((count, 3), float(damping))
+        if len(damping) != count:
+            allowed = f"allowed are modes for all speeds, or for each of the {count}"
+            message = f"damping = {len(damping)} modes: {allowed}"
+            raise InputError(message, path="damping", value=str(len(damping)), allowed=allowed)
+        return np.array([modes.damping_times_s() for modes in damping])
 
     def _draw(self, ax: Axes) -> None:
         if len(self.inner_speed_rpm) == 1:
@@ -358,6 +407,12 @@ class Mode(Answer):
     #: of each ball: axial, radial, along the orbit
     balls: list[list[float]]
 
+    def _energy_along(self, axis: int) -> float:
+        """Share of the kinetic energy that the inner ring has along x, y or z."""
+        squares = np.abs(np.asarray(self.inner_ring)) ** 2
+        total = float(squares.sum())
+        return float(self.energy_shares["inner_ring"] * squares[axis] / total) if total > 0.0 else 0.0
+
     def _draw(self, ax: Axes) -> None:
         _plots.bars(ax, self.energy_shares, "share of the kinetic energy")
 
@@ -373,6 +428,23 @@ class Modes(OfOperatingPoint):
     #: the same as a rate
     growth_rate_per_s: float
     modes: list[Mode]
+
+    def damping_times_s(self) -> NDArray[np.float64]:
+        """Damping over stiffness 2ζ/ω along x, y, z, s: each by the mode that has most of its energy in the inner ring
+        along it. An :class:`InputError` where no mode that swings and dies away has any."""
+        swinging = [mode for mode in self.modes if mode.frequency_hz > 0.0 and 0.0 < mode.damping_ratio < 1.0]
+        times = np.zeros(3)
+        for axis, name in enumerate("xyz"):
+            energies = [mode._energy_along(axis) for mode in swinging]
+            if not energies or max(energies) == 0.0:
+                allowed = "allowed are modes of which one swings the inner ring along each axis, and dies away"
+                message = f"modes: none along {name}: {allowed}"
+                raise InputError(message, path="modes", value=name, allowed=allowed)
+            mode = swinging[int(np.argmax(energies))]
+            # The frequency is that of the damped oscillation.
+            natural = 2.0 * np.pi * mode.frequency_hz / np.sqrt(1.0 - mode.damping_ratio**2)
+            times[axis] = 2.0 * mode.damping_ratio / natural
+        return times
 
     def _draw(self, ax: Axes) -> None:
         ax.plot([mode.frequency_hz for mode in self.modes], [mode.damping_ratio for mode in self.modes], "o")
