@@ -5,12 +5,11 @@ use crate::input::{ReplaceArguments, pool};
 use crate::run::stop_flag;
 use crate::table::{number, print_json, print_line, print_pairs};
 use indicatif::{ProgressBar, ProgressStyle};
-use serde::Serialize;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use tribodyn::Limits;
 use tribodyn_study::Ours;
-use tribodyn_study::dataset::{Dataset, DatasetReport, MAT, TABLE};
+use tribodyn_study::dataset::{Dataset, DatasetReport, TABLE};
 
 /// Simulate bearings with and without spalls under several loads and speeds, and write what sensors on the housing see:
 /// a row a member in Parquet, with class, spall and loads, and the times at which each ball was over each edge.
@@ -40,19 +39,6 @@ pub struct Arguments {
     json: bool,
 }
 
-/// The answer with the files that were written.
-#[derive(Serialize)]
-struct Answer {
-    #[serde(flatten)]
-    report: DatasetReport,
-    /// The table; absent until the set is whole.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    table: Option<PathBuf>,
-    /// Folder of the MATLAB files.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mat: Option<PathBuf>,
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let pool = pool(arguments.threads)?;
     let dataset = Dataset::read(&arguments.plan, &Limits::NORMAL)?;
@@ -68,26 +54,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     bar.finish_and_clear();
     let report = report?;
     let (finished, members, failed) = (report.finished, report.members, report.failed);
-    let whole = finished == members;
-    let answer = Answer {
-        report,
-        table: whole.then_some(table.clone()),
-        mat: (whole && arguments.mat).then(|| arguments.output.join(MAT)),
-    };
     if arguments.json {
-        print_json(&answer)?
+        print_json(&report)?
     } else {
-        print(&answer)?
+        print(&report)?
     }
     match failed {
-        _ if !whole => Err(Failure::EnsembleStopped { finished, members, table: Some(table) }),
+        _ if finished < members => Err(Failure::EnsembleStopped { finished, members, table: Some(table) }),
         0 => Ok(()),
         failed => Err(Failure::FailedMembers { failed, members }),
     }
 }
 
-fn print(answer: &Answer) -> Result<(), Failure> {
-    let r = &answer.report;
+fn print(r: &DatasetReport) -> Result<(), Failure> {
     let mut rows = vec![
         ("members", r.members.to_string(), ""),
         ("bearings for training", r.bearings_train.to_string(), ""),
@@ -102,7 +81,7 @@ fn print(answer: &Answer) -> Result<(), Failure> {
     if let Some(why) = &r.first_failure {
         print_line(&format!("first member without a signal: {why}"))?;
     }
-    for path in answer.table.iter().chain(&answer.mat) {
+    for path in r.table.iter().chain(&r.mat) {
         print_line(&format!("written: {}", path.display()))?;
     }
     Ok(())

@@ -39,36 +39,13 @@ pub struct Arguments {
     json: bool,
 }
 
-impl Arguments {
-    fn surroundings(&self) -> Result<Surroundings, Failure> {
-        let positive = |value: f64| value > 0.0 && value.is_finite();
-        for (option, value, sound, allowed) in [
-            ("surroundings", self.surroundings, (-60.0..=150.0).contains(&self.surroundings), "-60 to 150 °C"),
-            ("cooling", self.cooling, positive(self.cooling), "a factor above 0"),
-            ("width", self.width.unwrap_or(1.0), self.width.is_none_or(positive), "a width above 0 in mm"),
-            (
-                "oil-flow",
-                self.oil_flow,
-                self.oil_flow >= 0.0 && self.oil_flow.is_finite(),
-                "a flow of 0 or more in l/min",
-            ),
-        ] {
-            if !sound {
-                let message = format!("allowed is {allowed}");
-                return Err(Failure::Option { option, value: value.to_string(), message });
-            }
-        }
-        Ok(Surroundings {
-            temperature_deg_c: self.surroundings,
-            cooling: self.cooling,
-            width_mm: self.width,
-            oil_flow_l_min: self.oil_flow,
-        })
-    }
-}
-
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let surroundings = arguments.surroundings()?;
+    let surroundings = Surroundings {
+        temperature_deg_c: arguments.surroundings,
+        cooling: arguments.cooling,
+        width_mm: arguments.width,
+        oil_flow_l_min: arguments.oil_flow,
+    };
     let file = arguments.case.read()?;
     let search = Search::begin(&file, &arguments.time);
     let answer = heat(&file.question(search.watch()), arguments.model.equations(), &surroundings)

@@ -139,6 +139,23 @@ pub fn torque<'py>(py: Python<'py>, case: &NativeCase, model: &str, time_limit: 
     ask(py, (case, time_limit), move |question| Ok(serde_json::to_value(answers::torque(question, equations)?)?))
 }
 
+/// Temperatures from friction: of the surroundings (°C), cooling over the usual one, width (mm), oil flow (l/min).
+#[pyfunction]
+pub fn heat<'py>(
+    py: Python<'py>,
+    case: &NativeCase,
+    model: &str,
+    surroundings: (f64, f64, Option<f64>, f64),
+    time_limit: f64,
+) -> PyResult<Bound<'py, PyAny>> {
+    let equations = equations(py, model)?;
+    let (temperature_deg_c, cooling, width_mm, oil_flow_l_min) = surroundings;
+    let surroundings = answers::Surroundings { temperature_deg_c, cooling, width_mm, oil_flow_l_min };
+    ask(py, (case, time_limit), move |question| {
+        Ok(serde_json::to_value(answers::heat(question, equations, &surroundings)?)?)
+    })
+}
+
 /// Lubricant films of all contacts of a case.
 #[pyfunction]
 pub fn films<'py>(py: Python<'py>, case: &NativeCase, model: &str, time_limit: f64) -> PyResult<Bound<'py, PyAny>> {

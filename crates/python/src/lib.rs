@@ -12,6 +12,7 @@
 mod answers;
 mod case;
 mod convert;
+mod dataset;
 mod ensemble;
 mod error;
 mod figures;
@@ -31,10 +32,12 @@ use pyo3::prelude::*;
 mod _native {
     #[pymodule_export]
     use super::answers::{
-        check, contact_film, films, hertz, modes, quantities, rating, solve, stiffness, torque, traction_curve,
+        check, contact_film, films, heat, hertz, modes, quantities, rating, solve, stiffness, torque, traction_curve,
     };
     #[pymodule_export]
     use super::case::{NativeCase, in_si, unit_names};
+    #[pymodule_export]
+    use super::dataset::{dataset, dataset_members};
     #[pymodule_export]
     use super::ensemble::ensemble;
     #[pymodule_export]

@@ -31,9 +31,11 @@ FUNCTIONS = {
     "shaft": "shaft",
     "run": "run",
     "ensemble": "ensemble",
+    "dataset": "dataset",
     "life": "life",
     "film": "film",
     "fmu": "fmu",
+    "heat": "heat",
     "torque": "torque",
     "rating": "rating_life",
     "recover": "recover",
@@ -44,8 +46,6 @@ FUNCTIONS = {
 }
 #: Commands that Python does not need, and why.
 LEFT_OUT = {
-    "dataset": "it fills a folder by a plan, for hours; Python reads the table that it writes",
-    "heat": "not yet: temperatures are asked of the command",
     "completions": "a shell completes the command's words; Python has its own ways",
     "help": "docstrings are Python's help",
     "report": "its pages are made by the command alone; Python has the recording and draws it",
@@ -113,6 +113,49 @@ def test_identity_films_and_torques_are_those_of_the_command(command: Callable[.
     assert contact.to_dict() == command("film", "contact", *given, "--across", 120, "--json")
     with pytest.raises(InputError):
         tribodyn.contact_film("olive", temperature=70, load=555, speed=3.46, radius=3.78)
+
+
+def test_identity_temperatures_are_those_of_the_command(command: Callable[..., Any], cases: Path, paper: Case) -> None:
+    file = cases / "oil-6206.ron"
+    found = tribodyn.heat(Case.read(file), surroundings=40, cooling=0.5, oil_flow=0.2)
+    assert found.to_dict() == command("heat", file, "--surroundings", 40, "--cooling", 0.5, "--oil-flow", 0.2, "--json")
+    assert found.heat_shaft_w + found.heat_housing_w + found.heat_oil_w == pytest.approx(
+        found.friction_power_w, rel=1e-3
+    )
+    with pytest.raises(InputError, match="-60 to 150"):
+        tribodyn.heat(Case.read(file), surroundings=400)
+    with pytest.raises(InputError, match="lubricant"):
+        tribodyn.heat(paper)
+
+
+def test_identity_data_sets_are_those_of_the_command(command: Callable[..., Any], cases: Path, tmp_path: Path) -> None:
+    text = (ROOT / "fixtures" / "datasets" / "6206.ron").read_text()
+    for long, short in (
+        ("../cases/oil-6206.ron", str(cases / "oil-6206.ron")),
+        ("[Sound, Outer, Inner]", "[Sound, Outer]"),
+        ("[mm(0.5), mm(1.5)]", "[mm(1.5)]"),
+        ("[(radial: N(1000)), (radial: N(2000))]", "[(radial: N(1000))]"),
+        ("[rpm(1500), rpm(3000)]", "[rpm(3000)]"),
+        ("settle: ms(20)", "settle: ms(1)"),
+        ("duration: ms(100)", "duration: ms(5)"),
+    ):
+        assert long in text
+        text = text.replace(long, short)
+    plan = tmp_path / "plan.ron"
+    plan.write_text(text)
+    told: list[tuple[float, float]] = []
+    made = tribodyn.dataset(plan, tmp_path / "ours", threads=2, progress=lambda done, whole: told.append((done, whole)))
+    printed = command("dataset", plan, "-o", tmp_path / "theirs", "--threads", 2, "-q", "--json")
+    changing = {"wall_s", "members_per_s_and_thread", "table"}
+    assert {k: v for k, v in made.to_dict().items() if k not in changing} == {
+        k: v for k, v in printed.items() if k not in changing
+    }
+    assert made.members == made.finished == made.run and made.failed == 0 and told[-1][1] == made.members
+    ours = Path(made.table).read_bytes()
+    assert ours == (tmp_path / "theirs" / "members.parquet").read_bytes()
+    assert len(made.to_pandas()) == made.members and made.to_pandas().housing_x.map(len).min() > 100
+    with pytest.raises(InputError):
+        tribodyn.dataset(cases / "oil-6206.ron", tmp_path / "none")
 
 
 def test_identity_the_list_of_bearings_is_that_of_the_command(command: Callable[..., Any]) -> None:

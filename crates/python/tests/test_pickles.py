@@ -37,6 +37,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "curve": lambda: tribodyn.traction_curve("ag", 2.0, [0.0, 1.0]),
     "derived": lambda: _plain().check(),
     "equilibrium": lambda: tribodyn.solve(_plain(), "jones-harris"),
+    "heat": lambda: tribodyn.heat(_oil()),
     "roots": lambda: tribodyn.solve(_plain(), "traction", roots=True),
     "oil": lambda: tribodyn.solve(_oil(), "traction"),
     "orbit": lambda: tribodyn.solve(_worn()),
@@ -92,3 +93,27 @@ def test_identity_a_pool_of_processes_gives_what_one_process_gives(method: str, 
     with ProcessPoolExecutor(2, mp_context=context) as pool:
         solved = list(pool.map(_loaded, [case] * len(forces), forces))
     assert solved == [_loaded(case, force) for force in forces]
+
+
+def test_identity_joblib_gives_what_one_process_gives(cases: Path) -> None:
+    joblib = pytest.importorskip("joblib")
+    case = Case.read(cases / "angular-7210.ron")
+    forces = ["kN(2)", "kN(4)", "kN(6)"]
+    solved = joblib.Parallel(n_jobs=2)(joblib.delayed(_loaded)(case, force) for force in forces)
+    assert solved == [_loaded(case, force) for force in forces]
+
+
+def test_identity_joblib_remembers_by_the_values_of_a_case(cases: Path, tmp_path: Path) -> None:
+    """Its memory finds the answer of an equal case, and not that of another one."""
+    joblib = pytest.importorskip("joblib")
+    calls: list[float] = []
+
+    def speed(case: Case) -> float:
+        calls.append(0.0)
+        return tribodyn.solve(case, "jones-harris").cage_speed_rpm
+
+    remembered = joblib.Memory(tmp_path, verbose=0).cache(speed)
+    case = Case.read(cases / "angular-7210.ron")
+    first = remembered(case)
+    assert remembered(Case.read(cases / "angular-7210.ron")) == first and len(calls) == 1
+    assert remembered(case.replace({"ring.z": tribodyn.kN(5)})) != first and len(calls) == 2

@@ -15,7 +15,7 @@ use tribodyn_paper::{PaperError, files};
 /// What builds the wheel.
 const BUILD: [&str; 1] = ["maturin>=1.9,<2"];
 /// What the tests need besides the package.
-const TEST: [&str; 17] = [
+const TEST: [&str; 18] = [
     "numpy>=1.22",
     "pandas>=1.5",
     "pandas-stubs",
@@ -24,6 +24,7 @@ const TEST: [&str; 17] = [
     "scipy",
     "SALib",
     "distributed",
+    "joblib",
     "pytest",
     "mypy",
     "ruff",

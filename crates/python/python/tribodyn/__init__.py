@@ -26,8 +26,8 @@ from ._errors import (
 from ._native import VERSION as __version__
 from .answers import Contact, Derived, Frequencies, Identification, Life, Mode, Modes, Rating, Stiffness, TractionCurve
 from .case import Case
-from .ensembles import Ensemble, Quantiles, ensemble
-from .films import ContactFilm, Films, Oil, Torque, contact_film, film, torque
+from .ensembles import Dataset, Ensemble, Quantiles, dataset, ensemble
+from .films import ContactFilm, Films, Heat, Oil, Torque, contact_film, film, heat, torque
 from .fmus import Fmu, fmu
 from .procedures import check, hertz, modes, rating_life, solve, stiffness, traction_curve
 from .runs import BallSeries, Recording, Run, Series, SolutionState, States, Worn, identify, life, read_recording, run
@@ -105,12 +105,14 @@ __all__ = [
     "ClusterError",
     "Contact",
     "ContactFilm",
+    "Dataset",
     "Derived",
     "Ensemble",
     "FileError",
     "Films",
     "Fmu",
     "Frequencies",
+    "Heat",
     "Identification",
     "InputError",
     "Life",
@@ -152,10 +154,12 @@ __all__ = [
     "catalogue",
     "check",
     "contact_film",
+    "dataset",
     "ensemble",
     "film",
     "fmu",
     "from_unit_cube",
+    "heat",
     "hertz",
     "identify",
     "latin_hypercube",

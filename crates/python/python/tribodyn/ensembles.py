@@ -1,4 +1,4 @@
-"""Ensembles: transient runs with values of the case drawn at random."""
+"""Many transient runs: ensembles with values drawn at random, data sets of signals with labels."""
 
 from __future__ import annotations
 
@@ -143,3 +143,66 @@ def ensemble(
         report, columns = _native.ensemble(case._native, request, bar)
     written = {} if output is None else {"output": os.fspath(output)}
     return Ensemble({**report, **written, "columns": {name: _plots.column(values) for name, values in columns.items()}})
+
+
+class Dataset(Answer):
+    """A data set that was made: what is in it, and where."""
+
+    #: members of the set
+    members: int
+    finished: int
+    #: finished members without a signal
+    failed: int
+    #: for training
+    bearings_train: int
+    #: for tests; none is in both
+    bearings_test: int
+    #: members that were run now
+    run: int
+    threads: int
+    wall_s: float
+    #: absent where none was run
+    members_per_s_and_thread: float
+    #: why the first member without a signal has none; absent where all have one
+    first_failure: str
+    #: the table (Parquet): a row a member
+    table: str
+    #: folder of the MATLAB files, where they were asked for
+    mat: str
+
+    def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
+        """A row for each member: class, spall, loads, the signals as arrays. It needs pyarrow."""
+        import pandas
+
+        return pandas.read_parquet(self.table)
+
+    def _draw(self, ax: Axes) -> None:
+        _plots.bars(ax, {"training": self.bearings_train, "tests": self.bearings_test}, "bearings")
+
+
+def dataset(
+    plan: PathLike,
+    output: PathLike,
+    *,
+    mat: bool = False,
+    threads: int = 0,
+    restart: bool = False,
+    force: bool = False,
+    progress: Progress = True,
+) -> Dataset:
+    """Simulates bearings with and without spalls and writes what sensors on the housing see, with labels.
+
+    Finished members are in the folder until the set is whole: after a stop the same call goes on from there.
+
+    Args:
+        plan: plan of the data set (RON)
+        output: folder to write
+        mat: write a MATLAB file (level 5) for each member too
+        threads: threads to use; 0 is one for each core
+        restart: forget the finished members of a set that was stopped
+        force: replace a table that tribodyn did not write
+        progress: a bar where somebody watches; False for none; or a function of members done and members
+    """
+    plan, output = os.fspath(plan), os.fspath(output)
+    with Bar(float(_native.dataset_members(plan)), "members", progress) as bar:
+        return Dataset(_native.dataset(plan, output, (mat, restart, force), int(threads), bar))

@@ -1,4 +1,4 @@
-"""Lubricated bearings: films of their contacts, and friction torque by cause."""
+"""Lubricated bearings: films of their contacts, friction torque by cause, temperatures."""
 
 from __future__ import annotations
 
@@ -122,6 +122,65 @@ class Torque(OfOperatingPoint):
 def torque(case: Case, model: Model = "traction", *, time_limit: float = TIME_LIMIT_S) -> Torque:
     """Friction torque of a bearing by cause, beside SKF's model and Palmgren's formula."""
     return warned(Torque(_native.torque(case._native, model, time_limit)))
+
+
+class Heat(OfOperatingPoint):
+    """Temperatures at which all friction of a bearing leaves it."""
+
+    inner_temperature_deg_c: float
+    ball_temperature_deg_c: float
+    outer_temperature_deg_c: float
+    #: oil or grease between them
+    oil_temperature_deg_c: float
+    housing_temperature_deg_c: float
+    #: mean of the surfaces, which the films have at their inlets
+    film_inlet_temperature_deg_c: float
+    #: there
+    kinematic_viscosity_mm2_s: float
+    torque_nm: float
+    friction_power_w: float
+    #: to the surroundings along the shaft
+    heat_shaft_w: float
+    #: from the housing
+    heat_housing_w: float
+    #: with the oil that flows through
+    heat_oil_w: float
+    #: of the running bearing; below 0 it is preloaded
+    radial_clearance_m: float
+    #: solutions that it took
+    rounds: int
+    #: what had to be assumed
+    notes: list[str]
+
+    def _draw(self, ax: Axes) -> None:
+        names = ("inner", "ball", "outer", "oil", "housing")
+        _plots.bars(ax, {name: getattr(self, f"{name}_temperature_deg_c") for name in names}, "temperature, °C")
+
+
+def heat(
+    case: Case,
+    model: Model = "traction",
+    *,
+    surroundings: float = 20.0,
+    cooling: float = 1.0,
+    width: Optional[float] = None,
+    oil_flow: float = 0.0,
+    time_limit: float = TIME_LIMIT_S,
+) -> Heat:
+    """Temperatures of a lubricated bearing in steady state: its friction heats it, and what is warmer has other films,
+    friction and clearance.
+
+    Args:
+        case: the bearing; it needs a lubricant
+        model: the equations
+        surroundings: temperature of the surroundings and of the oil that flows in, °C
+        cooling: conductances of shaft and housing to the surroundings over those of ISO 15312's reference
+        width: width of the bearing, mm; half of D − d where left out
+        oil_flow: oil that flows through the bearing, l/min
+        time_limit: as of :func:`solve`, for all solutions together
+    """
+    given = (surroundings, cooling, width, oil_flow)
+    return warned(Heat(_native.heat(case._native, model, given, time_limit)))
 
 
 def film(case: Case, model: Model = "traction", *, time_limit: float = TIME_LIMIT_S) -> Films:

@@ -24,7 +24,7 @@ use rayon::prelude::*;
 use row::List;
 use serde::{Deserialize, Serialize};
 use std::io::BufWriter;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
@@ -90,6 +90,12 @@ pub struct DatasetReport {
     /// Why the first member without a signal has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first_failure: Option<String>,
+    /// The table; absent until the set is whole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub table: Option<PathBuf>,
+    /// Folder of the MATLAB files.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mat: Option<PathBuf>,
 }
 
 impl Dataset {
@@ -180,10 +186,11 @@ impl Dataset {
         open.par_iter().with_max_len(1).try_for_each(run)?;
         let (wall_s, run) = (began.elapsed().as_secs_f64(), count.into_inner().unwrap_or_else(PoisonError::into_inner));
         let finished = self.members() - open.len() + run;
-        let report = self.report((wall_s, run, finished), &journal, &plain)?;
+        let mut report = self.report((wall_s, run, finished), &journal, &plain)?;
         if report.finished == self.members() {
             self.write(folder, &columns, &journal, mat)?;
             journal.delete()?;
+            (report.table, report.mat) = (Some(table), mat.then(|| folder.join(MAT)));
         }
         Ok(report)
     }
@@ -217,6 +224,8 @@ impl Dataset {
             wall_s,
             members_per_s_and_thread: (run > 0).then(|| run as f64 / wall_s / threads as f64),
             first_failure,
+            table: None,
+            mat: None,
         })
     }
 

@@ -22,6 +22,26 @@ pub struct Surroundings {
     pub oil_flow_l_min: f64,
 }
 
+impl Surroundings {
+    /// Refuses numbers that no surroundings have.
+    fn check(&self) -> Result<(), AnswerError> {
+        let positive = |value: f64| value > 0.0 && value.is_finite();
+        let flows = self.oil_flow_l_min >= 0.0 && self.oil_flow_l_min.is_finite();
+        let (temperature, width) = (self.temperature_deg_c, self.width_mm.unwrap_or(1.0));
+        for (name, value, sound, allowed) in [
+            ("surroundings", temperature, (-60.0..=150.0).contains(&temperature), "-60 to 150 °C"),
+            ("cooling", self.cooling, positive(self.cooling), "a factor above 0"),
+            ("width", width, positive(width), "a width above 0 in mm"),
+            ("oil-flow", self.oil_flow_l_min, flows, "a flow of 0 or more in l/min"),
+        ] {
+            if !sound {
+                return Err(AnswerError::argument(name, value, format!("allowed is {allowed}")));
+            }
+        }
+        Ok(())
+    }
+}
+
 /// Temperatures at which all friction leaves.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct HeatAnswer {
@@ -82,6 +102,7 @@ pub fn heat(
     equations: Equations,
     surroundings: &Surroundings,
 ) -> Result<Answer<HeatAnswer>, AnswerError> {
+    surroundings.check()?;
     let Some(lubricant) = &question.case.lubricant else {
         return Err(AnswerError::not_asked(question.name, "it has no `lubricant`, which temperatures need"));
     };
