@@ -218,7 +218,7 @@ impl Bearing {
     }
 }
 
-fn cross<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
+pub(crate) fn cross<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 

@@ -8,6 +8,7 @@ mod deviations;
 mod elastic;
 mod films;
 mod frame;
+mod free_cage;
 mod geometry;
 mod growth;
 mod history;
@@ -40,6 +41,9 @@ pub use cylinder::{Cylinder, Solid};
 pub use deviations::Deviations;
 pub use elastic::ElasticPatches;
 pub use frame::AzimuthFrame;
+pub use free_cage::{
+    CageLand, CagePose, FREE_CAGE, FreeCage, InPocket, LandFilm, LandLoad, PocketShape, Wrench, quaternion_rate,
+};
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry, Shoulders};
 pub use growth::{GrownBearing, Growth, MountedRing, Seat};
 pub use history::{RingLoads, SpeedHistory, Tilt, Translation};
@@ -62,6 +66,7 @@ pub use side::{WrongSide, uncarried_thrust, wrong_sides};
 pub use sliding::{ContactForces, Sliding};
 pub use state::{BallState, Motion, RingState};
 pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};
+pub use tribodyn_fluid::FilmExtent;
 pub use tribodyn_wear::LocalSurface;
 pub use tribology::Tribology;
 pub use watch::{SearchObserver, SearchStage, SearchWatch};

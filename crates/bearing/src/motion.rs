@@ -49,7 +49,7 @@ impl<D: Scalar> BallFriction<D> {
             moment: [
                 i.moment[0] + o.moment[0] + churning[0] + pocket.moment[0],
                 i.moment[1] + o.moment[1] + churning[1] + pocket.moment[1],
-                i.moment[2] + o.moment[2] + churning[2],
+                i.moment[2] + o.moment[2] + churning[2] + pocket.moment[2],
             ],
             pocket,
             drag,

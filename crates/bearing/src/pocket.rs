@@ -24,7 +24,7 @@ pub struct Pocket {
 
 /// Sliding speed below which pocket friction falls off in proportion, m/s. The balls spin past their pockets at tens of
 /// metres per second; this only keeps a bearing at rest from chattering.
-const CREEP: f64 = 0.01;
+pub(crate) const CREEP: f64 = 0.01;
 
 /// What a ball does against its pocket.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,10 +46,10 @@ pub struct PocketMotion<D = f64> {
 pub struct PocketLoad<D = f64> {
     /// Force along the orbit, N.
     pub force: D,
-    /// Friction (axial, radial), N.
+    /// Friction (axial, radial), N; in the pocket of a free cage the whole force along these axes.
     pub friction: [D; 2],
-    /// Moment of the friction on the ball (axial, radial), N m.
-    pub moment: [D; 2],
+    /// Moment of the friction on the ball (axial, radial, tangential), N m.
+    pub moment: [D; 3],
     /// Torque on the cage of force and friction, N m.
     pub cage_torque: D,
     /// Energy of the spring, J.
@@ -60,13 +60,15 @@ pub struct PocketLoad<D = f64> {
     pub friction_power: D,
     /// Sliding speed, m/s.
     pub sliding: D,
+    /// Normal force on the wall, N.
+    pub normal: D,
 }
 
 impl<D: Scalar> PocketLoad<D> {
-    /// Force times sliding speed, W: the cage wears in proportion to it.
+    /// Normal force times sliding speed, W: the cage wears in proportion to it.
     #[inline(always)]
     pub fn sliding_power(&self) -> D {
-        self.sliding * self.force.abs()
+        self.sliding * self.normal
     }
 
     /// The ball touches no wall.
@@ -75,12 +77,13 @@ impl<D: Scalar> PocketLoad<D> {
         Self {
             force: zero,
             friction: [zero; 2],
-            moment: [zero; 2],
+            moment: [zero; 3],
             cage_torque: zero,
             energy: zero,
             damping_power: zero,
             friction_power: zero,
             sliding: zero,
+            normal: zero,
         }
     }
 }
@@ -129,12 +132,13 @@ impl Pocket {
             force,
             friction,
             // (arm e_t) × (f_a e_a + f_r e_r) = arm (f_a e_r − f_r e_a).
-            moment: [friction[1] * -arm, friction[0] * arm],
+            moment: [friction[1] * -arm, friction[0] * arm, D::zero()],
             cage_torque: force * -self.radius + friction[1] * arm,
             energy: (spring + at_wall * self.stiffness) * 0.5 * depth,
             damping_power: (normal - spring) * closing,
             friction_power: -share * sliding * sliding,
             sliding,
+            normal,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! All that a transient run is made of. It stands below the solvers, so that case files can give it without them.
 
 use crate::bearing::Bearing;
+use crate::free_cage::FreeCage;
 use crate::history::{RingLoads, SpeedHistory};
 use crate::operation::{Cage, OperatingPoint, SolverSettings};
 use crate::races::{Races, Side};
@@ -19,6 +20,8 @@ pub struct RunInputs {
     pub speeds: Races<SpeedHistory>,
     /// The cage.
     pub cage: MovingCage,
+    /// What a cage has that is free to move in all directions; without it the cage turns about the bearing's axis only.
+    pub free_cage: Option<FreeCage>,
     /// Masses and supports of the rings.
     pub supports: Supports,
     /// Coatings of the races when the run starts.
@@ -51,6 +54,7 @@ impl RunInputs {
             ring,
             speeds,
             cage,
+            free_cage: None,
             supports,
             coatings: Races { inner: bare, outer: bare },
             defects: Races::default(),

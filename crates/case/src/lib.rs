@@ -20,11 +20,14 @@ mod tokens;
 mod units;
 mod validate;
 mod validate_bounds;
+mod validate_cage;
 mod validate_shaft;
 mod validate_transient;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_cage;
 #[cfg(test)]
 mod tests_lubricant;
 #[cfg(test)]

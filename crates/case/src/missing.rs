@@ -6,7 +6,7 @@ use super::outline::{Outline, Path};
 
 /// Something of every kind of value that a case has a required field for. A section is tried first: what it lacks in
 /// turn is filled, but not named.
-const KINDS: [&str; 36] = [
+const KINDS: [&str; 39] = [
     "()",
     "1",
     "1.0",
@@ -39,6 +39,9 @@ const KINDS: [&str; 36] = [
     "QuasiStatic",
     "Fast(step: us(1))",
     "Displaced",
+    "Cylinder",
+    "Half",
+    "Pa_s(1)",
     "Inner",
     "(N_per_m(1), N_per_m(1), N_per_m(1))",
     "(N_per_m(1), N_per_m(1))",

@@ -1,9 +1,12 @@
 //! From a case to an operating point and to the inputs of a run.
 
-use crate::{CageSpec, Case, CoatingSpec, Lacking, Purpose, RecordingSpec, RingSpec, SpallSpec, SupportSpec};
+use crate::{
+    CageLandSpec, CageSpec, Case, CoatingSpec, FreeCageSpec, Lacking, Purpose, RecordingSpec, RingSpec, SpallSpec,
+    SupportSpec,
+};
 use tribodyn_bearing::{
-    BearingError, Cage, CoatingState, GuidingLand, MovingCage, OperatingPoint, Races, RingLoads, RunInputs, RunOptions,
-    SearchWatch, Side, SolverSettings, Support, Supports,
+    BearingError, Cage, CageLand, CoatingState, FreeCage, GuidingLand, LandFilm, MovingCage, OperatingPoint, Races,
+    RingLoads, RunInputs, RunOptions, SearchWatch, Side, SolverSettings, Support, Supports,
 };
 use tribodyn_wear::{Defect, Spall};
 
@@ -77,6 +80,7 @@ impl Case {
             bearing: self.bearing()?,
             ring: self.ring.loads(),
             speeds: Races { inner: self.speed.inner.clone(), outer: self.speed.outer.clone() },
+            free_cage: cage.free.as_ref().map(FreeCageSpec::cage),
             cage: cage.moving().ok_or_else(|| self.lacking(Purpose::Transient))?,
             supports: Supports { inner: supports.inner.support(), outer: supports.outer.support() },
             coatings,
@@ -151,6 +155,34 @@ impl CageSpec {
     /// The land that guides it.
     fn land(&self) -> Option<GuidingLand> {
         self.guidance.map(|l| GuidingLand { side: l.land, radius: l.radius, width: l.width, gap: l.gap })
+    }
+}
+
+impl FreeCageSpec {
+    fn cage(&self) -> FreeCage {
+        FreeCage {
+            mass: self.mass,
+            transverse_inertia: self.transverse_inertia,
+            unbalance: self.unbalance,
+            gravity: self.gravity,
+            displacement: self.displacement,
+            pockets: self.pockets,
+            lands: self.lands.iter().map(CageLandSpec::land).collect(),
+        }
+    }
+}
+
+impl CageLandSpec {
+    fn land(&self) -> CageLand {
+        let film = self.film.map(|film| LandFilm {
+            viscosity: film.viscosity,
+            density: film.density,
+            fill: film.fill,
+            extent: film.extent,
+            roughness: film.roughness,
+        });
+        let Self { land: side, axial, radius, width, gap, stiffness, damping, friction, .. } = *self;
+        CageLand { side, axial, radius, width, gap, stiffness, damping, friction, film }
     }
 }
 

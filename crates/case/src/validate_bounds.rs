@@ -6,7 +6,7 @@
 
 use super::validate::{Refusal, Verdict};
 use super::*;
-use tribodyn_bearing::{Scheme, SpeedHistory, Tilt, Translation};
+use tribodyn_bearing::{PocketShape, Scheme, SpeedHistory, Tilt, Translation};
 use tribodyn_traction::SlipUnit;
 
 /// The range of one kind of value.
@@ -78,6 +78,19 @@ const BOUNDS: &[Bound] = &[
     bound("cage.guidance.radius", [1e-5, 50.0], "m", PITCH),
     bound("cage.guidance.width", [1e-6, 10.0], "m", PITCH),
     bound("cage.guidance.gap", [1e-9, 1.0], "m", "a film of fluid has some molecules across it"),
+    bound("cage.free.mass", [1e-12, 1e6], "kg", "cages of 1 mm and of 15 m"),
+    bound("cage.free.transverse_inertia", [1e-18, 1e9], "kg m²", "cages of 1 mm and of 15 m"),
+    bound("cage.free.gravity[*]", [-1e6, 1e6], "m/s²", "a centrifuge has 1e6 m/s²"),
+    bound("cage.free.pockets.RaceTrack.axial_gap", [0.0, 1.0], "m", "a pocket is about as large as its ball"),
+    bound("cage.free.lands[*].axial", [-10.0, 10.0], "m", PITCH),
+    bound("cage.free.lands[*].radius", [1e-5, 50.0], "m", PITCH),
+    bound("cage.free.lands[*].width", [1e-6, 10.0], "m", PITCH),
+    bound("cage.free.lands[*].gap", [1e-9, 1.0], "m", "a film of fluid has some molecules across it"),
+    bound("cage.free.lands[*].stiffness", [0.0, 1e13], "N/m", SPRING),
+    bound("cage.free.lands[*].damping", [0.0, 1e6], "s/m", "at 10 s/m a cage that meets a land at 0.1 m/s stays there"),
+    bound("cage.free.lands[*].friction", [0.0, 10.0], "", FRICTION),
+    bound("cage.free.lands[*].film.viscosity", [1e-9, 1e6], "Pa s", "gases have 1e-5 Pa s, pitch 1e8 Pa s"),
+    bound("cage.free.lands[*].film.density", [1e-6, 3e4], "kg/m³", HEAVIEST),
     bound("wear.*.coefficient", [0.0, 1.0], "", ARCHARD),
     bound("wear.*.hardness", [1e3, 1e12], "Pa", HARDNESS),
     bound("ring.*.Force", [-1e10, 1e10], "N", LOAD),
@@ -203,6 +216,34 @@ impl Values {
             self.add("cage.guidance.radius", land.radius);
             self.add("cage.guidance.width", land.width);
             self.add("cage.guidance.gap", land.gap);
+        }
+        if let Some(free) = &cage.free {
+            self.free_cage(free);
+        }
+    }
+
+    fn free_cage(&mut self, cage: &FreeCageSpec) {
+        self.add("cage.free.mass", cage.mass);
+        self.add("cage.free.transverse_inertia", cage.transverse_inertia);
+        for (k, value) in cage.gravity.into_iter().enumerate() {
+            self.add(format!("cage.free.gravity[{k}]"), value);
+        }
+        if let PocketShape::RaceTrack { axial_gap } = cage.pockets {
+            self.add("cage.free.pockets.RaceTrack.axial_gap", axial_gap);
+        }
+        for (k, land) in cage.lands.iter().enumerate() {
+            let mut add = |name: &str, value| self.add(format!("cage.free.lands[{k}].{name}"), value);
+            add("axial", land.axial);
+            add("radius", land.radius);
+            add("width", land.width);
+            add("gap", land.gap);
+            add("stiffness", land.stiffness);
+            add("damping", land.damping);
+            add("friction", land.friction);
+            if let Some(film) = &land.film {
+                add("film.viscosity", film.viscosity);
+                add("film.density", film.density);
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! Impossible values of the parts that a transient run needs.
 
 use super::validate::{Verdict, curve, fraction, not_negative, positive, require};
+use super::validate_cage::GAP_MAX;
 use super::*;
 use std::f64::consts::TAU;
 use tribodyn_bearing::Scheme;
@@ -14,8 +15,6 @@ const STEP_MIN: f64 = 1e-12;
 const STEPS_MAX: f64 = 1e12;
 /// Longest run, s.
 const DURATION_MAX: f64 = 1e4;
-/// Largest gap of a guiding land over its radius: the film in it is treated as flat.
-const GAP_MAX: f64 = 0.1;
 /// Largest number of samples in one channel: a file of some tens of gigabytes.
 const SAMPLES_MAX: f64 = 1e9;
 
@@ -40,6 +39,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
     if let Some(spec) = &case.cage {
         cage(spec)?;
     }
+    super::validate_cage::validate(case)?;
     if let Some(spec) = &case.transient {
         transient(spec)?;
     }

@@ -48,6 +48,7 @@ impl Machine {
                 acceleration_rad_s2: bodies.cage,
                 ball_torque_nm: sums.cage_torque,
                 fluid_torque_nm: bodies.fluid_torque,
+                free: self.free_cage_sample(&frame),
             },
             power: PowerSample {
                 energy_j: energy,

@@ -8,8 +8,8 @@
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
 use tribodyn_bearing::{
-    AzimuthFrame, BallFriction, BallState, ContactForces, LoadedPatch, NormalContact, NormalLoads, PocketLoad,
-    PocketMotion, RaceContact, Races, RingState, Side, Sliding,
+    AzimuthFrame, BallFriction, BallState, CagePose, ContactForces, LoadedPatch, NormalContact, NormalLoads,
+    PocketLoad, RaceContact, Races, RingState, Side, Sliding,
 };
 use tribodyn_traction::PatchTraction;
 use tribodyn_wear::LocalSurface;
@@ -22,6 +22,8 @@ pub(crate) struct Frame {
     pub angles: Races<f64>,
     /// Cage angle (rad) and speed (rad/s).
     pub cage: [f64; 2],
+    /// Where the cage is, if it is free.
+    pub free_cage: Option<CagePose>,
 }
 
 /// The spring part: all that acts through the normals of the contacts.
@@ -108,7 +110,7 @@ pub(crate) trait Equations {
         pocket: PocketLoad,
         orbit_radius: f64,
     ) -> Friction {
-        BallFriction::new(traction, fluid, (pocket, self.machine().cage.pocket.radius), orbit_radius)
+        BallFriction::new(traction, fluid, (pocket, self.machine().pocket_arm(orbit_radius)), orbit_radius)
     }
 
     /// Accelerations of a ball by the spring part: axial, radial, orbital.
@@ -142,7 +144,7 @@ pub(crate) trait Equations {
             machine.bearing.race_contact(side, contact, &sliding, surfaces[side].bare, &mut traction)
         });
         let fluid = machine.bearing.fluid_loads(&state, r, frame.rings.inner.speed);
-        let (pocket, lead) = (machine.pocket_load(index, b, frame), machine.lead(index, b, frame.cage[0]));
+        let (pocket, lead) = machine.in_pocket(index, b, frame);
         self.together(b[VELOCITY + 1], Touched { state, surfaces, orbit_radius: r, contacts, fluid, pocket, lead })
     }
 
@@ -183,7 +185,7 @@ impl Machine {
     /// Rings and cage of a state.
     pub fn frame(&self, t: f64, y: &[f64]) -> Frame {
         let l = self.layout;
-        let [i, o, c, a] = [l.inner(), l.outer(), l.cage(), l.angles()];
+        let [i, o, a] = [l.inner(), l.outer(), l.angles()];
         let inner = RingState {
             displacement: [y[i], y[i + 1], y[i + 2]],
             tilt: self.tilt,
@@ -196,7 +198,8 @@ impl Machine {
             velocity: [y[o + 2], y[o + 3], 0.0],
             speed: self.speeds.outer.at(t),
         };
-        Frame { rings: Races { inner, outer }, angles: [y[a], y[a + 1]].into(), cage: [y[c], y[c + 1]] }
+        let (cage, free_cage) = self.cage_at(y);
+        Frame { rings: Races { inner, outer }, angles: [y[a], y[a + 1]].into(), cage, free_cage }
     }
 
     /// Axes of a ball with its number and the unknowns `b`, its centre against the outer groove centre, and the
@@ -259,27 +262,6 @@ impl Machine {
     pub fn is_even(&self) -> bool {
         let as_new = |side| self.raceways[side].is_new() && self.spalls[side].is_empty();
         Side::BOTH.into_iter().all(as_new) && self.bearing.deviations.are_none()
-    }
-
-    /// Force and friction of the pocket on a ball.
-    pub fn pocket_load(&self, index: usize, b: &[f64], frame: &Frame) -> PocketLoad {
-        self.cage.pocket.load(&PocketMotion {
-            lead: self.lead(index, b, frame.cage[0]),
-            rate: b[ORBIT] - frame.cage[1],
-            velocity: [b[VELOCITY], b[VELOCITY + 1]],
-            spin: [b[SPIN], b[SPIN + 1]],
-            cage_speed: frame.cage[1],
-        })
-    }
-
-    /// Lead of a ball over the middle of its pocket, rad.
-    pub fn lead(&self, index: usize, b: &[f64], cage_angle: f64) -> f64 {
-        b[AZIMUTH] - cage_angle - self.place_in_cage(index)
-    }
-
-    /// Azimuth of the middle of a pocket against the cage, rad.
-    pub fn place_in_cage(&self, index: usize) -> f64 {
-        self.places[index]
     }
 
     /// The unknowns of a ball.

@@ -4,7 +4,7 @@ use crate::equations::{BallForces, Equations, Frame};
 use crate::layout::{BALL, Layout, VELOCITY};
 use crate::machine::Machine;
 use crate::watch::Watch;
-use tribodyn_bearing::{AzimuthFrame, NormalContact, PocketLoad, Races, Side};
+use tribodyn_bearing::{AzimuthFrame, FREE_CAGE, NormalContact, PocketLoad, Races, Side, Wrench};
 
 /// A system of ordinary differential equations.
 pub(crate) trait System {
@@ -19,8 +19,10 @@ pub(crate) struct Sums {
     pub on_rings: Races<[f64; 3]>,
     /// Torque of the rings on the balls, N m.
     pub torque: Races<f64>,
-    /// Torque of the balls on the cage, N m.
+    /// Torque of the balls on the cage about the bearing's axis, N m.
     pub cage_torque: f64,
+    /// Force and moment of the balls on a free cage.
+    pub on_cage: Wrench,
     pub powers: BallPowers,
 }
 
@@ -42,6 +44,8 @@ pub(crate) struct BodyForces {
     pub inner: [f64; 3],
     pub outer: [f64; 2],
     pub cage: f64,
+    /// Rates of the unknowns of a free cage beside angle and speed.
+    pub free_cage: Option<[f64; FREE_CAGE]>,
     pub fluid_torque: f64,
     /// Torques of the rings' drives, N m.
     pub torque: Races<f64>,
@@ -70,6 +74,9 @@ impl Machine {
         let (s, r) = (&b.state, b.orbit_radius);
         let (f, p) = (&b.friction, &mut sums.powers);
         sums.cage_torque += f.pocket.cage_torque;
+        if let Some(pose) = &frame.free_cage {
+            sums.on_cage.react(pose, &f.pocket, (s.frame, self.place_in_bearing(s.position[0], r)));
+        }
         p.drag += f.drag * r * s.orbital_speed;
         p.churning -= dot(f.churning, s.spin);
         p.pocket_friction += f.pocket.friction_power;
@@ -104,12 +111,13 @@ impl Machine {
     pub fn bodies(&self, t: f64, frame: &Frame, sums: &Sums) -> BodyForces {
         let mut f = BodyForces::default();
         let Races { inner, outer } = &frame.rings;
+        let (lands, on_rings) = self.lands_and_rings(frame, sums);
         for i in 0..3 {
             if !self.inner.free[i] {
                 continue;
             }
             let (x, v, load) = (inner.displacement[i], inner.velocity[i], self.loads[i].at(t));
-            f.inner[i] = (load + sums.on_rings.inner[i] + self.inner.force(i, x, v)) / self.inner.mass;
+            f.inner[i] = (load + on_rings.inner[i] + self.inner.force(i, x, v)) / self.inner.mass;
             f.load_power += load * v;
             let stretch = x - self.inner.reference[i];
             f.energy += 0.5 * (self.inner.mass * v * v + self.inner.stiffness[i] * stretch * stretch);
@@ -120,7 +128,7 @@ impl Machine {
                 continue;
             }
             let (x, v) = (outer.displacement[i], outer.velocity[i]);
-            f.outer[i] = (sums.on_rings.outer[i] + self.outer.force(i, x, v)) / self.outer.mass;
+            f.outer[i] = (on_rings.outer[i] + self.outer.force(i, x, v)) / self.outer.mass;
             let stretch = x - self.outer.reference[i];
             f.energy += 0.5 * (self.outer.mass * v * v + self.outer.stiffness[i] * stretch * stretch);
             f.support_loss += self.outer.damping[i] * v * v;
@@ -130,11 +138,16 @@ impl Machine {
         f.fluid_torque = guidance + drag;
         f.cage = (sums.cage_torque + f.fluid_torque) / self.cage.inertia;
         f.cage_loss = -f.fluid_torque * frame.cage[1];
-        f.energy += 0.5 * self.cage.inertia * frame.cage[1] * frame.cage[1];
+        if lands.is_none() {
+            f.energy += 0.5 * self.cage.inertia * frame.cage[1] * frame.cage[1];
+        }
         f.torque = sums.torque;
         if let Some(land) = &self.cage.guidance {
             f.torque[land.side] += guidance;
             f.cage_loss += guidance * speeds[land.side];
+        }
+        if let Some(lands) = &lands {
+            self.free_body(frame, sums, lands, &mut f);
         }
         f.shaft_power = f.torque.inner * speeds.inner + f.torque.outer * speeds.outer;
         f
@@ -201,6 +214,9 @@ pub(crate) fn body_derivative(l: Layout, frame: &Frame, sums: &Sums, f: &BodyFor
     let [c, i, o, a, w] = [l.cage(), l.inner(), l.outer(), l.angles(), l.work()];
     let Races { inner, outer } = &frame.rings;
     dy[c..c + 2].copy_from_slice(&[frame.cage[1], f.cage]);
+    if let Some(rates) = &f.free_cage {
+        dy[l.free()].copy_from_slice(rates);
+    }
     dy[i..i + 3].copy_from_slice(&inner.velocity);
     dy[i + 3..i + 6].copy_from_slice(&f.inner);
     dy[o..o + 2].copy_from_slice(&outer.velocity[..2]);

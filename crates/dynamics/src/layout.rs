@@ -1,5 +1,7 @@
 //! Where each unknown stands in the vector that the schemes integrate.
 
+use tribodyn_bearing::FREE_CAGE;
+
 /// Unknowns of a ball.
 pub(crate) const BALL: usize = 9;
 /// Axial position X1 of the ball centre against the outer groove centres, m.
@@ -20,6 +22,8 @@ pub(crate) const SPIN: usize = 6;
 pub(crate) struct Layout {
     /// Number of balls.
     pub balls: usize,
+    /// Whether the cage is free to move in all directions.
+    pub free_cage: bool,
 }
 
 impl Layout {
@@ -43,10 +47,22 @@ impl Layout {
         self.inner() + 6
     }
 
-    /// Velocities of cage (one), inner (three) and outer ring (two).
-    pub fn velocities_of_bodies(self) -> [usize; 6] {
+    /// Velocities of inner (three) and outer ring (two).
+    pub fn velocities_of_rings(self) -> [usize; 5] {
         let (inner, outer) = (self.inner() + 3, self.outer() + 2);
-        [self.cage() + 1, inner, inner + 1, inner + 2, outer, outer + 1]
+        [inner, inner + 1, inner + 2, outer, outer + 1]
+    }
+
+    /// Velocities of the cage: its speed, of a free one also three of its centre of mass and two across its axis.
+    pub fn velocities_of_cage(self) -> impl Iterator<Item = usize> {
+        let free = self.free();
+        let velocities = if free.is_empty() { free } else { free.start + 3..free.start + 8 };
+        std::iter::once(self.cage() + 1).chain(velocities)
+    }
+
+    /// Velocities of cage and rings.
+    pub fn velocities_of_bodies(self) -> impl Iterator<Item = usize> {
+        self.velocities_of_cage().chain(self.velocities_of_rings())
     }
 
     /// Angles turned by inner and outer ring.
@@ -59,8 +75,14 @@ impl Layout {
         self.angles() + 2
     }
 
+    /// The unknowns of a free cage beside angle and speed.
+    pub fn free(self) -> std::ops::Range<usize> {
+        let start = self.work() + 3;
+        start..start + if self.free_cage { FREE_CAGE } else { 0 }
+    }
+
     /// Number of unknowns.
     pub fn len(self) -> usize {
-        self.work() + 3
+        self.free().end
     }
 }

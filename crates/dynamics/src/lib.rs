@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod blame;
+mod cage;
 mod detail;
 mod dp54;
 mod equations;
@@ -25,6 +26,8 @@ mod balance_test;
 mod conservation_test;
 #[cfg(test)]
 mod fast_test;
+#[cfg(test)]
+mod free_cage_test;
 
 pub use blame::{Blame, StepBound};
 pub use error::DynamicsError;
@@ -34,7 +37,7 @@ pub use run::{
     ACCELERATION_ERROR, ACCELERATION_PART, AccelerationError, Checkpoint, Ending, FilterBands, Run, RunError,
     Statistics,
 };
-pub use sample::{CageSample, RingSample, Sample, WearSample};
+pub use sample::{CageSample, FreeCageSample, RingSample, Sample, WearSample};
 pub use start::StartMotion;
 pub use stiffness::Stiffness;
 pub use tribodyn_bearing::{

@@ -4,7 +4,8 @@ use crate::error::DynamicsError;
 use crate::layout::Layout;
 use crate::watch::Watch;
 use tribodyn_bearing::{
-    Bearing, CageBody, CoatingState, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory, Translation,
+    Bearing, CageBody, CoatingState, FreeCage, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory,
+    Translation,
 };
 use tribodyn_traction::{
     FastPatch, FilmContact, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
@@ -22,6 +23,8 @@ pub(crate) struct Machine {
     /// Tilt of the inner ring, held at what the quasi-static solution has, rad.
     pub tilt: [f64; 2],
     pub cage: CageBody,
+    /// The cage, where it is free to move in all directions.
+    pub free_cage: Option<FreeCage>,
     pub loads: [Translation; 3],
     pub speeds: Races<SpeedHistory>,
     pub raceways: Races<Raceway>,
@@ -133,7 +136,7 @@ impl<const N: usize> Support<N> {
 impl Machine {
     /// The machine of a run, its springs not yet set.
     pub fn new(inputs: RunInputs, quadrature: Quadrature) -> Result<Self, DynamicsError> {
-        let RunInputs { mut bearing, ring, speeds, cage, supports, coatings, defects, options, .. } = inputs;
+        let RunInputs { mut bearing, ring, speeds, cage, free_cage, supports, coatings, defects, options, .. } = inputs;
         if supports.outer.stiffness.contains(&0.0) {
             return Err(DynamicsError::Unsupported { path: "supports.outer.stiffness" });
         }
@@ -144,13 +147,14 @@ impl Machine {
         let raceways = Races::try_from_fn(|side| raceway(&bearing, side, &coatings[side], &defects[side]))?;
         let balls = bearing.geometry.ball_count;
         Ok(Self {
-            layout: Layout { balls },
+            layout: Layout { balls, free_cage: free_cage.is_some() },
             places: (0..balls).map(|ball| bearing.azimuth(ball)).collect(),
             watch: vec![Watch::default(); balls],
             inner: Support::new(&supports.inner, free),
             outer: Support::new(&supports.outer, [true; 2]),
             tilt,
             cage: CageBody::new(&cage, &bearing),
+            free_cage,
             loads,
             speeds,
             thinnest: raceways.each_ref().map(Raceway::thinnest),

@@ -3,7 +3,7 @@
 
 use crate::power::PowerSample;
 use serde::{Deserialize, Serialize};
-use tribodyn_bearing::BallResult;
+use tribodyn_bearing::{BallResult, Races};
 
 /// Everything at one time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -61,6 +61,28 @@ pub struct CageSample {
     pub ball_torque_nm: f64,
     /// Torque of drag and guidance on the cage, N m.
     pub fluid_torque_nm: f64,
+    /// Where a free cage is; absent where it turns only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub free: Option<FreeCageSample>,
+}
+
+/// A cage that is free to move.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct FreeCageSample {
+    /// Displacement of its centre (x, y) from the bearing's axis and along it (z), m.
+    pub centre_m: [f64; 3],
+    /// Velocity of its centre, m/s.
+    pub velocity_m_s: [f64; 3],
+    /// Tilt of its axis about X and Y, rad.
+    pub tilt_rad: [f64; 2],
+    /// Force of the lands of each ring on it, N.
+    pub land_force_n: Races<[f64; 3]>,
+    /// Smallest gap at the lands of each ring, m, negative where an edge is pressed; absent without a land.
+    pub land_gap_m: Races<Option<f64>>,
+    /// Power that friction at the lands takes, W.
+    pub land_friction_w: f64,
+    /// Power that the films of the lands take, W.
+    pub land_film_w: f64,
 }
 
 /// What has worn off since the start, before any acceleration of wear.

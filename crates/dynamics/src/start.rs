@@ -62,6 +62,7 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     state[l.inner()..l.inner() + 3].copy_from_slice(&[x, y, z]);
     let turned = machine.bearing.deviations.turned;
     state[l.angles()..l.angles() + 2].copy_from_slice(&[turned.inner, turned.outer]);
+    machine.start_free_cage(&mut state);
     set_springs(&mut machine, &state);
     Ok(Started { machine, state, solution })
 }

@@ -9,12 +9,14 @@ mod lemmon_jacobsen2004;
 mod quinones_cisneros2006;
 mod schmidt_wagner1985;
 mod setzmann_wagner1991;
+mod short_bearing;
 mod span2000;
 
 pub use annulus::AnnulusDrag;
 pub use churning::{Churning, TRANSITION_REYNOLDS, Transition};
 pub use drag::{BallDrag, effective_density, frontal_area};
 pub use fluid::{Fluid, FluidState, MAX_PRESSURE, Saturation};
+pub use short_bearing::{FilmExtent, FilmMotion, ShortBearing};
 
 use num_dual::DualNum;
 

@@ -16,7 +16,7 @@ pub use messages::wire;
 // Within the crate a module goes by its own name, whatever folder it lies in.
 use file::{held, output, scan};
 use messages::{ball, units};
-use scene::{colour, contacts, frames, guide, mesh, quaternion, raceway};
+use scene::{colour, contacts, frames, guide, mesh, quaternion, raceway, trail};
 use solution::{timeline, write};
 
 pub use ball::read_ball;

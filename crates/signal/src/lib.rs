@@ -15,6 +15,7 @@ mod spectrum;
 mod statistics;
 mod transform;
 mod welch;
+mod whirl;
 mod window;
 
 pub use bearing::BearingFrequencies;
@@ -34,4 +35,5 @@ pub use spectrogram::{Spectrogram, spectrogram};
 pub use spectrum::{Peak, Spectrum};
 pub use statistics::Statistics;
 pub use welch::{PowerDensity, Segments, welch};
+pub use whirl::{PathKind, Whirl, whirl};
 pub use window::Window;

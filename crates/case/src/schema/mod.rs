@@ -3,6 +3,7 @@
 //! Every dimensional value carries its unit in the text (`mm(30.16)`, `rpm(14000)`); the deserialisers of
 //! [`super::units`] turn it into the SI number held here.
 
+mod cage;
 mod deviations;
 mod lubricant;
 mod mounting;
@@ -11,6 +12,7 @@ mod rating;
 mod transient;
 mod tribology;
 
+pub use cage::*;
 pub use deviations::*;
 pub use lubricant::*;
 pub use mounting::*;

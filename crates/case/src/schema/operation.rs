@@ -1,5 +1,6 @@
 //! What loads, turns and surrounds the balls: ring loads, speeds, the cage.
 
+use super::FreeCageSpec;
 use crate::units;
 use serde::Deserialize;
 use tribodyn_bearing::{Side, SpeedHistory, Tilt, Translation};
@@ -28,6 +29,9 @@ pub struct CageSpec {
     /// The land that guides the cage; absent for a cage that the balls alone guide.
     #[serde(default)]
     pub guidance: Option<GuidanceSpec>,
+    /// What a cage has that is free to move in all directions; runs alone use it.
+    #[serde(default)]
+    pub free: Option<FreeCageSpec>,
 }
 
 /// A land that guides the cage: the fluid in its gap turns the cage with the ring or holds it back.

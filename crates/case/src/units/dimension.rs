@@ -112,6 +112,9 @@ dimension!(FREQUENCY, "a rate", "kHz(25.6)", {
     "Hz" => |v| v,
     "kHz" => |v| shifted(v, 3),
 });
+dimension!(ACCELERATION, "an acceleration", "m_per_s2(9.81)", {
+    "m_per_s2" => |v| v,
+});
 dimension!(SLOWNESS, "a time per length", "s_per_m(0.5)", {
     "s_per_m" => |v| v,
 });
@@ -141,7 +144,8 @@ dimension!(PRESSURE_COEFFICIENT, "a pressure-viscosity coefficient", "per_GPa(20
     "per_GPa" => |v| shifted(v, -9),
 });
 
-const ALL: [&Dimension; 22] = [
+const ALL: [&Dimension; 23] = [
+    &ACCELERATION,
     &TILT_STIFFNESS,
     &UNBALANCE,
     &LENGTH,

@@ -9,9 +9,9 @@ pub use dimension::{in_si, unit_names};
 pub(crate) use dimension::{is_unit, others};
 
 use dimension::{
-    ANGLE, DAMPING, DENSITY, Dimension, EXPANSION, FORCE, FREQUENCY, INERTIA, KINEMATIC_VISCOSITY, LENGTH, MASS,
-    PRESSURE, PRESSURE_COEFFICIENT, SLOWNESS, SPEED, STIFFNESS, TEMPERATURE, TEMPERATURE_DIFFERENCE, TILT_STIFFNESS,
-    TIME, TORQUE, UNBALANCE, VISCOSITY,
+    ACCELERATION, ANGLE, DAMPING, DENSITY, Dimension, EXPANSION, FORCE, FREQUENCY, INERTIA, KINEMATIC_VISCOSITY,
+    LENGTH, MASS, PRESSURE, PRESSURE_COEFFICIENT, SLOWNESS, SPEED, STIFFNESS, TEMPERATURE, TEMPERATURE_DIFFERENCE,
+    TILT_STIFFNESS, TIME, TORQUE, UNBALANCE, VISCOSITY,
 };
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, SeqAccess, VariantAccess, Visitor};
@@ -124,6 +124,10 @@ triples! {
     stiffnesses: STIFFNESS;
     /// One damping constant for each axis, N s/m.
     dampings: DAMPING;
+    /// One length for each axis, m.
+    lengths: LENGTH;
+    /// One acceleration for each axis, m/s².
+    accelerations: ACCELERATION;
 }
 
 /// A quantity for each of `N` axes.

@@ -3,6 +3,12 @@
 use super::*;
 
 const FULL: &str = include_str!("../../../../fixtures/cases/paper-ag-worn.ron");
+const UNGUIDED: &str = include_str!("../../../../fixtures/cases/paper-ag.ron");
+const FREE_CAGE: &str = "(mass: g(300), transverse_inertia: kg_m2(0.0011), unbalance: um(3), \
+    gravity: (m_per_s2(9.81), m_per_s2(0), m_per_s2(0)), displacement: (um(9), um(-9)), \
+    pockets: RaceTrack(axial_gap: mm(0.3)), lands: [(land: Outer, axial: mm(3), radius: mm(86), width: mm(6), \
+    gap: mm(0.1), stiffness: N_per_um(5), damping: s_per_m(0.3), friction: 0.1, film: (viscosity: mPa_s(1), \
+    density: kg_per_m3(770), fill: 0.8, extent: Half, roughness: um(2)))])";
 
 /// With a kind of value in place of another one, so that all that a case can hold stands in one of them.
 fn variants() -> Vec<String> {
@@ -30,7 +36,11 @@ fn variants() -> Vec<String> {
     let change = |changes: &[(&str, &str)]| {
         changes.iter().fold(FULL.to_owned(), |text, (path, value)| set_value(&text, path, value).unwrap())
     };
-    changes.iter().map(|changes| change(changes)).collect()
+    changes
+        .iter()
+        .map(|changes| change(changes))
+        .chain([set_value(UNGUIDED, "cage.free", FREE_CAGE).unwrap()])
+        .collect()
 }
 
 /// Ranges of the numbers in a value: not those in names and strings.

@@ -4,7 +4,7 @@ use super::lines::shown;
 use super::progress::significant;
 use crate::failure::Failure;
 use crate::table::{self, number};
-use tribodyn_study::run::{RunReport, Summary, imbalance};
+use tribodyn_study::run::{CageMotion, RunReport, Summary, imbalance};
 
 /// Prints the report of a run.
 pub fn print(r: &RunReport) -> Result<(), Failure> {
@@ -13,6 +13,7 @@ pub fn print(r: &RunReport) -> Result<(), Failure> {
     let mut rows = Vec::new();
     if let Some(summary) = &r.summary {
         rows.extend(motion_rows(summary, r));
+        rows.extend(summary.cage.iter().flat_map(cage_rows));
         rows.extend(power_rows(summary));
         rows.extend(wear_rows(summary));
     }
@@ -49,6 +50,22 @@ fn motion_rows(s: &Summary, r: &RunReport) -> Vec<Row> {
         ("pocket force, largest", number(s.pocket_force_max_n, 1), "N"),
         ("pocket impacts, whole run", s.impacts.to_string(), ""),
     ]
+}
+
+/// Of a cage that is free to move.
+fn cage_rows(c: &CageMotion) -> Vec<Row> {
+    let mut rows = vec![
+        ("cage", c.sentence(), ""),
+        ("cage centre, mean x y", pair(c.mean_x_um, c.mean_y_um, 2), "µm"),
+        ("cage centre about it, rms and most", pair(c.radius_rms_um, c.radius_max_um, 2), "µm"),
+    ];
+    if let (Some(ratio), Some(spread)) = (c.whirl_ratio, c.whirl_ratio_spread) {
+        rows.push(("whirl over cage speed, spread", pair(ratio, spread, 3), ""));
+    }
+    rows.push(("cage tilt, largest", number(c.tilt_max_mrad, 3), "mrad"));
+    rows.push(("land force, largest, inner outer", pair(c.land_force_inner_max_n, c.land_force_outer_max_n, 2), "N"));
+    rows.push(("land gap, smallest", number(c.land_gap_min_um, 2), "µm"));
+    rows
 }
 
 fn power_rows(s: &Summary) -> Vec<Row> {

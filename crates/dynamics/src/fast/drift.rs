@@ -214,6 +214,9 @@ pub(super) fn drift_acceleration<E: Equations>(
     }
     let bodies = machine.bodies(t, &frame, &sums);
     a[l.cage() + 1] = bodies.cage;
+    if let Some(rates) = &bodies.free_cage {
+        a[l.free()].copy_from_slice(rates);
+    }
     a[l.inner() + 3..l.inner() + 6].copy_from_slice(&bodies.inner);
     a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);
 }
@@ -268,9 +271,10 @@ pub(super) fn push_balls(balls: &mut [Lane; BALL], acceleration: &[Lane; 3], com
 
 /// Velocities of rings and cage.
 pub(super) fn push_bodies(l: Layout, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
-    let [cage, rings @ ..] = l.velocities_of_bodies();
-    y[cage] += h * a[cage];
-    for k in rings {
+    for k in l.velocities_of_cage() {
+        y[k] += h * a[k];
+    }
+    for k in l.velocities_of_rings() {
         y[k] += h * (a[k] - common[k]);
     }
 }
@@ -295,6 +299,7 @@ pub(super) fn glide_balls(balls: &mut [Lane; BALL], h: f64) {
 /// Positions of cage and rings by their velocities.
 pub(super) fn glide_bodies(machine: &Machine, t: f64, y: &mut [f64], h: f64) {
     let l = machine.layout;
+    machine.glide_free_cage(y, h);
     y[l.cage()] += h * y[l.cage() + 1];
     for k in l.inner()..l.inner() + 3 {
         y[k] += h * y[k + 3];

@@ -87,7 +87,7 @@ pub(super) struct Grips {
     /// How far the ball is pressed into the wall of its pocket, m.
     pub depth: Lane,
     /// Force, friction and its moment by the pocket: of those balls alone that touch it.
-    pocket: [Lane; 5],
+    pocket: [Lane; 6],
 }
 
 impl Grips {
@@ -97,7 +97,7 @@ impl Grips {
         wear: [Lane::ZERO; 2],
         fluid: [Lane::ZERO; 4],
         depth: Lane::ZERO,
-        pocket: [Lane::ZERO; 5],
+        pocket: [Lane::ZERO; 6],
     };
 
     pub fn is_near(&self, side: Side, k: usize) -> bool {
@@ -119,13 +119,13 @@ impl Grips {
 
     #[inline(always)]
     fn pocket(&self, k: usize) -> PocketLoad {
-        let [force, axial, radial, about_axial, about_radial] = get(&self.pocket, k);
-        PocketLoad { force, friction: [axial, radial], moment: [about_axial, about_radial], ..PocketLoad::none() }
+        let [force, axial, radial, moment @ ..] = get(&self.pocket, k);
+        PocketLoad { force, friction: [axial, radial], moment, ..PocketLoad::none() }
     }
 
     pub fn set_pocket(&mut self, lanes: Range<usize>, of: &PocketLoad) {
-        let ([axial, radial], [about_axial, about_radial]) = (of.friction, of.moment);
-        lanes.for_each(|k| put(&mut self.pocket, k, [of.force, axial, radial, about_axial, about_radial]));
+        let ([axial, radial], [a, r, t]) = (of.friction, of.moment);
+        lanes.for_each(|k| put(&mut self.pocket, k, [of.force, axial, radial, a, r, t]));
     }
 
     pub fn set_forces(&mut self, side: Side, lanes: Range<usize>, of: &ContactForces) {
@@ -178,7 +178,7 @@ pub(super) fn tractions<E: Equations>(
     grips: &mut Grips,
 ) {
     let (out, frame) = (grips, *frame);
-    out.pocket = [Lane::ZERO; 5];
+    out.pocket = [Lane::ZERO; 6];
     for k in 0..WIDTH {
         let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
         let (forces, wear, near) = contact(equations, Side::Inner, (&frame, &state), (stand, &forms.traction[0], k));
@@ -207,8 +207,13 @@ pub(super) fn surroundings<E: Equations>(
 ) {
     let (mut out, mut depth, machine) = ([Lane::ZERO; 4], Lane::ZERO, equations.machine());
     let (pocket, cage_angle, inner_speed) = (machine.cage.pocket, frame.cage[0], frame.rings.inner.speed);
-    for k in 0..WIDTH {
-        depth.0[k] = pocket.penetration(balls[AZIMUTH].0[k] - cage_angle - places.0[k]);
+    if frame.free_cage.is_some() {
+        let cage = (frame.cage, frame.free_cage.as_ref());
+        (0..WIDTH).for_each(|k| depth.0[k] = machine.in_place(places.0[k], &get(balls, k), cage)[0]);
+    } else {
+        for k in 0..WIDTH {
+            depth.0[k] = pocket.penetration(balls[AZIMUTH].0[k] - cage_angle - places.0[k]);
+        }
     }
     // What there is of the fluid is asked outside of the loops, which would else not become vector instructions.
     if let Some(fluid) = machine.bearing.fluid {

@@ -23,7 +23,7 @@ impl Fast {
         for (balls, half) in scratch.balls.iter_mut().zip(&scratch.half) {
             add(balls, half, -1.0);
         }
-        equations.machine().layout.velocities_of_bodies().into_iter().for_each(|k| y[k] -= self.half[k]);
+        equations.machine().layout.velocities_of_bodies().for_each(|k| y[k] -= self.half[k]);
     }
 
     /// The first half of the kick of a step `h`; the other is kept.
@@ -32,7 +32,7 @@ impl Fast {
         for (balls, half) in self.scratch.balls.iter().zip(&mut self.scratch.half) {
             half.copy_from_slice(&balls[VELOCITY..]);
         }
-        l.velocities_of_bodies().into_iter().for_each(|k| self.half[k] = y[k]);
+        l.velocities_of_bodies().for_each(|k| self.half[k] = y[k]);
         self.kick(equations, t, y, h);
         let Scratch { level, balls, half, .. } = &mut self.scratch;
         for (balls, half) in balls.iter_mut().zip(half) {
@@ -51,7 +51,7 @@ impl Fast {
         for (balls, half) in balls.iter_mut().zip(half) {
             dispatch!(*level, _simd => add(balls, half, 1.0));
         }
-        l.velocities_of_bodies().into_iter().for_each(|k| y[k] += self.half[k]);
+        l.velocities_of_bodies().for_each(|k| y[k] += self.half[k]);
     }
 
     /// Remembers the velocities at the start of a piece of the drift, without spins.
@@ -59,7 +59,7 @@ impl Fast {
         for (balls, before) in self.scratch.balls.iter().zip(&mut self.scratch.before) {
             before.copy_from_slice(&balls[VELOCITY..VELOCITY + 3]);
         }
-        l.velocities_of_bodies().into_iter().for_each(|k| self.before[k] = y[k]);
+        l.velocities_of_bodies().for_each(|k| self.before[k] = y[k]);
     }
 
     /// From the velocities in the middle of a piece to those expected at its end, farther by as much as from its start
@@ -79,7 +79,7 @@ impl Fast {
         for (balls, before) in self.scratch.balls.iter_mut().zip(&self.scratch.before) {
             balls[VELOCITY..VELOCITY + 3].copy_from_slice(before);
         }
-        l.velocities_of_bodies().into_iter().for_each(|k| y[k] = self.before[k]);
+        l.velocities_of_bodies().for_each(|k| y[k] = self.before[k]);
     }
 
     /// The state as samples have it, displacements corrected.

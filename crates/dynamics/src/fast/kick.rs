@@ -11,7 +11,7 @@ use crate::machine::Machine;
 use crate::watch::Watch;
 use fearless_simd::dispatch;
 use nalgebra::{Matrix5, Vector5};
-use tribodyn_bearing::{Races, Side};
+use tribodyn_bearing::{Races, Side, Wrench};
 
 /// Steps between new matrices of the rings: they only predict, and turn with the balls by some ten degrees.
 const RINGS_EVERY: usize = 16;
@@ -24,16 +24,16 @@ impl Fast {
     pub(super) fn kick<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
         let l = equations.machine().layout;
         let frame = equations.machine().frame(t, y);
-        self.make_room(l.balls);
+        self.make_room(l);
         let renew = self.is_other_step(h);
         if renew {
             self.step = h;
         }
         self.smooth(l, h);
         let mut on_rings = self.ring_common(equations.machine());
-        let (mut cage_torque, mut reaction) = (0.0, [Lane::ZERO; 5]);
+        let (mut on_cage, mut reaction) = ((0.0, Wrench::default()), [Lane::ZERO; 5]);
         for block in 0..blocks(l.balls) {
-            cage_torque += self.grip(equations, block, &frame, renew);
+            self.grip(equations, block, (&frame, renew), &mut on_cage);
             let scratch = &mut self.scratch;
             let balls = &mut scratch.balls[block];
             let at = (&scratch.stands[block], &scratch.forms[block], &scratch.grips[block]);
@@ -55,11 +55,13 @@ impl Fast {
             dispatch!(scratch.level, _simd => follow(balls, predicted, at, &mut reaction));
             (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
         }
-        push_bodies(machine, y, (&on_rings, cage_torque), h);
+        push_bodies(machine, y, (&on_rings, on_cage.0), h);
+        machine.push_free_cage(y, (&frame, &on_cage.1), h);
     }
 
     /// Memory for the balls; the linear forms by lanes follow from those by balls.
-    fn make_room(&mut self, balls: usize) {
+    fn make_room(&mut self, l: Layout) {
+        let balls = l.balls;
         if self.friction.len() != balls {
             self.friction.resize_with(balls, super::friction::LinearFriction::NONE);
             self.contacts.resize(balls, Contacts::default());
@@ -69,7 +71,7 @@ impl Fast {
             self.scratch.forms.resize(blocks(balls), Forms::NONE);
             self.scratch.grips.resize(blocks(balls), Grips::NONE);
             for ball in 0..balls {
-                let (block, lanes) = (ball / WIDTH, lanes_of(Layout { balls }, ball / WIDTH, ball % WIDTH));
+                let (block, lanes) = (ball / WIDTH, lanes_of(l, ball / WIDTH, ball % WIDTH));
                 self.scratch.forms[block].set_tractions(lanes.clone(), &self.contacts[ball], [true; 2]);
                 self.scratch.forms[block].set_friction(lanes, &self.friction[ball]);
             }
@@ -77,8 +79,14 @@ impl Fast {
     }
 
     /// Tractions of the balls of a block from their linear forms where those still hold, else integrated and linearised
-    /// anew, and what fluid and pockets do. Returns the torque on the cage.
-    fn grip<E: Equations>(&mut self, equations: &mut E, block: usize, frame: &Frame, renew: bool) -> f64 {
+    /// anew, and what fluid and pockets do. Adds torque, force and moment on the cage.
+    fn grip<E: Equations>(
+        &mut self,
+        equations: &mut E,
+        block: usize,
+        (frame, renew): (&Frame, bool),
+        on_cage: &mut (f64, Wrench),
+    ) {
         let machine = equations.machine();
         let (balls, first) = (filled(machine.layout, block), WIDTH * block);
         let scratch = &mut self.scratch;
@@ -90,7 +98,6 @@ impl Fast {
             surroundings(equations_now, (frame, &places), (at.0, at.1), grips);
         });
         self.used += 2 * balls as u64;
-        let mut cage_torque = 0.0;
         for k in 0..balls {
             let grips = &self.scratch.grips[block];
             let old = Races { inner: !grips.is_near(Side::Inner, k), outer: !grips.is_near(Side::Outer, k) };
@@ -104,7 +111,8 @@ impl Fast {
                 let pocket = machine.pocket_load(first + k, &get(&self.scratch.balls[block], k), frame);
                 self.scratch.grips[block].set_pocket(lanes_of(machine.layout, block, k), &pocket);
                 pocket_wear = machine.pocket_wear(&pocket);
-                cage_torque += pocket.cage_torque;
+                on_cage.0 += pocket.cage_torque;
+                machine.react_on_cage(frame, (&pocket, &get(&self.scratch.balls[block], k)), &mut on_cage.1);
             }
             let Scratch { stands, forms, grips, .. } = &self.scratch;
             let (stand, forms, grips) = (&stands[block], &forms[block], &grips[block]);
@@ -117,7 +125,6 @@ impl Fast {
                 loaded,
             };
         }
-        cage_torque
     }
 
     /// Integrates the contacts of a ball whose linear traction is `old` and makes its linear forms anew, those of
@@ -197,5 +204,7 @@ fn push_bodies(machine: &Machine, y: &mut [f64], (on_rings, cage_torque): (&Vect
     for k in (0..2).filter(|&k| machine.outer.free[k]) {
         y[l.outer() + 2 + k] += outer * on_rings[3 + k];
     }
-    y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
+    if machine.free_cage.is_none() {
+        y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
+    }
 }

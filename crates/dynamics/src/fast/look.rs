@@ -4,7 +4,7 @@
 use super::drift::{Stand, press};
 use super::grip::{Forms, Grips, LINEAR, slide, surroundings};
 use super::lanes::{Lane, WIDTH, blocks, filled, gather, get, put};
-use super::numbers::Numbers;
+use super::numbers::{IN_POCKET, Numbers, SUMS};
 use super::{Fast, Scratch};
 use crate::detail::{Balls, ball_result};
 use crate::equations::{Equations, Frame, Touched};
@@ -22,7 +22,7 @@ const BEFORE_REFRESH: f64 = 1.5;
 /// Semi-axes (longer, shorter) and peak pressure at inner and outer contacts.
 type Ellipses = [[Lane; 3]; 2];
 /// Ellipses, pockets, and the places of these.
-type Beside<'a> = (&'a Ellipses, &'a [Lane; 10], &'a Lane);
+type Beside<'a> = (&'a Ellipses, &'a [Lane; IN_POCKET], &'a Lane);
 
 /// Room that a look works in, kept from one to the next, and the list of balls that it fills.
 #[derive(Default)]
@@ -41,7 +41,7 @@ struct Seen {
     contacts: [[Lane; 8]; 2],
     frictions: [[Lane; 7]; 2],
     transients: [[Lane; 3]; 2],
-    sums: [Lane; 17],
+    sums: [Lane; SUMS],
     /// 1 where both linear forms are near, else 0.
     near: Lane,
 }
@@ -55,7 +55,7 @@ impl Seen {
         contacts: [[Lane::ZERO; 8]; 2],
         frictions: [[Lane::ZERO; 7]; 2],
         transients: [[Lane::ZERO; 3]; 2],
-        sums: [Lane::ZERO; 17],
+        sums: [Lane::ZERO; SUMS],
         near: Lane::ZERO,
     };
 
@@ -114,7 +114,7 @@ impl Fast {
             sheet: machine.bearing.sheet(),
             springs: machine.bearing.contact_springs(),
         };
-        let (mut sums, mut results) = ([0.0; 17], std::mem::take(&mut room.balls));
+        let (mut sums, mut results) = ([0.0; SUMS], std::mem::take(&mut room.balls));
         results.resize(l.balls, BallResult::default());
         room.found.resize_with(1, || (Stand::NONE, Grips::NONE, Seen::NONE));
         let [(stand, grips, seen)] = &mut room.found[..] else { unreachable!("there is one") };
@@ -163,8 +163,8 @@ impl Of<'_> {
     }
 
     /// Of those balls that touch the walls of theirs.
-    fn pockets(&self, block: usize, balls: &[Lane; BALL], grips: &Grips) -> [Lane; 10] {
-        let mut pockets = [Lane::ZERO; 10];
+    fn pockets(&self, block: usize, balls: &[Lane; BALL], grips: &Grips) -> [Lane; IN_POCKET] {
+        let mut pockets = [Lane::ZERO; IN_POCKET];
         for k in (0..filled(self.machine.layout, block)).filter(|&k| grips.depth.0[k] > 0.0) {
             let load = self.machine.pocket_load(WIDTH * block + k, &get(balls, k), &self.frame);
             put(&mut pockets, k, load.numbers());
@@ -172,8 +172,17 @@ impl Of<'_> {
         pockets
     }
 
+    /// Lead of a ball over the middle of its pocket at an azimuth of the cage, rad.
+    #[inline(always)]
+    fn lead(&self, b: &[f64; BALL], place: f64) -> f64 {
+        if self.frame.free_cage.is_some() {
+            return self.machine.in_place(place, b, (self.frame.cage, self.frame.free_cage.as_ref()))[2];
+        }
+        b[AZIMUTH] - self.frame.cage[0] - place
+    }
+
     /// A ball alone, its traction integrated.
-    fn plainly(&self, (index, y): (usize, &[f64]), (result, detail): (&mut BallResult, BallDetail)) -> [f64; 17] {
+    fn plainly(&self, (index, y): (usize, &[f64]), (result, detail): (&mut BallResult, BallDetail)) -> [f64; SUMS] {
         let (machine, mut sums) = (self.machine, Sums::default());
         let b = machine.unknowns(index, y);
         let forces = machine.ball(index, b, &self.frame, |patch| machine.kernel.traction(&machine.bearing, patch));
@@ -237,7 +246,7 @@ fn ball(
         contacts: Races { inner, outer },
         fluid: grips.fluid(k),
         pocket,
-        lead: b[AZIMUTH] - of.frame.cage[0] - places.0[k],
+        lead: of.lead(&b, places.0[k]),
     };
     let (forces, mut sums) = (machine.together(b[VELOCITY + 1], touched), Sums::default());
     machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &of.frame, &mut sums);

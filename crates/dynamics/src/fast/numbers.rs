@@ -6,6 +6,10 @@ use tribodyn_bearing::{
     TransientContact,
 };
 
+/// Numbers of a pocket's load, and of the sums over the balls.
+pub(super) const IN_POCKET: usize = 12;
+pub(super) const SUMS: usize = 23;
+
 /// A structure of `N` numbers.
 pub(super) trait Numbers<const N: usize> {
     fn numbers(&self) -> [f64; N];
@@ -47,12 +51,14 @@ numbers!(FluidResult, 6;
     drag_n, churning_nm[0], churning_nm[1], churning_nm[2], churning_w, power_loss_w);
 numbers!(BallMotionResult, 3;
     orbital_acceleration_rad_s2, velocity_m_s[0], velocity_m_s[1]);
-numbers!(PocketLoad, 10;
-    force, friction[0], friction[1], moment[0], moment[1], cage_torque, energy, damping_power, friction_power, sliding);
-numbers!(Sums, 17;
+numbers!(PocketLoad, 12;
+    force, friction[0], friction[1], moment[0], moment[1], moment[2], cage_torque, energy, damping_power,
+    friction_power, sliding, normal);
+numbers!(Sums, 23;
     on_rings.inner[0], on_rings.inner[1], on_rings.inner[2], on_rings.outer[0], on_rings.outer[1], on_rings.outer[2],
     torque.inner, torque.outer, cage_torque, powers.friction.inner, powers.friction.outer, powers.drag,
-    powers.churning, powers.contact_damping, powers.pocket_friction, powers.pocket_damping, powers.energy);
+    powers.churning, powers.contact_damping, powers.pocket_friction, powers.pocket_damping, powers.energy,
+    on_cage.force[0], on_cage.force[1], on_cage.force[2], on_cage.moment[0], on_cage.moment[1], on_cage.moment[2]);
 
 impl Numbers<5> for PocketResult {
     #[inline(always)]

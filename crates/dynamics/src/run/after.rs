@@ -3,7 +3,7 @@
 use super::filter::Between;
 use super::{ACCELERATION_ERROR, FAST_LOOK_EVERY, LOOK_EVERY, Run, RunError, Scheme, WEAR_LOOK_EVERY};
 use crate::error::DynamicsError;
-use crate::layout::{AZIMUTH, BALL, ORBIT};
+use crate::layout::AZIMUTH;
 use crate::observer::{BallDetail, Event, EventKind, Observer};
 use crate::sample::Sample;
 use crate::stiffness::{EULER_LIMIT, Stiffness};
@@ -110,19 +110,20 @@ impl Run {
 
     pub(super) fn pocket_events<O: Observer>(&self, t: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
         let l = self.machine.layout;
-        let pocket = &self.machine.cage.pocket;
-        let lead = |y: &[f64], k: usize| self.machine.lead(k, &y[l.ball(k)..], y[l.cage()]);
+        let machine = &self.machine;
+        let cages = [&self.progress.state, &self.next].map(|y| machine.cage_at(y));
+        let [earlier, now] = cages.each_ref().map(|(cage, pose)| (*cage, pose.as_ref()));
         for ball in 0..l.balls {
-            let after = lead(&self.next, ball);
-            if pocket.penetration(after) <= 0.0 || pocket.penetration(lead(&self.progress.state, ball)) > 0.0 {
+            let [before, after] = [&self.progress.state, &self.next].map(|y| machine.unknowns(ball, y));
+            let [depth, closing_speed_m_s, lead] = machine.pocket_depth(ball, after, now);
+            if depth <= 0.0 || machine.pocket_depth(ball, before, earlier)[0] > 0.0 {
                 continue;
             }
-            let b = &self.next[l.ball(ball)..][..BALL];
             let kind = EventKind::Impact {
                 ball,
-                azimuth_deg: degrees(b[AZIMUTH]),
-                closing_speed_m_s: (b[ORBIT] - self.next[l.cage() + 1]) * pocket.radius * after.signum(),
-                ball_leads: after > 0.0,
+                azimuth_deg: degrees(after[AZIMUTH]),
+                closing_speed_m_s,
+                ball_leads: lead > 0.0,
             };
             observer.event(&Event { time_s: t, kind }).map_err(RunError::Observer)?;
         }

@@ -7,7 +7,6 @@ use crate::layout::{BALL, ORBIT};
 use crate::observer::Observer;
 use fearless_simd::{Level, dispatch};
 use std::ops::ControlFlow;
-use tribodyn_bearing::Pocket;
 
 impl Run {
     /// The fixed step that is taken, s: that of the fast scheme divides the time between samples. None where steps
@@ -131,13 +130,32 @@ impl Run {
         if pocket.stiffness == 0.0 {
             return None;
         }
+        if self.machine.free_cage.is_some() {
+            return self.free_pocket_event(h);
+        }
         let p = &self.progress;
         let lead = |y: &[f64], k: usize| self.machine.lead(k, &y[l.ball(k)..], y[l.cage()]);
         let rate = |y: &[f64], k: usize| y[l.ball(k) + ORBIT] - y[l.cage() + 1];
         let whole = self.scheme.whole_step(h);
         let crossings = (0..l.balls).filter_map(|k| {
             let leads = [lead(&p.state, k), lead(&self.next, k)];
-            crossing(pocket, leads, [rate(&p.state, k) * h, rate(&self.next, k) * h], whole / h)
+            let slopes = [rate(&p.state, k) * h, rate(&self.next, k) * h];
+            crossing(|lead| pocket.penetration(lead), leads, slopes, whole / h)
+        });
+        crossings.min_by(f64::total_cmp)
+    }
+
+    /// The same in a cage that is free to move.
+    fn free_pocket_event(&self, h: f64) -> Option<f64> {
+        let (p, machine, whole) = (&self.progress, &self.machine, self.scheme.whole_step(h));
+        let states = [&p.state, &self.next];
+        let cages = states.map(|y| machine.cage_at(y));
+        let crossings = (0..machine.layout.balls).filter_map(|k| {
+            let ends: [_; 2] = std::array::from_fn(|end| {
+                let (cage, pose) = &cages[end];
+                machine.pocket_depth(k, machine.unknowns(k, states[end]), (*cage, pose.as_ref()))
+            });
+            crossing(|depth| depth, ends.map(|end| end[0]), ends.map(|end| end[1] * h), whole / h)
         });
         crossings.min_by(f64::total_cmp)
     }
@@ -153,16 +171,16 @@ impl Scheme {
     }
 }
 
-/// The part of a piece of a step after which a ball that leads its pocket's centre by two angles, with their changes
-/// over the piece at its rates, meets or leaves the wall; none where that is so near to an end that the scheme's whole
-/// step, so many pieces long, does not see it. The last piece of a step can be so short that a cut in it moves no digit
-/// of the lead, and another one would follow.
-fn crossing(pocket: &Pocket, leads: [f64; 2], slopes: [f64; 2], whole: f64) -> Option<f64> {
-    let [before, after] = leads.map(|lead| pocket.penetration(lead) > 0.0);
+/// The part of a piece of a step after which a ball meets or leaves the wall; none where that is so near to an end that
+/// the scheme's whole step, so many pieces long, does not see it. `depth` in the wall follows from the ball's lead, of
+/// which there are two values with their changes over the piece at its rates. The last piece of a step can be so short
+/// that a cut in it moves no digit of the lead, and another one would follow.
+fn crossing(depth: impl Fn(f64) -> f64, leads: [f64; 2], slopes: [f64; 2], whole: f64) -> Option<f64> {
+    let [before, after] = leads.map(|lead| depth(lead) > 0.0);
     if before == after {
         return None;
     }
-    let at = bisect(|s| pocket.penetration(hermite(s, leads, slopes)), before);
+    let at = bisect(|s| depth(hermite(s, leads, slopes)), before);
     let margin = CUT_MARGIN * whole.max(1.0);
     (at > margin && at < 1.0 - margin).then_some(at)
 }
@@ -200,7 +218,7 @@ fn are_finite(level: Level, values: &[f64]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribodyn_bearing::PocketForce;
+    use tribodyn_bearing::{Pocket, PocketForce};
 
     fn pocket() -> Pocket {
         Pocket {
@@ -214,14 +232,18 @@ mod tests {
         }
     }
 
+    fn depth(lead: f64) -> f64 {
+        pocket().penetration(lead)
+    }
+
     #[test]
     fn identity_a_crossing_stands_where_the_lead_passes_the_wall() {
         let rate = 1e-4;
         for (leads, at) in [([3.975e-3, 4.075e-3], 0.25), ([-4.06e-3, -3.96e-3], 0.6)] {
-            let found = crossing(&pocket(), leads, [rate; 2], 1.0).unwrap();
+            let found = crossing(depth, leads, [rate; 2], 1.0).unwrap();
             assert!((found - at).abs() < 1e-9, "{found}");
         }
-        assert_eq!(crossing(&pocket(), [3.9e-3, 3.95e-3], [5e-5; 2], 1.0), None);
+        assert_eq!(crossing(depth, [3.9e-3, 3.95e-3], [5e-5; 2], 1.0), None);
     }
 
     /// A piece of 4.3 ns of a step of 10 µs, in which a ball leaves its wall by one unit in the last place: cuts of 8
@@ -231,8 +253,8 @@ mod tests {
         let (piece, whole, rate) = (4.3e-9, 1e-5, -0.124);
         let lead = 4e-3 + 1e-15;
         let (leads, slopes) = ([lead, lead + rate * piece], [rate * piece; 2]);
-        let at = crossing(&pocket(), leads, slopes, 1.0).unwrap();
+        let at = crossing(depth, leads, slopes, 1.0).unwrap();
         assert!(at > CUT_MARGIN && lead + at * rate * piece >= 4e-3 - 1e-18, "{at}");
-        assert_eq!(crossing(&pocket(), leads, slopes, whole / piece), None);
+        assert_eq!(crossing(depth, leads, slopes, whole / piece), None);
     }
 }

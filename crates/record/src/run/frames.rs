@@ -7,6 +7,7 @@
 use super::overview::Overview;
 use crate::frames::{Poses, Spins};
 use crate::quaternion::Rotation;
+use crate::trail;
 use crate::wire::foxglove::FrameTransforms;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -110,7 +111,7 @@ impl Motion {
             log_time,
             inner: (sample.inner.displacement_m, Rotation::about_z(sample.inner.angle_rad)),
             outer: (sample.outer.displacement_m, Rotation::about_z(sample.outer.angle_rad)),
-            cage_angle: sample.cage.angle_rad,
+            cage: trail::place(&sample.cage),
             spins: &self.spins,
         };
         let balls = balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]);

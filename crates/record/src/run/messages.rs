@@ -8,9 +8,9 @@ use crate::units::{BILLION, CUBIC_MICROMETRE, MICRO_PER_UNIT, MILLI_PER_UNIT, de
 use crate::wire::Numbers;
 use crate::wire::tribodyn::{Balls, TransientState, Wear};
 use std::sync::LazyLock;
-use tribodyn_bearing::BallResult;
 use tribodyn_bearing::quantities::{Quantity, RPM_PER_RAD_S};
-use tribodyn_dynamics::{POWER_IN, POWER_LOST, PowerSample, WearSample};
+use tribodyn_bearing::{BallResult, Races};
+use tribodyn_dynamics::{FreeCageSample, POWER_IN, POWER_LOST, PowerSample, WearSample};
 
 static IN: LazyLock<Vec<(&Quantity<PowerSample>, usize)>> = LazyLock::new(|| fields::<TransientState, _>(&POWER_IN));
 static LOST: LazyLock<Vec<(&Quantity<PowerSample>, usize)>> =
@@ -20,10 +20,8 @@ static LOST: LazyLock<Vec<(&Quantity<PowerSample>, usize)>> =
 pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> TransientState {
     let sample = &overview.sample;
     let (inner, outer, cage) = (&sample.inner, &sample.outer, &sample.cage);
-    let [inner_displacement_x_um, inner_displacement_y_um, inner_displacement_z_um] =
-        inner.displacement_m.map(|x| x * MICRO_PER_UNIT);
-    let [outer_displacement_x_um, outer_displacement_y_um, outer_displacement_z_um] =
-        outer.displacement_m.map(|x| x * MICRO_PER_UNIT);
+    let [inner_x, inner_y, inner_z] = inner.displacement_m.map(|x| x * MICRO_PER_UNIT);
+    let [outer_x, outer_y, outer_z] = outer.displacement_m.map(|x| x * MICRO_PER_UNIT);
     let [inner_vx, inner_vy, inner_vz] = inner.velocity_m_s.map(|x| x * MILLI_PER_UNIT);
     let [outer_vx, outer_vy, outer_vz] = outer.velocity_m_s.map(|x| x * MILLI_PER_UNIT);
     let mut message = TransientState {
@@ -31,9 +29,9 @@ pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> Transie
         time_s: sample.time_s,
         cage_angle_deg: degrees(cage.angle_rad),
         shaft_angle_deg: degrees(inner.angle_rad),
-        inner_displacement_x_um,
-        inner_displacement_y_um,
-        inner_displacement_z_um,
+        inner_displacement_x_um: inner_x,
+        inner_displacement_y_um: inner_y,
+        inner_displacement_z_um: inner_z,
         inner_velocity_x_mm_s: inner_vx,
         inner_velocity_y_mm_s: inner_vy,
         inner_velocity_z_mm_s: inner_vz,
@@ -43,9 +41,9 @@ pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> Transie
         inner_ball_force_x_n: inner.ball_force_n[0],
         inner_ball_force_y_n: inner.ball_force_n[1],
         inner_ball_force_z_n: inner.ball_force_n[2],
-        outer_displacement_x_um,
-        outer_displacement_y_um,
-        outer_displacement_z_um,
+        outer_displacement_x_um: outer_x,
+        outer_displacement_y_um: outer_y,
+        outer_displacement_z_um: outer_z,
         outer_velocity_x_mm_s: outer_vx,
         outer_velocity_y_mm_s: outer_vy,
         outer_velocity_z_mm_s: outer_vz,
@@ -70,12 +68,26 @@ pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> Transie
         imbalance_ppb: imbalance_ppb(sample.power.imbalance_j, sample.power.throughput_j),
         ..TransientState::default()
     };
+    cage.free.iter().for_each(|free| free_cage(&mut message, free));
     fill(&mut message, &IN, &sample.power);
     fill(&mut message, &LOST, &sample.power);
     for (quantity, place, value) in overview.over_balls() {
         message.set_number(place, value * quantity.facts().shown.per_si);
     }
     message
+}
+
+/// Where a free cage is, and what its lands do.
+fn free_cage(message: &mut TransientState, cage: &FreeCageSample) {
+    message.cage_free = true;
+    [message.cage_x_um, message.cage_y_um, message.cage_z_um] = cage.centre_m.map(|x| x * MICRO_PER_UNIT);
+    [message.cage_tilt_x_mrad, message.cage_tilt_y_mrad] = cage.tilt_rad.map(|tilt| tilt * MILLI_PER_UNIT);
+    let Races { inner, outer } = &cage.land_force_n;
+    [message.land_inner_x_n, message.land_inner_y_n] = [inner[0], inner[1]];
+    [message.land_outer_x_n, message.land_outer_y_n] = [outer[0], outer[1]];
+    let gaps = cage.land_gap_m.iter().filter_map(|(_, gap)| *gap);
+    message.land_gap_um = gaps.reduce(f64::min).map_or(0.0, |gap| gap * MICRO_PER_UNIT);
+    (message.land_friction_w, message.land_film_w) = (cage.land_friction_w, cage.land_film_w);
 }
 
 /// At the start nothing has been put in and nothing can be missing.

@@ -13,6 +13,7 @@ use crate::contacts::{self, Drawing, Moment, Scales};
 use crate::raceway::{self, Defect, Found};
 use crate::scene::{self, Bodies};
 use crate::timeline::{EPOCH_NS, timestamp};
+use crate::trail::{self, Trail};
 use crate::wire::Flat;
 use crate::wire::foxglove::{FrameTransforms, Log, SceneUpdate};
 use crate::wire::tribodyn::Balls;
@@ -62,6 +63,8 @@ pub struct RecorderMemory {
     scales: Option<Scales>,
     pending: Pending,
     last_turn: LastTurn,
+    #[serde(default)]
+    trail: Trail,
     recent: Recent,
     found: Found,
     /// Time of the last sample, s, and what had worn off by then.
@@ -84,6 +87,7 @@ impl RecorderMemory {
             scales: None,
             pending: Pending::default(),
             last_turn: LastTurn::default(),
+            trail: Trail::default(),
             recent: Recent::default(),
             found: Found::default(),
             last_time_s: 0.0,
@@ -132,6 +136,7 @@ impl RecorderMemory {
         let lists = [
             ("entries of motion.last", self.motion.last_balls().unwrap_or(balls), balls, balls),
             ("points of last_turn", self.last_turn.len(), 0, history::ORBIT_POINTS),
+            ("points of trail", self.trail.len(), 0, trail::POINTS),
             ("entries of found", self.found.sectors(), raceway::SECTORS, raceway::SECTORS),
         ];
         let recent = self
@@ -141,7 +146,8 @@ impl RecorderMemory {
         for (field, count, least, most) in lists.into_iter().chain(recent) {
             within(field, count as f64, least as f64, most as f64)?;
         }
-        let numbers = self.motion.values().chain(self.last_turn.values()).chain(self.recent.values());
+        let numbers =
+            self.motion.values().chain(self.last_turn.values()).chain(self.trail.values()).chain(self.recent.values());
         match numbers.into_iter().find(|value| !value.is_finite()) {
             Some(value) => within("a remembered number", value, f64::MIN, f64::MAX),
             None => Ok(()),
@@ -220,6 +226,9 @@ impl Producer {
         self.log_due(sink, sample.time_s)?;
         self.memory.motion.advance(overview);
         self.memory.last_turn.push(sample);
+        if balls.is_some() {
+            self.memory.trail.push(&sample.cage);
+        }
         self.memory.recent.push(overview);
         sink.state(&state);
         self.send(sink, Topic::State, time, &state)?;
@@ -283,6 +292,7 @@ impl Producer {
                 ring_angles_rad: [s.inner.angle_rad, s.outer.angle_rad],
             };
             contacts::update(&mut update, &drawing, &moment, balls);
+            update.entities.extend(self.memory.trail.entity(self.geometry.ball_diameter, timestamp(time)));
             self.send(sink, Topic::Contacts, time, &update)?;
             self.send(sink, Topic::Azimuth, time, &ball::around(timestamp(time), s.time_s, balls))?;
             self.contacts = update;

@@ -78,8 +78,8 @@ pub(crate) struct Poses<'a> {
     pub(crate) inner: ([f64; 3], Rotation),
     /// The same of the outer ring.
     pub(crate) outer: ([f64; 3], Rotation),
-    /// Angle of the cage, rad.
-    pub(crate) cage_angle: f64,
+    /// Displacement of the cage's centre, m, and its rotation.
+    pub(crate) cage: ([f64; 3], Rotation),
     pub(crate) spins: &'a Spins,
 }
 
@@ -98,7 +98,7 @@ pub(crate) fn transforms(
         log_time: timeline.log_time(sample),
         inner: (solution.ring_displacement_m, shaft),
         outer: ([0.0; 3], Rotation::about_z(solution.outer_speed_rad_s * time)),
-        cage_angle: timeline.cage_angle(sample),
+        cage: ([0.0; 3], Rotation::about_z(timeline.cage_angle(sample))),
         spins,
     };
     let mut message = FrameTransforms::default();
@@ -123,8 +123,7 @@ impl Poses<'_> {
             frame.rotation = Some(turned.message());
         };
         let (fixed, of_balls) = message.transforms.split_at_mut(FIXED);
-        let cage = ([0.0; 3], Rotation::about_z(self.cage_angle));
-        let poses: [_; FIXED] = [([0.0; 3], Rotation::IDENTITY), self.inner, self.outer, cage];
+        let poses: [_; FIXED] = [([0.0; 3], Rotation::IDENTITY), self.inner, self.outer, self.cage];
         for (frame, (at, turned)) in fixed.iter_mut().zip(poses) {
             place(frame, at, turned);
         }

@@ -8,5 +8,6 @@ pub(crate) mod guide;
 pub(crate) mod mesh;
 pub(crate) mod quaternion;
 pub(crate) mod raceway;
+pub(crate) mod trail;
 
 pub(crate) use geometry::{Bodies, entity, geometry};

@@ -3,6 +3,7 @@
 //! Rows are kept in blocks of 1, 2, 4, … rows each: as many to a block as keep the blocks below [`MOST`]. Up to that
 //! number of rows nothing is lost; of a longer run averages begin with a whole block.
 
+use super::cage::{CageBlock, CageMotion};
 use super::settled::Settled;
 use super::summary::{Powers, Summary, Worn};
 use super::warnings;
@@ -96,6 +97,8 @@ struct Block {
     orbital_speed: [f64; 2],
     /// Loads and pressures at the inner and outer race, and the pocket force.
     largest: [f64; 5],
+    /// A cage that is free to move.
+    free_cage: Option<CageBlock>,
 }
 
 impl Block {
@@ -119,6 +122,7 @@ impl Block {
                 r.peak_pressure_outer_max_gpa,
                 r.pocket_force_max_n,
             ],
+            free_cage: CageBlock::of(r),
         }
     }
 
@@ -137,6 +141,7 @@ impl Block {
                 self.orbital_speed[1].max(next.orbital_speed[1]),
             ],
             largest: std::array::from_fn(|k| self.largest[k].max(next.largest[k])),
+            free_cage: self.free_cage.zip(next.free_cage).map(|(one, two)| one.and(&two, [a, b])),
         }
     }
 
@@ -233,13 +238,16 @@ impl Gathered {
         let largest = |k: usize| half.iter().fold(f64::NEG_INFINITY, |most: f64, block| most.max(block.largest[k]));
         let orbital = half.iter().map(|block| block.orbital_speed);
         let orbital = orbital.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [c, d]| [a.min(c), b.max(d)]);
+        let cage_speed_mean_rpm = moments(|b| b.cage_speed)?.mean;
+        let cages: Vec<CageBlock> = half.iter().filter_map(|block| block.free_cage).collect();
+        let step = (last.time_s - half[0].time_s) / (half.len() - 1).max(1) as f64;
         Some(Summary {
             simulated_s: last.time_s,
             averaged_from_s: half[0].time_s,
             settled_at_s: if let Settled::At(time_s) = settled { Some(time_s) } else { None },
             settled,
             samples: self.rows,
-            cage_speed_mean_rpm: moments(|b| b.cage_speed)?.mean,
+            cage_speed_mean_rpm,
             cage_speed_start_rpm: self.cage_speed_start_rpm,
             cage_speed_end_rpm: last.cage_speed_rpm,
             orbital_speed_min_rpm: orbital[0],
@@ -253,6 +261,7 @@ impl Gathered {
             peak_pressure_inner_max_gpa: largest(2),
             peak_pressure_outer_max_gpa: largest(3),
             pocket_force_max_n: largest(4),
+            cage: CageMotion::of(&cages, step, cage_speed_mean_rpm),
             impacts: last.impacts,
             balls_in_contact_min: self.balls_in_contact_min,
             power: powers(half, last),

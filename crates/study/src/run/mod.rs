@@ -1,6 +1,7 @@
 //! Transient runs, recorded, and what a recorded run comes to.
 
 pub mod balance;
+mod cage;
 mod checkpoint;
 mod gathered;
 mod known;
@@ -17,6 +18,7 @@ mod unrecorded;
 pub mod warnings;
 
 pub use balance::imbalance;
+pub use cage::CageMotion;
 pub(crate) use checkpoint::FORMAT as CHECKPOINT_FORMAT;
 #[doc(hidden)]
 pub use checkpoint::is_checkpoint;

@@ -1,6 +1,7 @@
 //! What a recorded run comes to in a few numbers.
 
 use super::balance::{Judgement, judge};
+use super::cage::CageMotion;
 use super::known::{KnownAtEnd, KnownAtStart};
 use super::settled::Settled;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -52,6 +53,9 @@ pub struct Summary {
     pub peak_pressure_outer_max_gpa: f64,
     /// Largest force between a ball and its pocket, N.
     pub pocket_force_max_n: f64,
+    /// The cage, where it is free to move.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cage: Option<CageMotion>,
     /// In the whole run.
     pub impacts: u32,
     /// Fewest balls that carried load at both races at one time.

@@ -6,6 +6,7 @@ use crate::error::AnswerError;
 use crate::plausibility::{self, Implausible};
 use serde::Serialize;
 use tribodyn_bearing::Bearing;
+use tribodyn_case::Case;
 use tribodyn_quasistatic::Solution;
 
 /// Warnings of an operating point, and what the bearing runs with.
@@ -36,6 +37,16 @@ pub struct Beside {
     pub implausible: Vec<Implausible>,
 }
 
+/// What the steady orbit leaves out of a cage that is free to move.
+fn of_free_cage(case: &Case, equations: Equations) -> Option<String> {
+    let free = case.cage.as_ref().is_some_and(|cage| cage.free.is_some());
+    (free && equations == Equations::SteadyOrbit).then(|| {
+        "the cage of the steady orbit turns about the bearing's axis only: of cage.free and its lands nothing is in it; a \
+         run has them"
+            .to_owned()
+    })
+}
+
 impl Findings {
     /// Of an operating point, by its solution: all balls, or one ball round its orbit.
     ///
@@ -56,7 +67,8 @@ impl Findings {
         warnings.extend(found.warnings(equations));
         // What is implausible stays last. A run counts the pressures of all its samples instead.
         let at = warnings.len() - usize::from(!implausible.is_empty());
-        warnings.splice(at..at, plausibility::curve_findings(question.case, solution));
+        let one_freedom = of_free_cage(question.case, equations);
+        warnings.splice(at..at, plausibility::curve_findings(question.case, solution).into_iter().chain(one_freedom));
         let lubrication = lubrication(question.case, equations);
         Ok(Self { model: equations, lubrication, loaded, warnings, implausible })
     }

@@ -1,0 +1,64 @@
+//! Impossible values of a cage that is free to move.
+
+use super::validate::{Verdict, not_negative, positive, require};
+use super::*;
+use tribodyn_bearing::{PocketForce, PocketShape};
+
+/// Largest gap of a land over its radius: the film in it is treated as flat.
+pub(super) const GAP_MAX: f64 = 0.1;
+
+pub(super) fn validate(case: &Case) -> Verdict {
+    let Some((cage, free)) = case.cage.as_ref().and_then(|cage| Some((cage, cage.free.as_ref()?))) else {
+        return Ok(());
+    };
+    let path = "cage.free";
+    require(
+        cage.guidance.is_none(),
+        "cage.guidance",
+        "guides a cage that only turns: the lands of a free one are in cage.free.lands, with their films",
+    )?;
+    require(
+        case.modelling.pocket_force != Some(PocketForce::AsPrinted),
+        "modelling.pocket_force",
+        "as printed there is force in the whole pocket of a cage that only turns: leave it out with cage.free",
+    )?;
+    positive(&format!("{path}.mass"), free.mass)?;
+    positive(&format!("{path}.transverse_inertia"), free.transverse_inertia)?;
+    if let Some(inertia) = cage.inertia {
+        let limits = format!("must be at least half of cage.inertia, {inertia:e} kg m²: no body has less");
+        require(2.0 * free.transverse_inertia >= inertia, &format!("{path}.transverse_inertia"), limits)?;
+    }
+    let pitch = case.geometry.pitch_diameter;
+    let within = format!("must be smaller than half of the pitch diameter, {} mm", pitch * 500.0);
+    require(free.unbalance.abs() < 0.5 * pitch, &format!("{path}.unbalance"), within)?;
+    if let PocketShape::RaceTrack { axial_gap } = free.pockets {
+        not_negative(&format!("{path}.pockets.RaceTrack.axial_gap"), axial_gap)?;
+    }
+    let closest = free.lands.iter().map(|land| land.gap).fold(f64::INFINITY, f64::min);
+    for (k, value) in free.displacement.into_iter().enumerate() {
+        let most = closest.min(case.geometry.ball_diameter);
+        let limits = format!("must be within ± {} mm, the smallest gap of its lands", most * 1e3);
+        require(value.abs() <= most, &format!("{path}.displacement[{k}]"), limits)?;
+    }
+    free.lands.iter().enumerate().try_for_each(|(k, land)| self::land(&format!("{path}.lands[{k}]"), land))
+}
+
+fn land(path: &str, land: &CageLandSpec) -> Verdict {
+    positive(&format!("{path}.radius"), land.radius)?;
+    positive(&format!("{path}.width"), land.width)?;
+    let most = GAP_MAX * land.radius;
+    let limits = format!("must be greater than 0 and at most a tenth of the land's radius, {} mm", most * 1e3);
+    require(land.gap > 0.0 && land.gap <= most, &format!("{path}.gap"), limits)?;
+    positive(&format!("{path}.stiffness"), land.stiffness)?;
+    not_negative(&format!("{path}.damping"), land.damping)?;
+    not_negative(&format!("{path}.friction"), land.friction)?;
+    let Some(film) = &land.film else { return Ok(()) };
+    let path = format!("{path}.film");
+    positive(&format!("{path}.viscosity"), film.viscosity)?;
+    positive(&format!("{path}.density"), film.density)?;
+    let full = film.fill > 0.0 && film.fill <= 1.0;
+    require(full, &format!("{path}.fill"), "must be greater than 0 and at most 1; leave film out of a dry land")?;
+    let most = 0.25 * land.gap;
+    let limits = format!("must be greater than 0 and at most a quarter of the gap, {} um", most * 1e6);
+    require(film.roughness > 0.0 && film.roughness <= most, &format!("{path}.roughness"), limits)
+}
