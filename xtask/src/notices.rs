@@ -20,7 +20,7 @@ pub struct Arguments {
 const PUBLISHED: [&str; 2] = ["tribodyn-cli", "tribodyn-python"];
 /// What is part of the sources and not ours.
 const EMBEDDED: [(&str, &str); 2] =
-    [("uPlot", "crates/cli/assets/uplot/LICENSE"), ("DejaVu fonts", "crates/plot/assets/LICENSE-DejaVu.txt")];
+    [("uPlot", "crates/report/assets/uplot/LICENSE"), ("DejaVu fonts", "crates/plot/assets/LICENSE-DejaVu.txt")];
 /// Names of licence files begin with one of these.
 const NAMES: [&str; 4] = ["LICENSE", "LICENCE", "COPYING", "NOTICE"];
 

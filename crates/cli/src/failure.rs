@@ -12,6 +12,7 @@ use tribodyn_identify::IdentifyError;
 use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
+use tribodyn_report::ReportError;
 use tribodyn_shaft::ShaftError;
 use tribodyn_study::{StudyError, SweepDifference, with_causes};
 
@@ -151,6 +152,18 @@ impl From<StudyError> for Failure {
                 Self::Case(Box::new(CaseFailure { file, options, excerpt, span, error }))
             }
             other => Self::Study(other),
+        }
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::Study(error) => error.into(),
+            ReportError::Record(error) => error.into(),
+            ReportError::Signal(error) => error.into(),
+            ReportError::Plot(error) => error.into(),
+            ReportError::Json(error) => error.into(),
         }
     }
 }

@@ -6,6 +6,7 @@ use comfy_table::{CellAlignment, Table, presets};
 use serde::Serialize;
 use std::io::Write;
 use tribodyn::answers::Findings;
+pub use tribodyn_report::words::number;
 
 /// Prints a value as indented JSON.
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
@@ -20,15 +21,6 @@ pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
 /// pipe is an error to the caller, not a panic.
 pub fn print_line(text: &str) -> Result<(), Failure> {
     Ok(writeln!(std::io::stdout(), "{}", harmless(text))?)
-}
-
-/// A number with fixed digits; what rounds to zero has no sign.
-pub fn number(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    match text.strip_prefix('-') {
-        Some(magnitude) if magnitude.bytes().all(|byte| matches!(byte, b'0' | b'.')) => magnitude.to_owned(),
-        _ => text,
-    }
 }
 
 /// The first lines of an answer: of which case it is, and what its bearing runs with.

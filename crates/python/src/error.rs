@@ -9,6 +9,7 @@ use tribodyn_identify::IdentifyError;
 use tribodyn_orbit::OrbitError;
 use tribodyn_quasistatic::QuasiStaticError;
 use tribodyn_record::RecordError;
+use tribodyn_report::ReportError;
 use tribodyn_study::{StudyError, with_causes};
 
 /// An exception of `tribodyn._errors` by its name.
@@ -88,6 +89,17 @@ pub fn study(py: Python<'_>, error: impl Into<StudyError>) -> PyErr {
         }
         StudyError::Json(_) | StudyError::RefusalLost { .. } => internal(py, &message),
         _ => with_facts(py, "InputError", &message, |facts| facts.set_item("allowed", allowed(&message))),
+    }
+}
+
+/// A report that is not made, of a recording at a path.
+pub fn report(py: Python<'_>, path: &Path, error: ReportError) -> PyErr {
+    match error {
+        ReportError::Study(error) => study(py, error),
+        ReportError::Record(error) => record(py, path, &error),
+        ReportError::Signal(error) => study(py, error),
+        ReportError::Json(error) => study(py, error),
+        ReportError::Plot(error) => internal(py, &error.to_string()),
     }
 }
 

@@ -43,7 +43,7 @@ mod _native {
     #[pymodule_export]
     use super::fmus::fmu;
     #[pymodule_export]
-    use super::recording::{read_recording, recorded_names};
+    use super::recording::{read_recording, recorded_names, report};
     #[pymodule_export]
     use super::runs::{identification_starts, identify, life, run};
     #[pymodule_export]

@@ -1,7 +1,8 @@
 //! Recordings read back: time series as arrays that Rust has made and NumPy owns.
 
 use crate::convert::to_python;
-use crate::error::{internal, record};
+use crate::error::{self, internal, record};
+use crate::watch::watched;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -10,6 +11,7 @@ use std::path::PathBuf;
 use tribodyn::Limits;
 use tribodyn_record::wire::Numbers;
 use tribodyn_record::{BallRow, LogRow, Run, SolutionRow, StateRow, WearRow, read_recording_within};
+use tribodyn_report::{Report, ReportOptions};
 
 /// Names, and a row for each time.
 type Series<'py> = (&'static [&'static str], Bound<'py, PyArray2<f64>>);
@@ -38,6 +40,29 @@ pub fn read_recording<'py>(py: Python<'py>, path: PathBuf, no_limits: bool) -> P
     recording.set_item("events", to_python(py, &run.events.iter().map(event).collect::<Vec<_>>())?)?;
     recording.set_item("whole", run.damage.is_none())?;
     Ok(recording)
+}
+
+/// What `summary.json` says, the same for a terminal, and the page.
+type Reported<'py> = (Bound<'py, PyAny>, String, PathBuf);
+
+/// Writes the report of a recording, or of what two of them differ in.
+#[pyfunction]
+pub fn report<'py>(
+    py: Python<'py>,
+    recordings: (PathBuf, Option<PathBuf>),
+    output: PathBuf,
+    against: Option<PathBuf>,
+    force_and_no_limits: (bool, bool),
+) -> PyResult<Reported<'py>> {
+    let (force, no_limits) = force_and_no_limits;
+    let limits = if no_limits { Limits::NONE } else { Limits::NORMAL };
+    let first = recordings.0.clone();
+    let (made, _) = watched(py, None, true, move |_| {
+        let options = ReportOptions { against: against.as_deref(), force };
+        tribodyn_report::report((&recordings.0, recordings.1.as_deref()), &output, options, &limits)
+    })?;
+    let Report { summary, text, page } = made.map_err(|failure| error::report(py, &first, failure))?;
+    Ok((to_python(py, &summary)?, text, page))
 }
 
 /// Single numbers of what has worn off.

@@ -8,7 +8,7 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 22] = [
+const LAYERS: [(&str, &[&str]); 23] = [
     ("tribodyn-contact", &[]),
     ("tribodyn-lubricant", &[]),
     // Nodes and conductances alone.
@@ -113,6 +113,20 @@ const LAYERS: [(&str, &[&str]); 22] = [
             "tribodyn-rating",
             "tribodyn-catalogue",
             "tribodyn-shaft",
+        ],
+    ),
+    // Pages of recordings.
+    (
+        "tribodyn-report",
+        &[
+            "tribodyn",
+            "tribodyn-signal",
+            "tribodyn-bearing",
+            "tribodyn-case",
+            "tribodyn-quasistatic",
+            "tribodyn-record",
+            "tribodyn-plot",
+            "tribodyn-study",
         ],
     ),
 ];

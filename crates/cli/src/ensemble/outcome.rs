@@ -3,8 +3,9 @@
 use super::Answer;
 use crate::failure::Failure;
 use crate::harmless::visible;
-use crate::run::{acceleration, significant};
+use crate::run::significant;
 use crate::table::{number, print_line, print_pairs, print_rows};
+use tribodyn_report::words::acceleration;
 use tribodyn_study::ensemble::{EnsembleReport, Quantiles, Sampling};
 use tribodyn_study::run::{carries_accelerations_of_patch, carries_accelerations_of_scheme};
 

@@ -1,13 +1,10 @@
 //! `tribodyn run`: a transient run, recorded.
 
-mod lines;
 #[cfg(feature = "live")]
 mod live;
 mod outcome;
 mod progress;
 
-pub use lines::shown;
-pub use outcome::acceleration;
 pub use progress::significant;
 
 use crate::failure::Failure;

@@ -1,9 +1,9 @@
 //! The report of a run, as a person reads it.
 
-use super::lines::shown;
 use super::progress::significant;
 use crate::failure::Failure;
 use crate::table::{self, number};
+use tribodyn_report::words::{acceleration, shown};
 use tribodyn_study::run::{CageMotion, RunReport, Summary, imbalance};
 
 /// Prints the report of a run.
@@ -105,8 +105,4 @@ fn solver_rows(r: &RunReport) -> Vec<Row> {
         rows.push(("patch error estimate (of load)", format!("{error:.1e}"), ""));
     }
     rows
-}
-/// Value and unit of an acceleration in a table: only where patch rule and scheme carry it.
-pub fn acceleration(value: String, carried: bool) -> (String, &'static str) {
-    if carried { (value, "m/s²") } else { ("–".to_owned(), "not resolved") }
 }

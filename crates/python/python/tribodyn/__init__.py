@@ -30,7 +30,21 @@ from .ensembles import Dataset, Ensemble, Quantiles, dataset, ensemble
 from .films import ContactFilm, Films, Heat, Oil, Torque, contact_film, film, heat, torque
 from .fmus import Fmu, fmu
 from .procedures import check, hertz, modes, rating_life, solve, stiffness, traction_curve
-from .runs import BallSeries, Recording, Run, Series, SolutionState, States, Worn, identify, life, read_recording, run
+from .runs import (
+    BallSeries,
+    Recording,
+    Report,
+    Run,
+    Series,
+    SolutionState,
+    States,
+    Worn,
+    identify,
+    life,
+    read_recording,
+    report,
+    run,
+)
 from .sets import BearingSet, Pair, PairBearing, Shaft, Sheet, bearing_set, pair, shaft, sheet
 from .signals import Listed, Recovered, Vibration, catalogue, layout, recover, vibration
 from .solution import Ball, Balls, Solution
@@ -130,6 +144,7 @@ __all__ = [
     "Rating",
     "Recording",
     "Recovered",
+    "Report",
     "Run",
     "Series",
     "Shaft",
@@ -172,6 +187,7 @@ __all__ = [
     "rating_life",
     "read_recording",
     "recover",
+    "report",
     "run",
     "shaft",
     "sheet",

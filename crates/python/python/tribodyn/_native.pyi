@@ -1,6 +1,7 @@
 """The compiled half of tribodyn."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -102,6 +103,9 @@ def dataset(
     threads: int,
     progress: Optional[Callable[[float], object]],
 ) -> dict[str, Any]: ...
+def report(
+    recordings: tuple[str, Optional[str]], output: str, against: Optional[str], force_and_no_limits: tuple[bool, bool]
+) -> tuple[dict[str, Any], str, Path]: ...
 def recorded_names() -> dict[str, list[str]]: ...
 def merge_tables(tables: list[str], output: str, force: bool) -> tuple[int, int, int]: ...
 

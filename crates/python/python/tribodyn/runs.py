@@ -423,3 +423,48 @@ def read_recording(path: PathLike, *, limits: bool = True) -> Recording:
     ``limits=False`` lifts the bound on the memory that its numbers may take.
     """
     return Recording(path, _native.read_recording(os.fspath(path), not limits))
+
+
+class Report(Comparable):
+    """A report that was written."""
+
+    #: the page
+    page: str
+    #: its numbers, as ``summary.json`` has them
+    summary: dict[str, Any]
+    #: the same for a terminal
+    text: str
+
+    def __init__(self, summary: dict[str, Any], text: str, page: str) -> None:
+        self.summary = summary
+        self.text = text
+        self.page = page
+
+    def __repr__(self) -> str:
+        return f"Report({self.page!r})"
+
+
+def report(
+    recording: PathLike,
+    output: PathLike,
+    *,
+    other: Optional[PathLike] = None,
+    against: Optional[PathLike] = None,
+    force: bool = False,
+    limits: bool = True,
+) -> Report:
+    """Writes figures, spectra and a summary of a recorded run or solution, or what two recordings differ in.
+
+    Args:
+        recording: recording of a run or a solution (MCAP), whole or not
+        output: folder for ``report.html``, ``summary.md``, ``summary.json``, ``foxglove-layout.json`` and the figures
+        other: a second recording, with which the first one is compared
+        against: published or measured figures to set beside those of a run: a CSV file with the columns id, quantity,
+            published, tolerance, source; a quantity is a field of ``summary.json``
+        force: replace files that tribodyn did not write
+        limits: ``False`` lifts the bound on the memory that the recordings may take
+    """
+    recordings = (os.fspath(recording), None if other is None else os.fspath(other))
+    figures = None if against is None else os.fspath(against)
+    summary, text, page = _native.report(recordings, os.fspath(output), figures, (force, not limits))
+    return Report(summary, text, os.fspath(page))

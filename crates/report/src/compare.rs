@@ -4,9 +4,9 @@ use super::content::Content;
 use super::page_table::Table;
 use super::values::CaseValue;
 use super::{Answer, Evaluated, Kind, compare_figures, opening};
-use crate::failure::Failure;
-use crate::run::shown;
-use crate::table::number;
+use crate::ReportError;
+use crate::words::number;
+use crate::words::shown;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tribodyn_plot::Figure;
@@ -65,7 +65,7 @@ impl Difference {
 }
 
 /// Both recordings beside each other, with curves over each other.
-pub fn compared(a: &Evaluated, b: &Evaluated) -> Result<(Comparison, Content, Vec<Figure>), Failure> {
+pub fn compared(a: &Evaluated, b: &Evaluated) -> Result<(Comparison, Content, Vec<Figure>), ReportError> {
     let mut notes = Vec::new();
     let figures = compare_figures::figures(a, b, &mut notes)?;
     let mut warnings = Vec::new();

@@ -2,7 +2,7 @@
 //! come by.
 
 use super::live::{Kind, Live, LiveMark, Plan, View};
-use crate::failure::Failure;
+use crate::ReportError;
 use tribodyn_plot::{Axis, Figure, History, LineChart, Mark, Panel, PlotError, Samples, SpectrumView, spectrum_chart};
 use tribodyn_record::{Run, StateRow};
 use tribodyn_signal::{BearingFrequencies, Spectrum, Window, envelope_spectrum};
@@ -29,7 +29,7 @@ pub fn figures(
     frequencies: &BearingFrequencies,
     notes: &mut Vec<String>,
     live: &mut Live,
-) -> Result<Vec<Figure>, Failure> {
+) -> Result<Vec<Figure>, ReportError> {
     let from = run.states.partition_point(|row| row.time_s < summary.averaged_from_s);
     let half = match half(&run.states[from..]) {
         Ok(half) => half,

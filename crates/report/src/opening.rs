@@ -3,7 +3,7 @@
 use super::Answer;
 use super::page_table::Table;
 use super::values::readable;
-use crate::table::number;
+use crate::words::number;
 use tribodyn::CaseFile;
 use tribodyn_case::locate;
 use tribodyn_record::Run;

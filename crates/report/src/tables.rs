@@ -2,8 +2,8 @@
 
 use super::Answer;
 use super::page_table::Table;
-use crate::run::acceleration;
-use crate::table::number;
+use crate::words::acceleration;
+use crate::words::number;
 use tribodyn_record::Run;
 use tribodyn_signal::BearingFrequencies;
 use tribodyn_study::evaluation::facts::Rolling;

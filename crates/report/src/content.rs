@@ -5,8 +5,8 @@ use super::opening;
 use super::page_table::Table;
 use super::tables;
 use super::values::CaseValue;
-use crate::run::shown;
-use crate::table::number;
+use crate::words::number;
+use crate::words::shown;
 use tribodyn::CaseFile;
 use tribodyn_record::{Damage, Run};
 

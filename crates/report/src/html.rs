@@ -7,11 +7,11 @@ use super::page_table::Table;
 use tribodyn_plot::Figure;
 
 /// Light and dark; colours carry no meaning that words do not carry too.
-const STYLE: &str = include_str!("../../assets/report/page.css");
-const SCRIPT: &str = include_str!("../../assets/report/page.js");
-const UPLOT: &str = include_str!("../../assets/uplot/uPlot.iife.min.js");
-const UPLOT_STYLE: &str = include_str!("../../assets/uplot/uPlot.min.css");
-const UPLOT_LICENCE: &str = include_str!("../../assets/uplot/LICENSE");
+const STYLE: &str = include_str!("../assets/report/page.css");
+const SCRIPT: &str = include_str!("../assets/report/page.js");
+const UPLOT: &str = include_str!("../assets/uplot/uPlot.iife.min.js");
+const UPLOT_STYLE: &str = include_str!("../assets/uplot/uPlot.min.css");
+const UPLOT_LICENCE: &str = include_str!("../assets/uplot/LICENSE");
 
 /// The figures beside the first results: the bearing, and the loads round it.
 const LEADING: [&str; 3] = ["bearing", "orbit-load", "contact-loads"];

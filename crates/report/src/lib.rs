@@ -1,4 +1,4 @@
-//! `tribodyn report`: figures, spectra and a summary of a recorded run or solution, or what two of them differ in.
+#![doc = include_str!("../README.md")]
 
 mod compare;
 mod compare_figures;
@@ -14,18 +14,15 @@ mod solution;
 mod spectra;
 mod tables;
 mod values;
+pub mod words;
 
-use crate::drawn;
-use crate::failure::Failure;
-use crate::input::{LimitArguments, ReplaceArguments};
-use crate::table;
 use content::Content;
 use live::Live;
 use serde::Serialize;
 use solution::SolutionAnswer;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
-use tribodyn::{CaseFile, Limits};
+use tribodyn::{AnswerError, CaseFile, Limits};
 use tribodyn_plot::Figure;
 use tribodyn_record::{Damage, RecordError, Run, read_recording_within};
 use tribodyn_signal::BearingFrequencies;
@@ -36,31 +33,53 @@ use tribodyn_study::run::{KnownAtEnd, KnownAtStart, Summary, carries_acceleratio
 use tribodyn_study::{StagedFiles, StudyError};
 use values::CaseValue;
 
-/// Make figures, spectra and a summary of a recorded run or solution, or compare two recordings.
-#[derive(clap::Args)]
-pub struct Arguments {
-    /// Recording of `run` or `solve -o`, whole or not: RUN.mcap or RUN.mcap.active. Two of them are compared
-    #[arg(value_name = "RUN.mcap", required = true, num_args = 1..=2)]
-    recordings: Vec<PathBuf>,
-    /// Folder for report.html, summary.md, summary.json, foxglove-layout.json and the figures (SVG and PNG)
-    #[arg(short, long, value_name = "DIR")]
-    output: PathBuf,
-    #[command(flatten)]
-    replace: ReplaceArguments,
-    #[command(flatten)]
-    limits: LimitArguments,
-    /// Published or measured figures to set beside those of a run: a CSV file with the columns
-    /// id,quantity,published,tolerance,source; a quantity is a field of summary.json
-    #[arg(long, value_name = "FIGURES.csv")]
-    against: Option<PathBuf>,
-    /// Print the summary as JSON, and nothing else, to standard output
-    #[arg(long)]
-    json: bool,
+/// Wide enough for a page at 200 dots per inch.
+const PNG_WIDTH: u32 = 1600;
+
+/// Why a report is not made.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// A recording without anything to report, an argument that is refused, a file that cannot be read or written.
+    #[error(transparent)]
+    Study(#[from] StudyError),
+    /// A recording that cannot be read.
+    #[error(transparent)]
+    Record(#[from] RecordError),
+    /// Signals that cannot be evaluated.
+    #[error(transparent)]
+    Signal(#[from] tribodyn_signal::SignalError),
+    /// A figure that cannot be drawn.
+    #[error(transparent)]
+    Plot(#[from] tribodyn_plot::PlotError),
+    /// Numbers that cannot be written as JSON.
+    #[error("cannot write JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// How a report is made.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct ReportOptions<'a> {
+    /// Published or measured figures to set beside those of a run: a CSV file with the columns id, quantity,
+    /// published, tolerance, source.
+    pub against: Option<&'a Path>,
+    /// True if files of somebody else are replaced.
+    pub force: bool,
+}
+
+/// A report that was written.
+#[derive(Debug, Clone)]
+pub struct Report {
+    /// What `summary.json` says.
+    pub summary: serde_json::Value,
+    /// The same for a terminal.
+    pub text: String,
+    /// The page.
+    pub page: PathBuf,
 }
 
 /// What `summary.json` and `--json` say of a run.
 #[derive(Debug, Serialize)]
-pub struct Answer {
+pub(crate) struct Answer {
     recording: PathBuf,
     bearing: String,
     generator: String,
@@ -108,7 +127,7 @@ impl Answer {
 }
 
 /// A recording, evaluated.
-pub struct Evaluated {
+pub(crate) struct Evaluated {
     run: Run,
     case: Option<CaseFile>,
     kind: Kind,
@@ -118,48 +137,65 @@ pub struct Evaluated {
 }
 
 /// What a recording is of, with its numbers.
-pub enum Kind {
+pub(crate) enum Kind {
     Run(Box<Answer>),
     Solution(Box<SolutionAnswer>),
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let limits = arguments.limits.limits();
-    let (answer, content, figures, live, layout) = match arguments.recordings.as_slice() {
-        [a, b] => {
-            if let Some(path) = &arguments.against {
-                let message = "figures are set beside one recording, not beside two".to_owned();
-                return Err(Failure::Option { option: "against", value: path.display().to_string(), message });
-            }
-            let (answer, content, figures) =
-                compare::compared(&Evaluated::read(a, &limits)?, &Evaluated::read(b, &limits)?)?;
+/// Writes figures, spectra and a summary of a recorded run or solution into a folder: `report.html`, `summary.md`,
+/// `summary.json`, `foxglove-layout.json` and the figures as SVG and PNG. With a second recording: what they differ in.
+///
+/// # Errors
+/// [`ReportError`]; then nothing is written.
+pub fn report(
+    (recording, other): (&Path, Option<&Path>),
+    output: &Path,
+    options: ReportOptions<'_>,
+    limits: &Limits,
+) -> Result<Report, ReportError> {
+    let (summary, content, figures, live, layout) = match (other, options.against) {
+        (Some(_), Some(path)) => {
+            let message = "figures are set beside one recording, not beside two";
+            return Err(StudyError::from(AnswerError::argument("against", path.display(), message)).into());
+        }
+        (Some(other), None) => {
+            let both = (Evaluated::read(recording, limits)?, Evaluated::read(other, limits)?);
+            let (answer, content, figures) = compare::compared(&both.0, &both.1)?;
             (serde_json::to_value(&answer)?, content, figures, Live::default(), None)
         }
-        recordings => {
-            let mut evaluated = Evaluated::read(&recordings[0], &limits)?;
-            let (answer, content) = evaluated.say(arguments.against.as_deref(), &limits)?;
+        (None, against) => {
+            let mut evaluated = Evaluated::read(recording, limits)?;
+            let (answer, content) = evaluated.say(against, limits)?;
             (answer, content, evaluated.figures, evaluated.live, evaluated.run.layout_text)
         }
     };
-    let mut staged = StagedFiles::new(&arguments.output, arguments.replace.force)?;
-    staged.write("report.html".to_owned(), html::page(&content, &figures, &live)?.as_bytes())?;
+    let mut staged = StagedFiles::new(output, options.force)?;
+    staged.write(PAGE.to_owned(), html::page(&content, &figures, &live)?.as_bytes())?;
     staged.write("summary.md".to_owned(), markdown::page(&content, &figures).as_bytes())?;
-    staged.write("summary.json".to_owned(), format!("{}\n", serde_json::to_string_pretty(&answer)?).as_bytes())?;
+    staged.write("summary.json".to_owned(), format!("{}\n", serde_json::to_string_pretty(&summary)?).as_bytes())?;
     if let Some(layout) = layout {
         staged.write("foxglove-layout.json".to_owned(), layout.as_bytes())?;
     }
-    figures.iter().try_for_each(|figure| drawn::stage(&mut staged, figure))?;
+    figures.iter().try_for_each(|figure| stage(&mut staged, figure))?;
     staged.publish()?;
-    if arguments.json {
-        return table::print_json(&answer);
-    }
-    table::print_line(&markdown::plain(&content))?;
-    table::print_line(&format!("report: {}", arguments.output.join("report.html").display()))
+    Ok(Report { summary, text: markdown::plain(&content), page: output.join(PAGE) })
+}
+
+/// Name of the page.
+const PAGE: &str = "report.html";
+
+/// Writes a figure as SVG and PNG, which get their names with the other files.
+///
+/// # Errors
+/// A figure that cannot be drawn, a file that cannot be written.
+pub fn stage(staged: &mut StagedFiles, figure: &Figure) -> Result<(), ReportError> {
+    staged.write(format!("{}.svg", figure.name), figure.svg().as_bytes())?;
+    Ok(staged.write(format!("{}.png", figure.name), &figure.png(PNG_WIDTH)?)?)
 }
 
 impl Evaluated {
     /// Reads and evaluates a recording; one that is neither of a run nor of a solution is refused.
-    fn read(path: &Path, limits: &Limits) -> Result<Self, Failure> {
+    fn read(path: &Path, limits: &Limits) -> Result<Self, ReportError> {
         let foreign = |source| StudyError::NoRecording { source: Box::new(source) };
         let run = match read_recording_within(path, limits.recording_bytes) {
             Err(RecordError::NothingToRecover { .. }) => return Err(StudyError::NoRun { path: path.to_owned() }.into()),
@@ -196,7 +232,7 @@ impl Evaluated {
     }
 
     /// The report of this recording alone.
-    fn say(&mut self, against: Option<&Path>, limits: &Limits) -> Result<(serde_json::Value, Content), Failure> {
+    fn say(&mut self, against: Option<&Path>, limits: &Limits) -> Result<(serde_json::Value, Content), ReportError> {
         let case = self.case.as_ref();
         match &mut self.kind {
             Kind::Run(answer) => {
@@ -226,7 +262,7 @@ fn evaluate(
     run: &Run,
     summary: Summary,
     (case, case_values): (Option<&CaseFile>, Vec<CaseValue>),
-) -> Result<(Answer, Vec<Figure>, Live), Failure> {
+) -> Result<(Answer, Vec<Figure>, Live), ReportError> {
     let summary = case.iter().fold(summary, |summary, file| summary.judged(&file.case));
     let (known, outcome) = (KnownAtStart::read(run), KnownAtEnd::read(run));
     let from_s = summary.averaged_from_s;

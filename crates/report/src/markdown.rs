@@ -2,7 +2,7 @@
 
 use super::content::Content;
 use super::page_table::Table;
-use crate::harmless::visible;
+use crate::words::visible;
 use tribodyn_plot::Figure;
 
 /// `summary.md`.

@@ -4,9 +4,9 @@ use super::content::{Content, damage, values};
 use super::page_table::Table;
 use super::values::CaseValue;
 use super::{figures, tables};
-use crate::failure::Failure;
-use crate::run::shown;
-use crate::table::number;
+use crate::ReportError;
+use crate::words::number;
+use crate::words::shown;
 use serde::{Serialize, Serializer};
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -75,7 +75,7 @@ pub fn evaluate(
     run: &Run,
     row: &SolutionRow,
     (case, case_values): (Option<&CaseFile>, Vec<CaseValue>),
-) -> Result<(SolutionAnswer, Vec<Figure>), Failure> {
+) -> Result<(SolutionAnswer, Vec<Figure>), ReportError> {
     let solution = solved(run, row);
     let mut figures: Vec<Figure> = figures::bearing(run, solution.ring_load_n).into_iter().collect();
     figures.extend(tribodyn_plot::solution_figures(&[("solution", &solution)], &[])?);

@@ -238,7 +238,7 @@ mod tests {
 
     #[test]
     fn regress_every_value_of_a_case_has_its_unit_and_nearest_source() {
-        let text = include_str!("../../../../fixtures/cases/paper-ag-defect.ron");
+        let text = include_str!("../../../fixtures/cases/paper-ag-defect.ron");
         let case = Case::from_ron(text).unwrap();
         let found = all(text, &case);
         let of = |path: &str| {
