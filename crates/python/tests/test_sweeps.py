@@ -37,6 +37,25 @@ def test_identity_rows_are_those_of_the_command(
     assert "10 rows" in repr(rows) and "ring.z.Force" in rows._repr_html_()
 
 
+def test_identity_a_grid_is_a_cube_with_a_dimension_for_each_path(plain: Case) -> None:
+    rows = tribodyn.sweep(plain, {**GRID, "geometry.fit.ContactAngle": deg([38, 40])}, model="jones-harris")
+    cube = rows.to_xarray()
+    assert dict(cube.sizes) == {
+        "ring.z.Force [kN]": 5,
+        "speed.inner.Constant [rpm]": 2,
+        "geometry.fit.ContactAngle [deg]": 2,
+    }
+    for row in range(len(rows)):
+        place = {name: rows[name][row] for name in rows.swept}
+        assert float(cube.cage_speed_rpm.sel(place)) == rows.cage_speed_rpm[row]
+        assert int(cube.row.sel(place)) == rows.row[row] and bool(cube.converged.sel(place)) == rows.converged[row]
+    drawn = tribodyn.latin_hypercube(
+        {"ring.z.Force": ("kN", (2.0, 3.0)), "speed.inner.Constant": ("rpm", (3000, 6000))}, 4, seed=1
+    )
+    with pytest.raises(InputError, match="rows of a grid"):
+        tribodyn.sweep(plain, samples=drawn, model="jones-harris", progress=False).to_xarray()
+
+
 @pytest.mark.parametrize("ending", ["csv", "parquet"])
 def test_identity_tables_and_their_shards_hold_the_rows_of_memory(plain: Case, tmp_path: Path, ending: str) -> None:
     values = {"ring.z.Force": "kN(1..3 in 20)"}

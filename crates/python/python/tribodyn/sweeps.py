@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
@@ -21,6 +22,7 @@ from .units import Quantity, Unit
 
 if TYPE_CHECKING:
     import pandas as pd
+    import xarray as xr
     from matplotlib.axes import Axes
 
 PathLike = Union[str, os.PathLike[str]]
@@ -94,6 +96,29 @@ class Sweep(SweepColumns, Comparable, _plots.Pictured):
 
         frame: pd.DataFrame = pandas.DataFrame(self._columns).set_index("row", drop=False).rename_axis(None)
         return frame
+
+    def to_xarray(self) -> xr.Dataset:
+        """The columns as arrays with one dimension for each swept value: the sweep as an n-dimensional cube.
+
+        An :class:`InputError` where the rows are no grid, as those of samples are not.
+        """
+        import xarray
+
+        values = {name: list(dict.fromkeys(np.asarray(self[name]).tolist())) for name in self.swept}
+        shape = tuple(len(steps) for steps in values.values())
+        places: NDArray[np.intp] = np.zeros(len(self), dtype=np.intp)
+        for name, steps in values.items():
+            place_of = {value: place for place, value in enumerate(steps)}
+            there = [place_of[value] for value in np.asarray(self[name]).tolist()]
+            places = places * len(steps) + np.array(there, dtype=np.intp)
+        if len(self) != math.prod(shape) or len(np.unique(places)) != len(self):
+            allowed = "allowed are the rows of a grid: each value of a path with each of the others"
+            message = f"{len(self)} rows over {', '.join(values)}: {allowed}; to_pandas() has them"
+            raise InputError(message, path="swept", value=", ".join(values), allowed=allowed)
+        order = np.argsort(places)
+        columns = [name for name in self.names if name not in values]
+        arrays = {name: (list(values), np.asarray(self[name])[order].reshape(shape)) for name in columns}
+        return xarray.Dataset(arrays, coords=values)
 
     def __repr__(self) -> str:
         implausible = f", {self.implausible_rows} implausible" if self.implausible_rows else ""
