@@ -16,6 +16,8 @@ mod ensemble;
 mod files;
 #[path = "cli/findings.rs"]
 mod findings;
+#[path = "cli/fmu.rs"]
+mod fmu;
 #[path = "cli/implausible.rs"]
 mod implausible;
 #[path = "cli/life.rs"]
