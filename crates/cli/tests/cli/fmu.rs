@@ -44,7 +44,7 @@ fn limit_what_makes_no_fmu_is_refused_and_nothing_written() {
     fmu(&scratch, &[&"--set", &wave]).fails(2, &["angular-7210.ron", "`deviations`"]);
     fmu(&scratch, &[&"--set", &"geometry.ball_count=0"]).fails(2, &["geometry.ball_count"]);
     assert!(scratch.names().is_empty(), "{:?}", scratch.names());
-    let case = scratch.file("case.ron", &fs::read_to_string(fixture("angular-7210.ron")).unwrap());
+    let case = scratch.file("case.ron", fs::read_to_string(fixture("angular-7210.ron")).unwrap());
     run(&[&"fmu", &case, &"-o", &case, &"--force"]).fails(2, &["would replace the case file"]);
     let theirs = scratch.file("bearing.fmu", "somebody's");
     fmu(&scratch, &[&"--no-compile"]).fails(2, &["not an FMU that tribodyn wrote", "--force"]);
