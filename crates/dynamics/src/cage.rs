@@ -7,7 +7,6 @@ use crate::machine::Machine;
 use crate::sample::FreeCageSample;
 use tribodyn_bearing::{
     AzimuthFrame, CagePose, FREE_CAGE, FreeCage, InPocket, LandLoad, PocketLoad, PocketMotion, Races, Side, Wrench,
-    quaternion_rate,
 };
 
 /// Angle (rad) and speed (rad/s) of a cage, and where it is, if it is free.
@@ -177,38 +176,6 @@ impl Machine {
         for side in Side::BOTH {
             f.torque[side] += lands.drive[side];
         }
-    }
-
-    /// Adds the reaction of a pocket on a free cage.
-    pub fn react_on_cage(&self, frame: &Frame, (load, b): (&PocketLoad, &[f64]), on_cage: &mut Wrench) {
-        if let Some(pose) = &frame.free_cage {
-            on_cage.react(pose, load, (AzimuthFrame::at(b[AZIMUTH]), self.ball_place(b)));
-        }
-    }
-
-    /// Velocities of a free cage but that about Z after a time (s) under the balls' force and moment.
-    pub fn push_free_cage(&self, y: &mut [f64], (frame, wrench): (&Frame, &Wrench), h: f64) {
-        let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) else { return };
-        let ([x, y_, z], [about_x, about_y, about_z]) = cage.response(pose, wrench, self.cage.inertia);
-        let by = [about_z, x, y_, z, about_x, about_y];
-        self.layout.velocities_of_cage().zip(by).for_each(|(k, by)| y[k] += h * by);
-    }
-
-    /// Position and quaternion of a free cage after a time, s: by the rate in the middle, which keeps the length to the
-    /// fourth order.
-    pub fn glide_free_cage(&self, y: &mut [f64], h: f64) {
-        if self.free_cage.is_none() {
-            return;
-        }
-        let (speed, at) = (y[self.layout.cage() + 1], self.layout.free());
-        let [x, v, omega, q] = [0, 3, 6, 8].map(|part| at.start + part);
-        (0..3).for_each(|k| y[x + k] += h * y[v + k]);
-        let omega = [y[omega], y[omega + 1], speed];
-        let now: [f64; 4] = std::array::from_fn(|k| y[q + k]);
-        let first = quaternion_rate(omega, now);
-        let middle = std::array::from_fn(|k| now[k] + 0.5 * h * first[k]);
-        let rate = quaternion_rate(omega, middle);
-        (0..4).for_each(|k| y[q + k] += h * rate[k]);
     }
 
     /// A free cage in a sample.

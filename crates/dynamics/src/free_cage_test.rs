@@ -203,3 +203,27 @@ fn identity_the_fast_scheme_has_the_same_cage() {
     }
     assert!((speed[1] - speed_of_fast[1]).abs() < 1e-3 * speed[1].abs(), "{speed:?} {speed_of_fast:?}");
 }
+
+/// A cage of 0.33 kg that is pressed with 6.6 kN into oil: its film settles within some ns, and steps of 2 µs go where
+/// steps of 0.25 µs go.
+#[test]
+fn limit_a_thin_film_does_not_bound_the_step_of_the_fast_scheme() {
+    let changes = [
+        ("cage.free.gravity", "(m_per_s2(20000), m_per_s2(0), m_per_s2(0))"),
+        ("cage.free.lands[0].film.viscosity", "mPa_s(100)"),
+        ("cage.free.lands[0].film.fill", "1"),
+        ("cage.pocket_gap", "mm(0.5)"),
+    ];
+    let case = case("Cylinder", "0.2", &changes);
+    let end = |h: f64, steps: u32| {
+        let (mut machine, mut state) = machine(&case);
+        run(&Scheme::Fast, (&mut machine, &mut state), h, steps);
+        let frame = machine.frame(h * f64::from(steps), &state);
+        (frame.free_cage.unwrap().centre, machine.lands(&frame).force.outer)
+    };
+    let ([x, y, _], force) = end(2e-6, 300);
+    let ([exact_x, exact_y, _], exact) = end(0.25e-6, 2400);
+    assert!(exact[0] < -2000.0, "{exact:?}");
+    assert!((x - exact_x).hypot(y - exact_y) < 2e-6, "{x:e} {y:e}, {exact_x:e} {exact_y:e}");
+    assert!((force[0] - exact[0]).hypot(force[1] - exact[1]) < 0.1 * exact[0].abs(), "{force:?} {exact:?}");
+}

@@ -15,7 +15,9 @@ type Line = (&'static str, fn(&StateRow) -> f64);
 type Plan = (&'static str, &'static str, &'static str, &'static [Line]);
 
 /// Name and title of a figure with its panels.
-const HISTORIES: [(&str, &str, &[Plan]); 6] = [
+type Histories = (&'static str, &'static str, &'static [Plan]);
+
+const HISTORIES: [Histories; 6] = [
     (
         "cage-speed",
         "Cage speed and orbital speeds of the balls",
@@ -98,6 +100,26 @@ const HISTORIES: [(&str, &str, &[Plan]); 6] = [
     ),
 ];
 
+/// Of a cage that is free to move.
+const CAGE: Histories = (
+    "cage-motion",
+    "Centre, tilt and lands of the cage",
+    &[
+        ("Centre", "Displacement", "µm", &[("X", |r| r.cage_x_um), ("Y", |r| r.cage_y_um), ("Z", |r| r.cage_z_um)]),
+        ("Tilt", "Tilt", "mrad", &[("about X", |r| r.cage_tilt_x_mrad), ("about Y", |r| r.cage_tilt_y_mrad)]),
+        (
+            "Force of the lands",
+            "Force",
+            "N",
+            &[
+                ("inner ring", |r| r.land_inner_x_n.hypot(r.land_inner_y_n)),
+                ("outer ring", |r| r.land_outer_x_n.hypot(r.land_outer_y_n)),
+            ],
+        ),
+        ("Smallest gap at the lands", "Gap", "µm", &[("gap", |r| r.land_gap_um)]),
+    ],
+);
+
 /// Part of the loads on the ring above which their resultant across the axis has a direction.
 const DIRECTED: f64 = 1e-3;
 
@@ -158,7 +180,8 @@ pub fn histories(
     let from = time.partition_point(|t| *t < summary.averaged_from_s);
     let steady = if time.len() - from < FEWEST { 0 } else { from };
     let mut figures = Vec::new();
-    for (name, title, plans) in &HISTORIES {
+    let cage = run.states.iter().any(|row| row.cage_free).then_some(&CAGE);
+    for (name, title, plans) in HISTORIES.iter().chain(cage) {
         let values: Values =
             plans.iter().map(|(.., lines)| lines.iter().map(|(_, get)| rows(run, *get)).collect()).collect();
         let greatest: Vec<(&str, f64)> = plans

@@ -9,7 +9,7 @@ use tribodyn_signal::BearingFrequencies;
 use tribodyn_study::evaluation::facts::Rolling;
 use tribodyn_study::evaluation::published::Compared;
 use tribodyn_study::evaluation::quantities::{Quantities, Values};
-use tribodyn_study::run::{Summary, imbalance};
+use tribodyn_study::run::{CageMotion, Summary, imbalance};
 
 fn row(name: &str, value: String, unit: &str) -> Vec<String> {
     vec![name.to_owned(), value, unit.to_owned()]
@@ -37,6 +37,7 @@ pub fn results(answer: &Answer) -> Table {
         row("Impacts on pockets, whole run", s.impacts.to_string(), ""),
         row("Fewest balls in contact, whole run", s.balls_in_contact_min.to_string(), ""),
     ];
+    rows.extend(s.cage.iter().flat_map(cage));
     rows.insert(1, row("Cage speed at the start", number(s.cage_speed_start_rpm, 3), "r/min"));
     let text = format!(
         "Means and extremes from {} to {} s. Rms and peak are about the mean. {}",
@@ -52,6 +53,24 @@ pub fn results(answer: &Answer) -> Table {
         numbers: 1..2,
         wide: false,
     }
+}
+
+/// Of a cage that is free to move.
+fn cage(c: &CageMotion) -> Vec<Vec<String>> {
+    let pair = |a: f64, b: f64, digits| format!("{} / {}", number(a, digits), number(b, digits));
+    let mut rows = vec![
+        row("Cage", c.sentence(), ""),
+        row("Cage centre, mean X / Y", pair(c.mean_x_um, c.mean_y_um, 2), "µm"),
+        row("Cage centre about it, rms / largest", pair(c.radius_rms_um, c.radius_max_um, 2), "µm"),
+    ];
+    if let (Some(ratio), Some(spread)) = (c.whirl_ratio, c.whirl_ratio_spread) {
+        rows.push(row("Whirl over cage speed / spread", pair(ratio, spread, 3), ""));
+    }
+    rows.push(row("Largest tilt of the cage", number(c.tilt_max_mrad, 3), "mrad"));
+    let forces = pair(c.land_force_inner_max_n, c.land_force_outer_max_n, 2);
+    rows.push(row("Largest land force, inner / outer", forces, "N"));
+    rows.push(row("Smallest land gap", number(c.land_gap_min_um, 2), "µm"));
+    rows
 }
 
 pub fn powers(s: &Summary) -> Table {

@@ -212,11 +212,9 @@ pub(super) fn drift_acceleration<E: Equations>(
             }
         }
     }
-    let bodies = machine.bodies(t, &frame, &sums);
-    a[l.cage() + 1] = bodies.cage;
-    if let Some(rates) = &bodies.free_cage {
-        a[l.free()].copy_from_slice(rates);
-    }
+    // All that acts on a free cage is in the kick.
+    let bodies = machine.bodies(t, &Frame { free_cage: None, ..frame }, &sums);
+    a[l.cage() + 1] = if l.free_cage { 0.0 } else { bodies.cage };
     a[l.inner() + 3..l.inner() + 6].copy_from_slice(&bodies.inner);
     a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);
 }

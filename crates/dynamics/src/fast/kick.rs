@@ -55,8 +55,10 @@ impl Fast {
             dispatch!(scratch.level, _simd => follow(balls, predicted, at, &mut reaction));
             (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
         }
+        let lands = machine.kick_free_cage(y, (&frame, &on_cage.1), h);
+        let ([x, y_, z], [outer_x, outer_y, _]) = (lands.inner, lands.outer);
+        on_rings -= Vector5::new(x, y_, z, outer_x, outer_y);
         push_bodies(machine, y, (&on_rings, on_cage.0), h);
-        machine.push_free_cage(y, (&frame, &on_cage.1), h);
     }
 
     /// Memory for the balls; the linear forms by lanes follow from those by balls.

@@ -32,6 +32,7 @@
 //! Sources: splitting, Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, chapters II.5 and VIII.4
 //! (impulse method); H. H. Rosenbrock, Comput. J. 5 (1963) 329, doi:10.1093/comjnl/5.4.329.
 
+mod cage;
 mod drift;
 mod friction;
 mod grip;

@@ -4,6 +4,7 @@ mod case;
 mod chunks;
 mod content;
 mod file;
+mod free_cage;
 mod layout;
 #[cfg(feature = "live")]
 mod live;

@@ -1,0 +1,134 @@
+//! A free cage in the fast scheme: the drift moves it on, the kick has all that acts on it. A thin film is as stiff as
+//! friction, and like it linearly implicit, with the method of the kick: v ← v + H R(H A) f(v), A = ∂f/∂v by
+//! differences. Weight and film, or weight and an edge, are in one f, so that what settles within a step settles where
+//! they balance.
+
+use crate::equations::Frame;
+use crate::layout::AZIMUTH;
+use crate::machine::Machine;
+use nalgebra::{Matrix6, Vector6};
+use std::f64::consts::FRAC_1_SQRT_2;
+use tribodyn_bearing::{AzimuthFrame, CagePose, FreeCage, PocketLoad, Races, RingState, Side, Wrench, quaternion_rate};
+
+/// γ of the kick's method, 1 − 1/√2.
+const GAMMA: f64 = 1.0 - FRAC_1_SQRT_2;
+/// Change of a velocity (m/s) for difference quotients, and of an angular velocity, rad/s: a film is linear between
+/// the signs of its velocities.
+const CHANGES: [f64; 2] = [1e-6, 1e-4];
+
+/// A cage at a position, with the force and moment of its balls.
+struct Kicked<'a> {
+    machine: &'a Machine,
+    cage: &'a FreeCage,
+    pose: &'a CagePose,
+    rings: &'a Races<RingState>,
+    of_balls: &'a Wrench,
+}
+
+impl Kicked<'_> {
+    /// The pose with its velocities changed.
+    fn moving(&self, by: &Vector6<f64>) -> CagePose {
+        let mut pose = *self.pose;
+        for k in 0..3 {
+            pose.velocity[k] += by[k];
+            pose.omega[k] += by[3 + k];
+        }
+        pose
+    }
+
+    /// Force and moment of one ring's lands.
+    fn of(&self, side: Side, pose: &CagePose) -> Wrench {
+        let mut sum = Wrench::default();
+        for land in self.cage.lands.iter().filter(|land| land.side == side) {
+            let Wrench { force, moment } = land.load(pose, &self.rings[side]).on_cage;
+            sum.add_at([0.0; 3], force, moment);
+        }
+        sum
+    }
+
+    fn accelerations(&self, by: &Vector6<f64>) -> Vector6<f64> {
+        let pose = self.moving(by);
+        let mut wrench = *self.of_balls;
+        for side in Side::BOTH {
+            let Wrench { force, moment } = self.of(side, &pose);
+            wrench.add_at([0.0; 3], force, moment);
+        }
+        let body = &self.machine.cage;
+        let speeds = Races { inner: self.rings.inner.speed, outer: self.rings.outer.speed };
+        wrench.moment[2] += body.fluid_torques(pose.omega[2], speeds).into_iter().sum::<f64>();
+        let (rates, about_z) = self.cage.rates(&pose, &wrench, body.inertia);
+        let [_, _, _, x, y, z, about_x, about_y, ..] = rates;
+        Vector6::new(x, y, z, about_x, about_y, about_z)
+    }
+
+    /// Changes of velocity and angular velocity over `h`.
+    fn change(&self, h: f64) -> Vector6<f64> {
+        let f = self.accelerations(&Vector6::zeros());
+        let mut matrix = Matrix6::identity();
+        for column in 0..6 {
+            let size = CHANGES[column / 3];
+            let mut by = Vector6::zeros();
+            by[column] = size;
+            let slope = (self.accelerations(&by) - f) / size;
+            let mut slot = matrix.column_mut(column);
+            slot -= slope * (GAMMA * h);
+        }
+        // Films and edges only take power: the matrix has an inverse.
+        let Some(inverse) = matrix.try_inverse() else { return f * h };
+        let once = inverse * f;
+        (once * GAMMA + inverse * once * (1.0 - GAMMA)) * h
+    }
+}
+
+impl Machine {
+    /// Adds the reaction of a pocket on a free cage.
+    pub(super) fn react_on_cage(&self, frame: &Frame, (load, b): (&PocketLoad, &[f64]), on_cage: &mut Wrench) {
+        if let Some(pose) = &frame.free_cage {
+            on_cage.react(pose, load, (AzimuthFrame::at(b[AZIMUTH]), self.ball_place(b)));
+        }
+    }
+
+    /// Velocities of a free cage after a time (s) under all that acts on it. Returns the mean forces of the lands of
+    /// either ring on it, N.
+    pub(super) fn kick_free_cage(
+        &self,
+        y: &mut [f64],
+        (frame, of_balls): (&Frame, &Wrench),
+        h: f64,
+    ) -> Races<[f64; 3]> {
+        let none = Races { inner: [0.0; 3], outer: [0.0; 3] };
+        let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) else { return none };
+        let kicked = Kicked { machine: self, cage, pose, rings: &frame.rings, of_balls };
+        let change = kicked.change(h);
+        let order = [5, 0, 1, 2, 3, 4];
+        self.layout.velocities_of_cage().zip(order).for_each(|(k, of)| y[k] += change[of]);
+        // What the lands gave the cage, the rings get back to the last digit.
+        let all = [0, 1, 2].map(|k| cage.mass * (change[k] / h - cage.gravity[k]) - of_balls.force[k]);
+        match Side::BOTH.map(|side| cage.lands.iter().any(|land| land.side == side)) {
+            [false, false] => none,
+            [true, false] => Races { inner: all, ..none },
+            [false, true] => Races { outer: all, ..none },
+            [true, true] => {
+                let inner = kicked.of(Side::Inner, &kicked.moving(&(change * 0.5))).force;
+                Races { inner, outer: [0, 1, 2].map(|k| all[k] - inner[k]) }
+            }
+        }
+    }
+
+    /// Position and quaternion of a free cage after a time, s: by the rate in the middle, which keeps the length to the
+    /// fourth order.
+    pub(super) fn glide_free_cage(&self, y: &mut [f64], h: f64) {
+        if self.free_cage.is_none() {
+            return;
+        }
+        let (speed, at) = (y[self.layout.cage() + 1], self.layout.free());
+        let [x, v, omega, q] = [0, 3, 6, 8].map(|part| at.start + part);
+        (0..3).for_each(|k| y[x + k] += h * y[v + k]);
+        let omega = [y[omega], y[omega + 1], speed];
+        let now: [f64; 4] = std::array::from_fn(|k| y[q + k]);
+        let first = quaternion_rate(omega, now);
+        let middle = std::array::from_fn(|k| now[k] + 0.5 * h * first[k]);
+        let rate = quaternion_rate(omega, middle);
+        (0..4).for_each(|k| y[q + k] += h * rate[k]);
+    }
+}
