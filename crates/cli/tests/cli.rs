@@ -6,6 +6,8 @@ mod answers;
 mod bad_arguments;
 #[path = "cli/bad_cases.rs"]
 mod bad_cases;
+#[path = "cli/cage.rs"]
+mod cage;
 #[path = "cli/dataset.rs"]
 mod dataset;
 #[path = "cli/documents.rs"]
