@@ -9,13 +9,12 @@
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
-/// Turns of the reference in a window.
-const WINDOW_TURNS: f64 = 1.0;
 /// Fewest windows that say something.
 const FEWEST_WINDOWS: usize = 4;
-/// Fewest points in a window: fewer resolve no turn.
+/// Fewest points in a window.
 const FEWEST_POINTS: usize = 8;
-/// Spread of the rate over the reference, and of the distance over its mean, from which a path counts as irregular.
+/// Spread of the rate over the faster of itself and the reference, and of the distance over its mean, from which a path
+/// counts as irregular.
 const IRREGULAR_RATE: f64 = 0.2;
 const IRREGULAR_RADIUS: f64 = 0.5;
 /// Distance of the rate from the reference up to which a body turns with it.
@@ -55,11 +54,10 @@ pub struct Whirl {
 }
 
 /// The whirl of a path whose points are `step` (s) apart, against a rotation at `reference` (rad/s); `still` is the
-/// distance below which nothing moves. None where the path has less than four windows of a turn, or steps too long
-/// for a window.
+/// distance below which nothing moves. A window is a turn of the faster of both. None where the path has less than four
+/// windows.
 pub fn whirl(path: &[[f64; 2]], step: f64, reference: f64, still: f64) -> Option<Whirl> {
-    let points = WINDOW_TURNS * TAU / (reference.abs() * step);
-    if !points.is_finite() || points < FEWEST_POINTS as f64 || path.len() < FEWEST_WINDOWS * points.ceil() as usize {
+    if path.len() < FEWEST_WINDOWS * FEWEST_POINTS || reference == 0.0 {
         return None;
     }
     let count = path.len() as f64;
@@ -76,17 +74,20 @@ pub fn whirl(path: &[[f64; 2]], step: f64, reference: f64, still: f64) -> Option
         });
         imaginary.atan2(real) / (step * reference)
     };
-    let windows = path.len() / points.ceil() as usize;
-    let length = path.len() / windows;
-    let rates: Vec<f64> = from_mean.chunks_exact(length).map(rate).collect();
     let ratio = rate(&from_mean);
+    let turn = TAU / (reference.abs() * ratio.abs().max(1.0) * step);
+    let windows = path.len() / (turn.ceil() as usize).max(FEWEST_POINTS);
+    if windows < FEWEST_WINDOWS {
+        return None;
+    }
+    let rates: Vec<f64> = from_mean.chunks_exact(path.len() / windows).map(rate).collect();
     let spread = rates.iter().map(|r| (r - ratio).powi(2)).sum::<f64>() / rates.len() as f64;
     let ratio_spread = spread.sqrt();
     // With d² = mean² + variance.
     let radius_spread = (square - mean_distance * mean_distance).max(0.0).sqrt();
     let kind = if square.sqrt() < still {
         PathKind::Still
-    } else if ratio_spread > IRREGULAR_RATE || radius_spread > IRREGULAR_RADIUS * mean_distance {
+    } else if ratio_spread > IRREGULAR_RATE * ratio.abs().max(1.0) || radius_spread > IRREGULAR_RADIUS * mean_distance {
         PathKind::Irregular
     } else if (ratio - 1.0).abs() < WITH {
         PathKind::WithReference
@@ -142,6 +143,10 @@ mod tests {
         assert_eq!(path(|_| [3e-5, 0.0]).kind, PathKind::Still);
         let short: Vec<[f64; 2]> = (0..1000).map(|k| circle(120.0, 1e-5, [0.0; 2])(STEP * f64::from(k))).collect();
         assert_eq!(whirl(&short, STEP, REFERENCE, 1e-9), None);
+        // A body that hardly turns can whirl all the same.
+        let fast: Vec<[f64; 2]> = (0..1000).map(|k| circle(-6e3, 1e-5, [0.0; 2])(STEP * f64::from(k))).collect();
+        let found = whirl(&fast, STEP, 3.0, 1e-9).unwrap();
+        assert!(found.kind == PathKind::Whirls && (found.ratio / -2000.0 - 1.0).abs() < 0.01, "{found:?}");
         assert_eq!(whirl(&short, STEP, 0.0, 1e-9), None);
     }
 

@@ -105,7 +105,7 @@ impl CageMotion {
             (Some(PathKind::WithReference), _) => "turns with the ball group".to_owned(),
             (Some(PathKind::Whirls), Some(ratio)) => format!("whirls at {ratio:.2} of the cage's speed"),
             (Some(PathKind::Irregular), _) => "irregular".to_owned(),
-            _ => "too short to tell: averages over four turns of the cage are needed".to_owned(),
+            _ => "too short to tell: averages over four turns are needed".to_owned(),
         }
     }
 }
