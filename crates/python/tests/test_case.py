@@ -151,7 +151,7 @@ def test_limit_new_cases_come_from_the_catalogue_or_from_dimensions(tmp_path: Pa
     assert any("Assumed" in source for source in case.sources.values())
     loaded = Case.new("6206", radial=1000, axial=500, speed=3000)
     assert tribodyn.solve(loaded, "jones-harris").ring_load_x_n == pytest.approx(1000, rel=1e-4)
-    assert Case.new("6206", lubricant="vg32")["lubricant.oil.Library"].text == '"mineral-vg32"'
+    assert Case.new("6206", lubricant="vg32")["lubricant.oil.Library"] == '"mineral-vg32"'
     own = Case.new(bore=50, outside=90, width=20, angle=40, balls=15, ball=12.7)
     assert own["geometry.ball_count"] == 15
     own.write(tmp_path / "own.ron")

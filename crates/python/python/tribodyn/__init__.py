@@ -90,6 +90,7 @@ from .units import (
     lbf_per_in as lbf_per_in,
     m as m,
     m2_per_s as m2_per_s,
+    m_per_s2 as m_per_s2,
     mm as mm,
     mm2_per_s as mm2_per_s,
     mPa_s as mPa_s,

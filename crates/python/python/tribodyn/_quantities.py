@@ -440,6 +440,30 @@ class StateArrays:
     peak_pressure_outer_max_gpa: NDArray[np.float64]
     #: Largest magnitude of any pocket force, N
     pocket_force_max_n: NDArray[np.float64]
+    #: Displacement of the cage's centre along X, micrometres
+    cage_x_um: NDArray[np.float64]
+    #: Displacement of the cage's centre along Y, micrometres
+    cage_y_um: NDArray[np.float64]
+    #: Displacement of the cage's centre along the axis, micrometres
+    cage_z_um: NDArray[np.float64]
+    #: Tilt of the cage about X, mrad
+    cage_tilt_x_mrad: NDArray[np.float64]
+    #: Tilt of the cage about Y, mrad
+    cage_tilt_y_mrad: NDArray[np.float64]
+    #: Force of the inner ring's lands on the cage along X, N
+    land_inner_x_n: NDArray[np.float64]
+    #: Force of the inner ring's lands on the cage along Y, N
+    land_inner_y_n: NDArray[np.float64]
+    #: Force of the outer ring's lands on the cage along X, N
+    land_outer_x_n: NDArray[np.float64]
+    #: Force of the outer ring's lands on the cage along Y, N
+    land_outer_y_n: NDArray[np.float64]
+    #: Smallest gap between cage and lands, micrometres, negative where an edge is pressed; 0 without lands
+    land_gap_um: NDArray[np.float64]
+    #: Power taken by friction at the cage's lands, a part of that of drag and guidance, W
+    land_friction_w: NDArray[np.float64]
+    #: Power taken by the films of the cage's lands, a part of that of drag and guidance, W
+    land_film_w: NDArray[np.float64]
 
 
 class SolutionArrays:
