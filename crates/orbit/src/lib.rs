@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod attempt;
+mod balance;
 mod chain;
 mod collocation;
 mod damping;

@@ -1,6 +1,7 @@
 //! The search for an orbit: attempts from the cheapest to the most patient.
 
 use crate::OrbitError;
+use crate::balance::balanced;
 use crate::collocation::Orbit;
 use crate::direct::{Reached, even};
 use crate::newton::Newton;
@@ -8,7 +9,7 @@ use crate::residual::Found;
 use crate::settings::OrbitSettings;
 use crate::start::{self, Profile};
 use crate::way::{Eased, Way};
-use tribodyn_bearing::OperatingPoint;
+use tribodyn_bearing::{OperatingPoint, Side};
 use tribodyn_quasistatic::{BallMotion, Model, RollingStart, solve};
 use tribodyn_traction::FastPatch;
 
@@ -19,11 +20,11 @@ const SCOUTED: f64 = 0.2;
 const FOUND: f64 = 3e-2;
 const CLOSE: f64 = 3e-3;
 /// The closing from a neighbour where Newton's method takes over: it needs no more steps than from a nearer turn.
-const CLOSE_BY: f64 = 1e-2;
+pub(crate) const CLOSE_BY: f64 = 1e-2;
 /// The same above which that is not tried.
-const FAR: f64 = 0.1;
+pub(crate) const FAR: f64 = 0.1;
 /// Steps from turn to turn.
-const ROUNDS: usize = 12;
+pub(crate) const ROUNDS: usize = 12;
 /// Intervals of a first turn on which a ball is thrown about.
 const TAME: usize = 700;
 /// Jacobians of an attempt on a mesh, and of one straight from an equilibrium.
@@ -66,6 +67,13 @@ pub(crate) fn find<'a>(
     let tame = first.intervals() < TAME;
     if tame && let Some(found) = marched(newton, &first, way, (settings, MARCH.min(TURNS * first.intervals()))) {
         return Ok((found, real));
+    }
+    let oil = newton.system.bearing.film_law(Side::Inner).is_some();
+    if oil && first.last_end() == 1.0 {
+        newton.watch.stage("cages that are held at a speed", Some(speed));
+        if let Some(found) = balanced(newton, &first, (way.scout(), settings)) {
+            return Ok((found, real));
+        }
     }
     newton.watch.stage("all of the turn at once", Some(speed));
     let mut starts = vec![even(newton, &Profile::new(&rolling.balls, speed), (speed, rolling.ring))];
@@ -199,7 +207,7 @@ pub(crate) fn closed_near(
 
 /// Newton's method on the mesh of a turn that nearly closes, or else the turn closed on it. Where that leads away from
 /// the turn, to an orbit that the mesh is not made for, a ball sent round has to keep to it.
-fn closed_or_met(newton: &mut Newton<'_>, orbit: Orbit, settings: &OrbitSettings) -> Option<Found> {
+pub(crate) fn closed_or_met(newton: &mut Newton<'_>, orbit: Orbit, settings: &OrbitSettings) -> Option<Found> {
     let sound = |newton: &mut Newton<'_>, found: &Found| {
         let errors = newton.errors(&found.0, settings.mesh_error);
         errors.into_iter().fold(0.0, f64::max) <= OTHER || holds(newton, found, settings)

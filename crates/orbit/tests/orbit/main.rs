@@ -7,5 +7,6 @@ mod damped;
 mod kicked;
 mod limits;
 mod linear;
+mod oil;
 mod partly_loaded;
 mod watched;

@@ -1,0 +1,27 @@
+//! Orbits in oil, where balls without load lag behind and brake the cage.
+
+use crate::support::fixture_with;
+use tribodyn_orbit::{OrbitSettings, steady_orbit};
+
+/// A 6206 as `tribodyn new 6206 --lubricant usual` writes it. A run of 0.4 s from the equilibrium needs 13.4 W on
+/// average over its last quarter, 0.0320 N m, its balls bouncing in their pockets at 1590.5 r/min of the cage.
+#[test]
+fn identity_a_6206_in_oil_has_an_orbit_with_the_torque_of_its_runs() {
+    let changes = [
+        ("geometry.outer_groove", "Coefficient(0.53)"),
+        ("geometry.fit", "RadialClearance(um(12.5))"),
+        ("geometry.inner_shoulder", "Height(mm(1.91))"),
+        ("geometry.outer_shoulder", "Height(mm(1.91))"),
+        ("lubricant.oil", "Library(\"mineral-vg68\")"),
+        ("ring.x", "Force(kN(2))"),
+        ("ring.z", "Force(N(390))"),
+        ("speed.inner", "Constant(rpm(4000))"),
+        ("cage.inertia", "kg_m2(2.1e-6)"),
+    ];
+    let (bearing, point, cage) = fixture_with("oil-6206", &changes);
+    let orbit = steady_orbit(&bearing, &point, &cage, &OrbitSettings::default()).unwrap().solution;
+    let changed = (orbit.ball_mass_factor, orbit.pocket_stiffness_share, orbit.swing_damping);
+    assert_eq!(changed, (None, None, None), "balls and pockets are those of the case");
+    assert!((orbit.shaft_torque_nm - 0.0320).abs() < 0.0005, "{} N m", orbit.shaft_torque_nm);
+    assert!((1585.0..1592.0).contains(&orbit.cage_speed_rpm), "{} r/min", orbit.cage_speed_rpm);
+}
