@@ -40,6 +40,10 @@ impl Lines {
         Ok(Self { lines: forward(samples.to_vec())?, count: samples.len(), rate_hz })
     }
 
+    pub fn duration_s(&self) -> f64 {
+        self.count as f64 / self.rate_hz
+    }
+
     pub fn nyquist_hz(&self) -> f64 {
         0.5 * self.rate_hz
     }

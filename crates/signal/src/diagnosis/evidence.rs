@@ -3,6 +3,7 @@
 use super::bands::{Band, Lines, SquaredEnvelope};
 use super::lines::{FlooredLines, Found};
 use super::shaft::ShaftSpeed;
+use super::verdict::SURE;
 use super::{Kinematics, Search, Shaft};
 use crate::bearing::BearingFrequencies;
 use crate::error::SignalError;
@@ -88,12 +89,21 @@ pub struct Evidence {
     pub band_hz: [f64; 2],
     /// Whether the band was cut from the whitened signal.
     pub whitened: bool,
+    /// Spectral kurtosis of the band.
+    pub kurtosis: f64,
+    /// Least spectral kurtosis of a band whose envelope varies that much because something strikes.
+    pub kurtosis_of_blows: f64,
     /// Mean height of the lines one turn of the cage below and above the fundamental, dB.
     #[serde(skip)]
     pub(super) beside_db: f64,
     /// The candidate among those seen.
     #[serde(skip)]
     pub(super) candidate: usize,
+}
+
+/// Root of the sum of the squares of the modulations of a family.
+fn modulation(found: &Found) -> f64 {
+    found.lines.iter().map(|l| l.amplitude.powi(2)).sum::<f64>().sqrt()
 }
 
 /// A band that is demodulated.
@@ -151,6 +161,7 @@ pub(super) struct Seen<'a> {
     white: &'a Lines,
     shaft: Shaft<'a>,
     mean_hz: f64,
+    duration_s: f64,
     candidates: Vec<Candidate>,
     lines: Vec<FlooredLines>,
 }
@@ -164,7 +175,8 @@ impl<'a> Seen<'a> {
         speed: &ShaftSpeed,
         highest_hz: f64,
     ) -> Result<Self, SignalError> {
-        let mut seen = Self { raw, white, shaft, mean_hz: speed.frequency_hz, candidates, lines: Vec::new() };
+        let (mean_hz, duration_s) = (speed.frequency_hz, raw.duration_s());
+        let mut seen = Self { raw, white, shaft, mean_hz, duration_s, candidates, lines: Vec::new() };
         for index in 0..seen.candidates.len() {
             let (_, envelope) = seen.envelope(index)?;
             let up_to = 5.5 * highest_hz;
@@ -242,21 +254,39 @@ impl<'a> Seen<'a> {
                 let range = [expected_hz * (1.0 - reach), expected_hz * (1.0 + reach)];
                 let trials = self.lines.len() as f64;
                 let found = self.lines.iter().map(|lines| lines.family(range, trials)).enumerate();
-                let best = found.filter_map(|(k, found)| Some((k, found?)));
-                let (candidate, found) = best.min_by(|a, b| a.1.log_chance.total_cmp(&b.1.log_chance))?;
+                let best: Vec<(usize, Found)> = found.filter_map(|(k, found)| Some((k, found?))).collect();
+                let least = |of: &dyn Fn(usize, &Found) -> bool| {
+                    let fits = best.iter().filter(|(k, found)| of(*k, found));
+                    fits.min_by(|a, b| a.1.log_chance.total_cmp(&b.1.log_chance))
+                };
+                // A band that tones fill says less than one in which something strikes.
+                let strikes = |k: usize, found: &Found| {
+                    found.log_chance < SURE && self.candidates[k].band.kurtosis >= self.kurtosis_of_blows(k, found)
+                };
+                let (candidate, found) = least(&strikes).or_else(|| least(&|_, _| true))?;
+                let candidate = *candidate;
                 let modulating = match fault {
                     Fault::Inner => Some(speed.frequency_hz),
                     Fault::Ball => Some(per_turn.cage_hz * speed.frequency_hz),
                     _ => None,
                 };
                 let cage_hz = per_turn.cage_hz * speed.frequency_hz;
-                let mut one = self.one(fault, expected_hz, candidate, &found, modulating);
+                let mut one = self.one(fault, expected_hz, candidate, found, modulating);
                 let (_, near) = self.lines[candidate].at(&[one.frequency_hz - cage_hz, one.frequency_hz + cage_hz]);
                 let heights = near.iter().map(|(_, over)| 10.0 * over.max(1e-12).log10()).sum::<f64>();
                 one.beside_db = heights / near.len().max(1) as f64;
                 Some(one)
             })
             .collect()
+    }
+
+    /// Least spectral kurtosis of a band whose squared envelope has these lines because something strikes or noise
+    /// swells: at half the kurtosis Σ m² of noise that swells as slowly, less two standard deviations of noise. Tones
+    /// that beat, as those of waves of the races do, give the same lines with ½ Σ m² − 1 and more tones at most 0.
+    fn kurtosis_of_blows(&self, candidate: usize, found: &Found) -> f64 {
+        let band = self.candidates[candidate].band;
+        let samples = (band.high_hz - band.low_hz) * self.duration_s;
+        0.5 * modulation(found).powi(2) - 2.0 * 2.0 / samples.sqrt()
     }
 
     fn one(&self, fault: Fault, expected_hz: f64, candidate: usize, found: &Found, beside: Option<f64>) -> Evidence {
@@ -269,7 +299,6 @@ impl<'a> Seen<'a> {
             modulation: l.amplitude,
         };
         let harmonics: Vec<Harmonic> = found.lines.iter().map(harmonic).collect();
-        let modulation = harmonics.iter().map(|h| h.modulation.powi(2)).sum::<f64>().sqrt();
         let sides = beside.map(|by| {
             let f = found.frequency_hz;
             lines.at(&[f - by, f + by, 2.0 * f - by, 2.0 * f + by])
@@ -285,13 +314,15 @@ impl<'a> Seen<'a> {
             frequency_hz: found.frequency_hz,
             deviation_hz: found.deviation_hz + OF_SLIP * lines.spacing_hz / lines.averages.sqrt(),
             log_chance: found.log_chance,
-            modulation,
+            modulation: modulation(found),
             harmonics,
             sidebands,
             modulating_hz: beside,
             sidebands_log_chance,
             band_hz: [band.low_hz, band.high_hz],
             whitened,
+            kurtosis: band.kurtosis,
+            kurtosis_of_blows: self.kurtosis_of_blows(candidate, found),
             beside_db: 0.0,
             candidate,
         }

@@ -26,7 +26,7 @@ pub struct CageSpeed {
 }
 
 /// Decadic logarithm of the chance below which a family is taken for real.
-const SURE: f64 = -8.0;
+pub(super) const SURE: f64 = -8.0;
 /// The same for a line from which only a speed is read.
 const READ: f64 = -6.0;
 /// Mean height of the first two harmonics over the floor from which a family is one of damage, dB.
@@ -85,7 +85,16 @@ impl Evidence {
 
     /// Whether the family stands out as that of damage does.
     pub fn stands_out(&self) -> bool {
+        self.is_high() && self.strikes()
+    }
+
+    fn is_high(&self) -> bool {
         self.log_chance < SURE && self.height_db() > HIGH_DB && self.modulation > DEEP
+    }
+
+    /// Whether the band has the kurtosis of blows: tones that beat have less.
+    fn strikes(&self) -> bool {
+        self.kurtosis >= self.kurtosis_of_blows
     }
 
     fn said(&self) -> String {
@@ -138,6 +147,16 @@ pub(super) fn of(evidence: &[Evidence]) -> Verdict {
             }
         }
     }
+    let beats = evidence.iter().filter(|e| e.is_high() && !e.strikes()).map(|e| {
+        format!(
+            "{} has the lines of tones that beat, as waves of races and unequal balls make them: spectral kurtosis \
+             {:.2}, with blows at least {:.2}",
+            e.fault.line(),
+            e.kurtosis,
+            e.kurtosis_of_blows
+        )
+    });
+    reasons.extend(beats);
     let others = evidence.iter().filter(|e| found.is_none_or(|found| found.fault != e.fault) && e.log_chance < READ);
     reasons.extend(others.map(|e| format!("also {}", e.said())));
     Verdict { fault: found.map(|e| e.fault), reasons }

@@ -188,6 +188,37 @@ fn limit_the_verdict_is_right_on_all_faults_and_on_sound_machines() {
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
+/// Waves of the inner race of orders k Z and k Z ± 1 shake a housing at k BPFI and the shaft's speed beside it: smooth
+/// tones without a blow, whose envelope has the lines of a damaged inner race. (Tones of very many orders of one height
+/// and any phases can still look like blows.)
+#[test]
+fn limit_tones_of_waviness_are_no_damage() {
+    let mut machine = machine(None, 7);
+    machine.signal_to_noise_db = 30.0;
+    let pass = 9.0 * (machine.shaft_hz - machine.cage_hz);
+    for seed in 1..=5 {
+        let mut random = Random(seed);
+        let mut tones = Vec::new();
+        for order in 1..=8_u32 {
+            for side in [-1.0, 0.0, 1.0] {
+                let hz = f64::from(order) * pass + side * machine.shaft_hz;
+                tones.push((random.even() * f64::from(order).recip(), TAU * hz, TAU * random.even()));
+            }
+        }
+        let at = |n: usize| {
+            let t = n as f64 / machine.rate_hz;
+            tones.iter().map(|(height, speed, phase)| height * (speed * t + phase).cos()).sum::<f64>()
+        };
+        let samples: Vec<f64> = machine.samples().iter().enumerate().map(|(n, noise)| noise + at(n)).collect();
+        let found = diagnosed(&machine, &samples);
+        let inner = found.evidence.iter().find(|e| e.fault == Fault::Inner).unwrap();
+        assert!(inner.log_chance < -8.0 && inner.modulation > 0.1, "lines as those of damage: {inner:?}");
+        assert_eq!(found.verdict.fault, None, "{:?}", found.verdict);
+        let beats = |reason: &String| reason.contains("BPFI has the lines of tones that beat");
+        assert!(found.verdict.reasons.iter().any(beats), "{:?}", found.verdict);
+    }
+}
+
 #[test]
 fn limit_short_and_clipped_records_at_two_rates() {
     for (rate_hz, duration_s) in [(12_000.0, 2.0), (48_000.0, 1.5)] {
