@@ -60,8 +60,8 @@ pub struct Arguments {
     #[arg(long, value_name = "RPM", allow_negative_numbers = true)]
     speed: Option<f64>,
     /// Lubricant: `usual` is grease for sealed bearings and oil VG 68 for open ones; vg32 and other grades of mineral
-    /// oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film. By default ag: orbits and runs in oil take
-    /// minutes
+    /// oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film. By default ag: orbits in oil take
+    /// up to a minute
     #[arg(long, value_name = "NAME")]
     lubricant: Option<String>,
     /// Ask for what is not given, on a terminal

@@ -5,9 +5,9 @@
 
 use crate::collocation::Orbit;
 use crate::newton::Newton;
-use crate::residual::{Found, cage_torque};
-use crate::search::{CLOSE_BY, FAR, ROUNDS, closed_or_met};
+use crate::residual::cage_torque;
 use crate::settings::OrbitSettings;
+use crate::shooting::{CLOSE_BY, FAR, ROUNDS};
 use tribodyn_traction::FastPatch;
 
 /// First change of the cage's speed over it, with cheap patches and once these have shown where the balance is, by how
@@ -32,20 +32,20 @@ struct Held {
     torque: f64,
 }
 
-/// The orbit from a turn near by; none where the torque on the cage keeps its sign, or where the orbit of a free cage is
-/// not found from there.
+/// The turn, next to one near by, at whose speed the torques on a held cage balance; none where the torque keeps its
+/// sign.
 pub(crate) fn balanced(
     newton: &mut Newton<'_>,
     near: &Orbit,
     (cheap, settings): (FastPatch, &OrbitSettings),
-) -> Option<Found> {
+) -> Option<Orbit> {
     let accuracy = settings.mesh_error;
     let found = newton.within(WORK, |newton| {
         let near = newton.with_patches(cheap, |newton| weighed(newton, near, (accuracy, FIRST)))?;
         weighed(newton, &near, (accuracy, AGAIN))
     });
     newton.system.held = None;
-    closed_or_met(newton, found?, settings)
+    found
 }
 
 /// The turn at whose speed the torques on the cage balance, with errors allowed in an interval.

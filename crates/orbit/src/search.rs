@@ -7,6 +7,7 @@ use crate::direct::{Reached, even};
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::settings::OrbitSettings;
+use crate::shooting::{CLOSE_BY, FAR, ROUNDS};
 use crate::start::{self, Profile};
 use crate::way::{Eased, Way};
 use tribodyn_bearing::{OperatingPoint, Side};
@@ -19,12 +20,6 @@ const SCOUTED: f64 = 0.2;
 /// method on all unknowns takes over.
 const FOUND: f64 = 3e-2;
 const CLOSE: f64 = 3e-3;
-/// The closing from a neighbour where Newton's method takes over: it needs no more steps than from a nearer turn.
-pub(crate) const CLOSE_BY: f64 = 1e-2;
-/// The same above which that is not tried.
-pub(crate) const FAR: f64 = 0.1;
-/// Steps from turn to turn.
-pub(crate) const ROUNDS: usize = 12;
 /// Intervals of a first turn on which a ball is thrown about.
 const TAME: usize = 700;
 /// Jacobians of an attempt on a mesh, and of one straight from an equilibrium.
@@ -71,7 +66,8 @@ pub(crate) fn find<'a>(
     let oil = newton.system.bearing.film_law(Side::Inner).is_some();
     if oil && first.last_end() == 1.0 {
         newton.watch.stage("cages that are held at a speed", Some(speed));
-        if let Some(found) = balanced(newton, &first, (way.scout(), settings)) {
+        let near = balanced(newton, &first, (way.scout(), settings));
+        if let Some(found) = near.and_then(|near| closed_or_met(newton, near, settings)) {
             return Ok((found, real));
         }
     }
@@ -207,7 +203,7 @@ pub(crate) fn closed_near(
 
 /// Newton's method on the mesh of a turn that nearly closes, or else the turn closed on it. Where that leads away from
 /// the turn, to an orbit that the mesh is not made for, a ball sent round has to keep to it.
-pub(crate) fn closed_or_met(newton: &mut Newton<'_>, orbit: Orbit, settings: &OrbitSettings) -> Option<Found> {
+fn closed_or_met(newton: &mut Newton<'_>, orbit: Orbit, settings: &OrbitSettings) -> Option<Found> {
     let sound = |newton: &mut Newton<'_>, found: &Found| {
         let errors = newton.errors(&found.0, settings.mesh_error);
         errors.into_iter().fold(0.0, f64::max) <= OTHER || holds(newton, found, settings)

@@ -239,7 +239,7 @@ class Stiffness(Answer):
     stiffness: NDArray[np.float64]
     #: its inverse; NaN where a displacement meets no resistance
     compliance: NDArray[np.float64]
-    #: largest estimated error of an element over √(K_ii K_jj), of orbits; NaN for equilibria
+    #: largest estimated error of an element over √(K_ii K_jj), of orbits and of equilibria with traction; NaN otherwise
     error_estimate: NDArray[np.float64]
     #: equations of the operating point
     model: str

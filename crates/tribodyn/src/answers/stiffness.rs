@@ -5,7 +5,9 @@ use crate::error::AnswerError;
 use serde::Serialize;
 use tribodyn_case::Purpose;
 use tribodyn_orbit::{OrbitStart, OrbitStiffness, SolvedOrbit, orbit_stiffness, steady_orbit, steady_orbit_from};
-use tribodyn_quasistatic::{StiffnessMatrix, compliance, jones_harris_stiffness, solve, traction_stiffness};
+use tribodyn_quasistatic::{
+    StiffnessMatrix, compliance, jones_harris_stiffness, solve, stiffness_error, traction_stiffness,
+};
 
 const RPM_PER_RAD_S: f64 = 30.0 / std::f64::consts::PI;
 
@@ -19,7 +21,8 @@ pub struct StiffnessAnswer {
     /// Its inverse; absent where a displacement meets no resistance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compliance: Option<StiffnessMatrix>,
-    /// Largest estimated error of an element over √(K_ii K_jj), of an orbit; absent for an equilibrium.
+    /// Largest estimated error of an element over √(K_ii K_jj), of an orbit or of an equilibrium with
+    /// traction; absent for Jones–Harris, at rest, and where nothing beside it tells.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error_estimate: Option<f64>,
 }
@@ -51,6 +54,20 @@ pub fn stiffness(
     Ok(answers)
 }
 
+/// Errors of a matrix above which one should know of them.
+const DOUBTFUL: f64 = 1e-3;
+
+/// Sentence on a matrix of an equilibrium that differences do not confirm.
+fn doubt(error: f64) -> Option<String> {
+    (error > DOUBTFUL).then(|| {
+        format!(
+            "the stiffness is uncertain by about {:.1} %: equilibria beside this one give another one, as where a contact \
+             just begins",
+            100.0 * error
+        )
+    })
+}
+
 fn at_speed(
     equations: Equations,
     question: &Question<'_>,
@@ -66,11 +83,12 @@ fn at_speed(
         question.bearable(&bearing)?;
         let solved = solve(&bearing, &point, model).map_err(failed)?;
         let findings = Findings::of(question, &bearing, (equations, &solved.solution))?;
-        let stiffness = match solved.warm_start {
-            Some(at) => traction_stiffness(&bearing, &point, &at),
-            None => jones_harris_stiffness(&bearing, &point),
+        let Some(at) = solved.warm_start else {
+            return Ok((findings, jones_harris_stiffness(&bearing, &point).map_err(failed)?, None));
         };
-        return Ok((findings, stiffness.map_err(failed)?, None));
+        let stiffness = traction_stiffness(&bearing, &point, &at).map_err(failed)?;
+        let error = stiffness_error(&bearing, &point, (&solved.solution, &at), &stiffness);
+        return Ok((error.and_then(doubt).into_iter().fold(findings, Findings::with), stiffness, error));
     }
     let OrbitProblem { bearing, cage, settings, .. } = OrbitProblem::new(question)?;
     let solved = match start.as_ref() {
