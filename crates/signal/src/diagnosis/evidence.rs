@@ -3,7 +3,6 @@
 use super::bands::{Band, Lines, SquaredEnvelope};
 use super::lines::{FlooredLines, Found};
 use super::shaft::ShaftSpeed;
-use super::verdict::SURE;
 use super::{Kinematics, Search, Shaft};
 use crate::bearing::BearingFrequencies;
 use crate::error::SignalError;
@@ -38,6 +37,9 @@ impl Fault {
         }
     }
 }
+
+/// Decadic logarithm of the chance below which a family is taken for real.
+pub(super) const SURE: f64 = -8.0;
 
 /// A harmonic of a characteristic frequency in the envelope spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

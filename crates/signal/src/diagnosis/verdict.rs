@@ -1,7 +1,7 @@
 //! What the evidence says.
 
 use super::Kinematics;
-use super::evidence::{Evidence, Fault};
+use super::evidence::{Evidence, Fault, SURE};
 use super::shaft::ShaftSpeed;
 use serde::Serialize;
 
@@ -25,9 +25,7 @@ pub struct CageSpeed {
     pub from: String,
 }
 
-/// Decadic logarithm of the chance below which a family is taken for real.
-pub(super) const SURE: f64 = -8.0;
-/// The same for a line from which only a speed is read.
+/// Decadic logarithm of the chance in noise of a line from which only a speed is read.
 const READ: f64 = -6.0;
 /// Mean height of the first two harmonics over the floor from which a family is one of damage, dB.
 const HIGH_DB: f64 = 9.0;
@@ -97,6 +95,19 @@ impl Evidence {
         self.kurtosis >= self.kurtosis_of_blows
     }
 
+    /// Sentence on a family that is high as that of damage, and none.
+    fn beating(&self) -> Option<String> {
+        (self.is_high() && !self.strikes()).then(|| {
+            format!(
+                "{} has the lines of tones that beat, as waves of races and unequal balls make them: spectral kurtosis \
+                 {:.2}, with blows at least {:.2}",
+                self.fault.line(),
+                self.kurtosis,
+                self.kurtosis_of_blows
+            )
+        })
+    }
+
     fn said(&self) -> String {
         let high: Vec<String> =
             self.harmonics.iter().map(|h| format!("{} by {:.0} dB", h.order, h.over_floor_db)).collect();
@@ -132,11 +143,13 @@ pub(super) fn of(evidence: &[Evidence]) -> Verdict {
         let ball = by(Fault::Ball).filter(seen).filter(own);
         cage.and(ball).or(cage)
     });
+    let beats: Vec<String> = evidence.iter().filter_map(Evidence::beating).collect();
     let mut reasons = Vec::new();
     match found {
-        None => reasons.push(format!(
+        None if beats.is_empty() => reasons.push(format!(
             "no line of the bearing stands {HIGH_DB} dB over the noise with a chance below 1e{SURE:.0} and a modulation above {DEEP}"
         )),
+        None => {}
         Some(e) => {
             reasons.push(e.said());
             if e.fault == Fault::Cage {
@@ -147,15 +160,6 @@ pub(super) fn of(evidence: &[Evidence]) -> Verdict {
             }
         }
     }
-    let beats = evidence.iter().filter(|e| e.is_high() && !e.strikes()).map(|e| {
-        format!(
-            "{} has the lines of tones that beat, as waves of races and unequal balls make them: spectral kurtosis \
-             {:.2}, with blows at least {:.2}",
-            e.fault.line(),
-            e.kurtosis,
-            e.kurtosis_of_blows
-        )
-    });
     reasons.extend(beats);
     let others = evidence.iter().filter(|e| found.is_none_or(|found| found.fault != e.fault) && e.log_chance < READ);
     reasons.extend(others.map(|e| format!("also {}", e.said())));
