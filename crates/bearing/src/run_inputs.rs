@@ -20,7 +20,8 @@ pub struct RunInputs {
     pub speeds: Races<SpeedHistory>,
     /// The cage.
     pub cage: MovingCage,
-    /// What a cage has that is free to move in all directions; without it the cage turns about the bearing's axis only.
+    /// Mass, pockets and lands of a cage that is free to move in all directions; without them it turns about the
+    /// bearing's axis only.
     pub free_cage: Option<FreeCage>,
     /// Masses and supports of the rings.
     pub supports: Supports,

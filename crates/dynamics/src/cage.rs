@@ -12,7 +12,7 @@ use tribodyn_bearing::{
 /// Angle (rad) and speed (rad/s) of a cage, and where it is, if it is free.
 pub(crate) type CageAt<'a> = ([f64; 2], Option<&'a CagePose>);
 
-/// What the lands do to a free cage and to the rings.
+/// Forces, torques and power of the lands on a free cage and on the rings.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Lands {
     pub on_cage: Wrench,
@@ -139,7 +139,7 @@ impl Machine {
         self.places[index]
     }
 
-    /// What the lands of a free cage do.
+    /// Forces, torques and power of a free cage's lands.
     pub fn lands(&self, frame: &Frame) -> Lands {
         let mut lands = Lands::default();
         if let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) {

@@ -22,7 +22,7 @@ pub(crate) const SPIN: usize = 6;
 pub(crate) struct Layout {
     /// Number of balls.
     pub balls: usize,
-    /// Whether the cage is free to move in all directions.
+    /// True if the cage is free to move in all directions.
     pub free_cage: bool,
 }
 

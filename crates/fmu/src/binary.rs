@@ -1,4 +1,4 @@
-//! What may be compiled of the sources, and where it stands in the archive.
+//! Libraries that are compiled of the sources, and where they stand in the archive.
 
 /// A system that a library is compiled for, as FMI 2.0 names its folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,7 +32,7 @@ impl Platform {
 /// A compiled library.
 #[derive(Debug, Clone)]
 pub struct Binary {
-    /// What it runs on.
+    /// The system it runs on.
     pub platform: Platform,
     /// Its bytes.
     pub bytes: Vec<u8>,

@@ -4,7 +4,7 @@ use crate::table::{CHOICES, Causality, Kind, UNITS, VARIABLES, Variable};
 use crate::{Fmu, SOURCES};
 use std::fmt::Write;
 
-/// What a master may do with a model whose outputs follow from its inputs of the moment.
+/// Abilities of a model whose outputs follow from its inputs of the moment.
 const KINDS: [(&str, &str); 2] =
     [("ModelExchange", ""), ("CoSimulation", " canHandleVariableCommunicationStepSize=\"true\"")];
 
@@ -38,7 +38,8 @@ pub fn text(fmu: &Fmu) -> String {
 fn put_kind(out: &mut String, (kind, more): &(&str, &str), identifier: &str) {
     let _ = writeln!(
         out,
-        "  <{kind} modelIdentifier=\"{identifier}\"{more} canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"true\">\n    \
+        "  <{kind} modelIdentifier=\"{identifier}\"{more} canGetAndSetFMUstate=\"true\" \
+         canSerializeFMUstate=\"true\">\n    \
          <SourceFiles>"
     );
     let compiled = SOURCES.iter().map(|(name, _)| name).filter(|name| name.ends_with(".c"));

@@ -30,7 +30,7 @@ pub enum FmuError {
     NotFinite {
         /// Variable of the FMU.
         name: &'static str,
-        /// What comes out.
+        /// Its value.
         value: f64,
     },
 }
@@ -124,7 +124,7 @@ fn identifier(name: &str) -> String {
     if made.starts_with(|c: char| c.is_ascii_alphabetic()) { made } else { format!("bearing_{made}") }
 }
 
-/// What a library and a description have in common that belong together.
+/// The mark that a library and a description share that belong together.
 fn guid(name: &str, starts: &[f64]) -> String {
     let mut sum = crc32fast::Hasher::new();
     sum.update(name.as_bytes());

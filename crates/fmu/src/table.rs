@@ -2,7 +2,7 @@
 
 use tribodyn_bearing::{Bearing, GyroscopicFriction, RaceControl, Races, RingState, Side};
 
-/// What a variable is to its surroundings.
+/// The part of a variable in its surroundings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Causality {
     /// Given at any time.

@@ -59,7 +59,8 @@ impl Zip {
     }
 }
 
-/// What a local header and an entry of the directory share, from the version needed to the length of the extra field.
+/// The part that a local header and an entry of the directory share, from the version needed to the length of the
+/// extra field.
 fn common(name: &str, content: &[u8]) -> Vec<u8> {
     let size = (content.len() as u32).to_le_bytes();
     let mut out = Vec::with_capacity(26);

@@ -23,7 +23,7 @@ const NEARLY: f64 = 1e-5;
 /// The closing from a neighbour where Newton's method on all unknowns takes over: it needs no more steps than from a
 /// nearer turn.
 pub(crate) const CLOSE_BY: f64 = 1e-2;
-/// What a turn lacks above which that is not tried.
+/// The lack of a turn above which that is not tried.
 pub(crate) const FAR: f64 = 0.1;
 /// Steps from turn to turn.
 pub(crate) const ROUNDS: usize = 12;

@@ -9,9 +9,9 @@ use crate::residual::Found;
 use crate::settings::OrbitSettings;
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::statics::standing;
-use crate::stiffness::{OrbitStiffness, doubt, slopes, stiffness};
+use crate::stiffness::{DOUBT, OrbitStiffness, slopes, stiffness};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
-use tribodyn_quasistatic::{StiffnessMatrix, check_thrust};
+use tribodyn_quasistatic::{StiffnessMatrix, check_thrust, doubtful_stiffness};
 use tribodyn_traction::FastPatch;
 
 /// Jacobians with cheap slopes from a neighbour, after which those of the patches themselves are taken: where a cage
@@ -132,7 +132,7 @@ pub fn orbit_stiffness(
     let problem = Problem { bearing, point, cage, settings };
     let mut newton = found(problem, solved)?;
     let (stiffness, error_estimate) = stiffness(&mut newton, &solved.orbit, settings.tolerance)?;
-    let warnings = solved.sentences().into_iter().chain(doubt(error_estimate)).collect();
+    let warnings = solved.sentences().into_iter().chain(doubtful_stiffness(error_estimate, DOUBT)).collect();
     Ok(OrbitStiffness { stiffness, error_estimate, warnings })
 }
 

@@ -16,11 +16,11 @@ use crate::system::RING;
 use nalgebra::{SMatrix, SVector};
 use serde::Serialize;
 use tribodyn_bearing::RingFreedom;
-use tribodyn_quasistatic::StiffnessMatrix;
+use tribodyn_quasistatic::{StiffnessMatrix, is_wrong_stiffness};
 
-/// Error over √(K_ii K_jj) above which a matrix comes with a warning, and above which there is none.
-const DOUBTFUL: f64 = 1e-3;
-const WRONG: f64 = 1e-2;
+/// Reason of an error.
+pub(crate) const DOUBT: &str =
+    "another mesh or a slightly different load gives another one, as where balls just touch their pockets";
 /// Displacement of the slightly other loads over the scale of displacements, which is a tenth of the elastic approach.
 const NUDGE: f64 = 0.02;
 /// Parts of the ring's five freedoms in those loads: all have one, none that of another.
@@ -87,7 +87,7 @@ pub(crate) fn stiffness(
         return Err(OrbitError::Uncertain { error_estimate: None });
     };
     let error = of_slopes.max(of_mesh);
-    if error > WRONG || error.is_nan() {
+    if is_wrong_stiffness(error) {
         return Err(OrbitError::Uncertain { error_estimate: Some(error) });
     }
     Ok((at.stiffness.transpose().into(), error))
@@ -117,17 +117,6 @@ impl Slope {
         let stiffness = compliance.try_inverse().filter(|k| k.iter().all(|v| v.is_finite()));
         Ok(Self { orbit, linear, compliance, stiffness: stiffness.ok_or(OrbitError::Singular)? })
     }
-}
-
-/// Sentence on a matrix that its checks leave in doubt.
-pub(crate) fn doubt(error: f64) -> Option<String> {
-    (error > DOUBTFUL).then(|| {
-        format!(
-            "the stiffness is uncertain by about {:.1} %: another mesh or a slightly different load gives another one, \
-             as where balls just touch their pockets",
-            100.0 * error
-        )
-    })
 }
 
 /// An orbit on a mesh of halved intervals.

@@ -132,6 +132,9 @@ fn solver(py: Python<'_>, message: &str, file: &str, source: &QuasiStaticError) 
             facts.set_item("residual", *residual)?;
             facts.set_item("iterations", *iterations)
         }),
+        QuasiStaticError::Uncertain { .. } => {
+            with_facts(py, "SolveError", message, |facts| facts.set_item("file", file))
+        }
         _ => with_facts(py, "InputError", message, |facts| facts.set_item("file", file)),
     }
 }

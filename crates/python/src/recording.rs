@@ -42,7 +42,7 @@ pub fn read_recording<'py>(py: Python<'py>, path: PathBuf, no_limits: bool) -> P
     Ok(recording)
 }
 
-/// What `summary.json` says, the same for a terminal, and the page.
+/// The numbers of `summary.json`, the same for a terminal, and the page.
 type Reported<'py> = (Bound<'py, PyAny>, String, PathBuf);
 
 /// Writes the report of a recording, or of what two of them differ in.

@@ -42,7 +42,9 @@ pub use solution::{Model, SOLUTION, Solution};
 pub use solve::{Solved, solve};
 pub use stability::{is_stable, ring_stability};
 pub use start::{BallMotion, WarmStart};
-pub use stiffness::{jones_harris_stiffness, stiffness_error, traction_stiffness};
+pub use stiffness::{
+    checked_traction_stiffness, doubtful_stiffness, is_wrong_stiffness, jones_harris_stiffness, traction_stiffness,
+};
 pub use tribodyn_bearing::{
     BallResult, Bearing, Cage, ContactResult, Modelling, OperatingPoint, RaceControl, Races, RingFreedom, Side,
     SolverSettings,

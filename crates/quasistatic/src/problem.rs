@@ -118,6 +118,16 @@ pub enum QuasiStaticError {
         /// Its index.
         ball: usize,
     },
+    /// A stiffness matrix that equilibria beside it do not confirm.
+    #[error(
+        "the stiffness at this equilibrium is uncertain: equilibria beside it differ from it by {:.1} %, as where a \
+         contact begins or ends; the steady orbit has a mean",
+        100.0 * error
+    )]
+    Uncertain {
+        /// Estimated error over √(K_ii K_jj).
+        error: f64,
+    },
     /// The bearing or the operating point lacks what the model uses.
     #[error("{model:?} model needs what is not given: {}", missing.join(", "))]
     Missing {

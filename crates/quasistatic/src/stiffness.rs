@@ -39,6 +39,20 @@ pub fn jones_harris_stiffness(bearing: &Bearing, point: &OperatingPoint) -> Resu
     condensed(&system, &state)
 }
 
+/// Error over √(K_ii K_jj) above which a matrix comes with a warning, and above which there is none.
+const DOUBTFUL: f64 = 1e-3;
+const WRONG: f64 = 1e-2;
+
+/// True if an error over √(K_ii K_jj) is such that there is no answer.
+pub fn is_wrong_stiffness(error: f64) -> bool {
+    error > WRONG || error.is_nan()
+}
+
+/// Sentence on a matrix that its checks leave in doubt, with the reason.
+pub fn doubtful_stiffness(error: f64, why: &str) -> Option<String> {
+    (error > DOUBTFUL).then(|| format!("the stiffness is uncertain by about {:.1} %: {why}", 100.0 * error))
+}
+
 /// Steps of the differences over the largest approach of a ball and a race; the first that agrees is enough.
 const STEPS: [f64; 3] = [3e-4, 3e-3, 3e-5];
 /// Deviation that is taken for that of the differences.
@@ -46,10 +60,27 @@ const AGREES: f64 = 3e-4;
 /// Part of the largest approach by which the ring may seem to be moved between an equilibrium and the same one held.
 const SAME: f64 = 1e-5;
 
-/// How far the stiffness at an equilibrium with traction lies from differences of equilibria beside it, along one
-/// direction of all freedoms, over √(K_ii K_jj): where a contact begins or ends, or the slip turns, slopes on either
-/// side differ. None at rest, and where the balls come to another equilibrium with the ring held.
-pub fn stiffness_error(
+/// The same with an estimate of its error over √(K_ii K_jj), against differences of equilibria beside it: where a
+/// contact begins or ends, or the slip turns, slopes on either side differ. No estimate at rest, and where the balls
+/// come to another equilibrium with the ring held.
+///
+/// # Errors
+/// As [`traction_stiffness`], and [`QuasiStaticError::Uncertain`].
+pub fn checked_traction_stiffness(
+    bearing: &Bearing,
+    point: &OperatingPoint,
+    (solution, at): (&Solution, &WarmStart),
+) -> Result<(StiffnessMatrix, Option<f64>), QuasiStaticError> {
+    let stiffness = traction_stiffness(bearing, point, at)?;
+    let error = error_along(bearing, point, (solution, at), &stiffness);
+    match error.filter(|error| is_wrong_stiffness(*error)) {
+        Some(error) => Err(QuasiStaticError::Uncertain { error }),
+        None => Ok((stiffness, error)),
+    }
+}
+
+/// Deviation from differences along one direction of all freedoms.
+fn error_along(
     bearing: &Bearing,
     point: &OperatingPoint,
     (solution, at): (&Solution, &WarmStart),

@@ -69,7 +69,7 @@ pub struct ReportOptions<'a> {
 /// A report that was written.
 #[derive(Debug, Clone)]
 pub struct Report {
-    /// What `summary.json` says.
+    /// The numbers of `summary.json`.
     pub summary: serde_json::Value,
     /// The same for a terminal.
     pub text: String,

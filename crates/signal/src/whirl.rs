@@ -20,7 +20,7 @@ const IRREGULAR_RADIUS: f64 = 0.5;
 /// Distance of the rate from the reference up to which a body turns with it.
 const WITH: f64 = 0.05;
 
-/// What a path is.
+/// Kinds of paths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PathKind {
@@ -49,7 +49,7 @@ pub struct Whirl {
     pub ratio_spread: f64,
     /// Windows.
     pub windows: usize,
-    /// What the path is.
+    /// Kind of the path.
     pub kind: PathKind,
 }
 

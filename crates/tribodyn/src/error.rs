@@ -36,7 +36,7 @@ pub enum AnswerError {
     OutOfRange {
         /// The quantity.
         quantity: &'static str,
-        /// What comes out.
+        /// Its value.
         value: f64,
     },
     /// Bodies that make no contact.
@@ -99,7 +99,7 @@ pub enum AnswerError {
     NotAsked {
         /// Name of the case file.
         file: String,
-        /// What the case would need.
+        /// Reason: a thing that the case would need.
         why: String,
     },
     /// Temperatures that friction and cooling do not agree on.

@@ -22,7 +22,7 @@ pub struct LandFilm {
     pub roughness: f64,
 }
 
-/// What a land does.
+/// Forces, power and gap of a land.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LandLoad {
     /// Force and moment on the cage.

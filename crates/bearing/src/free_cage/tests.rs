@@ -266,8 +266,8 @@ fn limit_a_centred_cage_has_the_pocket_of_one_freedom() {
     }
 }
 
-/// What ball and cage receive is what spring, damping and friction take, in every pocket, with the cage off centre and
-/// tilted.
+/// Ball and cage receive together the power that spring, damping and friction take, in every pocket, with the cage off
+/// centre and tilted.
 #[test]
 fn identity_power_and_momentum_of_ball_and_pocket() {
     let (cage, pocket) = (FreeCage { unbalance: 3e-5, ..cage(Vec::new()) }, pocket(0.1));
@@ -309,7 +309,7 @@ fn identity_power_and_momentum_of_ball_and_pocket() {
     }
 }
 
-/// What a land gives cage, ring and drive is what edges and film take, and all moments about the ring's axis balance.
+/// A land gives cage, ring and drive the power that edges and film take, and all moments about the ring's axis balance.
 #[test]
 fn identity_power_and_momentum_of_a_land() {
     for side in Side::BOTH {

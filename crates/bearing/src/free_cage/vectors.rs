@@ -23,7 +23,7 @@ pub(super) fn length(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// What is left of a vector across a unit vector.
+/// The part of a vector across a unit vector.
 pub(super) fn across(a: [f64; 3], unit: [f64; 3]) -> [f64; 3] {
     add(a, scaled(unit, -dot(a, unit)))
 }

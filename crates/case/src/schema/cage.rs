@@ -4,7 +4,7 @@ use crate::units;
 use serde::Deserialize;
 use tribodyn_bearing::{FilmExtent, PocketShape, Side};
 
-/// What a run needs of a cage that whirls and tilts; without it the cage turns about the bearing's axis only.
+/// A cage that whirls and tilts in a run; without it the cage turns about the bearing's axis only.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FreeCageSpec {

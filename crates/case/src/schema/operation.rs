@@ -29,7 +29,7 @@ pub struct CageSpec {
     /// The land that guides the cage; absent for a cage that the balls alone guide.
     #[serde(default)]
     pub guidance: Option<GuidanceSpec>,
-    /// What a cage has that is free to move in all directions; runs alone use it.
+    /// Mass, pockets and lands of a cage that is free to move in all directions; runs alone use it.
     #[serde(default)]
     pub free: Option<FreeCageSpec>,
 }

@@ -39,7 +39,7 @@ pub struct NewCase {
     pub lubricant: Option<NewLubricant>,
 }
 
-/// What the asker of a new case knows, in the units of catalogues; what is absent is assumed.
+/// Numbers that the asker of a new case knows, in the units of catalogues; what is absent is assumed.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Given {
     /// Number of balls.

@@ -30,7 +30,8 @@ const PLAN: &str = r#"(
     duration: ms(2.5),
     rate: kHz(25.6),
     sensors: [
-        (name: "acc_x", direction: deg(0), direct: 1, modes: [(frequency: kHz(3), damping: 0.03, gain: 1)], noise: 0.01),
+        (name: "acc_x", direction: deg(0), direct: 1, noise: 0.01,
+         modes: [(frequency: kHz(3), damping: 0.03, gain: 1)]),
     ],
     test_share: 0.5,
     seed: 7,

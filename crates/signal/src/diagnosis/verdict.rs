@@ -90,7 +90,7 @@ impl Evidence {
         self.log_chance < SURE && self.height_db() > HIGH_DB && self.modulation > DEEP
     }
 
-    /// Whether the band has the kurtosis of blows: tones that beat have less.
+    /// True if the band has the kurtosis of blows: tones that beat have less.
     fn strikes(&self) -> bool {
         self.kurtosis >= self.kurtosis_of_blows
     }

@@ -1,4 +1,4 @@
-//! What a free cage does in a run: its path, whirl and lands.
+//! A free cage in a run: its path, whirl and lands.
 
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -59,7 +59,7 @@ pub struct CageMotion {
     pub whirl_ratio: Option<f64>,
     /// Standard deviation of that ratio from one turn of the cage to the next.
     pub whirl_ratio_spread: Option<f64>,
-    /// What the path is.
+    /// Kind of the path.
     pub motion: Option<PathKind>,
     /// Largest tilt, mrad.
     pub tilt_max_mrad: f64,

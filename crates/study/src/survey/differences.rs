@@ -9,8 +9,7 @@ use tribodyn_bearing::{OperatingPoint, RingFreedom};
 use tribodyn_case::{Case, CaseError};
 use tribodyn_orbit::{OrbitStart, orbit_stiffness, steady_orbit, steady_orbit_from};
 use tribodyn_quasistatic::{
-    Model, Solution, StiffnessMatrix, WarmStart, jones_harris_stiffness, solve, solve_from, stiffness_error,
-    traction_stiffness,
+    Model, Solution, StiffnessMatrix, WarmStart, checked_traction_stiffness, jones_harris_stiffness, solve, solve_from,
 };
 use tribodyn_wear::Random;
 
@@ -135,9 +134,8 @@ impl Found {
                 let stiffness = jones_harris_stiffness(bearing, point).map_err(explained)?;
                 return Ok(Self::new(&solved.solution, (stiffness, None), Near::Elastic));
             };
-            let stiffness = traction_stiffness(bearing, point, &at).map_err(explained)?;
-            let error = stiffness_error(bearing, point, (&solved.solution, &at), &stiffness);
-            return Ok(Self::new(&solved.solution, (stiffness, error), Near::Traction(Box::new(at))));
+            let checked = checked_traction_stiffness(bearing, point, (&solved.solution, &at)).map_err(explained)?;
+            return Ok(Self::new(&solved.solution, checked, Near::Traction(Box::new(at))));
         }
         let solved = steady_orbit(bearing, point, cage, settings).map_err(explained)?;
         let solution = solved.solution.as_solution(&solved.solution.balls, [point.inner_speed, point.outer_speed]);

@@ -37,12 +37,12 @@ pub struct Beside {
     pub implausible: Vec<Implausible>,
 }
 
-/// What the steady orbit leaves out of a cage that is free to move.
+/// Sentence on the freedoms of a cage that the steady orbit leaves out.
 fn of_free_cage(case: &Case, equations: Equations) -> Option<String> {
     let free = case.cage.as_ref().is_some_and(|cage| cage.free.is_some());
     (free && equations == Equations::SteadyOrbit).then(|| {
-        "the cage of the steady orbit turns about the bearing's axis only: of cage.free and its lands nothing is in it; a \
-         run has them"
+        "the cage of the steady orbit turns about the bearing's axis only: of cage.free and its lands nothing is in \
+         it; a run has them"
             .to_owned()
     })
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use tribodyn_case::Purpose;
 use tribodyn_orbit::{OrbitStart, OrbitStiffness, SolvedOrbit, orbit_stiffness, steady_orbit, steady_orbit_from};
 use tribodyn_quasistatic::{
-    StiffnessMatrix, compliance, jones_harris_stiffness, solve, stiffness_error, traction_stiffness,
+    StiffnessMatrix, checked_traction_stiffness, compliance, doubtful_stiffness, jones_harris_stiffness, solve,
 };
 
 const RPM_PER_RAD_S: f64 = 30.0 / std::f64::consts::PI;
@@ -54,19 +54,8 @@ pub fn stiffness(
     Ok(answers)
 }
 
-/// Errors of a matrix above which one should know of them.
-const DOUBTFUL: f64 = 1e-3;
-
-/// Sentence on a matrix of an equilibrium that differences do not confirm.
-fn doubt(error: f64) -> Option<String> {
-    (error > DOUBTFUL).then(|| {
-        format!(
-            "the stiffness is uncertain by about {:.1} %: equilibria beside this one give another one, as where a contact \
-             just begins",
-            100.0 * error
-        )
-    })
-}
+/// Reason of an error at an equilibrium.
+const DOUBT: &str = "equilibria beside this one give another one, as where a contact just begins";
 
 fn at_speed(
     equations: Equations,
@@ -86,9 +75,10 @@ fn at_speed(
         let Some(at) = solved.warm_start else {
             return Ok((findings, jones_harris_stiffness(&bearing, &point).map_err(failed)?, None));
         };
-        let stiffness = traction_stiffness(&bearing, &point, &at).map_err(failed)?;
-        let error = stiffness_error(&bearing, &point, (&solved.solution, &at), &stiffness);
-        return Ok((error.and_then(doubt).into_iter().fold(findings, Findings::with), stiffness, error));
+        let checked = checked_traction_stiffness(&bearing, &point, (&solved.solution, &at));
+        let (stiffness, error) = checked.map_err(failed)?;
+        let doubt = error.and_then(|error| doubtful_stiffness(error, DOUBT));
+        return Ok((doubt.into_iter().fold(findings, Findings::with), stiffness, error));
     }
     let OrbitProblem { bearing, cage, settings, .. } = OrbitProblem::new(question)?;
     let solved = match start.as_ref() {
