@@ -4,9 +4,9 @@ use crate::bearing::Bearing;
 use crate::modelling::PocketForce;
 use crate::pocket::{Pocket, hypot};
 use crate::races::{Races, Side};
-use crate::run_inputs::{GuidingLand, MovingCage};
+use crate::run_inputs::{GuidingLand, MovingCage, PocketFilm};
 use tribodyn_contact::Scalar;
-use tribodyn_fluid::AnnulusDrag;
+use tribodyn_fluid::{AnnulusDrag, SqueezeFilm};
 
 /// A cage that turns about the bearing's axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +38,7 @@ impl CageBody {
     /// The cage between the rings of a bearing; its pockets stand on the pitch circle. A dry bearing has no film to
     /// guide it.
     pub fn new(cage: &MovingCage, bearing: &Bearing) -> Self {
-        let MovingCage { pockets, pocket_friction, pocket_damping, inertia, guidance: land } = *cage;
+        let MovingCage { pockets, pocket_friction, pocket_damping, pocket_film, inertia, guidance: land } = *cage;
         let radius = 0.5 * bearing.geometry.pitch_diameter;
         let pocket = Pocket {
             radius,
@@ -48,6 +48,7 @@ impl CageBody {
             friction: pocket_friction,
             ball_radius: bearing.geometry.ball_radius(),
             force: bearing.modelling.pocket_force.unwrap_or(PocketForce::FromWall),
+            film: pocket_film.and_then(|film| squeezed(film, pockets.pocket_gap, bearing)),
         };
         let film = |GuidingLand { side, radius, width, gap }| {
             let fluid = bearing.fluid.as_ref()?;
@@ -62,4 +63,13 @@ impl CageBody {
         let guidance = self.guidance.map_or(D::zero(), |g| g.land.torque_on_cage(rings[g.side], speed));
         [guidance, speed * -self.drag_torque / hypot(speed, D::from(STANDSTILL))]
     }
+}
+
+/// The oil of a bearing between a ball and the wall of its pocket, a cylinder with its axis radial; none in a bearing
+/// without oil.
+fn squeezed(film: PocketFilm, gap: f64, bearing: &Bearing) -> Option<SqueezeFilm> {
+    let viscosity = bearing.film_law(Side::Inner)?.inlet.viscosity;
+    let ball = bearing.geometry.ball_radius();
+    let about = ball * (ball + gap) / gap;
+    Some(SqueezeFilm::new(film.fill * viscosity, [about, ball], film.roughness))
 }

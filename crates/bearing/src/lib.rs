@@ -61,7 +61,9 @@ pub use result::{
     BallMotionResult, BallPlace, BallResult, ContactResult, FilmResult, FluidResult, FrictionResult, PocketResult,
     Sheet, TransientContact,
 };
-pub use run_inputs::{CoatingState, GuidingLand, MovingCage, RunInputs, RunOptions, Scheme, Start, Support, Supports};
+pub use run_inputs::{
+    CoatingState, GuidingLand, MovingCage, PocketFilm, RunInputs, RunOptions, Scheme, Start, Support, Supports,
+};
 pub use side::{WrongSide, uncarried_thrust, wrong_sides};
 pub use sliding::{ContactForces, Sliding};
 pub use state::{BallState, Motion, RingState};

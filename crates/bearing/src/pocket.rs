@@ -2,6 +2,7 @@
 
 use crate::modelling::PocketForce;
 use tribodyn_contact::Scalar;
+use tribodyn_fluid::SqueezeFilm;
 
 /// The cage's pockets, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +21,8 @@ pub struct Pocket {
     pub ball_radius: f64,
     /// Where the force starts.
     pub force: PocketForce,
+    /// Oil between ball and walls; none in a dry pocket.
+    pub film: Option<SqueezeFilm>,
 }
 
 /// Sliding speed below which pocket friction falls off in proportion, m/s. The balls spin past their pockets at tens of
@@ -44,7 +47,7 @@ pub struct PocketMotion<D = f64> {
 /// What the pocket does to the ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PocketLoad<D = f64> {
-    /// Force along the orbit, N.
+    /// Force along the orbit, N, that of the film with it.
     pub force: D,
     /// Friction (axial, radial), N; in the pocket of a free cage the whole force along these axes.
     pub friction: [D; 2],
@@ -54,13 +57,13 @@ pub struct PocketLoad<D = f64> {
     pub cage_torque: D,
     /// Energy of the spring, J.
     pub energy: D,
-    /// Power lost by damping, W.
+    /// Power lost by damping and in the film, W.
     pub damping_power: D,
     /// Power lost by friction, W.
     pub friction_power: D,
     /// Sliding speed, m/s.
     pub sliding: D,
-    /// Normal force on the wall, N.
+    /// Normal force on the wall without that of the film, N.
     pub normal: D,
 }
 
@@ -105,12 +108,26 @@ impl Pocket {
         [depth + before, D::from(before)]
     }
 
+    /// Force of the oil on the ball along the orbit, N: of the film at the wall that it approaches, in front or behind.
+    fn film_force<D: Scalar>(&self, lead: D, rate: D) -> D {
+        let Some(film) = &self.film else { return D::zero() };
+        let (ahead, speed, gap) = (lead * self.radius, rate * self.radius, self.clearance * self.radius);
+        film.force(ahead + gap, -speed) - film.force(-ahead + gap, speed)
+    }
+
     /// Force and friction. The spring starts at the wall, unless it is taken as printed, and the damping grows with it,
     /// so that the force is continuous; together they never pull.
     pub fn load<D: Scalar>(&self, motion: &PocketMotion<D>) -> PocketLoad<D> {
         let depth = self.penetration(motion.lead);
+        let film = self.film_force(motion.lead, motion.rate);
+        let of_film = PocketLoad {
+            force: film,
+            cage_torque: film * -self.radius,
+            damping_power: film * motion.rate * -self.radius,
+            ..PocketLoad::none()
+        };
         if depth.re() <= 0.0 {
-            return PocketLoad::none();
+            return of_film;
         }
         // The ball leads: it touches the front wall, at +r_b e_t, and is held back.
         let side = motion.lead.re().signum();
@@ -127,7 +144,7 @@ impl Pocket {
         let sliding = hypot(slip[0], slip[1]);
         let share = normal * -self.friction / hypot(sliding, D::from(CREEP));
         let friction = slip.map(|s| share * s);
-        let force = normal * -side;
+        let force = normal * -side + film;
         PocketLoad {
             force,
             friction,
@@ -135,7 +152,7 @@ impl Pocket {
             moment: [friction[1] * -arm, friction[0] * arm, D::zero()],
             cage_torque: force * -self.radius + friction[1] * arm,
             energy: (spring + at_wall * self.stiffness) * 0.5 * depth,
-            damping_power: (normal - spring) * closing,
+            damping_power: (normal - spring) * closing + of_film.damping_power,
             friction_power: -share * sliding * sliding,
             sliding,
             normal,
@@ -163,6 +180,7 @@ mod tests {
         friction: 0.1,
         ball_radius: 0.015,
         force: PocketForce::FromWall,
+        film: None,
     };
 
     fn motion(lead: f64, rate: f64) -> PocketMotion {
@@ -196,13 +214,20 @@ mod tests {
         }
     }
 
-    /// What ball and cage receive together is what spring, damping and friction take.
+    /// What ball and cage receive together is what spring, damping, film and friction take.
     #[test]
     fn identity_power_of_ball_and_cage() {
         let printed = Pocket { force: PocketForce::AsPrinted, ..POCKET };
-        for (lead, rate, pocket) in
-            [(2e-3, 1.3, POCKET), (-2.5e-3, 0.7, POCKET), (3e-3, -0.4, POCKET), (2e-3, 1.3, printed)]
-        {
+        let oiled = Pocket { film: Some(SqueezeFilm::new(0.02, [0.2, 0.015], 1e-6)), ..POCKET };
+        for (lead, rate, pocket) in [
+            (2e-3, 1.3, POCKET),
+            (-2.5e-3, 0.7, POCKET),
+            (3e-3, -0.4, POCKET),
+            (2e-3, 1.3, printed),
+            (2e-3, 1.3, oiled),
+            (-2e-3, 1.3, oiled),
+            (1e-3, -0.8, oiled),
+        ] {
             let m = motion(lead, rate);
             let orbit = m.cage_speed + rate;
             let load = pocket.load(&m);

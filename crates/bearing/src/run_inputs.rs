@@ -89,10 +89,21 @@ pub struct MovingCage {
     pub pocket_friction: f64,
     /// Damping of the pocket contact χ in F = K δ (1 + χ δ̇) (Hunt and Crossley), s/m.
     pub pocket_damping: f64,
+    /// Oil in the pockets; none in dry ones.
+    pub pocket_film: Option<PocketFilm>,
     /// Moment of inertia about the bearing's axis, kg m².
     pub inertia: f64,
     /// The land that guides the cage; absent for a cage that the balls alone guide.
     pub guidance: Option<GuidingLand>,
+}
+
+/// Oil between balls and pockets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PocketFilm {
+    /// Share of the gap that is full, above 0.
+    pub fill: f64,
+    /// Height of the roughness of ball and pocket, m.
+    pub roughness: f64,
 }
 
 /// A land that guides the cage: the fluid in its gap turns the cage with the ring or holds it back.

@@ -1,12 +1,12 @@
 //! From a case to an operating point and to the inputs of a run.
 
 use crate::{
-    CageLandSpec, CageSpec, Case, CoatingSpec, FreeCageSpec, Lacking, Purpose, RecordingSpec, RingSpec, SpallSpec,
-    SupportSpec,
+    CageLandSpec, CageSpec, Case, CoatingSpec, FreeCageSpec, Lacking, PocketFilmSpec, Purpose, RecordingSpec, RingSpec,
+    SpallSpec, SupportSpec,
 };
 use tribodyn_bearing::{
-    BearingError, Cage, CageLand, CoatingState, FreeCage, GuidingLand, LandFilm, MovingCage, OperatingPoint, Races,
-    RingLoads, RunInputs, RunOptions, SearchWatch, Side, SolverSettings, Support, Supports,
+    BearingError, Cage, CageLand, CoatingState, FreeCage, GuidingLand, LandFilm, MovingCage, OperatingPoint,
+    PocketFilm, Races, RingLoads, RunInputs, RunOptions, SearchWatch, Side, SolverSettings, Support, Supports,
 };
 use tribodyn_wear::{Defect, Spall};
 
@@ -50,6 +50,7 @@ impl Case {
             pockets: cage.pockets(),
             pocket_friction: cage.pocket_friction,
             pocket_damping: cage.pocket_damping,
+            pocket_film: cage.pocket_film.map(PocketFilmSpec::film),
             inertia: 0.0,
             guidance: cage.land(),
         };
@@ -147,6 +148,7 @@ impl CageSpec {
             pockets: self.pockets(),
             pocket_friction: self.pocket_friction,
             pocket_damping: self.pocket_damping,
+            pocket_film: self.pocket_film.map(PocketFilmSpec::film),
             inertia: self.inertia?,
             guidance: self.land(),
         })
@@ -155,6 +157,12 @@ impl CageSpec {
     /// The land that guides it.
     fn land(&self) -> Option<GuidingLand> {
         self.guidance.map(|l| GuidingLand { side: l.land, radius: l.radius, width: l.width, gap: l.gap })
+    }
+}
+
+impl PocketFilmSpec {
+    fn film(self) -> PocketFilm {
+        PocketFilm { fill: self.fill, roughness: self.roughness }
     }
 }
 

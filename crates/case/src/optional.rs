@@ -17,6 +17,7 @@ const OPTIONAL: &[&str] = &[
     "cage",
     "cage.inertia",
     "cage.pocket_damping",
+    "cage.pocket_film",
     "cage.guidance",
     "cage.free",
     "cage.free.unbalance",

@@ -56,6 +56,17 @@ fn limit_oils_that_are_none_are_refused() {
 }
 
 #[test]
+fn limit_oil_in_pockets_that_cannot_be_is_refused() {
+    let roughness = refused("cage.pocket_film.roughness", "um(26)");
+    assert!(roughness.contains("at most a quarter of the pocket's gap, 25 um"), "{roughness}");
+    assert!(refused("cage.pocket_film.fill", "1.2").contains("at most 1; leave pocket_film out of dry pockets"));
+    assert!(refused("cage.pocket_film.roughness", "1").contains("expected a length with its unit"));
+    let dry = set_value(AG, "cage.pocket_film", "(fill: 1, roughness: um(1))").unwrap();
+    let message = Case::from_ron(&dry).map(drop).unwrap_err().to_string();
+    assert!(message.contains("leave it out of a dry bearing"), "{message}");
+}
+
+#[test]
 fn limit_values_of_no_bearing_are_refused() {
     assert!(refused("lubricant.roughness.ball", "mm(0.02)").contains("at most 5 um"));
     assert!(refused("lubricant.roughness.inner", "um(0)").contains("greater than 0"));

@@ -42,6 +42,7 @@ const ANGLE: &str = "an azimuth is an angle on a ring";
 const TILT: &str = "a ring that is tilted further has left its balls";
 const INSTANT: &str = "a table is in simulated time, which ends at 1e4 s";
 const MASS: &str = "rings and what moves with them weigh a milligram to some thousand tonnes";
+const RATED: &str = "the largest bearings are rated at some 1e8 N";
 const SPRING: &str = "a metre cube of steel has 2e11 N/m";
 const DAMPER: &str = "critical damping of 1e6 kg on 1e13 N/m is 6e9 N s/m";
 
@@ -69,12 +70,18 @@ const BOUNDS: &[Bound] = &[
     bound("fluid.drag_coefficient", [0.0, 1e3], "", "bluff bodies have some 1, films of oil some tens"),
     bound("fluid.medium.Custom.density", [1e-6, 3e4], "kg/m³", HEAVIEST),
     bound("fluid.medium.Custom.viscosity", [1e-9, 1e6], "Pa s", "gases have 1e-5 Pa s, pitch 1e8 Pa s"),
+    bound("rating.dynamic", [1e-3, 1e10], "N", RATED),
+    bound("rating.static_load", [1e-3, 1e10], "N", RATED),
+    bound("rating.fatigue_limit", [1e-6, 1e10], "N", RATED),
+    bound("rating.bore", [1e-5, 50.0], "m", PITCH),
+    bound("rating.outside", [1e-5, 50.0], "m", PITCH),
     bound("cage.pocket_gap", [0.0, 1.0], "m", "a pocket is about as large as its ball"),
     bound("cage.pocket_stiffness", [0.0, 1e13], "N/m", SPRING),
     bound("cage.pocket_friction", [0.0, 10.0], "", FRICTION),
     bound("cage.drag_torque", [-1e9, 1e9], "N m", MOMENT),
     bound("cage.inertia", [1e-18, 1e9], "kg m²", "cages of 1 mm and of 15 m"),
     bound("cage.pocket_damping", [0.0, 1e6], "s/m", "at 10 s/m a ball that meets its pocket at 0.1 m/s stays there"),
+    bound("cage.pocket_film.roughness", [1e-10, 1e-3], "m", "polished steel has 1e-9 m, a raw casting 1e-5 m"),
     bound("cage.guidance.radius", [1e-5, 50.0], "m", PITCH),
     bound("cage.guidance.width", [1e-6, 10.0], "m", PITCH),
     bound("cage.guidance.gap", [1e-9, 1.0], "m", "a film of fluid has some molecules across it"),
@@ -178,6 +185,12 @@ impl Values {
             self.add(format!("wear.{name}.coefficient"), pair.coefficient);
             self.add(format!("wear.{name}.hardness"), pair.hardness);
         }
+        if let Some(rating) = &case.rating {
+            let forces = [("dynamic", rating.dynamic), ("static_load", rating.static_load)];
+            let lengths = [("bore", rating.bore), ("outside", rating.outside)];
+            let all = forces.into_iter().chain([("fatigue_limit", rating.fatigue_limit)]).chain(lengths);
+            all.for_each(|(name, value)| value.into_iter().for_each(|v| self.add(format!("rating.{name}"), v)));
+        }
         self.add("numerics.tolerance", case.numerics.tolerance);
         self.add("numerics.max_iterations", case.numerics.max_iterations as f64);
     }
@@ -211,6 +224,9 @@ impl Values {
         self.add("cage.pocket_damping", cage.pocket_damping);
         if let Some(inertia) = cage.inertia {
             self.add("cage.inertia", inertia);
+        }
+        if let Some(film) = &cage.pocket_film {
+            self.add("cage.pocket_film.roughness", film.roughness);
         }
         if let Some(land) = &cage.guidance {
             self.add("cage.guidance.radius", land.radius);

@@ -1,4 +1,4 @@
-//! Impossible values of a cage that is free to move.
+//! Impossible values of oil in pockets and of a cage that is free to move.
 
 use super::validate::{Verdict, not_negative, positive, require};
 use super::*;
@@ -8,6 +8,7 @@ use tribodyn_bearing::{PocketForce, PocketShape};
 pub(super) const GAP_MAX: f64 = 0.1;
 
 pub(super) fn validate(case: &Case) -> Verdict {
+    film(case)?;
     let Some((cage, free)) = case.cage.as_ref().and_then(|cage| Some((cage, cage.free.as_ref()?))) else {
         return Ok(());
     };
@@ -41,6 +42,24 @@ pub(super) fn validate(case: &Case) -> Verdict {
         require(value.abs() <= most, &format!("{path}.displacement[{k}]"), limits)?;
     }
     free.lands.iter().enumerate().try_for_each(|(k, land)| self::land(&format!("{path}.lands[{k}]"), land))
+}
+
+/// Oil in the pockets: of a bearing that has some, and thinner than the pocket is wide.
+fn film(case: &Case) -> Verdict {
+    let Some((cage, film)) = case.cage.as_ref().and_then(|cage| Some((cage, cage.pocket_film?))) else {
+        return Ok(());
+    };
+    let path = "cage.pocket_film";
+    require(case.lubricant.is_some(), path, "is the oil of a section `lubricant`: leave it out of a dry bearing")?;
+    let full = film.fill > 0.0 && film.fill <= 1.0;
+    require(
+        full,
+        &format!("{path}.fill"),
+        "must be greater than 0 and at most 1; leave pocket_film out of dry pockets",
+    )?;
+    let most = 0.25 * cage.pocket_gap;
+    let limits = format!("must be greater than 0 and at most a quarter of the pocket's gap, {} um", most * 1e6);
+    require(film.roughness > 0.0 && film.roughness <= most, &format!("{path}.roughness"), limits)
 }
 
 fn land(path: &str, land: &CageLandSpec) -> Verdict {

@@ -59,9 +59,8 @@ pub struct Arguments {
     /// Speed of the inner ring, r/min; a moderate one where left out
     #[arg(long, value_name = "RPM", allow_negative_numbers = true)]
     speed: Option<f64>,
-    /// Lubricant: `usual` is grease for sealed bearings and oil VG 68 for open ones; vg32 and other grades of mineral
-    /// oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film. By default ag: orbits in oil take
-    /// up to a minute
+    /// Lubricant: vg32 and other grades of mineral oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film.
+    /// Where left out, or `usual`, grease for sealed bearings and oil VG 68 for open ones
     #[arg(long, value_name = "NAME")]
     lubricant: Option<String>,
     /// Ask for what is not given, on a terminal

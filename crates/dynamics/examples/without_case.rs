@@ -16,7 +16,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let spec = BearingSpec::new(Geometry::new(size)?, steel, Modelling::with_traction(false, RingCentre::Displaced));
     let bearing = Bearing::new(BearingSpec { tribology, ..spec })?;
     let pockets = Cage { pocket_gap: 0.2e-3, pocket_stiffness: 5e6, drag_torque: 0.0 };
-    let cage = MovingCage { pockets, pocket_friction: 0.1, pocket_damping: 0.3, inertia: 2e-3, guidance: None };
+    let cage = MovingCage {
+        pockets,
+        pocket_friction: 0.1,
+        pocket_damping: 0.3,
+        pocket_film: None,
+        inertia: 2e-3,
+        guidance: None,
+    };
     let inner = Support { mass: 12.0, stiffness: [0.0; 3], damping: [2e3; 3] };
     let outer = Support { mass: 5.0, stiffness: [5e8; 2], damping: [5e3; 2] };
     let drives = (RingLoads::forces([20e3, 0.0, 44e3]), [1466.0, 0.0].map(SpeedHistory::Constant).into());

@@ -28,6 +28,8 @@ mod conservation_test;
 mod fast_test;
 #[cfg(test)]
 mod free_cage_test;
+#[cfg(test)]
+mod oil_test;
 
 pub use blame::{Blame, StepBound};
 pub use error::DynamicsError;

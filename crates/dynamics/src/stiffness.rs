@@ -18,7 +18,7 @@ pub struct Stiffness {
     /// Longest step at which the classical Runge–Kutta method is stable, s; infinite where nothing is stiff.
     #[serde(deserialize_with = "or_infinite")]
     pub runge_kutta_step_s: f64,
-    /// Longest step of the fast scheme, s; with a law or a choice of pressure for which the patch has no derivative in
+    /// Longest step of the fast scheme, s; oil in the pockets bounds it as it does the other, and with a law or a choice of pressure for which the patch has no derivative in
     /// closed form, friction is explicit there and bounds it too. Infinite where no contact carries load.
     #[serde(deserialize_with = "or_infinite")]
     pub fast_step_s: f64,
@@ -71,13 +71,25 @@ impl Machine {
         }
         let implicit = self.kernel.has_derivative(&self.bearing);
         let omega = std::f64::consts::TAU * frequency;
+        let film = self.pocket_film_step();
         Stiffness {
             traction_rate_per_s: rate,
             ball: worst,
             contact_frequency_hz: frequency,
-            runge_kutta_step_s: (REAL_LIMIT / rate).min(IMAGINARY_LIMIT / omega),
-            fast_step_s: (FAST_PERIOD / frequency).min(if implicit { f64::INFINITY } else { EULER_LIMIT / rate }),
+            runge_kutta_step_s: (REAL_LIMIT / rate).min(IMAGINARY_LIMIT / omega).min(film),
+            fast_step_s: (FAST_PERIOD / frequency)
+                .min(if implicit { f64::INFINITY } else { EULER_LIMIT / rate })
+                .min(film),
         }
+    }
+
+    /// Longest step at which the oil in the pockets is stable where it is thinnest, at all balls at once, s; infinite in
+    /// dry ones.
+    pub(crate) fn pocket_film_step(&self) -> f64 {
+        let pocket = &self.cage.pocket;
+        let Some(film) = &pocket.film else { return f64::INFINITY };
+        let of_cage = self.layout.balls as f64 * pocket.radius * pocket.radius / self.cage.inertia;
+        EULER_LIMIT * film.roughness / (film.resistance * (self.bearing.ball_mass.recip() + of_cage))
     }
 
     fn with_kernel(&self, index: usize, b: &[f64], frame: &Frame) -> BallForces {

@@ -11,12 +11,14 @@ mod schmidt_wagner1985;
 mod setzmann_wagner1991;
 mod short_bearing;
 mod span2000;
+mod squeeze;
 
 pub use annulus::AnnulusDrag;
 pub use churning::{Churning, TRANSITION_REYNOLDS, Transition};
 pub use drag::{BallDrag, effective_density, frontal_area};
 pub use fluid::{Fluid, FluidState, MAX_PRESSURE, Saturation};
 pub use short_bearing::{FilmExtent, FilmMotion, ShortBearing};
+pub use squeeze::SqueezeFilm;
 
 use num_dual::DualNum;
 

@@ -85,18 +85,20 @@ impl Pocket {
         place: &InPocket,
         (frame, velocity, spin): (AzimuthFrame, [f64; 3], [f64; 3]),
     ) -> PocketLoad {
-        if place.depth <= 0.0 {
+        if place.depth <= 0.0 && self.film.is_none() {
             return PocketLoad::none();
         }
         let (n, arm) = (place.outward, scaled(place.outward, self.ball_radius));
         let of_ball = add(frame.to_inertial(velocity), cross(frame.to_inertial(spin), arm));
         let moving = along(pose.velocity_at(add(place.ball, arm)), of_ball);
         let closing = dot(moving, n);
-        let spring = self.stiffness * place.depth;
+        let film = self.film_of_free(place, closing);
+        let depth = place.depth.max(0.0);
+        let spring = self.stiffness * depth;
         let normal = (spring * (1.0 + self.damping * closing)).max(0.0);
         let slip = across(moving, n);
         let (dragged, friction_power) = friction(self.friction, normal, slip, CREEP);
-        let force = add(scaled(n, -normal), dragged);
+        let force = add(scaled(n, -(normal + film)), dragged);
         let moment = frame.from_inertial(cross(arm, dragged));
         let [a, r, t] = frame.from_inertial(force);
         let [_, radius, _] = frame.from_inertial(place.ball);
@@ -105,12 +107,21 @@ impl Pocket {
             friction: [a, r],
             moment,
             cage_torque: -(radius * t + moment[0]),
-            energy: 0.5 * spring * place.depth,
-            damping_power: (normal - spring) * closing,
+            energy: 0.5 * spring * depth,
+            damping_power: (normal - spring + film) * closing,
             friction_power,
             sliding: length(slip),
             normal,
         }
+    }
+}
+
+impl Pocket {
+    /// Force of the oil on a ball away from the wall next to it, N: below 0 where it approaches the wall behind it.
+    fn film_of_free(&self, place: &InPocket, closing: f64) -> f64 {
+        let Some(film) = &self.film else { return 0.0 };
+        let across = 2.0 * self.clearance * self.radius;
+        film.force(-place.depth, closing) - film.force(across + place.depth, -closing)
     }
 }
 

@@ -214,6 +214,7 @@ fn pocket(friction: f64) -> Pocket {
         friction,
         ball_radius: 4.7625e-3,
         force: PocketForce::FromWall,
+        film: None,
     }
 }
 

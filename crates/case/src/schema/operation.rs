@@ -26,12 +26,26 @@ pub struct CageSpec {
     /// Damping of the pocket contact χ in F = K δ (1 + χ δ̇) (Hunt and Crossley), s/m.
     #[serde(default, deserialize_with = "units::slowness")]
     pub pocket_damping: f64,
+    /// Oil in the pockets of a bearing with a lubricant; absent for dry pockets.
+    #[serde(default)]
+    pub pocket_film: Option<PocketFilmSpec>,
     /// The land that guides the cage; absent for a cage that the balls alone guide.
     #[serde(default)]
     pub guidance: Option<GuidanceSpec>,
     /// Mass, pockets and lands of a cage that is free to move in all directions; runs alone use it.
     #[serde(default)]
     pub free: Option<FreeCageSpec>,
+}
+
+/// Oil between balls and pockets: it resists a ball that approaches the wall.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PocketFilmSpec {
+    /// Share of the gap that is full.
+    pub fill: f64,
+    /// Height of the roughness of ball and pocket, m.
+    #[serde(deserialize_with = "units::length")]
+    pub roughness: f64,
 }
 
 /// A land that guides the cage: the fluid in its gap turns the cage with the ring or holds it back.

@@ -2,6 +2,7 @@
 
 use super::*;
 
+const OIL: &str = include_str!("../../../../fixtures/cases/oil-6206.ron");
 const FULL: &str = include_str!("../../../../fixtures/cases/paper-ag-worn.ron");
 const UNGUIDED: &str = include_str!("../../../../fixtures/cases/paper-ag.ron");
 const FREE_CAGE: &str = "(mass: g(300), transverse_inertia: kg_m2(0.0011), unbalance: um(3), \
@@ -39,7 +40,10 @@ fn variants() -> Vec<String> {
     changes
         .iter()
         .map(|changes| change(changes))
-        .chain([set_value(UNGUIDED, "cage.free", FREE_CAGE).unwrap()])
+        .chain([
+            set_value(UNGUIDED, "cage.free", FREE_CAGE).unwrap(),
+            set_value(OIL, "rating.fatigue_limit", "N(450)").unwrap(),
+        ])
         .collect()
 }
 

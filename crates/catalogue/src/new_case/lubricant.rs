@@ -43,6 +43,11 @@ impl NewLubricant {
         if closed { Self::Grease } else { Self::Oil(OPEN_OIL.to_owned()) }
     }
 
+    /// True for oil and grease.
+    pub(super) fn is_wet(&self) -> bool {
+        !matches!(self, Self::Coating(_))
+    }
+
     /// The class of cleanliness in the rating section; none for a dry bearing.
     pub(super) fn cleanliness(&self) -> Option<(&'static str, &'static str)> {
         match self {
@@ -127,7 +132,7 @@ mod tests {
         ] {
             let case = NewCase::of_listed(find(designation, None).unwrap(), designation);
             assert_eq!(case.usual_lubricant(), lubricant, "{designation}");
-            assert_eq!(case.lubricant(), NewLubricant::Coating("ag"), "{designation}");
+            assert_eq!(case.lubricant(), lubricant, "{designation}");
         }
     }
 }

@@ -153,8 +153,9 @@ impl NewCase {
         let mut text = self.opening();
         text += &self.geometry(&balls, &numbers, &mut sources);
         text += &sections::materials(self, &mut sources);
-        text += &self.lubricant().section(&mut sources);
-        text += &sections::cage(&numbers, &mut sources);
+        let lubricant = self.lubricant();
+        text += &lubricant.section(&mut sources);
+        text += &sections::cage(&numbers, lubricant.is_wet(), &mut sources);
         text += &sections::operation(self, &numbers, &mut sources);
         text += &sections::transient(&numbers, &mut sources);
         text += &sections::rating(self, &numbers, &mut sources);
@@ -202,9 +203,9 @@ impl NewCase {
         NewLubricant::usual(self.parts.iter().any(Part::closes))
     }
 
-    /// The lubricant; a silver film where none is given, with which orbits and runs are fast.
+    /// The lubricant, the usual one where none is given.
     fn lubricant(&self) -> NewLubricant {
-        self.lubricant.clone().unwrap_or(NewLubricant::Coating("ag"))
+        self.lubricant.clone().unwrap_or_else(|| self.usual_lubricant())
     }
 
     fn is_deep_groove(&self) -> bool {

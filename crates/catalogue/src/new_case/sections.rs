@@ -128,7 +128,7 @@ pub(super) fn coating(name: &str, sources: &mut Sources) -> String {
     )
 }
 
-pub(super) fn cage(numbers: &Numbers, sources: &mut Sources) -> String {
+pub(super) fn cage(numbers: &Numbers, oiled: bool, sources: &mut Sources) -> String {
     sources.assumed("cage.pocket_gap", "0.01 of the ball diameter; usual 0.005 to 0.03");
     sources.assumed("cage.pocket_stiffness", "a polymer pocket; usual 1 to 50 N/um, steel and brass the stiffest");
     sources.assumed("cage.pocket_friction", "dry or poorly lubricated; usual 0.05 to 0.2");
@@ -139,6 +139,13 @@ pub(super) fn cage(numbers: &Numbers, sources: &mut Sources) -> String {
     );
     sources
         .assumed("cage.pocket_damping", "loses a few percent of the speed in an impact of 0.1 m/s; usual 0.1 to 1 s/m");
+    let film = if oiled {
+        sources.assumed("cage.pocket_film.fill", "pockets full of oil");
+        sources.assumed("cage.pocket_film.roughness", "a moulded pocket; usual 0.5 to 5 um");
+        "        // The oil between balls and pockets.\n        pocket_film: (fill: 1, roughness: um(1)),\n"
+    } else {
+        ""
+    };
     format!(
         "    cage: (
         pocket_gap: mm({}),
@@ -147,7 +154,7 @@ pub(super) fn cage(numbers: &Numbers, sources: &mut Sources) -> String {
         drag_torque: Nm(0),
         inertia: kg_m2({:e}),
         pocket_damping: s_per_m(0.5),
-    ),
+{film}    ),
 
 ",
         trim(numbers.pocket_gap * 1e3, 4),

@@ -100,7 +100,7 @@ fn identity_a_greased_bearing_is_hand_warm_and_its_heat_leaves() {
     let scratch = Scratch::new();
     let case = scratch.0.join("case.ron");
     let case = case.to_str().unwrap();
-    run_words(&format!("new 6206-2RS --lubricant usual --radial 975 --axial 0 --speed 3000 -o {case}")).table();
+    run_words(&format!("new 6206-2RS --radial 975 --axial 0 --speed 3000 -o {case}")).table();
     let heat = |options: &str| run_words(&format!("heat {case} {options} --json")).json();
     let usual = heat("");
     let outer = number(&usual, "outer_temperature_deg_c");

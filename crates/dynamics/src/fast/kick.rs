@@ -100,10 +100,12 @@ impl Fast {
             surroundings(equations_now, (frame, &places), (at.0, at.1), grips);
         });
         self.used += 2 * balls as u64;
+        // Oil in a pocket acts on a ball wherever it is.
+        let oiled = equations.machine().cage.pocket.film.is_some();
         for k in 0..balls {
             let grips = &self.scratch.grips[block];
             let old = Races { inner: !grips.is_near(Side::Inner, k), outer: !grips.is_near(Side::Outer, k) };
-            let touches = grips.depth.0[k] > 0.0;
+            let touches = oiled || grips.depth.0[k] > 0.0;
             if renew || old.inner || old.outer {
                 self.refresh(equations, (first + k, frame), old.map(|old| old || renew), renew);
             }

@@ -116,8 +116,13 @@ impl Run {
             Scheme::Fast { .. } => (s.fast_step_s, FAST_PERIOD / s.contact_frequency_hz),
             _ => (s.runge_kutta_step_s, IMAGINARY_LIMIT / (TAU * s.contact_frequency_hz)),
         };
-        let motion =
-            if limit_s < springs { format!("friction of ball {}", s.ball) } else { "the contact springs".to_owned() };
+        let motion = if limit_s >= springs {
+            "the contact springs".to_owned()
+        } else if limit_s >= self.machine.pocket_film_step() {
+            "the oil in the pockets".to_owned()
+        } else {
+            format!("friction of ball {}", s.ball)
+        };
         StepBound { motion, limit_s }
     }
 }

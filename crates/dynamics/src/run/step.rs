@@ -229,6 +229,7 @@ mod tests {
             friction: 0.2,
             ball_radius: 0.015,
             force: PocketForce::FromWall,
+            film: None,
         }
     }
 

@@ -80,8 +80,8 @@ class Case:
             dynamic_rating, static_rating: load ratings C_r and C_0r, N
             radial, axial: loads, N
             speed: speed of the inner ring, r/min
-            lubricant: ``"usual"`` (grease for sealed bearings, oil VG 68 for open ones), ``"vg32"``, ``"pao-vg46"``,
-                ``"grease"``, ``"ag"``, ``"ptfe"``; silver where left out
+            lubricant: ``"vg32"``, ``"pao-vg46"``, ``"grease"``, ``"ag"``, ``"ptfe"``; where left out, or
+                ``"usual"``, grease for sealed bearings and oil VG 68 for open ones
         """
         request = {
             "designation": designation,

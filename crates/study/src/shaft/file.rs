@@ -5,7 +5,7 @@ use crate::error::StudyError;
 use std::path::{Path, PathBuf};
 use tribodyn::{AnswerError, CaseFile, Change, Limits, RefusedCase};
 use tribodyn_case::{BearingChoice, Carries, Case, CaseError, Fit, HousingFile, ShaftSystem, SpeedSpec};
-use tribodyn_catalogue::{NewCase, find};
+use tribodyn_catalogue::{NewCase, NewLubricant, find};
 
 /// A shaft's file, changes made, with all that it names.
 pub struct ShaftFile {
@@ -107,7 +107,9 @@ pub fn named_case(bearing: &str, changes: &[Change], limits: &Limits) -> Result<
 /// # Errors
 /// A designation that is not in the list, and changes that cannot be made.
 pub fn listed_case(designation: &str, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
-    let text = find(designation, None).and_then(|found| NewCase::of_listed(found, designation).text());
+    // Nobody has said what oil it runs in: lives are basic ones.
+    let dry = |found| NewCase { lubricant: Some(NewLubricant::Coating("ag")), ..NewCase::of_listed(found, designation) };
+    let text = find(designation, None).and_then(|found| dry(found).text());
     let text = text.map_err(AnswerError::from)?;
     let mut case = CaseFile::from_text(designation, text, changes, limits)?.case;
     if !changes.iter().any(|change| change.concerns("speed.inner")) {

@@ -81,11 +81,12 @@ impl Equations {
         }
     }
 
-    /// Those of an answer for which nobody chose any: the steady orbit; in oil, where orbits take minutes, the
-    /// equilibrium with traction; raceway control where the case has not what traction needs.
+    /// Those of an answer for which nobody chose any: the steady orbit; in oil with dry pockets, where orbits take
+    /// minutes, the equilibrium with traction; raceway control where the case has not what traction needs.
     pub fn usual(case: &Case) -> Self {
+        let dry_pockets = case.cage.as_ref().is_none_or(|cage| cage.pocket_film.is_none());
         match case.require(Purpose::Traction) {
-            Ok(()) if case.lubricant.is_some() => Self::Traction,
+            Ok(()) if case.lubricant.is_some() && dry_pockets => Self::Traction,
             Ok(()) => Self::SteadyOrbit,
             Err(_) => Self::JonesHarris,
         }

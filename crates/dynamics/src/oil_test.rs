@@ -1,0 +1,94 @@
+//! Oil in contacts and pockets: the power balance, and whether all schemes have the same forces.
+
+use crate::dp54::DormandPrince;
+use crate::fast::Fast;
+use crate::forces::System;
+use crate::layout::{BALL, VELOCITY};
+use crate::rk4::Rk4;
+use crate::start::{Started, start};
+use tribodyn_case::{Case, set_value};
+
+const STEP: f64 = 5e-7;
+
+#[derive(Debug, Clone, Copy)]
+enum Scheme {
+    RungeKutta,
+    DormandPrince,
+    Fast,
+}
+
+/// The oil of the pockets as thick as that of cold gears, so that it counts.
+const THICK: (&str, &str) = ("lubricant.oil", "Library(\"mineral-vg460\")");
+
+/// From the start over a number of steps: the state, and the imbalance of the work over what is put in.
+fn run(scheme: Scheme, steps: u32, changes: &[(&str, &str)]) -> (Vec<f64>, f64) {
+    let text = include_str!("../../../fixtures/cases/oil-6206.ron").to_owned();
+    let patch = [
+        ("lubricant.patch", "SplitStrip(across: 5, along: 3)"),
+        ("ring.z", "Force(N(400))"),
+        ("transient.start", "QuasiStatic"),
+    ];
+    let text = patch.iter().chain(changes).fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
+    let case = Case::from_ron(&text).unwrap();
+    let Started { mut machine, mut state, .. } = start(case.run_inputs().unwrap(), None).unwrap();
+    let n = state.len();
+    let before = machine.energy(0.0, &state);
+    let (mut derivative, mut next, scale) = (vec![0.0; n], vec![0.0; n], vec![1.0; n]);
+    let (mut rk4, mut dp54, mut fast) = (Rk4::default(), DormandPrince::default(), Fast::with_linear_error(1e-9));
+    for step in 0..steps {
+        let t = STEP * f64::from(step);
+        machine.derivative(t, &state, &mut derivative);
+        match scheme {
+            Scheme::RungeKutta => rk4.step(&mut machine, t, (&state, &derivative), STEP, &mut next),
+            Scheme::DormandPrince => {
+                dp54.step(&mut machine, t, (&state, &derivative), STEP, &scale, &mut next);
+            }
+            Scheme::Fast => {
+                next.copy_from_slice(&state);
+                fast.step(&mut machine, t, &mut next, STEP);
+            }
+        }
+        std::mem::swap(&mut state, &mut next);
+    }
+    let after = machine.energy(f64::from(steps) * STEP, &state);
+    let w = machine.layout.work();
+    let imbalance = ((state[w] - state[w + 1] - (after - before)) / state[w + 2]).abs();
+    (state, imbalance)
+}
+
+fn speeds(state: &[f64]) -> Vec<f64> {
+    (0..9).flat_map(|k| state[BALL * k + VELOCITY..BALL * (k + 1)].to_vec()).collect()
+}
+
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+}
+
+#[test]
+fn identity_power_balances_in_oil() {
+    for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
+        for changes in [&[][..], &[THICK]] {
+            let (_, off) = run(scheme, 1000, changes);
+            assert!(off < 1e-9, "{scheme:?} {changes:?}: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn identity_all_schemes_have_the_oil_in_the_pockets() {
+    let half = ("cage.pocket_film.fill", "0.5");
+    for changes in [&[THICK][..], &[THICK, ("cage.free", FREE)]] {
+        let thinner: Vec<_> = changes.iter().copied().chain([half]).collect();
+        let exact = [changes, &thinner].map(|changes| speeds(&run(Scheme::RungeKutta, 400, changes).0));
+        let fast = [changes, &thinner].map(|changes| speeds(&run(Scheme::Fast, 400, changes).0));
+        let (effect, error) = (apart(&exact[0], &exact[1]), apart(&exact[0], &fast[0]));
+        assert!(effect > 1e-4 && error < 0.3 * effect, "effect {effect:e}, error {error:e}");
+        let effect_of_fast = apart(&fast[0], &fast[1]);
+        assert!(
+            (effect_of_fast / effect - 1.0).abs() < 0.1,
+            "effect {effect:e}, in the fast scheme {effect_of_fast:e}"
+        );
+    }
+}
+
+const FREE: &str = "(mass: g(7.6), transverse_inertia: kg_mm2(2.35), displacement: (um(20), um(0)), pockets: Cylinder)";
