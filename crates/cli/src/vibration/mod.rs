@@ -8,7 +8,7 @@ use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table::{self, number};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use tribodyn_signal::{Evidence, Fault, Search};
+use tribodyn_signal::{BandVelocity, Evidence, Fault, Search};
 use tribodyn_study::StagedFiles;
 use tribodyn_study::vibration::{Analysis, SignalQuestion, Window, diagnosed};
 
@@ -150,6 +150,8 @@ fn print(path: &Path, a: &Analysis) -> Result<(), Failure> {
         let speed = format!("{} ± {}", number(cage.speed_rpm, 2), number(cage.deviation_rpm, 2));
         rows.push(("cage", speed, "r/min"));
     }
+    let velocities: Vec<(String, String)> = a.velocity_bands.iter().map(velocity).collect();
+    rows.extend(velocities.iter().map(|(name, value)| (name.as_str(), value.clone(), "mm/s")));
     table::print_pairs(&rows)?;
     table::print_line("")?;
     let header = ["line", "rolling Hz", "found Hz", "± Hz", "off %", "over noise dB", "modulation", "log10 chance"];
@@ -162,6 +164,12 @@ fn print(path: &Path, a: &Analysis) -> Result<(), Failure> {
         table::print_line(&format!("warning: {warning}"))?;
     }
     Ok(())
+}
+
+/// Velocity in a band of bearing testers: its name, rms and peak.
+fn velocity(band: &BandVelocity) -> (String, String) {
+    let name = format!("velocity {:.0} – {:.0} Hz, rms peak", band.low_hz, band.high_hz);
+    (name, format!("{}  {}", number(1e3 * band.rms_m_s, 4), number(1e3 * band.peak_m_s, 4)))
 }
 
 fn row(e: &Evidence) -> Vec<String> {

@@ -32,6 +32,7 @@ class Vibration(Answer):
     duration_s: float
     #: moments and extremes of that part, in the unit of the file
     statistics: dict[str, Any]
+    velocity_bands: list[dict[str, Any]]
     #: balls, diameters, contact angle, turns of the rings over those of the shaft
     bearing: dict[str, Any]
     #: speed of the shaft

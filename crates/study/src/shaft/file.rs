@@ -108,7 +108,8 @@ pub fn named_case(bearing: &str, changes: &[Change], limits: &Limits) -> Result<
 /// A designation that is not in the list, and changes that cannot be made.
 pub fn listed_case(designation: &str, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
     // Nobody has said what oil it runs in: lives are basic ones.
-    let dry = |found| NewCase { lubricant: Some(NewLubricant::Coating("ag")), ..NewCase::of_listed(found, designation) };
+    let dry =
+        |found| NewCase { lubricant: Some(NewLubricant::Coating("ag")), ..NewCase::of_listed(found, designation) };
     let text = find(designation, None).and_then(|found| dry(found).text());
     let text = text.map_err(AnswerError::from)?;
     let mut case = CaseFile::from_text(designation, text, changes, limits)?.case;

@@ -5,7 +5,10 @@ use crate::error::StudyError;
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::path::Path;
-use tribodyn_signal::{Diagnosis, Kinematics, Search, Shaft, SignalError, Statistics, diagnose, speed_by_pulses};
+use tribodyn_signal::{
+    BandVelocity, Diagnosis, Kinematics, Search, Shaft, SignalError, Statistics, TESTER_BANDS_HZ, band_velocities,
+    diagnose, speed_by_pulses,
+};
 
 /// Where the speed of the shaft is known from.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +44,8 @@ pub struct Analysis {
     pub duration_s: f64,
     /// Moments and extremes of that part, in the unit of the file.
     pub statistics: Statistics,
+    /// Velocities in the bands of bearing testers: of a column of accelerations, whose name ends in `_m_s2`.
+    pub velocity_bands: Vec<BandVelocity>,
     /// The bearing.
     pub bearing: Kinematics,
     /// What the signal says of it.
@@ -109,6 +114,11 @@ pub fn analysis(
         from_s: from as f64 / rate_hz,
         duration_s: samples.len() as f64 / rate_hz,
         statistics: Statistics::of(samples)?,
+        velocity_bands: if column.name.ends_with("_m_s2") {
+            band_velocities(samples, rate_hz, &TESTER_BANDS_HZ)?
+        } else {
+            Vec::new()
+        },
         bearing: *bearing,
         diagnosis,
         samples: samples.to_vec(),
