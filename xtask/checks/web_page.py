@@ -2,11 +2,12 @@
 
 Usage: python3 web_page.py FOLDER [--command PROGRAM] [--browser PROGRAM] [--pictures DIR]
 
-Failures are numbers that differ, messages that do not come, a page wider than its window, text without contrast, errors of the
-console, and requests to anywhere else. Without a command, numbers are not compared.
+Recordings and tables are opened in it too. Failures are numbers that differ, messages that do not come, a page wider than its
+window, text without contrast, errors of the console, and requests to anywhere else. Without a command, numbers are not compared.
 """
 
 import argparse
+import base64
 import functools
 import http.server
 import json
@@ -234,6 +235,60 @@ def handled(browser):
     until(browser, f"document.getElementById('life')?.textContent === {json.dumps(life)}")
 
 
+def given(browser, path):
+    """A file as a person opens it."""
+    root = browser.call("DOM.getDocument")["root"]["nodeId"]
+    node = browser.call("DOM.querySelector", nodeId=root, selector="#open")["nodeId"]
+    browser.evaluate("delete document.documentElement.dataset.dropped; document.getElementById('dropped-problem').hidden = true")
+    browser.call("DOM.setFileInputFiles", nodeId=node, files=[str(path)])
+    until(browser, f"document.documentElement.dataset.dropped === {json.dumps(path.name)} || !document.getElementById('dropped-problem').hidden", 30)
+
+
+def dropped(browser, command, folder):
+    """Tables, a recording against the command's own numbers, and what is refused."""
+    table = folder / "table.csv"
+    table.write_text("time_s;a\n" + "\n".join(f"{k / 8};{str(math.cos(k)).replace('.', ',')}" for k in range(1000)))
+    given(browser, table)
+    shown = browser.evaluate("document.getElementById('dropped-numbers').textContent")
+    rms = math.sqrt(sum(math.cos(k) ** 2 for k in range(1000)) / 1000)
+    if not math.isclose(float(shown.rsplit("rms ", 1)[1]), rms, rel_tol=1e-5):
+        yield f"a table whose rms is {rms:.6g} is shown as {shown!r}"
+    for path in sorted((Path(__file__).parents[2] / "fixtures/fuzz/reader").glob("*.mcap")):
+        given(browser, path)
+        if browser.evaluate("document.getElementById('dropped-problem').hidden"):
+            yield f"{path.name}, which is no recording, is taken"
+    if not command:
+        return
+    recording = folder / "orbit.mcap"
+    case = Path(__file__).parents[2] / "fixtures/cases/angular-7210.ron"
+    answer = printed(command, "solve", case, "--model", "jones-harris", "-o", recording)
+    given(browser, recording)
+    if not browser.evaluate("document.getElementById('dropped-problem').hidden"):
+        yield f"a recording is refused: {browser.evaluate('document.getElementById(`dropped-problem`).textContent')}"
+        return
+    data = base64.b64encode(recording.read_bytes()).decode()
+    expression = f"import('./recording.js').then(({{ read }}) => {{ const all = read(Uint8Array.from(atob('{data}'), c => c.charCodeAt(0))); return {{ names: all.balls.names, first: all.balls.rows[0].map(row => [...row]), speed: all.states.get('cage_speed_rpm')[0] }}; }})"
+    found = browser.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)["result"]["value"]
+    worst = abs(found["speed"] / answer["cage_speed_rpm"] - 1)
+    for name in ("load_inner_n", "load_outer_n", "contact_angle_outer_deg"):
+        largest = max(abs(ball[name]) for ball in answer["balls"])
+        for row, ball in zip(found["first"], answer["balls"]):
+            worst = max(worst, abs(row[found["names"].index(name)] - ball[name]) / largest)
+    print(f"recording in the page: {len(found['first'])} balls, largest relative difference {worst:.1e}")
+    if len(found["first"]) != len(answer["balls"]) or not worst <= 1e-6:
+        yield f"a recording's numbers differ by {worst:.1e} from those of the command"
+    browser.evaluate("document.getElementById('dropped-play').textContent === 'Pause' && document.getElementById('dropped-play').click()")
+    pictures = []
+    for place in (0, 10):
+        browser.evaluate(f"(e => {{ e.value = {place}; e.dispatchEvent(new Event('input')); }})(document.getElementById('dropped-time'))")
+        time.sleep(0.5)
+        pictures.append(browser.evaluate("document.getElementById('dropped-view').toDataURL?.()"))
+    if pictures[0] == pictures[1]:
+        yield "the recorded bearing does not move"
+    yield from (f"with a recording: {text}" for text in browser.evaluate(LOOK))
+    browser.evaluate("document.getElementById('dropped-close').click()")
+
+
 def viewed(browser, width, scheme):
     """Without motion: a browser without a graphics processor draws slowly."""
     browser.view(width, scheme, "screen", True)
@@ -278,6 +333,7 @@ def main():
             browser.open(url)
             until(browser, "document.getElementById('cards').childElementCount > 5")
             wrong.extend(handled(browser))
+            wrong.extend(dropped(browser, arguments.command, Path(work)))
             wrong.extend(compared(browser, arguments.command, Path(work)))
             wrong.extend(complaints(browser, url))
         finally:

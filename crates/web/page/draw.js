@@ -103,3 +103,37 @@ export function curve(place, points, { value, label, x, at, log }) {
   }
   if (at >= xs[0] && at <= xs[1]) add("line", { x1: X(at), x2: X(at), y1: top, y2: height - bottom, stroke: css.second, "stroke-width": 1.5, "stroke-dasharray": "5 3" });
 }
+
+// Long series over a time or another column: of each pixel the least and the largest value.
+export function series(place, { xs, ys, x, label, at }) {
+  const width = Math.max(320, Math.min(1100, place.clientWidth || 720)), height = 260, left = 78, right = 18, top = 14, bottom = 44;
+  const add = sheet(place, width, height, `${label} over ${x}`);
+  const [from, to] = [xs[0], xs[xs.length - 1]];
+  let low = Infinity, high = -Infinity;
+  for (const y of ys) if (Number.isFinite(y)) { low = Math.min(low, y); high = Math.max(high, y); }
+  if (!(low <= high) || !(from < to)) { add("text", { x: width / 2, y: height / 2, "text-anchor": "middle" }, "no values here"); return; }
+  if (high === low) { low -= Math.abs(low) * 1e-3 || 1; high += Math.abs(high) * 1e-3 || 1; }
+  const X = v => left + (v - from) / (to - from) * (width - left - right);
+  const Y = v => height - bottom - (v - low) / (high - low) * (height - top - bottom);
+  for (const level of ticks(low, high)) {
+    add("line", { x1: left, x2: width - right, y1: Y(level), y2: Y(level), stroke: css.line });
+    add("text", { x: left - 8, y: Y(level) + 4, "text-anchor": "end" }, short(level, 5));
+  }
+  for (const level of ticks(from, to)) {
+    if (X(level) > width - right - 14) continue;
+    add("line", { y1: top, y2: height - bottom, x1: X(level), x2: X(level), stroke: css.line });
+    add("text", { x: X(level), y: height - bottom + 17, "text-anchor": "middle" }, short(level, 5));
+  }
+  add("text", { x: (left + width - right) / 2, y: height - 8, "text-anchor": "middle", class: "soft" }, x);
+  add("text", { x: 14, y: (top + height - bottom) / 2, "text-anchor": "middle", class: "soft", transform: `rotate(-90 14 ${(top + height - bottom) / 2})` }, label);
+  const pixels = new Map();
+  for (let k = 0; k < ys.length; k += 1) {
+    if (!Number.isFinite(ys[k]) || !(xs[k] >= from && xs[k] <= to)) continue;
+    const px = Math.round(X(xs[k])), there = pixels.get(px);
+    if (there) { there[1] = Math.min(there[1], ys[k]); there[2] = Math.max(there[2], ys[k]); there[3] = ys[k]; }
+    else pixels.set(px, [ys[k], ys[k], ys[k], ys[k]]);
+  }
+  const path = [...pixels].flatMap(([px, values]) => [...new Set(values)].map(y => `${px} ${Y(y).toFixed(1)}`));
+  add("path", { d: `M${path.join("L")}`, fill: "none", stroke: css.accent, "stroke-width": 1.4 });
+  return add("line", { y1: top, y2: height - bottom, x1: X(at ?? from), x2: X(at ?? from), stroke: at === undefined ? "none" : css.second, "stroke-width": 1.5 });
+}

@@ -121,8 +121,9 @@ export class View {
     return { place: of(places), normal: of(normals), count: places.length / 3 };
   }
 
-  // Sizes in m; balls as the solution has them.
-  show({ pitch, ball, coefficients: [fi, fo], balls }) {
+  // Sizes in one unit; balls as the solution has them, or placed where a recording has them; most is
+  // the force of the longest rod.
+  show({ pitch, ball, coefficients: [fi, fo], balls, placed = false, most }) {
     if (!this.#gl) return;
     const [d, rm] = [1, .5 * pitch / ball], half = .62 * d;
     const key = [pitch, ball, fi, fo].join();
@@ -134,7 +135,7 @@ export class View {
       // Cut open so that the balls are to be seen.
       this.#parts.outer = this.#loaded(revolved(ring(outer, rm + .28 * d, rm + .85 * d, half, true), -.42 * PI, .92 * PI, 80));
     }
-    this.#bearing = { key, rm, balls, most: Math.max(...balls.map(b => b.load_inner_n), 1e-9) };
+    this.#bearing = { key, rm, balls, placed, most: most ?? Math.max(...balls.map(b => b.load_inner_n), 1e-9) };
     this.draw();
   }
 
@@ -163,7 +164,7 @@ export class View {
     const ground = getComputedStyle(canvas.closest("section")).backgroundColor.match(/[\d.]+/g).map(v => v / 255);
     gl.clearColor(ground[0], ground[1], ground[2], 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const { rm, balls, most } = this.#bearing, away = 3.1 * (rm + .85);
+    const { rm, balls, placed, most } = this.#bearing, away = 3.1 * (rm + .85);
     // Azimuth 0, where a radial load acts, points down.
     const world = times(about("x", this.#turn[0]), times(about("y", this.#turn[1]), about("z", -Math.PI / 2)));
     const camera = times(perspective(w / h, .1 * away, 3 * away, 2.55), moved(0, 0, -away));
@@ -181,7 +182,7 @@ export class View {
       const place = k + this.#phase * balls.length / (2 * Math.PI), low = Math.floor(place), part = place - low;
       const [a, b] = [balls[low % balls.length], balls[(low + 1) % balls.length]];
       const mixed = name => a[name] + part * (b[name] - a[name]);
-      const phi = (balls[0].azimuth_deg * Math.PI / 180) + 2 * Math.PI * place / balls.length;
+      const phi = placed ? balls[k].azimuth_deg * Math.PI / 180 : (balls[0].azimuth_deg * Math.PI / 180) + 2 * Math.PI * place / balls.length;
       const to = times(about("z", phi), moved(rm, 0, 0));
       const gpa = 1e-9 * Math.max(mixed("peak_pressure_inner_pa"), mixed("peak_pressure_outer_pa"));
       put(this.#parts.ball, times(to, moved(0, 0, 0, .5)), pressureColour(gpa));
