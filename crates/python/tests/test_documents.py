@@ -9,6 +9,9 @@ import importlib.metadata
 import io
 import math
 import re
+import subprocess
+import sys
+import zlib
 from pathlib import Path
 
 import pytest
@@ -17,6 +20,7 @@ import tribodyn
 from .conftest import ROOT
 
 PAGES = ["docs/python.md", "docs/python-studies.md", "docs/fmu.md", "README.md", "crates/python/README.md"]
+MODULES = ("answers", "solution", "sets", "films", "signals", "ensembles", "runs", "sweeps", "distributed", "units")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
@@ -79,3 +83,39 @@ def test_limit_everything_public_is_documented() -> None:
         thing = getattr(tribodyn, name)
         if callable(thing):
             assert thing.__doc__, name
+
+
+def test_limit_every_attribute_of_an_answer_says_what_it_is() -> None:
+    """In a comment above it, which the reference shows; with its unit, where it has one."""
+    pycode = pytest.importorskip("sphinx.pycode")
+    found = 0
+    for module in MODULES:
+        analyzer = pycode.ModuleAnalyzer.for_module(f"tribodyn.{module}")
+        analyzer.analyze()
+        for name, kind in vars(importlib.import_module(f"tribodyn.{module}")).items():
+            if not isinstance(kind, type) or kind.__module__ != f"tribodyn.{module}" or name.startswith("_"):
+                continue
+            for attribute in vars(kind).get("__annotations__", {}):
+                if not attribute.startswith("_"):
+                    found += 1
+                    assert (name, attribute) in analyzer.attr_docs, f"{module}.{name}.{attribute}"
+    assert found > 300
+
+
+def test_limit_the_reference_has_every_public_name(tmp_path: Path) -> None:
+    """Without a warning; with all names of the package, and its attributes with their units."""
+    pytest.importorskip("furo", reason="Sphinx or its theme is not installed")
+    source = ROOT / "crates" / "python" / "reference"
+    command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-d", str(tmp_path / "d")]
+    done = subprocess.run([*command, str(source), str(tmp_path / "html")], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    inventory = (tmp_path / "html" / "objects.inv").read_bytes().split(b"zlib.\n", 1)[1]
+    names = {line.split(" ")[0] for line in zlib.decompress(inventory).decode().splitlines()}
+    # Units have a list of their own, as `tribodyn.kN` and the like.
+    public = [name for name in tribodyn.__all__ if name not in ("__version__", "units")]
+    assert not [name for name in public if f"tribodyn.{name}" not in names]
+    assert "tribodyn.Solution.cage_speed_rpm" in names and "tribodyn.distributed.sweep" in names
+    cases = (tmp_path / "html" / "cases.html").read_text(encoding="utf-8")
+    assert all(f">{name}<" in cases for kind in tribodyn._native.unit_names() for name in kind)
+    page = (tmp_path / "html" / "equilibria.html").read_text(encoding="utf-8")
+    assert "Torque that the shaft needs" in page and "where a ball meets a wall of its pocket [°]" in page

@@ -33,9 +33,11 @@ MORE: dict[str, Any] = {
 
 @pytest.fixture(autouse=True)
 def unseen() -> Any:
+    from matplotlib import pyplot
+
     matplotlib.use("Agg")
     yield
-    matplotlib.pyplot.close("all")
+    pyplot.close("all")
 
 
 @pytest.mark.parametrize("kind", [*(MAKERS.keys() - UNDRAWN), *MORE])
@@ -66,3 +68,30 @@ def test_limit_a_notebook_leaves_no_figure_open(tmp_path: Path) -> None:
 
     rating = tribodyn.rating_life(_plain(), "jones-harris")
     assert rating._repr_html_() == rating._repr_html_() and not pyplot.get_fignums()
+
+
+def test_identity_a_scene_has_the_balls_where_the_recording_has_them() -> None:
+    pytest.importorskip("k3d")
+    run = tribodyn.run(tribodyn.Case.read(ROOT / "fixtures" / "cases" / "paper-ag.ron"), SHORT_S, progress=False)
+    scene = run.data.scene(frames=3)
+    rings, balls, rods = scene.objects[:2], scene.objects[2], scene.objects[3]
+    recorded = run.data.balls
+    shown = recorded.time_s[[0, (len(recorded) - 1) // 2, -1]].tolist()
+    assert [float(time) for time in balls.positions] == pytest.approx(shown, rel=1e-6)
+    last = list(balls.positions.values())[-1]
+    assert np.hypot(last[:, 0], last[:, 1]) == pytest.approx(recorded.orbit_radius_mm[-1], rel=1e-6)
+    angles = np.degrees(np.arctan2(last[:, 1], last[:, 0])) % 360.0
+    assert angles == pytest.approx(recorded.azimuth_deg[-1], abs=1e-3)
+    # A rod begins where a ball touches its race, half a diameter from its centre, and is as long as the force.
+    begun, ended = list(rods.vertices.values())[-1].reshape(-1, 2, 3).transpose(1, 0, 2)
+    diameter = float(run.data.metadata["simulation"]["ball_diameter_mm"])
+    assert np.linalg.norm(begun - np.concatenate([last, last]), axis=1) == pytest.approx(diameter / 2, rel=1e-4)
+    loads = np.concatenate([recorded.load_inner_n[-1], recorded.load_outer_n[-1]])
+    lengths = np.linalg.norm(ended - begun, axis=1)
+    assert lengths / lengths.max() == pytest.approx(loads / loads.max(), abs=1e-4)
+    # Rings stay outside of the balls, and hold them.
+    inner, outer = (np.hypot(ring.vertices[:, 0], ring.vertices[:, 1]) for ring in rings)
+    assert inner.max() < recorded.orbit_radius_mm[-1].mean() < outer.min()
+    assert "<html" in scene.get_snapshot().lower()
+    with pytest.raises(InputError, match="1 or more"):
+        run.data.scene(frames=0)

@@ -1,4 +1,4 @@
-//! The Python package: a wheel, installed into a fresh environment; its tests, its types, its notebooks.
+//! The Python package: a wheel, installed into a fresh environment; its tests, its types, its notebooks, its reference.
 //!
 //! The wheel is built in the dev profile, whose results are those of a release build bit for bit: it takes the crates
 //! that the tests have built. Skipped where there is no Python from 3.9 on, or no package index.
@@ -15,7 +15,7 @@ use tribodyn_paper::{PaperError, files};
 /// What builds the wheel.
 const BUILD: [&str; 1] = ["maturin>=1.9,<2"];
 /// What the tests need besides the package.
-const TEST: [&str; 18] = [
+const TEST: [&str; 21] = [
     "numpy>=1.22",
     "pandas>=1.5",
     "pandas-stubs",
@@ -35,6 +35,9 @@ const TEST: [&str; 18] = [
     // What ROSS asks of it is gone from 7 on.
     "plotly<7",
     "FMPy>=0.3.20",
+    "k3d>=2.16",
+    "sphinx>=7",
+    "furo>=2024.1",
 ];
 /// First release of Python that the wheel is for.
 const OLDEST: (u32, u32) = (3, 9);

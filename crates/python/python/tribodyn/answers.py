@@ -23,15 +23,25 @@ if TYPE_CHECKING:
 class Growth(Answer):
     """Growth of the rings by fits and speed."""
 
+    #: free contact angle as drawn, °
     contact_angle_drawn_deg: float
+    #: the same in its seats, °
     contact_angle_mounted_deg: float
+    #: the same at speed and temperature, °
     contact_angle_running_deg: float
+    #: radial internal clearance on the diameter as drawn, m
     radial_clearance_drawn_m: float
+    #: the same in its seats, m
     radial_clearance_mounted_m: float
+    #: the same at speed and temperature, m
     radial_clearance_running_m: float
+    #: growth of the radius of the inner race, m
     raceway_growth_inner_m: float
+    #: growth of the radius of the outer race, m
     raceway_growth_outer_m: float
+    #: pressure between shaft and inner ring, Pa; None without a fit
     seat_pressure_inner_pa: Optional[float]
+    #: pressure between outer ring and housing, Pa; None without a fit
     seat_pressure_outer_pa: Optional[float]
 
     def _draw(self, ax: Axes) -> None:
@@ -43,9 +53,13 @@ class Growth(Answer):
 class Frequencies(Answer):
     """Frequencies of a bearing and of its defects."""
 
+    #: rotation of the shaft, Hz
     shaft_hz: float
+    #: rotation of the cage, FTF, Hz
     cage_hz: float
+    #: a defect of the outer race, BPFO, Hz
     ball_pass_outer_hz: float
+    #: a defect of the inner race, BPFI, Hz
     ball_pass_inner_hz: float
     #: of a ball about its own axis
     ball_spin_hz: float
@@ -61,25 +75,37 @@ class Derived(Answer):
 
     _parts = {"growth": Growth, "frequencies": Frequencies}
 
+    #: name of the bearing
     name: str
     #: free contact angle
     contact_angle_deg: float
     #: diametral clearance
     radial_clearance_m: float
+    #: axial play without load, m
     axial_play_m: float
+    #: radius of the inner groove over the ball diameter
     groove_coefficient_inner: float
+    #: radius of the outer groove over the ball diameter
     groove_coefficient_outer: float
+    #: distance of the centres of the grooves, m
     groove_centre_distance_m: float
+    #: mass of a ball, kg
     ball_mass_kg: float
+    #: moment of inertia of a ball, kg m²
     ball_inertia_kg_m2: float
     #: load over approach to the power of 1.5
     contact_stiffness_inner_n_per_m_1_5: float
+    #: the same of the outer contact, N/m^1.5
     contact_stiffness_outer_n_per_m_1_5: float
+    #: longer over shorter axis of the inner contact
     ellipticity_inner: float
+    #: longer over shorter axis of the outer contact
     ellipticity_outer: float
     #: balls that roll at the free contact angle
     cage_speed_free_rpm: float
+    #: drag of the fluid on a ball, N; None without a fluid
     drag_per_ball_n: Optional[float]
+    #: density of what the balls run in, kg/m³; None without a fluid
     effective_fluid_density_kg_m3: Optional[float]
     #: what the bearing is lubricated with
     lubrication: str
@@ -89,6 +115,7 @@ class Derived(Answer):
     static_rating_n: Optional[float]
     #: None where the ring is held along x, y or z, like all that follows from loads
     radial_load_n: Optional[float]
+    #: axial load, N
     axial_load_n: Optional[float]
     #: s_0 = C_0r/P_0; None without load
     static_safety: Optional[float]
@@ -96,11 +123,15 @@ class Derived(Answer):
     peak_pressure_estimate_pa: Optional[float]
     #: pitch diameter times the speed of the rings against each other
     pitch_speed_mm_rpm: float
+    #: growth of the rings; absent without fits, speed and heat
     growth: Growth
     #: of defects, balls that roll at the nominal contact angle; absent at rest
     frequencies: Frequencies
+    #: where values of the case come from, by path
     sources: dict[str, Any]
+    #: sentences on how the case is read
     notes: list[str]
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
 
     def _draw(self, ax: Axes) -> None:
@@ -115,6 +146,7 @@ class Rating(OfOperatingPoint):
 
     _parts = {"frequencies": Frequencies}
 
+    #: nominal contact angle, °
     nominal_contact_angle_deg: float
     #: basic dynamic load rating C_r
     dynamic_rating_n: float
@@ -122,11 +154,15 @@ class Rating(OfOperatingPoint):
     dynamic_rating_source: str
     #: basic static load rating C_0r
     static_rating_n: float
+    #: ``catalogue`` or ``computed``
     static_rating_source: str
     #: C_u
     fatigue_load_limit_n: float
+    #: ``catalogue`` or ``computed``
     fatigue_load_limit_source: str
+    #: radial load, N
     radial_load_n: Optional[float]
+    #: axial load, N
     axial_load_n: Optional[float]
     #: P = X F_r + Y F_a
     equivalent_load_n: Optional[float]
@@ -142,11 +178,13 @@ class Rating(OfOperatingPoint):
     reliability_factor: float
     #: L_nmr, million turns
     rating_life_lnmr_mrev: Optional[float]
+    #: rating life of the steel at the speed, h
     rating_life_hours: Optional[float]
     #: P_0
     static_equivalent_load_n: Optional[float]
     #: s_0 = C_0r/P_0
     static_safety: Optional[float]
+    #: highest pressure of any ball, Pa
     peak_pressure_max_pa: Optional[float]
     #: load to 4.2 GPa over load
     pressure_safety: Optional[float]
@@ -162,15 +200,21 @@ class Rating(OfOperatingPoint):
 class Contact(Answer):
     """A Hertz contact."""
 
+    #: longer over shorter axis, 1 or more
     ellipticity: float
+    #: half the longer axis, m
     semi_major_m: float
+    #: half the shorter axis, m
     semi_minor_m: float
+    #: pressure in the middle, Pa
     peak_pressure_pa: float
+    #: approach of the bodies, m
     approach_m: float
     #: load over approach to the power of 1.5
     stiffness_n_per_m_1_5: float
     #: largest shear stress below the middle of the contact, in body 1 and in body 2; None without load
     max_shear_pa: Optional[list[float]]
+    #: how deep that is, m
     max_shear_depth_m: Optional[list[float]]
     #: von Mises stress at that depth
     von_mises_pa: Optional[list[float]]
@@ -183,20 +227,31 @@ class Contact(Answer):
 class TractionCurve(Answer):
     """Traction coefficient of a coating over slip, at one pressure."""
 
+    #: slips that were asked for, shape (slips,)
     slip: NDArray[np.float64]
+    #: traction coefficient at each of them, shape (slips,)
     coefficient: NDArray[np.float64]
+    #: parameter A of Kragelskii's curve
     a: float
+    #: parameter B
     b: float
+    #: parameter C
     c: float
+    #: parameter D
     d: float
+    #: slip of the largest coefficient
     peak_slip: float
+    #: largest coefficient
     peak_coefficient: float
+    #: coefficient far beyond the peak
     residual_coefficient: float
+    #: contact pressure, GPa
     pressure_gpa: float
     #: outside the tested pressures
     extrapolated: bool
     #: outside the pressures for which the fit may be used, whose nearest end is taken instead
     clamped: bool
+    #: where the parameters come from
     source: str
     #: what the reader must know about the pressure
     note: Optional[str]
@@ -394,7 +449,9 @@ class Stiffness(Answer):
 class Mode(Answer):
     """A natural mode: frequency, damping, shape."""
 
+    #: frequency, Hz
     frequency_hz: float
+    #: damping over the critical one; below 0 where the mode grows
     damping_ratio: float
     #: above 0 where the mode grows
     growth_rate_per_s: float
@@ -422,11 +479,13 @@ class Modes(OfOperatingPoint):
 
     _parts = {"modes": Mode}
 
+    #: speed of the cage in the orbit, r/min
     cage_speed_rpm: float
     #: what is left, a turn of the cage later, of a small disturbance of a ball: above 1 it grows
     multiplier: float
     #: the same as a rate
     growth_rate_per_s: float
+    #: the modes by their frequency
     modes: list[Mode]
 
     def damping_times_s(self) -> NDArray[np.float64]:
@@ -475,13 +534,17 @@ class Modes(OfOperatingPoint):
 class Life(Answer):
     """The life of a bearing's raceways."""
 
+    #: file of the case
     case: str
+    #: name of the bearing
     bearing: str
     #: ``worn-through``, ``clearance-limit``, ``time`` or ``grooves``
     ended_by: str
     #: races whose coating is through at the end: ``inner``, ``outer``
     worn_through: list[str]
+    #: running time at the end, h
     end_h: float
+    #: turns of the inner ring at the end
     end_revolutions: float
     #: when steel first showed in the middle of a track; None where it did not
     steel_shows_h: Optional[float]
@@ -491,6 +554,7 @@ class Life(Answer):
     loss_per_stride: float
     #: the state at the start of each stride, and at the end
     strides: list[dict[str, float]]
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
 
     def _draw(self, ax: Axes) -> None:
@@ -511,20 +575,29 @@ class Life(Answer):
 class Identification(Answer):
     """Unknown parameters under one hypothesis."""
 
+    #: name of the hypothesis; None for the problem as it stands
     hypothesis: Optional[str]
     #: sum of squared residuals over uncertainties, priors included
     cost: float
+    #: the part of the figures, without priors
     data_cost: float
     #: by Laplace's approximation, up to a constant of the data
     log_evidence: float
+    #: signs that a figure is read wrongly or that the model lacks something
     conflicts: list[str]
+    #: of each parameter its ``name``, ``value``, ``spread``, and whether it is ``determined`` or ``at_bound``
     parameters: list[dict[str, Any]]
+    #: correlations of the parameters, by rows
     correlation: list[list[float]]
+    #: of each figure its value, the computed one and the residual
     data: list[dict[str, Any]]
     #: distinct minima, the best first
     minima: list[dict[str, Any]]
+    #: starts without an equilibrium
     failed_starts: int
+    #: change of the sensitivities when their step is halved
     sensitivity_check: float
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
     #: the case file with the identified values and their sources
     case_text: str

@@ -48,6 +48,7 @@ class Dataset(Answer):
     rows: int
     #: rows without a solution; the column ``error`` says why
     failed_rows: int
+    #: files of the folder
     partitions: int
     #: partitions that an earlier call had finished
     resumed_partitions: int

@@ -29,10 +29,13 @@ class Quantiles(Answer):
     members: int
     #: 5 % of the members lie below
     p05: float
+    #: 25 % of the members lie below
     p25: float
     #: the median
     p50: float
+    #: 75 % of the members lie below
     p75: float
+    #: 95 % of the members lie below
     p95: float
 
 
@@ -41,20 +44,25 @@ class Ensemble(Answer):
 
     _parts = {"quantiles": Quantiles}
 
+    #: file of the case
     case: str
+    #: name of the bearing
     bearing: str
     #: members that were asked for
     members: int
+    #: members that are finished
     finished: int
     #: finished members that an earlier call had finished
     resumed: int
     #: finished members without figures
     failed: int
+    #: seed of the draws
     seed: int
     #: how the members lie in the space of the spreads
     sampling: str
     #: varied places: ``column``, ``path``, ``spread``
     varied: list[dict[str, str]]
+    #: quantiles of each figure
     quantiles: list[Quantiles]
     #: members without figures: ``member`` and ``error``
     failures: list[dict[str, Any]]
@@ -150,6 +158,7 @@ class Dataset(Answer):
 
     #: members of the set
     members: int
+    #: members that are finished
     finished: int
     #: finished members without a signal
     failed: int
@@ -159,7 +168,9 @@ class Dataset(Answer):
     bearings_test: int
     #: members that were run now
     run: int
+    #: threads that were used
     threads: int
+    #: time that it took, s
     wall_s: float
     #: absent where none was run
     members_per_s_and_thread: float

@@ -17,11 +17,15 @@ if TYPE_CHECKING:
 class Oil(Answer):
     """An oil at a temperature."""
 
+    #: temperature, °C
     temperature_deg_c: float
+    #: kinematic viscosity, mm²/s
     kinematic_viscosity_mm2_s: float
     #: at ambient pressure
     dynamic_viscosity_pa_s: float
+    #: density, kg/m³
     density_kg_m3: float
+    #: pressure–viscosity coefficient, 1/Pa
     pressure_viscosity_per_pa: float
 
 
@@ -34,9 +38,13 @@ class ContactFilm(Answer):
     ball: int
     #: ``inner`` or ``outer``; likewise
     race: str
+    #: load of the contact, N
     load_n: float
+    #: mean speed of the surfaces into the contact, m/s
     entrainment_speed_m_s: float
+    #: central film thickness, m
     film_central_m: float
+    #: least film thickness, m
     film_minimum_m: float
     #: film parameter λ
     lambda_ratio: float
@@ -62,6 +70,7 @@ class Films(OfOperatingPoint):
     viscosity_ratio: Optional[float]
     #: viscosity that ISO 281 asks for at this speed; None at rest
     reference_viscosity_mm2_s: Optional[float]
+    #: pitch diameter times speed, mm r/min
     speed_factor_mm_rpm: float
     #: ball by ball
     contacts: list[ContactFilm]
@@ -85,7 +94,9 @@ class Torque(OfOperatingPoint):
 
     #: of the rings against each other
     speed_rpm: float
+    #: radial load, N
     radial_load_n: float
+    #: axial load, N
     axial_load_n: float
     #: all of it
     torque_nm: float
@@ -93,6 +104,7 @@ class Torque(OfOperatingPoint):
     rolling_nm: float
     #: shear of the films at the inner race
     sliding_inner_nm: float
+    #: sliding in the outer contacts, N m
     sliding_outer_nm: float
     #: drag and churning of the fluid around the balls
     fluid_nm: float
@@ -100,6 +112,7 @@ class Torque(OfOperatingPoint):
     cage_nm: float
     #: SKF's model; absent without a lubricant, as are those below
     skf_rolling_nm: float
+    #: its sliding part, N m
     skf_sliding_nm: float
     #: without seals and the drag of an oil bath
     skf_torque_nm: float
@@ -107,6 +120,7 @@ class Torque(OfOperatingPoint):
     palmgren_viscous_nm: float
     #: of the load
     palmgren_load_nm: float
+    #: torque by Palmgren's formula, N m
     palmgren_torque_nm: float
     #: what the formulas had to assume
     notes: list[str]
@@ -127,17 +141,23 @@ def torque(case: Case, model: Model = "traction", *, time_limit: float = TIME_LI
 class Heat(OfOperatingPoint):
     """Temperatures at which all friction of a bearing leaves it."""
 
+    #: of the inner ring, °C
     inner_temperature_deg_c: float
+    #: of the balls, °C
     ball_temperature_deg_c: float
+    #: of the outer ring, °C
     outer_temperature_deg_c: float
     #: oil or grease between them
     oil_temperature_deg_c: float
+    #: of the housing, °C
     housing_temperature_deg_c: float
     #: mean of the surfaces, which the films have at their inlets
     film_inlet_temperature_deg_c: float
     #: there
     kinematic_viscosity_mm2_s: float
+    #: friction torque, N m
     torque_nm: float
+    #: friction power, W
     friction_power_w: float
     #: to the surroundings along the shaft
     heat_shaft_w: float

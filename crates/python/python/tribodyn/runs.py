@@ -15,6 +15,7 @@ from ._answer import Answer, Comparable, warned
 from ._errors import InputError, Stopped
 from ._progress import Bar, Progress
 from ._quantities import RecordedBallArrays, SolutionArrays, StateArrays, WornArrays
+from ._scene import scene
 from .answers import Identification, Life
 from .case import Case
 from .procedures import Model
@@ -42,7 +43,7 @@ class Series(Comparable, _plots.Pictured):
 
     @property
     def values(self) -> NDArray[np.float64]:
-        """The table: a row for each time, a column for each name."""
+        """A row for each time, a column for each name."""
         return self._values
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
@@ -230,6 +231,18 @@ class Recording(Comparable, _plots.Pictured):
         """Rings, cage and powers over time."""
         return self.states.to_xarray()
 
+    def scene(self, *, frames: int = 240) -> Any:
+        """The bearing as it moves, in three dimensions: a plot of K3D (``pip install 'tribodyn[scene]'``).
+
+        Rings are cut open; balls are coloured by their peak pressure, rods are the forces of the races on them. In a
+        notebook ``scene.display()`` shows it and ``scene.start_auto_play()`` plays it; ``scene.get_snapshot()`` is a
+        page of its own as HTML.
+
+        Args:
+            frames: times that are shown, at most, spread over the recording
+        """
+        return scene(self, int(frames))
+
     def __repr__(self) -> str:
         return f"Recording({self.path!r}, {len(self.states)} states, {len(self.balls)} times of balls)"
 
@@ -248,55 +261,84 @@ class Recording(Comparable, _plots.Pictured):
 class Run(Answer):
     """A run in time: the numbers that the command prints, and what was recorded."""
 
+    #: file of the case
     case: str
+    #: name of the bearing
     bearing: str
     #: the recording; None where none was asked for
     recording: Optional[str]
+    #: simulated time that was asked for, s
     duration_s: float
+    #: time that it took, s
     wall_s: float
+    #: simulated time over the time that it took
     simulated_per_wall: float
     #: the fixed step that was taken; None where steps follow from the error
     step_s: Optional[float]
+    #: points of the contact patches
     patch_rule: str
+    #: error of the traction by these points over the load
     patch_error_estimate: Optional[float]
     #: error of the outer ring's acceleration by step, patch and linear traction together, rms; None where the run is
     #: too short to tell
     acceleration_error_m_s2: Optional[float]
     #: whether patch rule and scheme are fine enough for accelerations
     accelerations_supported: bool
+    #: the time scheme
     scheme: str
+    #: steps, evaluations and the like
     scheme_statistics: dict[str, Any]
+    #: what limits the steps: fastest rates of the motion
     stiffness: dict[str, Any]
+    #: simulated time, s
     simulated_s: float
     #: from when on averages are taken
     averaged_from_s: float
     #: None where the run is not steady, or cannot be judged
     settled_at_s: Optional[float]
+    #: samples of the whole run
     samples: int
+    #: mean speed of the cage, r/min
     cage_speed_mean_rpm: float
     #: of the first sample
     cage_speed_start_rpm: float
+    #: of the last sample, r/min
     cage_speed_end_rpm: float
+    #: lowest orbital speed of any ball, r/min
     orbital_speed_min_rpm: float
+    #: highest orbital speed of any ball, r/min
     orbital_speed_max_rpm: float
+    #: acceleration of the outer ring along X, rms, m/s²
     outer_acceleration_x_rms_m_s2: float
+    #: acceleration of the outer ring along Y, rms, m/s²
     outer_acceleration_y_rms_m_s2: float
+    #: the largest along X, m/s²
     outer_acceleration_x_peak_m_s2: float
+    #: the largest along Y, m/s²
     outer_acceleration_y_peak_m_s2: float
+    #: largest inner contact load of any ball, N
     load_inner_max_n: float
+    #: largest outer contact load of any ball, N
     load_outer_max_n: float
+    #: highest pressure at the inner race, GPa
     peak_pressure_inner_max_gpa: float
+    #: highest pressure at the outer race, GPa
     peak_pressure_outer_max_gpa: float
+    #: largest force of a pocket on a ball, N
     pocket_force_max_n: float
     #: pocket impacts in the whole run
     impacts: int
+    #: fewest balls that carried load at both races at one time
     balls_in_contact_min: int
     #: mean powers, W
     power: dict[str, float]
     #: worn volumes (µm³) and coatings left (µm)
     wear: dict[str, float]
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
+    #: sentences on the state that the run started from
     warnings_at_start: list[str]
+    #: races whose pressures left the range in which the coating was tested
     untested_pressures: list[str]
     #: what was recorded
     data: Recording

@@ -81,6 +81,7 @@ class SetCondition(Answer):
 
     #: ``unmounted``, ``mounted`` or ``running``
     condition: str
+    #: speed of the inner ring, r/min
     speed_rpm: float
     #: the smaller of what the sides carry without load
     preload_n: float
@@ -88,15 +89,18 @@ class SetCondition(Answer):
     rigidity_n_per_m: float
     #: loads along +z and −z under which the other side lifts off; None where it never does
     unloading_force_n: list[Optional[float]]
+    #: the same over the preload
     unloading_over_preload: list[Optional[float]]
 
 
 class SetState(Answer):
     """A set under one axial load."""
 
+    #: axial load, N
     load_n: float
     #: from the unloaded set
     displacement_m: float
+    #: axial rigidity there, N/m
     rigidity_n_per_m: float
     #: axial force on each bearing
     bearing_force_n: list[float]
@@ -131,14 +135,21 @@ class Sheet(Answer):
 
     _parts = {"rating": Rating}
 
+    #: name of the bearing
     name: str
+    #: number of balls
     ball_count: int
+    #: ball diameter, m
     ball_diameter_m: float
+    #: pitch diameter, m
     pitch_diameter_m: float
     #: in operation
     radial_clearance_m: float
+    #: radial load, N
     radial_load_n: float
+    #: axial load, N
     axial_load_n: float
+    #: speed of the inner ring, r/min
     speed_rpm: float
     #: ratings, equivalent loads, lives, safety
     rating: Rating
@@ -150,14 +161,17 @@ class Sheet(Answer):
     stiffness: list[list[float]]
     #: balls that carry load on the inner race
     loaded_balls: int
+    #: load of the most loaded ball, N
     ball_load_max_n: float
     #: least and largest of the loaded balls on the inner race
     contact_angle_rad: list[float]
     #: by a rule of thumb; None without load
     friction_torque_estimate_nm: Optional[float]
+    #: power of that torque, W
     friction_power_estimate_w: Optional[float]
     #: pitch diameter times speed
     speed_factor_mm_rpm: float
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
 
     def _draw(self, ax: Axes) -> None:
@@ -169,6 +183,7 @@ class ShaftBearing(Answer):
 
     _parts = {"rating": Rating}
 
+    #: name of the bearing in the file
     name: str
     #: distance of its middle from the start of the shaft
     position_m: float
@@ -176,20 +191,27 @@ class ShaftBearing(Answer):
     reaction_n: list[float]
     #: moment of the bearing on the shaft about its own middle: x, y
     reaction_moment_nm: list[float]
+    #: radial load, N
     radial_load_n: float
+    #: axial load, N
     axial_load_n: float
     #: of the inner against the outer ring from where it stands without load: x, y, z of the shaft
     ring_displacement_m: list[float]
+    #: tilt of the inner against the outer ring about x and y, rad
     ring_tilt_rad: list[float]
+    #: balls that carry load on the inner race
     loaded_balls: int
+    #: load of the most loaded ball on the inner race, N
     ball_load_max_n: float
     #: None where the balls have no equilibrium of their own
     peak_pressure_max_pa: Optional[float]
+    #: least and largest contact angle of the loaded balls on the inner race, rad
     contact_angle_rad: list[float]
     #: in the shaft's axes, by rows
     stiffness: list[list[float]]
     #: None where the standards do not rate the bearing
     rating: Optional[Rating]
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
 
 
@@ -198,13 +220,17 @@ class Station(Answer):
 
     #: distance from the start of the shaft
     position_m: float
+    #: displacement along x, y, z, m
     displacement_m: list[float]
     #: slope of the shaft about x and y
     tilt_rad: list[float]
+    #: shear force along x and y, N
     shear_force_n: list[float]
     #: above 0 for tension
     axial_force_n: float
+    #: bending moment about x and y, N m
     bending_moment_nm: list[float]
+    #: torque about z, N m
     torque_nm: float
     #: nominal, without notches
     bending_stress_pa: float
@@ -217,15 +243,19 @@ class LoadedShaft(Answer):
 
     _parts = {"bearings": ShaftBearing, "stations": Station}
 
+    #: speed of the shaft, r/min
     speed_rpm: float
     #: of the shaft with its discs
     mass_kg: float
+    #: the bearings, in the order of the file
     bearings: list[ShaftBearing]
+    #: places along the shaft, from its start
     stations: list[Station]
     #: largest residual over the largest force
     residual: float
     #: sum of loads and reactions over the largest force or moment
     unbalanced: float
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
 
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
@@ -260,6 +290,7 @@ class Duty(Answer):
 class ShaftMode(Answer):
     """A mode of a shaft at one speed."""
 
+    #: frequency, Hz
     frequency_hz: float
     #: below 0 where the mode grows
     damping_ratio: float
@@ -274,17 +305,22 @@ class ShaftSpeed(Answer):
 
     _parts = {"modes": ShaftMode}
 
+    #: speed of the shaft, r/min
     speed_rpm: float
+    #: the modes at this speed
     modes: list[ShaftMode]
     #: largest amplitude of each bearing's node by the unbalances; empty without unbalance
     amplitude_m: list[float]
+    #: largest amplitude of any place, m; None without unbalance
     amplitude_max_m: Optional[float]
+    #: largest force on each bearing by the unbalances, N; empty without unbalance
     bearing_force_n: list[float]
 
 
 class Critical(Answer):
     """A speed at which a shaft turns as fast as it swings."""
 
+    #: critical speed, r/min
     speed_rpm: float
     #: sense of whirl there
     whirl: str
@@ -299,6 +335,7 @@ class Whirl(Answer):
     speeds: list[ShaftSpeed]
     #: critical speeds between them
     critical: list[Critical]
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
 
     def _draw(self, ax: Axes) -> None:
@@ -314,9 +351,11 @@ class Shaft(Answer):
 
     _parts = {"duties": Duty, "whirl": Whirl}
 
+    #: name of the shaft
     name: str
     #: load cases; one where the file has no spectrum
     duties: list[Duty]
+    #: mean speed over the load cases, r/min
     mean_speed_rpm: float
     #: of each bearing; None where it is not rated in a load case
     equivalent_load_n: list[Optional[float]]

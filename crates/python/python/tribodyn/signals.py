@@ -22,13 +22,17 @@ PathLike = Union[str, os.PathLike[str]]
 class Vibration(Answer):
     """What a vibration signal says of a bearing."""
 
+    #: program and version
     generator: str
+    #: the file that was read
     file: str
     #: name of the column
     channel: str
+    #: samples a second, Hz
     rate_hz: float
     #: beginning of the part that was evaluated
     from_s: float
+    #: length of the part that was evaluated, s
     duration_s: float
     #: moments and extremes of that part, in the unit of the file
     statistics: dict[str, Any]
@@ -51,6 +55,7 @@ class Vibration(Answer):
     cage: Optional[dict[str, Any]]
     #: ``fault`` and ``reasons``
     verdict: dict[str, Any]
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
     #: samples that were evaluated
     samples: NDArray[np.float64]
@@ -92,20 +97,27 @@ class Vibration(Answer):
 class Recovered(Answer):
     """What was saved of a recording."""
 
+    #: the recording that was read
     recording: str
+    #: the file that was written
     output: str
+    #: messages that were saved
     messages: int
     #: of unknown topics, which are left out
     messages_lost: int
     #: of the last message
     simulated_s: float
+    #: chunks that were damaged
     chunks_bad: int
+    #: bytes that could not be read
     bytes_lost: int
     #: read, but no checksum vouches for them
     messages_unchecked: int
     #: whether the file ended before its end mark
     truncated: bool
+    #: whether the summary at the end was damaged
     summary_bad: bool
+    #: whether a checksum did not agree
     checksum_bad: bool
 
     def _draw(self, ax: Axes) -> None:
@@ -115,17 +127,25 @@ class Recovered(Answer):
 class Listed(Answer):
     """A bearing of the built-in list."""
 
+    #: its designation
     designation: str
+    #: bore, mm
     bore_mm: float
+    #: outside diameter, mm
     outside_diameter_mm: float
+    #: width, mm
     width_mm: float
+    #: nominal contact angle, °
     contact_angle_deg: float
     #: C_r by the catalogue
     dynamic_rating_n: Optional[float]
     #: C_0r by the catalogue
     static_rating_n: Optional[float]
+    #: number of balls
     ball_count: int
+    #: ball diameter, mm
     ball_diameter_mm: float
+    #: pitch diameter, mm
     pitch_diameter_mm: float
     #: True for balls that are published; the others follow from the ratings
     balls_published: bool

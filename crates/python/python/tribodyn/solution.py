@@ -67,7 +67,7 @@ class Balls(Comparable, _plots.Pictured, BallArrays):
 
     @property
     def values(self) -> NDArray[np.float64]:
-        """The table: a row for each ball, a column for each name."""
+        """A row for each ball, a column for each name."""
         return self._values
 
     if not TYPE_CHECKING:  # The arrays are declared.
@@ -163,6 +163,7 @@ class Solution(BearingQuantities, OfOperatingPoint):
 
     #: ``jones-harris``, ``traction`` or ``steady-orbit``
     model: str
+    #: whether the residual is within the tolerance
     converged: bool
     #: True if the ring comes back from a small push; absent where that was not judged
     stable: bool
@@ -176,15 +177,19 @@ class Solution(BearingQuantities, OfOperatingPoint):
     rating_life_l10_mrev: float
     #: of the load distribution, million turns
     rating_life_l10r_mrev: float
+    #: rating life of the steel at the speed, h
     rating_life_hours: float
+    #: s_0 = C_0r/P_0
     static_safety: float
     #: friction of all inner contacts of an orbit, W; absent for an equilibrium, as are those below
     power_loss_inner_w: float
+    #: friction of all outer contacts, W
     power_loss_outer_w: float
     #: drag and churning of all balls, W
     power_loss_fluid_w: float
     #: friction and damping in all pockets, W
     power_loss_pocket_w: float
+    #: largest force of a pocket on a ball, N
     pocket_force_max_n: float
     #: where a ball meets a wall of its pocket
     pocket_contact_azimuths_deg: list[float]
@@ -194,6 +199,7 @@ class Solution(BearingQuantities, OfOperatingPoint):
     swing_damping: float
     #: mass of a ball over the case's, and stiffness of the pockets over the case's; absent where they are the case's
     ball_mass_factor: float
+    #: stiffness of the pockets over the case's; absent where it is the case's
     pocket_stiffness_share: float
     #: other equilibria of each ball, where they were searched for
     roots: list[dict[str, Any]]

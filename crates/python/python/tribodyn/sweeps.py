@@ -34,17 +34,23 @@ Values = Union[str, float, Iterable[Any]]
 class Plan(Answer):
     """A sweep that is not begun."""
 
+    #: rows of the whole grid
     grid_rows: int
+    #: rows of this shard
     rows: int
+    #: part of the whole, such as ``0/1``
     shard: str
     #: rows that are solved one after the other
     chunk_rows: int
+    #: threads to use
     threads: int
+    #: of each swept path its column and number of values
     axes: list[dict[str, Any]]
     #: time of one row that starts cold, from one try
     cold_row_s: float
     #: mean time of the rows after it
     next_row_s: float
+    #: time of all rows on these threads, s
     estimated_time_s: float
 
 
@@ -145,6 +151,7 @@ class Sweep(SweepColumns, Comparable, _plots.Pictured):
 class Table(Answer):
     """A sweep that was written to a table."""
 
+    #: the table that was written
     output: str
     #: rows of the table: those of the shard
     rows: int

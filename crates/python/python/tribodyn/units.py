@@ -32,17 +32,15 @@ class Quantity(float):
 
     What is computed with it is a plain number in SI, so that :class:`tribodyn.Case` asks for its unit again:
     ``case["ring.z"] = N(2 * case["ring.z"])``.
-
-    Attributes:
-        value: the number as it is written
-        unit: its unit, such as ``kN``
-        text: as it stands in a case file, such as ``Force(kN(3))``
-        choice: the choice around it, such as ``Force``; None without one
     """
 
+    #: the number as it is written
     value: float
+    #: its unit, such as ``kN``
     unit: str
+    #: as it stands in a case file, such as ``Force(kN(3))``
     text: str
+    #: the choice around it, such as ``Force``; None without one
     choice: Optional[str]
 
     def __new__(cls, value: float, unit: str, choice: Optional[str] = None, text: Optional[str] = None) -> Quantity:
