@@ -16,6 +16,14 @@ pub struct Package {
     pub name: String,
     pub version: String,
     pub license: Option<String>,
+    pub description: Option<String>,
+    pub readme: Option<String>,
+    pub keywords: Vec<String>,
+    pub categories: Vec<String>,
+    /// Registries that may have it: none for an empty list, all where there is no list.
+    pub publish: Option<Vec<String>>,
+    /// The tables below `package.metadata`.
+    pub metadata: serde_json::Value,
     /// None for packages of the workspace.
     pub source: Option<String>,
     pub dependencies: Vec<Dependency>,

@@ -11,6 +11,7 @@ pub mod metadata;
 mod named;
 mod node;
 mod package;
+mod published;
 mod recording;
 mod supply;
 mod unused;
@@ -35,7 +36,7 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 20] = [
+const STEPS: [Step; 21] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
@@ -47,6 +48,7 @@ const STEPS: [Step; 20] = [
     ("hygiene", hygiene::check),
     ("licences", licences::check),
     ("supply chain", supply::check),
+    ("packages of crates", published::check),
     ("page of quantities", || quantities::check().map(|()| Outcome::Done)),
     ("validation", || validate::check(recordings()).map(|()| Outcome::Done)),
     ("figures", figures::check),
