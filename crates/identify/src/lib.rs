@@ -51,7 +51,7 @@ pub enum IdentifyError {
         path: String,
     },
     /// A free parameter that is no number.
-    #[error("{path} = {value} is no number: end the path inside the unit, as in geometry.pitch_diameter.mm")]
+    #[error("{path} = {value} is not a number: end the path inside the unit, as in geometry.pitch_diameter.mm")]
     NotANumber {
         /// The path.
         path: String,

@@ -137,7 +137,7 @@ pub enum SignalError {
     },
     /// A geometry that no bearing has.
     #[error(
-        "{ball_count} balls of {ball_diameter_m} m on a pitch circle of {pitch_diameter_m} m at {contact_angle_rad} rad are no bearing"
+        "{ball_count} balls of {ball_diameter_m} m on a pitch circle of {pitch_diameter_m} m at {contact_angle_rad} rad do not make a bearing"
     )]
     Geometry {
         /// Number of balls.

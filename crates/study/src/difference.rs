@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SweepDifference {
     /// The file holds something else.
-    #[error("this is no file of finished rows of such a study")]
+    #[error("this is not a file of finished rows of such a study")]
     Unknown,
     /// Another version made them.
     #[error("these finished rows are of version {found} of the command")]

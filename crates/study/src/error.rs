@@ -122,7 +122,7 @@ pub enum StudyError {
         holder: Option<Holder>,
     },
     /// A file where a lock should be.
-    #[error("{} is no lock of this program: move it away, or choose another output", path.display())]
+    #[error("{} is not a lock of this program: move it away, or choose another output", path.display())]
     NoLock {
         /// The file.
         path: PathBuf,
@@ -196,7 +196,7 @@ pub enum StudyError {
         line: usize,
     },
     /// A checkpoint that cannot be read.
-    #[error("{} is no checkpoint: {source}", path.display())]
+    #[error("{} is not a checkpoint: {source}", path.display())]
     Damaged {
         /// The checkpoint.
         path: PathBuf,

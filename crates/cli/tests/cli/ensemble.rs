@@ -133,7 +133,7 @@ fn limit_bad_ensembles_are_refused_and_nothing_is_written() {
         ensemble(&case, &[rest, &output].concat()).fails(2, parts);
     };
     let vary = |spread: &str, parts: &[&str]| refused(&[&"--vary", &spread, &"--members", &"2"], parts);
-    vary("cage.pocket_gap=mm(0.2)", &["mm(0.2)", "is no spread", "mm(0.2 ± 0.02)", "mm(0.18..0.22)"]);
+    vary("cage.pocket_gap=mm(0.2)", &["mm(0.2)", "is not a spread", "mm(0.2 ± 0.02)", "mm(0.18..0.22)"]);
     vary("cage.pocket_gap=mm(0.2 ± 0)", &["a standard deviation above 0"]);
     vary("cage.pocket_gap=mm(0.3..0.2)", &["from its lower end to a higher one"]);
     vary("cage.pocket_gap=N(0.2 ± 0.02)", &["--vary cage.pocket_gap=N(0.2): ", "case.ron:", "N(0.2)"]);

@@ -47,6 +47,6 @@ fn identity_shards_put_together_are_the_whole() {
     merge(&[&csv, &other], &table).fails(2, &["part-0.csv", "is not of the kind of"]);
     merge(&[&scratch.0.join("absent.parquet")], &table).fails(2, &["cannot read", "absent.parquet"]);
     let text = scratch.file("text.csv", "a,b\n1,2\n");
-    merge(&[&text], &scratch.0.join("mixed.csv")).fails(2, &["text.csv", "no table of a sweep"]);
+    merge(&[&text], &scratch.0.join("mixed.csv")).fails(2, &["text.csv", "not a table of a sweep"]);
     assert!(!table.exists() && !scratch.0.join("mixed.csv").exists());
 }

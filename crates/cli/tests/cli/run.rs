@@ -249,7 +249,7 @@ fn limit_two_runs_of_one_recording_do_not_meet() {
     go(&case, &recording, &[&"--restart", &"--duration", &"0.001"]).table();
     assert_eq!(scratch.names(), ["case.ron", "run.mcap"]);
     scratch.file("run.mcap.lock", "somebody's notes");
-    go(&case, &recording, &[]).fails(2, &["run.mcap.lock is no lock of this program"]);
+    go(&case, &recording, &[]).fails(2, &["run.mcap.lock is not a lock of this program"]);
     assert_eq!(fs::read_to_string(&lock).unwrap(), "somebody's notes");
 }
 
@@ -285,7 +285,7 @@ fn limit_bad_input_writes_nothing() {
     go(&case, &scratch.0.join("no/run.mcap"), &[]).fails(1, &["no/run.mcap"]);
     assert_eq!(scratch.names(), ["case.ron"]);
     let checkpoint = scratch.file("run.mcap.checkpoint", "no JSON");
-    refused(&[&"--resume"], &["run.mcap.checkpoint is no checkpoint", "--restart"]);
+    refused(&[&"--resume"], &["run.mcap.checkpoint is not a checkpoint", "--restart"]);
     fs::write(checkpoint, r#"{"format": 99, "version": "9.9.9"}"#).unwrap();
     refused(&[&"--resume"], &["is of version 9.9.9, format 99"]);
 }

@@ -39,7 +39,7 @@ fn limit_an_outer_race_is_told_and_drawn() {
         ("--bearing 9,7.94,39.04 --speed 1797", "--rate"),
         ("--rate 12000 --bearing 9,7.94,39.04 --speed 0", "--speed 0"),
         ("--rate 12000 --bearing 9,7.94,39.04 --speed 1797 --slip 40", "--slip 40"),
-        ("--rate 12000 --bearing 9,79.4,39.04 --speed 1797", "are no bearing"),
+        ("--rate 12000 --bearing 9,79.4,39.04 --speed 1797", "do not make a bearing"),
     ] {
         run_words(&format!("vibration {file} {options}")).fails(2, &[message]);
     }

@@ -109,7 +109,7 @@ fn declared(rows: &[Row], table: &Table) -> Result<Declared, PaperError> {
         let (id, verdict) = (line.text("id")?, line.text("verdict")?);
         ids.push(id.to_owned());
         if !Verdict::ALL.iter().any(|v| v.name() == verdict) {
-            return Err(line.fail(format!("`{verdict}` is none of met, missed, contradictory, not-yet")));
+            return Err(line.fail(format!("`{verdict}`: allowed are met, missed, contradictory and not-yet")));
         }
         let Some(row) = rows.iter().find(|row| row.id == id) else {
             out.broken.push(format!("{id}: declared {verdict}, but there is no such row"));

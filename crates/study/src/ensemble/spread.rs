@@ -56,7 +56,7 @@ impl Spread {
     /// # Errors
     /// A text that says what is wrong and what is allowed.
     pub fn of(path: &str, spread: &str) -> Result<Self, String> {
-        let syntax = || format!("`{spread}` is no spread; allowed is {ALLOWED}");
+        let syntax = || format!("`{spread}` is not a spread; allowed is {ALLOWED}");
         let mut found = SIGNS.into_iter().chain([RANGE]).flat_map(|sign| spread.match_indices(sign));
         let (Some((at, sign)), None) = (found.next(), found.next()) else { return Err(syntax()) };
         if spread.contains("...") {
@@ -153,18 +153,18 @@ mod tests {
             ("a", "allowed is PATH=SPREAD"),
             ("=1..2", "allowed is PATH=SPREAD"),
             ("a=mm(0.2)", "mm(0.2 ± 0.02)"),
-            ("a=mm(0.2 ± 0.02 ± 1)", "is no spread"),
-            ("a=1..2..3", "is no spread"),
-            ("a=1...2", "is no spread"),
-            ("a=mm(x ± 0.1)", "is no spread"),
-            ("a=mm(0.2 ±)", "is no spread"),
-            ("a=mm(inf..2)", "is no spread"),
+            ("a=mm(0.2 ± 0.02 ± 1)", "is not a spread"),
+            ("a=1..2..3", "is not a spread"),
+            ("a=1...2", "is not a spread"),
+            ("a=mm(x ± 0.1)", "is not a spread"),
+            ("a=mm(0.2 ±)", "is not a spread"),
+            ("a=mm(inf..2)", "is not a spread"),
             ("a=1..1", "to a higher one"),
             ("a=2..1", "to a higher one"),
             ("a=-1.7e308..1.7e308", "to a higher one"),
             ("a=mm(0.2 ± 0)", "above 0"),
             ("a=mm(0.2 ± -0.1)", "above 0"),
-            ("a=Library(\"a..b\")", "is no spread"),
+            ("a=Library(\"a..b\")", "is not a spread"),
         ] {
             let message = Spread::parse(bad).unwrap_err();
             assert!(message.contains(why), "{bad}: {message}");

@@ -122,7 +122,7 @@ fn lines(
     let header = header.unwrap_or_default();
     let marks = Marks::of(|name| header.trim_end().split(',').position(|known| known == name));
     if !header.starts_with("row,") {
-        return Err(apart(first, "it is no table of a sweep: its first column is not `row`".to_owned()));
+        return Err(apart(first, "it is not a table of a sweep: its first column is not `row`".to_owned()));
     }
     writer.write_all(header.as_bytes()).map_err(&failure)?;
     let mut count = Count::default();

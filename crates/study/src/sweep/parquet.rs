@@ -134,7 +134,7 @@ impl Table {
         let notes: Notes = NOTES.iter().filter_map(note).collect();
         let columns: Option<Vec<Column>> = metadata.schema().get_fields().iter().map(|field| column(field)).collect();
         let columns = columns.filter(|columns| columns.first().is_some_and(|first| first.name == "row"));
-        let columns = columns.ok_or_else(|| apart(path, "it is no table of a sweep".to_owned()))?;
+        let columns = columns.ok_or_else(|| apart(path, "it is not a table of a sweep".to_owned()))?;
         let rows = parquet::record::reader::RowIter::from_file_into(Box::new(reader));
         Ok(Self { path: path.to_owned(), columns, notes, rows })
     }
@@ -153,7 +153,7 @@ impl Iterator for Table {
                 Some([Cell::Integer(number), ..]) => usize::try_from(*number).ok(),
                 _ => None,
             };
-            number.zip(cells).ok_or_else(|| apart(&self.path, "a row of it is none of a sweep".to_owned()))
+            number.zip(cells).ok_or_else(|| apart(&self.path, "one of its rows is not from a sweep".to_owned()))
         }))
     }
 }

@@ -27,7 +27,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], limits: &Limits) -> Result<SignalF
     let big = match bytes.get(HEADER - 2..HEADER) {
         Some(b"IM") => false,
         Some(b"MI") => true,
-        _ => return Err(damaged(path, "it is no MATLAB file of level 5 (versions 5 to 7)")),
+        _ => return Err(damaged(path, "it is not a MATLAB file of level 5 (versions 5 to 7)")),
     };
     let most = usize::try_from(limits.recording_bytes).unwrap_or(usize::MAX);
     let reader = Reader { big, most };
