@@ -6,6 +6,10 @@ use tribodyn_study::{Listed, listed};
 
 /// List the bearings that `tribodyn new` knows, with their dimensions, load ratings and balls.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn catalogue 62
+  tribodyn catalogue 7012
+  tribodyn catalogue '60*' --json")]
 pub struct Arguments {
     /// Part of a designation, such as 62 or 7210, or a pattern with * for any letters; all without it
     #[arg(value_name = "PATTERN", default_value = "", hide_default_value = true)]

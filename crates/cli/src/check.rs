@@ -9,6 +9,9 @@ use tribodyn_bearing::SearchWatch;
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn check 6206.ron
+  tribodyn check 7210B.ron --set 'speed.inner.Constant=rpm(9000)' --json")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

@@ -14,6 +14,8 @@ use tribodyn_study::dataset::{Dataset, DatasetReport, TABLE};
 /// Simulate bearings with and without spalls under several loads and speeds, and write what sensors on the housing see:
 /// a row a member in Parquet, with class, spall and loads, and the times at which each ball was over each edge.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn dataset fixtures/datasets/6206.ron -o set")]
 pub struct Arguments {
     /// Plan of the data set (RON)
     plan: PathBuf,

@@ -13,6 +13,9 @@ use tribodyn::answers::{ContactFilm, ContactFilmQuestion, FilmAnswer, OilAnswer,
 /// Of every loaded contact of a case with a lubricant: `tribodyn film case CASE.ron`. Of one contact of two steel
 /// bodies: `tribodyn film contact --oil mineral-vg68 …`.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn film case 6206.ron
+  tribodyn film contact --oil mineral-vg68 --temperature 70 --load 555 --speed 3.46 --radius 3.78 --across 120")]
 pub struct Arguments {
     #[command(subcommand)]
     of: Of,

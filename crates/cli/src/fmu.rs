@@ -11,8 +11,8 @@ use tribodyn_study::{FmuAnswer, FmuOptions, export_fmu};
 /// tilts and speeds, by raceway control.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  tribodyn fmu fixtures/cases/angular-7210.ron -o bearing.fmu
-  tribodyn fmu pump.ron -o pump.fmu --set 'ring.z.Force=kN(3)' --no-compile")]
+  tribodyn fmu 7210B.ron -o bearing.fmu
+  tribodyn fmu 7210B.ron -o bearing.fmu --set 'ring.z.Force=kN(3)' --no-compile")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

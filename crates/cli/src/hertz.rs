@@ -7,6 +7,9 @@ use tribodyn_contact::Body;
 
 /// Hertz contact of two bodies, given by their principal radii in mm (negative: concave, inf: flat).
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
+  tribodyn hertz --body1 6.35,6.35 --body2 20,-6.6 --load 700 --json")]
 pub struct Arguments {
     /// Radii of body 1 in the planes x and y, mm, as RX,RY
     #[arg(long, allow_hyphen_values = true, value_parser = radii)]

@@ -13,6 +13,8 @@ use tribodyn_study::{StagedFiles, read_text};
 
 /// Identify unknown parameters of a case from published or measured figures.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn identify fixtures/identify/paper.ron -o identified")]
 pub struct Arguments {
     /// Problem file (RON)
     problem: PathBuf,

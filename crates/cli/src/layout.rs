@@ -8,6 +8,8 @@ use tribodyn_study::{Ours, StagedFiles, layout_of, read_case};
 
 /// Write the Foxglove layout.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn layout 7210B.ron -o layout.json")]
 pub struct Arguments {
     /// Case whose bearing sets the distance of the camera, the rows of balls and the band of the spectra
     #[arg(value_name = "CASE")]

@@ -13,6 +13,9 @@ use tribodyn_study::{Life, LifeEnd, LifeOptions, LifeStride, LifeTable, Ours, we
 ///
 /// The fatigue life of its steel is another question: `tribodyn rating` answers it.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn life 7210B.ron -o life.csv
+  tribodyn life 6206.ron --model traction --strides 10 --until 5000")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

@@ -54,29 +54,21 @@ struct Arguments {
 
 const AFTER_HELP: &str = "\
 Examples:
-  tribodyn new 7210 --angle 40
-  tribodyn catalogue 62
-  tribodyn check fixtures/cases/paper-ag.ron
-  tribodyn solve fixtures/cases/paper-ag.ron --plot figures -o run.mcap
-  tribodyn solve fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(30)' --json
-  tribodyn solve fixtures/cases/paper-ag.ron --model steady-orbit
-  tribodyn stiffness fixtures/cases/paper-ag.ron --speeds 5000,10000,14000 --ross coefficients.csv
-  tribodyn modes fixtures/cases/paper-ag.ron --up-to 5000
   tribodyn sheet 6206 --radial 2000 --axial 300 --speed 3000
-  tribodyn fmu fixtures/cases/angular-7210.ron -o bearing.fmu
-  tribodyn set 7012C --arrangement DB --preload 200
-  tribodyn shaft fixtures/shafts/motor.ron --modes 0,3000,6000
-  tribodyn run fixtures/cases/paper-ag.ron -o run.mcap --duration 0.05
+  tribodyn new 7210 --angle 40
+  tribodyn check 7210B.ron
+  tribodyn solve 7210B.ron --plot figures
+  tribodyn rating 7210B.ron
+  tribodyn stiffness 7210B.ron --speeds 1000,3000,6000
+  tribodyn run 7210B.ron -o run.mcap --duration 0.05
   tribodyn report run.mcap -o report
+  tribodyn sweep 7210B.ron --set 'ring.z.Force=kN(1..6 by 1)' -o table.parquet
+  tribodyn set 7012C --arrangement DB --preload 200
+  tribodyn shaft fixtures/shafts/motor.ron
   tribodyn vibration motor.csv --rate 25600 --bearing 6206 --speed 1480
-  tribodyn ensemble fixtures/cases/paper-ag.ron --vary 'cage.pocket_gap=mm(0.71 ± 0.02)' --members 16
-  tribodyn life fixtures/cases/paper-ag.ron
-  tribodyn rating fixtures/cases/bearing-218.ron
-  tribodyn film contact --oil mineral-vg68 --temperature 70 --load 555 --speed 3.46 --radius 3.78 --across 120
-  tribodyn sweep fixtures/cases/paper-ag.ron --set 'ring.z.Force=kN(10..60 by 5)' -o table.parquet
-  tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
-  tribodyn traction --coating ag --pressure 2.5 --slip 0,1,3,10
-  tribodyn identify fixtures/identify/paper.ron -o identified
+
+`tribodyn COMMAND --help` has examples of each command. Commands take SI values with their units: kN(1), mm(0.2),
+rpm(3000), also lbf, in, psi, degF.
 
 Exit codes: 0 done, 1 did not converge or could not be written, 2 bad input.";
 
@@ -196,4 +188,47 @@ fn report(failure: Failure) {
     let options = || miette::MietteHandlerOpts::new().wrap_lines(false).without_cause_chain().context_lines(1);
     let _ = miette::set_hook(Box::new(move |_| Box::new(options().build())));
     let _ = writeln!(std::io::stderr(), "{:?}", failure.into_report());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The words of an example, as a shell makes them.
+    fn words(line: &str) -> Vec<String> {
+        let mut words = vec![String::new()];
+        let mut quote = None;
+        for c in line.chars() {
+            match (c, quote) {
+                ('\'' | '"', None) => quote = Some(c),
+                (c, Some(end)) if c == end => quote = None,
+                (' ', None) => words.push(String::new()),
+                (c, _) => words.last_mut().unwrap().push(c),
+            }
+        }
+        words
+    }
+
+    /// Every example of the help is a command that is accepted, every command has one, and the first that anybody sees
+    /// are of bearings of the catalogue.
+    #[test]
+    fn limit_examples_of_the_help_are_accepted() {
+        let command = Arguments::command();
+        let mut all = vec![("tribodyn".to_owned(), AFTER_HELP.to_owned())];
+        for part in command.get_subcommands() {
+            let help = part.get_after_help().map(ToString::to_string).unwrap_or_default();
+            all.push((part.get_name().to_owned(), help));
+        }
+        for (name, help) in all {
+            let lines: Vec<&str> = help.lines().filter_map(|line| line.strip_prefix("  ")).collect();
+            assert!(!lines.is_empty() || name == "man", "{name} has no example");
+            for line in &lines {
+                // What a shell does with the output is its own.
+                let line = line.split(" > ").next().unwrap_or_default();
+                let parsed = Arguments::try_parse_from(words(line));
+                assert!(parsed.is_ok(), "{line}: {}", parsed.err().map(|e| e.to_string()).unwrap_or_default());
+            }
+            assert!(!lines.first().is_some_and(|line| line.contains("paper-ag")), "{name} begins with the paper");
+        }
+    }
 }

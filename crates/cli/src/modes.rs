@@ -12,6 +12,9 @@ use tribodyn_orbit::Mode;
 
 /// Natural modes about the steady orbit: frequencies, damping ratios, shapes; and whether the orbit is stable.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn modes 7210B.ron --up-to 5000
+  tribodyn modes 7210B.ron --all --csv modes.csv")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

@@ -11,6 +11,9 @@ use tribodyn::pair::{Arrangement, PairBearing, PairSolution, Preload};
 /// Two bearings of a case on one rigid shaft: loads, preload, stiffness. The loads of the case act on the shaft, in the
 /// middle between the bearings.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn pair 7210B.ron --arrangement db --distance 20 --offset 10
+  tribodyn pair 7210B.ron --arrangement df --distance 20 --spring 300 --json")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

@@ -13,6 +13,9 @@ use tribodyn_signal::BearingFrequencies;
 ///
 /// How long the coatings last is another question: `tribodyn life` answers it.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn rating 6206.ron
+  tribodyn rating 7210B.ron --set 'ring.x.Force=lbf(400)' --json")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

@@ -8,6 +8,8 @@ use tribodyn_study::recover;
 
 /// Make a whole recording of one that was cut off or damaged.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn recover run.mcap.active -o run.mcap")]
 pub struct Arguments {
     /// Recording, whole or not: RUN.mcap or RUN.mcap.active
     #[arg(value_name = "RUN.mcap")]

@@ -8,6 +8,9 @@ use tribodyn_report::{ReportOptions, report};
 
 /// Make figures, spectra and a summary of a recorded run or solution, or compare two recordings.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn report run.mcap -o report
+  tribodyn report before.mcap after.mcap -o difference")]
 pub struct Arguments {
     /// Recording of `run` or `solve -o`, whole or not: RUN.mcap or RUN.mcap.active. Two of them are compared
     #[arg(value_name = "RUN.mcap", required = true, num_args = 1..=2)]

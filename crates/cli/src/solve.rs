@@ -15,6 +15,11 @@ use tribodyn_study::{Ours, StagedFiles};
 
 /// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn solve 7210B.ron
+  tribodyn solve 7210B.ron --model jones-harris --plot figures
+  tribodyn solve 7210B.ron --set 'ring.z.Force=kN(6)' -o orbit.mcap
+  tribodyn solve fixtures/cases/paper-ag.ron --varying false --json")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

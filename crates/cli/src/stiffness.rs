@@ -12,6 +12,9 @@ use tribodyn::answers::{Answer, StiffnessAnswer, stiffness};
 
 /// Stiffness of the inner ring: forces and moments against displacements and tilts, balls and cage in balance.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn stiffness 7210B.ron
+  tribodyn stiffness 7012C.ron --speeds 1000,8000,16000 --ross coefficients.csv")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

@@ -9,6 +9,9 @@ use tribodyn::answers::{TorqueAnswer, torque};
 
 /// Friction torque of a bearing by cause, beside SKF's model and Palmgren's formula.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn torque 6206.ron
+  tribodyn torque fixtures/cases/oil-6206.ron --json")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

@@ -7,6 +7,8 @@ use tribodyn::answers::traction_curve;
 
 /// Traction coefficient of a coating at a contact pressure, over slip in the unit of the coating's own data.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn traction --coating ptfe --pressure 2.5 --slip 0,1,3,10")]
 pub struct Arguments {
     /// Coating of the library: ag or ptfe
     #[arg(long)]

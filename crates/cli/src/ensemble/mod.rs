@@ -19,6 +19,8 @@ use tribodyn_study::{Ours, StagedFiles};
 /// Simulate a bearing in time many times, with values of the case drawn at random, and give the quantiles of what comes
 /// of it. Nothing is recorded: `tribodyn run` with the values of a row makes the recording of that member.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn ensemble 7210B.ron --vary 'cage.pocket_gap=mm(0.1 ± 0.02)' --members 16 --duration 0.02")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

@@ -23,6 +23,10 @@ use tribodyn_study::{Ours, StudyError};
 
 /// Run a bearing in time and record it.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn run 7210B.ron -o run.mcap --duration 0.05
+  tribodyn run 7210B.ron -o run.mcap --resume
+  tribodyn run 6206.ron -o skid.mcap --set 'ring.x.Force=N(50)'")]
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,

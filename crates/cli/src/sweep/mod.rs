@@ -20,6 +20,9 @@ use tribodyn_study::{Ours, StagedFiles, read_text};
 
 /// Solve the equilibrium, or the steady orbit, for every combination of case values.
 #[derive(clap::Args)]
+#[command(after_help = "Examples:
+  tribodyn sweep 7210B.ron --set 'ring.z.Force=kN(1..6 by 1)' -o table.parquet
+  tribodyn sweep 7210B.ron --set 'speed.inner.Constant=rpm(1000..9000 in 17)' -o speed.csv --plot figures")]
 pub struct Arguments {
     /// Case file (RON)
     #[arg(value_name = "CASE", required_unless_present = "merge")]
