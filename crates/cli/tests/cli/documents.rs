@@ -102,6 +102,19 @@ fn regress_first_bearing() {
     assert!(scratch.0.join("report/foxglove-layout.json").exists());
 }
 
+/// The gallery, one command after the other in one folder that has the fixtures.
+#[cfg(unix)]
+#[test]
+fn regress_gallery() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap();
+    let text = std::fs::read_to_string(root.join("docs/gallery.md")).unwrap();
+    let scratch = Scratch::new();
+    std::os::unix::fs::symlink(root.join("fixtures"), scratch.0.join("fixtures")).unwrap();
+    assert!(run_examples("docs/gallery.md", &text, &scratch.0) >= 15);
+    let sections = text.lines().filter(|line| line.starts_with("## ")).count();
+    assert_eq!(sections, 10, "problems of the gallery");
+}
+
 /// The FMU of a new bearing, in a folder of its own.
 #[test]
 fn regress_functional_mock_up_unit() {
