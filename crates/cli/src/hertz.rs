@@ -2,14 +2,17 @@
 
 use crate::failure::Failure;
 use crate::table;
-use tribodyn::answers::{HertzQuestion, hertz};
+use tribodyn::answers::{HertzQuestion, hertz, hertz_line};
 use tribodyn_contact::Body;
 
 /// Hertz contact of two bodies, given by their principal radii in mm (negative: concave, inf: flat).
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
-  tribodyn hertz --body1 6.35,6.35 --body2 20,-6.6 --load 700 --json")]
+  tribodyn hertz --body1 6.35,6.35 --body2 20,-6.6 --load 700 --json
+  tribodyn hertz --body1 5,inf --body2 25,inf --length 12 --load 4000
+
+With --length the bodies are cylinders that touch along a line.")]
 pub struct Arguments {
     /// Radii of body 1 in the planes x and y, mm, as RX,RY
     #[arg(long, allow_hyphen_values = true, value_parser = radii)]
@@ -20,6 +23,9 @@ pub struct Arguments {
     /// Normal load, N
     #[arg(long, allow_hyphen_values = true)]
     load: f64,
+    /// Length of the contact of two cylinders, mm: radii RX,inf
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    length: Option<f64>,
     /// Young's modulus of body 1, GPa; inf for a rigid body
     #[arg(long, default_value_t = 206.0, allow_hyphen_values = true)]
     young1: f64,
@@ -53,13 +59,17 @@ fn radii(text: &str) -> Result<Body, String> {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let a = arguments;
-    let answer = hertz(&HertzQuestion {
+    let question = HertzQuestion {
         bodies: [a.body1, a.body2],
         load_n: a.load,
         young_gpa: [a.young1, a.young2],
         poisson: [a.poisson1, a.poisson2],
         angle_deg: a.angle,
-    })?;
+    };
+    if let Some(length) = a.length {
+        return line(a, &question, length);
+    }
+    let answer = hertz(&question)?;
     if a.json {
         return table::print_json(&answer);
     }
@@ -71,17 +81,37 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("approach", format!("{:.6}", answer.approach_m * 1e6), "µm"),
         ("stiffness Q/δ^1.5", format!("{:.6e}", answer.stiffness_n_per_m_1_5), "N/m^1.5"),
     ];
-    // Below the surface bodies differ by their Poisson's ratios alone.
+    rows.extend(below(a, answer.max_shear_pa, answer.max_shear_depth_m, answer.von_mises_pa));
+    table::print_pairs(&rows)
+}
+
+/// Two cylinders along a line.
+fn line(a: &Arguments, question: &HertzQuestion, length: f64) -> Result<(), Failure> {
+    let answer = hertz_line(question, length * 1e-3)?;
+    if a.json {
+        return table::print_json(&answer);
+    }
+    let mut rows = vec![
+        ("load per length", format!("{:.6}", answer.load_per_length_n_per_m * 1e-3), "N/mm"),
+        ("half width b", format!("{:.6}", answer.half_width_m * 1e3), "mm"),
+        ("peak pressure", format!("{:.6}", answer.peak_pressure_pa * 1e-9), "GPa"),
+    ];
+    rows.extend(below(a, answer.max_shear_pa, answer.max_shear_depth_m, answer.von_mises_pa));
+    table::print_pairs(&rows)
+}
+
+type Both = Option<[f64; 2]>;
+
+/// Stresses below the surface: bodies differ by their Poisson's ratios alone.
+fn below(a: &Arguments, shear: Both, depth: Both, mises: Both) -> Vec<(&'static str, String, &'static str)> {
     let both = |values: [f64; 2], per_unit: f64| {
         let shown = values.map(|value| format!("{:.6}", value * per_unit));
         if a.poisson1 == a.poisson2 { shown[0].clone() } else { shown.join("  ") }
     };
-    if let (Some(shear), Some(depth), Some(mises)) =
-        (answer.max_shear_pa, answer.max_shear_depth_m, answer.von_mises_pa)
-    {
-        rows.push(("largest shear stress below it", both(shear, 1e-9), "GPa"));
-        rows.push(("depth of it", both(depth, 1e3), "mm"));
-        rows.push(("von Mises stress at that depth", both(mises, 1e-9), "GPa"));
-    }
-    table::print_pairs(&rows)
+    let rows = [
+        ("largest shear stress below it", shear, 1e-9, "GPa"),
+        ("depth of it", depth, 1e3, "mm"),
+        ("von Mises stress at that depth", mises, 1e-9, "GPa"),
+    ];
+    rows.into_iter().filter_map(|(name, value, factor, unit)| Some((name, both(value?, factor), unit))).collect()
 }

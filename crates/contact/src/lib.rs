@@ -3,12 +3,14 @@
 mod bodies;
 mod elliptic;
 mod hertz;
+mod line;
 mod scalar;
 mod subsurface;
 
 pub use bodies::{Body, ElasticBody, RelativeCurvatures, effective_modulus, relative_curvatures};
 pub use elliptic::{CompleteElliptic, curvature_difference, curvature_ratio};
 pub use hertz::{Ellipse, HertzContact, MAX_ELLIPTICITY, MajorAxis, NEGLIGIBLE};
+pub use line::LineContact;
 pub use scalar::{Real, Scalar};
 pub use subsurface::Subsurface;
 
@@ -39,9 +41,9 @@ pub enum ContactError {
         /// The angle given, rad.
         value: f64,
     },
-    /// A curvature sum that leaves no point contact.
+    /// A curvature sum that leaves no contact.
     #[error(
-        "curvature sum in the {plane} plane is {value} 1/m: a point contact needs it finite and above 0 (the concave radius larger than the convex one)"
+        "curvature sum in the {plane} plane is {value} 1/m: a contact needs it finite and above 0 (the concave radius larger than the convex one)"
     )]
     Curvature {
         /// The plane, `x` (rolling) or `y` (lateral).

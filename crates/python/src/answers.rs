@@ -211,6 +211,7 @@ pub fn hertz<'py>(
     young: [f64; 2],
     poisson: [f64; 2],
     angle: f64,
+    length: Option<f64>,
 ) -> PyResult<Bound<'py, PyAny>> {
     for (name, radii) in ["body1", "body2"].into_iter().zip(radii) {
         if radii.iter().any(|r| r.is_nan() || *r == 0.0) {
@@ -220,7 +221,11 @@ pub fn hertz<'py>(
     }
     let bodies = radii.map(|[x, y]| Body { radius_x: x / 1000.0, radius_y: y / 1000.0 });
     let question = HertzQuestion { bodies, load_n: load, young_gpa: young, poisson, angle_deg: angle };
-    to_python(py, &answers::hertz(&question).map_err(|failure| error::study(py, failure))?)
+    let refused = |failure| error::study(py, failure);
+    match length {
+        Some(length) => to_python(py, &answers::hertz_line(&question, length / 1000.0).map_err(refused)?),
+        None => to_python(py, &answers::hertz(&question).map_err(refused)?),
+    }
 }
 
 /// The traction curve of a coating at a pressure in GPa.

@@ -38,6 +38,11 @@ def test_identity_other_answers_are_those_of_the_command(command: Callable[..., 
     assert np.array_equal(stiffness.stiffness, [answer["stiffness"] for answer in printed])
     printed = command("hertz", "--body1", "6.35,6.35", "--body2", "inf,inf", "--load", 100, "--json")
     assert tribodyn.hertz((6.35, 6.35), (math.inf, math.inf), 100).to_dict() == printed
+    given = ("--body1", "5,inf", "--body2", "25,inf", "--length", 12, "--load", 4000, "--json")
+    line = tribodyn.hertz((5, math.inf), (25, math.inf), 4000, length=12)
+    assert line.to_dict() == command("hertz", *given) and isinstance(line, tribodyn.LineContact)
+    with pytest.raises(InputError, match="length"):
+        tribodyn.hertz((5, math.inf), (25, math.inf), 4000)
     printed = command("traction", "--coating", "ptfe", "--pressure", 2.5, "--slip", "0,1,3,10", "--json")
     curve = tribodyn.traction_curve("ptfe", 2.5, [0, 1, 3, 10])
     assert list(curve.coefficient) == printed["coefficient"] and curve.peak_slip == printed["peak_slip"]

@@ -93,7 +93,7 @@ def calls(case: Case, draw: random.Random) -> list[Callable[[], object]]:
         lambda: tribodyn.sweep(case, {one(): one(), "ring.z.Force": one()}, progress=False),
         lambda: tribodyn.sweeps.grid(case, samples={one(): [one(), one()], "ring.x.Force": [one(), one()]}),
         lambda: tribodyn._native.Grid.product(one(), one(), one(), one()),
-        lambda: tribodyn._native.hertz(one(), one(), one(), one(), one()),
+        lambda: tribodyn._native.hertz(one(), one(), one(), one(), one(), one()),
         lambda: tribodyn._native.Case.make({"designation": one(), "angle": one(), "bore": one()}),
     ]
 

@@ -34,6 +34,7 @@ def _oil() -> Case:
 MAKERS: dict[str, Callable[[], Any]] = {
     "case": _plain,
     "contact": lambda: tribodyn.hertz((6.35, 6.35), (np.inf, np.inf), 100),
+    "line": lambda: tribodyn.hertz((5, np.inf), (25, np.inf), 4000, length=12),
     "curve": lambda: tribodyn.traction_curve("ag", 2.0, [0.0, 1.0]),
     "derived": lambda: _plain().check(),
     "equilibrium": lambda: tribodyn.solve(_plain(), "jones-harris"),

@@ -80,7 +80,7 @@ impl std::fmt::Display for Reason {
                 f.write_str(": take another race_control, more load, or the model with traction")
             }
             Self::Unknown => f.write_str(
-                "neither Newton's method nor pseudo-time found a way; more max_iterations, a neighbouring load or speed, or a transient run may"
+                "neither Newton's method nor pseudo-time stepping converged: raise max_iterations, change load or speed a little, or simulate a run in time"
             ),
         }
     }

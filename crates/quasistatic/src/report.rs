@@ -164,7 +164,7 @@ fn judged(solution: &mut Solution, solved: &Iterate) {
     solution.stable = solved.stable;
     if solved.stable == Some(false) {
         let text =
-            "the equilibrium is not stable: the ring runs away from it by a small push, and no stable one was found";
+            "the equilibrium is not stable: a small push takes the ring away from it, and no stable one was found";
         solution.warnings.push(text.to_owned());
     }
 }

@@ -150,7 +150,7 @@ pub enum RecordError {
         most: usize,
     },
     /// A number of a recording is infinite or none.
-    #[error("{field} of a message on {topic} is {value}: the recording holds numbers that are none")]
+    #[error("{field} of a message on {topic} is {value}: all numbers of a recording must be finite")]
     NotANumber {
         /// Which topic.
         topic: String,

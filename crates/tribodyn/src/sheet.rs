@@ -2,7 +2,7 @@
 
 use crate::error::AnswerError;
 use crate::plausibility::solution_findings;
-use crate::rating::{Rating, loaded_contacts, rating};
+use crate::rating::{LEAST_LOAD, Rating, loaded_contacts, rating};
 use serde::Serialize;
 use std::f64::consts::PI;
 use tribodyn_bearing::{SpeedHistory, Tilt, Translation};
@@ -67,8 +67,6 @@ const RPM_PER_RAD_S: f64 = 30.0 / PI;
 /// Coefficients of friction of the rule M = ½ µ P d for good lubrication and P ≈ C/10: deep-groove and angular-contact
 /// bearings in the makers' catalogues.
 const FRICTION: [f64; 2] = [0.0015, 0.0020];
-/// Least equivalent load over C_r for ball bearings: below it balls slide.
-const LEAST_LOAD: f64 = 0.01;
 /// Largest equivalent load over C_r for which the life formula stands (ISO 281).
 const LARGEST_LOAD: f64 = 0.5;
 /// Speed factor up to which grease is usual, mm r/min.

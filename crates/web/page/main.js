@@ -63,7 +63,8 @@ async function update() {
   $("state").textContent = `${sheet.name ?? derived.name}: ${short(found.ms, 2)} ms`;
   document.title = `${sheet.name?.split(",")[0] ?? "bearing"} · tribodyn`;
   show.brief($("cards"), found);
-  show.sentences($("warnings"), [sheet, solution, derived]);
+  // Those of the sheet: what the solution says of the motion of balls without load concerns no number here.
+  show.sentences($("warnings"), [sheet, derived]);
   show.tables({ rating: $("rating"), frequencies: $("frequencies"), geometry: $("geometry") }, found);
   show.stiffness($("stiffness"), found);
   $("text").textContent = found.text;

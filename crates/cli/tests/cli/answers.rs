@@ -37,6 +37,20 @@ fn limit_hertz_sphere_on_flat() {
     }
 }
 
+/// Johnson, Contact Mechanics, section 4.2c: b² = 4wR/(πE*), p = 2w/(πb), the largest shear stress is 0.300 p at 0.786 b.
+#[test]
+fn limit_hertz_cylinders_along_a_line() {
+    let (per_length, modulus) = (4000.0 / 0.012, 206e9 / (2.0 * (1.0 - 0.3f64.powi(2))));
+    let radius = 1.0 / (1.0 / 0.005 + 1.0 / 0.025);
+    let b = (4.0 * per_length * radius / (std::f64::consts::PI * modulus)).sqrt();
+    let answer = run_words("hertz --body1 5,inf --body2 25,inf --length 12 --load 4000 --json").json();
+    assert_close(number(&answer, "half_width_m"), b, 1e-13);
+    let pressure = number(&answer, "peak_pressure_pa");
+    assert_close(pressure, 2.0 * per_length / (std::f64::consts::PI * b), 1e-13);
+    assert_close(answer["max_shear_pa"][0].as_f64().unwrap() / pressure, 0.3003, 1e-4);
+    assert_close(answer["max_shear_depth_m"][1].as_f64().unwrap() / b, 0.7862, 1e-4);
+}
+
 /// Below a circle the largest shear stress is 0.310 of the peak pressure at 0.481 of the radius for ν = 0.3 (Johnson,
 /// Contact Mechanics, 1985, 4.23), and a rigid body halves the approach of two alike.
 #[test]

@@ -29,7 +29,10 @@ fn limit_hertz_refuses_bodies_without_a_point_contact() {
     hertz("-10,-10").fails(2, &["curvature sum in the x plane", "above 0"]);
     hertz("20,-10").fails(2, &["curvature sum in the y plane", "above 0"]);
     hertz("-9,inf").fails(2, &["curvature sum in the x plane is -"]);
-    run_words("hertz --body1 10,inf --body2 inf,inf --load 1").fails(2, &["curvature sum in the y plane is 0"]);
+    let line = "hertz --body1 10,inf --body2 inf,inf --load 1";
+    run_words(line).fails(2, &["length", "cylinders", "mm"]);
+    run_words(&format!("{line} --length 0")).fails(2, &["length", "above 0"]);
+    run_words("hertz --body1 10,10 --body2 inf,inf --load 1 --length 5").fails(2, &["length", "RX,inf"]);
 }
 
 #[test]

@@ -24,7 +24,19 @@ from ._errors import (
     TribodynWarning,
 )
 from ._native import VERSION as __version__
-from .answers import Contact, Derived, Frequencies, Identification, Life, Mode, Modes, Rating, Stiffness, TractionCurve
+from .answers import (
+    Contact,
+    Derived,
+    Frequencies,
+    Identification,
+    Life,
+    LineContact,
+    Mode,
+    Modes,
+    Rating,
+    Stiffness,
+    TractionCurve,
+)
 from .case import Case
 from .ensembles import Dataset, Ensemble, Quantiles, dataset, ensemble
 from .films import ContactFilm, Films, Heat, Oil, Torque, contact_film, film, heat, torque
@@ -131,6 +143,7 @@ __all__ = [
     "Identification",
     "InputError",
     "Life",
+    "LineContact",
     "Listed",
     "Mode",
     "ModelWarning",

@@ -117,6 +117,8 @@ class Derived(Answer):
     radial_load_n: Optional[float]
     #: axial load, N
     axial_load_n: Optional[float]
+    #: least load so that balls roll, by a rule of thumb, 0.01 C_r, N; None for a bearing that the standards do not rate
+    minimum_load_n: Optional[float]
     #: s_0 = C_0r/P_0; None without load
     static_safety: Optional[float]
     #: of the hardest pressed ball, by a first estimate
@@ -222,6 +224,28 @@ class Contact(Answer):
     def _draw(self, ax: Axes) -> None:
         half = {"along the longer axis": self.semi_major_m, "along the shorter axis": self.semi_minor_m}
         _plots.pressure(ax, half, self.peak_pressure_pa)
+
+
+class LineContact(Answer):
+    """A Hertz contact of two cylinders along a line, its ends left out."""
+
+    #: length of the contact, m
+    length_m: float
+    #: load per length, N/m
+    load_per_length_n_per_m: float
+    #: half the width of the strip, m
+    half_width_m: float
+    #: pressure in the middle, Pa
+    peak_pressure_pa: float
+    #: largest shear stress across the strip below its middle, in body 1 and in body 2, Pa; None without load
+    max_shear_pa: Optional[list[float]]
+    #: how deep that is, m
+    max_shear_depth_m: Optional[list[float]]
+    #: von Mises stress at that depth, Pa
+    von_mises_pa: Optional[list[float]]
+
+    def _draw(self, ax: Axes) -> None:
+        _plots.pressure(ax, {"across the strip": self.half_width_m}, self.peak_pressure_pa)
 
 
 class TractionCurve(Answer):

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable, Sequence
-from typing import Literal, Optional, Union
+from typing import Literal, Optional, Union, overload
 
 from . import _native
 from ._answer import warned
 from ._errors import ModelWarning, PlausibilityWarning
-from .answers import Contact, Derived, Modes, Rating, Stiffness, TractionCurve
+from .answers import Contact, Derived, LineContact, Modes, Rating, Stiffness, TractionCurve
 from .case import Case
 from .solution import Solution
 
@@ -86,6 +86,7 @@ def check(case: Case) -> Derived:
     return case.check()
 
 
+@overload
 def hertz(
     body1: Sequence[float],
     body2: Sequence[float],
@@ -96,8 +97,38 @@ def hertz(
     young2: float = 206.0,
     poisson2: float = 0.3,
     angle: float = 0.0,
-) -> Contact:
-    """Hertz contact of two bodies.
+    length: None = None,
+) -> Contact: ...
+
+
+@overload
+def hertz(
+    body1: Sequence[float],
+    body2: Sequence[float],
+    load: float,
+    *,
+    young1: float = 206.0,
+    poisson1: float = 0.3,
+    young2: float = 206.0,
+    poisson2: float = 0.3,
+    angle: float = 0.0,
+    length: float,
+) -> LineContact: ...
+
+
+def hertz(
+    body1: Sequence[float],
+    body2: Sequence[float],
+    load: float,
+    *,
+    young1: float = 206.0,
+    poisson1: float = 0.3,
+    young2: float = 206.0,
+    poisson2: float = 0.3,
+    angle: float = 0.0,
+    length: Optional[float] = None,
+) -> Union[Contact, LineContact]:
+    """Hertz contact of two bodies; with ``length`` that of two cylinders along a line.
 
     Args:
         body1, body2: principal radii in the planes x and y, mm; negative for concave, ``inf`` for flat
@@ -105,9 +136,12 @@ def hertz(
         young1, young2: Young's moduli, GPa
         poisson1, poisson2: Poisson's ratios
         angle: angle between the x planes of the two bodies, degrees
+        length: length of the contact of cylinders, mm; their radii are ``(rx, inf)``
     """
     radii = [[float(radius) for radius in body] for body in (body1, body2)]
-    return Contact(_native.hertz(radii, load, [young1, young2], [poisson1, poisson2], angle))
+    along = None if length is None else float(length)
+    answer = _native.hertz(radii, load, [young1, young2], [poisson1, poisson2], angle, along)
+    return Contact(answer) if along is None else LineContact(answer)
 
 
 def traction_curve(coating: str, pressure: float, slip: Iterable[float], *, order: int = 2) -> TractionCurve:

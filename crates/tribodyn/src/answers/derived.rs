@@ -4,7 +4,7 @@ use super::lubrication::lubrication;
 use super::{Equations, Question};
 use crate::error::AnswerError;
 use crate::plausibility::{self, StaticEstimate};
-use crate::rating::{frequencies, rated_bearing, rating};
+use crate::rating::{LEAST_LOAD, frequencies, rated_bearing, rating};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use tribodyn_bearing::{Bearing, BearingError, Geometry, Translation};
@@ -60,6 +60,8 @@ pub struct Derived {
     pub radial_load_n: Option<f64>,
     /// Axial load, N.
     pub axial_load_n: Option<f64>,
+    /// Least load so that balls roll, by a rule of thumb, 0.01 C_r, N; absent where the standards do not rate the bearing.
+    pub minimum_load_n: Option<f64>,
     /// Static safety s_0 = C_0r/P_0; absent without load.
     pub static_safety: Option<f64>,
     /// Peak pressure of the hardest pressed ball by a first estimate, Pa.
@@ -211,6 +213,7 @@ fn answer(question: &Question<'_>, bearing: &Bearing, growth: Option<GrowthAnswe
         static_rating_n: rated.as_ref().map(|rated| rated.static_rating_n),
         radial_load_n: of_load(|found| found.radial_load_n),
         axial_load_n: of_load(|found| found.axial_load_n),
+        minimum_load_n: rated.as_ref().map(|rated| LEAST_LOAD * rated.dynamic_rating_n),
         static_safety: estimate.and_then(|found| found.static_safety),
         peak_pressure_estimate_pa: of_load(|found| found.peak_pressure_pa),
         pitch_speed_mm_rpm: (point.inner_speed - point.outer_speed).abs() * 30.0 / std::f64::consts::PI

@@ -109,7 +109,7 @@ pub fn heat(
     let mut notes = Vec::new();
     let size = size((question.name, question.case), surroundings, &mut notes)?;
     if question.case.mounting.is_none() {
-        notes.push("without `mounting` the rings grow by heat and speed, in no seats".to_owned());
+        notes.push("without `mounting` the rings grow by heat and speed, and no seat presses on them".to_owned());
     }
     let mut at = Temperatures::even(lubricant.temperature);
     let mut steps = Steps::default();

@@ -18,7 +18,7 @@ mod sensitivity;
 mod stiffness;
 mod torque;
 
-pub use contact::{HertzAnswer, HertzQuestion, hertz};
+pub use contact::{HertzAnswer, HertzQuestion, LineAnswer, hertz, hertz_line};
 pub use curve::{CurveAnswer, traction_curve};
 pub use derived::{Derived, GrowthAnswer, derived};
 pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};

@@ -71,7 +71,7 @@ fn at_pressures(
     let most = pressures.iter().copied().fold(0.0, f64::max);
     let beyond = match share(&valid) {
         0.0 => String::new(),
-        part => format!(", in {part:.0} % beyond {} to {} GPa, where it stands still", valid.start(), valid.end()),
+        part => format!(", in {part:.0} % beyond {} to {} GPa, where it is held constant", valid.start(), valid.end()),
     };
     Some(format!(
         "pressures on the {race} race are {least:.3} to {most:.3} GPa, its traction curve was tested at {} to {} GPa: \

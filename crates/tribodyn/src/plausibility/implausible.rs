@@ -56,7 +56,7 @@ impl Serialize for Implausible {
 pub fn advice(model: Equations) -> &'static str {
     match model {
         Equations::JonesHarris | Equations::Traction => {
-            "do not use what they name; `--model steady-orbit` gives what a run settles to"
+            "do not use the numbers that this concerns; `--model steady-orbit` gives what a run settles to"
         }
         Equations::SteadyOrbit => "grooves have no ends in the models: loads that lead there are beyond this bearing",
     }
