@@ -211,6 +211,18 @@ def handled(browser):
     until(browser, "document.getElementById('problem').hidden")
     typed(browser, "radial", "1e")
     until(browser, "!document.getElementById('problem').hidden && document.querySelector('[name=radial]').getAttribute('aria-invalid') === 'true'")
+    typed(browser, "radial", "2 pounds")
+    until(browser, "document.getElementById('problem').textContent.includes('N, kN, lbf')")
+    for text in ("562.0223607927 lbf", "2.5kN"):
+        typed(browser, "radial", text)
+        until(browser, "document.getElementById('problem').hidden && document.getElementById('pressure')")
+        time.sleep(0.5)
+        seen = browser.evaluate("parseFloat(document.getElementById('ball-load').textContent)")
+        typed(browser, "radial", "2500")
+        time.sleep(1.0)
+        expected = browser.evaluate("parseFloat(document.getElementById('ball-load').textContent)")
+        if seen != expected:
+            yield f"{text} gives a ball load of {seen} N, 2500 N one of {expected} N"
     typed(browser, "radial", "2500")
     until(browser, "document.getElementById('problem').hidden && location.hash.includes('radial=2500')")
     seen = []

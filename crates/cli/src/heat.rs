@@ -5,6 +5,7 @@ use crate::input::CaseArguments;
 use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
+use crate::units::in_unit;
 use tribodyn::answers::{HeatAnswer, Surroundings, heat};
 
 /// Temperatures of a lubricated bearing in steady state: its friction heats it, and what is warmer has other films,
@@ -20,13 +21,13 @@ pub struct Arguments {
     #[command(flatten)]
     time: TimeArguments,
     /// Temperature of the surroundings and of the oil that flows in, °C
-    #[arg(long, value_name = "DEG_C", default_value_t = 20.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEG_C", default_value_t = 20.0, allow_negative_numbers = true, value_parser = in_unit("degC"))]
     surroundings: f64,
     /// Conductances of shaft and housing to the surroundings over those of ISO 15312's reference
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_negative_numbers = true)]
     cooling: f64,
     /// Width of the bearing, mm; half of D − d where left out
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = in_unit("mm"))]
     width: Option<f64>,
     /// Oil that flows through the bearing, l/min
     #[arg(long, value_name = "L_PER_MIN", default_value_t = 0.0, allow_negative_numbers = true)]

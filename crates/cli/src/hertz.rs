@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::table;
+use crate::units::in_unit;
 use tribodyn::answers::{HertzQuestion, hertz, hertz_line};
 use tribodyn_contact::Body;
 
@@ -24,7 +25,7 @@ pub struct Arguments {
     #[arg(long, allow_hyphen_values = true)]
     load: f64,
     /// Length of the contact of two cylinders, mm: radii RX,inf
-    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, value_parser = in_unit("mm"))]
     length: Option<f64>,
     /// Young's modulus of body 1, GPa; inf for a rigid body
     #[arg(long, default_value_t = 206.0, allow_hyphen_values = true)]

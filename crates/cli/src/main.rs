@@ -36,6 +36,7 @@ mod sweep;
 mod table;
 mod torque;
 mod traction;
+mod units;
 mod vibration;
 mod waiting;
 
@@ -67,8 +68,8 @@ Examples:
   tribodyn shaft fixtures/shafts/motor.ron
   tribodyn vibration motor.csv --rate 25600 --bearing 6206 --speed 1480
 
-`tribodyn COMMAND --help` has examples of each command. Commands take SI values with their units: kN(1), mm(0.2),
-rpm(3000), also lbf, in, psi, degF.
+`tribodyn COMMAND --help` has examples of each command. Values of a case have their units, as kN(1), mm(0.2), rpm(3000),
+degC(70), also lbf, in, psi, degF; numbers of options may: --radial 450lbf, --bore 1.5in.
 
 Exit codes: 0 done, 1 did not converge or could not be written, 2 bad input.";
 

@@ -5,6 +5,7 @@ use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit::write_table;
 use crate::search::{Search, TimeArguments};
 use crate::table::{self, number};
+use crate::units::in_unit;
 use std::fmt::Write;
 use std::path::PathBuf;
 use tribodyn::answers::{Answer, ModesAnswer, modes};
@@ -19,7 +20,7 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Highest frequency, Hz
-    #[arg(long, default_value_t = f64::INFINITY, value_name = "HZ")]
+    #[arg(long, default_value_t = f64::INFINITY, value_name = "HZ", value_parser = in_unit("Hz"))]
     up_to: f64,
     /// Also the modes of the balls, which belong to the instant when pocket 0 stands at azimuth 0
     #[arg(long)]

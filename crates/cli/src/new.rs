@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::input::ReplaceArguments;
 use crate::table;
+use crate::units::in_unit;
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use tribodyn::{CaseFile, Limits};
@@ -27,37 +28,37 @@ pub struct Arguments {
     #[arg(long, value_enum, requires = "bore")]
     bearing: Option<Class>,
     /// Bore, mm
-    #[arg(long, value_name = "MM", requires_all = ["outside", "width"])]
+    #[arg(long, value_name = "MM", requires_all = ["outside", "width"], value_parser = in_unit("mm"))]
     bore: Option<f64>,
     /// Outside diameter, mm
-    #[arg(long, value_name = "MM", requires = "bore")]
+    #[arg(long, value_name = "MM", requires = "bore", value_parser = in_unit("mm"))]
     outside: Option<f64>,
     /// Width, mm
-    #[arg(long, value_name = "MM", requires = "bore")]
+    #[arg(long, value_name = "MM", requires = "bore", value_parser = in_unit("mm"))]
     width: Option<f64>,
     /// Nominal contact angle of an angular-contact bearing, degrees
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", value_parser = in_unit("deg"))]
     angle: Option<f64>,
     /// Number of balls; found from the ratings, or by a rule of thumb, where left out
     #[arg(long, value_name = "N")]
     balls: Option<usize>,
     /// Ball diameter, mm; found likewise
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", value_parser = in_unit("mm"))]
     ball: Option<f64>,
     /// Dynamic load rating C_r, N
-    #[arg(long, value_name = "N", requires = "static_rating")]
+    #[arg(long, value_name = "N", requires = "static_rating", value_parser = in_unit("N"))]
     dynamic_rating: Option<f64>,
     /// Static load rating C_0r, N
-    #[arg(long, value_name = "N", requires = "dynamic_rating")]
+    #[arg(long, value_name = "N", requires = "dynamic_rating", value_parser = in_unit("N"))]
     static_rating: Option<f64>,
     /// Radial load, N; a moderate one where left out
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
     radial: Option<f64>,
     /// Axial load, N; a moderate one where left out
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
     axial: Option<f64>,
     /// Speed of the inner ring, r/min; a moderate one where left out
-    #[arg(long, value_name = "RPM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RPM", allow_negative_numbers = true, value_parser = in_unit("rpm"))]
     speed: Option<f64>,
     /// Lubricant: vg32 and other grades of mineral oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film.
     /// Where left out, or `usual`, grease for sealed bearings and oil VG 68 for open ones

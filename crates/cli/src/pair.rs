@@ -5,6 +5,7 @@ use crate::input::CaseArguments;
 use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table::{self, number};
+use crate::units::in_unit;
 use tribodyn::answers::{Equations, PairSetting, pair};
 use tribodyn::pair::{Arrangement, PairBearing, PairSolution, Preload};
 
@@ -21,13 +22,13 @@ pub struct Arguments {
     #[arg(long, value_enum)]
     arrangement: ArrangementName,
     /// Distance between the middles of the bearings, mm
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", value_parser = in_unit("mm"))]
     distance: f64,
     /// Axial gap between the rings that clamping closes, µm
-    #[arg(long, value_name = "UM", allow_hyphen_values = true, required_unless_present = "spring")]
+    #[arg(long, value_name = "UM", allow_hyphen_values = true, required_unless_present = "spring", value_parser = in_unit("um"))]
     offset: Option<f64>,
     /// Force of a soft spring on the bearing at +z, whose outer ring slides, N
-    #[arg(long, value_name = "N", conflicts_with = "offset")]
+    #[arg(long, value_name = "N", conflicts_with = "offset", value_parser = in_unit("N"))]
     spring: Option<f64>,
     /// Equations of each bearing [default: steady-orbit, or jones-harris for a case without traction or cage]
     #[arg(long, value_enum)]

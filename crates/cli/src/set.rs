@@ -4,6 +4,7 @@ use crate::drawn;
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments, change};
 use crate::table::{self, number};
+use crate::units::in_unit;
 use std::path::PathBuf;
 use tribodyn::Change;
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
@@ -35,19 +36,19 @@ pub struct Arguments {
     #[arg(long, value_name = "SIGNS", conflicts_with = "arrangement", allow_hyphen_values = true)]
     sides: Option<String>,
     /// Preload, N
-    #[arg(long, value_name = "N", required_unless_present_any = ["offset", "spring"])]
+    #[arg(long, value_name = "N", required_unless_present_any = ["offset", "spring"], value_parser = in_unit("N"))]
     preload: Option<f64>,
     /// Condition in which the preload is given
     #[arg(long, value_enum, default_value_t = Given::Unmounted, requires = "preload")]
     given: Given,
     /// How far each bearing is pressed in off the shaft, µm
-    #[arg(long, value_name = "UM", allow_hyphen_values = true, conflicts_with = "preload")]
+    #[arg(long, value_name = "UM", allow_hyphen_values = true, conflicts_with = "preload", value_parser = in_unit("um"))]
     offset: Option<f64>,
     /// Force of a soft spring in place of the bearings that carry −z, N
-    #[arg(long, value_name = "N", conflicts_with_all = ["preload", "offset"])]
+    #[arg(long, value_name = "N", conflicts_with_all = ["preload", "offset"], value_parser = in_unit("N"))]
     spring: Option<f64>,
     /// Axial loads along +z, N, as N,N,…; up to the unloading force without it
-    #[arg(long, value_name = "N", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("N"))]
     loads: Vec<f64>,
     /// Write a figure of the displacement under load into this folder, as SVG and PNG
     #[arg(long, value_name = "FOLDER")]

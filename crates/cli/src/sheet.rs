@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments, change};
 use crate::rating::{Row, frequency_rows};
 use crate::table::{self, number};
+use crate::units::in_unit;
 use std::path::PathBuf;
 use tribodyn::Change;
 use tribodyn::answers::Equations;
@@ -17,19 +18,20 @@ use tribodyn_study::shaft::named_case;
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   tribodyn sheet 6206 --radial 2000 --axial 300 --speed 3000
+  tribodyn sheet 6206 --radial 450lbf --speed 3000
   tribodyn sheet 7210B --radial 3000 --axial 2500 --speed 1500 --html sheet.html")]
 pub struct Arguments {
     /// A designation of the built-in list, such as 6206 or 7210B, or a case file (RON)
     #[arg(value_name = "BEARING")]
     bearing: String,
     /// Radial load, N
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = in_unit("N"))]
     radial: f64,
     /// Axial load, N
-    #[arg(long, value_name = "N", default_value_t = 0.0)]
+    #[arg(long, value_name = "N", default_value_t = 0.0, value_parser = in_unit("N"))]
     axial: f64,
     /// Speed of the inner ring, r/min
-    #[arg(long, value_name = "RPM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RPM", allow_negative_numbers = true, value_parser = in_unit("rpm"))]
     speed: f64,
     /// Replace one value of the case, such as 'geometry.fit=RadialClearance(um(8))'; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = change)]

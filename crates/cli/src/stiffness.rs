@@ -6,6 +6,7 @@ use crate::orbit::write_table;
 use crate::search::{Search, TimeArguments};
 use crate::solve::ModelName;
 use crate::table;
+use crate::units::in_unit;
 use std::fmt::Write;
 use std::path::PathBuf;
 use tribodyn::answers::{Answer, StiffnessAnswer, stiffness};
@@ -22,7 +23,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
     model: ModelName,
     /// Speeds of the inner ring, r/min, as N,N,…; that of the case without it
-    #[arg(long, value_name = "RPM", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(long, value_name = "RPM", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("rpm"))]
     speeds: Vec<f64>,
     /// Write the matrices as a table, one row a speed (CSV)
     #[arg(long, value_name = "FILE.csv")]

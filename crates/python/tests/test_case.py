@@ -224,3 +224,30 @@ def test_limit_notebooks_show_a_case(paper: Case) -> None:
     page = paper._repr_html_()
     assert "geometry.ball_count" in page and "<table>" in page
     assert "<script" not in paper.replace({"name": '"<script>"'})._repr_html_()
+
+
+def test_identity_arguments_take_quantities_in_any_unit_of_their_kind(plain: Case) -> None:
+    """A number stands in the unit that the function says; a quantity is turned into it."""
+    from tribodyn import degF, inch, lbf, m, psi, rad_per_s
+
+    sheet = tribodyn.sheet(plain, radial=lbf(450), axial=kN(0.8), speed=rad_per_s(314.15926535897933))
+    same = tribodyn.sheet(plain, radial=2001.6997268672, axial=800, speed=3000)
+    assert sheet.rating.rating_life_l10_mrev == pytest.approx(same.rating.rating_life_l10_mrev, rel=1e-12)
+    assert sheet.speed_rpm == pytest.approx(3000, rel=1e-12)
+    apart = tribodyn.pair(plain, "DB", mm(20), offset=m(10e-6), model="jones-harris")
+    assert apart.preload_n == pytest.approx(
+        tribodyn.pair(plain, "DB", 20, offset=10, model="jones-harris").preload_n, rel=1e-9
+    )
+    contact = tribodyn.hertz((inch(0.25), inch(0.25)), (float("inf"), float("inf")), lbf(10), young1=psi(30e6))
+    assert contact.peak_pressure_pa == pytest.approx(
+        tribodyn.hertz(
+            (6.35, 6.35), (float("inf"), float("inf")), 44.482216152605, young1=206.8427187
+        ).peak_pressure_pa,
+        rel=1e-9,
+    )
+    film = tribodyn.contact_film("mineral-vg68", temperature=degF(158), load=555, speed=3.46, radius=mm(3.78))
+    assert film.oil.temperature_deg_c == pytest.approx(70, rel=1e-12)
+    made = Case.new("6206", radial=kN(2), speed=rpm(3000))
+    assert made.text == Case.new("6206", radial=2000, speed=3000).text
+    with pytest.raises(InputError, match="N, kN, lbf"):
+        tribodyn.sheet(plain, radial=mm(3), speed=3000)

@@ -16,6 +16,19 @@ const quick = new Solver(), slow = new Solver(told);
 const view = new View($("view"));
 let latest = 0, answer = null, points = [], clock = null, stage = "";
 
+// What a number may have behind it, over the unit of its field.
+const LENGTHS = { mm: 1, in: 25.4, inch: 25.4 }, FORCES = { N: 1, kN: 1e3, lbf: 4.4482216152605 };
+const UNITS = {
+  bore: LENGTHS, outside: LENGTHS, width: LENGTHS, ball: LENGTHS, radial: FORCES, axial: FORCES, dynamic_rating: FORCES, static_rating: FORCES,
+  speed: { "r/min": 1, rpm: 1, Hz: 60, "rad/s": 30 / Math.PI }, angle: { "°": 1, deg: 1, rad: 180 / Math.PI },
+};
+
+function number(name, text) {
+  const [, digits, unit] = text.match(/^([-+\d.,eE]*[\d.,])\s*(\D*)$/) ?? [null, text, ""];
+  const factor = unit === "" ? 1 : Object.hasOwn(UNITS[name] ?? {}, unit) ? UNITS[name][unit] : NaN;
+  return Number(digits.replace(",", ".")) * factor;
+}
+
 const by = () => form.elements.by.value;
 
 // The form as a question; a field that holds no number is named.
@@ -26,8 +39,8 @@ function asked() {
     field.removeAttribute("aria-invalid");
     if (hidden || text === "") continue;
     if (!NUMBERS.has(field.name)) { question[field.name] = text; continue; }
-    const value = Number(text.replace(",", "."));
-    if (!Number.isFinite(value)) return wrong(field.name, `${text}: allowed is a number`);
+    const value = number(field.name, text);
+    if (!Number.isFinite(value)) return wrong(field.name, `${text}: allowed is a number${UNITS[field.name] ? `, alone or with one of ${Object.keys(UNITS[field.name]).join(", ")}` : ""}`);
     if (field.name === "balls" && !(Number.isInteger(value) && value > 0)) return wrong(field.name, `${text}: allowed is a whole number of balls`);
     question[field.name] = value;
   }

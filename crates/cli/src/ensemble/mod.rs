@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments, pool};
 use crate::run::stop_flag;
 use crate::table::print_json;
+use crate::units::in_unit;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::num::NonZeroUsize;
@@ -39,7 +40,7 @@ pub struct Arguments {
     #[arg(long)]
     latin_hypercube: bool,
     /// Simulated time of each member in s; short for --set transient.duration=s(…)
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = in_unit("s"))]
     duration: Option<f64>,
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]

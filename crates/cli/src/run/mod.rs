@@ -10,6 +10,7 @@ pub use progress::significant;
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
 use crate::table;
+use crate::units::in_unit;
 use crate::waiting::Waiting;
 use progress::Progress;
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -36,7 +37,7 @@ pub struct Arguments {
     #[command(flatten)]
     replace: ReplaceArguments,
     /// Simulated time in s; short for --set transient.duration=s(…)
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = in_unit("s"))]
     duration: Option<f64>,
     /// Go on with a run of the same case that was stopped or killed
     #[arg(long, conflicts_with = "restart")]

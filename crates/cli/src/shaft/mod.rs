@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments, change};
 use crate::orbit::write_table;
 use crate::table;
+use crate::units::in_unit;
 use std::path::PathBuf;
 use tribodyn::Change;
 use tribodyn_study::StagedFiles;
@@ -32,10 +33,10 @@ pub struct Arguments {
     #[command(flatten)]
     limits: LimitArguments,
     /// Modes, critical speeds and response to unbalance at these speeds, r/min, as N,N,…
-    #[arg(long, value_name = "RPM", value_delimiter = ',')]
+    #[arg(long, value_name = "RPM", value_delimiter = ',', value_parser = in_unit("rpm"))]
     modes: Vec<f64>,
     /// Highest frequency of the modes that are printed, Hz
-    #[arg(long, value_name = "HZ", default_value_t = 2000.0, requires = "modes")]
+    #[arg(long, value_name = "HZ", default_value_t = 2000.0, requires = "modes", value_parser = in_unit("Hz"))]
     up_to: f64,
     /// Write the nodes of the shaft as a table: place, displacements, slopes, forces, moments, stresses (CSV)
     #[arg(long, value_name = "FILE.csv")]

@@ -6,6 +6,7 @@ use crate::drawn;
 use crate::failure::Failure;
 use crate::input::{LimitArguments, ReplaceArguments};
 use crate::table::{self, number};
+use crate::units::in_unit;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tribodyn_signal::{BandVelocity, Evidence, Fault, Search};
@@ -29,13 +30,13 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
     /// Sampling rate, Hz; WAV files, recordings and files with a column `time` say it themselves
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "HZ", value_parser = in_unit("Hz"))]
     rate: Option<f64>,
     /// The bearing: a case file, a designation such as 6205, or balls,ball mm,pitch mm[,angle °] such as 9,7.94,39.04
     #[arg(long, value_name = "BEARING")]
     bearing: Option<String>,
     /// Nominal contact angle of an angular-contact designation, degrees
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", value_parser = in_unit("deg"))]
     angle: Option<f64>,
     /// Speed of the shaft: r/min, or the column that holds it
     #[arg(long, value_name = "RPM|COLUMN")]

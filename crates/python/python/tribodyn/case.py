@@ -85,17 +85,17 @@ class Case:
         """
         request = {
             "designation": designation,
-            "angle": angle,
-            "bore": bore,
-            "outside": outside,
-            "width": width,
+            "angle": units.in_unit(angle, "deg"),
+            "bore": units.in_unit(bore, "mm"),
+            "outside": units.in_unit(outside, "mm"),
+            "width": units.in_unit(width, "mm"),
             "balls": balls,
-            "ball": ball,
-            "dynamic_rating": dynamic_rating,
-            "static_rating": static_rating,
-            "radial": radial,
-            "axial": axial,
-            "speed": speed,
+            "ball": units.in_unit(ball, "mm"),
+            "dynamic_rating": units.in_unit(dynamic_rating, "N"),
+            "static_rating": units.in_unit(static_rating, "N"),
+            "radial": units.in_unit(radial, "N"),
+            "axial": units.in_unit(axial, "N"),
+            "speed": units.in_unit(speed, "rpm"),
             "lubricant": lubricant,
         }
         return cls(_native.Case.make(request))

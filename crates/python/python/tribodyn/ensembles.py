@@ -12,6 +12,7 @@ from . import _html, _native, _plots
 from ._answer import Answer
 from ._progress import Bar, Progress
 from .case import Case
+from .units import in_unit
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -141,7 +142,7 @@ def ensemble(
         "members": int(members),
         "seed": int(seed),
         "latin_hypercube": latin_hypercube,
-        "duration": duration,
+        "duration": in_unit(duration, "s"),
         "threads": int(threads),
         "output": None if output is None else os.fspath(output),
         "restart": restart,

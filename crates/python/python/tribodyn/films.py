@@ -8,6 +8,7 @@ from . import _native, _plots
 from ._answer import Answer, OfOperatingPoint, warned
 from .case import Case
 from .procedures import TIME_LIMIT_S, Model
+from .units import in_unit
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -199,7 +200,7 @@ def heat(
         oil_flow: oil that flows through the bearing, l/min
         time_limit: as of :func:`solve`, for all solutions together
     """
-    given = (surroundings, cooling, width, oil_flow)
+    given = (in_unit(surroundings, "degC"), cooling, in_unit(width, "mm"), oil_flow)
     return warned(Heat(_native.heat(case._native, model, given, time_limit)))
 
 
@@ -239,15 +240,15 @@ def contact_film(
     """
     request = {
         "oil": oil,
-        "temperature": temperature,
-        "load": load,
+        "temperature": in_unit(temperature, "degC"),
+        "load": in_unit(load, "N"),
         "speed": speed,
-        "radius": radius,
-        "across": radius if across is None else across,
+        "radius": in_unit(radius, "mm"),
+        "across": in_unit(radius if across is None else across, "mm"),
         "slide_to_roll": slide_to_roll,
-        "roughness": roughness,
+        "roughness": in_unit(roughness, "um"),
         "starvation": starvation,
-        "young": young,
+        "young": in_unit(young, "GPa"),
         "poisson": poisson,
     }
     return ContactFilm(_native.contact_film(request))

@@ -6,12 +6,15 @@ import warnings
 from collections.abc import Iterable, Sequence
 from typing import Literal, Optional, Union, overload
 
+import numpy as np
+
 from . import _native
 from ._answer import warned
 from ._errors import ModelWarning, PlausibilityWarning
 from .answers import Contact, Derived, LineContact, Modes, Rating, Stiffness, TractionCurve
 from .case import Case
 from .solution import Solution
+from .units import in_unit
 
 #: Equations: raceway control without traction, traction integrals of both contacts, or the periodic motion of balls
 #: and cage that a run settles to.
@@ -54,7 +57,8 @@ def stiffness(
         speeds: speeds of the inner ring, r/min; that of the case where none is given
         time_limit: as of :func:`solve`, for all speeds together
     """
-    given = [float(speeds)] if isinstance(speeds, (int, float)) else [float(speed) for speed in speeds]
+    several = [speeds] if isinstance(speeds, (int, float, np.integer)) else speeds
+    given = [in_unit(speed, "rpm") for speed in several]
     answer = Stiffness(_native.stiffness(case._native, model, given, time_limit))
     for speed, said, implausible in zip(answer.inner_speed_rpm, answer.warnings, answer.implausible):
         for place, sentence in enumerate(said):
@@ -69,7 +73,7 @@ def modes(case: Case, *, up_to: float = float("inf"), all: bool = False, time_li
     Masses and supports are those of a run: the case needs its sections ``transient`` and ``supports``. With ``all``
     also those of the balls, which belong to the instant when pocket 0 stands at azimuth 0.
     """
-    return warned(Modes(_native.modes(case._native, up_to, all, time_limit)))
+    return warned(Modes(_native.modes(case._native, in_unit(up_to, "Hz"), all, time_limit)))
 
 
 def rating_life(case: Case, model: Optional[Model] = None, *, time_limit: float = TIME_LIMIT_S) -> Rating:
@@ -138,9 +142,10 @@ def hertz(
         angle: angle between the x planes of the two bodies, degrees
         length: length of the contact of cylinders, mm; their radii are ``(rx, inf)``
     """
-    radii = [[float(radius) for radius in body] for body in (body1, body2)]
-    along = None if length is None else float(length)
-    answer = _native.hertz(radii, load, [young1, young2], [poisson1, poisson2], angle, along)
+    radii = [[in_unit(radius, "mm") for radius in body] for body in (body1, body2)]
+    young = [in_unit(modulus, "GPa") for modulus in (young1, young2)]
+    along, turned = in_unit(length, "mm"), in_unit(angle, "deg")
+    answer = _native.hertz(radii, in_unit(load, "N"), young, [poisson1, poisson2], turned, along)
     return Contact(answer) if along is None else LineContact(answer)
 
 
@@ -153,4 +158,6 @@ def traction_curve(coating: str, pressure: float, slip: Iterable[float], *, orde
         slip: slips in the unit of the coating's own data
         order: order of the polynomials in pressure; 2 goes through the three tested pressures
     """
-    return TractionCurve(_native.traction_curve(coating, pressure, [float(value) for value in slip], order))
+    return TractionCurve(
+        _native.traction_curve(coating, in_unit(pressure, "GPa"), [float(value) for value in slip], order)
+    )

@@ -393,7 +393,7 @@ def run(
 def _run(case: Case, duration: Optional[float], path: Path, beginning: str, progress: Progress) -> Run:
     whole = duration if duration is not None else _duration(case)
     with Bar(whole, "s", progress) as bar:
-        seconds = None if duration is None else float(duration)
+        seconds = units.in_unit(duration, "s")
         answer, stopped = _native.run(case._native, os.fspath(path), seconds, beginning, bar)
     stopped_s = answer.pop("stopped_s")
     if stopped is not None and stopped_s is not None:
@@ -433,7 +433,7 @@ def life(
         progress: a bar where somebody watches; False for none; or a function of strides done and strides
     """
     with Bar(float(strides), "strides", progress) as bar:
-        limits = (None if until is None else float(until), None if clearance_limit is None else float(clearance_limit))
+        limits = (None if until is None else float(until), units.in_unit(clearance_limit, "um"))
         return warned(Life(_native.life(case._native, model, int(strides), limits, bar)))
 
 

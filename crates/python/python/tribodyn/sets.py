@@ -14,6 +14,7 @@ from .answers import Rating
 from .case import Case, Value, as_text
 from .procedures import TIME_LIMIT_S, Model
 from .solution import Balls, Solution
+from .units import in_unit
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -400,7 +401,8 @@ def pair(
         model: equations of each bearing; the steady orbit, or raceway control for a case without traction or cage
         time_limit: as of :func:`solve`
     """
-    return warned(Pair(_native.pair(case._native, arrangement, float(distance), (offset, spring), model, time_limit)))
+    apart, pressed = in_unit(distance, "mm"), (in_unit(offset, "um"), in_unit(spring, "N"))
+    return warned(Pair(_native.pair(case._native, arrangement, apart, pressed, model, time_limit)))
 
 
 def bearing_set(
@@ -428,11 +430,11 @@ def bearing_set(
     request = {
         "arrangement": arrangement,
         "sides": sides,
-        "preload": preload,
+        "preload": in_unit(preload, "N"),
         "given": given,
-        "offset": offset,
-        "spring": spring,
-        "loads": [float(load) for load in loads],
+        "offset": in_unit(offset, "um"),
+        "spring": in_unit(spring, "N"),
+        "loads": [in_unit(load, "N") for load in loads],
     }
     return BearingSet(_native.set(case._native, request))
 
@@ -445,14 +447,15 @@ def sheet(case: Case, *, radial: float, axial: float = 0.0, speed: float) -> She
         radial, axial: loads, N
         speed: of the inner ring, r/min
     """
-    return warned(Sheet(_native.sheet(case._native, float(radial), float(axial), float(speed))))
+    loads = in_unit(radial, "N"), in_unit(axial, "N")
+    return warned(Sheet(_native.sheet(case._native, *loads, in_unit(speed, "rpm"))))
 
 
 def shaft(
     path: PathLike,
     changes: Optional[Mapping[str, Value]] = None,
     *,
-    modes: Iterable[float] = (),
+    modes: Union[float, Iterable[float]] = (),
     up_to: float = 2000.0,
 ) -> Shaft:
     """A shaft in its bearings: reactions, deflections, stresses, lives, modes, critical speeds, unbalance.
@@ -464,8 +467,9 @@ def shaft(
         up_to: highest frequency of these modes, Hz
     """
     texts = [(place, as_text(value)) for place, value in (changes or {}).items()]
-    speeds = [float(speed) for speed in np.atleast_1d(np.asarray(modes, dtype=np.float64))]
-    answer = Shaft(_native.shaft(os.fspath(path), texts, speeds, float(up_to)))
+    several = [modes] if isinstance(modes, (int, float, np.integer)) else modes
+    speeds = [in_unit(speed, "rpm") for speed in several]
+    answer = Shaft(_native.shaft(os.fspath(path), texts, speeds, in_unit(up_to, "Hz")))
     for duty in answer.duties:
         warned(duty.shaft)
     return answer

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from . import _html, _native, _plots
 from ._answer import Answer, warned
 from .case import Case
+from .units import in_unit
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -194,14 +195,14 @@ def vibration(
     request = {
         "file": name,
         "channel": channel,
-        "rate": rate,
+        "rate": in_unit(rate, "Hz"),
         "bearing": None if bearing is None else os.fspath(bearing),
-        "angle": angle,
-        "speed": None if speed is None else str(speed),
+        "angle": in_unit(angle, "deg"),
+        "speed": speed if speed is None or isinstance(speed, str) else str(in_unit(speed, "rpm")),
         "key_phase": key_phase,
         "pulses": float(pulses),
-        "start": start,
-        "end": end,
+        "start": in_unit(start, "s"),
+        "end": in_unit(end, "s"),
         "speed_tolerance": float(speed_tolerance),
         "slip": float(slip),
     }

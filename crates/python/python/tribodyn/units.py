@@ -114,6 +114,27 @@ def unit(name: str) -> Unit:
     return Unit(name)
 
 
+@overload
+def in_unit(value: float, unit: str) -> float: ...
+
+
+@overload
+def in_unit(value: Optional[float], unit: str) -> Optional[float]: ...
+
+
+def in_unit(value: Optional[float], unit: str) -> Optional[float]:
+    """A number of an argument in its unit: a quantity, or one of Pint's, is turned into it; None stays None."""
+    if isinstance(value, Quantity):
+        if value.unit not in _kind(unit):
+            allowed = f"allowed are a number, in {unit}, and quantities in {', '.join(_kind(unit))}"
+            raise InputError(f"{value}: {allowed}", path=value.unit, value=value.text, allowed=allowed)
+        return value.to(unit)
+    given: Any = value
+    if hasattr(given, "magnitude") and hasattr(given, "to"):
+        return float(given.to(pint_name(unit)).magnitude)
+    return None if value is None else float(value)
+
+
 def number(value: float) -> str:
     """A number in the shortest form that reads back as the same; whole numbers without a point."""
     if value != value:
