@@ -12,8 +12,8 @@ use tribodyn_rating::{
 };
 use tribodyn_signal::BearingFrequencies;
 
-/// Least equivalent load over C_r for ball bearings, a rule of thumb of SKF's catalogue (requisite minimum load): below it
-/// balls slide.
+/// Least equivalent load over C_r for ball bearings, a rule of thumb of SKF's catalogue (requisite minimum load): below
+/// it balls slide.
 pub(crate) const LEAST_LOAD: f64 = 0.01;
 
 /// Where a load rating comes from.
