@@ -60,7 +60,8 @@ pub struct Derived {
     pub radial_load_n: Option<f64>,
     /// Axial load, N.
     pub axial_load_n: Option<f64>,
-    /// Least load so that balls roll, by a rule of thumb, 0.01 C_r, N; absent where the standards do not rate the bearing.
+    /// Least load so that balls roll, by a rule of thumb, 0.01 C_r, N; absent for a bearing that the standards do not
+    /// rate.
     pub minimum_load_n: Option<f64>,
     /// Static safety s_0 = C_0r/P_0; absent without load.
     pub static_safety: Option<f64>,
@@ -172,6 +173,7 @@ fn answer(question: &Question<'_>, bearing: &Bearing, growth: Option<GrowthAnswe
     // No-slip orbit at the free contact angle: the speed at which drag is quoted.
     let gamma = g.ball_diameter * g.cos_contact_angle() / g.pitch_diameter;
     let orbit = 0.5 * (point.inner_speed * (1.0 - gamma) + point.outer_speed * (1.0 + gamma));
+    let turning = (point.inner_speed - point.outer_speed).abs();
     let mut warnings = plausibility::of_case(case, (question.text, bearing));
     let drag =
         bearing.fluid.as_ref().map(|f| f.drag.force(0.5 * g.pitch_diameter * (orbit - f.swirl * point.inner_speed)));
@@ -216,9 +218,7 @@ fn answer(question: &Question<'_>, bearing: &Bearing, growth: Option<GrowthAnswe
         minimum_load_n: rated.as_ref().map(|rated| LEAST_LOAD * rated.dynamic_rating_n),
         static_safety: estimate.and_then(|found| found.static_safety),
         peak_pressure_estimate_pa: of_load(|found| found.peak_pressure_pa),
-        pitch_speed_mm_rpm: (point.inner_speed - point.outer_speed).abs() * 30.0 / std::f64::consts::PI
-            * g.pitch_diameter
-            * 1e3,
+        pitch_speed_mm_rpm: turning * 30.0 / std::f64::consts::PI * g.pitch_diameter * 1e3,
         growth,
         sources: case.sources.clone(),
         notes: notes(case, bearing),
