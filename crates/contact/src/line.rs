@@ -3,10 +3,10 @@
 //! ```text
 //! b = sqrt(8 w R/(π E'))     p_max = 2 w/(π b)     τ_max = 0.3003 p_max at the depth 0.7862 b
 //! ```
-//! w is the load per length, N/m, R the reciprocal of the curvature sum, E' as of the point contact. In the middle plane
-//! the stresses over p_max at the depth ζ b are σ_across = −((1 + 2ζ²)/√(1 + ζ²) − 2ζ), σ_depth = −1/√(1 + ζ²), σ_along
-//! = ν (σ_across + σ_depth); half the difference of the first two is largest at ζ² = (√5 − 1)/2 (K. L. Johnson, Contact
-//! Mechanics, 1985, chapter 4.2c, doi:10.1017/CBO9781139171731).
+//! w is the load per length, N/m, R the reciprocal of the curvature sum, E' as of the point contact. In the middle
+//! plane the stresses over p_max at the depth ζ b are σ_across = −((1 + 2ζ²)/√(1 + ζ²) − 2ζ), σ_depth = −1/√(1 + ζ²),
+//! σ_along = ν (σ_across + σ_depth); half the difference of the first two is largest at ζ² = (√5 − 1)/2 (K. L.
+//! Johnson, Contact Mechanics, 1985, chapter 4.2c, doi:10.1017/CBO9781139171731).
 
 use crate::{ContactError, Subsurface};
 use std::f64::consts::PI;

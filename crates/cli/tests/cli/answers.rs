@@ -37,7 +37,7 @@ fn limit_hertz_sphere_on_flat() {
     }
 }
 
-/// Johnson, Contact Mechanics, section 4.2c: b² = 4wR/(πE*), p = 2w/(πb), the largest shear stress is 0.300 p at 0.786 b.
+/// Johnson, Contact Mechanics, section 4.2c: b² = 4wR/(πE*), p = 2w/(πb), largest shear stress 0.300 p at 0.786 b.
 #[test]
 fn limit_hertz_cylinders_along_a_line() {
     let (per_length, modulus) = (4000.0 / 0.012, 206e9 / (2.0 * (1.0 - 0.3f64.powi(2))));
