@@ -66,6 +66,16 @@ def test_identity_an_answer_survives_pickling(kind: str) -> None:
         assert equal(again.to_dict(), answer.to_dict())
 
 
+@pytest.mark.parametrize("kind", [kind for kind in MAKERS if kind not in ("case", "unit")])
+def test_identity_an_answer_is_a_table_and_a_data_set(kind: str) -> None:
+    """Of pandas and of xarray, with the same columns."""
+    xarray = pytest.importorskip("xarray")
+    answer = MAKERS[kind]()
+    table, data = answer.to_pandas(), answer.to_xarray()
+    assert len(table) > 0 and isinstance(data, (xarray.Dataset, xarray.DataArray))
+    assert data.sizes or len(data.data_vars) > 0
+
+
 def test_limit_answers_of_different_questions_differ() -> None:
     case = _plain()
     one, other = (tribodyn.solve(case.replace({"ring.z": force}), "jones-harris") for force in ("kN(3)", "kN(4)"))
@@ -101,6 +111,21 @@ def test_identity_joblib_gives_what_one_process_gives(cases: Path) -> None:
     case = Case.read(cases / "angular-7210.ron")
     forces = ["kN(2)", "kN(4)", "kN(6)"]
     solved = joblib.Parallel(n_jobs=2)(joblib.delayed(_loaded)(case, force) for force in forces)
+    assert solved == [_loaded(case, force) for force in forces]
+
+
+def test_identity_futures_of_dask_give_what_one_process_gives(cases: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    case = Case.read(cases / "angular-7210.ron")
+    forces = ["kN(2)", "kN(4)", "kN(6)"]
+
+    def loaded(case: Case, force: str) -> tribodyn.Solution:
+        return tribodyn.solve(case.replace({"ring.z": force}), "jones-harris")
+
+    options = {"n_workers": 1, "threads_per_worker": 2, "dashboard_address": None, "processes": True}
+    with distributed.LocalCluster(**options) as cluster, distributed.Client(cluster) as client:
+        futures = [client.submit(loaded, case, force) for force in forces]
+        solved = client.gather(futures)
     assert solved == [_loaded(case, force) for force in forces]
 
 

@@ -13,6 +13,7 @@ from ._errors import ModelWarning, PlausibilityWarning
 
 if TYPE_CHECKING:
     import pandas as pd
+    import xarray as xr
 
 
 class Comparable:
@@ -71,6 +72,20 @@ class Answer(Comparable, _plots.Pictured):
 
         series: pd.Series[Any] = pandas.Series(self._single(), name=type(self).__name__, dtype=object)
         return series
+
+    def to_xarray(self) -> xr.Dataset:
+        """What :meth:`to_pandas` gives as a data set: a table by its index, single values without dimension."""
+        import pandas
+        import xarray
+
+        table: Any = self.to_pandas()
+        if not isinstance(table, pandas.Series):
+            data: xr.Dataset = table.to_xarray()
+            return data
+        if table.index.name:
+            return xarray.Dataset({table.name: table.to_xarray()})
+        # An array has no None.
+        return xarray.Dataset({name: value for name, value in table.items() if value is not None})
 
     if not TYPE_CHECKING:  # Attributes are declared: a misspelt one is an error of type checkers too.
 

@@ -364,7 +364,7 @@ class Stiffness(Answer):
         frame["warnings"] = ["; ".join(warnings) for warnings in self.warnings]
         return frame
 
-    def to_xarray(self) -> xr.DataArray:
+    def to_xarray(self) -> xr.DataArray:  # type: ignore[override]
         """Entries by speed, row and column."""
         import xarray
 
