@@ -12,6 +12,7 @@ import functools
 import http.server
 import json
 import math
+import random
 import re
 import subprocess
 import sys
@@ -301,6 +302,35 @@ def dropped(browser, command, folder):
     browser.evaluate("document.getElementById('dropped-close').click()")
 
 
+def diagnosed(browser, command, folder):
+    """A made signal of a defect of the outer race, searched by the page and by the command."""
+    rate, speed, bearing = 12_800, 1480, ("6206", 1000, 100, 1480, "usual", "traction")
+    filled(browser, bearing)
+    answer = answered(browser, "quick", bearing)
+    case = folder / "vibration.ron"
+    case.write_text(answer["text"])
+    strikes, noise = answer["sheet"]["rating"]["frequencies"]["ball_pass_outer_hz"], random.Random(1)
+    lines = ["time_s,acceleration"]
+    for k in range(3 * rate):
+        since = (k / rate * strikes) % 1.0 / strikes
+        lines.append(f"{k / rate},{math.exp(-900 * since) * math.sin(2 * math.pi * 3200 * since) + noise.gauss(0.0, 0.1):.6f}")
+    table = folder / "motor.csv"
+    table.write_text("\n".join(lines))
+    given(browser, table)
+    browser.evaluate("document.getElementById('dropped-search').click()")
+    until(browser, "document.querySelector('#dropped-envelope svg')", 60)
+    shown = browser.evaluate("document.getElementById('dropped-verdict').textContent")
+    if not shown.startswith("Fault: outer."):
+        yield f"a defect of the outer race is told as {shown!r}"
+    yield from (f"with a signal: {text}" for text in browser.evaluate(LOOK))
+    if command:
+        theirs = printed(command, "vibration", table, "--channel", "acceleration", "--rate", rate, "--bearing", case, "--speed", speed)
+        if theirs["verdict"]["fault"] != "outer" or theirs["verdict"]["reasons"][0] not in shown:
+            yield f"the command says {theirs['verdict']}, the page {shown!r}"
+        print(f"signal in the page: {shown[:90]}")
+    browser.evaluate("document.getElementById('dropped-close').click()")
+
+
 def viewed(browser, width, scheme):
     """Without motion: a browser without a graphics processor draws slowly."""
     browser.view(width, scheme, "screen", True)
@@ -346,6 +376,7 @@ def main():
             until(browser, "document.getElementById('cards').childElementCount > 5")
             wrong.extend(handled(browser))
             wrong.extend(dropped(browser, arguments.command, Path(work)))
+            wrong.extend(diagnosed(browser, arguments.command, Path(work)))
             wrong.extend(compared(browser, arguments.command, Path(work)))
             wrong.extend(complaints(browser, url))
         finally:

@@ -105,7 +105,7 @@ export function curve(place, points, { value, label, x, at, log }) {
 }
 
 // Long series over a time or another column: of each pixel the least and the largest value.
-export function series(place, { xs, ys, x, label, at }) {
+export function series(place, { xs, ys, x, label, at, marks = [] }) {
   const width = Math.max(320, Math.min(1100, place.clientWidth || 720)), height = 260, left = 78, right = 18, top = 14, bottom = 44;
   const add = sheet(place, width, height, `${label} over ${x}`);
   const [from, to] = [xs[0], xs[xs.length - 1]];
@@ -134,6 +134,10 @@ export function series(place, { xs, ys, x, label, at }) {
     else pixels.set(px, [ys[k], ys[k], ys[k], ys[k]]);
   }
   const path = [...pixels].flatMap(([px, values]) => [...new Set(values)].map(y => `${px} ${Y(y).toFixed(1)}`));
+  for (const [name, value] of marks) {
+    add("line", { y1: top, y2: height - bottom, x1: X(value), x2: X(value), stroke: css.second, "stroke-dasharray": "4 3" });
+    add("text", { x: X(value) + 3, y: top + 10, style: `fill: ${css.second}` }, name);
+  }
   add("path", { d: `M${path.join("L")}`, fill: "none", stroke: css.accent, "stroke-width": 1.4 });
   return add("line", { y1: top, y2: height - bottom, x1: X(at ?? from), x2: X(at ?? from), stroke: at === undefined ? "none" : css.second, "stroke-width": 1.5 });
 }

@@ -1,6 +1,7 @@
 // A recording or a table that is dropped onto the page: the bearing as it moves, and columns over time.
 import { series, short } from "./draw.js";
 import { Refused, read, readTable } from "./recording.js";
+import { Solver } from "./solver.js";
 import { View } from "./view.js";
 
 const $ = id => document.getElementById(id);
@@ -9,7 +10,12 @@ const MOST_BYTES = 500e6;
 // Seconds in which a recording plays, however short its simulated time is.
 const PLAYED_S = 12;
 
+const solver = new Solver();
+let asked = () => null;
 let view = null, shown = null, playing = false, last = 0;
+
+// What gives the bearing of the form as a question, or null where it is wrong.
+export function ofForm(question) { asked = question; }
 
 export async function opened(file) {
   $("dropped-problem").hidden = true;
@@ -32,6 +38,8 @@ export async function opened(file) {
   $("dropped-body").hidden = false;
   $("dropped-name").textContent = `${file.name}: ${shown.about}`;
   $("dropped-motion").hidden = !shown.frames;
+  $("dropped-rate").value = shown.rate ?? "";
+  found("", null);
   $("dropped-column").replaceChildren(...[...shown.columns.keys()].map(name => new Option(name, name)));
   $("dropped-column").value = shown.first;
   $("dropped-time").max = Math.max(0, (shown.frames?.length ?? 1) - 1);
@@ -61,7 +69,7 @@ function ofRecording({ metadata, states, times, balls }) {
   const first = ["cage_speed_rpm", "orbital_speed_mean_rpm"].find(name => columns.has(name)) ?? [...columns.keys()][0];
   const about = `${metadata.bearing ?? "bearing"}, ${frames[0].length} balls, ${short(x[x.length - 1] - x[0], 4)} s, ${x.length} states`;
   // A file that was cut off may lack what describes the bearing.
-  return { x, label: "time, s", columns, first, about, times, frames: Number.isFinite(body.pitch * body.ball) ? frames : null, body, most };
+  return { x, label: "time, s", columns, first, about, times, frames: Number.isFinite(body.pitch * body.ball) ? frames : null, body, most, rate: rateOf(x) };
 }
 
 function ofTable(table) {
@@ -70,7 +78,33 @@ function ofTable(table) {
   const count = Math.max(...[...table.values()].map(column => column.length));
   const columns = new Map([...table].filter(([name]) => name !== along));
   const x = along ? table.get(along) : Float64Array.from({ length: count }, (_, k) => k + 1);
-  return { x, label: along ?? "row", columns, first: [...columns.keys()][0], about: `${count} rows, ${names.length} columns`, frames: null };
+  return { x, label: along ?? "row", columns, first: [...columns.keys()][0], about: `${count} rows, ${names.length} columns`, frames: null, rate: along && /^t(ime)?\b|_s$/i.test(along) ? rateOf(x) : null };
+}
+
+// Samples a second, where times are even.
+function rateOf(times) {
+  const step = (times[times.length - 1] - times[0]) / (times.length - 1);
+  const even = times.every((time, k) => k === 0 || Math.abs(time - times[k - 1] - step) < 0.01 * step);
+  return even ? Math.round(1e6 / step) * 1e-6 : null;
+}
+
+function found(text, answer) {
+  $("dropped-verdict").textContent = text;
+  $("dropped-envelope").replaceChildren();
+  if (!answer) return;
+  const { verdict, evidence } = answer.diagnosis;
+  series($("dropped-envelope"), { xs: answer.envelope_hz, ys: answer.envelope, x: "frequency, Hz", label: "squared envelope over its mean", marks: evidence.map(line => [line.fault, line.frequency_hz]) });
+  $("dropped-verdict").textContent = `${verdict.fault ? `Fault: ${verdict.fault}` : "No fault seen"}. ${verdict.reasons.join(". ")}.`;
+}
+
+async function search() {
+  const question = asked(), rate = Number($("dropped-rate").value.replace(",", "."));
+  if (!question) { found("See the message at the form.", null); return; }
+  if (!(rate > 0)) { found("Samples a second: allowed is a number above 0.", null); return; }
+  const samples = Array.from(shown.columns.get($("dropped-column").value));
+  found("Searching…", null);
+  const answer = await solver.ask("vibration", { ask: "vibration", form: question, signal: { samples, rate } });
+  if (answer) found(answer.error ?? "", answer.error ? null : answer);
 }
 
 // Turns a recording's view: it stays as it is turned.
@@ -112,7 +146,8 @@ function step(now) {
 }
 
 $("open").addEventListener("change", event => { const [file] = event.target.files; if (file) opened(file); event.target.value = ""; });
-$("dropped-column").addEventListener("change", () => { draw(); moment(Number($("dropped-time").value)); });
+$("dropped-search").addEventListener("click", search);
+$("dropped-column").addEventListener("change", () => { draw(); found("", null); moment(Number($("dropped-time").value)); });
 $("dropped-time").addEventListener("input", event => { shown.at = Number(event.target.value); play(false); moment(shown.at); });
 $("dropped-play").addEventListener("click", () => play(!playing));
 $("dropped-close").addEventListener("click", () => { play(false); shown = null; $("dropped").hidden = true; $("open").focus(); });

@@ -1,5 +1,6 @@
 // The page: a form, its answers, and a link that holds the form.
 import { curve, polar, short } from "./draw.js";
+import { ofForm } from "./drop.js";
 import { Solver } from "./solver.js";
 import { View } from "./view.js";
 import * as show from "./show.js";
@@ -200,6 +201,7 @@ async function copied(button, text) {
   setTimeout(() => { button.textContent = label; }, 1500);
 }
 
+ofForm(asked);
 $("shown").append(...CURVES.map(([label], k) => new Option(label, k)));
 form.addEventListener("input", () => { sides(); update(); });
 form.addEventListener("submit", event => event.preventDefault());

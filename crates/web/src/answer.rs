@@ -2,6 +2,7 @@
 
 use crate::curve::curve;
 use crate::question::{Form, Question, operation};
+use crate::vibration::vibration;
 use serde::Serialize;
 use serde_json::{Value, json};
 use tribodyn::answers::{Equations, OrbitAnswer, derived, equilibrium, films, torque};
@@ -27,6 +28,7 @@ fn answer(question: Question, watch: &SearchWatch) -> Result<Value, AnswerError>
             full(&file, equations, watch)
         }
         Question::Orbit(form) => full(&form.case()?, Equations::SteadyOrbit, watch),
+        Question::Vibration { form, signal } => vibration(&form, &signal),
         Question::Curve { form, range } => Ok(written(curve(&form.case()?, &range)?)),
     }
 }

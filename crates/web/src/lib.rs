@@ -5,5 +5,6 @@ mod curve;
 #[cfg(target_arch = "wasm32")]
 mod exports;
 mod question;
+mod vibration;
 
 pub use answer::ask;

@@ -21,6 +21,13 @@ pub(crate) enum Question {
     Full(Form),
     /// The steady orbit, whatever is usual.
     Orbit(Form),
+    /// Faults in a measured signal.
+    Vibration {
+        /// The bearing, at the speed of its shaft.
+        form: Form,
+        /// The signal.
+        signal: Signal,
+    },
     /// Numbers over a load or a speed.
     Curve {
         /// The bearing.
@@ -28,6 +35,16 @@ pub(crate) enum Question {
         /// What changes.
         range: Range,
     },
+}
+
+/// A measured signal.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Signal {
+    /// Samples, in any unit.
+    pub samples: Vec<f64>,
+    /// Samples a second, Hz.
+    pub rate: f64,
 }
 
 /// Values along a curve.

@@ -91,7 +91,7 @@ const LAYERS: [(&str, &[&str]); 23] = [
         ],
     ),
     // What runs in the page.
-    ("tribodyn-web", &["tribodyn"]),
+    ("tribodyn-web", &["tribodyn", "tribodyn-signal"]),
     // Procedures as a library: all physics, and recordings.
     (
         "tribodyn-study",
