@@ -7,6 +7,7 @@ mod cylinder;
 mod deviations;
 mod elastic;
 mod films;
+pub mod fits;
 mod frame;
 mod free_cage;
 mod geometry;
