@@ -6,7 +6,7 @@ use super::outline::{Outline, Path};
 
 /// Something of every kind of value that a case has a required field for. A section is tried first: what it lacks in
 /// turn is filled, but not named.
-const KINDS: [&str; 39] = [
+const KINDS: [&str; 42] = [
     "()",
     "1",
     "1.0",
@@ -43,6 +43,9 @@ const KINDS: [&str; 39] = [
     "Half",
     "Pa_s(1)",
     "Inner",
+    "\"k5\"",
+    "Normal",
+    "Mean",
     "(N_per_m(1), N_per_m(1), N_per_m(1))",
     "(N_per_m(1), N_per_m(1))",
     "(N_s_per_m(1), N_s_per_m(1), N_s_per_m(1))",

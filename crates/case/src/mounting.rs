@@ -1,12 +1,15 @@
 //! From a case's fits and temperatures to the growth of its rings, and the limits of both.
 
 use crate::validate::{Refusal, Verdict, positive, require};
-use crate::{Case, GeometrySpec, Groove, MaterialSpec, MountedRingSpec, RatingSpec, SeatSpec, Shoulder};
+use crate::{Case, FitSpec, GeometrySpec, Groove, MaterialSpec, MountedRingSpec, RatingSpec, SeatSpec, Shoulder};
+use tribodyn_bearing::fits::{FitError, Within};
 use tribodyn_bearing::{BearingError, Cylinder, Geometry, GrownBearing, Growth, MountedRing, Races, Seat, Side, Solid};
 use tribodyn_contact::ElasticBody;
 
 /// Largest interference over the diameter of the seat: rings yield far below it.
 const INTERFERENCE_MAX: f64 = 0.01;
+/// Roughest surfaces, m: turned roughly.
+const ROUGHNESS_MAX: f64 = 200e-6;
 /// Largest temperature difference, K.
 const TEMPERATURE_MAX: f64 = 2000.0;
 /// Largest coefficient of thermal expansion, 1/K: beyond polymers.
@@ -77,6 +80,11 @@ impl Case {
         Ok(Some(Growths { mounted: growth.mounted().apply(&drawn)?, running: growth.apply(&drawn)? }))
     }
 
+    /// The same case with seats at another place within their tolerance classes.
+    pub fn with_fits(&self, within: Within) -> Self {
+        Self { mounting: self.mounting.map(|mounting| mounting.within(within)), ..self.clone() }
+    }
+
     /// The geometry that the solvers work with: that of the running bearing.
     ///
     /// # Errors
@@ -84,6 +92,14 @@ impl Case {
     pub fn running_geometry(&self) -> Result<Geometry, BearingError> {
         let drawn = self.geometry.resolve()?;
         self.growth(&drawn).map_or(Ok(drawn), |growth| growth.apply(&drawn).map(|grown| grown.geometry))
+    }
+
+    /// Checks a mounting that the case got from elsewhere, as a file's own is checked.
+    ///
+    /// # Errors
+    /// Path of the value, such as `mounting.inner.seat.fit.class`, and what is wrong with it.
+    pub fn check_mounting(&self) -> Result<(), (String, String)> {
+        validate(self).map_err(|Refusal { path, message }| (path, message))
     }
 
     fn growth(&self, drawn: &Geometry) -> Option<Growth> {
@@ -113,7 +129,7 @@ fn mounted_ring(
     };
     let ring = solid(material, spec.expansion);
     let seat = spec.seat.map(|seat| Seat {
-        interference: seat.interference,
+        interference: seat.effective_interference(spec.seat_diameter),
         // A shaft turns with its ring, and so does a housing that turns.
         partner: cylinder(
             solid(&seat.material, seat.expansion),
@@ -189,15 +205,34 @@ fn seat_of(path: &str, seat: &SeatSpec, diameter: f64, side: Side) -> Verdict {
     let poisson = (0.0..0.5).contains(&seat.material.poisson);
     require(poisson, &format!("{path}.material.poisson"), "must be at least 0 and below 0.5")?;
     positive(&format!("{path}.material.density"), seat.material.density)?;
+    let once = "an interference, or a fit by its class: give one of them";
+    require(seat.interference.is_some() != seat.fit.is_some(), path, once)?;
     let most = INTERFERENCE_MAX * diameter;
     let message = format!("must lie between -{0} and {0} mm, a hundredth of the seat", millimetres(most));
-    require(seat.interference.abs() <= most, &format!("{path}.interference"), message)?;
+    let allowed = seat.interference.is_none_or(|interference| interference.abs() <= most);
+    require(allowed, &format!("{path}.interference"), message)?;
+    if let Some(fit) = &seat.fit {
+        classes(&format!("{path}.fit"), fit, diameter, side)?;
+    }
     let (allowed, rule) = match side {
         Side::Inner => ((0.0..diameter).contains(&seat.far_diameter), "at least 0, a solid shaft, and below"),
         Side::Outer => (seat.far_diameter > diameter && seat.far_diameter.is_finite(), "greater than"),
     };
     let message = format!("must be {rule} the diameter of the seat, {} mm", millimetres(diameter));
     require(allowed, &format!("{path}.far_diameter"), message)
+}
+
+fn classes(path: &str, fit: &FitSpec, diameter: f64, side: Side) -> Verdict {
+    let rule = match side {
+        Side::Inner => "an inner ring sits on a shaft, whose classes have small letters, such as k5",
+        Side::Outer => "an outer ring sits in a housing, whose classes have capitals, such as H7",
+    };
+    require(fit.class.side() == side, &format!("{path}.class"), rule)?;
+    let rough = (0.0..=ROUGHNESS_MAX).contains(&fit.roughness);
+    let message = format!("must lie between 0 and {} mm: R_z of both surfaces together", millimetres(ROUGHNESS_MAX));
+    require(rough, &format!("{path}.roughness"), message)?;
+    let refused = |error: FitError| Refusal { path: format!("{path}.class"), message: error.to_string() };
+    fit.interference(diameter).map(drop).map_err(refused)
 }
 
 fn rating(spec: &RatingSpec, lubricated: bool) -> Verdict {

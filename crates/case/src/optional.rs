@@ -35,6 +35,8 @@ const OPTIONAL: &[&str] = &[
     "recording",
     "mounting",
     "mounting.*.seat",
+    "mounting.*.seat.interference",
+    "mounting.*.seat.fit",
     "rating",
     "rating.*",
     "modelling.*",

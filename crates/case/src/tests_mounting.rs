@@ -2,6 +2,7 @@
 
 use crate::{Case, Growths, set_value};
 use tribodyn_bearing::Side;
+use tribodyn_bearing::fits::Within;
 
 const AG: &str = include_str!("../../../fixtures/cases/paper-ag.ron");
 
@@ -61,6 +62,44 @@ fn identity_growth_reaches_the_bearing() {
     let growths = still.growths().unwrap().unwrap();
     assert_eq!(growths.mounted, growths.running);
     assert_eq!(growths.mounted, mounted);
+}
+
+const K5: &str = "(class: \"k5\", ring: Normal, within: Mean, roughness: um(5))";
+
+/// A shaft 120 k5 is 3 to 18 µm too large, a bore of the Normal class up to 20 µm too small: 20.5 µm in the middle, of
+/// which 0.4 R_z are smoothed away. The case is that of an interference of 18.5 µm.
+#[test]
+fn identity_a_fit_by_class_is_its_interference() {
+    let seat = MOUNTING.replace("interference: um(20)", &format!("fit: {K5}"));
+    let by_class = case(&[("mounting", &seat)]);
+    let by_length = case(&[("mounting", MOUNTING), ("mounting.inner.seat.interference", "um(18.5)")]);
+    let inner = |case: &Case| case.mounting.unwrap().inner;
+    assert!((inner(&by_class).seat.unwrap().effective_interference(0.12) - 18.5e-6).abs() < 1e-12);
+    let [a, b] = [&by_class, &by_length].map(|case| case.growths().unwrap().unwrap());
+    assert!((a.running.raceway_growth.inner / b.running.raceway_growth.inner - 1.0).abs() < 1e-9);
+    // Tighter seats leave less clearance.
+    let clearance = |within: Within| by_class.with_fits(within).growths().unwrap().unwrap().mounted.geometry;
+    let [loose, mean, tight] = [Within::Loosest, Within::Mean, Within::Tightest].map(clearance);
+    assert!(loose.radial_clearance() > mean.radial_clearance() && mean.radial_clearance() > tight.radial_clearance());
+    assert_eq!(clearance(Within::Mean), a.mounted.geometry);
+}
+
+#[test]
+fn limit_fits_that_do_not_belong_to_their_ring_are_refused() {
+    let with = |fit: &str| refused(&[("mounting", &MOUNTING.replace("interference: um(20)", fit))]);
+    let both = with(&format!("interference: um(20), fit: {K5}"));
+    assert!(both.contains("mounting.inner.seat: an interference, or a fit by its class"), "{both}");
+    let neither = refused(&[("mounting", &MOUNTING.replace("interference: um(20), ", ""))]);
+    assert!(neither.contains("give one of them"), "{neither}");
+    let capital = with(&format!("fit: {}", K5.replace("k5", "K6")));
+    assert!(capital.contains("mounting.inner.seat.fit.class: an inner ring sits on a shaft"), "{capital}");
+    let unknown = with(&format!("fit: {}", K5.replace("k5", "zz5")));
+    assert!(unknown.contains("`zz5` is no tolerance class") && unknown.contains("such as k5"), "{unknown}");
+    assert!(with(&format!("fit: {}", K5.replace("um(5)", "um(500)"))).contains("R_z of both surfaces"));
+    let class = with(&format!("fit: {}", K5.replace("Normal", "P7")));
+    assert!(class.contains("P7") && class.contains("P4"), "{class}");
+    let lacking = with("fit: (ring: Normal)");
+    assert!(["class", "within", "roughness"].iter().all(|name| lacking.contains(name)), "{lacking}");
 }
 
 /// An inner shoulder of 5 mm height in a groove of 15.718 mm: cos β = 1 − 5/15.718.
