@@ -173,6 +173,9 @@ impl RingForce for RestingBearing<'_> {
     }
 }
 
+/// Centrifugal force of all balls together that is next to nothing, N.
+const SLIGHT: f64 = 0.1;
+
 /// A ball bearing that turns, in quasi-static equilibrium.
 #[derive(Debug, Clone)]
 pub struct TurningBearing<'a> {
@@ -187,6 +190,18 @@ impl<'a> TurningBearing<'a> {
     pub fn new(bearing: &'a Bearing, point: &OperatingPoint, model: Model) -> Self {
         Self { bearing, point: point.clone(), model, near: None }
     }
+
+    /// True where no ball would touch at rest, and all press outwards by next to nothing.
+    fn idle(&self, displacement: &Vector) -> bool {
+        let geometry = &self.bearing.geometry;
+        let gamma = geometry.ball_diameter * geometry.cos_contact_angle() / geometry.pitch_diameter;
+        let orbit = 0.5 * (self.point.inner_speed * (1.0 - gamma) + self.point.outer_speed * (1.0 + gamma));
+        let outwards =
+            geometry.ball_count as f64 * self.bearing.ball_mass * 0.5 * geometry.pitch_diameter * orbit * orbit;
+        let resting = RestingBearing { bearing: self.bearing, first_ball: 0.0 };
+        let touches = |ball| resting.ball(resting.azimuth(ball), *displacement).load > 0.0;
+        outwards < SLIGHT && !(0..geometry.ball_count).any(touches)
+    }
 }
 
 impl RingForce for TurningBearing<'_> {
@@ -195,7 +210,11 @@ impl RingForce for TurningBearing<'_> {
         let near = self.near.as_ref().and_then(|near| solve_from(self.bearing, &point, near).ok());
         let solved = match near {
             Some(solved) => solved,
-            None => solve(self.bearing, &point, self.model)?,
+            // Raceway control has no equilibrium of balls that hardly press.
+            None => match solve(self.bearing, &point, self.model) {
+                Err(_) if self.idle(displacement) => return Ok(Held::FREE),
+                solved => solved?,
+            },
         };
         let stiffness = match &solved.warm_start {
             Some(at) => traction_stiffness(self.bearing, &point, at)?,

@@ -47,6 +47,9 @@ const FIRST: f64 = 1e-6;
 /// Farthest displacement that is looked at, m.
 const FARTHEST: f64 = 5e-3;
 
+/// Share of the preload that centrifugal force may keep on bearings that are said to lift off.
+const KEPT: f64 = 0.01;
+
 /// Axial force and stiffness of a ring at an axial displacement.
 fn axial(ring: &mut (dyn RingForce + '_), z: f64, bearing: usize) -> Result<(f64, f64), ShaftError> {
     if z <= -ring.half_play() {
@@ -174,21 +177,25 @@ impl AxialSet<'_> {
     }
 
     /// Loads along +z and along −z (N) under which the bearings of the other side lift off; absent where there are
-    /// none, or where a spring keeps them loaded.
+    /// none, or where a spring or the centrifugal force of the balls keeps them loaded.
     ///
     /// # Errors
     /// Those of the bearings.
     pub fn unloading_forces(&mut self) -> Result<[Option<f64>; 2], ShaftError> {
         let mut found = [None; 2];
+        let preload = self.preload_force()?;
         for (place, plus) in [(0, true), (1, false)] {
             let sign = if plus { 1.0 } else { -1.0 };
             // The side that lifts off, and how far the shaft moves until the last of it does.
-            let lifted = (0..self.members.len()).filter(|&k| self.members[k].carries_plus_z != plus);
-            let farthest = lifted.map(|k| self.offsets[k]).fold(f64::NEG_INFINITY, f64::max);
+            let lifted: Vec<usize> =
+                (0..self.members.len()).filter(|&k| self.members[k].carries_plus_z != plus).collect();
+            let farthest = lifted.iter().map(|&k| self.offsets[k]).fold(f64::NEG_INFINITY, f64::max);
             if farthest == f64::NEG_INFINITY || self.spring.is_some() {
                 continue;
             }
-            found[place] = Some(sign * self.at(sign * farthest)?.0);
+            let (sum, state) = self.at(sign * farthest)?;
+            let kept: f64 = lifted.iter().map(|&k| state.forces[k]).sum();
+            found[place] = (kept <= KEPT * preload).then_some(sign * sum);
         }
         Ok(found)
     }
