@@ -1,8 +1,10 @@
 //! The shape of a shaft's file: sections, bearings, loads, housings, in SI.
 
+use crate::schema::{RingClassSpec, WithinSpec, seat_class};
 use crate::units;
 use crate::{MaterialSpec, MountingSpec};
 use serde::Deserialize;
+use tribodyn_bearing::fits::{RingClass, SeatClass, Within};
 
 /// A shaft in its bearings. Axes are those of a case: x and y radial, z along the shaft from its first end.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -98,12 +100,45 @@ pub struct ShaftBearingSpec {
     /// Fits and temperatures of the rings, instead of those of the bearing's case.
     #[serde(default)]
     pub mounting: Option<MountingSpec>,
+    /// Fits of the rings by tolerance class, from which the mounting follows.
+    #[serde(default)]
+    pub fits: Option<FitsSpec>,
     /// Stiffness of the housing about the seat; a rigid one where left out.
     #[serde(default)]
     pub housing: Option<SeatStiffness>,
     /// Damping of bearing and seat along x and y, N s/m; none where left out.
     #[serde(default, deserialize_with = "units::optional_damping")]
     pub damping: Option<f64>,
+}
+
+/// Fits by tolerance class on a shaft whose sections are known.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FitsSpec {
+    /// Class of the seat on the shaft, such as `k5`.
+    #[serde(deserialize_with = "seat_class")]
+    pub shaft: SeatClass,
+    /// Class of the seat in the housing, such as `H7`.
+    #[serde(deserialize_with = "seat_class")]
+    pub housing: SeatClass,
+    /// Outside diameter of the housing, m, taken as a ring.
+    #[serde(deserialize_with = "units::length")]
+    pub housing_outside: f64,
+    /// Material of the housing; that of the shaft where left out.
+    #[serde(default)]
+    pub housing_material: Option<MaterialSpec>,
+    /// Class of the bearing.
+    #[serde(with = "RingClassSpec")]
+    pub ring: RingClass,
+    /// Which of the fits that these classes allow.
+    #[serde(with = "WithinSpec")]
+    pub within: Within,
+    /// Roughness R_z of seat and ring together, m.
+    #[serde(deserialize_with = "units::length")]
+    pub roughness: f64,
+    /// Coefficient of thermal expansion of rings and balls, 1/K.
+    #[serde(deserialize_with = "units::expansion")]
+    pub expansion: f64,
 }
 
 /// Where the bearing comes from.

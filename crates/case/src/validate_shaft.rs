@@ -92,6 +92,9 @@ fn bearing(path: &str, bearing: &crate::ShaftBearingSpec) -> Verdict {
     if let Some(crate::PreloadSpec::Force(force)) = bearing.preload {
         require(force >= 0.0 && force.is_finite(), &format!("{path}.preload.Force"), "must be at least 0 N")?;
     }
+    let ways = [bearing.clearance.is_some(), bearing.mounting.is_some(), bearing.fits.is_some()];
+    let message = "clearance in operation, mounting and fits say the same: give one of them";
+    require(ways.into_iter().filter(|given| *given).count() <= 1, path, message)?;
     let both = bearing.carries == Carries::Both;
     let message = "a bearing that carries both directions is preloaded by a spring on an outer ring that slides";
     require(!(both && bearing.preload.is_some()), &format!("{path}.preload"), message)

@@ -10,7 +10,7 @@ mod suffixes;
 pub use ball_set::{BallSet, KnownBalls, Origin, Ratings, RunnerUp, USUAL_GROOVES};
 pub use clearance::ClearanceGroup;
 pub use list::{ListedBearing, PublishedBalls, SOURCE, find, listed, search};
-pub use new_case::{Given, NewCase, NewLubricant};
+pub use new_case::{Fits, Given, NewCase, NewLubricant};
 pub use suffixes::Part;
 
 /// Boundary dimensions of a bearing and its nominal contact angle, SI.
@@ -32,6 +32,12 @@ pub enum CatalogueError {
     /// A lubricant that a new case cannot have.
     #[error("lubricant \"{word}\": allowed are ag, ptfe, grease, vg68 and the other grades, and oils such as pao-vg32")]
     Lubricant {
+        /// The word.
+        word: String,
+    },
+    /// A word that is no tolerance class.
+    #[error("fit \"{word}\": allowed is a tolerance class of ISO 286, such as k5 for the shaft and H7 for the housing")]
+    Fit {
         /// The word.
         word: String,
     },

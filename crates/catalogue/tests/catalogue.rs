@@ -255,3 +255,22 @@ fn identity_the_list_is_searched_by_parts_and_patterns() {
     assert_eq!(names("").len(), listed().count());
     assert!(names("99999").is_empty());
 }
+
+/// Fits of a new case: the class of the ring is that of the designation, and what is no class is refused.
+#[test]
+fn identity_fits_of_a_new_case() {
+    use tribodyn_catalogue::{Fits, NewCase};
+    let of = |written: &str, shaft: Option<&str>, housing: Option<&str>| {
+        let fits = Fits { shaft: shaft.map(str::to_owned), housing: housing.map(str::to_owned) };
+        NewCase { fits, ..NewCase::of_listed(find(written, None).unwrap(), written) }.text()
+    };
+    let text = of("7014CDGA/P4A", Some("js4"), None).unwrap();
+    assert!(text.contains("class: \"js4\", ring: P4, within: Mean") && text.matches("seat: (").count() == 1, "{text}");
+    let text = of("6206 C3", Some("k5"), Some("J6")).unwrap();
+    assert!(text.contains("class: \"J6\", ring: Normal") && text.matches("seat: (").count() == 2);
+    assert!(!of("6206", None, None).unwrap().contains("mounting: ("));
+    for word in ["k5\"", "k 5", "", "k5,"] {
+        let error = of("6206", Some(word), None).unwrap_err();
+        assert!(matches!(error, CatalogueError::Fit { .. }) && error.to_string().contains("k5"), "{error}");
+    }
+}

@@ -92,6 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     rows.extend(load_rows(&a));
     rows.extend(a.growth.iter().flat_map(growth_rows));
+    rows.extend(a.fits.iter().flat_map(crate::fits::rows));
     table::print_pairs(&rows)?;
     for note in &a.notes {
         table::print_line(&format!("note: {note}"))?;

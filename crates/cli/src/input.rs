@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use tribodyn::{CaseFile, Change, Limits, path_and_value};
+use tribodyn_catalogue::Fits;
 use tribodyn_study::{Ours, StudyError, read_case};
 
 /// Limits on what a file may ask for.
@@ -32,6 +33,23 @@ impl ReplaceArguments {
     /// Refuses a path of output at which something stands that may not be replaced.
     pub fn check(&self, path: &Path, case: &Path, wanted: Ours) -> Result<(), Failure> {
         Ok(wanted.may_replace(path, case, self.force)?)
+    }
+}
+
+/// Fits of a bearing of the built-in list.
+#[derive(clap::Args)]
+pub struct FitArguments {
+    /// Tolerance class of the shaft, such as k5 (ISO 286); the fit takes from the clearance
+    #[arg(long, value_name = "CLASS")]
+    shaft_fit: Option<String>,
+    /// Tolerance class of the housing, such as H7
+    #[arg(long, value_name = "CLASS")]
+    housing_fit: Option<String>,
+}
+
+impl FitArguments {
+    pub fn fits(&self) -> Fits {
+        Fits { shaft: self.shaft_fit.clone(), housing: self.housing_fit.clone() }
     }
 }
 

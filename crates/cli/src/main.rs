@@ -9,6 +9,7 @@ mod ensemble;
 mod excerpt;
 mod failure;
 mod film;
+mod fits;
 mod fmu;
 mod harmless;
 mod heat;

@@ -1,7 +1,7 @@
 //! `tribodyn new`: a complete case from a few catalogue numbers.
 
 use crate::failure::Failure;
-use crate::input::ReplaceArguments;
+use crate::input::{FitArguments, ReplaceArguments};
 use crate::table;
 use crate::units::in_unit;
 use std::io::{BufRead, IsTerminal, Write};
@@ -18,6 +18,7 @@ use tribodyn_study::{StagedFiles, StudyError};
   tribodyn new 6206
   tribodyn new \"6206-2RS C3\" --radial 2000 --speed 3000
   tribodyn new 7014CDGA/P4A --axial -500
+  tribodyn new 6206 --shaft-fit k5 --housing-fit J6
   tribodyn new 7210 --angle 40 -o pump.ron
   tribodyn new --bearing angular --bore 50 --outside 90 --width 20 --angle 40 --balls 15 --ball 12.7 -o case.ron")]
 pub struct Arguments {
@@ -64,6 +65,8 @@ pub struct Arguments {
     /// Where left out, or `usual`, grease for sealed bearings and oil VG 68 for open ones
     #[arg(long, value_name = "NAME")]
     lubricant: Option<String>,
+    #[command(flatten)]
+    fits: FitArguments,
     /// Ask for what is not given, on a terminal
     #[arg(long)]
     ask: bool,
@@ -104,6 +107,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         axial: arguments.axial,
         speed_rpm: arguments.speed,
         lubricant: arguments.lubricant.clone(),
+        fits: arguments.fits.fits(),
     })?;
     if arguments.ask {
         ask_operation(&mut case)?;

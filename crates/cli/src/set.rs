@@ -2,14 +2,14 @@
 
 use crate::drawn;
 use crate::failure::Failure;
-use crate::input::{LimitArguments, ReplaceArguments, change};
+use crate::input::{FitArguments, LimitArguments, ReplaceArguments, change};
 use crate::table::{self, number};
 use crate::units::in_unit;
 use std::path::PathBuf;
 use tribodyn::Change;
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
 use tribodyn_study::StagedFiles;
-use tribodyn_study::preload::{SetAnswer, SetPreload, SetQuestion, bearing_set, sides};
+use tribodyn_study::preload::{SetAnswer, SetPoint, SetPreload, SetQuestion, bearing_set, sides};
 use tribodyn_study::shaft::named_case;
 
 /// Preload, unloading force and axial rigidity of a set of like bearings, and its displacement under axial load.
@@ -19,6 +19,8 @@ use tribodyn_study::shaft::named_case;
 #[command(after_help = "Examples:
   tribodyn set 7012C --arrangement DB --preload 200
   tribodyn set spindle.ron --arrangement QBC --preload 300 --given mounted --loads 0,500,1000
+  tribodyn set 7012C/P4 --arrangement DB --preload 200 --shaft-fit h4
+  tribodyn set 7012C/P4 --arrangement QBC --preload 300 --shaft-fit js4 --speeds 0,6000,12000 --warmer 0,5,10
   tribodyn set 7210B --sides +-- --offset 5")]
 pub struct Arguments {
     /// A designation of the built-in list, such as 7012C, or a case file (RON); a listed bearing is at rest
@@ -27,6 +29,8 @@ pub struct Arguments {
     /// Replace one value of the case, such as 'speed.inner=Constant(rpm(8000))'; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = change)]
     changes: Vec<Change>,
+    #[command(flatten)]
+    fits: FitArguments,
     #[command(flatten)]
     limits: LimitArguments,
     /// How the bearings stand: DB, DF, DT, TBT, TFT, TT, QBC, QFC, QBT or QT
@@ -50,7 +54,13 @@ pub struct Arguments {
     /// Axial loads along +z, N, as N,N,…; up to the unloading force without it
     #[arg(long, value_name = "N", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("N"))]
     loads: Vec<f64>,
-    /// Write a figure of the displacement under load into this folder, as SVG and PNG
+    /// Speeds of a map of the preload, r/min, as RPM,RPM,…
+    #[arg(long, value_name = "RPM", value_delimiter = ',')]
+    speeds: Vec<f64>,
+    /// How much warmer than in the case shaft and inner ring of the map are, K, as K,K,…; the balls by half of it
+    #[arg(long, value_name = "K", value_delimiter = ',', allow_hyphen_values = true)]
+    warmer: Vec<f64>,
+    /// Write figures of the displacement under load and of the map into this folder, as SVG and PNG
     #[arg(long, value_name = "FOLDER")]
     plot: Option<PathBuf>,
     #[command(flatten)]
@@ -71,16 +81,26 @@ enum Given {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let case = named_case(&arguments.bearing, &arguments.changes, &arguments.limits.limits())?;
+    let case = named_case(&arguments.bearing, arguments.fits.fits(), &arguments.changes, &arguments.limits.limits())?;
     let question = SetQuestion {
         sides: sides(arguments.arrangement.as_deref(), arguments.sides.as_deref())?,
         preload: preload(arguments)?,
-        loads: loads(arguments)?,
+        loads: finite("loads", &arguments.loads, f64::is_finite, "finite loads in N")?,
+        speeds_rpm: finite(
+            "speeds",
+            &arguments.speeds,
+            |rpm| rpm.is_finite() && rpm >= 0.0,
+            "speeds of 0 r/min or more",
+        )?,
+        warmer_k: finite("warmer", &arguments.warmer, f64::is_finite, "finite temperatures in K")?,
     };
     let answer = bearing_set(&arguments.bearing, &case, &question)?;
     if let Some(folder) = &arguments.plot {
         let mut staged = StagedFiles::new(folder, arguments.replace.force)?;
         drawn::stage(&mut staged, &figure(&arguments.bearing, &answer)?)?;
+        if !answer.map.is_empty() {
+            drawn::stage(&mut staged, &map_figure(&arguments.bearing, &answer)?)?;
+        }
         staged.publish()?;
     }
     if arguments.json {
@@ -109,13 +129,13 @@ fn preload(arguments: &Arguments) -> Result<SetPreload, Failure> {
     Ok(SetPreload::OffsetM(1e-6 * allowed("offset", offset, true, "a finite number of µm")?))
 }
 
-fn loads(arguments: &Arguments) -> Result<Vec<f64>, Failure> {
-    match arguments.loads.iter().find(|load| !load.is_finite()) {
-        Some(load) => {
-            let message = "allowed are finite loads in N".to_owned();
-            Err(Failure::Option { option: "loads", value: load.to_string(), message })
+fn finite(option: &'static str, all: &[f64], rule: fn(f64) -> bool, allowed: &str) -> Result<Vec<f64>, Failure> {
+    match all.iter().find(|value| !rule(**value)) {
+        Some(value) => {
+            let message = format!("allowed are {allowed}");
+            Err(Failure::Option { option, value: value.to_string(), message })
         }
-        None => Ok(arguments.loads.clone()),
+        None => Ok(all.to_vec()),
     }
 }
 
@@ -139,6 +159,23 @@ fn print(name: &str, answer: &SetAnswer) -> Result<(), Failure> {
     )?;
     let offsets = answer.offset_m.iter().map(|offset| number(offset * 1e6, 3)).collect::<Vec<_>>().join("  ");
     table::print_line(&format!("\neach bearing pressed in off the shaft, µm: {offsets}\n"))?;
+    if !answer.map.is_empty() {
+        let header = ["r/min", "warmer by K", "preload N", "rigidity N/µm", "unloading +z N", "−z N"];
+        table::print_rows(
+            &header,
+            answer.map.iter().map(|p| {
+                vec![
+                    number(p.speed_rpm, 0),
+                    number(p.warmer_k, 1),
+                    number(p.preload_n, 1),
+                    number(p.rigidity_n_per_m * 1e-6, 2),
+                    optional(p.unloading_force_n[0], 1),
+                    optional(p.unloading_force_n[1], 1),
+                ]
+            }),
+        )?;
+        table::print_line("")?;
+    }
     let header = ["load N", "displacement µm", "rigidity N/µm", "axial force on each bearing N"];
     table::print_rows(
         &header,
@@ -165,4 +202,23 @@ fn figure(name: &str, answer: &SetAnswer) -> Result<Figure, Failure> {
         Panel::Cartesian(LineChart::new("Rigidity", load(), Axis::new("Axial rigidity", "N/µm"), vec![rigid])),
     ];
     Ok(Figure::new("set", format!("Set of {name}"), &panels)?)
+}
+
+/// Preload and rigidity over speed, a line for each temperature.
+fn map_figure(name: &str, answer: &SetAnswer) -> Result<Figure, Failure> {
+    let mut rises: Vec<f64> = answer.map.iter().map(|point| point.warmer_k).collect();
+    rises.dedup();
+    let lines = |value: &dyn Fn(&SetPoint) -> f64| -> Vec<Series> {
+        let of = |kelvin: f64| answer.map.iter().filter(move |point| point.warmer_k == kelvin);
+        let line = |kelvin: f64| of(kelvin).map(|point| (point.speed_rpm, value(point))).collect();
+        rises.iter().map(|&kelvin| Series::line(format!("{} K warmer", number(kelvin, 1)), line(kelvin))).collect()
+    };
+    let speed = || Axis::new("Speed", "r/min");
+    let preload = lines(&|point| point.preload_n);
+    let rigidity = lines(&|point| 1e-6 * point.rigidity_n_per_m);
+    let panels = [
+        Panel::Cartesian(LineChart::new("Preload", speed(), Axis::new("Preload", "N"), preload)),
+        Panel::Cartesian(LineChart::new("Rigidity", speed(), Axis::new("Axial rigidity", "N/µm"), rigidity)),
+    ];
+    Ok(Figure::new("set-map", format!("Preload of {name}"), &panels)?)
 }

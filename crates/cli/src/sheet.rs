@@ -1,7 +1,7 @@
 //! `tribodyn sheet`: one bearing under one load on one page.
 
 use crate::failure::Failure;
-use crate::input::{LimitArguments, ReplaceArguments, change};
+use crate::input::{FitArguments, LimitArguments, ReplaceArguments, change};
 use crate::rating::{Row, frequency_rows};
 use crate::table::{self, number};
 use crate::units::in_unit;
@@ -19,6 +19,7 @@ use tribodyn_study::shaft::named_case;
 #[command(after_help = "Examples:
   tribodyn sheet 6206 --radial 2000 --axial 300 --speed 3000
   tribodyn sheet 6206 --radial 450lbf --speed 3000
+  tribodyn sheet 6206 --radial 2000 --speed 3000 --shaft-fit k5 --housing-fit J6
   tribodyn sheet 7210B --radial 3000 --axial 2500 --speed 1500 --html sheet.html")]
 pub struct Arguments {
     /// A designation of the built-in list, such as 6206 or 7210B, or a case file (RON)
@@ -36,6 +37,8 @@ pub struct Arguments {
     /// Replace one value of the case, such as 'geometry.fit=RadialClearance(um(8))'; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = change)]
     changes: Vec<Change>,
+    #[command(flatten)]
+    fits: FitArguments,
     #[command(flatten)]
     limits: LimitArguments,
     /// Write the sheet as a page
@@ -57,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             return Err(Failure::Option { option, value: value.to_string(), message: message.to_owned() });
         }
     }
-    let case = named_case(&arguments.bearing, &arguments.changes, &arguments.limits.limits())?;
+    let case = named_case(&arguments.bearing, arguments.fits.fits(), &arguments.changes, &arguments.limits.limits())?;
     let speed = arguments.speed * std::f64::consts::PI / 30.0;
     let question = SheetQuestion { radial: arguments.radial, axial: arguments.axial, speed };
     let found = sheet(&arguments.bearing, &case, &question)?;
@@ -123,6 +126,7 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
     ];
     let mut parts = vec![
         ("Bearing", bearing),
+        ("Fits", s.fits.iter().flat_map(crate::fits::rows).collect()),
         ("Operation", operation),
         ("Life and safety", crate::rating::rows(&s.rating, Equations::JonesHarris.name())),
         ("Balls", balls),
@@ -132,6 +136,7 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
     if let Some(found) = &s.rating.frequencies {
         parts.push(("Frequencies", frequency_rows(found)));
     }
+    parts.retain(|(_, rows)| !rows.is_empty());
     parts
 }
 

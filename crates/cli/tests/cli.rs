@@ -18,6 +18,8 @@ mod ensemble;
 mod files;
 #[path = "cli/findings.rs"]
 mod findings;
+#[path = "cli/fits.rs"]
+mod fits;
 #[path = "cli/fmu.rs"]
 mod fmu;
 #[path = "cli/implausible.rs"]

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use tribodyn::{CaseFile, Change, Limits};
 use tribodyn_case::{locate, values};
-use tribodyn_catalogue::{CatalogueError, Envelope, Given, NewCase, Ratings, find};
+use tribodyn_catalogue::{CatalogueError, Envelope, Fits, Given, NewCase, Ratings, find};
 use tribodyn_study::{StudyError, read_case};
 
 /// A case that was accepted. It does not change.
@@ -108,6 +108,8 @@ pub struct NewRequest {
     axial: Option<f64>,
     speed: Option<f64>,
     lubricant: Option<String>,
+    shaft_fit: Option<String>,
+    housing_fit: Option<String>,
 }
 
 impl NewRequest {
@@ -136,6 +138,7 @@ impl NewRequest {
             axial: self.axial,
             speed_rpm: self.speed,
             lubricant: self.lubricant.clone(),
+            fits: Fits { shaft: self.shaft_fit.clone(), housing: self.housing_fit.clone() },
         };
         let word = self.lubricant.as_deref().unwrap_or("None");
         let unknown = |failure: CatalogueError| error::argument(py, "lubricant", word, &failure.to_string());

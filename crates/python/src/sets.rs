@@ -82,6 +82,8 @@ pub struct SetRequest {
     offset: Option<f64>,
     spring: Option<f64>,
     loads: Vec<f64>,
+    speeds: Vec<f64>,
+    warmer: Vec<f64>,
 }
 
 impl SetRequest {
@@ -115,7 +117,14 @@ pub fn set<'py>(py: Python<'py>, case: &NativeCase, request: SetRequest) -> PyRe
     for load in &request.loads {
         number(py, "loads", *load, |_| true, "finite loads in N")?;
     }
-    let question = SetQuestion { sides, preload: pressed, loads: request.loads };
+    for speed in &request.speeds {
+        number(py, "speeds", *speed, |rpm| rpm >= 0.0, "speeds of 0 r/min or more")?;
+    }
+    for kelvin in &request.warmer {
+        number(py, "warmer", *kelvin, |_| true, "finite temperatures in K")?;
+    }
+    let SetRequest { loads, speeds: speeds_rpm, warmer: warmer_k, .. } = request;
+    let question = SetQuestion { sides, preload: pressed, loads, speeds_rpm, warmer_k };
     let file = Arc::clone(&case.file);
     answer(py, move || bearing_set(&file.name, &file.case, &question))
 }

@@ -127,7 +127,7 @@ def test_identity_attributes_of_other_answers_are_declared(cases: Path) -> None:
     answers += [tribodyn.traction_curve("ag", 2, [1]), tribodyn.life(worn, strides=1, progress=False)]
     for answer in answers:
         declared = {name for name in get_type_hints(type(answer)) if not name.startswith("_")}
-        assert {name for name in vars(answer) if not name.startswith("_")} == declared - {"growth"} or set(
+        assert {name for name in vars(answer) if not name.startswith("_")} == declared - {"growth", "fits"} or set(
             vars(answer)
         ) == declared, type(answer)
 
@@ -157,6 +157,46 @@ def test_code_ross_builds_a_bearing_element(plain: Case) -> None:
         assert np.all(np.asarray(element.C(speed)) == 0.0)
         lost = 1.25e-5 * matrix[:2, :2]
         assert np.allclose(np.asarray(damped.C(speed))[:2, :2], lost, rtol=1e-6, atol=1e-5)
+
+
+def test_code_ross_reads_the_bearings_of_a_shaft(command: Callable[..., Any], cases: Path, tmp_path: Path) -> None:
+    """The table of a shaft's bearings makes elements with the stiffness of the answer, to the printed digits."""
+    ross = pytest.importorskip("ross")
+    import pandas
+
+    motor, table = cases.parent / "shafts" / "motor.ron", tmp_path / "ross.csv"
+    command("shaft", motor, "--modes", "1000,3000", "--ross", table, "--json")
+    frame = pandas.read_csv(table)
+    speed_name = "speed" if int(ross.__version__.split(".")[0]) >= 3 else "frequency"
+    for bearing in range(2):
+        rows = frame[frame["bearing"] == bearing]
+        columns = {name: rows[name].to_numpy() for name in ("kxx", "kxy", "kyx", "kyy", "kzz", "cxx", "cyy")}
+        columns[speed_name] = rows["frequency"].to_numpy()
+        element = ross.BearingElement(n=int(rows["node"].iloc[0]), **columns)
+        for rpm in (1000.0, 3000.0):
+            answer = tribodyn.shaft(motor, {"speed": f"rpm({rpm})"}).duties[0].shaft.bearings[bearing]
+            ours = np.asarray(answer.stiffness)
+            found = np.asarray(element.K(rpm * np.pi / 30.0))
+            assert np.allclose(found[:2, :2], ours[:2, :2], rtol=1e-9, atol=1e-3)
+            assert np.isclose(found[2, 2], ours[2, 2], rtol=1e-9)
+
+
+def test_identity_fits_take_from_the_clearance() -> None:
+    """k5 on the shaft and J6 in the housing, by ISO 286 and ISO 492."""
+    checked = Case.new("6206", shaft_fit="k5", housing_fit="J6").check()
+    inner, outer = checked.fits.seats
+    assert (inner.seat_class, outer.seat_class, inner.ring_class) == ("k5", "J6", "Normal")
+    assert np.allclose(np.asarray(inner.interference_m)[[0, 2, 4]], [2e-6, 11.5e-6, 21e-6], rtol=1e-9)
+    assert checked.fits.radial_clearance_mounted_m[2] == checked.growth.radial_clearance_mounted_m
+    with pytest.raises(InputError, match="such as k5"):
+        Case.new("6206", shaft_fit="zz9")
+
+
+def test_identity_a_set_over_speed_and_temperature() -> None:
+    case = Case.new("7012C", shaft_fit="js4")
+    found = tribodyn.bearing_set(case, "DB", preload=300, speeds=[0, 8000], warmer=[0, 10], loads=[0])
+    assert [(point.speed_rpm, point.warmer_k) for point in found.map] == [(0, 0), (8000, 0), (0, 10), (8000, 10)]
+    assert found.map[2].preload_n > found.map[0].preload_n
 
 
 def test_identity_damping_for_rotor_programs_is_that_of_the_modes(cases: Path) -> None:

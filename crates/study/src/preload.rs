@@ -74,6 +74,17 @@ pub struct SetQuestion {
     pub preload: SetPreload,
     /// Axial loads along +z, N; where none are given, up to the unloading force.
     pub loads: Vec<f64>,
+    /// Speeds of a map, r/min; that of the case where only `warmer_k` is given.
+    pub speeds_rpm: Vec<f64>,
+    /// How much warmer shaft and inner ring of a map are than in the case, K, the balls by half of it.
+    pub warmer_k: Vec<f64>,
+}
+
+impl SetQuestion {
+    /// A question about a set alone, without loads of one's own and without a map.
+    pub fn new(sides: Vec<bool>, preload: SetPreload) -> Self {
+        Self { sides, preload, loads: Vec::new(), speeds_rpm: Vec::new(), warmer_k: Vec::new() }
+    }
 }
 
 /// A set under one axial load.
@@ -106,6 +117,21 @@ pub struct SetCondition {
     pub unloading_over_preload: [Option<f64>; 2],
 }
 
+/// A set at one speed and temperature of a map.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SetPoint {
+    /// Speed, r/min.
+    pub speed_rpm: f64,
+    /// How much warmer shaft and inner ring are than in the case, K.
+    pub warmer_k: f64,
+    /// Preload, N.
+    pub preload_n: f64,
+    /// Axial rigidity without load, N/m.
+    pub rigidity_n_per_m: f64,
+    /// Loads along +z and −z under which the other side lifts off, N; absent where it never does.
+    pub unloading_force_n: [Option<f64>; 2],
+}
+
 /// A set.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SetAnswer {
@@ -113,6 +139,9 @@ pub struct SetAnswer {
     pub offset_m: Vec<f64>,
     /// Off the shaft, mounted, and at the speed and temperatures of the case, as far as they differ.
     pub conditions: Vec<SetCondition>,
+    /// Over speed and temperature, as far as that was asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub map: Vec<SetPoint>,
     /// Under load, in the last of these conditions.
     pub states: Vec<SetState>,
 }
@@ -132,6 +161,17 @@ struct Condition {
 }
 
 impl Condition {
+    /// A case at a speed (rad/s); off the shaft its groove centres reach so far along the axis, m.
+    fn new(name: &str, condition: &'static str, mut case: Case, speed: f64, reach: f64) -> Result<Self, StudyError> {
+        case.speed.inner = tribodyn_bearing::SpeedHistory::Constant(speed);
+        let failed = |source| AnswerError::Bearing { file: name.to_owned(), source };
+        let bearing = case.bearing().map_err(failed)?;
+        // Rings that grow bring the groove centres nearer at the same place along the axis.
+        let geometry = &bearing.geometry;
+        let added = reach - geometry.centre_distance() * geometry.sin_contact_angle();
+        Ok(Self { name: condition, point: case.operating_point(), bearing, speed, added })
+    }
+
     /// At rest the bearing is elastic.
     fn ring(&self) -> Box<dyn RingForce + '_> {
         match self.speed == 0.0 {
@@ -205,7 +245,53 @@ pub fn bearing_set(name: &str, case: &Case, question: &SetQuestion) -> Result<Se
             bearing_force_n: state.forces,
         });
     }
-    Ok(SetAnswer { offset_m: offsets, conditions: answers, states })
+    let map = map(name, case, question, &offsets)?;
+    Ok(SetAnswer { offset_m: offsets, conditions: answers, map, states })
+}
+
+/// The set over speeds and temperatures, at the offsets that it has off the shaft.
+fn map(name: &str, case: &Case, question: &SetQuestion, offsets: &[f64]) -> Result<Vec<SetPoint>, StudyError> {
+    let (mut speeds, mut rises) = (question.speeds_rpm.clone(), question.warmer_k.clone());
+    match (speeds.is_empty(), rises.is_empty()) {
+        (true, true) => return Ok(Vec::new()),
+        (true, false) => speeds.push(case.operating_point().inner_speed * RPM_PER_RAD_S),
+        (false, true) => rises.push(0.0),
+        (false, false) => {}
+    }
+    if let Some(kelvin) = rises.iter().find(|kelvin| **kelvin != 0.0 && case.mounting.is_none()) {
+        let why = "without fits or a section mounting no ring grows: give them";
+        return Err(StudyError::argument("warmer", kelvin, why));
+    }
+    let reach = drawn_reach(name, case)?;
+    let mut points = Vec::with_capacity(speeds.len() * rises.len());
+    for &warmer_k in &rises {
+        for &speed_rpm in &speeds {
+            let condition = Condition::new(name, "", warmed(case, warmer_k), speed_rpm / RPM_PER_RAD_S, reach)?;
+            let failed = |source: ShaftError| StudyError::Shaft {
+                file: format!("{name} at {speed_rpm} r/min, {warmer_k} K warmer"),
+                source,
+            };
+            let mut set = condition.set(question, offsets);
+            let rigidity_n_per_m = set.under(0.0).map_err(failed)?.stiffness;
+            let preload_n = set.preload_force().map_err(failed)?;
+            let unloading_force_n = if preload_n > 0.0 { set.unloading_forces().map_err(failed)? } else { [None; 2] };
+            points.push(SetPoint { speed_rpm, warmer_k, preload_n, rigidity_n_per_m, unloading_force_n });
+        }
+    }
+    Ok(points)
+}
+
+/// A case whose shaft and inner ring are warmer, and its balls by half of that.
+fn warmed(case: &Case, kelvin: f64) -> Case {
+    let mut case = case.clone();
+    if let Some(mounting) = &mut case.mounting {
+        mounting.ball.temperature_rise += 0.5 * kelvin;
+        mounting.inner.temperature_rise += kelvin;
+        if let Some(seat) = &mut mounting.inner.seat {
+            seat.temperature_rise += kelvin;
+        }
+    }
+    case
 }
 
 fn table(answer: &SetCondition, question: &SetQuestion) -> Vec<f64> {
@@ -223,30 +309,13 @@ const MOUNTED: &str = "mounted, at rest";
 const RUNNING: &str = "at speed and temperature";
 
 fn conditions(name: &str, case: &Case) -> Result<Vec<Condition>, StudyError> {
-    let failed = |source| AnswerError::Bearing { file: name.to_owned(), source };
     let lacking = |source| AnswerError::Lacking { file: name.to_owned(), source };
     case.require(tribodyn_case::Purpose::JonesHarris).map_err(lacking)?;
-    let at_speed = |case: &Case, speed: f64| {
-        let mut case = case.clone();
-        case.speed.inner = tribodyn_bearing::SpeedHistory::Constant(speed);
-        case
-    };
     let speed = case.operating_point().inner_speed;
-    let off = Case { mounting: None, ..at_speed(case, 0.0) };
-    let drawn = off.bearing().map_err(failed)?;
-    let reach = drawn.geometry.centre_distance() * drawn.geometry.sin_contact_angle();
-    let mut all = Vec::new();
-    let mut push = |name: &'static str, case: &Case, speed: f64| {
-        let bearing = case.bearing().map_err(failed)?;
-        // Rings that grow bring the groove centres nearer at the same place along the axis.
-        let geometry = &bearing.geometry;
-        let added = reach - geometry.centre_distance() * geometry.sin_contact_angle();
-        all.push(Condition { name, bearing, point: case.operating_point(), speed, added });
-        Ok::<(), StudyError>(())
-    };
-    push(OFF, &off, 0.0)?;
+    let reach = drawn_reach(name, case)?;
+    let mut all = vec![Condition::new(name, OFF, unmounted(case), 0.0, reach)?];
     if case.mounting.is_some() {
-        let mut cold = at_speed(case, 0.0);
+        let mut cold = case.clone();
         if let Some(mounting) = &mut cold.mounting {
             mounting.ball.temperature_rise = 0.0;
             for ring in [&mut mounting.inner, &mut mounting.outer] {
@@ -256,10 +325,20 @@ fn conditions(name: &str, case: &Case) -> Result<Vec<Condition>, StudyError> {
                 }
             }
         }
-        push(MOUNTED, &cold, 0.0)?;
+        all.push(Condition::new(name, MOUNTED, cold, 0.0, reach)?);
     }
     if speed != 0.0 || case.mounting.is_some() {
-        push(RUNNING, &at_speed(case, speed), speed)?;
+        all.push(Condition::new(name, RUNNING, case.clone(), speed, reach)?);
     }
     Ok(all)
+}
+
+fn unmounted(case: &Case) -> Case {
+    Case { mounting: None, ..case.clone() }
+}
+
+/// How far the groove centres of the bearing off the shaft are apart along the axis, m.
+fn drawn_reach(name: &str, case: &Case) -> Result<f64, StudyError> {
+    let drawn = unmounted(case).bearing().map_err(|source| AnswerError::Bearing { file: name.to_owned(), source })?;
+    Ok(drawn.geometry.centre_distance() * drawn.geometry.sin_contact_angle())
 }

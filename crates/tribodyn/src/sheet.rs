@@ -1,5 +1,6 @@
 //! One bearing under one load on one page: life, safety, deflection, stiffness, torque, frequencies, limits.
 
+use crate::answers::{Fits, fits};
 use crate::error::AnswerError;
 use crate::plausibility::solution_findings;
 use crate::rating::{LEAST_LOAD, Rating, loaded_contacts, rating};
@@ -33,6 +34,9 @@ pub struct Sheet {
     pub pitch_diameter_m: f64,
     /// Radial internal clearance in operation, m.
     pub radial_clearance_m: f64,
+    /// Fits by tolerance class, and the clearance over their range; absent where no seat has a class.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fits: Option<Fits>,
     /// Radial load, N.
     pub radial_load_n: f64,
     /// Axial load, N.
@@ -90,6 +94,7 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
     let most = loaded.iter().map(|contact| contact.load_n).fold(0.0, f64::max);
     let angles = loaded.iter().map(|contact| contact.angle_rad);
     let range = angles.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], a| [low.min(a), high.max(a)]);
+    let fits = fits(&case).map_err(|source| AnswerError::Bearing { file: file(), source })?;
     let geometry = &bearing.geometry;
     let angular = rating.nominal_contact_angle_deg > 0.0;
     let bore = geometry.pitch_diameter - 2.0 * geometry.ball_diameter;
@@ -105,6 +110,7 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
         ball_diameter_m: geometry.ball_diameter,
         pitch_diameter_m: geometry.pitch_diameter,
         radial_clearance_m: geometry.radial_clearance(),
+        fits,
         radial_load_n: question.radial,
         axial_load_n: question.axial,
         speed_rpm,

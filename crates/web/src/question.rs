@@ -113,6 +113,7 @@ impl Form {
             axial: self.axial,
             speed_rpm: self.speed,
             lubricant: Some(self.lubricant.clone().unwrap_or_else(|| "usual".to_owned())),
+            ..Given::default()
         })?;
         Ok(case.text()?)
     }

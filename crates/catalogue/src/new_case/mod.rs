@@ -1,10 +1,12 @@
 //! A complete case from what a catalogue has: every value with its source, and every assumption marked as one.
 
+mod fits;
 mod lubricant;
 mod numbers;
 mod sections;
 
 use crate::{BallSet, CatalogueError, ClearanceGroup, Envelope, KnownBalls, ListedBearing, Origin, Part, Ratings};
+pub use fits::Fits;
 pub use lubricant::NewLubricant;
 use numbers::Numbers;
 use std::f64::consts::PI;
@@ -37,6 +39,8 @@ pub struct NewCase {
     pub speed: Option<f64>,
     /// Lubricant, where known; else the usual one of the bearing's class.
     pub lubricant: Option<NewLubricant>,
+    /// Tolerance classes of the seats, where known; else the bearing runs as it is drawn.
+    pub fits: Fits,
 }
 
 /// Numbers that the asker of a new case knows, in the units of catalogues; what is absent is assumed.
@@ -56,6 +60,8 @@ pub struct Given {
     pub speed_rpm: Option<f64>,
     /// Lubricant: `usual`, or a word of [`NewLubricant::parse`].
     pub lubricant: Option<String>,
+    /// Tolerance classes of the seats.
+    pub fits: Fits,
 }
 
 /// A value of the case that is not in the catalogue, or is.
@@ -97,6 +103,7 @@ impl NewCase {
             axial_load: None,
             speed: None,
             lubricant: None,
+            fits: Fits::default(),
         }
     }
 
@@ -122,7 +129,7 @@ impl NewCase {
     /// # Errors
     /// [`CatalogueError::Lubricant`].
     pub fn given(self, given: Given) -> Result<Self, CatalogueError> {
-        let Given { balls, ball_mm, ratings, radial, axial, speed_rpm, lubricant } = given;
+        let Given { balls, ball_mm, ratings, radial, axial, speed_rpm, lubricant, fits } = given;
         let lubricant = match lubricant.as_deref() {
             Some("usual") => Some(self.usual_lubricant()),
             word => word.map(NewLubricant::parse).transpose()?,
@@ -137,6 +144,7 @@ impl NewCase {
             axial_load: axial,
             speed: speed_rpm.map(|rpm| rpm * PI / 30.0),
             lubricant,
+            fits,
             ..self
         })
     }
@@ -157,6 +165,7 @@ impl NewCase {
         text += &lubricant.section(&mut sources);
         text += &sections::cage(&numbers, lubricant.is_wet(), &mut sources);
         text += &sections::operation(self, &numbers, &mut sources);
+        text += &self.mounting(&mut sources);
         text += &sections::transient(&numbers, &mut sources);
         text += &sections::rating(self, &numbers, &mut sources);
         text += sections::modelling(&mut sources);
@@ -166,6 +175,7 @@ impl NewCase {
     }
 
     fn check(&self) -> Result<(), CatalogueError> {
+        self.fits.check()?;
         let Envelope { bore, outside, width, contact_angle } = self.envelope;
         let require = |allowed: bool, quantity, value: f64, rule: String| {
             if allowed {

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use std::fmt::Write;
 use std::path::Path;
-use tribodyn_study::shaft::{LifeAnswer, Running, ShaftAnswer, ShaftFile};
+use tribodyn_study::shaft::{BearingAnswer, LifeAnswer, Running, ShaftAnswer, ShaftFile};
 
 /// Kinds of spring cards.
 #[derive(Clone, Copy, PartialEq)]
@@ -76,8 +76,11 @@ pub fn ross(file: &ShaftFile, life: &LifeAnswer, speeds_rpm: &[f64]) -> Result<S
     Ok(text)
 }
 
-/// Springs between pairs of nodes, shaft and seat, at one place on the shaft's axis: the diagonal of each bearing's
-/// stiffness, SI. Both programs' linear springs couple no freedoms: what the diagonal leaves out stands in comments.
+/// Springs between shaft and seat, at one place on the shaft's axis: the diagonal of each bearing's stiffness, SI. Both
+/// programs' linear springs couple no freedoms: what the diagonal leaves out stands in comments.
+///
+/// A node of CalculiX has no rotations. Each side of a bearing has a node that moves and one whose x and y are the
+/// tilts: REF NODE and ROT NODE of a `*RIGID BODY` that holds the nodes of the user's seat.
 pub fn springs(file: &ShaftFile, life: &LifeAnswer, format: Format) -> String {
     let comment = match format {
         Format::CalculiX => "**",
@@ -88,38 +91,64 @@ pub fn springs(file: &ShaftFile, life: &LifeAnswer, format: Format) -> String {
         file.system.name.replace('\n', " "),
         life.duties[0].shaft.speed_rpm
     );
+    if format == Format::CalculiX {
+        text += "** tie a seat to its nodes: *RIGID BODY, NSET=<its nodes>, REF NODE=<moves>, ROT NODE=<tilts>\n";
+    }
     for (index, bearing) in life.duties[0].shaft.bearings.iter().enumerate() {
-        let (shaft, seat) = (2 * index + 1, 2 * index + 2);
-        let _ = writeln!(text, "{comment} {}: node {shaft} on the shaft, node {seat} in the housing", bearing.name);
+        let _ = writeln!(text, "{comment} {}, stiffness by rows, as x y z and tilts about x y:", bearing.name);
         for row in &bearing.stiffness {
             let numbers = row.iter().map(|k| format!("{k:.6e}")).collect::<Vec<_>>().join(", ");
             let _ = writeln!(text, "{comment} {numbers}");
         }
-        match format {
-            Format::CalculiX => {
-                let z = bearing.position_m;
-                let _ = writeln!(text, "*NODE\n{shaft}, 0., 0., {z}\n{seat}, 0., 0., {z}");
-            }
-            Format::Nastran => {
-                for node in [shaft, seat] {
-                    let z = format!("{:.4}", bearing.position_m);
-                    let _ = writeln!(text, "GRID,{node},,0.,0.,{z}");
-                }
-            }
-        }
-        for (k, row) in bearing.stiffness.iter().enumerate() {
-            let (element, freedom, value) = (5 * index + k + 1, k + 1, row[k]);
-            let _ = match format {
-                Format::CalculiX => writeln!(
-                    text,
-                    "*ELEMENT, TYPE=SPRING2, ELSET=BEARING{index}_{freedom}\n{element}, {shaft}, {seat}\n\
-                     *SPRING, ELSET=BEARING{index}_{freedom}\n{freedom}, {freedom}\n{value:.9e}"
-                ),
-                Format::Nastran => {
-                    writeln!(text, "CELAS2,{element},{:.3E},{shaft},{freedom},{seat},{freedom}", value)
-                }
-            };
-        }
+        text += &match format {
+            Format::CalculiX => calculix(index, bearing),
+            Format::Nastran => nastran(index, bearing),
+        };
+    }
+    text
+}
+
+fn calculix(index: usize, bearing: &BearingAnswer) -> String {
+    let [shaft, seat, shaft_tilt, seat_tilt] = [1, 2, 3, 4].map(|node| 4 * index + node);
+    let mut text = format!(
+        "** the shaft moves with node {shaft} and tilts with {shaft_tilt}, the seat with {seat} and {seat_tilt}\n*NODE\n"
+    );
+    for node in [shaft, seat, shaft_tilt, seat_tilt] {
+        let _ = writeln!(text, "{node}, 0., 0., {:.9e}", bearing.position_m);
+    }
+    for (k, row) in bearing.stiffness.iter().enumerate() {
+        // Tilts about x and y are x and y of the nodes that tilt.
+        let (one, other, freedom) = if k < 3 { (shaft, seat, k + 1) } else { (shaft_tilt, seat_tilt, k - 2) };
+        let (element, set) = (5 * index + k + 1, format!("BEARING{}_{}", index + 1, k + 1));
+        let _ = writeln!(
+            text,
+            "*ELEMENT, TYPE=SPRING2, ELSET={set}\n{element}, {one}, {other}\n*SPRING, ELSET={set}\n{freedom}, \
+             {freedom}\n{:.9e}",
+            row[k]
+        );
+    }
+    text
+}
+
+/// Cards of the large format, whose fields are 16 characters wide.
+fn nastran(index: usize, bearing: &BearingAnswer) -> String {
+    let [shaft, seat] = [2 * index + 1, 2 * index + 2];
+    let mut text = format!("$ node {shaft} on the shaft, node {seat} in the housing\n");
+    let fields = |name: &str, values: [String; 4], rest: [String; 2]| {
+        let [a, b, c, d] = values;
+        let [e, f] = rest;
+        let first = format!("{name:<8}{a:>16}{b:>16}{c:>16}{d:>16}*");
+        format!("{first}\n*       {}\n", format!("{e:>16}{f:>16}").trim_end())
+    };
+    for node in [shaft, seat] {
+        let origin = || "0.".to_owned();
+        let values = [node.to_string(), String::new(), origin(), origin()];
+        text += &fields("GRID*", values, [format!("{:.9E}", bearing.position_m), String::new()]);
+    }
+    for (k, row) in bearing.stiffness.iter().enumerate() {
+        let (element, freedom) = (5 * index + k + 1, k + 1);
+        let values = [element.to_string(), format!("{:.8E}", row[k]), shaft.to_string(), freedom.to_string()];
+        text += &fields("CELAS2*", values, [seat.to_string(), freedom.to_string()]);
     }
     text
 }

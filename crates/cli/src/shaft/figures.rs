@@ -1,11 +1,12 @@
 //! Figures of a shaft: its line, its moments, Campbell's diagram.
 
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, PlotError, Series};
-use tribodyn_study::shaft::{LifeAnswer, ShaftFile, Station, Whirl, WhirlAnswer};
+use tribodyn_study::shaft::{CutAnswer, LifeAnswer, ShaftFile, Station, Whirl, WhirlAnswer};
 
 /// Figures of the first load case, and of modes where there are some.
 pub fn figures(file: &ShaftFile, life: &LifeAnswer, whirl: Option<&WhirlAnswer>) -> Vec<Result<Figure, PlotError>> {
     let stations = &life.duties[0].shaft.stations;
+    let place = |station: &Station| station.position_m;
     let title = |what: &str| format!("{what}: {}", file.system.name);
     let mut all = vec![
         figure(
@@ -13,7 +14,7 @@ pub fn figures(file: &ShaftFile, life: &LifeAnswer, whirl: Option<&WhirlAnswer>)
             chart(
                 &title("Deflection"),
                 ("Deflection", "µm"),
-                stations,
+                (stations, place),
                 &[("x", &|s| 1e6 * s.displacement_m[0]), ("y", &|s| 1e6 * s.displacement_m[1])],
             ),
         ),
@@ -22,7 +23,7 @@ pub fn figures(file: &ShaftFile, life: &LifeAnswer, whirl: Option<&WhirlAnswer>)
             chart(
                 &title("Bending moment"),
                 ("Moment", "N m"),
-                stations,
+                (&life.duties[0].shaft.cuts, |cut: &CutAnswer| cut.position_m),
                 &[
                     ("about x", &|s| s.bending_moment_nm[0]),
                     ("about y", &|s| s.bending_moment_nm[1]),
@@ -35,7 +36,7 @@ pub fn figures(file: &ShaftFile, life: &LifeAnswer, whirl: Option<&WhirlAnswer>)
             chart(
                 &title("Nominal stress"),
                 ("Stress", "MPa"),
-                stations,
+                (stations, place),
                 &[("bending", &|s| 1e-6 * s.bending_stress_pa), ("von Mises", &|s| 1e-6 * s.equivalent_stress_pa)],
             ),
         ),
@@ -54,12 +55,16 @@ fn figure(name: &str, chart: LineChart) -> Result<Figure, PlotError> {
     Figure::new(name, title, &[Panel::Cartesian(LineChart { title: String::new(), ..chart })])
 }
 
-type Line<'a> = (&'a str, &'a dyn Fn(&Station) -> f64);
+type Line<'a, T> = (&'a str, &'a dyn Fn(&T) -> f64);
 
-fn chart(title: &str, (label, unit): (&str, &str), stations: &[Station], lines: &[Line<'_>]) -> LineChart {
-    let series = lines
-        .iter()
-        .map(|(name, value)| Series::line(*name, stations.iter().map(|s| (1e3 * s.position_m, value(s))).collect()));
+fn chart<T>(
+    title: &str,
+    (label, unit): (&str, &str),
+    (points, place): (&[T], impl Fn(&T) -> f64),
+    lines: &[Line<'_, T>],
+) -> LineChart {
+    let line = |value: &dyn Fn(&T) -> f64| points.iter().map(|point| (1e3 * place(point), value(point))).collect();
+    let series = lines.iter().map(|(name, value)| Series::line(*name, line(value)));
     LineChart::new(title, Axis::new("Along the shaft", "mm"), Axis::new(label, unit), series.collect())
 }
 

@@ -73,8 +73,39 @@ fn shaft(answer: &ShaftAnswer) -> Result<(), Failure> {
         ]
     };
     table::print_rows(&header, answer.bearings.iter().map(row))?;
+    fits(answer)?;
     extremes(answer)?;
     table::print_line("")
+}
+
+/// Interference and clearance of bearings with fits by class.
+fn fits(answer: &ShaftAnswer) -> Result<(), Failure> {
+    let row = |b: &BearingAnswer| {
+        let fits = b.fits.as_ref()?;
+        let classes: Vec<&str> = fits.seats.iter().map(|seat| seat.seat_class.as_str()).collect();
+        let microns = |metres: f64| number(metres * 1e6, 1);
+        let interference = |ring| {
+            let seat = fits.seats.iter().find(|seat| seat.ring == ring);
+            seat.map_or_else(String::new, |seat| microns(seat.effective_interference_m))
+        };
+        let optional = |clearance: Option<f64>| clearance.map_or_else(|| "–".to_owned(), microns);
+        let [loosest, .., tightest] = fits.radial_clearance_running_m;
+        Some(vec![
+            b.name.clone(),
+            classes.join(" "),
+            interference("inner"),
+            interference("outer"),
+            microns(b.radial_clearance_m),
+            format!("{} to {}", optional(tightest), optional(loosest)),
+        ])
+    };
+    let rows: Vec<Vec<String>> = answer.bearings.iter().filter_map(row).collect();
+    if rows.is_empty() {
+        return Ok(());
+    }
+    table::print_line("")?;
+    let header = ["bearing", "fits", "on shaft µm", "in housing µm", "clearance running µm", "over all fits µm"];
+    table::print_rows(&header, rows.into_iter())
 }
 
 /// Where the shaft bends and is stressed most.

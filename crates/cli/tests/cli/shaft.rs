@@ -95,8 +95,89 @@ fn identity_modes_and_tables_of_a_shaft() {
     assert_eq!(std::fs::read_to_string(ross).unwrap().lines().count(), 1 + 2 * 2);
     let springs = std::fs::read_to_string(springs).unwrap();
     assert_eq!(springs.matches("TYPE=SPRING2").count(), 10);
+    // Four nodes a bearing: tilts are displacements of nodes of their own.
+    assert!(springs.contains("\n5, 3, 4\n*SPRING, ELSET=BEARING1_5\n2, 2\n"), "{springs}");
     assert!(plots.join("campbell.svg").exists() && plots.join("shaft-deflection.png").exists());
     run(&[&"shaft", &shaft("motor.ron"), &"--springs", &"springs.txt"]).fails(2, &["springs", ".inp"]);
+}
+
+/// Cards of Nastran's large format: a name in 8 columns, then fields of 16, and the continuation of each card. K of
+/// CELAS2 is the diagonal of the stiffness.
+#[test]
+fn identity_columns_of_nastran_cards() {
+    let scratch = Scratch::new();
+    let springs = scratch.0.join("springs.bdf");
+    let answer = run(&[&"shaft", &shaft("motor.ron"), &"--springs", &springs, &"--json"]).json();
+    let text = std::fs::read_to_string(springs).unwrap();
+    let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with('$')).collect();
+    let field = |line: &str, k: usize| line[8 + 16 * k..(24 + 16 * k).min(line.len())].trim().to_owned();
+    let mut stiffness = Vec::new();
+    for pair in lines.chunks(2) {
+        let [first, second] = pair else { panic!("{pair:?}") };
+        assert!(first.len() == 73 && first.ends_with('*') && second.starts_with("*       "), "{first}\n{second}");
+        match first[..8].trim() {
+            // Identifier, coordinate system, x, y; z.
+            "GRID*" => {
+                assert_eq!((field(first, 2).as_str(), field(first, 3).as_str()), ("0.", "0."));
+                assert!(field(second, 0).parse::<f64>().unwrap() > 0.0);
+            }
+            // Identifier, K, node, freedom; node, freedom.
+            "CELAS2*" => {
+                let whole = |text: String| text.parse::<usize>().unwrap();
+                let freedom = whole(field(first, 3));
+                assert_eq!((freedom, whole(field(first, 2)) + 1), (whole(field(second, 1)), whole(field(second, 0))));
+                assert_eq!(freedom, stiffness.len() % 5 + 1);
+                stiffness.push(field(first, 1).parse::<f64>().unwrap());
+            }
+            other => panic!("{other}"),
+        }
+    }
+    assert_eq!((stiffness.len(), lines.len()), (10, 2 * (4 + 10)));
+    for (k, found) in stiffness.into_iter().enumerate() {
+        let expected = number(&answer["duties"][0]["shaft"]["bearings"][k / 5]["stiffness"][k % 5][k % 5]);
+        assert!((found - expected).abs() <= 1e-8 * expected.abs(), "{k}: {found} {expected}");
+    }
+}
+
+/// A housing as springs of each seat, as a matrix of numbers, and as a substructure's lower triangle is one housing.
+#[test]
+fn identity_housing_read_from_a_file() {
+    let scratch = Scratch::new();
+    let text = std::fs::read_to_string(shaft("motor.ron")).unwrap();
+    let seat = "housing: (radial: N_per_um(80), axial: N_per_um(40), tilt: Nm_per_mrad(20)), ";
+    let springs = text.replace("carries: Both,", &format!("carries: Both, {seat}"));
+    let diagonal = [8e7, 8e7, 4e7, 2e4, 2e4];
+    let entry = |row: usize, column: usize| if row == column { diagonal[row % 5] } else { 0.0 };
+    let plain: String = (0..10)
+        .map(|row| (0..10).map(|column| entry(row, column).to_string()).collect::<Vec<_>>().join(", ") + "\n")
+        .collect();
+    scratch.file("plain.csv", plain);
+    // As CalculiX writes it, with rows that go on in the next line.
+    let mut lower = "**\n*USER ELEMENT,NODES=          2,LINEAR\n*MATRIX,TYPE=STIFFNESS\n".to_owned();
+    for row in 0..10 {
+        for column in 0..=row {
+            lower += &format!(" {:.13E},{}", entry(row, column), if column % 4 == 3 { "\n" } else { "" });
+        }
+        lower.push('\n');
+    }
+    scratch.file("lower.mtx", lower);
+    let solved = |name: &str, text: String| {
+        let answer = run(&[&"shaft", &scratch.file(name, text), &"--json"]).json();
+        number(&answer["duties"][0]["shaft"]["stations"][0]["displacement_m"][1])
+    };
+    let with =
+        |file: &str| text.replacen("speed: rpm(2900),", &format!("speed: rpm(2900), housing: Matrix(\"{file}\"),"), 1);
+    let expected = solved("springs.ron", springs);
+    for file in ["plain.csv", "lower.mtx"] {
+        let found = solved(&format!("{file}.ron"), with(file));
+        assert!((found / expected - 1.0).abs() < 1e-7, "{file}: {found} {expected}");
+    }
+    let rigid = solved("rigid.ron", text.clone());
+    assert!((rigid / expected - 1.0).abs() > 1e-2);
+    scratch.file("short.mtx", "*MATRIX,TYPE=STIFFNESS\n1., 2.,\n");
+    run(&[&"shaft", &scratch.file("short.ron", with("short.mtx"))]).fails(2, &["short.mtx", "lower triangle"]);
+    scratch.file("word.csv", "1, a\n");
+    run(&[&"shaft", &scratch.file("word.ron", with("word.csv"))]).fails(2, &["word.csv", "finite numbers"]);
 }
 
 /// The unloading force of a pair is 2.83 times its preload and a little more.

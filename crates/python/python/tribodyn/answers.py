@@ -50,6 +50,38 @@ class Growth(Answer):
         _plots.label(ax, "", "radial internal clearance, µm")
 
 
+class SeatFit(Answer):
+    """A ring on a seat of a tolerance class."""
+
+    #: ``inner`` or ``outer``
+    ring: str
+    #: of the seat (ISO 286)
+    seat_class: str
+    #: of the bearing (ISO 492)
+    ring_class: str
+    #: nominal
+    diameter_m: float
+    #: limit deviations, low and high
+    seat_deviations_m: list[float]
+    ring_deviations_m: list[float]
+    #: loosest, likely loosest, mean, likely tightest, tightest; below 0 for play
+    interference_m: list[float]
+    #: of the case, after its surfaces are smoothed
+    effective_interference_m: float
+
+
+class Fits(Answer):
+    """Fits by tolerance class, and the clearance over their range."""
+
+    _parts = {"seats": SeatFit}
+
+    seats: list[SeatFit]
+    #: at rest and cold: both seats loosest, likely loosest, mean, likely tightest, tightest
+    radial_clearance_mounted_m: list[Optional[float]]
+    #: at speed and temperature
+    radial_clearance_running_m: list[Optional[float]]
+
+
 class Frequencies(Answer):
     """Frequencies of a bearing and of its defects."""
 
@@ -73,7 +105,7 @@ class Frequencies(Answer):
 class Derived(Answer):
     """What follows from a case before anything is solved."""
 
-    _parts = {"growth": Growth, "frequencies": Frequencies}
+    _parts = {"growth": Growth, "fits": Fits, "frequencies": Frequencies}
 
     #: name of the bearing
     name: str
@@ -127,6 +159,8 @@ class Derived(Answer):
     pitch_speed_mm_rpm: float
     #: growth of the rings; absent without fits, speed and heat
     growth: Growth
+    #: absent where no seat has a class
+    fits: Fits
     #: of defects, balls that roll at the nominal contact angle; absent at rest
     frequencies: Frequencies
     #: where values of the case come from, by path

@@ -66,6 +66,8 @@ class Case:
         axial: Optional[float] = None,
         speed: Optional[float] = None,
         lubricant: Optional[str] = None,
+        shaft_fit: Optional[str] = None,
+        housing_fit: Optional[str] = None,
     ) -> Case:
         """A complete case from a designation, or from boundary dimensions.
 
@@ -82,6 +84,7 @@ class Case:
             speed: speed of the inner ring, r/min
             lubricant: ``"vg32"``, ``"pao-vg46"``, ``"grease"``, ``"ag"``, ``"ptfe"``; where left out, or
                 ``"usual"``, grease for sealed bearings and oil VG 68 for open ones
+            shaft_fit, housing_fit: tolerance classes of the seats (ISO 286), such as ``"k5"`` and ``"H7"``
         """
         request = {
             "designation": designation,
@@ -97,6 +100,8 @@ class Case:
             "axial": units.in_unit(axial, "N"),
             "speed": units.in_unit(speed, "rpm"),
             "lubricant": lubricant,
+            "shaft_fit": shaft_fit,
+            "housing_fit": housing_fit,
         }
         return cls(_native.Case.make(request))
 

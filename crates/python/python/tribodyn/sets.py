@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _html, _native, _plots
 from ._answer import Answer, OfOperatingPoint, warned
-from .answers import Rating
+from .answers import Fits, Rating
 from .case import Case, Value, as_text
 from .procedures import TIME_LIMIT_S, Model
 from .solution import Balls, Solution
@@ -107,15 +107,30 @@ class SetState(Answer):
     bearing_force_n: list[float]
 
 
+class SetPoint(Answer):
+    """A set at one speed and temperature of a map."""
+
+    speed_rpm: float
+    #: how much warmer shaft and inner ring are than in the case
+    warmer_k: float
+    preload_n: float
+    #: axial rigidity without load
+    rigidity_n_per_m: float
+    #: loads along +z and −z under which the other side lifts off; None where it never does
+    unloading_force_n: list[Optional[float]]
+
+
 class BearingSet(Answer):
     """A set of like bearings, pressed against each other."""
 
-    _parts = {"conditions": SetCondition, "states": SetState}
+    _parts = {"conditions": SetCondition, "map": SetPoint, "states": SetState}
 
     #: how far each bearing is pressed in off the shaft
     offset_m: list[float]
     #: off the shaft, mounted, and at the speed and temperatures of the case, as far as they differ
     conditions: list[SetCondition]
+    #: over speed and temperature; absent where that was not asked for
+    map: list[SetPoint]
     #: under load, in the last of these conditions
     states: list[SetState]
 
@@ -134,7 +149,7 @@ class BearingSet(Answer):
 class Sheet(Answer):
     """All that is asked of a bearing first."""
 
-    _parts = {"rating": Rating}
+    _parts = {"fits": Fits, "rating": Rating}
 
     #: name of the bearing
     name: str
@@ -146,6 +161,8 @@ class Sheet(Answer):
     pitch_diameter_m: float
     #: in operation
     radial_clearance_m: float
+    #: fits by tolerance class, and the clearance over their range; absent where no seat has a class
+    fits: Fits
     #: radial load, N
     radial_load_n: float
     #: axial load, N
@@ -182,7 +199,7 @@ class Sheet(Answer):
 class ShaftBearing(Answer):
     """A bearing on its shaft."""
 
-    _parts = {"rating": Rating}
+    _parts = {"fits": Fits, "rating": Rating}
 
     #: name of the bearing in the file
     name: str
@@ -212,6 +229,10 @@ class ShaftBearing(Answer):
     stiffness: list[list[float]]
     #: None where the standards do not rate the bearing
     rating: Optional[Rating]
+    #: in operation
+    radial_clearance_m: float
+    #: fits by tolerance class, and the clearance over their range; absent where no seat has a class
+    fits: Fits
     #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
 
@@ -239,10 +260,19 @@ class Station(Answer):
     equivalent_stress_pa: float
 
 
+class Cut(Answer):
+    """A cut beside a node, before or beyond what comes in there."""
+
+    #: distance from the start of the shaft
+    position_m: float
+    bending_moment_nm: list[float]
+    torque_nm: float
+
+
 class LoadedShaft(Answer):
     """A shaft in equilibrium."""
 
-    _parts = {"bearings": ShaftBearing, "stations": Station}
+    _parts = {"bearings": ShaftBearing, "stations": Station, "cuts": Cut}
 
     #: speed of the shaft, r/min
     speed_rpm: float
@@ -252,6 +282,8 @@ class LoadedShaft(Answer):
     bearings: list[ShaftBearing]
     #: places along the shaft, from its start
     stations: list[Station]
+    #: both ends of every element, where moments and torques jump at the nodes between them
+    cuts: list[Cut]
     #: largest residual over the largest force
     residual: float
     #: sum of loads and reactions over the largest force or moment
@@ -415,6 +447,8 @@ def bearing_set(
     offset: Optional[float] = None,
     spring: Optional[float] = None,
     loads: Iterable[float] = (),
+    speeds: Iterable[float] = (),
+    warmer: Iterable[float] = (),
 ) -> BearingSet:
     """Preload, unloading force and axial rigidity of a set of like bearings, and its displacement under axial load.
 
@@ -426,6 +460,8 @@ def bearing_set(
         offset: instead of it how far each bearing is pressed in off the shaft, um
         spring: instead of both the force of a soft spring, N
         loads: axial loads along +z, N; up to the unloading force without them
+        speeds: speeds of a map of the preload, r/min
+        warmer: how much warmer than in the case shaft and inner ring of the map are, K; the balls by half of it
     """
     request = {
         "arrangement": arrangement,
@@ -435,6 +471,8 @@ def bearing_set(
         "offset": in_unit(offset, "um"),
         "spring": in_unit(spring, "N"),
         "loads": [in_unit(load, "N") for load in loads],
+        "speeds": [in_unit(speed, "rpm") for speed in speeds],
+        "warmer": [float(kelvin) for kelvin in warmer],
     }
     return BearingSet(_native.set(case._native, request))
 

@@ -5,6 +5,7 @@ use super::build::Running;
 use super::file::ShaftFile;
 use crate::error::StudyError;
 use serde::Serialize;
+use tribodyn::answers::{Fits, fits};
 use tribodyn::rating::{Rating, rating};
 use tribodyn_case::Carries;
 use tribodyn_quasistatic::{Model, OperatingPoint, RingFreedom, Solution, StiffnessMatrix, solve};
@@ -31,6 +32,17 @@ pub struct Station {
     pub bending_stress_pa: f64,
     /// Nominal equivalent stress (von Mises), Pa.
     pub equivalent_stress_pa: f64,
+}
+
+/// A cut beside a node, before or beyond what comes in there.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CutAnswer {
+    /// Distance from the start of the shaft, m.
+    pub position_m: f64,
+    /// Bending moment about X and Y, N m.
+    pub bending_moment_nm: [f64; 2],
+    /// Torque, N m.
+    pub torque_nm: f64,
 }
 
 /// A bearing on its shaft.
@@ -63,6 +75,11 @@ pub struct BearingAnswer {
     pub contact_angle_rad: [f64; 2],
     /// Stiffness against the ring's displacement in the shaft's axes, by rows: N, N m over m, rad.
     pub stiffness: StiffnessMatrix,
+    /// Radial internal clearance in operation, m.
+    pub radial_clearance_m: f64,
+    /// Fits by tolerance class, and the clearance over their range; absent where no seat has a class.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fits: Option<Fits>,
     /// Ratings and lives; absent where the standards do not rate the bearing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rating: Option<Rating>,
@@ -81,6 +98,8 @@ pub struct ShaftAnswer {
     pub bearings: Vec<BearingAnswer>,
     /// Nodes of the shaft.
     pub stations: Vec<Station>,
+    /// Both ends of every element, where moments and torques jump at the nodes between them.
+    pub cuts: Vec<CutAnswer>,
     /// Largest residual over the largest force.
     pub residual: f64,
     /// Sum of loads and reactions over the largest force or moment.
@@ -115,6 +134,7 @@ impl ShaftAnswer {
             mass_kg: running.shaft().mass(),
             bearings,
             stations: stations(running, found),
+            cuts: cuts(running, found),
             residual: found.residual,
             unbalanced: found.unbalanced,
             warnings: warnings(running, found),
@@ -177,6 +197,9 @@ fn bearing(file: &ShaftFile, running: &Running<'_>, found: &Equilibrium, index: 
         peak_pressure_max_pa: pressure,
         contact_angle_rad: balls.angles,
         stiffness: found.stiffnesses[index],
+        radial_clearance_m: running.bearings[index].geometry.radial_clearance(),
+        // Bearings that run have a mounting that was checked.
+        fits: fits(&file.case_at(index, running.speed)).ok().flatten(),
         rating: rated.and_then(Result::ok),
         warnings,
     }
@@ -227,6 +250,20 @@ fn held_solution(running: &Running<'_>, found: &Equilibrium, index: usize) -> Op
     let ring = found.rings[index].map(RingFreedom::Held);
     let point = OperatingPoint { ring, ..running.point(index).clone() };
     solve(&running.bearings[index], &point, Model::JonesHarris).ok().map(|solved| solved.solution)
+}
+
+fn cuts(running: &Running<'_>, found: &Equilibrium) -> Vec<CutAnswer> {
+    let (torques, mut carried) = (running.torques(), 0.0);
+    let mut all = Vec::with_capacity(2 * found.nodes.len());
+    for (element, ends) in running.shaft().cuts(&found.nodes).iter().enumerate() {
+        carried += torques[element];
+        all.extend(ends.iter().map(|cut| CutAnswer {
+            position_m: cut.position,
+            bending_moment_nm: [cut.force[3], cut.force[4]],
+            torque_nm: -carried,
+        }));
+    }
+    all
 }
 
 fn stations(running: &Running<'_>, found: &Equilibrium) -> Vec<Station> {

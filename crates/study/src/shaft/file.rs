@@ -4,8 +4,10 @@ use crate::case_file::{read_case, read_text};
 use crate::error::StudyError;
 use std::path::{Path, PathBuf};
 use tribodyn::{AnswerError, CaseFile, Change, Limits, RefusedCase};
-use tribodyn_case::{BearingChoice, Carries, Case, CaseError, Fit, HousingFile, ShaftSystem, SpeedSpec};
-use tribodyn_catalogue::{NewCase, NewLubricant, find};
+use tribodyn_case::{
+    BearingChoice, Carries, Case, CaseError, Fit, HousingFile, ShaftBearingSpec, ShaftSystem, SpeedSpec,
+};
+use tribodyn_catalogue::{Fits, NewCase, NewLubricant, find};
 
 /// A shaft's file, changes made, with all that it names.
 pub struct ShaftFile {
@@ -54,15 +56,23 @@ impl ShaftFile {
             };
             let mut case = match &spec.bearing {
                 BearingChoice::Listed(designation) => {
-                    listed_case(designation, &[], limits).map_err(|error| match error {
+                    listed_case(designation, Fits::default(), &[], limits).map_err(|error| match error {
                         StudyError::Answer(AnswerError::Catalogue(error)) => at("bearing", error.to_string()),
                         other => other,
                     })?
                 }
                 BearingChoice::Case(file) => read_case(&folder.join(file), &[], limits)?.case,
             };
+            if let Some(fits) = &spec.fits {
+                let mounted = super::fits::mounting(&system, spec.at, fits, &case);
+                case.mounting = Some(mounted.map_err(|(field, message)| at(field, message))?);
+            }
             if let Some(mounting) = spec.mounting {
                 case.mounting = Some(mounting);
+            }
+            let own = spec.fits.is_some() || spec.mounting.is_some();
+            if let Some((path, message)) = case.check_mounting().err().filter(|_| own) {
+                return Err(at(&own_field(spec, &path), message));
             }
             if let Some(clearance) = spec.clearance {
                 case.geometry.fit = Fit::RadialClearance(clearance);
@@ -90,27 +100,47 @@ impl ShaftFile {
     }
 }
 
-/// The case of a file, or of a designation of the built-in list, which is at rest.
+/// The field of a shaft's bearing that a path of its case's mounting came from.
+fn own_field(spec: &ShaftBearingSpec, path: &str) -> String {
+    if spec.mounting.is_some() {
+        return path.to_owned();
+    }
+    let ring = if path.contains(".outer") { "housing" } else { "shaft" };
+    match path.rsplit('.').next() {
+        Some("class") => format!("fits.{ring}"),
+        Some("far_diameter") if ring == "housing" => "fits.housing_outside".to_owned(),
+        Some(field @ ("roughness" | "expansion")) => format!("fits.{field}"),
+        _ => "fits".to_owned(),
+    }
+}
+
+/// The case of a file, or of a designation of the built-in list on its seats, which is at rest.
 ///
 /// # Errors
-/// As [`read_case`] and [`listed_case`].
-pub fn named_case(bearing: &str, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
+/// As [`read_case`] and [`listed_case`]; fits of a case file, which has its own.
+pub fn named_case(bearing: &str, fits: Fits, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
     let path = Path::new(bearing);
     if path.extension().is_some_and(|ending| ending == "ron") || path.exists() {
+        if let Some(class) = fits.shaft.or(fits.housing) {
+            let why = "a case file has its fits in its section mounting: change it there or by --set";
+            return Err(StudyError::argument("fit", class, why));
+        }
         return Ok(read_case(path, changes, limits)?.case);
     }
-    listed_case(bearing, changes, limits)
+    listed_case(bearing, fits, changes, limits)
 }
 
 /// A case of the built-in list, at rest, with changes.
 ///
 /// # Errors
 /// A designation that is not in the list, and changes that cannot be made.
-pub fn listed_case(designation: &str, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
+pub fn listed_case(designation: &str, fits: Fits, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
     // Nobody has said what oil it runs in: lives are basic ones.
-    let dry =
-        |found| NewCase { lubricant: Some(NewLubricant::Coating("ag")), ..NewCase::of_listed(found, designation) };
-    let text = find(designation, None).and_then(|found| dry(found).text());
+    let lubricant = Some(NewLubricant::Coating("ag"));
+    let text = find(designation, None).and_then(|found| {
+        let case = NewCase { fits, lubricant, ..NewCase::of_listed(found, designation) };
+        case.text()
+    });
     let text = text.map_err(AnswerError::from)?;
     let mut case = CaseFile::from_text(designation, text, changes, limits)?.case;
     if !changes.iter().any(|change| change.concerns("speed.inner")) {
@@ -119,10 +149,14 @@ pub fn listed_case(designation: &str, changes: &[Change], limits: &Limits) -> Re
     Ok(case)
 }
 
-/// A matrix of 5 or 6 rows and columns for each seat; the sixth, about z, is left out.
+/// A matrix of 5 or 6 rows and columns for each seat; the sixth, about z, is left out. Plain numbers, or the stiffness
+/// of a substructure that CalculiX or Abaqus writes.
 fn matrix(path: &Path, seats: usize, limits: &Limits) -> Result<Vec<Vec<f64>>, StudyError> {
     let text = read_text(path, limits)?;
     let refused = |line: usize, message: String| StudyError::Matrix { path: path.to_owned(), line, message };
+    if let Some(start) = text.lines().position(|line| line.to_uppercase().starts_with("*MATRIX,TYPE=STIFFNESS")) {
+        return square(&substructure(&text, start + 1, &refused)?, seats, &refused);
+    }
     let mut rows = Vec::new();
     for (index, line) in text.lines().enumerate() {
         if line.trim().is_empty() || line.starts_with('#') {
@@ -135,6 +169,42 @@ fn matrix(path: &Path, seats: usize, limits: &Limits) -> Result<Vec<Vec<f64>>, S
             _ => return Err(refused(index + 1, "allowed are finite numbers parted by commas".to_owned())),
         }
     }
+    square(&rows, seats, &refused)
+}
+
+/// Rows of the lower triangle that CalculiX and Abaqus write of a substructure, from a line on, made whole.
+fn substructure(
+    text: &str,
+    start: usize,
+    refused: &impl Fn(usize, String) -> StudyError,
+) -> Result<Vec<Vec<f64>>, StudyError> {
+    let mut all = Vec::new();
+    for (index, line) in text.lines().enumerate().skip(start) {
+        if line.starts_with('*') {
+            break;
+        }
+        for word in line.split([',', ' ', '\t']).filter(|word| !word.is_empty()) {
+            let number = word.parse::<f64>().ok().filter(|number| number.is_finite());
+            all.push(
+                number.ok_or_else(|| refused(index + 1, "allowed are finite numbers parted by commas".to_owned()))?,
+            );
+        }
+    }
+    let count = (((8 * all.len() + 1) as f64).sqrt() as usize).saturating_sub(1) / 2;
+    if count * (count + 1) / 2 != all.len() {
+        let message = format!("{} numbers are no lower triangle of a matrix", all.len());
+        return Err(refused(start + 1, message));
+    }
+    let at = |row: usize, column: usize| all[row.max(column) * (row.max(column) + 1) / 2 + row.min(column)];
+    Ok((0..count).map(|row| (0..count).map(|column| at(row, column)).collect()).collect())
+}
+
+/// A matrix over five or six freedoms of each seat, the sixth left out.
+fn square(
+    rows: &[Vec<f64>],
+    seats: usize,
+    refused: &impl Fn(usize, String) -> StudyError,
+) -> Result<Vec<Vec<f64>>, StudyError> {
     let of = if rows.len() == 6 * seats { 6 } else { 5 };
     let n = of * seats;
     if rows.len() != n || rows.iter().any(|row| row.len() != n) {

@@ -3,12 +3,13 @@
 mod answer;
 mod build;
 mod file;
+mod fits;
 mod loads;
 mod outcome;
 mod spectrum;
 mod whirl;
 
-pub use answer::{BearingAnswer, ShaftAnswer, Station};
+pub use answer::{BearingAnswer, CutAnswer, ShaftAnswer, Station};
 pub use build::{Running, System};
 pub use file::{ShaftFile, listed_case, named_case};
 pub use outcome::{ShaftOutcome, shaft_outcome};

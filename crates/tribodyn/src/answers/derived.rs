@@ -1,5 +1,6 @@
 //! What follows from a case before anything is solved.
 
+use super::fits::{Fits, fits};
 use super::lubrication::lubrication;
 use super::{Equations, Question};
 use crate::error::AnswerError;
@@ -72,6 +73,9 @@ pub struct Derived {
     /// Growth by fits and speed; absent where the case asks for none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub growth: Option<GrowthAnswer>,
+    /// Fits by tolerance class, and the clearance over their range; absent where no seat has a class.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fits: Option<Fits>,
     /// Where the values of the case come from, by path.
     pub sources: BTreeMap<String, Source>,
     /// What the datum of the axial position is.
@@ -112,7 +116,8 @@ pub struct GrowthAnswer {
 pub fn derived(question: &Question<'_>) -> Result<Derived, AnswerError> {
     let bearing = question.bearing()?;
     let growth = growth(question.case).map_err(|source| question.not_usable(source.into()))?;
-    Ok(answer(question, &bearing, growth))
+    let fits = fits(question.case).map_err(|source| question.not_usable(source.into()))?;
+    Ok(answer(question, &bearing, (growth, fits)))
 }
 
 /// A number with so many decimals, without the sign of a zero.
@@ -165,7 +170,18 @@ fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
     notes
 }
 
-fn answer(question: &Question<'_>, bearing: &Bearing, growth: Option<GrowthAnswer>) -> Derived {
+/// A warning of drag (N on each ball) that takes more than 100 kW at an orbital speed, rad/s.
+fn costly_drag(g: &Geometry, orbit: f64, drag: f64) -> Option<String> {
+    let power = drag * g.ball_count as f64 * orbit.abs() * 0.5 * g.pitch_diameter;
+    (power > 1e5).then(|| {
+        format!(
+            "drag of {drag:.0} N on each ball takes {:.0} kW from the shaft: check drag coefficient and liquid fraction",
+            power * 1e-3
+        )
+    })
+}
+
+fn answer(question: &Question<'_>, bearing: &Bearing, (growth, fits): (Option<GrowthAnswer>, Option<Fits>)) -> Derived {
     let case = question.case;
     let g = &bearing.geometry;
     let point = case.operating_point();
@@ -177,15 +193,7 @@ fn answer(question: &Question<'_>, bearing: &Bearing, growth: Option<GrowthAnswe
     let mut warnings = plausibility::of_case(case, (question.text, bearing));
     let drag =
         bearing.fluid.as_ref().map(|f| f.drag.force(0.5 * g.pitch_diameter * (orbit - f.swirl * point.inner_speed)));
-    if let Some(drag) = drag {
-        let power = drag * g.ball_count as f64 * orbit.abs() * 0.5 * g.pitch_diameter;
-        if power > 1e5 {
-            warnings.push(format!(
-                "drag of {drag:.0} N on each ball takes {:.0} kW from the shaft: check drag coefficient and liquid fraction",
-                power * 1e-3
-            ));
-        }
-    }
+    warnings.extend(drag.and_then(|drag| costly_drag(g, orbit, drag)));
     let estimate = plausibility::estimate(case, bearing);
     let of_load = |of: fn(&StaticEstimate) -> f64| estimate.as_ref().map(of);
     let unloaded = estimate.is_some_and(|found| found.ball_load_n == 0.0);
@@ -220,6 +228,7 @@ fn answer(question: &Question<'_>, bearing: &Bearing, growth: Option<GrowthAnswe
         peak_pressure_estimate_pa: of_load(|found| found.peak_pressure_pa),
         pitch_speed_mm_rpm: turning * 30.0 / std::f64::consts::PI * g.pitch_diameter * 1e3,
         growth,
+        fits,
         sources: case.sources.clone(),
         notes: notes(case, bearing),
         warnings,

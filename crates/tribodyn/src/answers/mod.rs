@@ -6,6 +6,7 @@ mod derived;
 mod equilibrium;
 mod film;
 mod findings;
+mod fits;
 mod heat;
 mod lubrication;
 #[cfg(feature = "modes")]
@@ -24,6 +25,7 @@ pub use derived::{Derived, GrowthAnswer, derived};
 pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};
 pub use film::{ContactFilm, ContactFilmQuestion, FilmAnswer, OilAnswer, contact_film, films};
 pub use findings::{Answer, Beside, Findings};
+pub use fits::{Fits, SeatFit, fits};
 pub use heat::{HeatAnswer, Surroundings, heat};
 #[cfg(feature = "modes")]
 pub use modes::{ModesAnswer, modes};
