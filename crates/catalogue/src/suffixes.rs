@@ -76,7 +76,7 @@ const fn angle(text: &'static str, degrees: f64, meaning: &'static str) -> Suffi
 }
 
 const fn several(text: &'static str) -> Suffix {
-    let meaning = "a set of bearings: make the case of one of them, and use `tribodyn pair`";
+    let meaning = "a set of bearings: give one of them to `tribodyn set`, or its case to `tribodyn pair`";
     Suffix { text, of: Of::Angular, effect: Effect::Several, meaning }
 }
 

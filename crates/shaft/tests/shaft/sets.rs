@@ -1,6 +1,6 @@
 //! Sets of bearings under axial load.
 
-use crate::two_bearings::bearing;
+use crate::two_bearings::{bearing, system};
 use tribodyn_bearing::Bearing;
 use tribodyn_shaft::{AxialSet, Member, RestingBearing, offset_for};
 
@@ -44,6 +44,26 @@ fn identity_state_at_the_unloading_force() {
     let between = set.under(along * 0.5).unwrap();
     let difference = 0.02 / (more.displacement - less.displacement);
     assert!((difference / between.stiffness - 1.0).abs() < 1e-5);
+}
+
+/// A shaft ten thousand times as stiff is a set: the same axial force on each bearing, and the same displacement.
+#[test]
+fn limit_stiff_shaft_is_a_set() {
+    let bearing = bearing();
+    for load in [0.0, 400.0, -1500.0] {
+        let mut pair = set(&bearing, &[true, false]);
+        pair.offsets.fill(5e-6);
+        let expected = pair.under(load).unwrap();
+        let mut system = system(&bearing, 211e13);
+        system.loads = vec![[0.0; 5]; 9];
+        system.loads[4][2] = load;
+        let found = system.equilibrium().unwrap();
+        let forces = found.reactions.iter().map(|reaction| reaction[2].abs());
+        for (force, expected) in forces.zip(&expected.forces) {
+            assert!((force - expected).abs() < 0.05, "{load} N: {force} {expected}");
+        }
+        assert!((found.nodes[4][2] - expected.displacement).abs() < 1e-9, "{load} N: {found:?}");
+    }
 }
 
 /// A bearing pressed by the offset of a force carries it.

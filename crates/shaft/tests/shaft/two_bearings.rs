@@ -26,7 +26,7 @@ pub fn bearing() -> Bearing {
 }
 
 /// Back to back at nodes 2 and 6 of eight elements of 40 mm, 2000 N along y at node 8; the first ball in its direction.
-fn system(bearing: &Bearing, young: f64) -> System<'_> {
+pub fn system(bearing: &Bearing, young: f64) -> System<'_> {
     let material = Material { young, shear: young * 81.2 / 211.0, density: 7810.0 };
     let section = Section::solid(0.05);
     let element = Element { length: 0.04, start: section, end: section, material };
