@@ -81,7 +81,8 @@ enum Given {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let case = named_case(&arguments.bearing, arguments.fits.fits(), &arguments.changes, &arguments.limits.limits())?;
+    let listed = tribodyn_catalogue::Given { fits: arguments.fits.fits(), ..Default::default() };
+    let case = named_case(&arguments.bearing, listed, &arguments.changes, &arguments.limits.limits())?;
     let question = SetQuestion {
         sides: sides(arguments.arrangement.as_deref(), arguments.sides.as_deref())?,
         preload: preload(arguments)?,

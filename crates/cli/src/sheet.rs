@@ -19,6 +19,7 @@ use tribodyn_study::shaft::named_case;
 #[command(after_help = "Examples:
   tribodyn sheet 6206 --radial 2000 --axial 300 --speed 3000
   tribodyn sheet 6206 --radial 450lbf --speed 3000
+  tribodyn sheet 6206-2RS --radial 2000 --speed 3000 --oil usual
   tribodyn sheet 6206 --radial 2000 --speed 3000 --shaft-fit k5 --housing-fit J6
   tribodyn sheet 7210B --radial 3000 --axial 2500 --speed 1500 --html sheet.html")]
 pub struct Arguments {
@@ -37,6 +38,10 @@ pub struct Arguments {
     /// Replace one value of the case, such as 'geometry.fit=RadialClearance(um(8))'; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = change)]
     changes: Vec<Change>,
+    /// Lubricant of a listed bearing, as of `new`: usual, vg68 and other grades, an oil such as pao-vg32, grease; with
+    /// it the life is modified for film and dirt
+    #[arg(long, visible_alias = "oil", value_name = "NAME")]
+    lubricant: Option<String>,
     #[command(flatten)]
     fits: FitArguments,
     #[command(flatten)]
@@ -60,7 +65,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             return Err(Failure::Option { option, value: value.to_string(), message: message.to_owned() });
         }
     }
-    let case = named_case(&arguments.bearing, arguments.fits.fits(), &arguments.changes, &arguments.limits.limits())?;
+    let (fits, lubricant) = (arguments.fits.fits(), arguments.lubricant.clone());
+    let listed = tribodyn_catalogue::Given { fits, lubricant, ..Default::default() };
+    let case = named_case(&arguments.bearing, listed, &arguments.changes, &arguments.limits.limits())?;
     let speed = arguments.speed * std::f64::consts::PI / 30.0;
     let question = SheetQuestion { radial: arguments.radial, axial: arguments.axial, speed };
     let found = sheet(&arguments.bearing, &case, &question)?;
@@ -120,10 +127,15 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
         ("contact angles, inner race", list(&s.contact_angle_rad, 180.0 / std::f64::consts::PI, 2), "°"),
         ("highest peak pressure", shown(s.rating.peak_pressure_max_pa, 1e-9, 3), "GPa"),
     ];
-    let friction = vec![
+    let mut friction = vec![
         ("friction torque, rule of thumb", shown(s.friction_torque_estimate_nm, 1e3, 2), "N mm"),
         ("power of it", shown(s.friction_power_estimate_w, 1.0, 2), "W"),
     ];
+    for (name, torque) in
+        [("SKF's model, without seals", s.skf_torque_nm), ("Palmgren's formula", s.palmgren_torque_nm)]
+    {
+        friction.extend(torque.map(|torque| (name, number(torque * 1e3, 2), "N mm")));
+    }
     let mut parts = vec![
         ("Bearing", bearing),
         ("Fits", s.fits.iter().flat_map(crate::fits::rows).collect()),

@@ -1,6 +1,6 @@
 //! One bearing under one load on one page: life, safety, deflection, stiffness, torque, frequencies, limits.
 
-use crate::answers::{Fits, fits};
+use crate::answers::{Fits, Question, by_formulas, fits};
 use crate::error::AnswerError;
 use crate::plausibility::solution_findings;
 use crate::rating::{LEAST_LOAD, Rating, loaded_contacts, rating};
@@ -61,6 +61,12 @@ pub struct Sheet {
     pub friction_torque_estimate_nm: Option<f64>,
     /// Power of it, W; absent without load.
     pub friction_power_estimate_w: Option<f64>,
+    /// Friction torque in the lubricant by SKF's model, without seals, N m; absent without a lubricant and at rest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub skf_torque_nm: Option<f64>,
+    /// The same by Palmgren's formula, N m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub palmgren_torque_nm: Option<f64>,
     /// Pitch diameter times speed, mm r/min.
     pub speed_factor_mm_rpm: f64,
     /// Warnings.
@@ -99,6 +105,7 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
     let angular = rating.nominal_contact_angle_deg > 0.0;
     let bore = geometry.pitch_diameter - 2.0 * geometry.ball_diameter;
     let torque = rating.equivalent_load_n.map(|load| 0.5 * FRICTION[usize::from(angular)] * load * bore);
+    let [skf_torque_nm, palmgren_torque_nm] = lubricated_torque(name, &case, question)?;
     let speed_rpm = question.speed * RPM_PER_RAD_S;
     let speed_factor_mm_rpm = geometry.pitch_diameter * 1e3 * speed_rpm.abs();
     let mut warnings = limits(&rating, speed_factor_mm_rpm);
@@ -122,10 +129,21 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
         contact_angle_rad: if loaded.is_empty() { [0.0; 2] } else { range },
         friction_torque_estimate_nm: torque,
         friction_power_estimate_w: torque.map(|torque| torque * question.speed.abs()),
+        skf_torque_nm,
+        palmgren_torque_nm,
         speed_factor_mm_rpm,
         rating,
         warnings,
     })
+}
+
+/// Friction torques by SKF's and Palmgren's formulas; absent at rest.
+fn lubricated_torque(name: &str, case: &Case, sheet: &SheetQuestion) -> Result<[Option<f64>; 2], AnswerError> {
+    if sheet.speed == 0.0 {
+        return Ok([None; 2]);
+    }
+    let watch = tribodyn_bearing::SearchWatch::default();
+    by_formulas(&Question { name, text: "", case, watch }, [sheet.radial, sheet.axial], sheet.speed)
 }
 
 /// The case under the loads of the question, its rings aligned.

@@ -52,6 +52,30 @@ fn paper_fits_of_a_6206() {
     assert!(run_words("sheet 6206 --radial 1000 --speed 0 --json").json()["fits"].is_null());
 }
 
+/// With a lubricant the sheet has a life modified for it, and the torques of `torque`.
+#[test]
+fn identity_a_sheet_in_oil() {
+    let scratch = Scratch::new();
+    let case = scratch.0.join("6206.ron");
+    let operation: [&dyn AsRef<std::ffi::OsStr>; 6] = [&"--radial", &"2000", &"--axial", &"300", &"--speed", &"3000"];
+    let with = |words: &[&dyn AsRef<std::ffi::OsStr>]| run(&[words, &operation].concat());
+    with(&[&"new", &"6206", &"--lubricant", &"vg68", &"-o", &case]);
+    let sheet = with(&[&"sheet", &"6206", &"--oil", &"vg68", &"--json"]).json();
+    let rating = run(&[&"rating", &case, &"--model", &"jones-harris", &"--json"]).json();
+    for name in ["viscosity_ratio", "life_modification_factor"] {
+        let (a, b) = (number(&sheet["rating"][name]), number(&rating[name]));
+        assert!((a / b - 1.0).abs() < 1e-9, "{name}: {a} {b}");
+    }
+    let torque = run(&[&"torque", &case, &"--json"]).json();
+    for name in ["skf_torque_nm", "palmgren_torque_nm"] {
+        let (a, b) = (number(&sheet[name]), number(&torque[name]));
+        assert!((a / b - 1.0).abs() < 1e-4, "{name}: {a} {b}");
+    }
+    assert!(run_words("sheet 6206 --radial 1000 --speed 100 --json").json()["skf_torque_nm"].is_null());
+    run_words("sheet 6206 --radial 1000 --speed 100 --oil honey").fails(2, &["honey", "vg68"]);
+    with(&[&"sheet", &case, &"--oil", &"vg68"]).fails(2, &["lubricant", "case file"]);
+}
+
 #[test]
 fn limit_classes_that_fit_nothing_are_refused() {
     let sheet = "sheet 6206 --radial 1000 --speed 100";

@@ -187,6 +187,10 @@ class Sheet(Answer):
     friction_torque_estimate_nm: Optional[float]
     #: power of that torque, W
     friction_power_estimate_w: Optional[float]
+    #: in the lubricant by SKF's model, without seals; absent without a lubricant and at rest
+    skf_torque_nm: float
+    #: by Palmgren's formula
+    palmgren_torque_nm: float
     #: pitch diameter times speed
     speed_factor_mm_rpm: float
     #: sentences on what is unusual or beyond what was tested

@@ -7,7 +7,7 @@ use tribodyn::{AnswerError, CaseFile, Change, Limits, RefusedCase};
 use tribodyn_case::{
     BearingChoice, Carries, Case, CaseError, Fit, HousingFile, ShaftBearingSpec, ShaftSystem, SpeedSpec,
 };
-use tribodyn_catalogue::{Fits, NewCase, NewLubricant, find};
+use tribodyn_catalogue::{Given, NewCase, find};
 
 /// A shaft's file, changes made, with all that it names.
 pub struct ShaftFile {
@@ -56,7 +56,7 @@ impl ShaftFile {
             };
             let mut case = match &spec.bearing {
                 BearingChoice::Listed(designation) => {
-                    listed_case(designation, Fits::default(), &[], limits).map_err(|error| match error {
+                    listed_case(designation, Given::default(), &[], limits).map_err(|error| match error {
                         StudyError::Answer(AnswerError::Catalogue(error)) => at("bearing", error.to_string()),
                         other => other,
                     })?
@@ -114,33 +114,35 @@ fn own_field(spec: &ShaftBearingSpec, path: &str) -> String {
     }
 }
 
-/// The case of a file, or of a designation of the built-in list on its seats, which is at rest.
+/// The case of a file, or of a designation of the built-in list with what is given besides, which is at rest.
 ///
 /// # Errors
-/// As [`read_case`] and [`listed_case`]; fits of a case file, which has its own.
-pub fn named_case(bearing: &str, fits: Fits, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
+/// As [`read_case`] and [`listed_case`]; fits and lubricant of a case file, which has its own.
+pub fn named_case(bearing: &str, given: Given, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
     let path = Path::new(bearing);
     if path.extension().is_some_and(|ending| ending == "ron") || path.exists() {
-        if let Some(class) = fits.shaft.or(fits.housing) {
+        if let Some(class) = given.fits.shaft.or(given.fits.housing) {
             let why = "a case file has its fits in its section mounting: change it there or by --set";
             return Err(StudyError::argument("fit", class, why));
         }
+        if let Some(word) = given.lubricant {
+            let why = "a case file has its own lubricant: change it there or by --set";
+            return Err(StudyError::argument("lubricant", word, why));
+        }
         return Ok(read_case(path, changes, limits)?.case);
     }
-    listed_case(bearing, fits, changes, limits)
+    listed_case(bearing, given, changes, limits)
 }
 
 /// A case of the built-in list, at rest, with changes.
 ///
 /// # Errors
 /// A designation that is not in the list, and changes that cannot be made.
-pub fn listed_case(designation: &str, fits: Fits, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
-    // Nobody has said what oil it runs in: lives are basic ones.
-    let lubricant = Some(NewLubricant::Coating("ag"));
-    let text = find(designation, None).and_then(|found| {
-        let case = NewCase { fits, lubricant, ..NewCase::of_listed(found, designation) };
-        case.text()
-    });
+pub fn listed_case(designation: &str, given: Given, changes: &[Change], limits: &Limits) -> Result<Case, StudyError> {
+    // Where nobody has said what oil it runs in lives are basic ones.
+    let lubricant = given.lubricant.or_else(|| Some("ag".to_owned()));
+    let given = Given { lubricant, ..given };
+    let text = find(designation, None).and_then(|found| NewCase::of_listed(found, designation).given(given)?.text());
     let text = text.map_err(AnswerError::from)?;
     let mut case = CaseFile::from_text(designation, text, changes, limits)?.case;
     if !changes.iter().any(|change| change.concerns("speed.inner")) {

@@ -35,6 +35,7 @@ pub use question::Question;
 pub use rated::rated;
 pub use sensitivity::Sensitivity;
 pub use stiffness::{StiffnessAnswer, stiffness};
+pub(crate) use torque::by_formulas;
 pub use torque::{TorqueAnswer, torque};
 
 use crate::error::AnswerError;

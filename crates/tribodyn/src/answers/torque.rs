@@ -50,6 +50,42 @@ pub struct TorqueAnswer {
     pub notes: Vec<String>,
 }
 
+impl TorqueAnswer {
+    /// Loads (N) and speed (rad/s), without a torque.
+    fn without(radial: f64, axial: f64, speed: f64) -> Self {
+        Self {
+            speed_rpm: speed.abs() * 30.0 / std::f64::consts::PI,
+            radial_load_n: radial,
+            axial_load_n: axial,
+            torque_nm: 0.0,
+            rolling_nm: 0.0,
+            sliding_inner_nm: 0.0,
+            sliding_outer_nm: 0.0,
+            fluid_nm: 0.0,
+            cage_nm: 0.0,
+            skf_rolling_nm: None,
+            skf_sliding_nm: None,
+            skf_torque_nm: None,
+            palmgren_viscous_nm: None,
+            palmgren_load_nm: None,
+            palmgren_torque_nm: None,
+            notes: Vec::new(),
+        }
+    }
+}
+
+/// Friction torques of a lubricated bearing under loads (N) at a speed (rad/s) by the formulas of SKF and of Palmgren,
+/// N m; absent without a lubricant and where they have no constants.
+pub(crate) fn by_formulas(
+    question: &Question<'_>,
+    [radial, axial]: [f64; 2],
+    speed: f64,
+) -> Result<[Option<f64>; 2], AnswerError> {
+    let mut answer = TorqueAnswer::without(radial, axial.abs(), speed);
+    formulas(question, speed, &mut answer)?;
+    Ok([answer.skf_torque_nm, answer.palmgren_torque_nm])
+}
+
 /// Friction torque at the operating point of a case.
 ///
 /// # Errors
@@ -71,22 +107,13 @@ pub fn torque(question: &Question<'_>, equations: Equations) -> Result<Answer<To
     let [x, y, z] = solution.ring_load_n;
     let known = of(friction.iter().sum::<f64>() + fluid);
     let mut answer = TorqueAnswer {
-        speed_rpm: speed.abs() * 30.0 / std::f64::consts::PI,
-        radial_load_n: x.hypot(y),
-        axial_load_n: z.abs(),
         torque_nm: torque.abs(),
         rolling_nm: of(rolling.iter().sum()),
         sliding_inner_nm: of(friction[0] - rolling[0]),
         sliding_outer_nm: of(friction[1] - rolling[1]),
         fluid_nm: of(fluid),
         cage_nm: torque.abs() - known,
-        skf_rolling_nm: None,
-        skf_sliding_nm: None,
-        skf_torque_nm: None,
-        palmgren_viscous_nm: None,
-        palmgren_load_nm: None,
-        palmgren_torque_nm: None,
-        notes: Vec::new(),
+        ..TorqueAnswer::without(x.hypot(y), z.abs(), speed)
     };
     formulas(question, speed, &mut answer)?;
     Ok(Answer::new(findings, answer))
