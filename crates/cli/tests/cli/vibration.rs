@@ -44,3 +44,20 @@ fn limit_an_outer_race_is_told_and_drawn() {
         run_words(&format!("vibration {file} {options}")).fails(2, &[message]);
     }
 }
+
+/// Velocities need accelerations in m/s²; the third band of testers is beyond 12 kHz of samples.
+#[test]
+fn limit_velocities_are_those_of_accelerations() {
+    let scratch = Scratch::new();
+    let bands = |name: &str| {
+        let file = scratch.file("signal.csv", format!("{name}\n{}", signal())).display().to_string();
+        let answer =
+            run_words(&format!("vibration {file} --rate 12000 --bearing 9,7.94,39.04 --speed 1797 --json")).json();
+        answer["velocity_bands"].as_array().unwrap().clone()
+    };
+    assert!(bands("volts").is_empty());
+    let found = bands("a_m_s2");
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert_eq!((found[1]["low_hz"].as_f64(), found[1]["high_hz"].as_f64()), (Some(300.0), Some(1800.0)));
+    assert!(found[1]["peak_m_s"].as_f64() > found[1]["rms_m_s"].as_f64(), "{found:?}");
+}
