@@ -4,24 +4,28 @@ mod archard;
 mod ball_size;
 mod defect;
 mod geometry;
+mod groove;
 mod life;
 mod profile;
 mod raceway;
 mod random;
 mod spall;
 mod surface;
+mod transfer;
 mod waviness;
 
 pub use archard::{Archard, archard_rate, cage_rate};
 pub use ball_size::{ball_deviations, ball_grades, lot_variation};
 pub use defect::Defect;
 pub use geometry::{GrooveGeometry, WearDepths};
+pub use groove::{ContactWear, GrooveField, GroovePlace, GrooveSpot, GrooveWear, UnderContact};
 pub use life::{BallWear, CoatingLife, RaceWear, Stride, WearRates};
 pub use profile::Profile;
 pub use raceway::{BINS, ProfilePoint, Raceway};
 pub use random::Random;
 pub use spall::{Spall, SpallPath, Track};
 pub use surface::LocalSurface;
+pub use transfer::{TransferFilm, TransferLaw, TransferRates};
 pub use waviness::{HIGHEST_ORDER, Wave, WaveSpectrum, waviness};
 
 /// Errors of worn geometry, raceways and wear data.
