@@ -160,6 +160,7 @@ impl Bearing {
     /// let tribology = Tribology {
     ///     laws: Races { inner: silver.clone(), outer: silver },
     ///     bare_law: None,
+    ///     transferred: None,
     ///     differential_slip: true,
     ///     slip_unit: SlipUnit::Scaled { per_m_s: 22.0 },
     ///     pressure_choice: PressureChoice::Peak,
@@ -210,6 +211,23 @@ impl Bearing {
             elastic,
             deviations: Deviations::default(),
         })
+    }
+
+    /// Gives the contacts of a race another groove radius, m, and leaves the grooves' centres where they are: what wear
+    /// makes of the profile under the balls.
+    ///
+    /// # Errors
+    /// [`BearingError::Contact`] for a groove that is not wider than the ball.
+    pub fn reshape(&mut self, side: Side, groove_radius: f64) -> Result<(), BearingError> {
+        let g = &self.geometry;
+        let [rolling, _] = g.curvatures(side, g.cos_contact_angle());
+        let ball = g.ball_radius();
+        let race = &mut self.races[side];
+        race.hertz = race.hertz_at(rolling, 1.0 / ball - 1.0 / groove_radius)?;
+        if race.surface_radius.is_finite() {
+            race.surface_radius = 2.0 * ball * groove_radius / (ball + groove_radius);
+        }
+        Ok(())
     }
 
     /// Wear rate of a race, m³/s, from the wear integral of its patch; 0 where nothing is known of the surfaces.

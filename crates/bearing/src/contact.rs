@@ -160,16 +160,22 @@ pub struct LoadedPatch<'a, D> {
 }
 
 impl<D: Scalar> LoadedPatch<'_, D> {
-    /// The traction on coating and bare steel by their shares. Where no curve of bare steel is known the coating stands
-    /// for it; where nothing is known of the surfaces they are without friction.
+    /// The traction on coating, bare steel and transferred film by their shares, the film on top of both. Where no
+    /// curve of bare steel is known the coating stands for it; where nothing is known of the surfaces they are without
+    /// friction.
     pub fn blend(&self, by: impl Fn(&PatchLaw<'_, Law>) -> PatchTraction<D>) -> PatchTraction<D> {
         let Some(tribology) = self.tribology else { return PatchTraction::zero() };
         let coating = &tribology.laws[self.side];
         let by = |law| by(&tribology.patch_law(law));
-        match &tribology.bare_law {
+        let under = || match &tribology.bare_law {
             Some(bare) if self.bare >= 1.0 => by(bare),
             Some(bare) if self.bare > 0.0 => by(coating).mixed_with(&by(bare), self.bare),
             _ => by(coating),
+        };
+        match &tribology.transferred {
+            Some(film) if film.share >= 1.0 => by(&film.law),
+            Some(film) if film.share > 0.0 => under().mixed_with(&by(&film.law), film.share),
+            _ => under(),
         }
     }
 }

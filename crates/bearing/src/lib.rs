@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod across;
 mod bearing;
 mod cage;
 mod contact;
@@ -71,7 +72,7 @@ pub use state::{BallState, Motion, RingState};
 pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};
 pub use tribodyn_fluid::FilmExtent;
 pub use tribodyn_wear::LocalSurface;
-pub use tribology::Tribology;
+pub use tribology::{TransferredFilm, Tribology};
 pub use watch::{SearchObserver, SearchStage, SearchWatch};
 
 /// Why data do not make a bearing.

@@ -20,6 +20,7 @@ pub fn spec() -> BearingSpec {
     let tribology = Tribology {
         laws: Races { inner: law.clone(), outer: law },
         bare_law: None,
+        transferred: None,
         differential_slip: true,
         slip_unit: SlipUnit::Scaled { per_m_s: 22.0 },
         pressure_choice: PressureChoice::Peak,

@@ -12,6 +12,8 @@ pub struct Tribology {
     pub laws: Races<Law>,
     /// Traction law of the bare steel under the coatings, where one is known.
     pub bare_law: Option<Law>,
+    /// Film of transferred lubricant between balls and races; absent where nothing is transferred.
+    pub transferred: Option<TransferredFilm>,
     /// True if the deformed contact is curved across the groove, so that it has differential (Heathcote) slip. Read
     /// when the bearing is made.
     pub differential_slip: bool,
@@ -25,6 +27,16 @@ pub struct Tribology {
     pub wear_cage: Archard,
 }
 
+/// Solid lubricant that the balls have scraped off the cage: where it covers a contact it slides in the place of
+/// coating and steel.
+#[derive(Debug, Clone)]
+pub struct TransferredFilm {
+    /// Traction law of the film.
+    pub law: Law,
+    /// Part of every contact that it covers, 0 to 1.
+    pub share: f64,
+}
+
 impl Tribology {
     /// One coating on both races, sheared at the peak pressure of each contact and with differential slip, and one wear
     /// constant for races and cage.
@@ -32,6 +44,7 @@ impl Tribology {
         Self {
             laws: Races { inner: law.clone(), outer: law },
             bare_law: None,
+            transferred: None,
             differential_slip: true,
             slip_unit,
             pressure_choice: PressureChoice::Peak,

@@ -2,14 +2,14 @@
 
 use crate::{
     ArchardSpec, Case, CoatingSpec, CurveSpec, Fit, FluidSpec, GeometrySpec, MaterialSpec, Medium, ShouldersSpec,
-    TractionSpec,
+    TractionSpec, TransferSpec,
 };
 use std::cell::RefCell;
 use tribodyn_bearing::{Bearing, BearingError, BearingSpec, Dimensions, FluidForces, Geometry, Races, Tribology};
 use tribodyn_contact::ElasticBody;
 use tribodyn_fluid::{BallDrag, Churning, Fluid, effective_density, frontal_area};
 use tribodyn_traction::{Coating, CoatingLaw, Law, Peak, PressureChoice, SlipUnit, TestedCurve};
-use tribodyn_wear::{Archard, LocalSurface, Raceway};
+use tribodyn_wear::{Archard, LocalSurface, Raceway, TransferLaw};
 
 impl Case {
     /// The bearing of the case; without traction and wear unless the case has all of coatings, traction and wear.
@@ -45,6 +45,7 @@ impl Case {
             return Ok(Some(Tribology {
                 laws: lubricant.laws(geometry, elastic(&self.materials.ball), rings)?,
                 bare_law: None,
+                transferred: None,
                 differential_slip: true,
                 // The film has its own: it knows speeds and local pressures.
                 slip_unit: SlipUnit::MeterPerSecond,
@@ -62,12 +63,32 @@ impl Case {
                 outer: coating_law(traction, &coatings.outer.curve)?,
             },
             bare_law: coatings.bare.as_ref().map(|bare| coating_law(traction, &bare.curve)).transpose()?,
+            transferred: None,
             differential_slip: traction.differential_slip,
             slip_unit: traction.slip_unit,
             pressure_choice: traction.pressure,
             wear: Races { inner: archard(&wear.inner), outer: archard(&wear.outer) },
             wear_cage: archard(&wear.cage),
         }))
+    }
+}
+
+impl TransferSpec {
+    /// The balance of the film.
+    pub fn law(&self) -> TransferLaw {
+        TransferLaw { loss: self.loss, cover: self.cover, wear: archard(&self.wear) }
+    }
+}
+
+impl Case {
+    /// Traction law of the film that comes from the cage; absent where the case has none.
+    ///
+    /// # Errors
+    /// [`BearingError`] for a curve that cannot be fitted.
+    pub fn transferred_law(&self) -> Result<Option<Law>, BearingError> {
+        let transfer = self.coatings.as_ref().and_then(|coatings| coatings.transfer.as_ref());
+        let (Some(transfer), Some(traction)) = (transfer, &self.traction) else { return Ok(None) };
+        coating_law(traction, &transfer.curve).map(Some)
     }
 }
 
@@ -108,8 +129,8 @@ fn elastic(material: &MaterialSpec) -> ElasticBody {
     ElasticBody { young: material.young, poisson: material.poisson }
 }
 
-/// Laws that a thread keeps: of two races and what is bare between them, and one to come.
-const LAWS_KEPT: usize = 4;
+/// Laws that a thread keeps: of two races, what is bare between them and a film of the cage, and one to come.
+const LAWS_KEPT: usize = 5;
 
 thread_local! {
     /// The laws made last, with what they are made of. A fit takes as long as many solutions of a sweep, in whose rows
@@ -159,7 +180,12 @@ fn fluid_forces(spec: &FluidSpec, radius: f64) -> Result<FluidForces, BearingErr
     let density = effective_density(spec.liquid_fraction, liquid, spec.gas_density);
     let frontal_area = frontal_area(2.0 * radius, spec.shaded_fraction);
     Ok(FluidForces {
-        drag: BallDrag { density_effective: density, frontal_area, drag_coefficient: spec.drag_coefficient },
+        drag: BallDrag {
+            density_effective: density,
+            frontal_area,
+            drag_coefficient: spec.drag_coefficient,
+            reynolds_per_speed: spec.drag_over_reynolds.then_some(density * 2.0 * radius / viscosity),
+        },
         churning: spec.churning.then_some(Churning { density, viscosity, radius }),
         swirl: spec.swirl,
         density,

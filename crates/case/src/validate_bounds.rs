@@ -59,6 +59,9 @@ const BOUNDS: &[Bound] = &[
     bound("materials.*.young", [1e6, 1e13], "Pa", STEEL),
     bound("materials.*.density", [1e-9, 3e4], "kg/m³", HEAVIEST),
     bound("coatings.*.thickness", [0.0, 0.01], "m", COATING),
+    bound("coatings.transfer.cover", [1e-10, 0.01], "m", COATING),
+    bound("coatings.transfer.wear.coefficient", [0.0, 1.0], "", ARCHARD),
+    bound("coatings.transfer.wear.hardness", [1e3, 1e12], "Pa", HARDNESS),
     bound("coatings.*.curve.Tested[*].pressure", [1e3, 1e12], "Pa", TEST),
     bound("coatings.*.curve.Tested[*].peak_slip", [1e-9, 1e9], "", SLIP),
     bound("coatings.*.curve.Tested[*].peak_coefficient", [1e-9, 10.0], "", FRICTION),
@@ -202,6 +205,12 @@ impl Values {
         }
         if let Some(bare) = &coatings.bare {
             self.curve("bare", &bare.curve);
+        }
+        if let Some(transfer) = &coatings.transfer {
+            self.add("coatings.transfer.cover", transfer.cover);
+            self.add("coatings.transfer.wear.coefficient", transfer.wear.coefficient);
+            self.add("coatings.transfer.wear.hardness", transfer.wear.hardness);
+            self.curve("transfer", &transfer.curve);
         }
     }
 

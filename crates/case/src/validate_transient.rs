@@ -53,6 +53,13 @@ fn coatings(spec: &Coatings, order: Option<usize>) -> Verdict {
     if let Some(bare) = &spec.bare {
         curve("coatings.bare", &bare.curve, order)?;
     }
+    if let Some(transfer) = &spec.transfer {
+        curve("coatings.transfer", &transfer.curve, order)?;
+        fraction("coatings.transfer.loss", transfer.loss)?;
+        positive("coatings.transfer.cover", transfer.cover)?;
+        not_negative("coatings.transfer.wear.coefficient", transfer.wear.coefficient)?;
+        positive("coatings.transfer.wear.hardness", transfer.wear.hardness)?;
+    }
     for (name, coating) in [("inner", &spec.inner), ("outer", &spec.outer)] {
         let path = format!("coatings.{name}.worn");
         fraction(&path, coating.worn)?;

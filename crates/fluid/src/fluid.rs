@@ -99,6 +99,11 @@ impl Fluid {
         self.equation().gas_constant()
     }
 
+    /// Enthalpy over R T less that of the ideal gas, at T in K and ρ in kg/m³.
+    pub(crate) fn departure(self, temperature: f64, density: f64) -> f64 {
+        self.equation().enthalpy_departure(temperature, density)
+    }
+
     /// Temperature of the triple point, K.
     pub fn triple_temperature(self) -> f64 {
         match self {
@@ -209,7 +214,7 @@ impl Fluid {
 
     /// A density above every liquid state that is permitted, kg/m³: the liquid at the triple point has 2.7 to 3.0 times
     /// the critical density, and 30 MPa adds less than 5 %.
-    fn dense(self) -> f64 {
+    pub(crate) fn dense(self) -> f64 {
         3.2 * self.critical_density()
     }
 

@@ -84,6 +84,15 @@ impl Helmholtz {
         density * temperature * compressibility * self.gas_constant()
     }
 
+    /// τ ∂α/∂τ + δ ∂α/∂δ: enthalpy over R T less that of the ideal gas.
+    pub fn enthalpy_departure(&self, temperature: f64, density: f64) -> f64 {
+        let (tau, delta) = (self.critical_temperature / temperature, density / self.critical_density);
+        let (one, zero) = (Dual::new(tau, 1.0), Dual::new(tau, 0.0));
+        let by_tau = self.residual(one, Dual::new(delta, 0.0)).eps;
+        let by_delta = self.residual(zero, Dual::new(delta, 1.0)).eps;
+        tau * by_tau + delta * by_delta
+    }
+
     /// Part of the Gibbs energy over R T that depends on the density (logarithm of ρ over ρ_c included).
     pub fn gibbs(&self, temperature: f64, density: f64) -> f64 {
         let (alpha, slope) = self.residual_and_slope(temperature, density);

@@ -6,6 +6,7 @@ mod drag;
 mod fluid;
 mod helmholtz;
 mod lemmon_jacobsen2004;
+mod phase;
 mod quinones_cisneros2006;
 mod schmidt_wagner1985;
 mod setzmann_wagner1991;
@@ -15,8 +16,9 @@ mod squeeze;
 
 pub use annulus::AnnulusDrag;
 pub use churning::{Churning, TRANSITION_REYNOLDS, Transition};
-pub use drag::{BallDrag, effective_density, frontal_area};
+pub use drag::{BallDrag, effective_density, frontal_area, sphere_drag_coefficient};
 pub use fluid::{Fluid, FluidState, MAX_PRESSURE, Saturation};
+pub use phase::{HeatedFlow, MAX_TEMPERATURE, Phase};
 pub use short_bearing::{FilmExtent, FilmMotion, ShortBearing};
 pub use squeeze::SqueezeFilm;
 

@@ -15,6 +15,24 @@ pub struct Coatings {
     /// Bare steel under them; needed where a coating is worn or has a defect.
     #[serde(default)]
     pub bare: Option<BareSpec>,
+    /// Lubricant that the balls scrape off the cage; lives with transfer need it.
+    #[serde(default)]
+    pub transfer: Option<TransferSpec>,
+}
+
+/// The film that comes from the cage: self-lubrication by sacrificial contact.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TransferSpec {
+    /// Traction curve data of the cage's material between ball and race.
+    pub curve: CurveSpec,
+    /// Thickness at which the film covers all of a contact, m.
+    #[serde(deserialize_with = "units::length")]
+    pub cover: f64,
+    /// Part of what is scraped or worn off that is lost, 0 to 1.
+    pub loss: f64,
+    /// How the film wears between ball and race.
+    pub wear: ArchardSpec,
 }
 
 /// A coating: its traction data and its thickness.
@@ -119,8 +137,11 @@ pub struct FluidSpec {
     /// Density of the gas phase, kg/m³.
     #[serde(deserialize_with = "units::density")]
     pub gas_density: f64,
-    /// Drag coefficient C_d of a ball.
+    /// Drag coefficient C_d of a ball, or a factor upon that of a sphere.
     pub drag_coefficient: f64,
+    /// Whether C_d follows that of a smooth sphere over its Reynolds number, with its crisis, times `drag_coefficient`.
+    #[serde(default)]
+    pub drag_over_reynolds: bool,
     /// Speed of the fluid over that of the inner ring at the pitch circle.
     pub swirl: f64,
     /// Part of the ball's frontal area πD²/4 hidden behind the cage web.

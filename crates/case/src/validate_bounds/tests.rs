@@ -17,7 +17,9 @@ fn variants() -> Vec<String> {
     let deviations = "(inner: (waves: [(order: 9, amplitude: um(0.2), phase: deg(10))]), \
                       outer: (spectrum: (first: 2, last: 9, amplitude: um(1), exponent: 1.5, seed: 1)), \
                       position: (ball: deg(3), inner: deg(4), outer: deg(5)))";
-    let changes: [&[(&str, &str)]; 5] = [
+    let transfer =
+        format!("(curve: {tested}, cover: um(0.1), loss: 0.3, wear: (coefficient: 1e-6, hardness: MPa(60)))");
+    let changes: [&[(&str, &str)]; 6] = [
         &[],
         &[
             ("ring.x", "Held(um(3))"),
@@ -33,6 +35,7 @@ fn variants() -> Vec<String> {
         &[("traction.order", "0"), ("coatings.inner.curve", tested), ("coatings.bare.curve", tested)],
         &[("transient.scheme", "RungeKutta4(step: us(2))"), ("geometry.fit", "RadialClearance(um(40))")],
         &[("ring.y", "Held(um(3))"), ("ring.z", "Held(um(3))")],
+        &[("traction.order", "0"), ("coatings.transfer", &transfer)],
     ];
     let change = |changes: &[(&str, &str)]| {
         changes.iter().fold(FULL.to_owned(), |text, (path, value)| set_value(&text, path, value).unwrap())
