@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::input::CaseArguments;
 use crate::rating::frequency_rows;
 use crate::table::{self, number};
-use tribodyn::answers::{Derived, GrowthAnswer, derived};
+use tribodyn::answers::{Derived, GrowthAnswer, derived, heated_flow};
 use tribodyn_bearing::SearchWatch;
 
 /// Check a case file and print derived geometry, masses, contact constants and fluid forces.
@@ -15,9 +15,40 @@ use tribodyn_bearing::SearchWatch;
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
+    /// Flow of the cryogen through the bearing in kg/s: prints what it is after it has taken up --power
+    #[arg(long, value_name = "KG_S", value_parser = above_0, requires = "power")]
+    flow: Option<f64>,
+    /// Heat that the flow takes up, W: of friction, drag and churning, as `solve` has them
+    #[arg(long, value_name = "W", value_parser = above_0, requires = "flow")]
+    power: Option<f64>,
     /// Print JSON
     #[arg(long)]
     json: bool,
+}
+
+fn above_0(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|value: &f64| *value > 0.0 && value.is_finite());
+    number.ok_or_else(|| "allowed is a number above 0".to_owned())
+}
+
+/// The fluid: density, drag, phase, and what heat makes of its flow.
+fn fluid_rows(a: &Derived) -> Vec<(&'static str, String, &'static str)> {
+    let mut rows = Vec::new();
+    if let (Some(drag), Some(density)) = (a.drag_per_ball_n, a.effective_fluid_density_kg_m3) {
+        rows.push(("effective fluid density", number(density, 2), "kg/m³"));
+        rows.push(("drag per ball at that speed", number(drag, 1), "N"));
+    }
+    rows.extend(a.fluid_phase.iter().map(|phase| ("phase of the fluid", phase.clone(), "")));
+    if let Some(flow) = &a.heated_flow {
+        let heat = format!("{}  {}", number(flow.flow_kg_s, 3), number(flow.power_w * 1e-3, 2));
+        rows.push(("flow, heat taken up", heat, "kg/s, kW"));
+        rows.push(("temperature at the outlet", number(flow.outlet_temperature_k, 2), "K"));
+        let density = format!("{}  {}", number(flow.inlet_density_kg_m3, 1), number(flow.outlet_density_kg_m3, 1));
+        rows.push(("density, inlet outlet", density, "kg/m³"));
+        rows.push(("phase at the outlet", flow.outlet_phase.clone(), ""));
+        rows.extend(flow.outlet_quality.map(|quality| ("vapour at the outlet, by mass", number(quality, 3), "")));
+    }
+    rows
 }
 
 fn growth_rows(growth: &GrowthAnswer) -> Vec<(&'static str, String, &'static str)> {
@@ -64,7 +95,11 @@ fn load_rows(a: &Derived) -> Vec<(&'static str, String, &'static str)> {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
-    let a = derived(&file.question(SearchWatch::default()))?;
+    let question = file.question(SearchWatch::default());
+    let mut a = derived(&question)?;
+    if let (Some(flow), Some(power)) = (arguments.flow, arguments.power) {
+        a.heated_flow = Some(heated_flow(&question, flow, power)?);
+    }
     if arguments.json {
         return table::print_json(&a);
     }
@@ -86,10 +121,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("cage speed, rolling at the free angle", number(a.cage_speed_free_rpm, 1), "r/min"),
     ];
     rows.extend(a.frequencies.iter().flat_map(frequency_rows));
-    if let (Some(drag), Some(density)) = (a.drag_per_ball_n, a.effective_fluid_density_kg_m3) {
-        rows.push(("effective fluid density", number(density, 2), "kg/m³"));
-        rows.push(("drag per ball at that speed", number(drag, 1), "N"));
-    }
+    rows.extend(fluid_rows(&a));
     rows.extend(load_rows(&a));
     rows.extend(a.growth.iter().flat_map(growth_rows));
     rows.extend(a.fits.iter().flat_map(crate::fits::rows));

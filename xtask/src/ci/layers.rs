@@ -80,6 +80,7 @@ const LAYERS: [(&str, &[&str]); 23] = [
             "tribodyn-contact",
             "tribodyn-lubricant",
             "tribodyn-traction",
+            "tribodyn-fluid",
             "tribodyn-signal",
             "tribodyn-rating",
             "tribodyn-thermal",

@@ -1,7 +1,9 @@
 //! What follows from a case before anything is solved.
 
 use super::fits::{Fits, fits};
+use super::flow::{HeatedFlowAnswer, fluid_warnings, phase};
 use super::lubrication::lubrication;
+use super::unsaid::{frozen_warning, geometry_warnings};
 use super::{Equations, Question};
 use crate::error::AnswerError;
 use crate::plausibility::{self, StaticEstimate};
@@ -51,6 +53,12 @@ pub struct Derived {
     pub drag_per_ball_n: Option<f64>,
     /// Density of liquid and vapour, kg/m³; absent without a fluid.
     pub effective_fluid_density_kg_m3: Option<f64>,
+    /// Phase of the cryogen at the case's temperature and pressure; absent for another fluid and without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fluid_phase: Option<String>,
+    /// What becomes of a flow that takes up the heat of the bearing; absent where it was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heated_flow: Option<HeatedFlowAnswer>,
     /// What the bearing is lubricated with, in a line.
     pub lubrication: String,
     /// Basic dynamic load rating C_r, N; absent for a bearing that the standards do not rate.
@@ -194,6 +202,9 @@ fn answer(question: &Question<'_>, bearing: &Bearing, (growth, fits): (Option<Gr
     let drag =
         bearing.fluid.as_ref().map(|f| f.drag.force(0.5 * g.pitch_diameter * (orbit - f.swirl * point.inner_speed)));
     warnings.extend(drag.and_then(|drag| costly_drag(g, orbit, drag)));
+    warnings.extend(fluid_warnings(case));
+    warnings.extend(geometry_warnings(case, bearing));
+    warnings.extend(frozen_warning(question, bearing));
     let estimate = plausibility::estimate(case, bearing);
     let of_load = |of: fn(&StaticEstimate) -> f64| estimate.as_ref().map(of);
     let unloaded = estimate.is_some_and(|found| found.ball_load_n == 0.0);
@@ -218,6 +229,8 @@ fn answer(question: &Question<'_>, bearing: &Bearing, (growth, fits): (Option<Gr
         frequencies: frequencies(&case.geometry, nominal, [point.inner_speed, point.outer_speed]),
         drag_per_ball_n: drag,
         effective_fluid_density_kg_m3: bearing.fluid.as_ref().map(|f| f.drag.density_effective),
+        fluid_phase: phase(case).map(|phase| phase.to_string()),
+        heated_flow: None,
         lubrication: lubrication(case, Equations::usual(case)),
         dynamic_rating_n: rated.as_ref().map(|rated| rated.dynamic_rating_n),
         static_rating_n: rated.as_ref().map(|rated| rated.static_rating_n),

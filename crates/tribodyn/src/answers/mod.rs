@@ -7,6 +7,7 @@ mod equilibrium;
 mod film;
 mod findings;
 mod fits;
+mod flow;
 mod heat;
 mod lubrication;
 #[cfg(feature = "modes")]
@@ -18,6 +19,7 @@ mod rated;
 mod sensitivity;
 mod stiffness;
 mod torque;
+mod unsaid;
 
 pub use contact::{HertzAnswer, HertzQuestion, LineAnswer, hertz, hertz_line};
 pub use curve::{CurveAnswer, traction_curve};
@@ -26,6 +28,7 @@ pub use equilibrium::{Equilibrium, Lives, equilibrium, solved};
 pub use film::{ContactFilm, ContactFilmQuestion, FilmAnswer, OilAnswer, contact_film, films};
 pub use findings::{Answer, Beside, Findings};
 pub use fits::{Fits, SeatFit, fits};
+pub use flow::{HeatedFlowAnswer, heated_flow};
 pub use heat::{HeatAnswer, Surroundings, heat};
 #[cfg(feature = "modes")]
 pub use modes::{ModesAnswer, modes};
