@@ -89,6 +89,9 @@ pub fn draw(staged: &mut StagedFiles, ensemble: &Ensemble, outcome: &Outcome) ->
 /// The distribution of one figure over the members.
 fn panel(plan: &Plan, (name, column): &(&str, &str), ensemble: &Ensemble, outcome: &Outcome) -> Option<Panel> {
     let (label, unit, per_unit) = plan.axis;
+    if let Some(axis) = ensemble.grid_axis() {
+        return over_grid((name, column), Axis::new(label, unit), (axis, per_unit), (ensemble, outcome));
+    }
     let points = distribution(ensemble.values(column, &outcome.members), per_unit);
     if points.is_empty() {
         return None;
@@ -96,6 +99,30 @@ fn panel(plan: &Plan, (name, column): &(&str, &str), ensemble: &Ensemble, outcom
     let curve = if points.len() > MARKED { Series::line(MEMBERS, points) } else { Series::marked(MEMBERS, points) };
     let share = Axis::new("Members up to it", "%").covering(0.0, 100.0);
     Some(Panel::Cartesian(LineChart::new(*name, Axis::new(label, unit), share, vec![curve])))
+}
+
+/// A figure over the first value of a grid, a curve for each choice of the others.
+fn over_grid(
+    (name, column): (&str, &str),
+    axis: Axis,
+    (first, per_unit): (&str, f64),
+    (ensemble, outcome): (&Ensemble, &Outcome),
+) -> Option<Panel> {
+    let mut curves: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
+    for (member, value) in ensemble.numbered(column, &outcome.members) {
+        let (x, others) = ensemble.place(member)?;
+        match curves.iter_mut().find(|(label, _)| *label == others) {
+            Some((_, points)) => points.push((x, per_unit * value)),
+            None => curves.push((others, vec![(x, per_unit * value)])),
+        }
+    }
+    let (path, unit) = first.strip_suffix(']').and_then(|text| text.split_once(" [")).unwrap_or((first, ""));
+    let label = |text: String| if text.is_empty() { name.to_owned() } else { text };
+    let series: Vec<Series> = curves.into_iter().map(|(text, points)| Series::marked(label(text), points)).collect();
+    if series.is_empty() {
+        return None;
+    }
+    Some(Panel::Cartesian(LineChart::new(name, Axis::new(path, unit), axis, series)))
 }
 
 #[cfg(test)]

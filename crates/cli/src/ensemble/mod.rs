@@ -27,11 +27,15 @@ pub struct Arguments {
     case: CaseArguments,
     /// Draw one value of the case for each member: mm(0.2 ± 0.02) from a normal distribution with that standard
     /// deviation (or mm(0.2 +- 0.02)), mm(0.18..0.22) from a range in which all values are as likely; may be repeated
-    #[arg(long = "vary", value_name = "PATH=SPREAD", value_parser = spread, required = true)]
+    #[arg(long = "vary", value_name = "PATH=SPREAD", value_parser = spread, required_unless_present = "grid")]
     spreads: Vec<Spread>,
+    /// Instead of draws, a member for each of these values with each of the others, such as
+    /// 'defects[0].depth=um(0..20 in 5)'; may be repeated. Figures then are over the first of them
+    #[arg(long, value_name = "PATH=VALUES", value_parser = each, conflicts_with_all = ["spreads", "members", "latin_hypercube"])]
+    grid: Vec<Spread>,
     /// Number of members
-    #[arg(long, value_name = "N")]
-    members: usize,
+    #[arg(long, value_name = "N", required_unless_present = "grid")]
+    members: Option<usize>,
     /// Seed of the draws: the same seed and number of a member give the same values on every machine
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
@@ -67,6 +71,10 @@ pub struct Arguments {
 
 fn spread(text: &str) -> Result<Spread, String> {
     Ok(Spread::parse(text)?.prefixed("--vary "))
+}
+
+fn each(text: &str) -> Result<Spread, String> {
+    Ok(Spread::each(text)?.prefixed("--grid "))
 }
 
 /// The answer with the files that were written.
@@ -125,12 +133,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 impl Arguments {
     fn ensemble(&self) -> Result<Ensemble, Failure> {
-        let sampling = if self.latin_hypercube { Sampling::LatinHypercube } else { Sampling::Independent };
-        let options = EnsembleOptions { members: self.members, seed: self.seed, sampling };
+        let (sampling, spreads) = match self.latin_hypercube {
+            _ if !self.grid.is_empty() => (Sampling::Grid, &self.grid),
+            true => (Sampling::LatinHypercube, &self.spreads),
+            false => (Sampling::Independent, &self.spreads),
+        };
+        let options = EnsembleOptions { members: self.members.unwrap_or(1), seed: self.seed, sampling };
         let (fixed, limits) = (self.case.run_changes(self.duration)?, self.case.limits());
         let text = tribodyn_study::read_text(&self.case.path, &limits)?;
         let name = self.case.path.display().to_string();
-        Ok(Ensemble::new((&name, text), &fixed, &self.spreads, options, &limits)?)
+        Ok(Ensemble::new((&name, text), &fixed, spreads, options, &limits)?)
     }
 }
 

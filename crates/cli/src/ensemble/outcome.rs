@@ -109,8 +109,11 @@ fn cost_rows(r: &EnsembleReport) -> Vec<(&'static str, String, &'static str)> {
     let drawn = match r.sampling {
         Sampling::Independent => "",
         Sampling::LatinHypercube => "Latin hypercube",
+        Sampling::Grid => "grid",
     };
-    rows.push(("seed", r.seed.to_string(), drawn));
+    if r.sampling != Sampling::Grid {
+        rows.push(("seed", r.seed.to_string(), drawn));
+    }
     rows.push(("threads", cost.threads.to_string(), ""));
     if let Some(seconds) = cost.processor_per_member_s {
         rows.push(("processor time of a member", number(seconds, 3), "s"));

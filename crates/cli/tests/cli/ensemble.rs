@@ -226,3 +226,37 @@ fn identity_a_killed_ensemble_goes_on_to_the_same_table() {
     assert_eq!(fs::read(&table).unwrap(), fs::read(&whole).unwrap());
     assert_eq!(scratch.names(), ["case.ron", "table.csv", "whole.csv"]);
 }
+
+/// A grid has a member for each value with each other, and figures over the first of them.
+#[test]
+fn identity_a_grid_runs_each_value_with_each_other() {
+    let scratch = Scratch::new();
+    let case = case(&scratch);
+    let (table, figures) = (scratch.0.join("grid.csv"), scratch.0.join("figures"));
+    let answer = ensemble(
+        &case,
+        &[
+            &"--grid",
+            &"ring.z.Force=kN(50..60 in 3)",
+            &"--grid",
+            &"cage.pocket_friction=0.05,0.1",
+            &"-o",
+            &table,
+            &"--plot",
+            &figures,
+            &"--json",
+        ],
+    )
+    .json();
+    assert_eq!((answer["members"].as_u64(), answer["sampling"].as_str()), (Some(6), Some("grid")), "{answer}");
+    let text = fs::read_to_string(&table).unwrap();
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| rows[0].iter().position(|c| c.contains(name)).unwrap();
+    let (load, friction) = (column("ring.z.Force"), column("pocket_friction"));
+    let places: Vec<(f64, f64)> =
+        rows[1..].iter().map(|row| (row[load].parse().unwrap(), row[friction].parse().unwrap())).collect();
+    assert_eq!(places, [(50.0, 0.05), (50.0, 0.1), (55.0, 0.05), (55.0, 0.1), (60.0, 0.05), (60.0, 0.1)]);
+    assert!(figures.join("cage-speed.svg").exists());
+    let both = ensemble(&case, &[&"--grid", &"ring.z.Force=kN(50),kN(55)", &"--members", &"3"]);
+    both.fails(2, &["--members"]);
+}

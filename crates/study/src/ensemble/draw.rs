@@ -13,6 +13,19 @@ pub enum Sampling {
     ///
     /// Source: McKay, Beckman and Conover, Technometrics 21 (1979) 239, doi:10.1080/00401706.1979.10489755.
     LatinHypercube,
+    /// Each value of every spread with each of the others, the first spread changing slowest.
+    Grid,
+}
+
+/// Shares of the members of a grid, from the number of values of each spread.
+pub(super) fn grid(counts: &[usize]) -> Vec<Vec<f64>> {
+    let members: usize = counts.iter().product();
+    let mut after = members;
+    let one = |&count: &usize| {
+        after /= count;
+        (0..members).map(|member| ((member / after % count) as f64 + 0.5) / count as f64).collect()
+    };
+    counts.iter().map(one).collect()
 }
 
 /// For each spread the share of its distribution that each member has, from 0 to 1.
@@ -53,6 +66,14 @@ mod tests {
             [0.9435642308648544, 0.059980197777462, 0.7439640487348732],
         ];
         assert_eq!(found, expected.map(|s| s.to_vec()));
+    }
+
+    #[test]
+    fn identity_a_grid_has_each_value_with_each_other() {
+        let found = grid(&[2, 3]);
+        let place = |k: usize, m: usize, count: usize| (found[k][m] * count as f64) as usize;
+        let members: Vec<[usize; 2]> = (0..6).map(|m| [place(0, m, 2), place(1, m, 3)]).collect();
+        assert_eq!(members, [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2]]);
     }
 
     #[test]

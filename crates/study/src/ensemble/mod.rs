@@ -24,7 +24,7 @@ pub use spread::Spread;
 pub use table::{COMPLETE, EnsembleTable};
 
 use crate::error::StudyError;
-use crate::sweep::{Axis, Column};
+use crate::sweep::{Axis, Cell, Column};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -102,13 +102,21 @@ impl Ensemble {
         options: EnsembleOptions,
         limits: &Limits,
     ) -> Result<Self, StudyError> {
+        let mut options = options;
+        let counts: Option<Vec<usize>> = spreads.iter().map(Spread::count).collect();
+        let grid = counts.filter(|_| options.sampling == Sampling::Grid);
+        if let Some(counts) = &grid {
+            options.members =
+                counts.iter().try_fold(1, |all: usize, count| all.checked_mul(*count)).unwrap_or(usize::MAX);
+        }
         if !(1..=MAX_MEMBERS).contains(&options.members) {
             return Err(StudyError::argument("members", options.members, format!("allowed are 1 to {MAX_MEMBERS}")));
         }
         let base = CaseFile::from_text(name, text, fixed, limits)?;
         base.run_inputs()?;
         check_paths(fixed, spreads)?;
-        let shares = draw::shares(options.sampling, options.seed, options.members, spreads.len());
+        let drawn = || draw::shares(options.sampling, options.seed, options.members, spreads.len());
+        let shares = grid.map_or_else(drawn, |counts| draw::grid(&counts));
         let axes = spreads.iter().zip(&shares).map(|(spread, shares)| Axis::new(&spread.setting(shares))).collect();
         let (spreads, limits, figures) = (spreads.to_vec(), *limits, figures::columns()?);
         let ensemble = Self { base, limits, options, spreads, axes, figures };
@@ -134,6 +142,33 @@ impl Ensemble {
 
     fn member_case(&self, number: usize) -> Result<CaseFile, StudyError> {
         self.case(&self.axes.iter().map(|axis| axis.setting.change(number)).collect::<Vec<_>>())
+    }
+
+    /// Place of a member in a grid: the number of its first value, by its place in the list where it is none, and its
+    /// other values in words. None where values are drawn.
+    pub fn place(&self, number: usize) -> Option<(f64, String)> {
+        if self.options.sampling != Sampling::Grid {
+            return None;
+        }
+        let (first, others) = self.axes.split_first()?;
+        let x = match first.cells.get(number)? {
+            Cell::Number(value) => *value,
+            _ => number as f64,
+        };
+        let name = |axis: &Axis| format!("{}={}", axis.setting.path, axis.setting.values[number]);
+        Some((x, others.iter().map(name).collect::<Vec<_>>().join(", ")))
+    }
+
+    /// Name and unit of the first value of a grid.
+    pub fn grid_axis(&self) -> Option<&str> {
+        (self.options.sampling == Sampling::Grid).then(|| self.axes.first().map(|axis| axis.column.name.as_str()))?
+    }
+
+    /// Values of a figure of all members that have it, each with the number of its member.
+    pub fn numbered(&self, quantity: &str, members: &[Member]) -> Vec<(usize, f64)> {
+        let one =
+            |member: &Member| self.values(quantity, std::slice::from_ref(member)).pop().map(|v| (member.number, v));
+        members.iter().filter_map(one).collect()
     }
 
     /// Number of members.

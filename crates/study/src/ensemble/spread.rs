@@ -26,10 +26,18 @@ pub struct Spread {
     distribution: Distribution,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 enum Distribution {
-    Normal { mean: f64, deviation: f64 },
-    Uniform { low: f64, high: f64 },
+    /// Values of a grid, as a case file has them.
+    Each(Vec<String>),
+    Normal {
+        mean: f64,
+        deviation: f64,
+    },
+    Uniform {
+        low: f64,
+        high: f64,
+    },
 }
 
 impl fmt::Display for Spread {
@@ -82,6 +90,22 @@ impl Spread {
         Ok(Self { option: "", path: path.to_owned(), text: spread.to_owned(), around, distribution })
     }
 
+    /// Reads `PATH=VALUES`, each of which is a value of a grid: lists and ranges as those of a sweep.
+    ///
+    /// # Errors
+    /// A text that says what is wrong and what is allowed.
+    pub fn each(text: &str) -> Result<Self, String> {
+        let Setting { path, values, .. } = Setting::parse(text)?;
+        let given = text.split_once('=').map_or(text, |(_, values)| values.trim()).to_owned();
+        let around = [String::new(), String::new()];
+        Ok(Self { option: "", path, text: given, around, distribution: Distribution::Each(values) })
+    }
+
+    /// Number of values of a grid; none for values that are drawn.
+    pub fn count(&self) -> Option<usize> {
+        if let Distribution::Each(values) = &self.distribution { Some(values.len()) } else { None }
+    }
+
     /// With a text that stands before the spread in messages, such as the name of an option.
     pub fn prefixed(self, option: &'static str) -> Self {
         Self { option, ..self }
@@ -89,7 +113,11 @@ impl Spread {
 
     /// The value below which a share of all values lies, as a case file has it.
     pub(super) fn value(&self, share: f64) -> String {
-        let value = match self.distribution {
+        let value = match &self.distribution {
+            Distribution::Each(values) => {
+                let place = (share * values.len() as f64) as usize;
+                return values[place.min(values.len() - 1)].clone();
+            }
             Distribution::Normal { mean, deviation } => {
                 mean + deviation * normal_quantile(share.clamp(SHARES[0], SHARES[1]))
             }
