@@ -30,7 +30,10 @@ pub use error::{StudyError, with_causes};
 pub use files::StagedFiles;
 pub use fmu::{FmuAnswer, FmuOptions, export_fmu};
 pub use holder::Holder;
-pub use life::{Life, LifeEnd, LifeOptions, LifeStride, LifeTable, wear_life};
+pub use life::{
+    ActingLife, ActingOptions, ActingStride, Effects, FirstThrough, Life, LifeEnd, LifeOptions, LifeStride, LifeTable,
+    Mission, Phase, acting_life, wear_life,
+};
 pub use listing::{Listed, listed};
 pub use ours::Ours;
 pub use patience::Patience;

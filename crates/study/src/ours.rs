@@ -27,12 +27,14 @@ pub enum Ours {
 /// Bytes that are looked at from the start and from the end.
 const LOOK: u64 = 64 << 10;
 const MCAP: &[u8] = b"\x89MCAP0\r\n\x01";
-/// First columns of the tables of `stiffness` and `modes`; `frequency` is what the speed was called for ROSS 2.
-const TABLES: [&str; 4] = [
+/// First columns of the tables of `stiffness` and `modes`, and of worn cells; `frequency` is what the speed was called
+/// for ROSS 2.
+const TABLES: [&str; 5] = [
     "inner_speed_rpm,k_x_x,k_x_y",
     "speed,kxx,kxy,kyx,kyy,kzz",
     "frequency,kxx,kxy,kyx,kyy,kzz",
     "frequency_hz,damping_ratio,growth_rate_per_s",
+    "cell,race,azimuth_deg,angle_deg,depth_um",
 ];
 const SVG: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
 const PAGE: &str = "<meta name=\"generator\" content=\"tribodyn\">";

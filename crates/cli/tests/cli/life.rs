@@ -208,3 +208,51 @@ fn identity_a_killed_life_goes_on_to_the_same_table() {
         assert_eq!(scratch.names(), ["table.csv", "whole.csv"]);
     }
 }
+
+/// With everything acting the balance of the film closes in every stride, tables are written, and the map holds the
+/// depths of both races.
+#[test]
+fn identity_wear_that_acts_is_accounted_for_and_written() {
+    let scratch = Scratch::new();
+    let (strides, map, mission) =
+        (scratch.0.join("life.csv"), scratch.0.join("map.csv"), scratch.0.join("mission.csv"));
+    std::fs::write(&mission, "s, ring.z.Force\n4, kN(30)\n6, kN(40)\n").unwrap();
+    let transfer = "coatings.transfer=(curve: Library(\"ptfe\"), cover: um(0.1), loss: 0.3, \
+                    wear: (coefficient: 1e-6, hardness: MPa(60)))";
+    let changes = ["coatings.bare=(curve: Library(\"bare-440c\"))", transfer];
+    let text = |path: &std::path::Path| path.display().to_string();
+    let (strides_path, map_path, mission_path) = (text(&strides), text(&map), text(&mission));
+    let options = [
+        "--model",
+        "traction",
+        "--acting",
+        "clearance,curvature,traction,transfer",
+        "--until",
+        "0.005",
+        "--strides",
+        "4",
+        "--mission",
+        &mission_path,
+        "-o",
+        &strides_path,
+        "--map",
+        &map_path,
+        "--json",
+    ];
+    let answer = life(&changes, &options).json();
+    let rows = answer["strides"].as_array().unwrap();
+    assert!(rows.len() > 2 && answer["ended_by"] == "time", "{answer}");
+    for row in rows {
+        let gap = number(row, "scraped_mm3") - number(row, "film_mm3") - number(row, "lost_mm3");
+        assert!(gap.abs() <= 1e-10 * number(row, "scraped_mm3").max(1e-12), "{row}");
+    }
+    let lines = |path: &std::path::Path| std::fs::read_to_string(path).unwrap().lines().count();
+    assert_eq!(lines(&strides), rows.len() + 1);
+    let cells = std::fs::read_to_string(&map).unwrap();
+    assert!(cells.starts_with("cell,race,azimuth_deg,angle_deg,depth_um") && cells.contains("outer"), "{cells:.200}");
+    // The same command replaces its own tables; what is asked for wrongly is refused.
+    assert_eq!(life(&changes, &options).code, 0);
+    life(&[], &["--acting", "traction", "--until", "1"]).fails(2, &["coatings.bare"]);
+    life(&[], &["--acting", "friction", "--until", "1"]).fails(2, &["allowed are clearance"]);
+    life(&[], &["--mission", "m.csv"]).fails(2, &["--acting"]);
+}

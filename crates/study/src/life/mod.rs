@@ -3,9 +3,11 @@
 //! Wear of a race counts as added radial clearance, by its mean depth round the race: the free contact angle grows and
 //! the loads with it. The depth is in no other place, and the solution knows no bare steel.
 
+mod acting;
 mod rows;
 mod table;
 
+pub use acting::{ActingLife, ActingOptions, ActingStride, Effects, FirstThrough, Mission, Phase, acting_life};
 pub use rows::{Life, LifeEnd, LifeStride};
 pub use table::LifeTable;
 

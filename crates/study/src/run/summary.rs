@@ -4,6 +4,7 @@ use super::balance::{Judgement, judge};
 use super::cage::CageMotion;
 use super::known::{KnownAtEnd, KnownAtStart};
 use super::settled::Settled;
+use super::warnings::worn_through_unseen;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use tribodyn_bearing::quantities::joined;
 use tribodyn_case::Case;
@@ -142,6 +143,9 @@ impl Summary {
         if let Judgement::Off { reason, .. } = judge(self.power.imbalance_percent, case) {
             self.warnings.push(reason);
         }
+        let volumes = [self.wear.volume_inner_um3, self.wear.volume_outer_um3];
+        let loads = [self.load_inner_max_n, self.load_outer_max_n];
+        self.warnings.extend(worn_through_unseen(case, volumes, loads));
         self
     }
 }

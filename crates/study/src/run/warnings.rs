@@ -1,9 +1,11 @@
 //! Warnings of a run, put together by kind and ball.
 
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 use tribodyn::plausibility::tested_gpa;
-use tribodyn_case::{Case, CurveSpec};
+use tribodyn_bearing::Side;
+use tribodyn_case::{Case, CoatingSpec, CurveSpec};
 use tribodyn_record::{BallRow, LogRow};
 
 /// A ball that leaves the load zone: files of earlier versions mark it as a warning.
@@ -125,6 +127,34 @@ impl Tested {
     }
 }
 
+/// Part of the film under the balls that may go before a run has to say so.
+const WORN_MUCH: f64 = 0.1;
+
+/// Sentences where much of a coating would have gone by the worn volume of a run in which wear does not act: the film
+/// under the balls is its thickness times the track, as wide as the contact of the largest load (N). Volumes (µm³) and
+/// loads of the inner and outer race.
+pub fn worn_through_unseen(case: &Case, volumes_um3: [f64; 2], largest_loads: [f64; 2]) -> Vec<String> {
+    let acts = case.transient.as_ref().is_none_or(|transient| transient.wear_acceleration != 0.0);
+    let (Some(coatings), false, Ok(bearing)) = (&case.coatings, acts, case.bearing()) else { return Vec::new() };
+    let volumes = volumes_um3.map(|volume| volume * 1e-18);
+    let races = Side::BOTH.into_iter().zip([&coatings.inner, &coatings.outer]).zip(volumes).zip(largest_loads);
+    let one = |(((side, coating), volume), load): (((Side, &CoatingSpec), f64), f64)| {
+        let hertz = bearing.races[side].frozen::<f64>();
+        let approach = (load / hertz.stiffness()).powf(2.0 / 3.0);
+        let width = 2.0 * hertz.ellipse_at(approach).semi_lateral();
+        let film = coating.thickness * TAU * bearing.track_radius(side) * width;
+        (film > 0.0 && volume > WORN_MUCH * film).then(|| {
+            format!(
+                "By Archard's law {:.3} mm³ of the {:.3} mm³ of coating under the balls would have gone from the {} race, but wear does not act in this run (`transient.wear_acceleration` is 0): its coating is taken as whole.",
+                volume * 1e9,
+                film * 1e9,
+                side.name()
+            )
+        })
+    };
+    races.filter_map(one).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -167,6 +197,25 @@ mod tests {
         assert!(of_solution.iter().any(|w| w.contains("no contact with the inner race")), "{of_solution:?}");
         let kept = at_start(of_solution);
         assert!(kept.iter().all(|w| !w.contains("no contact")), "{kept:?}");
+    }
+
+    /// The film under the paper's inner race is 10 µm times a track of 440 mm by some 7 mm: 30 mm³.
+    #[test]
+    fn limit_wear_that_does_not_act_is_said_where_it_is_large() {
+        let text = include_str!("../../../../fixtures/cases/paper-ag.ron");
+        let case = Case::from_ron(text).unwrap();
+        let worn = |mm3: f64| [mm3 * 1e9, 0.0];
+        let said = worn_through_unseen(&case, worn(27.0), [12_500.0, 15_300.0]);
+        assert_eq!(said.len(), 1, "{said:?}");
+        let film: f64 = said[0].split("of the ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+        assert!(
+            (film - 30.0).abs() < 4.0 && said[0].contains("27.000 mm³") && said[0].contains("inner race"),
+            "{said:?}"
+        );
+        assert!(worn_through_unseen(&case, worn(1.0), [12_500.0, 15_300.0]).is_empty());
+        let acting = tribodyn_case::set_value(text, "transient.wear_acceleration", "1").unwrap();
+        let acting = Case::from_ron(&acting).unwrap();
+        assert!(worn_through_unseen(&acting, worn(27.0), [12_500.0, 15_300.0]).is_empty());
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! `tribodyn life`: how long a coating lasts.
 
+mod acting;
+
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
 use crate::solve::ModelName;
@@ -33,6 +35,21 @@ pub struct Arguments {
     /// without coating
     #[arg(long, value_name = "UM", value_parser = micrometres, allow_negative_numbers = true)]
     clearance_limit: Option<f64>,
+    /// Let wear act on the bearing: any of clearance, curvature, traction, transfer, parted by commas, or none of them.
+    /// Depth is then kept over azimuth and across the groove, and the life goes on until bare steel carries a part of
+    /// the load
+    #[arg(long, value_name = "EFFECTS", value_delimiter = ',', conflicts_with_all = ["clearance_limit", "restart"])]
+    acting: Option<Vec<String>>,
+    /// With --acting: table of phases that are repeated, durations in a column s, min or h, then values of the case by
+    /// their paths
+    #[arg(long, value_name = "TABLE", requires = "acting")]
+    mission: Option<PathBuf>,
+    /// With --acting: part of a race's load on bare steel at which the life ends [default: 0.5]
+    #[arg(long, value_name = "PART", requires = "acting", value_parser = part)]
+    bare_limit: Option<f64>,
+    /// With --acting: table of the worn cells of both grooves at the end, .parquet or .csv
+    #[arg(long, value_name = "TABLE", requires = "acting")]
+    map: Option<PathBuf>,
     /// Table to write, .parquet or .csv by its name: a row for each stride. Finished strides are beside it until it is
     /// whole, and the same command goes on from there
     #[arg(short, long, value_name = "TABLE")]
@@ -55,6 +72,10 @@ fn micrometres(text: &str) -> Result<f64, String> {
     above_0(text).ok_or_else(|| "allowed is a number of um above 0".to_owned())
 }
 
+fn part(text: &str) -> Result<f64, String> {
+    above_0(text).filter(|part| *part <= 1.0).ok_or_else(|| "allowed is a number above 0, at most 1".to_owned())
+}
+
 fn above_0(text: &str) -> Option<f64> {
     text.parse().ok().filter(|value: &f64| *value > 0.0 && value.is_finite())
 }
@@ -63,6 +84,9 @@ const HOUR: f64 = 3600.0;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
+    if let Some(effects) = &arguments.acting {
+        return acting::run(arguments, effects, &file);
+    }
     let options = LifeOptions {
         strides: arguments.strides,
         until_s: arguments.until.map(|hours| hours * HOUR),
