@@ -5,8 +5,8 @@ use crate::error::DynamicsError;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
-use tribodyn_bearing::{AzimuthFrame, BallState, Motion, Races, RingOffset, RunInputs, Side, Start};
-use tribodyn_quasistatic::{BallMotion, Model, Solution, WarmStart, solve};
+use tribodyn_bearing::{AzimuthFrame, BallState, Motion, Races, RingOffset, RunInputs, Side, SpeedHistory, Start};
+use tribodyn_quasistatic::{BallMotion, Model, Solution, solve};
 use tribodyn_traction::{PatchRule, Quadrature};
 use tribodyn_wear::{Spall, SpallPath};
 
@@ -110,16 +110,35 @@ fn equilibrium(inputs: &RunInputs) -> Result<StartMotion, DynamicsError> {
     let count = balls.len() as f64;
     let cage_speed = balls.iter().fold(0.0, |mean, (_, ball)| mean + ball.orbital_speed / count);
     let motion = Motion { balls, cage_speed, ring: warm.ring() };
-    Ok(StartMotion { motion, rule: rule_of_the_run(inputs, &warm)?, solution: solved.solution })
+    let mut solution = solved.solution;
+    let mut rule = warm.rule();
+    if point.inner_speed == point.outer_speed
+        && let Some((chosen, error)) = rule_at_speed(inputs)?
+    {
+        (rule, solution.patch_error_estimate) = (chosen, error);
+    }
+    Ok(StartMotion { motion, rule, solution })
 }
 
-/// At a standstill no slip tells which rule a target error needs: it is taken from the solution at the end of the ramp.
-fn rule_of_the_run(inputs: &RunInputs, at_start: &WarmStart) -> Result<PatchRule, DynamicsError> {
-    if inputs.options.start != Start::Rest {
-        return Ok(at_start.rule());
+/// At a standstill nothing slips, and no slip tells which rule a target error needs: rule and error are those of the
+/// fastest speed that the rings come to; none where they never turn against each other.
+fn rule_at_speed(inputs: &RunInputs) -> Result<Option<(PatchRule, Option<f64>)>, DynamicsError> {
+    let point = inputs.operating_point_at(fastest(&inputs.speeds));
+    if point.inner_speed == point.outer_speed {
+        return Ok(None);
     }
-    let solved = solve(&inputs.bearing, &inputs.operating_point_at(f64::INFINITY), Model::Traction)?;
-    Ok(solved.warm_start.map_or(at_start.rule(), |warm| warm.rule()))
+    let solved = solve(&inputs.bearing, &point, Model::Traction)?;
+    Ok(solved.warm_start.map(|warm| (warm.rule(), solved.solution.patch_error_estimate)))
+}
+
+/// When the rings turn fastest against each other, s; the end of the tables where that is as fast.
+fn fastest(speeds: &Races<SpeedHistory>) -> f64 {
+    let apart = |time: f64| (speeds.inner.at(time) - speeds.outer.at(time)).abs();
+    let rows = [&speeds.inner, &speeds.outer].into_iter().flat_map(|history| match history {
+        SpeedHistory::Constant(_) => &[][..],
+        SpeedHistory::Table(rows) => rows,
+    });
+    rows.map(|row| row.0).fold(f64::INFINITY, |best, time| if apart(time) > apart(best) { time } else { best })
 }
 
 /// The inner ring's springs are without stretch at the start; the outer ring's carry its load there.
@@ -135,5 +154,24 @@ fn set_springs(machine: &mut Machine, state: &[f64]) {
     }
     for i in 0..2 {
         machine.outer.reference[i] = -sums.on_rings.outer[i] / machine.outer.stiffness[i];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A machine that is run up and down has its rule from the top, one that keeps its speed from the end.
+    #[test]
+    fn limit_the_fastest_speed_of_a_table_is_found() {
+        let table = |rows: &[(f64, f64)]| SpeedHistory::Table(rows.to_vec());
+        let outer = SpeedHistory::Constant(0.0);
+        let up_and_down = table(&[(0.0, 0.0), (10.0, 1000.0), (20.0, 1466.0), (30.0, 0.0)]);
+        assert_eq!(fastest(&Races { inner: up_and_down, outer: outer.clone() }), 20.0);
+        let up = table(&[(0.0, 0.0), (10.0, 1466.0)]);
+        assert_eq!(fastest(&Races { inner: up.clone(), outer }), f64::INFINITY);
+        // Against an outer ring that is braked meanwhile.
+        let braked = table(&[(0.0, -500.0), (12.0, 0.0)]);
+        assert_eq!(fastest(&Races { inner: up, outer: braked }), 10.0);
     }
 }
