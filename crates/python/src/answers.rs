@@ -87,10 +87,19 @@ fn ask<'py>(
     to_python(py, &answer.map_err(|failure| error::study(py, failure))?)
 }
 
-/// What follows from a case before anything is solved.
+/// What follows from a case before anything is solved, and what becomes of a flow (kg/s) that takes up a heat (W).
 #[pyfunction]
-pub fn check<'py>(py: Python<'py>, case: &NativeCase) -> PyResult<Bound<'py, PyAny>> {
-    ask(py, (case, f64::INFINITY), |question| Ok(serde_json::to_value(answers::derived(question)?)?))
+pub fn check<'py>(py: Python<'py>, case: &NativeCase, flow: Option<[f64; 2]>) -> PyResult<Bound<'py, PyAny>> {
+    for value in flow.into_iter().flatten().filter(|value| !(*value > 0.0 && value.is_finite())) {
+        return Err(crate::error::argument(py, "flow", &value.to_string(), "flow and power are numbers above 0"));
+    }
+    ask(py, (case, f64::INFINITY), move |question| {
+        let mut derived = answers::derived(question)?;
+        if let Some([flow, power]) = flow {
+            derived.heated_flow = Some(answers::heated_flow(question, flow, power)?);
+        }
+        Ok(serde_json::to_value(derived)?)
+    })
 }
 
 /// Rating life and static safety.

@@ -20,6 +20,7 @@ use tribodyn_study::{Ours, StudyError};
 #[pyo3(from_item_all)]
 pub struct EnsembleRequest {
     spreads: Vec<(String, String)>,
+    grid: Vec<(String, String)>,
     members: usize,
     seed: u64,
     latin_hypercube: bool,
@@ -47,9 +48,17 @@ pub fn ensemble<'py>(
         let refused = |allowed: String| error::argument(py, path, spread, &allowed);
         spreads.push(Spread::parse(&format!("{path}={spread}")).map_err(refused)?);
     }
+    for (path, values) in &request.grid {
+        let refused = |allowed: String| error::argument(py, path, values, &allowed);
+        spreads.push(Spread::each(&format!("{path}={values}")).map_err(refused)?);
+    }
     let (file, limits, pool) = (Arc::clone(&case.file), case.limits, pool(py, request.threads)?);
     let (finished, stopped) = watched(py, progress, true, move |watch| {
-        let sampling = if request.latin_hypercube { Sampling::LatinHypercube } else { Sampling::Independent };
+        let sampling = match request.latin_hypercube {
+            _ if !request.grid.is_empty() => Sampling::Grid,
+            true => Sampling::LatinHypercube,
+            false => Sampling::Independent,
+        };
         let options = EnsembleOptions { members: request.members, seed: request.seed, sampling };
         let duration =
             |seconds: f64| Change::new(format!("duration = {seconds}"), "transient.duration", &format!("s({seconds})"));

@@ -45,7 +45,7 @@ mod _native {
     #[pymodule_export]
     use super::recording::{read_recording, recorded_names, report};
     #[pymodule_export]
-    use super::runs::{identification_starts, identify, life, run};
+    use super::runs::{acting_life, identification_starts, identify, life, run};
     #[pymodule_export]
     use super::sets::{catalogue, pair, set, shaft, sheet};
     #[pymodule_export]

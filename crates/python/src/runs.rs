@@ -14,7 +14,9 @@ use tribodyn::{AnswerError, CaseFile, Change, Limits};
 use tribodyn_bearing::SearchWatch;
 use tribodyn_identify::{IdentifyError, Problem, identify as identified};
 use tribodyn_study::run::{Beginning, PreparedRun};
-use tribodyn_study::{LifeOptions, StudyError, read_text, wear_life};
+use tribodyn_study::{
+    ActingOptions, Effects, LifeOptions, Mission, StudyError, acting_life as study_acting_life, read_text, wear_life,
+};
 
 /// Runs a case in time and records it. `progress` gets the simulated time, s. The answer is the command's, with where
 /// the run was stopped, and the exception that stopped it.
@@ -100,6 +102,68 @@ pub fn life<'py>(
             watch.add(1.0);
             if watch.stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         })
+    })?;
+    match stopped {
+        Some(stopped) => Err(stopped),
+        None => to_python(py, &life.map_err(|failure| error::study(py, failure))?),
+    }
+}
+
+/// [`life`] with wear that acts on the bearing; `files` are the tables of strides and of worn cells.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "those of the command")]
+pub fn acting_life<'py>(
+    py: Python<'py>,
+    case: &NativeCase,
+    model: &str,
+    strides: u32,
+    until: Option<f64>,
+    acting: Vec<String>,
+    bare_limit: f64,
+    mission: Option<PathBuf>,
+    files: (Option<PathBuf>, Option<PathBuf>),
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    if !(1..=10_000).contains(&strides) {
+        return Err(error::argument(py, "strides", &strides.to_string(), "allowed is 1 to 10000"));
+    }
+    if let Some(hours) = until.filter(|hours| !(*hours > 0.0 && hours.is_finite())) {
+        return Err(error::argument(py, "until", &hours.to_string(), "allowed is a number of hours above 0"));
+    }
+    if !(bare_limit > 0.0 && bare_limit <= 1.0) {
+        return Err(error::argument(
+            py,
+            "bare_limit",
+            &bare_limit.to_string(),
+            "allowed is a number above 0, at most 1",
+        ));
+    }
+    let file = Arc::clone(&case.file);
+    let study = |failure| error::study(py, failure);
+    let options = ActingOptions {
+        effects: Effects::named(acting.iter().map(String::as_str)).map_err(study)?,
+        strides,
+        until_s: until.map(|hours| hours * 3600.0),
+        bare_limit,
+        equations: equations(py, model)?,
+        watch: SearchWatch::default(),
+    };
+    let mission = match mission {
+        Some(path) => read_text(&path, &Limits::NORMAL).and_then(|text| Mission::read(&text, &file, &Limits::NORMAL)),
+        None => Mission::steady(&file, &Limits::NORMAL),
+    };
+    let mission = mission.map_err(study)?;
+    let (life, stopped) = watched(py, progress, true, move |watch| {
+        let options = ActingOptions { watch: watch.searches(), ..options };
+        let life = study_acting_life(&file, &mission, &options, |_| {
+            watch.add(1.0);
+            if watch.stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })?;
+        if !watch.stopped() {
+            files.0.map_or(Ok(()), |path| life.write_strides(&path))?;
+            files.1.map_or(Ok(()), |path| life.write_map(&path))?;
+        }
+        Ok::<_, StudyError>(life)
     })?;
     match stopped {
         Some(stopped) => Err(stopped),

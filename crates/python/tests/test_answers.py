@@ -58,6 +58,11 @@ def test_identity_modes_and_lives_are_those_of_the_command(command: Callable[...
     life = tribodyn.life(case, strides=3, progress=False)
     assert life.to_dict() == command("life", file, "--strides", 3, "--json")
     assert list(life.to_pandas()["time_h"])[0] == 0.0
+    acting = tribodyn.acting_life(case, ["clearance", "traction"], "traction", strides=3, until=1e-3, progress=False)
+    options = ("--acting", "clearance,traction", "--model", "traction", "--strides", 3, "--until", 1e-3, "--json")
+    assert acting.to_dict() == command("life", file, *options)
+    heat = ("--flow", 1, "--power", 181e3, "--json")
+    assert case.check(flow=1, power=181e3).to_dict() == command("check", file, *heat)
 
 
 def test_identity_frames_hold_the_numbers_of_the_balls(paper: Case) -> None:

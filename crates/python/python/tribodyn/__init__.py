@@ -25,6 +25,7 @@ from ._errors import (
 )
 from ._native import VERSION as __version__
 from .answers import (
+    ActingLife,
     Contact,
     Derived,
     Frequencies,
@@ -51,6 +52,7 @@ from .runs import (
     SolutionState,
     States,
     Worn,
+    acting_life,
     identify,
     life,
     read_recording,
@@ -123,6 +125,7 @@ from .units import (
 )
 
 __all__ = [
+    "ActingLife",
     "Ball",
     "BallSeries",
     "Balls",
@@ -179,6 +182,7 @@ __all__ = [
     "Vibration",
     "Worn",
     "__version__",
+    "acting_life",
     "bearing_set",
     "catalogue",
     "check",

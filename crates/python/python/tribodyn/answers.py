@@ -139,6 +139,10 @@ class Derived(Answer):
     drag_per_ball_n: Optional[float]
     #: density of what the balls run in, kg/m³; None without a fluid
     effective_fluid_density_kg_m3: Optional[float]
+    #: of the cryogen at the case's temperature and pressure; absent for another fluid
+    fluid_phase: str
+    #: what a flow of the cryogen is at the outlet; absent where that was not asked for
+    heated_flow: dict[str, Any]
     #: what the bearing is lubricated with
     lubrication: str
     #: C_r; None for a bearing that the standards do not rate
@@ -621,6 +625,39 @@ class Life(Answer):
                 words = name[:-3].replace("_", " ")
                 ax.plot([s["time_h"] for s in self.strides], [s[name] for s in self.strides], label=words)
         _plots.label(ax, "time, h", "coating left, µm", legend=True)
+
+    def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
+        """A row for each stride; columns with their units in their names."""
+        import pandas
+
+        frame: pd.DataFrame = pandas.DataFrame(self.strides)
+        return frame
+
+
+class ActingLife(Answer):
+    """A life in which wear acts on the bearing."""
+
+    case: str
+    bearing: str
+    #: the effects that were on: ``clearance``, ``curvature``, ``traction``, ``transfer``
+    effects: list[str]
+    #: ``worn-through`` or ``time``
+    ended_by: str
+    end_h: float
+    end_revolutions: float
+    #: race, azimuth, contact angle and time of the first spot without coating; None where there was none
+    first_through: Optional[dict[str, Any]]
+    #: share of a race's load on bare steel at which the life was to end
+    bare_limit: float
+    loss_per_stride: float
+    #: the state at the start of each stride, and at the end
+    strides: list[dict[str, float]]
+    warnings: list[str]
+
+    def _draw(self, ax: Axes) -> None:
+        for name in ("precoated_inner", "self_lubricated", "unlubricated_inner", "unlubricated_outer"):
+            ax.plot([s["time_h"] for s in self.strides], [s[name] for s in self.strides], label=name.replace("_", " "))
+        _plots.label(ax, "time, h", "share of the load", legend=True)
 
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
         """A row for each stride; columns with their units in their names."""

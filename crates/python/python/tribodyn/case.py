@@ -170,9 +170,15 @@ class Case:
         """A copy."""
         return Case(self._native)
 
-    def check(self) -> Derived:
-        """What follows from the case before anything is solved: angles, clearances, masses, contact constants."""
-        return Derived(_native.check(self._native))
+    def check(self, *, flow: Optional[float] = None, power: Optional[float] = None) -> Derived:
+        """What follows from the case before anything is solved: angles, clearances, masses, contact constants.
+
+        With a flow of the cryogen (kg/s) and the heat that it takes up (W) also what it is at the outlet.
+        """
+        if (flow is None) != (power is None):
+            raise InputError("flow and power go together", path="flow", value=repr(flow), allowed="both or none")
+        heat = None if flow is None or power is None else [float(flow), float(power)]
+        return Derived(_native.check(self._native, heat))
 
     def _replaced(self, changes: Mapping[str, Value]) -> _native.Case:
         return self._native.replaced([self._change(path, value) for path, value in changes.items()])

@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _html, _native, _plots
 from ._answer import Answer
+from ._errors import InputError
 from ._progress import Bar, Progress
 from .case import Case
 from .units import in_unit
@@ -109,9 +110,10 @@ class Ensemble(Answer):
 
 def ensemble(
     case: Case,
-    spreads: Mapping[str, str],
-    members: int,
+    spreads: Optional[Mapping[str, str]] = None,
+    members: int = 1,
     *,
+    grid: Optional[Mapping[str, str]] = None,
     seed: int = 1,
     latin_hypercube: bool = False,
     duration: Optional[float] = None,
@@ -128,6 +130,8 @@ def ensemble(
         spreads: for each path ``"mm(0.2 ± 0.02)"``, a normal distribution with that standard deviation, or
             ``"mm(0.18..0.22)"``, a range in which all values are as likely
         members: number of members
+        grid: instead of spreads, values for each path as in a sweep, such as ``"um(0..20 in 5)"``: a member for each
+            of them with each of the others
         seed: the same seed and number of a member give the same values on every machine
         latin_hypercube: cut each spread into as many equally likely parts as there are members, one in each
         duration: simulated time of each member, s; that of the case where it is left out
@@ -137,8 +141,11 @@ def ensemble(
         force: replace a file at ``output`` that tribodyn did not write
         progress: a bar where somebody watches; False for none; or a function of members done and members
     """
+    if (spreads is None) == (grid is None):
+        raise InputError("either spreads or grid", path="grid", value=repr(grid), allowed="one of spreads and grid")
     request = {
-        "spreads": list(spreads.items()),
+        "spreads": list((spreads or {}).items()),
+        "grid": list((grid or {}).items()),
         "members": int(members),
         "seed": int(seed),
         "latin_hypercube": latin_hypercube,

@@ -85,9 +85,15 @@ def rating_life(case: Case, model: Optional[Model] = None, *, time_limit: float 
     return warned(Rating(_native.rating(case._native, model, time_limit)))
 
 
-def check(case: Case) -> Derived:
-    """What follows from a case before anything is solved; the same as ``case.check()``."""
-    return case.check()
+def check(case: Case, *, flow: Optional[float] = None, power: Optional[float] = None) -> Derived:
+    """What follows from a case before anything is solved; the same as ``case.check()``.
+
+    Args:
+        case: the bearing
+        flow: flow of the cryogen through the bearing, kg/s: the answer has what it is after it has taken up ``power``
+        power: heat that the flow takes up, W
+    """
+    return case.check(flow=flow, power=power)
 
 
 @overload

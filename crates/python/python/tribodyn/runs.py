@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
@@ -16,7 +17,7 @@ from ._errors import InputError, Stopped
 from ._progress import Bar, Progress
 from ._quantities import RecordedBallArrays, SolutionArrays, StateArrays, WornArrays
 from ._scene import scene
-from .answers import Identification, Life
+from .answers import ActingLife, Identification, Life
 from .case import Case
 from .procedures import Model
 
@@ -435,6 +436,42 @@ def life(
     with Bar(float(strides), "strides", progress) as bar:
         limits = (None if until is None else float(until), units.in_unit(clearance_limit, "um"))
         return warned(Life(_native.life(case._native, model, int(strides), limits, bar)))
+
+
+def acting_life(
+    case: Case,
+    acting: Sequence[str] = ("clearance", "traction"),
+    model: Model = "steady-orbit",
+    *,
+    strides: int = 20,
+    until: Optional[float] = None,
+    bare_limit: float = 0.5,
+    mission: Optional[PathLike] = None,
+    output: Optional[PathLike] = None,
+    map: Optional[PathLike] = None,
+    progress: Progress = True,
+) -> ActingLife:
+    """Wears the raceways of a bearing while their wear acts on it: ``tribodyn life --acting``.
+
+    Args:
+        case: the bearing with its coatings and wear coefficients
+        acting: what wear does, any of ``clearance``, ``curvature``, ``traction`` and ``transfer``
+        model: equations of each stride, with traction
+        strides: strides in which a new coating is worn away at its fastest spot
+        until: running time after which the life ends, h
+        bare_limit: part of a race's load on bare steel at which it ends
+        mission: table of phases that are repeated
+        output: table of the strides to write, .parquet or .csv
+        map: table of the worn cells of both grooves at the end
+        progress: a bar where somebody watches; False for none; or a function of strides done and strides
+    """
+    path = [None if p is None else os.fspath(p) for p in (mission, output, map)]
+    with Bar(float(strides), "strides", progress) as bar:
+        hours = None if until is None else float(until)
+        found = _native.acting_life(
+            case._native, model, int(strides), hours, list(acting), float(bare_limit), path[0], (path[1], path[2]), bar
+        )
+        return warned(ActingLife(found))
 
 
 def identify(
