@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::row::{Evidence, Row, Verdict};
+use super::weight::null;
 use crate::error::PaperError;
 use crate::markers::replaced;
 use crate::{files, table};
@@ -97,9 +98,10 @@ fn brief(report: &Report) -> String {
     };
     let head = ["evidence", "meaning", "met", "undecidable"];
     format!(
-        "{} claims are met that no parameter was chosen for. Case `{}`: {}.\n\n{}\n\
+        "{} claims are met that no parameter was chosen for.{} Case `{}`: {}.\n\n{}\n\
         Reproduced by `cargo xtask validate`.\n",
         of(Evidence::Validation),
+        null(&report.rows).map_or(String::new(), |null| format!(" {null}.")),
         report.case,
         report.provenance,
         table::markdown(&head, &EVIDENCE.map(row))
@@ -129,13 +131,7 @@ pub fn summary(report: &Report) -> String {
 /// The claims of Figures 13 to 24 among rows that are met or missed.
 pub fn figures<'a>(rows: impl Iterator<Item = &'a Row>) -> impl Iterator<Item = &'a Row> {
     let decided = |row: &&Row| matches!(row.verdict, Verdict::Met | Verdict::Missed);
-    rows.filter(|row| of_figures(&row.id)).filter(decided)
-}
-
-/// True of the claims of Figures 13 to 24.
-fn of_figures(id: &str) -> bool {
-    let number = id.strip_prefix('F').and_then(|rest| rest.split('.').next()).and_then(|n| n.parse::<u32>().ok());
-    number.is_some_and(|n| (13..=24).contains(&n))
+    rows.filter(|row| row.of_figures()).filter(decided)
 }
 
 /// `T4.1, T4.2: note`: decided rows by note, in their order.
@@ -150,8 +146,8 @@ pub fn notes(rows: &[Row]) -> Vec<String> {
     groups.iter().map(|(note, ids)| format!("{}: {note}", ids.join(", "))).collect()
 }
 
-pub const HEAD: [&str; 8] =
-    ["id", "evidence", "quantity", "published", "computed", "deviation", "tolerance", "verdict"];
+pub const HEAD: [&str; 9] =
+    ["id", "evidence", "quantity", "published", "computed", "deviation", "tolerance", "verdict", "missed in changes"];
 
 pub fn cells(rows: &[Row]) -> Vec<Vec<String>> {
     let with_unit = |text: String, row: &Row| {
@@ -167,6 +163,7 @@ pub fn cells(rows: &[Row]) -> Vec<Vec<String>> {
             row.deviation_text(),
             row.tolerance_text(),
             row.verdict.name().to_owned(),
+            row.weight_text(),
         ]
     };
     rows.iter().map(one).collect()

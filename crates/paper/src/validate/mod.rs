@@ -1,5 +1,6 @@
 //! The rows of the validation: published, computed, deviation, tolerance, verdict; the files that hold them.
 
+mod conclusions;
 mod contact;
 mod curves;
 mod document;
@@ -8,12 +9,14 @@ mod expected;
 mod friction;
 mod output;
 mod over_azimuth;
+mod pairs;
 mod published;
 mod row;
 mod runs;
 mod split;
 mod tables;
 mod thresholds;
+mod weight;
 
 use crate::error::PaperError;
 use crate::files;
@@ -103,9 +106,10 @@ fn decided(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Result<
         curves::figure_9()?,
         contact::figure_14(runs),
         friction::figures_16_to_18(runs),
+        conclusions::rows(published, runs),
         dynamic.map_or_else(|| Ok(dynamic::not_yet()), dynamic::rows)?,
     ];
-    split::declared(rows.concat())
+    weight::weighed(pairs::joined(split::declared(rows.concat())?))
 }
 
 /// The solvers' warnings, balls without one clear equilibrium, and contacts whose pressure lies below the tests.

@@ -59,6 +59,13 @@ pub enum Stated {
     Text(&'static str),
 }
 
+/// In how many changes a row is missed, of those whose runs were solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Weight {
+    pub missed: usize,
+    pub changes: usize,
+}
+
 /// Published against computed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
@@ -74,6 +81,8 @@ pub struct Row {
     pub tolerance: Option<f64>,
     pub verdict: Verdict,
     pub note: String,
+    /// In how many changes of the sensitivity study the row is missed; absent where that was not studied.
+    pub weight: Option<Weight>,
     /// Decimals worth printing.
     #[serde(skip)]
     pub decimals: usize,
@@ -104,6 +113,7 @@ impl Row {
             tolerance: Some(tolerance),
             verdict: if deviation.abs() <= tolerance { Verdict::Met } else { Verdict::Missed },
             note: String::new(),
+            weight: None,
             decimals: 3,
         }
     }
@@ -121,8 +131,15 @@ impl Row {
             tolerance: None,
             verdict: if met && computed.is_finite() { Verdict::Met } else { Verdict::Missed },
             note,
+            weight: None,
             decimals: 3,
         }
+    }
+
+    /// True of the claims of Figures 13 to 24.
+    pub fn of_figures(&self) -> bool {
+        let number = self.id.strip_prefix('F').and_then(|rest| rest.split('.').next()).and_then(|n| n.parse().ok());
+        number.is_some_and(|n: u32| (13..=24).contains(&n))
     }
 
     pub fn published_text(&self) -> String {
@@ -153,6 +170,11 @@ impl Row {
             (Some(d), _) => format!("{d:+.0$}", self.decimals),
             (None, _) => "–".to_owned(),
         }
+    }
+
+    /// `12 of 73`.
+    pub fn weight_text(&self) -> String {
+        self.weight.map_or("–".to_owned(), |Weight { missed, changes }| format!("{missed} of {changes}"))
     }
 
     pub fn tolerance_text(&self) -> String {
