@@ -13,6 +13,8 @@ const THIN_WALL: f64 = 0.1;
 const GROWTH: f64 = 0.01;
 /// Distance from the free contact angle at which frozen contact constants are worth a word, rad.
 const FAR: f64 = 5.0 * std::f64::consts::PI / 180.0;
+/// Change of a peak pressure that is worth a word, Pa: half of the last digit of a table of pressures.
+const WORTH: f64 = 5e6;
 /// Balls up to which `check` solves the case for its angles.
 const FEW: usize = 100;
 
@@ -76,6 +78,9 @@ pub(super) fn frozen_warning(question: &Question<'_>, bearing: &Bearing) -> Opti
     let approach = (farthest.load_n / at_angle.stiffness()).powf(2.0 / 3.0);
     let pose = ContactPose { sin, cos, approach };
     let pressure = at_angle.ellipse_at(pose.approach).peak_pressure;
+    if (pressure - farthest.peak_pressure_pa).abs() < WORTH {
+        return None;
+    }
     Some(format!(
         "contact constants are those of the free angle, {:.1}° away from the {} contact that stands farthest: its peak pressure is {:+.3} GPa with those of its own angle (`modelling.contact_at_actual_angle`)",
         away.to_degrees(),
