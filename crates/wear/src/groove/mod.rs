@@ -196,8 +196,8 @@ impl GrooveField {
 
     /// Lets rates of [`Self::depth_rates`] act for a time, s.
     pub fn wear(&mut self, rates: &[f64], time: f64) {
-        for cell in 0..self.depth.len() {
-            let depth = rates[cell] * time;
+        for (cell, rate) in rates.iter().enumerate() {
+            let depth = rate * time;
             self.depth[cell] += depth;
             self.volume += depth * self.area(cell % ACROSS);
         }
