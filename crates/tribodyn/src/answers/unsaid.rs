@@ -13,8 +13,8 @@ const THIN_WALL: f64 = 0.1;
 const GROWTH: f64 = 0.01;
 /// Distance from the free contact angle at which frozen contact constants are worth a word, rad.
 const FAR: f64 = 5.0 * std::f64::consts::PI / 180.0;
-/// Change of a peak pressure that is worth a word, Pa: half of the last digit of a table of pressures.
-const WORTH: f64 = 5e6;
+/// Change of a peak pressure that is worth a word, Pa: half a percent of 2.5 GPa, where traction tests begin.
+const WORTH: f64 = 1.25e7;
 /// Balls up to which `check` solves the case for its angles.
 const FEW: usize = 100;
 
