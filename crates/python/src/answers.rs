@@ -90,7 +90,7 @@ fn ask<'py>(
 /// What follows from a case before anything is solved, and what becomes of a flow (kg/s) that takes up a heat (W).
 #[pyfunction]
 pub fn check<'py>(py: Python<'py>, case: &NativeCase, flow: Option<[f64; 2]>) -> PyResult<Bound<'py, PyAny>> {
-    for value in flow.into_iter().flatten().filter(|value| !(*value > 0.0 && value.is_finite())) {
+    if let Some(value) = flow.into_iter().flatten().find(|value| !(*value > 0.0 && value.is_finite())) {
         return Err(crate::error::argument(py, "flow", &value.to_string(), "flow and power are numbers above 0"));
     }
     ask(py, (case, f64::INFINITY), move |question| {
