@@ -18,8 +18,9 @@ pub struct Stiffness {
     /// Longest step at which the classical Runge–Kutta method is stable, s; infinite where nothing is stiff.
     #[serde(deserialize_with = "or_infinite")]
     pub runge_kutta_step_s: f64,
-    /// Longest step of the fast scheme, s; oil in the pockets bounds it as it does the other, and with a law or a choice of pressure for which the patch has no derivative in
-    /// closed form, friction is explicit there and bounds it too. Infinite where no contact carries load.
+    /// Longest step of the fast scheme, s; oil in the pockets bounds it as it does the other. With a law or a choice of
+    /// pressure for which the patch has no derivative in closed form, friction is explicit there and bounds it too.
+    /// Infinite where no contact carries load.
     #[serde(deserialize_with = "or_infinite")]
     pub fast_step_s: f64,
 }
@@ -83,8 +84,8 @@ impl Machine {
         }
     }
 
-    /// Longest step at which the oil in the pockets is stable where it is thinnest, at all balls at once, s; infinite in
-    /// dry ones.
+    /// Longest step at which the oil in the pockets is stable where it is thinnest, at all balls at once, s; infinite
+    /// in dry ones.
     pub(crate) fn pocket_film_step(&self) -> f64 {
         let pocket = &self.cage.pocket;
         let Some(film) = &pocket.film else { return f64::INFINITY };

@@ -1,7 +1,7 @@
 //! Velocity of vibration in the three bands of bearing testers.
 //!
-//! ISO 15242-1 measures the radial velocity of the outer ring in bands that belong to 1800 r/min of the inner ring, 50 to
-//! 300, 300 to 1800 and 1800 to 10 000 Hz. The velocity is the integral of the acceleration, line by line: A/2πf.
+//! ISO 15242-1 measures the radial velocity of the outer ring in bands that belong to 1800 r/min of the inner ring, 50
+//! to 300, 300 to 1800 and 1800 to 10 000 Hz. The velocity is the integral of the acceleration, line by line: A/2πf.
 
 use realfft::num_complex::Complex;
 use serde::{Deserialize, Serialize};

@@ -206,7 +206,7 @@ fn limit_finished_rows_of_another_sweep_are_not_taken() {
     fs::write(&journal, identity(AG, "0.0.1")).unwrap();
     refused(same, &[], "version 0.0.1");
     fs::write(&journal, "somebody's notes\n").unwrap();
-    refused(same, &[], "no file of finished rows");
+    refused(same, &[], "not a file of finished rows");
     assert_eq!(scratch.names(), ["table.csv.rows"]);
     assert_eq!(go(same, &[&"--restart", &"--json"]).json()["resumed_rows"], 0);
     // The head above is what the command itself writes: with it, nothing is refused.
