@@ -150,3 +150,31 @@ fn limit_free_ring_swings_on_its_supports() {
         assert!(mode.energy_shares.inner_ring > 0.999 && mode.inner_ring[k] > 0.999);
     }
 }
+
+/// A ring on its balls under thrust alone swings along the axis at √(k/M), at a crawl as at 3000 r/min: balls are as
+/// heavy as they are. A quarter of their mass goes along, as each is between two contacts. At 14 000 r/min, where
+/// centrifugal forces unload the inner contacts, balls swing on their own and damp it.
+#[test]
+fn limit_a_ring_swings_on_its_balls_as_a_mass_on_a_spring() {
+    let (supports, bearing, point, cage) = fixture("angular-7210");
+    let settings = OrbitSettings::default();
+    let supports =
+        Supports { inner: Support { stiffness: [0.0; 3], damping: [0.0; 3], ..supports.inner }, outer: supports.outer };
+    for rpm in [1.0, 10.0, 100.0, 3000.0] {
+        let mut point = OperatingPoint { inner_speed: rpm * std::f64::consts::PI / 30.0, ..point.clone() };
+        point.ring = [RingFreedom::Loaded(0.0); 5];
+        point.ring[2] = RingFreedom::Loaded(3000.0);
+        for tilt in &mut point.ring[3..] {
+            *tilt = RingFreedom::Held(0.0);
+        }
+        let start = steady_orbit(&bearing, &point, &cage, &settings).unwrap().start.unwrap();
+        let k = orbit_stiffness(&bearing, &point, &cage, &settings, &start).unwrap().stiffness[2][2];
+        let mass = supports.inner.mass + 0.25 * bearing.geometry.ball_count as f64 * bearing.ball_mass;
+        let frequency = (k / mass).sqrt() / std::f64::consts::TAU;
+        let bodies = Bodies { cage, contact_damping: 0.02, supports };
+        let modes = orbit_modes(&bearing, &point, &bodies, &settings, &start).unwrap().modes;
+        let axial = |m: &tribodyn_orbit::Mode| m.inner_ring[2] * m.energy_shares.inner_ring;
+        let mode = modes.iter().max_by(|a, b| axial(a).total_cmp(&axial(b))).unwrap();
+        assert!((mode.frequency_hz / frequency - 1.0).abs() < 0.01, "{rpm} r/min: {frequency} {mode:?}");
+    }
+}
