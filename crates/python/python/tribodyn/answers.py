@@ -61,8 +61,9 @@ class SeatFit(Answer):
     ring_class: str
     #: nominal
     diameter_m: float
-    #: limit deviations, low and high
+    #: limit deviations of the seat, low and high, m
     seat_deviations_m: list[float]
+    #: limit deviations of the ring, low and high, m
     ring_deviations_m: list[float]
     #: loosest, likely loosest, mean, likely tightest, tightest; below 0 for play
     interference_m: list[float]
@@ -75,6 +76,7 @@ class Fits(Answer):
 
     _parts = {"seats": SeatFit}
 
+    #: the seats that have a class
     seats: list[SeatFit]
     #: at rest and cold: both seats loosest, likely loosest, mean, likely tightest, tightest
     radial_clearance_mounted_m: list[Optional[float]]
@@ -637,21 +639,27 @@ class Life(Answer):
 class ActingLife(Answer):
     """A life in which wear acts on the bearing."""
 
+    #: name of the case
     case: str
+    #: name of the bearing
     bearing: str
     #: the effects that were on: ``clearance``, ``curvature``, ``traction``, ``transfer``
     effects: list[str]
     #: ``worn-through`` or ``time``
     ended_by: str
+    #: running time at the end, h
     end_h: float
+    #: turns of the inner ring at the end
     end_revolutions: float
     #: race, azimuth, contact angle and time of the first spot without coating; None where there was none
     first_through: Optional[dict[str, Any]]
     #: share of a race's load on bare steel at which the life was to end
     bare_limit: float
+    #: part of a new coating that a stride takes at its fastest spot
     loss_per_stride: float
     #: the state at the start of each stride, and at the end
     strides: list[dict[str, float]]
+    #: sentences on what is unusual or beyond what was tested
     warnings: list[str]
 
     def _draw(self, ax: Axes) -> None:

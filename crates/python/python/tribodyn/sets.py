@@ -110,9 +110,11 @@ class SetState(Answer):
 class SetPoint(Answer):
     """A set at one speed and temperature of a map."""
 
+    #: speed, r/min
     speed_rpm: float
     #: how much warmer shaft and inner ring are than in the case
     warmer_k: float
+    #: preload, N
     preload_n: float
     #: axial rigidity without load
     rigidity_n_per_m: float
@@ -269,7 +271,9 @@ class Cut(Answer):
 
     #: distance from the start of the shaft
     position_m: float
+    #: bending moments about x and y, N m
     bending_moment_nm: list[float]
+    #: torque, N m
     torque_nm: float
 
 

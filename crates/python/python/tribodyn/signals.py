@@ -37,6 +37,7 @@ class Vibration(Answer):
     duration_s: float
     #: moments and extremes of that part, in the unit of the file
     statistics: dict[str, Any]
+    #: rms and peak velocity in the bands of bearing testers, m/s; empty unless the column is an acceleration in m/s²
     velocity_bands: list[dict[str, Any]]
     #: balls, diameters, contact angle, turns of the rings over those of the shaft
     bearing: dict[str, Any]
