@@ -132,9 +132,9 @@ def test_identity_attributes_of_other_answers_are_declared(cases: Path) -> None:
     answers += [tribodyn.traction_curve("ag", 2, [1]), tribodyn.life(worn, strides=1, progress=False)]
     for answer in answers:
         declared = {name for name in get_type_hints(type(answer)) if not name.startswith("_")}
-        assert {name for name in vars(answer) if not name.startswith("_")} == declared - {"growth", "fits", "heated_flow"} or set(
-            vars(answer)
-        ) == declared, type(answer)
+        found = {name for name in vars(answer) if not name.startswith("_")}
+        # What a case without fits, growth and a heated flow does not have.
+        assert found in (declared, declared - {"growth", "fits", "heated_flow"}), type(answer)
 
 
 def test_limit_stiffness_goes_to_rotor_programs(plain: Case) -> None:

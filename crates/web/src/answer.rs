@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 use tribodyn::answers::{Equations, OrbitAnswer, derived, equilibrium, films, torque};
 use tribodyn::sheet::sheet;
-use tribodyn::{AnswerError, CaseFile, Model, SearchWatch, search_bearings};
+use tribodyn::{AnswerError, Case, CaseFile, Model, SearchWatch, search_bearings};
 
 /// Answers a question in JSON; a failure is `{"error": …}`. Searches are followed by a watch.
 pub fn ask(question: &str, watch: &SearchWatch) -> String {
@@ -24,13 +24,18 @@ fn answer(question: Question, watch: &SearchWatch) -> Result<Value, AnswerError>
         Question::Quick(form) => quick(&form, watch),
         Question::Full(form) => {
             let file = form.case()?;
-            let equations = Equations::usual(&file.case);
+            let equations = shown(&file.case);
             full(&file, equations, watch)
         }
         Question::Orbit(form) => full(&form.case()?, Equations::SteadyOrbit, watch),
         Question::Vibration { form, signal } => vibration(&form, &signal),
         Question::Curve { form, range } => Ok(written(curve(&form.case()?, &range)?)),
     }
+}
+
+/// Equations of the answer with friction: in oil the equilibrium, which has the films; the orbit follows on request.
+fn shown(case: &Case) -> Equations {
+    if case.lubricant.is_some() { Equations::Traction } else { Equations::usual(case) }
 }
 
 /// A failure, with the field of the form that it is about where there is one.
@@ -75,7 +80,7 @@ fn quick(form: &Form, watch: &SearchWatch) -> Result<Value, AnswerError> {
     let question = file.question(watch.clone());
     Ok(json!({
         "text": file.text,
-        "usual_model": Equations::usual(&file.case).name(),
+        "usual_model": shown(&file.case).name(),
         "derived": part(derived(&question)),
         "solution": part(equilibrium(&question, Model::JonesHarris, false)),
         "sheet": part(sheet(&file.name, &file.case, &operation(&file))),
