@@ -21,7 +21,7 @@ pub enum FitError {
         "`{text}` is no tolerance class of a bearing seat: allowed for shafts are f, g, h, js with grades 4 to 10, j 5 to 7, k, m, n, p, r 4 to 8, such as k5; for housings F, G, H, JS 4 to 10, J 6 to 8, K, M, N, P, R 4 to 8, such as H7"
     )]
     Class {
-        /// What was asked for.
+        /// The text that was given.
         text: String,
     },
     /// A diameter that the tables do not have.

@@ -139,7 +139,7 @@ pub struct FluidSpec {
     pub gas_density: f64,
     /// Drag coefficient C_d of a ball, or a factor upon that of a sphere.
     pub drag_coefficient: f64,
-    /// Whether C_d follows that of a smooth sphere over its Reynolds number, with its crisis, times `drag_coefficient`.
+    /// True if C_d follows that of a smooth sphere over its Reynolds number, with its crisis, times `drag_coefficient`.
     #[serde(default)]
     pub drag_over_reynolds: bool,
     /// Speed of the fluid over that of the inner ring at the pitch circle.

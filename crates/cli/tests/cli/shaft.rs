@@ -216,3 +216,44 @@ fn identity_a_sheet_agrees_with_the_commands_it_stands_for() {
     assert!(page.contains("rating life") && page.contains("defect of the outer race"));
     run_words("sheet 7210 --radial 100 --speed 10").fails(2, &["contact angle"]);
 }
+
+/// Preload of two 7210B on a stiff shaft that is warmer or colder than its housing, against the formula for axial
+/// displacement without radial load: tan α = (A sin α_0 + δ)/(A cos α_0), Q = K (A_1 − A)^1.5, F = Z Q sin α, with K
+/// and A as `check` prints them.
+#[test]
+fn limit_preload_over_heat_is_the_closed_form_of_rigid_supports() {
+    let bearing = |name, at, side| {
+        format!(
+            "(name: \"{name}\", at: mm({at}), bearing: Listed(\"7210B\"), carries: {side}, outer_ring: Fixed, \
+             preload: Offset(um(10)))"
+        )
+    };
+    let scratch = Scratch::new();
+    let file = scratch.file(
+        "pair.ron",
+        format!(
+            "(name: \"stiff pair\", speed: rpm(0), shaft: (material: (young: GPa(210000), poisson: 0.3, density: \
+             kg_per_m3(7850)), sections: [(length: mm(300), outer: mm(50))]), bearings: [{}, {}], heat: \
+             (shaft_expansion: per_K(11.5e-6), shaft_temperature_rise: K(0), housing_expansion: per_K(11.5e-6), \
+             housing_temperature_rise: K(0)), loads: [])",
+            bearing("front", 50, "PlusZ"),
+            bearing("rear", 250, "MinusZ")
+        ),
+    );
+    let apart: f64 = 0.635e-3;
+    let (sin, cos) = 40f64.to_radians().sin_cos();
+    let stiffness = (3.26859e10f64.powf(-2.0 / 3.0) + 2.96818e10f64.powf(-2.0 / 3.0)).powf(-1.5);
+    let force = |displacement: f64| {
+        let (axial, radial) = (apart * sin + displacement, apart * cos);
+        let length = axial.hypot(radial);
+        15.0 * stiffness * (length - apart).powf(1.5) * axial / length
+    };
+    for kelvin in [-10.0, -2.0, 0.0, 5.0] {
+        let change = format!("heat.shaft_temperature_rise=K({kelvin})");
+        let answer = run(&[&"shaft", &file, &"--set", &change, &"--json"]).json();
+        let found = number(&answer["duties"][0]["shaft"]["bearings"][0]["axial_load_n"]);
+        // A warm shaft lets go of bearings back to back.
+        let expected = force(10e-6 - 0.5 * 0.2 * 11.5e-6 * kelvin);
+        assert!((found / expected - 1.0).abs() < 3e-4, "{kelvin} K: {found} {expected}");
+    }
+}
