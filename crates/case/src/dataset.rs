@@ -172,7 +172,7 @@ pub(super) fn validate(plan: &DatasetPlan) -> Verdict {
     let members = plan.members();
     require(members <= MEMBERS_MAX, "bearings", format!("{members} members; allowed are {MEMBERS_MAX}"))?;
     let classes: BTreeSet<FaultClass> = plan.faults.iter().copied().collect();
-    require(classes.len() == plan.faults.len(), "faults", "a class may stand there once")?;
+    require(classes.len() == plan.faults.len(), "faults", "each class may be named once")?;
     for (i, length) in plan.lengths.iter().enumerate() {
         positive(&format!("lengths[{i}]"), length.0)?;
     }

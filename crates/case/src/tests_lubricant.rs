@@ -43,7 +43,7 @@ fn limit_oils_that_are_none_are_refused() {
     let viscosities =
         |at_40: &str, at_100: &str| format!("Viscosities(stock: Mineral, at_40: {at_40}, at_100: {at_100})");
     let rising = refused("lubricant.oil", &viscosities("mm2_per_s(8.8)", "mm2_per_s(68)"));
-    assert!(rising.contains("falls as it gets warmer"), "{rising}");
+    assert!(rising.contains("falls with temperature"), "{rising}");
     // Dynamic for kinematic, and a number of mm²/s in m²/s.
     let unit = refused("lubricant.oil", &viscosities("Pa_s(68)", "mm2_per_s(8.8)"));
     assert!(unit.contains("expected a kinematic viscosity"), "{unit}");

@@ -11,10 +11,10 @@ use tribodyn_study::{Listed, listed};
   tribodyn catalogue 7012
   tribodyn catalogue '60*' --json")]
 pub struct Arguments {
-    /// Part of a designation, such as 62 or 7210, or a pattern with * for any letters; all without it
+    /// Part of a designation, such as 62 or 7210, or a pattern with * for any letters [default: all]
     #[arg(value_name = "PATTERN", default_value = "", hide_default_value = true)]
     pattern: String,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

@@ -15,13 +15,13 @@ use tribodyn_bearing::SearchWatch;
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// Flow of the cryogen through the bearing in kg/s: prints what it is after it has taken up --power
+    /// Print the state of the cryogen after this flow, kg/s, has taken up --power
     #[arg(long, value_name = "KG_S", value_parser = above_0, requires = "power")]
     flow: Option<f64>,
-    /// Heat that the flow takes up, W: of friction, drag and churning, as `solve` has them
+    /// Heat that the flow takes up, W: friction, drag and churning, as `solve` prints them
     #[arg(long, value_name = "W", value_parser = above_0, requires = "flow")]
     power: Option<f64>,
-    /// Print JSON
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }
@@ -89,7 +89,7 @@ fn load_rows(a: &Derived) -> Vec<(&'static str, String, &'static str)> {
     row("least load, by 0.01 C_r", a.minimum_load_n, 0, "N");
     row("static safety s_0", a.static_safety, 2, "");
     let estimate = a.peak_pressure_estimate_pa.filter(|pressure| *pressure > 0.0);
-    row("hardest pressed ball, first estimate", estimate.map(|pressure| pressure * 1e-9), 2, "GPa");
+    row("highest peak pressure, first estimate", estimate.map(|pressure| pressure * 1e-9), 2, "GPa");
     rows
 }
 

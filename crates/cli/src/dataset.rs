@@ -19,7 +19,7 @@ use tribodyn_study::dataset::{Dataset, DatasetReport, TABLE};
 pub struct Arguments {
     /// Plan of the data set (RON)
     plan: PathBuf,
-    /// Folder to write. Finished members are in it until the set is whole, and the same command goes on from there
+    /// Folder to write. The same command continues a stopped set
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
     /// Write a MATLAB file (level 5) for each member too
@@ -28,7 +28,7 @@ pub struct Arguments {
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
-    /// Forget the finished members of a set that was stopped
+    /// Discard the finished members of a stopped set
     #[arg(long)]
     restart: bool,
     #[command(flatten)]
@@ -36,7 +36,7 @@ pub struct Arguments {
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
-    /// Print the summary as JSON, and nothing else, to standard output
+    /// Print the summary as JSON
     #[arg(long)]
     json: bool,
 }

@@ -41,12 +41,12 @@ pub enum Failure {
     #[error("{failed} of {rows} rows have no solution; the column `error` of {} says why", path.display())]
     Unsolved { failed: usize, rows: usize, path: PathBuf },
     /// A new case where a file stands.
-    #[error("{} is there already and stays as it is: name another file with -o, or replace it with --force", path.display())]
+    #[error("{} exists already: name another file with -o, or replace it with --force", path.display())]
     Exists { path: PathBuf },
     /// A search that was given up.
     #[error(
-        "{file}: no answer after {limit_s} s of processor time{stage}; --time-limit gives it longer, `--model traction` \
-         asks less"
+        "{file}: no answer after {limit_s} s of processor time{stage}; allow more with --time-limit, or take `--model \
+         traction`"
     )]
     OutOfTime { file: String, limit_s: f64, stage: String },
     /// A run that was stopped before its end.

@@ -39,7 +39,7 @@ struct OfCase {
     /// Equations of loads and speeds
     #[arg(long, value_enum, default_value_t = ModelName::Traction)]
     model: ModelName,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }
@@ -61,7 +61,7 @@ struct OfContact {
     /// Radius of relative curvature along rolling, mm
     #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = in_unit("mm"))]
     radius: f64,
-    /// Radius of relative curvature across rolling, mm; as along it where left out
+    /// Radius of relative curvature across rolling, mm [default: as along it]
     #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = in_unit("mm"))]
     across: Option<f64>,
     /// Slide-to-roll ratio
@@ -79,7 +79,7 @@ struct OfContact {
     /// Poisson's ratio of both bodies
     #[arg(long, default_value_t = 0.3, allow_negative_numbers = true)]
     poisson: f64,
-    /// Print JSON
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

@@ -19,14 +19,14 @@ pub struct Arguments {
     /// FMU to write
     #[arg(short, long, value_name = "FILE.fmu")]
     output: PathBuf,
-    /// Leave the C sources as they are; otherwise they are compiled where there is a compiler, `cc` or what CC names
+    /// Do not compile the C sources; otherwise `cc`, or the compiler that CC names, does
     #[arg(long)]
     no_compile: bool,
     #[command(flatten)]
     replace: ReplaceArguments,
     #[command(flatten)]
     time: TimeArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

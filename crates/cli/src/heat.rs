@@ -23,10 +23,10 @@ pub struct Arguments {
     /// Temperature of the surroundings and of the oil that flows in, °C
     #[arg(long, value_name = "DEG_C", default_value_t = 20.0, allow_negative_numbers = true, value_parser = in_unit("degC"))]
     surroundings: f64,
-    /// Conductances of shaft and housing to the surroundings over those of ISO 15312's reference
+    /// Factor on the conductances of shaft and housing to the surroundings, 1 for the reference of ISO 15312
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_negative_numbers = true)]
     cooling: f64,
-    /// Width of the bearing, mm; half of D − d where left out
+    /// Width of the bearing, mm [default: half of D − d]
     #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = in_unit("mm"))]
     width: Option<f64>,
     /// Oil that flows through the bearing, l/min
@@ -35,7 +35,7 @@ pub struct Arguments {
     /// Equations to solve
     #[arg(long, value_enum, default_value_t = ModelName::Traction)]
     model: ModelName,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

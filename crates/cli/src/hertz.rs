@@ -24,7 +24,7 @@ pub struct Arguments {
     /// Normal load, N
     #[arg(long, allow_hyphen_values = true)]
     load: f64,
-    /// Length of the contact of two cylinders, mm: radii RX,inf
+    /// Length of the line contact of two cylinders, mm (radii RX,inf)
     #[arg(long, value_name = "MM", allow_hyphen_values = true, value_parser = in_unit("mm"))]
     length: Option<f64>,
     /// Young's modulus of body 1, GPa; inf for a rigid body
@@ -42,7 +42,7 @@ pub struct Arguments {
     /// Angle between the x planes of the two bodies, degrees
     #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
     angle: f64,
-    /// Print JSON
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

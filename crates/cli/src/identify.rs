@@ -24,7 +24,7 @@ pub struct Arguments {
     /// Number of start points, instead of the problem's
     #[arg(long)]
     starts: Option<usize>,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
     /// Write the answer (JSON), the completed case files and plots to this folder

@@ -10,7 +10,7 @@ use tribodyn_study::{Ours, StudyError, read_case};
 /// Limits on what a file may ask for.
 #[derive(clap::Args)]
 pub struct LimitArguments {
-    /// Lift the limits on what a file may ask for: balls, nodes, steps, sizes. Without them it can fill the memory
+    /// Lift the limits on balls, nodes, steps and sizes; a file may then fill the memory
     #[arg(long)]
     no_limits: bool,
 }
@@ -24,7 +24,7 @@ impl LimitArguments {
 /// Permission to replace.
 #[derive(clap::Args)]
 pub struct ReplaceArguments {
-    /// Replace files that stand in the way, whoever wrote them; otherwise only those that tribodyn wrote
+    /// Replace existing files, also those that tribodyn did not write
     #[arg(long)]
     pub force: bool,
 }
@@ -39,7 +39,7 @@ impl ReplaceArguments {
 /// Fits of a bearing of the built-in list.
 #[derive(clap::Args)]
 pub struct FitArguments {
-    /// Tolerance class of the shaft, such as k5 (ISO 286); the fit takes from the clearance
+    /// Tolerance class of the shaft, such as k5 (ISO 286); the fit reduces the clearance
     #[arg(long, value_name = "CLASS")]
     shaft_fit: Option<String>,
     /// Tolerance class of the housing, such as H7

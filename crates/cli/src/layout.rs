@@ -21,7 +21,7 @@ pub struct Arguments {
     replace: ReplaceArguments,
     #[command(flatten)]
     limits: LimitArguments,
-    /// For recordings of `solve`, not of `run`
+    /// Write the layout for recordings of `solve`, not of `run`
     #[arg(long)]
     solution: bool,
 }

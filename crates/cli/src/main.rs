@@ -48,7 +48,7 @@ use std::process::ExitCode;
 
 /// Tribo-dynamics of ball bearings.
 #[derive(Parser)]
-#[command(name = "tribodyn", version, about, arg_required_else_help = true, after_help = AFTER_HELP)]
+#[command(name = "tribodyn", version, arg_required_else_help = true, after_help = AFTER_HELP)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -94,9 +94,9 @@ enum Command {
     Modes(modes::Arguments),
     /// Solve two preloaded bearings on one shaft
     Pair(pair::Arguments),
-    /// Put life, safety, stiffness, torque and frequencies of a bearing under a load on one page
+    /// Print life, safety, stiffness, torque and frequencies of a loaded bearing on one page
     Sheet(sheet::Arguments),
-    /// Work out preload, unloading force and axial rigidity of a set of bearings
+    /// Compute preload, unloading force and axial rigidity of a set of bearings
     Set(set::Arguments),
     /// Solve for a shaft in its bearings: reactions, deflections, lives, modes
     Shaft(shaft::Arguments),
@@ -104,10 +104,10 @@ enum Command {
     Run(run::Arguments),
     /// Simulate a bearing in time many times, with case values drawn at random
     Ensemble(ensemble::Arguments),
-    /// Make a data set of vibration signals with labels: bearings with and without spalls
+    /// Make labelled vibration signals of bearings with and without spalls
     #[cfg(feature = "parquet")]
     Dataset(dataset::Arguments),
-    /// Compute the life of the coatings: wear over many revolutions until one is worn through
+    /// Compute the life of the coatings: wear over many revolutions until one is through
     Life(life::Arguments),
     /// Compute lubricant films: of every contact of a case, or of one contact
     Film(film::Arguments),
@@ -119,7 +119,7 @@ enum Command {
     Torque(torque::Arguments),
     /// Compute rating life and static safety by ISO 281, ISO/TS 16281 and ISO 76
     Rating(rating::Arguments),
-    /// Rescue a whole recording from one that was cut off or damaged
+    /// Recover a recording that was cut off or damaged
     Recover(recover::Arguments),
     /// Write figures, spectra and a summary of a recording
     Report(report::Arguments),
@@ -127,11 +127,11 @@ enum Command {
     Vibration(vibration::Arguments),
     /// Write the Foxglove layout for viewers of a live run
     Layout(layout::Arguments),
-    /// Solve for equilibria over a grid of case values
+    /// Solve for steady orbits or equilibria over a grid of case values
     Sweep(sweep::Arguments),
     /// Identify unknown parameters of a case from published or measured figures
     Identify(identify::Arguments),
-    /// Print a script by which a shell completes these commands
+    /// Print a completion script for a shell
     Completions(manual::CompletionArguments),
     /// Write the manual pages
     #[command(hide = true)]

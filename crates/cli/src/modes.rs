@@ -22,7 +22,7 @@ pub struct Arguments {
     /// Highest frequency, Hz
     #[arg(long, default_value_t = f64::INFINITY, value_name = "HZ", value_parser = in_unit("Hz"))]
     up_to: f64,
-    /// Also the modes of the balls, which belong to the instant when pocket 0 stands at azimuth 0
+    /// Print the modes of the balls too, for the instant when pocket 0 is at azimuth 0
     #[arg(long)]
     all: bool,
     /// Write the modes as a table (CSV)
@@ -32,7 +32,7 @@ pub struct Arguments {
     replace: ReplaceArguments,
     #[command(flatten)]
     time: TimeArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

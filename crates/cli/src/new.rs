@@ -22,10 +22,10 @@ use tribodyn_study::{StagedFiles, StudyError};
   tribodyn new 7210 --angle 40 -o pump.ron
   tribodyn new --bearing angular --bore 50 --outside 90 --width 20 --angle 40 --balls 15 --ball 12.7 -o case.ron")]
 pub struct Arguments {
-    /// A designation, such as 6206-2RS C3 or 7014CDGA/P4A; `tribodyn catalogue` lists the sizes
+    /// Designation, such as 6206-2RS C3 or 7014CDGA/P4A; `tribodyn catalogue` lists the sizes
     #[arg(value_name = "DESIGNATION", required_unless_present_any = ["bore", "ask"], conflicts_with_all = ["bore", "outside", "width", "bearing"])]
     designation: Option<String>,
-    /// Class of a bearing that is given by its dimensions
+    /// Type of a bearing that is given by its dimensions
     #[arg(long, value_enum, requires = "bore")]
     bearing: Option<Class>,
     /// Bore, mm
@@ -40,10 +40,10 @@ pub struct Arguments {
     /// Nominal contact angle of an angular-contact bearing, degrees
     #[arg(long, value_name = "DEG", value_parser = in_unit("deg"))]
     angle: Option<f64>,
-    /// Number of balls; found from the ratings, or by a rule of thumb, where left out
+    /// Number of balls [default: from the ratings, else by a rule of thumb]
     #[arg(long, value_name = "N")]
     balls: Option<usize>,
-    /// Ball diameter, mm; found likewise
+    /// Ball diameter, mm [default: as for --balls]
     #[arg(long, value_name = "MM", value_parser = in_unit("mm"))]
     ball: Option<f64>,
     /// Dynamic load rating C_r, N
@@ -52,25 +52,25 @@ pub struct Arguments {
     /// Static load rating C_0r, N
     #[arg(long, value_name = "N", requires = "dynamic_rating", value_parser = in_unit("N"))]
     static_rating: Option<f64>,
-    /// Radial load, N; a moderate one where left out
+    /// Radial load, N [default: moderate]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
     radial: Option<f64>,
-    /// Axial load, N; a moderate one where left out
+    /// Axial load, N [default: moderate]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
     axial: Option<f64>,
-    /// Speed of the inner ring, r/min; a moderate one where left out
+    /// Speed of the inner ring, r/min [default: moderate]
     #[arg(long, value_name = "RPM", allow_negative_numbers = true, value_parser = in_unit("rpm"))]
     speed: Option<f64>,
-    /// Lubricant: vg32 and other grades of mineral oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film.
-    /// Where left out, or `usual`, grease for sealed bearings and oil VG 68 for open ones
+    /// Lubricant: vg32 and other grades of mineral oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film
+    /// [default: usual, which is grease for sealed bearings and oil VG 68 for open ones]
     #[arg(long, value_name = "NAME")]
     lubricant: Option<String>,
     #[command(flatten)]
     fits: FitArguments,
-    /// Ask for what is not given, on a terminal
+    /// Ask for missing values on the terminal
     #[arg(long)]
     ask: bool,
-    /// The case file; by default named after the bearing. A file that is there stays as it is without --force
+    /// Case file to write [default: named after the bearing]
     #[arg(short, long, value_name = "CASE.ron")]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -236,7 +236,7 @@ fn parsed(question: &str, answer: &str) -> Result<f64, Failure> {
 fn ask(question: &str, usual: &str) -> Result<String, Failure> {
     let input = std::io::stdin();
     if !input.is_terminal() {
-        let message = "there is no terminal to ask on: give what is needed as options".to_owned();
+        let message = "no terminal to ask on: give the values as options".to_owned();
         return Err(Failure::Option { option: "ask", value: String::new(), message });
     }
     let mut prompt = std::io::stderr();

@@ -18,7 +18,7 @@ use tribodyn::pair::{Arrangement, PairBearing, PairSolution, Preload};
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// How the bearings stand to each other
+    /// Arrangement of the two bearings
     #[arg(long, value_enum)]
     arrangement: ArrangementName,
     /// Distance between the middles of the bearings, mm
@@ -35,7 +35,7 @@ pub struct Arguments {
     model: Option<ModelName>,
     #[command(flatten)]
     time: TimeArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }
@@ -44,7 +44,7 @@ pub struct Arguments {
 enum ArrangementName {
     /// Back to back: stiff against tilting
     Db,
-    /// Face to face: gives way to misalignment
+    /// Face to face: tolerates misalignment
     Df,
     /// Tandem: both carry the axial load
     Dt,

@@ -24,7 +24,7 @@ pub struct Arguments {
     model: Option<ModelName>,
     #[command(flatten)]
     time: TimeArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

@@ -11,15 +11,15 @@ use tribodyn_study::recover;
 #[command(after_help = "Examples:
   tribodyn recover run.mcap.active -o run.mcap")]
 pub struct Arguments {
-    /// Recording, whole or not: RUN.mcap or RUN.mcap.active
+    /// Recording, complete or not: RUN.mcap or RUN.mcap.active
     #[arg(value_name = "RUN.mcap")]
     recording: PathBuf,
-    /// Recording to write; may be the damaged one itself
+    /// Recording to write; may be the damaged one
     #[arg(short, long, value_name = "OUT.mcap")]
     output: PathBuf,
     #[command(flatten)]
     replace: ReplaceArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

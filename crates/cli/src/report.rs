@@ -12,7 +12,7 @@ use tribodyn_report::{ReportOptions, report};
   tribodyn report run.mcap -o report
   tribodyn report before.mcap after.mcap -o difference")]
 pub struct Arguments {
-    /// Recording of `run` or `solve -o`, whole or not: RUN.mcap or RUN.mcap.active. Two of them are compared
+    /// Recording of `run` or `solve -o`, complete or not: RUN.mcap or RUN.mcap.active. Two are compared
     #[arg(value_name = "RUN.mcap", required = true, num_args = 1..=2)]
     recordings: Vec<PathBuf>,
     /// Folder for report.html, summary.md, summary.json, foxglove-layout.json and the figures (SVG and PNG)
@@ -22,11 +22,11 @@ pub struct Arguments {
     replace: ReplaceArguments,
     #[command(flatten)]
     limits: LimitArguments,
-    /// Published or measured figures to set beside those of a run: a CSV file with the columns
+    /// Compare a run with published or measured figures: a CSV file with the columns
     /// id,quantity,published,tolerance,source; a quantity is a field of summary.json
     #[arg(long, value_name = "FIGURES.csv")]
     against: Option<PathBuf>,
-    /// Print the summary as JSON, and nothing else, to standard output
+    /// Print the summary as JSON
     #[arg(long)]
     json: bool,
 }

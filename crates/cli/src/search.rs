@@ -15,7 +15,7 @@ use tribodyn_study::{Patience, StudyError};
 /// The limit on a search.
 #[derive(clap::Args)]
 pub struct TimeArguments {
-    /// Seconds of processor time after which the search for an operating point is given up; inf for none
+    /// Stop the search for an operating point after this much processor time, s; inf for no limit
     #[arg(long = "time-limit", value_name = "S", default_value_t = 60.0, value_parser = seconds)]
     pub limit_s: f64,
 }

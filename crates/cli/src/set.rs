@@ -23,7 +23,7 @@ use tribodyn_study::shaft::named_case;
   tribodyn set 7012C/P4 --arrangement QBC --preload 300 --shaft-fit js4 --speeds 0,6000,12000 --warmer 0,5,10
   tribodyn set 7210B --sides +-- --offset 5")]
 pub struct Arguments {
-    /// A designation of the built-in list, such as 7012C, or a case file (RON); a listed bearing is at rest
+    /// Designation from the catalogue, such as 7012C, for a bearing at rest, or a case file (RON)
     #[arg(value_name = "BEARING")]
     bearing: String,
     /// Replace one value of the case, such as 'speed.inner=Constant(rpm(8000))'; may be repeated
@@ -33,31 +33,31 @@ pub struct Arguments {
     fits: FitArguments,
     #[command(flatten)]
     limits: LimitArguments,
-    /// How the bearings stand: DB, DF, DT, TBT, TFT, TT, QBC, QFC, QBT or QT
+    /// Arrangement: DB, DF, DT, TBT, TFT, TT, QBC, QFC, QBT or QT
     #[arg(long, value_name = "NAME", required_unless_present = "sides")]
     arrangement: Option<String>,
-    /// The side that each bearing carries, from −z to +z, such as ++- for two against one
+    /// Direction of thrust that each bearing carries, from −z to +z, such as ++- for two against one
     #[arg(long, value_name = "SIGNS", conflicts_with = "arrangement", allow_hyphen_values = true)]
     sides: Option<String>,
     /// Preload, N
     #[arg(long, value_name = "N", required_unless_present_any = ["offset", "spring"], value_parser = in_unit("N"))]
     preload: Option<f64>,
-    /// Condition in which the preload is given
+    /// Condition for which the preload is given
     #[arg(long, value_enum, default_value_t = Given::Unmounted, requires = "preload")]
     given: Given,
-    /// How far each bearing is pressed in off the shaft, µm
+    /// Axial displacement that preloads each bearing off the shaft, µm
     #[arg(long, value_name = "UM", allow_hyphen_values = true, conflicts_with = "preload", value_parser = in_unit("um"))]
     offset: Option<f64>,
     /// Force of a soft spring in place of the bearings that carry −z, N
     #[arg(long, value_name = "N", conflicts_with_all = ["preload", "offset"], value_parser = in_unit("N"))]
     spring: Option<f64>,
-    /// Axial loads along +z, N, as N,N,…; up to the unloading force without it
+    /// Axial loads along +z, N, as N,N,… [default: up to the unloading force]
     #[arg(long, value_name = "N", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("N"))]
     loads: Vec<f64>,
     /// Speeds of a map of the preload, r/min, as RPM,RPM,…
     #[arg(long, value_name = "RPM", value_delimiter = ',')]
     speeds: Vec<f64>,
-    /// How much warmer than in the case shaft and inner ring of the map are, K, as K,K,…; the balls by half of it
+    /// Temperatures of shaft and inner ring above those of the case for the map, K, as K,K,…; balls get half of it
     #[arg(long, value_name = "K", value_delimiter = ',', allow_hyphen_values = true)]
     warmer: Vec<f64>,
     /// Write figures of the displacement under load and of the map into this folder, as SVG and PNG
@@ -65,7 +65,7 @@ pub struct Arguments {
     plot: Option<PathBuf>,
     #[command(flatten)]
     replace: ReplaceArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

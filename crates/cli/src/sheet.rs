@@ -23,7 +23,7 @@ use tribodyn_study::shaft::named_case;
   tribodyn sheet 6206 --radial 2000 --speed 3000 --shaft-fit k5 --housing-fit J6
   tribodyn sheet 7210B --radial 3000 --axial 2500 --speed 1500 --html sheet.html")]
 pub struct Arguments {
-    /// A designation of the built-in list, such as 6206 or 7210B, or a case file (RON)
+    /// Designation from the catalogue, such as 6206 or 7210B, or a case file (RON)
     #[arg(value_name = "BEARING")]
     bearing: String,
     /// Radial load, N
@@ -38,20 +38,20 @@ pub struct Arguments {
     /// Replace one value of the case, such as 'geometry.fit=RadialClearance(um(8))'; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = change)]
     changes: Vec<Change>,
-    /// Lubricant of a listed bearing, as of `new`: usual, vg68 and other grades, an oil such as pao-vg32, grease; with
-    /// it the life is modified for film and dirt
+    /// Lubricant of a listed bearing, as for `new`: usual, vg68 and other grades, an oil such as pao-vg32, grease; adds
+    /// the modified life
     #[arg(long, visible_alias = "oil", value_name = "NAME")]
     lubricant: Option<String>,
     #[command(flatten)]
     fits: FitArguments,
     #[command(flatten)]
     limits: LimitArguments,
-    /// Write the sheet as a page
+    /// Write the sheet as a page (HTML)
     #[arg(long, value_name = "FILE.html")]
     html: Option<PathBuf>,
     #[command(flatten)]
     replace: ReplaceArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

@@ -26,16 +26,16 @@ pub struct Arguments {
     /// Equations to solve
     #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
     model: ModelName,
-    /// Traction parameters that vary with pressure; short for --set traction.varying=…
+    /// Let traction parameters vary with pressure; short for --set traction.varying=…
     #[arg(long, value_name = "BOOL")]
     varying: Option<bool>,
-    /// Differential (Heathcote) slip; short for --set traction.differential_slip=…
+    /// Take differential (Heathcote) slip into account; short for --set traction.differential_slip=…
     #[arg(long, value_name = "BOOL")]
     differential_slip: Option<bool>,
-    /// Also search each ball for other equilibria, the ring held (about as long as a dozen solutions)
+    /// Search each ball for other equilibria too, with the ring fixed; takes as long as a dozen solutions
     #[arg(long)]
     roots: bool,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
     /// Write figures over the azimuth (SVG and PNG) to this folder

@@ -22,7 +22,7 @@ pub struct Arguments {
     /// Equations of the operating point
     #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
     model: ModelName,
-    /// Speeds of the inner ring, r/min, as N,N,…; that of the case without it
+    /// Speeds of the inner ring, r/min, as N,N,… [default: that of the case]
     #[arg(long, value_name = "RPM", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("rpm"))]
     speeds: Vec<f64>,
     /// Write the matrices as a table, one row a speed (CSV)
@@ -35,7 +35,7 @@ pub struct Arguments {
     replace: ReplaceArguments,
     #[command(flatten)]
     time: TimeArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

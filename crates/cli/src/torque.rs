@@ -20,7 +20,7 @@ pub struct Arguments {
     /// Equations to solve
     #[arg(long, value_enum, default_value_t = ModelName::Traction)]
     model: ModelName,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

@@ -22,7 +22,7 @@ pub struct Arguments {
     /// Order of the polynomials in pressure (2: through the three tested pressures)
     #[arg(long, default_value_t = 2)]
     order: usize,
-    /// Print JSON
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

@@ -10,7 +10,7 @@ use tribodyn_wear::WearError;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DynamicsError {
     /// Nothing holds a ring that is free to move.
-    #[error("`{path}` is 0: nothing would hold the outer ring, which carries the load")]
+    #[error("`{path}` is 0: the outer ring carries the load and needs a support")]
     Unsupported {
         /// Path of the value.
         path: &'static str,
@@ -19,7 +19,7 @@ pub enum DynamicsError {
     #[error("no quasi-static solution to start from: {0}")]
     Start(#[from] QuasiStaticError),
     /// A start from the steady orbit without its motion.
-    #[error("a start from the steady orbit needs its motion: `Run::moving` takes it")]
+    #[error("to start from the steady orbit, give its motion to `Run::moving`")]
     NoMotion,
     /// Balls of another bearing to start from.
     #[error("{found} balls to start from: the bearing has {expected}")]
@@ -57,10 +57,7 @@ pub enum DynamicsError {
         blame: Blame,
     },
     /// A ball has left its races.
-    #[error(
-        "ball {ball} was thrown out after {time_s} s: it stands {distance_mm:.3} mm off its place; {}",
-        lost(blame)
-    )]
+    #[error("ball {ball} left its groove after {time_s} s: it is {distance_mm:.3} mm from its place; {}", lost(blame))]
     BallLost {
         /// The ball.
         ball: usize,
@@ -72,7 +69,7 @@ pub enum DynamicsError {
         blame: Blame,
     },
     /// A step that is too short, or lost in the rounding of the time.
-    #[error("the run cannot go on after {time_s} s: a step of {step_s:.1e} s is too short to come to an end")]
+    #[error("the run stopped after {time_s} s: its step fell to {step_s:.1e} s, too short to reach the end")]
     NoProgress {
         /// Simulated time, s.
         time_s: f64,

@@ -26,7 +26,7 @@ pub enum FmuError {
     #[error("an FMU has round races and equal balls: leave out `deviations`")]
     Deviations,
     /// A number that is none.
-    #[error("`{name}` comes out as {value}")]
+    #[error("`{name}` is {value}")]
     NotFinite {
         /// Variable of the FMU.
         name: &'static str,

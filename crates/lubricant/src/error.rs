@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LubricantError {
     /// A quantity that must be above 0.
-    #[error("{quantity} is {value} {unit}: it must be finite and above 0")]
+    #[error("{quantity} is {value} {unit}: allowed are finite values above 0")]
     NotPositive {
         /// Its name.
         quantity: &'static str,
@@ -29,7 +29,7 @@ pub enum LubricantError {
     },
     /// Viscosity that does not fall with temperature.
     #[error(
-        "viscosity {cold} mm²/s at {cold_c} °C and {hot} mm²/s at {hot_c} °C: the viscosity of an oil falls as it gets warmer"
+        "viscosity {cold} mm²/s at {cold_c} °C and {hot} mm²/s at {hot_c} °C: the viscosity of an oil falls with temperature"
     )]
     Rising {
         /// At the lower temperature, mm²/s.

@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn limit_viscosity_that_rises_and_unit_slips_are_refused() {
         let at = |cold: f64, hot: f64| Walther::through((313.15, cold), (373.15, hot)).unwrap_err().to_string();
-        assert!(at(8e-6, 68e-6).contains("falls as it gets warmer"));
+        assert!(at(8e-6, 68e-6).contains("falls with temperature"));
         assert!(at(68e-6, 68e-6).contains("68 mm²/s at 40 °C"));
         // 68 mm²/s as if it were m²/s, and the other way round.
         assert!(at(68.0, 8.8).contains("68000000 mm²/s: oils have 0.5 to 100000"));

@@ -66,13 +66,10 @@ impl LessDamping {
         } else {
             format!("with {} s/m, the least at which an orbit was found,", said(self.damping_s_per_m, 4))
         };
-        let stays = if self.multiplier <= KEEPS {
-            ""
-        } else {
-            "; a ball does not keep to that orbit, so that a run swings about it"
-        };
+        let stays =
+            if self.multiplier <= KEEPS { "" } else { "; that orbit is unstable, so that a run swings about it" };
         Some(format!(
-            "{} so that balls do not bounce on: {with} the cage turns at {:.2} instead of {:.2} r/min, the shaft needs \
+            "{} so that balls stop bouncing: {with} the cage turns at {:.2} instead of {:.2} r/min, the shaft needs \
              {less_torque} instead of {torque} N m, and the largest pocket force is {less_force} instead of {force} \
              N{stays}",
             raised(self.raised_s_per_m, self.given_s_per_m),
@@ -84,13 +81,13 @@ impl LessDamping {
 
 /// Beginning of a sentence on pockets that are damped more than a case says.
 fn raised(damping: f64, given: f64) -> String {
-    format!("the pockets are damped with {} s/m instead of {given} s/m,", said(damping, 4))
+    format!("the pocket damping is raised from {given} to {} s/m", said(damping, 4))
 }
 
 /// Sentence on an orbit that could not be followed to less damping.
 pub(crate) fn not_followed(damping: f64, given: f64) -> String {
     format!(
-        "{} so that balls do not bounce on, and no orbit with less was found: cage speed, torque and pocket force of a \
+        "{} so that balls stop bouncing, and no orbit with less was found: cage speed, torque and pocket force of a \
          run can differ",
         raised(damping, given)
     )

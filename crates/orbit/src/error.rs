@@ -12,7 +12,7 @@ use tribodyn_traction::TractionError;
 pub enum OrbitError {
     /// No attempt met all balances.
     #[error(
-        "{reason}; the state that came nearest has the cage at {cage_speed_rpm:.1} r/min, {equation} {place} off by {residual:.1e} of its terms (tolerance {tolerance:.1e})"
+        "{reason}; the nearest state has the cage at {cage_speed_rpm:.1} r/min, {equation} {place} off by {residual:.1e} of its terms (tolerance {tolerance:.1e})"
     )]
     NotConverged {
         /// Why, as far as that is known.
@@ -29,11 +29,11 @@ pub enum OrbitError {
         cage_speed_rpm: f64,
     },
     /// The caller ended the search.
-    #[error("the search for the steady orbit was ended before it led to an answer")]
+    #[error("the search for the steady orbit was stopped before it found one")]
     Ended,
     /// Rings that turn against each other as fast as leaves balls and cage in place: a turn has no end.
     #[error(
-        "the rings turn against each other so that the cage stands still: there is no turn of it to follow; change one speed a little"
+        "the rings turn against each other and the cage stands still, so that it has no orbit; change one speed a little"
     )]
     CageStands,
     /// Balls at rest, where an orbit is asked for.
@@ -44,9 +44,8 @@ pub enum OrbitError {
     Singular,
     /// A stiffness that does not pass its checks.
     #[error(
-        "the stiffness of this orbit is not certain ({}), so none is given: balls open and close their pockets or \
-         contacts too often for one slope; a slightly different load or speed may have one, and differences of `solve` \
-         over larger steps a mean",
+        "the stiffness of this orbit is uncertain ({}) and not given: balls touch pockets or lose contact too often \
+         for one slope; try a slightly different load or speed, or differences of `solve` over larger steps",
         match error_estimate {
             Some(error) => format!("finer meshes and slightly other loads differ by {:.1} %", 100.0 * error),
             None => "its orbit is not found on a finer mesh or under slightly other loads".to_owned(),
@@ -88,22 +87,22 @@ impl std::fmt::Display for OrbitReason {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::GrossSkidding { centrifugal_share } if !centrifugal_share.is_finite() => f.write_str(
-                "gross skidding: nothing presses a ball on the inner race, no steady orbit was found; more load or less \
-                 clearance help",
+                "gross skidding: nothing presses the balls on the inner race, and no steady orbit was found; raise the load \
+                 or reduce the clearance",
             ),
             Self::GrossSkidding { centrifugal_share } => write!(
                 f,
-                "gross skidding: centrifugal force is {centrifugal_share:.1} times what presses a ball on the inner \
-                 race, no steady orbit was found; more load, less speed or lighter balls help"
+                "gross skidding: centrifugal force is {centrifugal_share:.1} times the load that presses a ball on the inner \
+                 race, and no steady orbit was found; raise the load, reduce the speed or take lighter balls"
             ),
             Self::IdleBalls { centrifugal_share } => write!(
                 f,
-                "balls without inner contact do not come to rest in their grooves (centrifugal force is \
-                 {centrifugal_share:.1e} of the mean load of a ball), no steady orbit was found; more axial load or \
-                 less clearance help, and a run in time shows the motion"
+                "balls without inner contact keep swinging in their grooves (centrifugal force is \
+                 {centrifugal_share:.1e} of the mean load of a ball), and no steady orbit was found; raise the axial \
+                 load, reduce the clearance, or simulate a run in time"
             ),
             Self::Unknown => f.write_str(
-                "no steady orbit was found; a neighbouring load or speed may have one, or a run in time shows why",
+                "no steady orbit was found; try a slightly different load or speed, or simulate a run in time",
             ),
         }
     }

@@ -150,8 +150,8 @@ fn multiplier(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<(f64, Option<Str
     let multiplier = newton.multiplier(orbit)?;
     let grows = (multiplier > KEEPS).then(|| {
         format!(
-            "a ball that is moved off this orbit a little is {multiplier:.2} times as far off a turn later: a run \
-             swings about the orbit, and its means differ from it"
+            "this orbit is unstable: a small deviation of a ball grows {multiplier:.2} times in a turn, so that a run \
+             swings about the orbit, and its means differ"
         )
     });
     Ok((multiplier, grows))

@@ -45,14 +45,14 @@ impl Eased {
     pub fn sentences(&self) -> Vec<String> {
         let heavy = (self.ball_mass != 1.0).then(|| {
             format!(
-                "the balls were taken {} times as heavy as they are to find this orbit, so that those without load \
-                 keep to the outer race: their centrifugal force is still next to nothing beside the bearing's load",
+                "the balls are {} times heavier than given, so that those without load stay on the outer race; their \
+                 centrifugal force is still negligible beside the bearing's load",
                 said(self.ball_mass, 3)
             )
         });
         let soft = (self.pocket_stiffness != 1.0).then(|| {
             format!(
-                "no orbit was found with pockets as stiff as given: this one has pockets {} times as soft",
+                "no orbit was found with the given stiffness of the pockets: this one has pockets {} times softer",
                 said(1.0 / self.pocket_stiffness, 3)
             )
         });
@@ -150,7 +150,7 @@ impl<'a> Way<'a> {
 /// Sentence on balls that are damped at so many times the cage speed.
 pub(crate) fn swinging(rate: f64) -> String {
     format!(
-        "balls that little holds swing in their grooves without end: the orbit is the one on which that dies out at \
-         {rate:.0} times the cage speed"
+        "lightly loaded balls keep swinging in their grooves: on this orbit the swinging is damped at {rate:.0} times \
+         the cage speed"
     )
 }

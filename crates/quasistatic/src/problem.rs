@@ -63,19 +63,19 @@ impl std::fmt::Display for Reason {
         match self {
             Self::Rounding { attainable } => write!(
                 f,
-                "the balances are met as far as rounding allows at this slip scale; set numerics.tolerance to {attainable:.0e} or more"
+                "rounding limits the balances at this slip scale; set numerics.tolerance to {attainable:.0e} or more"
             ),
             Self::Skidding { skidding, idle, balls, cage_speed_rpm, rolling_rpm } => write!(
                 f,
-                "no steady state was found; at the nearest {skidding} of {balls} balls skid, {idle} are off the inner race, and the cage turns at {cage_speed_rpm:.0} r/min instead of {rolling_rpm:.0} r/min rolling: more axial load or less drag lets the balls roll, and a transient run shows what they do without"
+                "no steady state was found; at the nearest {skidding} of {balls} balls skid, {idle} are off the inner race, and the cage turns at {cage_speed_rpm:.0} r/min instead of {rolling_rpm:.0} r/min rolling: raise the axial load or reduce the drag, or simulate a run in time"
             ),
             Self::RacewayControl { friction, speed_share } => {
                 let share = 100.0 * speed_share;
-                write!(f, "raceway control has an equilibrium up to {share:.0} % of this speed only; ")?;
+                write!(f, "raceway control has an equilibrium only up to {share:.0} % of this speed; ")?;
                 if friction.is_finite() {
                     write!(f, "the controlling race holds the gyroscopic moment with a friction of {friction:.2} of its load")?;
                 } else {
-                    f.write_str("a ball without load at the controlling race is not held by it")?;
+                    f.write_str("the controlling race cannot hold a ball without load")?;
                 }
                 f.write_str(": take another race_control, more load, or the model with traction")
             }
@@ -110,7 +110,7 @@ pub enum QuasiStaticError {
         reason: Box<Reason>,
     },
     /// The caller ended the search.
-    #[error("the search for the equilibrium was ended before it led to an answer")]
+    #[error("the search for the equilibrium was stopped before it found one")]
     Ended,
     /// A ball whose balances have no unique solution.
     #[error("ball {ball} has no unique answer to a displacement of the ring")]

@@ -59,7 +59,7 @@ pub enum RecordError {
     },
     /// There is no such recording, but one of that name that was not finished.
     #[error(
-        "no recording {}, but {} of a run that was not finished: name that one, or `recover` it",
+        "no recording {}, but {} of an unfinished run: name that one, or `recover` it",
         path.display(), active.display()
     )]
     OnlyBegun {
@@ -96,7 +96,7 @@ pub enum RecordError {
         source: io::Error,
     },
     /// A sink was used before it was begun, or begun twice.
-    #[error("a recording is begun once, before its first message")]
+    #[error("a recording begins once, before its first message")]
     NotBegun,
     /// A message for a topic that the recording has not.
     #[error("there is no topic {channel}: the recording has {topics}")]
@@ -120,7 +120,7 @@ pub enum RecordError {
     #[error("no spectrum: {0}")]
     Signal(#[from] tribodyn_signal::SignalError),
     /// The file is no MCAP file.
-    #[error("{} is no MCAP file: it does not begin like one", path.display())]
+    #[error("{} is not an MCAP file", path.display())]
     NotMcap {
         /// Which file.
         path: PathBuf,

@@ -86,7 +86,7 @@ pub fn damage(damage: &Damage, end_s: f64) -> Vec<String> {
     }
     if damage.checksum_bad && damage.chunks_bad == 0 {
         all.push(
-            "The recording was altered after it was written: its checksum does not fit. Metadata may be wrong."
+            "The recording was altered after it was written: its checksum does not match. Metadata may be wrong."
                 .to_owned(),
         );
     }

@@ -34,7 +34,7 @@ pub enum ShaftError {
         expected: usize,
     },
     /// A mass matrix that is not positive.
-    #[error("a freedom has no mass: give the housing a mass, or leave the mass of all seats out")]
+    #[error("a degree of freedom has no mass: give the housing a mass, or leave out the mass of all seats")]
     Massless,
     /// The eigenvalues were not found.
     #[error("the eigenvalues of the shaft were not found")]

@@ -137,15 +137,15 @@ pub enum StudyError {
     #[error(transparent)]
     Wear(#[from] tribodyn_wear::WearError),
     /// A life without an end.
-    #[error("{0}: nothing wears a coating through in this case: a time is needed at which its life ends")]
+    #[error("{0}: no coating wears through in this case: give a time at which its life ends")]
     NoWear(String),
     /// A life of races without coating, and without another end.
     #[error(
-        "{0}: neither race has a coating, so there is nothing to wear through: a limit of clearance or a time is needed at which the life ends"
+        "{0}: neither race has a coating to wear through: give a limit of clearance or a time at which the life ends"
     )]
     NoCoating(String),
     /// A file of somebody else's that would be lost.
-    #[error("{} stands there and is not {wanted} that tribodyn wrote: it is not replaced", path.display())]
+    #[error("{} exists and is not {wanted} that tribodyn wrote: it is not replaced", path.display())]
     NotOurs {
         /// The file.
         path: PathBuf,
@@ -159,7 +159,7 @@ pub enum StudyError {
         path: PathBuf,
     },
     /// No earlier run to go on with.
-    #[error("there is no run to go on with: {} does not exist", path.display())]
+    #[error("no run to continue: {} does not exist", path.display())]
     NothingToResume {
         /// The checkpoint.
         path: PathBuf,
@@ -178,7 +178,7 @@ pub enum StudyError {
         format: u32,
     },
     /// A checkpoint that is not as it was written.
-    #[error("{} is damaged: its checksum does not fit ({found} of {expected} bytes)", path.display())]
+    #[error("{} is damaged: its checksum does not match ({found} of {expected} bytes)", path.display())]
     Altered {
         /// The checkpoint.
         path: PathBuf,
@@ -188,7 +188,7 @@ pub enum StudyError {
         expected: u64,
     },
     /// A checkpoint of another case.
-    #[error("{} is of another case, which differs from line {line} of this one", path.display())]
+    #[error("{} belongs to another case, which differs at line {line}", path.display())]
     OtherCase {
         /// The checkpoint.
         path: PathBuf,
@@ -260,7 +260,7 @@ pub enum StudyError {
         active: PathBuf,
     },
     /// A system that gives the recording no thread.
-    #[error("the system gives no thread for the recording: {source}")]
+    #[error("cannot start a thread for the recording: {source}")]
     NoThread {
         /// Reason.
         source: std::io::Error,

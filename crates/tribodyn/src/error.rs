@@ -32,7 +32,7 @@ pub enum AnswerError {
         message: String,
     },
     /// An answer beyond what can be calculated with.
-    #[error("{quantity} comes out as {value}: the numbers given are too large or too small to calculate with")]
+    #[error("{quantity} is {value}: the given numbers are too large or too small to calculate with")]
     OutOfRange {
         /// The quantity.
         quantity: &'static str,
@@ -87,7 +87,7 @@ pub enum AnswerError {
         source: QuasiStaticError,
     },
     /// A steady orbit that is not found.
-    #[error("{file}: {source}; the model `traction` asks less: each ball in its place by itself")]
+    #[error("{file}: {source}; the model `traction` solves each ball by itself and needs less")]
     Orbit {
         /// Name of the case file.
         file: String,

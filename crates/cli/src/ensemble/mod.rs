@@ -25,22 +25,22 @@ use tribodyn_study::{Ours, StagedFiles};
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// Draw one value of the case for each member: mm(0.2 ± 0.02) from a normal distribution with that standard
-    /// deviation (or mm(0.2 +- 0.02)), mm(0.18..0.22) from a range in which all values are as likely; may be repeated
+    /// Draw a value of the case for each member: mm(0.2 ± 0.02), or mm(0.2 +- 0.02), from a normal distribution with
+    /// that standard deviation, mm(0.18..0.22) evenly from a range; may be repeated
     #[arg(long = "vary", value_name = "PATH=SPREAD", value_parser = spread, required_unless_present = "grid")]
     spreads: Vec<Spread>,
-    /// Instead of draws, a member for each of these values with each of the others, such as
-    /// 'defects[0].depth=um(0..20 in 5)'; may be repeated. Figures then are over the first of them
+    /// Run a member for each combination of these values instead of drawing, such as 'defects[0].depth=um(0..20 in 5)';
+    /// may be repeated. Figures are over the first
     #[arg(long, value_name = "PATH=VALUES", value_parser = each, conflicts_with_all = ["spreads", "members", "latin_hypercube"])]
     grid: Vec<Spread>,
     /// Number of members
     #[arg(long, value_name = "N", required_unless_present = "grid")]
     members: Option<usize>,
-    /// Seed of the draws: the same seed and number of a member give the same values on every machine
+    /// Seed of the draws: seed and number of a member give the same values on every machine
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
-    /// Cut each spread into as many equally likely parts as there are members, with one member in each: quantiles of
-    /// fewer members scatter less
+    /// Draw by Latin hypercube: one member in each of equally likely parts of every spread, so that quantiles scatter
+    /// less
     #[arg(long)]
     latin_hypercube: bool,
     /// Simulated time of each member in s; short for --set transient.duration=s(…)
@@ -49,11 +49,10 @@ pub struct Arguments {
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
-    /// Table to write, .parquet or .csv by its name: a row for each member. Finished members are beside it until it is
-    /// whole, and the same command goes on from there
+    /// Table to write, .parquet or .csv by its name: a row for each member. The same command continues a stopped one
     #[arg(short, long, value_name = "TABLE")]
     output: Option<PathBuf>,
-    /// Forget the finished members of an ensemble that was stopped
+    /// Discard the finished members of a stopped ensemble
     #[arg(long, requires = "output")]
     restart: bool,
     /// Write figures of the distributions (SVG and PNG) to this folder
@@ -64,7 +63,7 @@ pub struct Arguments {
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
-    /// Print the summary as JSON, and nothing else, to standard output
+    /// Print the summary as JSON
     #[arg(long)]
     json: bool,
 }

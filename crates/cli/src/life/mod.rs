@@ -21,45 +21,43 @@ use tribodyn_study::{Life, LifeEnd, LifeOptions, LifeStride, LifeTable, Ours, we
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// Equations of each stride
+    /// Equations to solve at each stride
     #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
     model: ModelName,
-    /// Strides in which a new coating is worn away at its fastest spot, or the clearance limit used up; the error falls
-    /// in proportion to their number
+    /// Number of strides until a new coating is worn through, or the clearance limit reached; the error falls in
+    /// proportion
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     strides: u32,
-    /// End after this running time in h, should the coatings last longer
+    /// End after this running time, h
     #[arg(long, value_name = "HOURS", value_parser = hours, allow_negative_numbers = true)]
     until: Option<f64>,
-    /// End when wear has added this much radial internal clearance in um, on the diameter as in ISO 5753: for races
+    /// End when wear has added this much radial internal clearance, µm, on the diameter as in ISO 5753; for races
     /// without coating
     #[arg(long, value_name = "UM", value_parser = micrometres, allow_negative_numbers = true)]
     clearance_limit: Option<f64>,
-    /// Let wear act on the bearing: any of clearance, curvature, traction, transfer, parted by commas, or none of them.
-    /// Depth is then kept over azimuth and across the groove, and the life goes on until bare steel carries a part of
-    /// the load
+    /// Let wear act on the bearing: clearance, curvature, traction, transfer, separated by commas, or none. Keeps the
+    /// depth over azimuth and across the groove; the life ends when bare steel carries a part of the load
     #[arg(long, value_name = "EFFECTS", value_delimiter = ',', conflicts_with_all = ["clearance_limit", "restart"])]
     acting: Option<Vec<String>>,
-    /// With --acting: table of phases that are repeated, durations in a column s, min or h, then values of the case by
+    /// Repeat the phases of this table (with --acting): durations in a column s, min or h, then values of the case by
     /// their paths
     #[arg(long, value_name = "TABLE", requires = "acting")]
     mission: Option<PathBuf>,
     /// With --acting: part of a race's load on bare steel at which the life ends [default: 0.5]
     #[arg(long, value_name = "PART", requires = "acting", value_parser = part)]
     bare_limit: Option<f64>,
-    /// With --acting: table of the worn cells of both grooves at the end, .parquet or .csv
+    /// Write a table of the worn cells of both grooves at the end, .parquet or .csv (with --acting)
     #[arg(long, value_name = "TABLE", requires = "acting")]
     map: Option<PathBuf>,
-    /// Table to write, .parquet or .csv by its name: a row for each stride. Finished strides are beside it until it is
-    /// whole, and the same command goes on from there
+    /// Table to write, .parquet or .csv by its name: a row for each stride. The same command continues a stopped one
     #[arg(short, long, value_name = "TABLE")]
     output: Option<PathBuf>,
-    /// Forget the finished strides of a life that was stopped
+    /// Discard the finished strides of a stopped life
     #[arg(long, requires = "output")]
     restart: bool,
     #[command(flatten)]
     replace: ReplaceArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

@@ -31,7 +31,7 @@ use tribodyn_study::{Ours, StudyError};
 pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
-    /// Recording to write (MCAP, opens in Foxglove); RUN.mcap.active until it is whole
+    /// Recording to write (MCAP, opens in Foxglove); named RUN.mcap.active until it is complete
     #[arg(short, long, value_name = "RUN.mcap")]
     output: PathBuf,
     #[command(flatten)]
@@ -39,24 +39,24 @@ pub struct Arguments {
     /// Simulated time in s; short for --set transient.duration=s(…)
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = in_unit("s"))]
     duration: Option<f64>,
-    /// Go on with a run of the same case that was stopped or killed
+    /// Continue a stopped or killed run of the same case
     #[arg(long, conflicts_with = "restart")]
     resume: bool,
-    /// Discard a stopped or killed run and start anew
+    /// Discard a stopped or killed run and start again
     #[arg(long)]
     restart: bool,
     /// Let viewers such as Foxglove watch over a WebSocket, on this machine only unless an address says otherwise
     #[cfg(feature = "live")]
     #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, require_equals = true, default_missing_value = live::ADDRESS)]
     live: Option<String>,
-    /// Let viewers in that come by this host name, or from pages of this host or origin; may be repeated
+    /// Accept viewers that use this host name, or pages of this host or origin; may be repeated
     #[cfg(feature = "live")]
     #[arg(long, value_name = "NAME", requires = "live")]
     live_allow: Vec<tribodyn_record::LiveName>,
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
-    /// Print the summary as JSON, and nothing else, to standard output
+    /// Print the summary as JSON
     #[arg(long)]
     json: bool,
 }

@@ -32,7 +32,7 @@ pub struct Arguments {
     changes: Vec<Change>,
     #[command(flatten)]
     limits: LimitArguments,
-    /// Modes, critical speeds and response to unbalance at these speeds, r/min, as N,N,…
+    /// Compute modes, critical speeds and response to unbalance at these speeds, r/min, as N,N,…
     #[arg(long, value_name = "RPM", value_delimiter = ',', value_parser = in_unit("rpm"))]
     modes: Vec<f64>,
     /// Highest frequency of the modes that are printed, Hz
@@ -54,7 +54,7 @@ pub struct Arguments {
     plot: Option<PathBuf>,
     #[command(flatten)]
     replace: ReplaceArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

@@ -27,7 +27,7 @@ pub struct Arguments {
     /// Case file (RON)
     #[arg(value_name = "CASE", required_unless_present = "merge")]
     case: Option<PathBuf>,
-    /// Values of one place of the case: kN(10),kN(20) or kN(10..60 by 5), kN(10..60 in 11), kN(1..100 log 21); several
+    /// Values of one path of the case: kN(10),kN(20) or kN(10..60 by 5), kN(10..60 in 11), kN(1..100 log 21); several
     /// options give every combination, the last varying fastest
     #[arg(long = "set", value_name = "PATH=VALUES", value_parser = setting)]
     settings: Vec<Setting>,
@@ -38,10 +38,10 @@ pub struct Arguments {
     replace: ReplaceArguments,
     #[command(flatten)]
     limits: LimitArguments,
-    /// Do only part I of N (from 0), for several machines; together the parts are the whole
+    /// Solve only part I of N (from 0), for several machines
     #[arg(long, value_name = "I/N", value_parser = Shard::parse, default_value_t = Shard::ALL)]
     shard: Shard,
-    /// Put the tables of all shards together, in the order of the sweep; every row has to be there once
+    /// Merge the tables of all shards into one, in the order of the sweep
     #[arg(long, value_name = "TABLE", num_args = 1.., requires = "output",
           conflicts_with_all = ["case", "settings", "shard", "model", "threads", "cold", "restart", "plot", "plan"])]
     merge: Vec<PathBuf>,
@@ -53,26 +53,25 @@ pub struct Arguments {
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
-    /// Solve every row from its own initial guess instead of a neighbour's solution (several times slower); the steady
-    /// orbit always does
+    /// Solve every row from its own initial guess instead of a neighbour's solution (several times slower)
     #[arg(long)]
     cold: bool,
-    /// Forget the finished rows of a sweep that was stopped
+    /// Discard the finished rows of a stopped sweep
     #[arg(long)]
     restart: bool,
     /// Write figures of the rows (SVG and PNG) to this folder: curves over one swept value, maps over two
     #[arg(long, value_name = "DIR")]
     plot: Option<PathBuf>,
-    /// Print what would be done and about how long it takes, and write nothing
+    /// Print the plan and an estimate of the time, and write nothing
     #[arg(long)]
     plan: bool,
-    /// Begin a sweep of more than ten million rows, or of an estimated day or more
+    /// Allow a sweep of more than ten million rows, or of an estimated day or more
     #[arg(long)]
     yes: bool,
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
-    /// Print the summary as JSON, and nothing else, to standard output
+    /// Print the summary as JSON
     #[arg(long)]
     json: bool,
 }

@@ -26,13 +26,13 @@ pub struct Arguments {
     /// Signal: numbers in columns (.csv, .txt, .tsv, .dat), .wav, .mat (level 5), .parquet, or a recorded run (.mcap)
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// The column to evaluate, by its name or number
+    /// Column to evaluate, by its name or number
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
-    /// Sampling rate, Hz; WAV files, recordings and files with a column `time` say it themselves
+    /// Sampling rate, Hz; known for WAV files, recordings and files with a column `time`
     #[arg(long, value_name = "HZ", value_parser = in_unit("Hz"))]
     rate: Option<f64>,
-    /// The bearing: a case file, a designation such as 6205, or balls,ball mm,pitch mm[,angle °] such as 9,7.94,39.04
+    /// Bearing: a case file, a designation such as 6205, or balls,ball mm,pitch mm[,angle °] such as 9,7.94,39.04
     #[arg(long, value_name = "BEARING")]
     bearing: Option<String>,
     /// Nominal contact angle of an angular-contact designation, degrees
@@ -53,10 +53,10 @@ pub struct Arguments {
     /// End at this time, s
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     to: Option<f64>,
-    /// How far the true speed may lie from the one given in r/min, %
+    /// Uncertainty of the speed given in r/min, %
     #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * Search::default().speed)]
     speed_tolerance: f64,
-    /// How far slip and contact angle may move the cage from pure rolling, %
+    /// Deviation of the cage from pure rolling by slip and contact angle, %
     #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * Search::default().slip)]
     slip: f64,
     /// Folder for vibration.json and the figures (SVG and PNG)
@@ -66,7 +66,7 @@ pub struct Arguments {
     replace: ReplaceArguments,
     #[command(flatten)]
     limits: LimitArguments,
-    /// Print JSON, and nothing else, to standard output
+    /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
 }

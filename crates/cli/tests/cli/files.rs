@@ -121,12 +121,12 @@ fn limit_a_full_disk_under_standard_output_is_a_failure() {
 fn limit_an_output_replaces_nothing_of_others() {
     let scratch = Scratch::new();
     let (other, layout) = (scratch.file("other.ron", AG), scratch.0.join("layout.json"));
-    solve(&[&"-o", &other]).fails(2, &["other.ron stands there and is not a recording that tribodyn wrote", "--force"]);
+    solve(&[&"-o", &other]).fails(2, &["other.ron exists and is not a recording that tribodyn wrote", "--force"]);
     run(&[&"layout", &"-o", &other]).fails(2, &["is not a layout that tribodyn wrote", "--force"]);
     let table = scratch.file("table.csv", "my,own,numbers\n1,2,3\n");
     let swept: [&dyn AsRef<OsStr>; 7] =
         [&"sweep", &other, &"--set", &"ring.z.Force=kN(40),kN(44)", &"-o", &table, &"--quiet"];
-    run(&swept).fails(2, &["table.csv stands there and is not a table that tribodyn wrote"]);
+    run(&swept).fails(2, &["table.csv exists and is not a table that tribodyn wrote"]);
     assert_eq!(std::fs::read_to_string(&other).unwrap(), AG);
     assert_eq!(scratch.names(), ["other.ron", "table.csv"]);
     // With --force, and then over our own files without it.
@@ -149,7 +149,7 @@ fn limit_figures_replace_nothing_of_others() {
     let folder = scratch.0.join("plots");
     std::fs::create_dir(&folder).unwrap();
     let mine = scratch.file("plots/contact-loads.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
-    solve(&[&"--plot", &folder]).fails(2, &["contact-loads.svg stands there and is not a file that tribodyn wrote"]);
+    solve(&[&"--plot", &folder]).fails(2, &["contact-loads.svg exists and is not a file that tribodyn wrote"]);
     assert_eq!(names(&folder), ["contact-loads.svg"]);
     assert!(std::fs::metadata(&mine).unwrap().len() < 100);
     solve(&[&"--plot", &folder, &"--force"]).table();

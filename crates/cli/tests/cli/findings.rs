@@ -112,13 +112,13 @@ fn limit_a_search_ends_at_its_time_limit() {
     }
     ask("solve", &case, &["--time-limit", "0"]).fails(2, &["--time-limit", "seconds above 0"]);
     let rated = ask("rating", &case, &["--time-limit", "0.001", "--json"]).json();
-    assert!(rated["static_safety"].as_f64().is_some() && says(&rated, "was ended"), "{rated}");
+    assert!(rated["static_safety"].as_f64().is_some() && says(&rated, "was stopped"), "{rated}");
     let scratch = Scratch::new();
     let table = scratch.0.join("table.csv");
     let table = table.to_str().unwrap();
     let swept = ask("sweep", &case, &["--set", "ring.x.Force=kN(3)", "--time-limit", "0.001", "-o", table]);
     assert_eq!(swept.code, 1, "{}", swept.err);
-    assert!(std::fs::read_to_string(table).unwrap().contains("was ended before it led to an answer"));
+    assert!(std::fs::read_to_string(table).unwrap().contains("was stopped before it found one"));
 }
 
 #[test]

@@ -89,7 +89,7 @@ fn limit_what_new_cannot_make_is_refused() {
     assert_eq!(scratch.names(), [""; 0], "nothing half-written");
     // A file that is there stays.
     scratch.file("6206.ron", "mine");
-    run_in(&scratch.0, "new 6206").fails(1, &["6206.ron is there already", "-o", "--force"]);
+    run_in(&scratch.0, "new 6206").fails(1, &["6206.ron exists already", "-o", "--force"]);
     assert_eq!(std::fs::read_to_string(scratch.0.join("6206.ron")).unwrap(), "mine");
     run_in(&scratch.0, "new 6206 --force").table();
     assert!(std::fs::read_to_string(scratch.0.join("6206.ron")).unwrap().contains("ball_count: 9,"));

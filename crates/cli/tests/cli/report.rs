@@ -138,8 +138,8 @@ fn limit_recordings_that_cannot_be_reported_are_refused_and_nothing_written() {
     let missing = scratch.0.join("missing.mcap");
     let figures = scratch.file("figures.csv", "id,quantity,published,tolerance,source\n");
     for (recordings, said) in [
-        (vec![&text], "is no MCAP file"),
-        (vec![&solved, &text], "is no MCAP file"),
+        (vec![&text], "is not an MCAP file"),
+        (vec![&solved, &text], "is not an MCAP file"),
         (vec![&empty, &solved], "holds no sample of a transient run or of a solution"),
         (vec![&missing], "missing.mcap"),
         (vec![&solved, &solved, &solved], "unexpected value"),

@@ -187,7 +187,7 @@ fn identity_an_interrupted_run_is_closed_and_goes_on() {
     assert_eq!(scratch.names(), ["case.ron", "run.mcap", "run.mcap.checkpoint"]);
     let states = |path: &Path| items(path).iter().filter(|item| matches!(item, RunItem::State(_))).count();
     assert_eq!(states(&recording) as f64, number(&answer, "samples"));
-    go(&case, &scratch.0.join("other.mcap"), &[&"--resume"]).fails(2, &["there is no run to go on with"]);
+    go(&case, &scratch.0.join("other.mcap"), &[&"--resume"]).fails(2, &["no run to continue"]);
 }
 
 /// Simulated time of a checkpoint, s.
@@ -383,7 +383,7 @@ fn report_beside_figures_and_torn(scratch: &Scratch, recording: &PathBuf) {
     assert_eq!(answer["truncated"], true);
     assert!(fs::read_to_string(folder.join("summary.md")).unwrap().contains("ends before its end mark"));
     let text = scratch.file("text.mcap", "no recording");
-    run(&[&"report", &text, &"-o", &scratch.0.join("none")]).fails(2, &["is no MCAP file"]);
-    run(&[&"recover", &text, &"-o", &scratch.0.join("none")]).fails(1, &["is no MCAP file"]);
+    run(&[&"report", &text, &"-o", &scratch.0.join("none")]).fails(2, &["is not an MCAP file"]);
+    run(&[&"recover", &text, &"-o", &scratch.0.join("none")]).fails(1, &["is not an MCAP file"]);
     assert!(!scratch.0.join("none").exists());
 }

@@ -151,9 +151,9 @@ mod tests {
         assert!(matches!(Saved::from_bytes(&file, Path::new("c")), Err(StudyError::Damaged { .. })));
         let last = file.len() - 2;
         file[last] = b'6';
-        assert_eq!(refused(&file), "run.mcap.checkpoint is damaged: its checksum does not fit (20 of 20 bytes)");
+        assert_eq!(refused(&file), "run.mcap.checkpoint is damaged: its checksum does not match (20 of 20 bytes)");
         file.truncate(last);
-        assert_eq!(refused(&file), "run.mcap.checkpoint is damaged: its checksum does not fit (18 of 20 bytes)");
+        assert_eq!(refused(&file), "run.mcap.checkpoint is damaged: its checksum does not match (18 of 20 bytes)");
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub(crate) enum NoSummary {
     #[error("{}", with_causes(.0))]
     Sample(#[from] RecordError),
     /// A run without a sample.
-    #[error("the run made no sample")]
+    #[error("the run has no sample")]
     NoSample,
 }
 

@@ -145,7 +145,7 @@ pub fn worn_through_unseen(case: &Case, volumes_um3: [f64; 2], largest_loads: [f
         let film = coating.thickness * TAU * bearing.track_radius(side) * width;
         (film > 0.0 && volume > WORN_MUCH * film).then(|| {
             format!(
-                "By Archard's law {:.3} mm³ of the {:.3} mm³ of coating under the balls would have gone from the {} race, but wear does not act in this run (`transient.wear_acceleration` is 0): its coating is taken as whole.",
+                "By Archard's law {:.3} mm³ of the {:.3} mm³ of coating under the balls would be worn off the {} race, but wear does not act in this run (`transient.wear_acceleration` is 0): the coating stays whole.",
                 volume * 1e9,
                 film * 1e9,
                 side.name()

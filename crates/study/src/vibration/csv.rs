@@ -15,7 +15,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<SignalFile, StudyError> 
     let is_content = |line: &str| !line.trim().is_empty() && !line.starts_with(['#', '%']);
     let mut lines = text.lines().enumerate().filter(|(_, line)| is_content(line)).peekable();
     let Some((_, first)) = lines.peek().copied() else {
-        return Err(refused(1, 1, "there is nothing in it".to_owned()));
+        return Err(refused(1, 1, "the file is empty".to_owned()));
     };
     let by = Separator::of(first);
     let head: Vec<&str> = by.split(first).collect();

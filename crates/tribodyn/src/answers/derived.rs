@@ -170,7 +170,7 @@ fn notes(case: &Case, bearing: &Bearing) -> Vec<String> {
         && half > 0.0
     {
         notes.push(format!(
-            "the ring is held at z = {} µm: from z = 0 on every ball bears on one side; a bearing that floats in its play is held at the middle, z = Held(um({}))",
+            "the ring is held at z = {} µm: from z = 0 on every ball bears on one side; for a bearing that floats in its play take the middle, z = Held(um({}))",
             number(z * 1e6, 3),
             number(-half, 1)
         ));

@@ -90,7 +90,7 @@ pub enum PairError {
     #[error(transparent)]
     Orbit(#[from] OrbitError),
     /// The shaft moves without resistance.
-    #[error("a displacement of the shaft meets no resistance: the pair needs preload or load")]
+    #[error("the shaft moves without resistance: give the pair preload or load")]
     Loose,
     /// The iteration stopped above the tolerance.
     #[error(
@@ -103,10 +103,10 @@ pub enum PairError {
         tolerance: f64,
     },
     /// The caller ended the search.
-    #[error("the search for the pair was ended before it led to an answer")]
+    #[error("the search for the pair was stopped before it found one")]
     Ended,
     /// A spring in tandem has nothing to push against.
-    #[error("bearings in tandem are not preloaded against each other by a spring; allowed is an offset")]
+    #[error("a spring cannot preload bearings in tandem against each other; allowed is an offset")]
     SpringInTandem,
 }
 

@@ -114,7 +114,7 @@ impl StaticEstimate {
         };
         let slip = slip(case, (text, bearing)).map(|slip| format!("; {slip} would be: a slip of the unit?"));
         Some(format!(
-            "load of {} N radial, {} N axial: {against}about {} GPa at the hardest pressed ball, by a first estimate{}",
+            "load of {} N radial, {} N axial: {against}about {} GPa on the most loaded ball, by a first estimate{}",
             shown(self.radial_load_n),
             shown(self.axial_load_n),
             shown(self.peak_pressure_pa * 1e-9),

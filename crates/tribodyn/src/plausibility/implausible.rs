@@ -56,9 +56,9 @@ impl Serialize for Implausible {
 pub fn advice(model: Equations) -> &'static str {
     match model {
         Equations::JonesHarris | Equations::Traction => {
-            "do not use the numbers that this concerns; `--model steady-orbit` gives what a run settles to"
+            "do not use these numbers; `--model steady-orbit` gives what a run settles to"
         }
-        Equations::SteadyOrbit => "grooves have no ends in the models: loads that lead there are beyond this bearing",
+        Equations::SteadyOrbit => "the models' grooves have no ends: these loads are beyond this bearing",
     }
 }
 
@@ -161,7 +161,7 @@ fn idle(solution: &Solution) -> Option<String> {
     let quasi_static = solution.model == Model::Traction && solution.balls.iter().all(|ball| ball.motion.is_none());
     (quasi_static && idle > 0 && solution.inner_speed_rad_s != solution.outer_speed_rad_s).then(|| {
         format!(
-            "{idle} of {} balls have no inner contact, so that nothing in this model sets how they move: do not use its cage speed, torque, contact angles of these balls and pocket forces",
+            "{idle} of {} balls have no inner contact, and this model does not determine how they move: do not use cage speed, torque, pocket forces or contact angles of these balls",
             solution.balls.len()
         )
     })

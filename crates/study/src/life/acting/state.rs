@@ -69,7 +69,7 @@ fn act(
             if worn < CLOSEST * ball {
                 let race = if side == Side::Inner { "inner" } else { "outer" };
                 conforming = Some(format!(
-                    "the worn profile of the {race} race lies closer to the ball than f = {}: it is held there, and pressures are too high from then on",
+                    "the worn profile of the {race} race fits the ball closer than f = {}: f is kept at that value, and pressures are too high from then on",
                     0.5 * CLOSEST
                 ));
             }
