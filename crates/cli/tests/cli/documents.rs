@@ -1,7 +1,7 @@
 //! The examples of the documents are what the command prints, numbers to 1 %: they show what an answer looks like,
 //! while the tests beside this one say how good it is.
 
-use super::{Scratch, command};
+use super::{Scratch, command, fixture};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -80,14 +80,14 @@ fn regress_examples_of_the_documents() {
     assert!(examples >= 10, "only {examples} examples were found");
 }
 
-/// The tutorial works as it is written: its case file, and its commands one after the other in one folder.
+/// The tutorial works as it is written, with its case and one command after the other in one folder.
 #[test]
 fn regress_tutorial() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/tutorial.md");
     let text = std::fs::read_to_string(path).unwrap();
     let scratch = Scratch::new();
-    let case = text.split("```ron\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
-    scratch.file("7210.ron", case);
+    let case = std::fs::read_to_string(fixture("pump-7210.ron")).unwrap();
+    scratch.file("7210.ron", &case);
     assert!(run_examples("docs/tutorial.md", &text, &scratch.0) >= 5);
     assert!(scratch.0.join("report/foxglove-layout.json").exists());
 }
