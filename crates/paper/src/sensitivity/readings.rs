@@ -318,21 +318,22 @@ pub fn write(set: &Set) -> Result<(), PaperError> {
 pub fn block() -> Result<String, PaperError> {
     let text = files::read(&files::root().join(RESULT))?;
     let table = Table::read(RESULT, &text)?;
-    let mut rows: Vec<Vec<String>> = Vec::new();
+    let mut counts: Vec<(&str, usize, Vec<String>)> = Vec::new();
     for row in table.rows() {
-        if rows.last().is_none_or(|last| last[0] != row.first()) {
-            rows.push(vec![row.first().to_owned(), "0".to_owned(), String::new()]);
+        if counts.last().is_none_or(|last| last.0 != row.first()) {
+            counts.push((row.first(), 0, Vec::new()));
         }
-        let Some(last) = rows.last_mut() else { continue };
-        last[1] = (last[1].parse::<usize>().unwrap_or(0) + 1).to_string();
+        let Some((_, readings, met)) = counts.last_mut() else { continue };
+        *readings += 1;
         if row.text("verdict")? == "met" {
-            let more = format!("{} ({})", row.text("reading")?, row.text("values")?.replace(' ', ", "));
-            last[2] = if last[2].is_empty() { more } else { format!("{}; {more}", last[2]) };
+            met.push(format!("{} ({})", row.text("reading")?, row.text("values")?.replace(' ', ", ")));
         }
     }
-    for row in rows.iter_mut().filter(|row| row[2].is_empty()) {
-        row[2] = "none".to_owned();
-    }
-    let head = ["row", "readings", "met as"];
+    let first = |met: &[String]| met.first().map_or_else(|| "none".to_owned(), Clone::clone);
+    let rows: Vec<Vec<String>> = counts
+        .iter()
+        .map(|(row, readings, met)| vec![(*row).to_owned(), readings.to_string(), met.len().to_string(), first(met)])
+        .collect();
+    let head = ["row", "readings", "met", "such as"];
     Ok(format!("Other readings of the claims on the unchanged runs (`{RESULT}`):\n\n{}", markdown(&head, &rows)))
 }
