@@ -29,7 +29,7 @@ export async function opened(file) {
     playing = false;
     $("dropped-body").hidden = true;
     $("dropped-name").textContent = "";
-    $("dropped-problem").textContent = `${file.name}: ${error instanceof Refused ? error.message : "damaged, or no recording of tribodyn"}`;
+    $("dropped-problem").textContent = `${file.name}: ${error instanceof Refused ? error.message : "damaged, or not a recording of tribodyn"}`;
     $("dropped-problem").hidden = false;
     $("dropped").hidden = false;
     return;

@@ -105,7 +105,7 @@ class Table {
 
 // Times, states and balls of a recording, and what it says of itself.
 export function read(bytes) {
-  if (MAGIC.some((byte, k) => bytes[k] !== byte)) throw new Refused("no MCAP recording: its first bytes are other ones");
+  if (MAGIC.some((byte, k) => bytes[k] !== byte)) throw new Refused("not an MCAP recording");
   const schemas = new Map(), channels = new Map(), metadata = {};
   let states = null, balls = null;
   const times = [], perTime = [];
@@ -132,7 +132,7 @@ export function read(bytes) {
     times.push(parts.find(([number]) => number === balls.time)?.[2] ?? 0);
     perTime.push(parts.filter(([number]) => number === balls.number).map(([, , value]) => balls.table.row(value)));
   }
-  if (!states || !balls) throw new Refused("no recording of tribodyn: there is nothing of a bearing in it");
+  if (!states || !balls) throw new Refused("not a recording of tribodyn: it holds no bearing");
   return { metadata, states: columns(states), times: Float64Array.from(times), balls: { names: balls.table.names, rows: perTime } };
 }
 
@@ -143,7 +143,7 @@ function columns({ names, rows }) {
 // Numbers of a table with its columns by comma, semicolon, tab or blanks, with names above them or without.
 export function readTable(content) {
   const lines = content.split(/\r?\n/).filter(line => line.trim() !== "" && !line.startsWith("#"));
-  if (lines.length < 2) throw new Refused("no table: allowed are two lines or more");
+  if (lines.length < 2) throw new Refused("not a table: allowed are two lines or more");
   const mark = [";", "\t", ","].find(mark => lines[1].includes(mark)) ?? /\s+/;
   const decimal = mark === ";" || mark === "\t";
   const cells = line => line.trim().split(mark).map(cell => cell.trim().replace(/^"(.*)"$/, "$1"));
@@ -152,6 +152,6 @@ export function readTable(content) {
   const names = named ? first : first.map((_, k) => `column ${k + 1}`), values = names.map(() => []);
   lines.slice(named ? 1 : 0).forEach(line => cells(line).slice(0, names.length).forEach((cell, k) => values[k].push(number(cell))));
   const kept = names.map((name, k) => [name, Float64Array.from(values[k])]).filter(([, column]) => column.some(Number.isFinite));
-  if (kept.length === 0) throw new Refused("no table: no column of numbers in it");
+  if (kept.length === 0) throw new Refused("not a table: it has no column of numbers");
   return new Map(kept);
 }

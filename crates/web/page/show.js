@@ -37,7 +37,7 @@ export function brief(place, { sheet, solution }) {
   cards(place, [
     one("Life L10", rating.rating_life_l10_mrev, "10⁶ rev", "life"),
     one("Life L10r of the loads", rating.rating_life_l10r_mrev, "10⁶ rev", "life-r"),
-    one(rating.rating_life_lnmr_mrev == null ? "L10r in hours" : "Lnmr in hours, film and dirt counted",
+    one(rating.rating_life_lnmr_mrev == null ? "L10r in hours" : "Lnmr in hours, with film and contamination",
       rating.rating_life_hours, "h", "hours"),
     one("Static safety s₀", rating.static_safety, "", "safety", 3),
     one("Highest pressure", rating.peak_pressure_max_pa * 1e-9, "GPa", "pressure"),

@@ -85,7 +85,7 @@ export class View {
     this.canvas = canvas;
     this.turning = false;
     const gl = this.#gl = canvas.getContext("webgl", { antialias: true, preserveDrawingBuffer: true });
-    if (!gl) { canvas.replaceWith(Object.assign(document.createElement("p"), { textContent: "This browser gives no WebGL, so there is no view." })); return; }
+    if (!gl) { canvas.replaceWith(Object.assign(document.createElement("p"), { textContent: "The view needs WebGL, which this browser does not offer." })); return; }
     const program = gl.createProgram();
     for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
       const shader = gl.createShader(kind);
