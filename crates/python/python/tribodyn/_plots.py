@@ -36,8 +36,8 @@ def axes(ax: Optional[Axes]) -> Axes:
     try:
         from matplotlib import pyplot
     except ImportError as error:
-        allowed = "allowed is a Python with matplotlib: pip install 'tribodyn[plot]'"
-        raise InputError(f"there is no matplotlib to draw with; {allowed}", path="ax", allowed=allowed) from error
+        allowed = "pip install 'tribodyn[plot]'"
+        raise InputError(f"matplotlib is not installed: {allowed}", path="ax", allowed=allowed) from error
     return pyplot.subplots()[1]
 
 

@@ -39,8 +39,8 @@ def scene(recording: Recording, frames: int) -> Any:
     try:
         k3d = importlib.import_module("k3d")
     except ImportError as error:
-        allowed = "allowed is a Python with K3D: pip install 'tribodyn[scene]'"
-        raise InputError(f"there is no K3D to draw with; {allowed}", path="frames", allowed=allowed) from error
+        allowed = "pip install 'tribodyn[scene]'"
+        raise InputError(f"K3D is not installed: {allowed}", path="frames", allowed=allowed) from error
     if not frames > 0:
         allowed = "allowed is a number of 1 or more"
         raise InputError(f"frames = {frames}: {allowed}", path="frames", value=str(frames), allowed=allowed)

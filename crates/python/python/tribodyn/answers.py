@@ -441,7 +441,7 @@ class Stiffness(Answer):
         softer = self._softer_by_tilts()
         if np.max(softer) > TOLD_SOFTER:
             shares = ", ".join(f"{name} by {100 * share:.0f} %" for name, share in zip(("kxx", "kyy", "kzz"), softer))
-            message = f"the element has no tilts: they are held, and a ring that is free to tilt is softer, {shares}"
+            message = f"the element has no tilts: a ring that is free to tilt is softer, {shares}"
             warnings.warn(message, ModelWarning, stacklevel=2)
         if major is None:
             try:

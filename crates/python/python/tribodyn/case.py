@@ -251,7 +251,7 @@ def _value(text: str) -> Any:
 def _of_pint(path: str, value: Any, there: Optional[units.Quantity]) -> units.Quantity:
     """A quantity of Pint's in the unit that stands at the path."""
     if there is None:
-        allowed = "allowed is a quantity of tribodyn.units: no unit stands there that Pint's could be turned into"
+        allowed = "allowed is a quantity of tribodyn.units: the value there has no unit to convert to"
         raise InputError(f"{path} = {value}: {allowed}", path=path, value=str(value), allowed=allowed)
     try:
         return units.Quantity(float(value.to(units.pint_name(there.unit)).magnitude), there.unit)

@@ -400,7 +400,7 @@ def _run(case: Case, duration: Optional[float], path: Path, beginning: str, prog
     if stopped is not None and stopped_s is not None:
         if not isinstance(stopped, KeyboardInterrupt):
             raise stopped
-        message = f"stopped after {stopped_s} of {answer['duration_s']} s; run(..., resume=True) goes on from there"
+        message = f"stopped after {stopped_s} of {answer['duration_s']} s; run(..., resume=True) continues it"
         facts = {"simulated_s": stopped_s, "duration_s": answer["duration_s"], "recording": os.fspath(path)}
         raise Stopped(message, **facts) from stopped
     answer["data"] = read_recording(path, limits=False)
