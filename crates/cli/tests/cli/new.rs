@@ -85,7 +85,7 @@ fn limit_what_new_cannot_make_is_refused() {
     refused("--bore 50 --outside 40 --width 20", &["outside diameter is 40 mm", "greater than the bore"]);
     refused("--bore 50 --outside 90 --width 20 --balls 30 --ball 12.7", &["30 balls of 12.7 mm"]);
     refused("6206 --radial nan", &["--radial"]);
-    refused("--ask", &["there is no terminal"]);
+    refused("--ask", &["no terminal to ask on"]);
     assert_eq!(scratch.names(), [""; 0], "nothing half-written");
     // A file that is there stays.
     scratch.file("6206.ron", "mine");
@@ -114,7 +114,7 @@ fn limit_check_and_solve_warn_of_slips() {
         assert!(warnings.contains(part), "{warnings}");
     }
     let held = run_words(&format!("check {case} --set ring.z=Held(um(0)) --json")).json();
-    assert!(held["notes"][1].as_str().unwrap().contains("held at the middle"), "{}", held["notes"]);
+    assert!(held["notes"][1].as_str().unwrap().contains("take the middle"), "{}", held["notes"]);
     let harris = fixture("bearing-218.ron");
     let solve = |options: &str| {
         let line = format!("solve {} --model jones-harris {options} --json", harris.to_str().unwrap());
