@@ -144,7 +144,8 @@ fn identity_a_killed_run_goes_on_to_the_same_samples() {
     // The lock of a dead process stays and blocks nobody.
     assert_eq!(scratch.names(), ["case.ron", "killed.mcap.active", "killed.mcap.checkpoint", "killed.mcap.lock"]);
     let page = scratch.0.join("page");
-    run(&[&"report", &killed, &"-o", &page]).fails(2, &["no recording", "killed.mcap.active of an unfinished run", "recover"]);
+    run(&[&"report", &killed, &"-o", &page])
+        .fails(2, &["no recording", "killed.mcap.active of an unfinished run", "recover"]);
     // Nothing is lost by giving the command again, and no other case goes on.
     let again: [&dyn AsRef<OsStr>; 2] = [&"--duration", &"0.1"];
     go(&case, &killed, &again).fails(2, &["killed.mcap.checkpoint", "--resume goes on", "--restart forgets"]);
