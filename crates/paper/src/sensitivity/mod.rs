@@ -212,3 +212,13 @@ fn block() -> Result<String, PaperError> {
         markdown(&head, &rows)
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identity_the_page_shows_the_committed_results() {
+        assert_eq!(outdated().unwrap(), None);
+    }
+}
