@@ -267,7 +267,7 @@ fn in_options(error: &StudyError) -> String {
             format!("{}: {difference}; delete it, or use --restart to begin anew", path.display())
         }
         StudyError::NoWear(_) => {
-            "--until is missing: nothing wears a coating through in this case: give a time in h".to_owned()
+            "--until is missing: no coating wears through in this case: give a time in h".to_owned()
         }
         StudyError::NoCoating(_) => format!("{error}: give --clearance-limit in um, or --until in h"),
         StudyError::NotOurs { .. } => format!("{error} without --force"),

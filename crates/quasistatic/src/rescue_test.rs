@@ -62,7 +62,9 @@ fn limit_reasons_say_what_helps() {
     let skidding = Reason::Skidding { skidding: 9, idle: 4, balls: 13, cage_speed_rpm: 812.0, rolling_rpm: 5800.0 };
     assert!(text(skidding).contains("9 of 13 balls skid, 4 are off the inner race"), "{}", text(skidding));
     let control = |friction| text(Reason::RacewayControl { friction, speed_share: 0.78 });
-    assert!(control(0.03).contains("up to 78 % of this speed") && control(f64::INFINITY).contains("not held by it"));
+    assert!(
+        control(0.03).contains("up to 78 % of this speed") && control(f64::INFINITY).contains("cannot hold a ball")
+    );
 }
 
 /// A tolerance below what rounding leaves is answered with one that can be met, and not with a search for another root.

@@ -131,7 +131,7 @@ fn identity_what_is_worn_at_the_start_counts_once() {
 #[test]
 fn limit_what_lasts_for_ever_needs_an_end() {
     let none = ["wear.inner.coefficient=0", "wear.outer.coefficient=0"];
-    life(&none, &[]).fails(2, &["--until is missing", "nothing wears a coating through"]);
+    life(&none, &[]).fails(2, &["--until is missing", "no coating wears through"]);
     let answer = life(&none, &["--until", "100"]);
     assert!(answer.table().contains("after 100.00 h") && answer.table().contains("no coating is through"));
     life(&[], &["--until", "-1"]).fails(2, &["number of hours above 0"]);

@@ -247,7 +247,9 @@ mod tests {
         bearing.text = bearing.text.replace("outer: Constant(rpm(0.00))", "outer: Constant(rpm(9))");
         let solving = solve_by(&bearing, Equations::SteadyOrbit);
         let Verdict::Explained(why) = solving.verdict else { panic!("it has an orbit now") };
-        for part in ["gross skidding: nothing presses a ball", "less clearance", "nearest has the cage at"] {
+        for part in
+            ["gross skidding: nothing presses the balls", "reduce the clearance", "nearest state has the cage at"]
+        {
             assert!(why.contains(part), "{why}");
         }
     }

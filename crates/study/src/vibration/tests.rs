@@ -52,7 +52,7 @@ fn limit_text_in_all_its_forms() {
         ("a,b\n1,2\n1\n", ":3:2: 1 columns where the first line has 2"),
         ("a,b\n1,2,3\n", ":2:3: column 3 is one more than the first line has"),
         ("a,a\n1,2\n", ":1:2: a second column `a`"),
-        ("", ":1:1: there is nothing in it"),
+        ("", ":1:1: the file is empty"),
     ] {
         let error = read(&scratch.file("bad.csv", text)).unwrap_err();
         assert!(error.ends_with(message), "{error}");
