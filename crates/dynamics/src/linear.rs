@@ -1,4 +1,9 @@
-//! Traction of a contact as a linear function of motion and load, good for a while.
+//! Traction of a contact as a linear function of motion and load, good for a while, with a bend along the way that
+//! motion and load go.
+//!
+//! Balls go round, so that the traction of a contact moves along a smooth curve. How far the linear form was off at a
+//! refresh is half its second derivative along the way, and the next form takes it along: its error then grows with the
+//! third power of the distance, not the second, and a third as many patches are integrated.
 
 use crate::machine::Machine;
 use nalgebra::Matrix5;
@@ -21,7 +26,7 @@ const FINEST_AT_FULL: f64 = 1e-4;
 /// than the linear traction between its refreshes costs and brings nothing. A target finer than 1e-4 refines both.
 /// Named rules are taken as they are, and by the other schemes every rule is.
 pub(crate) fn errors(scheme: Scheme, patch: PatchChoice) -> (PatchChoice, f64) {
-    let (Scheme::Fast { .. }, PatchChoice::TargetError { relative }) = (scheme, patch) else {
+    let (Scheme::Fast { .. } | Scheme::FastTo { .. }, PatchChoice::TargetError { relative }) = (scheme, patch) else {
         return (patch, LINEAR_ERROR);
     };
     let linear = LINEAR_ERROR * (relative / FINEST_AT_FULL).min(1.0);
@@ -45,6 +50,8 @@ const NO_LOAD: f64 = 1e-30;
 const GROWTH: f64 = 1.5;
 /// Share of the distance at which the error found would be the one that is allowed.
 const CAUTION: f64 = 0.8;
+/// Shortest way that a bend is found from, over the reach: on a shorter one rounding and the patch rule bend more.
+const SHORTEST_BEND: f64 = 0.3;
 
 /// Both contacts of a ball.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -55,7 +62,10 @@ pub(crate) struct Contacts {
     pub last: [u64; 2],
 }
 
-/// Value and slopes at one point. Linear is the traction over the load, in the motion and in the load: traction is
+/// Reach, bend and way of a form.
+type Next = (f64, [f64; 6], [f64; 6]);
+
+/// Value, slopes and bend at one point. Linear is the traction over the load, in the motion and in the load: traction is
 /// nearly in proportion to the load, and so are its slopes by the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct LinearTraction {
@@ -66,6 +76,10 @@ pub(crate) struct LinearTraction {
     /// Derivatives of them all over the load, times the load, by one input after the other, the last of which is the
     /// change of the load over the load. Wear's are those by the load.
     slopes: [[f64; 6]; 6],
+    /// What the square of the way adds to the value, and the way by the changes of motion and load: 1 for that from the
+    /// point before.
+    bend: [f64; 6],
+    way: [f64; 6],
     /// Part of the coating that is gone.
     bare: f64,
     /// Lateral semi-axis, m.
@@ -76,14 +90,13 @@ pub(crate) struct LinearTraction {
 
 impl LinearTraction {
     /// All its numbers.
-    pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
-        let slopes = self.slopes.iter().flatten();
-        self.inputs.iter().chain(&self.value).chain(slopes).copied().chain([self.bare, self.semi_lateral, self.reach])
+    pub fn values(&self) -> impl Iterator<Item = f64> {
+        self.numbers().into_iter()
     }
 
     /// Numbers that a linear traction consists of, and which of them is the lateral semi-axis.
-    pub const NUMBERS: usize = 51;
-    pub const SEMI_LATERAL: usize = 49;
+    pub const NUMBERS: usize = 63;
+    pub const SEMI_LATERAL: usize = 61;
 
     /// All of them in order.
     pub fn numbers(&self) -> [f64; Self::NUMBERS] {
@@ -91,7 +104,9 @@ impl LinearTraction {
         all[..6].copy_from_slice(&self.inputs);
         all[6..12].copy_from_slice(&self.value);
         all[12..48].copy_from_slice(self.slopes.as_flattened());
-        all[48..].copy_from_slice(&[self.bare, self.semi_lateral, self.reach]);
+        all[48..54].copy_from_slice(&self.bend);
+        all[54..60].copy_from_slice(&self.way);
+        all[60..].copy_from_slice(&[self.bare, self.semi_lateral, self.reach]);
         all
     }
 
@@ -100,7 +115,8 @@ impl LinearTraction {
     pub fn from_numbers(n: impl Fn(usize) -> f64) -> Self {
         let six = |at: usize| [n(at), n(at + 1), n(at + 2), n(at + 3), n(at + 4), n(at + 5)];
         let slopes = [six(12), six(18), six(24), six(30), six(36), six(42)];
-        Self { inputs: six(0), value: six(6), slopes, bare: n(48), semi_lateral: n(49), reach: n(50) }
+        let (bend, way) = (six(48), six(54));
+        Self { inputs: six(0), value: six(6), slopes, bend, way, bare: n(60), semi_lateral: n(61), reach: n(62) }
     }
 
     /// The change of motion and relative change of the load, and whether it and the bare part of the surface are near
@@ -154,9 +170,13 @@ impl LinearTraction {
                 f[output] += self.slopes[input][output] * change[input];
             }
         }
-        let grown = 1.0 + change[5];
+        let mut way = 0.0;
+        for input in 0..6 {
+            way += self.way[input] * change[input];
+        }
+        let (square, grown) = (way * way, 1.0 + change[5]);
         for output in 0..6 {
-            f[output] *= grown;
+            f[output] = (f[output] + square * self.bend[output]) * grown;
         }
         let mut traction = PatchTraction {
             force_rolling: f[0],
@@ -189,7 +209,7 @@ impl LinearTraction {
             return machine.kernel.traction(&machine.bearing, p);
         };
         let load = p.load;
-        let reach = if self.reach > 0.0 { self.next_reach(p, &d, (load, tolerance)) } else { FIRST_REACH };
+        let (reach, bend, way) = self.next_way(p, &d, (load, tolerance));
         let PatchDerivative { traction, by_motion, by_load, .. } = d;
         let (value, by_load) = (outputs(&traction), outputs(&by_load));
         *self = Self {
@@ -202,6 +222,8 @@ impl LinearTraction {
                     std::array::from_fn(|i| by_motion.get(i).map_or(0.0, |row| row[input]))
                 }
             }),
+            bend,
+            way,
             bare: p.bare,
             semi_lateral: p.patch.semi_lateral,
             reach,
@@ -209,15 +231,36 @@ impl LinearTraction {
         traction
     }
 
-    fn next_reach(&self, p: &LoadedPatch<'_, f64>, d: &PatchDerivative, (load, tolerance): (f64, f64)) -> f64 {
-        let change = self.change(&p.motion, load);
-        let linear = self.traction(&p.motion, &change);
-        let along = linear.force_rolling - d.traction.force_rolling;
-        let across = linear.force_lateral - d.traction.force_lateral;
+    /// Reach, bend and way of the form that follows.
+    fn next_way(&self, p: &LoadedPatch<'_, f64>, d: &PatchDerivative, (load, tolerance): (f64, f64)) -> Next {
+        if self.reach <= 0.0 {
+            return (FIRST_REACH, [0.0; 6], [0.0; 6]);
+        }
+        let (change, r) = (self.change(&p.motion, load), p.patch.ball_radius);
+        let found = self.traction(&p.motion, &change);
+        let along = found.force_rolling - d.traction.force_rolling;
+        let across = found.force_lateral - d.traction.force_lateral;
         let off = (along * along + across * across).sqrt() / load;
-        let distance = self.distance(&change, p.patch.ball_radius).sqrt();
-        let wanted = CAUTION * distance * (tolerance / off.max(1e-14)).sqrt();
-        wanted.clamp(self.reach / (2.0 * GROWTH), self.reach * GROWTH).max(SHORTEST_REACH)
+        let square = self.distance(&change, r);
+        // The error grows with the square of the distance, and with its third power where there was a bend.
+        let ratio = tolerance / off.max(1e-14);
+        let straight = self.way == [0.0; 6];
+        let wanted = CAUTION * square.sqrt() * if straight { ratio.sqrt() } else { ratio.cbrt() };
+        let reach = wanted.clamp(self.reach / (2.0 * GROWTH), self.reach * GROWTH).max(SHORTEST_REACH);
+        if square.sqrt() < SHORTEST_BEND * self.reach {
+            return (reach, [0.0; 6], [0.0; 6]);
+        }
+        let linear = outputs(&Self { bend: [0.0; 6], ..*self }.traction(&p.motion, &change));
+        let exact = outputs(&d.traction);
+        let way = self.metric(&change, r).map(|part| part / square);
+        (reach, std::array::from_fn(|i| exact[i] - linear[i]), way)
+    }
+
+    /// Half the slopes of [`Self::distance`] at a change: the metric times it.
+    fn metric(&self, d: &[f64; 6], r: f64) -> [f64; 6] {
+        let (along, across) = (d[0] + r * d[3], d[1] - r * d[4]);
+        let spin = SPIN_AS_SLIP * self.semi_lateral;
+        [along, across, spin * spin * d[2], r * along, -r * across, LOAD_AS_SLIP * LOAD_AS_SLIP * d[5]]
     }
 
     /// Derivative of forces and moments by the motion: a column for each input.

@@ -15,8 +15,8 @@ use tribodyn_bearing::{Races, Side, Wrench};
 
 /// Steps between new matrices of the rings: they only predict, and turn with the balls by some ten degrees.
 const RINGS_EVERY: usize = 16;
-/// Most steps that a linear traction serves.
-const LONGEST_LINEAR: u64 = 64;
+/// Most steps that a linear traction serves: its reach bounds all that it depends on, and this what a reach misses.
+const LONGEST_LINEAR: u64 = 512;
 
 impl Fast {
     /// Every ball by itself with the rings held, then the rings with what the balls leave, then the balls again by what
