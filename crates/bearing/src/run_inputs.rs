@@ -217,4 +217,10 @@ pub enum Scheme {
         /// Step, s.
         step: f64,
     },
+    /// The same with the longest step that errs by no more than is asked for.
+    FastTo {
+        /// Error of loads and torque over themselves; of the cage's speed a tenth of it, of the outer ring's unsteady
+        /// acceleration ten times as much.
+        accuracy: f64,
+    },
 }

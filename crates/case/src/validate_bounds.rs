@@ -319,6 +319,7 @@ impl Values {
             match transient.scheme {
                 Scheme::RungeKutta4 { step } => self.add("transient.scheme.RungeKutta4.step", step),
                 Scheme::Fast { step } => self.add("transient.scheme.Fast.step", step),
+                Scheme::FastTo { accuracy } => self.add("transient.scheme.FastTo.accuracy", accuracy),
                 Scheme::DormandPrince { longest, .. } => {
                     self.add("transient.scheme.DormandPrince.longest", longest);
                 }

@@ -148,6 +148,10 @@ fn transient(spec: &TransientSpec) -> Verdict {
     match spec.scheme {
         Scheme::RungeKutta4 { step: h } => step("RungeKutta4.step", h)?,
         Scheme::Fast { step: h } => step("Fast.step", h)?,
+        Scheme::FastTo { accuracy } => {
+            let allowed = (1e-6..=0.1).contains(&accuracy);
+            require(allowed, "transient.scheme.FastTo.accuracy", "must lie between 1e-6 and 0.1 of loads and torque")?;
+        }
         Scheme::DormandPrince { tolerance, longest } => {
             let allowed = (1e-13..=1e-2).contains(&tolerance);
             require(allowed, "transient.scheme.DormandPrince.tolerance", "must lie between 1e-13 and 0.01")?;

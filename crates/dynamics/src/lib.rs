@@ -37,7 +37,7 @@ pub use observer::{BallDetail, Event, EventKind, Observer};
 pub use power::{POWER_IN, POWER_LOST, PowerSample};
 pub use run::{
     ACCELERATION_ERROR, ACCELERATION_PART, AccelerationError, Checkpoint, Ending, FilterBands, Run, RunError,
-    Statistics,
+    Statistics, StepChoice, StepErrors,
 };
 pub use sample::{CageSample, FreeCageSample, RingSample, Sample, WearSample};
 pub use start::StartMotion;

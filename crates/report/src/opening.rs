@@ -33,6 +33,10 @@ pub fn of_run(answer: &Answer, case: Option<&CaseFile>, run: &Run) -> Table {
     if let Some(step) = answer.known.step_s {
         rows.push(row("Step taken", format!("{} µs", number(step * 1e6, 3))));
     }
+    if let Some(choice) = answer.known.step_choice {
+        let found = format!("{:.1e} of loads and torque, {:.1e} asked for", choice.errors.worst(), choice.accuracy);
+        rows.push(row("Error of the step", found + if choice.scatters { "; shorter steps are no better" } else { "" }));
+    }
     if let Some(error) = answer.acceleration_error() {
         rows.push(row("Error of accelerations, rms", format!("{error:.1e} m/s²")));
     }

@@ -122,6 +122,9 @@ enum SchemeDef {
         #[serde(deserialize_with = "units::time")]
         step: f64,
     },
+    FastTo {
+        accuracy: f64,
+    },
 }
 
 /// What a run writes and how often.

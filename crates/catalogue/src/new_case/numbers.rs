@@ -33,7 +33,6 @@ pub(super) struct Numbers {
     pub support: [f64; 2],
     /// Of the inner ring, N s/m.
     pub inner_damping: f64,
-    pub step_us: f64,
     pub duration: f64,
     pub state_rate_khz: f64,
     pub dynamic_rating: f64,
@@ -69,7 +68,6 @@ impl Numbers {
             outer_mass,
             support: [stiffness, round(0.1 * (stiffness * outer_mass).sqrt(), 1)],
             inner_damping: round(0.05 * (stiffness * inner_mass).sqrt(), 1),
-            step_us: step_us(ball_count, ball_diameter, axial_load.abs() + 5.0 * radial_load.abs(), case),
             duration: (5.0 * turn * 100.0).ceil() / 100.0,
             state_rate_khz: rates.into_iter().find(|rate| rate * 1e3 >= 20.0 * pass).unwrap_or(rates[3]),
             dynamic_rating,
@@ -80,18 +78,6 @@ impl Numbers {
 /// A ring of half the solid section between the balls' centre line and the rings, 0.35 D high and 0.8 B wide.
 fn cage_mass(pitch: f64, ball_diameter: f64, width: f64) -> f64 {
     POLYAMIDE * PI * pitch * 0.35 * ball_diameter * 0.8 * width * 0.5
-}
-
-/// Step of the fast scheme, µs: a quarter of the time in which a ball answers its contacts' springs, or less.
-fn step_us(ball_count: usize, ball_diameter: f64, load: f64, case: &NewCase) -> f64 {
-    let sine = case.envelope.contact_angle.sin().max(0.2);
-    let each = (load / (ball_count as f64 * sine)).max(1.0);
-    // K_n grows with the root of the diameter; 3e10 N/m^1.5 is that of a half-inch ball.
-    let constant = 3e10 * (ball_diameter / 12.7e-3).sqrt();
-    let stiffness = 2.0 * 1.5 * constant.powf(2.0 / 3.0) * each.cbrt();
-    let mass = STEEL * PI / 6.0 * ball_diameter.powi(3);
-    let longest = 0.25 * 2.0 * (mass / stiffness).sqrt() * 1e6;
-    [5.0, 2.0, 1.0, 0.5, 0.2].into_iter().find(|step| *step <= longest).unwrap_or(0.1)
 }
 
 /// A number to so many significant digits.

@@ -98,6 +98,11 @@ fn solver_rows(r: &RunReport) -> Vec<Row> {
     if let Some(step) = r.known.step_s {
         rows.push(("step taken", number(step * 1e6, 3), "µs"));
     }
+    if let Some(choice) = r.known.step_choice {
+        let [asked, found] = [choice.accuracy, choice.errors.worst()].map(|error| format!("{error:.1e}"));
+        let scatter = if choice.scatters { ", shorter steps no better" } else { "" };
+        rows.push(("accuracy asked for, error found", format!("{asked} {found}{scatter}"), ""));
+    }
     if let Some(error) = r.outcome.acceleration_error_m_s2 {
         rows.push(("error of accelerations, rms", format!("{error:.1e}"), "m/s²"));
     }

@@ -2,6 +2,7 @@
 
 mod after;
 mod blame;
+mod choice;
 mod companion;
 mod filter;
 mod resume;
@@ -9,6 +10,7 @@ mod scales;
 mod spalls;
 mod step;
 
+pub use choice::{StepChoice, StepErrors};
 pub use companion::{ACCELERATION_PART, AccelerationError};
 pub use filter::FilterBands;
 
@@ -24,6 +26,7 @@ use crate::sample::Sample;
 use crate::start::{StartMotion, Started, start};
 use crate::stiffness::Stiffness;
 use blame::Looked;
+use choice::Trials;
 use filter::{Filter, FilterMemory, steps_of_sample};
 use scales::scales;
 use serde::{Deserialize, Serialize};
@@ -37,6 +40,8 @@ use tribodyn_wear::Raceway;
 pub struct Run {
     machine: Machine,
     scheme: Scheme,
+    /// How the step was chosen, where an accuracy was asked for.
+    choice: Option<StepChoice>,
     duration: f64,
     state_rate: f64,
     balls_every: u64,
@@ -122,6 +127,8 @@ impl Scheme {
             tribodyn_bearing::Scheme::Fast { step } => {
                 Self::Fast { step: 1.0 / (state_rate * steps_of_sample(step, state_rate)) }
             }
+            // The step was chosen before.
+            tribodyn_bearing::Scheme::FastTo { .. } => Self::Fast { step: 1.0 / state_rate },
             tribodyn_bearing::Scheme::DormandPrince { tolerance, longest } => {
                 Self::DormandPrince { tolerance, longest, method: DormandPrince::default() }
             }
@@ -176,6 +183,20 @@ const SHORTEST_STEP: f64 = 1e-12;
 /// Nearest to either end of a step that a pocket event is worth a cut, as a part of the step.
 const CUT_MARGIN: f64 = 1e-6;
 
+/// Refuses a step that never comes to an end.
+fn refuse_no_step(scheme: tribodyn_bearing::Scheme) -> Result<(), DynamicsError> {
+    use tribodyn_bearing::Scheme::{DormandPrince, Fast, FastTo, RungeKutta4};
+    let step_s = match scheme {
+        RungeKutta4 { step } | Fast { step } => step,
+        DormandPrince { longest, .. } => longest,
+        FastTo { accuracy } => accuracy,
+    };
+    if step_s.is_nan() || step_s < SHORTEST_STEP {
+        return Err(DynamicsError::NoProgress { time_s: 0.0, step_s });
+    }
+    Ok(())
+}
+
 impl Run {
     /// The same run with traction integrated node by node by the generic quadrature: the plain reference of the fast
     /// kernel.
@@ -207,15 +228,19 @@ impl Run {
 
     fn from_start(inputs: RunInputs, motion: Option<StartMotion>) -> Result<Self, DynamicsError> {
         let RunOptions { duration, scheme, state_rate, ball_rate, .. } = inputs.options;
-        let (tribodyn_bearing::Scheme::RungeKutta4 { step: step_s }
-        | tribodyn_bearing::Scheme::Fast { step: step_s }
-        | tribodyn_bearing::Scheme::DormandPrince { longest: step_s, .. }) = scheme;
-        if step_s.is_nan() || step_s < SHORTEST_STEP {
-            return Err(DynamicsError::NoProgress { time_s: 0.0, step_s });
-        }
+        refuse_no_step(scheme)?;
         let (patch, linear_error) = errors(scheme, inputs.patch);
         let tolerance = inputs.numerics.tolerance;
-        let Started { machine, state, solution } = start(RunInputs { patch, ..inputs }, motion)?;
+        let Started { mut machine, state, solution } = start(RunInputs { patch, ..inputs }, motion)?;
+        let trials = Trials { machine: &machine, state: &state, linear_error, rate: state_rate, duration };
+        let choice = match scheme {
+            tribodyn_bearing::Scheme::FastTo { accuracy } => Some(trials.choose(accuracy)),
+            _ => None,
+        };
+        let scheme = choice.map_or(scheme, |choice| tribodyn_bearing::Scheme::Fast { step: choice.step_s });
+        if let tribodyn_bearing::Scheme::Fast { step } = scheme {
+            machine.thicken_pocket_film(step);
+        }
         let filter = Filter::new(FilterBands::new(scheme, state_rate))?;
         let stiffness = machine.stiffness(0.0, &state);
         let progress = Checkpoint {
@@ -244,6 +269,7 @@ impl Run {
         };
         let mut run = Self {
             scheme: Scheme::new(scheme, state_rate),
+            choice,
             duration,
             state_rate,
             tolerance,
@@ -302,6 +328,22 @@ impl Run {
             Scheme::Fast { .. } => self.progress.stiffness.fast_step_s,
             _ => self.progress.stiffness.runge_kutta_step_s,
         }
+    }
+
+    /// The scheme of the run; where an accuracy was asked for, with the step that was chosen.
+    pub fn scheme(&self) -> tribodyn_bearing::Scheme {
+        match self.scheme {
+            Scheme::Rk4 { step, .. } => tribodyn_bearing::Scheme::RungeKutta4 { step },
+            Scheme::Fast { step } => tribodyn_bearing::Scheme::Fast { step },
+            Scheme::DormandPrince { tolerance, longest, .. } => {
+                tribodyn_bearing::Scheme::DormandPrince { tolerance, longest }
+            }
+        }
+    }
+
+    /// How the step was chosen, where an accuracy was asked for.
+    pub fn step_choice(&self) -> Option<StepChoice> {
+        self.choice
     }
 
     /// The patch rule of the run.

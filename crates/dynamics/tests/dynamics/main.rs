@@ -1,5 +1,6 @@
 //! Whole runs: equilibria that stay, orders of convergence, symmetries, schemes against each other, trouble.
 
+mod accuracy;
 mod aliasing;
 mod companion;
 mod equilibrium;

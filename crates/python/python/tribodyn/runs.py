@@ -276,6 +276,9 @@ class Run(Answer):
     simulated_per_wall: float
     #: the fixed step that was taken; None where steps follow from the error
     step_s: Optional[float]
+    #: how that step was chosen: accuracy asked for, errors found, step, whether shorter steps are no better; None where
+    #: no accuracy was asked for
+    step_choice: Optional[dict[str, Any]]
     #: points of the contact patches
     patch_rule: str
     #: error of the traction by these points over the load

@@ -35,7 +35,7 @@ pub fn imbalance(percent: f64) -> String {
 pub fn judge(imbalance_percent: f64, case: &Case) -> Judgement {
     let Some(transient) = case.transient.as_ref() else { return Judgement::Balanced };
     let most = match transient.scheme {
-        Scheme::Fast { .. } => OFF_BALANCE_FAST_PERCENT,
+        Scheme::Fast { .. } | Scheme::FastTo { .. } => OFF_BALANCE_FAST_PERCENT,
         _ => OFF_BALANCE_EXPLICIT_PERCENT,
     };
     // What is not a number is off as well.

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use tribodyn::CaseFile;
 use tribodyn::plausibility;
 use tribodyn_bearing::PatchSurfaces;
-use tribodyn_dynamics::{Run, Statistics, Stiffness};
+use tribodyn_dynamics::{Run, Statistics, StepChoice, Stiffness};
 use tribodyn_quasistatic::Solution;
 
 /// What is known before the first step.
@@ -16,6 +16,8 @@ pub struct KnownAtStart {
     /// The fixed step that is taken, s; the fast scheme's divides the time between samples. None where steps follow
     /// from the error.
     pub step_s: Option<f64>,
+    /// How that step was chosen, where an accuracy was asked for.
+    pub step_choice: Option<StepChoice>,
     /// Rule by which patches are integrated.
     pub patch_rule: String,
     /// Of the solution that the run starts from, over the contact load.
@@ -44,6 +46,7 @@ impl KnownAtStart {
     pub(crate) fn of(run: &Run, file: &CaseFile) -> Self {
         Self {
             step_s: run.step_s(),
+            step_choice: run.step_choice(),
             // Elastic patches have strips and cells of their own.
             patch_rule: match file.case.modelling.patch {
                 Some(PatchSurfaces::Elastic { strips, cells }) => {
@@ -62,6 +65,7 @@ impl KnownAtStart {
         let number = |value: &Option<f64>| value.map(|value| value.to_string());
         let all = [
             ("step_s", number(&self.step_s)),
+            ("step_choice", self.step_choice.as_ref().map(json)),
             ("patch_rule", Some(self.patch_rule.clone())),
             ("patch_error_estimate", number(&self.patch_error_estimate)),
         ];
@@ -75,6 +79,7 @@ impl KnownAtStart {
         let at_start = run.events.iter().filter(|row| row.is_of_start());
         Self {
             step_s: number("step_s"),
+            step_choice: said("step_choice").and_then(|text| serde_json::from_str(&text).ok()),
             patch_rule: said("patch_rule").unwrap_or_default(),
             patch_error_estimate: number("patch_error_estimate"),
             scheme: said("scheme").unwrap_or_default(),

@@ -12,10 +12,11 @@ use tribodyn_orbit::{OrbitError, SolvedOrbit, steady_orbit};
 /// # Errors
 /// A case that cannot be run, or a start that is not found.
 pub(crate) fn start_run(file: &CaseFile) -> Result<(Run, RunInputs), StudyError> {
-    let inputs = file.run_inputs()?;
+    let mut inputs = file.run_inputs()?;
     let cannot_start = |source| StudyError::CannotStart { file: file.name.clone(), source };
     if inputs.options.start != Start::SteadyOrbit {
         let run = Run::new(inputs.clone()).map_err(cannot_start)?;
+        inputs.options.scheme = run.scheme();
         return Ok((run, inputs));
     }
     let point = inputs.operating_point_at(0.0);
@@ -23,6 +24,7 @@ pub(crate) fn start_run(file: &CaseFile) -> Result<(Run, RunInputs), StudyError>
     let failed = |source| StudyError::NoOrbitToStart { file: file.name.clone(), source };
     let motion = motion(&problem).map_err(failed)?;
     let run = Run::moving(inputs.clone(), motion).map_err(cannot_start)?;
+    inputs.options.scheme = run.scheme();
     Ok((run, inputs))
 }
 

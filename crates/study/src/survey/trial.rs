@@ -205,7 +205,7 @@ fn scheme_name(case: &Case) -> &'static str {
     match case.transient.as_ref().map(|transient| transient.scheme) {
         Some(Scheme::RungeKutta4 { .. }) => "Runge–Kutta",
         Some(Scheme::DormandPrince { .. }) => "Dormand–Prince",
-        Some(Scheme::Fast { .. }) => "fast",
+        Some(Scheme::Fast { .. } | Scheme::FastTo { .. }) => "fast",
         None => "none",
     }
 }

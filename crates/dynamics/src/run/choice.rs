@@ -1,0 +1,204 @@
+//! The step of the fast scheme by the accuracy that is asked for: short runs from the start with one step and with half
+//! of it, and how far they come apart.
+//!
+//! The scheme is of second order, so that the error is four thirds of that distance, and a step that is shorter by the
+//! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: it is then a quarter
+//! of the longest, and the choice says what it leaves.
+
+use super::filter::steps_of_sample;
+use crate::fast::{Fast, Room};
+use crate::machine::Machine;
+use crate::observer::BallDetail;
+use crate::stiffness::or_infinite;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::SQRT_2;
+use tribodyn_bearing::Side;
+
+/// Simulated time of a trial, s: some periods of a ring on its balls.
+const SPAN_S: f64 = 2e-3;
+/// Most of it, over the duration of the run, and fewest samples.
+const MOST_OF_RUN: f64 = 0.05;
+const FEWEST: usize = 8;
+/// Longest step that is tried, over the one that is stable at the start: loads change.
+const MARGIN: f64 = 0.9;
+/// Shortest step that is tried, in that longest one: beyond it another scheme does better.
+const MOST_DIVISIONS: f64 = 16.0;
+/// Steps in the longest one where a shorter one does not lessen the error.
+const SCATTERED: f64 = 4.0;
+/// Pairs of trials.
+const ROUNDS: usize = 3;
+/// Error of the cage's speed that counts as one of the loads: a mean over many contacts is better than each.
+const SPEED: f64 = 0.1;
+/// Error of the ring's acceleration, over its own rms, that counts as one of the loads: it is what large forces leave.
+const ACCELERATION: f64 = 20.0;
+/// Error of a step over its distance from half of it.
+const OF_SECOND_ORDER: f64 = 4.0 / 3.0;
+
+/// How a step was chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct StepChoice {
+    /// Accuracy asked for.
+    pub accuracy: f64,
+    /// Errors found with the step.
+    pub errors: StepErrors,
+    /// The step, s.
+    pub step_s: f64,
+    /// True where a shorter step does not lessen the error: the motion scatters.
+    pub scatters: bool,
+}
+
+/// Errors of a step, by what half of it changes over the first milliseconds.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct StepErrors {
+    /// Of the normal loads, rms over balls and time, over their mean.
+    #[serde(deserialize_with = "or_infinite")]
+    pub loads: f64,
+    /// Of the mean torque on the inner ring, over itself.
+    #[serde(deserialize_with = "or_infinite")]
+    pub torque: f64,
+    /// Of the mean cage speed, over itself.
+    #[serde(deserialize_with = "or_infinite")]
+    pub cage_speed: f64,
+    /// Of the outer ring's acceleration sample by sample, rms, over that of its unsteady part.
+    #[serde(deserialize_with = "or_infinite")]
+    pub acceleration: f64,
+    /// The same times the ring's mass over the loads of all balls: where a ring hardly shakes, this counts.
+    #[serde(deserialize_with = "or_infinite")]
+    pub ring_force: f64,
+}
+
+impl StepErrors {
+    const UNKNOWN: Self = {
+        let all = f64::INFINITY;
+        Self { loads: all, torque: all, cage_speed: all, acceleration: all, ring_force: all }
+    };
+
+    /// What counts against an accuracy: the largest of loads, torque, ten times the cage speed, and a twentieth of the
+    /// acceleration, or the ring's force where that is less.
+    pub fn worst(&self) -> f64 {
+        let shaking = self.acceleration / ACCELERATION;
+        // A ring at rest has no unsteady part, and 0/0 is not less.
+        let of_ring = if shaking < self.ring_force { shaking } else { self.ring_force };
+        let all = [self.loads, self.torque, self.cage_speed / SPEED, of_ring];
+        all.into_iter().fold(0.0, |most, error| if error > most || error.is_nan() { error } else { most })
+    }
+}
+
+/// What a trial looks at.
+struct Trial {
+    /// Mean accelerations of the outer ring between samples, m/s².
+    accelerations: Vec<[f64; 2]>,
+    /// Normal loads at the samples, N.
+    loads: Vec<f64>,
+    /// Mean torque on the inner ring, N m, and mean speed of the cage, rad/s.
+    torque: f64,
+    cage_speed: f64,
+}
+
+/// Where trials start, and how they are sampled.
+pub(super) struct Trials<'a> {
+    pub machine: &'a Machine,
+    pub state: &'a [f64],
+    pub linear_error: f64,
+    /// Samples, Hz.
+    pub rate: f64,
+    /// Of the run, s.
+    pub duration: f64,
+}
+
+impl Trials<'_> {
+    /// The longest step with the accuracy asked for.
+    pub fn choose(&self, accuracy: f64) -> StepChoice {
+        let least = steps_of_sample(self.longest(), self.rate);
+        let choice = |steps: f64| {
+            let (errors, step_s) = (self.errors(steps), 1.0 / (self.rate * steps));
+            StepChoice { accuracy, errors, step_s, scatters: false }
+        };
+        let (first, most) = (choice(least), MOST_DIVISIONS * least);
+        let (mut best, mut steps) = (first, least);
+        for _ in 1..ROUNDS {
+            let error = best.errors.worst();
+            if error <= accuracy || steps >= most {
+                break;
+            }
+            let before = steps;
+            steps = (steps * (error / accuracy).sqrt()).ceil().clamp(before + 1.0, most);
+            let next = choice(steps);
+            if next.errors.worst() > error * before / steps {
+                let step_s = 1.0 / (self.rate * (SCATTERED * least));
+                return StepChoice { scatters: true, step_s, ..first };
+            }
+            best = next;
+        }
+        best
+    }
+
+    /// Longest step that is tried, s. Oil in the pockets does not bound it: see [`Machine::thicken_pocket_film`].
+    fn longest(&self) -> f64 {
+        let mut dry = self.machine.clone();
+        dry.cage.pocket.film = None;
+        MARGIN * dry.stiffness(0.0, self.state).fast_step_s
+    }
+
+    /// Errors of so many steps a sample, by what twice as many change.
+    fn errors(&self, steps: f64) -> StepErrors {
+        let [coarse, fine] = [steps, 2.0 * steps].map(|steps| self.trial(steps));
+        coarse.zip(fine).map_or(StepErrors::UNKNOWN, |(coarse, fine)| self.apart(&coarse, &fine))
+    }
+
+    /// Errors of a trial by one with half its step.
+    fn apart(&self, coarse: &Trial, fine: &Trial) -> StepErrors {
+        let load = mean(fine.loads.iter().copied());
+        let relative = |a: f64, b: f64| if a == b { 0.0 } else { OF_SECOND_ORDER * (a / b - 1.0).abs() };
+        let unsteady = [0, 1].map(|k| {
+            let steady = mean(fine.accelerations.iter().map(|a| a[k]));
+            rms(fine.accelerations.iter().map(|a| a[k] - steady))
+        });
+        let pairs = coarse.accelerations.iter().zip(&fine.accelerations);
+        let of_ring = OF_SECOND_ORDER * SQRT_2 * rms(pairs.flat_map(|(a, b)| [a[0] - b[0], a[1] - b[1]]));
+        let whole = load * self.machine.layout.balls as f64;
+        StepErrors {
+            loads: OF_SECOND_ORDER * rms(coarse.loads.iter().zip(&fine.loads).map(|(a, b)| a - b)) / load,
+            torque: relative(coarse.torque, fine.torque),
+            cage_speed: relative(coarse.cage_speed, fine.cage_speed),
+            acceleration: of_ring / unsteady[0].hypot(unsteady[1]),
+            ring_force: of_ring * self.machine.outer.mass / whole,
+        }
+    }
+
+    /// From the start with so many steps a sample; none where the motion goes beyond all numbers.
+    fn trial(&self, steps: f64) -> Option<Trial> {
+        let (mut machine, mut y) = (self.machine.clone(), self.state.to_vec());
+        let (l, length) = (machine.layout, 1.0 / self.rate);
+        let samples = ((SPAN_S.min(MOST_OF_RUN * self.duration) * self.rate) as usize).max(FEWEST);
+        let h = length / steps;
+        machine.thicken_pocket_film(h);
+        let mut fast = Fast::with_linear_error(self.linear_error);
+        let (mut room, mut shown) = (Room::default(), Vec::new());
+        let mut trial = Trial { accelerations: Vec::new(), loads: Vec::new(), torque: 0.0, cage_speed: 0.0 };
+        for sample in 0..samples {
+            let before = [y[l.outer() + 2], y[l.outer() + 3]];
+            for step in 0..steps as usize {
+                fast.step(&mut machine, sample as f64 * length + step as f64 * h, &mut y, h);
+            }
+            trial.accelerations.push([0, 1].map(|k| (y[l.outer() + 2 + k] - before[k]) / length));
+            fast.show(l, &y, &mut shown);
+            let at = ((sample + 1) as f64 * length, &shown[..]);
+            let (sums, balls) = fast.look(&machine, at, (BallDetail::Loads, &mut room));
+            trial.torque += sums.torque.inner / samples as f64;
+            trial.loads.extend(balls.iter().flat_map(|ball| Side::BOTH.map(|side| ball.contacts[side].load_n)));
+            room.balls = balls;
+        }
+        trial.cage_speed = (y[l.cage()] - self.state[l.cage()]) / (samples as f64 * length);
+        y.iter().all(|value| value.is_finite()).then_some(trial)
+    }
+}
+
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (count, sum) = values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value));
+    sum / count
+}
+
+fn rms(values: impl Iterator<Item = f64>) -> f64 {
+    mean(values.map(|value| value * value)).sqrt()
+}

@@ -1,0 +1,81 @@
+//! The fast scheme with a step by its accuracy, against the classical Runge–Kutta method well within its stability.
+
+use crate::{Keep, case};
+use tribodyn_case::{Case, set_value};
+use tribodyn_dynamics::{Run, Sample};
+
+const OIL_6206: &str = include_str!("../../../../fixtures/cases/oil-6206.ron");
+const ANGULAR_7210: &str = include_str!("../../../../fixtures/cases/angular-7210.ron");
+
+/// Balls that meet no wall of their pockets.
+const NO_POCKETS: (&str, &str) = ("cage.pocket_stiffness", "N_per_um(0)");
+
+/// A case of a catalogue bearing from its equilibrium over 10 ms.
+fn catalogue(text: &str, scheme: &str, change: (&str, &str)) -> Case {
+    let start = ("transient.start", "QuasiStatic");
+    let changes = [start, ("transient.scheme", scheme), ("transient.duration", "s(0.01)"), change];
+    let text = changes.iter().fold(text.to_owned(), |text, (path, value)| set_value(&text, path, value).unwrap());
+    Case::from_ron(&text).unwrap()
+}
+
+fn samples(case: &Case) -> (Run, Vec<Sample>) {
+    let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
+    let mut keep = Keep::default();
+    let _ = run.advance(f64::INFINITY, &mut keep).unwrap();
+    (run, keep.samples)
+}
+
+/// Root mean square of how far the loads are apart over their mean, of the mean torque, of the angle that the cage
+/// turned.
+fn apart(a: &[Sample], b: &[Sample]) -> [f64; 3] {
+    let loads = |s: &[Sample]| -> Vec<f64> {
+        s.iter().flat_map(|s| s.balls.iter().flat_map(|b| [b.contacts.inner.load_n, b.contacts.outer.load_n])).collect()
+    };
+    let (ours, exact) = (loads(a), loads(b));
+    let count = exact.len() as f64;
+    let squares: f64 = ours.iter().zip(&exact).map(|(a, b)| (a - b).powi(2)).sum();
+    let load = (squares / count).sqrt() / (exact.iter().sum::<f64>() / count);
+    let torque = |s: &[Sample]| s.iter().map(|s| s.inner.torque_nm).sum::<f64>() / s.len() as f64;
+    let turned = |s: &[Sample]| s.last().unwrap().cage.angle_rad;
+    [load, (torque(a) / torque(b) - 1.0).abs(), (turned(a) / turned(b) - 1.0).abs()]
+}
+
+/// Loads and torque within twice the accuracy asked for, which is an estimate from the first milliseconds, and the cage
+/// within a tenth of it.
+#[test]
+fn identity_the_step_by_accuracy_errs_as_asked_for() {
+    let [of_6206, of_7210] = ["RungeKutta4(step: us(0.5))", "RungeKutta4(step: us(1))"];
+    for (name, text, quarter) in [("6206", OIL_6206, of_6206), ("7210", ANGULAR_7210, of_7210)] {
+        let (_, exact) = samples(&catalogue(text, quarter, NO_POCKETS));
+        let (run, found) = samples(&catalogue(text, "FastTo(accuracy: 0.001)", NO_POCKETS));
+        let choice = run.step_choice().unwrap();
+        let errors = apart(&found, &exact);
+        assert!(choice.errors.worst() <= 1e-3 && !choice.scatters, "{name}: {choice:?}");
+        assert!(errors[0] < 2e-3 && errors[1] < 2e-3 && errors[2] < 2e-4, "{name}: {choice:?} {errors:?}");
+    }
+}
+
+/// In dry pockets the balls of a 6206 without load bounce, and a shorter step is not nearer to any motion: the choice
+/// says so and takes a quarter of the longest.
+#[test]
+fn limit_a_motion_that_scatters_says_so() {
+    let scheme = ("transient.scheme", "FastTo(accuracy: 0.001)");
+    let run = Run::new(catalogue(OIL_6206, scheme.1, scheme).run_inputs().unwrap()).unwrap();
+    let choice = run.step_choice().unwrap();
+    assert!(choice.scatters && choice.errors.worst() > 1e-3, "{choice:?}");
+    assert!(choice.step_s < 0.3 * run.stiffness().fast_step_s, "{choice:?} {:?}", run.stiffness());
+}
+
+/// A finer accuracy has a shorter step, and no step is longer than what stability allows.
+#[test]
+fn limit_a_finer_accuracy_has_a_shorter_step() {
+    let step = |accuracy: &str| {
+        let scheme = format!("FastTo(accuracy: {accuracy})");
+        let run = Run::new(case(&[("transient.scheme", &scheme)]).run_inputs().unwrap()).unwrap();
+        let (choice, limit) = (run.step_choice().unwrap(), run.stiffness().fast_step_s);
+        assert!(choice.step_s < limit && run.step_s() == Some(choice.step_s), "{choice:?} {limit}");
+        choice.step_s
+    };
+    let [coarse, fine] = [step("0.01"), step("1e-5")];
+    assert!(fine < 0.7 * coarse, "{coarse} {fine}");
+}
