@@ -12,7 +12,7 @@ use crate::observer::BallDetail;
 use crate::stiffness::or_infinite;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::SQRT_2;
-use tribodyn_bearing::Side;
+use tribodyn_bearing::{Scheme, Side};
 
 /// Simulated time of a trial, s: some periods of a ring on its balls.
 const SPAN_S: f64 = 2e-3;
@@ -107,8 +107,15 @@ pub(super) struct Trials<'a> {
 }
 
 impl Trials<'_> {
+    /// A scheme with its step; how that was chosen, where an accuracy was asked for.
+    pub fn of(&self, scheme: Scheme) -> (Scheme, Option<StepChoice>) {
+        let Scheme::FastTo { accuracy } = scheme else { return (scheme, None) };
+        let choice = self.choose(accuracy);
+        (Scheme::Fast { step: choice.step_s }, Some(choice))
+    }
+
     /// The longest step with the accuracy asked for.
-    pub fn choose(&self, accuracy: f64) -> StepChoice {
+    fn choose(&self, accuracy: f64) -> StepChoice {
         let least = steps_of_sample(self.longest(), self.rate);
         let choice = |steps: f64| {
             let (errors, step_s) = (self.errors(steps), 1.0 / (self.rate * steps));

@@ -183,20 +183,6 @@ const SHORTEST_STEP: f64 = 1e-12;
 /// Nearest to either end of a step that a pocket event is worth a cut, as a part of the step.
 const CUT_MARGIN: f64 = 1e-6;
 
-/// Refuses a step that never comes to an end.
-fn refuse_no_step(scheme: tribodyn_bearing::Scheme) -> Result<(), DynamicsError> {
-    use tribodyn_bearing::Scheme::{DormandPrince, Fast, FastTo, RungeKutta4};
-    let step_s = match scheme {
-        RungeKutta4 { step } | Fast { step } => step,
-        DormandPrince { longest, .. } => longest,
-        FastTo { accuracy } => accuracy,
-    };
-    if step_s.is_nan() || step_s < SHORTEST_STEP {
-        return Err(DynamicsError::NoProgress { time_s: 0.0, step_s });
-    }
-    Ok(())
-}
-
 impl Run {
     /// The same run with traction integrated node by node by the generic quadrature: the plain reference of the fast
     /// kernel.
@@ -228,16 +214,12 @@ impl Run {
 
     fn from_start(inputs: RunInputs, motion: Option<StartMotion>) -> Result<Self, DynamicsError> {
         let RunOptions { duration, scheme, state_rate, ball_rate, .. } = inputs.options;
-        refuse_no_step(scheme)?;
+        step::refuse_no_end(scheme)?;
         let (patch, linear_error) = errors(scheme, inputs.patch);
         let tolerance = inputs.numerics.tolerance;
         let Started { mut machine, state, solution } = start(RunInputs { patch, ..inputs }, motion)?;
         let trials = Trials { machine: &machine, state: &state, linear_error, rate: state_rate, duration };
-        let choice = match scheme {
-            tribodyn_bearing::Scheme::FastTo { accuracy } => Some(trials.choose(accuracy)),
-            _ => None,
-        };
-        let scheme = choice.map_or(scheme, |choice| tribodyn_bearing::Scheme::Fast { step: choice.step_s });
+        let (scheme, choice) = trials.of(scheme);
         if let tribodyn_bearing::Scheme::Fast { step } = scheme {
             machine.thicken_pocket_film(step);
         }
@@ -328,22 +310,6 @@ impl Run {
             Scheme::Fast { .. } => self.progress.stiffness.fast_step_s,
             _ => self.progress.stiffness.runge_kutta_step_s,
         }
-    }
-
-    /// The scheme of the run; where an accuracy was asked for, with the step that was chosen.
-    pub fn scheme(&self) -> tribodyn_bearing::Scheme {
-        match self.scheme {
-            Scheme::Rk4 { step, .. } => tribodyn_bearing::Scheme::RungeKutta4 { step },
-            Scheme::Fast { step } => tribodyn_bearing::Scheme::Fast { step },
-            Scheme::DormandPrince { tolerance, longest, .. } => {
-                tribodyn_bearing::Scheme::DormandPrince { tolerance, longest }
-            }
-        }
-    }
-
-    /// How the step was chosen, where an accuracy was asked for.
-    pub fn step_choice(&self) -> Option<StepChoice> {
-        self.choice
     }
 
     /// The patch rule of the run.

@@ -1,12 +1,26 @@
 //! One step of any scheme, cut where a ball meets or leaves its pocket wall.
 
-use super::{CUT_MARGIN, Run, RunError, SHORTEST_STEP, Scheme};
+use super::{CUT_MARGIN, Run, RunError, SHORTEST_STEP, Scheme, StepChoice};
 use crate::error::DynamicsError;
 use crate::forces::System;
 use crate::layout::{BALL, ORBIT};
 use crate::observer::Observer;
 use fearless_simd::{Level, dispatch};
 use std::ops::ControlFlow;
+
+/// Refuses a step that never comes to an end.
+pub(super) fn refuse_no_end(scheme: tribodyn_bearing::Scheme) -> Result<(), DynamicsError> {
+    use tribodyn_bearing::Scheme::{DormandPrince, Fast, FastTo, RungeKutta4};
+    let step_s = match scheme {
+        RungeKutta4 { step } | Fast { step } => step,
+        DormandPrince { longest, .. } => longest,
+        FastTo { accuracy } => accuracy,
+    };
+    if step_s.is_nan() || step_s < SHORTEST_STEP {
+        return Err(DynamicsError::NoProgress { time_s: 0.0, step_s });
+    }
+    Ok(())
+}
 
 impl Run {
     /// The fixed step that is taken, s: that of the fast scheme divides the time between samples. None where steps
@@ -16,6 +30,22 @@ impl Run {
             Scheme::Rk4 { step, .. } | Scheme::Fast { step } => Some(step),
             Scheme::DormandPrince { .. } => None,
         }
+    }
+
+    /// The scheme of the run; where an accuracy was asked for, with the step that was chosen.
+    pub fn scheme(&self) -> tribodyn_bearing::Scheme {
+        match self.scheme {
+            Scheme::Rk4 { step, .. } => tribodyn_bearing::Scheme::RungeKutta4 { step },
+            Scheme::Fast { step } => tribodyn_bearing::Scheme::Fast { step },
+            Scheme::DormandPrince { tolerance, longest, .. } => {
+                tribodyn_bearing::Scheme::DormandPrince { tolerance, longest }
+            }
+        }
+    }
+
+    /// How the step was chosen, where an accuracy was asked for.
+    pub fn step_choice(&self) -> Option<StepChoice> {
+        self.choice
     }
 
     /// One step of the scheme, in pieces where a pocket is met.
