@@ -5,6 +5,7 @@
 //! turn in one process. Rows over several threads are wall time and say so.
 
 mod accuracy;
+mod catalogue;
 mod clock;
 mod document;
 mod ensemble;
@@ -77,6 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut rows = patch::rows(quick)?;
     rows.extend(instructions::rows());
     rows.extend(speed::rows(&text, quick)?);
+    rows.extend(catalogue::rows(quick)?);
     rows.extend(accuracy::rows(&text, quick)?);
     rows.extend(equilibrium::rows(&text, quick)?);
     rows.extend(orbit::rows(&text, quick)?);

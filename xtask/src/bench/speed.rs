@@ -72,6 +72,11 @@ impl Prepared {
         self.least
     }
 
+    /// The fixed step of the run, µs.
+    pub fn step_us(&self) -> Option<f64> {
+        Some(self.run.step_s()? * 1e6)
+    }
+
     /// Once more from the start to `until`; only stepping and sampling are timed.
     pub fn repeat(&mut self, until: f64) -> Result<(), Failure> {
         self.run.resume(self.start.clone()).map_err(|source| failed(RunError::Dynamics(source)))?;
