@@ -65,8 +65,8 @@ pub(crate) struct Contacts {
 /// Reach, bend and way of a form.
 type Next = (f64, [f64; 6], [f64; 6]);
 
-/// Value, slopes and bend at one point. Linear is the traction over the load, in the motion and in the load: traction is
-/// nearly in proportion to the load, and so are its slopes by the motion.
+/// Value, slopes and bend at one point. Linear is the traction over the load, in the motion and in the load: traction
+/// is nearly in proportion to the load, and so are its slopes by the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct LinearTraction {
     /// Motion: rolling, lateral, spin, about lateral, about rolling; and the load, N.

@@ -2,8 +2,8 @@
 //! of it, and how far they come apart.
 //!
 //! The scheme is of second order, so that the error is four thirds of that distance, and a step that is shorter by the
-//! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: it is then a quarter
-//! of the longest, and the choice says what it leaves.
+//! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: it is then a
+//! quarter of the longest, and the choice says what it leaves.
 
 use super::filter::steps_of_sample;
 use crate::fast::{Fast, Room};
