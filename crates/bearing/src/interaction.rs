@@ -90,10 +90,13 @@ impl Bearing {
         ball: &BallState<D>,
         (ring, orbit_radius): (&RingState<D>, D),
     ) -> Sliding<D> {
-        let normal = contact.pose.normal(side);
         let sunk = self.sunk(side, contact);
+        if ring.turning.is_some() {
+            return self.sliding_in_meridian((side, contact, sunk), ball, (ring, orbit_radius));
+        }
+        let normal = contact.pose.normal(side);
         let (motion, rolling_speed) = self.relative_motion((normal, sunk), ball, ring, orbit_radius);
-        Sliding { normal, motion, rolling_speed, sunk }
+        Sliding { normal, motion, rolling_speed, sunk, meridian: None }
     }
 
     /// The patch of a contact, ready for its traction integral.

@@ -16,6 +16,7 @@ mod growth;
 mod history;
 mod interaction;
 mod lean;
+mod meridian;
 mod modelling;
 mod motion;
 mod normal;
@@ -64,7 +65,8 @@ pub use result::{
     Sheet, TransientContact,
 };
 pub use run_inputs::{
-    CoatingState, GuidingLand, MovingCage, PocketFilm, RunInputs, RunOptions, Scheme, Start, Support, Supports,
+    BallSpall, CoatingState, GuidingLand, MovingCage, PocketFilm, RunInputs, RunOptions, SPALLED_BALLS, Scheme, Start,
+    Support, Supports, TiltingRing,
 };
 pub use side::{WrongSide, uncarried_thrust, wrong_sides};
 pub use sliding::{ContactForces, Sliding};

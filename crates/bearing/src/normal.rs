@@ -130,25 +130,36 @@ impl ContactSprings {
         surfaces: Races<&LocalSurface>,
         hertz: impl Fn(Side, &ContactPose<D>) -> HertzContact<D>,
     ) -> NormalLoads<D> {
-        let pose = self.pose(ball.frame, ball.position, rings);
+        if rings.inner.turning.is_some() {
+            return self.loads_of_tilting(ball, rings, surfaces, hertz);
+        }
+        let BallPose { contacts: poses, lean, orbit_radius: r } = self.pose(ball.frame, ball.position, rings);
+        let (inner, outer) = ((Side::Inner, poses.inner, lean.inner), (Side::Outer, poses.outer, lean.outer));
         let contacts = Races {
-            inner: self.normal_contact(Side::Inner, &pose, (ball, rings.inner), surfaces.inner, &hertz),
-            outer: self.normal_contact(Side::Outer, &pose, (ball, rings.outer), surfaces.outer, &hertz),
+            inner: self.normal_contact(inner, (ball, r, rings.inner), surfaces.inner, &hertz),
+            outer: self.normal_contact(outer, (ball, r, rings.outer), surfaces.outer, &hertz),
         };
-        NormalLoads { contacts, orbit_radius: pose.orbit_radius }
+        NormalLoads { contacts, orbit_radius: r }
+    }
+
+    pub(crate) fn geometry(&self) -> &Geometry {
+        &self.geometry
+    }
+
+    /// Distance of the ball centre from a groove centre without approach, m.
+    pub(crate) fn free_length(&self, side: Side) -> f64 {
+        self.geometry.groove_offset(side) + self.worn[side]
     }
 
     /// N = max(0, Q + c δ̇) with c = 2ζ sqrt(m dQ/dδ).
     #[inline(always)]
-    fn normal_contact<D: Scalar>(
+    pub(crate) fn normal_contact<D: Scalar>(
         &self,
-        side: Side,
-        ball_pose: &BallPose<D>,
-        (ball, ring): (&BallState<D>, &RingState<D>),
+        (side, mut pose, lean): (Side, ContactPose<D>, Lean<D>),
+        (ball, orbit_radius, ring): (&BallState<D>, D, &RingState<D>),
         surface: &LocalSurface,
         hertz: impl Fn(Side, &ContactPose<D>) -> HertzContact<D>,
     ) -> NormalContact<D> {
-        let (mut pose, lean) = (ball_pose.contacts[side], ball_pose.lean[side]);
         pose.approach -= surface.depth;
         let hertz = hertz(side, &pose);
         let load = hertz.load(pose.approach);
@@ -156,9 +167,13 @@ impl ContactSprings {
         if self.contact_damping != 0.0 {
             let [n_a, n_r] = pose.normal(side);
             let [v_a, v_r, v_t] = ball.frame.from_inertial(ring.velocity);
-            let along = ball_pose.orbit_radius * ball.orbital_speed;
+            let along = orbit_radius * ball.orbital_speed;
             let [outward, round] = lean.turn([ball.velocity[1] - v_r, along - v_t]);
-            let sinking = (round * lean.curvature - ring.speed) * surface.slope;
+            let mut sinking = (round * lean.curvature - ring.speed) * surface.slope;
+            if surface.turn != [0.0; 3] {
+                let [a, r, t] = surface.turn;
+                sinking = sinking + (ball.spin[0] - ring.speed) * a + ball.spin[1] * r + ball.spin[2] * t;
+            }
             closing_speed = n_a * (ball.velocity[0] - v_a - (along - v_t) * lean.climb) + n_r * outward - sinking;
             if load.re() > 0.0 {
                 let stiffness = hertz.tangent_stiffness(pose.approach);

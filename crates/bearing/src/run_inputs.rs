@@ -25,12 +25,17 @@ pub struct RunInputs {
     pub free_cage: Option<FreeCage>,
     /// Masses and supports of the rings.
     pub supports: Supports,
+    /// Inertias and support of an inner ring that is free to tilt; without them its tilts are held where they are at the
+    /// start.
+    pub tilting: Option<TiltingRing>,
     /// Coatings of the races when the run starts.
     pub coatings: Races<CoatingState>,
     /// Local defects of the races.
     pub defects: Races<Vec<Defect>>,
     /// Spalls of the races.
     pub spalls: Races<Vec<Spall>>,
+    /// Spalls of the balls.
+    pub ball_spalls: Vec<BallSpall>,
     /// Quadrature over the contact patches.
     pub patch: PatchChoice,
     /// Settings of the quasi-static solution at the start.
@@ -57,9 +62,11 @@ impl RunInputs {
             cage,
             free_cage: None,
             supports,
+            tilting: None,
             coatings: Races { inner: bare, outer: bare },
             defects: Races::default(),
             spalls: Races::default(),
+            ball_spalls: Vec::new(),
             patch: PatchChoice::TargetError { relative: 1e-5 },
             numerics: SolverSettings::default(),
             options,
@@ -78,6 +85,22 @@ impl RunInputs {
             watch: SearchWatch::default(),
         }
     }
+}
+
+/// Most balls that may have spalls: their orientation is integrated, too.
+pub const SPALLED_BALLS: usize = 4;
+
+/// A spall of a ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallSpall {
+    /// Number of the ball.
+    pub ball: usize,
+    /// Angle along the rolling circle from the outer contact at time 0, in the direction of the orbit, rad.
+    pub angle: f64,
+    /// Angle from the rolling circle of the outer contact, rad.
+    pub latitude: f64,
+    /// Its form; azimuth and place across are those of its race and not used.
+    pub spall: Spall,
 }
 
 /// A cage that turns about the bearing's axis.
@@ -139,6 +162,20 @@ pub struct Support<const N: usize> {
     pub stiffness: [f64; N],
     /// Damping constant, N s/m.
     pub damping: [f64; N],
+}
+
+/// An inner ring, with what turns with it, that is free to tilt about its centre, which lies in the plane of its groove
+/// centres. Springs are without stretch at the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TiltingRing {
+    /// Moment of inertia about its axis, kg m².
+    pub polar_inertia: f64,
+    /// Moment of inertia across its axis, kg m².
+    pub transverse_inertia: f64,
+    /// Stiffness against tilts about X and Y, N m/rad.
+    pub stiffness: [f64; 2],
+    /// Damping of tilts about X and Y, N m s/rad.
+    pub damping: [f64; 2],
 }
 
 /// The coating of a race at a time.

@@ -1,6 +1,7 @@
 //! How a contact slides, and its traction as force and moment on the ball.
 
 use crate::contact::{NormalContact, RaceContact, add};
+use crate::meridian::sum;
 use crate::races::Side;
 use tribodyn_contact::{Ellipse, Scalar};
 use tribodyn_traction::{PatchTraction, RelativeMotion};
@@ -17,6 +18,9 @@ pub struct Sliding<D = f64> {
     /// How much nearer than the ball's radius the patch stands to the ball's centre, m: the motion is that of the
     /// bodies as seen from a centre moved by so much towards the patch.
     pub sunk: D,
+    /// Axis, outward direction and direction round a ring that is free to tilt, in the ball's axes; none where the
+    /// ball's own axes serve.
+    pub meridian: Option<[[D; 3]; 3]>,
 }
 
 /// Traction of a contact in the axes of the ball [a, r, t].
@@ -38,13 +42,17 @@ impl<D: Scalar> Sliding<D> {
         // The arm is shorter than the radius that the integrals have.
         let about_lateral = traction.moment_lateral - traction.force_rolling * self.sunk;
         let about_rolling = traction.moment_rolling + lateral * self.sunk;
-        ContactForces {
+        let forces = ContactForces {
             force: [lateral * n_r, -(lateral * n_a), traction.force_rolling],
             moment: [
                 about_lateral * n_r + traction.moment_normal * n_a,
                 traction.moment_normal * n_r - about_lateral * n_a,
                 about_rolling,
             ],
+        };
+        match &self.meridian {
+            Some(axes) => ContactForces { force: sum(axes, forces.force), moment: sum(axes, forces.moment) },
+            None => forces,
         }
     }
 }

@@ -10,19 +10,35 @@ use tribodyn_contact::Scalar;
 pub struct RingState<D = f64> {
     /// Displacement x, y, z, m.
     pub displacement: [D; 3],
-    /// Small tilt about X and Y, rad.
+    /// Small tilt about X and Y, rad; of a ring that is free to tilt the sines of both.
     pub tilt: [D; 2],
     /// Velocity x, y, z, m/s.
     pub velocity: [D; 3],
-    /// Rotational speed about Z, rad/s.
+    /// Rotational speed about Z, of a ring that is free to tilt about its own axis, rad/s.
     pub speed: D,
+    /// Angular velocity x, y, z across its axis of a ring that is free to tilt, rad/s; none where tilts are held. The
+    /// contacts of a free one are those of a rigid body turned by its tilts, not to first order in them.
+    pub turning: Option<[D; 3]>,
 }
 
 impl<D: Scalar> RingState<D> {
     /// At rest in the centre, turning at `speed` in rad/s.
     pub fn centred(speed: D) -> Self {
         let z = D::zero();
-        Self { displacement: [z; 3], tilt: [z; 2], velocity: [z; 3], speed }
+        Self { displacement: [z; 3], tilt: [z; 2], velocity: [z; 3], speed, turning: None }
+    }
+
+    /// The same ring with its tilts held.
+    #[inline(always)]
+    pub fn held(self) -> Self {
+        Self { turning: None, ..self }
+    }
+
+    /// Direction x, y, z of its axis: sin θ_y, −sin θ_x and what is left of one.
+    #[inline(always)]
+    pub fn axis(&self) -> [D; 3] {
+        let [x, y] = self.tilt;
+        [y, -x, (-(x * x) - y * y + 1.0).sqrt()]
     }
 }
 

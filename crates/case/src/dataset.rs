@@ -56,6 +56,8 @@ pub enum FaultClass {
     Outer,
     /// A spall of the inner race.
     Inner,
+    /// A spall of a ball.
+    Ball,
 }
 
 /// A load.
@@ -88,7 +90,7 @@ pub struct PlanSpall {
     /// Radius of the edges, m.
     #[serde(deserialize_with = "units::length")]
     pub edge_radius: f64,
-    /// Farthest from the direction of the radial load on an outer race, rad; on an inner race a spall is anywhere.
+    /// Farthest from the direction of the radial load on an outer race, rad; on an inner race and along a ball it is anywhere.
     #[serde(deserialize_with = "units::angle")]
     pub zone: f64,
 }

@@ -19,9 +19,11 @@ mod sources;
 mod tokens;
 mod units;
 mod validate;
+mod validate_ball_spalls;
 mod validate_bounds;
 mod validate_cage;
 mod validate_shaft;
+mod validate_tilt;
 mod validate_transient;
 
 #[cfg(test)]
@@ -34,6 +36,8 @@ mod tests_lubricant;
 mod tests_mounting;
 #[cfg(test)]
 mod tests_needs;
+#[cfg(test)]
+mod tests_tilt;
 #[cfg(test)]
 mod tests_transient;
 

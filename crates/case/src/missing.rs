@@ -6,7 +6,7 @@ use super::outline::{Outline, Path};
 
 /// Something of every kind of value that a case has a required field for. A section is tried first: what it lacks in
 /// turn is filled, but not named.
-const KINDS: [&str; 42] = [
+const KINDS: [&str; 45] = [
     "()",
     "1",
     "1.0",
@@ -49,6 +49,9 @@ const KINDS: [&str; 42] = [
     "(N_per_m(1), N_per_m(1), N_per_m(1))",
     "(N_per_m(1), N_per_m(1))",
     "(N_s_per_m(1), N_s_per_m(1), N_s_per_m(1))",
+    "Given(polar: kg_m2(1), transverse: kg_m2(1))",
+    "(Nm_per_rad(1), Nm_per_rad(1))",
+    "(Nm_s_per_rad(1), Nm_s_per_rad(1))",
 ];
 const PAIR: &str = "(N_s_per_m(1), N_s_per_m(1))";
 

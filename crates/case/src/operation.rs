@@ -1,12 +1,13 @@
 //! From a case to an operating point and to the inputs of a run.
 
 use crate::{
-    CageLandSpec, CageSpec, Case, CoatingSpec, FreeCageSpec, Lacking, PocketFilmSpec, Purpose, RecordingSpec, RingSpec,
-    SpallSpec, SupportSpec,
+    BallSpallSpec, CageLandSpec, CageSpec, Case, CoatingSpec, FreeCageSpec, Lacking, PocketFilmSpec, Purpose,
+    RecordingSpec, RingSpec, SpallSpec, SupportSpec, TiltSpec,
 };
 use tribodyn_bearing::{
-    BearingError, Cage, CageLand, CoatingState, FreeCage, GuidingLand, LandFilm, MovingCage, OperatingPoint,
+    BallSpall, BearingError, Cage, CageLand, CoatingState, FreeCage, GuidingLand, LandFilm, MovingCage, OperatingPoint,
     PocketFilm, Races, RingLoads, RunInputs, RunOptions, SearchWatch, Side, SolverSettings, Support, Supports,
+    TiltingRing,
 };
 use tribodyn_wear::{Defect, Spall};
 
@@ -84,9 +85,11 @@ impl Case {
             free_cage: cage.free.as_ref().map(FreeCageSpec::cage),
             cage: cage.moving().ok_or_else(|| self.lacking(Purpose::Transient))?,
             supports: Supports { inner: supports.inner.support(), outer: supports.outer.support() },
+            tilting: supports.tilt.map(|tilt| tilt.ring(supports.inner.mass)),
             coatings,
             defects: Races::from_fn(|side| self.defects_of(side)),
             spalls: Races::from_fn(|side| self.spalls_of(side)),
+            ball_spalls: self.ball_spalls.iter().map(BallSpallSpec::spall).collect(),
             patch,
             numerics: self.solver_settings(),
             options: RunOptions {
@@ -191,6 +194,21 @@ impl CageLandSpec {
         });
         let Self { land: side, axial, radius, width, gap, stiffness, damping, friction, .. } = *self;
         CageLand { side, axial, radius, width, gap, stiffness, damping, friction, film }
+    }
+}
+
+impl BallSpallSpec {
+    fn spall(&self) -> BallSpall {
+        let Self { ball, angle, latitude, length, width, depth, edge_radius } = *self;
+        let spall = Spall { azimuth: 0.0, length, width, depth, edge_radius, across: 0.0 };
+        BallSpall { ball, angle, latitude, spall }
+    }
+}
+
+impl TiltSpec {
+    fn ring(self, mass: f64) -> TiltingRing {
+        let [polar_inertia, transverse_inertia] = self.inertia.of(mass);
+        TiltingRing { polar_inertia, transverse_inertia, stiffness: self.stiffness, damping: self.damping }
     }
 }
 

@@ -302,7 +302,7 @@ impl Values {
     }
 
     fn transient(&mut self, case: &Case) {
-        if let Some(SupportsSpec { inner, outer }) = &case.supports {
+        if let Some(SupportsSpec { inner, outer, .. }) = &case.supports {
             self.support("inner", inner);
             self.support("outer", outer);
         }

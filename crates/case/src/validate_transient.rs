@@ -25,6 +25,9 @@ pub(super) fn validate(case: &Case) -> Verdict {
     if let Some(spec) = &case.supports {
         support("supports.inner", &spec.inner)?;
         support("supports.outer", &spec.outer)?;
+        if let Some(tilt) = &spec.tilt {
+            super::validate_tilt::tilt(tilt, case)?;
+        }
         for (i, stiffness) in spec.outer.stiffness.into_iter().enumerate() {
             let path = format!("supports.outer.stiffness[{i}]");
             require(stiffness > 0.0, &path, "must be greater than 0: nothing else holds the outer ring")?;
@@ -36,6 +39,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
     for (i, spec) in case.spalls.iter().enumerate() {
         spall(&format!("spalls[{i}]"), spec, case.geometry.ball_diameter)?;
     }
+    super::validate_ball_spalls::validate(case)?;
     if let Some(spec) = &case.cage {
         cage(spec)?;
     }

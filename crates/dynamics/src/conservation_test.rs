@@ -161,6 +161,18 @@ fn identity_the_fast_scheme_keeps_momentum_to_its_order() {
     assert!(turning < 1e-6 && finer_turning < 0.35 * turning, "{turning:e} {finer_turning:e}");
 }
 
+/// A spall of a ball takes from the spin what it gives to the orbit: linear and angular momentum stay.
+#[test]
+fn identity_momentum_stays_with_a_spall_of_a_ball() {
+    let spall = "[(ball: 2, angle: deg(30), length: mm(2), width: mm(6), depth: um(300), edge_radius: um(50))]";
+    let case = set_value(PAPER, "ball_spalls", spall).unwrap();
+    for friction in [false, true] {
+        let [x, y, turning, energy] = changes(&Scheme::RungeKutta, free(&case, friction), 1e-6);
+        assert!(x < 1e-9 && y < 1e-9, "{x:e} {y:e}");
+        assert!(friction || (turning < 1e-9 && energy < 1e-4), "{turning:e} {energy:e} J");
+    }
+}
+
 /// The reaction of the tangential normal force is what linear momentum needs.
 #[test]
 fn limit_offsets_to_first_order_lose_linear_momentum() {

@@ -111,6 +111,7 @@ fn ring_sample(frame: &Frame, sums: &Sums, bodies: &BodyForces, side: Side) -> R
         angle_rad: frame.angles[side],
         speed_rad_s: ring.speed,
         displacement_m: ring.displacement,
+        tilt_rad: ring.tilt,
         velocity_m_s: ring.velocity,
         // The run filters it.
         acceleration_m_s2: acceleration,

@@ -9,7 +9,7 @@ use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
 use tribodyn_bearing::{
     AzimuthFrame, BallFriction, BallState, CagePose, ContactForces, LoadedPatch, NormalContact, NormalLoads,
-    PocketLoad, RaceContact, Races, RingState, Side, Sliding,
+    PocketLoad, RaceContact, Races, RingState, SPALLED_BALLS, Side, Sliding,
 };
 use tribodyn_traction::PatchTraction;
 use tribodyn_wear::LocalSurface;
@@ -24,6 +24,8 @@ pub(crate) struct Frame {
     pub cage: [f64; 2],
     /// Where the cage is, if it is free.
     pub free_cage: Option<CagePose>,
+    /// Orientations of the balls with spalls, in the order of [`crate::ball_spalls::BallSpalls`].
+    pub orientations: [[f64; 4]; SPALLED_BALLS],
 }
 
 /// The spring part: all that acts through the normals of the contacts.
@@ -138,11 +140,15 @@ pub(crate) trait Equations {
         let state = self.state_at(axes, position, b);
         let normal = machine.normal_loads(&state, &surfaces, frame);
         let r = normal.orbit_radius;
-        let contacts = Races::from_fn(|side| {
+        let mut contacts = Races::from_fn(|side| {
             let contact = normal.contacts[side];
             let sliding = self.sliding(side, &contact, &state, (frame, r));
             machine.bearing.race_contact(side, contact, &sliding, surfaces[side].bare, &mut traction)
         });
+        for side in Side::BOTH {
+            let RaceContact { normal, moment, .. } = &mut contacts[side];
+            (0..3).for_each(|k| moment[k] += normal.force * surfaces[side].turn[k]);
+        }
         let fluid = machine.bearing.fluid_loads(&state, r, frame.rings.inner.speed);
         let (pocket, lead) = machine.in_pocket(index, b, frame);
         self.together(b[VELOCITY + 1], Touched { state, surfaces, orbit_radius: r, contacts, fluid, pocket, lead })
@@ -169,6 +175,14 @@ pub(crate) trait Equations {
     }
 }
 
+impl Frame {
+    /// The same with tilts held, for loops over the lanes of balls whose rings do not tilt.
+    #[inline(always)]
+    pub fn held(&self) -> Self {
+        Self { rings: Races { inner: self.rings.inner.held(), outer: self.rings.outer.held() }, ..*self }
+    }
+}
+
 impl Equations for Machine {
     #[inline]
     fn machine(&self) -> &Machine {
@@ -186,20 +200,24 @@ impl Machine {
     pub fn frame(&self, t: f64, y: &[f64]) -> Frame {
         let l = self.layout;
         let [i, o, a] = [l.inner(), l.outer(), l.angles()];
+        let (tilt, turning) = self.tilt_at(y);
         let inner = RingState {
             displacement: [y[i], y[i + 1], y[i + 2]],
-            tilt: self.tilt,
+            tilt,
             velocity: [y[i + 3], y[i + 4], y[i + 5]],
             speed: self.speeds.inner.at(t),
+            turning,
         };
         let outer = RingState {
             displacement: [y[o], y[o + 1], 0.0],
             tilt: [0.0; 2],
             velocity: [y[o + 2], y[o + 3], 0.0],
             speed: self.speeds.outer.at(t),
+            turning: turning.map(|_| [0.0; 3]),
         };
         let (cage, free_cage) = self.cage_at(y);
-        Frame { rings: Races { inner, outer }, angles: [y[a], y[a + 1]].into(), cage, free_cage }
+        let angles = [y[a], y[a + 1]].into();
+        Frame { rings: Races { inner, outer }, angles, cage, free_cage, orientations: self.orientations_at(y) }
     }
 
     /// Axes of a ball with its number and the unknowns `b`, its centre against the outer groove centre, and the
@@ -207,7 +225,7 @@ impl Machine {
     #[inline]
     pub fn place(&self, index: usize, b: &[f64], frame: &Frame) -> (AzimuthFrame, [f64; 2], Races<LocalSurface>) {
         let axes = AzimuthFrame::at(b[AZIMUTH]);
-        let surfaces = Races::from_fn(|side| self.surface(side, index, Self::on_ring(side, axes, b, frame)));
+        let surfaces = Races::from_fn(|side| self.surface(side, index, Self::on_ring(side, axes, b, frame), frame));
         let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
         (axes, Self::position(axes, [b[AXIAL], b[RADIUS]], frame, groove), surfaces)
     }
@@ -242,7 +260,7 @@ impl Machine {
     /// Surface of a raceway under a ball at an azimuth of its ring; what had worn off all round at the start is in the
     /// pose of the ball.
     #[inline]
-    fn surface(&self, side: Side, ball: usize, azimuth: f64) -> LocalSurface {
+    fn surface(&self, side: Side, ball: usize, azimuth: f64, frame: &Frame) -> LocalSurface {
         let mut surface = self.raceways[side].at(azimuth);
         surface.depth -= self.bearing.worn[side].depth;
         if !self.bearing.deviations.are_none() {
@@ -255,13 +273,14 @@ impl Machine {
             surface.depth += depth;
             surface.slope += slope;
         }
+        self.ball_spalls.add_to(&mut surface, (side, ball), &frame.orientations);
         surface
     }
 
     /// True while every race is round and as it was when the run began, and all balls are equal.
     pub fn is_even(&self) -> bool {
         let as_new = |side| self.raceways[side].is_new() && self.spalls[side].is_empty();
-        Side::BOTH.into_iter().all(as_new) && self.bearing.deviations.are_none()
+        Side::BOTH.into_iter().all(as_new) && self.bearing.deviations.are_none() && self.ball_spalls.are_none()
     }
 
     /// The unknowns of a ball.

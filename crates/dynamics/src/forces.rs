@@ -19,6 +19,8 @@ pub(crate) struct Sums {
     pub on_rings: Races<[f64; 3]>,
     /// Torque of the rings on the balls, N m.
     pub torque: Races<f64>,
+    /// Moment of an inner ring that is free to tilt on the balls about its centre (x, y, z), N m.
+    pub moment: [f64; 3],
     /// Torque of the balls on the cage about the bearing's axis, N m.
     pub cage_torque: f64,
     /// Force and moment of the balls on a free cage.
@@ -46,6 +48,8 @@ pub(crate) struct BodyForces {
     pub cage: f64,
     /// Rates of the unknowns of a free cage beside angle and speed.
     pub free_cage: Option<[f64; FREE_CAGE]>,
+    /// Rates of tilts and angular velocities of an inner ring that is free to tilt.
+    pub tilt: Option<[f64; 4]>,
     pub fluid_torque: f64,
     /// Torques of the rings' drives, N m.
     pub torque: Races<f64>,
@@ -93,7 +97,13 @@ impl Machine {
     fn add_contact(&self, side: Side, b: &BallForces, frame: &Frame, sums: &mut Sums) {
         let contact = &b.contacts[side];
         Self::react(sums, side, b.state.frame, self.bearing.reaction(side, contact));
-        sums.torque[side] += self.bearing.ring_torque(&b.state, contact, b.orbit_radius, &frame.rings[side]);
+        let ring = &frame.rings[side];
+        if ring.turning.is_some() {
+            let moment = self.bearing.ring_moment(side, &b.state, (contact, b.orbit_radius), ring);
+            sums.add_moment(side, b.state.frame.to_inertial(moment), ring.axis());
+        } else {
+            sums.torque[side] += self.bearing.ring_torque(&b.state, contact, b.orbit_radius, ring);
+        }
         sums.powers.friction[side] += contact.traction.power;
         let normal = &contact.normal;
         sums.powers.contact_damping += (normal.force - normal.load) * normal.closing_speed;
@@ -149,6 +159,7 @@ impl Machine {
         if let Some(lands) = &lands {
             self.free_body(frame, sums, lands, &mut f);
         }
+        self.tilting_body(t, inner, sums, &mut f);
         f.shaft_power = f.torque.inner * speeds.inner + f.torque.outer * speeds.outer;
         f
     }
@@ -181,6 +192,15 @@ pub(crate) fn evaluate<E: Equations>(
 }
 
 impl Sums {
+    /// Adds the moment of a ring that is free to tilt on a ball.
+    #[inline(always)]
+    pub fn add_moment(&mut self, side: Side, moment: [f64; 3], axis: [f64; 3]) {
+        self.torque[side] += dot(moment, axis);
+        if side == Side::Inner {
+            (0..3).for_each(|k| self.moment[k] += moment[k]);
+        }
+    }
+
     /// All that the balls lose, W.
     pub fn losses(&self) -> f64 {
         let p = &self.powers;
@@ -203,6 +223,7 @@ impl<E: Equations> System for E {
             dy[at..at + 3].copy_from_slice(&y[at + VELOCITY..at + VELOCITY + 3]);
             dy[at + VELOCITY..at + BALL].copy_from_slice(&ball.acceleration);
             watch[index] = self.machine().watch(ball);
+            self.machine().turn_ball(index, &ball.state, (y, dy));
         });
         self.machine_mut().watch = watch;
         body_derivative(l, &frame, &sums, &bodies, dy);
@@ -216,6 +237,9 @@ pub(crate) fn body_derivative(l: Layout, frame: &Frame, sums: &Sums, f: &BodyFor
     dy[c..c + 2].copy_from_slice(&[frame.cage[1], f.cage]);
     if let Some(rates) = &f.free_cage {
         dy[l.free()].copy_from_slice(rates);
+    }
+    if let Some(rates) = &f.tilt {
+        dy[l.tilt()].copy_from_slice(rates);
     }
     dy[i..i + 3].copy_from_slice(&inner.velocity);
     dy[i + 3..i + 6].copy_from_slice(&f.inner);

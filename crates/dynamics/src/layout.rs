@@ -24,6 +24,10 @@ pub(crate) struct Layout {
     pub balls: usize,
     /// True if the cage is free to move in all directions.
     pub free_cage: bool,
+    /// True if the inner ring is free to tilt.
+    pub tilting: bool,
+    /// Number of balls with spalls.
+    pub spalled: usize,
 }
 
 impl Layout {
@@ -60,9 +64,9 @@ impl Layout {
         std::iter::once(self.cage() + 1).chain(velocities)
     }
 
-    /// Velocities of cage and rings.
+    /// Velocities of cage and rings, tilting ones included.
     pub fn velocities_of_bodies(self) -> impl Iterator<Item = usize> {
-        self.velocities_of_cage().chain(self.velocities_of_rings())
+        self.velocities_of_cage().chain(self.velocities_of_rings()).chain(self.velocities_of_tilt())
     }
 
     /// Angles turned by inner and outer ring.
@@ -81,8 +85,31 @@ impl Layout {
         start..start + if self.free_cage { FREE_CAGE } else { 0 }
     }
 
+    /// Tilts of an inner ring that is free to tilt about x and y, and its angular velocity about them.
+    pub fn tilt(self) -> std::ops::Range<usize> {
+        let start = self.free().end;
+        start..start + if self.tilting { 4 } else { 0 }
+    }
+
+    /// Orientations of the balls with spalls in their azimuth frames, as quaternions.
+    pub fn orientations(self) -> std::ops::Range<usize> {
+        let start = self.tilt().end;
+        start..start + 4 * self.spalled
+    }
+
+    /// True if the fast scheme presses the balls one by one: rings tilt, or balls have spalls.
+    pub fn one_by_one(self) -> bool {
+        self.tilting || self.spalled > 0
+    }
+
+    /// Angular velocity of a tilting ring.
+    pub fn velocities_of_tilt(self) -> std::ops::Range<usize> {
+        let tilt = self.tilt();
+        tilt.start + tilt.len() / 2..tilt.end
+    }
+
     /// Number of unknowns.
     pub fn len(self) -> usize {
-        self.free().end
+        self.orientations().end
     }
 }

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod ball_spalls;
 mod blame;
 mod cage;
 mod detail;
@@ -18,10 +19,13 @@ mod run;
 mod sample;
 mod start;
 mod stiffness;
+mod tilt;
 mod watch;
 
 #[cfg(test)]
 mod balance_test;
+#[cfg(test)]
+mod ball_spalls_test;
 #[cfg(test)]
 mod conservation_test;
 #[cfg(test)]
@@ -30,6 +34,8 @@ mod fast_test;
 mod free_cage_test;
 #[cfg(test)]
 mod oil_test;
+#[cfg(test)]
+mod tilt_test;
 
 pub use blame::{Blame, StepBound};
 pub use error::DynamicsError;
@@ -45,5 +51,5 @@ pub use stiffness::Stiffness;
 pub use tribodyn_bearing::{
     Bearing, BearingSpec, Cage, CoatingState, Dimensions, ElasticBody, Fit, Geometry, GuidingLand, Modelling,
     MovingCage, Races, RingCentre, RingLoads, RunInputs, RunOptions, Scheme, SpeedHistory, Start, Support, Supports,
-    Tilt, Translation, Tribology,
+    Tilt, TiltingRing, Translation, Tribology,
 };

@@ -1,7 +1,9 @@
 //! The bearing as a system of bodies: what moves, what holds it and what drives it.
 
+use crate::ball_spalls::{BallSpalls, spalled_balls};
 use crate::error::DynamicsError;
 use crate::layout::Layout;
+use crate::tilt::Tilting;
 use crate::watch::Watch;
 use tribodyn_bearing::{
     Bearing, CageBody, CoatingState, FreeCage, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory,
@@ -20,8 +22,10 @@ pub(crate) struct Machine {
     pub kernel: Kernel,
     pub inner: Support<3>,
     pub outer: Support<2>,
-    /// Tilt of the inner ring, held at what the quasi-static solution has, rad.
+    /// Tilt of the inner ring where it is held, at what the quasi-static solution has, rad.
     pub tilt: [f64; 2],
+    /// The inner ring, where it is free to tilt.
+    pub tilting: Option<Tilting>,
     pub cage: CageBody,
     /// The cage, where it is free to move in all directions.
     pub free_cage: Option<FreeCage>,
@@ -30,6 +34,8 @@ pub(crate) struct Machine {
     pub raceways: Races<Raceway>,
     /// Paths of the balls over the spalls of the races.
     pub spalls: Races<Vec<SpallPath>>,
+    /// Spalls of the balls.
+    pub ball_spalls: BallSpalls,
     /// Thinnest coating left on each, m, as of the last look.
     pub thinnest: Races<f64>,
     /// Factor on wear in what it does to the raceways.
@@ -137,6 +143,7 @@ impl Machine {
     /// The machine of a run, its springs not yet set.
     pub fn new(inputs: RunInputs, quadrature: Quadrature) -> Result<Self, DynamicsError> {
         let RunInputs { mut bearing, ring, speeds, cage, free_cage, supports, coatings, defects, options, .. } = inputs;
+        let tilting = inputs.tilting.map(|body| Tilting::new(body, [ring.tilt_x.clone(), ring.tilt_y.clone()]));
         if supports.outer.stiffness.contains(&0.0) {
             return Err(DynamicsError::Unsupported { path: "supports.outer.stiffness" });
         }
@@ -144,15 +151,17 @@ impl Machine {
         let tilt = [ring.tilt_x.at(0.0), ring.tilt_y.at(0.0)];
         let loads = [ring.x, ring.y, ring.z];
         let free = [0, 1, 2].map(|i| !matches!(loads[i], Translation::Held(_)));
+        let spalled = spalled_balls(&inputs.ball_spalls).len();
         let raceways = Races::try_from_fn(|side| raceway(&bearing, side, &coatings[side], &defects[side]))?;
         let balls = bearing.geometry.ball_count;
         Ok(Self {
-            layout: Layout { balls, free_cage: free_cage.is_some() },
+            layout: Layout { balls, free_cage: free_cage.is_some(), tilting: tilting.is_some(), spalled },
             places: (0..balls).map(|ball| bearing.azimuth(ball)).collect(),
             watch: vec![Watch::default(); balls],
             inner: Support::new(&supports.inner, free),
             outer: Support::new(&supports.outer, [true; 2]),
             tilt,
+            tilting,
             cage: CageBody::new(&cage, &bearing),
             free_cage,
             loads,
@@ -160,6 +169,7 @@ impl Machine {
             thinnest: raceways.each_ref().map(Raceway::thinnest),
             raceways,
             spalls: Races::default(),
+            ball_spalls: BallSpalls::default(),
             wear_acceleration: options.wear_acceleration,
             kernel: Kernel::Fast(FastPatch::of(quadrature)),
             bearing,

@@ -114,15 +114,17 @@ pub enum EventKind {
         /// Azimuth in the ring's frame, degrees.
         azimuth_deg: f64,
     },
-    /// A ball has passed a spall.
+    /// A ball has passed a spall of a race, or a race one of the ball.
     SpallPassed {
         /// The ball.
         ball: usize,
         /// On the inner race, otherwise on the outer.
         inner: bool,
-        /// The spall, counted from 0 on each race.
+        /// True for a spall of the ball.
+        of_ball: bool,
+        /// The spall, counted from 0 on each race, and in the list of those of balls.
         spall: usize,
-        /// Time at which the ball's middle was over the first edge, s.
+        /// Time at which the contact's middle was over the first edge, s.
         entered_s: f64,
         /// Time at which it was over the middle and met the second edge, s.
         struck_s: f64,

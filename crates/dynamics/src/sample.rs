@@ -33,6 +33,9 @@ pub struct RingSample {
     pub speed_rad_s: f64,
     /// Displacement, m.
     pub displacement_m: [f64; 3],
+    /// Tilt about X and Y, rad.
+    #[serde(default)]
+    pub tilt_rad: [f64; 2],
     /// Velocity, m/s.
     pub velocity_m_s: [f64; 3],
     /// Acceleration as a measuring chain gives it, m/s²: low-pass filtered, that of [`crate::FilterBands::delay_s`]
@@ -42,7 +45,7 @@ pub struct RingSample {
     pub acceleration_point_m_s2: [f64; 3],
     /// Sum of the forces of the balls on the ring, N.
     pub ball_force_n: [f64; 3],
-    /// Torque about Z that keeps the prescribed speed, N m.
+    /// Torque about its axis that keeps the prescribed speed, N m.
     pub torque_nm: f64,
 }
 

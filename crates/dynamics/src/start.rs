@@ -1,5 +1,6 @@
 //! Where a run starts: the quasi-static solution at time 0, a motion that is given, or a standstill.
 
+use crate::ball_spalls::{BallSpalls, UNTURNED};
 use crate::equations::Equations;
 use crate::error::DynamicsError;
 use crate::forces::Sums;
@@ -44,8 +45,11 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
         return Err(DynamicsError::Balls { found, expected });
     }
     let spalls = std::mem::take(&mut inputs.spalls);
+    let ball_spalls = inputs.ball_spalls.clone();
     let mut machine = Machine::new(inputs, Quadrature::new(rule)?)?;
     machine.spalls = paths_over(&machine, spalls, &solution)?;
+    let loads = Races::from_fn(|side| largest_load(&solution, side));
+    machine.ball_spalls = BallSpalls::new(&machine.bearing, &ball_spalls, (&solution.balls, loads))?;
     let [x, y, z, tilt @ ..] = motion.ring;
     machine.tilt = tilt;
     let mut state = vec![0.0; machine.layout.len()];
@@ -63,6 +67,8 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     let turned = machine.bearing.deviations.turned;
     state[l.angles()..l.angles() + 2].copy_from_slice(&[turned.inner, turned.outer]);
     machine.start_free_cage(&mut state);
+    machine.start_tilt(&mut state);
+    state[l.orientations()].as_chunks_mut::<4>().0.iter_mut().for_each(|q| *q = UNTURNED);
     set_springs(&mut machine, &state);
     Ok(Started { machine, state, solution })
 }
@@ -75,13 +81,17 @@ fn paths_over(
     solution: &Solution,
 ) -> Result<Races<Vec<SpallPath>>, DynamicsError> {
     Races::try_from_fn(|side| {
-        let loads = solution.balls.iter().map(|ball| ball.contacts[side].load_n);
-        let track = machine.bearing.track(side, loads.fold(LEAST_LOAD, f64::max));
+        let track = machine.bearing.track(side, largest_load(solution, side));
         let paths = spalls[side].iter().map(|spall| spall.path(&track));
         let mut paths = paths.collect::<Result<Vec<_>, _>>()?;
         paths.retain(|path| !path.is_flat());
         Ok(paths)
     })
+}
+
+/// Load of the most loaded ball at the start for the contact over a spall, N.
+fn largest_load(solution: &Solution, side: Side) -> f64 {
+    solution.balls.iter().map(|ball| ball.contacts[side].load_n).fold(LEAST_LOAD, f64::max)
 }
 
 /// The equilibrium of time 0, in which each ball keeps its place.

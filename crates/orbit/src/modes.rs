@@ -356,12 +356,14 @@ fn derivatives(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies, turn: f64) -
         tilt: [orbit.ring[3].into(), orbit.ring[4].into()],
         velocity: std::array::from_fn(|k| seed(0.0, vx + k)),
         speed: system.speeds.inner.into(),
+        turning: None,
     };
     let outer = RingState {
         displacement: [seed(0.0, ox), seed(0.0, ox + 1), 0.0.into()],
         tilt: [0.0.into(); 2],
         velocity: [seed(0.0, ov), seed(0.0, ov + 1), 0.0.into()],
         speed: system.speeds.outer.into(),
+        turning: None,
     };
     let traction = |patch: &LoadedPatch<'_, Dual>| bearing.linear_traction(patch, &system.kernel);
     let e = system.ball(pocket, &unknowns, cage_speed, &Races { inner, outer }, traction);

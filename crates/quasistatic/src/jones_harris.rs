@@ -159,6 +159,7 @@ pub(crate) fn ring_state<D: Scalar>(ring: [D; RING], speed: f64) -> RingState<D>
         tilt: [ring[3], ring[4]],
         velocity: [D::zero(); 3],
         speed: D::from(speed),
+        turning: None,
     }
 }
 

@@ -100,6 +100,7 @@ fn of_case(bearing: &str, case: Option<&CaseFile>, run: &Run) -> Vec<Vec<String>
     let lists = [
         ("Defects", "defects", file.case.defects.len(), ["race", "azimuth", "width", "depth"]),
         ("Spalls", "spalls", file.case.spalls.len(), ["race", "azimuth", "length", "depth"]),
+        ("Spalls of balls", "ball_spalls", file.case.ball_spalls.len(), ["ball", "angle", "length", "depth"]),
     ];
     for (name, list, count, fields) in lists.into_iter().filter(|(_, _, count, _)| *count > 0) {
         let one = |k| {

@@ -103,8 +103,7 @@ impl RestingBearing<'_> {
     pub fn ball<D: Scalar>(&self, azimuth: f64, displacement: [D; FREEDOMS]) -> RestingBall<D> {
         let bearing = self.bearing;
         let [x, y, z, tilt_x, tilt_y] = displacement;
-        let inner =
-            RingState { displacement: [x, y, z], tilt: [tilt_x, tilt_y], velocity: [D::zero(); 3], speed: D::zero() };
+        let inner = RingState { displacement: [x, y, z], tilt: [tilt_x, tilt_y], ..RingState::centred(D::zero()) };
         let outer = RingState::centred(D::zero());
         let frame = AzimuthFrame::at(azimuth).lift();
         // The inner contact of a ball in the outer groove centre lies along A.

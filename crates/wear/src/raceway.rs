@@ -146,7 +146,7 @@ impl Raceway {
             slope += s;
             covered *= 1.0 - bare;
         }
-        LocalSurface { depth, slope, bare: 1.0 - covered }
+        LocalSurface { depth, slope, bare: 1.0 - covered, ..LocalSurface::NEW }
     }
 
     /// True while nothing is worn and there is no defect: the surface is [`LocalSurface::NEW`] everywhere.

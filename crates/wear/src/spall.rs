@@ -149,7 +149,7 @@ impl Spall {
         Ok(SpallPath { profile, half_angle, contact_angle: wide, azimuth: self.azimuth })
     }
 
-    fn check(&self, track: &Track) -> Result<(), WearError> {
+    pub(crate) fn check(&self, track: &Track) -> Result<(), WearError> {
         let refuse = |name, value, allowed| Err(WearError::Spall { name, value, allowed });
         let longest = 2.0 * track.ball_radius.min(track.radius);
         if !self.azimuth.is_finite() {

@@ -9,9 +9,12 @@ pub struct LocalSurface {
     pub slope: f64,
     /// Part of the coating that is gone, 0 to 1.
     pub bare: f64,
+    /// Derivative of the depth by a rotation of the ball with a spall in it (axial, radial, along the orbit), m/rad;
+    /// that of the contact about the ring's axis is in the slope.
+    pub turn: [f64; 3],
 }
 
 impl LocalSurface {
     /// A new raceway: no depth, all of the coating there.
-    pub const NEW: Self = Self { depth: 0.0, slope: 0.0, bare: 0.0 };
+    pub const NEW: Self = Self { depth: 0.0, slope: 0.0, bare: 0.0, turn: [0.0; 3] };
 }

@@ -322,6 +322,7 @@ fn identity_power_and_momentum_of_a_land() {
                 tilt: [3e-4, -2e-4],
                 velocity: [0.05, -0.02, 0.01],
                 speed: 900.0,
+                turning: None,
             };
             let place = [1.7e-4, 1.3e-4, 1e-5];
             let pose = pose(&cage, [0.4, 380.0], place, [0.6, 0.3, -0.1], [5.0, -9.0], [4e-3, 1e-3]);

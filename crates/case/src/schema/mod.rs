@@ -78,6 +78,9 @@ pub struct Case {
     /// Spalls of the raceways.
     #[serde(default)]
     pub spalls: Vec<SpallSpec>,
+    /// Spalls of the balls.
+    #[serde(default)]
+    pub ball_spalls: Vec<BallSpallSpec>,
     /// The transient run, for `run`.
     #[serde(default)]
     pub transient: Option<TransientSpec>,

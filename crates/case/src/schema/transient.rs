@@ -12,6 +12,64 @@ pub struct SupportsSpec {
     pub inner: SupportSpec<3>,
     /// Outer ring with its housing: the two radial translations.
     pub outer: SupportSpec<2>,
+    /// Inertia and support of an inner ring that is free to tilt; its tilts are held without it.
+    #[serde(default)]
+    pub tilt: Option<TiltSpec>,
+}
+
+/// An inner ring that is free to tilt about its centre.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TiltSpec {
+    /// Moments of inertia of the ring with what turns with it.
+    pub inertia: RingInertia,
+    /// Stiffness against tilts about X and Y, N m/rad.
+    #[serde(deserialize_with = "units::tilt_stiffnesses")]
+    pub stiffness: [f64; 2],
+    /// Damping of tilts about X and Y, N m s/rad.
+    #[serde(deserialize_with = "units::tilt_dampings")]
+    pub damping: [f64; 2],
+}
+
+/// Moments of inertia of a ring.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum RingInertia {
+    /// As given, kg m².
+    Given {
+        /// About its axis.
+        #[serde(deserialize_with = "units::inertia")]
+        polar: f64,
+        /// Across it, about the ring's centre.
+        #[serde(deserialize_with = "units::inertia")]
+        transverse: f64,
+    },
+    /// Those of a hollow cylinder with the mass of the ring.
+    Cylinder {
+        /// Inner diameter, m.
+        #[serde(deserialize_with = "units::length")]
+        bore: f64,
+        /// Outer diameter, m.
+        #[serde(deserialize_with = "units::length")]
+        outside: f64,
+        /// Width, m.
+        #[serde(deserialize_with = "units::length")]
+        width: f64,
+    },
+}
+
+impl RingInertia {
+    /// Moments of inertia about the axis and across it, kg m², of a ring with a mass, kg: m (a² + b²)/2 and half of it
+    /// with m w²/12 of a cylinder with the radii a and b and the width w.
+    pub fn of(self, mass: f64) -> [f64; 2] {
+        match self {
+            Self::Given { polar, transverse } => [polar, transverse],
+            Self::Cylinder { bore, outside, width } => {
+                let polar = mass * (bore * bore + outside * outside) / 8.0;
+                [polar, 0.5 * polar + mass * width * width / 12.0]
+            }
+        }
+    }
 }
 
 /// Mass of a ring and the springs and dampers between it and the frame, along x, y (and z). The springs are without
@@ -74,6 +132,32 @@ pub struct SpallSpec {
     /// Distance of its middle across the groove from the middle of the contact, m.
     #[serde(default, deserialize_with = "units::length")]
     pub across: f64,
+}
+
+/// A spall of a ball.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BallSpallSpec {
+    /// Number of the ball.
+    pub ball: usize,
+    /// Angle along the rolling circle from the outer contact at time 0, in the direction of the orbit, rad.
+    #[serde(deserialize_with = "units::angle")]
+    pub angle: f64,
+    /// Angle from the rolling circle of the outer contact, rad.
+    #[serde(default, deserialize_with = "units::angle")]
+    pub latitude: f64,
+    /// Length between its edges along rolling, m.
+    #[serde(deserialize_with = "units::length")]
+    pub length: f64,
+    /// Width across rolling, m.
+    #[serde(deserialize_with = "units::length")]
+    pub width: f64,
+    /// Depth of its bottom, m.
+    #[serde(deserialize_with = "units::length")]
+    pub depth: f64,
+    /// Radius of its edges, m; sharp where left out.
+    #[serde(default, deserialize_with = "units::length")]
+    pub edge_radius: f64,
 }
 
 /// The transient run.

@@ -123,6 +123,9 @@ dimension!(TILT_STIFFNESS, "a tilting stiffness", "Nm_per_mrad(20)", {
     "Nm_per_rad" => |v| v,
     "Nm_per_mrad" => |v| shifted(v, 3),
 });
+dimension!(TILT_DAMPING, "a damping constant of tilts", "Nm_s_per_rad(2)", {
+    "Nm_s_per_rad" => |v| v,
+});
 dimension!(UNBALANCE, "an unbalance", "g_mm(50)", {
     "kg_m" => |v| v,
     "g_mm" => |v| shifted(v, -6),
@@ -144,9 +147,10 @@ dimension!(PRESSURE_COEFFICIENT, "a pressure-viscosity coefficient", "per_GPa(20
     "per_GPa" => |v| shifted(v, -9),
 });
 
-const ALL: [&Dimension; 23] = [
+const ALL: [&Dimension; 24] = [
     &ACCELERATION,
     &TILT_STIFFNESS,
+    &TILT_DAMPING,
     &UNBALANCE,
     &LENGTH,
     &ANGLE,

@@ -11,7 +11,7 @@ pub(crate) use dimension::{is_unit, others};
 use dimension::{
     ACCELERATION, ANGLE, DAMPING, DENSITY, Dimension, EXPANSION, FORCE, FREQUENCY, INERTIA, KINEMATIC_VISCOSITY,
     LENGTH, MASS, PRESSURE, PRESSURE_COEFFICIENT, SLOWNESS, SPEED, STIFFNESS, TEMPERATURE, TEMPERATURE_DIFFERENCE,
-    TILT_STIFFNESS, TIME, TORQUE, UNBALANCE, VISCOSITY,
+    TILT_DAMPING, TILT_STIFFNESS, TIME, TORQUE, UNBALANCE, VISCOSITY,
 };
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, SeqAccess, VariantAccess, Visitor};
@@ -124,6 +124,10 @@ triples! {
     stiffnesses: STIFFNESS;
     /// One damping constant for each axis, N s/m.
     dampings: DAMPING;
+    /// One tilting stiffness for each axis, N m/rad.
+    tilt_stiffnesses: TILT_STIFFNESS;
+    /// One damping constant of tilts for each axis, N m s/rad.
+    tilt_dampings: TILT_DAMPING;
     /// One length for each axis, m.
     lengths: LENGTH;
     /// One acceleration for each axis, m/s².

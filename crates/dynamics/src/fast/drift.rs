@@ -14,6 +14,8 @@ use tribodyn_wear::LocalSurface;
 pub(super) struct Stand {
     /// Depth, slope and bare part of the surfaces.
     surfaces: [[Lane; 3]; 2],
+    /// Derivatives of the depths by rotations of balls with spalls.
+    turns: [[Lane; 3]; 2],
     found: Found,
 }
 
@@ -47,7 +49,7 @@ impl Found {
 }
 
 impl Stand {
-    pub const NONE: Self = Self { surfaces: [[Lane::ZERO; 3]; 2], found: Found::NONE };
+    pub const NONE: Self = Self { surfaces: [[Lane::ZERO; 3]; 2], turns: [[Lane::ZERO; 3]; 2], found: Found::NONE };
 
     #[inline(always)]
     pub fn axes(&self, k: usize) -> AzimuthFrame {
@@ -68,7 +70,12 @@ impl Stand {
     #[inline(always)]
     pub fn surface(&self, side: Side, k: usize) -> LocalSurface {
         let [depth, slope, bare] = get(&self.surfaces[side as usize], k);
-        LocalSurface { depth, slope, bare }
+        LocalSurface { depth, slope, bare, ..LocalSurface::NEW }
+    }
+
+    /// Derivative of the depth by a rotation of the ball, m/rad.
+    pub fn turn(&self, side: Side, k: usize) -> [f64; 3] {
+        get(&self.turns[side as usize], k)
     }
 
     #[inline(always)]
@@ -135,7 +142,7 @@ fn springs<E: Equations>(
     (model, groove): (ContactSprings, f64),
     found: &mut Found,
 ) {
-    let frame = *frame;
+    let frame = frame.held();
     for k in 0..WIDTH {
         let b = get(balls, k);
         let (sin, cos) = sin_cos(b[AZIMUTH]);
@@ -143,8 +150,8 @@ fn springs<E: Equations>(
         let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], &frame, groove);
         let state = equations.state_at(axes, position, &b);
         let ([d_i, s_i, b_i], [d_o, s_o, b_o]) = (get(&surfaces[0], k), get(&surfaces[1], k));
-        let inner = LocalSurface { depth: d_i, slope: s_i, bare: b_i };
-        let outer = LocalSurface { depth: d_o, slope: s_o, bare: b_o };
+        let inner = LocalSurface { depth: d_i, slope: s_i, bare: b_i, ..LocalSurface::NEW };
+        let outer = LocalSurface { depth: d_o, slope: s_o, bare: b_o, ..LocalSurface::NEW };
         let rings = Races { inner: &frame.rings.inner, outer: &frame.rings.outer };
         let springs = equations.springs(model.normal_loads(&state, rings, Races { inner: &inner, outer: &outer }));
         put(&mut found.axes, k, [sin, cos]);
@@ -162,7 +169,7 @@ fn springs<E: Equations>(
     }
 }
 
-/// The same ball by ball, for contact constants that follow the contact angle.
+/// The same ball by ball, for contact constants that follow the contact angle, rings that tilt and balls with spalls.
 fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; BALL], stand: &mut Stand) {
     let machine = equations.machine();
     let model = machine.bearing.contact_springs();
@@ -173,7 +180,7 @@ fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; B
         let axes = AzimuthFrame { sin, cos };
         let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], frame, groove);
         let state = equations.state_at(axes, position, &b);
-        let surfaces = Races::from_fn(|side| stand.surface(side, k));
+        let surfaces = Races::from_fn(|side| LocalSurface { turn: stand.turn(side, k), ..stand.surface(side, k) });
         let springs = equations.springs(machine.normal_loads(&state, &surfaces, frame));
         let found = &mut stand.found;
         put(&mut found.axes, k, [sin, cos]);
@@ -211,12 +218,38 @@ pub(super) fn drift_acceleration<E: Equations>(
                 (0..3).for_each(|i| sums.on_rings[side][i] -= on_ball[i]);
             }
         }
+        if l.tilting {
+            moments(equations, (&frame, block, balls), out, &mut sums);
+        }
     }
     // All that acts on a free cage is in the kick.
     let bodies = machine.bodies(t, &Frame { free_cage: None, ..frame }, &sums);
     a[l.cage() + 1] = if l.free_cage { 0.0 } else { bodies.cage };
     a[l.inner() + 3..l.inner() + 6].copy_from_slice(&bodies.inner);
     a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);
+    if let (Some(tilting), Some([.., x, y])) = (&machine.tilting, bodies.tilt) {
+        // What turns with the ring is in the kick.
+        let [own_x, own_y] = machine.gyroscopic_moment(&frame.rings.inner);
+        let inertia = tilting.body.transverse_inertia;
+        a[l.velocities_of_tilt()].copy_from_slice(&[x - own_x / inertia, y - own_y / inertia]);
+    }
+}
+
+/// Adds the moments of the normal forces of an inner ring that tilts on the balls of a block.
+fn moments<E: Equations>(
+    equations: &E,
+    (frame, block, balls): (&Frame, usize, &[Lane; BALL]),
+    stand: &Stand,
+    sums: &mut Sums,
+) {
+    let (machine, ring) = (equations.machine(), &frame.rings.inner);
+    for k in 0..filled(machine.layout, block) {
+        let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
+        let force = stand.contact(Side::Inner, k).on_ball(Side::Inner);
+        let of_normal = (force, [0.0; 3]);
+        let moment = machine.bearing.moment_about(Side::Inner, &state, of_normal, (ring, stand.orbit_radius(k)));
+        sums.add_moment(Side::Inner, state.frame.to_inertial(moment), ring.axis());
+    }
 }
 
 /// How the balls of a block, by its number, are pressed on their races.
@@ -227,17 +260,22 @@ pub(super) fn press<E: Equations>(
     out: &mut Stand,
 ) {
     let machine = equations.machine();
-    surfaces(machine, frame, (block, balls), &mut out.surfaces);
-    if machine.bearing.modelling.contact_at_actual_angle {
+    surfaces(machine, frame, (block, balls), (&mut out.surfaces, &mut out.turns));
+    if machine.bearing.modelling.contact_at_actual_angle || machine.layout.one_by_one() {
         return springs_by_angle(equations, frame, balls, out);
     }
     let model = (machine.bearing.contact_springs(), machine.bearing.geometry.groove_centre_radius(Side::Outer));
-    let Stand { surfaces, found } = &mut *out;
+    let Stand { surfaces, found, .. } = &mut *out;
     dispatch!(level, _simd => springs(equations, frame, (balls, surfaces), model, found));
 }
 
 /// The surfaces under the balls of a block.
-fn surfaces(machine: &Machine, frame: &Frame, (block, balls): (usize, &[Lane; BALL]), out: &mut [[Lane; 3]; 2]) {
+fn surfaces(
+    machine: &Machine,
+    frame: &Frame,
+    (block, balls): (usize, &[Lane; BALL]),
+    (out, turns): (&mut [[Lane; 3]; 2], &mut [[Lane; 3]; 2]),
+) {
     let new = machine.is_even();
     for k in 0..WIDTH {
         // Lanes that are left over go with the last ball.
@@ -245,6 +283,9 @@ fn surfaces(machine: &Machine, frame: &Frame, (block, balls): (usize, &[Lane; BA
         let here = if new { machine.new_surfaces() } else { machine.place(ball, &get(balls, k), frame).2 };
         for (side, surface) in here.iter() {
             put(&mut out[side as usize], k, [surface.depth, surface.slope, surface.bare]);
+            if machine.layout.spalled > 0 {
+                put(&mut turns[side as usize], k, surface.turn);
+            }
         }
         if new && k == 0 {
             let first = *out;
@@ -269,7 +310,7 @@ pub(super) fn push_balls(balls: &mut [Lane; BALL], acceleration: &[Lane; 3], com
 
 /// Velocities of rings and cage.
 pub(super) fn push_bodies(l: Layout, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
-    for k in l.velocities_of_cage() {
+    for k in l.velocities_of_cage().chain(l.velocities_of_tilt()) {
         y[k] += h * a[k];
     }
     for k in l.velocities_of_rings() {
@@ -305,6 +346,7 @@ pub(super) fn glide_bodies(machine: &Machine, t: f64, y: &mut [f64], h: f64) {
     for k in l.outer()..l.outer() + 2 {
         y[k] += h * y[k + 2];
     }
+    machine.glide_tilt(y, h);
     // Prescribed speeds: the middle of the step is exact for speeds that change in proportion to time.
     for (side, speed) in machine.speeds.iter() {
         y[l.angles() + side as usize] += h * speed.at(t + 0.5 * h);

@@ -105,7 +105,7 @@ impl Grips {
     }
 
     #[inline(always)]
-    fn forces(&self, side: Side, k: usize) -> ContactForces {
+    pub fn forces(&self, side: Side, k: usize) -> ContactForces {
         let [a, b, c, d, e, f] = get(&self.forces[side as usize], k);
         ContactForces { force: [a, b, c], moment: [d, e, f] }
     }
@@ -126,6 +126,11 @@ impl Grips {
     pub fn set_pocket(&mut self, lanes: Range<usize>, of: &PocketLoad) {
         let ([axial, radial], [a, r, t]) = (of.friction, of.moment);
         lanes.for_each(|k| put(&mut self.pocket, k, [of.force, axial, radial, a, r, t]));
+    }
+
+    /// Adds a moment on a ball by a contact.
+    pub fn add_moment(&mut self, side: Side, lanes: Range<usize>, moment: [f64; 3]) {
+        lanes.for_each(|k| (0..3).for_each(|i| self.forces[side as usize][3 + i].0[k] += moment[i]));
     }
 
     pub fn set_forces(&mut self, side: Side, lanes: Range<usize>, of: &ContactForces) {
@@ -171,13 +176,14 @@ fn contact<E: Equations>(
 
 /// Tractions of the balls of a block from their linear forms, and whether those serve in step `now`.
 #[inline(always)]
-pub(super) fn tractions<E: Equations>(
+pub(super) fn tractions<E: Equations, const TILTS: bool>(
     equations: &E,
     (frame, now): (&Frame, f64),
     (balls, stand, forms): (&[Lane; BALL], &Stand, &Forms),
     grips: &mut Grips,
 ) {
-    let (out, frame) = (grips, *frame);
+    // No ring that tilts, or no vector instructions.
+    let (out, frame) = (grips, if TILTS { *frame } else { frame.held() });
     out.pocket = [Lane::ZERO; 6];
     for k in 0..WIDTH {
         let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));

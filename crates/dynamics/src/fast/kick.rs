@@ -3,6 +3,7 @@
 use super::friction::{in_inertial_axes, inverse_with_held, linear_friction};
 use super::grip::{Forms, Grips, follow, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
+use super::tilt::OnInner;
 use super::{Fast, Scratch};
 use crate::equations::{Equations, Frame};
 use crate::layout::Layout;
@@ -31,6 +32,7 @@ impl Fast {
         }
         self.smooth(l, h);
         let mut on_rings = self.ring_common(equations.machine());
+        let mut on_inner = OnInner::default();
         let (mut on_cage, mut reaction) = ((0.0, Wrench::default()), [Lane::ZERO; 5]);
         for block in 0..blocks(l.balls) {
             self.grip(equations, block, (&frame, renew), &mut on_cage);
@@ -40,6 +42,7 @@ impl Fast {
             let (equations, given) = (&*equations, (&scratch.given_back[block], h));
             dispatch!(scratch.level, _simd => respond(equations, balls, at, given, &mut reaction));
             (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
+            on_inner.add(l, block, &reaction);
         }
         let machine = equations.machine();
         if renew || self.rings_last == 0 {
@@ -54,7 +57,9 @@ impl Fast {
             let at = (&scratch.stands[block], &scratch.forms[block]);
             dispatch!(scratch.level, _simd => follow(balls, predicted, at, &mut reaction));
             (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
+            on_inner.add(l, block, &reaction);
         }
+        self.kick_tilt(machine, y, (&frame, &on_inner), h);
         let lands = machine.kick_free_cage(y, (&frame, &on_cage.1), h);
         let ([x, y_, z], [outer_x, outer_y, _]) = (lands.inner, lands.outer);
         on_rings -= Vector5::new(x, y_, z, outer_x, outer_y);
@@ -95,10 +100,12 @@ impl Fast {
         let places = scratch.places[block];
         let at = (&scratch.balls[block], &scratch.stands[block], &scratch.forms[block]);
         let (equations_now, grips, now) = (&*equations, &mut scratch.grips[block], self.steps as f64);
-        dispatch!(scratch.level, _simd => {
-            tractions(equations_now, (frame, now), at, grips);
-            surroundings(equations_now, (frame, &places), (at.0, at.1), grips);
-        });
+        if equations_now.machine().layout.tilting {
+            tractions::<E, true>(equations_now, (frame, now), at, grips);
+        } else {
+            dispatch!(scratch.level, _simd => tractions::<E, false>(equations_now, (frame, now), at, grips));
+        }
+        dispatch!(scratch.level, _simd => surroundings(equations_now, (frame, &places), (at.0, at.1), grips));
         self.used += 2 * balls as u64;
         // Oil in a pocket acts on a ball wherever it is.
         let oiled = equations.machine().cage.pocket.film.is_some();
@@ -109,6 +116,7 @@ impl Fast {
             if renew || old.inner || old.outer {
                 self.refresh(equations, (first + k, frame), old.map(|old| old || renew), renew);
             }
+            self.press_on_spalls(equations.machine(), (block, k));
             let mut pocket_wear = 0.0;
             if touches {
                 let machine = equations.machine();
@@ -160,6 +168,19 @@ impl Fast {
         if renew || !friction.serves(&normal, &contacts.of, self.step) {
             *friction = linear_friction(machine, state, &normal, &contacts.of, self.step);
             forms.set_friction(lanes, friction);
+        }
+    }
+
+    /// Moments of the normal forces at the spalls of a ball.
+    fn press_on_spalls(&mut self, machine: &Machine, (block, k): (usize, usize)) {
+        if machine.layout.spalled == 0 || machine.ball_spalls.slot(WIDTH * block + k).is_none() {
+            return;
+        }
+        let Scratch { stands, grips, .. } = &mut self.scratch;
+        for side in Side::BOTH {
+            let force = stands[block].contact(side, k).force;
+            let moment = stands[block].turn(side, k).map(|turn| force * turn);
+            grips[block].add_moment(side, lanes_of(machine.layout, block, k), moment);
         }
     }
 

@@ -132,7 +132,8 @@ impl Fast {
             }
             for k in 0..filled(l, block) {
                 let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
-                let sums_of_ball = if seen.near.0[k] > 0.0 {
+                let sums_of_ball = if seen.near.0[k] > 0.0 && !l.tilting && of.machine.ball_spalls.slot(index).is_none()
+                {
                     seen.write(k, (result, detail));
                     get(&seen.sums, k)
                 } else {
@@ -257,7 +258,8 @@ fn ball(
 /// compiler to make vector instructions of it.
 #[inline(always)]
 fn see<const ALL: bool>(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), beside: Beside<'_>, out: &mut Seen) {
-    let of = *of;
+    // Balls of rings that tilt are seen one by one.
+    let of = Of { frame: of.frame.held(), ..*of };
     for k in 0..WIDTH {
         let (sums, result, near) = ball(&of, at, beside, k);
         put(&mut out.sums, k, sums.numbers());

@@ -42,6 +42,8 @@ mod lanes;
 mod longest;
 mod look;
 mod numbers;
+mod orientation;
+mod tilt;
 
 use crate::equations::Equations;
 use crate::layout::{BALL, Layout, VELOCITY};
@@ -295,10 +297,12 @@ impl Fast {
                 self.remember_velocities(l, y);
             }
             self.push(l, y, 0.5 * h);
+            let before = self.azimuths_of_spalled(machine);
             let Scratch { level, balls, .. } = &mut self.scratch;
             for balls in balls {
                 dispatch!(*level, _simd => glide_balls(balls, h));
             }
+            self.turn_spalled(machine, y, (before, h));
             glide_bodies(machine, t + piece as f64 * h, y, h);
             self.swap_ahead(l, y);
             let Scratch { level, balls, stands, .. } = &mut self.scratch;

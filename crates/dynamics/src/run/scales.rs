@@ -26,5 +26,10 @@ pub(super) fn scales(machine: &Machine, state: &[f64]) -> Vec<f64> {
         let sizes = [[length; 3].as_slice(), &[velocity; 3], &[turn; 2], &[tilt; 4]].concat();
         scale[l.free()].copy_from_slice(&sizes);
     }
+    if l.tilting {
+        let (tilt, turn) = (length / g.pitch_diameter, velocity / g.pitch_diameter);
+        scale[l.tilt()].copy_from_slice(&[tilt, tilt, turn, turn]);
+    }
+    scale[l.orientations()].fill(1.0);
     scale
 }

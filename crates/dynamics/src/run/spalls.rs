@@ -1,6 +1,7 @@
 //! Balls that pass spalls: when they are over the first edge, against the second one, and over it.
 
 use super::{Run, RunError, Scheme};
+use crate::equations::Frame;
 use crate::layout::{AZIMUTH, BALL};
 use crate::machine::Machine;
 use crate::observer::{Event, EventKind, Observer};
@@ -16,6 +17,9 @@ const STEPS_OF_CONTACT: f64 = 4.0;
 pub(super) struct OverSpall {
     ball: usize,
     side: Side,
+    /// True for a spall of the ball.
+    #[serde(default)]
+    of_ball: bool,
     spall: usize,
     /// Time at which it was over the first edge, s.
     entered: f64,
@@ -24,9 +28,13 @@ pub(super) struct OverSpall {
 }
 
 impl OverSpall {
+    fn spalls_of(&self, machine: &Machine) -> usize {
+        if self.of_ball { machine.ball_spalls.all().len() } else { machine.spalls[self.side].len() }
+    }
+
     /// True if the machine has such a ball and spall, and times are times.
     pub(super) fn is_of(&self, machine: &Machine) -> bool {
-        let there = self.ball < machine.layout.balls && self.spall < machine.spalls[self.side].len();
+        let there = self.ball < machine.layout.balls && self.spall < self.spalls_of(machine);
         there && self.entered.is_finite() && self.struck.is_none_or(f64::is_finite)
     }
 }
@@ -35,7 +43,7 @@ impl Run {
     /// Passages of balls over spalls in the step to `t`, in the order in which they end.
     pub(super) fn spall_events<O: Observer>(&mut self, t: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
         let spalls = &self.machine.spalls;
-        if spalls.inner.is_empty() && spalls.outer.is_empty() {
+        if spalls.inner.is_empty() && spalls.outer.is_empty() && self.machine.ball_spalls.are_none() {
             return Ok(());
         }
         let from = self.progress.time;
@@ -51,14 +59,33 @@ impl Run {
                 let places = [place(0), place(1)];
                 for (spall, path) in spalls[side].iter().enumerate() {
                     let away = places.map(|place| wrapped(place - path.azimuth()));
-                    let passing = OverSpall { ball, side, spall, entered: 0.0, struck: None };
+                    let passing = OverSpall { ball, side, of_ball: false, spall, entered: 0.0, struck: None };
                     let at = |share: f64| from + share * (t - from);
                     events.extend(pass(&mut self.progress.over_spalls, passing, (away, path.half_angle()), at));
                 }
             }
         }
+        self.spalls_of_balls_passed(&frames, (from, t), &mut events);
         events.sort_by(|a: &Event, b: &Event| a.time_s.total_cmp(&b.time_s));
         events.iter().try_for_each(|event| observer.event(event)).map_err(RunError::Observer)
+    }
+
+    /// The same of spalls of balls, where the contacts do not run beside them.
+    fn spalls_of_balls_passed(&mut self, frames: &[Frame; 2], (from, to): (f64, f64), events: &mut Vec<Event>) {
+        let spalls = &self.machine.ball_spalls;
+        for (number, spall) in spalls.all().iter().enumerate() {
+            for (side, path) in spall.paths.iter().filter(|(_, path)| !path.is_flat()) {
+                let places = frames.each_ref().map(|frame| spalls.place(spall, side, &frame.orientations));
+                if places.iter().any(|place| place.across.abs() > path.reach_across()) {
+                    continue;
+                }
+                let passing =
+                    OverSpall { ball: spall.ball, side, of_ball: true, spall: number, entered: 0.0, struck: None };
+                let away = places.map(|place| place.angle);
+                let at = |share: f64| from + share * (to - from);
+                events.extend(pass(&mut self.progress.over_spalls, passing, (away, path.half_angle()), at));
+            }
+        }
     }
 
     /// Says at the start that steps are too long for the blow at the end of a spall.
@@ -90,7 +117,11 @@ impl Machine {
         let apart = |time: f64| (self.speeds.inner.at(time) - self.speeds.outer.at(time)).abs();
         let speed = [0.0, duration].map(apart).into_iter().fold(0.0, f64::max);
         let limits = self.spalls.iter().flat_map(|(_, paths)| paths.iter()).map(|path| path.contact_angle());
-        let contact = limits.fold(f64::INFINITY, f64::min);
+        // Balls turn past a contact as fast as they roll.
+        let of_balls = self.ball_spalls.all().iter().flat_map(|spall| spall.paths.iter()).map(|(side, path)| {
+            path.contact_angle() * self.bearing.geometry.ball_radius() / self.bearing.track_radius(side)
+        });
+        let contact = limits.chain(of_balls).fold(f64::INFINITY, f64::min);
         // Balls pass a race at about half the speed of the rings against each other.
         let time = contact / (0.5 * speed) / STEPS_OF_CONTACT;
         time.is_finite().then_some(time)
@@ -115,7 +146,8 @@ fn pass(
         return None;
     }
     let when = |place: f64| at(((place - a) / (b - a)).clamp(0.0, 1.0));
-    let is_this = |o: &OverSpall| (o.ball, o.side, o.spall) == (passing.ball, passing.side, passing.spall);
+    let key = |o: &OverSpall| (o.ball, o.side, o.of_ball, o.spall);
+    let is_this = |o: &OverSpall| key(o) == key(&passing);
     let ahead = (b - a).signum();
     let crosses = |place: f64| (a - place) * ahead < 0.0 && (b - place) * ahead >= 0.0;
     if crosses(-half * ahead) {
@@ -126,14 +158,14 @@ fn pass(
     if crosses(0.0) && current.struck.is_none() {
         current.struck = Some(when(0.0));
     }
-    let OverSpall { ball, side, spall, entered, struck } = *current;
+    let OverSpall { ball, side, of_ball, spall, entered, struck } = *current;
     if !crosses(half * ahead) {
         return None;
     }
     over.retain(|o| !is_this(o));
     let left_s = when(half * ahead);
     let (inner, struck_s) = (side == Side::Inner, struck?);
-    let kind = EventKind::SpallPassed { ball, inner, spall, entered_s: entered, struck_s, left_s };
+    let kind = EventKind::SpallPassed { ball, inner, of_ball, spall, entered_s: entered, struck_s, left_s };
     Some(Event { time_s: left_s, kind })
 }
 
@@ -147,7 +179,8 @@ mod tests {
         for (speed, step) in [(2.0, 0.003), (-2.0, 0.003), (2.0, 0.07), (-0.5, 0.011)] {
             let place = |t: f64| wrapped(speed * (t - 1.0));
             let (mut over, mut found) = (Vec::new(), Vec::new());
-            let passing = OverSpall { ball: 1, side: Side::Outer, spall: 0, entered: 0.0, struck: None };
+            let passing =
+                OverSpall { ball: 1, side: Side::Outer, of_ball: false, spall: 0, entered: 0.0, struck: None };
             for k in 0..(2.0 / step) as u32 {
                 let (t, next) = (f64::from(k) * step, f64::from(k + 1) * step);
                 let at = |share: f64| t + share * (next - t);
@@ -166,7 +199,7 @@ mod tests {
     #[test]
     fn limit_a_ball_that_turns_back_has_not_passed() {
         let mut over = Vec::new();
-        let passing = OverSpall { ball: 0, side: Side::Inner, spall: 2, entered: 0.0, struck: None };
+        let passing = OverSpall { ball: 0, side: Side::Inner, of_ball: false, spall: 2, entered: 0.0, struck: None };
         let mut go = |a: f64, b: f64| pass(&mut over, passing, ([a, b], 0.1), |share| share);
         assert!(go(-0.2, -0.05).is_none() && go(-0.05, -0.2).is_none());
         assert!(go(-0.2, 0.02).is_none() && go(0.02, 0.2).is_some());

@@ -8,6 +8,7 @@ mod faults;
 mod own_law;
 mod schemes;
 mod symmetry;
+mod tilt;
 mod trouble;
 mod wear;
 

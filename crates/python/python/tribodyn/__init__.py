@@ -75,6 +75,7 @@ from .units import (
     Nm as Nm,
     Nm_per_mrad as Nm_per_mrad,
     Nm_per_rad as Nm_per_rad,
+    Nm_s_per_rad as Nm_s_per_rad,
     Nmm as Nmm,
     Pa as Pa,
     Pa_s as Pa_s,

@@ -117,11 +117,16 @@ fn line(event: &Event, more: usize) -> Log {
             let text = format!("the coating of the {} race is worn through at {azimuth:.1}° of the ring", race(*inner));
             ("coating-through", Level::Warning, text)
         }
-        EventKind::SpallPassed { ball, inner, spall, entered_s, struck_s, left_s } => {
+        EventKind::SpallPassed { ball, inner, of_ball, spall, entered_s, struck_s, left_s } => {
+            let race = race(*inner);
+            let passed = if *of_ball {
+                format!("the {race} race has passed spall {spall} of balls, on ball {ball}")
+            } else {
+                format!("ball {ball} has passed spall {spall} of the {race} race")
+            };
             let text = format!(
-                "ball {ball} has passed spall {spall} of the {} race: over its first edge at {entered_s:.7} s, against \
-                 the second at {struck_s:.7} s, over it at {left_s:.7} s",
-                race(*inner)
+                "{passed}: over its first edge at {entered_s:.7} s, against the second at {struck_s:.7} s, over it at \
+                 {left_s:.7} s"
             );
             ("spall-passed", Level::Info, text)
         }

@@ -12,7 +12,7 @@ use crate::wire::foxglove::FrameTransforms;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tribodyn_bearing::BallResult;
-use tribodyn_dynamics::Sample;
+use tribodyn_dynamics::{RingSample, Sample};
 
 /// Most frame transforms in a turn.
 const FRAMES_PER_TURN: f64 = 70.0;
@@ -109,7 +109,7 @@ impl Motion {
     ) {
         let poses = Poses {
             log_time,
-            inner: (sample.inner.displacement_m, Rotation::about_z(sample.inner.angle_rad)),
+            inner: (sample.inner.displacement_m, tilted(&sample.inner)),
             outer: (sample.outer.displacement_m, Rotation::about_z(sample.outer.angle_rad)),
             cage: trail::place(&sample.cage),
             spins: &self.spins,
@@ -117,4 +117,12 @@ impl Motion {
         let balls = balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]);
         poses.update(message, balls);
     }
+}
+
+/// Rotation of a ring that has turned, then tilted.
+fn tilted(ring: &RingSample) -> Rotation {
+    let turned = Rotation::about_z(ring.angle_rad);
+    let [x, y] = ring.tilt_rad;
+    // Rings without a tilt stay what they are to the last bit.
+    if x == 0.0 && y == 0.0 { turned } else { Rotation::by_vector([x, y, 0.0]).after(turned) }
 }

@@ -76,6 +76,7 @@ fn ball(index: usize, time: f64) -> BallResult {
 /// The sample at a time, s.
 pub(super) fn sample(time: f64) -> Sample {
     let ring = |speed: f64, acceleration: f64| RingSample {
+        tilt_rad: [0.0; 2],
         angle_rad: speed * time,
         speed_rad_s: speed,
         displacement_m: [1.1e-5 * (SHAFT * time).cos(), 1.1e-5 * (SHAFT * time).sin(), 6.4e-5],

@@ -15,8 +15,10 @@ pub(super) struct Individual {
     pub fault: FaultClass,
     /// Length of the spall, m; absent in a sound bearing.
     pub length: Option<f64>,
-    /// Azimuth of its middle, rad.
+    /// Azimuth of its middle, along the rolling circle of a ball, rad.
     pub azimuth: Option<f64>,
+    /// How far it stands off the rolling circle of a ball, rad.
+    latitude: f64,
     /// True if its members are for tests.
     pub test: bool,
     /// Seeds of waves and balls.
@@ -40,6 +42,9 @@ const OF_BEARINGS: u64 = 1 << 60;
 const OF_MEMBERS: u64 = 2 << 60;
 pub(super) const OF_NOISE: u64 = 3 << 60;
 const OF_SPLIT: u64 = 4 << 60;
+
+/// Farthest that the spall of a ball stands off its rolling circle, rad: the contacts of all classes meet their spalls.
+const LATITUDE: f64 = 0.05;
 
 /// All bearings of a plan, in order: case by case, class by class, length by length.
 pub(super) fn individuals(plan: &DatasetPlan) -> Vec<Individual> {
@@ -86,9 +91,10 @@ fn individual(
     let azimuth = match fault {
         FaultClass::Sound => None,
         FaultClass::Outer => Some(random.between(-plan.spall.zone, plan.spall.zone)),
-        FaultClass::Inner => Some(random.between(0.0, TAU)),
+        FaultClass::Inner | FaultClass::Ball => Some(random.between(0.0, TAU)),
     };
-    Individual { number, case, fault, length, azimuth, test, seeds }
+    let latitude = if fault == FaultClass::Ball { random.between(-LATITUDE, LATITUDE) } else { 0.0 };
+    Individual { number, case, fault, length, azimuth, latitude, test, seeds }
 }
 
 /// A member by its number: the members of a bearing stand together.
@@ -120,7 +126,7 @@ impl Choice {
         for (path, load) in ["ring.x", "ring.z"].into_iter().zip(self.load) {
             changes.extend(load.map(|load| (path, format!("Force(N({load:e}))"))));
         }
-        let Individual { fault, length, azimuth, seeds, .. } = &self.individual;
+        let Individual { fault, length, azimuth, latitude, seeds, .. } = &self.individual;
         if let Some(form) = &plan.deviations {
             let races = [("inner", form.inner, seeds[0]), ("outer", form.outer, seeds[1])];
             for (race, SpectrumSpec { first, last, amplitude, exponent, .. }, seed) in races {
@@ -134,14 +140,19 @@ impl Choice {
         }
         changes.push(("deviations.position.inner", format!("rad({:e})", self.turned)));
         if let (Some(length), Some(azimuth)) = (length, azimuth) {
-            let race = if *fault == FaultClass::Inner { "Inner" } else { "Outer" };
+            let (section, place) = match fault {
+                FaultClass::Inner => ("spalls", format!("race: Inner, azimuth: rad({azimuth:e})")),
+                FaultClass::Sound | FaultClass::Outer => ("spalls", format!("race: Outer, azimuth: rad({azimuth:e})")),
+                FaultClass::Ball => {
+                    ("ball_spalls", format!("ball: 0, angle: rad({azimuth:e}), latitude: rad({latitude:e})"))
+                }
+            };
             let spall = &plan.spall;
             let spalls = format!(
-                "[(race: {race}, azimuth: rad({azimuth:e}), length: m({length:e}), width: m({:e}), depth: m({:e}), \
-                 edge_radius: m({:e}))]",
+                "[({place}, length: m({length:e}), width: m({:e}), depth: m({:e}), edge_radius: m({:e}))]",
                 spall.width, spall.depth, spall.edge_radius
             );
-            changes.push(("spalls", spalls));
+            changes.push((section, spalls));
         }
         let change = |(path, value): &(&str, String)| Change::new(format!("{path}={value} of the plan"), path, value);
         let changes: Vec<Change> = changes.iter().map(change).collect();

@@ -53,6 +53,7 @@ pub(super) fn class(fault: FaultClass) -> &'static str {
         FaultClass::Sound => "sound",
         FaultClass::Outer => "outer",
         FaultClass::Inner => "inner",
+        FaultClass::Ball => "ball",
     }
 }
 

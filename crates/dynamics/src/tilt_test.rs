@@ -1,0 +1,244 @@
+//! An inner ring that tilts among balls: balances, closed forms, and whether all schemes have the same terms.
+
+use crate::dp54::DormandPrince;
+use crate::equations::BallForces;
+use crate::fast::Fast;
+use crate::forces::{BodyForces, Sums, System, evaluate};
+use crate::layout::{AXIAL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::machine::Machine;
+use crate::rk4::Rk4;
+use crate::start::{Started, start};
+use crate::tilt::tilt_rates;
+use tribodyn_bearing::{BallState, RingState, Side, Tilt, Translation};
+use tribodyn_case::{Case, set_value};
+
+const TILT: &str = "(inertia: Given(polar: kg_m2(0.05), transverse: kg_m2(0.03)),
+    stiffness: (Nm_per_rad(2000), Nm_per_rad(3000)), damping: (Nm_s_per_rad(1), Nm_s_per_rad(2)))";
+
+fn case(changes: &[(&str, &str)]) -> Case {
+    let text = include_str!("../../../fixtures/cases/paper-ag.ron").to_owned();
+    let tilting = [
+        ("traction.patch", "GaussJacobi(radial: 3, angles: 8)"),
+        ("ring.tilt_x", "Moment(Nm(120))"),
+        ("ring.tilt_y", "Moment(Nm(-60))"),
+        ("supports.tilt", TILT),
+    ];
+    let text = tilting.iter().chain(changes).fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
+    Case::from_ron(&text).unwrap()
+}
+
+/// The machine of a case, its ring off its equilibrium, turning over.
+fn machine(changes: &[(&str, &str)]) -> (Machine, Vec<f64>) {
+    let Started { machine, mut state, .. } = start(case(changes).run_inputs().unwrap(), None).unwrap();
+    let at = machine.layout.tilt().start;
+    state[at] += 1e-4;
+    state[at + 1] -= 2e-4;
+    state[at + 2..at + 4].copy_from_slice(&[0.3, -0.2]);
+    (machine, state)
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Scheme {
+    RungeKutta,
+    DormandPrince,
+    Fast,
+}
+
+fn run(scheme: Scheme, (machine, state): (&mut Machine, &mut Vec<f64>), h: f64, steps: u32) {
+    let n = state.len();
+    let (mut derivative, mut next, scale) = (vec![0.0; n], vec![0.0; n], vec![1.0; n]);
+    let (mut rk4, mut dp54, mut fast) = (Rk4::default(), DormandPrince::default(), Fast::with_linear_error(1e-9));
+    for step in 0..steps {
+        let t = h * f64::from(step);
+        machine.derivative(t, state, &mut derivative);
+        match scheme {
+            Scheme::RungeKutta => rk4.step(machine, t, (state, &derivative), h, &mut next),
+            Scheme::DormandPrince => {
+                dp54.step(machine, t, (state, &derivative), h, &scale, &mut next);
+            }
+            Scheme::Fast => {
+                next.copy_from_slice(state);
+                fast.step(machine, t, &mut next, h);
+            }
+        }
+        std::mem::swap(state, &mut next);
+    }
+}
+
+#[test]
+fn identity_power_balances_with_a_tilting_ring() {
+    for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
+        let (mut machine, mut state) = machine(&[]);
+        let before = machine.energy(0.0, &state);
+        let (h, steps) = (1e-6, 400);
+        run(scheme, (&mut machine, &mut state), h, steps);
+        let after = machine.energy(h * f64::from(steps), &state);
+        let w = machine.layout.work();
+        let imbalance = ((state[w] - state[w + 1] - (after - before)) / state[w + 2]).abs();
+        assert!(imbalance < 1e-9, "{scheme:?}: {imbalance:e}");
+    }
+}
+
+/// Cross product.
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Rates of the linear and the angular momentum about the bearing's centre of balls and inner ring, less what the outer
+/// ring does, and the largest force: what is left are the drive's torque about the ring's axis and the loads.
+struct Rates {
+    linear: [f64; 3],
+    angular: [f64; 3],
+    force: f64,
+}
+
+impl Rates {
+    fn of_ball(&mut self, machine: &Machine, b: &[f64], ball: &BallForces, outer: &RingState) {
+        let BallState { frame, orbital_speed: w, spin, .. } = ball.state;
+        let (m, j, r) = (machine.bearing.ball_mass, machine.bearing.ball_inertia, b[RADIUS]);
+        let [axial, radial, orbital, about_a, about_r, about_t] = ball.acceleration;
+        let along = r * orbital + 2.0 * b[VELOCITY + 1] * w;
+        let moving = frame.to_inertial([m * axial, m * (radial - r * w * w), m * along]);
+        // The accelerations of the spin are those of its components; the frame turns them.
+        let turning = [about_a, about_r - w * spin[2], about_t + w * spin[1]].map(|a| j * a);
+        let turning = frame.to_inertial(turning);
+        let place = frame.to_inertial([b[AXIAL], r, 0.0]);
+        let contact = &ball.contacts[Side::Outer];
+        let by_outer = frame.to_inertial(contact.force);
+        let about = frame.to_inertial(contact.moment);
+        let (of_motion, of_force) = (cross(place, moving), cross(place, by_outer));
+        for k in 0..3 {
+            self.linear[k] += moving[k] - by_outer[k];
+            self.angular[k] += of_motion[k] + turning[k] - of_force[k] - about[k];
+        }
+        self.force = self.force.max(contact.normal.load);
+        assert!(SPIN == 6 && outer.turning.is_some() && ORBIT == 5);
+    }
+
+    /// The ring, its centre at a height above the plane of the outer groove centres.
+    fn of_ring(&mut self, machine: &Machine, ring: &RingState, bodies: &BodyForces) {
+        let (body, g) = (&machine.tilting.as_ref().unwrap().body, &machine.bearing.geometry);
+        let [.., w_x, w_y] = bodies.tilt.unwrap();
+        let (axis, turning) = (ring.axis(), ring.turning.unwrap());
+        let axis_rate = cross(turning, axis);
+        // That ω stays across the axis gives its third component.
+        let across: f64 = (0..3).map(|k| turning[k] * axis_rate[k]).sum();
+        let w_z = -(across + w_x * axis[0] + w_y * axis[1]) / axis[2];
+        let [x, y, z] = ring.displacement;
+        let place = [x, y, z + g.centre_distance() * g.sin_contact_angle()];
+        let moving = bodies.inner.map(|a| machine.inner.mass * a);
+        let of_motion = cross(place, moving);
+        for (k, rate) in [w_x, w_y, w_z].into_iter().enumerate() {
+            self.linear[k] += moving[k];
+            let own = body.transverse_inertia * rate + body.polar_inertia * ring.speed * axis_rate[k];
+            self.angular[k] += of_motion[k] + own;
+        }
+    }
+}
+
+/// Nothing but the outer ring and the drive acts on balls and inner ring, at any tilt, with friction.
+#[test]
+fn identity_linear_and_angular_momentum_balance_with_a_tilting_ring() {
+    let (mut machine, mut state) = machine(&[("cage.pocket_stiffness", "N_per_um(0)"), ("cage.drag_torque", "Nm(0)")]);
+    machine.bearing.fluid = None;
+    machine.loads = [0, 1, 2].map(|_| Translation::Force(0.0));
+    (machine.inner.stiffness, machine.inner.damping) = ([0.0; 3], [0.0; 3]);
+    let tilting = machine.tilting.as_mut().unwrap();
+    tilting.loads = [Tilt::Moment(0.0), Tilt::Moment(0.0)];
+    (tilting.body.stiffness, tilting.body.damping) = ([0.0; 2], [0.0; 2]);
+    let l = machine.layout;
+    state[l.inner()] += 1e-5;
+    state[l.inner() + 3..l.inner() + 6].copy_from_slice(&[0.02, -0.01, 0.03]);
+    state[l.outer()..l.outer() + 4].copy_from_slice(&[-8e-6, 5e-6, -0.01, 0.03]);
+    // Tilts far above those of the start.
+    state[l.tilt().start] += 1e-3;
+    let frame = machine.frame(0.0, &state);
+    let mut rates = Rates { linear: [0.0; 3], angular: [0.0; 3], force: 0.0 };
+    let unknowns = state.clone();
+    let (_, _, bodies) = evaluate(&machine, 0.0, &state, |index, ball| {
+        rates.of_ball(&machine, machine.unknowns(index, &unknowns), ball, &frame.rings.outer);
+    });
+    let ring = &frame.rings.inner;
+    rates.of_ring(&machine, ring, &bodies);
+    let axis = ring.axis();
+    let drive: f64 = (0..3).map(|k| rates.angular[k] * axis[k]).sum();
+    let lever = machine.bearing.geometry.pitch_diameter;
+    for k in 0..3 {
+        assert!(rates.linear[k].abs() < 1e-10 * rates.force, "{k}: {:e} of {}", rates.linear[k], rates.force);
+        let left = rates.angular[k] - drive * axis[k];
+        assert!(left.abs() < 1e-10 * rates.force * lever, "{k}: {left:e} of {}", rates.force * lever);
+    }
+    assert!((drive - bodies.torque.inner).abs() < 1e-10 * rates.force * lever, "{drive} {}", bodies.torque.inner);
+}
+
+/// A ring that nothing touches: its axis goes round its angular momentum at |L|/I_t.
+#[test]
+fn code_free_precession_of_a_ring() {
+    let (mut machine, state) = machine(&[]);
+    let tilting = machine.tilting.as_mut().unwrap();
+    tilting.loads = [Tilt::Moment(0.0), Tilt::Moment(0.0)];
+    (tilting.body.stiffness, tilting.body.damping) = ([0.0; 2], [0.0; 2]);
+    let body = tilting.body;
+    let at = machine.layout.tilt().start;
+    let ring = |y: &[f64]| {
+        let (tilt, turning) = machine.tilt_at(y);
+        RingState { tilt, turning, ..RingState::centred(machine.speeds.inner.at(0.0)) }
+    };
+    let derivative = |y: &[f64]| {
+        let mut f = BodyForces::default();
+        machine.tilting_body(0.0, &ring(y), &Sums::default(), &mut f);
+        f.tilt.unwrap()
+    };
+    let mut y = state;
+    y[at..at + 4].copy_from_slice(&[2e-3, -1e-3, 3.0, 5.0]);
+    let first = ring(&y);
+    let (spin, turning, axis) = (body.polar_inertia * first.speed, first.turning.unwrap(), first.axis());
+    let momentum = [0, 1, 2].map(|k| body.transverse_inertia * turning[k] + spin * axis[k]);
+    let size = momentum.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let (rate, steps) = (size / body.transverse_inertia, 2000);
+    let h = 4.0 / rate / f64::from(steps);
+    for _ in 0..steps {
+        let start: [f64; 4] = std::array::from_fn(|k| y[at + k]);
+        let mut slopes = [[0.0; 4]; 4];
+        for stage in 0..4 {
+            let back = [0.0, 0.5 * h, 0.5 * h, h][stage];
+            let before = if stage == 0 { [0.0; 4] } else { slopes[stage - 1] };
+            (0..4).for_each(|k| y[at + k] = start[k] + back * before[k]);
+            slopes[stage] = derivative(&y);
+        }
+        for k in 0..4 {
+            y[at + k] = start[k] + h / 6.0 * (slopes[0][k] + 2.0 * (slopes[1][k] + slopes[2][k]) + slopes[3][k]);
+        }
+    }
+    // Rodrigues' formula for a rotation by 4 rad about the angular momentum.
+    let about = momentum.map(|x| x / size);
+    let along: f64 = (0..3).map(|k| about[k] * axis[k]).sum();
+    let (sin, cos) = 4f64.sin_cos();
+    let turned = cross(about, axis);
+    let exact = [0, 1, 2].map(|k| axis[k] * cos + turned[k] * sin + about[k] * along * (1.0 - cos));
+    let found = ring(&y).axis();
+    assert!((0..3).all(|k| (found[k] - exact[k]).abs() < 1e-12), "{found:?} {exact:?}");
+    let [x, y_] = tilt_rates(&first, turning);
+    assert!((x - 3.0).abs() < 1e-2 && (y_ - 5.0).abs() < 1e-2);
+}
+
+/// The fast scheme goes where the Runge–Kutta method goes, the tilts nearer with its second order.
+#[test]
+fn identity_the_fast_scheme_has_the_same_tilts() {
+    let end = |scheme, h: f64, steps: u32| -> [f64; 4] {
+        let (mut machine, mut state) = machine(&[]);
+        run(scheme, (&mut machine, &mut state), h, steps);
+        let at = machine.layout.tilt().start;
+        std::array::from_fn(|k| state[at + k])
+    };
+    let apart = |a: [f64; 4], b: [f64; 4]| [0, 2].map(|k| (a[k] - b[k]).hypot(a[k + 1] - b[k + 1]));
+    let start = end(Scheme::RungeKutta, 1e-6, 0);
+    let exact = end(Scheme::RungeKutta, 1e-6, 1600);
+    let (coarse, fine) = (end(Scheme::Fast, 8e-6, 200), end(Scheme::Fast, 4e-6, 400));
+    let (way, errors, finer) = (apart(start, exact), apart(coarse, exact), apart(fine, exact));
+    assert!(errors[0] < 0.004 * way[0] && finer[0] < 0.3 * errors[0], "{way:?} {errors:?} {finer:?}");
+    // In the velocity the vibration of the contacts has a phase of its own.
+    assert!(errors[1] < 0.003 * way[1] && finer[1] < errors[1], "{way:?} {errors:?} {finer:?}");
+    let other = apart(end(Scheme::DormandPrince, 1e-6, 1600), exact);
+    assert!((0..2).all(|k| other[k] < 1e-6 * way[k]), "{other:?} of {way:?}");
+}
