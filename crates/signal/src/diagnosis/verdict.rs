@@ -41,6 +41,9 @@ const SURE_WITH_CAGE: f64 = -6.0;
 /// 6 dB below it.
 const CAGE_DB: f64 = 5.0;
 
+/// Farthest from a multiple of the cage at which a line is one, over the speed of the cage.
+const WITHIN: f64 = 0.25;
+
 /// Height below that line to which the fifth multiple of the cage may have fallen, dB.
 const ALL_DB: f64 = 10.0;
 
@@ -71,7 +74,9 @@ impl Evidence {
     /// strikes once in a turn of the cage has all multiples, BPFO among them.
     fn of_cage(&self, cage: &Self) -> bool {
         let multiple = (self.frequency_hz / cage.frequency_hz).round();
-        let reach = 3.0 * self.deviation_hz.hypot(multiple * cage.deviation_hz) + 0.002 * self.frequency_hz;
+        let uncertain = 3.0 * self.deviation_hz.hypot(multiple * cage.deviation_hz) + 0.002 * self.frequency_hz;
+        // In a short signal any line would be a multiple: lines of a ball lie between those of the cage.
+        let reach = uncertain.min(WITHIN * cage.frequency_hz);
         // What a ball strikes in the load zone has a few multiples of the cage, what strikes once in a turn has all.
         let last = cage.harmonics.last().map_or(0.0, |h| h.over_floor_db);
         let own = |e: &Self| e.harmonics.first().map_or(0.0, |h| h.over_floor_db);
