@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod aliasing;
+mod ball_spall;
 mod companion;
 mod equilibrium;
 mod faults;
