@@ -163,9 +163,9 @@ fn identity_linear_and_angular_momentum_balance_with_a_tilting_ring() {
     let axis = ring.axis();
     let drive: f64 = (0..3).map(|k| rates.angular[k] * axis[k]).sum();
     let lever = machine.bearing.geometry.pitch_diameter;
-    for k in 0..3 {
+    for (k, along) in axis.into_iter().enumerate() {
         assert!(rates.linear[k].abs() < 1e-10 * rates.force, "{k}: {:e} of {}", rates.linear[k], rates.force);
-        let left = rates.angular[k] - drive * axis[k];
+        let left = rates.angular[k] - drive * along;
         assert!(left.abs() < 1e-10 * rates.force * lever, "{k}: {left:e} of {}", rates.force * lever);
     }
     assert!((drive - bodies.torque.inner).abs() < 1e-10 * rates.force * lever, "{drive} {}", bodies.torque.inner);

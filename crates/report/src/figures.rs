@@ -120,6 +120,13 @@ const CAGE: Histories = (
     ],
 );
 
+/// Of a ring that is tilted.
+const TILT: Histories = (
+    "ring-tilt",
+    "Tilt of the inner ring",
+    &[("", "Tilt", "mrad", &[("about X", |r| r.inner_tilt_x_mrad), ("about Y", |r| r.inner_tilt_y_mrad)])],
+);
+
 /// Part of the loads on the ring above which their resultant across the axis has a direction.
 const DIRECTED: f64 = 1e-3;
 
@@ -181,7 +188,9 @@ pub fn histories(
     let steady = if time.len() - from < FEWEST { 0 } else { from };
     let mut figures = Vec::new();
     let cage = run.states.iter().any(|row| row.cage_free).then_some(&CAGE);
-    for (name, title, plans) in HISTORIES.iter().chain(cage) {
+    let tilts = |row: &StateRow| [row.inner_tilt_x_mrad, row.inner_tilt_y_mrad];
+    let moves = run.states.first().is_some_and(|first| run.states.iter().any(|row| tilts(row) != tilts(first)));
+    for (name, title, plans) in HISTORIES.iter().chain(cage).chain(moves.then_some(&TILT)) {
         let values: Values =
             plans.iter().map(|(.., lines)| lines.iter().map(|(_, get)| rows(run, *get)).collect()).collect();
         let greatest: Vec<(&str, f64)> = plans

@@ -464,6 +464,10 @@ class StateArrays:
     land_friction_w: NDArray[np.float64]
     #: Power taken by the films of the cage's lands, a part of that of drag and guidance, W
     land_film_w: NDArray[np.float64]
+    #: Tilt of the inner ring about X, mrad
+    inner_tilt_x_mrad: NDArray[np.float64]
+    #: Tilt of the inner ring about Y, mrad
+    inner_tilt_y_mrad: NDArray[np.float64]
 
 
 class SolutionArrays:
