@@ -25,8 +25,8 @@ pub struct RunInputs {
     pub free_cage: Option<FreeCage>,
     /// Masses and supports of the rings.
     pub supports: Supports,
-    /// Inertias and support of an inner ring that is free to tilt; without them its tilts are held where they are at the
-    /// start.
+    /// Inertias and support of an inner ring that is free to tilt; without them its tilts are held where they are at
+    /// the start.
     pub tilting: Option<TiltingRing>,
     /// Coatings of the races when the run starts.
     pub coatings: Races<CoatingState>,

@@ -90,7 +90,8 @@ pub struct PlanSpall {
     /// Radius of the edges, m.
     #[serde(deserialize_with = "units::length")]
     pub edge_radius: f64,
-    /// Farthest from the direction of the radial load on an outer race, rad; on an inner race and along a ball it is anywhere.
+    /// Farthest from the direction of the radial load on an outer race, rad; on an inner race and along a ball it is
+    /// anywhere.
     #[serde(deserialize_with = "units::angle")]
     pub zone: f64,
 }

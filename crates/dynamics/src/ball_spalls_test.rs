@@ -89,8 +89,8 @@ fn identity_power_balances_over_spalls_of_balls() {
     }
 }
 
-/// The fast scheme goes where the Runge–Kutta method goes: orbital speeds and spins of the struck balls, and where their
-/// spalls stand.
+/// The fast scheme goes where the Runge–Kutta method goes: orbital speeds and spins of the struck balls, and where
+/// their spalls stand.
 #[test]
 fn identity_the_fast_scheme_has_the_same_spalls_of_balls() {
     let end = |scheme, h: f64, steps: u32| {

@@ -56,7 +56,8 @@ numbers!(PocketLoad, 12;
     friction_power, sliding, normal);
 numbers!(Sums, 26;
     on_rings.inner[0], on_rings.inner[1], on_rings.inner[2], on_rings.outer[0], on_rings.outer[1], on_rings.outer[2],
-    torque.inner, torque.outer, moment[0], moment[1], moment[2], cage_torque, powers.friction.inner, powers.friction.outer, powers.drag,
+    torque.inner, torque.outer, moment[0], moment[1], moment[2], cage_torque,
+    powers.friction.inner, powers.friction.outer, powers.drag,
     powers.churning, powers.contact_damping, powers.pocket_friction, powers.pocket_damping, powers.energy,
     on_cage.force[0], on_cage.force[1], on_cage.force[2], on_cage.moment[0], on_cage.moment[1], on_cage.moment[2]);
 

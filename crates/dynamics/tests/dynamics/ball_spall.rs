@@ -7,8 +7,8 @@ use tribodyn_signal::{Fault, Kinematics, Search, Shaft, diagnose};
 
 const RATE: f64 = 25_600.0;
 
-/// Both races meet the spall once a turn of the ball, and the verdict on the housing's signal is the ball. With waves of
-/// the races and a lot of balls of grade 10; contacts are damped as those in oil are.
+/// Both races meet the spall once a turn of the ball, and the verdict on the housing's signal is the ball. With waves
+/// of the races and a lot of balls of grade 10; contacts are damped as those in oil are.
 #[test]
 fn identity_a_spall_of_a_ball_strikes_at_its_frequency_and_is_told() {
     let waves = "(spectrum: (first: 2, last: 60, amplitude: um(0.5), exponent: 1.5, seed: 1))";
@@ -39,7 +39,10 @@ fn identity_a_spall_of_a_ball_strikes_at_its_frequency_and_is_told() {
     };
     let strikes = 0.4 * 50.0 * bearing.per_turn().unwrap().ball_defect_hz;
     let passed = |at_inner: bool| {
-        let is = |kind: &EventKind| matches!(kind, EventKind::SpallPassed { inner, of_ball: true, .. } if *inner == at_inner);
+        let is = |kind: &EventKind| match kind {
+            EventKind::SpallPassed { inner, of_ball: true, .. } => *inner == at_inner,
+            _ => false,
+        };
         keep.events.iter().filter(|event| is(&event.kind)).count() as f64
     };
     for inner in [true, false] {

@@ -24,7 +24,6 @@ pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> Transie
     let [outer_x, outer_y, outer_z] = outer.displacement_m.map(|x| x * MICRO_PER_UNIT);
     let [inner_vx, inner_vy, inner_vz] = inner.velocity_m_s.map(|x| x * MILLI_PER_UNIT);
     let [outer_vx, outer_vy, outer_vz] = outer.velocity_m_s.map(|x| x * MILLI_PER_UNIT);
-    let [tilt_x, tilt_y] = inner.tilt_rad.map(|tilt| tilt * MILLI_PER_UNIT);
     let mut message = TransientState {
         timestamp: Some(timestamp(log_time)),
         time_s: sample.time_s,
@@ -33,8 +32,6 @@ pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> Transie
         inner_displacement_x_um: inner_x,
         inner_displacement_y_um: inner_y,
         inner_displacement_z_um: inner_z,
-        inner_tilt_x_mrad: tilt_x,
-        inner_tilt_y_mrad: tilt_y,
         inner_velocity_x_mm_s: inner_vx,
         inner_velocity_y_mm_s: inner_vy,
         inner_velocity_z_mm_s: inner_vz,
@@ -71,6 +68,7 @@ pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> Transie
         imbalance_ppb: imbalance_ppb(sample.power.imbalance_j, sample.power.throughput_j),
         ..TransientState::default()
     };
+    [message.inner_tilt_x_mrad, message.inner_tilt_y_mrad] = inner.tilt_rad.map(|tilt| tilt * MILLI_PER_UNIT);
     cage.free.iter().for_each(|free| free_cage(&mut message, free));
     fill(&mut message, &IN, &sample.power);
     fill(&mut message, &LOST, &sample.power);
