@@ -48,7 +48,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     problem.check().map_err(refused)?;
     let case_path = path.parent().unwrap_or(Path::new("")).join(&problem.case);
     let case = read_text(&case_path, &limits)?;
-    let progress = progress_bar(problem.starts * problem.hypotheses.len().max(1));
+    let starts = problem.starts + usize::from(problem.from_case);
+    let progress = progress_bar(starts * problem.hypotheses.len().max(1));
     let answers = identify(&problem, &case, &|| progress.inc(1), &SearchWatch::default()).map_err(refused);
     progress.finish_and_clear();
     let answers = answers?;

@@ -13,8 +13,8 @@ pub struct LeastSquares<'a> {
     pub problem: &'a Problem,
     /// The model.
     pub model: ForwardModel,
-    /// Free parameters, as indices into the problem's.
-    pub free: Vec<usize>,
+    /// Free parameters, with the priors of the hypothesis.
+    pub free: Vec<Parameter>,
 }
 
 /// Residuals over their uncertainties at a point, with the solutions behind them.
@@ -78,12 +78,18 @@ impl<'a> LeastSquares<'a> {
     /// # Errors
     /// Those of [`ForwardModel::new`].
     pub fn new(problem: &'a Problem, case: &str, hypothesis: Option<&Hypothesis>) -> Result<Self, IdentifyError> {
-        Ok(Self { problem, model: ForwardModel::new(problem, case, hypothesis)?, free: free(problem, hypothesis) })
+        let own = |index: usize| {
+            let parameter = &problem.parameters[index];
+            let prior = hypothesis.and_then(|h| h.priors.get(&parameter.name)).copied().or(parameter.prior);
+            Parameter { prior, ..parameter.clone() }
+        };
+        let free = free(problem, hypothesis).into_iter().map(own).collect();
+        Ok(Self { problem, model: ForwardModel::new(problem, case, hypothesis)?, free })
     }
 
     /// The free parameters.
-    pub fn parameters(&self) -> impl Iterator<Item = &'a Parameter> + '_ {
-        self.free.iter().map(|&i| &self.problem.parameters[i])
+    pub fn parameters(&self) -> impl Iterator<Item = &Parameter> {
+        self.free.iter()
     }
 
     /// Values in the units of the file.

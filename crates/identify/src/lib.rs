@@ -3,15 +3,17 @@
 mod fit;
 mod model;
 mod problem;
+mod quantity;
 mod report;
 mod search;
 mod settled;
 mod uncertainty;
 
 pub use fit::{LeastSquares, Point, fit};
-pub use model::{Evaluation, ForwardModel};
-pub use problem::{Datum, Hypothesis, ModelName, Parameter, Prior, Problem, Quantity, Relation, Run, Scale};
-pub use report::{DatumResult, Identification, MinimumResult, ParameterResult, identify};
+pub use model::{Adapt, Evaluation, ForwardModel};
+pub use problem::{Datum, Hypothesis, ModelName, Parameter, Prior, Problem, Relation, Run, Scale};
+pub use quantity::{Quantity, Zone};
+pub use report::{DatumResult, Identification, MinimumResult, ParameterResult, identify, identify_one};
 pub use search::{Minimum, Search, search};
 pub use settled::Settled;
 pub use uncertainty::{Uncertainty, uncertainty};

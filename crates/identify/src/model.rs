@@ -1,13 +1,15 @@
 //! The figures that a set of parameter values gives.
 
 use crate::IdentifyError;
-use crate::problem::{Datum, Hypothesis, ModelName, Problem, Quantity, Relation};
+use crate::problem::{Datum, Hypothesis, ModelName, Problem, Relation};
+use crate::quantity::Quantity;
 use crate::settled::Settled;
 use std::collections::BTreeMap;
 use std::ops::Range;
-use tribodyn_bearing::{OperatingPoint, SearchWatch};
+use std::sync::Arc;
+use tribodyn_bearing::{Bearing, OperatingPoint, SearchWatch};
 use tribodyn_case::{Case, Purpose, locate, set_value};
-use tribodyn_quasistatic::{Model, OverAzimuth, QuasiStaticError, Solution, WarmStart, solve, solve_from};
+use tribodyn_quasistatic::{Model, QuasiStaticError, Solution, WarmStart, solve, solve_from};
 
 /// A case file's text with holes where the free parameters stand.
 #[derive(Debug, Clone)]
@@ -52,6 +54,16 @@ struct Variant {
     model: ModelName,
 }
 
+/// A change of the bearing of every equilibrium that a case file cannot express, such as a misprint of equations.
+#[derive(Clone)]
+pub struct Adapt(pub Arc<dyn Fn(&mut Bearing, &OperatingPoint) + Send + Sync>);
+
+impl std::fmt::Debug for Adapt {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Adapt")
+    }
+}
+
 /// The model under one hypothesis: parameter values in, figures out.
 #[derive(Debug, Clone)]
 pub struct ForwardModel {
@@ -59,6 +71,8 @@ pub struct ForwardModel {
     base: Template,
     /// By which searches and runs are ended.
     pub watch: SearchWatch,
+    /// What is changed in the bearing of each equilibrium; transient runs take the case as it is.
+    pub adapt: Option<Adapt>,
 }
 
 /// Solutions by run, and starts for the neighbourhood.
@@ -81,26 +95,33 @@ impl ForwardModel {
         for (path, value) in hypothesis.iter().flat_map(|h| &h.set) {
             text = set_value(&text, path, value)?;
         }
-        let paths: Vec<(usize, &str)> = free(problem, hypothesis)
-            .iter()
-            .enumerate()
-            .flat_map(|(index, &p)| problem.parameters[p].paths.iter().map(move |path| (index, path.as_str())))
-            .collect();
-        let base = Template::new(text.clone(), &paths)?;
+        let base = Template::new(text.clone(), &holes(problem, hypothesis, None))?;
         let variants = problem.runs.iter().map(|(name, run)| {
             let mut text = text.clone();
             for (path, value) in problem.search.iter().chain(&run.set) {
                 text = set_value(&text, path, value)?;
             }
             Case::from_ron(&text)?;
+            let paths = holes(problem, hypothesis, Some(name));
             Ok((name.clone(), Variant { template: Template::new(text, &paths)?, model: run.model }))
         });
-        Ok(Self { variants: variants.collect::<Result<_, IdentifyError>>()?, base, watch: SearchWatch::default() })
+        let variants = variants.collect::<Result<_, IdentifyError>>()?;
+        Ok(Self { variants, base, watch: SearchWatch::default(), adapt: None })
     }
 
     /// The case file's text with these values.
     pub fn case_text(&self, values: &[f64]) -> String {
         self.base.fill(values)
+    }
+
+    /// The case's own number at a path.
+    pub(crate) fn own(&self, path: &str) -> Option<f64> {
+        self.base.text.get(locate(&self.base.text, path)?)?.trim().parse().ok()
+    }
+
+    /// The text of the case of a run with these values, by its name.
+    pub fn run_text(&self, run: &str, values: &[f64]) -> Option<String> {
+        self.variants.get(run).map(|variant| variant.template.fill(values))
     }
 
     /// Works out all runs, equilibria from neighbouring solutions where there are some.
@@ -123,8 +144,11 @@ impl ForwardModel {
                 }
             };
             case.require(purpose)?;
-            let bearing = case.bearing()?;
+            let mut bearing = case.bearing()?;
             let point = OperatingPoint { watch: self.watch.clone(), ..case.operating_point() };
+            if let Some(Adapt(change)) = &self.adapt {
+                change(&mut bearing, &point);
+            }
             let warm = near.and_then(|n| n.warm.get(name));
             let solved = match warm {
                 Some(start) => solve_from(&bearing, &point, start).or_else(|_| solve(&bearing, &point, model)),
@@ -141,8 +165,23 @@ impl ForwardModel {
 
 /// Indices of the parameters that are free under a hypothesis.
 pub(crate) fn free(problem: &Problem, hypothesis: Option<&Hypothesis>) -> Vec<usize> {
-    let held = |name: &String| hypothesis.is_some_and(|h| h.hold.contains(name));
+    let held = |name: &String| hypothesis.is_some_and(|h| h.hold.contains(name) || h.tie.contains_key(name));
     (0..problem.parameters.len()).filter(|&i| !held(&problem.parameters[i].name)).collect()
+}
+
+/// Places of free numbers in a run, or in the completed case: which coordinate fills each.
+fn holes<'a>(problem: &'a Problem, hypothesis: Option<&Hypothesis>, run: Option<&String>) -> Vec<(usize, &'a str)> {
+    let free = free(problem, hypothesis);
+    let mut out = Vec::new();
+    for parameter in &problem.parameters {
+        let tied = hypothesis.and_then(|h| h.tie.get(&parameter.name));
+        let name = tied.unwrap_or(&parameter.name);
+        let here = parameter.runs.is_empty() || run.is_some_and(|run| parameter.runs.contains(run));
+        if let Some(index) = free.iter().position(|&k| problem.parameters[k].name == *name).filter(|_| here) {
+            out.extend(parameter.paths.iter().map(|path| (index, path.as_str())));
+        }
+    }
+    out
 }
 
 impl Datum {
@@ -155,7 +194,7 @@ impl Datum {
         let here = of(&self.run, self.quantity);
         match &self.relation {
             Relation::Value => here,
-            Relation::RatioTo { run, quantity } => here / of(run, *quantity),
+            Relation::RatioTo { run, quantity } | Relation::RatioAbove { run, quantity } => here / of(run, *quantity),
             Relation::Above { run, quantity } => here - of(run, *quantity),
         }
     }
@@ -163,85 +202,13 @@ impl Datum {
     /// Deviation of the model's figure: computed − value, and 0 where an order holds by more than its margin.
     pub fn deviation(&self, computed: f64) -> f64 {
         let deviation = computed - self.value;
-        if matches!(self.relation, Relation::Above { .. }) { deviation.min(0.0) } else { deviation }
+        let order = matches!(self.relation, Relation::Above { .. } | Relation::RatioAbove { .. });
+        if order { deviation.min(0.0) } else { deviation }
     }
 
     /// Unit of the figure.
     pub fn unit(&self) -> &'static str {
-        if matches!(self.relation, Relation::RatioTo { .. }) { "–" } else { self.quantity.unit() }
-    }
-}
-
-impl Quantity {
-    /// True if it is one of a transient run.
-    pub fn of_run(&self) -> bool {
-        matches!(
-            self,
-            Self::OrbitalSpeed
-                | Self::OrbitalSpeedLeast
-                | Self::OrbitalSpeedGreatest
-                | Self::OuterAccelerationPeak
-                | Self::OuterAccelerationAmplitude
-                | Self::InnerAccelerationRms
-                | Self::FirstImpact
-                | Self::ImpactShare { .. }
-        )
-    }
-
-    /// Its value in a settled run, in its unit; NaN where it is none of a run.
-    pub fn of_settled(&self, run: &Settled) -> f64 {
-        match *self {
-            Self::OrbitalSpeed => run.orbital_speed_rpm,
-            Self::OrbitalSpeedLeast => run.orbital_limits_rpm[0],
-            Self::OrbitalSpeedGreatest => run.orbital_limits_rpm[1],
-            Self::OuterAccelerationPeak => run.outer_peak_m_s2,
-            Self::OuterAccelerationAmplitude => run.outer_amplitude_m_s2,
-            Self::InnerAccelerationRms => run.inner_rms_m_s2.iter().map(|v| v * v).sum::<f64>().sqrt(),
-            Self::FirstImpact => run.first_impact_deg,
-            Self::ImpactShare { from, to } => {
-                let inside = run.impacts_deg.iter().filter(|a| (from..=to).contains(*a)).count();
-                inside as f64 / run.impacts_deg.len() as f64
-            }
-            _ => f64::NAN,
-        }
-    }
-
-    /// Its value in a solution, in its unit; NaN where it is one of a run.
-    pub fn of(&self, solution: &Solution) -> f64 {
-        let ball = |azimuth: f64| OverAzimuth::new(solution).at(azimuth.to_radians());
-        match *self {
-            Self::CageSpeed => solution.cage_speed_rpm,
-            Self::OuterPassingFrequency => {
-                let outer = solution.outer_speed_rad_s * 30.0 / std::f64::consts::PI;
-                (solution.cage_speed_rpm - outer).abs() / 60.0 * solution.balls.len() as f64
-            }
-            Self::PeakPressureInner { azimuth } => ball(azimuth).contacts.inner.peak_pressure_pa * 1e-9,
-            Self::PeakPressureOuter { azimuth } => ball(azimuth).contacts.outer.peak_pressure_pa * 1e-9,
-            Self::LoadInner { azimuth } => ball(azimuth).contacts.inner.load_n,
-            Self::LoadOuter { azimuth } => ball(azimuth).contacts.outer.load_n,
-            Self::ContactAngleInner { azimuth } => ball(azimuth).contacts.inner.angle_rad.to_degrees(),
-            Self::ContactAngleOuter { azimuth } => ball(azimuth).contacts.outer.angle_rad.to_degrees(),
-            Self::RingDisplacementAxial => solution.ring_displacement_m[2] * 1e6,
-            Self::RingDisplacementRadial => solution.ring_displacement_m[0] * 1e6,
-            Self::ShaftTorque => solution.shaft_torque_nm.unwrap_or(f64::NAN),
-            _ => f64::NAN,
-        }
-    }
-
-    /// Its unit.
-    pub fn unit(&self) -> &'static str {
-        match self {
-            Self::CageSpeed => "r/min",
-            Self::OuterPassingFrequency => "Hz",
-            Self::PeakPressureInner { .. } | Self::PeakPressureOuter { .. } => "GPa",
-            Self::LoadInner { .. } | Self::LoadOuter { .. } => "N",
-            Self::ContactAngleInner { .. } | Self::ContactAngleOuter { .. } => "°",
-            Self::RingDisplacementAxial | Self::RingDisplacementRadial => "µm",
-            Self::ShaftTorque => "N m",
-            Self::OrbitalSpeed | Self::OrbitalSpeedLeast | Self::OrbitalSpeedGreatest => "r/min",
-            Self::OuterAccelerationPeak | Self::OuterAccelerationAmplitude | Self::InnerAccelerationRms => "m/s²",
-            Self::FirstImpact => "°",
-            Self::ImpactShare { .. } => "–",
-        }
+        let ratio = matches!(self.relation, Relation::RatioTo { .. } | Relation::RatioAbove { .. });
+        if ratio { "–" } else { self.quantity.unit() }
     }
 }

@@ -1,6 +1,7 @@
 //! The problem file: which case, which free parameters, which data.
 
 use crate::IdentifyError;
+use crate::quantity::Quantity;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -16,6 +17,9 @@ pub struct Problem {
     pub seed: u64,
     /// Number of start points.
     pub starts: usize,
+    /// True if the values of the case are a start too, the first.
+    #[serde(default)]
+    pub from_case: bool,
     /// Free parameters.
     pub parameters: Vec<Parameter>,
     /// Variants of the case that data refer to.
@@ -56,6 +60,9 @@ pub struct Parameter {
     /// Linear or logarithmic steps.
     #[serde(default)]
     pub scale: Scale,
+    /// Names of the runs that it is free in; without any, in all, and in the completed case.
+    #[serde(default)]
+    pub runs: Vec<String>,
 }
 
 /// A normal prior.
@@ -141,73 +148,25 @@ pub enum Relation {
         /// The other quantity, in the same unit.
         quantity: Quantity,
     },
+    /// The quantity is the figure times another one or more: an order between numbers of unknown size.
+    RatioAbove {
+        /// Name of the other's run.
+        run: String,
+        /// The other quantity.
+        quantity: Quantity,
+    },
 }
 
-/// Quantities that can be measured. Azimuths in degrees; a ball's value there is interpolated over the solved balls.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub enum Quantity {
-    /// Mean orbital speed of the balls, r/min.
-    CageSpeed,
-    /// Frequency at which balls pass a point of the outer race, Hz.
-    OuterPassingFrequency,
-    /// Inner peak pressure, GPa.
-    PeakPressureInner {
-        /// Azimuth, degrees.
-        azimuth: f64,
-    },
-    /// Outer peak pressure, GPa.
-    PeakPressureOuter {
-        /// Azimuth, degrees.
-        azimuth: f64,
-    },
-    /// Inner contact load, N.
-    LoadInner {
-        /// Azimuth, degrees.
-        azimuth: f64,
-    },
-    /// Outer contact load, N.
-    LoadOuter {
-        /// Azimuth, degrees.
-        azimuth: f64,
-    },
-    /// Inner contact angle, degrees.
-    ContactAngleInner {
-        /// Azimuth, degrees.
-        azimuth: f64,
-    },
-    /// Outer contact angle, degrees.
-    ContactAngleOuter {
-        /// Azimuth, degrees.
-        azimuth: f64,
-    },
-    /// Axial displacement of the inner ring, µm.
-    RingDisplacementAxial,
-    /// Displacement of the inner ring along x, µm.
-    RingDisplacementRadial,
-    /// Torque of the shaft, N m.
-    ShaftTorque,
-    /// Of a run: mean orbital speed of the balls, r/min.
-    OrbitalSpeed,
-    /// Of a run: least orbital speed of a ball, r/min.
-    OrbitalSpeedLeast,
-    /// Of a run: greatest orbital speed of a ball, r/min.
-    OrbitalSpeedGreatest,
-    /// Of a run: greatest acceleration of the outer ring along x, about its mean, m/s².
-    OuterAccelerationPeak,
-    /// Of a run: amplitude of the outer ring's acceleration along x as that of a sine of its rms, m/s².
-    OuterAccelerationAmplitude,
-    /// Of a run: rms of the inner ring's acceleration in all directions, m/s².
-    InnerAccelerationRms,
-    /// Of a run: median azimuth of the first impact of a ball on its pocket from 180° on, degrees.
-    FirstImpact,
-    /// Of a run: share of the impacts between two azimuths, degrees.
-    ImpactShare {
-        /// First azimuth.
-        from: f64,
-        /// Last azimuth.
-        to: f64,
-    },
+impl Relation {
+    /// The other run and quantity, where there is one.
+    pub fn other(&self) -> Option<(&str, Quantity)> {
+        match self {
+            Self::Value => None,
+            Self::RatioTo { run, quantity } | Self::Above { run, quantity } | Self::RatioAbove { run, quantity } => {
+                Some((run, *quantity))
+            }
+        }
+    }
 }
 
 /// Values that hold throughout one fit.
@@ -221,6 +180,12 @@ pub struct Hypothesis {
     /// Parameters that stay as the case (or `set`) has them.
     #[serde(default)]
     pub hold: Vec<String>,
+    /// Parameters that take the value of another one.
+    #[serde(default)]
+    pub tie: BTreeMap<String, String>,
+    /// Priors instead of those of the parameters.
+    #[serde(default)]
+    pub priors: BTreeMap<String, Prior>,
 }
 
 impl Problem {
@@ -254,7 +219,7 @@ impl Problem {
             return refuse("parameters".into(), "[]".into(), "at least one free parameter");
         }
         for (index, parameter) in self.parameters.iter().enumerate() {
-            parameter.check(index)?;
+            parameter.check(index, &self.runs)?;
         }
         if self.data.is_empty() {
             return refuse("data".into(), "[]".into(), "at least one datum");
@@ -262,14 +227,41 @@ impl Problem {
         for (index, datum) in self.data.iter().enumerate() {
             datum.check(index, &self.runs)?;
         }
-        for (index, h) in self.hypotheses.iter().enumerate() {
-            for name in &h.hold {
-                if !self.parameters.iter().any(|p| p.name == *name) {
-                    return refuse(format!("hypotheses[{index}].hold"), name.clone(), "names of parameters");
-                }
+        self.hypotheses.iter().enumerate().try_for_each(|(index, h)| h.check(index, &self.parameters))
+    }
+}
+
+impl Hypothesis {
+    fn check(&self, index: usize, parameters: &[Parameter]) -> Result<(), IdentifyError> {
+        let known = |name: &String| parameters.iter().any(|p| p.name == *name);
+        let field = |name: &str| format!("hypotheses[{index}].{name}");
+        if let Some(name) = self.hold.iter().find(|name| !known(name)) {
+            return refuse(field("hold"), name.clone(), "names of parameters");
+        }
+        for (name, other) in &self.tie {
+            let free = known(other) && !self.hold.contains(other) && !self.tie.contains_key(other);
+            if !(known(name) && free) || self.hold.contains(name) {
+                let allowed = "names of parameters that are not held, each the name of another that is free";
+                return refuse(field("tie"), format!("{name}: {other}"), allowed);
             }
         }
+        for (name, prior) in &self.priors {
+            let Some(parameter) = parameters.iter().find(|p| p.name == *name) else {
+                return refuse(field("priors"), name.clone(), "names of parameters");
+            };
+            prior.check(field("priors"), parameter.scale)?;
+        }
         Ok(())
+    }
+}
+
+impl Prior {
+    fn check(&self, field: String, scale: Scale) -> Result<(), IdentifyError> {
+        let inside = self.mean.is_finite() && (scale == Scale::Linear || self.mean > 0.0);
+        if inside && self.spread > 0.0 && self.spread.is_finite() {
+            return Ok(());
+        }
+        refuse(field, format!("{self:?}"), "finite mean (positive on a log scale), spread above 0")
     }
 }
 
@@ -278,7 +270,7 @@ fn refuse(field: String, value: String, allowed: &'static str) -> Result<(), Ide
 }
 
 impl Parameter {
-    fn check(&self, index: usize) -> Result<(), IdentifyError> {
+    fn check(&self, index: usize, runs: &BTreeMap<String, Run>) -> Result<(), IdentifyError> {
         let field = |name: &str| format!("parameters[{index}].{name} ({})", self.name);
         let (low, high) = self.bounds;
         if !(low.is_finite() && high.is_finite() && low < high) {
@@ -290,13 +282,10 @@ impl Parameter {
         if self.paths.is_empty() {
             return refuse(field("paths"), "[]".into(), "at least one path into the case");
         }
-        let Some(prior) = self.prior else { return Ok(()) };
-        let inside = prior.mean.is_finite() && (self.scale == Scale::Linear || prior.mean > 0.0);
-        if !(inside && prior.spread > 0.0 && prior.spread.is_finite()) {
-            let allowed = "finite mean (positive on a log scale), spread above 0";
-            return refuse(field("prior"), format!("{prior:?}"), allowed);
+        if let Some(run) = self.runs.iter().find(|run| !runs.contains_key(*run)) {
+            return refuse(field("runs"), run.clone(), "names of runs");
         }
-        Ok(())
+        self.prior.map_or(Ok(()), |prior| prior.check(field("prior"), self.scale))
     }
 }
 
@@ -312,20 +301,17 @@ impl Datum {
         if self.quantity.of_run() != (run.model == ModelName::Transient) {
             return refuse(field("quantity"), format!("{:?}", self.quantity), OF_THE_MODEL);
         }
-        match &self.relation {
-            Relation::Value => {}
-            Relation::RatioTo { run, .. } | Relation::Above { run, .. } if !runs.contains_key(run) => {
-                return refuse(field("relation.run"), run.clone(), "the name of one of the runs");
-            }
-            Relation::RatioTo { run, quantity } | Relation::Above { run, quantity }
-                if quantity.of_run() != (runs[run].model == ModelName::Transient) =>
-            {
+        if let Some((run, quantity)) = self.relation.other() {
+            let Some(other) = runs.get(run) else {
+                return refuse(field("relation.run"), run.to_owned(), "the name of one of the runs");
+            };
+            if quantity.of_run() != (other.model == ModelName::Transient) {
                 return refuse(field("relation.quantity"), format!("{quantity:?}"), OF_THE_MODEL);
             }
-            Relation::Above { quantity, .. } if quantity.unit() != self.quantity.unit() => {
+            let order = matches!(self.relation, Relation::Above { .. });
+            if order && quantity.unit() != self.quantity.unit() {
                 return refuse(field("relation.quantity"), format!("{quantity:?}"), "a quantity of the same unit");
             }
-            Relation::RatioTo { .. } | Relation::Above { .. } => {}
         }
         if !self.value.is_finite() {
             return refuse(field("value"), self.value.to_string(), "a finite number");

@@ -2,7 +2,7 @@
 
 use crate::IdentifyError;
 use crate::fit::LeastSquares;
-use crate::model::Evaluation;
+use crate::model::{Adapt, Evaluation};
 use crate::problem::{Datum, Hypothesis, Parameter, Problem, Relation};
 use crate::search::{Search, search};
 use crate::uncertainty::{Uncertainty, uncertainty};
@@ -122,15 +122,30 @@ pub fn identify(
 ) -> Result<Vec<Identification>, IdentifyError> {
     let hypotheses: Vec<Option<&Hypothesis>> =
         if problem.hypotheses.is_empty() { vec![None] } else { problem.hypotheses.iter().map(Some).collect() };
-    hypotheses
-        .into_iter()
-        .map(|hypothesis| {
-            let mut squares = LeastSquares::new(problem, case_text, hypothesis)?;
-            squares.model.watch = watch.clone();
-            let found = search(&squares, problem.seed, problem.starts, finished)?;
-            answer(&squares, &found, hypothesis)
-        })
-        .collect()
+    let one = |hypothesis| identify_one(problem, case_text, hypothesis, None, finished, watch);
+    hypotheses.into_iter().map(one).collect()
+}
+
+/// Identifies under one hypothesis, or with the case as it is, of bearings that may be changed by what no case file
+/// can express; transient runs take the case as it is.
+///
+/// `finished` and `watch` as with [`identify`].
+///
+/// # Errors
+/// See [`IdentifyError`].
+pub fn identify_one(
+    problem: &Problem,
+    case_text: &str,
+    hypothesis: Option<&Hypothesis>,
+    adapt: Option<Adapt>,
+    finished: &(dyn Fn() + Sync),
+    watch: &SearchWatch,
+) -> Result<Identification, IdentifyError> {
+    let mut squares = LeastSquares::new(problem, case_text, hypothesis)?;
+    squares.model.watch = watch.clone();
+    squares.model.adapt = adapt;
+    let found = search(&squares, problem.seed, problem.starts, finished)?;
+    answer(&squares, &found, hypothesis)
 }
 
 fn answer(

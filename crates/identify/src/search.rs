@@ -30,7 +30,8 @@ const SAME: f64 = 0.02;
 /// Share of the bounds' range next to each bound in which no start lies: there the model is most often unreasonable.
 const MARGIN: f64 = 0.1;
 
-/// Fits from `count` starts spread over the bounds by a Latin hypercube of the given seed; the same seed gives the same
+/// Fits from `count` starts spread over the bounds by a Latin hypercube of the given seed, and from the values of the
+/// case where the problem asks for that; the same seed gives the same
 /// answer on any number of threads.
 ///
 /// # Errors
@@ -41,7 +42,10 @@ pub fn search(
     count: usize,
     finished: &(dyn Fn() + Sync),
 ) -> Result<Search, IdentifyError> {
-    let starts = latin_hypercube(squares.free.len(), count, seed);
+    let mut starts = latin_hypercube(squares.free.len(), count, seed);
+    if squares.problem.from_case {
+        starts.insert(0, own_start(squares));
+    }
     let ends: Vec<Result<Point, IdentifyError>> = starts
         .into_par_iter()
         .map(|start| {
@@ -75,6 +79,16 @@ pub fn search(
         return Err(IdentifyError::NoStart { count, reason });
     }
     Ok(Search { minima, failed })
+}
+
+/// The values of the case, those beyond their bounds at these.
+fn own_start(squares: &LeastSquares<'_>) -> DVector<f64> {
+    let own = squares.parameters().map(|parameter| {
+        let value = parameter.paths.first().and_then(|path| squares.model.own(path));
+        let coordinate = value.map(|value| parameter.coordinate(value)).filter(|c| c.is_finite());
+        coordinate.map_or(0.5, |c| c.clamp(0.0, 1.0))
+    });
+    DVector::from_iterator(squares.free.len(), own)
 }
 
 /// `count` points in the unit cube, each coordinate visiting each of `count` equal layers once.

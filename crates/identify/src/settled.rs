@@ -135,13 +135,18 @@ fn first_impact(impacts: &[(f64, usize, f64)], balls: usize, period: f64) -> f64
             }
         }
     }
-    firsts.sort_by(f64::total_cmp);
-    firsts.get(firsts.len() / 2).copied().unwrap_or(f64::NAN)
+    median(firsts)
 }
 
-fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
-    let count = values.len() as f64;
-    values.sum::<f64>() / count
+/// The middle value, the upper one of two; NaN without any.
+pub(crate) fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+pub(crate) fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (count, sum) = values.fold((0.0, 0.0), |(count, sum), v| (count + 1.0, sum + v));
+    sum / count
 }
 
 fn about_mean(mut values: Vec<f64>) -> Vec<f64> {

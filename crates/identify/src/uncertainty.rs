@@ -6,7 +6,8 @@
 
 use crate::IdentifyError;
 use crate::fit::{LeastSquares, Point};
-use crate::problem::{Parameter, Quantity, Scale};
+use crate::problem::{Parameter, Scale};
+use crate::quantity::Quantity;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 

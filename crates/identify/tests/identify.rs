@@ -187,6 +187,8 @@ fn limit_evidence_prefers_the_value_that_made_the_data() {
         name: name.into(),
         set: set.iter().map(|(path, value)| ((*path).to_owned(), (*value).to_owned())).collect(),
         hold: if set.is_empty() { vec![] } else { vec!["inner coefficient".into()] },
+        tie: Default::default(),
+        priors: Default::default(),
     };
     let groove = "geometry.inner_groove.Coefficient";
     problem.hypotheses = vec![
@@ -198,6 +200,60 @@ fn limit_evidence_prefers_the_value_that_made_the_data() {
         identify(&problem, CASE, &|| (), &SearchWatch::default()).unwrap().iter().map(|a| a.log_evidence).collect();
     // A free value explains as much and could have been anything; a false one explains nothing.
     assert!(evidence[0] > evidence[1] + 1.0 && evidence[1] > evidence[2] + 10.0, "{evidence:?}");
+}
+
+/// A second run with a load of its own, tied to the first or not.
+const TWO: &str = r#"(
+    name: "two", case: "", seed: 5, starts: 1, from_case: true,
+    parameters: [
+        (name: "load", paths: ["ring.z.Force.N"], bounds: (15000, 30000), runs: ["a"]),
+        (name: "other", paths: ["ring.z.Force.N"], bounds: (15000, 30000), runs: ["b"]),
+    ],
+    runs: { "a": (model: JonesHarris), "b": (model: JonesHarris) },
+    data: [
+        (id: "a", run: "a", quantity: LoadInner(azimuth: 0), value: 3000, uncertainty: 1),
+        (id: "b", run: "b", quantity: LoadInner(azimuth: 0), value: 2500, uncertainty: 1),
+    ],
+    hypotheses: [
+        (name: "one", set: {}, tie: {"other": "load"}, priors: {"load": (mean: 20000, spread: 1e9)}),
+        (name: "two", set: {}),
+    ],
+)"#;
+
+#[test]
+fn limit_tied_parameters_meet_the_mean_and_apart_each_its_own() {
+    let problem = Problem::from_ron(TWO).unwrap();
+    let answers = identify(&problem, CASE, &|| (), &SearchWatch::default()).unwrap();
+    let [one, two] = [&answers[0], &answers[1]];
+    assert_eq!((one.parameters.len(), two.parameters.len()), (1, 2));
+    assert!(two.cost < 1e-6, "{}", two.cost);
+    // Both runs are alike where they have one load, so it lies in the middle, 250 N from each.
+    assert!((one.data[0].computed - one.data[1].computed).abs() < 1e-9);
+    assert!((one.data[0].computed - 2750.0).abs() < 0.1 && (one.data_cost - 2.0 * 250f64.powi(2)).abs() < 1.0);
+    assert_eq!(one.parameters[0].prior, Some((20000.0, 1e9)));
+    assert_eq!(one.minima.iter().map(|minimum| minimum.starts).sum::<usize>(), 2, "the case is a start too");
+    let squares = LeastSquares::new(&problem, CASE, Some(&problem.hypotheses[0])).unwrap();
+    let text = squares.model.run_text("b", &[17_000.0]).unwrap();
+    assert!(text.contains("17000.0") && squares.model.run_text("c", &[17_000.0]).is_none());
+}
+
+#[test]
+fn limit_the_order_of_a_ratio_asks_for_no_more_than_its_figure() {
+    let text =
+        TWO.replace("value: 2500", r#"relation: RatioAbove(run: "a", quantity: LoadOuter(azimuth: 0)), value: 0.5"#);
+    let problem = Problem::from_ron(&text).unwrap();
+    let datum = &problem.data[1];
+    assert_eq!((datum.deviation(0.7), datum.deviation(0.4), datum.unit()), (0.0, 0.4 - 0.5, "–"));
+}
+
+#[test]
+fn limit_bad_hypotheses_are_refused_with_their_place() {
+    let with = |from: &str, to: &str| Problem::from_ron(&TWO.replacen(from, to, 1)).unwrap_err().to_string();
+    assert!(with(r#""other": "load""#, r#""other": "gap""#).contains("hypotheses[0].tie"));
+    assert!(with(r#""other": "load""#, r#""other": "other""#).contains("hypotheses[0].tie"));
+    assert!(with(r#"priors: {"load""#, r#"priors: {"gap""#).contains("hypotheses[0].priors"));
+    assert!(with("spread: 1e9", "spread: 0").contains("spread above 0"));
+    assert!(with(r#"runs: ["a"]"#, r#"runs: ["c"]"#).contains("parameters[0].runs"));
 }
 
 #[test]

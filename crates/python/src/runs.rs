@@ -215,7 +215,7 @@ pub fn identify<'py>(
 #[pyfunction]
 pub fn identification_starts(py: Python<'_>, path: PathBuf, starts: Option<usize>) -> PyResult<usize> {
     let Posed { problem, .. } = posed(py, &path, None, starts)?;
-    Ok(problem.starts * problem.hypotheses.len().max(1))
+    Ok((problem.starts + usize::from(problem.from_case)) * problem.hypotheses.len().max(1))
 }
 
 /// Threads for one call; none outlives it, so that a process may be forked. 0 is one for each core.
