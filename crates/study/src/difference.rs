@@ -37,6 +37,9 @@ pub enum SweepDifference {
     #[error("these finished members are of other --vary, --members, --seed or --latin-hypercube")]
     Draws,
     /// Strides of another length, or a life with another end.
-    #[error("these finished strides are of other --strides, --until or --clearance-limit")]
+    #[error("these finished strides are of other --strides, --until, --clearance-limit or --bare-limit")]
     Strides,
+    /// A life in which wear does something else, or with another mission.
+    #[error("these finished strides are of another --acting or --mission")]
+    Effects,
 }

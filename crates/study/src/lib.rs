@@ -31,8 +31,8 @@ pub use files::StagedFiles;
 pub use fmu::{FmuAnswer, FmuOptions, export_fmu};
 pub use holder::Holder;
 pub use life::{
-    ActingLife, ActingOptions, ActingStride, Effects, FirstThrough, Life, LifeEnd, LifeOptions, LifeStride, LifeTable,
-    Mission, Phase, acting_life, wear_life,
+    ActingLife, ActingOptions, ActingStride, ActingTable, Effects, FirstThrough, Life, LifeEnd, LifeOptions,
+    LifeStride, LifeTable, Mission, Phase, acting_life, wear_life,
 };
 pub use listing::{Listed, listed};
 pub use ours::Ours;

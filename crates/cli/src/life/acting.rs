@@ -8,7 +8,7 @@ use tribodyn::CaseFile;
 use tribodyn_bearing::SearchWatch;
 use tribodyn_study::sweep::Format;
 use tribodyn_study::{
-    ActingLife, ActingOptions, ActingStride, Effects, LifeEnd, Mission, Ours, acting_life, read_text,
+    ActingLife, ActingOptions, ActingStride, ActingTable, Effects, LifeEnd, Mission, Ours, acting_life, read_text,
 };
 
 /// Share of a race's load on bare steel at which a life ends unless another one is asked for.
@@ -32,10 +32,15 @@ pub fn run(arguments: &Arguments, effects: &[String], file: &CaseFile) -> Result
         Format::of(path)?;
         arguments.replace.check(path, &arguments.case.path, Ours::Table)?;
     }
-    let life = acting_life(file, &mission, &options, |_| ControlFlow::Continue(()))?;
-    if let Some(path) = &arguments.output {
-        life.write_strides(path)?;
-    }
+    let life = match &arguments.output {
+        None => acting_life(file, &mission, &options, |_| ControlFlow::Continue(()))?,
+        Some(path) => {
+            let mut table = ActingTable::open(file, &mission, &options, (path, arguments.restart))?;
+            let life = table.wear(|_| ControlFlow::Continue(()))?;
+            table.write(&life)?;
+            life
+        }
+    };
     if let Some(path) = &arguments.map {
         life.write_map(path)?;
     }

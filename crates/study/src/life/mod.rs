@@ -7,7 +7,9 @@ mod acting;
 mod rows;
 mod table;
 
-pub use acting::{ActingLife, ActingOptions, ActingStride, Effects, FirstThrough, Mission, Phase, acting_life};
+pub use acting::{
+    ActingLife, ActingOptions, ActingStride, ActingTable, Effects, FirstThrough, Mission, Phase, acting_life,
+};
 pub use rows::{Life, LifeEnd, LifeStride};
 pub use table::LifeTable;
 

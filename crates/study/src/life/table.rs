@@ -7,6 +7,7 @@ use crate::error::StudyError;
 use crate::journal::{self, Journal};
 use crate::lock::OutputLock;
 use crate::sweep::{Cell, Column, Format, Kind, Rows, decode, encode, write_rows};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::{Error, ErrorKind};
 use std::ops::ControlFlow;
@@ -116,11 +117,12 @@ impl<'a> LifeTable<'a> {
 }
 
 /// Columns of a finished stride on disk: its number, and the rest as JSON.
-fn kept_columns() -> [Column; 2] {
+pub(super) fn kept_columns() -> [Column; 2] {
     [Column::new("stride", Kind::Integer, false), Column::new("state", Kind::Text, false)]
 }
 
-fn read(line: &str, journal: &Journal) -> Result<Kept, StudyError> {
+/// A finished stride from its line on disk.
+pub(super) fn read<T: DeserializeOwned>(line: &str, journal: &Journal) -> Result<T, StudyError> {
     let cells = decode(line.trim_end_matches('\n'), &kept_columns());
     match cells.as_deref() {
         Some([_, Cell::Text(text)]) => Ok(serde_json::from_str(text)?),

@@ -65,7 +65,7 @@ pub struct GrooveWear {
 }
 
 /// What a contact finds under it, weighted by its pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct UnderContact {
     /// Mean depth, m: to first order the balls come so much nearer at a given load.
     pub depth: f64,

@@ -6,17 +6,20 @@
 //! *sacrificial* contact, which makes the film. Where the film is, it slides and wears in the place of what is below.
 
 mod effects;
+mod kept;
 mod mission;
 mod rows;
 mod state;
 mod table;
 
 pub use effects::Effects;
+pub use kept::ActingTable;
 pub use mission::{Mission, Phase};
 pub use rows::{ActingLife, ActingStride, FirstThrough};
 
 use super::{LifeEnd, Start};
 use crate::error::StudyError;
+use kept::{Keep, Kept};
 use state::{Acting, State, solved};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -81,9 +84,21 @@ pub fn acting_life(
     file: &CaseFile,
     mission: &Mission,
     options: &ActingOptions,
+    progress: impl FnMut(&ActingStride) -> ControlFlow<()>,
+) -> Result<ActingLife, StudyError> {
+    acting_life_after(file, mission, options, (Vec::new(), &mut |_, _| Ok(())), progress)
+}
+
+/// [`acting_life`] after some strides that are finished; `keep` gets each further one.
+fn acting_life_after(
+    file: &CaseFile,
+    mission: &Mission,
+    options: &ActingOptions,
+    (finished, keep): (Vec<Kept>, Keep<'_>),
     mut progress: impl FnMut(&ActingStride) -> ControlFlow<()>,
 ) -> Result<ActingLife, StudyError> {
     let mut living = Living::new(file, mission, options)?;
+    finished.into_iter().for_each(|kept| living.go_on_from(kept));
     loop {
         let state = living.solve()?;
         living.note();
@@ -97,6 +112,7 @@ pub fn acting_life(
         if !living.whole_cycles(&state)? {
             living.stride(&state)?;
         }
+        keep(living.life.strides.len() - 1, &living.kept())?;
     }
 }
 
@@ -142,7 +158,7 @@ impl<'a> Living<'a> {
             bare_limit: options.bare_limit,
             loss_per_stride: 1.0 / f64::from(options.strides),
             strides: Vec::new(),
-            warnings: Vec::new(),
+            warnings: kept::doubtful(options),
             fields: [fields.inner.clone(), fields.outer.clone()],
         };
         let starts = mission.phases.iter().map(|_| None).collect();
@@ -310,7 +326,7 @@ impl<'a> Living<'a> {
         self.life.first_through = through.map(|side| {
             let spot = self.grooves.fields[side].deepest();
             FirstThrough {
-                race: side.name(),
+                race: side.name().to_owned(),
                 azimuth_deg: spot.azimuth.map(f64::to_degrees),
                 angle_deg: spot.angle.to_degrees(),
                 time_h: self.time / HOUR,

@@ -1,7 +1,7 @@
 //! What a life with acting wear comes to.
 
 use crate::life::LifeEnd;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use tribodyn_wear::GrooveField;
 
 /// A life in which wear acts on the bearing.
@@ -35,10 +35,10 @@ pub struct ActingLife {
 }
 
 /// The spot at which a coating was through first.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FirstThrough {
     /// `inner` or `outer`.
-    pub race: &'static str,
+    pub race: String,
     /// Azimuth in a ring that stands, degrees; absent where the ring turns, as it wears alike all round.
     pub azimuth_deg: Option<f64>,
     /// Contact angle at which it lies in the groove, degrees.
@@ -48,7 +48,7 @@ pub struct FirstThrough {
 }
 
 /// A worn bearing at one time of its life.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ActingStride {
     /// Running time, h.
     pub time_h: f64,

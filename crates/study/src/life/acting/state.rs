@@ -3,6 +3,7 @@
 use super::{Effects, Grooves};
 use crate::error::StudyError;
 use crate::life::Start;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 use tribodyn::answers::{Equations, OrbitProblem};
 use tribodyn::{AnswerError, CaseFile};
@@ -32,7 +33,7 @@ pub struct State {
 }
 
 /// What the wear of both races does to the bearing.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Acting {
     pub under: Races<UnderContact>,
     /// Part of every contact under a film from the cage.

@@ -133,3 +133,34 @@ fn limit_what_makes_no_mission_is_refused_with_its_line() {
     assert!(refused("s, ring.z.Force\n1, kN(30)\n\n2, mm(3)\n").contains("line 4"));
     assert!(Effects::named(["friction"]).is_err());
 }
+
+/// A life that is stopped at each of some strides and begun again ends as one that goes through.
+#[test]
+fn identity_a_stopped_life_goes_on_to_the_same_strides() {
+    let (file, options) = (case(&[]), options("clearance,traction,transfer", 5, Some(40.0)));
+    let mission = Mission::steady(&file, &Limits::NORMAL).unwrap();
+    let whole = lived(&file, &options);
+    let folder = std::env::temp_dir().join(format!("tribodyn-acting-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("life.csv");
+    for stop in [1, 3] {
+        let mut table = ActingTable::open(&file, &mission, &options, (&path, false)).unwrap();
+        let mut seen = table.finished_strides();
+        let stopped = table.wear(|_| {
+            seen += 1;
+            if seen > stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        assert_eq!(stopped.unwrap().ended_by, LifeEnd::Stopped);
+    }
+    let other = ActingOptions { bare_limit: 0.25, ..options.clone() };
+    let refused = ActingTable::open(&file, &mission, &other, (&path, false)).err().unwrap().to_string();
+    assert!(refused.contains("--bare-limit"), "{refused}");
+    let mut table = ActingTable::open(&file, &mission, &options, (&path, false)).unwrap();
+    assert_eq!(table.finished_strides(), 3);
+    let life = table.wear(|_| ControlFlow::Continue(())).unwrap();
+    assert_eq!(life.strides, whole.strides);
+    assert_eq!((life.fields.clone(), &life.first_through), (whole.fields, &whole.first_through));
+    table.write(&life).unwrap();
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1);
+    std::fs::remove_dir_all(&folder).unwrap();
+}
