@@ -6,7 +6,7 @@ use crate::pocket::{Pocket, hypot};
 use crate::races::{Races, Side};
 use crate::run_inputs::{GuidingLand, MovingCage, PocketFilm};
 use tribodyn_contact::Scalar;
-use tribodyn_fluid::{AnnulusDrag, SqueezeFilm};
+use tribodyn_fluid::{AnnulusDrag, CageChurning, SqueezeFilm};
 
 /// A cage that turns about the bearing's axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,6 +19,8 @@ pub struct CageBody {
     pub drag_torque: f64,
     /// The land that guides it; none where the balls alone do.
     pub guidance: Option<Guidance>,
+    /// What the fluid round it does, and the speed of the fluid over that of the inner ring; none in a dry bearing.
+    pub churning: Option<(CageChurning, f64)>,
 }
 
 /// The land that guides a cage.
@@ -55,13 +57,18 @@ impl CageBody {
             let (density, viscosity) = (fluid.density, fluid.viscosity);
             Some(Guidance { land: AnnulusDrag { density, viscosity, radius, width, gap }, side })
         };
-        Self { pocket, inertia, drag_torque: pockets.drag_torque, guidance: land.and_then(film) }
+        let swirl = bearing.fluid.as_ref().map_or(0.0, |fluid| fluid.swirl);
+        let churning = pockets.churning(bearing).map(|churning| (churning, swirl));
+        Self { pocket, inertia, drag_torque: pockets.drag_torque, guidance: land.and_then(film), churning }
     }
 
-    /// Torques of guidance and drag on the cage, N m. The ring with the land carries the reaction of the first.
+    /// Torques of guidance, and of drag and churning, on the cage, N m. The ring with the land carries the reaction of
+    /// the first.
     pub fn fluid_torques<D: Scalar>(&self, speed: D, rings: Races<D>) -> [D; 2] {
         let guidance = self.guidance.map_or(D::zero(), |g| g.land.torque_on_cage(rings[g.side], speed));
-        [guidance, speed * -self.drag_torque / hypot(speed, D::from(STANDSTILL))]
+        let against = |(churning, swirl): (CageChurning, f64)| churning.moments(speed - rings.inner * swirl).sum();
+        let churned = self.churning.map_or(D::zero(), against);
+        [guidance, speed * -self.drag_torque / hypot(speed, D::from(STANDSTILL)) - churned]
     }
 }
 

@@ -57,7 +57,7 @@ pub use modelling::{
 };
 pub use motion::BallFriction;
 pub use normal::ContactSprings;
-pub use operation::{Cage, OperatingPoint, RingFreedom, SolverSettings};
+pub use operation::{Cage, CageForm, OperatingPoint, RingFreedom, SolverSettings};
 pub use pocket::{Pocket, PocketLoad, PocketMotion};
 pub use races::{Races, Side};
 pub use result::{

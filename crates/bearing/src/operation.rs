@@ -1,7 +1,10 @@
 //! An operating point of a bearing: what its ring carries, how fast it turns, and what a solver needs to know besides.
 //! It stands below the solvers, so that case files can give one without them.
 
+use crate::bearing::Bearing;
 use crate::watch::SearchWatch;
+use std::f64::consts::PI;
+use tribodyn_fluid::CageChurning;
 use tribodyn_traction::PatchChoice;
 
 /// A bearing at an operating point, with the solver's settings.
@@ -41,6 +44,35 @@ pub struct Cage {
     pub pocket_stiffness: f64,
     /// Drag torque on the cage (positive retards it), N m.
     pub drag_torque: f64,
+    /// Its form, for the churning of the fluid of the bearing; absent where that has no part.
+    pub form: Option<CageForm>,
+}
+
+/// Form of a cage that a fluid brakes: a ring with pockets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CageForm {
+    /// Diameter of its bore, m.
+    pub bore: f64,
+    /// Outside diameter, m.
+    pub outside: f64,
+    /// Width along the axis, m.
+    pub width: f64,
+}
+
+impl Cage {
+    /// What the fluid of a bearing does to the cage; absent in a dry bearing, or without a form. Pockets are as wide as
+    /// ball and gaps.
+    pub fn churning(&self, bearing: &Bearing) -> Option<CageChurning> {
+        let (form, fluid, g) = (self.form?, bearing.fluid.as_ref()?, &bearing.geometry);
+        let pocket = g.ball_diameter + 2.0 * self.pocket_gap;
+        Some(CageChurning {
+            density: fluid.density,
+            viscosity: fluid.viscosity,
+            radii: [0.5 * form.bore, 0.5 * form.outside],
+            width: form.width,
+            pockets: g.ball_count as f64 * 0.25 * PI * pocket * pocket,
+        })
+    }
 }
 
 /// Settings of a quasi-static solution.

@@ -1,11 +1,12 @@
 //! From a case to an operating point and to the inputs of a run.
 
 use crate::{
-    BallSpallSpec, CageLandSpec, CageSpec, Case, CoatingSpec, FreeCageSpec, Lacking, PocketFilmSpec, Purpose,
-    RecordingSpec, RingSpec, SpallSpec, SupportSpec, TiltSpec,
+    BallSpallSpec, CageChurningSpec, CageLandSpec, CageSpec, Case, CoatingSpec, FreeCageSpec, Lacking, PocketFilmSpec,
+    Purpose, RecordingSpec, RingSpec, SpallSpec, SupportSpec, TiltSpec,
 };
 use tribodyn_bearing::{
-    BallSpall, BearingError, Cage, CageLand, CoatingState, FreeCage, GuidingLand, LandFilm, MovingCage, OperatingPoint,
+    BallSpall, BearingError, Cage, CageForm, CageLand, CoatingState, FreeCage, GuidingLand, LandFilm, MovingCage,
+    OperatingPoint,
     PocketFilm, Races, RingLoads, RunInputs, RunOptions, SearchWatch, Side, SolverSettings, Support, Supports,
     TiltingRing,
 };
@@ -142,7 +143,8 @@ impl RingSpec {
 impl CageSpec {
     fn pockets(&self) -> Cage {
         let Self { pocket_gap, pocket_stiffness, drag_torque, .. } = *self;
-        Cage { pocket_gap, pocket_stiffness, drag_torque }
+        let form = |spec: CageChurningSpec| CageForm { bore: spec.bore, outside: spec.outside, width: spec.width };
+        Cage { pocket_gap, pocket_stiffness, drag_torque, form: self.churning.map(form) }
     }
 
     /// The cage in motion; none without a moment of inertia.

@@ -17,6 +17,7 @@ const OPTIONAL: &[&str] = &[
     "fluid",
     "fluid.drag_over_reynolds",
     "cage",
+    "cage.churning",
     "cage.inertia",
     "cage.pocket_damping",
     "cage.pocket_film",

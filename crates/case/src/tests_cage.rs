@@ -2,7 +2,7 @@
 
 use super::tests::{Refused, check_refusal};
 use super::*;
-use tribodyn_bearing::{FilmExtent, PocketShape, Side};
+use tribodyn_bearing::{CageBody, FilmExtent, PocketShape, Races, Side};
 
 const CASE: &str = include_str!("../../../fixtures/cases/cage-6206.ron");
 
@@ -74,4 +74,39 @@ fn identity_a_free_cage_is_read_to_si() {
     let track = set_value(CASE, "cage.free.pockets", "RaceTrack(axial_gap: um(50))").unwrap();
     let cage = Case::from_ron(&track).unwrap().run_inputs().unwrap().free_cage.unwrap();
     assert_eq!(cage.pockets, PocketShape::RaceTrack { axial_gap: 5e-5 });
+}
+
+const AG: &str = include_str!("../../../fixtures/cases/paper-authors-ag.ron");
+
+/// The cage of a 7224 in liquid nitrogen: the fluid takes what its drag torque does not, and nothing without a form.
+#[test]
+fn identity_the_fluid_brakes_a_cage_by_its_form() {
+    let form = "(bore: mm(149.85), outside: mm(180), width: mm(37.7))";
+    let with = set_value(AG, "cage.churning", form).unwrap();
+    let body = |text: &str| {
+        let inputs = Case::from_ron(text).unwrap().run_inputs().unwrap();
+        let churning = inputs.cage.pockets.churning(&inputs.bearing);
+        (CageBody::new(&inputs.cage, &inputs.bearing), churning)
+    };
+    let ((plain, none), (braked, churning)) = (body(AG), body(&with));
+    assert!(none.is_none());
+    let rings = Races { inner: 1466.0, outer: 0.0 };
+    for speed in [607.0, -607.0] {
+        let [[_, drag], [_, all]] = [plain, braked].map(|cage| cage.fluid_torques(speed, rings));
+        let moments = churning.unwrap().moments(speed);
+        assert!((all - drag + moments.sum()).abs() < 1e-12);
+        // Faces alone 2.0 N m, of 4.7.
+        assert!((moments.faces.abs() - 2.03).abs() < 0.02 && (moments.sum().abs() - 4.68).abs() < 0.03, "{moments:?}");
+    }
+    let refused: &[Refused] = &[
+        (
+            "outside: mm(180)",
+            "outside: «mm(140)»",
+            "cage.churning.outside",
+            "greater than cage.churning.bore, 149.85 mm",
+        ),
+        ("width: mm(37.7)", "width: «mm(0)»", "cage.churning.width", "greater than 0"),
+        ("bore: mm(149.85)", "bore: «149.85»", "cage.churning.bore", "expected a length with its unit"),
+    ];
+    refused.iter().for_each(|refused| check_refusal(&with, *refused));
 }

@@ -85,6 +85,9 @@ const BOUNDS: &[Bound] = &[
     bound("cage.inertia", [1e-18, 1e9], "kg m²", "cages of 1 mm and of 15 m"),
     bound("cage.pocket_damping", [0.0, 1e6], "s/m", "at 10 s/m a ball that meets its pocket at 0.1 m/s stays there"),
     bound("cage.pocket_film.roughness", [1e-10, 1e-3], "m", "polished steel has 1e-9 m, a raw casting 1e-5 m"),
+    bound("cage.churning.bore", [1e-5, 100.0], "m", PITCH),
+    bound("cage.churning.outside", [1e-5, 100.0], "m", PITCH),
+    bound("cage.churning.width", [1e-6, 10.0], "m", PITCH),
     bound("cage.guidance.radius", [1e-5, 50.0], "m", PITCH),
     bound("cage.guidance.width", [1e-6, 10.0], "m", PITCH),
     bound("cage.guidance.gap", [1e-9, 1.0], "m", "a film of fluid has some molecules across it"),
@@ -233,6 +236,11 @@ impl Values {
         self.add("cage.pocket_damping", cage.pocket_damping);
         if let Some(inertia) = cage.inertia {
             self.add("cage.inertia", inertia);
+        }
+        if let Some(form) = &cage.churning {
+            self.add("cage.churning.bore", form.bore);
+            self.add("cage.churning.outside", form.outside);
+            self.add("cage.churning.width", form.width);
         }
         if let Some(film) = &cage.pocket_film {
             self.add("cage.pocket_film.roughness", film.roughness);

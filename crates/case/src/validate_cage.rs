@@ -9,6 +9,7 @@ pub(super) const GAP_MAX: f64 = 0.1;
 
 pub(super) fn validate(case: &Case) -> Verdict {
     film(case)?;
+    churning(case)?;
     let Some((cage, free)) = case.cage.as_ref().and_then(|cage| Some((cage, cage.free.as_ref()?))) else {
         return Ok(());
     };
@@ -42,6 +43,17 @@ pub(super) fn validate(case: &Case) -> Verdict {
         require(value.abs() <= most, &format!("{path}.displacement[{k}]"), limits)?;
     }
     free.lands.iter().enumerate().try_for_each(|(k, land)| self::land(&format!("{path}.lands[{k}]"), land))
+}
+
+/// The form of a cage that a fluid brakes: a ring, of a bearing that has a fluid.
+fn churning(case: &Case) -> Verdict {
+    let Some(form) = case.cage.as_ref().and_then(|cage| cage.churning) else { return Ok(()) };
+    let path = "cage.churning";
+    require(case.fluid.is_some(), path, "is in the fluid of a section `fluid`: leave it out of a dry bearing")?;
+    positive(&format!("{path}.bore"), form.bore)?;
+    positive(&format!("{path}.width"), form.width)?;
+    let limits = format!("must be greater than cage.churning.bore, {} mm", (form.bore * 1e9).round() / 1e6);
+    require(form.outside > form.bore, &format!("{path}.outside"), limits)
 }
 
 /// Oil in the pockets: of a bearing that has some, and thinner than the pocket is wide.

@@ -38,6 +38,15 @@ fn fluid_rows(a: &Derived) -> Vec<(&'static str, String, &'static str)> {
         rows.push(("effective fluid density", number(density, 2), "kg/m³"));
         rows.push(("drag per ball at that speed", number(drag, 1), "N"));
     }
+    if let Some(moments) = a.cage_churning_nm {
+        let [faces, bore, outside] = moments.map(|moment| number(moment, 3));
+        let sum = number(moments.iter().sum(), 3);
+        rows.push((
+            "cage in the fluid: faces, bore, outside, sum",
+            format!("{faces}  {bore}  {outside}  {sum}"),
+            "N m",
+        ));
+    }
     rows.extend(a.fluid_phase.iter().map(|phase| ("phase of the fluid", phase.clone(), "")));
     if let Some(flow) = &a.heated_flow {
         let heat = format!("{}  {}", number(flow.flow_kg_s, 3), number(flow.power_w * 1e-3, 2));

@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let tribology = Some(Tribology::of_one(silver.into(), SlipUnit::Scaled { per_m_s: 22.0 }, wear));
     let spec = BearingSpec::new(Geometry::new(size)?, steel, Modelling::with_traction(false, RingCentre::Displaced));
     let bearing = Bearing::new(BearingSpec { tribology, ..spec })?;
-    let pockets = Cage { pocket_gap: 0.2e-3, pocket_stiffness: 5e6, drag_torque: 0.0 };
+    let pockets = Cage { pocket_gap: 0.2e-3, pocket_stiffness: 5e6, drag_torque: 0.0, form: None };
     let cage = MovingCage {
         pockets,
         pocket_friction: 0.1,

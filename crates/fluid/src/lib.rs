@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod annulus;
+mod cage;
 mod churning;
 mod drag;
 mod fluid;
@@ -15,6 +16,7 @@ mod span2000;
 mod squeeze;
 
 pub use annulus::AnnulusDrag;
+pub use cage::{CageChurning, CageMoments, cylinder_coefficient};
 pub use churning::{Churning, TRANSITION_REYNOLDS, Transition};
 pub use drag::{BallDrag, effective_density, frontal_area, sphere_drag_coefficient};
 pub use fluid::{Fluid, FluidState, MAX_PRESSURE, Saturation};

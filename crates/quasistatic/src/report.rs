@@ -6,7 +6,8 @@ use crate::jones_harris::{JonesHarris, Kinematics, kinematics};
 use crate::with_traction::WithTraction;
 use crate::{Model, Solution};
 use tribodyn_bearing::{
-    BallPlace, BallResult, Bearing, ContactPose, ContactResult, OperatingPoint, PocketForce, PocketResult, RaceControl,
+    BallPlace, BallResult, Bearing, Cage, ContactPose, ContactResult, OperatingPoint, PocketForce, PocketResult,
+    RaceControl,
 };
 use tribodyn_bearing::{Races, Sheet, Side};
 
@@ -99,6 +100,16 @@ pub(crate) fn with_traction(
     solution
 }
 
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// Torque of the fluid against a cage at a speed, rad/s, N m.
+fn churned(bearing: &Bearing, cage: &Cage, speed: f64, inner_speed: f64) -> f64 {
+    let swirl = bearing.fluid.as_ref().map_or(0.0, |fluid| fluid.swirl);
+    cage.churning(bearing).map_or(0.0, |churning| churning.moments(speed - swirl * inner_speed).sum())
+}
+
 fn solution(
     model: Model,
     bearing: &Bearing,
@@ -115,7 +126,7 @@ fn solution(
             stiffness: cage.pocket_stiffness,
             clearance: cage.pocket_gap / radius,
             radius,
-            drag_torque: cage.drag_torque,
+            drag_torque: cage.drag_torque + churned(bearing, cage, mean(&speeds), point.inner_speed),
             force: bearing.modelling.pocket_force.unwrap_or(PocketForce::FromWall),
         };
         let pockets = pocket_forces(&speeds, &pocket);
@@ -126,7 +137,7 @@ fn solution(
             ball.pocket = Some(PocketResult { lead_rad: lead, force_n: force, friction_n: None, wear_rate_m3_s });
         }
     }
-    let mean = if turns { speeds.iter().sum::<f64>() / speeds.len() as f64 } else { point.outer_speed };
+    let mean = if turns { mean(&speeds) } else { point.outer_speed };
     Solution {
         model,
         converged: true,

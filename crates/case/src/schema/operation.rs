@@ -20,6 +20,9 @@ pub struct CageSpec {
     /// Drag torque on the cage (positive retards it), N m.
     #[serde(deserialize_with = "units::torque")]
     pub drag_torque: f64,
+    /// Its form, by which the fluid brakes it besides; absent where that has no part.
+    #[serde(default)]
+    pub churning: Option<CageChurningSpec>,
     /// Moment of inertia about the bearing's axis, kg m²; a transient run needs it.
     #[serde(default, deserialize_with = "units::optional_inertia")]
     pub inertia: Option<f64>,
@@ -35,6 +38,21 @@ pub struct CageSpec {
     /// Mass, pockets and lands of a cage that is free to move in all directions; runs alone use it.
     #[serde(default)]
     pub free: Option<FreeCageSpec>,
+}
+
+/// Form of a cage that the fluid of the bearing brakes: a ring with pockets.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CageChurningSpec {
+    /// Diameter of its bore, m.
+    #[serde(deserialize_with = "units::length")]
+    pub bore: f64,
+    /// Outside diameter, m.
+    #[serde(deserialize_with = "units::length")]
+    pub outside: f64,
+    /// Width along the axis, m.
+    #[serde(deserialize_with = "units::length")]
+    pub width: f64,
 }
 
 /// Oil between balls and pockets: it resists a ball that approaches the wall.

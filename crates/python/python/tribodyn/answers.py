@@ -139,6 +139,8 @@ class Derived(Answer):
     cage_speed_free_rpm: float
     #: drag of the fluid on a ball, N; None without a fluid
     drag_per_ball_n: Optional[float]
+    #: moments of the fluid on both faces, the bore and the outside of the cage, N m; absent without cage.churning
+    cage_churning_nm: list[float]
     #: density of what the balls run in, kg/m³; None without a fluid
     effective_fluid_density_kg_m3: Optional[float]
     #: of the cryogen at the case's temperature and pressure; absent for another fluid

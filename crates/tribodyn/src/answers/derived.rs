@@ -10,7 +10,7 @@ use crate::plausibility::{self, StaticEstimate};
 use crate::rating::{LEAST_LOAD, frequencies, rated_bearing, rating};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use tribodyn_bearing::{Bearing, BearingError, Geometry, Translation};
+use tribodyn_bearing::{Bearing, BearingError, Geometry, OperatingPoint, Translation};
 use tribodyn_case::{Case, Growths, Source};
 use tribodyn_signal::BearingFrequencies;
 
@@ -51,6 +51,10 @@ pub struct Derived {
     pub frequencies: Option<BearingFrequencies>,
     /// Drag on a ball at that speed, N; absent without a fluid.
     pub drag_per_ball_n: Option<f64>,
+    /// Moments of the fluid on both faces, on the bore and on the outside of the cage at that speed, N m; absent
+    /// without a fluid and without `cage.churning`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cage_churning_nm: Option<[f64; 3]>,
     /// Density of liquid and vapour, kg/m³; absent without a fluid.
     pub effective_fluid_density_kg_m3: Option<f64>,
     /// Phase of the cryogen at the case's temperature and pressure; absent for another fluid and without one.
@@ -189,6 +193,13 @@ fn costly_drag(g: &Geometry, orbit: f64, drag: f64) -> Option<String> {
     })
 }
 
+/// Moments of the fluid on the faces, the bore and the outside of the cage at a speed, rad/s, N m.
+fn churned(bearing: &Bearing, point: &OperatingPoint, speed: f64) -> Option<[f64; 3]> {
+    let swirl = bearing.fluid.as_ref()?.swirl;
+    let moments = point.cage?.churning(bearing)?.moments(speed - swirl * point.inner_speed);
+    Some([moments.faces, moments.bore, moments.outside])
+}
+
 fn answer(question: &Question<'_>, bearing: &Bearing, (growth, fits): (Option<GrowthAnswer>, Option<Fits>)) -> Derived {
     let case = question.case;
     let g = &bearing.geometry;
@@ -228,6 +239,7 @@ fn answer(question: &Question<'_>, bearing: &Bearing, (growth, fits): (Option<Gr
         cage_speed_free_rpm: orbit * 30.0 / std::f64::consts::PI,
         frequencies: frequencies(&case.geometry, nominal, [point.inner_speed, point.outer_speed]),
         drag_per_ball_n: drag,
+        cage_churning_nm: churned(bearing, &point, orbit),
         effective_fluid_density_kg_m3: bearing.fluid.as_ref().map(|f| f.drag.density_effective),
         fluid_phase: phase(case).map(|phase| phase.to_string()),
         heated_flow: None,

@@ -55,6 +55,7 @@ pub enum Preload {
 }
 
 /// Equations of each bearing.
+#[expect(clippy::large_enum_variant, reason = "a pair has one, which lives as long as its search")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PairModel {
     /// An equilibrium.
