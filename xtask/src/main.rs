@@ -11,6 +11,7 @@ mod error;
 mod faults;
 mod figures;
 mod fuzz;
+mod hypotheses;
 mod notices;
 mod page;
 mod python;
@@ -41,6 +42,8 @@ enum Command {
     Fixtures,
     /// Vary what the paper hides of the dynamic model, and rewrite the table of it
     Sensitivity(sensitivity::Arguments),
+    /// Weigh readings of the paper against each other, and rewrite the table of it; ten minutes
+    Hypotheses(hypotheses::Arguments),
     /// Draw the paper's result figures from our own runs
     Figures(figures::Arguments),
     /// Rewrite the page of all quantities from their tables
@@ -74,6 +77,7 @@ fn main() -> ExitCode {
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fixtures => validate::rewrite_fixtures(),
         Command::Sensitivity(arguments) => sensitivity::run(&arguments),
+        Command::Hypotheses(arguments) => hypotheses::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Quantities => quantities::write(),
         Command::Torque(arguments) => torque::run(&arguments),

@@ -17,6 +17,9 @@ pub struct Arguments {
     /// gyroscopic moment at the outer race
     #[arg(long, value_name = "NAME", default_value = "authors")]
     reading: Searched,
+    /// Draws from the priors
+    #[arg(long, default_value_t = 200)]
+    draws: usize,
     /// Sets that the search begins with
     #[arg(long, default_value_t = 800)]
     sets: usize,
@@ -33,6 +36,8 @@ enum Part {
     Readings,
     /// Size of the defect
     Defect,
+    /// All that the paper does not print drawn from its priors; only when asked for
+    Prior,
     /// Search for what the paper hides of cage and supports; only when asked for
     Hidden,
 }
@@ -45,6 +50,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if arguments.part == Some(Part::Hidden) {
         return Ok(sensitivity::hidden(arguments.reading, arguments.sets, &progress)?);
+    }
+    if arguments.part == Some(Part::Prior) {
+        return Ok(sensitivity::prior(arguments.draws, &progress)?);
     }
     let base = sensitivity::base()?;
     if wanted(Part::Readings) {

@@ -4,6 +4,7 @@ use crate::error::Failure;
 use crate::terminal::{notes, print, progress};
 use std::path::PathBuf;
 use tribodyn::path_and_value;
+use tribodyn_paper::hypotheses;
 use tribodyn_paper::sensitivity;
 use tribodyn_paper::validate::{Validation, paper_case};
 
@@ -51,6 +52,7 @@ fn compare(validation: &Validation, check: bool) -> Result<(), Failure> {
         findings.extend(differences.outdated);
         findings.extend(validation.outdated_documents()?);
         findings.extend(sensitivity::outdated()?);
+        findings.extend(hypotheses::outdated()?);
     } else {
         notes(&differences.outdated);
     }
@@ -70,6 +72,7 @@ pub fn rewrite_fixtures() -> Result<(), Failure> {
     let validation = Validation::new(&paper_case(), &[], None, &progress)?;
     notes(&validation.rewrite()?);
     sensitivity::rewrite()?;
+    hypotheses::rewrite()?;
     print(&format!("{}\n", validation.summary()))
 }
 

@@ -54,9 +54,11 @@ struct Variant {
     model: ModelName,
 }
 
+type Change = dyn Fn(&mut Bearing, &OperatingPoint) + Send + Sync;
+
 /// A change of the bearing of every equilibrium that a case file cannot express, such as a misprint of equations.
 #[derive(Clone)]
-pub struct Adapt(pub Arc<dyn Fn(&mut Bearing, &OperatingPoint) + Send + Sync>);
+pub struct Adapt(pub Arc<Change>);
 
 impl std::fmt::Debug for Adapt {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

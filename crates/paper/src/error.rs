@@ -63,6 +63,22 @@ pub enum PaperError {
         /// Residual and iterations.
         source: tribodyn_quasistatic::QuasiStaticError,
     },
+    /// A steady orbit is not found.
+    #[error("{run}: {source}")]
+    Orbit {
+        /// Name of the run.
+        run: &'static str,
+        /// The balance that is not met.
+        source: Box<tribodyn_orbit::OrbitError>,
+    },
+    /// A hypothesis cannot be fitted.
+    #[error("{hypothesis}: {source}")]
+    Identify {
+        /// Its name, or the problem file.
+        hypothesis: String,
+        /// The reason.
+        source: Box<tribodyn_identify::IdentifyError>,
+    },
     /// A transient run stops before its end.
     #[error("run {run}: {source}")]
     Transient {

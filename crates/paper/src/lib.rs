@@ -3,6 +3,7 @@
 mod error;
 pub mod figures;
 pub mod files;
+pub mod hypotheses;
 pub mod markers;
 mod mean;
 mod progress;

@@ -24,7 +24,7 @@ const HIDDEN: [&str; 11] = [
 
 /// Further changes that are one value each: a name, a path, a value. Local pressure is not among them: it leaves the
 /// fast scheme without its derivative, and 20 µs are too long without.
-const SINGLE: [(&str, &str, &str); 46] = [
+const SINGLE: [(&str, &str, &str); 49] = [
     ("step 10 µs", "transient.scheme", "Fast(step: us(10))"),
     ("Runge–Kutta 5 µs", "transient.scheme", "RungeKutta4(step: us(5))"),
     ("0.4 s", "transient.duration", "s(0.4)"),
@@ -71,7 +71,14 @@ const SINGLE: [(&str, &str, &str); 46] = [
     ("rolling radius deformed", "modelling.rolling_radius", "Deformed"),
     ("no gyroscopic moment with traction", "modelling.gyroscopic_moment", "Absent"),
     ("elastic patch", "modelling.patch", "Elastic(strips: 5, cells: 8)"),
+    ("tilt of 0.5 mrad about y", "ring.tilt_y", "Held(mrad(0.5))"),
+    ("balls 0.5 µm apart in size", "deviations", UNEQUAL),
+    ("defect 0.2 µm deep", "defects", "[(race: Outer, azimuth: deg(0), width: deg(4), depth: um(0.2), bare: 0)]"),
 ];
+
+/// Balls whose sizes are spread evenly over 0.5 µm, in no order.
+const UNEQUAL: &str = "(balls: Excess([um(0.083), um(-0.208), um(0.25), um(-0.042), um(-0.125), um(0.167), um(0), \
+    um(-0.25), um(0.208), um(0.042), um(-0.167), um(0.125), um(-0.083)]))";
 
 /// Shaft frequency of the case, Hz, the time step of a rotating force's table, s, and its end, s.
 const SHAFT_HZ: f64 = 14_000.0 / 60.0;
@@ -88,7 +95,7 @@ pub fn all(reading: &Reading) -> Result<Vec<Change>, PaperError> {
     let scaled = hidden(reading)?.into_iter();
     out.extend(scaled.map(|(name, path, value)| Change::none(&name).with(path, &value)));
     out.extend(SINGLE.map(|(name, path, value)| Change::none(name).with(path, value)));
-    out.extend([guided("Inner", 68.0), guided("Outer", 84.0)]);
+    out.extend([guided("Inner", 68.0), guided("Outer", 84.0), churned()]);
     out.extend(loads(reading));
     out.push(unbalance(reading, 1000.0));
     Ok(out)
@@ -129,6 +136,14 @@ fn scaled(value: &str, factor: f64) -> String {
 fn guided(land: &str, radius_mm: f64) -> Change {
     let guidance = format!("(land: {land}, radius: mm({radius_mm}), width: mm(10), gap: mm(0.4))");
     Change::none(&format!("cage guided by the {} ring", land.to_lowercase())).with("cage.guidance", &guidance)
+}
+
+/// The cage braked by the fluid round it in place of a constant torque: the paper's M_c. Dimensions of the catalogue's
+/// cage of a 7224.
+fn churned() -> Change {
+    Change::none("cage's churning by its form")
+        .with("cage.drag_torque", "Nm(0)")
+        .with("cage.churning", "(bore: mm(149.85), outside: mm(180), width: mm(37.7))")
 }
 
 /// Loads that the paper's percentages may refer to.

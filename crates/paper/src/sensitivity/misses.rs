@@ -70,9 +70,15 @@ impl Cases {
             let judged = rows.iter().filter(|row| row.verdict == wanted && row.evidence != Evidence::Verification);
             judged.map(|row| row.id.clone()).collect()
         };
-        let (missed, met) = (of(Verdict::Missed), of(Verdict::Met));
+        let (mut missed, mut met) = (of(Verdict::Missed), of(Verdict::Met));
         let path = files::root().join(self.result);
         let before = if only.is_some() { files::read(&path)? } else { String::new() };
+        if only.is_some() {
+            // Lines that stay have the columns that they have.
+            let table = Table::read(self.result, &before)?;
+            missed = table.columns().iter().filter(|id| !BESIDE.contains(&id.as_str())).cloned().collect();
+            met.retain(|id| !missed.contains(id));
+        }
         let kept = |name: &str| before.lines().find(|line| line.split(',').next() == Some(name)).map(str::to_owned);
         let wanted = |name: &str| only.is_none_or(|part| name.contains(part));
         let changed = |change: &Change| self.rows(change, &Set::changed(self.reading, change)?);

@@ -10,6 +10,7 @@ mod changes;
 mod defect;
 mod hidden;
 mod misses;
+mod prior;
 mod readings;
 
 pub use hidden::Searched;
@@ -97,6 +98,15 @@ pub fn pocket() -> Result<String, PaperError> {
 /// The result cannot be written. A set whose runs fail is left out.
 pub fn hidden(searched: Searched, sets: usize, progress: Progress) -> Result<(), PaperError> {
     hidden::run(searched, sets, progress)
+}
+
+/// Draws all that the paper does not print from its priors, so many times, and writes which rows each draw misses.
+///
+/// # Errors
+///
+/// The result cannot be written. A draw whose runs fail is noted in the result.
+pub fn prior(draws: usize, progress: Progress) -> Result<(), PaperError> {
+    prior::run(draws, progress)
 }
 
 /// The runs of the dynamic rows as identified, with the fast scheme: what every change is held against.

@@ -15,6 +15,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{Run, RunError};
+use tribodyn_identify::Adapt;
 use tribodyn_record::{RunRecorder, RunRecording};
 
 /// A finished run.
@@ -81,8 +82,12 @@ fn run(plan: &Plan, recording: Option<PathBuf>) -> Result<Transient, PaperError>
     }
     let case = Case::from_ron(&text).map_err(refused)?;
     let failed = |source| PaperError::Transient { run: plan.id.clone(), source: Box::new(source) };
-    let inputs =
+    let mut inputs =
         case.run_inputs().map_err(|source| PaperError::Inputs { run: plan.id.clone(), source: Box::new(source) })?;
+    if let Some(Adapt(change)) = &plan.adapt {
+        let point = inputs.operating_point_at(0.0);
+        change(&mut inputs.bearing, &point);
+    }
     let mut solver = Run::new(inputs.clone()).map_err(failed)?;
     let recorder = match &recording {
         None => None,

@@ -4,6 +4,7 @@ use super::{Transient, run_all};
 use crate::error::PaperError;
 use crate::files;
 use std::path::Path;
+use tribodyn_identify::Adapt;
 
 /// A run to make.
 #[derive(Debug, Clone)]
@@ -14,6 +15,8 @@ pub struct Plan {
     pub file: String,
     /// Paths of the case file and their values.
     pub changes: Vec<(String, String)>,
+    /// What is changed in the bearing, and no case file can express.
+    pub adapt: Option<Adapt>,
 }
 
 /// Cases of one reading of the paper's models: silver, PTFE film, and the outer race with a defect.
@@ -56,7 +59,7 @@ const PRELOAD_SCHEME: &str = "RungeKutta4(step: us(5))";
 
 impl Plan {
     pub fn new(id: &str, label: &str, file: &str) -> Self {
-        Self { id: id.to_owned(), label: label.to_owned(), file: file.to_owned(), changes: Vec::new() }
+        Self { id: id.to_owned(), label: label.to_owned(), file: file.to_owned(), changes: Vec::new(), adapt: None }
     }
 
     #[must_use]
@@ -116,11 +119,13 @@ pub struct Change {
     pub axial_share: f64,
     /// True if the radial load is lowered with the axial one.
     pub radial_follows: bool,
+    /// What is changed in the bearing, and no case file can express.
+    pub adapt: Option<Adapt>,
 }
 
 impl Change {
     pub fn none(name: &str) -> Self {
-        Self { name: name.to_owned(), values: Vec::new(), axial_share: 1.0, radial_follows: false }
+        Self { name: name.to_owned(), values: Vec::new(), axial_share: 1.0, radial_follows: false, adapt: None }
     }
 
     #[must_use]
@@ -132,6 +137,7 @@ impl Change {
     fn plan(&self, reading: &Reading, plan: Plan, percent: f64) -> Plan {
         let axial = reading.axial_load * self.axial_share * percent / 100.0;
         let plan = plan.with("transient.scheme", FAST).with("ring.z", &format!("Force(N({axial}))"));
+        let plan = Plan { adapt: self.adapt.clone(), ..plan };
         match self.radial_follows {
             true => plan.with("ring.x", &format!("Force(N({}))", reading.radial_load * percent / 100.0)),
             false => plan,

@@ -146,8 +146,18 @@ pub fn notes(rows: &[Row]) -> Vec<String> {
     groups.iter().map(|(note, ids)| format!("{}: {note}", ids.join(", "))).collect()
 }
 
-pub const HEAD: [&str; 9] =
-    ["id", "evidence", "quantity", "published", "computed", "deviation", "tolerance", "verdict", "missed in changes"];
+pub const HEAD: [&str; 10] = [
+    "id",
+    "evidence",
+    "quantity",
+    "published",
+    "computed",
+    "deviation",
+    "tolerance",
+    "verdict",
+    "missed in changes",
+    "missed in draws",
+];
 
 pub fn cells(rows: &[Row]) -> Vec<Vec<String>> {
     let with_unit = |text: String, row: &Row| {
@@ -164,6 +174,7 @@ pub fn cells(rows: &[Row]) -> Vec<Vec<String>> {
             row.tolerance_text(),
             row.verdict.name().to_owned(),
             row.weight_text(),
+            row.draws_text(),
         ]
     };
     rows.iter().map(one).collect()

@@ -15,6 +15,7 @@ mod row;
 mod runs;
 mod split;
 mod tables;
+mod tally;
 mod thresholds;
 mod weight;
 
@@ -22,14 +23,17 @@ use crate::error::PaperError;
 use crate::files;
 use crate::progress::{Progress, in_time};
 use crate::transient::{AUTHORS, CLASSICAL, Reading, Set};
-pub(crate) use dynamic::{defect_rows, rows as dynamic_rows};
+pub(crate) use dynamic::{defect_rows, first_impacts_of, rows as dynamic_rows};
 use published::Published;
 pub(crate) use row::{Evidence, Row, Verdict};
 use runs::Runs;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tables::PressuresOver;
+pub(crate) use tally::{Share, Tally};
+use tribodyn_identify::Adapt;
 use tribodyn_quasistatic::Model;
+pub(crate) use weight::DRAWS as PRIOR_DRAWS;
 
 /// Paths of a case and their values.
 type Changes = [(String, String)];
@@ -153,6 +157,18 @@ fn warnings(published: &Published, runs: &Runs, dynamic: Option<&Set>) -> Vec<Wa
 /// Rows of Figures 14 and 16 to 18 of a case, relative to the workspace, with values changed.
 pub(crate) fn azimuth_rows(case: &str, changes: &Changes) -> Result<Vec<Row>, PaperError> {
     let runs = Runs::changed(&files::root().join(case), changes)?;
+    split::declared([contact::figure_14(&runs), friction::figures_16_to_18(&runs)].concat())
+}
+
+/// The same rows of a case's text, its bearings changed by what no case file can express.
+pub(crate) fn azimuth_rows_of(name: &str, text: &str, adapt: Option<&Adapt>) -> Result<Vec<Row>, PaperError> {
+    let runs = Runs::of(name.to_owned(), text, adapt)?;
+    split::declared([contact::figure_14(&runs), friction::figures_16_to_18(&runs)].concat())
+}
+
+/// The same rows with the steady orbits of the four cases in place of their equilibria.
+pub(crate) fn azimuth_rows_by_orbits(name: &str, text: &str) -> Result<Vec<Row>, PaperError> {
+    let runs = Runs::of(name.to_owned(), text, None)?.by_orbits()?;
     split::declared([contact::figure_14(&runs), friction::figures_16_to_18(&runs)].concat())
 }
 

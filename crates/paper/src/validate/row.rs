@@ -59,11 +59,13 @@ pub enum Stated {
     Text(&'static str),
 }
 
-/// In how many changes a row is missed, of those whose runs were solved.
+/// In how many changes a row is missed, of those whose runs were solved, and in how many draws from the priors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Weight {
     pub missed: usize,
     pub changes: usize,
+    pub missed_in_draws: usize,
+    pub draws: usize,
 }
 
 /// Published against computed.
@@ -81,7 +83,8 @@ pub struct Row {
     pub tolerance: Option<f64>,
     pub verdict: Verdict,
     pub note: String,
-    /// In how many changes of the sensitivity study the row is missed; absent where that was not studied.
+    /// In how many changes of the sensitivity study, and draws from the priors, the row is missed; absent where that
+    /// was not studied.
     pub weight: Option<Weight>,
     /// Decimals worth printing.
     #[serde(skip)]
@@ -174,7 +177,11 @@ impl Row {
 
     /// `12 of 73`.
     pub fn weight_text(&self) -> String {
-        self.weight.map_or("–".to_owned(), |Weight { missed, changes }| format!("{missed} of {changes}"))
+        self.weight.map_or("–".to_owned(), |w| format!("{} of {}", w.missed, w.changes))
+    }
+
+    pub fn draws_text(&self) -> String {
+        self.weight.map_or("–".to_owned(), |w| format!("{} of {}", w.missed_in_draws, w.draws))
     }
 
     pub fn tolerance_text(&self) -> String {

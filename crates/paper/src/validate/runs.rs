@@ -3,7 +3,10 @@
 use crate::error::PaperError;
 use crate::files;
 use std::path::Path;
+use tribodyn_bearing::CageBody;
 use tribodyn_case::{Case, Source, set_value};
+use tribodyn_identify::Adapt;
+use tribodyn_orbit::{OrbitSettings, steady_orbit};
 use tribodyn_quasistatic::{Model, Solution, other_roots, root_warnings, solve};
 
 /// Equations that a row of Table 4 stands for.
@@ -58,11 +61,23 @@ impl Runs {
         let refused = |source| PaperError::Case { file: file.clone(), source: Box::new(source) };
         let set = |text: String, (path, value): &(String, String)| set_value(&text, path, value).map_err(refused);
         let text = changes.iter().try_fold(files::read(path)?, set)?;
+        Self::of(file, &text, None)
+    }
+
+    /// Of a case's text, its bearings changed by what no case file can express.
+    pub fn of(file: String, text: &str, adapt: Option<&Adapt>) -> Result<Self, PaperError> {
         let [first, second, third, fourth, fifth] = &PLANS;
-        let one = |plan: &Plan| run(&file, &text, plan);
+        let one = |plan: &Plan| run(&file, text, adapt, plan);
         let jones_harris = one(first)?;
         let cases = [one(second)?, one(third)?, one(fourth)?, one(fifth)?];
         Ok(Self { file, jones_harris, cases })
+    }
+
+    /// The same with the steady orbits of cases 1 to 4 in place of their equilibria, a ball at each of its places.
+    pub fn by_orbits(self) -> Result<Self, PaperError> {
+        let cases = self.cases.into_iter().map(orbit).collect::<Result<Vec<_>, _>>()?;
+        let cases = cases.try_into().map_err(|_| PaperError::Check { what: "orbits", findings: Vec::new() })?;
+        Ok(Self { cases, ..self })
     }
 
     pub fn all(&self) -> impl Iterator<Item = &Run> {
@@ -92,14 +107,31 @@ impl Runs {
     }
 }
 
-fn run(file: &str, text: &str, plan: &Plan) -> Result<Run, PaperError> {
+fn orbit(run: Run) -> Result<Run, PaperError> {
+    let inputs = run
+        .case
+        .run_inputs()
+        .map_err(|source| PaperError::Inputs { run: run.label.to_owned(), source: Box::new(source) })?;
+    let cage = CageBody::new(&inputs.cage, &inputs.bearing);
+    let point = run.case.operating_point();
+    let speeds = [point.inner_speed, point.outer_speed];
+    let found = steady_orbit(&inputs.bearing, &point, &cage, &OrbitSettings::default())
+        .map_err(|source| PaperError::Orbit { run: run.label, source: Box::new(source) })?
+        .solution;
+    Ok(Run { solution: found.as_solution(&found.points, speeds), ..run })
+}
+
+fn run(file: &str, text: &str, adapt: Option<&Adapt>, plan: &Plan) -> Result<Run, PaperError> {
     let refused = |source| PaperError::Case { file: file.to_owned(), source: Box::new(source) };
     // Jones–Harris has no traction, so its switches do not matter.
     let text = set_value(text, "traction.varying", &plan.varying.to_string()).map_err(refused)?;
     let text = set_value(&text, "traction.differential_slip", &plan.differential_slip.to_string()).map_err(refused)?;
     let case = Case::from_ron(&text).map_err(refused)?;
-    let bearing = case.bearing().map_err(|source| PaperError::Bearing { run: plan.label, source })?;
+    let mut bearing = case.bearing().map_err(|source| PaperError::Bearing { run: plan.label, source })?;
     let point = case.operating_point();
+    if let Some(Adapt(change)) = adapt {
+        change(&mut bearing, &point);
+    }
     let failed = |source| PaperError::Solver { run: plan.label, source };
     let solved = solve(&bearing, &point, plan.model).map_err(failed)?;
     let roots = match &solved.warm_start {

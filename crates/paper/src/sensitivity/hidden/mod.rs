@@ -14,7 +14,8 @@ use crate::table::{Row, Table};
 use crate::transient::{AUTHORS, CLASSICAL, Change, FAST, Reading, Set, on_all_cores};
 use crate::validate::{Counts, counted, declared_dynamic_rows};
 use score::Score;
-use space::{DIMENSIONS, Place, at_ends, changes, even, place};
+use space::{DIMENSIONS, Place, at_ends, place};
+pub use space::{changes, even, root};
 use std::fmt::Write;
 use std::str::FromStr;
 

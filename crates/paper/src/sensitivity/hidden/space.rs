@@ -47,7 +47,12 @@ const PRIMES: [u8; DIMENSIONS] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41
 
 /// A place of an evenly spread sequence: multiples of the square roots of prime numbers (R. D. Richtmyer's).
 pub fn even(n: usize) -> Place {
-    PRIMES.map(|prime| (0.5 + (n + 1) as f64 * f64::from(prime).sqrt()).fract())
+    PRIMES.map(|prime| root(n, prime))
+}
+
+/// One number of the sequence.
+pub fn root(n: usize, prime: u8) -> f64 {
+    (0.5 + (n + 1) as f64 * f64::from(prime).sqrt()).fract()
 }
 
 /// Paths, and the values at a place.

@@ -7,6 +7,8 @@ mod defect;
 mod preload;
 mod settled;
 
+pub use preload::first_impacts_of;
+
 use super::row::{Claim, Evidence, Row, Stated, Verdict};
 use crate::error::PaperError;
 use crate::transient::{Set, Transient};

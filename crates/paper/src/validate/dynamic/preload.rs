@@ -84,8 +84,8 @@ fn shaking(set: &Set) -> Vec<Row> {
     ]
 }
 
-/// Median over all passages of the azimuth of the first impact within [`RISING_HALF`].
-fn first_impact(run: &Transient) -> f64 {
+/// Azimuths of the first impacts of all passages through [`RISING_HALF`], degrees, in order of size.
+pub fn first_impacts_of(run: &Transient) -> Vec<f64> {
     let window = run.settled();
     let period = 1.0 / window.cage_hz();
     let mut firsts = Vec::new();
@@ -101,6 +101,12 @@ fn first_impact(run: &Transient) -> f64 {
         }
     }
     firsts.sort_by(f64::total_cmp);
+    firsts
+}
+
+/// Their median.
+fn first_impact(run: &Transient) -> f64 {
+    let firsts = first_impacts_of(run);
     firsts.get(firsts.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
