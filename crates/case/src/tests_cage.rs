@@ -91,7 +91,7 @@ fn identity_the_fluid_brakes_a_cage_by_its_form() {
     let ((plain, none), (braked, churning)) = (body(AG), body(&with));
     assert!(none.is_none());
     let rings = Races { inner: 1466.0, outer: 0.0 };
-    for speed in [607.0, -607.0] {
+    for speed in [607.0f64, -607.0] {
         let [[_, drag], [_, all]] = [plain, braked].map(|cage| cage.fluid_torques(speed, rings));
         let moments = churning.unwrap().moments(speed);
         assert!((all - drag + moments.sum()).abs() < 1e-12);

@@ -211,8 +211,8 @@ const TWO: &str = r#"(
     ],
     runs: { "a": (model: JonesHarris), "b": (model: JonesHarris) },
     data: [
-        (id: "a", run: "a", quantity: LoadInner(azimuth: 0), value: 3000, uncertainty: 1),
-        (id: "b", run: "b", quantity: LoadInner(azimuth: 0), value: 2500, uncertainty: 1),
+        (id: "a", run: "a", quantity: LoadInner(azimuth: 0), value: 2400, uncertainty: 1),
+        (id: "b", run: "b", quantity: LoadInner(azimuth: 0), value: 2000, uncertainty: 1),
     ],
     hypotheses: [
         (name: "one", set: {}, tie: {"other": "load"}, priors: {"load": (mean: 20000, spread: 1e9)}),
@@ -227,9 +227,9 @@ fn limit_tied_parameters_meet_the_mean_and_apart_each_its_own() {
     let [one, two] = [&answers[0], &answers[1]];
     assert_eq!((one.parameters.len(), two.parameters.len()), (1, 2));
     assert!(two.cost < 1e-6, "{}", two.cost);
-    // Both runs are alike where they have one load, so it lies in the middle, 250 N from each.
+    // Both runs are alike where they have one load, so it lies in the middle, 200 N from each.
     assert!((one.data[0].computed - one.data[1].computed).abs() < 1e-9);
-    assert!((one.data[0].computed - 2750.0).abs() < 0.1 && (one.data_cost - 2.0 * 250f64.powi(2)).abs() < 1.0);
+    assert!((one.data[0].computed - 2200.0).abs() < 0.1 && (one.data_cost - 2.0 * 200f64.powi(2)).abs() < 1.0);
     assert_eq!(one.parameters[0].prior, Some((20000.0, 1e9)));
     assert_eq!(one.minima.iter().map(|minimum| minimum.starts).sum::<usize>(), 2, "the case is a start too");
     let squares = LeastSquares::new(&problem, CASE, Some(&problem.hypotheses[0])).unwrap();
@@ -240,7 +240,7 @@ fn limit_tied_parameters_meet_the_mean_and_apart_each_its_own() {
 #[test]
 fn limit_the_order_of_a_ratio_asks_for_no_more_than_its_figure() {
     let text =
-        TWO.replace("value: 2500", r#"relation: RatioAbove(run: "a", quantity: LoadOuter(azimuth: 0)), value: 0.5"#);
+        TWO.replace("value: 2000", r#"relation: RatioAbove(run: "a", quantity: LoadOuter(azimuth: 0)), value: 0.5"#);
     let problem = Problem::from_ron(&text).unwrap();
     let datum = &problem.data[1];
     assert_eq!((datum.deviation(0.7), datum.deviation(0.4), datum.unit()), (0.0, 0.4 - 0.5, "–"));

@@ -34,7 +34,11 @@ fn variants() -> Vec<String> {
         ],
         &[("traction.order", "0"), ("coatings.inner.curve", tested), ("coatings.bare.curve", tested)],
         &[("transient.scheme", "RungeKutta4(step: us(2))"), ("geometry.fit", "RadialClearance(um(40))")],
-        &[("ring.y", "Held(um(3))"), ("ring.z", "Held(um(3))")],
+        &[
+            ("ring.y", "Held(um(3))"),
+            ("ring.z", "Held(um(3))"),
+            ("cage.churning", "(bore: mm(150), outside: mm(180), width: mm(38))"),
+        ],
         &[("traction.order", "0"), ("coatings.transfer", &transfer)],
     ];
     let change = |changes: &[(&str, &str)]| {
