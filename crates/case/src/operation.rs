@@ -6,9 +6,8 @@ use crate::{
 };
 use tribodyn_bearing::{
     BallSpall, BearingError, Cage, CageForm, CageLand, CoatingState, FreeCage, GuidingLand, LandFilm, MovingCage,
-    OperatingPoint,
-    PocketFilm, Races, RingLoads, RunInputs, RunOptions, SearchWatch, Side, SolverSettings, Support, Supports,
-    TiltingRing,
+    OperatingPoint, PocketFilm, Races, RingLoads, RunInputs, RunOptions, SearchWatch, Side, SolverSettings, Support,
+    Supports, TiltingRing,
 };
 use tribodyn_wear::{Defect, Spall};
 
