@@ -97,6 +97,7 @@ fn load_rows(a: &Derived) -> Vec<(&'static str, String, &'static str)> {
     row("static load rating C_0r", a.static_rating_n, 0, "N");
     row("least load, by 0.01 C_r", a.minimum_load_n, 0, "N");
     row("static safety s_0", a.static_safety, 2, "");
+    row("life of the grease, 9 of 10 (estimate)", a.grease_life_hours, 0, "h");
     let estimate = a.peak_pressure_estimate_pa.filter(|pressure| *pressure > 0.0);
     row("highest peak pressure, first estimate", estimate.map(|pressure| pressure * 1e-9), 2, "GPa");
     rows

@@ -44,7 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut printed = rows(found.value(), findings.model().name());
     printed.extend(found.value().frequencies.iter().flat_map(frequency_rows));
     table::print_pairs(&printed)?;
-    if let Some(note) = &found.value().lubrication_note {
+    for note in [&found.value().lubrication_note, &found.value().grease_note].into_iter().flatten() {
         table::print_line(&format!("note: {note}"))?;
     }
     table::print_warnings(findings.warnings())
@@ -98,6 +98,8 @@ pub fn rows(r: &Rating, model: &'static str) -> Vec<Row> {
     row("reliability factor a_1", (r.reliability_factor != 1.0).then_some(r.reliability_factor), 3, "");
     row("modified reference rating life L_nmr", r.rating_life_lnmr_mrev, 2, turns);
     row("rating life of the steel", r.rating_life_hours, 0, "h");
+    row("life of the grease, 9 of 10 (estimate)", r.grease_life_hours, 0, "h");
+    row("relubrication interval, 99 of 100", r.grease_interval_hours, 0, "h");
     row("static safety s_0", r.static_safety, 2, "");
     row("load to 4.2 GPa over load", r.pressure_safety, 2, "");
     rows

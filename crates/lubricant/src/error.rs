@@ -27,6 +27,20 @@ pub enum LubricantError {
         /// Largest value.
         high: f64,
     },
+    /// A quantity outside the range in which the life of grease is known.
+    #[error("{quantity} is {value:.3} {unit}: the life of grease is known from {low} to {high:.3} {unit}")]
+    Grease {
+        /// Its name.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// Least value.
+        low: f64,
+        /// Largest value.
+        high: f64,
+    },
     /// Viscosity that does not fall with temperature.
     #[error(
         "viscosity {cold} mm²/s at {cold_c} °C and {hot} mm²/s at {hot_c} °C: the viscosity of an oil falls with temperature"

@@ -2,6 +2,7 @@
 
 mod error;
 mod film;
+mod grease;
 mod library;
 mod oil;
 mod pressure;
@@ -11,6 +12,7 @@ mod walther;
 
 pub use error::LubricantError;
 pub use film::{FilmThickness, InletFilm, RollingContact};
+pub use grease::{GreaseLife, GreasedBearing};
 pub use library::{BaseStock, GRADES, GREASE_STARVATION, oil_names, stock_names};
 pub use oil::{Oil, Thermal};
 pub use pressure::{PressureViscosity, ROELANDS_PRESSURE, roelands_index, roelands_index_of_mean, so_klaus};

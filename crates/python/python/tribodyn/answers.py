@@ -161,6 +161,8 @@ class Derived(Answer):
     minimum_load_n: Optional[float]
     #: s_0 = C_0r/P_0; None without load
     static_safety: Optional[float]
+    #: life of a charge of grease that nine of ten bearings reach, an estimate, h; absent without grease
+    grease_life_hours: float
     #: of the hardest pressed ball, by a first estimate
     peak_pressure_estimate_pa: Optional[float]
     #: pitch diameter times the speed of the rings against each other
@@ -224,6 +226,12 @@ class Rating(OfOperatingPoint):
     rating_life_lnmr_mrev: Optional[float]
     #: rating life of the steel at the speed, h
     rating_life_hours: Optional[float]
+    #: life of a charge of grease that nine of ten bearings reach, an estimate, h; absent without grease
+    grease_life_hours: float
+    #: the same that 99 of 100 reach, the relubrication interval, h
+    grease_interval_hours: float
+    #: why a greased bearing has no estimate; absent where it has one
+    grease_note: str
     #: P_0
     static_equivalent_load_n: Optional[float]
     #: s_0 = C_0r/P_0

@@ -78,6 +78,9 @@ pub struct Derived {
     pub minimum_load_n: Option<f64>,
     /// Static safety s_0 = C_0r/P_0; absent without load.
     pub static_safety: Option<f64>,
+    /// Life of a charge of grease that nine of ten bearings reach, an estimate, hours; absent without grease.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grease_life_hours: Option<f64>,
     /// Peak pressure of the hardest pressed ball by a first estimate, Pa.
     pub peak_pressure_estimate_pa: Option<f64>,
     /// Pitch diameter times the speed of the rings against each other, mm r/min.
@@ -250,6 +253,7 @@ fn answer(question: &Question<'_>, bearing: &Bearing, (growth, fits): (Option<Gr
         axial_load_n: of_load(|found| found.axial_load_n),
         minimum_load_n: rated.as_ref().map(|rated| LEAST_LOAD * rated.dynamic_rating_n),
         static_safety: estimate.and_then(|found| found.static_safety),
+        grease_life_hours: rated.as_ref().and_then(|rated| rated.grease_life_hours),
         peak_pressure_estimate_pa: of_load(|found| found.peak_pressure_pa),
         pitch_speed_mm_rpm: turning * 30.0 / std::f64::consts::PI * g.pitch_diameter * 1e3,
         growth,

@@ -2,6 +2,7 @@
 
 use super::{Answer, Equations, Question, solution_by};
 use crate::error::AnswerError;
+use crate::rating::SECTION;
 use serde::Serialize;
 use tribodyn_bearing::{Bearing, Side};
 use tribodyn_case::{Case, HeatSpec, MountedRingSpec, MountingSpec};
@@ -89,8 +90,7 @@ const DRAWN: f64 = ZERO_CELSIUS + 20.0;
 const EXPANSION: f64 = 11.5e-6;
 /// Conductivity times density times specific heat of bearing steel, J²/(m⁴ K² s).
 const STEEL: f64 = 46.0 * 7810.0 * 475.0;
-/// Section D − d over ball diameter, and width over section, of usual bearings.
-const SECTION: f64 = 3.3;
+/// Width over section of usual bearings.
 const WIDTH: f64 = 0.5;
 
 /// Temperatures of a lubricated bearing in steady state: friction is solved for at the temperatures that it makes.
