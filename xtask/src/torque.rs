@@ -116,7 +116,7 @@ fn table(rows: &[Row]) -> String {
             row.load_share,
             row.rpm,
             row.lambda,
-            1e3 * t.rolling_nm,
+            1e3 * (t.rolling_nm + t.hysteresis_nm),
             1e3 * (t.sliding_inner_nm + t.sliding_outer_nm),
             1e3 * t.torque_nm,
             shown(t.skf_rolling_nm),

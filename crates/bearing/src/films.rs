@@ -34,14 +34,15 @@ impl Bearing {
         }
     }
 
-    /// Power that the inlet of a contact takes by its resistance to rolling, W; 0 without a lubricant or a load.
-    pub fn rolling_power(&self, side: Side, contact: &ContactResult) -> f64 {
-        let Some((law, friction)) = self.film_law(side).zip(contact.friction) else { return 0.0 };
+    /// Powers that rolling takes in the inlet of a contact and by the hysteresis of its bodies, W; 0 without a
+    /// lubricant or a load.
+    pub fn rolling_powers(&self, side: Side, contact: &ContactResult) -> [f64; 2] {
+        let Some((law, friction)) = self.film_law(side).zip(contact.friction) else { return [0.0; 2] };
         if contact.load_n <= 0.0 {
-            return 0.0;
+            return [0.0; 2];
         }
         let [along, across] = friction.slide_to_roll;
-        law.rolling_power(&self.film_patch(contact), contact.rolling_speed_m_s, along.hypot(across))
+        law.rolling_powers(&self.film_patch(contact), contact.rolling_speed_m_s, along.hypot(across))
     }
 
     fn film_patch(&self, contact: &ContactResult) -> Patch {

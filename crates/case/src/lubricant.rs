@@ -8,12 +8,14 @@ use tribodyn_lubricant::{
     GRADING_TEMPERATURE, InletFilm, LubricantError, Oil, PressureViscosity, Walther, ZERO_CELSIUS, roelands_index,
     so_klaus,
 };
-use tribodyn_traction::{FilmLaw, FilmShear, Law, PatchChoice};
+use tribodyn_traction::{FilmLaw, FilmShear, Law, PatchChoice, STEEL_HYSTERESIS};
 
 /// Roughest surface of a rolling bearing, m.
 const ROUGHNESS_MAX: f64 = 5e-6;
 /// Eyring stresses of oils, Pa.
 const EYRING: [f64; 2] = [1e5, 1e8];
+/// Largest share of the elastic work that bodies lose: rubber.
+const HYSTERESIS_MAX: f64 = 0.5;
 /// Friction of asperities in oil.
 const BOUNDARY: [f64; 2] = [0.01, 0.5];
 
@@ -77,13 +79,13 @@ impl LubricantSpec {
         };
         let oil = self.oil.oil()?;
         Races::try_from_fn(|side| {
-            let law = FilmLaw::new(
+            let steel = FilmLaw::new(
                 (oil, self.temperature, self.inlet(side)?),
                 (shear, self.boundary_friction),
                 geometry.relative_radii(side),
                 [ball, rings[side]],
             )?;
-            Ok(law.into())
+            Ok(FilmLaw { hysteresis: self.hysteresis.unwrap_or(STEEL_HYSTERESIS), ..steel }.into())
         })
     }
 }
@@ -123,5 +125,8 @@ pub(super) fn validate(case: &Case) -> Verdict {
     let [low, high] = BOUNDARY;
     let message = format!("must lie between {low} and {high}; steel in oil has 0.08 to 0.15");
     require((low..=high).contains(&spec.boundary_friction), "lubricant.boundary_friction", message)?;
+    let lossy = spec.hysteresis.is_none_or(|share| (0.0..=HYSTERESIS_MAX).contains(&share));
+    let message = format!("must lie between 0 and {HYSTERESIS_MAX}; bearing steel has 0.003 to 0.01");
+    require(lossy, "lubricant.hysteresis", message)?;
     patch_rule("lubricant.patch", spec.patch)
 }

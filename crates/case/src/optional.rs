@@ -14,6 +14,7 @@ const OPTIONAL: &[&str] = &[
     "traction",
     "lubricant",
     "lubricant.starvation",
+    "lubricant.hysteresis",
     "fluid",
     "fluid.drag_over_reynolds",
     "cage",

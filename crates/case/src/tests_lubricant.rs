@@ -73,6 +73,8 @@ fn limit_values_of_no_bearing_are_refused() {
     assert!(refused("lubricant.starvation", "1.5").contains("at most 1"));
     assert!(refused("lubricant.shear", "Eyring(GPa(5))").contains("oils have 3 to 10"));
     assert!(refused("lubricant.boundary_friction", "12").contains("0.08 to 0.15"));
+    assert!(refused("lubricant.hysteresis", "0.7").contains("bearing steel has 0.003 to 0.01"));
+    assert!(refused("lubricant.hysteresis", "-0.01").contains("between 0 and"));
     assert!(refused("lubricant.patch", "TargetError(relative: 2)").contains("lubricant.patch.TargetError.relative"));
     assert!(refused("rating.contamination", "0.5").contains("say the same"));
     let both = set_value(AG, "lubricant", &OIL[locate(OIL, "lubricant").unwrap()]).unwrap();

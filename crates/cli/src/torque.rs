@@ -57,6 +57,7 @@ fn rows(t: &TorqueAnswer) -> Vec<Vec<String>> {
     };
     vec![
         row("rolling; of the lubricant", Some(t.rolling_nm), t.skf_rolling_nm, t.palmgren_viscous_nm),
+        row("hysteresis of the steel", Some(t.hysteresis_nm), None, None),
         row(
             "sliding; of the load",
             Some(t.sliding_inner_nm + t.sliding_outer_nm),

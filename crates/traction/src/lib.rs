@@ -22,7 +22,9 @@ pub use elastic::{
     linear_elastic_patch_traction,
 };
 pub use fast::{FastPatch, PatchDerivative, fast_patch_traction, linear_patch_traction};
-pub use film::{FilmContact, FilmLaw, FilmShear, FilmState, FilmStress, FilmTemperature, asperity_share};
+pub use film::{
+    FilmContact, FilmLaw, FilmShear, FilmState, FilmStress, FilmTemperature, STEEL_HYSTERESIS, asperity_share,
+};
 pub use kragelskii::{Fall, Kragelskii, Peak, SlipCurve};
 pub use law::{CustomLaw, Law, LawCurve, OverSlip};
 pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};

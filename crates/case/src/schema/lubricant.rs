@@ -25,6 +25,9 @@ pub struct LubricantSpec {
     pub shear: ShearSpec,
     /// Friction coefficient of asperities that touch.
     pub boundary_friction: f64,
+    /// Share of the elastic work that balls and rings lose when they are rolled over; that of steel where left out.
+    #[serde(default)]
+    pub hysteresis: Option<f64>,
     /// Quadrature over the contact ellipse.
     pub patch: PatchChoice,
 }

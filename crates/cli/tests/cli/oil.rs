@@ -21,7 +21,7 @@ fn code_oil_and_torque_of_a_6206() {
     for (rpm, expected) in [(500, 20.709), (3000, 26.146), (10_000, 38.562)] {
         let torque = oil("torque", &format!("--set speed.inner=Constant(rpm({rpm}))"));
         assert_close(number(&torque, "skf_torque_nm") * 1e3, expected, 1e-4);
-        let parts: f64 = ["rolling_nm", "sliding_inner_nm", "sliding_outer_nm", "fluid_nm", "cage_nm"]
+        let parts: f64 = ["rolling_nm", "hysteresis_nm", "sliding_inner_nm", "sliding_outer_nm", "fluid_nm", "cage_nm"]
             .iter()
             .map(|part| number(&torque, part))
             .sum();
@@ -154,8 +154,9 @@ fn regress_the_table_of_torques() {
             let row = rows.iter().find(|row| row[..4] == [bearing, "vg68", "C/20", rpm]).unwrap();
             let line = format!("torque {case} --set speed.inner=Constant(rpm({rpm})) --json");
             let torque = run_words(&line).json();
-            for (column, field) in [(5, "rolling_nm"), (6, "sliding"), (7, "torque_nm"), (10, "skf_torque_nm")] {
+            for (column, field) in [(5, "rolling"), (6, "sliding"), (7, "torque_nm"), (10, "skf_torque_nm")] {
                 let found = match field {
+                    "rolling" => number(&torque, "rolling_nm") + number(&torque, "hysteresis_nm"),
                     "sliding" => number(&torque, "sliding_inner_nm") + number(&torque, "sliding_outer_nm"),
                     field => number(&torque, field),
                 };

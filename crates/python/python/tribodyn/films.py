@@ -103,6 +103,8 @@ class Torque(OfOperatingPoint):
     torque_nm: float
     #: resistance of the films' inlets to rolling
     rolling_nm: float
+    #: elastic hysteresis of balls and rings as they are rolled over
+    hysteresis_nm: float
     #: shear of the films at the inner race
     sliding_inner_nm: float
     #: sliding in the outer contacts, N m
@@ -127,7 +129,8 @@ class Torque(OfOperatingPoint):
     notes: list[str]
 
     def _draw(self, ax: Axes) -> None:
-        names = ("rolling_nm", "sliding_inner_nm", "sliding_outer_nm", "fluid_nm", "cage_nm", "torque_nm")
+        causes = ("rolling", "hysteresis", "sliding_inner", "sliding_outer", "fluid", "cage", "torque")
+        names = tuple(f"{cause}_nm" for cause in causes)
         found = {
             name: getattr(self, name) for name in (*names, "skf_torque_nm", "palmgren_torque_nm") if hasattr(self, name)
         }

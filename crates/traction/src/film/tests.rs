@@ -120,6 +120,61 @@ fn identity_power_is_the_work_of_the_traction() {
     }
 }
 
+/// Bodies that give back the share 1 − α of the pressure behind the middle: the moment is α times that of half of
+/// Hertz's pressure about the lateral axis, it turns against rolling, and nothing is lost where nothing rolls.
+#[test]
+fn limit_hysteresis_is_the_moment_of_half_the_pressure() {
+    let law = law(EYRING);
+    let contact = contact(0.0, 0.0);
+    let Patch { semi_lateral: a, semi_rolling: b, peak_pressure, .. } = contact.patch;
+    let n = 400;
+    let mut half = 0.0;
+    for i in 0..n {
+        let x = (f64::from(i) + 0.5) / f64::from(n);
+        // Across rolling the pressure is a half ellipse: its area is known.
+        half += peak_pressure * 0.5 * PI * a * (1.0 - x * x) * x * b * b / f64::from(n);
+    }
+    let found = law.hysteresis_moment(&contact);
+    assert!((found / (law.hysteresis * half) - 1.0).abs() < 1e-5, "{found} {half}");
+    let lossless = FilmLaw { hysteresis: 0.0, ..law.clone() };
+    let rolled = |at: &FilmContact| {
+        let [[_, with, heat], [_, without, cold]] = [&law, &lossless].map(|law| law.rolling_loads(at));
+        [with - without, heat - cold]
+    };
+    let [moment, power] = rolled(&contact);
+    let turning = contact.motion.about_lateral;
+    assert!(
+        (moment + found * turning.signum()).abs() < 1e-7 * found && (power + moment * turning).abs() < 1e-9 * power
+    );
+    let still = RelativeMotion { about_lateral: 0.0, ..contact.motion };
+    assert_eq!(rolled(&FilmContact { motion: still, ..contact }), [0.0; 2]);
+}
+
+/// What a disc machine measures at 1 GPa, 40 °C and some percent of slip is the limiting shear that the library has of
+/// the stock. The limiting law bears that; Eyring's stress of 5 MPa half of it.
+#[test]
+fn limit_the_friction_of_a_disc_machine() {
+    let oil = BaseStock::Mineral.oil(68.0, None).unwrap();
+    let friction = |shear| {
+        let pressure = oil.pressure;
+        let ambient = oil.dynamic(313.15_f64);
+        let stress = FilmStress {
+            shear,
+            pressure,
+            log_ambient: ambient.ln(),
+            stiffness: pressure.stiffness(ambient),
+            limiting: oil.limiting_shear,
+            boundary_friction: 0.12,
+        };
+        // 5 % of 2 m/s over half a micrometre.
+        Shearing { stress, gap: 0.5e-6, creep: 1e-30, share: 0.0 }.over_speed(0.67e9, 0.1) * 0.1 / 0.67e9
+    };
+    let limiting = friction(FilmShear::LimitingShear);
+    assert!((0.8..1.0).contains(&(limiting / oil.limiting_shear)), "{limiting}");
+    let eyring = friction(EYRING);
+    assert!((0.3..0.6).contains(&(eyring / oil.limiting_shear)), "{eyring}");
+}
+
 /// The film is as much warmer than its surroundings as its heat makes it.
 #[test]
 fn identity_the_temperature_is_a_fixed_point() {

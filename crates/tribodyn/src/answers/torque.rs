@@ -2,6 +2,7 @@
 
 use super::{Answer, Equations, Question, solution_by};
 use crate::error::AnswerError;
+use crate::rating::SECTION;
 use serde::Serialize;
 use tribodyn_bearing::Side;
 use tribodyn_case::{Fit, OilSpec};
@@ -20,6 +21,8 @@ pub struct TorqueAnswer {
     pub torque_nm: f64,
     /// Resistance of the films' inlets to rolling.
     pub rolling_nm: f64,
+    /// Elastic hysteresis of balls and rings as they are rolled over.
+    pub hysteresis_nm: f64,
     /// Shear of the films at the inner race.
     pub sliding_inner_nm: f64,
     /// The same at the outer race.
@@ -59,6 +62,7 @@ impl TorqueAnswer {
             axial_load_n: axial,
             torque_nm: 0.0,
             rolling_nm: 0.0,
+            hysteresis_nm: 0.0,
             sliding_inner_nm: 0.0,
             sliding_outer_nm: 0.0,
             fluid_nm: 0.0,
@@ -100,7 +104,11 @@ pub fn torque(question: &Question<'_>, equations: Equations) -> Result<Answer<To
     };
     let of = |power: f64| power / speed.abs();
     let contacts = |side: Side| solution.balls.iter().map(move |ball| ball.contacts[side]);
-    let rolling = Side::BOTH.map(|side| contacts(side).map(|c| bearing.rolling_power(side, &c)).sum::<f64>());
+    let powers = Side::BOTH.map(|side| {
+        let of_contacts = contacts(side).map(|contact| bearing.rolling_powers(side, &contact));
+        of_contacts.fold([0.0; 2], |[inlet, bodies], [more, lost]| [inlet + more, bodies + lost])
+    });
+    let rolling = powers.map(|[inlet, bodies]| inlet + bodies);
     let friction =
         Side::BOTH.map(|side| contacts(side).filter_map(|c| c.friction).map(|f| f.power_loss_w).sum::<f64>());
     let fluid: f64 = solution.balls.iter().filter_map(|ball| ball.fluid).map(|fluid| fluid.power_loss_w).sum();
@@ -108,7 +116,8 @@ pub fn torque(question: &Question<'_>, equations: Equations) -> Result<Answer<To
     let known = of(friction.iter().sum::<f64>() + fluid);
     let mut answer = TorqueAnswer {
         torque_nm: torque.abs(),
-        rolling_nm: of(rolling.iter().sum()),
+        rolling_nm: of(powers[0][0] + powers[1][0]),
+        hysteresis_nm: of(powers[0][1] + powers[1][1]),
         sliding_inner_nm: of(friction[0] - rolling[0]),
         sliding_outer_nm: of(friction[1] - rolling[1]),
         fluid_nm: of(fluid),
@@ -121,8 +130,6 @@ pub fn torque(question: &Question<'_>, equations: Equations) -> Result<Answer<To
 
 /// Contact angle from which a bearing counts as an angular contact bearing, rad.
 const ANGULAR: f64 = 0.2;
-/// Section D − d over ball diameter of a usual bearing.
-const SECTION: f64 = 3.3;
 
 fn formulas(question: &Question<'_>, speed: f64, answer: &mut TorqueAnswer) -> Result<(), AnswerError> {
     let case = question.case;

@@ -104,6 +104,7 @@ pub const USUAL_RANGES: &[UsualRange] = &[
     )),
     usual("lubricant.roughness.*", [0.005, 0.6], UM, "R_q of honed races and of balls, new to well worn"),
     usual("lubricant.boundary_friction", [0.08, 0.2], PLAIN, "steel on steel in oil"),
+    or_zero(usual("lubricant.hysteresis", [0.002, 0.02], PLAIN, "Johnson, Contact Mechanics, section 9.4")),
     usual("lubricant.starvation", [0.2, 1.0], PLAIN, "Lugt, Grease Lubrication in Rolling Bearings"),
     usual("rating.viscosity_ratio", [0.1, 10.0], PLAIN, "ISO 281: range of the formulas, 0.1 to 4"),
 ];
