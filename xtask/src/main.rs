@@ -13,6 +13,7 @@ mod figures;
 mod fuzz;
 mod hypotheses;
 mod notices;
+mod oil;
 mod page;
 mod python;
 mod quantities;
@@ -50,6 +51,8 @@ enum Command {
     Quantities,
     /// Work out the friction torque of catalogue bearings beside SKF's model
     Torque(torque::Arguments),
+    /// Work out skidding and temperatures in oil beside what was measured
+    Oil(oil::Arguments),
     /// Measure kernels, transient schemes and the quasi-static solver
     Bench(bench::Arguments),
     /// Try inputs by the million on everything that reads files and messages from elsewhere
@@ -81,6 +84,7 @@ fn main() -> ExitCode {
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Quantities => quantities::write(),
         Command::Torque(arguments) => torque::run(&arguments),
+        Command::Oil(arguments) => oil::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),

@@ -34,6 +34,8 @@ mod merge;
 mod new;
 #[path = "cli/oil.rs"]
 mod oil;
+#[path = "cli/oil_measured.rs"]
+mod oil_measured;
 #[path = "cli/orbit.rs"]
 mod orbit;
 #[path = "cli/pair.rs"]
