@@ -11,6 +11,7 @@ mod document;
 mod ensemble;
 mod equilibrium;
 mod instructions;
+mod oil;
 mod orbit;
 mod patch;
 mod peers;
@@ -82,6 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     rows.extend(accuracy::rows(&text, quick)?);
     rows.extend(equilibrium::rows(&text, quick)?);
     rows.extend(orbit::rows(&text, quick)?);
+    rows.extend(oil::rows(quick)?);
     rows.extend(ensemble::rows(&text, quick)?);
     if arguments.peers {
         rows.extend(peers::rows(&text, quick)?);
