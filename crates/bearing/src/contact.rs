@@ -195,3 +195,9 @@ pub struct BallPose<D = f64> {
 pub(crate) fn add<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
+
+/// Sum of axes times components.
+#[inline(always)]
+pub(crate) fn sum<D: Scalar>([a, b, c]: &[[D; 3]; 3], v: [D; 3]) -> [D; 3] {
+    [0, 1, 2].map(|k| a[k] * v[0] + b[k] * v[1] + c[k] * v[2])
+}

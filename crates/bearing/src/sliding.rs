@@ -1,7 +1,6 @@
 //! How a contact slides, and its traction as force and moment on the ball.
 
-use crate::contact::{NormalContact, RaceContact, add};
-use crate::meridian::sum;
+use crate::contact::{NormalContact, RaceContact, add, sum};
 use crate::races::Side;
 use tribodyn_contact::{Ellipse, Scalar};
 use tribodyn_traction::{PatchTraction, RelativeMotion};

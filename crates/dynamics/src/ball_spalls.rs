@@ -6,9 +6,8 @@
 //!
 //! The contacts run where those of the most loaded ball are at the start, whatever the contact angle of the ball is.
 
-use crate::machine::Machine;
 use std::collections::BTreeSet;
-use tribodyn_bearing::{BallResult, BallSpall, BallState, Bearing, Races, SPALLED_BALLS, Side};
+use tribodyn_bearing::{BallResult, BallSpall, Bearing, Races, SPALLED_BALLS, Side};
 use tribodyn_wear::{BallSpallPath, LocalSurface, WearError};
 
 /// A ball that has not turned in its azimuth frame, as a quaternion (x, y, z, w).
@@ -135,33 +134,6 @@ impl BallSpalls {
             (0..3).for_each(|k| surface.turn[k] += turn(k));
             surface.slope -= turn(0);
         }
-    }
-}
-
-impl Machine {
-    /// Orientations of the balls with spalls at a state.
-    pub fn orientations_at(&self, y: &[f64]) -> [[f64; 4]; SPALLED_BALLS] {
-        let mut all = [UNTURNED; SPALLED_BALLS];
-        if self.layout.spalled > 0 {
-            let (quaternions, _) = y[self.layout.orientations()].as_chunks::<4>();
-            all.iter_mut().zip(quaternions).for_each(|(to, from)| *to = *from);
-        }
-        all
-    }
-
-    /// Rate of the orientation of a ball with a spall.
-    #[inline]
-    pub fn turn_ball(&self, index: usize, state: &BallState, (y, dy): (&[f64], &mut [f64])) {
-        if self.layout.spalled == 0 {
-            return;
-        }
-        let Some(slot) = self.ball_spalls.slot(index) else { return };
-        let at = self.layout.orientations().start + 4 * slot;
-        let [x, y_, z, w] = std::array::from_fn(|k| y[at + k]);
-        let about = [state.spin[0] - state.orbital_speed, state.spin[1], state.spin[2]];
-        let turned = cross(about, [x, y_, z]);
-        (0..3).for_each(|k| dy[at + k] = 0.5 * (w * about[k] + turned[k]));
-        dy[at + 3] = -0.5 * (about[0] * x + about[1] * y_ + about[2] * z);
     }
 }
 

@@ -13,6 +13,7 @@ mod layout;
 mod linear;
 mod machine;
 mod observer;
+mod orientation;
 mod power;
 mod rk4;
 mod run;
@@ -20,6 +21,7 @@ mod sample;
 mod start;
 mod stiffness;
 mod tilt;
+mod tilting;
 mod watch;
 
 #[cfg(test)]

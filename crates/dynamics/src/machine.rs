@@ -3,7 +3,7 @@
 use crate::ball_spalls::{BallSpalls, spalled_balls};
 use crate::error::DynamicsError;
 use crate::layout::Layout;
-use crate::tilt::Tilting;
+use crate::tilting::Tilting;
 use crate::watch::Watch;
 use tribodyn_bearing::{
     Bearing, CageBody, CoatingState, FreeCage, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory,

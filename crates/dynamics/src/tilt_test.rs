@@ -8,7 +8,7 @@ use crate::layout::{AXIAL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
-use crate::tilt::tilt_rates;
+use crate::tilting::tilt_rates;
 use tribodyn_bearing::{BallState, RingState, Side, Tilt, Translation};
 use tribodyn_case::{Case, set_value};
 
