@@ -17,7 +17,7 @@ fn written(bearing: &str) -> Result<String, Failure> {
     let listed = find(bearing, None).map_err(|error| refused(&error))?;
     let given = Given { lubricant: Some("usual".to_owned()), ..Given::default() };
     let case = NewCase::of_listed(listed, bearing).given(given).map_err(|error| refused(&error))?;
-    Ok(case.text().map_err(|error| refused(&error))?)
+    case.text().map_err(|error| refused(&error))
 }
 
 pub fn rows(quick: bool) -> Result<Vec<Row>, Failure> {

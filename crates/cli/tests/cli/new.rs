@@ -54,7 +54,7 @@ fn identity_a_new_case_says_where_its_values_come_from() {
         "x: Force(N(2000)),",
         "z: Force(N(300)),",
         "inner: Constant(rpm(3600)),",
-        "scheme: Fast(step: us(",
+        "scheme: FastTo(accuracy: 0.001),",
         "\"rating\": Catalogue(\"NSK",
         "\"geometry.fit\": Assumed(\"middle of clearance group CN, 5 to 20 um",
     ] {

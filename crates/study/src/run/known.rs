@@ -55,7 +55,11 @@ impl KnownAtStart {
                 _ => format!("{:?}", run.patch_rule()),
             },
             patch_error_estimate: run.solution().patch_error_estimate,
-            scheme: file.case.transient.as_ref().map_or_else(String::new, |t| format!("{:?}", t.scheme)),
+            scheme: match (run.step_choice(), &file.case.transient) {
+                (Some(_), _) => format!("{:?}", run.scheme()),
+                (None, Some(transient)) => format!("{:?}", transient.scheme),
+                (None, None) => String::new(),
+            },
             warnings_at_start: unusual(file, run.solution()),
         }
     }
