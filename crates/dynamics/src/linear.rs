@@ -37,7 +37,7 @@ const LOAD_AS_SLIP: f64 = 1.0;
 /// The slip of the spin at the ends of the patch counts as so much of a slip everywhere.
 const SPIN_AS_SLIP: f64 = 0.5;
 /// First distance that a linear traction may be used over, m/s.
-const FIRST_REACH: f64 = 1e-2;
+const FIRST_REACH: f64 = 3e-3;
 /// Shortest distance, m/s: an estimate of zero error at a lucky point must not end linearisation for good.
 const SHORTEST_REACH: f64 = 1e-6;
 /// Change of the bare part of the surface beyond which the patch is integrated anew: steel has four times the traction

@@ -55,14 +55,14 @@ fn identity_the_step_by_accuracy_errs_as_asked_for() {
     }
 }
 
-/// In dry pockets the balls of a 6206 without load bounce, and a shorter step is not nearer to any motion: the choice
-/// says so and takes a quarter of the longest.
+/// In dry pockets the balls of a 6206 without load bounce, and steps hardly come nearer to any motion: the choice says
+/// what it leaves, and takes a quarter of the longest step or less.
 #[test]
-fn limit_a_motion_that_scatters_says_so() {
+fn limit_an_accuracy_that_no_step_reaches_is_said() {
     let scheme = ("transient.scheme", "FastTo(accuracy: 0.001)");
     let run = Run::new(catalogue(OIL_6206, scheme.1, scheme).run_inputs().unwrap()).unwrap();
     let choice = run.step_choice().unwrap();
-    assert!(choice.scatters && choice.errors.worst() > 1e-3, "{choice:?}");
+    assert!(choice.errors.worst() > 1e-3, "{choice:?}");
     assert!(choice.step_s < 0.3 * run.stiffness().fast_step_s, "{choice:?} {:?}", run.stiffness());
 }
 
