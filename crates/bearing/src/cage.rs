@@ -19,7 +19,7 @@ pub struct CageBody {
     pub drag_torque: f64,
     /// The land that guides it; none where the balls alone do.
     pub guidance: Option<Guidance>,
-    /// What the fluid round it does, and the speed of the fluid over that of the inner ring; none in a dry bearing.
+    /// Braking by the fluid round it, and the speed of the fluid over that of the inner ring; none in a dry bearing.
     pub churning: Option<(CageChurning, f64)>,
 }
 

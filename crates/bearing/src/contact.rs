@@ -8,6 +8,7 @@ use crate::geometry::ContactPose;
 use crate::lean::{Lean, RingOffset};
 use crate::races::{Races, Side};
 use crate::tribology::Tribology;
+use crate::vectors::add;
 use tribodyn_contact::{Ellipse, Scalar};
 use tribodyn_traction::{Law, Patch, PatchLaw, PatchTraction, RelativeMotion};
 
@@ -189,15 +190,4 @@ pub struct BallPose<D = f64> {
     pub lean: Races<Lean<D>>,
     /// Radius of the orbit, m.
     pub orbit_radius: D,
-}
-
-/// Sum of two vectors.
-pub(crate) fn add<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-/// Sum of axes times components.
-#[inline(always)]
-pub(crate) fn sum<D: Scalar>([a, b, c]: &[[D; 3]; 3], v: [D; 3]) -> [D; 3] {
-    [0, 1, 2].map(|k| a[k] * v[0] + b[k] * v[1] + c[k] * v[2])
 }

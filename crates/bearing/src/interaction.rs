@@ -5,11 +5,12 @@
 
 use crate::bearing::{Bearing, Race};
 use crate::contact::NormalContact;
-use crate::contact::{BallLoads, LoadedPatch, RaceContact, add};
+use crate::contact::{BallLoads, LoadedPatch, RaceContact};
 use crate::modelling::RingCentre;
 use crate::races::{Races, Side};
 use crate::sliding::Sliding;
 use crate::state::{BallState, RingState};
+use crate::vectors::{add, cross};
 use tribodyn_contact::{Ellipse, Scalar};
 use tribodyn_traction::{Patch, PatchTraction, Quadrature, RelativeMotion};
 use tribodyn_wear::LocalSurface;
@@ -219,10 +220,6 @@ impl Bearing {
         let [_, radial, along] = contact.traction_force;
         (orbit_radius - centre[1]) * along + centre[2] * radial + contact.moment[0] + contact.normal.slope_moment
     }
-}
-
-pub(crate) fn cross<D: Scalar>(a: [D; 3], b: [D; 3]) -> [D; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[cfg(test)]

@@ -35,6 +35,7 @@ mod state;
 #[cfg(test)]
 mod test_bearing;
 mod tribology;
+pub mod vectors;
 mod watch;
 
 pub use bearing::{Bearing, BearingSpec, FluidForces, Race};

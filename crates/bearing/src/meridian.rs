@@ -3,15 +3,15 @@
 //! ball's centre, so that energy, momentum and angular momentum hold whatever the tilt.
 
 use crate::bearing::Bearing;
-use crate::contact::{NormalContact, NormalLoads, RaceContact, add};
+use crate::contact::{NormalContact, NormalLoads, RaceContact};
 use crate::frame::AzimuthFrame;
 use crate::geometry::{ContactPose, Geometry};
-use crate::interaction::cross;
 use crate::lean::Lean;
 use crate::normal::ContactSprings;
 use crate::races::{Races, Side};
 use crate::sliding::Sliding;
 use crate::state::{BallState, RingState};
+use crate::vectors::{add, cross, dot};
 use tribodyn_contact::{HertzContact, Scalar};
 use tribodyn_wear::LocalSurface;
 
@@ -151,8 +151,4 @@ impl Bearing {
         let seen = self.geometry.meridian(side, ball.frame, [ball.position[0], orbit_radius], ring);
         add(moment, cross(seen.arm, force))
     }
-}
-
-fn dot<D: Scalar>(a: [D; 3], b: [D; 3]) -> D {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -60,8 +60,8 @@ pub struct CageForm {
 }
 
 impl Cage {
-    /// What the fluid of a bearing does to the cage; absent in a dry bearing, or without a form. Pockets are as wide as
-    /// ball and gaps.
+    /// Braking of the cage by the fluid of a bearing; absent in a dry bearing, or without a form. Pockets are as wide
+    /// as ball and gaps.
     pub fn churning(&self, bearing: &Bearing) -> Option<CageChurning> {
         let (form, fluid, g) = (self.form?, bearing.fluid.as_ref()?, &bearing.geometry);
         let pocket = g.ball_diameter + 2.0 * self.pocket_gap;

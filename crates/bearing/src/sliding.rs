@@ -1,7 +1,8 @@
 //! How a contact slides, and its traction as force and moment on the ball.
 
-use crate::contact::{NormalContact, RaceContact, add, sum};
+use crate::contact::{NormalContact, RaceContact};
 use crate::races::Side;
+use crate::vectors::{add, sum};
 use tribodyn_contact::{Ellipse, Scalar};
 use tribodyn_traction::{PatchTraction, RelativeMotion};
 

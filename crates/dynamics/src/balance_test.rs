@@ -1,13 +1,11 @@
 //! The power balance, what happens to it when a term is left out, and whether all schemes have the same terms.
 
-use crate::dp54::DormandPrince;
 use crate::equations::{Equations, Frame, Friction, Springs};
-use crate::fast::Fast;
 use crate::forces::System;
 use crate::layout::{BALL, SPIN, VELOCITY};
 use crate::machine::Machine;
-use crate::rk4::Rk4;
 use crate::start::{Started, start};
+use crate::stepping_test::{self, Scheme, imbalance};
 use tribodyn_bearing::{
     AzimuthFrame, BallState, ContactForces, NormalContact, NormalLoads, PocketLoad, Races, RingState, Side, Sliding,
 };
@@ -122,38 +120,12 @@ fn started(changes: &[(&str, &str)], term: Option<Term>) -> (Without, Vec<f64>) 
     (Without { machine, term }, state)
 }
 
-#[derive(Debug, Clone, Copy)]
-enum Scheme {
-    RungeKutta,
-    DormandPrince,
-    Fast,
-}
-
 /// From the start over a number of steps: the equations, the state and the imbalance of the work over what is put in.
 fn run(scheme: Scheme, steps: u32, changes: &[(&str, &str)], term: Option<Term>) -> (Vec<f64>, f64) {
     let (mut equations, mut state) = started(changes, term);
-    let (h, n) = (STEP, state.len());
     let before = equations.machine.energy(0.0, &state);
-    let (mut derivative, mut next, scale) = (vec![0.0; n], vec![0.0; n], vec![1.0; n]);
-    let (mut rk4, mut dp54, mut fast) = (Rk4::default(), DormandPrince::default(), Fast::with_linear_error(1e-9));
-    for step in 0..steps {
-        let t = h * f64::from(step);
-        equations.derivative(t, &state, &mut derivative);
-        match scheme {
-            Scheme::RungeKutta => rk4.step(&mut equations, t, (&state, &derivative), h, &mut next),
-            Scheme::DormandPrince => {
-                dp54.step(&mut equations, t, (&state, &derivative), h, &scale, &mut next);
-            }
-            Scheme::Fast => {
-                next.copy_from_slice(&state);
-                fast.step(&mut equations, t, &mut next, h);
-            }
-        }
-        std::mem::swap(&mut state, &mut next);
-    }
-    let after = equations.machine.energy(f64::from(steps) * h, &state);
-    let w = equations.machine.layout.work();
-    let imbalance = ((state[w] - state[w + 1] - (after - before)) / state[w + 2]).abs();
+    stepping_test::run(scheme, (&mut equations, &mut state), STEP, steps);
+    let imbalance = imbalance(&equations.machine, (f64::from(steps) * STEP, &state), before);
     (state, imbalance)
 }
 

@@ -7,6 +7,7 @@
 //! The contacts run where those of the most loaded ball are at the start, whatever the contact angle of the ball is.
 
 use std::collections::BTreeSet;
+use tribodyn_bearing::vectors::{cross, rotated};
 use tribodyn_bearing::{BallResult, BallSpall, Bearing, Races, SPALLED_BALLS, Side};
 use tribodyn_wear::{BallSpallPath, LocalSurface, WearError};
 
@@ -148,17 +149,4 @@ pub(crate) fn turned_on([x, y, z, w]: [f64; 4], by: [f64; 3]) -> [f64; 4] {
     let real = cos * w - (u[0] * x + u[1] * y + u[2] * z);
     let length = (vector.iter().map(|v| v * v).sum::<f64>() + real * real).sqrt();
     [vector[0], vector[1], vector[2], real].map(|v| v / length)
-}
-
-/// A vector turned by a quaternion, which need not be of length 1.
-fn rotated([x, y, z, w]: [f64; 4], v: [f64; 3]) -> [f64; 3] {
-    let u = [x, y, z];
-    let over = 2.0 / (x * x + y * y + z * z + w * w);
-    let twice = cross(u, v).map(|a| a * over);
-    let again = cross(u, twice);
-    [0, 1, 2].map(|k| v[k] + w * twice[k] + again[k])
-}
-
-pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

@@ -1,12 +1,9 @@
 //! Spalls of balls: power, momentum, the way of the spall, and whether all schemes have it.
 
-use crate::dp54::DormandPrince;
-use crate::fast::Fast;
-use crate::forces::System;
 use crate::layout::{AZIMUTH, ORBIT, SPIN};
 use crate::machine::Machine;
-use crate::rk4::Rk4;
 use crate::start::{Started, start};
+use crate::stepping_test::{Scheme, imbalance, run_watched};
 use tribodyn_bearing::Side;
 use tribodyn_case::{Case, set_value};
 
@@ -28,34 +25,11 @@ fn machine(depth: &str) -> (Machine, Vec<f64>) {
     ))
 }
 
-#[derive(Debug, Clone, Copy)]
-enum Scheme {
-    RungeKutta,
-    DormandPrince,
-    Fast,
-}
-
 /// Runs on and returns the largest depths under the balls at inner and outer race.
 fn run(scheme: Scheme, (machine, state): (&mut Machine, &mut Vec<f64>), h: f64, steps: u32) -> [f64; 2] {
-    let n = state.len();
-    let (mut derivative, mut next, scale) = (vec![0.0; n], vec![0.0; n], vec![1.0; n]);
-    let (mut rk4, mut dp54, mut fast) = (Rk4::default(), DormandPrince::default(), Fast::with_linear_error(1e-9));
     let mut deepest = [0.0f64; 2];
-    for step in 0..steps {
-        let t = h * f64::from(step);
-        machine.derivative(t, state, &mut derivative);
-        match scheme {
-            Scheme::RungeKutta => rk4.step(machine, t, (state, &derivative), h, &mut next),
-            Scheme::DormandPrince => {
-                dp54.step(machine, t, (state, &derivative), h, &scale, &mut next);
-            }
-            Scheme::Fast => {
-                next.copy_from_slice(state);
-                fast.step(machine, t, &mut next, h);
-            }
-        }
-        std::mem::swap(state, &mut next);
-        let frame = machine.frame(t + h, state);
+    run_watched(scheme, (machine, state), (h, steps), |machine, t, state| {
+        let frame = machine.frame(t, state);
         for ball in 0..machine.layout.balls {
             let surfaces = machine.place(ball, machine.unknowns(ball, state), &frame).2;
             for side in Side::BOTH {
@@ -63,27 +37,25 @@ fn run(scheme: Scheme, (machine, state): (&mut Machine, &mut Vec<f64>), h: f64, 
                 *depth = depth.max(surfaces[side].depth);
             }
         }
-    }
+    });
     deepest
 }
 
 /// A ball crosses the places of a depth's table in 0.4 µs each: what is missing falls with the step.
 #[test]
 fn identity_power_balances_over_spalls_of_balls() {
-    let imbalance = |scheme, angle: u32, (h, steps): (f64, u32)| {
+    let missing = |scheme, angle: u32, (h, steps): (f64, u32)| {
         let (mut machine, mut state) = with(&format!(
             "[(ball: 5, angle: deg({angle}), length: mm(1.5), width: mm(4), depth: um(200), edge_radius: um(20))]"
         ));
         let before = machine.energy(0.0, &state);
         let [inner, outer] = run(scheme, (&mut machine, &mut state), h, steps);
         assert!(inner.max(outer) > 5e-6, "{inner:e} {outer:e}");
-        let after = machine.energy(h * f64::from(steps), &state);
-        let w = machine.layout.work();
-        ((state[w] - state[w + 1] - (after - before)) / state[w + 2]).abs()
+        imbalance(&machine, (h * f64::from(steps), &state), before)
     };
     for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
         for angle in [8, 188] {
-            let [coarse, fine] = [1, 16].map(|part| imbalance(scheme, angle, (0.2e-6 / f64::from(part), 600 * part)));
+            let [coarse, fine] = [1, 16].map(|part| missing(scheme, angle, (0.2e-6 / f64::from(part), 600 * part)));
             assert!(fine < 0.1 * coarse && fine < 2e-9, "{scheme:?} {angle}: {coarse:e} {fine:e}");
         }
     }

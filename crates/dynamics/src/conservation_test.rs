@@ -1,12 +1,9 @@
 //! A bearing that nothing holds, drives or brakes: linear momentum, angular momentum and energy stay.
 
-use crate::dp54::DormandPrince;
-use crate::fast::Fast;
-use crate::forces::System;
 use crate::layout::{AXIAL, AZIMUTH, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
-use crate::rk4::Rk4;
 use crate::start::{Started, start};
+use crate::stepping_test::{Scheme, run};
 use std::sync::Arc;
 use tribodyn_bearing::{AzimuthFrame, Races, RingOffset, Translation};
 use tribodyn_case::{Case, set_value};
@@ -76,39 +73,15 @@ fn totals(machine: &Machine, t: f64, y: &[f64]) -> [f64; 4] {
     sum
 }
 
-enum Scheme {
-    RungeKutta,
-    DormandPrince,
-    Fast,
-}
-
 /// Changes of the totals over 1 ms, over the momentum and angular momentum of one ball and the elastic energy's order.
-fn changes(scheme: &Scheme, (machine, state): (Machine, Vec<f64>), h: f64) -> [f64; 4] {
+fn changes(scheme: Scheme, (machine, state): (Machine, Vec<f64>), h: f64) -> [f64; 4] {
     let (mut machine, mut state) = (machine, state);
     let ball = machine.unknowns(0, &state);
     let m = machine.bearing.ball_mass;
     let momentum = m * ball[RADIUS] * ball[ORBIT];
     let scales = [momentum, momentum, momentum * ball[RADIUS], 1.0];
-    let n = state.len();
     let before = totals(&machine, 0.0, &state);
-    let (mut derivative, mut next, scale) = (vec![0.0; n], vec![0.0; n], vec![1.0; n]);
-    let (mut rk4, mut dp54, mut fast) = (Rk4::default(), DormandPrince::default(), Fast::with_linear_error(1e-9));
-    let steps = (1e-3 / h).round() as u32;
-    for step in 0..steps {
-        let t = h * f64::from(step);
-        machine.derivative(t, &state, &mut derivative);
-        match scheme {
-            Scheme::RungeKutta => rk4.step(&mut machine, t, (&state, &derivative), h, &mut next),
-            Scheme::DormandPrince => {
-                dp54.step(&mut machine, t, (&state, &derivative), h, &scale, &mut next);
-            }
-            Scheme::Fast => {
-                next.copy_from_slice(&state);
-                fast.step(&mut machine, t, &mut next, h);
-            }
-        }
-        std::mem::swap(&mut state, &mut next);
-    }
+    run(scheme, (&mut machine, &mut state), h, (1e-3 / h).round() as u32);
     let after = totals(&machine, 1e-3, &state);
     std::array::from_fn(|k| ((after[k] - before[k]) / scales[k]).abs())
 }
@@ -119,7 +92,7 @@ const DEFECT: &str = include_str!("../../../fixtures/cases/paper-ag-defect.ron")
 #[test]
 fn identity_momentum_angular_momentum_and_energy_stay_without_friction() {
     for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
-        let [x, y, turning, energy] = changes(&scheme, free(PAPER, false), 2e-6);
+        let [x, y, turning, energy] = changes(scheme, free(PAPER, false), 2e-6);
         assert!(x < 1e-9 && y < 1e-9 && turning < 1e-10, "{x:e} {y:e} {turning:e}");
         // Of some 5 J in the contacts, whose vibration of 14 kHz the schemes damp a little.
         assert!(energy < 1e-4, "{energy:e} J");
@@ -129,9 +102,9 @@ fn identity_momentum_angular_momentum_and_energy_stay_without_friction() {
 /// Friction and the slopes of a defect are forces between balls and rings, too.
 #[test]
 fn identity_momentum_stays_with_friction_and_a_defect() {
-    let [x, y, ..] = changes(&Scheme::RungeKutta, free(PAPER, true), 2e-6);
+    let [x, y, ..] = changes(Scheme::RungeKutta, free(PAPER, true), 2e-6);
     assert!(x < 1e-9 && y < 1e-9, "{x:e} {y:e}");
-    let [x, y, ..] = changes(&Scheme::RungeKutta, free(DEFECT, true), 2e-6);
+    let [x, y, ..] = changes(Scheme::RungeKutta, free(DEFECT, true), 2e-6);
     assert!(x < 1e-7 && y < 1e-7, "with a defect {x:e} {y:e}");
 }
 
@@ -144,7 +117,7 @@ fn identity_momentum_stays_under_every_reading_of_friction() {
         for (scheme, h, allowed) in
             [(Scheme::RungeKutta, 4e-6, 1e-9), (Scheme::DormandPrince, 4e-6, 1e-9), (Scheme::Fast, 5e-6, 1e-4)]
         {
-            let [x, y, ..] = changes(&scheme, free(&case, true), h);
+            let [x, y, ..] = changes(scheme, free(&case, true), h);
             assert!(x.hypot(y) < allowed, "{value}: {x:e} {y:e}");
         }
     }
@@ -154,8 +127,8 @@ fn identity_momentum_stays_under_every_reading_of_friction() {
 /// to its second order.
 #[test]
 fn identity_the_fast_scheme_keeps_momentum_to_its_order() {
-    let [x, y, turning, _] = changes(&Scheme::Fast, free(PAPER, false), 10e-6);
-    let [finer_x, finer_y, finer_turning, _] = changes(&Scheme::Fast, free(PAPER, false), 5e-6);
+    let [x, y, turning, _] = changes(Scheme::Fast, free(PAPER, false), 10e-6);
+    let [finer_x, finer_y, finer_turning, _] = changes(Scheme::Fast, free(PAPER, false), 5e-6);
     let (coarse, fine) = (x.hypot(y), finer_x.hypot(finer_y));
     assert!(coarse < 2e-4 && fine < 0.35 * coarse, "{coarse:e} {fine:e}");
     assert!(turning < 1e-6 && finer_turning < 0.35 * turning, "{turning:e} {finer_turning:e}");
@@ -167,7 +140,7 @@ fn identity_momentum_stays_with_a_spall_of_a_ball() {
     let spall = "[(ball: 2, angle: deg(30), length: mm(2), width: mm(6), depth: um(300), edge_radius: um(50))]";
     let case = set_value(PAPER, "ball_spalls", spall).unwrap();
     for friction in [false, true] {
-        let [x, y, turning, energy] = changes(&Scheme::RungeKutta, free(&case, friction), 1e-6);
+        let [x, y, turning, energy] = changes(Scheme::RungeKutta, free(&case, friction), 1e-6);
         assert!(x < 1e-9 && y < 1e-9, "{x:e} {y:e}");
         assert!(friction || (turning < 1e-9 && energy < 1e-4), "{turning:e} {energy:e} J");
     }
@@ -178,7 +151,7 @@ fn identity_momentum_stays_with_a_spall_of_a_ball() {
 fn limit_offsets_to_first_order_lose_linear_momentum() {
     let (mut machine, state) = free(PAPER, false);
     machine.bearing.ring_offset = RingOffset::FirstOrder;
-    let [x, y, ..] = changes(&Scheme::RungeKutta, (machine, state), 2e-6);
+    let [x, y, ..] = changes(Scheme::RungeKutta, (machine, state), 2e-6);
     assert!(x.hypot(y) > 1e-5, "{x:e} {y:e}");
 }
 
@@ -191,13 +164,13 @@ fn identity_momentum_and_energy_stay_with_waves_and_unequal_balls() {
     let uneven = format!("(inner: {spectrum}, outer: {spectrum}, balls: Grade(grade: 100, seed: 2))");
     let case = set_value(PAPER, "deviations", &uneven).unwrap();
     for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
-        let [x, y, _, energy] = changes(&scheme, free(&case, false), 2e-6);
+        let [x, y, _, energy] = changes(scheme, free(&case, false), 2e-6);
         assert!(x < 1e-9 && y < 1e-9 && energy < 1e-4, "{x:e} {y:e} {energy:e} J");
     }
-    let [x, y, ..] = changes(&Scheme::RungeKutta, free(&case, true), 2e-6);
+    let [x, y, ..] = changes(Scheme::RungeKutta, free(&case, true), 2e-6);
     assert!(x < 1e-9 && y < 1e-9, "with friction {x:e} {y:e}");
-    let [x, y, ..] = changes(&Scheme::Fast, free(&case, false), 10e-6);
-    let [finer_x, finer_y, ..] = changes(&Scheme::Fast, free(&case, false), 5e-6);
+    let [x, y, ..] = changes(Scheme::Fast, free(&case, false), 10e-6);
+    let [finer_x, finer_y, ..] = changes(Scheme::Fast, free(&case, false), 5e-6);
     let (coarse, fine) = (x.hypot(y), finer_x.hypot(finer_y));
     assert!(coarse < 2e-4 && fine < 0.35 * coarse, "{coarse:e} {fine:e}");
 }

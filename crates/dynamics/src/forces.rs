@@ -4,6 +4,7 @@ use crate::equations::{BallForces, Equations, Frame};
 use crate::layout::{BALL, Layout, VELOCITY};
 use crate::machine::Machine;
 use crate::watch::Watch;
+use tribodyn_bearing::vectors::dot;
 use tribodyn_bearing::{AzimuthFrame, FREE_CAGE, NormalContact, PocketLoad, Races, Side, Wrench};
 
 /// A system of ordinary differential equations.
@@ -249,11 +250,6 @@ pub(crate) fn body_derivative(l: Layout, frame: &Frame, sums: &Sums, f: &BodyFor
     let put_in = f.shaft_power + f.load_power;
     let lost = sums.losses() + f.support_loss + f.cage_loss;
     dy[w..w + 3].copy_from_slice(&[put_in, lost, f.shaft_power.abs() + f.load_power.abs()]);
-}
-
-#[inline(always)]
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 impl Machine {

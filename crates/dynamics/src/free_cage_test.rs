@@ -1,12 +1,10 @@
 //! A whirling cage among balls and rings: balances, symmetry, and whether all schemes have the same terms.
 
-use crate::dp54::DormandPrince;
-use crate::fast::Fast;
-use crate::forces::{System, evaluate};
+use crate::forces::evaluate;
 use crate::layout::{ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
-use crate::rk4::Rk4;
 use crate::start::{Started, start};
+use crate::stepping_test::{Scheme, imbalance, run};
 use tribodyn_bearing::{AzimuthFrame, Translation};
 use tribodyn_case::{Case, set_value};
 
@@ -40,33 +38,6 @@ fn machine(case: &Case) -> (Machine, Vec<f64>) {
     (machine, state)
 }
 
-enum Scheme {
-    RungeKutta,
-    DormandPrince,
-    Fast,
-}
-
-fn run(scheme: &Scheme, (machine, state): (&mut Machine, &mut Vec<f64>), h: f64, steps: u32) {
-    let n = state.len();
-    let (mut derivative, mut next, scale) = (vec![0.0; n], vec![0.0; n], vec![1.0; n]);
-    let (mut rk4, mut dp54, mut fast) = (Rk4::default(), DormandPrince::default(), Fast::with_linear_error(1e-9));
-    for step in 0..steps {
-        let t = h * f64::from(step);
-        machine.derivative(t, state, &mut derivative);
-        match scheme {
-            Scheme::RungeKutta => rk4.step(machine, t, (state, &derivative), h, &mut next),
-            Scheme::DormandPrince => {
-                dp54.step(machine, t, (state, &derivative), h, &scale, &mut next);
-            }
-            Scheme::Fast => {
-                next.copy_from_slice(state);
-                fast.step(machine, t, &mut next, h);
-            }
-        }
-        std::mem::swap(state, &mut next);
-    }
-}
-
 const POCKETS: [&str; 3] = ["Cylinder", "Sphere", "RaceTrack(axial_gap: mm(0.01))"];
 
 #[test]
@@ -77,10 +48,8 @@ fn identity_power_balances_with_a_whirling_cage() {
             let before = machine.energy(0.0, &state);
             // Short: edges and walls begin within steps.
             let (h, steps) = (0.25e-6, 1600);
-            run(&scheme, (&mut machine, &mut state), h, steps);
-            let after = machine.energy(h * f64::from(steps), &state);
-            let w = machine.layout.work();
-            let imbalance = ((state[w] - state[w + 1] - (after - before)) / state[w + 2]).abs();
+            run(scheme, (&mut machine, &mut state), h, steps);
+            let imbalance = imbalance(&machine, (h * f64::from(steps), &state), before);
             let frame = machine.frame(h * f64::from(steps), &state);
             let lands = machine.lands(&frame);
             assert!(lands.film_power > 0.0 && lands.losses() > 1.0, "{lands:?}");
@@ -167,7 +136,7 @@ fn identity_a_balanced_cage_stays_in_the_middle_under_an_axial_load() {
     // Faster than its balls, so that they push it from the start.
     let at = machine.layout.cage() + 1;
     state[at] *= 1.02;
-    run(&Scheme::RungeKutta, (&mut machine, &mut state), 2e-6, 400);
+    run(Scheme::RungeKutta, (&mut machine, &mut state), 2e-6, 400);
     let pose = machine.cage_at(&state).1.unwrap();
     let pushed = machine.unknowns(0, &state)[ORBIT];
     assert!(pushed != 0.0 && machine.pocket_depth(0, machine.unknowns(0, &state), ([0.0; 2], Some(&pose)))[0] > 0.0);
@@ -181,21 +150,21 @@ fn identity_a_balanced_cage_stays_in_the_middle_under_an_axial_load() {
 #[test]
 fn identity_the_fast_scheme_has_the_same_cage() {
     let case = case("Cylinder", "0.2", &[]);
-    let end = |scheme: &Scheme, h: f64, steps: u32| {
+    let end = |scheme: Scheme, h: f64, steps: u32| {
         let (mut machine, mut state) = machine(&case);
         run(scheme, (&mut machine, &mut state), h, steps);
         let (cage, pose) = machine.cage_at(&state);
         let pose = pose.unwrap();
         ([pose.velocity_at(pose.centre), pose.omega, pose.centre.map(|x| x * 1e4)], cage)
     };
-    let (exact, speed) = end(&Scheme::RungeKutta, 0.5e-6, 800);
-    let (start, _) = end(&Scheme::RungeKutta, 0.5e-6, 0);
+    let (exact, speed) = end(Scheme::RungeKutta, 0.5e-6, 800);
+    let (start, _) = end(Scheme::RungeKutta, 0.5e-6, 0);
     let difference = |a: &[[f64; 3]; 3], b: &[[f64; 3]; 3]| {
         [0, 1, 2].map(|k| (0..3).map(|i| (a[k][i] - b[k][i]).powi(2)).sum::<f64>().sqrt())
     };
     let way = difference(&start, &exact);
-    let (fast, speed_of_fast) = end(&Scheme::Fast, 1e-6, 400);
-    let (finer, _) = end(&Scheme::Fast, 0.5e-6, 800);
+    let (fast, speed_of_fast) = end(Scheme::Fast, 1e-6, 400);
+    let (finer, _) = end(Scheme::Fast, 0.5e-6, 800);
     let (errors, fine) = (difference(&fast, &exact), difference(&finer, &exact));
     for k in 0..3 {
         assert!(errors[k] < 0.02 * way[k], "{k}: {errors:?} of {way:?}");
@@ -217,7 +186,7 @@ fn limit_a_thin_film_does_not_bound_the_step_of_the_fast_scheme() {
     let case = case("Cylinder", "0.2", &changes);
     let end = |h: f64, steps: u32| {
         let (mut machine, mut state) = machine(&case);
-        run(&Scheme::Fast, (&mut machine, &mut state), h, steps);
+        run(Scheme::Fast, (&mut machine, &mut state), h, steps);
         let frame = machine.frame(h * f64::from(steps), &state);
         (frame.free_cage.unwrap().centre, machine.lands(&frame).force.outer)
     };

@@ -37,6 +37,8 @@ mod free_cage_test;
 #[cfg(test)]
 mod oil_test;
 #[cfg(test)]
+mod stepping_test;
+#[cfg(test)]
 mod tilt_test;
 
 pub use blame::{Blame, StepBound};

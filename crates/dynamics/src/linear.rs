@@ -76,8 +76,8 @@ pub(crate) struct LinearTraction {
     /// Derivatives of them all over the load, times the load, by one input after the other, the last of which is the
     /// change of the load over the load. Wear's are those by the load.
     slopes: [[f64; 6]; 6],
-    /// What the square of the way adds to the value, and the way by the changes of motion and load: 1 for that from the
-    /// point before.
+    /// Addition of the square of the way to the value, and the way by the changes of motion and load: 1 for that from
+    /// the point before.
     bend: [f64; 6],
     way: [f64; 6],
     /// Part of the coating that is gone.

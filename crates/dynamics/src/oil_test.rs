@@ -1,21 +1,11 @@
 //! Oil in contacts and pockets: the power balance, and whether all schemes have the same forces.
 
-use crate::dp54::DormandPrince;
-use crate::fast::Fast;
-use crate::forces::System;
 use crate::layout::{BALL, VELOCITY};
-use crate::rk4::Rk4;
 use crate::start::{Started, start};
+use crate::stepping_test::{self, Scheme, imbalance};
 use tribodyn_case::{Case, set_value};
 
 const STEP: f64 = 5e-7;
-
-#[derive(Debug, Clone, Copy)]
-enum Scheme {
-    RungeKutta,
-    DormandPrince,
-    Fast,
-}
 
 /// The oil of the pockets as thick as that of cold gears, so that it counts.
 const THICK: (&str, &str) = ("lubricant.oil", "Library(\"mineral-vg460\")");
@@ -31,28 +21,9 @@ fn run(scheme: Scheme, steps: u32, changes: &[(&str, &str)]) -> (Vec<f64>, f64) 
     let text = patch.iter().chain(changes).fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
     let case = Case::from_ron(&text).unwrap();
     let Started { mut machine, mut state, .. } = start(case.run_inputs().unwrap(), None).unwrap();
-    let n = state.len();
     let before = machine.energy(0.0, &state);
-    let (mut derivative, mut next, scale) = (vec![0.0; n], vec![0.0; n], vec![1.0; n]);
-    let (mut rk4, mut dp54, mut fast) = (Rk4::default(), DormandPrince::default(), Fast::with_linear_error(1e-9));
-    for step in 0..steps {
-        let t = STEP * f64::from(step);
-        machine.derivative(t, &state, &mut derivative);
-        match scheme {
-            Scheme::RungeKutta => rk4.step(&mut machine, t, (&state, &derivative), STEP, &mut next),
-            Scheme::DormandPrince => {
-                dp54.step(&mut machine, t, (&state, &derivative), STEP, &scale, &mut next);
-            }
-            Scheme::Fast => {
-                next.copy_from_slice(&state);
-                fast.step(&mut machine, t, &mut next, STEP);
-            }
-        }
-        std::mem::swap(&mut state, &mut next);
-    }
-    let after = machine.energy(f64::from(steps) * STEP, &state);
-    let w = machine.layout.work();
-    let imbalance = ((state[w] - state[w + 1] - (after - before)) / state[w + 2]).abs();
+    stepping_test::run(scheme, (&mut machine, &mut state), STEP, steps);
+    let imbalance = imbalance(&machine, (f64::from(steps) * STEP, &state), before);
     (state, imbalance)
 }
 

@@ -1,7 +1,8 @@
 //! Orientations of the balls with spalls as part of the state.
 
-use crate::ball_spalls::{UNTURNED, cross};
+use crate::ball_spalls::UNTURNED;
 use crate::machine::Machine;
+use tribodyn_bearing::vectors::cross;
 use tribodyn_bearing::{BallState, SPALLED_BALLS};
 
 impl Machine {

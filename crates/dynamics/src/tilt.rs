@@ -7,10 +7,11 @@
 //!
 //! The drive keeps the speed Ω about e, so that ω stays across it; it may change in time.
 
-use crate::forces::{BodyForces, Sums, dot};
+use crate::forces::{BodyForces, Sums};
 use crate::machine::Machine;
 use crate::tilting::tilt_rates;
 use tribodyn_bearing::RingState;
+use tribodyn_bearing::vectors::dot;
 
 impl Machine {
     /// Tilts of the inner ring at a state (rad), and its angular velocity across its axis where it is free to tilt.

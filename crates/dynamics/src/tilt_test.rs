@@ -1,14 +1,13 @@
 //! An inner ring that tilts among balls: balances, closed forms, and whether all schemes have the same terms.
 
-use crate::dp54::DormandPrince;
 use crate::equations::BallForces;
-use crate::fast::Fast;
-use crate::forces::{BodyForces, Sums, System, evaluate};
+use crate::forces::{BodyForces, Sums, evaluate};
 use crate::layout::{AXIAL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
-use crate::rk4::Rk4;
 use crate::start::{Started, start};
+use crate::stepping_test::{Scheme, imbalance, run};
 use crate::tilting::tilt_rates;
+use tribodyn_bearing::vectors::cross;
 use tribodyn_bearing::{BallState, RingState, Side, Tilt, Translation};
 use tribodyn_case::{Case, set_value};
 
@@ -37,34 +36,6 @@ fn machine(changes: &[(&str, &str)]) -> (Machine, Vec<f64>) {
     (machine, state)
 }
 
-#[derive(Debug, Clone, Copy)]
-enum Scheme {
-    RungeKutta,
-    DormandPrince,
-    Fast,
-}
-
-fn run(scheme: Scheme, (machine, state): (&mut Machine, &mut Vec<f64>), h: f64, steps: u32) {
-    let n = state.len();
-    let (mut derivative, mut next, scale) = (vec![0.0; n], vec![0.0; n], vec![1.0; n]);
-    let (mut rk4, mut dp54, mut fast) = (Rk4::default(), DormandPrince::default(), Fast::with_linear_error(1e-9));
-    for step in 0..steps {
-        let t = h * f64::from(step);
-        machine.derivative(t, state, &mut derivative);
-        match scheme {
-            Scheme::RungeKutta => rk4.step(machine, t, (state, &derivative), h, &mut next),
-            Scheme::DormandPrince => {
-                dp54.step(machine, t, (state, &derivative), h, &scale, &mut next);
-            }
-            Scheme::Fast => {
-                next.copy_from_slice(state);
-                fast.step(machine, t, &mut next, h);
-            }
-        }
-        std::mem::swap(state, &mut next);
-    }
-}
-
 #[test]
 fn identity_power_balances_with_a_tilting_ring() {
     for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
@@ -72,16 +43,9 @@ fn identity_power_balances_with_a_tilting_ring() {
         let before = machine.energy(0.0, &state);
         let (h, steps) = (1e-6, 400);
         run(scheme, (&mut machine, &mut state), h, steps);
-        let after = machine.energy(h * f64::from(steps), &state);
-        let w = machine.layout.work();
-        let imbalance = ((state[w] - state[w + 1] - (after - before)) / state[w + 2]).abs();
+        let imbalance = imbalance(&machine, (h * f64::from(steps), &state), before);
         assert!(imbalance < 1e-9, "{scheme:?}: {imbalance:e}");
     }
-}
-
-/// Cross product.
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Rates of the linear and the angular momentum about the bearing's centre of balls and inner ring, less what the outer

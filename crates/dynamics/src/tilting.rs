@@ -1,4 +1,4 @@
-//! What holds an inner ring that is free to tilt: loads, springs and dampers.
+//! Loads, springs and dampers of an inner ring that is free to tilt.
 
 use tribodyn_bearing::{RingState, Tilt, TiltingRing};
 

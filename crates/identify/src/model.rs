@@ -73,7 +73,7 @@ pub struct ForwardModel {
     base: Template,
     /// By which searches and runs are ended.
     pub watch: SearchWatch,
-    /// What is changed in the bearing of each equilibrium; transient runs take the case as it is.
+    /// Changes of the bearing of each equilibrium; transient runs take the case as it is.
     pub adapt: Option<Adapt>,
 }
 

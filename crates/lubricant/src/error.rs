@@ -43,7 +43,8 @@ pub enum LubricantError {
     },
     /// Viscosity that does not fall with temperature.
     #[error(
-        "viscosity {cold} mm²/s at {cold_c} °C and {hot} mm²/s at {hot_c} °C: the viscosity of an oil falls with temperature"
+        "viscosity {cold} mm²/s at {cold_c} °C and {hot} mm²/s at {hot_c} °C: \
+         the viscosity of an oil falls with temperature"
     )]
     Rising {
         /// At the lower temperature, mm²/s.

@@ -12,7 +12,8 @@ use tribodyn_traction::TractionError;
 pub enum OrbitError {
     /// No attempt met all balances.
     #[error(
-        "{reason}; the nearest state has the cage at {cage_speed_rpm:.1} r/min, {equation} {place} off by {residual:.1e} of its terms (tolerance {tolerance:.1e})"
+        "{reason}; the nearest state has the cage at {cage_speed_rpm:.1} r/min, \
+         {equation} {place} off by {residual:.1e} of its terms (tolerance {tolerance:.1e})"
     )]
     NotConverged {
         /// Why, as far as that is known.
@@ -33,7 +34,8 @@ pub enum OrbitError {
     Ended,
     /// Rings that turn against each other as fast as leaves balls and cage in place: a turn has no end.
     #[error(
-        "the rings turn against each other and the cage stands still, so that it has no orbit; change one speed a little"
+        "the rings turn against each other and the cage stands still, so that it has no orbit; \
+         change one speed a little"
     )]
     CageStands,
     /// Balls at rest, where an orbit is asked for.

@@ -1,4 +1,4 @@
-//! What oil costs: bearings of the catalogue solved and run in oil and in silver.
+//! The cost of oil: bearings of the catalogue solved and run in oil and in silver.
 
 use super::changed;
 use super::clock::least_per_call;

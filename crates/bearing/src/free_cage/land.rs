@@ -1,10 +1,11 @@
 //! A cage on the land of a ring: two edges that are hard, and the film between.
 
-use super::vectors::{across, add, along, cross, dot, friction, length, scaled};
+use super::friction;
 use super::{CageLand, CagePose, Wrench};
 use crate::pocket::CREEP;
 use crate::races::Side;
 use crate::state::RingState;
+use crate::vectors::{across, add, along, cross, dot, length, scaled};
 use tribodyn_fluid::{AnnulusDrag, FilmExtent, FilmMotion, ShortBearing};
 
 /// The fluid between land and cage.

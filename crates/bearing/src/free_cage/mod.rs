@@ -12,13 +12,12 @@ mod land;
 mod pocket;
 #[cfg(test)]
 mod tests;
-mod vectors;
 
 pub use land::{LandFilm, LandLoad};
 pub use pocket::{InPocket, PocketShape};
 
 use crate::races::Side;
-use vectors::{add, along, cross, dot, rotated, scaled};
+use crate::vectors::{add, along, cross, dot, rotated, scaled};
 
 /// A cage that is free to move, SI. What it shares with one that only turns (moment of inertia about its axis, gap,
 /// stiffness, damping and friction of the pockets, drag) is with that one.
@@ -93,6 +92,14 @@ pub fn quaternion_rate([w_x, w_y, w_z]: [f64; 3], [x, y, z, w]: [f64; 4]) -> [f6
         0.5 * (w_x * y - w_y * x),
         -0.5 * (w_x * x + w_y * y),
     ]
+}
+
+/// Friction of a coefficient against a sliding velocity under a normal force, N, and the power that it takes, W; below
+/// `creep` (m/s) it falls off in proportion.
+fn friction(coefficient: f64, normal: f64, slip: [f64; 3], creep: f64) -> ([f64; 3], f64) {
+    let square = dot(slip, slip);
+    let share = coefficient * normal / (square + creep * creep).sqrt();
+    (scaled(slip, -share), share * square)
 }
 
 /// Force and moment about the centre of mass on a cage.

@@ -1,9 +1,10 @@
 //! A ball in a pocket of a cage that is free to move.
 
-use super::vectors::{across, add, along, cross, dot, friction, length, scaled};
+use super::friction;
 use super::{CagePose, Wrench};
 use crate::frame::AzimuthFrame;
 use crate::pocket::{CREEP, Pocket, PocketLoad};
+use crate::vectors::{across, add, along, cross, dot, length, scaled};
 
 /// Form of the pockets, all with the pocket's gap about the centred ball.
 #[derive(Debug, Clone, Copy, PartialEq)]

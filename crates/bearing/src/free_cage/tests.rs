@@ -1,11 +1,11 @@
 //! A free cage by itself: numbers that were evaluated apart from this program, limits, balances.
 
-use super::vectors::{add, cross, dot, scaled};
 use super::*;
 use crate::frame::AzimuthFrame;
 use crate::modelling::PocketForce;
 use crate::pocket::{Pocket, PocketMotion};
 use crate::state::RingState;
+use crate::vectors::{add, cross, dot, scaled};
 use std::f64::consts::TAU;
 use tribodyn_fluid::FilmExtent;
 
@@ -345,7 +345,7 @@ fn identity_power_and_momentum_of_a_land() {
             let sum = cage_power + ring_power + stored + lost;
             assert!(sum.abs() < 1e-6 * (lost + stored.abs()), "{side:?} {film:?}: {sum} of {lost}, {stored}");
             // Angular momentum about the ring's axis: cage and drive's reaction.
-            let arm = super::vectors::along(ring.displacement, pose.mass_centre);
+            let arm = crate::vectors::along(ring.displacement, pose.mass_centre);
             let about = dot(axis, add(moment, cross(arm, force)));
             assert!((about - load.drive).abs() < 1e-12 * load.drive.abs().max(1e-6), "{about} {}", load.drive);
         }

@@ -4,12 +4,12 @@
 
 use super::Fast;
 use super::lanes::{Lane, WIDTH, filled, get};
-use crate::ball_spalls::cross;
 use crate::equations::{Equations, Frame};
 use crate::layout::Layout;
 use crate::machine::Machine;
 use nalgebra::{Matrix2, Vector2};
 use tribodyn_bearing::Side;
+use tribodyn_bearing::vectors::cross;
 
 /// Mean force of each ball on an inner ring that tilts over a step (x, y, z), N.
 #[derive(Debug, Default)]

@@ -5,14 +5,14 @@
 //! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: it is then a
 //! quarter of the longest, and the choice says what it leaves.
 
+use super::companion::apart_and_unsteady;
 use super::filter::steps_of_sample;
 use crate::fast::{Fast, Room};
 use crate::machine::Machine;
 use crate::observer::BallDetail;
 use crate::stiffness::or_infinite;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::SQRT_2;
-use tribodyn_bearing::{Scheme, Side};
+use tribodyn_bearing::Side;
 
 /// Simulated time of a trial, s: some periods of a ring on its balls.
 const SPAN_S: f64 = 2e-3;
@@ -73,8 +73,8 @@ impl StepErrors {
         Self { loads: all, torque: all, cage_speed: all, acceleration: all, ring_force: all }
     };
 
-    /// What counts against an accuracy: the largest of loads, torque, ten times the cage speed, and a twentieth of the
-    /// acceleration, or the ring's force where that is less.
+    /// The error that counts against an accuracy: the largest of loads, torque, ten times the cage speed, and a
+    /// twentieth of the acceleration, or the ring's force where that is less.
     pub fn worst(&self) -> f64 {
         let shaking = self.acceleration / ACCELERATION;
         // A ring at rest has no unsteady part, and 0/0 is not less.
@@ -84,7 +84,7 @@ impl StepErrors {
     }
 }
 
-/// What a trial looks at.
+/// A short run as it is compared.
 struct Trial {
     /// Mean accelerations of the outer ring between samples, m/s².
     accelerations: Vec<[f64; 2]>,
@@ -107,15 +107,8 @@ pub(super) struct Trials<'a> {
 }
 
 impl Trials<'_> {
-    /// A scheme with its step; how that was chosen, where an accuracy was asked for.
-    pub fn of(&self, scheme: Scheme) -> (Scheme, Option<StepChoice>) {
-        let Scheme::FastTo { accuracy } = scheme else { return (scheme, None) };
-        let choice = self.choose(accuracy);
-        (Scheme::Fast { step: choice.step_s }, Some(choice))
-    }
-
     /// The longest step with the accuracy asked for.
-    fn choose(&self, accuracy: f64) -> StepChoice {
+    pub fn choose(&self, accuracy: f64) -> StepChoice {
         let least = steps_of_sample(self.longest(), self.rate);
         let choice = |steps: f64| {
             let (errors, step_s) = (self.errors(steps), 1.0 / (self.rate * steps));
@@ -155,21 +148,17 @@ impl Trials<'_> {
 
     /// Errors of a trial by one with half its step.
     fn apart(&self, coarse: &Trial, fine: &Trial) -> StepErrors {
-        let load = mean(fine.loads.iter().copied());
         let relative = |a: f64, b: f64| if a == b { 0.0 } else { OF_SECOND_ORDER * (a / b - 1.0).abs() };
-        let unsteady = [0, 1].map(|k| {
-            let steady = mean(fine.accelerations.iter().map(|a| a[k]));
-            rms(fine.accelerations.iter().map(|a| a[k] - steady))
-        });
-        let pairs = coarse.accelerations.iter().zip(&fine.accelerations);
-        let of_ring = OF_SECOND_ORDER * SQRT_2 * rms(pairs.flat_map(|(a, b)| [a[0] - b[0], a[1] - b[1]]));
-        let whole = load * self.machine.layout.balls as f64;
+        let [apart, unsteady] = apart_and_unsteady(&coarse.accelerations, &fine.accelerations);
+        let (count, of_ring) = (fine.loads.len() as f64, OF_SECOND_ORDER * apart);
+        let squares = coarse.loads.iter().zip(&fine.loads).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+        let load = fine.loads.iter().sum::<f64>() / count;
         StepErrors {
-            loads: OF_SECOND_ORDER * rms(coarse.loads.iter().zip(&fine.loads).map(|(a, b)| a - b)) / load,
+            loads: OF_SECOND_ORDER * (squares / count).sqrt() / load,
             torque: relative(coarse.torque, fine.torque),
             cage_speed: relative(coarse.cage_speed, fine.cage_speed),
-            acceleration: of_ring / unsteady[0].hypot(unsteady[1]),
-            ring_force: of_ring * self.machine.outer.mass / whole,
+            acceleration: of_ring / unsteady,
+            ring_force: of_ring * self.machine.outer.mass / (load * self.machine.layout.balls as f64),
         }
     }
 
@@ -199,13 +188,4 @@ impl Trials<'_> {
         trial.cage_speed = (y[l.cage()] - self.state[l.cage()]) / (samples as f64 * length);
         y.iter().all(|value| value.is_finite()).then_some(trial)
     }
-}
-
-fn mean(values: impl Iterator<Item = f64>) -> f64 {
-    let (count, sum) = values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value));
-    sum / count
-}
-
-fn rms(values: impl Iterator<Item = f64>) -> f64 {
-    mean(values.map(|value| value * value)).sqrt()
 }

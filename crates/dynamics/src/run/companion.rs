@@ -39,6 +39,18 @@ pub struct AccelerationError {
     pub span_s: f64,
 }
 
+/// Root mean squares of how far accelerations are from finer ones, and of those about their mean, m/s².
+pub(super) fn apart_and_unsteady(own: &[[f64; 2]], finer: &[[f64; 2]]) -> [f64; 2] {
+    let count = finer.len() as f64;
+    let (mut error, mut squares) = (0.0, 0.0);
+    for k in 0..2 {
+        let mean = finer.iter().map(|a| a[k]).sum::<f64>() / count;
+        error += own.iter().zip(finer).map(|(a, b)| (a[k] - b[k]).powi(2)).sum::<f64>();
+        squares += finer.iter().map(|a| (a[k] - mean).powi(2)).sum::<f64>();
+    }
+    [error, squares].map(|sum| (sum / count).sqrt())
+}
+
 /// How a companion steps.
 enum Method {
     RungeKutta4 { steps: u32 },
@@ -60,16 +72,9 @@ impl Run {
         let mut machine = self.machine.clone();
         machine.kernel = finer(&machine.kernel).ok()?;
         let finer = self.companion(machine, &self.method(true), samples)?;
-        let count = samples as f64;
-        let (mut error, mut squares) = (0.0, 0.0);
-        for k in 0..2 {
-            let mean = finer.iter().map(|a| a[k]).sum::<f64>() / count;
-            error += own.iter().zip(&finer).map(|(a, b)| (a[k] - b[k]).powi(2)).sum::<f64>();
-            squares += finer.iter().map(|a| (a[k] - mean).powi(2)).sum::<f64>();
-        }
-        let [error, acceleration_m_s2] = [error, squares].map(|sum| (sum / count).sqrt());
+        let [error, acceleration_m_s2] = apart_and_unsteady(&own, &finer);
         let error_m_s2 = error.max(self.acceleration_of_residual());
-        Some(AccelerationError { error_m_s2, acceleration_m_s2, span_s: count / self.state_rate })
+        Some(AccelerationError { error_m_s2, acceleration_m_s2, span_s: samples as f64 / self.state_rate })
     }
 
     /// Acceleration that the forces left over in the solution at the start give the outer ring, m/s²: a vibration below

@@ -35,7 +35,7 @@ impl FilterBands {
         let intervals = match scheme {
             // Its velocities are known at the ends of the steps, which divide the interval of samples.
             Scheme::Fast { step } => steps_of_sample(step, state_rate),
-            // A run knows the step that it chose: see [`crate::Run::scheme`].
+            // Before its step is chosen: a run knows it, [`crate::Run::scheme`].
             Scheme::FastTo { .. } => 1.0,
             Scheme::RungeKutta4 { step: longest } | Scheme::DormandPrince { longest, .. } => {
                 ((1.0 / longest).max(INTERNAL_RATE) / state_rate - 1e-9).ceil().max(2.0)

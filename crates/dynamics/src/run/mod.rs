@@ -121,16 +121,22 @@ enum Scheme {
 }
 
 impl Scheme {
-    fn new(scheme: tribodyn_bearing::Scheme, state_rate: f64) -> Self {
+    /// A scheme with its step, which `choose` finds by an accuracy where one is asked for.
+    fn new(
+        scheme: tribodyn_bearing::Scheme,
+        state_rate: f64,
+        choose: impl FnOnce(f64) -> StepChoice,
+    ) -> (Self, Option<StepChoice>) {
+        let fast = |step| Self::Fast { step: 1.0 / (state_rate * steps_of_sample(step, state_rate)) };
         match scheme {
-            tribodyn_bearing::Scheme::RungeKutta4 { step } => Self::Rk4 { step, method: Rk4::default() },
-            tribodyn_bearing::Scheme::Fast { step } => {
-                Self::Fast { step: 1.0 / (state_rate * steps_of_sample(step, state_rate)) }
+            tribodyn_bearing::Scheme::RungeKutta4 { step } => (Self::Rk4 { step, method: Rk4::default() }, None),
+            tribodyn_bearing::Scheme::Fast { step } => (fast(step), None),
+            tribodyn_bearing::Scheme::FastTo { accuracy } => {
+                let choice = choose(accuracy);
+                (fast(choice.step_s), Some(choice))
             }
-            // The step was chosen before.
-            tribodyn_bearing::Scheme::FastTo { .. } => Self::Fast { step: 1.0 / state_rate },
             tribodyn_bearing::Scheme::DormandPrince { tolerance, longest } => {
-                Self::DormandPrince { tolerance, longest, method: DormandPrince::default() }
+                (Self::DormandPrince { tolerance, longest, method: DormandPrince::default() }, None)
             }
         }
     }
@@ -219,11 +225,11 @@ impl Run {
         let tolerance = inputs.numerics.tolerance;
         let Started { mut machine, state, solution } = start(RunInputs { patch, ..inputs }, motion)?;
         let trials = Trials { machine: &machine, state: &state, linear_error, rate: state_rate, duration };
-        let (scheme, choice) = trials.of(scheme);
-        if let tribodyn_bearing::Scheme::Fast { step } = scheme {
+        let (scheme, choice) = Scheme::new(scheme, state_rate, |accuracy| trials.choose(accuracy));
+        if let Scheme::Fast { step } = scheme {
             machine.thicken_pocket_film(step);
         }
-        let filter = Filter::new(FilterBands::new(scheme, state_rate))?;
+        let filter = Filter::new(FilterBands::new(scheme.named(), state_rate))?;
         let stiffness = machine.stiffness(0.0, &state);
         let progress = Checkpoint {
             time: 0.0,
@@ -250,7 +256,7 @@ impl Run {
             state: state.clone(),
         };
         let mut run = Self {
-            scheme: Scheme::new(scheme, state_rate),
+            scheme,
             choice,
             duration,
             state_rate,

@@ -34,13 +34,7 @@ impl Run {
 
     /// The scheme of the run; where an accuracy was asked for, with the step that was chosen.
     pub fn scheme(&self) -> tribodyn_bearing::Scheme {
-        match self.scheme {
-            Scheme::Rk4 { step, .. } => tribodyn_bearing::Scheme::RungeKutta4 { step },
-            Scheme::Fast { step } => tribodyn_bearing::Scheme::Fast { step },
-            Scheme::DormandPrince { tolerance, longest, .. } => {
-                tribodyn_bearing::Scheme::DormandPrince { tolerance, longest }
-            }
-        }
+        self.scheme.named()
     }
 
     /// How the step was chosen, where an accuracy was asked for.
@@ -192,6 +186,17 @@ impl Run {
 }
 
 impl Scheme {
+    /// As a case has it.
+    pub(super) fn named(&self) -> tribodyn_bearing::Scheme {
+        match *self {
+            Self::Rk4 { step, .. } => tribodyn_bearing::Scheme::RungeKutta4 { step },
+            Self::Fast { step } => tribodyn_bearing::Scheme::Fast { step },
+            Self::DormandPrince { tolerance, longest, .. } => {
+                tribodyn_bearing::Scheme::DormandPrince { tolerance, longest }
+            }
+        }
+    }
+
     /// The step of a scheme that has one of its own, else the one that was tried.
     fn whole_step(&self, tried: f64) -> f64 {
         match self {

@@ -49,7 +49,7 @@ pub fn set_of_figures(
     Ok(text.unwrap_or_else(|| model.case_text(values)))
 }
 
-/// What a run of the study has otherwise than the case: all that a fit may change.
+/// Differences of a run of the study from the case: all that a fit may change.
 fn change(name: &str, before: &str, after: &str) -> Change {
     const FITTED: [&str; 12] = [
         "geometry.pitch_diameter",

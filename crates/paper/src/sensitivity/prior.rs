@@ -29,7 +29,7 @@ fn value(parameter: &Parameter, k: usize, n: usize) -> f64 {
     tries.take(1000).find(|value| (low..=high).contains(value)).unwrap_or(prior.mean)
 }
 
-/// What a draw changes in all runs.
+/// Changes of a draw in all runs.
 fn change(problem: &Problem, n: usize) -> Change {
     let mut out = Change { values: changes(&even(n)).to_vec(), ..Change::none(&format!("draw {n}")) };
     for (k, parameter) in problem.parameters.iter().enumerate() {

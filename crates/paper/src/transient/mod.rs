@@ -94,8 +94,8 @@ fn run(plan: &Plan, recording: Option<PathBuf>) -> Result<Transient, PaperError>
         Some(path) => {
             let generator = concat!("tribodyn xtask ", env!("CARGO_PKG_VERSION"));
             let (facts, warnings) = (&[], &[]);
-            let recording =
-                RunRecording { case_text: &text, name: &case.name, inputs: &inputs, facts, warnings, generator };
+            let (case_text, name, inputs, scheme) = (&text, &case.name, &inputs, solver.scheme());
+            let recording = RunRecording { case_text, name, inputs, scheme, facts, warnings, generator };
             Some(RunRecorder::create(path, &recording)?)
         }
     };

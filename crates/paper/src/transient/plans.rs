@@ -15,7 +15,7 @@ pub struct Plan {
     pub file: String,
     /// Paths of the case file and their values.
     pub changes: Vec<(String, String)>,
-    /// What is changed in the bearing, and no case file can express.
+    /// Changes of the bearing that no case file can express.
     pub adapt: Option<Adapt>,
 }
 
@@ -119,7 +119,7 @@ pub struct Change {
     pub axial_share: f64,
     /// True if the radial load is lowered with the axial one.
     pub radial_follows: bool,
-    /// What is changed in the bearing, and no case file can express.
+    /// Changes of the bearing that no case file can express.
     pub adapt: Option<Adapt>,
 }
 

@@ -25,7 +25,7 @@ use crate::{RecordError, contacts};
 use producer::Producer;
 use std::ops::ControlFlow;
 use std::path::Path;
-use tribodyn_bearing::{BallResult, RunInputs};
+use tribodyn_bearing::{BallResult, RunInputs, Scheme};
 use tribodyn_dynamics::{BallDetail, Event, FilterBands, Observer, Sample};
 
 /// What a recording of a run is made from.
@@ -37,6 +37,8 @@ pub struct RunRecording<'a> {
     pub name: &'a str,
     /// What is run: the bearing of the picture and the metadata is the mounted one.
     pub inputs: &'a RunInputs,
+    /// How it steps: [`tribodyn_dynamics::Run::scheme`], with the step that was chosen.
+    pub scheme: Scheme,
     /// What else is known before the first step, for the metadata.
     pub facts: &'a [(&'static str, String)],
     /// Warnings of the state that the run starts from, for the log.
@@ -164,7 +166,7 @@ impl<S: Sink> Observer for RunRecorder<S> {
 
 fn entries(input: &RunRecording) -> Entries {
     let (geometry, options) = (&input.inputs.bearing.geometry, &input.inputs.options);
-    let bands = FilterBands::new(options.scheme, options.state_rate);
+    let bands = FilterBands::new(input.scheme, options.state_rate);
     let mut entries = vec![
         ("kind", "transient run".to_owned()),
         ("bearing", input.name.to_owned()),
@@ -181,7 +183,7 @@ fn entries(input: &RunRecording) -> Entries {
         ("case_fnv1a64", format!("{:016x}", fnv1a(input.case_text.as_bytes()))),
         ("duration_s", options.duration.to_string()),
         ("start", format!("{:?}", options.start)),
-        ("scheme", format!("{:?}", options.scheme)),
+        ("scheme", format!("{:?}", input.scheme)),
         ("contact_damping", options.contact_damping.to_string()),
         ("wear_acceleration", options.wear_acceleration.to_string()),
         ("state_rate_hz", options.state_rate.to_string()),

@@ -5,6 +5,7 @@
 
 mod acting;
 mod rows;
+mod strides;
 mod table;
 
 pub use acting::{

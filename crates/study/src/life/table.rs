@@ -1,17 +1,15 @@
 //! The table of a life: a row for each stride, with the strides that are finished beside it until it is whole.
 
+use super::strides::Strides;
 use super::{Kept, Life, LifeOptions, LifeStride, worn_life};
 use crate::difference::SweepDifference;
 use crate::ensemble::numbers_of;
 use crate::error::StudyError;
-use crate::journal::{self, Journal};
-use crate::lock::OutputLock;
-use crate::sweep::{Cell, Column, Format, Kind, Rows, decode, encode, write_rows};
-use serde::de::DeserializeOwned;
+use crate::journal;
+use crate::sweep::{Cell, Column, Kind, Rows, write_rows};
 use serde::{Deserialize, Serialize};
-use std::io::{Error, ErrorKind};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use tribodyn::CaseFile;
 
 /// What makes two lives the same.
@@ -43,13 +41,8 @@ impl journal::Identity for Identity {
 pub struct LifeTable<'a> {
     file: &'a CaseFile,
     options: LifeOptions,
-    path: PathBuf,
-    format: Format,
     identity: Identity,
-    journal: Journal,
-    kept: Vec<Kept>,
-    /// Let go of after everything else.
-    _lock: OutputLock,
+    strides: Strides<Kept>,
 }
 
 impl<'a> LifeTable<'a> {
@@ -59,8 +52,6 @@ impl<'a> LifeTable<'a> {
     /// # Errors
     /// A name with another ending, a table that another process writes, or finished strides of another life.
     pub fn open(file: &'a CaseFile, options: LifeOptions, path: &Path, restart: bool) -> Result<Self, StudyError> {
-        let format = Format::of(path)?;
-        let lock = OutputLock::take(path)?;
         let identity = Identity {
             tribodyn: env!("CARGO_PKG_VERSION").to_owned(),
             case: file.text.clone(),
@@ -69,15 +60,13 @@ impl<'a> LifeTable<'a> {
             until_s: options.until_s,
             clearance_limit_m: options.clearance_limit_m,
         };
-        let one = |stride: usize| Some((stride, stride..stride + 1));
-        let journal = Journal::open(path, &identity, &one, &kept_columns(), restart)?;
-        let kept = journal.read().map(|line| read(&line?, &journal)).collect::<Result<_, _>>()?;
-        Ok(Self { file, options, path: path.to_owned(), format, identity, journal, kept, _lock: lock })
+        let strides = Strides::open(path, &identity, restart)?;
+        Ok(Self { file, options, identity, strides })
     }
 
     /// Number of strides that an earlier run had finished.
     pub fn finished_strides(&self) -> usize {
-        self.kept.len()
+        self.strides.finished()
     }
 
     /// [`wear_life`](super::wear_life) from the last finished stride on; each is safe on disk as soon as it is.
@@ -85,12 +74,8 @@ impl<'a> LifeTable<'a> {
     /// # Errors
     /// Those of a life, and a stride that cannot be written.
     pub fn wear(&mut self, progress: impl FnMut(&LifeStride) -> ControlFlow<()>) -> Result<Life, StudyError> {
-        let journal = &mut self.journal;
-        let mut keep = |stride: usize, kept: &Kept| {
-            let cells = [Cell::Integer(stride as i64), Cell::Text(serde_json::to_string(kept)?)];
-            journal.append(stride, &(encode(&cells) + "\n"))
-        };
-        worn_life(self.file, self.options.clone(), (std::mem::take(&mut self.kept), &mut keep), progress)
+        let (finished, mut keep) = self.strides.go_on();
+        worn_life(self.file, self.options.clone(), (finished, &mut keep), progress)
     }
 
     /// Writes the table, under its name only when it is whole; the finished strides beside it are removed.
@@ -111,24 +96,7 @@ impl<'a> LifeTable<'a> {
         let Identity { tribodyn, case, model, .. } = &self.identity;
         let notes = [("version", tribodyn), ("case", case), ("model", model)];
         let notes = notes.map(|(name, value)| (format!("tribodyn.{name}"), value.clone())).into();
-        write_rows(&Rows::in_memory(&self.path, &columns, &rows), self.format, notes)?;
-        self.journal.delete()
-    }
-}
-
-/// Columns of a finished stride on disk: its number, and the rest as JSON.
-pub(super) fn kept_columns() -> [Column; 2] {
-    [Column::new("stride", Kind::Integer, false), Column::new("state", Kind::Text, false)]
-}
-
-/// A finished stride from its line on disk.
-pub(super) fn read<T: DeserializeOwned>(line: &str, journal: &Journal) -> Result<T, StudyError> {
-    let cells = decode(line.trim_end_matches('\n'), &kept_columns());
-    match cells.as_deref() {
-        Some([_, Cell::Text(text)]) => Ok(serde_json::from_str(text)?),
-        _ => Err(StudyError::Write {
-            path: journal.path().to_owned(),
-            source: Error::new(ErrorKind::InvalidData, "a finished stride cannot be read"),
-        }),
+        write_rows(&Rows::in_memory(self.strides.path(), &columns, &rows), self.strides.format(), notes)?;
+        self.strides.delete()
     }
 }

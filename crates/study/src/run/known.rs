@@ -22,7 +22,7 @@ pub struct KnownAtStart {
     pub patch_rule: String,
     /// Of the solution that the run starts from, over the contact load.
     pub patch_error_estimate: Option<f64>,
-    /// Scheme of integration in time.
+    /// Scheme of integration in time, with the step that is taken.
     pub scheme: String,
     /// Of the solution that the run starts from, and what is unusual about it and its case.
     #[serde(skip)]
@@ -55,11 +55,7 @@ impl KnownAtStart {
                 _ => format!("{:?}", run.patch_rule()),
             },
             patch_error_estimate: run.solution().patch_error_estimate,
-            scheme: match (run.step_choice(), &file.case.transient) {
-                (Some(_), _) => format!("{:?}", run.scheme()),
-                (None, Some(transient)) => format!("{:?}", transient.scheme),
-                (None, None) => String::new(),
-            },
+            scheme: format!("{:?}", run.scheme()),
             warnings_at_start: unusual(file, run.solution()),
         }
     }

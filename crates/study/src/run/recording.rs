@@ -243,7 +243,19 @@ mod tests {
         let tape = Tape::create(&files.recording, &file.case, None).unwrap();
         let inputs = &file.run_inputs().unwrap();
         let (case_text, name, generator) = (&file.text, &file.case.name, "test");
-        RunRecorder::new(tape, &RunRecording { case_text, name, inputs, facts: &[], warnings: &[], generator }).unwrap()
+        RunRecorder::new(
+            tape,
+            &RunRecording {
+                case_text,
+                name,
+                inputs,
+                scheme: inputs.options.scheme,
+                facts: &[],
+                warnings: &[],
+                generator,
+            },
+        )
+        .unwrap()
     }
 
     fn folder(name: &str) -> PathBuf {

@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use tribodyn::CaseFile;
-use tribodyn_bearing::RunInputs;
+use tribodyn_bearing::{RunInputs, Scheme};
 use tribodyn_dynamics::{
     BallDetail, DynamicsError, Ending as Advanced, Event, EventKind, Observer, Run, RunError as Advance, Sample,
 };
@@ -87,7 +87,7 @@ impl<'a> PreparedRun<'a> {
     pub fn begin(self, viewers: Option<Box<dyn Viewers>>) -> Result<RunSession<'a>, StudyError> {
         let Self { file, mut run, inputs, files, saved, lock } = self;
         let known = KnownAtStart::of(&run, file);
-        let begun = Begun { file, inputs: &inputs, known: &known };
+        let begun = Begun { file, inputs: &inputs, scheme: run.scheme(), known: &known };
         let recorder = match saved {
             None => begun.start(&files, viewers),
             Some(saved) => begun.resume(&mut run, &files, saved, viewers),
@@ -153,6 +153,7 @@ pub struct RunSession<'a> {
 struct Begun<'a> {
     file: &'a CaseFile,
     inputs: &'a RunInputs,
+    scheme: Scheme,
     known: &'a KnownAtStart,
 }
 
@@ -189,6 +190,7 @@ impl Begun<'_> {
             case_text: &self.file.text,
             name: &self.file.case.name,
             inputs: self.inputs,
+            scheme: self.scheme,
             facts: &self.known.entries(),
             warnings: &self.known.warnings_at_start,
             generator: GENERATOR,

@@ -12,11 +12,10 @@ use tribodyn_orbit::{OrbitError, SolvedOrbit, steady_orbit};
 /// # Errors
 /// A case that cannot be run, or a start that is not found.
 pub(crate) fn start_run(file: &CaseFile) -> Result<(Run, RunInputs), StudyError> {
-    let mut inputs = file.run_inputs()?;
+    let inputs = file.run_inputs()?;
     let cannot_start = |source| StudyError::CannotStart { file: file.name.clone(), source };
     if inputs.options.start != Start::SteadyOrbit {
         let run = Run::new(inputs.clone()).map_err(cannot_start)?;
-        put_step(&mut inputs, &run);
         return Ok((run, inputs));
     }
     let point = inputs.operating_point_at(0.0);
@@ -24,15 +23,7 @@ pub(crate) fn start_run(file: &CaseFile) -> Result<(Run, RunInputs), StudyError>
     let failed = |source| StudyError::NoOrbitToStart { file: file.name.clone(), source };
     let motion = motion(&problem).map_err(failed)?;
     let run = Run::moving(inputs.clone(), motion).map_err(cannot_start)?;
-    put_step(&mut inputs, &run);
     Ok((run, inputs))
-}
-
-/// Puts the step in the place of the accuracy by which it was chosen.
-fn put_step(inputs: &mut RunInputs, run: &Run) {
-    if run.step_choice().is_some() {
-        inputs.options.scheme = run.scheme();
-    }
 }
 
 /// The motion of an orbit at an instant; of a standstill there is no orbit.

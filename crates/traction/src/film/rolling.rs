@@ -62,7 +62,7 @@ impl FilmLaw {
         [resistance * lever, resistance * -radius - lost, resistance * *rolling_speed * 2.0 + lost * turning]
     }
 
-    /// What the bodies add to [`Self::rolling_slopes`].
+    /// Share of the bodies in [`Self::rolling_slopes`].
     fn hysteresis_slopes(&self, contact: &FilmContact) -> RollingSlopes {
         let moment = self.hysteresis_moment(contact);
         let turning = contact.motion.about_lateral;

@@ -150,7 +150,7 @@ fn limit_hysteresis_is_the_moment_of_half_the_pressure() {
     assert_eq!(rolled(&FilmContact { motion: still, ..contact }), [0.0; 2]);
 }
 
-/// What a disc machine measures at 1 GPa, 40 °C and some percent of slip is the limiting shear that the library has of
+/// A disc machine's traction at 1 GPa, 40 °C and some percent of slip is the limiting shear that the library has of
 /// the stock. The limiting law bears that; Eyring's stress of 5 MPa half of it.
 #[test]
 fn limit_the_friction_of_a_disc_machine() {

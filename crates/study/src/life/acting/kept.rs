@@ -5,14 +5,12 @@ use super::state::Acting;
 use super::{ActingLife, ActingOptions, ActingStride, FirstThrough, Living, Mission, acting_life_after};
 use crate::difference::SweepDifference;
 use crate::error::StudyError;
-use crate::journal::{self, Journal};
+use crate::journal;
 use crate::life::Start;
-use crate::life::table::{kept_columns, read};
-use crate::lock::OutputLock;
-use crate::sweep::{Cell, Format, encode};
+use crate::life::strides::Strides;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use tribodyn::CaseFile;
 use tribodyn::answers::Equations;
 use tribodyn_bearing::Side;
@@ -45,7 +43,7 @@ fn ending(time: f64) -> Option<f64> {
 pub(super) type Keep<'a> = &'a mut dyn FnMut(usize, &Kept) -> Result<(), StudyError>;
 
 impl Living<'_> {
-    /// What the stride that has just ended leaves behind.
+    /// All that the stride that has just ended leaves behind.
     pub(super) fn kept(&self) -> Kept {
         Kept {
             row: self.life.strides.last().cloned().unwrap_or_default(),
@@ -82,7 +80,7 @@ pub(super) fn doubtful(options: &ActingOptions) -> Vec<String> {
     doubtful.then(|| warning.to_owned()).into_iter().collect()
 }
 
-/// What makes two lives the same.
+/// Inputs by which two lives are the same.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Identity {
@@ -116,11 +114,7 @@ pub struct ActingTable<'a> {
     file: &'a CaseFile,
     mission: &'a Mission,
     options: &'a ActingOptions,
-    path: PathBuf,
-    journal: Journal,
-    kept: Vec<Kept>,
-    /// Let go of after everything else.
-    _lock: OutputLock,
+    strides: Strides<Kept>,
 }
 
 impl<'a> ActingTable<'a> {
@@ -135,8 +129,6 @@ impl<'a> ActingTable<'a> {
         options: &'a ActingOptions,
         (path, restart): (&Path, bool),
     ) -> Result<Self, StudyError> {
-        Format::of(path)?;
-        let lock = OutputLock::take(path)?;
         let identity = Identity {
             tribodyn: env!("CARGO_PKG_VERSION").to_owned(),
             case: file.text.clone(),
@@ -147,15 +139,12 @@ impl<'a> ActingTable<'a> {
             bare_limit: options.bare_limit,
             phases: mission.phases.iter().map(|phase| (ending(phase.duration_s), phase.file.text.clone())).collect(),
         };
-        let one = |stride: usize| Some((stride, stride..stride + 1));
-        let journal = Journal::open(path, &identity, &one, &kept_columns(), restart)?;
-        let kept = journal.read().map(|line| read(&line?, &journal)).collect::<Result<_, _>>()?;
-        Ok(Self { file, mission, options, path: path.to_owned(), journal, kept, _lock: lock })
+        Ok(Self { file, mission, options, strides: Strides::open(path, &identity, restart)? })
     }
 
     /// Number of strides that an earlier run had finished.
     pub fn finished_strides(&self) -> usize {
-        self.kept.len()
+        self.strides.finished()
     }
 
     /// [`acting_life`](super::acting_life) from the last finished stride on; each is safe on disk as soon as it is.
@@ -163,13 +152,8 @@ impl<'a> ActingTable<'a> {
     /// # Errors
     /// Those of a life, and a stride that cannot be written.
     pub fn wear(&mut self, progress: impl FnMut(&ActingStride) -> ControlFlow<()>) -> Result<ActingLife, StudyError> {
-        let journal = &mut self.journal;
-        let mut keep = |stride: usize, kept: &Kept| {
-            let cells = [Cell::Integer(stride as i64), Cell::Text(serde_json::to_string(kept)?)];
-            journal.append(stride, &(encode(&cells) + "\n"))
-        };
-        let finished = (std::mem::take(&mut self.kept), &mut keep as Keep<'_>);
-        acting_life_after(self.file, self.mission, self.options, finished, progress)
+        let (finished, mut keep) = self.strides.go_on();
+        acting_life_after(self.file, self.mission, self.options, (finished, &mut keep), progress)
     }
 
     /// Writes the table, under its name only when it is whole; the finished strides beside it are removed.
@@ -177,7 +161,7 @@ impl<'a> ActingTable<'a> {
     /// # Errors
     /// The table cannot be written.
     pub fn write(self, life: &ActingLife) -> Result<(), StudyError> {
-        life.write_strides(&self.path)?;
-        self.journal.delete()
+        life.write_strides(self.strides.path())?;
+        self.strides.delete()
     }
 }
