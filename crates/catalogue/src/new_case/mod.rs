@@ -166,7 +166,7 @@ impl NewCase {
         text += &sections::cage(&numbers, lubricant.is_wet(), &mut sources);
         text += &sections::operation(self, &numbers, &mut sources);
         text += &self.mounting(&mut sources);
-        text += &sections::transient(&numbers, &mut sources);
+        text += &sections::transient(&numbers, !lubricant.is_wet(), &mut sources);
         text += &sections::rating(self, &numbers, &mut sources);
         text += sections::modelling(&mut sources);
         text += "    // Where each value comes from. What is assumed may be wrong for your bearing: replace it by what you know.\n";

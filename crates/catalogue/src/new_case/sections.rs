@@ -208,7 +208,7 @@ pub(super) fn operation(case: &NewCase, numbers: &Numbers, sources: &mut Sources
     )
 }
 
-pub(super) fn transient(numbers: &Numbers, sources: &mut Sources) -> String {
+pub(super) fn transient(numbers: &Numbers, dry: bool, sources: &mut Sources) -> String {
     sources.assumed("supports.inner", "a steel shaft of the bore, four diameters long, carried by the balls alone");
     sources.assumed(
         "supports.outer",
@@ -221,7 +221,13 @@ pub(super) fn transient(numbers: &Numbers, sources: &mut Sources) -> String {
     sources.assumed("transient.start", "from the equilibrium; a start from rest needs a table of speeds");
     sources.assumed("transient.wear_acceleration", "no wear: coatings hold much longer than a run");
     sources.assumed("transient.duration", "five turns of the shaft, enough to look at; means need some tens");
-    sources.assumed("transient.contact_damping", "steel on steel with a solid film; 0.005 to 0.1 change little");
+    let (contact_damping, why) = if dry {
+        ("0.02", "steel on steel with a solid film; 0.005 to 0.1 change little")
+    } else {
+        let usual = "oil between steel: damping over stiffness of a contact some 2.5 us, usual 2.5 to 25 us (Krämer, Dynamics of Rotors and Foundations)";
+        ("0.25", usual)
+    };
+    sources.assumed("transient.contact_damping", why);
     sources.assumed("recording", "twenty samples for each ball that passes, or more; every ball at a fifth of it");
     let [stiffness, damping] = numbers.support;
     let inner = trim(numbers.inner_damping, 3);
@@ -244,7 +250,7 @@ pub(super) fn transient(numbers: &Numbers, sources: &mut Sources) -> String {
         duration: s({}),
         start: SteadyOrbit,
         scheme: FastTo(accuracy: 0.001),
-        contact_damping: 0.02,
+        contact_damping: {contact_damping},
         wear_acceleration: 0,
     ),
 

@@ -98,9 +98,9 @@ pub const USUAL_RANGES: &[UsualRange] = &[
     or_zero(usual("supports.*.stiffness", [0.1, 1e4], N_PER_UM, "soft mounts to solid housings")),
     or_zero(usual(
         "transient.contact_damping",
-        [1e-4, 0.3],
+        [1e-4, 1.0],
         PLAIN,
-        "fractions of critical damping of rolling contacts",
+        "fractions of critical damping of rolling contacts, dry to well oiled",
     )),
     usual("lubricant.roughness.*", [0.005, 0.6], UM, "R_q of honed races and of balls, new to well worn"),
     usual("lubricant.boundary_friction", [0.08, 0.2], PLAIN, "steel on steel in oil"),
