@@ -296,14 +296,15 @@ fn push<E: Equations>(
     [(a[0] + axial) * h, (a[1] + radial) * h, (a[2] + orbital) * h, a[3] * h, a[4] * h, a[5] * h]
 }
 
-/// Every ball by itself with the rings held over a step of `h`, and the force on the rings, inertial axes.
+/// Every ball by itself with the rings held over a step of `h`, by how much its mean velocity is `beyond` the middle of
+/// its change, and the force on the rings, inertial axes.
 #[inline(always)]
 pub(super) fn respond<E: Equations>(
     equations: &E,
     balls: &mut [Lane; BALL],
     (stand, forms, grips): (&Stand, &Forms, &Grips),
     (given_back, h): (&[Lane; 3], f64),
-    reaction: &mut [Lane; 5],
+    (beyond, reaction): (&mut [Lane; 6], &mut [Lane; 5]),
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 5]);
     let now = &*balls;
@@ -314,6 +315,7 @@ pub(super) fn respond<E: Equations>(
         let back = transposed(&forms.coupling, mean, k);
         let force = [back[0] - i[0], back[1] - i[1], back[2] - i[2], back[3] - o[0], back[4] - o[1], back[5] - o[2]];
         put(&mut changes, k, change);
+        (0..6).for_each(|i| beyond[i].0[k] = mean[i] - 0.5 * change[i]);
         put(&mut on_rings, k, inertial(stand.axes(k), force));
     }
     add_velocities(balls, &changes);
@@ -326,7 +328,7 @@ pub(super) fn follow(
     balls: &mut [Lane; BALL],
     rings: [f64; 5],
     (stand, forms): (&Stand, &Forms),
-    reaction: &mut [Lane; 5],
+    (beyond, reaction): (&mut [Lane; 6], &mut [Lane; 5]),
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 5]);
     for k in 0..WIDTH {
@@ -344,6 +346,7 @@ pub(super) fn follow(
             }
         }
         put(&mut changes, k, change);
+        (0..6).for_each(|i| beyond[i].0[k] += mean[i] - 0.5 * change[i]);
         put(&mut on_rings, k, inertial(axes, force));
     }
     add_velocities(balls, &changes);

@@ -89,6 +89,8 @@ impl Fast {
     /// drift and kick together is −ω² times what vibrates of the displacement, whatever ω is, and takes its half back.
     /// Such a symplectic corrector is that of J. Wisdom, M. Holman, J. Touma, Fields Institute Communications 10 (1996)
     /// 217.
+    ///
+    /// The velocities of the balls are the mean ones of the kick, for which friction is the mean one too.
     pub fn show(&self, l: Layout, y: &[f64], shown: &mut Vec<f64>) {
         shown.clear();
         shown.extend_from_slice(y);
@@ -107,6 +109,10 @@ impl Fast {
                     _ => self.acceleration(at + VELOCITY + i, by_kick),
                 };
                 shown[at + i] += share * vibrating;
+            }
+            for i in 0..VELOCITIES {
+                let in_lanes = self.scratch.beyond.get(block).map(|beyond| beyond[i].0[k]);
+                shown[at + VELOCITY + i] += in_lanes.unwrap_or_else(|| self.beyond[at + VELOCITY + i]);
             }
         }
         let of_rings = (0..3).map(|i| (l.inner() + i, l.inner() + 3 + i));

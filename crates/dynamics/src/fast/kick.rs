@@ -37,10 +37,10 @@ impl Fast {
         for block in 0..blocks(l.balls) {
             self.grip(equations, block, (&frame, renew), &mut on_cage);
             let scratch = &mut self.scratch;
-            let balls = &mut scratch.balls[block];
+            let (balls, found) = (&mut scratch.balls[block], (&mut scratch.beyond[block], &mut reaction));
             let at = (&scratch.stands[block], &scratch.forms[block], &scratch.grips[block]);
             let (equations, given) = (&*equations, (&scratch.given_back[block], h));
-            dispatch!(scratch.level, _simd => respond(equations, balls, at, given, &mut reaction));
+            dispatch!(scratch.level, _simd => respond(equations, balls, at, given, found));
             (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
             on_inner.add(l, block, &reaction);
         }
@@ -53,9 +53,9 @@ impl Fast {
         let predicted: [f64; 5] = (self.rings * on_rings * h).into();
         let scratch = &mut self.scratch;
         for block in 0..blocks(l.balls) {
-            let balls = &mut scratch.balls[block];
+            let (balls, found) = (&mut scratch.balls[block], (&mut scratch.beyond[block], &mut reaction));
             let at = (&scratch.stands[block], &scratch.forms[block]);
-            dispatch!(scratch.level, _simd => follow(balls, predicted, at, &mut reaction));
+            dispatch!(scratch.level, _simd => follow(balls, predicted, at, found));
             (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
             on_inner.add(l, block, &reaction);
         }

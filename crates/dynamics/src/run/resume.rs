@@ -39,7 +39,7 @@ impl Run {
     /// Lists have an entry for each ball or unknown, or none where the scheme has not begun.
     fn check_sizes(&self, c: &Checkpoint) -> Result<(), DynamicsError> {
         let balls = self.machine.layout.balls;
-        let [friction, contacts, drift, common, half] = c.fast.sizes();
+        let [friction, contacts, drift, common, half, beyond] = c.fast.sizes();
         let unknowns = if c.fast.is_ready() { c.state.len() } else { 0 };
         let memory =
             if matches!(self.scheme, Scheme::Fast { .. }) && c.steps > 0 { balls } else { friction.min(balls) };
@@ -50,6 +50,7 @@ impl Run {
             ("fast.drift", drift, unknowns),
             ("fast.common", common, unknowns),
             ("fast.half", half, unknowns),
+            ("fast.beyond", beyond, unknowns),
         ];
         for (field, found, expected) in lists {
             if found != expected {

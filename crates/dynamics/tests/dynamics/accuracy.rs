@@ -40,8 +40,8 @@ fn apart(a: &[Sample], b: &[Sample]) -> [f64; 3] {
     [load, (torque(a) / torque(b) - 1.0).abs(), (turned(a) / turned(b) - 1.0).abs()]
 }
 
-/// Loads and torque within twice the accuracy asked for, which is an estimate from the first milliseconds, and the cage
-/// within a tenth of it.
+/// Loads within twice the accuracy asked for, which is an estimate from the first milliseconds, the torque within three
+/// times, which has the linear traction's error besides, and the cage within a tenth of it.
 #[test]
 fn identity_the_step_by_accuracy_errs_as_asked_for() {
     let [of_6206, of_7210] = ["RungeKutta4(step: us(0.5))", "RungeKutta4(step: us(1))"];
@@ -51,8 +51,20 @@ fn identity_the_step_by_accuracy_errs_as_asked_for() {
         let choice = run.step_choice().unwrap();
         let errors = apart(&found, &exact);
         assert!(choice.errors.worst() <= 1e-3 && !choice.scatters, "{name}: {choice:?}");
-        assert!(errors[0] < 2e-3 && errors[1] < 2e-3 && errors[2] < 2e-4, "{name}: {choice:?} {errors:?}");
+        assert!(errors[0] < 2e-3 && errors[1] < 3e-3 && errors[2] < 2e-4, "{name}: {choice:?} {errors:?}");
     }
+}
+
+/// In oil the balls grip so well that in the middle of a kick, half of its change away from where friction acts, the
+/// torque was off by 8.2e-3 in the mean. What is left hardly depends on the step: it is the linear traction's.
+#[test]
+fn code_torque_at_samples_is_that_of_runge_kutta() {
+    let second_half = |scheme: &str| {
+        let all = samples(&catalogue(ANGULAR_7210, scheme, NO_POCKETS)).1;
+        all[all.len() / 2..].to_vec()
+    };
+    let errors = apart(&second_half("Fast(step: us(13))"), &second_half("RungeKutta4(step: us(1))"));
+    assert!(errors[1] < 3e-3, "{errors:?}");
 }
 
 /// In dry pockets the balls of a 6206 without load bounce, and steps hardly come nearer to any motion: the choice says
