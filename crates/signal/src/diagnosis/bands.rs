@@ -23,12 +23,31 @@ pub(crate) struct Lines {
     lines: Vec<Complex<f64>>,
     count: usize,
     rate_hz: f64,
+    /// Samples at either end that are left out of all envelopes.
+    faded: usize,
+}
+
+/// Share of a record at either end that is in no envelope, over half of which it fades: the transform takes the record
+/// for periodic, and the step from its end to its beginning would be a blow in every band.
+const FADED: f64 = 1.0 / 32.0;
+
+/// The samples with both ends faded over a number of them, without a jump in the second derivative.
+fn faded(samples: &[f64], count: usize) -> Vec<f64> {
+    let last = samples.len() - 1;
+    let weight = |n: usize| {
+        let from_end = n.min(last - n) as f64 + 0.5;
+        let x = (from_end / count as f64).min(1.0);
+        x * x * x * (10.0 + x * (6.0 * x - 15.0))
+    };
+    samples.iter().enumerate().map(|(n, x)| x * weight(n)).collect()
 }
 
 /// Squared envelope of a band.
 pub(crate) struct SquaredEnvelope {
     /// Samples, in the squared unit of the signal.
     pub values: Vec<f64>,
+    /// Time of the first one, in samples of the signal.
+    pub first: usize,
     /// Their rate, Hz: twice the width of the band.
     pub rate_hz: f64,
 }
@@ -37,11 +56,12 @@ impl Lines {
     pub fn of(samples: &[f64], rate_hz: f64) -> Result<Self, SignalError> {
         check_rate(rate_hz)?;
         check_samples(samples, LEAST)?;
-        Ok(Self { lines: forward(samples.to_vec())?, count: samples.len(), rate_hz })
+        let ends = ((FADED * samples.len() as f64) as usize).max(1);
+        Ok(Self { lines: forward(faded(samples, ends.div_ceil(2)))?, count: samples.len(), rate_hz, faded: ends })
     }
 
     pub fn duration_s(&self) -> f64 {
-        self.count as f64 / self.rate_hz
+        (self.count - 2 * self.faded) as f64 / self.rate_hz
     }
 
     pub fn nyquist_hz(&self) -> f64 {
@@ -63,11 +83,25 @@ impl Lines {
         &self.lines[place(low_hz).clamp(1, end.max(1))..end.max(1)]
     }
 
+    /// Height of blows in a band, in the unit of the samples: what its envelope exceeds for a hundredth of the time.
+    pub fn height(&self, edges: [f64; 2]) -> f64 {
+        let mut squares = self.squared_envelope(edges).values;
+        let place = (0.99 * squares.len() as f64) as usize;
+        squares.select_nth_unstable_by(place, f64::total_cmp).1.sqrt()
+    }
+
     fn kurtosis(&self, edges: [f64; 2]) -> f64 {
         let envelope = inverse_complex(self.within(edges).to_vec());
+        let envelope = self.whole(&envelope);
         let mean = |power: i32| envelope.iter().map(|c| c.norm_sqr().powi(power)).sum::<f64>() / envelope.len() as f64;
         let square = mean(1).powi(2);
         if square > 0.0 { mean(2) / square - 2.0 } else { 0.0 }
+    }
+
+    /// An envelope without its faded ends.
+    fn whole<'a, T>(&self, envelope: &'a [T]) -> &'a [T] {
+        let ends = (self.faded * envelope.len()).div_ceil(self.count);
+        &envelope[ends..envelope.len() - ends]
     }
 
     /// Squared envelope of a band, at twice the width of the band, so that its own spectrum does not fold.
@@ -75,8 +109,10 @@ impl Lines {
         let mut lines = self.within(edges).to_vec();
         let count = 2 * lines.len();
         lines.resize(count, Complex::ZERO);
-        let values = inverse_complex(lines).iter().map(|c| 4.0 * c.norm_sqr() / (self.count as f64).powi(2)).collect();
-        SquaredEnvelope { values, rate_hz: count as f64 * self.rate_hz / self.count as f64 }
+        let envelope = inverse_complex(lines);
+        let square = |c: &Complex<f64>| 4.0 * c.norm_sqr() / (self.count as f64).powi(2);
+        let values = self.whole(&envelope).iter().map(square).collect();
+        SquaredEnvelope { values, first: self.faded, rate_hz: count as f64 * self.rate_hz / self.count as f64 }
     }
 }
 
@@ -137,7 +173,9 @@ pub fn without_trend(samples: &[f64]) -> Vec<f64> {
 ///
 /// Fewer than 64 samples, a sample that is not finite.
 pub fn whitened(samples: &[f64]) -> Result<Vec<f64>, SignalError> {
-    let lines = Lines::of(samples, 1.0)?.whitened().lines;
+    check_samples(samples, LEAST)?;
+    let lines =
+        Lines { lines: forward(samples.to_vec())?, count: samples.len(), rate_hz: 1.0, faded: 0 }.whitened().lines;
     let values = inverse(lines, samples.len())?;
     let scale = (values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64).sqrt();
     Ok(values.iter().map(|x| if scale > 0.0 { x / scale } else { 0.0 }).collect())

@@ -41,6 +41,9 @@ impl Fault {
 /// Decadic logarithm of the chance below which a family is taken for real.
 pub(super) const SURE: f64 = -8.0;
 
+/// Spectral kurtosis from which a band is impulsive.
+const IMPULSIVE: f64 = 1.0;
+
 /// A harmonic of a characteristic frequency in the envelope spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Harmonic {
@@ -93,6 +96,9 @@ pub struct Evidence {
     pub whitened: bool,
     /// Spectral kurtosis of the band.
     pub kurtosis: f64,
+    /// Height of the blows in the highest band that shows them, in the unit of the samples: what its envelope exceeds
+    /// for a hundredth of the time.
+    pub height: f64,
     /// Least spectral kurtosis of a band whose envelope varies that much because something strikes.
     pub kurtosis_of_blows: f64,
     /// Mean height of the lines one turn of the cage below and above the fundamental, dB.
@@ -202,16 +208,19 @@ impl<'a> Seen<'a> {
         let lines = if candidate.whitened { self.white } else { self.raw };
         let mut envelope = lines.squared_envelope([candidate.band.low_hz, candidate.band.high_hz]);
         if let Shaft::At(speeds) = self.shaft {
-            let step = speeds.len() as f64 / envelope.values.len() as f64;
+            let step = 2.0 * self.raw.nyquist_hz() / envelope.rate_hz;
             let speed = |k: usize| {
-                let place = (k as f64 * step).min((speeds.len() - 1) as f64);
+                let place = (envelope.first as f64 + k as f64 * step).min((speeds.len() - 1) as f64);
                 let (low, part) = (place as usize, place.fract());
                 speeds[low] + part * (speeds[(low + 1).min(speeds.len() - 1)] - speeds[low])
             };
             let along: Vec<f64> = (0..envelope.values.len()).map(speed).collect();
             let turned = resample_by_angle(&envelope.values, envelope.rate_hz, &along, None)?;
-            envelope =
-                SquaredEnvelope { values: turned.values, rate_hz: turned.samples_per_turn as f64 * self.mean_hz };
+            envelope = SquaredEnvelope {
+                values: turned.values,
+                rate_hz: turned.samples_per_turn as f64 * self.mean_hz,
+                ..envelope
+            };
         }
         let mean = envelope.values.iter().sum::<f64>() / envelope.values.len() as f64;
         if mean > 0.0 {
@@ -263,8 +272,11 @@ impl<'a> Seen<'a> {
                 };
                 // A band that tones fill says less than one in which something strikes.
                 let strikes = |k: usize, found: &Found| {
-                    found.log_chance < SURE && self.candidates[k].band.kurtosis >= self.kurtosis_of_blows(k, found)
+                    found.log_chance < SURE
+                        && self.candidates[k].band.kurtosis >= self.kurtosis_of_blows(fault, k, found)
                 };
+                let tall = best.iter().filter(|(k, found)| strikes(*k, found)).map(|(k, _)| self.height(*k));
+                let tall = tall.fold(0.0, f64::max);
                 let (candidate, found) = least(&strikes).or_else(|| least(&|_, _| true))?;
                 let candidate = *candidate;
                 let modulating = match fault {
@@ -277,18 +289,28 @@ impl<'a> Seen<'a> {
                 let (_, near) = self.lines[candidate].at(&[one.frequency_hz - cage_hz, one.frequency_hz + cage_hz]);
                 let heights = near.iter().map(|(_, over)| 10.0 * over.max(1e-12).log10()).sum::<f64>();
                 one.beside_db = heights / near.len().max(1) as f64;
+                one.height = one.height.max(tall);
                 Some(one)
             })
             .collect()
     }
 
+    /// Height of the blows in the band of a candidate, in the unit of the samples.
+    fn height(&self, candidate: usize) -> f64 {
+        let band = self.candidates[candidate].band;
+        self.raw.height([band.low_hz, band.high_hz])
+    }
+
     /// Least spectral kurtosis of a band whose squared envelope has these lines because something strikes or noise
     /// swells: at half the kurtosis Σ m² of noise that swells as slowly, less two standard deviations of noise. Tones
     /// that beat, as those of waves of the races do, give the same lines with ½ Σ m² − 1 and more tones at most 0.
-    fn kurtosis_of_blows(&self, candidate: usize, found: &Found) -> f64 {
+    /// Balls pass the waves of a race at the rate at which they pass its damage, so that there the band has to be
+    /// impulsive besides.
+    fn kurtosis_of_blows(&self, fault: Fault, candidate: usize, found: &Found) -> f64 {
         let band = self.candidates[candidate].band;
         let samples = (band.high_hz - band.low_hz) * self.duration_s;
-        0.5 * modulation(found).powi(2) - 2.0 * 2.0 / samples.sqrt()
+        let least = 0.5 * modulation(found).powi(2) - 2.0 * 2.0 / samples.sqrt();
+        if matches!(fault, Fault::Outer | Fault::Inner) { least.max(IMPULSIVE) } else { least }
     }
 
     fn one(&self, fault: Fault, expected_hz: f64, candidate: usize, found: &Found, beside: Option<f64>) -> Evidence {
@@ -324,7 +346,8 @@ impl<'a> Seen<'a> {
             band_hz: [band.low_hz, band.high_hz],
             whitened,
             kurtosis: band.kurtosis,
-            kurtosis_of_blows: self.kurtosis_of_blows(candidate, found),
+            height: self.height(candidate),
+            kurtosis_of_blows: self.kurtosis_of_blows(fault, candidate, found),
             beside_db: 0.0,
             candidate,
         }

@@ -86,13 +86,16 @@ pub struct Search {
     pub speed: f64,
     /// Slip of the balls and uncertainty of contact angle and pitch diameter, relative to the speed of the cage.
     pub slip: f64,
+    /// Height of blows over the speed of the shaft, in the unit of the samples over Hz, up to which sound bearings have
+    /// them too; 0 where the unit is not known.
+    pub quiet: f64,
 }
 
 impl Default for Search {
     /// Induction motors slip by up to some per cent and their nominal speed is given; a few degrees of contact angle
     /// and slip move the cage by up to 2 %. Wider ranges let lines of the shaft and of other faults in.
     fn default() -> Self {
-        Self { speed: 0.015, slip: 0.02 }
+        Self { speed: 0.015, slip: 0.02, quiet: 0.0 }
     }
 }
 
@@ -140,6 +143,7 @@ pub fn diagnose(
     check_samples(samples, 64)?;
     check_setting("uncertainty of the speed", search.speed, true)?;
     check_setting("slip", search.slip, true)?;
+    check_setting("height of quiet blows", search.quiet, true)?;
     let per_turn = bearing.per_turn()?;
     let given_hz = shaft::given_hz(shaft, samples.len())?;
     let turns = given_hz * samples.len() as f64 / rate_hz;
@@ -166,7 +170,7 @@ pub fn diagnose(
     let seen = evidence::Seen::new(&raw, &white, candidates, shaft, &speed, highest_hz)?;
     let evidence = seen.evidence(bearing, &per_turn, &speed, search);
     warnings.extend(evidence.iter().filter_map(|e| hidden(e, speed.frequency_hz, seen.spacing_hz(e.candidate))));
-    let verdict = verdict::of(&evidence);
+    let verdict = verdict::of(&evidence, search.quiet * speed.frequency_hz);
     let cage = verdict::cage(&evidence, &verdict, bearing, &speed);
     let shown =
         evidence.iter().find(|e| Some(e.fault) == verdict.fault).map_or(seen.widest_kurtosis(), |e| e.candidate);

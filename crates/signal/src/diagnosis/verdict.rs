@@ -41,6 +41,11 @@ const SURE_WITH_CAGE: f64 = -6.0;
 /// 6 dB below it.
 const CAGE_DB: f64 = 5.0;
 
+/// Decadic logarithm of the chance of lines that others beside them may make sure.
+const READ_WITH_SIDES: f64 = -5.0;
+/// Farthest sideband: a load zone of a third of a turn has that many.
+const FARTHEST: u32 = 3;
+
 /// Farthest from a multiple of the cage at which a line is one, over the speed of the cage.
 const WITHIN: f64 = 0.25;
 
@@ -63,11 +68,20 @@ impl Evidence {
         0.5 * (first + of(2).unwrap_or(0.0).min(first))
     }
 
-    /// Whether the fundamental may be the lower or upper sideband of another family.
+    /// Whether the fundamental may be a sideband of another family: the first one, or a farther one if this family has
+    /// no sidebands of its own and the other one has. BPFO is near BPFI less two turns of the shaft in many bearings,
+    /// and BPFI near 2 BSF and two turns of the cage.
     fn beside(&self, other: &Self) -> bool {
         let reach = 0.01 * self.frequency_hz;
         let distance = (self.frequency_hz - other.frequency_hz).abs();
-        other.modulating_hz.is_some_and(|by| (distance - by).abs() < reach)
+        let farthest = if other.is_modulated() && !self.is_modulated() { FARTHEST } else { 1 };
+        let is = |by: f64| (1..=farthest).any(|k| (distance - f64::from(k) * by).abs() < reach);
+        other.modulating_hz.is_some_and(is)
+    }
+
+    /// Whether the speed that varies the load of the damage shows beside the lines.
+    fn is_modulated(&self) -> bool {
+        self.sidebands_log_chance.is_some_and(|chance| chance < READ)
     }
 
     /// Whether the fundamental is one of many multiples of that of the cage and not much higher than the others: what
@@ -92,7 +106,10 @@ impl Evidence {
     }
 
     fn is_high(&self) -> bool {
-        self.log_chance < SURE && self.height_db() > HIGH_DB && self.modulation > DEEP
+        // A ball that is struck has lines of the cage beside its own: they are as much a part of it.
+        let of_sides = if self.fault == Fault::Ball { self.sidebands_log_chance.unwrap_or(0.0) } else { 0.0 };
+        let sure = self.log_chance < READ_WITH_SIDES && self.log_chance + of_sides < SURE;
+        sure && self.height_db() > HIGH_DB && self.modulation > DEEP
     }
 
     /// True if the band has the kurtosis of blows: tones that beat have less.
@@ -104,11 +121,23 @@ impl Evidence {
     fn beating(&self) -> Option<String> {
         (self.is_high() && !self.strikes()).then(|| {
             format!(
-                "{} has the lines of tones that beat, as waves of races and unequal balls make them: spectral kurtosis \
-                 {:.2}, with blows at least {:.2}",
+                "{} has the lines of tones that beat, as waves of races and unequal balls make them, or of blows deep in \
+                 noise: spectral kurtosis {:.2}, of blows alone at least {:.2}",
                 self.fault.line(),
                 self.kurtosis,
                 self.kurtosis_of_blows
+            )
+        })
+    }
+
+    /// Sentence on a family whose blows are too low for damage.
+    fn quiet(&self, quiet: f64) -> Option<String> {
+        (self.stands_out() && self.height <= quiet).then(|| {
+            format!(
+                "{} has blows of {:.2} in the unit of the signal: up to {quiet:.1} balls that enter the load zone of a sound \
+                 bearing make them",
+                self.fault.line(),
+                self.height
             )
         })
     }
@@ -134,8 +163,9 @@ impl Evidence {
     }
 }
 
-pub(super) fn of(evidence: &[Evidence]) -> Verdict {
-    let by = |fault: Fault| evidence.iter().find(|e| e.fault == fault);
+/// The verdict, blows up to the height `quiet` counted as those of a sound bearing.
+pub(super) fn of(evidence: &[Evidence], quiet: f64) -> Verdict {
+    let by = |fault: Fault| evidence.iter().find(|e| e.fault == fault && e.height > quiet);
     let passing = || [Fault::Outer, Fault::Inner, Fault::Ball].into_iter().filter_map(by).filter(|e| e.stands_out());
     // What is a sideband of a family that stands out itself says nothing of its own.
     let cage = by(Fault::Cage).filter(|e| e.stands_out());
@@ -148,7 +178,8 @@ pub(super) fn of(evidence: &[Evidence]) -> Verdict {
         let ball = by(Fault::Ball).filter(seen).filter(own);
         cage.and(ball).or(cage)
     });
-    let beats: Vec<String> = evidence.iter().filter_map(Evidence::beating).collect();
+    let mut beats: Vec<String> = evidence.iter().filter_map(Evidence::beating).collect();
+    beats.extend(evidence.iter().filter_map(|e| e.quiet(quiet)));
     let mut reasons = Vec::new();
     match found {
         None if beats.is_empty() => reasons.push(format!(

@@ -219,6 +219,38 @@ fn limit_tones_of_waviness_are_no_damage() {
     }
 }
 
+/// A record is not periodic: the step from its end to its beginning is no blow.
+#[test]
+fn limit_the_ends_of_a_record_are_no_blow() {
+    let at = |n: u32| {
+        let t = f64::from(n) / 25_600.0;
+        [50.0, 178.3, 271.7, 731.1].iter().map(|hz| (TAU * hz * t + hz).sin()).sum::<f64>()
+    };
+    let samples: Vec<f64> = (0..7680).map(at).collect();
+    let bands = kurtogram(&samples, 25_600.0, 800.0).unwrap();
+    assert!(bands.iter().filter(|band| band.low_hz > 3000.0).all(|band| band.kurtosis < 20.0), "{bands:?}");
+    let found = diagnose(&samples, 25_600.0, Shaft::Near(50.0), &bearing_6205(), Search::default()).unwrap();
+    assert_eq!(found.verdict.fault, None, "{:?}", found.verdict);
+}
+
+/// Blows that sound bearings have too are no damage where the unit of the signal says how high they are.
+#[test]
+fn limit_quiet_blows_are_no_damage() {
+    let m = machine(Some(Fault::Outer), 100);
+    let samples = m.samples();
+    let within = |quiet: f64| {
+        let search = Search { quiet, ..Search::default() };
+        diagnose(&samples, m.rate_hz, Shaft::Near(m.shaft_hz), &bearing_6205(), search).unwrap()
+    };
+    let plain = within(0.0);
+    let height = plain.evidence[0].height;
+    // The blows have a height of one, before they ring off and noise is added.
+    assert!(plain.verdict.fault == Some(Fault::Outer) && (0.2..3.0).contains(&height), "{height}");
+    assert_eq!(within(0.9 * height / m.shaft_hz).verdict.fault, Some(Fault::Outer));
+    let quiet = within(1.1 * height / m.shaft_hz).verdict;
+    assert!(quiet.fault.is_none() && quiet.reasons[0].contains("sound bearing"), "{quiet:?}");
+}
+
 #[test]
 fn limit_short_and_clipped_records_at_two_rates() {
     for (rate_hz, duration_s) in [(12_000.0, 2.0), (48_000.0, 1.5)] {

@@ -40,7 +40,7 @@ pub struct SignalQuestion {
 pub fn diagnosed(question: &SignalQuestion, limits: &Limits) -> Result<Analysis, StudyError> {
     let q = question;
     let speed_share = share("speed-tolerance", q.speed_tolerance_percent)?;
-    let search = Search { speed: speed_share, slip: share("slip", q.slip_percent)? };
+    let search = Search { speed: speed_share, slip: share("slip", q.slip_percent)?, ..Search::default() };
     let file = SignalFile::read(&q.file, limits)?;
     let (bearing, case_hz) = bearing(q, &file, limits)?;
     let speed = speed(q, &file, case_hz)?;
