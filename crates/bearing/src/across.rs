@@ -85,7 +85,7 @@ fn strips(slip: &SlipField) -> Vec<f64> {
 mod tests {
     use super::*;
     use crate::test_bearing::spec;
-    use crate::{AzimuthFrame, BallState, Races, RingState};
+    use crate::{AzimuthFrame, BallSize, BallState, Races, RingState};
     use tribodyn_traction::{PatchRule, Quadrature};
 
     /// Strips rebuilt from the printed result add up to the wear integral of the patch, and the spinning inner contact
@@ -104,6 +104,7 @@ mod tests {
                 velocity: [0.0; 2],
                 orbital_speed: orbit,
                 spin,
+                size: BallSize::NOMINAL,
             };
             let inner = RingState { displacement: [0.0, 0.0, 5e-5 / sin], ..RingState::centred(1400.0) };
             let outer = RingState::centred(0.0);

@@ -5,8 +5,9 @@ use crate::races::{Races, Side};
 use tribodyn_wear::Profile;
 
 /// Deviations of a bearing from its drawing. They enter the elastic approach of each contact by a depth h,
-/// δ = δ_rigid − h: that of the race where the ball stands, less half of what the ball is too large. Mass and rolling
-/// radius of a ball stay those of the drawing: they differ by some 1e-4.
+/// δ = δ_rigid − h: that of the race where the ball stands, less half of what the ball is too large. Mass, inertia and
+/// rolling radius of a ball are its own (`crate::BallSize`); contact constants and its play in the pocket are those of
+/// the drawing.
 #[derive(Debug, Clone, Default)]
 pub struct Deviations {
     /// Waviness of the races; absent on a round one.

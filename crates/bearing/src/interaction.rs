@@ -91,7 +91,7 @@ impl Bearing {
         ball: &BallState<D>,
         (ring, orbit_radius): (&RingState<D>, D),
     ) -> Sliding<D> {
-        let sunk = self.sunk(side, contact);
+        let sunk = self.sunk(side, contact, &ball.size);
         if ring.turning.is_some() {
             return self.sliding_in_meridian((side, contact, sunk), ball, (ring, orbit_radius));
         }
@@ -228,6 +228,7 @@ mod tests {
     use crate::bearing::BearingSpec;
     use crate::frame::AzimuthFrame;
     use crate::modelling::{Modelling, PatchSurfaces, RollingRadius};
+    use crate::state::BallSize;
     use crate::test_bearing::spec;
     use tribodyn_traction::{PatchRule, TangentialElasticity};
 
@@ -252,6 +253,7 @@ mod tests {
             velocity: [0.0; 2],
             orbital_speed: orbit,
             spin,
+            size: BallSize::NOMINAL,
         };
         let inner = RingState { displacement: [0.0, 0.0, 5e-5 / sin], ..RingState::centred(speeds[0]) };
         let outer = RingState::centred(speeds[1]);

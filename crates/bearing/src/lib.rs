@@ -71,7 +71,7 @@ pub use run_inputs::{
 };
 pub use side::{WrongSide, uncarried_thrust, wrong_sides};
 pub use sliding::{ContactForces, Sliding};
-pub use state::{BallState, Motion, RingState};
+pub use state::{BallSize, BallState, Motion, RingState};
 pub use tribodyn_contact::{ElasticBody, Ellipse, Scalar};
 pub use tribodyn_fluid::FilmExtent;
 pub use tribodyn_wear::LocalSurface;

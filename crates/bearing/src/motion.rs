@@ -10,7 +10,7 @@ use crate::bearing::Bearing;
 use crate::pocket::PocketLoad;
 use crate::races::Races;
 use crate::sliding::ContactForces;
-use crate::state::BallState;
+use crate::state::{BallSize, BallState};
 use tribodyn_contact::Scalar;
 
 /// All that acts on a ball but the normal forces of its contacts.
@@ -59,10 +59,22 @@ impl<D: Scalar> BallFriction<D> {
 }
 
 impl Bearing {
+    /// Mass of a ball, kg.
+    #[inline(always)]
+    pub fn mass_of(&self, ball: &BallSize) -> f64 {
+        self.ball_mass * ball.mass
+    }
+
+    /// Moment of inertia of a ball, kg m².
+    #[inline(always)]
+    pub fn inertia_of(&self, ball: &BallSize) -> f64 {
+        self.ball_inertia * ball.inertia
+    }
+
     /// Accelerations of a ball by the normal forces on it [a, r, t], N: axial, radial, orbital.
     #[inline(always)]
-    pub fn spring_acceleration<D: Scalar>(&self, force: [D; 3], orbit_radius: D, orbital_speed: D) -> [D; 3] {
-        self.contact_springs().acceleration(force, orbit_radius, orbital_speed)
+    pub fn spring_acceleration<D: Scalar>(&self, force: [D; 3], orbit_radius: D, ball: &BallState<D>) -> [D; 3] {
+        self.contact_springs().acceleration(force, orbit_radius, ball)
     }
 
     /// Accelerations of a ball by the friction part: axial, radial, orbital, and of the spin with the turning of the
@@ -76,7 +88,7 @@ impl Bearing {
     ) -> [D; 6] {
         let [_, spin_r, spin_t] = state.spin;
         let w = if self.modelling.has_gyroscopic_moment() { state.orbital_speed } else { D::zero() };
-        let (over_mass, over_inertia) = (1.0 / self.ball_mass, 1.0 / self.ball_inertia);
+        let (over_mass, over_inertia) = (self.mass_of(&state.size).recip(), self.inertia_of(&state.size).recip());
         let [a, r, t] = friction.force.map(|f| f * over_mass);
         let [about_axis, about_radius, about_orbit] = friction.moment.map(|m| m * over_inertia);
         [a, r, t * orbit_radius.recip(), about_axis, about_radius + w * spin_t, about_orbit - w * spin_r]

@@ -60,10 +60,10 @@ impl ContactSprings {
 
     /// Accelerations of a ball by the normal forces on it [a, r, t], N: axial, radial, orbital.
     #[inline(always)]
-    pub fn acceleration<D: Scalar>(&self, force: [D; 3], orbit_radius: D, orbital_speed: D) -> [D; 3] {
-        let (over_mass, r) = (1.0 / self.ball_mass, orbit_radius);
+    pub fn acceleration<D: Scalar>(&self, force: [D; 3], orbit_radius: D, ball: &BallState<D>) -> [D; 3] {
+        let (over_mass, r, w) = (1.0 / (self.ball_mass * ball.size.mass), orbit_radius, ball.orbital_speed);
         let [a, r_force, t] = force.map(|f| f * over_mass);
-        [a, r_force + r * orbital_speed * orbital_speed, t * r.recip()]
+        [a, r_force + r * w * w, t * r.recip()]
     }
 
     /// Contact angles, approaches and orbit radius of a ball.
@@ -177,7 +177,7 @@ impl ContactSprings {
             closing_speed = n_a * (ball.velocity[0] - v_a - (along - v_t) * lean.climb) + n_r * outward - sinking;
             if load.re() > 0.0 {
                 let stiffness = hertz.tangent_stiffness(pose.approach);
-                let damping = (stiffness * self.ball_mass).sqrt() * (2.0 * self.contact_damping);
+                let damping = (stiffness * (self.ball_mass * ball.size.mass)).sqrt() * (2.0 * self.contact_damping);
                 let damped = load + damping * closing_speed;
                 force = if damped.re() > 0.0 { damped } else { D::zero() };
             }

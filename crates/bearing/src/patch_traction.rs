@@ -5,6 +5,7 @@ use crate::contact::{LoadedPatch, NormalContact};
 use crate::elastic::ElasticPatches;
 use crate::modelling::RollingRadius;
 use crate::races::Side;
+use crate::state::BallSize;
 use tribodyn_contact::Scalar;
 use tribodyn_traction::{
     FastPatch, Kragelskii, PatchDerivative, PatchTraction, Quadrature, SlipUnit, elastic_patch_traction,
@@ -29,14 +30,16 @@ impl Bearing {
         Self { elastic: None, ..self.clone() }
     }
 
-    /// How far a patch stands within the sphere of the ball, m; 0 where the ball rolls at its undeformed radius.
+    /// How far a patch stands within a sphere of the nominal radius about the ball's centre, m: without it for a ball
+    /// that is too large, and 0 for a nominal one that rolls at its undeformed radius.
     #[inline(always)]
-    pub(crate) fn sunk<D: Scalar>(&self, side: Side, contact: &NormalContact<D>) -> D {
+    pub(crate) fn sunk<D: Scalar>(&self, side: Side, contact: &NormalContact<D>, ball: &BallSize) -> D {
         let approach = contact.pose.approach;
-        match self.modelling.rolling_radius {
+        let within = match self.modelling.rolling_radius {
             Some(RollingRadius::Deformed) if approach.re() > 0.0 => approach * self.races[side].ball_share,
             _ => D::zero(),
-        }
+        };
+        within - ball.excess
     }
 
     /// The traction of a patch by the generic quadrature; where the coating is partly gone, of both surfaces by their

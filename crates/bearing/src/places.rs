@@ -2,6 +2,7 @@
 
 use crate::bearing::Bearing;
 use crate::races::{Races, Side};
+use crate::state::BallSize;
 use std::f64::consts::TAU;
 use tribodyn_wear::{LocalSurface, Track};
 
@@ -9,6 +10,12 @@ impl Bearing {
     /// Azimuth of ball `index` at time 0, rad: ball 0 is at 0 unless the bearing has another place for it.
     pub fn azimuth(&self, index: usize) -> f64 {
         TAU * index as f64 / self.geometry.ball_count as f64 + self.deviations.first_ball
+    }
+
+    /// Size of ball `index`.
+    pub fn ball_size(&self, index: usize) -> BallSize {
+        let excess = self.deviations.balls.get(index);
+        excess.map_or(BallSize::NOMINAL, |excess| BallSize::new(*excess, self.geometry.ball_diameter))
     }
 
     /// Radius of the circle on which the balls touch a race at the free contact angle, m.

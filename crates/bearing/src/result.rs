@@ -6,7 +6,7 @@ use crate::contact::{BallLoads, RaceContact};
 use crate::geometry::{ContactPose, Geometry};
 use crate::pocket::PocketLoad;
 use crate::races::{Races, Side};
-use crate::state::BallState;
+use crate::state::{BallSize, BallState};
 use serde::{Deserialize, Serialize};
 use tribodyn_contact::Ellipse;
 use tribodyn_wear::LocalSurface;
@@ -165,6 +165,8 @@ pub struct BallPlace {
     pub orbital_speed: f64,
     /// Angular velocity ω relative to the orbiting frame, rad/s.
     pub spin: [f64; 3],
+    /// Size of the ball.
+    pub size: BallSize,
 }
 
 impl Bearing {
@@ -211,6 +213,7 @@ impl Sheet {
             orbit_radius: loads.orbit_radius,
             orbital_speed,
             spin: [ball.spin[0] - orbital_speed, ball.spin[1], ball.spin[2]],
+            size: ball.size,
         };
         let Races { inner, outer } = &loads.contacts;
         let contacts = Races { inner: self.race(Side::Inner, inner), outer: self.race(Side::Outer, outer) };
@@ -230,7 +233,7 @@ impl Sheet {
     #[inline(always)]
     pub fn place(&self, place: &BallPlace, contacts: Races<ContactResult>) -> BallResult {
         let g = &self.geometry;
-        let &BallPlace { azimuth, axial, orbit_radius, orbital_speed, spin } = place;
+        let &BallPlace { azimuth, axial, orbit_radius, orbital_speed, spin, size } = place;
         BallResult {
             azimuth_rad: azimuth,
             orbital_speed_rad_s: orbital_speed,
@@ -238,10 +241,10 @@ impl Sheet {
             radial_displacement_m: orbit_radius - 0.5 * g.pitch_diameter,
             axial_displacement_m: axial - g.groove_offset(Side::Outer) * g.sin_contact_angle(),
             spin_rad_s: spin,
-            centrifugal_force_n: self.ball_mass * orbit_radius * (orbital_speed * orbital_speed),
+            centrifugal_force_n: self.ball_mass * size.mass * orbit_radius * (orbital_speed * orbital_speed),
             // The axial part of the spin drops out.
-            gyroscopic_moment_nm: (self.ball_inertia * orbital_speed * (spin[1] * spin[1] + spin[2] * spin[2]).sqrt())
-                .abs(),
+            gyroscopic_moment_nm: (self.ball_inertia * size.inertia * orbital_speed).abs()
+                * (spin[1] * spin[1] + spin[2] * spin[2]).sqrt(),
             contacts,
             fluid: None,
             pocket: None,
@@ -317,7 +320,7 @@ mod tests {
         let bearing = Bearing::new(spec()).unwrap();
         let (orbit_radius, orbital_speed) = (0.083_79, 607.6);
         let spin = [-3900.0, 900.0, 15.0];
-        let place = BallPlace { azimuth: 0.1, axial: 0.0, orbit_radius, orbital_speed, spin };
+        let place = BallPlace { azimuth: 0.1, axial: 0.0, orbit_radius, orbital_speed, spin, size: BallSize::NOMINAL };
         let ball = bearing.sheet().place(&place, Races::default());
         assert!((ball.centrifugal_force_n - 3466.0).abs() < 5.0, "{}", ball.centrifugal_force_n);
         let moment = 0.1 * 0.11204 * 0.03016f64.powi(2) * 607.6 * 900f64.hypot(15.0);

@@ -15,7 +15,7 @@ pub struct Sliding<D = f64> {
     pub motion: RelativeMotion<D>,
     /// Mean of the two surface speeds along e_t in the orbiting frame, m/s.
     pub rolling_speed: D,
-    /// How much nearer than the ball's radius the patch stands to the ball's centre, m: the motion is that of the
+    /// How much nearer than the nominal radius the patch stands to the ball's centre, m: the motion is that of the
     /// bodies as seen from a centre moved by so much towards the patch.
     pub sunk: D,
     /// Axis, outward direction and direction round a ring that is free to tilt, in the ball's axes; none where the

@@ -53,7 +53,29 @@ pub struct Motion {
     pub ring: [f64; 5],
 }
 
-/// Position and motion of a ball.
+/// How large a ball is, against the balls of the drawing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallSize {
+    /// Radius over that of the drawing, m.
+    pub excess: f64,
+    /// Mass as a multiple of that of the drawing: as the cubes of the diameters.
+    pub mass: f64,
+    /// Moment of inertia as a multiple: as their fifth powers.
+    pub inertia: f64,
+}
+
+impl BallSize {
+    /// A ball as the drawing has it.
+    pub const NOMINAL: Self = Self { excess: 0.0, mass: 1.0, inertia: 1.0 };
+
+    /// A ball of the same density with a diameter that is `excess` over the nominal one, m.
+    pub fn new(excess: f64, nominal: f64) -> Self {
+        let ratio = 1.0 + excess / nominal;
+        Self { excess: 0.5 * excess, mass: ratio.powi(3), inertia: ratio.powi(5) }
+    }
+}
+
+/// Position and motion of a ball, and its size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BallState<D = f64> {
     /// Axes at the ball's azimuth φ.
@@ -66,4 +88,6 @@ pub struct BallState<D = f64> {
     pub orbital_speed: D,
     /// Absolute angular velocity Ω, rad/s.
     pub spin: [D; 3],
+    /// Its size.
+    pub size: BallSize,
 }

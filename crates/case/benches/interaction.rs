@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use tribodyn_bearing::{AzimuthFrame, BallState, Races, RingState, Side};
+use tribodyn_bearing::{AzimuthFrame, BallSize, BallState, Races, RingState, Side};
 use tribodyn_case::Case;
 use tribodyn_traction::{FastPatch, PatchRule, Quadrature};
 
@@ -21,6 +21,7 @@ fn interaction(c: &mut Criterion) {
         velocity: [0.0; 2],
         orbital_speed: 607.0,
         spin: [-3000.0, 900.0, 10.0],
+        size: BallSize::NOMINAL,
     };
     // Pressed on both races by the axial shift of the inner ring.
     let inner = RingState { displacement: [0.0, 0.0, 1e-4], ..RingState::centred(1466.0) };

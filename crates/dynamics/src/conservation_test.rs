@@ -53,7 +53,6 @@ fn free(case: &str, friction: bool) -> (Machine, Vec<f64>) {
 /// (J).
 fn totals(machine: &Machine, t: f64, y: &[f64]) -> [f64; 4] {
     let l = machine.layout;
-    let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
     let [i, o] = [l.inner(), l.outer()];
     let rings = [(machine.inner.mass, i, i + 3), (machine.outer.mass, o, o + 2)];
     let mut sum =
@@ -63,7 +62,8 @@ fn totals(machine: &Machine, t: f64, y: &[f64]) -> [f64; 4] {
         sum[2] += mass * (y[x] * y[v + 1] - y[x + 1] * y[v]);
     }
     for index in 0..l.balls {
-        let b = machine.unknowns(index, y);
+        let (b, size) = (machine.unknowns(index, y), machine.bearing.ball_size(index));
+        let (m, j) = (machine.bearing.mass_of(&size), machine.bearing.inertia_of(&size));
         let velocity = [b[VELOCITY + AXIAL], b[VELOCITY + RADIUS], b[RADIUS] * b[ORBIT]];
         let [v_x, v_y, _] = AzimuthFrame::at(b[AZIMUTH]).to_inertial(velocity);
         sum[0] += m * v_x;
@@ -153,6 +153,25 @@ fn limit_offsets_to_first_order_lose_linear_momentum() {
     machine.bearing.ring_offset = RingOffset::FirstOrder;
     let [x, y, ..] = changes(Scheme::RungeKutta, (machine, state), 2e-6);
     assert!(x.hypot(y) > 1e-5, "{x:e} {y:e}");
+}
+
+/// Balls of unequal size have their own mass, inertia and radius: with those of the drawing in the sums, momentum would
+/// not stay.
+#[test]
+fn identity_momentum_angular_momentum_and_energy_stay_with_unequal_balls() {
+    let sizes: Vec<String> = (0..13).map(|k| format!("um({})", 20 * (k * 5 % 7) - 60)).collect();
+    let case = set_value(PAPER, "deviations.balls", &format!("Excess([{}])", sizes.join(", "))).unwrap();
+    for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
+        let [x, y, turning, energy] = changes(scheme, free(&case, false), 2e-6);
+        assert!(x < 1e-9 && y < 1e-9 && turning < 1e-10 && energy < 1e-4, "{x:e} {y:e} {turning:e} {energy:e} J");
+        let [x, y, ..] = changes(scheme, free(&case, true), 2e-6);
+        assert!(x < 1e-9 && y < 1e-9, "with friction {x:e} {y:e}");
+    }
+    let [x, y, turning, _] = changes(Scheme::Fast, free(&case, false), 5e-6);
+    let [finer_x, finer_y, finer_turning, _] = changes(Scheme::Fast, free(&case, false), 2.5e-6);
+    let (coarse, fine) = (x.hypot(y), finer_x.hypot(finer_y));
+    assert!(coarse < 1e-4 && fine < 0.35 * coarse, "{coarse:e} {fine:e}");
+    assert!(turning < 1e-6 && finer_turning < 0.35 * turning, "{turning:e} {finer_turning:e}");
 }
 
 /// Waves and unequal balls push balls and rings against each other, and nothing else. (Angular momentum is not that of

@@ -8,7 +8,7 @@
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
 use tribodyn_bearing::{
-    AzimuthFrame, BallFriction, BallState, CagePose, ContactForces, LoadedPatch, NormalContact, NormalLoads,
+    AzimuthFrame, BallFriction, BallSize, BallState, CagePose, ContactForces, LoadedPatch, NormalContact, NormalLoads,
     PocketLoad, RaceContact, Races, RingState, SPALLED_BALLS, Side, Sliding,
 };
 use tribodyn_traction::PatchTraction;
@@ -72,15 +72,16 @@ pub(crate) trait Equations {
 
     fn machine_mut(&mut self) -> &mut Machine;
 
-    /// State of a ball at a position from its unknowns `b`.
+    /// State of a ball of a size at a position from its unknowns `b`.
     #[inline(always)]
-    fn state_at(&self, frame: AzimuthFrame, position: [f64; 2], b: &[f64]) -> BallState {
+    fn state_at(&self, (frame, size): (AzimuthFrame, BallSize), position: [f64; 2], b: &[f64]) -> BallState {
         BallState {
             frame,
             position,
             velocity: [b[VELOCITY], b[VELOCITY + 1]],
             orbital_speed: b[ORBIT],
             spin: [b[SPIN], b[SPIN + 1], b[SPIN + 2]],
+            size,
         }
     }
 
@@ -117,8 +118,8 @@ pub(crate) trait Equations {
 
     /// Accelerations of a ball by the spring part: axial, radial, orbital.
     #[inline(always)]
-    fn spring_acceleration(&self, springs: &Springs, orbital_speed: f64) -> [f64; 3] {
-        self.machine().bearing.spring_acceleration(springs.force, springs.normal.orbit_radius, orbital_speed)
+    fn spring_acceleration(&self, springs: &Springs, state: &BallState) -> [f64; 3] {
+        self.machine().bearing.spring_acceleration(springs.force, springs.normal.orbit_radius, state)
     }
 
     /// Accelerations of a ball by the friction part.
@@ -137,7 +138,7 @@ pub(crate) trait Equations {
     ) -> BallForces {
         let machine = self.machine();
         let (axes, position, surfaces) = machine.place(index, b, frame);
-        let state = self.state_at(axes, position, b);
+        let state = self.state_at((axes, machine.bearing.ball_size(index)), position, b);
         let normal = machine.normal_loads(&state, &surfaces, frame);
         let r = normal.orbit_radius;
         let mut contacts = Races::from_fn(|side| {
@@ -166,7 +167,7 @@ pub(crate) trait Equations {
             outer: ContactForces { force: outer.traction_force, moment: outer.moment },
         };
         let friction = self.friction(&tractions, fluid, pocket, r);
-        let [axial, outward, orbital] = self.spring_acceleration(&springs, state.orbital_speed);
+        let [axial, outward, orbital] = self.spring_acceleration(&springs, &state);
         let mut acceleration = self.friction_acceleration(&state, &friction, r);
         acceleration[0] += axial;
         acceleration[1] += outward;

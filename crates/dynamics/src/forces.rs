@@ -89,8 +89,8 @@ impl Machine {
         let [v_a, v_r] = velocity;
         let along = r * s.orbital_speed;
         let speed = v_a * v_a + v_r * v_r + along * along;
-        p.energy += 0.5 * self.bearing.ball_mass * speed
-            + 0.5 * self.bearing.ball_inertia * dot(s.spin, s.spin)
+        p.energy += 0.5 * self.bearing.mass_of(&s.size) * speed
+            + 0.5 * self.bearing.inertia_of(&s.size) * dot(s.spin, s.spin)
             + f.pocket.energy;
     }
 
@@ -114,7 +114,8 @@ impl Machine {
     /// Elastic energy of the contacts of a ball with its number and the unknowns `b`, J.
     pub fn elastic_energy(&self, index: usize, b: &[f64], frame: &Frame) -> f64 {
         let (axes, position, surfaces) = self.place(index, b, frame);
-        let normal = self.normal_loads(&self.state_at(axes, position, b), &surfaces, frame);
+        let state = self.state_at((axes, self.bearing.ball_size(index)), position, b);
+        let normal = self.normal_loads(&state, &surfaces, frame);
         normal.contacts.iter().map(|(_, contact)| elastic_energy(contact)).sum()
     }
 

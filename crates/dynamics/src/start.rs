@@ -113,6 +113,7 @@ fn equilibrium(inputs: &RunInputs) -> Result<StartMotion, DynamicsError> {
             velocity: [0.0; 2],
             orbital_speed: ball.orbital_speed,
             spin: [s_a + ball.orbital_speed, s_r, s_t],
+            size: inputs.bearing.ball_size(index),
         };
         (azimuth, state)
     };

@@ -8,7 +8,7 @@ use crate::system::{BALL, ORBIT, SPIN};
 use crate::way::{Eased, swinging};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use tribodyn_bearing::{AzimuthFrame, BallState, Motion, OperatingPoint, Races, Side};
+use tribodyn_bearing::{AzimuthFrame, BallSize, BallState, Motion, OperatingPoint, Races, Side};
 use tribodyn_traction::PatchRule;
 
 /// An orbit to start a neighbouring problem from.
@@ -49,7 +49,8 @@ impl OrbitStart {
             let [x1, x2, lead, v_a, v_r, orbital_speed, spin @ ..] = orbit.at(&radau, turn);
             let azimuth = pocket + lead;
             let frame = AzimuthFrame::at(azimuth);
-            (azimuth, BallState { frame, position: [x1, x2], velocity: [v_a, v_r], orbital_speed, spin })
+            let (position, velocity, size) = ([x1, x2], [v_a, v_r], BallSize::NOMINAL);
+            (azimuth, BallState { frame, position, velocity, orbital_speed, spin, size })
         };
         Motion { balls: (0..ball_count).map(ball).collect(), cage_speed: orbit.cage_speed, ring: orbit.ring }
     }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 use tribodyn_bearing::{
-    AzimuthFrame, BallFriction, BallLoads, BallState, Bearing, CageBody, ContactForces, LoadedPatch, LocalSurface,
-    PocketLoad, PocketMotion, Races, RingFreedom, RingState, Scalar, Side,
+    AzimuthFrame, BallFriction, BallLoads, BallSize, BallState, Bearing, CageBody, ContactForces, LoadedPatch,
+    LocalSurface, PocketLoad, PocketMotion, Races, RingFreedom, RingState, Scalar, Side,
 };
 use tribodyn_traction::{FastPatch, PatchTraction};
 
@@ -94,6 +94,7 @@ impl OrbitSystem<'_> {
             velocity: [v_a, v_r],
             orbital_speed: orbit,
             spin,
+            size: BallSize::NOMINAL,
         };
         let loads = bearing.ball_loads_with(&state, rings.each_ref(), self.surfaces.each_ref(), traction);
         let r = loads.orbit_radius;
@@ -103,7 +104,7 @@ impl OrbitSystem<'_> {
         let friction = BallFriction::new(&tractions, (loads.drag, loads.churning), (on_ball, pocket.radius), r);
         let [i, o] = Side::BOTH.map(|side| loads.contacts[side].normal.on_ball(side));
         let springs: [D; 3] = std::array::from_fn(|k| i[k] + o[k]);
-        let [a, b, c] = bearing.spring_acceleration(springs, r, orbit);
+        let [a, b, c] = bearing.spring_acceleration(springs, r, &state);
         let f = bearing.friction_acceleration(&state, &friction, r);
         let centring = lead * (self.centring * pocket.radius * pocket.radius);
         let settling = self.settling;

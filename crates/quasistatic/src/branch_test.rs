@@ -5,7 +5,7 @@ use crate::jones_harris::{Typical, kinematics};
 use crate::settle::follow_ball;
 use crate::solve::traction_system;
 use crate::{Model, RingFreedom, other_roots, solve};
-use tribodyn_bearing::{Bearing, OperatingPoint, Races};
+use tribodyn_bearing::{BallSize, Bearing, OperatingPoint, Races};
 use tribodyn_case::{Case, set_value};
 
 /// A bearing on a wider pitch circle in about 200 N of drag per ball.
@@ -62,7 +62,7 @@ fn limit_a_ball_thrown_off_the_inner_race_comes_to_the_driven_equilibrium() {
         let (ring, found): ([f64; RING], _) = (start.ring(), start.state.balls[index]);
         let (_, loads, _) = system.evaluate(index, found, ring);
         let pose = loads.pose();
-        let rolling = kinematics(&bearing, &pose, system.speeds, false, true);
+        let rolling = kinematics(&bearing, (&pose, &BallSize::NOMINAL), system.speeds, false, true);
         let mut ball = [found[0], found[1], rolling.spin[0], rolling.spin[1], 0.0, rolling.orbital_speed];
         let mut lost = false;
         for stage in STAGES {

@@ -9,7 +9,9 @@
 //! modelling choice ([`tribodyn_bearing::GyroscopicFriction`]).
 
 use crate::block::{AXIAL, BALL, Balance, BlockState, BlockSystem, ORBIT, RADIAL, RING, SPIN};
-use tribodyn_bearing::{AzimuthFrame, BallPose, Bearing, ContactPose, Races, RingFreedom, RingState, Scalar, Side};
+use tribodyn_bearing::{
+    AzimuthFrame, BallPose, BallSize, Bearing, ContactPose, Races, RingFreedom, RingState, Scalar, Side,
+};
 
 /// Names of the equations, for error messages.
 pub(crate) const EQUATIONS: [&str; BALL] =
@@ -106,13 +108,13 @@ pub(crate) struct Kinematics<D> {
 /// Rolling kinematics with the ball's axis at the pitch angle β that raceway control gives.
 pub(crate) fn kinematics<D: Scalar>(
     bearing: &Bearing,
-    pose: &BallPose<D>,
+    (pose, ball): (&BallPose<D>, &BallSize),
     Races { inner: inner_speed, outer: outer_speed }: Races<f64>,
     inner_control: bool,
     at_free_pitch: bool,
 ) -> Kinematics<D> {
     let g = &bearing.geometry;
-    let ratio = g.ball_diameter / g.pitch_diameter;
+    let ratio = (g.ball_diameter + 2.0 * ball.excess) / g.pitch_diameter;
     let (i, o) = (&pose.contacts.inner, &pose.contacts.outer);
     let tangent = if inner_control { i.sin / (i.cos - ratio) } else { o.sin / (o.cos + ratio) };
     let (roll_i, roll_o) = (i.cos + tangent * i.sin, o.cos + tangent * o.sin);
@@ -126,8 +128,8 @@ pub(crate) fn kinematics<D: Scalar>(
     Kinematics {
         orbital_speed,
         spin,
-        gyroscopic_moment: spin[1] * orbital_speed * bearing.ball_inertia,
-        centrifugal_force: radius * orbital_speed * orbital_speed * bearing.ball_mass,
+        gyroscopic_moment: spin[1] * orbital_speed * bearing.inertia_of(ball),
+        centrifugal_force: radius * orbital_speed * orbital_speed * bearing.mass_of(ball),
     }
 }
 
@@ -203,14 +205,16 @@ impl BlockSystem for JonesHarris<'_> {
         let (i, o) = (&pose.contacts.inner, &pose.contacts.outer);
         let (q_i, q_o) = (self.load(Side::Inner, i), self.load(Side::Outer, o));
         let inner_control = self.inner_control[index];
-        let k = kinematics(self.bearing, &pose, self.speeds, inner_control, self.centrifugal_at_free_pitch);
+        let size = self.bearing.ball_size(index);
+        let k = kinematics(self.bearing, (&pose, &size), self.speeds, inner_control, self.centrifugal_at_free_pitch);
         let (moment, centrifugal) = match self.frozen {
             Some(force) => (D::zero(), D::from(force)),
             None => (k.gyroscopic_moment, k.centrifugal_force),
         };
         // λ M_g / D.
         let shares = self.bearing.modelling.gyroscopic_shares(inner_control);
-        let wanted = shares.map(|share| moment * (share / self.bearing.geometry.ball_diameter));
+        let diameter = self.bearing.geometry.ball_diameter + 2.0 * size.excess;
+        let wanted = shares.map(|share| moment * (share / diameter));
         let Races { inner: f_i, outer: f_o } =
             if self.bounded { held(wanted, Races { inner: q_i, outer: q_o }) } else { wanted };
         let on_ball_i = [q_i * i.sin + f_i * i.cos, q_i * i.cos - f_i * i.sin];

@@ -6,8 +6,8 @@ use crate::jones_harris::{JonesHarris, Kinematics, kinematics};
 use crate::with_traction::WithTraction;
 use crate::{Model, Solution};
 use tribodyn_bearing::{
-    BallPlace, BallResult, Bearing, Cage, ContactPose, ContactResult, OperatingPoint, PocketForce, PocketResult,
-    RaceControl,
+    BallPlace, BallResult, BallSize, Bearing, Cage, ContactPose, ContactResult, OperatingPoint, PocketForce,
+    PocketResult, RaceControl,
 };
 use tribodyn_bearing::{Races, Sheet, Side};
 
@@ -22,12 +22,12 @@ pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &O
     let mut balls = Vec::with_capacity(solved.state.balls.len());
     for (index, &ball) in solved.state.balls.iter().enumerate() {
         let pose = system.pose(index, ball, solved.state.ring);
-        let k =
-            kinematics(bearing, &pose, system.speeds, system.inner_control[index], system.centrifugal_at_free_pitch);
+        let (size, control) = (bearing.ball_size(index), system.inner_control[index]);
+        let k = kinematics(bearing, (&pose, &size), system.speeds, control, system.centrifugal_at_free_pitch);
         let contacts = Races::from_fn(|side| {
             let contact = &pose.contacts[side];
             let (load, ellipse) = bearing.contact_load(side, contact);
-            Sheet::contact(contact, (load, &ellipse), rolling(system, &k, side, contact))
+            Sheet::contact(contact, (load, &ellipse), rolling(system, (&k, &size), side, contact))
         });
         let place = BallPlace {
             azimuth: bearing.azimuth(index),
@@ -35,6 +35,7 @@ pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &O
             orbit_radius: pose.orbit_radius,
             orbital_speed: k.orbital_speed,
             spin: [k.spin[0], k.spin[1], 0.0],
+            size,
         };
         balls.push(BallResult {
             // As the model has it, which may take the free pitch radius.
@@ -62,10 +63,15 @@ pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &O
 }
 
 /// Rolling speed (m/s) and spin ratio (1/m) of the Jones–Harris kinematics, which slide nowhere else.
-fn rolling(system: &JonesHarris<'_>, k: &Kinematics<f64>, side: Side, contact: &ContactPose) -> [f64; 2] {
+fn rolling(
+    system: &JonesHarris<'_>,
+    (k, ball): (&Kinematics<f64>, &BallSize),
+    side: Side,
+    contact: &ContactPose,
+) -> [f64; 2] {
     let [axial, radial] = k.spin;
     let [n_a, n_r] = contact.normal(side);
-    let rolling = (axial * n_r - radial * n_a) * system.bearing.geometry.ball_radius();
+    let rolling = (axial * n_r - radial * n_a) * (system.bearing.geometry.ball_radius() + ball.excess);
     let spin = (axial + k.orbital_speed - system.speeds[side]) * n_a + radial * n_r;
     [rolling, if rolling == 0.0 { 0.0 } else { spin / rolling }]
 }

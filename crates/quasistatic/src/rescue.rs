@@ -78,13 +78,13 @@ pub(crate) fn why_no_steady_state(system: &WithTraction<'_>, nearest: &Iterate) 
     let radius = system.bearing.geometry.ball_radius();
     let (mut skidding, mut idle, mut speed, mut rolling) = (0, 0, 0.0, 0.0);
     for (index, &ball) in nearest.state.balls.iter().enumerate() {
-        let (_, loads, _) = system.evaluate(index, ball, nearest.state.ring);
+        let (state, loads, _) = system.evaluate(index, ball, nearest.state.ring);
         let inner = &loads.contacts.inner;
         let off = system.typical.is_idle(inner.normal.load);
         idle += usize::from(off);
         skidding += usize::from(!off && inner.slide_to_roll(radius)[0].abs() > SKIDDING);
         speed += ball[ORBIT];
-        rolling += kinematics(system.bearing, &loads.pose(), system.speeds, false, true).orbital_speed;
+        rolling += kinematics(system.bearing, (&loads.pose(), &state.size), system.speeds, false, true).orbital_speed;
     }
     let balls = nearest.state.balls.len();
     if skidding + idle == 0 {
@@ -179,7 +179,8 @@ pub(crate) fn why_no_raceway_control(system: &JonesHarris<'_>, nearest: &Iterate
         let side = if inner { Side::Inner } else { Side::Outer };
         let Races { inner: at_inner, outer: at_outer } = &pose.contacts;
         let (load, _) = system.bearing.contact_load(side, if inner { at_inner } else { at_outer });
-        let moment = kinematics(system.bearing, &pose, system.speeds, inner, true).gyroscopic_moment;
+        let size = system.bearing.ball_size(index);
+        let moment = kinematics(system.bearing, (&pose, &size), system.speeds, inner, true).gyroscopic_moment;
         let needed = (2.0 * moment / system.bearing.geometry.ball_diameter).abs() / load;
         friction = friction.max(if needed.is_nan() { f64::INFINITY } else { needed });
     }

@@ -16,7 +16,7 @@ use crate::start::WarmStart;
 use crate::with_traction::WithTraction;
 use nalgebra::{Matrix2, Matrix4, Matrix4x2};
 use serde::{Serialize, Serializer};
-use tribodyn_bearing::{BallPose, Bearing, OperatingPoint, Races};
+use tribodyn_bearing::{BallPose, BallSize, Bearing, OperatingPoint, Races};
 
 /// Orbital speeds at which the search starts, as shares of the rolling one.
 const START_SPEEDS: [f64; 6] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.95];
@@ -102,9 +102,9 @@ fn ball_roots(system: &WithTraction<'_>, index: usize, ball: [f64; BALL], ring: 
     let solution = root(system, index, ball, ring);
     let mut others: Vec<Root> = Vec::new();
     if solution.driven {
-        let (_, loads, _) = system.evaluate(index, ball, ring);
+        let (state, loads, _) = system.evaluate(index, ball, ring);
         let pose = loads.pose();
-        for start in starts(system, ball, &pose) {
+        for start in starts(system, ball, (&pose, &state.size)) {
             let end = settle_ball(system, index, start, ring, EQUILIBRIUM, FROM_AFAR);
             if end.residual > EQUILIBRIUM {
                 continue;
@@ -120,9 +120,13 @@ fn ball_roots(system: &WithTraction<'_>, index: usize, ball: [f64; BALL], ring: 
 }
 
 /// Skidding states at the solved position: the orbit slower than rolling, the spin rolling on one race only.
-fn starts(system: &WithTraction<'_>, ball: [f64; BALL], pose: &BallPose) -> impl Iterator<Item = [f64; BALL]> {
+fn starts(
+    system: &WithTraction<'_>,
+    ball: [f64; BALL],
+    (pose, size): (&BallPose, &BallSize),
+) -> impl Iterator<Item = [f64; BALL]> {
     let Races { inner: inner_speed, outer: outer_speed } = system.speeds;
-    let rolling = kinematics(system.bearing, pose, system.speeds, false, true);
+    let rolling = kinematics(system.bearing, (pose, size), system.speeds, false, true);
     // Rolling on a race alone, the spin grows with the speed of the orbit against that race, along the same axis.
     let share = move |orbit: f64, race: f64| {
         let full = rolling.orbital_speed - race;
@@ -177,7 +181,8 @@ fn growth_rate(
     let follows = position.lu().solve(&slope.fixed_view::<2, 4>(0, 2).into_owned())?;
     let reduced: Matrix4<f64> = slope.fixed_view::<4, 4>(2, 2) - by_position * follows;
     // The axial balance accelerates the absolute spin ω_a + ω_m.
-    let (j, m) = (system.bearing.ball_inertia, system.bearing.ball_mass);
+    let size = system.bearing.ball_size(index);
+    let (j, m) = (system.bearing.inertia_of(&size), system.bearing.mass_of(&size));
     let mut mass = Matrix4::from_diagonal(&[j, j, j, m * orbit_radius].into());
     mass[(0, 3)] = j;
     let rates = mass.lu().solve(&reduced)?;

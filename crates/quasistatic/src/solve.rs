@@ -19,7 +19,7 @@ use crate::stability::steadied;
 use crate::start::WarmStart;
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, needs, report};
-use tribodyn_bearing::{BallLoads, Bearing, OperatingPoint, RaceControl, Races, RingFreedom, Side};
+use tribodyn_bearing::{BallLoads, BallSize, Bearing, OperatingPoint, RaceControl, Races, RingFreedom, Side};
 use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, TractionError, choose_rule};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
@@ -167,7 +167,7 @@ fn rolling_free(system: &JonesHarris<'_>, inner_control: bool) -> (Kinematics<f6
     let offset = g.groove_offset(Side::Outer);
     let [axial, radial] = [offset * g.sin_contact_angle(), offset * g.cos_contact_angle()];
     let unloaded = system.pose(0, [axial, radial, 0.0, 0.0, 0.0, 0.0], [0.0; RING]);
-    let k = kinematics(system.bearing, &unloaded, system.speeds, inner_control, true);
+    let k = kinematics(system.bearing, (&unloaded, &BallSize::NOMINAL), system.speeds, inner_control, true);
     (k, [axial, radial, k.spin[0], k.spin[1], 0.0, k.orbital_speed])
 }
 

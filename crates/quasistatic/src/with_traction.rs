@@ -48,6 +48,7 @@ impl WithTraction<'_> {
             velocity: [D::zero(); 2],
             orbital_speed: ball[ORBIT],
             spin: [ball[SPIN] + ball[ORBIT], ball[SPIN + 1], ball[SPIN + 2]],
+            size: self.bearing.ball_size(index),
         };
         let rings = Races { inner: &inner, outer: &outer };
         let loads =
@@ -56,9 +57,11 @@ impl WithTraction<'_> {
     }
 
     fn balance<D: Scalar>(&self, (state, loads, inner): Loaded<D>) -> Balance<D> {
-        let centrifugal = loads.orbit_radius * state.orbital_speed * state.orbital_speed * self.bearing.ball_mass;
+        let mass = self.bearing.mass_of(&state.size);
+        let centrifugal = loads.orbit_radius * state.orbital_speed * state.orbital_speed * mass;
         // J ω_m e_a × Ω = J ω_m (−Ω_t e_r + Ω_r e_t).
-        let turning = if self.bearing.modelling.has_gyroscopic_moment() { self.bearing.ball_inertia } else { 0.0 };
+        let inertia = self.bearing.inertia_of(&state.size);
+        let turning = if self.bearing.modelling.has_gyroscopic_moment() { inertia } else { 0.0 };
         let inertia = state.orbital_speed * turning;
         let gyroscopic = [-(inertia * state.spin[2]), inertia * state.spin[1]];
         let (force, moment) = (loads.force(), loads.moment());

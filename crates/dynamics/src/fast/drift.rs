@@ -1,12 +1,14 @@
 //! The drift: motion under contact springs, supports, loads and the centrifugal force.
 
-use super::lanes::{Lane, WIDTH, filled, get, put, sin_cos};
+use super::lanes::{Lane, WIDTH, ball_in, filled, get, put, sin_cos};
 use crate::equations::{Equations, Frame};
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use fearless_simd::{Level, dispatch};
-use tribodyn_bearing::{AzimuthFrame, ContactPose, ContactSprings, Lean, NormalContact, NormalLoads, Races, Side};
+use tribodyn_bearing::{
+    AzimuthFrame, BallSize, BallState, ContactPose, ContactSprings, Lean, NormalContact, NormalLoads, Races, Side,
+};
 use tribodyn_wear::LocalSurface;
 
 /// The balls of a block at the position that the drift evaluated last: the kick at the same position needs it again.
@@ -16,6 +18,8 @@ pub(super) struct Stand {
     surfaces: [[Lane; 3]; 2],
     /// Derivatives of the depths by rotations of balls with spalls.
     turns: [[Lane; 3]; 2],
+    /// Sizes of the balls.
+    sizes: [Lane; 3],
     found: Found,
 }
 
@@ -49,7 +53,24 @@ impl Found {
 }
 
 impl Stand {
-    pub const NONE: Self = Self { surfaces: [[Lane::ZERO; 3]; 2], turns: [[Lane::ZERO; 3]; 2], found: Found::NONE };
+    pub const NONE: Self = Self {
+        surfaces: [[Lane::ZERO; 3]; 2],
+        turns: [[Lane::ZERO; 3]; 2],
+        sizes: [Lane::ZERO, Lane::all(1.0), Lane::all(1.0)],
+        found: Found::NONE,
+    };
+
+    /// State of a ball of a block with the unknowns `balls`.
+    #[inline(always)]
+    pub fn state<E: Equations>(&self, equations: &E, balls: &[Lane; BALL], k: usize) -> BallState {
+        self.state_of(equations, &get(balls, k), k)
+    }
+
+    /// The same from the unknowns `b` of the ball.
+    #[inline(always)]
+    pub fn state_of<E: Equations>(&self, equations: &E, b: &[f64; BALL], k: usize) -> BallState {
+        equations.state_at((self.axes(k), size(&self.sizes, k)), self.position(k), b)
+    }
 
     #[inline(always)]
     pub fn axes(&self, k: usize) -> AzimuthFrame {
@@ -123,6 +144,12 @@ impl Stand {
 }
 
 #[inline(always)]
+fn size(sizes: &[Lane; 3], k: usize) -> BallSize {
+    let [excess, mass, inertia] = get(sizes, k);
+    BallSize { excess, mass, inertia }
+}
+
+#[inline(always)]
 fn numbers(c: &NormalContact) -> [f64; CONTACT] {
     let (pose, lean) = (&c.pose, &c.lean);
     #[rustfmt::skip]
@@ -138,7 +165,7 @@ fn numbers(c: &NormalContact) -> [f64; CONTACT] {
 fn springs<E: Equations>(
     equations: &E,
     frame: &Frame,
-    (balls, surfaces): (&[Lane; BALL], &[[Lane; 3]; 2]),
+    (balls, surfaces, sizes): (&[Lane; BALL], &[[Lane; 3]; 2], &[Lane; 3]),
     (model, groove): (ContactSprings, f64),
     found: &mut Found,
 ) {
@@ -148,7 +175,7 @@ fn springs<E: Equations>(
         let (sin, cos) = sin_cos(b[AZIMUTH]);
         let axes = AzimuthFrame { sin, cos };
         let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], &frame, groove);
-        let state = equations.state_at(axes, position, &b);
+        let state = equations.state_at((axes, size(sizes, k)), position, &b);
         let ([d_i, s_i, b_i], [d_o, s_o, b_o]) = (get(&surfaces[0], k), get(&surfaces[1], k));
         let inner = LocalSurface { depth: d_i, slope: s_i, bare: b_i, ..LocalSurface::NEW };
         let outer = LocalSurface { depth: d_o, slope: s_o, bare: b_o, ..LocalSurface::NEW };
@@ -158,7 +185,7 @@ fn springs<E: Equations>(
         put(&mut found.position, k, position);
         let r = springs.normal.orbit_radius;
         found.orbit_radius.0[k] = r;
-        put(&mut found.acceleration, k, model.acceleration(springs.force, r, state.orbital_speed));
+        put(&mut found.acceleration, k, model.acceleration(springs.force, r, &state));
         let Races { inner, outer } = &springs.normal.contacts;
         put(&mut found.contacts[0], k, numbers(inner));
         put(&mut found.contacts[1], k, numbers(outer));
@@ -179,14 +206,14 @@ fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; B
         let (sin, cos) = sin_cos(b[AZIMUTH]);
         let axes = AzimuthFrame { sin, cos };
         let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], frame, groove);
-        let state = equations.state_at(axes, position, &b);
+        let state = equations.state_at((axes, size(&stand.sizes, k)), position, &b);
         let surfaces = Races::from_fn(|side| LocalSurface { turn: stand.turn(side, k), ..stand.surface(side, k) });
         let springs = equations.springs(machine.normal_loads(&state, &surfaces, frame));
         let found = &mut stand.found;
         put(&mut found.axes, k, [sin, cos]);
         put(&mut found.position, k, position);
         found.orbit_radius.0[k] = springs.normal.orbit_radius;
-        put(&mut found.acceleration, k, equations.spring_acceleration(&springs, state.orbital_speed));
+        put(&mut found.acceleration, k, equations.spring_acceleration(&springs, &state));
         for side in Side::BOTH {
             let contact = &springs.normal.contacts[side];
             put(&mut found.contacts[side as usize], k, numbers(contact));
@@ -244,7 +271,7 @@ fn moments<E: Equations>(
 ) {
     let (machine, ring) = (equations.machine(), &frame.rings.inner);
     for k in 0..filled(machine.layout, block) {
-        let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
+        let state = stand.state(equations, balls, k);
         let force = stand.contact(Side::Inner, k).on_ball(Side::Inner);
         let of_normal = (force, [0.0; 3]);
         let moment = machine.bearing.moment_about(Side::Inner, &state, of_normal, (ring, stand.orbit_radius(k)));
@@ -261,12 +288,24 @@ pub(super) fn press<E: Equations>(
 ) {
     let machine = equations.machine();
     surfaces(machine, frame, (block, balls), (&mut out.surfaces, &mut out.turns));
+    sizes(machine, block, &mut out.sizes);
     if machine.bearing.modelling.contact_at_actual_angle || machine.layout.one_by_one() {
         return springs_by_angle(equations, frame, balls, out);
     }
     let model = (machine.bearing.contact_springs(), machine.bearing.geometry.groove_centre_radius(Side::Outer));
-    let Stand { surfaces, found, .. } = &mut *out;
-    dispatch!(level, _simd => springs(equations, frame, (balls, surfaces), model, found));
+    let Stand { surfaces, sizes, found, .. } = &mut *out;
+    dispatch!(level, _simd => springs(equations, frame, (balls, surfaces, sizes), model, found));
+}
+
+/// The sizes of the balls of a block; equal ones are those of [`Stand::NONE`].
+fn sizes(machine: &Machine, block: usize, out: &mut [Lane; 3]) {
+    if machine.bearing.deviations.balls.is_empty() {
+        return;
+    }
+    for k in 0..WIDTH {
+        let BallSize { excess, mass, inertia } = machine.bearing.ball_size(ball_in(machine.layout, block, k));
+        put(out, k, [excess, mass, inertia]);
+    }
 }
 
 /// The surfaces under the balls of a block.
@@ -278,8 +317,7 @@ fn surfaces(
 ) {
     let new = machine.is_even();
     for k in 0..WIDTH {
-        // Lanes that are left over go with the last ball.
-        let ball = (block * WIDTH + k).min(machine.layout.balls - 1);
+        let ball = ball_in(machine.layout, block, k);
         let here = if new { machine.new_surfaces() } else { machine.place(ball, &get(balls, k), frame).2 };
         for (side, surface) in here.iter() {
             put(&mut out[side as usize], k, [surface.depth, surface.slope, surface.bare]);

@@ -128,7 +128,7 @@ impl LinearFriction {
                 }
             }
         }
-        let (m, j) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
+        let (m, j) = (machine.bearing.mass_of(&state.size), machine.bearing.inertia_of(&state.size));
         let mobility = [1.0 / m, 1.0 / m, 1.0 / (m * r * r), 1.0 / j, 1.0 / j, 1.0 / j];
         let mut a =
             Matrix6::from_fn(|row, column| mobility[row] * (slopes[0][(row, column)] + slopes[1][(row, column)]));

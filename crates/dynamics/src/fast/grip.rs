@@ -186,7 +186,7 @@ pub(super) fn tractions<E: Equations, const TILTS: bool>(
     let (out, frame) = (grips, if TILTS { *frame } else { frame.held() });
     out.pocket = [Lane::ZERO; 6];
     for k in 0..WIDTH {
-        let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
+        let state = stand.state(equations, balls, k);
         let (forces, wear, near) = contact(equations, Side::Inner, (&frame, &state), (stand, &forms.traction[0], k));
         put(&mut out.forces[0], k, forces);
         (out.wear[0].0[k], out.near[0].0[k]) = (wear, if now > forms.last[0].0[k] { 0.0 } else { near });
@@ -224,12 +224,12 @@ pub(super) fn surroundings<E: Equations>(
     // What there is of the fluid is asked outside of the loops, which would else not become vector instructions.
     if let Some(fluid) = machine.bearing.fluid {
         for k in 0..WIDTH {
-            let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
+            let state = stand.state(equations, balls, k);
             out[0].0[k] = fluid.drag_on(&state, stand.orbit_radius(k), inner_speed);
         }
         if let Some(churning) = fluid.churning {
             for k in 0..WIDTH {
-                let state = equations.state_at(stand.axes(k), stand.position(k), &get(balls, k));
+                let state = stand.state(equations, balls, k);
                 let [x, y, z] = churning.moment_vector(state.spin);
                 (out[1].0[k], out[2].0[k], out[3].0[k]) = (x, y, z);
             }
@@ -288,7 +288,7 @@ fn push<E: Equations>(
     (b, given_back, h): (&[f64; BALL], [f64; 3], f64),
     (stand, grips, k): (&Stand, &Grips, usize),
 ) -> [f64; 6] {
-    let (state, r) = (equations.state_at(stand.axes(k), stand.position(k), b), stand.orbit_radius(k));
+    let (state, r) = (stand.state_of(equations, b, k), stand.orbit_radius(k));
     let traction = Races { inner: grips.forces(Side::Inner, k), outer: grips.forces(Side::Outer, k) };
     let friction = equations.friction(&traction, grips.fluid(k), grips.pocket(k), r);
     let a = equations.friction_acceleration(&state, &friction, r);

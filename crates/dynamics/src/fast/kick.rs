@@ -146,7 +146,7 @@ impl Fast {
         let bearing = &machine.bearing;
         let (block, k) = (index / WIDTH, index % WIDTH);
         let stand = &self.scratch.stands[block];
-        let state = &equations.state_at(stand.axes(k), stand.position(k), &get(&self.scratch.balls[block], k));
+        let state = &stand.state(equations, &self.scratch.balls[block], k);
         let (normal, grips, lanes) =
             (stand.normal(k), &mut self.scratch.grips[block], lanes_of(machine.layout, block, k));
         let contacts = &mut self.contacts[index];

@@ -54,6 +54,11 @@ pub(super) fn filled(l: Layout, block: usize) -> usize {
     (l.balls - WIDTH * block).min(WIDTH)
 }
 
+/// Ball of a lane of a block: lanes that are left over go with the last one.
+pub(super) fn ball_in(l: Layout, block: usize, k: usize) -> usize {
+    (block * WIDTH + k).min(l.balls - 1)
+}
+
 /// Lanes of a ball of a block: its own, and those that repeat it if it is the last.
 pub(super) fn lanes_of(l: Layout, block: usize, k: usize) -> std::ops::Range<usize> {
     k..if k + 1 == filled(l, block) { WIDTH } else { k + 1 }

@@ -235,7 +235,7 @@ fn ball(
     k: usize,
 ) -> (Sums, BallResult, f64) {
     let (machine, b) = (of.machine, get(balls, k));
-    let state = machine.state_at(stand.axes(k), stand.position(k), &b);
+    let state = stand.state_of(machine, &b, k);
     let (inner, near_inner) = contact((of, Side::Inner), &state, (stand, &forms.traction[0], k), &ellipses[0]);
     let (outer, near_outer) = contact((of, Side::Outer), &state, (stand, &forms.traction[1], k), &ellipses[1]);
     let mut pocket = PocketLoad::none();

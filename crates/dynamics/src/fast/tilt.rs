@@ -4,7 +4,7 @@
 
 use super::Fast;
 use super::lanes::{Lane, WIDTH, filled, get};
-use crate::equations::{Equations, Frame};
+use crate::equations::Frame;
 use crate::layout::Layout;
 use crate::machine::Machine;
 use nalgebra::{Matrix2, Vector2};
@@ -38,13 +38,13 @@ impl Fast {
         for (index, force) in on_inner.0.iter().enumerate() {
             let (block, k) = (index / WIDTH, index % WIDTH);
             let (stand, grips) = (&self.scratch.stands[block], &self.scratch.grips[block]);
-            let state = machine.state_at(stand.axes(k), stand.position(k), &get(&self.scratch.balls[block], k));
+            let state = stand.state(machine, &self.scratch.balls[block], k);
             let at_start = grips.forces(Side::Inner, k);
             let mean = state.frame.from_inertial(force.map(|f| -f));
             // What the force is in the mean of the step acts where it acts at its start: at the contact.
             let contact = stand.contact(Side::Inner, k);
             let [n_a, n_r] = contact.pose.normal(Side::Inner);
-            let radius = machine.bearing.geometry.ball_radius();
+            let radius = machine.bearing.geometry.ball_radius() + state.size.excess;
             let point = [n_a, n_r * contact.lean.cos, -n_r * contact.lean.sin].map(|n| n * radius);
             let change = [0, 1, 2].map(|i| mean[i] - at_start.force[i]);
             let by_change = cross(point, change);

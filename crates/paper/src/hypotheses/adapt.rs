@@ -51,7 +51,7 @@ mod tests {
     use super::*;
     use crate::files;
     use crate::transient::AUTHORS;
-    use tribodyn_bearing::{AzimuthFrame, BallState};
+    use tribodyn_bearing::{AzimuthFrame, BallSize, BallState};
     use tribodyn_case::Case;
 
     fn authors() -> (Bearing, OperatingPoint) {
@@ -66,8 +66,14 @@ mod tests {
         let radius = 0.5 * bearing.geometry.pitch_diameter;
         let drag = |bearing: &Bearing, speed: f64| {
             let frame = AzimuthFrame::at(0.0);
-            let ball =
-                BallState { frame, position: [0.0; 2], velocity: [0.0; 2], orbital_speed: speed, spin: [0.0; 3] };
+            let ball = BallState {
+                frame,
+                position: [0.0; 2],
+                velocity: [0.0; 2],
+                orbital_speed: speed,
+                spin: [0.0; 3],
+                size: BallSize::NOMINAL,
+            };
             bearing.fluid.as_ref().unwrap().drag_on(&ball, radius, point.inner_speed)
         };
         let own = drag(&bearing, orbit);

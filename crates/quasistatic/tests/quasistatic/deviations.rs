@@ -1,7 +1,9 @@
 //! Equilibria of a bearing with waviness and unequal balls, at one place of its balls after another.
 
 use crate::{BEARING_218, assert_near, solution};
-use tribodyn_quasistatic::Model::JonesHarris;
+use tribodyn_quasistatic::Model::{JonesHarris, Traction};
+
+const ANGULAR_7210: &str = include_str!("../../../../fixtures/cases/angular-7210.ron");
 
 /// A 6205 with the grooves 0.52 and 0.53 at rest.
 const SIZE: [(&str, &str); 17] = [
@@ -111,6 +113,47 @@ fn code_a_loaded_ring_rises_and_falls_as_balls_pass() {
     let x = |angle: &str| displaced(&load, &[("deviations.position.ball", angle)])[0];
     assert_near("a ball below", x("deg(0)"), 15_060.1, 1e-5);
     assert_near("a ball on either side", x("deg(20)"), 15_217.5, 1e-5);
+}
+
+/// Pure rolling: on an orbit of the radius R a ball of the radius r with the contact angle α goes round
+/// (1 − r cos α/R)/2 times as fast as the inner ring. Under thrust a ball that is too large stands at a flatter angle,
+/// which makes it faster, and rolls on a larger radius, which makes it slower. With traction, where spin and curvature
+/// move the points of pure rolling within the patches, the same without them: balls pressed radially between races that
+/// are flat across.
+#[test]
+fn limit_a_larger_ball_orbits_as_fast_as_geometry_has_it() {
+    let mut sizes = vec!["um(0)"; 15];
+    sizes[4] = "um(20)";
+    let sizes = format!("Excess([{}])", sizes.join(", "));
+    // So slowly that contact angles at both races are equal to 1e-5.
+    let changes =
+        [("ring.x", "Force(N(0))"), ("speed.inner", "Constant(rpm(100))"), ("deviations.balls", sizes.as_str())];
+    let pressed = [
+        ("geometry.fit", "RadialClearance(um(-40))"),
+        // An inner ring that gives way turns about another axis.
+        ("ring.x", "Held(um(0))"),
+        ("ring.y", "Held(um(0))"),
+        ("ring.z", "Held(um(0))"),
+        ("traction.differential_slip", "false"),
+    ];
+    for (model, load) in [(JonesHarris, &pressed[..0]), (JonesHarris, &pressed), (Traction, &pressed)] {
+        let found = solution(ANGULAR_7210, &[&changes, load].concat(), model);
+        let speed = |ball: usize| found.balls[ball].orbital_speed_rad_s / found.inner_speed_rad_s;
+        let rolling = |ball: usize, radius: f64| {
+            let ball = &found.balls[ball];
+            let [i, o] = [ball.contacts.inner, ball.contacts.outer].map(|c| radius * c.angle_rad.cos());
+            // Jones and Harris take the free pitch circle.
+            let orbit = if model == JonesHarris { 35e-3 } else { ball.orbit_radius_m };
+            (orbit - i) / (2.0 * orbit + o - i)
+        };
+        let radius = 0.5 * 12.7e-3;
+        // Against its opposite, so that what is common to all balls drops out.
+        let behind = speed(4) - speed(11);
+        let expected = rolling(4, radius + 10e-6) - rolling(11, radius);
+        let of_size = expected - (rolling(4, radius) - rolling(11, radius));
+        let off = (behind - expected).abs();
+        assert!(of_size < -9e-5 && off < 0.03 * of_size.abs(), "{model:?}: {behind:e} for {expected:e}, {of_size:e}");
+    }
 }
 
 /// Deviations of no size and a place that is that of the drawing change no bit.
