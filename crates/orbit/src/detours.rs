@@ -16,8 +16,7 @@ const SLIDING: [f64; 7] = [0.7, 0.5, 0.35, 0.25, 0.15, 0.08, 0.03];
 /// The same for cages that are held, those first that centrifugal force presses least; shares of both rings' speeds.
 const HELD: [f64; 7] = [0.03, 0.1, 0.25, 0.5, 0.01, 0.75, 1.0];
 const SLOW: [f64; 3] = [0.03, 0.1, 0.3];
-/// Places of the way to real pockets at which cages are held, and starts at each from which one is followed.
-const PLACES: [f64; 3] = [1.0, 0.5, 0.3];
+/// Starts from which a held cage is followed.
 const STARTS: usize = 3;
 /// Places at which balls are sent round where all else fails.
 const SOFTEST: [f64; 2] = [0.25, 0.0];
@@ -48,7 +47,7 @@ pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedO
     let slid = if skids(error) { slid(problem, &guessed) } else { None };
     let cages = || {
         watch.stage("cages that are held at a speed", None);
-        PLACES.iter().find_map(|place| held(problem, &guessed, *place))
+        held(problem, &guessed)
     };
     let tilts = || {
         watch.stage("a ring that is tilted less", None);
@@ -107,8 +106,8 @@ impl HeldCage {
 }
 
 /// The orbit by way of cages that are held: from one whose balls slide, its speed goes to where it would go by itself,
-/// until the torque on it changes its sign. At a place of the way to real pockets.
-fn held(problem: Problem<'_>, guessed: &Bearing, place: f64) -> Option<SolvedOrbit> {
+/// until the torque on it changes its sign.
+fn held(problem: Problem<'_>, guessed: &Bearing) -> Option<SolvedOrbit> {
     let Problem { point, settings, .. } = problem;
     let of_inner = HELD.iter().map(|share| (slower(point, *share), point.outer_speed));
     let both = |share: &f64| {
@@ -119,7 +118,7 @@ fn held(problem: Problem<'_>, guessed: &Bearing, place: f64) -> Option<SolvedOrb
     let first = |(slower, seen_from): (OperatingPoint, f64)| {
         let solved = begun(problem, (guessed, &slower), |newton, rolling, way| {
             newton.system.held = Some(start::cage_speed(rolling));
-            sliding(newton, rolling, (way, place), settings)
+            sliding(newton, rolling, (way, 1.0), settings)
         });
         let start = solved.ok()?.start?;
         let bearing = &start.eased.of(problem.bearing);

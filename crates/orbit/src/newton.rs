@@ -33,6 +33,8 @@ const FULL: f64 = 100.0;
 const DAMPED: f64 = 1.0;
 /// Shortest share of a step.
 const LEAST_SHARE: f64 = 1e-2;
+/// By how much the worst residual may rise in full steps: from farther off they do not come back. Damped ones do.
+const STRAYED: f64 = 10.0;
 /// Residual below which an iteration that gains no more is left to itself.
 const STALLED: f64 = 1e-6;
 
@@ -154,8 +156,9 @@ impl<'a> Newton<'a> {
         mut known: Option<Jacobian>,
     ) -> (Orbit, Residual) {
         let mut best = (f64::INFINITY, 0);
+        let strayed = if growth == FULL { STRAYED * residual.worst.relative } else { f64::INFINITY };
         for iteration in 0..limit {
-            if residual.worst.relative <= tolerance || self.watch.stops() {
+            if residual.worst.relative <= tolerance || residual.worst.relative > strayed || self.watch.stops() {
                 break;
             }
             if residual.worst.relative < 0.5 * best.0 {
