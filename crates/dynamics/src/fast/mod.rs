@@ -20,9 +20,9 @@
 //! of it went without: linear and angular momentum then hold to second order.
 //!
 //! Samples have the state between two steps, with what leapfrog swings too far taken back, and the velocities of the
-//! balls in the mean of the kick there: its friction is the mean one. In the middle of a kick the velocity of a ball that
-//! grips is off by half of its change, and the friction by as much as there is unsteady force: in oil the torque of a
-//! 6206 at 8 µs was off by some per cent, in proportion to the step.
+//! balls in the mean of the kick there: its friction is the mean one. In the middle of a kick the velocity of a ball
+//! that grips is off by half of its change, and the friction by as much as there is unsteady force: in oil the torque
+//! of a 6206 at 8 µs was off by some per cent, in proportion to the step.
 //!
 //! Traction itself is linear between refreshes: the closed-form derivative of the patch integral by motion and load
 //! serves until the slip has moved by as much as keeps the error, seen at every refresh, near [`LINEAR_ERROR`] of the
