@@ -17,7 +17,7 @@ impl Fast {
     pub(super) fn begin<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
         let Scratch { level, balls, stands, .. } = &mut self.scratch;
         drift_acceleration(*level, equations, (t, y), balls, (&mut self.drift, stands));
-        self.longest = self.longest_piece(equations.machine());
+        [self.longest, self.longest_of_several] = self.longest_pieces(equations.machine());
         self.find_kick(equations, t, y, h);
         let scratch = &mut self.scratch;
         for (balls, half) in scratch.balls.iter_mut().zip(&scratch.half) {
@@ -63,14 +63,18 @@ impl Fast {
     }
 
     /// From the velocities in the middle of a piece to those expected at its end, farther by as much as from its start
-    /// to the middle: what forces that depend on them, dampers and the centrifugal one, are found with.
-    pub(super) fn swap_ahead(&mut self, l: Layout, y: &mut [f64]) {
-        let Scratch { level, balls, before, .. } = &mut self.scratch;
-        for (balls, before) in balls.iter_mut().zip(before) {
-            dispatch!(*level, _simd => ahead(balls, before));
+    /// to the middle: what forces that depend on them, dampers and the centrifugal one, are found with. The drift goes
+    /// without the common accelerations, so that velocities are ahead by half a kick at its start and behind by as much
+    /// at its end: that is taken out by the share of the step that is `over`. Dampers that feel it drive what they
+    /// damp.
+    pub(super) fn swap_ahead(&mut self, l: Layout, y: &mut [f64], over: f64) {
+        let Scratch { level, balls, before, half, .. } = &mut self.scratch;
+        let by_kick = 2.0 * over - 1.0;
+        for ((balls, before), half) in balls.iter_mut().zip(before).zip(half) {
+            dispatch!(*level, _simd => ahead(balls, before, (half, by_kick)));
         }
         for k in l.velocities_of_bodies() {
-            (y[k], self.before[k]) = (2.0 * y[k] - self.before[k], y[k]);
+            (y[k], self.before[k]) = (2.0 * y[k] - self.before[k] + by_kick * self.half[k], y[k]);
         }
     }
 
@@ -141,12 +145,13 @@ fn halve(balls: &mut [Lane; BALL], half: &mut [Lane; VELOCITIES]) {
     }
 }
 
-/// Velocities as far ahead as those in `before` are behind; in `before` then those of now.
+/// Velocities as far ahead as those in `before` are behind, with a share of a half kick; in `before` then those of now.
 #[inline(always)]
-fn ahead(balls: &mut [Lane; BALL], before: &mut [Lane; 3]) {
-    for (now, before) in balls[VELOCITY..VELOCITY + 3].iter_mut().zip(before) {
+fn ahead(balls: &mut [Lane; BALL], before: &mut [Lane; 3], (half, share): (&[Lane; VELOCITIES], f64)) {
+    for (i, before) in before.iter_mut().enumerate() {
+        let now = &mut balls[VELOCITY + i];
         for k in 0..WIDTH {
-            (now.0[k], before.0[k]) = (2.0 * now.0[k] - before.0[k], now.0[k]);
+            (now.0[k], before.0[k]) = (2.0 * now.0[k] - before.0[k] + share * half[i].0[k], now.0[k]);
         }
     }
 }

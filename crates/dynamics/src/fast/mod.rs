@@ -107,9 +107,12 @@ pub(crate) struct Fast {
     half: Vec<f64>,
     /// By how much the mean velocities in the last kick are beyond the middle of their change.
     beyond: Vec<f64>,
-    /// Longest piece of the drift that is stable, and the length of the last pieces, s.
+    /// Longest piece of the drift that is stable where it is the only one of its step, and where there are several, s.
     #[serde(deserialize_with = "or_infinite")]
     longest: f64,
+    #[serde(deserialize_with = "or_infinite")]
+    longest_of_several: f64,
+    /// Length of the last pieces, s.
     piece: f64,
     /// The balls in lanes, on which a step works.
     #[serde(skip)]
@@ -205,6 +208,7 @@ impl Fast {
             half: Vec::new(),
             beyond: Vec::new(),
             longest: f64::INFINITY,
+            longest_of_several: f64::INFINITY,
             piece: 0.0,
             scratch: Scratch::default(),
             refreshed: 0,
@@ -225,7 +229,6 @@ impl Fast {
             self.begin(equations, t, y, h);
         }
         self.steps += 1;
-        self.remember_velocities(l, y);
         self.second_half(l, y);
         self.drift(equations, t, y, h);
         self.find_kick(equations, t + h, y, h);
@@ -308,9 +311,7 @@ impl Fast {
         let h = span / pieces as f64;
         self.piece = h;
         for piece in 0..pieces {
-            if piece > 0 {
-                self.remember_velocities(l, y);
-            }
+            self.remember_velocities(l, y);
             self.push(l, y, 0.5 * h);
             let before = self.azimuths_of_spalled(machine);
             let Scratch { level, balls, .. } = &mut self.scratch;
@@ -319,7 +320,7 @@ impl Fast {
             }
             self.turn_spalled(machine, y, (before, h));
             glide_bodies(machine, t + piece as f64 * h, y, h);
-            self.swap_ahead(l, y);
+            self.swap_ahead(l, y, (piece + 1) as f64 / pieces as f64);
             let Scratch { level, balls, stands, .. } = &mut self.scratch;
             let at = (t + (piece + 1) as f64 * h, &*y);
             drift_acceleration(*level, equations, at, balls, (&mut self.drift, stands));
@@ -327,7 +328,7 @@ impl Fast {
             self.push(l, y, 0.5 * h);
         }
         if self.steps.is_multiple_of(LOOK_EVERY) {
-            self.longest = self.longest_piece(machine);
+            [self.longest, self.longest_of_several] = self.longest_pieces(machine);
         }
     }
 
@@ -342,7 +343,10 @@ impl Fast {
 
     /// Pieces of the drift of a step.
     pub fn pieces(&self, step: f64) -> usize {
-        (step / self.longest).ceil().clamp(1.0, MOST_PIECES) as usize
+        if step <= self.longest {
+            return 1;
+        }
+        (step / self.longest_of_several).ceil().clamp(2.0, MOST_PIECES) as usize
     }
 
     /// Lets the common acceleration follow that of the drift.
