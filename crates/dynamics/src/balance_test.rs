@@ -252,7 +252,7 @@ fn identity_power_balances_with_unequal_balls_and_needs_their_inertia() {
     }
 }
 
-/// What the own mass, inertia and radius of each ball do to a run, beside its approach, is the same in all schemes.
+/// The effect of mass, inertia and radius of each ball on a run, beside its approach, is the same in all schemes.
 #[test]
 fn identity_all_schemes_have_the_sizes_of_the_balls() {
     let sizes = unequal();

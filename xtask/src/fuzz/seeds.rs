@@ -114,16 +114,7 @@ fn recordings() -> Result<Vec<Vec<u8>>, Failure> {
     let inputs = &case.run_inputs().map_err(failed)?;
     let mut run = Run::new(inputs.clone()).map_err(failed)?;
     let sink = Thin::new();
-    let (case_text, name) = ("(name: \"seed\")", &case.name);
-    let input = RunRecording {
-        case_text,
-        name,
-        inputs,
-        scheme: inputs.options.scheme,
-        facts: &[],
-        warnings: &[],
-        generator: "tribodyn fuzz",
-    };
+    let input = RunRecording::new("(name: \"seed\")", &case.name, inputs, "tribodyn fuzz");
     let mut recorder = RunRecorder::new(sink, &input)?;
     let _ = run.advance(0.002, &mut recorder).map_err(failed)?;
     let (compressed, plain) = recorder.finish()?;

@@ -100,16 +100,7 @@ impl Subject {
     fn remembered(&self, part: Value) -> u64 {
         let Ok(memory) = serde_json::from_value(part) else { return 0 };
         let Ok(inputs) = &self.case.run_inputs() else { return 0 };
-        let (case_text, name) = (&seeds::RUN_CASE, &self.case.name);
-        let input = RunRecording {
-            case_text,
-            name,
-            inputs,
-            scheme: inputs.options.scheme,
-            facts: &[],
-            warnings: &[],
-            generator: "tribodyn fuzz",
-        };
+        let input = RunRecording::new(&seeds::RUN_CASE, &self.case.name, inputs, "tribodyn fuzz");
         let sink = StreamSink::new(Cursor::new(Vec::new()), Path::new("memory"));
         let Ok(mut recorder) = RunRecorder::new(sink, &input) else { return 0 };
         let told = kind(&recorder.remember(memory).map_err(|error| error.to_string()));

@@ -224,7 +224,8 @@ pub(super) fn transient(numbers: &Numbers, dry: bool, sources: &mut Sources) -> 
     let (contact_damping, why) = if dry {
         ("0.02", "steel on steel with a solid film; 0.005 to 0.1 change little")
     } else {
-        let usual = "oil between steel: damping over stiffness of a contact some 2.5 us, usual 2.5 to 25 us (Krämer, Dynamics of Rotors and Foundations)";
+        let usual = "oil between steel: damping over stiffness of a contact some 2.5 us, usual 2.5 to 25 us \
+                     (Krämer, Dynamics of Rotors and Foundations)";
         ("0.25", usual)
     };
     sources.assumed("transient.contact_damping", why);

@@ -187,9 +187,7 @@ fn limit_a_hostile_case_in_a_recording_is_not_solved() {
     let many = set_value(&worn, "geometry.ball_count", "800").unwrap();
     let case_text = &set_value(&many, "geometry.pitch_diameter", "m(40)").unwrap();
     let inputs = &case.run_inputs().unwrap();
-    let (name, generator) = (&case.name, "tribodyn test");
-    let input =
-        RunRecording { case_text, name, inputs, scheme: inputs.options.scheme, facts: &[], warnings: &[], generator };
+    let input = RunRecording::new(case_text, &case.name, inputs, "tribodyn test");
     let mut recorder = RunRecorder::new(FileSink::create(&path).unwrap(), &input).unwrap();
     let mut transient = tribodyn_dynamics::Run::new(inputs.clone()).unwrap();
     let _ = transient.advance(0.002, &mut recorder).unwrap();

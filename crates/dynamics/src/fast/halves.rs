@@ -17,7 +17,7 @@ impl Fast {
     pub(super) fn begin<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
         let Scratch { level, balls, stands, .. } = &mut self.scratch;
         drift_acceleration(*level, equations, (t, y), balls, (&mut self.drift, stands));
-        [self.longest, self.longest_of_several] = self.longest_pieces(equations.machine());
+        self.longest = self.longest_pieces(equations.machine());
         self.find_kick(equations, t, y, h);
         let scratch = &mut self.scratch;
         for (balls, half) in scratch.balls.iter_mut().zip(&scratch.half) {

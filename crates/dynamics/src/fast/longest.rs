@@ -3,7 +3,9 @@
 use super::Fast;
 use super::lanes::filled;
 use crate::machine::{Machine, Support};
+use crate::stiffness::or_infinite;
 use nalgebra::Matrix3;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::SQRT_2;
 use tribodyn_bearing::{Races, Side};
 
@@ -13,6 +15,35 @@ const LIMIT: f64 = 3.9;
 /// The same for several pieces in a step: the common acceleration follows the drift once a step, which drives what
 /// vibrates from half the limit on.
 const LIMIT_OF_SEVERAL: f64 = 2.0;
+/// Most pieces of a drift: where more were needed the step is too long by far, and the run says so.
+const MOST_PIECES: f64 = 64.0;
+
+/// Longest pieces of a drift that are stable.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(super) struct Longest {
+    /// That is the only one of its step, s.
+    #[serde(deserialize_with = "or_infinite")]
+    alone: f64,
+    /// Where there are several, s.
+    #[serde(deserialize_with = "or_infinite")]
+    of_several: f64,
+}
+
+impl Longest {
+    /// Where nothing vibrates.
+    pub const ANY: Self = Self { alone: f64::INFINITY, of_several: f64::INFINITY };
+
+    /// With a vibration of angular frequency ω (given by its square, 1/s²) and damping, 1/s.
+    fn of(omega_squared: f64, damping: f64) -> Self {
+        let [alone, of_several] = [LIMIT, LIMIT_OF_SEVERAL].map(|limit| longest(limit, omega_squared, damping));
+        Self { alone, of_several }
+    }
+
+    /// Pieces of a step.
+    pub fn pieces(&self, step: f64) -> usize {
+        if step <= self.alone { 1 } else { (step / self.of_several).ceil().clamp(2.0, MOST_PIECES) as usize }
+    }
+}
 
 /// Longest piece with a vibration of angular frequency ω (given by its square) and damping d, both 1/s: (ω h)² + 4 d h
 /// = `limit`. So leapfrog ends, with dampers that see the velocity as it is expected: an iteration that changes its
@@ -22,9 +53,8 @@ fn longest(limit: f64, omega_squared: f64, damping: f64) -> f64 {
 }
 
 impl Fast {
-    /// Longest piece of the drift at the positions at which it was found last, alone in its step and one of several, s;
-    /// infinite where nothing vibrates.
-    pub(super) fn longest_pieces(&self, machine: &Machine) -> [f64; 2] {
+    /// Longest pieces of the drift at the positions at which it was found last.
+    pub(super) fn longest_pieces(&self, machine: &Machine) -> Longest {
         let (mut both, mut single) = (0.0f64, Races::<f64>::default());
         let (mut on_rings, mut against_tilt) = (Races::from_fn(|_| Matrix3::zeros()), 0.0);
         for (block, stand) in self.scratch.stands.iter().enumerate() {
@@ -60,8 +90,7 @@ impl Fast {
         // Dampers of both contacts with equal stiffness have the most to say, √2 of that of one with all of it.
         let damping = 2.0 * SQRT_2 * machine.bearing.contact_damping * of_balls.sqrt();
         let highest = highest(of_balls, single.map(|k| k / mass), rings.map(|[square, _]| square));
-        let damping = damping + rings.inner[1].max(rings.outer[1]);
-        [LIMIT, LIMIT_OF_SEVERAL].map(|limit| longest(limit, highest, damping))
+        Longest::of(highest, damping + rings.inner[1].max(rings.outer[1]))
     }
 }
 
@@ -135,14 +164,12 @@ mod tests {
         assert!((longest(LIMIT, 0.0, 2.0) - 0.4875).abs() < 1e-15 && longest(LIMIT, 0.0, 0.0) == f64::INFINITY);
     }
 
-    /// A damped spring in steps with kicks that give back the common acceleration, `share` of the way nearer to that of
-    /// the drift from one step to the next: its largest value over the last steps, over that at the start.
-    fn swing(omega: f64, damping: f64, (step, share): (f64, f64)) -> f64 {
-        let alone = step <= longest(LIMIT, omega * omega, damping);
-        let of_several = longest(LIMIT_OF_SEVERAL, omega * omega, damping);
-        let pieces = if alone { 1 } else { ((step / of_several).ceil() as usize).max(2) };
+    /// A damped spring of ω = 1 in steps with kicks that give back the common acceleration, `share` of the way nearer
+    /// to that of the drift from one step to the next: its largest value over the last steps, over that at the start.
+    fn swing(damping: f64, step: f64, share: f64) -> f64 {
+        let pieces = Longest::of(1.0, damping).pieces(step);
         let h = step / pieces as f64;
-        let (mut q, mut v, mut a, mut common, mut half) = (1.0, 0.0, -omega * omega, -omega * omega, 0.0);
+        let (mut q, mut v, mut a, mut common, mut half) = (1.0, 0.0, -1.0, -1.0, 0.0);
         let mut most = 0.0f64;
         for made in 0..4000 {
             v += half;
@@ -151,7 +178,7 @@ mod tests {
                 v += 0.5 * h * (a - common);
                 q += h * v;
                 let over = (piece + 1) as f64 / pieces as f64;
-                a = -omega * omega * q - damping * (2.0 * v - start + half * (2.0 * over - 1.0));
+                a = -q - damping * (2.0 * v - start + half * (2.0 * over - 1.0));
                 v += 0.5 * h * (a - common);
             }
             let next = common + share * (a - common);
@@ -169,7 +196,7 @@ mod tests {
     fn limit_dampers_drive_nothing_in_steps_of_several_pieces() {
         for ratio in [0.0, 0.03, 0.15, 0.3, 0.5, 0.7, 1.0, 1.5, 3.0] {
             for step in (6..=56).map(|k| 0.05 * f64::from(k)) {
-                let most = swing(1.0, ratio, (step, 0.03));
+                let most = swing(ratio, step, 0.03);
                 assert!(most < 20.0, "damping {ratio}, step {step}: {most:e}");
             }
         }

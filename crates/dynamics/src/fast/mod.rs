@@ -51,13 +51,13 @@ mod tilt;
 use crate::equations::Equations;
 use crate::layout::{BALL, Layout, VELOCITY};
 use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
-use crate::stiffness::or_infinite;
 use drift::{Stand, drift_acceleration, glide_balls, glide_bodies, push_balls, push_bodies};
 use fearless_simd::{Level, dispatch};
 use friction::LinearFriction;
 use grip::{Forms, Grips, places};
 use halves::VELOCITIES;
 use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
+use longest::Longest;
 pub(crate) use look::Room;
 use nalgebra::Matrix5;
 use serde::{Deserialize, Serialize};
@@ -68,8 +68,6 @@ use serde::{Deserialize, Serialize};
 const SMOOTHING_TIME: f64 = 5e-4;
 /// The same for the rings, s: they vibrate at lower frequencies.
 const RING_SMOOTHING_TIME: f64 = 5e-3;
-/// Most pieces of a drift: where more were needed the step is too long by far, and the run says so.
-const MOST_PIECES: f64 = 64.0;
 /// Steps between looks at how long the drift's pieces may be.
 const LOOK_EVERY: u64 = 8;
 
@@ -107,11 +105,8 @@ pub(crate) struct Fast {
     half: Vec<f64>,
     /// By how much the mean velocities in the last kick are beyond the middle of their change.
     beyond: Vec<f64>,
-    /// Longest piece of the drift that is stable where it is the only one of its step, and where there are several, s.
-    #[serde(deserialize_with = "or_infinite")]
-    longest: f64,
-    #[serde(deserialize_with = "or_infinite")]
-    longest_of_several: f64,
+    /// Longest pieces of the drift that are stable.
+    longest: Longest,
     /// Length of the last pieces, s.
     piece: f64,
     /// The balls in lanes, on which a step works.
@@ -207,8 +202,7 @@ impl Fast {
             before: Vec::new(),
             half: Vec::new(),
             beyond: Vec::new(),
-            longest: f64::INFINITY,
-            longest_of_several: f64::INFINITY,
+            longest: Longest::ANY,
             piece: 0.0,
             scratch: Scratch::default(),
             refreshed: 0,
@@ -328,7 +322,7 @@ impl Fast {
             self.push(l, y, 0.5 * h);
         }
         if self.steps.is_multiple_of(LOOK_EVERY) {
-            [self.longest, self.longest_of_several] = self.longest_pieces(machine);
+            self.longest = self.longest_pieces(machine);
         }
     }
 
@@ -343,10 +337,7 @@ impl Fast {
 
     /// Pieces of the drift of a step.
     pub fn pieces(&self, step: f64) -> usize {
-        if step <= self.longest {
-            return 1;
-        }
-        (step / self.longest_of_several).ceil().clamp(2.0, MOST_PIECES) as usize
+        self.longest.pieces(step)
     }
 
     /// Lets the common acceleration follow that of the drift.

@@ -47,6 +47,13 @@ pub struct RunRecording<'a> {
     pub generator: &'a str,
 }
 
+impl<'a> RunRecording<'a> {
+    /// Of a run that steps as its inputs say, with nothing else known.
+    pub fn new(case_text: &'a str, name: &'a str, inputs: &'a RunInputs, generator: &'a str) -> Self {
+        Self { case_text, name, inputs, scheme: inputs.options.scheme, facts: &[], warnings: &[], generator }
+    }
+}
+
 /// What is low-pass filtered before it is sampled, for the metadata.
 const FILTERED: &str =
     "inner_acceleration_* and outer_acceleration_* of /bearing/state, /bearing/spectrum and the topics below it";

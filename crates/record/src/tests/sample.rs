@@ -114,8 +114,7 @@ pub(super) fn impact(time_s: f64, ball: usize, speed: f64) -> Event {
 
 pub(super) fn recording(made: &case::Made) -> RunRecording<'_> {
     let case::Made { name, inputs, .. } = made;
-    let (case_text, generator) = (case::TEXT, "tribodyn 0.1.0 (test)");
-    RunRecording { case_text, name, inputs, scheme: inputs.options.scheme, facts: &[], warnings: &[], generator }
+    RunRecording::new(case::TEXT, name, inputs, "tribodyn 0.1.0 (test)")
 }
 
 /// Feeds a recorder, or whoever else observes: states at `rate` Hz, every `stride`-th of them with balls, an impact

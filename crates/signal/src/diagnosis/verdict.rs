@@ -68,7 +68,7 @@ impl Evidence {
         0.5 * (first + of(2).unwrap_or(0.0).min(first))
     }
 
-    /// Whether the fundamental may be a sideband of another family: the first one, or a farther one if this family has
+    /// True if the fundamental may be a sideband of another family: the first one, or a farther one if this family has
     /// no sidebands of its own and the other one has. BPFO is near BPFI less two turns of the shaft in many bearings,
     /// and BPFI near 2 BSF and two turns of the cage.
     fn beside(&self, other: &Self) -> bool {
@@ -79,7 +79,7 @@ impl Evidence {
         other.modulating_hz.is_some_and(is)
     }
 
-    /// Whether the speed that varies the load of the damage shows beside the lines.
+    /// True if the speed that varies the load of the damage shows beside the lines.
     fn is_modulated(&self) -> bool {
         self.sidebands_log_chance.is_some_and(|chance| chance < READ)
     }
@@ -121,8 +121,8 @@ impl Evidence {
     fn beating(&self) -> Option<String> {
         (self.is_high() && !self.strikes()).then(|| {
             format!(
-                "{} has the lines of tones that beat, as waves of races and unequal balls make them, or of blows deep in \
-                 noise: spectral kurtosis {:.2}, of blows alone at least {:.2}",
+                "{} has the lines of tones that beat, as waves of races and unequal balls make them, or of blows deep \
+                 in noise: spectral kurtosis {:.2}, of blows alone at least {:.2}",
                 self.fault.line(),
                 self.kurtosis,
                 self.kurtosis_of_blows
@@ -134,8 +134,8 @@ impl Evidence {
     fn quiet(&self, quiet: f64) -> Option<String> {
         (self.stands_out() && self.height <= quiet).then(|| {
             format!(
-                "{} has blows of {:.2} in the unit of the signal: up to {quiet:.1} balls that enter the load zone of a sound \
-                 bearing make them",
+                "{} has blows of {:.2} in the unit of the signal: up to {quiet:.1} balls that enter the load zone of a \
+                 sound bearing make them",
                 self.fault.line(),
                 self.height
             )

@@ -242,20 +242,7 @@ mod tests {
     fn recorder(file: &CaseFile, files: &Files) -> Recorder {
         let tape = Tape::create(&files.recording, &file.case, None).unwrap();
         let inputs = &file.run_inputs().unwrap();
-        let (case_text, name, generator) = (&file.text, &file.case.name, "test");
-        RunRecorder::new(
-            tape,
-            &RunRecording {
-                case_text,
-                name,
-                inputs,
-                scheme: inputs.options.scheme,
-                facts: &[],
-                warnings: &[],
-                generator,
-            },
-        )
-        .unwrap()
+        RunRecorder::new(tape, &RunRecording::new(&file.text, &file.case.name, inputs, "test")).unwrap()
     }
 
     fn folder(name: &str) -> PathBuf {
