@@ -66,8 +66,8 @@ pub use result::{
     Sheet, TransientContact,
 };
 pub use run_inputs::{
-    BallSpall, CoatingState, GuidingLand, MovingCage, PocketFilm, RunInputs, RunOptions, SPALLED_BALLS, Scheme, Start,
-    Support, Supports, TiltingRing,
+    BallSpall, CoatingState, GuidingLand, MovingCage, PocketFilm, RunInputs, RunOptions, Scheme, Start, Support,
+    Supports, TiltingRing,
 };
 pub use side::{WrongSide, uncarried_thrust, wrong_sides};
 pub use sliding::{ContactForces, Sliding};

@@ -7,7 +7,7 @@ use crate::operation::{Cage, OperatingPoint, SolverSettings};
 use crate::races::{Races, Side};
 use crate::watch::SearchWatch;
 use tribodyn_traction::PatchChoice;
-use tribodyn_wear::{Defect, Spall};
+use tribodyn_wear::{BallWaves, Defect, Spall};
 
 /// A bearing with what loads, holds and drives it over time, SI.
 #[derive(Debug, Clone)]
@@ -36,6 +36,8 @@ pub struct RunInputs {
     pub spalls: Races<Vec<Spall>>,
     /// Spalls of the balls.
     pub ball_spalls: Vec<BallSpall>,
+    /// Waviness of the balls.
+    pub ball_waves: BallWaves,
     /// Quadrature over the contact patches.
     pub patch: PatchChoice,
     /// Settings of the quasi-static solution at the start.
@@ -67,6 +69,7 @@ impl RunInputs {
             defects: Races::default(),
             spalls: Races::default(),
             ball_spalls: Vec::new(),
+            ball_waves: BallWaves::default(),
             patch: PatchChoice::TargetError { relative: 1e-5 },
             numerics: SolverSettings::default(),
             options,
@@ -86,9 +89,6 @@ impl RunInputs {
         }
     }
 }
-
-/// Most balls that may have spalls: their orientation is integrated, too.
-pub const SPALLED_BALLS: usize = 4;
 
 /// A spall of a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,9 +1,11 @@
 //! From the deviations of a case to those of its bearing, and their limits.
 
 use crate::validate::{Verdict, require};
-use crate::{BallSizeSpec, Case, DeviationsSpec, PositionSpec, WavinessSpec};
+use crate::{
+    BallSizeSpec, BallWaveSpec, BallWavesSpec, Case, DeviationsSpec, PositionSpec, SpectrumSpec, WavinessSpec,
+};
 use tribodyn_bearing::{Deviations, Races, Start};
-use tribodyn_wear::{HIGHEST_ORDER, Profile, Wave, WaveSpectrum, WearError};
+use tribodyn_wear::{BallWave, BallWaves, HIGHEST_OF_BALL, HIGHEST_ORDER, Profile, Wave, WaveSpectrum, WearError};
 use tribodyn_wear::{ball_deviations, ball_grades, lot_variation, waviness};
 
 /// Largest amplitude or excess over the ball diameter: beyond it nobody would call the part a bearing.
@@ -41,17 +43,28 @@ impl WavinessSpec {
         let listed = self.waves.iter();
         let mut waves: Vec<Wave> =
             listed.map(|w| Wave { order: w.order, amplitude: w.amplitude, phase: w.phase }).collect();
-        if let Some(s) = self.spectrum {
-            let spectrum = WaveSpectrum {
-                first: s.first,
-                last: s.last,
-                amplitude: s.amplitude,
-                exponent: s.exponent,
-                seed: s.seed,
-            };
-            waves.extend(spectrum.waves());
+        if let Some(spectrum) = self.spectrum {
+            waves.extend(spectrum.waves().waves());
         }
         waviness(&waves)
+    }
+}
+
+impl SpectrumSpec {
+    fn waves(self) -> WaveSpectrum {
+        let Self { first, last, amplitude, exponent, seed } = self;
+        WaveSpectrum { first, last, amplitude, exponent, seed }
+    }
+}
+
+impl BallWavesSpec {
+    /// The waves of the balls in a run.
+    pub(crate) fn waves(&self) -> BallWaves {
+        let wave = |spec: &BallWaveSpec| {
+            let BallWaveSpec { ball, order, amplitude, phase } = *spec;
+            BallWave { ball, wave: Wave { order, amplitude, phase } }
+        };
+        BallWaves { waves: self.waves.iter().map(wave).collect(), spectrum: self.spectrum.map(SpectrumSpec::waves) }
     }
 }
 
@@ -79,6 +92,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
         }
         None => {}
     }
+    ball_waves(&spec.ball_waves, case.geometry.ball_count, most)?;
     let on_orbit = case.transient.as_ref().is_some_and(|transient| transient.start == Start::SteadyOrbit);
     require(
         spec.position.ball == 0.0 || !on_orbit,
@@ -88,25 +102,40 @@ pub(super) fn validate(case: &Case) -> Verdict {
 }
 
 fn race(path: &str, spec: &WavinessSpec, most: f64) -> Verdict {
-    let amplitude = |path: String, value: f64| {
-        let message = format!("must lie between 0 and a hundredth of the ball diameter, {} um", most * 1e6);
-        require((0.0..=most).contains(&value), &path, message)
-    };
+    let orders = [1, HIGHEST_ORDER];
     for (i, wave) in spec.waves.iter().enumerate() {
         let path = format!("{path}.waves[{i}]");
-        order(&format!("{path}.order"), wave.order, 1)?;
-        amplitude(format!("{path}.amplitude"), wave.amplitude)?;
+        order(&format!("{path}.order"), wave.order, orders)?;
+        amplitude(&format!("{path}.amplitude"), wave.amplitude, most)?;
     }
-    let Some(spectrum) = &spec.spectrum else { return Ok(()) };
-    let path = format!("{path}.spectrum");
-    order(&format!("{path}.first"), spectrum.first, 1)?;
-    order(&format!("{path}.last"), spectrum.last, spectrum.first)?;
-    amplitude(format!("{path}.amplitude"), spectrum.amplitude)?;
-    let within = (0.0..=EXPONENT_MAX).contains(&spectrum.exponent);
+    spec.spectrum.iter().try_for_each(|s| spectrum(&format!("{path}.spectrum"), s, (orders, most)))
+}
+
+fn ball_waves(spec: &BallWavesSpec, balls: usize, most: f64) -> Verdict {
+    let (path, orders) = ("deviations.ball_waves", [2, HIGHEST_OF_BALL]);
+    for (i, wave) in spec.waves.iter().enumerate() {
+        let path = format!("{path}.waves[{i}]");
+        let message = format!("must be the number of a ball, 0 to {}", balls - 1);
+        require(wave.ball < balls, &format!("{path}.ball"), message)?;
+        order(&format!("{path}.order"), wave.order, orders)?;
+        amplitude(&format!("{path}.amplitude"), wave.amplitude, most)?;
+    }
+    spec.spectrum.iter().try_for_each(|s| spectrum(&format!("{path}.spectrum"), s, (orders, most)))
+}
+
+fn spectrum(path: &str, spec: &SpectrumSpec, (orders, most): ([u32; 2], f64)) -> Verdict {
+    order(&format!("{path}.first"), spec.first, orders)?;
+    order(&format!("{path}.last"), spec.last, [spec.first, orders[1]])?;
+    amplitude(&format!("{path}.amplitude"), spec.amplitude, most)?;
+    let within = (0.0..=EXPONENT_MAX).contains(&spec.exponent);
     require(within, &format!("{path}.exponent"), format!("must lie between 0 and {EXPONENT_MAX}"))
 }
 
-fn order(path: &str, value: u32, least: u32) -> Verdict {
-    let message = format!("must lie between {least} and {HIGHEST_ORDER}");
-    require((least..=HIGHEST_ORDER).contains(&value), path, message)
+fn amplitude(path: &str, value: f64, most: f64) -> Verdict {
+    let message = format!("must lie between 0 and a hundredth of the ball diameter, {} um", most * 1e6);
+    require((0.0..=most).contains(&value), path, message)
+}
+
+fn order(path: &str, value: u32, [least, highest]: [u32; 2]) -> Verdict {
+    require((least..=highest).contains(&value), path, format!("must lie between {least} and {highest}"))
 }

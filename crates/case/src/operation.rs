@@ -9,7 +9,7 @@ use tribodyn_bearing::{
     OperatingPoint, PocketFilm, Races, RingLoads, RunInputs, RunOptions, SearchWatch, Side, SolverSettings, Support,
     Supports, TiltingRing,
 };
-use tribodyn_wear::{Defect, Spall};
+use tribodyn_wear::{BallWaves, Defect, Spall};
 
 /// Rates where a case has no recording section: the rig's acquisition and a fifth of it.
 const RATES: RecordingSpec = RecordingSpec { state_rate: 25_600.0, ball_rate: 5_120.0 };
@@ -90,6 +90,7 @@ impl Case {
             defects: Races::from_fn(|side| self.defects_of(side)),
             spalls: Races::from_fn(|side| self.spalls_of(side)),
             ball_spalls: self.ball_spalls.iter().map(BallSpallSpec::spall).collect(),
+            ball_waves: self.deviations.as_ref().map_or_else(BallWaves::default, |d| d.ball_waves.waves()),
             patch,
             numerics: self.solver_settings(),
             options: RunOptions {

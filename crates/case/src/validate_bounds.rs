@@ -351,6 +351,9 @@ impl Values {
                 self.add(format!("deviations.{name}.waves[{i}].phase"), wave.phase);
             }
         }
+        for (i, wave) in spec.ball_waves.waves.iter().enumerate() {
+            self.add(format!("deviations.ball_waves.waves[{i}].phase"), wave.phase);
+        }
     }
 
     fn support<const N: usize>(&mut self, name: &str, spec: &SupportSpec<N>) {

@@ -87,7 +87,7 @@ impl Equations for Without {
             return self.machine.sliding(side, contact, state, at);
         }
         let still = |ring: RingState| RingState { velocity: [0.0; 3], ..ring };
-        let frame = Frame { rings: at.0.rings.map(still), ..*at.0 };
+        let frame = Frame { rings: at.0.rings.map(still), ..at.0.clone() };
         self.machine.sliding(side, contact, state, (&frame, at.1))
     }
 

@@ -146,6 +146,18 @@ fn identity_momentum_stays_with_a_spall_of_a_ball() {
     }
 }
 
+/// The same with waves of all balls.
+#[test]
+fn identity_momentum_stays_with_waves_of_balls() {
+    let waves = "(spectrum: (first: 2, last: 12, amplitude: um(1), exponent: 1, seed: 3))";
+    let case = set_value(PAPER, "deviations.ball_waves", waves).unwrap();
+    for friction in [false, true] {
+        let [x, y, turning, energy] = changes(Scheme::RungeKutta, free(&case, friction), 1e-6);
+        assert!(x < 1e-9 && y < 1e-9, "{x:e} {y:e}");
+        assert!(friction || (turning < 1e-9 && energy < 1e-4), "{turning:e} {energy:e} J");
+    }
+}
+
 /// The reaction of the tangential normal force is what linear momentum needs.
 #[test]
 fn limit_offsets_to_first_order_lose_linear_momentum() {

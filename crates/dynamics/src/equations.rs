@@ -9,13 +9,13 @@ use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
 use tribodyn_bearing::{
     AzimuthFrame, BallFriction, BallSize, BallState, CagePose, ContactForces, LoadedPatch, NormalContact, NormalLoads,
-    PocketLoad, RaceContact, Races, RingState, SPALLED_BALLS, Side, Sliding,
+    PocketLoad, RaceContact, Races, RingState, Side, Sliding,
 };
 use tribodyn_traction::PatchTraction;
 use tribodyn_wear::LocalSurface;
 
 /// Rings and cage at a time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Frame {
     pub rings: Races<RingState>,
     /// Angles turned by the rings, rad.
@@ -24,8 +24,8 @@ pub(crate) struct Frame {
     pub cage: [f64; 2],
     /// Where the cage is, if it is free.
     pub free_cage: Option<CagePose>,
-    /// Orientations of the balls with spalls, in the order of [`crate::ball_spalls::BallSpalls`].
-    pub orientations: [[f64; 4]; SPALLED_BALLS],
+    /// Orientations of the balls that are not round, in the order of [`crate::ball_surfaces::BallSurfaces`].
+    pub orientations: Vec<[f64; 4]>,
 }
 
 /// The spring part: all that acts through the normals of the contacts.
@@ -177,10 +177,12 @@ pub(crate) trait Equations {
 }
 
 impl Frame {
-    /// The same with tilts held, for loops over the lanes of balls whose rings do not tilt.
+    /// The same with tilts held and no orientations, for loops over the lanes of balls whose rings do not tilt and
+    /// whose surfaces are known.
     #[inline(always)]
     pub fn held(&self) -> Self {
-        Self { rings: Races { inner: self.rings.inner.held(), outer: self.rings.outer.held() }, ..*self }
+        let rings = Races { inner: self.rings.inner.held(), outer: self.rings.outer.held() };
+        Self { rings, angles: self.angles, cage: self.cage, free_cage: self.free_cage, orientations: Vec::new() }
     }
 }
 
@@ -226,7 +228,7 @@ impl Machine {
     #[inline]
     pub fn place(&self, index: usize, b: &[f64], frame: &Frame) -> (AzimuthFrame, [f64; 2], Races<LocalSurface>) {
         let axes = AzimuthFrame::at(b[AZIMUTH]);
-        let surfaces = Races::from_fn(|side| self.surface(side, index, Self::on_ring(side, axes, b, frame), frame));
+        let surfaces = Races::from_fn(|side| self.surface(side, index, (axes, b), frame));
         let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
         (axes, Self::position(axes, [b[AXIAL], b[RADIUS]], frame, groove), surfaces)
     }
@@ -234,9 +236,14 @@ impl Machine {
     /// Azimuth of a ball with the unknowns `b` in the frame of a ring, rad.
     #[inline]
     pub fn on_ring(side: Side, axes: AzimuthFrame, b: &[f64], frame: &Frame) -> f64 {
-        // Seen from the ring's own axis the ball stands a little behind.
+        b[AZIMUTH] - Self::behind(side, axes, b, frame) - frame.angles[side]
+    }
+
+    /// How far a ball stands behind its azimuth, seen from the ring's own axis, rad.
+    #[inline]
+    fn behind(side: Side, axes: AzimuthFrame, b: &[f64], frame: &Frame) -> f64 {
         let [_, radial, along] = axes.from_inertial(frame.rings[side].displacement);
-        b[AZIMUTH] - along / (b[RADIUS] - radial) - frame.angles[side]
+        along / (b[RADIUS] - radial)
     }
 
     /// How hard a ball is pressed on its races.
@@ -258,10 +265,12 @@ impl Machine {
         Races::from_fn(|side| LocalSurface { depth: -self.bearing.worn[side].depth, ..LocalSurface::NEW })
     }
 
-    /// Surface of a raceway under a ball at an azimuth of its ring; what had worn off all round at the start is in the
-    /// pose of the ball.
+    /// Surface of a raceway under a ball with the unknowns `b`; what had worn off all round at the start is in the pose
+    /// of the ball.
     #[inline]
-    fn surface(&self, side: Side, ball: usize, azimuth: f64, frame: &Frame) -> LocalSurface {
+    fn surface(&self, side: Side, ball: usize, (axes, b): (AzimuthFrame, &[f64]), frame: &Frame) -> LocalSurface {
+        let behind = Self::behind(side, axes, b, frame);
+        let azimuth = b[AZIMUTH] - behind - frame.angles[side];
         let mut surface = self.raceways[side].at(azimuth);
         surface.depth -= self.bearing.worn[side].depth;
         if !self.bearing.deviations.are_none() {
@@ -274,14 +283,14 @@ impl Machine {
             surface.depth += depth;
             surface.slope += slope;
         }
-        self.ball_spalls.add_to(&mut surface, (side, ball), &frame.orientations);
+        self.ball_surfaces.add_to(&mut surface, (side, ball), (&frame.orientations, behind));
         surface
     }
 
     /// True while every race is round and as it was when the run began, and all balls are equal.
     pub fn is_even(&self) -> bool {
         let as_new = |side| self.raceways[side].is_new() && self.spalls[side].is_empty();
-        Side::BOTH.into_iter().all(as_new) && self.bearing.deviations.are_none() && self.ball_spalls.are_none()
+        Side::BOTH.into_iter().all(as_new) && self.bearing.deviations.are_none() && self.ball_surfaces.are_round()
     }
 
     /// The unknowns of a ball.

@@ -26,8 +26,8 @@ pub(crate) struct Layout {
     pub free_cage: bool,
     /// True if the inner ring is free to tilt.
     pub tilting: bool,
-    /// Number of balls with spalls.
-    pub spalled: usize,
+    /// Number of balls that are not round: with spalls or waves.
+    pub marked: usize,
 }
 
 impl Layout {
@@ -91,15 +91,15 @@ impl Layout {
         start..start + if self.tilting { 4 } else { 0 }
     }
 
-    /// Orientations of the balls with spalls in their azimuth frames, as quaternions.
+    /// Orientations of the balls that are not round in their azimuth frames, as quaternions.
     pub fn orientations(self) -> std::ops::Range<usize> {
         let start = self.tilt().end;
-        start..start + 4 * self.spalled
+        start..start + 4 * self.marked
     }
 
-    /// True if the fast scheme presses the balls one by one: rings tilt, or balls have spalls.
+    /// True if the fast scheme presses the balls one by one: rings tilt, or balls are not round.
     pub fn one_by_one(self) -> bool {
-        self.tilting || self.spalled > 0
+        self.tilting || self.marked > 0
     }
 
     /// Angular velocity of a tilting ring.

@@ -1,6 +1,6 @@
 #![doc = include_str!("../README.md")]
 
-mod ball_spalls;
+mod ball_surfaces;
 mod blame;
 mod cage;
 mod detail;
@@ -27,7 +27,9 @@ mod watch;
 #[cfg(test)]
 mod balance_test;
 #[cfg(test)]
-mod ball_spalls_test;
+mod ball_surfaces_test;
+#[cfg(test)]
+mod ball_waves_test;
 #[cfg(test)]
 mod conservation_test;
 #[cfg(test)]

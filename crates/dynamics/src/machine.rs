@@ -1,6 +1,6 @@
 //! The bearing as a system of bodies: what moves, what holds it and what drives it.
 
-use crate::ball_spalls::{BallSpalls, spalled_balls};
+use crate::ball_surfaces::{BallSurfaces, marked_balls};
 use crate::error::DynamicsError;
 use crate::layout::Layout;
 use crate::tilting::Tilting;
@@ -35,7 +35,7 @@ pub(crate) struct Machine {
     /// Paths of the balls over the spalls of the races.
     pub spalls: Races<Vec<SpallPath>>,
     /// Spalls of the balls.
-    pub ball_spalls: BallSpalls,
+    pub ball_surfaces: BallSurfaces,
     /// Thinnest coating left on each, m, as of the last look.
     pub thinnest: Races<f64>,
     /// Factor on wear in what it does to the raceways.
@@ -142,6 +142,7 @@ impl<const N: usize> Support<N> {
 impl Machine {
     /// The machine of a run, its springs not yet set.
     pub fn new(inputs: RunInputs, quadrature: Quadrature) -> Result<Self, DynamicsError> {
+        let marked = marked_balls(&inputs).len();
         let RunInputs { mut bearing, ring, speeds, cage, free_cage, supports, coatings, defects, options, .. } = inputs;
         let tilting = inputs.tilting.map(|body| Tilting::new(body, [ring.tilt_x.clone(), ring.tilt_y.clone()]));
         if supports.outer.stiffness.contains(&0.0) {
@@ -151,11 +152,10 @@ impl Machine {
         let tilt = [ring.tilt_x.at(0.0), ring.tilt_y.at(0.0)];
         let loads = [ring.x, ring.y, ring.z];
         let free = [0, 1, 2].map(|i| !matches!(loads[i], Translation::Held(_)));
-        let spalled = spalled_balls(&inputs.ball_spalls).len();
         let raceways = Races::try_from_fn(|side| raceway(&bearing, side, &coatings[side], &defects[side]))?;
         let balls = bearing.geometry.ball_count;
         Ok(Self {
-            layout: Layout { balls, free_cage: free_cage.is_some(), tilting: tilting.is_some(), spalled },
+            layout: Layout { balls, free_cage: free_cage.is_some(), tilting: tilting.is_some(), marked },
             places: (0..balls).map(|ball| bearing.azimuth(ball)).collect(),
             watch: vec![Watch::default(); balls],
             inner: Support::new(&supports.inner, free),
@@ -169,7 +169,7 @@ impl Machine {
             thinnest: raceways.each_ref().map(Raceway::thinnest),
             raceways,
             spalls: Races::default(),
-            ball_spalls: BallSpalls::default(),
+            ball_surfaces: BallSurfaces::default(),
             wear_acceleration: options.wear_acceleration,
             kernel: Kernel::Fast(FastPatch::of(quadrature)),
             bearing,

@@ -1,28 +1,22 @@
-//! Orientations of the balls with spalls as part of the state.
+//! Orientations of the balls that are not round as part of the state.
 
-use crate::ball_spalls::UNTURNED;
 use crate::machine::Machine;
+use tribodyn_bearing::BallState;
 use tribodyn_bearing::vectors::cross;
-use tribodyn_bearing::{BallState, SPALLED_BALLS};
 
 impl Machine {
-    /// Orientations of the balls with spalls at a state.
-    pub fn orientations_at(&self, y: &[f64]) -> [[f64; 4]; SPALLED_BALLS] {
-        let mut all = [UNTURNED; SPALLED_BALLS];
-        if self.layout.spalled > 0 {
-            let (quaternions, _) = y[self.layout.orientations()].as_chunks::<4>();
-            all.iter_mut().zip(quaternions).for_each(|(to, from)| *to = *from);
-        }
-        all
+    /// Orientations of the balls that are not round at a state.
+    pub fn orientations_at(&self, y: &[f64]) -> Vec<[f64; 4]> {
+        y[self.layout.orientations()].as_chunks::<4>().0.to_vec()
     }
 
-    /// Rate of the orientation of a ball with a spall.
+    /// Rate of the orientation of a ball that is not round.
     #[inline]
     pub fn turn_ball(&self, index: usize, state: &BallState, (y, dy): (&[f64], &mut [f64])) {
-        if self.layout.spalled == 0 {
+        if self.layout.marked == 0 {
             return;
         }
-        let Some(slot) = self.ball_spalls.slot(index) else { return };
+        let Some(slot) = self.ball_surfaces.slot(index) else { return };
         let at = self.layout.orientations().start + 4 * slot;
         let [x, y_, z, w] = std::array::from_fn(|k| y[at + k]);
         let about = [state.spin[0] - state.orbital_speed, state.spin[1], state.spin[2]];

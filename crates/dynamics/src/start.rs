@@ -1,6 +1,6 @@
 //! Where a run starts: the quasi-static solution at time 0, a motion that is given, or a standstill.
 
-use crate::ball_spalls::{BallSpalls, UNTURNED};
+use crate::ball_surfaces::{BallSurfaces, UNTURNED, marked_balls};
 use crate::equations::Equations;
 use crate::error::DynamicsError;
 use crate::forces::Sums;
@@ -45,11 +45,12 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
         return Err(DynamicsError::Balls { found, expected });
     }
     let spalls = std::mem::take(&mut inputs.spalls);
-    let ball_spalls = inputs.ball_spalls.clone();
+    let (ball_spalls, ball_waves) = (inputs.ball_spalls.clone(), inputs.ball_waves.clone());
+    let marked = (&ball_spalls[..], &ball_waves, marked_balls(&inputs));
     let mut machine = Machine::new(inputs, Quadrature::new(rule)?)?;
     machine.spalls = paths_over(&machine, spalls, &solution)?;
     let loads = Races::from_fn(|side| largest_load(&solution, side));
-    machine.ball_spalls = BallSpalls::new(&machine.bearing, &ball_spalls, (&solution.balls, loads))?;
+    machine.ball_surfaces = BallSurfaces::new(&machine.bearing, marked, (&solution.balls, loads))?;
     let [x, y, z, tilt @ ..] = motion.ring;
     machine.tilt = tilt;
     let mut state = vec![0.0; machine.layout.len()];

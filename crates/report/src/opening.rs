@@ -109,7 +109,7 @@ fn of_case(bearing: &str, case: Option<&CaseFile>, run: &Run) -> Vec<Vec<String>
         };
         rows.push(row(name, (0..count).map(one).collect::<Vec<_>>().join("; ")));
     }
-    let deviations = ["deviations.inner", "deviations.outer", "deviations.balls"];
+    let deviations = ["deviations.inner", "deviations.outer", "deviations.balls", "deviations.ball_waves"];
     let deviations: Vec<String> = deviations
         .iter()
         .filter_map(|path| Some(format!("{}: {}", path.rsplit('.').next()?, described(&file.text, path)?)))

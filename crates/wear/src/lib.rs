@@ -3,6 +3,7 @@
 mod archard;
 mod ball_size;
 mod ball_spall;
+mod ball_waves;
 mod defect;
 mod geometry;
 mod groove;
@@ -18,6 +19,7 @@ mod waviness;
 pub use archard::{Archard, archard_rate, cage_rate};
 pub use ball_size::{ball_deviations, ball_grades, lot_variation};
 pub use ball_spall::{BallSpallDepth, BallSpallPath};
+pub use ball_waves::{BallForm, BallWave, BallWaves, HIGHEST_OF_BALL};
 pub use defect::Defect;
 pub use geometry::{GrooveGeometry, WearDepths};
 pub use groove::{ContactWear, GrooveField, GroovePlace, GrooveSpot, GrooveWear, UnderContact};

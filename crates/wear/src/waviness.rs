@@ -43,10 +43,11 @@ impl Wave {
         (self.amplitude * cos, -order * self.amplitude * sin)
     }
 
-    fn check(&self) -> Result<(), WearError> {
+    /// Refuses amplitudes and phases that are not finite, and orders beyond a least and a highest one.
+    pub(crate) fn check(&self, (least, highest): (u32, u32), allowed: &'static str) -> Result<(), WearError> {
         let refuse = |name, value, allowed| Err(WearError::Wave { name, value, allowed });
-        if !(1..=HIGHEST_ORDER).contains(&self.order) {
-            return refuse("order", f64::from(self.order), "1 to 20000");
+        if !(least..=highest).contains(&self.order) {
+            return refuse("order", f64::from(self.order), allowed);
         }
         if !self.amplitude.is_finite() {
             return refuse("amplitude", self.amplitude, "a finite length in m");
@@ -75,7 +76,7 @@ impl WaveSpectrum {
 /// # Errors
 /// [`WearError::Wave`] for an order beyond 1 to [`HIGHEST_ORDER`], and amplitudes and phases that are not finite.
 pub fn waviness(waves: &[Wave]) -> Result<Option<Profile>, WearError> {
-    waves.iter().try_for_each(Wave::check)?;
+    waves.iter().try_for_each(|wave| wave.check((1, HIGHEST_ORDER), "1 to 20000"))?;
     let there = || waves.iter().filter(|wave| wave.amplitude != 0.0);
     let Some(highest) = there().map(|wave| wave.order).max() else { return Ok(None) };
     let sum = |azimuth: f64| {

@@ -1,4 +1,4 @@
-//! Form and size that differ from the drawing: waviness of the races, balls of unequal diameter.
+//! Form and size that differ from the drawing: waviness of races and balls, balls of unequal diameter.
 
 use crate::units;
 use serde::Deserialize;
@@ -13,6 +13,8 @@ pub struct DeviationsSpec {
     pub outer: WavinessSpec,
     /// Of the balls' diameters.
     pub balls: Option<BallSizeSpec>,
+    /// Waviness of the balls.
+    pub ball_waves: BallWavesSpec,
     /// Where balls and rings stand at time 0, and in an equilibrium.
     pub position: PositionSpec,
 }
@@ -25,6 +27,33 @@ pub struct WavinessSpec {
     pub waves: Vec<WaveSpec>,
     /// Waves over a range of orders.
     pub spectrum: Option<SpectrumSpec>,
+}
+
+/// Waviness of the balls: waves of single balls, a spectrum of all, or both.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct BallWavesSpec {
+    /// Waves one by one.
+    pub waves: Vec<BallWaveSpec>,
+    /// Forms at random, with amplitudes by order.
+    pub spectrum: Option<SpectrumSpec>,
+}
+
+/// A wave round a ball, A cosⁿλ cos(n θ + ψ) lower than the round one: θ along the rolling circle from the outer
+/// contact at time 0, λ across it.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BallWaveSpec {
+    /// Number of the ball.
+    pub ball: usize,
+    /// Order n, the waves in one turn.
+    pub order: u32,
+    /// Amplitude A, m.
+    #[serde(deserialize_with = "units::length")]
+    pub amplitude: f64,
+    /// Phase ψ, rad.
+    #[serde(deserialize_with = "units::angle")]
+    pub phase: f64,
 }
 
 /// A wave round a race: A cos(n φ + ψ) deeper than the round one, φ in the ring's own frame.

@@ -321,7 +321,7 @@ fn surfaces(
         let here = if new { machine.new_surfaces() } else { machine.place(ball, &get(balls, k), frame).2 };
         for (side, surface) in here.iter() {
             put(&mut out[side as usize], k, [surface.depth, surface.slope, surface.bare]);
-            if machine.layout.spalled > 0 {
+            if machine.layout.marked > 0 {
                 put(&mut turns[side as usize], k, surface.turn);
             }
         }

@@ -183,14 +183,15 @@ pub(super) fn tractions<E: Equations, const TILTS: bool>(
     grips: &mut Grips,
 ) {
     // No ring that tilts, or no vector instructions.
-    let (out, frame) = (grips, if TILTS { *frame } else { frame.held() });
+    let (out, held) = (grips, if TILTS { None } else { Some(frame.held()) });
+    let frame = held.as_ref().unwrap_or(frame);
     out.pocket = [Lane::ZERO; 6];
     for k in 0..WIDTH {
         let state = stand.state(equations, balls, k);
-        let (forces, wear, near) = contact(equations, Side::Inner, (&frame, &state), (stand, &forms.traction[0], k));
+        let (forces, wear, near) = contact(equations, Side::Inner, (frame, &state), (stand, &forms.traction[0], k));
         put(&mut out.forces[0], k, forces);
         (out.wear[0].0[k], out.near[0].0[k]) = (wear, if now > forms.last[0].0[k] { 0.0 } else { near });
-        let (forces, wear, near) = contact(equations, Side::Outer, (&frame, &state), (stand, &forms.traction[1], k));
+        let (forces, wear, near) = contact(equations, Side::Outer, (frame, &state), (stand, &forms.traction[1], k));
         put(&mut out.forces[1], k, forces);
         (out.wear[1].0[k], out.near[1].0[k]) = (wear, if now > forms.last[1].0[k] { 0.0 } else { near });
     }

@@ -116,7 +116,7 @@ impl Fast {
             if renew || old.inner || old.outer {
                 self.refresh(equations, (first + k, frame), old.map(|old| old || renew), renew);
             }
-            self.press_on_spalls(equations.machine(), (block, k));
+            self.press_on_marked(equations.machine(), (block, k));
             let mut pocket_wear = 0.0;
             if touches {
                 let machine = equations.machine();
@@ -171,9 +171,9 @@ impl Fast {
         }
     }
 
-    /// Moments of the normal forces at the spalls of a ball.
-    fn press_on_spalls(&mut self, machine: &Machine, (block, k): (usize, usize)) {
-        if machine.layout.spalled == 0 || machine.ball_spalls.slot(WIDTH * block + k).is_none() {
+    /// Moments of the normal forces on a ball that is not round.
+    fn press_on_marked(&mut self, machine: &Machine, (block, k): (usize, usize)) {
+        if machine.layout.marked == 0 || machine.ball_surfaces.slot(WIDTH * block + k).is_none() {
             return;
         }
         let Scratch { stands, grips, .. } = &mut self.scratch;

@@ -90,7 +90,6 @@ fn leave_loads(result: &mut BallResult) {
 }
 
 /// The same for all blocks.
-#[derive(Clone, Copy)]
 struct Of<'a> {
     machine: &'a Machine,
     frame: Frame,
@@ -132,13 +131,13 @@ impl Fast {
             }
             for k in 0..filled(l, block) {
                 let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
-                let sums_of_ball = if seen.near.0[k] > 0.0 && !l.tilting && of.machine.ball_spalls.slot(index).is_none()
-                {
-                    seen.write(k, (result, detail));
-                    get(&seen.sums, k)
-                } else {
-                    of.plainly((index, y), (result, detail))
-                };
+                let sums_of_ball =
+                    if seen.near.0[k] > 0.0 && !l.tilting && of.machine.ball_surfaces.slot(index).is_none() {
+                        seen.write(k, (result, detail));
+                        get(&seen.sums, k)
+                    } else {
+                        of.plainly((index, y), (result, detail))
+                    };
                 sums.iter_mut().zip(sums_of_ball).for_each(|(sum, part)| *sum += part);
             }
         }
@@ -259,7 +258,7 @@ fn ball(
 #[inline(always)]
 fn see<const ALL: bool>(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), beside: Beside<'_>, out: &mut Seen) {
     // Balls of rings that tilt are seen one by one.
-    let of = Of { frame: of.frame.held(), ..*of };
+    let of = Of { frame: of.frame.held(), machine: of.machine, sheet: of.sheet, springs: of.springs };
     for k in 0..WIDTH {
         let (sums, result, near) = ball(&of, at, beside, k);
         put(&mut out.sums, k, sums.numbers());

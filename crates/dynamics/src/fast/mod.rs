@@ -148,6 +148,8 @@ struct Scratch {
     half: Vec<[Lane; VELOCITIES]>,
     beyond: Vec<[Lane; VELOCITIES]>,
     before: Vec<[Lane; 3]>,
+    /// Azimuths of the balls that are not round at the start of a piece, rad.
+    azimuths: Vec<f64>,
     stands: Vec<Stand>,
     /// Azimuths of the middles of the balls' pockets against the cage, rad.
     places: Vec<Lane>,
@@ -160,8 +162,8 @@ impl Default for Scratch {
         let level = Level::new();
         let (balls, common, given_back) = (Vec::new(), Vec::new(), Vec::new());
         let (half, beyond, before, stands) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (places, forms, grips) = (Vec::new(), Vec::new(), Vec::new());
-        Self { level, balls, common, given_back, half, beyond, before, stands, places, forms, grips }
+        let (azimuths, places, forms, grips) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { level, balls, common, given_back, half, beyond, before, azimuths, stands, places, forms, grips }
     }
 }
 
@@ -307,12 +309,12 @@ impl Fast {
         for piece in 0..pieces {
             self.remember_velocities(l, y);
             self.push(l, y, 0.5 * h);
-            let before = self.azimuths_of_spalled(machine);
+            self.remember_azimuths(machine);
             let Scratch { level, balls, .. } = &mut self.scratch;
             for balls in balls {
                 dispatch!(*level, _simd => glide_balls(balls, h));
             }
-            self.turn_spalled(machine, y, (before, h));
+            self.turn_marked(machine, y, h);
             glide_bodies(machine, t + piece as f64 * h, y, h);
             self.swap_ahead(l, y, (piece + 1) as f64 / pieces as f64);
             let Scratch { level, balls, stands, .. } = &mut self.scratch;

@@ -2,8 +2,8 @@
 //! of it, and how far they come apart.
 //!
 //! The scheme is of second order, so that the error is four thirds of that distance, and a step that is shorter by the
-//! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: it is then a
-//! quarter of the longest, and the choice says what it leaves.
+//! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: a quarter of the
+//! longest is then tried, too, and the longest step is taken that errs by at most twice the least of those tried.
 
 use super::companion::apart_and_unsteady;
 use super::filter::steps_of_sample;
@@ -23,8 +23,10 @@ const FEWEST: usize = 8;
 const MARGIN: f64 = 0.9;
 /// Shortest step that is tried, in that longest one: beyond it another scheme does better.
 const MOST_DIVISIONS: f64 = 16.0;
-/// Steps in the longest one where a shorter one does not lessen the error.
+/// Steps in the longest one that are tried, too, where a shorter one does not lessen the error, and the error of a step
+/// over the least one that counts as no more.
 const SCATTERED: f64 = 4.0;
+const NO_MORE: f64 = 2.0;
 /// Pairs of trials.
 const ROUNDS: usize = 3;
 /// Error of the cage's speed that counts as one of the loads: a mean over many contacts is better than each.
@@ -84,6 +86,14 @@ impl StepErrors {
     }
 }
 
+/// The longest step whose error is no more than that of others.
+fn longest_of(tried: [StepChoice; 4]) -> StepChoice {
+    let least = tried.iter().map(|choice| choice.errors.worst()).fold(f64::INFINITY, f64::min);
+    let no_more = tried.into_iter().filter(|choice| choice.errors.worst() <= NO_MORE * least);
+    let longest = no_more.max_by(|a, b| a.step_s.total_cmp(&b.step_s)).unwrap_or(tried[3]);
+    StepChoice { scatters: longest.errors.worst() > longest.accuracy, ..longest }
+}
+
 /// A short run as it is compared.
 struct Trial {
     /// Mean accelerations of the outer ring between samples, m/s².
@@ -125,8 +135,7 @@ impl Trials<'_> {
             steps = (steps * (error / accuracy).sqrt()).ceil().clamp(before + 1.0, most);
             let next = choice(steps);
             if next.errors.worst() > error * before / steps {
-                let step_s = 1.0 / (self.rate * (SCATTERED * least));
-                return StepChoice { scatters: true, step_s, ..first };
+                return longest_of([first, best, next, choice(SCATTERED * least)]);
             }
             best = next;
         }

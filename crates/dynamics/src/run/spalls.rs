@@ -29,7 +29,7 @@ pub(super) struct OverSpall {
 
 impl OverSpall {
     fn spalls_of(&self, machine: &Machine) -> usize {
-        if self.of_ball { machine.ball_spalls.all().len() } else { machine.spalls[self.side].len() }
+        if self.of_ball { machine.ball_surfaces.spalls().len() } else { machine.spalls[self.side].len() }
     }
 
     /// True if the machine has such a ball and spall, and times are times.
@@ -43,7 +43,7 @@ impl Run {
     /// Passages of balls over spalls in the step to `t`, in the order in which they end.
     pub(super) fn spall_events<O: Observer>(&mut self, t: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
         let spalls = &self.machine.spalls;
-        if spalls.inner.is_empty() && spalls.outer.is_empty() && self.machine.ball_spalls.are_none() {
+        if spalls.inner.is_empty() && spalls.outer.is_empty() && self.machine.ball_surfaces.spalls().is_empty() {
             return Ok(());
         }
         let from = self.progress.time;
@@ -72,10 +72,11 @@ impl Run {
 
     /// The same of spalls of balls, where the contacts do not run beside them.
     fn spalls_of_balls_passed(&mut self, frames: &[Frame; 2], (from, to): (f64, f64), events: &mut Vec<Event>) {
-        let spalls = &self.machine.ball_spalls;
-        for (number, spall) in spalls.all().iter().enumerate() {
+        let surfaces = &self.machine.ball_surfaces;
+        for (number, spall) in surfaces.spalls().iter().enumerate() {
             for (side, path) in spall.paths.iter().filter(|(_, path)| !path.is_flat()) {
-                let places = frames.each_ref().map(|frame| spalls.place(spall, side, &frame.orientations));
+                // How far the ring is out of its middle counts for forces, not for these times.
+                let places = frames.each_ref().map(|frame| surfaces.place(spall, side, (&frame.orientations, 0.0)));
                 if places.iter().any(|place| place.across.abs() > path.reach_across()) {
                     continue;
                 }
@@ -118,7 +119,7 @@ impl Machine {
         let speed = [0.0, duration].map(apart).into_iter().fold(0.0, f64::max);
         let limits = self.spalls.iter().flat_map(|(_, paths)| paths.iter()).map(|path| path.contact_angle());
         // Balls turn past a contact as fast as they roll.
-        let of_balls = self.ball_spalls.all().iter().flat_map(|spall| spall.paths.iter()).map(|(side, path)| {
+        let of_balls = self.ball_surfaces.spalls().iter().flat_map(|spall| spall.paths.iter()).map(|(side, path)| {
             path.contact_angle() * self.bearing.geometry.ball_radius() / self.bearing.track_radius(side)
         });
         let contact = limits.chain(of_balls).fold(f64::INFINITY, f64::min);

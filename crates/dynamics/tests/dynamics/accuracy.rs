@@ -68,14 +68,13 @@ fn code_torque_at_samples_is_that_of_runge_kutta() {
 }
 
 /// In dry pockets the balls of a 6206 without load bounce, and steps hardly come nearer to any motion: the choice says
-/// what it leaves, and takes a quarter of the longest step or less.
+/// so, and what the step leaves.
 #[test]
 fn limit_an_accuracy_that_no_step_reaches_is_said() {
     let scheme = ("transient.scheme", "FastTo(accuracy: 0.001)");
     let run = Run::new(catalogue(OIL_6206, scheme.1, scheme).run_inputs().unwrap()).unwrap();
     let choice = run.step_choice().unwrap();
-    assert!(choice.errors.worst() > 1e-3, "{choice:?}");
-    assert!(choice.step_s < 0.3 * run.stiffness().fast_step_s, "{choice:?} {:?}", run.stiffness());
+    assert!(choice.errors.worst() > 1e-3 && choice.scatters, "{choice:?}");
 }
 
 /// A finer accuracy has a shorter step, and no step is longer than what stability allows.

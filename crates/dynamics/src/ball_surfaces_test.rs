@@ -90,8 +90,8 @@ fn identity_the_fast_scheme_has_the_same_spalls_of_balls() {
 fn limit_a_spall_without_depth_does_nothing() {
     let (mut flat, mut state) = machine("um(0)");
     let (mut whole, mut plain) = (flat.clone(), state.clone());
-    whole.ball_spalls = crate::ball_spalls::BallSpalls::default();
-    whole.layout.spalled = 0;
+    whole.ball_surfaces = crate::ball_surfaces::BallSurfaces::default();
+    whole.layout.marked = 0;
     plain.truncate(whole.layout.len());
     run(Scheme::RungeKutta, (&mut flat, &mut state), 2e-6, 50);
     run(Scheme::RungeKutta, (&mut whole, &mut plain), 2e-6, 50);
