@@ -6,7 +6,7 @@
 //! third power of the distance, not the second, and a third as many patches are integrated.
 
 use crate::machine::Machine;
-use nalgebra::Matrix5;
+use nalgebra::{Matrix5, Vector2, Vector5};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{LoadedPatch, Scheme};
 use tribodyn_traction::{PatchChoice, PatchDerivative, PatchTraction, RelativeMotion};
@@ -191,11 +191,6 @@ impl LinearTraction {
         traction
     }
 
-    /// Slopes of the forces along and across by the slip of their direction, N s/m; 0 where there is no linear form.
-    pub fn slopes_by_slip(&self) -> [f64; 2] {
-        if self.reach > 0.0 { [self.slopes[0][0], self.slopes[1][1]] } else { [0.0; 2] }
-    }
-
     /// Lateral semi-axis where it was linearised, m.
     pub fn semi_lateral(&self) -> f64 {
         self.semi_lateral
@@ -263,9 +258,27 @@ impl LinearTraction {
         [along, across, spin * spin * d[2], r * along, -r * across, LOAD_AS_SLIP * LOAD_AS_SLIP * d[5]]
     }
 
-    /// Derivative of forces and moments by the motion: a column for each input.
-    pub fn stiffness(&self) -> Matrix5<f64> {
-        if self.reach > 0.0 { Matrix5::from_fn(|row, column| self.slopes[column][row]) } else { Matrix5::zeros() }
+    /// Derivative of forces and moments by the motion, a column for each input, for a kick in which a force changes the
+    /// slip by `give` times itself, m/(s N). A ball that slides so that traction hardly grows with slip any more would
+    /// be pushed beyond rolling, and as far back in the next step: where the way to no slip is shorter than the kick,
+    /// the chord to there takes the place of the tangent along the slip.
+    pub fn stiffness(&self, give: f64, ball_radius: f64) -> Matrix5<f64> {
+        if self.reach <= 0.0 {
+            return Matrix5::zeros();
+        }
+        let tangent = Matrix5::from_fn(|row, column| self.slopes[column][row]);
+        let [rolling, lateral, _, about_lateral, about_rolling, _] = self.inputs;
+        let (along, across) = (rolling + ball_radius * about_lateral, lateral - ball_radius * about_rolling);
+        let (slip, force) = (along.hypot(across), self.value[0].hypot(self.value[1]));
+        if slip <= self.reach || give * force <= slip {
+            return tangent;
+        }
+        let (along, across) = (along / slip, across / slip);
+        let slope = tangent.fixed_view::<2, 2>(0, 0) * Vector2::new(along, across);
+        let chord = (along * self.value[0] + across * self.value[1]) / slip;
+        let lacking = chord - (along * slope[0] + across * slope[1]);
+        let by_motion = Vector5::new(along, across, 0.0, ball_radius * along, -ball_radius * across);
+        tangent + by_motion * by_motion.transpose() * lacking.min(0.0)
     }
 }
 

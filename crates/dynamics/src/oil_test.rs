@@ -1,6 +1,6 @@
 //! Oil in contacts and pockets: the power balance, and whether all schemes have the same forces.
 
-use crate::layout::{BALL, VELOCITY};
+use crate::layout::{BALL, SPIN, VELOCITY};
 use crate::start::{Started, start};
 use crate::stepping_test::{self, Scheme, imbalance};
 use tribodyn_case::{Case, set_value};
@@ -60,6 +60,26 @@ fn identity_all_schemes_have_the_oil_in_the_pockets() {
             "effect {effect:e}, in the fast scheme {effect_of_fast:e}"
         );
     }
+}
+
+/// A loaded ball whose spin is off slides with all the traction of its oil, which then grows with slip no more. It
+/// comes to rolling within some steps and stays there; by the tangent alone it went five times as far off again.
+#[test]
+fn limit_a_sliding_ball_comes_to_rolling_and_not_beyond() {
+    let text = include_str!("../../../fixtures/cases/oil-6206.ron").to_owned();
+    let changes = [("transient.start", "QuasiStatic"), ("ring.x", "Force(N(0))"), ("ring.z", "Force(kN(5))")];
+    let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
+    let Started { mut machine, mut state, .. } =
+        start(Case::from_ron(&text).unwrap().run_inputs().unwrap(), None).unwrap();
+    let at = machine.layout.ball(0) + SPIN;
+    let rolling = state[at];
+    state[at] *= 1.02;
+    state[at + 2] += 0.02 * rolling;
+    let mut away = Vec::new();
+    stepping_test::run_watched(Scheme::Fast, (&mut machine, &mut state), (12e-6, 40), |_, _, state| {
+        away.push((state[at] / rolling - 1.0).hypot(state[at + 2] / rolling));
+    });
+    assert!(away[1..].iter().all(|away| *away < 4e-3), "{away:?}");
 }
 
 const FREE: &str = "(mass: g(7.6), transverse_inertia: kg_mm2(2.35), displacement: (um(20), um(0)), pockets: Cylinder)";

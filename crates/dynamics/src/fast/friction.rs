@@ -53,8 +53,8 @@ impl LinearFriction {
     }
 
     /// True while the slopes of traction are still near enough to those that it was made with, for steps of `h`.
-    pub(super) fn serves(&self, normal: &NormalLoads, contacts: &[LinearTraction; 2], h: f64) -> bool {
-        let now = slopes(normal, contacts);
+    pub(super) fn serves(&self, stiffness: &[Matrix5<f64>; 2], h: f64) -> bool {
+        let now = slopes(stiffness);
         let mut pairs = now.iter().flatten().zip(self.slopes.iter().flatten());
         pairs.all(|(now, made)| (now - made).abs() <= STALE * h * made.abs())
     }
@@ -72,11 +72,24 @@ impl LinearFriction {
 /// 20 µs. With a matrix that is off in proportion to the step the method keeps its second order.
 const STALE: f64 = 1e4;
 
-/// Slopes of traction by slip of the inner and the outer contact, along and across; 0 without load.
-fn slopes(normal: &NormalLoads, contacts: &[LinearTraction; 2]) -> [[f64; 2]; 2] {
+/// Slopes of traction by slip of the inner and the outer contact, along and across.
+fn slopes(stiffness: &[Matrix5<f64>; 2]) -> [[f64; 2]; 2] {
+    stiffness.each_ref().map(|s| [s[(0, 0)], s[(1, 1)]])
+}
+
+/// Stiffnesses of the inner and the outer contact of a ball in a step of `h`; none without load.
+pub(super) fn stiffnesses(
+    machine: &Machine,
+    state: &BallState,
+    normal: &NormalLoads,
+    (contacts, h): (&[LinearTraction; 2], f64),
+) -> [Matrix5<f64>; 2] {
+    let (m, j) = (machine.bearing.mass_of(&state.size), machine.bearing.inertia_of(&state.size));
+    let r = machine.bearing.geometry.ball_radius();
+    let give = h * (1.0 / m + r * r / j);
     Side::BOTH.map(|side| {
         let loaded = normal.contacts[side].load > 0.0;
-        if loaded { contacts[side as usize].slopes_by_slip() } else { [0.0; 2] }
+        if loaded { contacts[side as usize].stiffness(give, r) } else { Matrix5::zeros() }
     })
 }
 
@@ -89,15 +102,11 @@ pub(super) fn linear_friction(
     machine: &Machine,
     state: &BallState,
     normal: &NormalLoads,
-    contacts: &[LinearTraction; 2],
+    (contacts, stiffness): (&[LinearTraction; 2], [Matrix5<f64>; 2]),
     h: f64,
 ) -> LinearFriction {
     let r = normal.orbit_radius;
     let normals = Side::BOTH.map(|side| normal.contacts[side].pose.normal(side));
-    let stiffness = Side::BOTH.map(|side| {
-        let loaded = normal.contacts[side].load > 0.0;
-        if loaded { contacts[side as usize].stiffness() } else { Matrix5::zeros() }
-    });
     let with = |stiffness: [Matrix5<f64>; 2]| {
         let slopes: [Matrix6<f64>; 2] = std::array::from_fn(|k| by_velocities(&stiffness[k], normals[k], r));
         LinearFriction::new(machine, state, slopes, r, h)
@@ -108,7 +117,7 @@ pub(super) fn linear_friction(
         let scales = |k: usize| [1.0, 1.0, contacts[k].semi_lateral(), ball, ball];
         friction = with(std::array::from_fn(|k| damping_part(&stiffness[k], scales(k)))).0;
     }
-    friction.slopes = slopes(normal, contacts);
+    friction.slopes = slopes(&stiffness);
     friction
 }
 

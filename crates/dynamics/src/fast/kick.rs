@@ -1,6 +1,6 @@
 //! The kick: friction at fixed position, linearly implicit.
 
-use super::friction::{in_inertial_axes, inverse_with_held, linear_friction};
+use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, stiffnesses};
 use super::grip::{Forms, Grips, follow, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
 use super::tilt::OnInner;
@@ -165,8 +165,9 @@ impl Fast {
         }
         let (friction, forms) = (&mut self.friction[index], &mut self.scratch.forms[block]);
         forms.set_tractions(lanes.clone(), contacts, [old.inner, old.outer]);
-        if renew || !friction.serves(&normal, &contacts.of, self.step) {
-            *friction = linear_friction(machine, state, &normal, &contacts.of, self.step);
+        let stiffness = stiffnesses(machine, state, &normal, (&contacts.of, self.step));
+        if renew || !friction.serves(&stiffness, self.step) {
+            *friction = linear_friction(machine, state, &normal, (&contacts.of, stiffness), self.step);
             forms.set_friction(lanes, friction);
         }
     }
