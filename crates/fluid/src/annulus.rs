@@ -16,6 +16,8 @@ use std::f64::consts::PI;
 // Hirs 1973: coefficient and exponent of the wall shear stress of drag flow between smooth walls.
 const HIRS_COEFFICIENT: f64 = 0.055;
 const HIRS_EXPONENT: f64 = -0.25;
+/// (2^(3+m)/n)^(1/(1+m)), which a program may not take the powers of at compile time.
+const CROSSOVER: f64 = 607.145_897_432_212_7;
 
 /// The thin cylindrical film between a land and the cage that it guides, concentric and full of one fluid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,8 +41,8 @@ impl AnnulusDrag {
     }
 
     /// Reynolds number at which the turbulent law begins to exceed the laminar one, (2^(3+m)/n)^(1/(1+m)) = 607.
-    pub fn crossover_reynolds() -> f64 {
-        (2f64.powf(3.0 + HIRS_EXPONENT) / HIRS_COEFFICIENT).powf(1.0 / (1.0 + HIRS_EXPONENT))
+    pub const fn crossover_reynolds() -> f64 {
+        CROSSOVER
     }
 
     /// Shear stress τ on the walls, Pa, at the relative surface speed U, m/s: of its sign, odd, and continuous; its
@@ -54,6 +56,18 @@ impl AnnulusDrag {
         let mean = magnitude(surface_speed) * 0.5;
         let friction = (mean * (self.density * self.gap / self.viscosity)).powf(HIRS_EXPONENT) * HIRS_COEFFICIENT;
         surface_speed * mean * friction * (0.25 * self.density)
+    }
+
+    /// Slope of [`Self::torque_on_cage`] by the cage's speed, N m s: below 0.
+    pub fn slope_by_cage_speed(&self, land_speed: f64, cage_speed: f64) -> f64 {
+        let u = (land_speed - cage_speed) * self.radius;
+        // τ ∝ u where it is laminar, and u^(2+m) where it is not.
+        let slope = if self.reynolds(u) <= Self::crossover_reynolds() {
+            self.viscosity / self.gap
+        } else {
+            (2.0 + HIRS_EXPONENT) * self.shear(u) / u
+        };
+        -slope * self.radius * 2.0 * PI * self.radius * self.radius * self.width
     }
 
     /// Torque on the cage, N m, about the axis, τ · 2πR² L, at the angular speeds of land and cage, rad/s: it drives
@@ -100,6 +114,22 @@ mod tests {
             let difference = (LAND.shear(u + step) - LAND.shear(u - step)) / (2.0 * step);
             prop_assert!((slope / difference - 1.0).abs() < 1e-6, "{} {}", slope, difference);
         }
+    }
+
+    /// Both sides of the crossover, by dual numbers.
+    #[test]
+    fn identity_slope_by_the_speed_of_the_cage() {
+        for (land, cage) in [(0.0, 12.0), (4.0, 3.0), (0.0, 600.0), (-900.0, 500.0), (100.0, 100.0)] {
+            let (_, exact) = first_derivative(|speed| LAND.torque_on_cage(num_dual::Dual64::from(land), speed), cage);
+            let slope = LAND.slope_by_cage_speed(land, cage);
+            assert!((slope / exact - 1.0).abs() < 1e-13, "{land} {cage}: {slope} {exact}");
+        }
+    }
+
+    #[test]
+    fn identity_the_crossover_is_that_of_the_exponents() {
+        let found = (2f64.powf(3.0 + HIRS_EXPONENT) / HIRS_COEFFICIENT).powf(1.0 / (1.0 + HIRS_EXPONENT));
+        assert!((AnnulusDrag::crossover_reynolds() / found - 1.0).abs() < 1e-15, "{found}");
     }
 
     #[test]

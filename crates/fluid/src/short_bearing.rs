@@ -60,10 +60,18 @@ impl ShortBearing {
     /// Force [along the eccentricity, a quarter turn ahead] on the part that is displaced, N: on a journal in a bush as
     /// on a bush about a journal.
     pub fn force(&self, motion: &FilmMotion) -> [f64; 2] {
+        self.force_and_slopes(motion).0
+    }
+
+    /// The same, and its slopes [∂/∂ε', ∂/∂(ε W)] at this eccentricity, N s: the integrals themselves, since the
+    /// pressure is 0 at the ends of the film, whichever way they move. In the centre of a half film at rest there are
+    /// none, and these are those of a pure wedge.
+    pub fn force_and_slopes(&self, motion: &FilmMotion) -> ([f64; 2], [[f64; 2]; 2]) {
         let FilmMotion { outward, wedge, .. } = *motion;
         let [ss, sc, cc] = self.integrals(motion);
         let k = self.viscosity * self.radius * self.length.powi(3) / self.clearance.powi(2);
-        [k * (wedge * sc - outward * cc), k * (wedge * ss - outward * sc)]
+        let force = [k * (wedge * sc - outward * cc), k * (wedge * ss - outward * sc)];
+        (force, [[-k * cc, -k * sc], [k * sc, k * ss]])
     }
 
     /// 1/√(1 − ε²), by which friction is more than in the middle.
@@ -93,24 +101,28 @@ impl ShortBearing {
         let [ss, sc, cc] = match self.extent {
             FilmExtent::Full => [PI, 0.0, PI * (1.0 + 2.0 * e * e)],
             FilmExtent::Half => {
-                let from = motion.outward.atan2(motion.wedge);
-                let gamma = |theta: f64| {
-                    let (sin, cos) = theta.sin_cos();
-                    (root * sin).atan2(e + cos)
-                };
-                let start = gamma(from);
-                let end = start + (gamma(from + PI) - start).rem_euclid(TAU);
-                let below = |g: f64| {
-                    let (sin, cos) = g.sin_cos();
+                // From θ = atan2(ε', ε W) on, half a turn.
+                let size = motion.outward.hypot(motion.wedge);
+                let (sin, cos) = if size > 0.0 { (motion.outward / size, motion.wedge / size) } else { (0.0, 1.0) };
+                let [first, last] = [[sin, cos], [-sin, -cos]].map(|theta| sommerfeld(theta, e, root));
+                let start = first[1].atan2(first[0]);
+                let end = start + (last[1].atan2(last[0]) - start).rem_euclid(TAU);
+                let below = |g: f64, [cos, sin]: [f64; 2]| {
                     let double = 0.5 * sin * cos;
                     [0.5 * g - double, 0.5 * sin * sin + e * cos, (0.5 + e * e) * g + double - 2.0 * e * sin]
                 };
-                let (a, b) = (below(start), below(end));
+                let (a, b) = (below(start, first), below(end, last));
                 std::array::from_fn(|k| b[k] - a[k])
             }
         };
         [ss / (square * root), sc / (square * square), cc / (square * square * root)]
     }
+}
+
+/// cos γ and sin γ of Sommerfeld's angle at [sin θ, cos θ], with √(1 − ε²).
+fn sommerfeld([sin, cos]: [f64; 2], e: f64, root: f64) -> [f64; 2] {
+    let thickness = 1.0 + e * cos;
+    [(e + cos) / thickness, root * sin / thickness]
 }
 
 #[cfg(test)]
@@ -184,6 +196,32 @@ mod tests {
                 let size = sum[0].hypot(sum[1]);
                 for k in 0..2 {
                     assert!((found[k] - sum[k]).abs() < 1e-6 * size, "{extent:?} {e}: {found:?} {sum:?}");
+                }
+            }
+        }
+    }
+
+    /// The slopes against differences of the force, where the film tears and where it does not.
+    #[test]
+    fn identity_slopes_are_those_of_the_force() {
+        for extent in [FilmExtent::Half, FilmExtent::Full] {
+            let film = land(extent);
+            for (e, outward, w) in [(0.3, 40.0, 500.0), (0.6, -200.0, 100.0), (0.7, 90.0, -400.0), (0.9, -5.0, 0.0)] {
+                let now = at(e, outward, w);
+                let (force, slopes) = film.force_and_slopes(&now);
+                let (size, h) = (force[0].hypot(force[1]) / outward.hypot(e * w), 1e-4);
+                for k in 0..2 {
+                    let moved = |h: f64| {
+                        let FilmMotion { outward, wedge, .. } = now;
+                        let motion =
+                            [FilmMotion { outward: outward + h, ..now }, FilmMotion { wedge: wedge + h, ..now }];
+                        film.force(&motion[k])
+                    };
+                    let (after, before) = (moved(h), moved(-h));
+                    for i in 0..2 {
+                        let difference = (after[i] - before[i]) / (2.0 * h);
+                        assert!((slopes[k][i] - difference).abs() < 1e-6 * size, "{extent:?} {e} {k} {i}: {slopes:?}");
+                    }
                 }
             }
         }
