@@ -5,6 +5,7 @@ use crate::modelling::PocketForce;
 use crate::pocket::{Pocket, hypot};
 use crate::races::{Races, Side};
 use crate::run_inputs::{GuidingLand, MovingCage, PocketFilm};
+use num_dual::{Dual64, first_derivative};
 use tribodyn_contact::Scalar;
 use tribodyn_fluid::{AnnulusDrag, CageChurning, SqueezeFilm};
 
@@ -69,6 +70,16 @@ impl CageBody {
         let against = |(churning, swirl): (CageChurning, f64)| churning.moments(speed - rings.inner * swirl).sum();
         let churned = self.churning.map_or(D::zero(), against);
         [guidance, speed * -self.drag_torque / hypot(speed, D::from(STANDSTILL)) - churned]
+    }
+
+    /// The sum of these torques, N m, and its slope by the cage's speed, N m s.
+    pub fn fluid_torque_and_slope(&self, speed: f64, rings: Races<f64>) -> (f64, f64) {
+        let rings = Races { inner: Dual64::from(rings.inner), outer: Dual64::from(rings.outer) };
+        let sum = |speed| {
+            let [guidance, drag] = self.fluid_torques(speed, rings);
+            guidance + drag
+        };
+        first_derivative(sum, speed)
     }
 }
 

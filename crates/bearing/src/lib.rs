@@ -46,7 +46,8 @@ pub use deviations::Deviations;
 pub use elastic::ElasticPatches;
 pub use frame::AzimuthFrame;
 pub use free_cage::{
-    CageLand, CagePose, FREE_CAGE, FreeCage, InPocket, LandFilm, LandLoad, PocketShape, Wrench, quaternion_rate,
+    CageLand, CagePose, FREE_CAGE, FreeCage, Gauge, InPocket, LandFilm, LandLoad, PocketShape, PocketWall, Wrench,
+    WrenchSlope, quaternion_rate,
 };
 pub use geometry::{ContactPose, Dimensions, Fit, Geometry, Shoulders};
 pub use growth::{GrownBearing, Growth, MountedRing, Seat};

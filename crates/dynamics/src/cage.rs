@@ -68,14 +68,20 @@ impl Machine {
     }
 
     /// Plane of the unloaded balls against that of the outer groove centres, m.
-    fn plane(&self) -> f64 {
+    pub fn plane(&self) -> f64 {
         let g = &self.bearing.geometry;
         g.groove_offset(Side::Outer) * g.sin_contact_angle()
     }
 
-    fn in_free_pocket(&self, (cage, pose): (&FreeCage, &CagePose), azimuth: f64, b: &[f64]) -> InPocket {
-        let at = (AzimuthFrame::at(b[AZIMUTH]), self.ball_place(b));
-        self.cage.pocket.place(cage.pockets, (pose, azimuth), at)
+    fn in_free_pocket(&self, (cage, pose): (&FreeCage, &CagePose), (index, b): (usize, &[f64])) -> InPocket {
+        let (pocket, at) = (&self.cage.pocket, (AzimuthFrame::at(b[AZIMUTH]), self.ball_place(b)));
+        pocket.place(&pocket.wall(cage.pockets), (pose, self.directions[index]), at)
+    }
+
+    fn load_in_free_pocket(&self, (pose, place): (&CagePose, &InPocket), b: &[f64]) -> PocketLoad {
+        let velocity = [b[VELOCITY], b[VELOCITY + 1], b[RADIUS] * b[ORBIT]];
+        let spin = [b[SPIN], b[SPIN + 1], b[SPIN + 2]];
+        self.cage.pocket.load_of_free(pose, place, (AzimuthFrame::at(b[AZIMUTH]), velocity, spin))
     }
 
     /// Force and friction of the pocket on a ball, and its lead over the middle of the pocket, rad.
@@ -83,16 +89,14 @@ impl Machine {
         let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) else {
             return (self.pocket_load(index, b, frame), self.lead(index, b, frame.cage[0]));
         };
-        let place = self.in_free_pocket((cage, pose), self.places[index], b);
-        let velocity = [b[VELOCITY], b[VELOCITY + 1], b[RADIUS] * b[ORBIT]];
-        let spin = [b[SPIN], b[SPIN + 1], b[SPIN + 2]];
-        (self.cage.pocket.load_of_free(pose, &place, (AzimuthFrame::at(b[AZIMUTH]), velocity, spin)), place.lead)
+        let place = self.in_free_pocket((cage, pose), (index, b));
+        (self.load_in_free_pocket((pose, &place), b), place.lead())
     }
 
     /// Force and friction of the pocket on a ball.
     pub fn pocket_load(&self, index: usize, b: &[f64], frame: &Frame) -> PocketLoad {
-        if frame.free_cage.is_some() {
-            return self.in_pocket(index, b, frame).0;
+        if let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) {
+            return self.load_in_free_pocket((pose, &self.in_free_pocket((cage, pose), (index, b))), b);
         }
         self.cage.pocket.load(&PocketMotion {
             lead: self.lead(index, b, frame.cage[0]),
@@ -104,23 +108,25 @@ impl Machine {
     }
 
     /// How far a ball is pressed into its pocket (m; negative: the gap), how fast that grows (m/s), and its lead, rad.
-    pub fn pocket_depth(&self, index: usize, b: &[f64], cage: CageAt<'_>) -> [f64; 3] {
-        self.in_place(self.places[index], b, cage)
-    }
-
-    /// The same of a pocket at an azimuth of the cage, rad.
-    #[inline]
-    pub fn in_place(&self, azimuth: f64, b: &[f64], ([angle, speed], pose): CageAt<'_>) -> [f64; 3] {
+    pub fn pocket_depth(&self, index: usize, b: &[f64], ([angle, speed], pose): CageAt<'_>) -> [f64; 3] {
         let pocket = &self.cage.pocket;
         let (Some(cage), Some(pose)) = (&self.free_cage, pose) else {
-            let lead = b[AZIMUTH] - angle - azimuth;
+            let lead = b[AZIMUTH] - angle - self.places[index];
             let rate = (b[ORBIT] - speed) * pocket.radius * lead.signum();
             return [pocket.penetration(lead), rate, lead];
         };
-        let place = self.in_free_pocket((cage, pose), azimuth, b);
+        let place = self.in_free_pocket((cage, pose), (index, b));
         let velocity = [b[VELOCITY], b[VELOCITY + 1], b[RADIUS] * b[ORBIT]];
         let rate = pocket.closing(pose, &place, (AzimuthFrame::at(b[AZIMUTH]), velocity));
-        [place.depth, rate, place.lead]
+        [place.depth, rate, place.lead()]
+    }
+
+    /// Lead of a ball over the middle of its pocket in any cage, rad.
+    pub fn lead_in(&self, index: usize, b: &[f64], frame: &Frame) -> f64 {
+        match (&self.free_cage, &frame.free_cage) {
+            (Some(cage), Some(pose)) => self.in_free_pocket((cage, pose), (index, b)).lead(),
+            _ => self.lead(index, b, frame.cage[0]),
+        }
     }
 
     /// Arm of a pocket's force along the orbit on a ball, m: a free cage pushes at the ball itself.

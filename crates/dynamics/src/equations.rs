@@ -201,6 +201,12 @@ impl Equations for Machine {
 impl Machine {
     /// Rings and cage of a state.
     pub fn frame(&self, t: f64, y: &[f64]) -> Frame {
+        let frame = self.frame_of_rings(t, y);
+        Frame { free_cage: self.cage_at(y).1, ..frame }
+    }
+
+    /// The same without the pose of a free cage, for what the cage has no part in.
+    pub fn frame_of_rings(&self, t: f64, y: &[f64]) -> Frame {
         let l = self.layout;
         let [i, o, a] = [l.inner(), l.outer(), l.angles()];
         let (tilt, turning) = self.tilt_at(y);
@@ -218,9 +224,9 @@ impl Machine {
             speed: self.speeds.outer.at(t),
             turning: turning.map(|_| [0.0; 3]),
         };
-        let (cage, free_cage) = self.cage_at(y);
-        let angles = [y[a], y[a + 1]].into();
-        Frame { rings: Races { inner, outer }, angles, cage, free_cage, orientations: self.orientations_at(y) }
+        let (at, angles) = (l.cage(), [y[a], y[a + 1]].into());
+        let (cage, orientations) = ([y[at], y[at + 1]], self.orientations_at(y));
+        Frame { rings: Races { inner, outer }, angles, cage, free_cage: None, orientations }
     }
 
     /// Axes of a ball with its number and the unknowns `b`, its centre against the outer groove centre, and the

@@ -6,8 +6,8 @@ use crate::layout::Layout;
 use crate::tilting::Tilting;
 use crate::watch::Watch;
 use tribodyn_bearing::{
-    Bearing, CageBody, CoatingState, FreeCage, LoadedPatch, Races, RingOffset, RunInputs, Side, SpeedHistory,
-    Translation,
+    AzimuthFrame, Bearing, CageBody, CoatingState, FreeCage, LoadedPatch, Races, RingOffset, RunInputs, Side,
+    SpeedHistory, Translation,
 };
 use tribodyn_traction::{
     FastPatch, FilmContact, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
@@ -42,6 +42,8 @@ pub(crate) struct Machine {
     pub wear_acceleration: f64,
     /// Azimuths of the middles of the pockets against the cage, rad.
     pub places: Vec<f64>,
+    /// The directions of these azimuths.
+    pub directions: Vec<AzimuthFrame>,
     /// What the last evaluation of the derivative saw of each ball.
     pub watch: Vec<Watch>,
 }
@@ -157,6 +159,7 @@ impl Machine {
         Ok(Self {
             layout: Layout { balls, free_cage: free_cage.is_some(), tilting: tilting.is_some(), marked },
             places: (0..balls).map(|ball| bearing.azimuth(ball)).collect(),
+            directions: (0..balls).map(|ball| AzimuthFrame::at(bearing.azimuth(ball))).collect(),
             watch: vec![Watch::default(); balls],
             inner: Support::new(&supports.inner, free),
             outer: Support::new(&supports.outer, [true; 2]),

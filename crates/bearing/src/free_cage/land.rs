@@ -1,7 +1,6 @@
 //! A cage on the land of a ring: two edges that are hard, and the film between.
 
-use super::friction;
-use super::{CageLand, CagePose, Wrench};
+use super::{CageLand, CagePose, Gauge, Wrench, WrenchSlope, friction};
 use crate::pocket::CREEP;
 use crate::races::Side;
 use crate::state::RingState;
@@ -28,6 +27,8 @@ pub struct LandFilm {
 pub struct LandLoad {
     /// Force and moment on the cage.
     pub on_cage: Wrench,
+    /// How they change with its velocities.
+    pub slope: WrenchSlope,
     /// Torque about the ring's axis that its drive has to give, N m.
     pub drive: f64,
     /// Power that friction at the edges takes, W.
@@ -109,13 +110,38 @@ impl CageLand {
         let moving = along(seat.velocity_at(to_point), pose.velocity_at(point));
         let closing = dot(moving, n);
         let normal = (spring * (1.0 + self.damping * closing)).max(0.0);
-        let (dragged, power) = friction(self.friction, normal, across(moving, n), CREEP);
+        let slip = across(moving, n);
+        let (dragged, power) = friction(self.friction, normal, slip, CREEP);
         let force = add(scaled(n, -normal), dragged);
-        load.on_cage.add_at(along(pose.mass_centre, point), force, [0.0; 3]);
+        let arm = along(pose.mass_centre, point);
+        load.on_cage.add_at(arm, force, [0.0; 3]);
+        self.slope_at_edge((arm, n), [normal, spring], slip, &mut load.slope);
         load.drive += dot(seat.axis, cross(to_point, force));
         load.friction_power += power;
         load.damping_power += (normal - spring) * closing;
         load.energy += energy;
+    }
+
+    /// Slopes of the force N of an edge at an arm, −N n − μ N s/√(s² + creep²), s the slip across n.
+    fn slope_at_edge(
+        &self,
+        (arm, n): ([f64; 3], [f64; 3]),
+        [normal, spring]: [f64; 2],
+        slip: [f64; 3],
+        slope: &mut WrenchSlope,
+    ) {
+        let square = dot(slip, slip) + CREEP * CREEP;
+        let share = self.friction / square.sqrt();
+        if normal > 0.0 {
+            let by_closing = scaled(add(n, scaled(slip, share)), -spring * self.damping);
+            slope.add(&Gauge::of_point(n, arm), arm, (by_closing, [0.0; 3]));
+        }
+        for k in 0..3 {
+            let (unit, along_n) = (axis_of(k), n[k]);
+            let slip_by = add(unit, scaled(n, -along_n));
+            let by_slip = scaled(add(slip_by, scaled(slip, -dot(slip, slip_by) / square)), -share * normal);
+            slope.add(&Gauge::of_point(unit, arm), arm, (by_slip, [0.0; 3]));
+        }
     }
 
     fn film(&self, film: &LandFilm, pose: &CagePose, seat: &Seat<'_>, load: &mut LandLoad) {
@@ -144,19 +170,34 @@ impl CageLand {
             outward: dot(moving, n) / c,
             wedge: eccentricity * entraining - dot(moving, ahead) / c,
         };
-        let [radial, tangential] = bearing.force(&motion);
+        let ([radial, tangential], slopes) = bearing.force_and_slopes(&motion);
         let (density, width, gap) = (film.fill * film.density, self.width, self.gap);
         let drag = AnnulusDrag { density, viscosity, radius: self.radius, width, gap };
-        let sheared = drag.torque_on_cage(seat.ring.speed, turning) * bearing.friction_factor(eccentricity);
+        let sheared_more = bearing.friction_factor(eccentricity);
+        let sheared = drag.torque_on_cage(seat.ring.speed, turning) * sheared_more;
         // The pressure turns cage and ring alike, so that together with the forces' arm nothing is left.
         let of_pressure = -0.5 * distance * tangential;
         let force = add(scaled(n, radial), scaled(ahead, tangential));
         let moment = scaled(seat.axis, sheared + of_pressure);
-        load.on_cage.add_at(along(pose.mass_centre, middle), force, moment);
+        let arm = along(pose.mass_centre, middle);
+        load.on_cage.add_at(arm, force, moment);
+        let mut wedge = Gauge::of_point(scaled(ahead, -1.0 / c), arm);
+        wedge.omega = add(wedge.omega, scaled(seat.axis, 0.5 * eccentricity));
+        for (gauge, [radial, tangential]) in [Gauge::of_point(scaled(n, 1.0 / c), arm), wedge].iter().zip(slopes) {
+            let force = add(scaled(n, radial), scaled(ahead, tangential));
+            load.slope.add(gauge, arm, (force, scaled(seat.axis, -0.5 * distance * tangential)));
+        }
+        let by_turning = drag.slope_by_cage_speed(seat.ring.speed, turning) * sheared_more;
+        load.slope.add(&Gauge::of_turning(seat.axis), arm, ([0.0; 3], scaled(seat.axis, by_turning)));
         load.drive += sheared - of_pressure;
         load.film_power +=
             sheared * (seat.ring.speed - turning) + c * (tangential * motion.wedge - radial * motion.outward);
     }
+}
+
+/// The unit vector along one of the inertial axes.
+fn axis_of(k: usize) -> [f64; 3] {
+    std::array::from_fn(|i| f64::from(u8::from(i == k)))
 }
 
 /// A unit vector across an axis that is near Z.

@@ -10,11 +10,13 @@
 
 mod land;
 mod pocket;
+mod slope;
 #[cfg(test)]
 mod tests;
 
 pub use land::{LandFilm, LandLoad};
-pub use pocket::{InPocket, PocketShape};
+pub use pocket::{InPocket, PocketShape, PocketWall};
+pub use slope::{Gauge, WrenchSlope};
 
 use crate::races::Side;
 use crate::vectors::{add, along, cross, dot, rotated, scaled};
@@ -113,6 +115,7 @@ pub struct Wrench {
 
 impl Wrench {
     /// Adds a force that acts at a distance from the centre of mass, with a moment of its own.
+    #[inline(always)]
     pub fn add_at(&mut self, arm: [f64; 3], force: [f64; 3], moment: [f64; 3]) {
         self.force = add(self.force, force);
         self.moment = add(self.moment, add(moment, cross(arm, force)));
@@ -137,6 +140,7 @@ impl CagePose {
     }
 
     /// Velocity of a point of the cage, m/s.
+    #[inline(always)]
     pub fn velocity_at(&self, point: [f64; 3]) -> [f64; 3] {
         add(self.velocity, cross(self.omega, along(self.mass_centre, point)))
     }

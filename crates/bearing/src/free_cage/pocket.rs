@@ -26,50 +26,98 @@ pub enum PocketShape {
 pub struct InPocket {
     /// How far it is pressed into the wall, m; negative where there is a gap.
     pub depth: f64,
-    /// Lead over the middle of the pocket, rad.
-    pub lead: f64,
+    /// Place against the centre of the cage along and across the pocket's radius, m.
+    on_circle: [f64; 2],
     /// Centre of the ball, inertial, m.
     ball: [f64; 3],
     /// From the ball's centre to the wall, inertial; zero in the very middle.
     outward: [f64; 3],
 }
 
+impl InPocket {
+    /// Lead over the middle of the pocket, rad.
+    pub fn lead(&self) -> f64 {
+        let [r, t] = self.on_circle;
+        t.atan2(r)
+    }
+}
+
+/// The wall of a pocket as it is searched for a ball: one rule for all shapes, without a branch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PocketWall {
+    /// Gap of the centred ball where the wall is nearest, m.
+    gap: f64,
+    /// Half length of the straight walls along the axis and along the orbit, m.
+    straight: [f64; 2],
+    /// 1 where the wall is behind the ball along the radius too, else 0.
+    radial: f64,
+}
+
+impl PocketWall {
+    /// From the straight part of the wall's middle line to a ball at a place [a, r, t] about the middle of the pocket.
+    #[inline(always)]
+    fn to_wall(self, [a, r, t]: [f64; 3]) -> [f64; 3] {
+        let beyond = |x: f64, straight: f64| (x.abs() - straight).max(0.0).copysign(x);
+        [beyond(a, self.straight[0]), self.radial * r, beyond(t, self.straight[1])]
+    }
+}
+
 impl PocketShape {
-    /// Depth in the wall and the direction to it, of a ball at a place [a, r, t] against the middle of the pocket.
-    fn wall(self, gap: f64, [a, r, t]: [f64; 3]) -> (f64, [f64; 3]) {
-        let (gap, to_wall) = match self {
-            Self::Cylinder => (gap, [a, 0.0, t]),
-            Self::Sphere => (gap, [a, r, t]),
+    /// The wall of such pockets with a gap along the orbit, m.
+    pub fn wall(self, gap: f64) -> PocketWall {
+        match self {
+            Self::Cylinder => PocketWall { gap, straight: [0.0; 2], radial: 0.0 },
+            Self::Sphere => PocketWall { gap, straight: [0.0; 2], radial: 1.0 },
             Self::RaceTrack { axial_gap } => {
                 let least = gap.min(axial_gap);
-                let beyond = |x: f64, straight: f64| (x.abs() - straight).max(0.0).copysign(x);
-                (least, [beyond(a, axial_gap - least), 0.0, beyond(t, gap - least)])
+                PocketWall { gap: least, straight: [axial_gap - least, gap - least], radial: 0.0 }
             }
-        };
-        let size = length(to_wall);
-        let unit = if size > 0.0 { scaled(to_wall, 1.0 / size) } else { [0.0; 3] };
-        (size - gap, unit)
+        }
     }
 }
 
 impl Pocket {
-    /// Where a ball at a place [a, r, t] m in its azimuth frame is in the pocket at an angle (rad) of a free cage.
-    pub fn place(
-        &self,
-        shape: PocketShape,
-        (pose, angle): (&CagePose, f64),
+    /// The wall of the pockets of a free cage.
+    pub fn wall(&self, shape: PocketShape) -> PocketWall {
+        shape.wall(self.clearance * self.radius)
+    }
+
+    /// A ball centre at a place [a, r, t] m in its azimuth frame, inertial, and as a pocket of a free cage sees it,
+    /// which is in the direction `pocket` of the cage: along the cage's axis, the pocket's radius and the orbit, m.
+    #[inline(always)]
+    fn seen(
+        (pose, pocket): (&CagePose, AzimuthFrame),
         (frame, at): (AzimuthFrame, [f64; 3]),
-    ) -> InPocket {
+    ) -> ([f64; 3], [[f64; 3]; 3], [f64; 3]) {
         let [first, second, axis] = pose.axes;
-        let (sin, cos) = angle.sin_cos();
-        let radial = add(scaled(first, cos), scaled(second, sin));
-        let tangential = add(scaled(first, -sin), scaled(second, cos));
+        let radial = add(scaled(first, pocket.cos), scaled(second, pocket.sin));
+        let tangential = add(scaled(first, -pocket.sin), scaled(second, pocket.cos));
         let ball = frame.to_inertial(at);
         let from_centre = along(pose.centre, ball);
-        let (a, r, t) = (dot(from_centre, axis), dot(from_centre, radial), dot(from_centre, tangential));
-        let (depth, unit) = shape.wall(self.clearance * self.radius, [a, r - self.radius, t]);
+        (ball, [axis, radial, tangential], [axis, radial, tangential].map(|direction| dot(from_centre, direction)))
+    }
+
+    /// How far a ball is pressed into the wall, m: [`InPocket::depth`] alone.
+    #[inline(always)]
+    pub fn depth_in(&self, wall: &PocketWall, cage: (&CagePose, AzimuthFrame), ball: (AzimuthFrame, [f64; 3])) -> f64 {
+        let (_, _, [a, r, t]) = Self::seen(cage, ball);
+        length(wall.to_wall([a, r - self.radius, t])) - wall.gap
+    }
+
+    /// Where a ball at a place [a, r, t] m in its azimuth frame is in the pocket in a direction of a free cage.
+    #[inline]
+    pub fn place(
+        &self,
+        wall: &PocketWall,
+        cage: (&CagePose, AzimuthFrame),
+        ball: (AzimuthFrame, [f64; 3]),
+    ) -> InPocket {
+        let (ball, [axis, radial, tangential], [a, r, t]) = Self::seen(cage, ball);
+        let to_wall = wall.to_wall([a, r - self.radius, t]);
+        let size = length(to_wall);
+        let unit = if size > 0.0 { scaled(to_wall, 1.0 / size) } else { [0.0; 3] };
         let outward = add(scaled(axis, unit[0]), add(scaled(radial, unit[1]), scaled(tangential, unit[2])));
-        InPocket { depth, lead: t.atan2(r), ball, outward }
+        InPocket { depth: size - wall.gap, on_circle: [r, t], ball, outward }
     }
 
     /// How fast a ball with a velocity [a, r, t] (m/s) goes into the wall, m/s.
@@ -128,6 +176,7 @@ impl Pocket {
 
 impl Wrench {
     /// Adds the reaction of a pocket's load on the ball whose centre is at [a, r, t] m.
+    #[inline(always)]
     pub fn react(&mut self, pose: &CagePose, load: &PocketLoad, (frame, at): (AzimuthFrame, [f64; 3])) {
         let [a, r] = load.friction;
         let force = frame.to_inertial([-a, -r, -load.force]);

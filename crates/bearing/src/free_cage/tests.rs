@@ -9,9 +9,9 @@ use crate::vectors::{add, cross, dot, scaled};
 use std::f64::consts::TAU;
 use tribodyn_fluid::FilmExtent;
 
-const INERTIA: f64 = 3e-5;
+pub(super) const INERTIA: f64 = 3e-5;
 
-fn cage(lands: Vec<CageLand>) -> FreeCage {
+pub(super) fn cage(lands: Vec<CageLand>) -> FreeCage {
     FreeCage {
         mass: 0.03,
         transverse_inertia: 1.7e-5,
@@ -23,11 +23,11 @@ fn cage(lands: Vec<CageLand>) -> FreeCage {
     }
 }
 
-fn film(extent: FilmExtent) -> LandFilm {
+pub(super) fn film(extent: FilmExtent) -> LandFilm {
     LandFilm { viscosity: 0.02, density: 900.0, fill: 1.0, extent, roughness: 1e-6 }
 }
 
-fn land(side: Side, film: Option<LandFilm>) -> CageLand {
+pub(super) fn land(side: Side, film: Option<LandFilm>) -> CageLand {
     CageLand {
         side,
         axial: 0.0,
@@ -42,7 +42,14 @@ fn land(side: Side, film: Option<LandFilm>) -> CageLand {
 }
 
 /// A pose from a centre of mass, a velocity, an angular velocity across the axis and a vector of tilt.
-fn pose(cage: &FreeCage, turn: [f64; 2], x: [f64; 3], v: [f64; 3], omega: [f64; 2], tilt: [f64; 2]) -> CagePose {
+pub(super) fn pose(
+    cage: &FreeCage,
+    turn: [f64; 2],
+    x: [f64; 3],
+    v: [f64; 3],
+    omega: [f64; 2],
+    tilt: [f64; 2],
+) -> CagePose {
     let [a, b] = tilt.map(|t| 0.5 * t);
     let w = (1.0 - a * a - b * b).sqrt();
     CagePose::new(cage, turn, &[x[0], x[1], x[2], v[0], v[1], v[2], omega[0], omega[1], a, b, 0.0, w])
@@ -223,12 +230,13 @@ fn pocket(friction: f64) -> Pocket {
 fn paper_balls_guide_a_cage_within_their_pockets() {
     for (balls, published) in [(3, 1.154701), (4, 1.0), (7, 1.025717), (13, 1.007345)] {
         let (cage, pocket, gap) = (cage(Vec::new()), pocket(0.1), 1e-4);
+        let wall = pocket.wall(PocketShape::Cylinder);
         let touches = |shift: f64| {
             let pose = pose(&cage, [0.0; 2], [shift, 0.0, 0.0], [0.0; 3], [0.0; 2], [0.0; 2]);
             (0..balls).any(|ball| {
                 let azimuth = TAU * f64::from(ball) / f64::from(balls);
                 let at = (AzimuthFrame::at(azimuth), [0.0, pocket.radius, 0.0]);
-                pocket.place(PocketShape::Cylinder, (&pose, azimuth), at).depth > 0.0
+                pocket.place(&wall, (&pose, at.0), at).depth > 0.0
             })
         };
         let (mut low, mut high) = (0.0, 2.0 * gap);
@@ -249,7 +257,7 @@ fn limit_a_centred_cage_has_the_pocket_of_one_freedom() {
         let frame = AzimuthFrame::at(0.7 + lead);
         let pose = pose(&cage, [0.7, 300.0], [0.0; 3], [0.0; 3], [0.0; 2], [0.0; 2]);
         let at = [0.0, pocket.radius, 0.0];
-        let place = pocket.place(PocketShape::Cylinder, (&pose, 0.0), (frame, at));
+        let place = pocket.place(&pocket.wall(PocketShape::Cylinder), (&pose, AzimuthFrame::at(0.0)), (frame, at));
         let (velocity, spin) = ([0.02, -0.01, 0.023 * 301.0], [-900.0, 200.0, 0.0]);
         let free = pocket.load_of_free(&pose, &place, (frame, velocity, spin));
         let held = pocket.load(&PocketMotion {
@@ -259,7 +267,7 @@ fn limit_a_centred_cage_has_the_pocket_of_one_freedom() {
             spin: [spin[0], spin[1]],
             cage_speed: 300.0,
         });
-        assert!((place.lead - lead).abs() < 1e-15);
+        assert!((place.lead() - lead).abs() < 1e-15);
         assert!((free.force / held.force - 1.0).abs() < 1e-2, "{} {}", free.force, held.force);
         assert!((free.cage_torque / held.cage_torque - 1.0).abs() < 1e-2);
         // The wall is square to the pocket's radius, not to the ball's: a part N sin(lead) of 0.1 N.
@@ -282,7 +290,9 @@ fn identity_power_and_momentum_of_ball_and_pocket() {
             (moved(&cage, &start, 2.1 - 9e-3, t), frame.from_inertial(inertial))
         };
         let (pose, place) = of(0.0);
-        let seen = pocket.place(shape, (&pose, 0.0), (frame, place));
+        let (wall, first) = (pocket.wall(shape), AzimuthFrame::at(0.0));
+        let seen = pocket.place(&wall, (&pose, first), (frame, place));
+        assert_eq!(pocket.depth_in(&wall, (&pose, first), (frame, place)), seen.depth);
         let load = pocket.load_of_free(&pose, &seen, (frame, velocity, spin));
         assert!(load.normal > 1.0, "{shape:?}: {load:?}");
         let mut on_cage = Wrench::default();
@@ -302,7 +312,7 @@ fn identity_power_and_momentum_of_ball_and_pocket() {
         assert!(dot(rest, rest).sqrt() < 1e-13 * dot(of_ball, of_ball).sqrt(), "{rest:?}");
         let depth = |t: f64| {
             let (pose, place) = of(t);
-            pocket.place(shape, (&pose, 0.0), (frame, place)).depth
+            pocket.depth_in(&wall, (&pose, first), (frame, place))
         };
         let slope = (depth(1e-8) - depth(-1e-8)) / 2e-8;
         let closing = pocket.closing(&pose, &seen, (frame, velocity));

@@ -1,21 +1,19 @@
 //! A free cage in the fast scheme: the drift moves it on, the kick has all that acts on it. A thin film is as stiff as
-//! friction, and like it linearly implicit, with the method of the kick: v ← v + H R(H A) f(v), A = ∂f/∂v by
-//! differences. Weight and film, or weight and an edge, are in one f, so that what settles within a step settles where
-//! they balance.
+//! friction, and like it linearly implicit, with the method of the kick: v ← v + H R(H A) f(v), A = ∂f/∂v, of the lands
+//! exactly and each time anew. Weight and film, or weight and an edge, are in one f, so that what settles within a step
+//! settles where they balance.
 
 use crate::equations::Frame;
 use crate::layout::AZIMUTH;
 use crate::machine::Machine;
 use nalgebra::{Matrix6, Vector6};
 use std::f64::consts::FRAC_1_SQRT_2;
-use tribodyn_bearing::{AzimuthFrame, CagePose, FreeCage, PocketLoad, Races, RingState, Side, Wrench, quaternion_rate};
+use tribodyn_bearing::{
+    AzimuthFrame, CagePose, FreeCage, PocketLoad, Races, RingState, Side, Wrench, WrenchSlope, quaternion_rate,
+};
 
 /// γ of the kick's method, 1 − 1/√2.
 const GAMMA: f64 = 1.0 - FRAC_1_SQRT_2;
-/// Change of a velocity (m/s) for difference quotients, and of an angular velocity, rad/s: a film is linear between
-/// the signs of its velocities.
-const CHANGES: [f64; 2] = [1e-6, 1e-4];
-
 /// A cage at a position, with the force and moment of its balls.
 struct Kicked<'a> {
     machine: &'a Machine,
@@ -46,37 +44,34 @@ impl Kicked<'_> {
         sum
     }
 
-    fn accelerations(&self, by: &Vector6<f64>) -> Vector6<f64> {
-        let pose = self.moving(by);
-        let mut wrench = *self.of_balls;
-        for side in Side::BOTH {
-            let Wrench { force, moment } = self.of(side, &pose);
-            wrench.add_at([0.0; 3], force, moment);
+    /// Accelerations (x, y, z; about x, y, z), and their slopes by velocity and angular velocity.
+    fn accelerations(&self) -> (Vector6<f64>, Matrix6<f64>) {
+        let (pose, mut wrench, mut slope) = (self.pose, *self.of_balls, WrenchSlope::default());
+        for land in &self.cage.lands {
+            let load = land.load(pose, &self.rings[land.side]);
+            wrench.add_at([0.0; 3], load.on_cage.force, load.on_cage.moment);
+            slope.0.as_flattened_mut().iter_mut().zip(load.slope.0.as_flattened()).for_each(|(sum, of)| *sum += of);
         }
         let body = &self.machine.cage;
         let speeds = Races { inner: self.rings.inner.speed, outer: self.rings.outer.speed };
-        wrench.moment[2] += body.fluid_torques(pose.omega[2], speeds).into_iter().sum::<f64>();
-        let (rates, about_z) = self.cage.rates(&pose, &wrench, body.inertia);
+        let (of_fluid, by_speed) = body.fluid_torque_and_slope(pose.omega[2], speeds);
+        wrench.moment[2] += of_fluid;
+        slope.0[5][5] += by_speed;
+        let (rates, about_z) = self.cage.rates(pose, &wrench, body.inertia);
         let [_, _, _, x, y, z, about_x, about_y, ..] = rates;
-        Vector6::new(x, y, z, about_x, about_y, about_z)
+        let slopes = self.cage.slopes_of_rates(pose, &slope, body.inertia);
+        (Vector6::new(x, y, z, about_x, about_y, about_z), Matrix6::from_fn(|row, column| slopes[column][row]))
     }
 
     /// Changes of velocity and angular velocity over `h`.
     fn change(&self, h: f64) -> Vector6<f64> {
-        let f = self.accelerations(&Vector6::zeros());
-        let mut matrix = Matrix6::identity();
-        for column in 0..6 {
-            let size = CHANGES[column / 3];
-            let mut by = Vector6::zeros();
-            by[column] = size;
-            let slope = (self.accelerations(&by) - f) / size;
-            let mut slot = matrix.column_mut(column);
-            slot -= slope * (GAMMA * h);
-        }
+        let (f, slopes) = self.accelerations();
+        let decomposed = (Matrix6::identity() - slopes * (GAMMA * h)).lu();
         // Films and edges only take power: the matrix has an inverse.
-        let Some(inverse) = matrix.try_inverse() else { return f * h };
-        let once = inverse * f;
-        (once * GAMMA + inverse * once * (1.0 - GAMMA)) * h
+        let Some((once, twice)) = decomposed.solve(&f).and_then(|once| Some((once, decomposed.solve(&once)?))) else {
+            return f * h;
+        };
+        (once * GAMMA + twice * (1.0 - GAMMA)) * h
     }
 }
 

@@ -235,7 +235,8 @@ pub(super) fn drift_acceleration<E: Equations>(
 ) {
     let machine = equations.machine();
     let l = machine.layout;
-    let frame = machine.frame(t, y);
+    // All that acts on a free cage is in the kick.
+    let frame = machine.frame_of_rings(t, y);
     let mut sums = Sums::default();
     for (block, (balls, out)) in balls.iter().zip(stands).enumerate() {
         press(level, equations, (&frame, block, balls), out);
@@ -249,8 +250,7 @@ pub(super) fn drift_acceleration<E: Equations>(
             moments(equations, (&frame, block, balls), out, &mut sums);
         }
     }
-    // All that acts on a free cage is in the kick.
-    let bodies = machine.bodies(t, &Frame { free_cage: None, ..frame }, &sums);
+    let bodies = machine.bodies(t, &frame, &sums);
     a[l.cage() + 1] = if l.free_cage { 0.0 } else { bodies.cage };
     a[l.inner() + 3..l.inner() + 6].copy_from_slice(&bodies.inner);
     a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);

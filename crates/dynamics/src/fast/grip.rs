@@ -2,9 +2,9 @@
 
 use super::drift::Stand;
 use super::friction::LinearFriction;
-use super::lanes::{Lane, WIDTH, get, put};
+use super::lanes::{Lane, WIDTH, ball_in, get, put};
 use crate::equations::{Equations, Frame};
-use crate::layout::{AZIMUTH, BALL, VELOCITY};
+use crate::layout::{AXIAL, AZIMUTH, BALL, RADIUS, VELOCITY};
 use crate::linear::{Contacts, LinearTraction};
 use crate::machine::Machine;
 use nalgebra::Matrix6;
@@ -197,31 +197,56 @@ pub(super) fn tractions<E: Equations, const TILTS: bool>(
     }
 }
 
-/// Azimuths of the middles of the pockets of a block's balls against the cage, rad.
-pub(super) fn places(machine: &Machine, block: usize) -> Lane {
-    let last = machine.layout.balls - 1;
-    Lane(std::array::from_fn(|k| machine.place_in_cage((WIDTH * block + k).min(last))))
+/// The middles of the pockets of a block's balls in the cage.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Places {
+    /// Their azimuths, rad.
+    azimuth: Lane,
+    /// sin and cos of these.
+    direction: [Lane; 2],
 }
 
-/// The fluid's drag and churning, and how deep the balls of a block are in their pockets, the middles of which are at
-/// azimuths of `places` against the cage.
+impl Places {
+    pub fn new(machine: &Machine, block: usize) -> Self {
+        let ball = |k: usize| ball_in(machine.layout, block, k);
+        let directions: [AzimuthFrame; WIDTH] = std::array::from_fn(|k| machine.directions[ball(k)]);
+        Self {
+            azimuth: Lane(std::array::from_fn(|k| machine.place_in_cage(ball(k)))),
+            direction: [Lane(directions.map(|at| at.sin)), Lane(directions.map(|at| at.cos))],
+        }
+    }
+}
+
+/// How deep the balls of a block are in their pockets, m.
+#[inline(always)]
+fn depths(machine: &Machine, (frame, places): (&Frame, &Places), (balls, stand): (&[Lane; BALL], &Stand)) -> Lane {
+    let (mut depth, pocket) = (Lane::ZERO, machine.cage.pocket);
+    if let (Some(cage), Some(pose)) = (&machine.free_cage, frame.free_cage) {
+        let (wall, plane) = (pocket.wall(cage.pockets), machine.plane());
+        for k in 0..WIDTH {
+            let [sin, cos] = get(&places.direction, k);
+            let at = [balls[AXIAL].0[k] - plane, balls[RADIUS].0[k], 0.0];
+            depth.0[k] = pocket.depth_in(&wall, (&pose, AzimuthFrame { sin, cos }), (stand.axes(k), at));
+        }
+    } else {
+        let cage_angle = frame.cage[0];
+        for k in 0..WIDTH {
+            depth.0[k] = pocket.penetration(balls[AZIMUTH].0[k] - cage_angle - places.azimuth.0[k]);
+        }
+    }
+    depth
+}
+
+/// The fluid's drag and churning, and how deep the balls of a block are in their pockets.
 #[inline(always)]
 pub(super) fn surroundings<E: Equations>(
     equations: &E,
-    (frame, places): (&Frame, &Lane),
+    (frame, places): (&Frame, &Places),
     (balls, stand): (&[Lane; BALL], &Stand),
     grips: &mut Grips,
 ) {
-    let (mut out, mut depth, machine) = ([Lane::ZERO; 4], Lane::ZERO, equations.machine());
-    let (pocket, cage_angle, inner_speed) = (machine.cage.pocket, frame.cage[0], frame.rings.inner.speed);
-    if frame.free_cage.is_some() {
-        let cage = (frame.cage, frame.free_cage.as_ref());
-        (0..WIDTH).for_each(|k| depth.0[k] = machine.in_place(places.0[k], &get(balls, k), cage)[0]);
-    } else {
-        for k in 0..WIDTH {
-            depth.0[k] = pocket.penetration(balls[AZIMUTH].0[k] - cage_angle - places.0[k]);
-        }
-    }
+    let (mut out, machine) = ([Lane::ZERO; 4], equations.machine());
+    let (depth, inner_speed) = (depths(machine, (frame, places), (balls, stand)), frame.rings.inner.speed);
     // What there is of the fluid is asked outside of the loops, which would else not become vector instructions.
     if let Some(fluid) = machine.bearing.fluid {
         for k in 0..WIDTH {

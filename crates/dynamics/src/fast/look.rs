@@ -9,7 +9,7 @@ use super::{Fast, Scratch};
 use crate::detail::{Balls, ball_result};
 use crate::equations::{Equations, Frame, Touched};
 use crate::forces::Sums;
-use crate::layout::{AZIMUTH, BALL, VELOCITY};
+use crate::layout::{BALL, VELOCITY};
 use crate::machine::Machine;
 use crate::observer::BallDetail;
 use fearless_simd::{Level, dispatch};
@@ -21,7 +21,7 @@ const BEFORE_REFRESH: f64 = 1.5;
 
 /// Semi-axes (longer, shorter) and peak pressure at inner and outer contacts.
 type Ellipses = [[Lane; 3]; 2];
-/// Ellipses, pockets, and the places of these.
+/// Ellipses, pockets, and the leads of the balls in these.
 type Beside<'a> = (&'a Ellipses, &'a [Lane; IN_POCKET], &'a Lane);
 
 /// Room that a look works in, kept from one to the next, and the list of balls that it fills.
@@ -124,7 +124,7 @@ impl Fast {
             dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, stand), grips));
             let pockets = of.pockets(block, &balls, grips);
             let (at, ellipses) = ((&balls, &*stand, forms, &*grips), of.ellipses(*level, stand));
-            let beside = (&ellipses, &pockets, &places);
+            let beside = (&ellipses, &pockets, &of.leads(block, &balls));
             match detail {
                 BallDetail::All => dispatch!(*level, _simd => see::<true>(&of, at, beside, seen)),
                 BallDetail::Loads => dispatch!(*level, _simd => see::<false>(&of, at, beside, seen)),
@@ -172,13 +172,13 @@ impl Of<'_> {
         pockets
     }
 
-    /// Lead of a ball over the middle of its pocket at an azimuth of the cage, rad.
-    #[inline(always)]
-    fn lead(&self, b: &[f64; BALL], place: f64) -> f64 {
-        if self.frame.free_cage.is_some() {
-            return self.machine.in_place(place, b, (self.frame.cage, self.frame.free_cage.as_ref()))[2];
+    /// Leads of the balls over the middles of their pockets, rad.
+    fn leads(&self, block: usize, balls: &[Lane; BALL]) -> Lane {
+        let mut leads = Lane::ZERO;
+        for k in 0..filled(self.machine.layout, block) {
+            leads.0[k] = self.machine.lead_in(WIDTH * block + k, &get(balls, k), &self.frame);
         }
-        b[AZIMUTH] - self.frame.cage[0] - place
+        leads
     }
 
     /// A ball alone, its traction integrated.
@@ -230,7 +230,7 @@ fn contact(
 fn ball(
     of: &Of<'_>,
     (balls, stand, forms, grips): (&[Lane; BALL], &Stand, &Forms, &Grips),
-    (ellipses, pockets, places): Beside<'_>,
+    (ellipses, pockets, leads): Beside<'_>,
     k: usize,
 ) -> (Sums, BallResult, f64) {
     let (machine, b) = (of.machine, get(balls, k));
@@ -246,7 +246,7 @@ fn ball(
         contacts: Races { inner, outer },
         fluid: grips.fluid(k),
         pocket,
-        lead: of.lead(&b, places.0[k]),
+        lead: leads.0[k],
     };
     let (forces, mut sums) = (machine.together(b[VELOCITY + 1], touched), Sums::default());
     machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &of.frame, &mut sums);

@@ -54,7 +54,7 @@ use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
 use drift::{Stand, drift_acceleration, glide_balls, glide_bodies, push_balls, push_bodies};
 use fearless_simd::{Level, dispatch};
 use friction::LinearFriction;
-use grip::{Forms, Grips, places};
+use grip::{Forms, Grips, Places};
 use halves::VELOCITIES;
 use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
 use longest::Longest;
@@ -151,8 +151,8 @@ struct Scratch {
     /// Azimuths of the balls that are not round at the start of a piece, rad.
     azimuths: Vec<f64>,
     stands: Vec<Stand>,
-    /// Azimuths of the middles of the balls' pockets against the cage, rad.
-    places: Vec<Lane>,
+    /// The middles of the balls' pockets.
+    places: Vec<Places>,
     forms: Vec<Forms>,
     grips: Vec<Grips>,
 }
@@ -255,7 +255,7 @@ impl Fast {
         let fresh = !self.ready || scratch.stands.len() != blocks(l.balls);
         if fresh {
             scratch.stands.resize(blocks(l.balls), Stand::NONE);
-            scratch.places = (0..blocks(l.balls)).map(|block| places(equations.machine(), block)).collect();
+            scratch.places = (0..blocks(l.balls)).map(|block| Places::new(equations.machine(), block)).collect();
             scratch.common.resize(blocks(l.balls), [Lane::ZERO; 3]);
             scratch.given_back.resize(blocks(l.balls), [Lane::ZERO; 3]);
             self.given_back.resize(y.len(), 0.0);
@@ -360,6 +360,11 @@ impl Fast {
     pub fn sizes(&self) -> [usize; 6] {
         let [balls, contacts] = [self.friction.len(), self.contacts.len()];
         [balls, contacts, self.drift.len(), self.common.len(), self.half.len(), self.beyond.len()]
+    }
+
+    /// True if a ball touched the wall of its pocket in the last kick, which was at the end of the last step.
+    pub fn touches_pocket(&self, ball: usize) -> bool {
+        self.scratch.grips[ball / WIDTH].depth.0[ball % WIDTH] > 0.0
     }
 
     /// True once accelerations of the drift are there.

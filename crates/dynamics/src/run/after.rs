@@ -109,16 +109,21 @@ impl Run {
     }
 
     pub(super) fn pocket_events<O: Observer>(&self, t: f64, observer: &mut O) -> Result<(), RunError<O::Error>> {
-        let l = self.machine.layout;
         let machine = &self.machine;
-        let cages = [&self.progress.state, &self.next].map(|y| machine.cage_at(y));
-        let [earlier, now] = cages.each_ref().map(|(cage, pose)| (*cage, pose.as_ref()));
-        for ball in 0..l.balls {
-            let [before, after] = [&self.progress.state, &self.next].map(|y| machine.unknowns(ball, y));
-            let [depth, closing_speed_m_s, lead] = machine.pocket_depth(ball, after, now);
-            if depth <= 0.0 || machine.pocket_depth(ball, before, earlier)[0] > 0.0 {
+        let fast = matches!(self.scheme, Scheme::Fast { .. }).then_some(&self.progress.fast);
+        for ball in 0..machine.layout.balls {
+            // The fast scheme knows which balls touch their walls: few do.
+            if fast.is_some_and(|fast| !fast.touches_pocket(ball)) {
                 continue;
             }
+            let [[depth, closing_speed_m_s, lead], before] = [&self.next, &self.progress.state].map(|y| {
+                let (cage, pose) = machine.cage_at(y);
+                machine.pocket_depth(ball, machine.unknowns(ball, y), (cage, pose.as_ref()))
+            });
+            if depth <= 0.0 || before[0] > 0.0 {
+                continue;
+            }
+            let after = machine.unknowns(ball, &self.next);
             let kind = EventKind::Impact {
                 ball,
                 azimuth_deg: degrees(after[AZIMUTH]),
