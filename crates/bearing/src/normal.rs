@@ -41,7 +41,20 @@ impl ContactSprings {
         self.ring_offset
     }
 
-    /// How hard a ball is pressed on both races, with the contact constants of the free contact angle.
+    /// The same with offsets taken exactly: a loop over lanes that has to choose gets no vector instructions.
+    #[inline(always)]
+    pub fn with_exact_offset(self) -> Self {
+        Self { ring_offset: RingOffset::Exact, ..self }
+    }
+
+    /// The same without damping, if it has none: for such loops, too.
+    #[inline(always)]
+    pub fn undamped(self) -> Option<Self> {
+        (self.contact_damping == 0.0).then_some(Self { contact_damping: 0.0, ..self })
+    }
+
+    /// How hard a ball is pressed on both races of rings whose tilts are held, with the contact constants of the free
+    /// contact angle.
     #[inline(always)]
     pub fn normal_loads<D: Scalar>(
         &self,
@@ -49,7 +62,7 @@ impl ContactSprings {
         rings: Races<&RingState<D>>,
         surfaces: Races<&LocalSurface>,
     ) -> NormalLoads<D> {
-        self.normal_loads_by(ball, rings, surfaces, |side, _| self.frozen[side].lift())
+        self.loads_of_held(ball, rings, surfaces, |side, _| self.frozen[side].lift())
     }
 
     /// The contact ellipse at an elastic approach (m), with the contact constants of the free contact angle.
@@ -123,16 +136,13 @@ impl ContactSprings {
     }
 
     #[inline(always)]
-    fn normal_loads_by<D: Scalar>(
+    fn loads_of_held<D: Scalar>(
         &self,
         ball: &BallState<D>,
         rings: Races<&RingState<D>>,
         surfaces: Races<&LocalSurface>,
         hertz: impl Fn(Side, &ContactPose<D>) -> HertzContact<D>,
     ) -> NormalLoads<D> {
-        if rings.inner.turning.is_some() {
-            return self.loads_of_tilting(ball, rings, surfaces, hertz);
-        }
         let BallPose { contacts: poses, lean, orbit_radius: r } = self.pose(ball.frame, ball.position, rings);
         let (inner, outer) = ((Side::Inner, poses.inner, lean.inner), (Side::Outer, poses.outer, lean.outer));
         let contacts = Races {
@@ -240,6 +250,10 @@ impl Bearing {
         rings: Races<&RingState<D>>,
         surfaces: Races<&LocalSurface>,
     ) -> NormalLoads<D> {
-        self.contact_springs().normal_loads_by(ball, rings, surfaces, |side, pose| self.hertz(side, pose))
+        let (springs, hertz) = (self.contact_springs(), |side, pose: &ContactPose<D>| self.hertz(side, pose));
+        if rings.inner.turning.is_some() {
+            return springs.loads_of_tilting(ball, rings, surfaces, hertz);
+        }
+        springs.loads_of_held(ball, rings, surfaces, hertz)
     }
 }

@@ -7,7 +7,8 @@ use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use fearless_simd::{Level, dispatch};
 use tribodyn_bearing::{
-    AzimuthFrame, BallSize, BallState, ContactPose, ContactSprings, Lean, NormalContact, NormalLoads, Races, Side,
+    AzimuthFrame, BallSize, BallState, ContactPose, ContactSprings, Lean, NormalContact, NormalLoads, Races,
+    RingOffset, Side,
 };
 use tribodyn_wear::LocalSurface;
 
@@ -169,12 +170,29 @@ fn springs<E: Equations>(
     (model, groove): (ContactSprings, f64),
     found: &mut Found,
 ) {
-    let frame = frame.held();
+    let (frame, model) = (frame.held(), model.with_exact_offset());
+    match model.undamped() {
+        Some(model) => each_by_springs(equations, &frame, (balls, surfaces, sizes), (model, groove), found),
+        None => each_by_springs(equations, &frame, (balls, surfaces, sizes), (model, groove), found),
+    }
+}
+
+/// The loop of [`springs`].
+#[inline(always)]
+fn each_by_springs<E: Equations>(
+    equations: &E,
+    frame: &Frame,
+    (balls, surfaces, sizes): (&[Lane; BALL], &[[Lane; 3]; 2], &[Lane; 3]),
+    (model, groove): (ContactSprings, f64),
+    found: &mut Found,
+) {
+    // Copies, which what is found cannot overlap: with more to be checked the compiler makes no vector instructions.
+    let (balls, surfaces, sizes) = (&balls.clone(), &surfaces.clone(), &sizes.clone());
     for k in 0..WIDTH {
         let b = get(balls, k);
         let (sin, cos) = sin_cos(b[AZIMUTH]);
         let axes = AzimuthFrame { sin, cos };
-        let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], &frame, groove);
+        let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], frame, groove);
         let state = equations.state_at((axes, size(sizes, k)), position, &b);
         let ([d_i, s_i, b_i], [d_o, s_o, b_o]) = (get(&surfaces[0], k), get(&surfaces[1], k));
         let inner = LocalSurface { depth: d_i, slope: s_i, bare: b_i, ..LocalSurface::NEW };
@@ -289,10 +307,12 @@ pub(super) fn press<E: Equations>(
     let machine = equations.machine();
     surfaces(machine, frame, (block, balls), (&mut out.surfaces, &mut out.turns));
     sizes(machine, block, &mut out.sizes);
-    if machine.bearing.modelling.contact_at_actual_angle || machine.layout.one_by_one() {
+    let springs_of = machine.bearing.contact_springs();
+    let exact = springs_of.ring_offset() == RingOffset::Exact;
+    if machine.bearing.modelling.contact_at_actual_angle || machine.layout.one_by_one() || !exact {
         return springs_by_angle(equations, frame, balls, out);
     }
-    let model = (machine.bearing.contact_springs(), machine.bearing.geometry.groove_centre_radius(Side::Outer));
+    let model = (springs_of, machine.bearing.geometry.groove_centre_radius(Side::Outer));
     let Stand { surfaces, sizes, found, .. } = &mut *out;
     dispatch!(level, _simd => springs(equations, frame, (balls, surfaces, sizes), model, found));
 }
