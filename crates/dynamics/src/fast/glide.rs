@@ -1,0 +1,60 @@
+//! What the drift does with its accelerations: velocities by them, and positions by the velocities.
+
+use super::lanes::{Lane, WIDTH, get, put};
+use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, VELOCITY};
+use crate::machine::Machine;
+
+/// Velocities of the balls of a block by the drift's accelerations less the common part.
+#[inline(always)]
+pub(super) fn push_balls(balls: &mut [Lane; BALL], acceleration: &[Lane; 3], common: &[Lane; 3], h: f64) {
+    for k in 0..WIDTH {
+        for i in 0..3 {
+            balls[VELOCITY + i].0[k] += h * (acceleration[i].0[k] - common[i].0[k]);
+        }
+    }
+}
+
+/// Velocities of rings and cage.
+pub(super) fn push_bodies(l: Layout, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
+    for k in l.velocities_of_cage().chain(l.velocities_of_tilt()) {
+        y[k] += h * a[k];
+    }
+    for k in l.velocities_of_rings() {
+        y[k] += h * (a[k] - common[k]);
+    }
+}
+
+/// Positions of the balls of a block by their velocities: half a turn, the straight line, half a turn, the angular
+/// momentum held.
+#[inline(always)]
+pub(super) fn glide_balls(balls: &mut [Lane; BALL], h: f64) {
+    for k in 0..WIDTH {
+        let mut b = get(balls, k);
+        let r = b[RADIUS];
+        b[AZIMUTH] += 0.5 * h * b[ORBIT];
+        b[AXIAL] += h * b[VELOCITY];
+        b[RADIUS] += h * b[VELOCITY + 1];
+        let ratio = r / b[RADIUS];
+        b[ORBIT] *= ratio * ratio;
+        b[AZIMUTH] += 0.5 * h * b[ORBIT];
+        put(balls, k, b);
+    }
+}
+
+/// Positions of cage and rings by their velocities.
+pub(super) fn glide_bodies(machine: &Machine, t: f64, y: &mut [f64], h: f64) {
+    let l = machine.layout;
+    machine.glide_free_cage(y, h);
+    y[l.cage()] += h * y[l.cage() + 1];
+    for k in l.inner()..l.inner() + 3 {
+        y[k] += h * y[k + 3];
+    }
+    for k in l.outer()..l.outer() + 2 {
+        y[k] += h * y[k + 2];
+    }
+    machine.glide_tilt(y, h);
+    // Prescribed speeds: the middle of the step is exact for speeds that change in proportion to time.
+    for (side, speed) in machine.speeds.iter() {
+        y[l.angles() + side as usize] += h * speed.at(t + 0.5 * h);
+    }
+}
