@@ -10,6 +10,7 @@ use crate::detail::{Balls, ball_result};
 use crate::equations::{Equations, Frame, Touched};
 use crate::forces::Sums;
 use crate::layout::{BALL, VELOCITY};
+use crate::linear::LinearTraction;
 use crate::machine::Machine;
 use crate::observer::BallDetail;
 use fearless_simd::{Level, dispatch};
@@ -131,13 +132,12 @@ impl Fast {
             }
             for k in 0..filled(l, block) {
                 let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
-                let sums_of_ball =
-                    if seen.near.0[k] > 0.0 && !l.tilting && of.machine.ball_surfaces.slot(index).is_none() {
-                        seen.write(k, (result, detail));
-                        get(&seen.sums, k)
-                    } else {
-                        of.plainly((index, y), (result, detail))
-                    };
+                let sums_of_ball = if seen.near.0[k] > 0.0 && !l.tilting {
+                    seen.write(k, (result, detail));
+                    get(&seen.sums, k)
+                } else {
+                    of.alone((index, y), (forms, k), (result, detail))
+                };
                 sums.iter_mut().zip(sums_of_ball).for_each(|(sum, part)| *sum += part);
             }
         }
@@ -181,11 +181,26 @@ impl Of<'_> {
         leads
     }
 
-    /// A ball alone, its traction integrated.
-    fn plainly(&self, (index, y): (usize, &[f64]), (result, detail): (&mut BallResult, BallDetail)) -> [f64; SUMS] {
+    /// A ball by itself, its tractions by the linear forms where these are near, else integrated: in the middle of a
+    /// kick stiff friction is that of the form which the kick took, and not that of the patch.
+    fn alone(
+        &self,
+        (index, y): (usize, &[f64]),
+        (forms, k): (&Forms, usize),
+        (result, detail): (&mut BallResult, BallDetail),
+    ) -> [f64; SUMS] {
         let (machine, mut sums) = (self.machine, Sums::default());
         let b = machine.unknowns(index, y);
-        let forces = machine.ball(index, b, &self.frame, |patch| machine.kernel.traction(&machine.bearing, patch));
+        let forces = machine.ball(index, b, &self.frame, |patch| {
+            let linear = LinearTraction::from_numbers(|i| forms.traction[patch.side as usize][i].0[k]);
+            let at = (patch.bare, BEFORE_REFRESH);
+            let (change, near) = linear.reaches(&patch.motion, patch.load, at, patch.patch.ball_radius);
+            if near {
+                linear.traction(&patch.motion, &change)
+            } else {
+                machine.kernel.traction(&machine.bearing, patch)
+            }
+        });
         machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &self.frame, &mut sums);
         *result = ball_result(&self.sheet, (b, self.frame.rings.inner.speed), &forces);
         if detail == BallDetail::Loads {

@@ -67,14 +67,27 @@ fn code_torque_at_samples_is_that_of_runge_kutta() {
     assert!(errors[1] < 3e-3, "{errors:?}");
 }
 
-/// In dry pockets the balls of a 6206 without load bounce, and steps hardly come nearer to any motion: the choice says
-/// so, and what the step leaves.
+/// The same with waves of the balls, whose samples were off by a fifth while their patches were integrated at them.
+#[test]
+fn code_torque_at_samples_with_waves_of_balls_is_that_of_runge_kutta() {
+    let waves = "(spectrum: (first: 2, last: 6, amplitude: um(0.1), exponent: 1, seed: 1))";
+    let wavy = set_value(ANGULAR_7210, "deviations.ball_waves", waves).unwrap();
+    let second_half = |scheme: &str| {
+        let all = samples(&catalogue(&wavy, scheme, NO_POCKETS)).1;
+        all[all.len() / 2..].to_vec()
+    };
+    let errors = apart(&second_half("Fast(step: us(13))"), &second_half("RungeKutta4(step: us(1))"));
+    assert!(errors[0] < 5e-3 && errors[1] < 5e-3, "{errors:?}");
+}
+
+/// In dry pockets the balls of a 6206 without load bounce, and the shortest steps that are tried do not come near
+/// enough to the motion: the choice says what it leaves.
 #[test]
 fn limit_an_accuracy_that_no_step_reaches_is_said() {
     let scheme = ("transient.scheme", "FastTo(accuracy: 0.001)");
     let run = Run::new(catalogue(OIL_6206, scheme.1, scheme).run_inputs().unwrap()).unwrap();
     let choice = run.step_choice().unwrap();
-    assert!(choice.errors.worst() > 1e-3 && choice.scatters, "{choice:?}");
+    assert!(choice.errors.worst() > 1e-3, "{choice:?}");
 }
 
 /// A finer accuracy has a shorter step, and no step is longer than what stability allows.
