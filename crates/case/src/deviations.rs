@@ -44,14 +44,14 @@ impl WavinessSpec {
         let mut waves: Vec<Wave> =
             listed.map(|w| Wave { order: w.order, amplitude: w.amplitude, phase: w.phase }).collect();
         if let Some(spectrum) = self.spectrum {
-            waves.extend(spectrum.waves().waves());
+            waves.extend(spectrum.law().waves());
         }
         waviness(&waves)
     }
 }
 
 impl SpectrumSpec {
-    fn waves(self) -> WaveSpectrum {
+    fn law(self) -> WaveSpectrum {
         let Self { first, last, amplitude, exponent, seed } = self;
         WaveSpectrum { first, last, amplitude, exponent, seed }
     }
@@ -64,7 +64,7 @@ impl BallWavesSpec {
             let BallWaveSpec { ball, order, amplitude, phase } = *spec;
             BallWave { ball, wave: Wave { order, amplitude, phase } }
         };
-        BallWaves { waves: self.waves.iter().map(wave).collect(), spectrum: self.spectrum.map(SpectrumSpec::waves) }
+        BallWaves { waves: self.waves.iter().map(wave).collect(), spectrum: self.spectrum.map(SpectrumSpec::law) }
     }
 }
 

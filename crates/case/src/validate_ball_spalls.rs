@@ -5,10 +5,8 @@ use super::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub(super) fn validate(case: &Case) -> Verdict {
-    for (i, spec) in case.ball_spalls.iter().enumerate() {
-        spall(&format!("ball_spalls[{i}]"), spec, case)?;
-    }
-    Ok(())
+    let mut spalls = case.ball_spalls.iter().enumerate();
+    spalls.try_for_each(|(i, spec)| spall(&format!("ball_spalls[{i}]"), spec, case))
 }
 
 fn spall(path: &str, spec: &BallSpallSpec, case: &Case) -> Verdict {

@@ -52,24 +52,25 @@ pub(crate) struct SpallPlace {
     direction: [f64; 3],
 }
 
-/// Balls with spalls or waves, each once.
-pub(crate) fn marked_balls(inputs: &RunInputs) -> Vec<usize> {
-    let waves = &inputs.ball_waves;
-    if !waves.are_none() && waves.spectrum.is_some() {
-        return (0..inputs.bearing.geometry.ball_count).collect();
-    }
-    let wavy = waves.waves.iter().filter(|wave| wave.wave.amplitude != 0.0).map(|wave| wave.ball);
-    inputs.ball_spalls.iter().map(|spall| spall.ball).chain(wavy).collect::<BTreeSet<_>>().into_iter().collect()
-}
-
 impl BallSurfaces {
-    /// Surfaces of the balls of a bearing, with those that are marked, whose balls and largest loads (N) are those of
-    /// the start. A spall without depth is left out.
-    pub fn new(
+    /// The balls with spalls or waves, each once, whose surfaces are not yet known.
+    pub fn of(inputs: &RunInputs) -> Self {
+        let waves = &inputs.ball_waves;
+        let drawn = waves.spectrum.is_some_and(|spectrum| spectrum.amplitude != 0.0);
+        let all = if drawn { 0..inputs.bearing.geometry.ball_count } else { 0..0 };
+        let wavy = waves.waves.iter().filter(|wave| wave.wave.amplitude != 0.0).map(|wave| wave.ball);
+        let marked: BTreeSet<_> = inputs.ball_spalls.iter().map(|spall| spall.ball).chain(wavy).chain(all).collect();
+        Self { balls: marked.into_iter().collect(), ..Self::default() }
+    }
+
+    /// Sets their surfaces; the balls and the largest loads (N) are those of the start. A spall without depth is left
+    /// out.
+    pub fn set(
+        &mut self,
         bearing: &Bearing,
-        (spalls, waves, marked): (&[BallSpall], &BallWaves, Vec<usize>),
+        (spalls, waves): (&[BallSpall], &BallWaves),
         (balls, loads): (&[BallResult], Races<f64>),
-    ) -> Result<Self, WearError> {
+    ) -> Result<(), WearError> {
         let tracks = Races::from_fn(|side| bearing.track(side, loads[side]));
         let heavier = |a: &&BallResult, b: &&BallResult| a.contacts.inner.load_n.total_cmp(&b.contacts.inner.load_n);
         let angles = balls.iter().max_by(heavier).map(|ball| ball.contacts.each_ref().map(|c| c.angle_rad));
@@ -82,18 +83,19 @@ impl BallSurfaces {
             let paths = Races::try_from_fn(|side| BallSpallPath::new(&spall.spall, &tracks[side]))?;
             Ok::<_, WearError>(OnBall {
                 ball: spall.ball,
-                slot: marked.iter().position(|ball| *ball == spall.ball).unwrap_or_default(),
+                slot: self.slot(spall.ball).unwrap_or_default(),
                 direction: [on * cos * n_a + off * n_r, on * cos * n_r - off * n_a, on * sin],
                 paths,
             })
         };
         let spalls = spalls.iter().map(on_ball).collect::<Result<Vec<_>, _>>()?;
         let [n_a, n_r] = normals.outer;
-        let wavy = if waves.are_none() { &[][..] } else { &marked };
+        let wavy = if waves.are_none() { &[][..] } else { &self.balls };
         let form = |ball: &usize| waves.form(*ball, [[n_a, n_r, 0.0], [0.0, 0.0, 1.0]]);
         let forms = wavy.iter().map(form).collect::<Result<Vec<_>, _>>()?;
-        let ball_radius = bearing.geometry.ball_radius();
-        Ok(Self { balls: marked, spalls, forms, level: Some(Level::new()), ball_radius, normals })
+        (self.spalls, self.forms, self.level) = (spalls, forms, Some(Level::new()));
+        (self.ball_radius, self.normals) = (bearing.geometry.ball_radius(), normals);
+        Ok(())
     }
 
     /// True if all balls are round.

@@ -134,27 +134,18 @@ fn identity_the_fast_scheme_keeps_momentum_to_its_order() {
     assert!(turning < 1e-6 && finer_turning < 0.35 * turning, "{turning:e} {finer_turning:e}");
 }
 
-/// A spall of a ball takes from the spin what it gives to the orbit: linear and angular momentum stay.
+/// A spall of a ball, or its waves, take from the spin what they give to the orbit: linear and angular momentum stay.
 #[test]
-fn identity_momentum_stays_with_a_spall_of_a_ball() {
+fn identity_momentum_stays_with_spalls_and_waves_of_balls() {
     let spall = "[(ball: 2, angle: deg(30), length: mm(2), width: mm(6), depth: um(300), edge_radius: um(50))]";
-    let case = set_value(PAPER, "ball_spalls", spall).unwrap();
-    for friction in [false, true] {
-        let [x, y, turning, energy] = changes(Scheme::RungeKutta, free(&case, friction), 1e-6);
-        assert!(x < 1e-9 && y < 1e-9, "{x:e} {y:e}");
-        assert!(friction || (turning < 1e-9 && energy < 1e-4), "{turning:e} {energy:e} J");
-    }
-}
-
-/// The same with waves of all balls.
-#[test]
-fn identity_momentum_stays_with_waves_of_balls() {
     let waves = "(spectrum: (first: 2, last: 12, amplitude: um(1), exponent: 1, seed: 3))";
-    let case = set_value(PAPER, "deviations.ball_waves", waves).unwrap();
-    for friction in [false, true] {
-        let [x, y, turning, energy] = changes(Scheme::RungeKutta, free(&case, friction), 1e-6);
-        assert!(x < 1e-9 && y < 1e-9, "{x:e} {y:e}");
-        assert!(friction || (turning < 1e-9 && energy < 1e-4), "{turning:e} {energy:e} J");
+    for (path, value) in [("ball_spalls", spall), ("deviations.ball_waves", waves)] {
+        let case = set_value(PAPER, path, value).unwrap();
+        for friction in [false, true] {
+            let [x, y, turning, energy] = changes(Scheme::RungeKutta, free(&case, friction), 1e-6);
+            assert!(x < 1e-9 && y < 1e-9, "{path} {x:e} {y:e}");
+            assert!(friction || (turning < 1e-9 && energy < 1e-4), "{path} {turning:e} {energy:e} J");
+        }
     }
 }
 

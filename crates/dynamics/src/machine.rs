@@ -1,6 +1,6 @@
 //! The bearing as a system of bodies: what moves, what holds it and what drives it.
 
-use crate::ball_surfaces::{BallSurfaces, marked_balls};
+use crate::ball_surfaces::BallSurfaces;
 use crate::error::DynamicsError;
 use crate::layout::Layout;
 use crate::tilting::Tilting;
@@ -144,7 +144,8 @@ impl<const N: usize> Support<N> {
 impl Machine {
     /// The machine of a run, its springs not yet set.
     pub fn new(inputs: RunInputs, quadrature: Quadrature) -> Result<Self, DynamicsError> {
-        let marked = marked_balls(&inputs).len();
+        let ball_surfaces = BallSurfaces::of(&inputs);
+        let marked = ball_surfaces.balls().len();
         let RunInputs { mut bearing, ring, speeds, cage, free_cage, supports, coatings, defects, options, .. } = inputs;
         let tilting = inputs.tilting.map(|body| Tilting::new(body, [ring.tilt_x.clone(), ring.tilt_y.clone()]));
         if supports.outer.stiffness.contains(&0.0) {
@@ -172,7 +173,7 @@ impl Machine {
             thinnest: raceways.each_ref().map(Raceway::thinnest),
             raceways,
             spalls: Races::default(),
-            ball_surfaces: BallSurfaces::default(),
+            ball_surfaces,
             wear_acceleration: options.wear_acceleration,
             kernel: Kernel::Fast(FastPatch::of(quadrature)),
             bearing,

@@ -1,6 +1,6 @@
 //! Where a run starts: the quasi-static solution at time 0, a motion that is given, or a standstill.
 
-use crate::ball_surfaces::{BallSurfaces, UNTURNED, marked_balls};
+use crate::ball_surfaces::UNTURNED;
 use crate::equations::Equations;
 use crate::error::DynamicsError;
 use crate::forces::Sums;
@@ -46,11 +46,10 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     }
     let spalls = std::mem::take(&mut inputs.spalls);
     let (ball_spalls, ball_waves) = (inputs.ball_spalls.clone(), inputs.ball_waves.clone());
-    let marked = (&ball_spalls[..], &ball_waves, marked_balls(&inputs));
     let mut machine = Machine::new(inputs, Quadrature::new(rule)?)?;
     machine.spalls = paths_over(&machine, spalls, &solution)?;
     let loads = Races::from_fn(|side| largest_load(&solution, side));
-    machine.ball_surfaces = BallSurfaces::new(&machine.bearing, marked, (&solution.balls, loads))?;
+    machine.ball_surfaces.set(&machine.bearing, (&ball_spalls, &ball_waves), (&solution.balls, loads))?;
     let [x, y, z, tilt @ ..] = motion.ring;
     machine.tilt = tilt;
     let mut state = vec![0.0; machine.layout.len()];

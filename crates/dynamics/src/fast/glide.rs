@@ -1,4 +1,4 @@
-//! What the drift does with its accelerations: velocities by them, and positions by the velocities.
+//! Velocities by the accelerations of the drift, and positions by the velocities.
 
 use super::lanes::{Lane, WIDTH, get, put};
 use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, VELOCITY};
