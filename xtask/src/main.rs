@@ -23,6 +23,7 @@ mod survey;
 mod terminal;
 mod torque;
 mod validate;
+mod verdicts;
 mod web;
 
 use clap::{Parser, Subcommand};
@@ -53,6 +54,8 @@ enum Command {
     Torque(torque::Arguments),
     /// Work out skidding and temperatures in oil beside what was measured
     Oil(oil::Arguments),
+    /// Work out what `vibration` says of signals of sound and damaged bearings
+    Verdicts(verdicts::Arguments),
     /// Measure kernels, transient schemes and the quasi-static solver
     Bench(bench::Arguments),
     /// Try inputs by the million on everything that reads files and messages from elsewhere
@@ -85,6 +88,7 @@ fn main() -> ExitCode {
         Command::Quantities => quantities::write(),
         Command::Torque(arguments) => torque::run(&arguments),
         Command::Oil(arguments) => oil::run(&arguments),
+        Command::Verdicts(arguments) => verdicts::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),

@@ -16,5 +16,5 @@ mod wav;
 
 pub use ask::{SignalQuestion, diagnosed};
 pub use bearing::{bearing_of_case, bearing_of_numbers};
-pub use question::{Analysis, Speed, Window, analysis};
+pub use question::{Analysis, QUIET, Speed, Window, analysis};
 pub use signal_file::{Column, SignalFile};

@@ -67,7 +67,7 @@ const SHORTEST: usize = 64;
 /// Acceleration of blows over the speed of the shaft, m/s² over Hz, up to which they are those of balls that enter the
 /// load zone of a sound bearing: half the acceleration of free fall at 3000 r/min. In runs of a sound 6206 without
 /// clearance they have up to 2 m/s².
-const QUIET: f64 = 0.1;
+pub const QUIET: f64 = 0.1;
 
 /// Evaluates a signal of a file.
 ///
