@@ -28,19 +28,32 @@ struct Meridian<D> {
 }
 
 impl Geometry {
+    /// A ball's centre from the ring's centre [a, r, t], m, by its axial position against the outer groove centres and
+    /// the radius of its orbit, m.
+    #[inline]
+    pub fn arm<D: Scalar>(
+        &self,
+        side: Side,
+        frame: AzimuthFrame<D>,
+        [axial, orbit_radius]: [D; 2],
+        ring: &RingState<D>,
+    ) -> [D; 3] {
+        let plane = if side == Side::Inner { self.centre_distance() * self.sin_contact_angle() } else { 0.0 };
+        let [a, r, t] = frame.from_inertial(ring.displacement);
+        [axial - a - plane, orbit_radius - r, -t]
+    }
+
     /// A ball with its axial position against the outer groove centres and the radius of its orbit, m.
     #[inline]
     fn meridian<D: Scalar>(
         &self,
         side: Side,
         frame: AzimuthFrame<D>,
-        [axial, orbit_radius]: [D; 2],
+        ball: [D; 2],
         ring: &RingState<D>,
     ) -> Meridian<D> {
-        let plane = if side == Side::Inner { self.centre_distance() * self.sin_contact_angle() } else { 0.0 };
-        let [a, r, t] = frame.from_inertial(ring.displacement);
         let axis = frame.from_inertial(ring.axis());
-        let arm = [axial - a - plane, orbit_radius - r, -t];
+        let arm = self.arm(side, frame, ball, ring);
         let along = dot(arm, axis);
         let across = add(arm, axis.map(|x| -(x * along)));
         let radius = dot(across, across).sqrt();

@@ -25,9 +25,9 @@ pub struct RunInputs {
     pub free_cage: Option<FreeCage>,
     /// Masses and supports of the rings.
     pub supports: Supports,
-    /// Inertias and support of an inner ring that is free to tilt; without them its tilts are held where they are at
+    /// Inertias and supports of rings that are free to tilt; without them tilts are held where they are at
     /// the start.
-    pub tilting: Option<TiltingRing>,
+    pub tilting: Races<Option<TiltingRing>>,
     /// Coatings of the races when the run starts.
     pub coatings: Races<CoatingState>,
     /// Local defects of the races.
@@ -64,7 +64,7 @@ impl RunInputs {
             cage,
             free_cage: None,
             supports,
-            tilting: None,
+            tilting: Races::default(),
             coatings: Races { inner: bare, outer: bare },
             defects: Races::default(),
             spalls: Races::default(),
@@ -164,8 +164,9 @@ pub struct Support<const N: usize> {
     pub damping: [f64; N],
 }
 
-/// An inner ring, with what turns with it, that is free to tilt about its centre, which lies in the plane of its groove
-/// centres. Springs are without stretch at the start.
+/// A ring, with what turns with it, that is free to tilt about its centre, which lies in the plane of its groove
+/// centres. Springs are without stretch at the start, except where [`crate::RingLoads`] holds the tilt, and those of an
+/// outer ring: these carry the moment there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TiltingRing {
     /// Moment of inertia about its axis, kg m².
@@ -176,6 +177,8 @@ pub struct TiltingRing {
     pub stiffness: [f64; 2],
     /// Damping of tilts about X and Y, N m s/rad.
     pub damping: [f64; 2],
+    /// Tilts about X and Y, at time 0, by which the seat of the ring stands askew; they turn with the ring, rad.
+    pub askew: [f64; 2],
 }
 
 /// The coating of a race at a time.

@@ -85,7 +85,10 @@ impl Case {
             free_cage: cage.free.as_ref().map(FreeCageSpec::cage),
             cage: cage.moving().ok_or_else(|| self.lacking(Purpose::Transient))?,
             supports: Supports { inner: supports.inner.support(), outer: supports.outer.support() },
-            tilting: supports.tilt.map(|tilt| tilt.ring(supports.inner.mass)),
+            tilting: Races {
+                inner: supports.tilt.map(|tilt| tilt.ring(supports.inner.mass)),
+                outer: supports.outer_tilt.map(|tilt| tilt.ring(supports.outer.mass)),
+            },
             coatings,
             defects: Races::from_fn(|side| self.defects_of(side)),
             spalls: Races::from_fn(|side| self.spalls_of(side)),
@@ -210,7 +213,8 @@ impl BallSpallSpec {
 impl TiltSpec {
     fn ring(self, mass: f64) -> TiltingRing {
         let [polar_inertia, transverse_inertia] = self.inertia.of(mass);
-        TiltingRing { polar_inertia, transverse_inertia, stiffness: self.stiffness, damping: self.damping }
+        let Self { stiffness, damping, askew, .. } = self;
+        TiltingRing { polar_inertia, transverse_inertia, stiffness, damping, askew }
     }
 }
 

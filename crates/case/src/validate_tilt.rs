@@ -1,11 +1,35 @@
-//! Impossible values of an inner ring that is free to tilt.
+//! Impossible values of rings that are free to tilt.
 
 use super::validate::{Verdict, not_negative, positive, require};
 use super::*;
 use tribodyn_bearing::{RingCentre, Side, Tilt};
 
-pub(super) fn tilt(spec: &TiltSpec, case: &Case) -> Verdict {
-    let path = "supports.tilt";
+/// Largest tilt of a seat, rad: a ring that is tilted further has left its balls.
+const ASKEW_MAX: f64 = 0.05;
+
+pub(super) fn validate(supports: &SupportsSpec, case: &Case) -> Verdict {
+    if let Some(tilt) = &supports.tilt {
+        body("supports.tilt", tilt)?;
+        let tilts = [("ring.tilt_x", &case.ring.tilt_x), ("ring.tilt_y", &case.ring.tilt_y)];
+        for ((name, start), stiffness) in tilts.into_iter().zip(tilt.stiffness) {
+            let free = !matches!(start, Tilt::Held(_)) || stiffness > 0.0;
+            let message = "is held where supports.tilt has no stiffness: give a Moment, or springs that hold the ring";
+            require(free, name, message)?;
+        }
+        around(Side::Inner, case)?;
+    }
+    if let Some(tilt) = &supports.outer_tilt {
+        body("supports.outer_tilt", tilt)?;
+        for (k, stiffness) in tilt.stiffness.into_iter().enumerate() {
+            let path = format!("supports.outer_tilt.stiffness[{k}]");
+            require(stiffness > 0.0, &path, "must be greater than 0: nothing else holds the outer ring")?;
+        }
+        around(Side::Outer, case)?;
+    }
+    Ok(())
+}
+
+fn body(path: &str, spec: &TiltSpec) -> Verdict {
     match spec.inertia {
         RingInertia::Given { polar, transverse } => {
             let path = format!("{path}.inertia.Given");
@@ -25,14 +49,22 @@ pub(super) fn tilt(spec: &TiltSpec, case: &Case) -> Verdict {
     for k in 0..2 {
         not_negative(&format!("{path}.stiffness[{k}]"), spec.stiffness[k])?;
         not_negative(&format!("{path}.damping[{k}]"), spec.damping[k])?;
+        let limits = format!("must lie between -{0} and {0} mrad", ASKEW_MAX * 1e3);
+        require(spec.askew[k].abs() <= ASKEW_MAX, &format!("{path}.askew[{k}]"), limits)?;
     }
-    for (name, tilt) in [("ring.tilt_x", &case.ring.tilt_x), ("ring.tilt_y", &case.ring.tilt_y)] {
-        let loaded = !matches!(tilt, Tilt::Held(_));
-        require(loaded, name, "is held: with supports.tilt the ring is free to tilt, under Moment(Nm(0)) or more")?;
-    }
+    let held = spec.askew == [0.0; 2] || spec.stiffness.iter().all(|&stiffness| stiffness > 0.0);
+    require(
+        held,
+        &format!("{path}.stiffness"),
+        "must be greater than 0 about both axes: a seat that stands askew holds the ring",
+    )
+}
+
+/// What else a ring that tilts asks for.
+fn around(side: Side, case: &Case) -> Verdict {
     let displaced = case.modelling.ring_centre != Some(RingCentre::Inertial);
     require(displaced, "modelling.ring_centre", "must be Displaced: a ring that tilts turns about its own axis")?;
     let lands = case.cage.iter().filter_map(|cage| cage.free.as_ref()).flat_map(|free| &free.lands);
-    let inner = lands.filter(|land| land.land == Side::Inner).count();
-    require(inner == 0, "cage.free.lands", "must be those of the outer ring alone where the inner one tilts")
+    let on_it = lands.filter(|land| land.land == side).count();
+    require(on_it == 0, "cage.free.lands", "must be those of a ring that does not tilt")
 }

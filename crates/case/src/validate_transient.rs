@@ -25,9 +25,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
     if let Some(spec) = &case.supports {
         support("supports.inner", &spec.inner)?;
         support("supports.outer", &spec.outer)?;
-        if let Some(tilt) = &spec.tilt {
-            super::validate_tilt::tilt(tilt, case)?;
-        }
+        super::validate_tilt::validate(spec, case)?;
         for (i, stiffness) in spec.outer.stiffness.into_iter().enumerate() {
             let path = format!("supports.outer.stiffness[{i}]");
             require(stiffness > 0.0, &path, "must be greater than 0: nothing else holds the outer ring")?;

@@ -55,10 +55,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn print(answer: &ModesAnswer) -> Result<(), Failure> {
-    let header = ["Hz", "damping", "1/s", "mostly", "ring x", "ring y", "ring z", "outer x", "outer y", "ball °"];
+    let translations = ["Hz", "damping", "1/s", "mostly", "ring x", "ring y", "ring z", "outer x", "outer y"];
+    let tilts = tilting(answer).flat_map(|tilt| tilt.heads);
+    let header: Vec<&str> = translations.into_iter().chain(tilts).chain(["ball °"]).collect();
     let rows = answer.modes.iter().map(|mode| {
         let ball = leading_ball(mode);
-        let ring = mode.inner_ring.iter().chain(&mode.outer_ring).map(|a| number(*a, 3));
+        let of_tilts = [mode.inner_tilt, mode.outer_tilt].into_iter().flatten().flatten();
+        let ring = mode.inner_ring.into_iter().chain(mode.outer_ring).chain(of_tilts).map(|a| number(a, 3));
         [number(mode.frequency_hz, 2), number(mode.damping_ratio, 5), format!("{:.3e}", mode.growth_rate_per_s)]
             .into_iter()
             .chain([mode.energy_shares.leader().to_owned()])
@@ -72,6 +75,21 @@ fn print(answer: &ModesAnswer) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Names of the tilts of a ring in a printed table and in a file.
+struct OfTilt {
+    heads: [&'static str; 2],
+    columns: &'static str,
+}
+
+/// Rings that are free to tilt.
+fn tilting(answer: &ModesAnswer) -> impl Iterator<Item = OfTilt> {
+    let first = answer.modes.first();
+    let inner = OfTilt { heads: ["tilt x", "tilt y"], columns: ",inner_tilt_x,inner_tilt_y" };
+    let outer = OfTilt { heads: ["outer tilt x", "outer tilt y"], columns: ",outer_tilt_x,outer_tilt_y" };
+    let inner = first.and_then(|mode| mode.inner_tilt).map(|_| inner);
+    inner.into_iter().chain(first.and_then(|mode| mode.outer_tilt).map(|_| outer))
+}
+
 /// Azimuth of the ball that moves most, degrees.
 fn leading_ball(mode: &Mode) -> f64 {
     let size = |ball: &[f64; 3]| ball.iter().map(|a| a * a).sum::<f64>();
@@ -81,9 +99,11 @@ fn leading_ball(mode: &Mode) -> f64 {
 }
 
 fn csv(answer: &Answer<ModesAnswer>) -> String {
-    let mut text = "frequency_hz,damping_ratio,growth_rate_per_s,energy_inner_ring,energy_outer_ring,energy_balls,\
-                    energy_spin,energy_cage,inner_x,inner_y,inner_z,outer_x,outer_y,implausible,warnings\n"
-        .to_owned();
+    let tilts: String = tilting(answer.value()).map(|tilt| tilt.columns).collect();
+    let mut text = format!(
+        "frequency_hz,damping_ratio,growth_rate_per_s,energy_inner_ring,energy_outer_ring,energy_balls,energy_spin,\
+         energy_cage,inner_x,inner_y,inner_z,outer_x,outer_y{tilts},implausible,warnings\n"
+    );
     let of = answer.findings();
     let [implausible, warnings] = [of.implausible(), of.warnings().join("; ")].map(|words| table::csv_text(&words));
     for mode in &answer.value().modes {
@@ -92,7 +112,8 @@ fn csv(answer: &Answer<ModesAnswer>) -> String {
             .into_iter()
             .chain([e.inner_ring, e.outer_ring, e.balls, e.spin, e.cage])
             .chain(mode.inner_ring)
-            .chain(mode.outer_ring);
+            .chain(mode.outer_ring)
+            .chain([mode.inner_tilt, mode.outer_tilt].into_iter().flatten().flatten());
         let row: Vec<String> = numbers.map(|number| number.to_string()).collect();
         let _ = writeln!(text, "{},{implausible},{warnings}", row.join(","));
     }

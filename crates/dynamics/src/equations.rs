@@ -209,20 +209,20 @@ impl Machine {
     pub fn frame_of_rings(&self, t: f64, y: &[f64]) -> Frame {
         let l = self.layout;
         let [i, o, a] = [l.inner(), l.outer(), l.angles()];
-        let (tilt, turning) = self.tilt_at(y);
+        let tilted = self.tilts_at(y);
         let inner = RingState {
             displacement: [y[i], y[i + 1], y[i + 2]],
-            tilt,
+            tilt: tilted.inner.0,
             velocity: [y[i + 3], y[i + 4], y[i + 5]],
             speed: self.speeds.inner.at(t),
-            turning,
+            turning: tilted.inner.1,
         };
         let outer = RingState {
             displacement: [y[o], y[o + 1], 0.0],
-            tilt: [0.0; 2],
+            tilt: tilted.outer.0,
             velocity: [y[o + 2], y[o + 3], 0.0],
             speed: self.speeds.outer.at(t),
-            turning: turning.map(|_| [0.0; 3]),
+            turning: tilted.outer.1,
         };
         let (at, angles) = (l.cage(), [y[a], y[a + 1]].into());
         let (cage, orientations) = ([y[at], y[at + 1]], self.orientations_at(y));

@@ -20,8 +20,8 @@ pub(crate) struct Sums {
     pub on_rings: Races<[f64; 3]>,
     /// Torque of the rings on the balls, N m.
     pub torque: Races<f64>,
-    /// Moment of an inner ring that is free to tilt on the balls about its centre (x, y, z), N m.
-    pub moment: [f64; 3],
+    /// Moment of a ring that is free to tilt on the balls about its centre (x, y, z), N m.
+    pub moment: Races<[f64; 3]>,
     /// Torque of the balls on the cage about the bearing's axis, N m.
     pub cage_torque: f64,
     /// Force and moment of the balls on a free cage.
@@ -49,8 +49,8 @@ pub(crate) struct BodyForces {
     pub cage: f64,
     /// Rates of the unknowns of a free cage beside angle and speed.
     pub free_cage: Option<[f64; FREE_CAGE]>,
-    /// Rates of tilts and angular velocities of an inner ring that is free to tilt.
-    pub tilt: Option<[f64; 4]>,
+    /// Rates of tilts and angular velocities of rings that are free to tilt.
+    pub tilt: Races<Option<[f64; 4]>>,
     pub fluid_torque: f64,
     /// Torques of the rings' drives, N m.
     pub torque: Races<f64>,
@@ -161,7 +161,9 @@ impl Machine {
         if let Some(lands) = &lands {
             self.free_body(frame, sums, lands, &mut f);
         }
-        self.tilting_body(t, inner, sums, &mut f);
+        for side in Side::BOTH {
+            self.tilting_body(side, t, frame, sums, &mut f);
+        }
         f.shaft_power = f.torque.inner * speeds.inner + f.torque.outer * speeds.outer;
         f
     }
@@ -198,9 +200,7 @@ impl Sums {
     #[inline(always)]
     pub fn add_moment(&mut self, side: Side, moment: [f64; 3], axis: [f64; 3]) {
         self.torque[side] += dot(moment, axis);
-        if side == Side::Inner {
-            (0..3).for_each(|k| self.moment[k] += moment[k]);
-        }
+        (0..3).for_each(|k| self.moment[side][k] += moment[k]);
     }
 
     /// All that the balls lose, W.
@@ -240,8 +240,8 @@ pub(crate) fn body_derivative(l: Layout, frame: &Frame, sums: &Sums, f: &BodyFor
     if let Some(rates) = &f.free_cage {
         dy[l.free()].copy_from_slice(rates);
     }
-    if let Some(rates) = &f.tilt {
-        dy[l.tilt()].copy_from_slice(rates);
+    for (side, rates) in f.tilt.iter() {
+        dy[l.tilt(side)].copy_from_slice(rates.as_ref().map_or(&[][..], |rates| rates));
     }
     dy[i..i + 3].copy_from_slice(&inner.velocity);
     dy[i + 3..i + 6].copy_from_slice(&f.inner);

@@ -1,6 +1,6 @@
 //! Where each unknown stands in the vector that the schemes integrate.
 
-use tribodyn_bearing::FREE_CAGE;
+use tribodyn_bearing::{FREE_CAGE, Races, Side};
 
 /// Unknowns of a ball.
 pub(crate) const BALL: usize = 9;
@@ -24,8 +24,8 @@ pub(crate) struct Layout {
     pub balls: usize,
     /// True if the cage is free to move in all directions.
     pub free_cage: bool,
-    /// True if the inner ring is free to tilt.
-    pub tilting: bool,
+    /// Whether a ring is free to tilt.
+    pub tilting: Races<bool>,
     /// Number of balls that are not round: with spalls or waves.
     pub marked: usize,
 }
@@ -66,7 +66,7 @@ impl Layout {
 
     /// Velocities of cage and rings, tilting ones included.
     pub fn velocities_of_bodies(self) -> impl Iterator<Item = usize> {
-        self.velocities_of_cage().chain(self.velocities_of_rings()).chain(self.velocities_of_tilt())
+        self.velocities_of_cage().chain(self.velocities_of_rings()).chain(self.velocities_of_tilts())
     }
 
     /// Angles turned by inner and outer ring.
@@ -85,27 +85,38 @@ impl Layout {
         start..start + if self.free_cage { FREE_CAGE } else { 0 }
     }
 
-    /// Tilts of an inner ring that is free to tilt about x and y, and its angular velocity about them.
-    pub fn tilt(self) -> std::ops::Range<usize> {
-        let start = self.free().end;
-        start..start + if self.tilting { 4 } else { 0 }
+    /// True if a ring is free to tilt.
+    pub fn any_tilts(self) -> bool {
+        self.tilting.inner || self.tilting.outer
+    }
+
+    /// Tilts of a ring that is free to tilt about x and y, and its angular velocity about them.
+    pub fn tilt(self, side: Side) -> std::ops::Range<usize> {
+        let size = |tilting: bool| if tilting { 4 } else { 0 };
+        let start = self.free().end + if side == Side::Outer { size(self.tilting.inner) } else { 0 };
+        start..start + size(self.tilting[side])
     }
 
     /// Orientations of the balls that are not round in their azimuth frames, as quaternions.
     pub fn orientations(self) -> std::ops::Range<usize> {
-        let start = self.tilt().end;
+        let start = self.tilt(Side::Outer).end;
         start..start + 4 * self.marked
     }
 
     /// True if the fast scheme presses the balls one by one: rings tilt, or balls are not round.
     pub fn one_by_one(self) -> bool {
-        self.tilting || self.marked > 0
+        self.any_tilts() || self.marked > 0
     }
 
     /// Angular velocity of a tilting ring.
-    pub fn velocities_of_tilt(self) -> std::ops::Range<usize> {
-        let tilt = self.tilt();
+    pub fn velocities_of_tilt(self, side: Side) -> std::ops::Range<usize> {
+        let tilt = self.tilt(side);
         tilt.start + tilt.len() / 2..tilt.end
+    }
+
+    /// Angular velocities of all tilting rings.
+    pub fn velocities_of_tilts(self) -> impl Iterator<Item = usize> {
+        Side::BOTH.into_iter().flat_map(move |side| self.velocities_of_tilt(side))
     }
 
     /// Number of unknowns.

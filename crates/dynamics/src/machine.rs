@@ -7,7 +7,7 @@ use crate::tilting::Tilting;
 use crate::watch::Watch;
 use tribodyn_bearing::{
     AzimuthFrame, Bearing, CageBody, CoatingState, FreeCage, LoadedPatch, Races, RingOffset, RunInputs, Side,
-    SpeedHistory, Translation,
+    SpeedHistory, Tilt, Translation,
 };
 use tribodyn_traction::{
     FastPatch, FilmContact, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
@@ -24,8 +24,8 @@ pub(crate) struct Machine {
     pub outer: Support<2>,
     /// Tilt of the inner ring where it is held, at what the quasi-static solution has, rad.
     pub tilt: [f64; 2],
-    /// The inner ring, where it is free to tilt.
-    pub tilting: Option<Tilting>,
+    /// Rings that are free to tilt.
+    pub tilting: Races<Option<Tilting>>,
     pub cage: CageBody,
     /// The cage, where it is free to move in all directions.
     pub free_cage: Option<FreeCage>,
@@ -147,9 +147,14 @@ impl Machine {
         let ball_surfaces = BallSurfaces::of(&inputs);
         let marked = ball_surfaces.balls().len();
         let RunInputs { mut bearing, ring, speeds, cage, free_cage, supports, coatings, defects, options, .. } = inputs;
-        let tilting = inputs.tilting.map(|body| Tilting::new(body, [ring.tilt_x.clone(), ring.tilt_y.clone()]));
+        let aligned = [Tilt::Held(0.0), Tilt::Held(0.0)];
+        let moments = Races { inner: [ring.tilt_x.clone(), ring.tilt_y.clone()], outer: aligned };
+        let tilting = Races::from_fn(|side| inputs.tilting[side].map(|body| Tilting::new(body, moments[side].clone())));
         if supports.outer.stiffness.contains(&0.0) {
             return Err(DynamicsError::Unsupported { path: "supports.outer.stiffness" });
+        }
+        if inputs.tilting.outer.is_some_and(|body| body.stiffness.contains(&0.0)) {
+            return Err(DynamicsError::Unsupported { path: "supports.outer_tilt.stiffness" });
         }
         (bearing.contact_damping, bearing.ring_offset) = (options.contact_damping, RingOffset::Exact);
         let tilt = [ring.tilt_x.at(0.0), ring.tilt_y.at(0.0)];
@@ -158,7 +163,12 @@ impl Machine {
         let raceways = Races::try_from_fn(|side| raceway(&bearing, side, &coatings[side], &defects[side]))?;
         let balls = bearing.geometry.ball_count;
         Ok(Self {
-            layout: Layout { balls, free_cage: free_cage.is_some(), tilting: tilting.is_some(), marked },
+            layout: Layout {
+                balls,
+                free_cage: free_cage.is_some(),
+                tilting: tilting.each_ref().map(Option::is_some),
+                marked,
+            },
             places: (0..balls).map(|ball| bearing.azimuth(ball)).collect(),
             directions: (0..balls).map(|ball| AzimuthFrame::at(bearing.azimuth(ball))).collect(),
             watch: vec![Watch::default(); balls],

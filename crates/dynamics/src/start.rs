@@ -67,7 +67,7 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     let turned = machine.bearing.deviations.turned;
     state[l.angles()..l.angles() + 2].copy_from_slice(&[turned.inner, turned.outer]);
     machine.start_free_cage(&mut state);
-    machine.start_tilt(&mut state);
+    machine.start_tilts(&mut state);
     state[l.orientations()].as_chunks_mut::<4>().0.iter_mut().for_each(|q| *q = UNTURNED);
     set_springs(&mut machine, &state);
     Ok(Started { machine, state, solution })
@@ -152,7 +152,8 @@ fn fastest(speeds: &Races<SpeedHistory>) -> f64 {
     rows.map(|row| row.0).fold(f64::INFINITY, |best, time| if apart(time) > apart(best) { time } else { best })
 }
 
-/// The inner ring's springs are without stretch at the start; the outer ring's carry its load there.
+/// The inner ring's springs are without stretch at the start; the outer ring's carry its load there, and those of tilts
+/// that are held their moments.
 fn set_springs(machine: &mut Machine, state: &[f64]) {
     let l = machine.layout;
     (0..3).for_each(|i| machine.inner.reference[i] = state[l.inner() + i]);
@@ -165,6 +166,12 @@ fn set_springs(machine: &mut Machine, state: &[f64]) {
     }
     for i in 0..2 {
         machine.outer.reference[i] = -sums.on_rings.outer[i] / machine.outer.stiffness[i];
+    }
+    for (side, ring) in frame.rings.iter() {
+        let [x, y, _] = sums.moment[side];
+        if let Some(tilting) = &mut machine.tilting[side] {
+            tilting.set_springs(ring.tilt, [x, y]);
+        }
     }
 }
 

@@ -12,6 +12,8 @@ mod march;
 mod means;
 #[cfg(feature = "modes")]
 mod modes;
+#[cfg(feature = "modes")]
+mod modes_matrix;
 mod newton;
 mod residual;
 mod search;
@@ -29,7 +31,9 @@ mod way;
 pub use damping::LessDamping;
 pub use error::{OrbitError, OrbitPlace, OrbitReason};
 #[cfg(feature = "modes")]
-pub use modes::{Bodies, EnergyShares, Mode, OrbitModes, orbit_modes};
+pub use modes::{EnergyShares, Mode, OrbitModes, orbit_modes};
+#[cfg(feature = "modes")]
+pub use modes_matrix::Bodies;
 pub use newton::OrbitStatistics;
 pub use settings::OrbitSettings;
 pub use solution::{POINTS, SteadyOrbit};

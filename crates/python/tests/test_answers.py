@@ -135,7 +135,7 @@ def test_identity_attributes_of_other_answers_are_declared(cases: Path) -> None:
         found = {name for name in vars(answer) if not name.startswith("_")}
         # What a case without fits, growth, a heated flow, a churning cage and grease does not have.
         absent = {"growth", "fits", "heated_flow", "cage_churning_nm"}
-        absent |= {"grease_life_hours", "grease_interval_hours", "grease_note"}
+        absent |= {"grease_life_hours", "grease_interval_hours", "grease_note", "inner_tilt", "outer_tilt"}
         assert declared - absent <= found <= declared, type(answer)
 
 

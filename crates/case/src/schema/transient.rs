@@ -15,9 +15,12 @@ pub struct SupportsSpec {
     /// Inertia and support of an inner ring that is free to tilt; its tilts are held without it.
     #[serde(default)]
     pub tilt: Option<TiltSpec>,
+    /// The same of the outer ring.
+    #[serde(default)]
+    pub outer_tilt: Option<TiltSpec>,
 }
 
-/// An inner ring that is free to tilt about its centre.
+/// A ring that is free to tilt about its centre.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TiltSpec {
@@ -29,6 +32,9 @@ pub struct TiltSpec {
     /// Damping of tilts about X and Y, N m s/rad.
     #[serde(deserialize_with = "units::tilt_dampings")]
     pub damping: [f64; 2],
+    /// Tilts about X and Y, at time 0, by which its seat stands askew; they turn with the ring, rad.
+    #[serde(default, deserialize_with = "units::angles")]
+    pub askew: [f64; 2],
 }
 
 /// Moments of inertia of a ring.

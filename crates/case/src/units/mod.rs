@@ -128,6 +128,8 @@ triples! {
     tilt_stiffnesses: TILT_STIFFNESS;
     /// One damping constant of tilts for each axis, N m s/rad.
     tilt_dampings: TILT_DAMPING;
+    /// One angle for each axis, rad.
+    angles: ANGLE;
     /// One length for each axis, m.
     lengths: LENGTH;
     /// One acceleration for each axis, m/s².

@@ -264,7 +264,7 @@ pub(super) fn drift_acceleration<E: Equations>(
                 (0..3).for_each(|i| sums.on_rings[side][i] -= on_ball[i]);
             }
         }
-        if l.tilting {
+        if l.any_tilts() {
             moments(equations, (&frame, block, balls), out, &mut sums);
         }
     }
@@ -272,28 +272,30 @@ pub(super) fn drift_acceleration<E: Equations>(
     a[l.cage() + 1] = if l.free_cage { 0.0 } else { bodies.cage };
     a[l.inner() + 3..l.inner() + 6].copy_from_slice(&bodies.inner);
     a[l.outer() + 2..l.outer() + 4].copy_from_slice(&bodies.outer);
-    if let (Some(tilting), Some([.., x, y])) = (&machine.tilting, bodies.tilt) {
+    for (side, ring) in frame.rings.iter() {
+        let (Some(tilting), Some([.., x, y])) = (&machine.tilting[side], bodies.tilt[side]) else { continue };
         // What turns with the ring is in the kick.
-        let [own_x, own_y] = machine.gyroscopic_moment(&frame.rings.inner);
+        let [own_x, own_y] = machine.gyroscopic_moment(side, ring);
         let inertia = tilting.body.transverse_inertia;
-        a[l.velocities_of_tilt()].copy_from_slice(&[x - own_x / inertia, y - own_y / inertia]);
+        a[l.velocities_of_tilt(side)].copy_from_slice(&[x - own_x / inertia, y - own_y / inertia]);
     }
 }
 
-/// Adds the moments of the normal forces of an inner ring that tilts on the balls of a block.
+/// Adds the moments of the normal forces of rings that tilt on the balls of a block.
 fn moments<E: Equations>(
     equations: &E,
     (frame, block, balls): (&Frame, usize, &[Lane; BALL]),
     stand: &Stand,
     sums: &mut Sums,
 ) {
-    let (machine, ring) = (equations.machine(), &frame.rings.inner);
+    let machine = equations.machine();
     for k in 0..filled(machine.layout, block) {
         let state = stand.state(equations, balls, k);
-        let force = stand.contact(Side::Inner, k).on_ball(Side::Inner);
-        let of_normal = (force, [0.0; 3]);
-        let moment = machine.bearing.moment_about(Side::Inner, &state, of_normal, (ring, stand.orbit_radius(k)));
-        sums.add_moment(Side::Inner, state.frame.to_inertial(moment), ring.axis());
+        for (side, ring) in frame.rings.iter().filter(|(side, _)| machine.layout.tilting[*side]) {
+            let of_normal = (stand.contact(side, k).on_ball(side), [0.0; 3]);
+            let moment = machine.bearing.moment_about(side, &state, of_normal, (ring, stand.orbit_radius(k)));
+            sums.add_moment(side, state.frame.to_inertial(moment), ring.axis());
+        }
     }
 }
 

@@ -12,7 +12,7 @@
 
 use crate::linear::LinearTraction;
 use crate::machine::Machine;
-use nalgebra::{Matrix3, Matrix5, Matrix6, Vector5, Vector6};
+use nalgebra::{Matrix3, Matrix5, Matrix6, SMatrix, Vector5, Vector6};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{AzimuthFrame, BallState, NormalLoads, Side};
 
@@ -59,8 +59,14 @@ impl LinearFriction {
         pairs.all(|(now, made)| (now - made).abs() <= STALE * h * made.abs())
     }
 
+    /// Mean force of a ball on the rings over a step in which their velocities change, by that change: the ball
+    /// follows.
+    pub(super) fn force_on_rings(&self) -> Matrix6<f64> {
+        self.coupling.tr_mul(&self.follow[1]) + self.on_rings() * 0.5
+    }
+
     /// Force on the rings by their own velocities.
-    pub(super) fn on_rings(&self) -> Matrix6<f64> {
+    fn on_rings(&self) -> Matrix6<f64> {
         let mut all = Matrix6::zeros();
         all.fixed_view_mut::<3, 3>(0, 0).copy_from(&self.own[0]);
         all.fixed_view_mut::<3, 3>(3, 3).copy_from(&self.own[1]);
@@ -196,10 +202,14 @@ fn inverse_of_damped(m: Matrix6<f64>) -> (Matrix6<f64>, f64) {
 }
 
 /// Inverse of a matrix in which an infinite diagonal element stands for an axis that is held.
-pub(super) fn inverse_with_held(mut sum: Matrix5<f64>) -> Matrix5<f64> {
-    let held: Vec<usize> = (0..5).filter(|&k| sum[(k, k)].is_infinite()).collect();
-    held.iter().for_each(|&k| sum[(k, k)] = 1.0);
-    let mut inverse = sum.try_inverse().unwrap_or_else(Matrix5::zeros);
+pub(super) fn inverse_with_held<const N: usize>(mut sum: SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
+    let held: Vec<usize> = (0..N).filter(|&k| sum[(k, k)].is_infinite()).collect();
+    for &k in &held {
+        sum.row_mut(k).fill(0.0);
+        sum.column_mut(k).fill(0.0);
+        sum[(k, k)] = 1.0;
+    }
+    let mut inverse = sum.try_inverse().unwrap_or_else(SMatrix::zeros);
     held.iter().for_each(|&k| inverse[(k, k)] = 0.0);
     inverse
 }

@@ -16,7 +16,7 @@ pub(super) fn push_balls(balls: &mut [Lane; BALL], acceleration: &[Lane; 3], com
 
 /// Velocities of rings and cage.
 pub(super) fn push_bodies(l: Layout, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
-    for k in l.velocities_of_cage().chain(l.velocities_of_tilt()) {
+    for k in l.velocities_of_cage().chain(l.velocities_of_tilts()) {
         y[k] += h * a[k];
     }
     for k in l.velocities_of_rings() {
@@ -52,7 +52,7 @@ pub(super) fn glide_bodies(machine: &Machine, t: f64, y: &mut [f64], h: f64) {
     for k in l.outer()..l.outer() + 2 {
         y[k] += h * y[k + 2];
     }
-    machine.glide_tilt(y, h);
+    machine.glide_tilts(y, h);
     // Prescribed speeds: the middle of the step is exact for speeds that change in proportion to time.
     for (side, speed) in machine.speeds.iter() {
         y[l.angles() + side as usize] += h * speed.at(t + 0.5 * h);

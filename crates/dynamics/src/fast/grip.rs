@@ -292,10 +292,10 @@ fn transposed(m: &[Lane; 36], v: [f64; 6], k: usize) -> [f64; 6] {
 
 /// (a, r, t) of inner and outer ring as (x, y, z) and (x, y).
 #[inline(always)]
-fn inertial(axes: AzimuthFrame, [a, r, t, outer_a, outer_r, outer_t]: [f64; 6]) -> [f64; 5] {
+fn inertial(axes: AzimuthFrame, [a, r, t, outer_a, outer_r, outer_t]: [f64; 6]) -> [f64; 6] {
     let [x, y, z] = axes.to_inertial([a, r, t]);
-    let [outer_x, outer_y, _] = axes.to_inertial([outer_a, outer_r, outer_t]);
-    [x, y, z, outer_x, outer_y]
+    let [outer_x, outer_y, outer_z] = axes.to_inertial([outer_a, outer_r, outer_t]);
+    [x, y, z, outer_x, outer_y, outer_z]
 }
 
 /// Velocities of the balls of a block with their changes.
@@ -330,9 +330,9 @@ pub(super) fn respond<E: Equations>(
     balls: &mut [Lane; BALL],
     (stand, forms, grips): (&Stand, &Forms, &Grips),
     (given_back, h): (&[Lane; 3], f64),
-    (beyond, reaction): (&mut [Lane; 6], &mut [Lane; 5]),
+    (beyond, reaction): (&mut [Lane; 6], &mut [Lane; 6]),
 ) {
-    let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 5]);
+    let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 6]);
     let now = &*balls;
     for k in 0..WIDTH {
         let push = push(equations, (&get(now, k), get(given_back, k), h), (stand, grips, k));
@@ -348,20 +348,21 @@ pub(super) fn respond<E: Equations>(
     *reaction = on_rings;
 }
 
-/// What the motion of the rings, inertial axes, does to the balls, and the force on the rings, inertial axes.
+/// What the motion of the rings, inertial axes, does to the balls, and the force on the rings, inertial axes. Where
+/// `TILTS`, rings tilt too, and `moved` has how they move at each ball (a, r, t).
 #[inline(always)]
-pub(super) fn follow(
+pub(super) fn follow<const TILTS: bool>(
     balls: &mut [Lane; BALL],
-    rings: [f64; 5],
+    (rings, moved): ([f64; 5], &[Lane; 6]),
     (stand, forms): (&Stand, &Forms),
-    (beyond, reaction): (&mut [Lane; 6], &mut [Lane; 5]),
+    (beyond, reaction): (&mut [Lane; 6], &mut [Lane; 6]),
 ) {
-    let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 5]);
+    let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 6]);
     for k in 0..WIDTH {
         let axes = stand.axes(k);
         let [a, r, t] = axes.from_inertial([rings[0], rings[1], rings[2]]);
         let [_, outer_r, outer_t] = axes.from_inertial([rings[3], rings[4], 0.0]);
-        let rings = [a, r, t, 0.0, outer_r, outer_t];
+        let rings = if TILTS { get(moved, k) } else { [a, r, t, 0.0, outer_r, outer_t] };
         let (change, mean) = (times(&forms.follow[0], rings, k), times(&forms.follow[1], rings, k));
         let mut force = transposed(&forms.coupling, mean, k);
         for row in 0..3 {

@@ -121,7 +121,7 @@ impl Fast {
         }
         let of_rings = (0..3).map(|i| (l.inner() + i, l.inner() + 3 + i));
         let of_outer = (0..2).map(|i| (l.outer() + i, l.outer() + 2 + i));
-        let of_tilt = l.velocities_of_tilt().map(|velocity| (velocity - 2, velocity));
+        let of_tilt = l.velocities_of_tilts().map(|velocity| (velocity - 2, velocity));
         for (place, velocity) in of_rings.chain(of_outer).chain(of_tilt) {
             shown[place] += share * self.acceleration(velocity, by_kick);
         }

@@ -3,7 +3,7 @@
 use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, stiffnesses};
 use super::grip::{Forms, Grips, follow, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
-use super::tilt::OnInner;
+use super::tilt::OnTilting;
 use super::{Fast, Scratch};
 use crate::equations::{Equations, Frame};
 use crate::layout::Layout;
@@ -32,8 +32,8 @@ impl Fast {
         }
         self.smooth(l, h);
         let mut on_rings = self.ring_common(equations.machine());
-        let mut on_inner = OnInner::default();
-        let (mut on_cage, mut reaction) = ((0.0, Wrench::default()), [Lane::ZERO; 5]);
+        let mut on_tilting = OnTilting::default();
+        let (mut on_cage, mut reaction) = ((0.0, Wrench::default()), [Lane::ZERO; 6]);
         for block in 0..blocks(l.balls) {
             self.grip(equations, block, (&frame, renew), &mut on_cage);
             let scratch = &mut self.scratch;
@@ -41,8 +41,8 @@ impl Fast {
             let at = (&scratch.stands[block], &scratch.forms[block], &scratch.grips[block]);
             let (equations, given) = (&*equations, (&scratch.given_back[block], h));
             dispatch!(scratch.level, _simd => respond(equations, balls, at, given, found));
-            (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
-            on_inner.add(l, block, &reaction);
+            (0..filled(l, block)).for_each(|k| on_rings += of_translations(&reaction, k));
+            on_tilting.add(l, block, &reaction);
         }
         let machine = equations.machine();
         if renew || self.rings_last == 0 {
@@ -51,15 +51,21 @@ impl Fast {
         }
         self.rings_last -= 1;
         let predicted: [f64; 5] = (self.rings * on_rings * h).into();
+        let moved = l.any_tilts().then(|| self.moved_by_tilting(machine, (&frame, &on_tilting), &on_rings, h));
         let scratch = &mut self.scratch;
         for block in 0..blocks(l.balls) {
             let (balls, found) = (&mut scratch.balls[block], (&mut scratch.beyond[block], &mut reaction));
             let at = (&scratch.stands[block], &scratch.forms[block]);
-            dispatch!(scratch.level, _simd => follow(balls, predicted, at, found));
-            (0..filled(l, block)).for_each(|k| on_rings += Vector5::from(get(&reaction, k)));
-            on_inner.add(l, block, &reaction);
+            match &moved {
+                Some(moved) => follow::<true>(balls, (predicted, &moved[block]), at, found),
+                None => {
+                    dispatch!(scratch.level, _simd => follow::<false>(balls, (predicted, &[Lane::ZERO; 6]), at, found))
+                }
+            }
+            (0..filled(l, block)).for_each(|k| on_rings += of_translations(&reaction, k));
+            on_tilting.add(l, block, &reaction);
         }
-        self.kick_tilt(machine, y, (&frame, &on_inner), h);
+        self.kick_tilts(machine, y, (&frame, &on_tilting), h);
         let lands = machine.kick_free_cage(y, (&frame, &on_cage.1), h);
         let ([x, y_, z], [outer_x, outer_y, _]) = (lands.inner, lands.outer);
         on_rings -= Vector5::new(x, y_, z, outer_x, outer_y);
@@ -100,7 +106,7 @@ impl Fast {
         let places = scratch.places[block];
         let at = (&scratch.balls[block], &scratch.stands[block], &scratch.forms[block]);
         let (equations_now, grips, now) = (&*equations, &mut scratch.grips[block], self.steps as f64);
-        if equations_now.machine().layout.tilting {
+        if equations_now.machine().layout.any_tilts() {
             tractions::<E, true>(equations_now, (frame, now), at, grips);
         } else {
             dispatch!(scratch.level, _simd => tractions::<E, false>(equations_now, (frame, now), at, grips));
@@ -190,7 +196,7 @@ impl Fast {
         let mut sum = Matrix5::from_diagonal(&Vector5::new(inner, inner, inner, outer, outer));
         for (index, f) in self.friction.iter().enumerate() {
             let axes = self.scratch.stands[index / WIDTH].axes(index % WIDTH);
-            let force = f.coupling.tr_mul(&f.follow[1]) + f.on_rings() * 0.5;
+            let force = f.force_on_rings();
             // By the rings' velocities along x, y and z, which is the axial direction; then the forces are turned.
             let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|unit| axes.from_inertial(unit));
             let turned = |first: usize, [_, radial, along]: [f64; 3]| {
@@ -204,8 +210,6 @@ impl Fast {
         }
         let free = machine.inner.free.iter().chain(&machine.outer.free);
         for (k, _) in free.enumerate().filter(|(_, free)| !**free) {
-            sum.row_mut(k).fill(0.0);
-            sum.column_mut(k).fill(0.0);
             sum[(k, k)] = f64::INFINITY;
         }
         inverse_with_held(sum)
@@ -218,6 +222,12 @@ impl Fast {
         let (inner, outer) = (machine.inner.mass, machine.outer.mass);
         Vector5::new(inner * i[0], inner * i[1], inner * i[2], outer * o[0], outer * o[1])
     }
+}
+
+/// Force of a ball on the freedoms of the rings, x, y, z and x, y, N.
+fn of_translations(reaction: &[Lane; 6], k: usize) -> Vector5<f64> {
+    let [x, y, z, outer_x, outer_y, _] = get(reaction, k);
+    Vector5::new(x, y, z, outer_x, outer_y)
 }
 
 /// Velocities of rings and cage after `h` under the balls' forces and their torque on the cage.

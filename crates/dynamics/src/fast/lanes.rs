@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn identity_lanes_hold_every_ball_once() {
         for balls in [3, 8, 13, 17] {
-            let l = Layout { balls, free_cage: false, tilting: false, marked: 0 };
+            let l = Layout { balls, free_cage: false, tilting: tribodyn_bearing::Races::default(), marked: 0 };
             let y: Vec<f64> = (0..l.len()).map(|i| i as f64).collect();
             let mut back = vec![0.0; l.len()];
             for block in 0..blocks(balls) {

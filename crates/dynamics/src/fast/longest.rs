@@ -56,7 +56,7 @@ impl Fast {
     /// Longest pieces of the drift at the positions at which it was found last.
     pub(super) fn longest_pieces(&self, machine: &Machine) -> Longest {
         let (mut both, mut single) = (0.0f64, Races::<f64>::default());
-        let (mut on_rings, mut against_tilt) = (Races::from_fn(|_| Matrix3::zeros()), 0.0);
+        let (mut on_rings, mut against_tilt) = (Races::from_fn(|_| Matrix3::zeros()), Races::<f64>::default());
         for (block, stand) in self.scratch.stands.iter().enumerate() {
             for k in 0..filled(machine.layout, block) {
                 let mut sum = 0.0;
@@ -70,9 +70,7 @@ impl Fast {
                     let normal = stand.axes(k).to_inertial([axial, radial, 0.0]);
                     sum += stiffness;
                     single[side] = single[side].max(stiffness);
-                    if side == Side::Inner {
-                        against_tilt += stiffness * (axial * stand.orbit_radius(k)).powi(2);
-                    }
+                    against_tilt[side] += stiffness * (axial * stand.orbit_radius(k)).powi(2);
                     on_rings[side] += Matrix3::from_fn(|row, column| stiffness * normal[row] * normal[column]);
                 }
                 both = both.max(sum);
@@ -80,10 +78,11 @@ impl Fast {
         }
         let mut rings =
             Races { inner: of_ring(&machine.inner, &on_rings.inner), outer: of_ring(&machine.outer, &on_rings.outer) };
-        if let Some(tilting) = &machine.tilting {
-            let (body, [x, y]) = (&tilting.body, tilting.body.stiffness);
-            rings.inner[0] += (against_tilt + x.max(y)) / body.transverse_inertia;
-            rings.inner[1] += body.damping[0].max(body.damping[1]) / body.transverse_inertia;
+        for (side, tilting) in machine.tilting.iter() {
+            let Some(body) = tilting.as_ref().map(|tilting| &tilting.body) else { continue };
+            let [x, y] = body.stiffness;
+            rings[side][0] += (against_tilt[side] + x.max(y)) / body.transverse_inertia;
+            rings[side][1] += body.damping[0].max(body.damping[1]) / body.transverse_inertia;
         }
         let mass = machine.bearing.ball_mass;
         let of_balls = both / mass;

@@ -132,7 +132,7 @@ impl Fast {
             }
             for k in 0..filled(l, block) {
                 let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
-                let sums_of_ball = if seen.near.0[k] > 0.0 && !l.tilting {
+                let sums_of_ball = if seen.near.0[k] > 0.0 && !l.any_tilts() {
                     seen.write(k, (result, detail));
                     get(&seen.sums, k)
                 } else {

@@ -8,7 +8,7 @@ use tribodyn_bearing::{
 
 /// Numbers of a pocket's load, and of the sums over the balls.
 pub(super) const IN_POCKET: usize = 12;
-pub(super) const SUMS: usize = 26;
+pub(super) const SUMS: usize = 29;
 
 /// A structure of `N` numbers.
 pub(super) trait Numbers<const N: usize> {
@@ -54,10 +54,10 @@ numbers!(BallMotionResult, 3;
 numbers!(PocketLoad, 12;
     force, friction[0], friction[1], moment[0], moment[1], moment[2], cage_torque, energy, damping_power,
     friction_power, sliding, normal);
-numbers!(Sums, 26;
+numbers!(Sums, 29;
     on_rings.inner[0], on_rings.inner[1], on_rings.inner[2], on_rings.outer[0], on_rings.outer[1], on_rings.outer[2],
-    torque.inner, torque.outer, moment[0], moment[1], moment[2], cage_torque,
-    powers.friction.inner, powers.friction.outer, powers.drag,
+    torque.inner, torque.outer, moment.inner[0], moment.inner[1], moment.inner[2], moment.outer[0], moment.outer[1],
+    moment.outer[2], cage_torque, powers.friction.inner, powers.friction.outer, powers.drag,
     powers.churning, powers.contact_damping, powers.pocket_friction, powers.pocket_damping, powers.energy,
     on_cage.force[0], on_cage.force[1], on_cage.force[2], on_cage.moment[0], on_cage.moment[1], on_cage.moment[2]);
 

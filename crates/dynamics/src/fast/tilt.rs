@@ -1,80 +1,181 @@
-//! The kick of an inner ring that tilts, after that of the balls: the forces that the balls have given the ring, at
-//! their arms, and the turning of the ring itself, by the implicit midpoint rule. Friction that damps the tilt is
-//! implicit like that on the ring's translations.
+//! The kick of rings that tilt, after that of the balls: the forces that the balls have given a ring, at their arms,
+//! and the turning of the ring itself, by the implicit midpoint rule. The balls follow the tilts as they do the
+//! translations.
 
 use super::Fast;
-use super::lanes::{Lane, WIDTH, filled, get};
+use super::friction::inverse_with_held;
+use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of, put};
 use crate::equations::Frame;
-use crate::layout::Layout;
+use crate::layout::{AXIAL, Layout};
 use crate::machine::Machine;
-use nalgebra::{Matrix2, Vector2};
-use tribodyn_bearing::Side;
-use tribodyn_bearing::vectors::cross;
+use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector5};
+use tribodyn_bearing::vectors::{cross, dot};
+use tribodyn_bearing::{Races, RingState, Side};
 
-/// Mean force of each ball on an inner ring that tilts over a step (x, y, z), N.
+/// Mean force of each ball on rings that tilt over a step (x, y, z), N.
 #[derive(Debug, Default)]
-pub(super) struct OnInner(Vec<[f64; 3]>);
+pub(super) struct OnTilting(Vec<Races<[f64; 3]>>);
 
-impl OnInner {
+impl OnTilting {
     /// Adds forces of the balls of a block; of rings that do not tilt nothing is kept.
-    pub fn add(&mut self, l: Layout, block: usize, forces: &[Lane; 5]) {
-        if !l.tilting {
+    pub fn add(&mut self, l: Layout, block: usize, forces: &[Lane; 6]) {
+        if !l.any_tilts() {
             return;
         }
-        self.0.resize(l.balls, [0.0; 3]);
+        self.0.resize(l.balls, Races::default());
         for k in 0..filled(l, block) {
-            let [x, y, z, ..] = get(forces, k);
-            let sum = &mut self.0[WIDTH * block + k];
-            *sum = [sum[0] + x, sum[1] + y, sum[2] + z];
+            let [x, y, z, outer @ ..] = get(forces, k);
+            let sums = &mut self.0[WIDTH * block + k];
+            for (side, force) in [(Side::Inner, [x, y, z]), (Side::Outer, outer)] {
+                (0..3).for_each(|i| sums[side][i] += force[i]);
+            }
         }
     }
 }
 
+/// Freedoms of the rings: x, y, z of the inner one, x, y of the outer one, tilts of both about x and y.
+const RINGS: usize = 9;
+
 impl Fast {
-    pub(super) fn kick_tilt(&self, machine: &Machine, y: &mut [f64], (frame, on_inner): (&Frame, &OnInner), h: f64) {
-        let Some(tilting) = &machine.tilting else { return };
-        let ring = &frame.rings.inner;
-        let (mut moment, mut damping) = ([0.0; 3], Matrix2::zeros());
-        for (index, force) in on_inner.0.iter().enumerate() {
+    /// How much faster the rings move at each ball at the end of a step (a, r, t), by blocks: their translations and
+    /// tilts, with all that the balls do meanwhile to first order.
+    pub(super) fn moved_by_tilting(
+        &self,
+        machine: &Machine,
+        (frame, on): (&Frame, &OnTilting),
+        on_rings: &Vector5<f64>,
+        h: f64,
+    ) -> Vec<[Lane; 6]> {
+        let (mut sum, mut given) = self.of_bodies(machine, (frame, on), h);
+        given.fixed_rows_mut::<5>(0).copy_from(on_rings);
+        let moves: Vec<_> = (0..self.friction.len()).map(|index| self.moves(machine, frame, index)).collect();
+        for (friction, moves) in self.friction.iter().zip(&moves) {
+            sum -= moves.tr_mul(&(friction.force_on_rings() * moves)) * h;
+        }
+        let change = inverse_with_held(sum) * given * h;
+        let mut moved = vec![[Lane::ZERO; 6]; blocks(moves.len())];
+        for (index, moves) in moves.iter().enumerate() {
+            let (block, at_ball) = (index / WIDTH, (moves * change).into());
+            lanes_of(machine.layout, block, index % WIDTH).for_each(|k| put(&mut moved[block], k, at_ball));
+        }
+        moved
+    }
+
+    /// Masses and inertias of the rings' freedoms, infinite where they are held, less what their own turning takes in a
+    /// step; and the moments on them.
+    fn of_bodies(
+        &self,
+        machine: &Machine,
+        (frame, on): (&Frame, &OnTilting),
+        h: f64,
+    ) -> (SMatrix<f64, RINGS, RINGS>, SVector<f64, RINGS>) {
+        let mut sum = SMatrix::<f64, RINGS, RINGS>::zeros();
+        let mut given = SVector::<f64, RINGS>::zeros();
+        let translations = machine.inner.free.map(|free| (free, machine.inner.mass)).into_iter();
+        let translations = translations.chain(machine.outer.free.map(|free| (free, machine.outer.mass)));
+        for (k, (free, mass)) in translations.enumerate() {
+            sum[(k, k)] = if free { mass } else { f64::INFINITY };
+        }
+        for (side, ring) in frame.rings.iter() {
+            let at = 5 + 2 * side as usize;
+            let Some(tilting) = &machine.tilting[side] else {
+                (at..at + 2).for_each(|k| sum[(k, k)] = f64::INFINITY);
+                continue;
+            };
+            let Turning { moment, matrix } = turning(machine, (side, ring), self.by_balls(machine, side, (frame, on)));
+            let body = Matrix2::from_diagonal_element(tilting.body.transverse_inertia) - matrix * (0.5 * h);
+            sum.fixed_view_mut::<2, 2>(at, at).copy_from(&body);
+            given.fixed_rows_mut::<2>(at).copy_from(&moment);
+        }
+        (sum, given)
+    }
+
+    /// How the freedoms of the rings move them at the contacts of a ball (a, r, t).
+    fn moves(&self, machine: &Machine, frame: &Frame, index: usize) -> SMatrix<f64, 6, RINGS> {
+        let (stand, balls, k) =
+            (&self.scratch.stands[index / WIDTH], &self.scratch.balls[index / WIDTH], index % WIDTH);
+        let (axes, radius) = (stand.axes(k), machine.bearing.geometry.ball_radius());
+        let mut moves = SMatrix::<f64, 6, RINGS>::zeros();
+        for (side, ring) in frame.rings.iter() {
+            let (row, tilt) = (3 * side as usize, 5 + 2 * side as usize);
+            let [n_a, n_r] = stand.contact(side, k).pose.normal(side);
+            let seen = machine.bearing.geometry.arm(side, axes, [balls[AXIAL].0[k], stand.orbit_radius(k)], ring);
+            let arm = [seen[0] + radius * n_a, seen[1] + radius * n_r, seen[2]];
+            for (unit, direction) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate() {
+                let at_ball = axes.from_inertial(direction);
+                // The outer ring does not move along z.
+                let place = (side == Side::Inner || unit < 2).then_some(row + unit);
+                let by_tilt = (unit < 2).then(|| cross(at_ball, arm));
+                for i in 0..3 {
+                    place.into_iter().for_each(|place| moves[(row + i, place)] = at_ball[i]);
+                    by_tilt.into_iter().for_each(|moved| moves[(row + i, tilt + unit)] = moved[i]);
+                }
+            }
+        }
+        moves
+    }
+
+    pub(super) fn kick_tilts(&self, machine: &Machine, y: &mut [f64], (frame, on): (&Frame, &OnTilting), h: f64) {
+        for (side, tilting) in machine.tilting.iter() {
+            let Some(tilting) = tilting else { continue };
+            let by_balls = self.by_balls(machine, side, (frame, on));
+            let Turning { moment, matrix } = turning(machine, (side, &frame.rings[side]), by_balls);
+            let body = Matrix2::from_diagonal_element(tilting.body.transverse_inertia) - matrix * (0.5 * h);
+            let change = body.try_inverse().map_or(Vector2::zeros(), |inverse| inverse * moment * h);
+            machine.layout.velocities_of_tilt(side).zip(change.iter()).for_each(|(k, by)| y[k] += by);
+        }
+    }
+
+    /// Moment of the balls on a ring about its centre (x, y, z), N m.
+    fn by_balls(&self, machine: &Machine, side: Side, (frame, on): (&Frame, &OnTilting)) -> [f64; 3] {
+        let (ring, mut moment) = (&frame.rings[side], [0.0; 3]);
+        for (index, force) in on.0.iter().map(|on| on[side]).enumerate() {
             let (block, k) = (index / WIDTH, index % WIDTH);
             let (stand, grips) = (&self.scratch.stands[block], &self.scratch.grips[block]);
             let state = stand.state(machine, &self.scratch.balls[block], k);
-            let at_start = grips.forces(Side::Inner, k);
+            let at_start = grips.forces(side, k);
             let mean = state.frame.from_inertial(force.map(|f| -f));
             // What the force is in the mean of the step acts where it acts at its start: at the contact.
-            let contact = stand.contact(Side::Inner, k);
-            let [n_a, n_r] = contact.pose.normal(Side::Inner);
+            let contact = stand.contact(side, k);
+            let [n_a, n_r] = contact.pose.normal(side);
             let radius = machine.bearing.geometry.ball_radius() + state.size.excess;
             let point = [n_a, n_r * contact.lean.cos, -n_r * contact.lean.sin].map(|n| n * radius);
             let change = [0, 1, 2].map(|i| mean[i] - at_start.force[i]);
             let by_change = cross(point, change);
             let about_ball = [0, 1, 2].map(|i| at_start.moment[i] + by_change[i]);
-            let r = stand.orbit_radius(k);
-            let on_ball = machine.bearing.moment_about(Side::Inner, &state, (mean, about_ball), (ring, r));
+            let at = (ring, stand.orbit_radius(k));
+            let on_ball = machine.bearing.moment_about(side, &state, (mean, about_ball), at);
             let on_ball = state.frame.to_inertial(on_ball);
             (0..3).for_each(|i| moment[i] -= on_ball[i]);
-            let friction = &self.friction[index];
-            let axial = friction.coupling.column(0).dot(&friction.follow[1].column(0)) + 0.5 * friction.own[0][(0, 0)];
-            let lever = Vector2::new(state.frame.sin, -state.frame.cos) * r;
-            damping += lever * lever.transpose() * axial;
         }
-        let axis = ring.axis();
-        let along = (0..3).map(|i| moment[i] * axis[i]).sum::<f64>();
-        let own = |turning: [f64; 3]| {
-            let ring = tribodyn_bearing::RingState { turning: Some(turning), ..*ring };
-            Vector2::from(machine.gyroscopic_moment(&ring))
-        };
-        let unit = |k: usize| {
-            let mut w = [0.0; 3];
-            w[k] = 1.0;
-            w[2] = -axis[k] / axis[2];
-            own(w)
-        };
-        let turned = Matrix2::from_columns(&[unit(0), unit(1)]);
-        let matrix = Matrix2::from_diagonal_element(tilting.body.transverse_inertia) - (damping + turned * 0.5) * h;
-        let given = Vector2::new(moment[0] - along * axis[0], moment[1] - along * axis[1])
-            + own(ring.turning.unwrap_or_default());
-        let change = matrix.try_inverse().map_or(Vector2::zeros(), |inverse| inverse * given * h);
-        machine.layout.velocities_of_tilt().zip(change.iter()).for_each(|(k, by)| y[k] += by);
+        moment
+    }
+}
+
+/// What turns a ring across its axis.
+struct Turning {
+    /// Moment about x and y of the balls and of the ring's own turning, N m.
+    moment: Vector2<f64>,
+    /// How the latter grows with the angular velocity, N m s.
+    matrix: Matrix2<f64>,
+}
+
+fn turning(machine: &Machine, (side, ring): (Side, &RingState), by_balls: [f64; 3]) -> Turning {
+    let axis = ring.axis();
+    let along = dot(by_balls, axis);
+    let own = |turning: [f64; 3]| {
+        let ring = RingState { turning: Some(turning), ..*ring };
+        Vector2::from(machine.gyroscopic_moment(side, &ring))
+    };
+    let unit = |k: usize| {
+        let mut w = [0.0; 3];
+        w[k] = 1.0;
+        w[2] = -axis[k] / axis[2];
+        own(w)
+    };
+    let across = Vector2::new(by_balls[0] - along * axis[0], by_balls[1] - along * axis[1]);
+    Turning {
+        moment: across + own(ring.turning.unwrap_or_default()),
+        matrix: Matrix2::from_columns(&[unit(0), unit(1)]),
     }
 }

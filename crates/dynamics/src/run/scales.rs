@@ -2,6 +2,7 @@
 
 use crate::layout::{BALL, ORBIT, VELOCITY};
 use crate::machine::Machine;
+use tribodyn_bearing::Side;
 
 /// Typical size of each unknown, what the error of the adaptive scheme is compared with.
 pub(super) fn scales(machine: &Machine, state: &[f64]) -> Vec<f64> {
@@ -26,9 +27,9 @@ pub(super) fn scales(machine: &Machine, state: &[f64]) -> Vec<f64> {
         let sizes = [[length; 3].as_slice(), &[velocity; 3], &[turn; 2], &[tilt; 4]].concat();
         scale[l.free()].copy_from_slice(&sizes);
     }
-    if l.tilting {
+    for side in Side::BOTH.into_iter().filter(|&side| l.tilting[side]) {
         let (tilt, turn) = (length / g.pitch_diameter, velocity / g.pitch_diameter);
-        scale[l.tilt()].copy_from_slice(&[tilt, tilt, turn, turn]);
+        scale[l.tilt(side)].copy_from_slice(&[tilt, tilt, turn, turn]);
     }
     scale[l.orientations()].fill(1.0);
     scale

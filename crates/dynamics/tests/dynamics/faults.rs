@@ -127,3 +127,32 @@ fn identity_two_spalls_half_a_pitch_apart_have_no_first_harmonic() {
     let second = line(&both, 2.0) / line(&one, 2.0);
     assert!(ratio < 0.05 && second > 1.5, "{ratio} {second}");
 }
+
+/// Under thrust, bearings whose balls are all of either size have cages of different speeds. A cage with one odd ball
+/// goes at a speed between them, near that of the many, and holds the odd ball at the wall towards which it would run.
+#[test]
+fn limit_one_odd_ball_stands_at_a_wall_of_its_pocket() {
+    let thrust = [
+        ("ring.x", "Force(N(0))"),
+        ("ring.y", "Force(N(0))"),
+        ("transient.duration", "s(0.06)"),
+        ("recording.state_rate", "kHz(5)"),
+        ("recording.ball_rate", "kHz(5)"),
+        ("transient.scheme", "Fast(step: us(10))"),
+    ];
+    let settled = |sizes: [f64; 13]| {
+        let sizes = format!("Excess([{}])", sizes.map(|size| format!("um({size})")).join(", "));
+        let samples = run(&case(&[&thrust[..], &[("deviations.balls", &sizes)]].concat())).1.samples;
+        let late = samples[samples.len() / 2..].to_vec();
+        let mean = |of: &dyn Fn(&Sample) -> f64| late.iter().map(of).sum::<f64>() / late.len() as f64;
+        let pocket = |sample: &Sample| sample.balls[0].pocket.unwrap();
+        let lead = mean(&|sample| pocket(sample).lead_rad);
+        (mean(&|sample| sample.cage.speed_rad_s), lead, mean(&|sample| pocket(sample).force_n.abs()))
+    };
+    let one = |size: f64| std::array::from_fn(|ball| if ball == 0 { size } else { 0.0 });
+    let ((small, ..), (large, ..), (mixed, lead, force)) =
+        (settled([0.0; 13]), settled([40.0; 13]), settled(one(40.0)));
+    assert!(small > large + 5.0 && mixed < small && small - mixed < 0.2 * (small - large), "{small} {mixed} {large}");
+    // Larger balls are slower here.
+    assert!(lead < 0.0 && force > 100.0, "{lead} {force}");
+}

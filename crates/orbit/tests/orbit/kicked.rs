@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use std::{convert::Infallible, f64::consts::TAU, ops::ControlFlow};
-use tribodyn_bearing::{CageBody, RingFreedom, Scheme, Translation};
+use tribodyn_bearing::{CageBody, Races, RingFreedom, Scheme, Translation};
 use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{Event, Observer, Run, Sample};
 use tribodyn_orbit::{Bodies, OrbitSettings, orbit_modes, steady_orbit};
@@ -71,7 +71,7 @@ fn identity_a_kicked_ring_rings_at_the_frequency_of_its_mode() {
 
     let settings = OrbitSettings::default();
     let start = steady_orbit(&bearing, &point, &cage, &settings).unwrap().start.unwrap();
-    let bodies = Bodies { cage, contact_damping, supports };
+    let bodies = Bodies { cage, contact_damping, supports, tilting: Races::default() };
     let modes = orbit_modes(&bearing, &point, &bodies, &settings, &start).unwrap().modes;
     let axial = |m: &&tribodyn_orbit::Mode| m.inner_ring[2] > 0.5 && m.energy_shares.inner_ring > 0.5;
     let mode = modes.iter().find(axial).unwrap();

@@ -1,7 +1,7 @@
 //! Stiffness and modes against differences of solutions and closed forms.
 
 use crate::support::fixture;
-use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, RingFreedom, Support, Supports};
+use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingFreedom, Support, Supports, TiltingRing};
 use tribodyn_orbit::{
     Bodies, OrbitSettings, orbit_modes, orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from,
 };
@@ -119,7 +119,8 @@ fn limit_axial_stiffness_at_rest_is_that_of_hertz_springs() {
     assert!((k[2][2] / expected - 1.0).abs() < 1e-9, "{} {expected}", k[2][2]);
 }
 
-/// Balls that the inner ring does not touch leave it to its supports: λ = −c/2M ± i √(K/M − (c/2M)²).
+/// Balls that the inner ring does not touch leave it to its supports: λ = −c/2M ± i √(K/M − (c/2M)²). An inner ring
+/// that tilts and turns on a spring that is alike about both axes precesses, I_t λ² ∓ i I_p Ω λ + k = 0.
 #[test]
 fn limit_free_ring_swings_on_its_supports() {
     let (bearing, mut point, cage) = paper();
@@ -132,6 +133,10 @@ fn limit_free_ring_swings_on_its_supports() {
     let solved = steady_orbit(&bearing, &point, &cage, &settings).unwrap();
     assert!(solved.solution.points.iter().all(|p| p.contacts.inner.load_n == 0.0));
     let (mass, stiffness, damping) = (3.0, [4e7, 5e7, 9e7], [200.0, 300.0, 400.0]);
+    let (polar_inertia, transverse_inertia, seat) = (0.05, 0.03, 4e5);
+    let of_inner =
+        TiltingRing { polar_inertia, transverse_inertia, stiffness: [seat; 2], damping: [0.0; 2], askew: [0.0; 2] };
+    let of_outer = TiltingRing { stiffness: [9e5; 2], ..of_inner };
     let bodies = Bodies {
         cage,
         contact_damping: 0.02,
@@ -139,6 +144,7 @@ fn limit_free_ring_swings_on_its_supports() {
             inner: Support { mass, stiffness, damping },
             outer: Support { mass: 5.0, stiffness: [5e8; 2], damping: [5e3; 2] },
         },
+        tilting: Races { inner: Some(of_inner), outer: Some(of_outer) },
     };
     let modes = orbit_modes(&bearing, &free, &bodies, &settings, &solved.start.unwrap()).unwrap().modes;
     for k in 0..3 {
@@ -148,6 +154,52 @@ fn limit_free_ring_swings_on_its_supports() {
         let mode = modes.iter().find(near).unwrap_or_else(|| panic!("no mode at {frequency} Hz"));
         assert!((mode.growth_rate_per_s / -decay - 1.0).abs() < 1e-8, "{mode:?}");
         assert!(mode.energy_shares.inner_ring > 0.999 && mode.inner_ring[k] > 0.999);
+    }
+    let half = 0.5 * polar_inertia * point.inner_speed / transverse_inertia;
+    let middle = (half * half + seat / transverse_inertia).sqrt();
+    for rate in [middle - half, middle + half] {
+        let frequency = rate / std::f64::consts::TAU;
+        let near = |m: &&tribodyn_orbit::Mode| (m.frequency_hz / frequency - 1.0).abs() < 1e-8;
+        let mode = modes.iter().find(near).unwrap_or_else(|| panic!("no mode at {frequency} Hz"));
+        let [x, y] = mode.inner_tilt.unwrap();
+        assert!(mode.energy_shares.inner_ring > 0.999 && (x - y).abs() < 1e-6 && x > 0.999, "{mode:?}");
+    }
+}
+
+/// A ring that is held but for its tilts swings about x and y at √(K/I_t), I_t far above what the balls have: on both
+/// rings' own springs in a row, where the outer ring tilts too.
+#[test]
+fn limit_a_ring_tilts_on_its_balls_as_a_body_on_a_spring() {
+    let (supports, bearing, point, cage) = fixture("angular-7210");
+    let settings = OrbitSettings::default();
+    let mut point = OperatingPoint { inner_speed: 10.0, ..point.clone() };
+    point.ring = [RingFreedom::Held(0.0); 5];
+    point.ring[2] = RingFreedom::Loaded(3000.0);
+    let held = steady_orbit(&bearing, &point, &cage, &settings).unwrap();
+    point.ring[2] = RingFreedom::Held(held.solution.ring_displacement_m[2]);
+    point.ring[3..].fill(RingFreedom::Loaded(0.0));
+    let start = steady_orbit(&bearing, &point, &cage, &settings).unwrap().start.unwrap();
+    let k = orbit_stiffness(&bearing, &point, &cage, &settings, &start).unwrap().stiffness[3][3];
+    // An outer ring that gives way across would take part.
+    let outer = Support { mass: 1e3, stiffness: [1e12; 2], damping: [0.0; 2] };
+    let supports = Supports { outer, ..supports };
+    let body = |inertia: f64, stiffness: f64| TiltingRing {
+        polar_inertia: 1e-9,
+        transverse_inertia: inertia,
+        stiffness: [stiffness; 2],
+        damping: [0.0; 2],
+        askew: [0.0; 2],
+    };
+    // An outer ring with next to no inertia on a spring like the balls halves the stiffness.
+    for (outer, stiffness) in [(None, k), (Some(body(1e-4, k)), 0.5 * k)] {
+        let tilting = Races { inner: Some(body(1.0, 0.0)), outer };
+        let bodies = Bodies { cage, contact_damping: 0.02, supports, tilting };
+        let modes = orbit_modes(&bearing, &point, &bodies, &settings, &start).unwrap().modes;
+        let frequency = stiffness.sqrt() / std::f64::consts::TAU;
+        let of_tilt = |m: &&tribodyn_orbit::Mode| m.energy_shares.inner_ring > 0.9;
+        let found: Vec<f64> = modes.iter().filter(of_tilt).map(|mode| mode.frequency_hz).collect();
+        assert!(found.len() == 2, "{found:?} {frequency}");
+        assert!(found.iter().all(|hz| (hz / frequency - 1.0).abs() < 0.01), "{found:?} {frequency}");
     }
 }
 
@@ -171,7 +223,7 @@ fn limit_a_ring_swings_on_its_balls_as_a_mass_on_a_spring() {
         let k = orbit_stiffness(&bearing, &point, &cage, &settings, &start).unwrap().stiffness[2][2];
         let mass = supports.inner.mass + 0.25 * bearing.geometry.ball_count as f64 * bearing.ball_mass;
         let frequency = (k / mass).sqrt() / std::f64::consts::TAU;
-        let bodies = Bodies { cage, contact_damping: 0.02, supports };
+        let bodies = Bodies { cage, contact_damping: 0.02, supports, tilting: Races::default() };
         let modes = orbit_modes(&bearing, &point, &bodies, &settings, &start).unwrap().modes;
         let axial = |m: &tribodyn_orbit::Mode| m.inner_ring[2] * m.energy_shares.inner_ring;
         let mode = modes.iter().max_by(|a, b| axial(a).total_cmp(&axial(b))).unwrap();

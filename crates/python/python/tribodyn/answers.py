@@ -535,6 +535,10 @@ class Mode(Answer):
     inner_ring: list[float]
     #: along x, y
     outer_ring: list[float]
+    #: tilts of an inner ring that is free to tilt, about x, y, times the pitch radius; else absent
+    inner_tilt: list[float]
+    #: the same of the outer ring
+    outer_tilt: list[float]
     #: of each ball: axial, radial, along the orbit
     balls: list[list[float]]
 

@@ -36,8 +36,12 @@ pub fn modes(question: &Question<'_>, up_to_hz: f64, all: bool) -> Result<Answer
     let (problem, answer, start) = OrbitAnswer::with_start(question)?;
     let failed = |source| AnswerError::Orbit { file: question.name.to_owned(), source };
     let start = start.ok_or_else(|| AnswerError::AtRest(question.name.to_owned()))?;
-    let bodies =
-        Bodies { cage: problem.cage, contact_damping: inputs.options.contact_damping, supports: inputs.supports };
+    let bodies = Bodies {
+        cage: problem.cage,
+        contact_damping: inputs.options.contact_damping,
+        supports: inputs.supports,
+        tilting: inputs.tilting,
+    };
     let modes = orbit_modes(&problem.bearing, &problem.point, &bodies, &problem.settings, &start).map_err(failed)?;
     let OrbitModes { modes, multiplier, growth_rate_per_s, warnings } = modes;
     let shown = |mode: &Mode| mode.frequency_hz <= up_to_hz && (all || mode.energy_shares.bodies() >= OF_BODIES);

@@ -36,6 +36,7 @@ const DENSITY: (&str, f64) = ("kg/m³", 1.0);
 const MM: (&str, f64) = ("mm", 1e-3);
 const UM: (&str, f64) = ("µm", 1e-6);
 const N_PER_UM: (&str, f64) = ("N/µm", 1e6);
+const NM_PER_MRAD: (&str, f64) = ("N m/mrad", 1e3);
 const PLAIN: (&str, f64) = ("", 1.0);
 const DEG: (&str, f64) = ("°", std::f64::consts::PI / 180.0);
 
@@ -95,6 +96,8 @@ pub const USUAL_RANGES: &[UsualRange] = &[
     ),
     usual("wear.cage.hardness", [10.0, 5000.0], MPA, "PTFE fabric (60) to steel cages"),
     usual("supports.*.mass", [1e-3, 1e4], ("kg", 1.0), OWN),
+    or_zero(usual("supports.tilt.stiffness", [1e-4, 1e5], NM_PER_MRAD, OWN)),
+    or_zero(usual("supports.outer_tilt.stiffness", [1e-4, 1e5], NM_PER_MRAD, OWN)),
     or_zero(usual("supports.*.stiffness", [0.1, 1e4], N_PER_UM, "soft mounts to solid housings")),
     or_zero(usual(
         "transient.contact_damping",
