@@ -5,10 +5,14 @@
 //! friction part  the same of traction, drag and pocket;  spin  M/J − ω_m e_a × Ω
 //! orbital speed, besides: −2 ṙ ω_m/r
 //! ```
+//!
+//! Orbits, modes, explicit schemes and samples take [`Bearing::ball_motion`]; the fast scheme takes its drift from the
+//! spring part, its kick from the friction part, and keeps m r² ω_m where the radius changes.
 
 use crate::bearing::Bearing;
+use crate::contact::{BallLoads, NormalLoads};
 use crate::pocket::PocketLoad;
-use crate::races::Races;
+use crate::races::{Races, Side};
 use crate::sliding::ContactForces;
 use crate::state::{BallSize, BallState};
 use tribodyn_contact::Scalar;
@@ -26,6 +30,34 @@ pub struct BallFriction<D = f64> {
     pub force: [D; 3],
     /// Sum of the moments about the ball centre, N m.
     pub moment: [D; 3],
+}
+
+impl<D: Scalar> NormalLoads<D> {
+    /// Sum of the normal forces on the ball [a, r, t], N.
+    #[inline(always)]
+    pub fn on_ball(&self) -> [D; 3] {
+        let (i, o) = (self.contacts.inner.on_ball(Side::Inner), self.contacts.outer.on_ball(Side::Outer));
+        [i[0] + o[0], i[1] + o[1], i[2] + o[2]]
+    }
+}
+
+impl<D: Scalar> BallLoads<D> {
+    /// What of them acts through the normals of the contacts.
+    #[inline(always)]
+    pub fn normal(&self) -> NormalLoads<D> {
+        let Races { inner, outer } = &self.contacts;
+        NormalLoads { contacts: Races { inner: inner.normal, outer: outer.normal }, orbit_radius: self.orbit_radius }
+    }
+
+    /// Tractions of both contacts.
+    #[inline(always)]
+    pub fn tractions(&self) -> Races<ContactForces<D>> {
+        let Races { inner, outer } = &self.contacts;
+        Races {
+            inner: ContactForces { force: inner.traction_force, moment: inner.moment },
+            outer: ContactForces { force: outer.traction_force, moment: outer.moment },
+        }
+    }
 }
 
 impl<D: Scalar> BallFriction<D> {
@@ -69,6 +101,37 @@ impl Bearing {
     #[inline(always)]
     pub fn inertia_of(&self, ball: &BallSize) -> f64 {
         self.ball_inertia * ball.inertia
+    }
+
+    /// Friction part and accelerations of a ball under its contacts, the fluid and a pocket on a circle of the radius
+    /// beside it.
+    #[inline(always)]
+    pub fn ball_motion<D: Scalar>(
+        &self,
+        state: &BallState<D>,
+        loads: &BallLoads<D>,
+        pocket: (PocketLoad<D>, f64),
+    ) -> (BallFriction<D>, [D; 6]) {
+        let r = loads.orbit_radius;
+        let friction = BallFriction::new(&loads.tractions(), (loads.drag, loads.churning), pocket, r);
+        let by_springs = self.spring_acceleration(loads.normal().on_ball(), r, state);
+        let by_friction = self.friction_acceleration(state, &friction, r);
+        (friction, Self::acceleration(state, r, by_springs, by_friction))
+    }
+
+    /// Accelerations of a ball from those of its parts: of the axial and radial velocity (m/s²), the orbital speed and
+    /// the angular velocity (rad/s²).
+    #[inline(always)]
+    pub fn acceleration<D: Scalar>(
+        state: &BallState<D>,
+        orbit_radius: D,
+        [axial, radial, orbital]: [D; 3],
+        by_friction: [D; 6],
+    ) -> [D; 6] {
+        let [a, r, t, about @ ..] = by_friction;
+        let outward = state.velocity[1] * 2.0 * state.orbital_speed / orbit_radius;
+        let [about_axis, about_radius, about_orbit] = about;
+        [a + axial, r + radial, t + orbital - outward, about_axis, about_radius, about_orbit]
     }
 
     /// Accelerations of a ball by the normal forces on it [a, r, t], N: axial, radial, orbital.

@@ -7,8 +7,8 @@ use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{self, Scheme, imbalance};
 use tribodyn_bearing::{
-    AzimuthFrame, BallSize, BallState, ContactForces, NormalContact, NormalLoads, PocketLoad, Races, RingState, Side,
-    Sliding,
+    AzimuthFrame, BallLoads, BallSize, BallState, Bearing, ContactForces, NormalContact, NormalLoads, PocketLoad,
+    Races, RingState, Side, Sliding,
 };
 use tribodyn_case::{Case, set_value};
 
@@ -70,8 +70,7 @@ impl Equations for Without {
     fn state_at(&self, ball: (AzimuthFrame, BallSize), position: [f64; 2], b: &[f64]) -> BallState {
         let (frame, size) = ball;
         let size = if self.lacks(Term::OwnSize) { BallSize::NOMINAL } else { size };
-        let state = self.machine.state_at((frame, size), position, b);
-        if self.lacks(Term::BallTranslation) { BallState { velocity: [0.0; 2], ..state } } else { state }
+        self.machine.state_at((frame, size), position, b)
     }
 
     fn springs(&self, normal: NormalLoads) -> Springs {
@@ -83,6 +82,9 @@ impl Equations for Without {
     }
 
     fn sliding(&self, side: Side, contact: &NormalContact, state: &BallState, at: (&Frame, f64)) -> Sliding {
+        if self.lacks(Term::BallTranslation) {
+            return self.machine.sliding(side, contact, &BallState { velocity: [0.0; 2], ..*state }, at);
+        }
         if !self.lacks(Term::RingTranslation) {
             return self.machine.sliding(side, contact, state, at);
         }
@@ -116,6 +118,17 @@ impl Equations for Without {
             (a[4], a[5]) = (a[4] - w * spin_t, a[5] + w * spin_r);
         }
         a
+    }
+
+    fn motion(&self, state: &BallState, loads: &BallLoads, pocket: PocketLoad) -> (Friction, [f64; 6]) {
+        if self.term.is_none() {
+            return self.machine.motion(state, loads, pocket);
+        }
+        let (fluid, r) = ((loads.drag, loads.churning), loads.orbit_radius);
+        let friction = self.friction(&loads.tractions(), fluid, pocket, r);
+        let by_springs = self.spring_acceleration(&self.springs(loads.normal()), state);
+        let by_friction = self.friction_acceleration(state, &friction, r);
+        (friction, Bearing::acceleration(state, r, by_springs, by_friction))
     }
 }
 

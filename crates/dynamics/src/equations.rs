@@ -3,13 +3,13 @@
 //! Both parts are written once. The explicit schemes add them, the fast scheme takes its drift from the first and its
 //! kick from the second, samples and energies come from the same two. A test leaves a term out by replacing a part.
 //!
-//! What a force does to a ball is in `tribodyn_bearing::BallFriction` and beside it.
+//! What forces do to a ball is in `tribodyn_bearing::Bearing::ball_motion`.
 
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;
 use tribodyn_bearing::{
-    AzimuthFrame, BallFriction, BallSize, BallState, CagePose, ContactForces, LoadedPatch, NormalContact, NormalLoads,
-    PocketLoad, RaceContact, Races, RingState, Side, Sliding,
+    AzimuthFrame, BallFriction, BallLoads, BallSize, BallState, CagePose, ContactForces, LoadedPatch, NormalContact,
+    NormalLoads, PocketLoad, RaceContact, Races, RingState, Side, Sliding,
 };
 use tribodyn_traction::PatchTraction;
 use tribodyn_wear::LocalSurface;
@@ -44,10 +44,7 @@ pub(crate) type Friction = BallFriction;
 pub(crate) struct Touched {
     pub state: BallState,
     pub surfaces: Races<LocalSurface>,
-    pub orbit_radius: f64,
-    pub contacts: Races<RaceContact>,
-    /// Drag (N) and churning (N m).
-    pub fluid: (f64, [f64; 3]),
+    pub loads: BallLoads,
     pub pocket: PocketLoad,
     /// Lead over the middle of the pocket, rad.
     pub lead: f64,
@@ -88,8 +85,7 @@ pub(crate) trait Equations {
     /// The spring part of a ball that is pressed like this.
     #[inline(always)]
     fn springs(&self, normal: NormalLoads) -> Springs {
-        let (i, o) = (normal.contacts.inner.on_ball(Side::Inner), normal.contacts.outer.on_ball(Side::Outer));
-        Springs { normal, force: [i[0] + o[0], i[1] + o[1], i[2] + o[2]] }
+        Springs { force: normal.on_ball(), normal }
     }
 
     /// How a ball slides on a race.
@@ -128,6 +124,13 @@ pub(crate) trait Equations {
         self.machine().bearing.friction_acceleration(state, friction, orbit_radius)
     }
 
+    /// Friction part and accelerations of a ball under all that acts on it.
+    #[inline(always)]
+    fn motion(&self, state: &BallState, loads: &BallLoads, pocket: PocketLoad) -> (Friction, [f64; 6]) {
+        let machine = self.machine();
+        machine.bearing.ball_motion(state, loads, (pocket, machine.pocket_arm(loads.orbit_radius)))
+    }
+
     /// One ball with all that acts on it; `b` are its unknowns, `traction` integrates over a patch.
     fn ball(
         &self,
@@ -150,29 +153,19 @@ pub(crate) trait Equations {
             let RaceContact { normal, moment, .. } = &mut contacts[side];
             (0..3).for_each(|k| moment[k] += normal.force * surfaces[side].turn[k]);
         }
-        let fluid = machine.bearing.fluid_loads(&state, r, frame.rings.inner.speed);
+        let (drag, churning) = machine.bearing.fluid_loads(&state, r, frame.rings.inner.speed);
+        let loads = BallLoads { contacts, orbit_radius: r, drag, churning };
         let (pocket, lead) = machine.in_pocket(index, b, frame);
-        self.together(b[VELOCITY + 1], Touched { state, surfaces, orbit_radius: r, contacts, fluid, pocket, lead })
+        self.together(Touched { state, surfaces, loads, pocket, lead })
     }
 
-    /// A ball of which all is known that touches it, with its radial velocity, m/s.
+    /// A ball of which all is known that touches it.
     #[inline(always)]
-    fn together(&self, radial: f64, touched: Touched) -> BallForces {
-        let Touched { state, surfaces, orbit_radius: r, contacts, fluid, pocket, lead } = touched;
-        let Races { inner, outer } = &contacts;
-        let normal = NormalLoads { contacts: Races { inner: inner.normal, outer: outer.normal }, orbit_radius: r };
-        let springs = self.springs(normal);
-        let tractions = Races {
-            inner: ContactForces { force: inner.traction_force, moment: inner.moment },
-            outer: ContactForces { force: outer.traction_force, moment: outer.moment },
-        };
-        let friction = self.friction(&tractions, fluid, pocket, r);
-        let [axial, outward, orbital] = self.spring_acceleration(&springs, &state);
-        let mut acceleration = self.friction_acceleration(&state, &friction, r);
-        acceleration[0] += axial;
-        acceleration[1] += outward;
-        acceleration[2] = (acceleration[2] + orbital) - 2.0 * radial * state.orbital_speed / r;
-        BallForces { state, surfaces, orbit_radius: r, contacts, friction, lead, acceleration }
+    fn together(&self, touched: Touched) -> BallForces {
+        let Touched { state, surfaces, loads, pocket, lead } = touched;
+        let (friction, acceleration) = self.motion(&state, &loads, pocket);
+        let BallLoads { contacts, orbit_radius, .. } = loads;
+        BallForces { state, surfaces, orbit_radius, contacts, friction, lead, acceleration }
     }
 }
 

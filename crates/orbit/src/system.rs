@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 use tribodyn_bearing::{
-    AzimuthFrame, BallFriction, BallLoads, BallSize, BallState, Bearing, CageBody, ContactForces, LoadedPatch,
-    LocalSurface, PocketLoad, PocketMotion, Races, RingFreedom, RingState, Scalar, Side,
+    AzimuthFrame, BallFriction, BallLoads, BallSize, BallState, Bearing, CageBody, LoadedPatch, LocalSurface,
+    PocketLoad, PocketMotion, Races, RingFreedom, RingState, Scalar, Side,
 };
 use tribodyn_traction::{FastPatch, PatchTraction};
 
@@ -100,15 +100,10 @@ impl OrbitSystem<'_> {
         let r = loads.orbit_radius;
         let rate = orbit - cage_speed;
         let on_ball = self.in_pocket(unknowns, cage_speed);
-        let tractions = loads.contacts.map(|c| ContactForces { force: c.traction_force, moment: c.moment });
-        let friction = BallFriction::new(&tractions, (loads.drag, loads.churning), (on_ball, pocket.radius), r);
-        let [i, o] = Side::BOTH.map(|side| loads.contacts[side].normal.on_ball(side));
-        let springs: [D; 3] = std::array::from_fn(|k| i[k] + o[k]);
-        let [a, b, c] = bearing.spring_acceleration(springs, r, &state);
-        let f = bearing.friction_acceleration(&state, &friction, r);
+        let (friction, [a, b, c, about @ ..]) = bearing.ball_motion(&state, &loads, (on_ball, pocket.radius));
         let centring = lead * (self.centring * pocket.radius * pocket.radius);
         let settling = self.settling;
-        let orbital = c + f[2] - v_r * orbit * 2.0 / r - centring / (r * r * bearing.ball_mass);
+        let orbital = c - centring / (r * r * bearing.ball_mass);
         let [x, y, z, mx, my, torque] = bearing.ring_action(&state, &loads, &rings.inner);
         let reaction = bearing.reaction(Side::Outer, &loads.contacts.outer);
         let [outer_x, outer_y, _] = frame.to_inertial(reaction);
@@ -116,7 +111,7 @@ impl OrbitSystem<'_> {
             state,
             loads,
             friction,
-            rate: [v_a, v_r, rate, a + f[0] - v_a * settling, b + f[1] - v_r * settling, orbital, f[3], f[4], f[5]],
+            rate: [v_a, v_r, rate, a - v_a * settling, b - v_r * settling, orbital, about[0], about[1], about[2]],
             ring: [x, y, z, mx, my],
             outer: [outer_x, outer_y],
             torque,

@@ -14,7 +14,7 @@ use crate::linear::LinearTraction;
 use crate::machine::Machine;
 use crate::observer::BallDetail;
 use fearless_simd::{Level, dispatch};
-use tribodyn_bearing::{BallResult, BallState, ContactSprings, PocketLoad, RaceContact, Races, Sheet, Side};
+use tribodyn_bearing::{BallLoads, BallResult, BallState, ContactSprings, PocketLoad, RaceContact, Races, Sheet, Side};
 
 /// Reach of a linear traction for samples, over that for steps: half a step before a refresh the linear form must not
 /// give way to an integral that serves only once.
@@ -254,16 +254,16 @@ fn ball(
     let (outer, near_outer) = contact((of, Side::Outer), &state, (stand, &forms.traction[1], k), &ellipses[1]);
     let mut pocket = PocketLoad::none();
     pocket.take(get(pockets, k));
+    let (drag, churning) = grips.fluid(k);
+    let contacts = Races { inner, outer };
     let touched = Touched {
         state,
         surfaces: Races { inner: stand.surface(Side::Inner, k), outer: stand.surface(Side::Outer, k) },
-        orbit_radius: stand.orbit_radius(k),
-        contacts: Races { inner, outer },
-        fluid: grips.fluid(k),
+        loads: BallLoads { contacts, orbit_radius: stand.orbit_radius(k), drag, churning },
         pocket,
         lead: leads.0[k],
     };
-    let (forces, mut sums) = (machine.together(b[VELOCITY + 1], touched), Sums::default());
+    let (forces, mut sums) = (machine.together(touched), Sums::default());
     machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &of.frame, &mut sums);
     (sums, ball_result(&of.sheet, (&b, of.frame.rings.inner.speed), &forces), near_inner * near_outer)
 }

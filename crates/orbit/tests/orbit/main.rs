@@ -4,6 +4,7 @@ mod support;
 
 mod checked;
 mod damped;
+mod forced;
 mod kicked;
 mod limits;
 mod linear;
