@@ -3,6 +3,7 @@
 //! Problems, 1995, section 9.3). No ball is sent round, so that motions which grow on the falling part of a traction
 //! curve do not carry it away.
 
+use crate::coarse::Coarse;
 use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
@@ -93,6 +94,7 @@ impl<'a> Newton<'a> {
         for _ in 0..MESHES {
             let errors = self.errors(&found.0, allowed);
             if errors.iter().all(|error| *error <= 1.0) {
+                self.coarse = None;
                 return Some(found);
             }
             let finer = self.finer(&found.0, &errors)?;
@@ -102,26 +104,37 @@ impl<'a> Newton<'a> {
     }
 
     /// The orbit with the intervals halved that err by more than is allowed, the others kept: a mesh that a ball was
-    /// sent round on has its steps where contacts begin and end.
+    /// sent round on has its steps where contacts begin and end. What is left where that does not succeed is kept in
+    /// `coarse`.
     pub fn halved(&mut self, mut found: Found, allowed: f64, (tolerance, patience): (f64, usize)) -> Found {
-        for _ in 0..HALVINGS {
+        self.coarse = None;
+        for halvings in 0..=HALVINGS {
             let errors = self.closer(&found.0, allowed).into_iter().zip(self.pocket_errors(&found.0));
             let errors: Vec<f64> = errors.map(|(of_step, of_pocket)| of_step.max(of_pocket)).collect();
-            if errors.iter().all(|error| *error <= 1.0) {
+            let worst = errors.iter().copied().fold(0.0, f64::max);
+            if worst <= 1.0 {
                 break;
             }
-            let orbit = &found.0;
-            let halves = errors.iter().zip(orbit.ends.windows(2)).flat_map(|(error, pair)| {
-                let middle = (*error > 1.0).then(|| 0.5 * (pair[0] + pair[1]));
-                middle.into_iter().chain([pair[1]])
-            });
-            let ends = [0.0].into_iter().chain(halves).collect();
-            let border = (orbit.cage_speed, orbit.ring);
-            let finer = Orbit::of(&self.radau, ends, border, |turn| orbit.at(&self.radau, turn));
-            let Some(next) = self.met(finer, (tolerance, patience)) else { break };
+            let finer = self.with_halves(&found.0, &errors);
+            let next = (halvings < HALVINGS).then(|| self.met(finer, (tolerance, patience))).flatten();
+            let Some(next) = next else {
+                let motion = self.errors(&found.0, allowed).into_iter().fold(0.0, f64::max);
+                self.coarse = Some(Coarse { motion, pocket: worst });
+                break;
+            };
             found = next;
         }
         found
+    }
+
+    /// An orbit on its mesh with those intervals halved whose errors are above 1.
+    fn with_halves(&self, orbit: &Orbit, errors: &[f64]) -> Orbit {
+        let halves = errors.iter().zip(orbit.ends.windows(2)).flat_map(|(error, pair)| {
+            let middle = (*error > 1.0).then(|| 0.5 * (pair[0] + pair[1]));
+            middle.into_iter().chain([pair[1]])
+        });
+        let ends = [0.0].into_iter().chain(halves).collect();
+        Orbit::of(&self.radau, ends, (orbit.cage_speed, orbit.ring), |turn| orbit.at(&self.radau, turn))
     }
 
     /// Error of each interval over what is allowed, where balls meet their pockets also over what changes the pocket

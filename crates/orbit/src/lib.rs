@@ -3,6 +3,7 @@
 mod attempt;
 mod balance;
 mod chain;
+mod coarse;
 mod collocation;
 mod damping;
 mod detours;

@@ -2,6 +2,7 @@
 
 use crate::OrbitError;
 use crate::chain::{FROM, Linear, Slopes, Step};
+use crate::coarse::Coarse;
 use crate::collocation::{Orbit, Radau, STAGES};
 use crate::residual::{BORDER, Residual, STACK, Scales, residual};
 use crate::system::{BALL, LEAD, ORBIT, OrbitSystem, RING, rings};
@@ -62,6 +63,8 @@ pub(crate) struct Newton<'a> {
     /// The last Jacobian with its mesh.
     pub last: Option<Jacobian>,
     pub statistics: OrbitStatistics,
+    /// Errors of the last mesh, where it could not be made as fine as is asked for.
+    pub coarse: Option<Coarse>,
     /// Intervals that were tried in all turns, and the number after which a turn is not gone on with.
     pub tried: usize,
     work: usize,
@@ -79,6 +82,7 @@ impl<'a> Newton<'a> {
             scales,
             last: None,
             statistics,
+            coarse: None,
             tried: 0,
             work: usize::MAX,
             watch,

@@ -1,5 +1,6 @@
 //! Results of a steady orbit.
 
+use crate::coarse::coarse_sentence;
 use crate::collocation::Orbit;
 use crate::damping::{LessDamping, RPM_PER_RAD_S, not_followed, pocket_force_max};
 use crate::newton::Newton;
@@ -47,6 +48,10 @@ pub struct SteadyOrbit {
     pub iterations: usize,
     /// Intervals of the mesh.
     pub intervals: usize,
+    /// Error of its worst interval over what is allowed, where no orbit was found on a finer mesh; absent elsewhere.
+    pub mesh_error: Option<f64>,
+    /// True if no orbit was found on a mesh fine enough for the pocket forces.
+    pub pocket_force_unresolved: bool,
     /// Rate over the cage speed at which the orbit lets axial and radial motion of balls die out besides, where they
     /// swing in their grooves without end; absent where they come to an orbit by themselves.
     pub swing_damping: Option<f64>,
@@ -109,7 +114,9 @@ impl SteadyOrbit {
             ball_mass: self.ball_mass_factor.unwrap_or(1.0),
             pocket_stiffness: self.pocket_stiffness_share.unwrap_or(1.0),
         };
-        lost.into_iter().chain(swinging).chain(eased.sentences()).collect()
+        let coarse = self.mesh_error.is_some() || self.pocket_force_unresolved;
+        let coarse = coarse.then(|| coarse_sentence(self.mesh_error));
+        lost.into_iter().chain(swinging).chain(eased.sentences()).chain(coarse).collect()
     }
 
     /// Sentence on the raised damping of the pockets, where it changes something or no orbit with less of it was found.
@@ -197,6 +204,8 @@ pub(crate) fn solution(
         patch_error_estimate,
         iterations: newton.statistics.jacobians,
         intervals: orbit.intervals(),
+        mesh_error: newton.coarse.and_then(|coarse| coarse.of_motion()),
+        pocket_force_unresolved: newton.coarse.is_some_and(|coarse| coarse.hides_pocket_forces()),
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
         ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),
         pocket_stiffness_share: (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness),

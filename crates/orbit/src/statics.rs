@@ -95,6 +95,8 @@ fn at_rest(
         patch_error_estimate: start.rule_error,
         iterations: 0,
         intervals: 0,
+        mesh_error: None,
+        pocket_force_unresolved: false,
         swing_damping: None,
         ball_mass_factor: None,
         pocket_stiffness_share: None,

@@ -50,3 +50,20 @@ fn limit_damping_of_pockets_that_no_ball_touches_changes_nothing() {
     let less = less_damped_orbit(&bearing, &point, &cage, &settings, &solved.start.unwrap()).unwrap();
     assert_eq!(less, None);
 }
+
+/// Where no mesh resolves the pocket forces the answer says so, and else not.
+#[test]
+fn limit_pocket_forces_that_no_mesh_resolves_are_told() {
+    let tight = [
+        ("ring.x", "Force(kN(3))"),
+        ("ring.z", "Force(kN(3.8))"),
+        ("speed.inner", "Constant(rpm(300))"),
+        ("cage.pocket_gap", "mm(0.02)"),
+    ];
+    for (changes, unresolved) in [(&tight[..], true), (&tight[..3], false)] {
+        let (bearing, point, cage) = fixture_with("angular-7210", changes);
+        let orbit = steady_orbit(&bearing, &point, &cage, &OrbitSettings::default()).unwrap().solution;
+        let told = orbit.warnings().iter().any(|warning| warning.contains("fine enough for the pocket forces"));
+        assert_eq!((orbit.pocket_force_unresolved, told), (unresolved, unresolved), "{:?}", orbit.warnings());
+    }
+}

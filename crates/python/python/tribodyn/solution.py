@@ -195,6 +195,10 @@ class Solution(BearingQuantities, OfOperatingPoint):
     pocket_contact_azimuths_deg: list[float]
     #: intervals of the orbit's mesh
     intervals: int
+    #: error of its worst interval over what is allowed; absent where none errs by more
+    mesh_error: float
+    #: True where no orbit was found on a mesh fine enough for the pocket forces; absent elsewhere
+    pocket_force_unresolved: bool
     #: damping, over the cage speed, of balls that swing in their grooves without end; absent where none do
     swing_damping: float
     #: mass of a ball over the case's, and stiffness of the pockets over the case's; absent where they are the case's

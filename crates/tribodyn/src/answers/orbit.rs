@@ -150,6 +150,10 @@ struct Printed<'a> {
     pocket_contact_azimuths_deg: &'a [f64],
     intervals: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
+    mesh_error: Option<f64>,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pocket_force_unresolved: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
     swing_damping: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     ball_mass_factor: Option<f64>,
@@ -175,6 +179,8 @@ impl Serialize for OrbitAnswer {
             pocket_force_max_n: orbit.pocket_force_max_n,
             pocket_contact_azimuths_deg: &orbit.pocket_contact_azimuths_deg,
             intervals: orbit.intervals,
+            mesh_error: orbit.mesh_error,
+            pocket_force_unresolved: orbit.pocket_force_unresolved,
             swing_damping: orbit.swing_damping,
             ball_mass_factor: orbit.ball_mass_factor,
             pocket_stiffness_share: orbit.pocket_stiffness_share,
