@@ -1,4 +1,5 @@
-//! The page with all figures: the numbers that the paper gives, case and command under each.
+//! The page with all figures: the numbers that the paper gives, the command under each, and its case where that is not
+//! the one before.
 
 use super::spec::Spec;
 use super::specs::SPECS;
@@ -24,23 +25,25 @@ pub fn page() -> String {
         Signed values are\n\
         drawn over degrees, and crosses mark where balls are without contact.\n",
     );
-    let mut section = "";
+    let (mut section, mut cases) = ("", "");
     for spec in &SPECS {
         if spec.section != section {
-            section = spec.section;
+            (section, cases) = (spec.section, "");
             out.push_str(&format!("\n## {section}\n"));
         }
-        out.push_str(&entry(spec));
+        let changed = (spec.cases.text() != cases).then(|| spec.cases.text());
+        cases = spec.cases.text();
+        out.push_str(&entry(spec, changed));
     }
     out
 }
 
-fn entry(Spec { name, of, title, cases, note, .. }: &Spec) -> String {
-    let cases = cases.text();
+fn entry(Spec { name, of, title, note, .. }: &Spec, cases: Option<&str>) -> String {
+    let cases = cases.map_or(String::new(), |cases| format!("{cases}:\n\n"));
     let note = if note.is_empty() { String::new() } else { format!("{note}\n\n") };
     format!(
         "\n### {of}: {title}\n\n![{name}](figures/{name}.svg)\n\n\
-        {note}{cases}:\n\n    cargo xtask figures --only {name}\n"
+        {note}{cases}    cargo xtask figures --only {name}\n"
     )
 }
 
@@ -64,7 +67,9 @@ mod tests {
             let part = page.split(&format!("](figures/{}.svg)", spec.name)).nth(1).unwrap();
             let part = part.split("\n#").next().unwrap();
             assert!(part.contains(&format!("    cargo xtask figures --only {}\n", spec.name)), "{part}");
-            assert!(part.contains(spec.cases.text()), "{part}");
+            let until = page.split(&format!("--only {}\n", spec.name)).next().unwrap();
+            let last = |spec: &Spec| until.rfind(&format!("\n{}:\n", spec.cases.text()));
+            assert_eq!(last(spec), SPECS.iter().map(last).max().unwrap(), "{}", spec.name);
         }
     }
 
