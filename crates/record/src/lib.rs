@@ -21,6 +21,7 @@ use solution::{timeline, write};
 
 pub use ball::read_ball;
 pub use error::RecordError;
+pub use file::messages::read_messages;
 pub use file::output::Channel;
 pub use file::read::{AttachmentSummary, RecordingSummary, TopicSummary, read_summary};
 pub use file::recover::{RECOVERY_METADATA, Recovered, recover, recover_stream};

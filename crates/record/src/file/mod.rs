@@ -1,6 +1,7 @@
 //! MCAP files: writing, reading, and what can be saved of a damaged one.
 
 pub(crate) mod held;
+pub(crate) mod messages;
 mod numbers;
 pub(crate) mod output;
 pub(crate) mod read;

@@ -75,6 +75,22 @@ fn identity_recovered_files_open_at_their_first_message() {
     }
 }
 
+/// A writer holds the index of all chunks until the end, so that their number bounds the memory of a long run: one each
+/// 0.05 s and each MiB, with no more entries than topics.
+#[test]
+fn limit_the_index_of_a_recording_grows_with_time_and_bytes_alone() {
+    let (seconds, rate) = (4, 500);
+    let file = run_bytes(seconds * rate, rate as f64, 5);
+    let summary = mcap::Summary::read(&file).unwrap().unwrap();
+    let chunks = &summary.chunk_indexes;
+    let mebibytes = chunks.iter().map(|chunk| chunk.uncompressed_size).sum::<u64>() >> 20;
+    // Besides, one with the bodies and one that the end closes.
+    let most = 2 + 20 * seconds + mebibytes as usize;
+    assert!((20 * seconds..=most).contains(&chunks.len()), "{} chunks, {most} allowed", chunks.len());
+    assert!(chunks.iter().all(|chunk| chunk.message_index_offsets.len() <= summary.channels.len()));
+    assert_eq!(summary.channels.len(), 13);
+}
+
 /// Recordings of before have a chunk with nothing but schemas and channels; recovery mends them.
 #[test]
 fn identity_recovery_mends_a_file_that_begins_with_an_empty_chunk() {

@@ -9,6 +9,7 @@ mod layout;
 #[cfg(feature = "live")]
 mod live;
 mod memory;
+mod messages;
 mod recover;
 mod rows;
 mod run;

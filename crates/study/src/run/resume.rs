@@ -4,8 +4,8 @@
 use super::checkpoint::{Files, Saved};
 use super::tape::{Tape, from_hex};
 use crate::error::StudyError;
-use std::fs;
-use tribodyn_record::{RecordError, Sink, recover};
+use std::ops::ControlFlow;
+use tribodyn_record::{Sink, read_messages, recover};
 
 /// Makes `files.earlier` the recording that the checkpoint belongs to, whole; `.active` is free afterwards.
 pub(crate) fn set_aside(files: &Files) -> Result<(), StudyError> {
@@ -18,18 +18,18 @@ pub(crate) fn set_aside(files: &Files) -> Result<(), StudyError> {
     Ok(())
 }
 
-/// Writes what was recorded up to the checkpoint.
+/// Writes what was recorded up to the checkpoint, message by message: a long recording would fill the memory.
 pub(crate) fn copy(files: &Files, saved: &Saved, tape: &mut Tape) -> Result<(), StudyError> {
-    let read = |source| StudyError::Read { path: files.earlier.clone(), source };
-    let bytes = fs::read(&files.earlier).map_err(read)?;
-    let damaged = |source| RecordError::Mcap { action: "read", path: files.earlier.clone(), source };
     let mut copied = 0;
-    for message in mcap::MessageStream::new(&bytes).map_err(damaged)?.take(saved.safe_messages as usize) {
-        let message = message.map_err(damaged)?;
-        let channel = tape.channel(&message.channel.topic).ok_or_else(|| lost(files, copied, saved))?;
-        tape.take_up(channel, message.log_time, &message.data)?;
+    read_messages(&files.earlier, |topic, log_time, data| {
+        if copied == saved.safe_messages {
+            return Ok(ControlFlow::Break(()));
+        }
+        let channel = tape.channel(topic).ok_or_else(|| lost(files, copied, saved))?;
+        tape.take_up(channel, log_time, data)?;
         copied += 1;
-    }
+        Ok::<_, StudyError>(ControlFlow::Continue(()))
+    })?;
     if copied < saved.safe_messages {
         return Err(lost(files, copied, saved));
     }
