@@ -38,6 +38,8 @@ pub use modes_matrix::Bodies;
 pub use newton::OrbitStatistics;
 pub use settings::OrbitSettings;
 pub use solution::{POINTS, SteadyOrbit};
-pub use solve::{less_damped_orbit, orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near};
+pub use solve::{
+    cold_rule, less_damped_orbit, orbit_slopes, orbit_stiffness, steady_orbit, steady_orbit_from, steady_orbit_near,
+};
 pub use solved::{OrbitStart, SolvedOrbit};
 pub use stiffness::OrbitStiffness;

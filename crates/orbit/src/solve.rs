@@ -11,8 +11,8 @@ use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::statics::standing;
 use crate::stiffness::{DOUBT, OrbitStiffness, slopes, stiffness};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
-use tribodyn_quasistatic::{StiffnessMatrix, check_thrust, doubtful_stiffness};
-use tribodyn_traction::FastPatch;
+use tribodyn_quasistatic::{StiffnessMatrix, check_thrust, doubtful_stiffness, rolling_start};
+use tribodyn_traction::{FastPatch, PatchRule};
 
 /// Jacobians with cheap slopes from a neighbour, after which those of the patches themselves are taken: where a cage
 /// hangs that no ball touches, slopes must be right to the last. As many lead from the nearest to the orbit or not at
@@ -85,6 +85,14 @@ pub fn steady_orbit_near(
         return Ok(Some(solved));
     }
     Ok(resent(Problem { bearing: &prepared(bearing, settings), ..problem }, near))
+}
+
+/// The patch rule that a cold start takes: by the rolling balls, where the point asks for an error instead of a rule.
+///
+/// # Errors
+/// As [`rolling_start`].
+pub fn cold_rule(bearing: &Bearing, point: &OperatingPoint, settings: &OrbitSettings) -> Result<PatchRule, OrbitError> {
+    Ok(rolling_start(&prepared(bearing, settings), point)?.rule)
 }
 
 /// Makes of an orbit on a neighbour's mesh one to answer with; none where that is not worth it.

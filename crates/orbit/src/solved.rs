@@ -97,6 +97,12 @@ impl OrbitStart {
     pub fn rule(&self) -> PatchRule {
         self.rule
     }
+
+    /// The same start for an orbit by another patch rule.
+    #[must_use]
+    pub fn by_rule(self, rule: PatchRule) -> Self {
+        Self { rule, ..self }
+    }
 }
 
 /// A steady orbit with what is needed to go on from it.

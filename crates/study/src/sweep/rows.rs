@@ -7,9 +7,9 @@ use rayon::prelude::*;
 use std::ops::Range;
 use tribodyn::answers::{Findings, OrbitProblem, Question};
 use tribodyn::plausibility;
-use tribodyn_bearing::{Bearing, OperatingPoint, SearchWatch};
+use tribodyn_bearing::{Bearing, OperatingPoint, SearchWatch, Side};
 use tribodyn_case::Case;
-use tribodyn_orbit::{OrbitStart, SteadyOrbit, steady_orbit, steady_orbit_near};
+use tribodyn_orbit::{OrbitStart, SolvedOrbit, SteadyOrbit, cold_rule, steady_orbit, steady_orbit_near};
 use tribodyn_quasistatic::{Model, Solution, WarmStart, solve, solve_near};
 
 /// Inner slide-to-roll ratio beyond which a ball may have left the equilibrium that a rolling ball comes to: where the
@@ -23,11 +23,13 @@ pub(crate) struct Chunk<'a> {
     cold: bool,
     equilibria: Neighbours<WarmStart>,
     orbits: Neighbours<OrbitStart>,
+    /// Whether balls of an orbit in oil slid in a row so far.
+    slid: bool,
 }
 
 impl<'a> Chunk<'a> {
     pub fn new(grid: &'a Grid, cold: bool) -> Self {
-        Self { grid, cold, equilibria: Neighbours::new(), orbits: Neighbours::new() }
+        Self { grid, cold, equilibria: Neighbours::new(), orbits: Neighbours::new(), slid: false }
     }
 
     /// The lines of some rows, each with its end; none where the sweep was stopped on the way.
@@ -95,26 +97,48 @@ impl<'a> Chunk<'a> {
 
     /// The balls of an orbit where those of an equilibrium stand, and one ball round it.
     fn orbit(&mut self, row: usize, case: &Case, watch: SearchWatch) -> Result<(Solution, Option<Solution>), Unsolved> {
-        let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(case).map_err(Unsolved::refused)?;
-        let point = OperatingPoint { watch, ..point };
-        let round = |orbit: &SteadyOrbit| orbit.as_solution(&orbit.points, [point.inner_speed, point.outer_speed]);
+        let problem = OrbitProblem::of(case).map_err(Unsolved::refused)?;
+        let problem = OrbitProblem { point: OperatingPoint { watch, ..problem.point }, ..problem };
+        let OrbitProblem { bearing, point, cage, settings } = &problem;
         let alike = (point.patch, bearing.geometry.ball_count);
-        let warm = self.orbits.start(self.grid, row, alike).and_then(|start| {
-            let solved = steady_orbit_near(&bearing, &point, &cage, &settings, &start).ok()??;
-            let all_round = round(&solved.solution);
-            (rolls(&all_round) && within_target(&all_round, &point)).then_some(solved)
-        });
-        let solved = match warm {
+        let start = self.orbits.start(self.grid, row, alike);
+        let solved = match start.and_then(|start| orbit_beside(&problem, start, self.slid)) {
             Some(solved) => solved,
-            None => steady_orbit(&bearing, &point, &cage, &settings)?,
+            None => steady_orbit(bearing, point, cage, settings)?,
         };
-        let (orbit, all_round) = (&solved.solution, round(&solved.solution));
-        if let Some(start) = solved.start.filter(|_| !self.cold && rolls(&all_round) && is_of_the_case(orbit)) {
+        let (orbit, all_round) = (&solved.solution, round(&solved.solution, point));
+        let slides = in_films(bearing) && !rolls(&all_round);
+        self.slid |= slides;
+        let leads = !self.cold && (slides || rolls(&all_round)) && is_of_the_case(orbit);
+        if let Some(start) = solved.start.filter(|_| leads) {
             self.orbits.add(row, alike, start);
         }
         let balls = orbit.as_solution(&orbit.balls, [point.inner_speed, point.outer_speed]);
         Ok((balls, Some(all_round)))
     }
+}
+
+/// One ball round an orbit.
+fn round(orbit: &SteadyOrbit, point: &OperatingPoint) -> Solution {
+    orbit.as_solution(&orbit.points, [point.inner_speed, point.outer_speed])
+}
+
+/// The orbit from that of a neighbour, where it is the one that a cold start comes to. While all balls roll, patch
+/// rules change less than what meshes err by; the friction of balls that slide (`slid`) needs the rule of the cold
+/// start.
+fn orbit_beside(problem: &OrbitProblem, start: OrbitStart, slid: bool) -> Option<SolvedOrbit> {
+    let OrbitProblem { bearing, point, cage, settings } = problem;
+    let start = if slid { start.by_rule(cold_rule(bearing, point, settings).ok()?) } else { start };
+    let solved = steady_orbit_near(bearing, point, cage, settings, &start).ok()??;
+    let all_round = round(&solved.solution, point);
+    let alike = rolls(&all_round) || slid && in_films(bearing);
+    (alike && within_target(&all_round, point)).then_some(solved)
+}
+
+/// Whether both races have a film of oil: there, balls that slide come to one motion from neighbours and from cold
+/// starts. On coatings, which lose traction beyond their peak, some skid on.
+fn in_films(bearing: &Bearing) -> bool {
+    Side::BOTH.into_iter().all(|side| bearing.film_law(side).is_some())
 }
 
 /// Solves some chunks of a grid in memory, on the threads of the current rayon pool. `take` turns the rows of a chunk
@@ -139,8 +163,8 @@ fn is_of_the_case(orbit: &SteadyOrbit) -> bool {
     orbit.swing_damping.or(orbit.ball_mass_factor).or(orbit.pocket_stiffness_share).is_none()
 }
 
-/// Whether all balls are loaded and roll. Only then does a neighbour lead to the same equilibrium as a cold start does:
-/// a ball that skids may go on to do so where it could roll.
+/// Whether all balls are loaded and roll. But for orbits in oil, only then does a neighbour lead to the same solution
+/// as a cold start does: a ball that skids may go on to do so where it could roll.
 fn rolls(solution: &Solution) -> bool {
     let rolls = |b: &tribodyn_bearing::BallResult| {
         let (i, o) = (&b.contacts.inner, &b.contacts.outer);
@@ -209,6 +233,33 @@ mod tests {
         }
         let jacobians = |all: &[Solution]| all[1..].iter().map(|solution| solution.iterations).sum::<usize>();
         assert!(4 * jacobians(&near) < jacobians(&alone), "{} {}", jacobians(&near), jacobians(&alone));
+    }
+
+    /// Under radial load the balls beside the load zone slide or lose their load. A row from a neighbour is then that
+    /// of a cold start too, by the same patch rule.
+    #[test]
+    fn identity_orbits_of_balls_that_slide_in_oil_are_those_solved_alone() {
+        let text = include_str!("../../../../fixtures/cases/oil-6206.ron").to_owned();
+        let settings = [Setting::parse("speed.inner.Constant=rpm(3000..3200 in 5)").unwrap()];
+        let of = (Equations::SteadyOrbit, &Limits::NORMAL);
+        let grid = Grid::new("oil-6206.ron", text, &settings, of).unwrap();
+        let rows = |cold| {
+            let mut chunk = Chunk::new(&grid, cold);
+            let solved = (0..grid.rows).map(|row| chunk.solve(row).ok().unwrap()).collect::<Vec<_>>();
+            (solved, chunk.slid)
+        };
+        let ((near, slid), (alone, _)) = (rows(false), rows(true));
+        assert!(slid);
+        for (row, (a, b)) in near.iter().zip(&alone).enumerate() {
+            let (a, b) = (&a.solution, &b.solution);
+            assert!((a.cage_speed_rpm / b.cage_speed_rpm - 1.0).abs() < 5e-5, "{row}: {}", a.cage_speed_rpm);
+            let torques = [a, b].map(|s| s.shaft_torque_nm.unwrap());
+            assert!((torques[0] / torques[1] - 1.0).abs() < 5e-4, "{row}: {torques:?}");
+            let errors = [a, b].map(|s| s.patch_error_estimate.unwrap());
+            assert!((errors[0] / errors[1] - 1.0).abs() < 0.05, "{row}: {errors:?}");
+        }
+        let jacobians = |all: &[Solved]| all[1..].iter().map(|solved| solved.solution.iterations).sum::<usize>();
+        assert!(jacobians(&near) < jacobians(&alone), "{} {}", jacobians(&near), jacobians(&alone));
     }
 
     #[test]
