@@ -142,8 +142,7 @@ fn table(counts: &[[Counts; CLASSES.len()]; 2]) -> String {
     let cell = |count: usize| if count == 0 { String::new() } else { count.to_string() };
     for (k, kind) in ["", ", low blows counted"].into_iter().enumerate() {
         for ((_, name), counts) in CLASSES.iter().zip(counts[k]) {
-            let cells = counts.map(|count| format!("{} |", cell(count)).replace("  ", " "));
-            let _ = writeln!(text, "| {name}{kind} | {}", cells.join(" "));
+            let _ = writeln!(text, "| {name}{kind} | {} |", counts.map(cell).join(" | "));
         }
     }
     let right = |k: usize| (0..CLASSES.len()).map(|class| counts[k][class][class]).sum::<usize>();

@@ -120,11 +120,14 @@ const CAGE: Histories = (
     ],
 );
 
-/// Of a ring that is tilted.
+/// Of rings that tilt.
 const TILT: Histories = (
     "ring-tilt",
-    "Tilt of the inner ring",
-    &[("", "Tilt", "mrad", &[("about X", |r| r.inner_tilt_x_mrad), ("about Y", |r| r.inner_tilt_y_mrad)])],
+    "Tilt of the rings",
+    &[
+        ("Inner ring", "Tilt", "mrad", &[("about X", |r| r.inner_tilt_x_mrad), ("about Y", |r| r.inner_tilt_y_mrad)]),
+        ("Outer ring", "Tilt", "mrad", &[("about X", |r| r.outer_tilt_x_mrad), ("about Y", |r| r.outer_tilt_y_mrad)]),
+    ],
 );
 
 /// Part of the loads on the ring above which their resultant across the axis has a direction.
@@ -188,7 +191,8 @@ pub fn histories(
     let steady = if time.len() - from < FEWEST { 0 } else { from };
     let mut figures = Vec::new();
     let cage = run.states.iter().any(|row| row.cage_free).then_some(&CAGE);
-    let tilts = |row: &StateRow| [row.inner_tilt_x_mrad, row.inner_tilt_y_mrad];
+    let tilts =
+        |row: &StateRow| [row.inner_tilt_x_mrad, row.inner_tilt_y_mrad, row.outer_tilt_x_mrad, row.outer_tilt_y_mrad];
     let moves = run.states.first().is_some_and(|first| run.states.iter().any(|row| tilts(row) != tilts(first)));
     for (name, title, plans) in HISTORIES.iter().chain(cage).chain(moves.then_some(&TILT)) {
         let values: Values =

@@ -468,6 +468,10 @@ class StateArrays:
     inner_tilt_x_mrad: NDArray[np.float64]
     #: Tilt of the inner ring about Y, mrad
     inner_tilt_y_mrad: NDArray[np.float64]
+    #: Tilt of the outer ring about X, mrad
+    outer_tilt_x_mrad: NDArray[np.float64]
+    #: Tilt of the outer ring about Y, mrad
+    outer_tilt_y_mrad: NDArray[np.float64]
 
 
 class SolutionArrays:

@@ -110,7 +110,7 @@ impl Motion {
         let poses = Poses {
             log_time,
             inner: (sample.inner.displacement_m, tilted(&sample.inner)),
-            outer: (sample.outer.displacement_m, Rotation::about_z(sample.outer.angle_rad)),
+            outer: (sample.outer.displacement_m, tilted(&sample.outer)),
             cage: trail::place(&sample.cage),
             spins: &self.spins,
         };

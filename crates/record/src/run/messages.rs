@@ -10,7 +10,7 @@ use crate::wire::tribodyn::{Balls, TransientState, Wear};
 use std::sync::LazyLock;
 use tribodyn_bearing::quantities::{Quantity, RPM_PER_RAD_S};
 use tribodyn_bearing::{BallResult, Races};
-use tribodyn_dynamics::{FreeCageSample, POWER_IN, POWER_LOST, PowerSample, WearSample};
+use tribodyn_dynamics::{FreeCageSample, POWER_IN, POWER_LOST, PowerSample, RingSample, WearSample};
 
 static IN: LazyLock<Vec<(&Quantity<PowerSample>, usize)>> = LazyLock::new(|| fields::<TransientState, _>(&POWER_IN));
 static LOST: LazyLock<Vec<(&Quantity<PowerSample>, usize)>> =
@@ -68,7 +68,7 @@ pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> Transie
         imbalance_ppb: imbalance_ppb(sample.power.imbalance_j, sample.power.throughput_j),
         ..TransientState::default()
     };
-    [message.inner_tilt_x_mrad, message.inner_tilt_y_mrad] = inner.tilt_rad.map(|tilt| tilt * MILLI_PER_UNIT);
+    tilts(&mut message, [inner, outer]);
     cage.free.iter().for_each(|free| free_cage(&mut message, free));
     fill(&mut message, &IN, &sample.power);
     fill(&mut message, &LOST, &sample.power);
@@ -76,6 +76,12 @@ pub(crate) fn state(overview: &Overview, log_time: u64, impacts: u64) -> Transie
         message.set_number(place, value * quantity.facts().shown.per_si);
     }
     message
+}
+
+fn tilts(message: &mut TransientState, rings: [&RingSample; 2]) {
+    let [inner, outer] = rings.map(|ring| ring.tilt_rad.map(|tilt| tilt * MILLI_PER_UNIT));
+    [message.inner_tilt_x_mrad, message.inner_tilt_y_mrad] = inner;
+    [message.outer_tilt_x_mrad, message.outer_tilt_y_mrad] = outer;
 }
 
 /// Where a free cage is, and what its lands do.

@@ -47,17 +47,22 @@ fn identity_tilts_of_a_ring_are_in_state_and_picture() {
         let mut sample = sample(time);
         sample.inner.angle_rad = std::f64::consts::FRAC_PI_2;
         sample.inner.tilt_rad = [2e-3, 0.0];
+        sample.outer.tilt_rad = [0.0, -1e-3];
         sample
     };
     let file = record(&[0.0, 1e-3].map(tilted));
     let states: Vec<TransientState> = of_topic(&file, "/bearing/state");
     assert_eq!((states[1].inner_tilt_x_mrad, states[1].inner_tilt_y_mrad), (2.0, 0.0));
+    assert_eq!((states[1].outer_tilt_x_mrad, states[1].outer_tilt_y_mrad), (0.0, -1.0));
     let frames: Vec<FrameTransforms> = of_topic(&file, "/tf");
     let ring = frames[0].transforms.iter().find(|frame| frame.child_frame_id == "inner_ring").unwrap();
     let q = ring.rotation.unwrap();
     // The third component of the ring's x axis in the bearing's frame, 2 (x z − w y), rises by the tilt.
     let rise = 2.0 * (q.x * q.z - q.w * q.y);
     assert!((rise - 2e-3).abs() < 1e-6, "{rise} {q:?}");
+    let ring = frames[0].transforms.iter().find(|frame| frame.child_frame_id == "outer_ring").unwrap();
+    let q = ring.rotation.unwrap();
+    assert!((q.y + 0.5e-3).abs() < 1e-6 && q.x.abs() < 1e-6, "{q:?}");
 }
 
 #[test]
