@@ -8,19 +8,28 @@ use tribodyn_paper::files;
 /// Builds the programs and the examples of the dev profile all at once, with the features that the tests are built
 /// with: each by itself would build the crates below it once more. Returns the folder of the programs.
 pub fn programs() -> Result<PathBuf, Failure> {
+    built(&["build", "--workspace", "--bins", "--examples"], "debug")
+}
+
+/// Builds the command of the release profile, for what runs long. Returns its path.
+pub fn command() -> Result<PathBuf, Failure> {
+    Ok(built(&["build", "--release", "--package", "tribodyn-cli"], "release")?.join("tribodyn"))
+}
+
+fn built(arguments: &[&str], profile: &str) -> Result<PathBuf, Failure> {
     let cargo = cargo_program();
-    let start = |program: &str| {
-        let program = program.to_owned();
-        move |source| Failure::Start { program, source }
-    };
-    let arguments = ["build", "--workspace", "--bins", "--examples"];
-    let status = Command::new(&cargo).current_dir(files::root()).args(arguments).status().map_err(start(&cargo))?;
-    if !status.success() {
-        return Err(Failure::Command { command: format!("cargo {}", arguments.join(" ")), status });
-    }
+    run(Command::new(&cargo).current_dir(files::root()).args(arguments), &format!("cargo {}", arguments.join(" ")))?;
     // This program is in a profile's folder of the target folder, too.
-    let own = std::env::current_exe().map_err(start("xtask"))?;
-    Ok(own.ancestors().nth(2).unwrap_or(&own).join("debug"))
+    let start = |source| Failure::Start { program: "xtask".to_owned(), source };
+    let own = std::env::current_exe().map_err(start)?;
+    Ok(own.ancestors().nth(2).unwrap_or(&own).join(profile))
+}
+
+/// Runs a program to its end.
+pub fn run(program: &mut Command, words: &str) -> Result<(), Failure> {
+    let start = |source| Failure::Start { program: words.to_owned(), source };
+    let status = program.status().map_err(start)?;
+    if status.success() { Ok(()) } else { Err(Failure::Command { command: words.to_owned(), status }) }
 }
 
 /// The Cargo that started this program.

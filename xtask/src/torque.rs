@@ -19,6 +19,8 @@ const GRADES: [&str; 2] = ["vg32", "vg68"];
 const LOADS: [f64; 3] = [50.0, 20.0, 10.0];
 /// Speeds, r/min.
 const SPEEDS: [f64; 6] = [500.0, 1000.0, 2000.0, 5000.0, 10_000.0, 15_000.0];
+/// Oil and load of the rows on the page.
+const ON_PAGE: (&str, f64) = ("vg68", 20.0);
 /// Film parameter from which surfaces hardly touch.
 const FULL_FILM: f64 = 3.0;
 /// Deviation from SKF's model that is met.
@@ -56,11 +58,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             }
         }
     }
-    let text = table(&rows);
-    print(&text)?;
+    print(&table(&rows, |_| true))?;
     if arguments.write {
         let path = files::root().join(PAGE);
-        let page = markers::replaced(PAGE, &files::read(&path)?, &text, MARKS)?;
+        let on_page = |row: &Row| row.grade == ON_PAGE.0 && row.load_share == ON_PAGE.1;
+        let page = markers::replaced(PAGE, &files::read(&path)?, &table(&rows, on_page), MARKS)?;
         files::write(&path, page.as_bytes())?;
     }
     Ok(())
@@ -89,7 +91,8 @@ fn row(
     Ok(Row { bearing, grade, load_share, rpm, lambda, torque: found.value().clone() })
 }
 
-fn table(rows: &[Row]) -> String {
+/// What all rows come to, and those that are shown.
+fn table(rows: &[Row], shown: impl Fn(&Row) -> bool) -> String {
     let ratio = |row: &Row| row.torque.skf_torque_nm.map(|skf| row.torque.torque_nm / skf);
     let near = |row: &&Row| ratio(row).is_some_and(|ratio| (ratio - 1.0).abs() <= MET);
     let full: Vec<&Row> = rows.iter().filter(|row| row.lambda >= FULL_FILM).collect();
@@ -104,9 +107,9 @@ fn table(rows: &[Row]) -> String {
     text += "| bearing | oil | load | r/min | least λ | rolling | sliding | sum | SKF: rolling | sliding | sum | Palmgren | \
              sum/SKF |\n";
     text += "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-    for row in rows {
+    for row in rows.iter().filter(|row| shown(row)) {
         let t = &row.torque;
-        let shown = |torque: Option<f64>| torque.map_or_else(String::new, |torque| format!("{:.2}", 1e3 * torque));
+        let milli = |torque: Option<f64>| torque.map_or_else(String::new, |torque| format!("{:.2}", 1e3 * torque));
         // Writing to a string does not fail.
         let _ = writeln!(
             text,
@@ -119,10 +122,10 @@ fn table(rows: &[Row]) -> String {
             1e3 * (t.rolling_nm + t.hysteresis_nm),
             1e3 * (t.sliding_inner_nm + t.sliding_outer_nm),
             1e3 * t.torque_nm,
-            shown(t.skf_rolling_nm),
-            shown(t.skf_sliding_nm),
-            shown(t.skf_torque_nm),
-            shown(t.palmgren_torque_nm),
+            milli(t.skf_rolling_nm),
+            milli(t.skf_sliding_nm),
+            milli(t.skf_torque_nm),
+            milli(t.palmgren_torque_nm),
             ratio(row).map_or_else(String::new, |ratio| format!("{ratio:.2}")),
         );
     }
