@@ -97,8 +97,7 @@ fn limit_a_flipped_byte_costs_the_rest_of_its_own_chunk_at_most() {
         assert!(!done.damage.is_none(), "byte {place}: nothing is said");
         let saved = messages(&whole);
         bad += done.damage.chunks_bad;
-        if saved.len() == all.len() {
-            assert_eq!(saved, all, "byte {place}");
+        if saved == all {
             continue;
         }
         assert_eq!(done.damage.chunks_bad, 1, "byte {place}: messages are missing");

@@ -44,7 +44,10 @@ pub fn of_solution(
 
 /// Sentences on single values of a case's text outside their usual ranges.
 pub fn unusual_values(text: &str) -> Vec<String> {
-    quantities(text).iter().filter_map(unusual).collect()
+    let mut sentences: Vec<String> = quantities(text).iter().filter_map(unusual).collect();
+    // Alike springs about two axes are said once.
+    sentences.dedup();
+    sentences
 }
 
 fn unusual(quantity: &Quantity) -> Option<String> {

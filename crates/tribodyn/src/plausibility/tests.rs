@@ -53,3 +53,13 @@ fn identity_each_row_of_the_table_is_reached() {
     }
     assert_eq!(usual_range("ring.z"), None);
 }
+
+#[test]
+fn limit_springs_alike_about_two_axes_are_said_once() {
+    let path = "supports.outer.stiffness";
+    let found = unusual_values(&set_value(AG, path, "(N_per_um(0.02), N_per_um(0.02))").unwrap());
+    assert!(found.len() == 1 && found[0].contains(path), "{found:?}");
+    let tilt = "(inertia: Given(polar: kg_m2(0.02), transverse: kg_m2(0.02)),
+        stiffness: (Nm_per_mrad(20), Nm_per_mrad(20)), damping: (Nm_s_per_rad(1), Nm_s_per_rad(1)))";
+    assert_eq!(unusual_values(&set_value(AG, "supports.tilt", tilt).unwrap()), [""; 0]);
+}
