@@ -91,7 +91,7 @@ fn row(
     Ok(Row { bearing, grade, load_share, rpm, lambda, torque: found.value().clone() })
 }
 
-/// What all rows come to, and those that are shown.
+/// The sums over all rows, and those rows that are shown.
 fn table(rows: &[Row], shown: impl Fn(&Row) -> bool) -> String {
     let ratio = |row: &Row| row.torque.skf_torque_nm.map(|skf| row.torque.torque_nm / skf);
     let near = |row: &&Row| ratio(row).is_some_and(|ratio| (ratio - 1.0).abs() <= MET);

@@ -8,10 +8,10 @@ use crate::terminal::{print, progress};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tribodyn::Limits;
+use tribodyn::{CaseFile, Limits};
 use tribodyn_case::set_value;
 use tribodyn_paper::{files, markers};
-use tribodyn_signal::{Fault, Search};
+use tribodyn_signal::{Fault, Kinematics, Search};
 use tribodyn_study::vibration::{QUIET, SignalFile, Speed, Window, analysis, bearing_of_case};
 
 const PAGE: &str = "docs/faults.md";
@@ -45,6 +45,7 @@ type Counts = [usize; 5];
 /// Prints the table, and writes it where asked to.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (folder, tribodyn) = (files::root().join("target/verdicts"), built::command()?);
+    let bearing = bearing()?;
     // As of runs, whose low blows are let pass, and as of files of machines.
     let mut counts = [[Counts::default(); CLASSES.len()]; 2];
     for waves in [false, true] {
@@ -58,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             // Three cases, and of spalls two lengths, under two loads at two speeds.
             let members = if *name == "Sound" { 12 } else { 24 };
             for member in 0..members {
-                judge(&set.join(format!("mat/{member:06}.mat")), member, |quiet, verdict| {
+                judge((&set.join(format!("mat/{member:06}.mat")), member), &bearing, |quiet, verdict| {
                     counts[quiet][class][verdict] += 1;
                 })?;
             }
@@ -111,17 +112,24 @@ fn plan(folder: &Path, (class, waves): (&str, bool), seed: u64) -> Result<PathBu
     Ok(path)
 }
 
-/// The verdicts on both sensors of a member, with low blows let pass and not.
-fn judge(path: &Path, member: usize, mut count: impl FnMut(usize, usize)) -> Result<(), Failure> {
+fn bearing() -> Result<Kinematics, Failure> {
     let text = files::read(&files::root().join(CASE))?;
-    let file = tribodyn::CaseFile::from_text(CASE, text, &[], &Limits::NORMAL).map_err(|e| failed(&e))?;
-    let (bearing, _) = bearing_of_case(&file).map_err(|e| failed(&e))?;
+    let file = CaseFile::from_text(CASE, text, &[], &Limits::NORMAL).map_err(|e| failed(&e))?;
+    Ok(bearing_of_case(&file).map_err(|e| failed(&e))?.0)
+}
+
+/// The verdicts on both sensors of a member, with low blows let pass and not.
+fn judge(
+    (path, member): (&Path, usize),
+    bearing: &Kinematics,
+    mut count: impl FnMut(usize, usize),
+) -> Result<(), Failure> {
     let signals = SignalFile::read(path, &Limits::NORMAL).map_err(|e| failed(&e))?;
     let speed = Speed::Near(SPEEDS[member % SPEEDS.len()] / 60.0);
     for sensor in ["ring", "housing"] {
         for (k, quiet) in [QUIET, 0.0].into_iter().enumerate() {
             let (from, search) = ((Some(sensor), Some(RATE_HZ)), Search { quiet, ..Search::default() });
-            let found = analysis(path, &signals, from, Window::default(), &speed, &bearing, search);
+            let found = analysis(path, &signals, from, Window::default(), &speed, bearing, search);
             let verdict = match found.map_err(|e| failed(&e))?.diagnosis.verdict.fault {
                 None => 0,
                 Some(Fault::Outer) => 1,

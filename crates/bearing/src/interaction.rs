@@ -190,16 +190,9 @@ impl Bearing {
     /// Force on the balls by the inner ring (X, Y, Z, N), its moment about the ring's centre (X, Y, N m) and the torque
     /// about Z (N m) of one ball: the reaction acts on the ring.
     pub fn ring_action<D: Scalar>(&self, ball: &BallState<D>, loads: &BallLoads<D>, ring: &RingState<D>) -> [D; 6] {
-        let g = &self.geometry;
         let contact = &loads.contacts.inner;
         let force = self.reaction(Side::Inner, contact);
-        let centre = ball.frame.from_inertial(ring.displacement);
-        // Ball centre from the ring's centre, which lies in the plane of its unloaded groove centres.
-        let arm = [
-            ball.position[0] - centre[0] - g.centre_distance() * g.sin_contact_angle(),
-            loads.orbit_radius - centre[1],
-            -centre[2],
-        ];
+        let arm = self.geometry.arm(Side::Inner, ball.frame, [ball.position[0], loads.orbit_radius], ring);
         let moment = add(contact.moment, cross(arm, force));
         let [x, y, z] = ball.frame.to_inertial(force);
         let [moment_x, moment_y, _] = ball.frame.to_inertial(moment);

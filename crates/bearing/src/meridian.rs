@@ -28,8 +28,8 @@ struct Meridian<D> {
 }
 
 impl Geometry {
-    /// A ball's centre from the ring's centre [a, r, t], m, by its axial position against the outer groove centres and
-    /// the radius of its orbit, m.
+    /// A ball's centre from the ring's centre [a, r, t], m, which lies in the plane of the ring's unloaded groove
+    /// centres, by its axial position against the outer groove centres and the radius of its orbit, m.
     #[inline]
     pub fn arm<D: Scalar>(
         &self,

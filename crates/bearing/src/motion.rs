@@ -42,7 +42,7 @@ impl<D: Scalar> NormalLoads<D> {
 }
 
 impl<D: Scalar> BallLoads<D> {
-    /// What of them acts through the normals of the contacts.
+    /// The part that acts through the normals of the contacts.
     #[inline(always)]
     pub fn normal(&self) -> NormalLoads<D> {
         let Races { inner, outer } = &self.contacts;

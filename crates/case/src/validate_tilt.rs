@@ -60,7 +60,7 @@ fn body(path: &str, spec: &TiltSpec) -> Verdict {
     )
 }
 
-/// What else a ring that tilts asks for.
+/// Choices and lands that a ring which tilts does not allow.
 fn around(side: Side, case: &Case) -> Verdict {
     let displaced = case.modelling.ring_centre != Some(RingCentre::Inertial);
     require(displaced, "modelling.ring_centre", "must be Displaced: a ring that tilts turns about its own axis")?;

@@ -3,7 +3,7 @@
 //! Both parts are written once. The explicit schemes add them, the fast scheme takes its drift from the first and its
 //! kick from the second, samples and energies come from the same two. A test leaves a term out by replacing a part.
 //!
-//! What forces do to a ball is in `tribodyn_bearing::Bearing::ball_motion`.
+//! Accelerations of a ball by its forces are those of `tribodyn_bearing::Bearing::ball_motion`.
 
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
 use crate::machine::Machine;

@@ -24,7 +24,7 @@ pub(crate) struct Layout {
     pub balls: usize,
     /// True if the cage is free to move in all directions.
     pub free_cage: bool,
-    /// Whether a ring is free to tilt.
+    /// True for a ring that is free to tilt.
     pub tilting: Races<bool>,
     /// Number of balls that are not round: with spalls or waves.
     pub marked: usize,

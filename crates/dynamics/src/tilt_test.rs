@@ -18,8 +18,8 @@ const BOTH: [(&str, &str); 4] = [
     ("speed.outer", "Constant(rpm(-3000))"),
     (
         "supports.outer_tilt",
-        "(inertia: Given(polar: kg_m2(0.08), transverse: kg_m2(0.05)), stiffness: (Nm_per_rad(40000), Nm_per_rad(60000)),
-        damping: (Nm_s_per_rad(2), Nm_s_per_rad(3)))",
+        "(inertia: Given(polar: kg_m2(0.08), transverse: kg_m2(0.05)), damping: (Nm_s_per_rad(2), Nm_s_per_rad(3)),
+        stiffness: (Nm_per_rad(40000), Nm_per_rad(60000)))",
     ),
     ("supports.tilt.askew", "(mrad(0.3), mrad(0.1))"),
     ("supports.outer_tilt.askew", "(mrad(-0.2), mrad(0.4))"),

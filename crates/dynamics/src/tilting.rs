@@ -12,7 +12,7 @@ pub(crate) struct Tilting {
     pub reference: [f64; 2],
 }
 
-/// What loads, springs and dampers do to a ring.
+/// Moment, powers and energy of loads, springs and dampers on a ring.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Outside {
     /// Moment about x, y and z, N m.
@@ -47,7 +47,7 @@ impl Tilting {
         [x * cos - y * sin, x * sin + y * cos]
     }
 
-    /// What acts on the ring besides the balls, when it has turned by an angle, rad.
+    /// Loads, springs and dampers on the ring when it has turned by an angle, rad.
     pub fn outside(&self, (t, angle): (f64, f64), ring: &RingState, turning: [f64; 3]) -> Outside {
         let ([x, y], rates, [seat_x, seat_y]) = (ring.tilt, tilt_rates(ring, turning), self.seat(angle));
         let c = ring.axis()[2];

@@ -20,7 +20,7 @@ use crate::solved::OrbitStart;
 use crate::system::{BALL, OrbitSystem, SPIN, VELOCITY};
 use serde::Serialize;
 use std::f64::consts::TAU;
-use tribodyn_bearing::{Bearing, OperatingPoint, Races};
+use tribodyn_bearing::{Bearing, OperatingPoint, Races, Side, TiltingRing};
 
 /// Natural modes of a bearing, and what becomes of a small disturbance of its orbit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -144,7 +144,7 @@ fn multiplier(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<(f64, Option<Str
 /// are left out.
 fn modes(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Result<Vec<Mode>, OrbitError> {
     let places = Places::new(newton.system.bearing.geometry.ball_count, bodies);
-    let mut matrix = matrix(newton, orbit, bodies);
+    let mut matrix = matrix(newton, orbit, bodies, &places);
     balance(&mut matrix, &places);
     let eigen = matrix.eigen().map_err(|_| OrbitError::Eigenvalues)?;
     let (values, vectors) = (eigen.S(), eigen.U());
@@ -157,16 +157,20 @@ fn modes(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Result<Vec<Mode
         }
         let re = if re.abs() <= rounding { 0.0 } else { re };
         let size = |row: usize| vectors[(row, k)].re.hypot(vectors[(row, k)].im);
-        modes.push(shape(&newton.system, bodies, (re, im), &size));
+        modes.push(shape(&newton.system, (bodies, &places), (re, im), &size));
     }
     modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     Ok(modes)
 }
 
 /// Parts of the kinetic energy of a motion with these amplitudes.
-pub(crate) fn energies(system: &OrbitSystem<'_>, bodies: &Bodies, size: &dyn Fn(usize) -> f64) -> EnergyShares {
+fn energies(
+    system: &OrbitSystem<'_>,
+    (bodies, places): (&Bodies, &Places),
+    size: &dyn Fn(usize) -> f64,
+) -> EnergyShares {
     let count = system.bearing.geometry.ball_count;
-    let Places { edge, inner, outer, tilt, .. } = Places::new(count, bodies);
+    let Places { edge, inner, outer, tilt, .. } = *places;
     let radius = 0.5 * system.bearing.geometry.pitch_diameter;
     let (m, j) = (system.bearing.ball_mass, system.bearing.ball_inertia);
     let (mut balls, mut spin) = (0.0, 0.0);
@@ -178,12 +182,12 @@ pub(crate) fn energies(system: &OrbitSystem<'_>, bodies: &Bodies, size: &dyn Fn(
     let cage = bodies.cage.inertia * size(edge + 1).powi(2);
     let inner_ring = bodies.supports.inner.mass * (0..3).map(|k| size(inner + 3 + k).powi(2)).sum::<f64>();
     let outer_ring = bodies.supports.outer.mass * (0..2).map(|k| size(outer + 2 + k).powi(2)).sum::<f64>();
-    let turning = Races::from_fn(|side| {
-        let (at, body) = tilt[side].zip(bodies.tilting[side])?;
-        Some(body.transverse_inertia * (size(at + 2).powi(2) + size(at + 3).powi(2)))
-    });
-    let (inner_ring, outer_ring) =
-        (inner_ring + turning.inner.unwrap_or_default(), outer_ring + turning.outer.unwrap_or_default());
+    let turning = |side: Side| {
+        let turns =
+            |(at, body): (usize, TiltingRing)| body.transverse_inertia * (size(at + 2).powi(2) + size(at + 3).powi(2));
+        tilt[side].zip(bodies.tilting[side]).map_or(0.0, turns)
+    };
+    let (inner_ring, outer_ring) = (inner_ring + turning(Side::Inner), outer_ring + turning(Side::Outer));
     let total = (balls + spin + cage + inner_ring + outer_ring).max(f64::MIN_POSITIVE);
     EnergyShares {
         inner_ring: inner_ring / total,
@@ -194,11 +198,16 @@ pub(crate) fn energies(system: &OrbitSystem<'_>, bodies: &Bodies, size: &dyn Fn(
     }
 }
 
-fn shape(system: &OrbitSystem<'_>, bodies: &Bodies, (re, im): (f64, f64), size: &dyn Fn(usize) -> f64) -> Mode {
+fn shape(
+    system: &OrbitSystem<'_>,
+    (bodies, places): (&Bodies, &Places),
+    (re, im): (f64, f64),
+    size: &dyn Fn(usize) -> f64,
+) -> Mode {
     let count = system.bearing.geometry.ball_count;
-    let Places { inner, outer, tilt, .. } = Places::new(count, bodies);
+    let Places { inner, outer, tilt, .. } = *places;
     let radius = 0.5 * system.bearing.geometry.pitch_diameter;
-    let energy_shares = energies(system, bodies, size);
+    let energy_shares = energies(system, (bodies, places), size);
     let mut inner_ring: [f64; 3] = std::array::from_fn(|k| size(inner + k));
     let mut outer_ring: [f64; 2] = std::array::from_fn(|k| size(outer + k));
     let mut balls: Vec<[f64; 3]> =

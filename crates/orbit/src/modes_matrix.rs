@@ -71,11 +71,10 @@ impl Places {
 }
 
 /// df/dy of balls, cage and rings.
-pub(crate) fn matrix(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies) -> Mat<f64> {
+pub(crate) fn matrix(newton: &Newton<'_>, orbit: &Orbit, bodies: &Bodies, places: &Places) -> Mat<f64> {
     let system = &newton.system;
     let count = system.bearing.geometry.ball_count;
-    let places = Places::new(count, bodies);
-    let Places { edge, inner, outer, tilt, len } = places;
+    let Places { edge, inner, outer, tilt, len } = *places;
     let mut a = Mat::<f64>::zeros(len, len);
     a[(edge, edge + 1)] = 1.0;
     let speeds = newton.system.speeds.map(num_dual::Dual64::from);

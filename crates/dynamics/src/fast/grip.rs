@@ -348,8 +348,8 @@ pub(super) fn respond<E: Equations>(
     *reaction = on_rings;
 }
 
-/// What the motion of the rings, inertial axes, does to the balls, and the force on the rings, inertial axes. Where
-/// `TILTS`, rings tilt too, and `moved` has how they move at each ball (a, r, t).
+/// The balls follow the motion of the rings, and push on them, both in inertial axes. Where `TILTS`, rings tilt too,
+/// and `moved` has how they move at each ball (a, r, t).
 #[inline(always)]
 pub(super) fn follow<const TILTS: bool>(
     balls: &mut [Lane; BALL],

@@ -8,6 +8,7 @@ use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of, put};
 use crate::equations::Frame;
 use crate::layout::{AXIAL, Layout};
 use crate::machine::Machine;
+use crate::tilting::Tilting;
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector5};
 use tribodyn_bearing::vectors::{cross, dot};
 use tribodyn_bearing::{Races, RingState, Side};
@@ -82,8 +83,8 @@ impl Fast {
                 (at..at + 2).for_each(|k| sum[(k, k)] = f64::INFINITY);
                 continue;
             };
-            let Turning { moment, matrix } = turning(machine, (side, ring), self.by_balls(machine, side, (frame, on)));
-            let body = Matrix2::from_diagonal_element(tilting.body.transverse_inertia) - matrix * (0.5 * h);
+            let by_balls = self.by_balls(machine, side, (frame, on));
+            let (body, moment) = turning(machine, (side, ring, tilting), by_balls, h);
             sum.fixed_view_mut::<2, 2>(at, at).copy_from(&body);
             given.fixed_rows_mut::<2>(at).copy_from(&moment);
         }
@@ -119,8 +120,7 @@ impl Fast {
         for (side, tilting) in machine.tilting.iter() {
             let Some(tilting) = tilting else { continue };
             let by_balls = self.by_balls(machine, side, (frame, on));
-            let Turning { moment, matrix } = turning(machine, (side, &frame.rings[side]), by_balls);
-            let body = Matrix2::from_diagonal_element(tilting.body.transverse_inertia) - matrix * (0.5 * h);
+            let (body, moment) = turning(machine, (side, &frame.rings[side], tilting), by_balls, h);
             let change = body.try_inverse().map_or(Vector2::zeros(), |inverse| inverse * moment * h);
             machine.layout.velocities_of_tilt(side).zip(change.iter()).for_each(|(k, by)| y[k] += by);
         }
@@ -152,15 +152,14 @@ impl Fast {
     }
 }
 
-/// What turns a ring across its axis.
-struct Turning {
-    /// Moment about x and y of the balls and of the ring's own turning, N m.
-    moment: Vector2<f64>,
-    /// How the latter grows with the angular velocity, N m s.
-    matrix: Matrix2<f64>,
-}
-
-fn turning(machine: &Machine, (side, ring): (Side, &RingState), by_balls: [f64; 3]) -> Turning {
+/// Inertia of a ring that tilts across its axis, less what its own turning takes in a step by the implicit midpoint
+/// rule, kg m², and the moment about x and y of the balls and of its own turning, N m.
+fn turning(
+    machine: &Machine,
+    (side, ring, tilting): (Side, &RingState, &Tilting),
+    by_balls: [f64; 3],
+    h: f64,
+) -> (Matrix2<f64>, Vector2<f64>) {
     let axis = ring.axis();
     let along = dot(by_balls, axis);
     let own = |turning: [f64; 3]| {
@@ -174,8 +173,7 @@ fn turning(machine: &Machine, (side, ring): (Side, &RingState), by_balls: [f64; 
         own(w)
     };
     let across = Vector2::new(by_balls[0] - along * axis[0], by_balls[1] - along * axis[1]);
-    Turning {
-        moment: across + own(ring.turning.unwrap_or_default()),
-        matrix: Matrix2::from_columns(&[unit(0), unit(1)]),
-    }
+    let inertia = Matrix2::from_diagonal_element(tilting.body.transverse_inertia);
+    let body = inertia - Matrix2::from_columns(&[unit(0), unit(1)]) * (0.5 * h);
+    (body, across + own(ring.turning.unwrap_or_default()))
 }

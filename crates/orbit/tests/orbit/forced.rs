@@ -92,7 +92,7 @@ fn identity_orbits_and_all_schemes_have_the_same_forces() {
     }
 }
 
-/// What every ball has a pocket's spacing later.
+/// State of every ball a pocket's spacing later.
 fn next_speeds(motion: &Motion) -> Speeds {
     let speeds = |(_, ball): &(f64, tribodyn_bearing::BallState)| {
         let [a, r, t] = ball.spin;

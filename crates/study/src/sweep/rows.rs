@@ -23,7 +23,7 @@ pub(crate) struct Chunk<'a> {
     cold: bool,
     equilibria: Neighbours<WarmStart>,
     orbits: Neighbours<OrbitStart>,
-    /// Whether balls of an orbit in oil slid in a row so far.
+    /// True once balls of an orbit in oil have slid in a row.
     slid: bool,
 }
 
@@ -135,7 +135,7 @@ fn orbit_beside(problem: &OrbitProblem, start: OrbitStart, slid: bool) -> Option
     (alike && within_target(&all_round, point)).then_some(solved)
 }
 
-/// Whether both races have a film of oil: there, balls that slide come to one motion from neighbours and from cold
+/// True if both races have a film of oil: there, balls that slide come to one motion from neighbours and from cold
 /// starts. On coatings, which lose traction beyond their peak, some skid on.
 fn in_films(bearing: &Bearing) -> bool {
     Side::BOTH.into_iter().all(|side| bearing.film_law(side).is_some())
@@ -163,7 +163,7 @@ fn is_of_the_case(orbit: &SteadyOrbit) -> bool {
     orbit.swing_damping.or(orbit.ball_mass_factor).or(orbit.pocket_stiffness_share).is_none()
 }
 
-/// Whether all balls are loaded and roll. But for orbits in oil, only then does a neighbour lead to the same solution
+/// True if all balls are loaded and roll. But for orbits in oil, only then does a neighbour lead to the same solution
 /// as a cold start does: a ball that skids may go on to do so where it could roll.
 fn rolls(solution: &Solution) -> bool {
     let rolls = |b: &tribodyn_bearing::BallResult| {
