@@ -2,7 +2,7 @@
 
 use crate::contact::{NormalContact, RaceContact};
 use crate::races::Side;
-use crate::vectors::{add, sum};
+use crate::vectors::{add, dot, sum};
 use tribodyn_contact::{Ellipse, Scalar};
 use tribodyn_traction::{PatchTraction, RelativeMotion};
 
@@ -54,6 +54,26 @@ impl<D: Scalar> Sliding<D> {
             Some(axes) => ContactForces { force: sum(axes, forces.force), moment: sum(axes, forces.moment) },
             None => forces,
         }
+    }
+}
+
+impl Sliding {
+    /// A traction whose force on the ball is another one (a, r, t), N, which acts at the contact.
+    #[inline(always)]
+    pub fn with_force(&self, traction: &PatchTraction, force: [f64; 3], ball_radius: f64) -> PatchTraction {
+        let [a, r, rolling] = self.meridian.map_or(force, |axes| axes.map(|axis| dot(axis, force)));
+        let [n_a, n_r] = self.normal;
+        let lateral = a * n_r - r * n_a;
+        let [more, more_lateral] = [rolling - traction.force_rolling, lateral - traction.force_lateral];
+        let mut with = PatchTraction {
+            force_rolling: rolling,
+            force_lateral: lateral,
+            moment_lateral: traction.moment_lateral + ball_radius * more,
+            moment_rolling: traction.moment_rolling - ball_radius * more_lateral,
+            ..*traction
+        };
+        with.power = -with.work_on(&self.motion);
+        with
     }
 }
 

@@ -131,13 +131,13 @@ pub(crate) trait Equations {
         machine.bearing.ball_motion(state, loads, (pocket, machine.pocket_arm(loads.orbit_radius)))
     }
 
-    /// One ball with all that acts on it; `b` are its unknowns, `traction` integrates over a patch.
+    /// One ball with all that acts on it; `b` are its unknowns, `traction` integrates over a patch that slides so.
     fn ball(
         &self,
         index: usize,
         b: &[f64],
         frame: &Frame,
-        mut traction: impl FnMut(&LoadedPatch<'_, f64>) -> PatchTraction,
+        mut traction: impl FnMut(&LoadedPatch<'_, f64>, &Sliding) -> PatchTraction,
     ) -> BallForces {
         let machine = self.machine();
         let (axes, position, surfaces) = machine.place(index, b, frame);
@@ -147,7 +147,8 @@ pub(crate) trait Equations {
         let mut contacts = Races::from_fn(|side| {
             let contact = normal.contacts[side];
             let sliding = self.sliding(side, &contact, &state, (frame, r));
-            machine.bearing.race_contact(side, contact, &sliding, surfaces[side].bare, &mut traction)
+            let traction = |patch: &LoadedPatch<'_, f64>| traction(patch, &sliding);
+            machine.bearing.race_contact(side, contact, &sliding, surfaces[side].bare, traction)
         });
         for side in Side::BOTH {
             let RaceContact { normal, moment, .. } = &mut contacts[side];

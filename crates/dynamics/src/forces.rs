@@ -187,7 +187,7 @@ pub(crate) fn evaluate<E: Equations>(
     let mut sums = Sums::default();
     for index in 0..machine.layout.balls {
         let b = machine.unknowns(index, y);
-        let forces = equations.ball(index, b, &frame, |patch| machine.kernel.traction(&machine.bearing, patch));
+        let forces = equations.ball(index, b, &frame, |patch, _| machine.kernel.traction(&machine.bearing, patch));
         machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &frame, &mut sums);
         each(index, &forces);
     }

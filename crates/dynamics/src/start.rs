@@ -161,7 +161,7 @@ fn set_springs(machine: &mut Machine, state: &[f64]) {
     let mut sums = Sums::default();
     for index in 0..l.balls {
         let b = machine.unknowns(index, state);
-        let forces = machine.ball(index, b, &frame, |patch| machine.kernel.traction(&machine.bearing, patch));
+        let forces = machine.ball(index, b, &frame, |patch, _| machine.kernel.traction(&machine.bearing, patch));
         machine.add_ball(&forces, [0.0; 2], &frame, &mut sums);
     }
     for i in 0..2 {

@@ -4,18 +4,33 @@ use super::lanes::{Lane, WIDTH, get, put};
 use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 
-/// Velocities of the balls of a block by the drift's accelerations less the common part.
+/// Velocities of the balls of a block by the drift's accelerations less the common part over `h`, and what that adds
+/// to the mean accelerations of a step of which it is a `share`.
 #[inline(always)]
-pub(super) fn push_balls(balls: &mut [Lane; BALL], acceleration: &[Lane; 3], common: &[Lane; 3], h: f64) {
+pub(super) fn push_balls(
+    balls: &mut [Lane; BALL],
+    (acceleration, common): (&[Lane; 3], &[Lane; 3]),
+    mean: &mut [Lane; 3],
+    (h, share): (f64, f64),
+) {
     for k in 0..WIDTH {
         for i in 0..3 {
-            balls[VELOCITY + i].0[k] += h * (acceleration[i].0[k] - common[i].0[k]);
+            let a = acceleration[i].0[k];
+            balls[VELOCITY + i].0[k] += h * (a - common[i].0[k]);
+            mean[i].0[k] += share * a;
         }
     }
 }
 
-/// Velocities of rings and cage.
-pub(super) fn push_bodies(l: Layout, y: &mut [f64], (a, common): (&[f64], &[f64]), h: f64) {
+/// Velocities of rings and cage, and the same of their mean accelerations.
+pub(super) fn push_bodies(
+    l: Layout,
+    y: &mut [f64],
+    (a, common): (&[f64], &[f64]),
+    mean: &mut [f64],
+    (h, share): (f64, f64),
+) {
+    l.velocities_of_bodies().for_each(|k| mean[k] += share * a[k]);
     for k in l.velocities_of_cage().chain(l.velocities_of_tilts()) {
         y[k] += h * a[k];
     }

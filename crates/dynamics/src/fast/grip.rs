@@ -322,15 +322,19 @@ fn push<E: Equations>(
     [(a[0] + axial) * h, (a[1] + radial) * h, (a[2] + orbital) * h, a[3] * h, a[4] * h, a[5] * h]
 }
 
+/// By how much mean velocities are beyond the middle of their change, mean forces of the inner and the outer contact on
+/// the ball (a, r, t), N, and forces on the rings.
+type Found<'a> = (&'a mut [Lane; 6], &'a mut [Lane; 6], &'a mut [Lane; 6]);
+
 /// Every ball by itself with the rings held over a step of `h`, by how much its mean velocity is `beyond` the middle of
-/// its change, and the force on the rings, inertial axes.
+/// its change, the mean forces of its contacts, and the force on the rings, inertial axes.
 #[inline(always)]
 pub(super) fn respond<E: Equations>(
     equations: &E,
     balls: &mut [Lane; BALL],
     (stand, forms, grips): (&Stand, &Forms, &Grips),
     (given_back, h): (&[Lane; 3], f64),
-    (beyond, reaction): (&mut [Lane; 6], &mut [Lane; 6]),
+    (beyond, mean_forces, reaction): Found<'_>,
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 6]);
     let now = &*balls;
@@ -342,6 +346,7 @@ pub(super) fn respond<E: Equations>(
         let force = [back[0] - i[0], back[1] - i[1], back[2] - i[2], back[3] - o[0], back[4] - o[1], back[5] - o[2]];
         put(&mut changes, k, change);
         (0..6).for_each(|i| beyond[i].0[k] = mean[i] - 0.5 * change[i]);
+        (0..6).for_each(|i| mean_forces[i].0[k] = -force[i]);
         put(&mut on_rings, k, inertial(stand.axes(k), force));
     }
     add_velocities(balls, &changes);
@@ -355,7 +360,7 @@ pub(super) fn follow<const TILTS: bool>(
     balls: &mut [Lane; BALL],
     (rings, moved): ([f64; 5], &[Lane; 6]),
     (stand, forms): (&Stand, &Forms),
-    (beyond, reaction): (&mut [Lane; 6], &mut [Lane; 6]),
+    (beyond, mean_forces, reaction): Found<'_>,
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 6]);
     for k in 0..WIDTH {
@@ -374,6 +379,7 @@ pub(super) fn follow<const TILTS: bool>(
         }
         put(&mut changes, k, change);
         (0..6).for_each(|i| beyond[i].0[k] += mean[i] - 0.5 * change[i]);
+        (0..6).for_each(|i| mean_forces[i].0[k] -= force[i]);
         put(&mut on_rings, k, inertial(axes, force));
     }
     add_velocities(balls, &changes);

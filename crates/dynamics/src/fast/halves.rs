@@ -17,6 +17,10 @@ impl Fast {
     pub(super) fn begin<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
         let Scratch { level, balls, stands, .. } = &mut self.scratch;
         drift_acceleration(*level, equations, (t, y), balls, (&mut self.drift, stands));
+        for (mean, stand) in self.scratch.mean.iter_mut().zip(&self.scratch.stands) {
+            *mean = *stand.acceleration();
+        }
+        self.mean.copy_from_slice(&self.drift);
         self.longest = self.longest_pieces(equations.machine());
         self.find_kick(equations, t, y, h);
         let scratch = &mut self.scratch;

@@ -37,7 +37,8 @@ impl Fast {
         for block in 0..blocks(l.balls) {
             self.grip(equations, block, (&frame, renew), &mut on_cage);
             let scratch = &mut self.scratch;
-            let (balls, found) = (&mut scratch.balls[block], (&mut scratch.beyond[block], &mut reaction));
+            let balls = &mut scratch.balls[block];
+            let found = (&mut scratch.beyond[block], &mut scratch.mean_forces[block], &mut reaction);
             let at = (&scratch.stands[block], &scratch.forms[block], &scratch.grips[block]);
             let (equations, given) = (&*equations, (&scratch.given_back[block], h));
             dispatch!(scratch.level, _simd => respond(equations, balls, at, given, found));
@@ -54,7 +55,8 @@ impl Fast {
         let moved = l.any_tilts().then(|| self.moved_by_tilting(machine, (&frame, &on_tilting), &on_rings, h));
         let scratch = &mut self.scratch;
         for block in 0..blocks(l.balls) {
-            let (balls, found) = (&mut scratch.balls[block], (&mut scratch.beyond[block], &mut reaction));
+            let balls = &mut scratch.balls[block];
+            let found = (&mut scratch.beyond[block], &mut scratch.mean_forces[block], &mut reaction);
             let at = (&scratch.stands[block], &scratch.forms[block]);
             match &moved {
                 Some(moved) => follow::<true>(balls, (predicted, &moved[block]), at, found),
@@ -83,6 +85,7 @@ impl Fast {
         if self.scratch.forms.is_empty() {
             self.scratch.forms.resize(blocks(balls), Forms::NONE);
             self.scratch.grips.resize(blocks(balls), Grips::NONE);
+            self.scratch.mean_forces.resize(blocks(balls), [Lane::ZERO; 6]);
             for ball in 0..balls {
                 let (block, lanes) = (ball / WIDTH, lanes_of(l, ball / WIDTH, ball % WIDTH));
                 self.scratch.forms[block].set_tractions(lanes.clone(), &self.contacts[ball], [true; 2]);

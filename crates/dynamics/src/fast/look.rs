@@ -22,8 +22,8 @@ const BEFORE_REFRESH: f64 = 1.5;
 
 /// Semi-axes (longer, shorter) and peak pressure at inner and outer contacts.
 type Ellipses = [[Lane; 3]; 2];
-/// Ellipses, pockets, and the leads of the balls in these.
-type Beside<'a> = (&'a Ellipses, &'a [Lane; IN_POCKET], &'a Lane);
+/// Mean forces of the contacts in the last kick, ellipses, pockets, and the leads of the balls in these.
+type Beside<'a> = (&'a [Lane; 6], &'a Ellipses, &'a [Lane; IN_POCKET], &'a Lane);
 
 /// Room that a look works in, kept from one to the next, and the list of balls that it fills.
 #[derive(Default)]
@@ -125,7 +125,8 @@ impl Fast {
             dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, stand), grips));
             let pockets = of.pockets(block, &balls, grips);
             let (at, ellipses) = ((&balls, &*stand, forms, &*grips), of.ellipses(*level, stand));
-            let beside = (&ellipses, &pockets, &of.leads(block, &balls));
+            let mean_forces = &self.scratch.mean_forces[block];
+            let beside = (mean_forces, &ellipses, &pockets, &of.leads(block, &balls));
             match detail {
                 BallDetail::All => dispatch!(*level, _simd => see::<true>(&of, at, beside, seen)),
                 BallDetail::Loads => dispatch!(*level, _simd => see::<false>(&of, at, beside, seen)),
@@ -136,7 +137,7 @@ impl Fast {
                     seen.write(k, (result, detail));
                     get(&seen.sums, k)
                 } else {
-                    of.alone((index, y), (forms, k), (result, detail))
+                    of.alone((index, y), (forms, mean_forces, k), (result, detail))
                 };
                 sums.iter_mut().zip(sums_of_ball).for_each(|(sum, part)| *sum += part);
             }
@@ -181,25 +182,26 @@ impl Of<'_> {
         leads
     }
 
-    /// A ball by itself, its tractions by the linear forms where these are near, else integrated: in the middle of a
-    /// kick stiff friction is that of the form which the kick took, and not that of the patch.
+    /// A ball by itself, its tractions by the linear forms where these are near, else integrated, but with the forces
+    /// of the kick.
     fn alone(
         &self,
         (index, y): (usize, &[f64]),
-        (forms, k): (&Forms, usize),
+        (forms, mean_forces, k): (&Forms, &[Lane; 6], usize),
         (result, detail): (&mut BallResult, BallDetail),
     ) -> [f64; SUMS] {
         let (machine, mut sums) = (self.machine, Sums::default());
         let b = machine.unknowns(index, y);
-        let forces = machine.ball(index, b, &self.frame, |patch| {
+        let forces = machine.ball(index, b, &self.frame, |patch, sliding| {
             let linear = LinearTraction::from_numbers(|i| forms.traction[patch.side as usize][i].0[k]);
             let at = (patch.bare, BEFORE_REFRESH);
             let (change, near) = linear.reaches(&patch.motion, patch.load, at, patch.patch.ball_radius);
-            if near {
+            let traction = if near {
                 linear.traction(&patch.motion, &change)
             } else {
                 machine.kernel.traction(&machine.bearing, patch)
-            }
+            };
+            sliding.with_force(&traction, force_of(mean_forces, patch.side, k), patch.patch.ball_radius)
         });
         machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &self.frame, &mut sums);
         *result = ball_result(&self.sheet, (b, self.frame.rings.inner.speed), &forces);
@@ -223,16 +225,29 @@ fn frozen_ellipses(springs: ContactSprings, stand: &Stand) -> Ellipses {
     ellipses
 }
 
-/// A contact by its linear form, and 1 where that is near, else 0.
+/// Mean force of a contact on a ball in the last kick (a, r, t), N.
+#[inline(always)]
+fn force_of(mean_forces: &[Lane; 6], side: Side, k: usize) -> [f64; 3] {
+    let [i, j, l, outer @ ..] = get(mean_forces, k);
+    match side {
+        Side::Inner => [i, j, l],
+        Side::Outer => outer,
+    }
+}
+
+/// A contact by its linear form with the force of the kick, and 1 where that is near, else 0.
 #[inline(always)]
 fn contact(
     (of, side): (&Of<'_>, Side),
     state: &BallState,
     at: (&Stand, &[Lane; LINEAR], usize),
-    ellipses: &[Lane; 3],
+    (ellipses, mean_forces): (&[Lane; 3], &[Lane; 6]),
 ) -> (RaceContact, f64) {
     let (sliding, traction, near) = slide(of.machine, side, (&of.frame, state), at, BEFORE_REFRESH);
     let normal = at.0.contact(side, at.2);
+    let (loaded, ball_radius) = (normal.load > 0.0, of.machine.bearing.geometry.ball_radius());
+    let traction = sliding.with_force(&traction, force_of(mean_forces, side, at.2), ball_radius);
+    let traction = traction.times(if loaded { 1.0 } else { 0.0 });
     // None, but with the axis that the longer semi-axis is along.
     let mut ellipse = of.springs.ellipse(side, 0.0);
     [ellipse.semi_major, ellipse.semi_minor, ellipse.peak_pressure] = get(ellipses, at.2);
@@ -245,13 +260,15 @@ fn contact(
 fn ball(
     of: &Of<'_>,
     (balls, stand, forms, grips): (&[Lane; BALL], &Stand, &Forms, &Grips),
-    (ellipses, pockets, leads): Beside<'_>,
+    (mean_forces, ellipses, pockets, leads): Beside<'_>,
     k: usize,
 ) -> (Sums, BallResult, f64) {
     let (machine, b) = (of.machine, get(balls, k));
     let state = stand.state_of(machine, &b, k);
-    let (inner, near_inner) = contact((of, Side::Inner), &state, (stand, &forms.traction[0], k), &ellipses[0]);
-    let (outer, near_outer) = contact((of, Side::Outer), &state, (stand, &forms.traction[1], k), &ellipses[1]);
+    let (inner, near_inner) =
+        contact((of, Side::Inner), &state, (stand, &forms.traction[0], k), (&ellipses[0], mean_forces));
+    let (outer, near_outer) =
+        contact((of, Side::Outer), &state, (stand, &forms.traction[1], k), (&ellipses[1], mean_forces));
     let mut pocket = PocketLoad::none();
     pocket.take(get(pockets, k));
     let (drag, churning) = grips.fluid(k);

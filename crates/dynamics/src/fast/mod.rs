@@ -19,10 +19,10 @@
 //! The kick gives back the mean of g before and after its smoothing, which is just what the half drifts on either side
 //! of it went without: linear and angular momentum then hold to second order.
 //!
-//! Samples have the state between two steps, with what leapfrog swings too far taken back, and the velocities of the
-//! balls in the mean of the kick there: its friction is the mean one. In the middle of a kick the velocity of a ball
-//! that grips is off by half of its change, and the friction by as much as there is unsteady force: in oil the torque
-//! of a 6206 at 8 µs was off by some per cent, in proportion to the step.
+//! Samples have the state between two steps, with what leapfrog swings too far taken back, the velocities of the balls
+//! in the mean of the kick there, and its mean forces: what the kick gave to rings and balls, whose power is then that
+//! which the contacts lose. In the middle of a kick the velocity of a ball that grips is off by half of its change, and
+//! the friction by as much as there is unsteady force.
 //!
 //! Traction itself is linear between refreshes: the closed-form derivative of the patch integral by motion and load
 //! serves until the slip has moved by as much as keeps the error, seen at every refresh, near [`LINEAR_ERROR`] of the
@@ -99,6 +99,9 @@ pub(crate) struct Fast {
     given_back: Vec<f64>,
     /// Whether they are there.
     ready: bool,
+    /// Mean accelerations of cage and rings by the drift over the last step.
+    #[serde(skip)]
+    mean: Vec<f64>,
     /// Velocities of cage and rings at the start of a piece of the drift.
     #[serde(skip)]
     before: Vec<f64>,
@@ -146,6 +149,8 @@ struct Scratch {
     /// Common accelerations, and as the kick gives them back.
     common: Vec<[Lane; 3]>,
     given_back: Vec<[Lane; 3]>,
+    /// Mean accelerations by the drift over the last step.
+    mean: Vec<[Lane; 3]>,
     /// Second halves of kicks, and velocities at the start of a piece of the drift.
     half: Vec<[Lane; VELOCITIES]>,
     beyond: Vec<[Lane; VELOCITIES]>,
@@ -157,15 +162,33 @@ struct Scratch {
     places: Vec<Places>,
     forms: Vec<Forms>,
     grips: Vec<Grips>,
+    /// Mean forces of inner and outer contacts on the balls in the last kick (a, r, t), N.
+    mean_forces: Vec<[Lane; 6]>,
 }
 
 impl Default for Scratch {
     fn default() -> Self {
         let level = Level::new();
-        let (balls, common, given_back) = (Vec::new(), Vec::new(), Vec::new());
+        let (balls, common, given_back, mean) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let (half, beyond, before, stands) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (azimuths, places, forms, grips) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { level, balls, common, given_back, half, beyond, before, azimuths, stands, places, forms, grips }
+        let (azimuths, places, forms, grips, mean_forces) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self {
+            level,
+            balls,
+            common,
+            given_back,
+            mean,
+            half,
+            beyond,
+            before,
+            azimuths,
+            stands,
+            places,
+            forms,
+            grips,
+            mean_forces,
+        }
     }
 }
 
@@ -203,6 +226,7 @@ impl Fast {
             common: Vec::new(),
             given_back: Vec::new(),
             ready: false,
+            mean: Vec::new(),
             before: Vec::new(),
             half: Vec::new(),
             beyond: Vec::new(),
@@ -262,6 +286,8 @@ impl Fast {
             scratch.given_back.resize(blocks(l.balls), [Lane::ZERO; 3]);
             self.given_back.resize(y.len(), 0.0);
             self.before.resize(y.len(), 0.0);
+            self.mean.resize(y.len(), 0.0);
+            scratch.mean.resize(blocks(l.balls), [Lane::ZERO; 3]);
             scratch.before.resize(blocks(l.balls), [Lane::ZERO; 3]);
         }
         if !self.ready {
@@ -308,9 +334,12 @@ impl Fast {
         let pieces = self.pieces(span);
         let h = span / pieces as f64;
         self.piece = h;
+        self.mean.fill(0.0);
+        self.scratch.mean.fill([Lane::ZERO; 3]);
+        let half = (0.5 * h, 0.5 / pieces as f64);
         for piece in 0..pieces {
             self.remember_velocities(l, y);
-            self.push(l, y, 0.5 * h);
+            self.push(l, y, half);
             self.remember_azimuths(machine);
             let Scratch { level, balls, .. } = &mut self.scratch;
             for balls in balls {
@@ -323,20 +352,20 @@ impl Fast {
             let at = (t + (piece + 1) as f64 * h, &*y);
             drift_acceleration(*level, equations, at, balls, (&mut self.drift, stands));
             self.swap_back(l, y);
-            self.push(l, y, 0.5 * h);
+            self.push(l, y, half);
         }
         if self.steps.is_multiple_of(LOOK_EVERY) {
             self.longest = self.longest_pieces(machine);
         }
     }
 
-    /// Velocities by the drift's accelerations less their common part.
-    fn push(&mut self, l: Layout, y: &mut [f64], h: f64) {
-        let Scratch { level, balls, common, stands, .. } = &mut self.scratch;
-        for ((balls, stand), common) in balls.iter_mut().zip(stands).zip(common) {
-            dispatch!(*level, _simd => push_balls(balls, stand.acceleration(), common, h));
+    /// Velocities by the drift's accelerations less their common part over a time, s, which is a share of the step.
+    fn push(&mut self, l: Layout, y: &mut [f64], time: (f64, f64)) {
+        let Scratch { level, balls, common, stands, mean, .. } = &mut self.scratch;
+        for (((balls, stand), common), mean) in balls.iter_mut().zip(stands).zip(common).zip(mean) {
+            dispatch!(*level, _simd => push_balls(balls, (stand.acceleration(), common), mean, time));
         }
-        push_bodies(l, y, (&self.drift, &self.common), h);
+        push_bodies(l, y, (&self.drift, &self.common), &mut self.mean, time);
     }
 
     /// Pieces of the drift of a step.
@@ -344,16 +373,17 @@ impl Fast {
         self.longest.pieces(step)
     }
 
-    /// Lets the common acceleration follow that of the drift.
+    /// Lets the common acceleration follow that of the drift: its mean over the step, which the kicks themselves do not
+    /// change. That at the end has what they set swinging in it, and from half a period of the springs on feeds it.
     fn smooth(&mut self, l: Layout, h: f64) {
-        let Scratch { level, stands, common, given_back, .. } = &mut self.scratch;
+        let Scratch { level, mean, common, given_back, .. } = &mut self.scratch;
         let share = (h / SMOOTHING_TIME).min(1.0);
-        for ((common, given), stand) in common.iter_mut().zip(given_back).zip(stands) {
-            dispatch!(*level, _simd => follow_balls((common, given), stand.acceleration(), share));
+        for ((common, given), mean) in common.iter_mut().zip(given_back).zip(mean) {
+            dispatch!(*level, _simd => follow_balls((common, given), mean, share));
         }
         let share = (h / RING_SMOOTHING_TIME).min(1.0);
         for k in l.velocities_of_bodies() {
-            follow_slowly((&mut self.common[k], &mut self.given_back[k]), self.drift[k], share);
+            follow_slowly((&mut self.common[k], &mut self.given_back[k]), self.mean[k], share);
         }
     }
 

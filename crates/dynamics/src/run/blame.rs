@@ -113,7 +113,7 @@ impl Run {
     /// The bound by the balls' friction or contact springs, whichever is the lower.
     fn of_balls(&self, s: Stiffness) -> StepBound {
         let (limit_s, springs) = match self.scheme {
-            Scheme::Fast { .. } => (s.fast_step_s, FAST_PERIOD / s.contact_frequency_hz),
+            Scheme::Fast { .. } => (s.fast_step_s, self.machine.fast_period() / s.contact_frequency_hz),
             _ => (s.runge_kutta_step_s, IMAGINARY_LIMIT / (TAU * s.contact_frequency_hz)),
         };
         let motion = if limit_s >= springs {
@@ -166,7 +166,7 @@ impl Machine {
             unknowns.copy_from_slice(b);
             let mut value = |by: f64| {
                 unknowns[at] = b[at] + by;
-                let forces = self.ball(index, &unknowns, &frame, |patch| self.kernel.traction(&self.bearing, patch));
+                let forces = self.ball(index, &unknowns, &frame, |patch, _| self.kernel.traction(&self.bearing, patch));
                 forces.acceleration[ORBIT - VELOCITY]
             };
             (value(change) - value(-change)) / (2.0 * change)

@@ -4,6 +4,9 @@
 //! The scheme is of second order, so that the error is four thirds of that distance, and a step that is shorter by the
 //! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: a quarter of the
 //! longest is then tried, too, and the longest step is taken that errs by at most twice the least of those tried.
+//!
+//! Trials integrate traction more often than the run: what the linear traction errs in the torque of so short a time is
+//! the same for all steps, and where balls roll in oil more than all else that a step errs.
 
 use super::companion::apart_and_unsteady;
 use super::filter::steps_of_sample;
@@ -22,13 +25,19 @@ const FEWEST: usize = 8;
 /// Longest step that is tried, over the one that is stable at the start: loads change.
 const MARGIN: f64 = 0.9;
 /// Shortest step that is tried, in that longest one: beyond it another scheme does better.
-const MOST_DIVISIONS: f64 = 16.0;
+const MOST_DIVISIONS: f64 = 64.0;
 /// Steps in the longest one that are tried, too, where a shorter one does not lessen the error, and the error of a step
 /// over the least one that counts as no more.
 const SCATTERED: f64 = 4.0;
 const NO_MORE: f64 = 2.0;
+/// Steps in the longest one over the start of a bearing that is not round.
+const PAST_THE_START: f64 = 32.0;
+/// Error of the linear traction in trials over that of the run.
+const LINEAR_ERROR_OF_RUN: f64 = 0.1;
+/// Fewest steps between samples: fewer save little more, and what samples tell of accelerations suffers.
+const LEAST_STEPS: f64 = 2.0;
 /// Pairs of trials.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 4;
 /// Error of the cage's speed that counts as one of the loads: a mean over many contacts is better than each.
 const SPEED: f64 = 0.1;
 /// Error of the ring's acceleration, over its own rms, that counts as one of the loads: it is what large forces leave.
@@ -103,11 +112,15 @@ struct Trial {
     /// Mean torque on the inner ring, N m, and mean speed of the cage, rad/s.
     torque: f64,
     cage_speed: f64,
+    /// The state at its end.
+    state: Vec<f64>,
 }
 
 /// Where trials start, and how they are sampled.
 pub(super) struct Trials<'a> {
     pub machine: &'a Machine,
+    /// Time, s.
+    pub start: f64,
     pub state: &'a [f64],
     pub linear_error: f64,
     /// Samples, Hz.
@@ -119,7 +132,25 @@ pub(super) struct Trials<'a> {
 impl Trials<'_> {
     /// The longest step with the accuracy asked for.
     pub fn choose(&self, accuracy: f64) -> StepChoice {
-        let least = steps_of_sample(self.longest(), self.rate);
+        match self.past_the_start() {
+            Some((start, state)) => Trials { start, state: &state, ..*self }.longest_that_keeps(accuracy),
+            None => self.longest_that_keeps(accuracy),
+        }
+    }
+
+    /// A motion starts as that of a round bearing. Where balls and races are not round, the shock in which they meet
+    /// would ask for steps that nothing after it needs: the state in which it has died away, and its time, s.
+    fn past_the_start(&self) -> Option<(f64, Vec<f64>)> {
+        if self.machine.is_even() {
+            return None;
+        }
+        let steps = steps_of_sample(self.longest() / PAST_THE_START, self.rate);
+        let trial = self.trial(steps)?;
+        Some((self.start + self.samples() as f64 / self.rate, trial.state))
+    }
+
+    fn longest_that_keeps(&self, accuracy: f64) -> StepChoice {
+        let least = steps_of_sample(self.longest(), self.rate).max(LEAST_STEPS);
         let choice = |steps: f64| {
             let (errors, step_s) = (self.errors(steps), 1.0 / (self.rate * steps));
             StepChoice { accuracy, errors, step_s, scatters: false }
@@ -171,30 +202,36 @@ impl Trials<'_> {
         }
     }
 
+    /// Samples of a trial.
+    fn samples(&self) -> usize {
+        ((SPAN_S.min(MOST_OF_RUN * self.duration) * self.rate) as usize).max(FEWEST)
+    }
+
     /// From the start with so many steps a sample; none where the motion goes beyond all numbers.
     fn trial(&self, steps: f64) -> Option<Trial> {
         let (mut machine, mut y) = (self.machine.clone(), self.state.to_vec());
-        let (l, length) = (machine.layout, 1.0 / self.rate);
-        let samples = ((SPAN_S.min(MOST_OF_RUN * self.duration) * self.rate) as usize).max(FEWEST);
+        let (l, length, samples) = (machine.layout, 1.0 / self.rate, self.samples());
         let h = length / steps;
         machine.thicken_pocket_film(h);
-        let mut fast = Fast::with_linear_error(self.linear_error);
+        let mut fast = Fast::with_linear_error(LINEAR_ERROR_OF_RUN * self.linear_error);
         let (mut room, mut shown) = (Room::default(), Vec::new());
-        let mut trial = Trial { accelerations: Vec::new(), loads: Vec::new(), torque: 0.0, cage_speed: 0.0 };
+        let mut trial =
+            Trial { accelerations: Vec::new(), loads: Vec::new(), torque: 0.0, cage_speed: 0.0, state: Vec::new() };
         for sample in 0..samples {
             let before = [y[l.outer() + 2], y[l.outer() + 3]];
             for step in 0..steps as usize {
-                fast.step(&mut machine, sample as f64 * length + step as f64 * h, &mut y, h);
+                fast.step(&mut machine, self.start + sample as f64 * length + step as f64 * h, &mut y, h);
             }
             trial.accelerations.push([0, 1].map(|k| (y[l.outer() + 2 + k] - before[k]) / length));
             fast.show(l, &y, &mut shown);
-            let at = ((sample + 1) as f64 * length, &shown[..]);
+            let at = (self.start + (sample + 1) as f64 * length, &shown[..]);
             let (sums, balls) = fast.look(&machine, at, (BallDetail::Loads, &mut room));
             trial.torque += sums.torque.inner / samples as f64;
             trial.loads.extend(balls.iter().flat_map(|ball| Side::BOTH.map(|side| ball.contacts[side].load_n)));
             room.balls = balls;
         }
         trial.cage_speed = (y[l.cage()] - self.state[l.cage()]) / (samples as f64 * length);
-        y.iter().all(|value| value.is_finite()).then_some(trial)
+        trial.state = y;
+        trial.state.iter().all(|value| value.is_finite()).then_some(trial)
     }
 }

@@ -224,7 +224,7 @@ impl Run {
         let (patch, linear_error) = errors(scheme, inputs.patch);
         let tolerance = inputs.numerics.tolerance;
         let Started { mut machine, state, solution } = start(RunInputs { patch, ..inputs }, motion)?;
-        let trials = Trials { machine: &machine, state: &state, linear_error, rate: state_rate, duration };
+        let trials = Trials { machine: &machine, start: 0.0, state: &state, linear_error, rate: state_rate, duration };
         let (scheme, choice) = Scheme::new(scheme, state_rate, |accuracy| trials.choose(accuracy));
         if let Scheme::Fast { step } = scheme {
             machine.thicken_pocket_film(step);
