@@ -16,6 +16,8 @@ pub(crate) const VELOCITY: usize = 3;
 pub(crate) const ORBIT: usize = 5;
 /// Absolute spin Ω (axial, radial, tangential), rad/s.
 pub(crate) const SPIN: usize = 6;
+/// Velocities of a ball, with its angular velocity.
+pub(crate) const VELOCITIES: usize = BALL - VELOCITY;
 
 /// Offsets of what comes after the balls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

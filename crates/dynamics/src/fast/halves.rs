@@ -1,15 +1,13 @@
 //! Kicks in halves: that at the end of a step belongs one half to this step and one to the next, so that the state
 //! between two steps is that of the middle of a kick. And the state as samples have it.
 
+use super::Fast;
 use super::drift::drift_acceleration;
 use super::lanes::{Lane, WIDTH};
-use super::{Fast, Scratch};
+use super::scratch::Scratch;
 use crate::equations::Equations;
-use crate::layout::{BALL, Layout, VELOCITY};
+use crate::layout::{BALL, Layout, VELOCITIES, VELOCITY};
 use fearless_simd::dispatch;
-
-/// Velocities of a ball, with its spin.
-pub(super) const VELOCITIES: usize = BALL - VELOCITY;
 
 impl Fast {
     /// Makes ready for steps of another length than the last ones, or for the first: finds the half kick that the next

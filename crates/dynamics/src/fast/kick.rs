@@ -1,10 +1,11 @@
 //! The kick: friction at fixed position, linearly implicit.
 
+use super::Fast;
 use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, stiffnesses};
 use super::grip::{Forms, Grips, follow, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
+use super::scratch::Scratch;
 use super::tilt::OnTilting;
-use super::{Fast, Scratch};
 use crate::equations::{Equations, Frame};
 use crate::layout::Layout;
 use crate::linear::Contacts;

@@ -1,11 +1,12 @@
 //! The balls at a moment of the fast scheme, for samples: all in lanes but the pockets and what the linear forms do not
 //! reach.
 
+use super::Fast;
 use super::drift::{Stand, press};
 use super::grip::{Forms, Grips, LINEAR, slide, surroundings};
 use super::lanes::{Lane, WIDTH, blocks, filled, gather, get, put};
 use super::numbers::{IN_POCKET, Numbers, SUMS};
-use super::{Fast, Scratch};
+use super::scratch::Scratch;
 use crate::detail::{Balls, ball_result};
 use crate::equations::{Equations, Frame, Touched};
 use crate::forces::Sums;

@@ -47,21 +47,22 @@ mod longest;
 mod look;
 mod numbers;
 mod orientation;
+mod scratch;
 mod tilt;
 
 use crate::equations::Equations;
-use crate::layout::{BALL, Layout, VELOCITY};
+use crate::layout::{Layout, VELOCITY};
 use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
 use drift::{Stand, drift_acceleration};
-use fearless_simd::{Level, dispatch};
+use fearless_simd::dispatch;
 use friction::LinearFriction;
 use glide::{glide_balls, glide_bodies, push_balls, push_bodies};
-use grip::{Forms, Grips, Places};
-use halves::VELOCITIES;
+use grip::Places;
 use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
 use longest::Longest;
 pub(crate) use look::Room;
 use nalgebra::Matrix5;
+use scratch::Scratch;
 use serde::{Deserialize, Serialize};
 
 /// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it
@@ -137,71 +138,6 @@ fn follow_balls((common, given): (&mut [Lane; 3], &mut [Lane; 3]), drift: &[Lane
         for k in 0..WIDTH {
             follow_slowly((&mut common[i].0[k], &mut given[i].0[k]), drift[i].0[k], share);
         }
-    }
-}
-
-/// The balls in lanes: all of it follows from the rest of the memory and the state.
-#[derive(Debug)]
-struct Scratch {
-    /// The vector instructions of this processor.
-    level: Level,
-    balls: Vec<[Lane; BALL]>,
-    /// Common accelerations, and as the kick gives them back.
-    common: Vec<[Lane; 3]>,
-    given_back: Vec<[Lane; 3]>,
-    /// Mean accelerations by the drift over the last step.
-    mean: Vec<[Lane; 3]>,
-    /// Second halves of kicks, and velocities at the start of a piece of the drift.
-    half: Vec<[Lane; VELOCITIES]>,
-    beyond: Vec<[Lane; VELOCITIES]>,
-    before: Vec<[Lane; 3]>,
-    /// Azimuths of the balls that are not round at the start of a piece, rad.
-    azimuths: Vec<f64>,
-    stands: Vec<Stand>,
-    /// The middles of the balls' pockets.
-    places: Vec<Places>,
-    forms: Vec<Forms>,
-    grips: Vec<Grips>,
-    /// Mean forces of inner and outer contacts on the balls in the last kick (a, r, t), N.
-    mean_forces: Vec<[Lane; 6]>,
-}
-
-impl Default for Scratch {
-    fn default() -> Self {
-        let level = Level::new();
-        let (balls, common, given_back, mean) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (half, beyond, before, stands) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (azimuths, places, forms, grips, mean_forces) =
-            (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self {
-            level,
-            balls,
-            common,
-            given_back,
-            mean,
-            half,
-            beyond,
-            before,
-            azimuths,
-            stands,
-            places,
-            forms,
-            grips,
-            mean_forces,
-        }
-    }
-}
-
-impl Clone for Scratch {
-    /// A memory that goes its own way makes its own.
-    fn clone(&self) -> Self {
-        Self::default()
-    }
-}
-
-impl PartialEq for Scratch {
-    fn eq(&self, _: &Self) -> bool {
-        true
     }
 }
 

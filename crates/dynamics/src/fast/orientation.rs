@@ -1,7 +1,8 @@
 //! Orientations of balls that are not round in the drift.
 
+use super::Fast;
 use super::lanes::{WIDTH, get};
-use super::{Fast, Scratch};
+use super::scratch::Scratch;
 use crate::ball_surfaces::turned_on;
 use crate::layout::{AZIMUTH, SPIN};
 use crate::machine::Machine;
