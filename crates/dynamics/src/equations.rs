@@ -293,6 +293,12 @@ impl Machine {
         Side::BOTH.into_iter().all(as_new) && self.bearing.deviations.are_none() && self.ball_surfaces.are_round()
     }
 
+    /// True where a race or a ball has a place at which balls strike.
+    pub fn is_damaged(&self) -> bool {
+        let struck = |side| !self.raceways[side].is_new() || !self.spalls[side].is_empty();
+        Side::BOTH.into_iter().any(struck) || !self.ball_surfaces.spalls().is_empty()
+    }
+
     /// The unknowns of a ball.
     #[inline]
     pub fn unknowns<'a>(&self, index: usize, y: &'a [f64]) -> &'a [f64] {

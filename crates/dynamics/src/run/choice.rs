@@ -15,10 +15,13 @@ use crate::machine::Machine;
 use crate::observer::BallDetail;
 use crate::stiffness::or_infinite;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
 use tribodyn_bearing::Side;
 
 /// Simulated time of a trial, s: some periods of a ring on its balls.
 const SPAN_S: f64 = 2e-3;
+/// Longest one over a damaged place, s.
+const LONGEST_SPAN_S: f64 = 2e-2;
 /// Most of it, over the duration of the run, and fewest samples.
 const MOST_OF_RUN: f64 = 0.05;
 const FEWEST: usize = 8;
@@ -202,9 +205,19 @@ impl Trials<'_> {
         }
     }
 
-    /// Samples of a trial.
+    /// Samples of a trial: over a place that is damaged a ball has to pass.
     fn samples(&self) -> usize {
-        ((SPAN_S.min(MOST_OF_RUN * self.duration) * self.rate) as usize).max(FEWEST)
+        let usual = SPAN_S.min(MOST_OF_RUN * self.duration);
+        let span = if self.machine.is_damaged() { usual.max(self.pass()) } else { usual };
+        ((span * self.rate) as usize).max(FEWEST)
+    }
+
+    /// Time in which the balls move on by one on either ring, s.
+    fn pass(&self) -> f64 {
+        let (l, speeds) = (self.machine.layout, &self.machine.speeds);
+        let cage = self.state[l.cage() + 1];
+        let slower = speeds.each_ref().map(|speed| (cage - speed.at(self.start)).abs());
+        (TAU / (l.balls as f64 * slower.inner.min(slower.outer))).min(LONGEST_SPAN_S)
     }
 
     /// From the start with so many steps a sample; none where the motion goes beyond all numbers.
