@@ -5,7 +5,6 @@ use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, stif
 use super::grip::{Forms, Grips, follow, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
 use super::scratch::Scratch;
-use super::tilt::OnTilting;
 use crate::equations::{Equations, Frame};
 use crate::layout::Layout;
 use crate::linear::Contacts;
@@ -33,7 +32,6 @@ impl Fast {
         }
         self.smooth(l, h);
         let mut on_rings = self.ring_common(equations.machine());
-        let mut on_tilting = OnTilting::default();
         let (mut on_cage, mut reaction) = ((0.0, Wrench::default()), [Lane::ZERO; 6]);
         for block in 0..blocks(l.balls) {
             self.grip(equations, block, (&frame, renew), &mut on_cage);
@@ -44,7 +42,6 @@ impl Fast {
             let (equations, given) = (&*equations, (&scratch.given_back[block], h));
             dispatch!(scratch.level, _simd => respond(equations, balls, at, given, found));
             (0..filled(l, block)).for_each(|k| on_rings += of_translations(&reaction, k));
-            on_tilting.add(l, block, &reaction);
         }
         let machine = equations.machine();
         if renew || self.rings_last == 0 {
@@ -53,7 +50,7 @@ impl Fast {
         }
         self.rings_last -= 1;
         let predicted: [f64; 5] = (self.rings * on_rings * h).into();
-        let moved = l.any_tilts().then(|| self.moved_by_tilting(machine, (&frame, &on_tilting), &on_rings, h));
+        let moved = l.any_tilts().then(|| self.moved_by_tilting(machine, &frame, &on_rings, h));
         let scratch = &mut self.scratch;
         for block in 0..blocks(l.balls) {
             let balls = &mut scratch.balls[block];
@@ -66,9 +63,8 @@ impl Fast {
                 }
             }
             (0..filled(l, block)).for_each(|k| on_rings += of_translations(&reaction, k));
-            on_tilting.add(l, block, &reaction);
         }
-        self.kick_tilts(machine, y, (&frame, &on_tilting), h);
+        self.kick_tilts(machine, y, &frame, h);
         let lands = machine.kick_free_cage(y, (&frame, &on_cage.1), h);
         let ([x, y_, z], [outer_x, outer_y, _]) = (lands.inner, lands.outer);
         on_rings -= Vector5::new(x, y_, z, outer_x, outer_y);

@@ -6,7 +6,7 @@ use super::drift::{Stand, press};
 use super::grip::{Forms, Grips, LINEAR, slide, surroundings};
 use super::lanes::{Lane, WIDTH, blocks, filled, gather, get, put};
 use super::numbers::{IN_POCKET, Numbers, SUMS};
-use super::scratch::Scratch;
+use super::scratch::{Scratch, force_of};
 use crate::detail::{Balls, ball_result};
 use crate::equations::{Equations, Frame, Touched};
 use crate::forces::Sums;
@@ -224,16 +224,6 @@ fn frozen_ellipses(springs: ContactSprings, stand: &Stand) -> Ellipses {
         put(&mut ellipses[1], k, [outer.semi_major, outer.semi_minor, outer.peak_pressure]);
     }
     ellipses
-}
-
-/// Mean force of a contact on a ball in the last kick (a, r, t), N.
-#[inline(always)]
-fn force_of(mean_forces: &[Lane; 6], side: Side, k: usize) -> [f64; 3] {
-    let [i, j, l, outer @ ..] = get(mean_forces, k);
-    match side {
-        Side::Inner => [i, j, l],
-        Side::Outer => outer,
-    }
 }
 
 /// A contact by its linear form with the force of the kick, and 1 where that is near, else 0.

@@ -1,10 +1,11 @@
-//! What the fast scheme works on: the balls in lanes.
+//! The balls in lanes, on which the fast scheme works.
 
 use super::drift::Stand;
 use super::grip::{Forms, Grips, Places};
-use super::lanes::Lane;
+use super::lanes::{Lane, get};
 use crate::layout::{BALL, VELOCITIES};
 use fearless_simd::Level;
+use tribodyn_bearing::Side;
 
 /// The balls in lanes: all of it follows from the rest of the memory and the state.
 #[derive(Debug)]
@@ -34,26 +35,21 @@ pub(super) struct Scratch {
 
 impl Default for Scratch {
     fn default() -> Self {
-        let level = Level::new();
-        let (balls, common, given_back, mean) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (half, beyond, before, stands) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (azimuths, places, forms, grips, mean_forces) =
-            (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
         Self {
-            level,
-            balls,
-            common,
-            given_back,
-            mean,
-            half,
-            beyond,
-            before,
-            azimuths,
-            stands,
-            places,
-            forms,
-            grips,
-            mean_forces,
+            level: Level::new(),
+            balls: Vec::new(),
+            common: Vec::new(),
+            given_back: Vec::new(),
+            mean: Vec::new(),
+            half: Vec::new(),
+            beyond: Vec::new(),
+            before: Vec::new(),
+            azimuths: Vec::new(),
+            stands: Vec::new(),
+            places: Vec::new(),
+            forms: Vec::new(),
+            grips: Vec::new(),
+            mean_forces: Vec::new(),
         }
     }
 }
@@ -68,5 +64,15 @@ impl Clone for Scratch {
 impl PartialEq for Scratch {
     fn eq(&self, _: &Self) -> bool {
         true
+    }
+}
+
+/// Mean force of a contact on a ball in the last kick (a, r, t), N.
+#[inline(always)]
+pub(super) fn force_of(mean_forces: &[Lane; 6], side: Side, k: usize) -> [f64; 3] {
+    let [i, j, l, outer @ ..] = get(mean_forces, k);
+    match side {
+        Side::Inner => [i, j, l],
+        Side::Outer => outer,
     }
 }

@@ -4,35 +4,15 @@
 
 use super::Fast;
 use super::friction::inverse_with_held;
-use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of, put};
+use super::lanes::{Lane, WIDTH, blocks, lanes_of, put};
+use super::scratch::force_of;
 use crate::equations::Frame;
-use crate::layout::{AXIAL, Layout};
+use crate::layout::AXIAL;
 use crate::machine::Machine;
 use crate::tilting::Tilting;
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector5};
 use tribodyn_bearing::vectors::{cross, dot};
-use tribodyn_bearing::{Races, RingState, Side};
-
-/// Mean force of each ball on rings that tilt over a step (x, y, z), N.
-#[derive(Debug, Default)]
-pub(super) struct OnTilting(Vec<Races<[f64; 3]>>);
-
-impl OnTilting {
-    /// Adds forces of the balls of a block; of rings that do not tilt nothing is kept.
-    pub fn add(&mut self, l: Layout, block: usize, forces: &[Lane; 6]) {
-        if !l.any_tilts() {
-            return;
-        }
-        self.0.resize(l.balls, Races::default());
-        for k in 0..filled(l, block) {
-            let [x, y, z, outer @ ..] = get(forces, k);
-            let sums = &mut self.0[WIDTH * block + k];
-            for (side, force) in [(Side::Inner, [x, y, z]), (Side::Outer, outer)] {
-                (0..3).for_each(|i| sums[side][i] += force[i]);
-            }
-        }
-    }
-}
+use tribodyn_bearing::{RingState, Side};
 
 /// Freedoms of the rings: x, y, z of the inner one, x, y of the outer one, tilts of both about x and y.
 const RINGS: usize = 9;
@@ -43,11 +23,11 @@ impl Fast {
     pub(super) fn moved_by_tilting(
         &self,
         machine: &Machine,
-        (frame, on): (&Frame, &OnTilting),
+        frame: &Frame,
         on_rings: &Vector5<f64>,
         h: f64,
     ) -> Vec<[Lane; 6]> {
-        let (mut sum, mut given) = self.of_bodies(machine, (frame, on), h);
+        let (mut sum, mut given) = self.of_bodies(machine, frame, h);
         given.fixed_rows_mut::<5>(0).copy_from(on_rings);
         let moves: Vec<_> = (0..self.friction.len()).map(|index| self.moves(machine, frame, index)).collect();
         for (friction, moves) in self.friction.iter().zip(&moves) {
@@ -64,12 +44,7 @@ impl Fast {
 
     /// Masses and inertias of the rings' freedoms, infinite where they are held, less what their own turning takes in a
     /// step; and the moments on them.
-    fn of_bodies(
-        &self,
-        machine: &Machine,
-        (frame, on): (&Frame, &OnTilting),
-        h: f64,
-    ) -> (SMatrix<f64, RINGS, RINGS>, SVector<f64, RINGS>) {
+    fn of_bodies(&self, machine: &Machine, frame: &Frame, h: f64) -> (SMatrix<f64, RINGS, RINGS>, SVector<f64, RINGS>) {
         let mut sum = SMatrix::<f64, RINGS, RINGS>::zeros();
         let mut given = SVector::<f64, RINGS>::zeros();
         let translations = machine.inner.free.map(|free| (free, machine.inner.mass)).into_iter();
@@ -83,7 +58,7 @@ impl Fast {
                 (at..at + 2).for_each(|k| sum[(k, k)] = f64::INFINITY);
                 continue;
             };
-            let by_balls = self.by_balls(machine, side, (frame, on));
+            let by_balls = self.by_balls(machine, side, frame);
             let (body, moment) = turning(machine, (side, ring, tilting), by_balls, h);
             sum.fixed_view_mut::<2, 2>(at, at).copy_from(&body);
             given.fixed_rows_mut::<2>(at).copy_from(&moment);
@@ -116,10 +91,10 @@ impl Fast {
         moves
     }
 
-    pub(super) fn kick_tilts(&self, machine: &Machine, y: &mut [f64], (frame, on): (&Frame, &OnTilting), h: f64) {
+    pub(super) fn kick_tilts(&self, machine: &Machine, y: &mut [f64], frame: &Frame, h: f64) {
         for (side, tilting) in machine.tilting.iter() {
             let Some(tilting) = tilting else { continue };
-            let by_balls = self.by_balls(machine, side, (frame, on));
+            let by_balls = self.by_balls(machine, side, frame);
             let (body, moment) = turning(machine, (side, &frame.rings[side], tilting), by_balls, h);
             let change = body.try_inverse().map_or(Vector2::zeros(), |inverse| inverse * moment * h);
             machine.layout.velocities_of_tilt(side).zip(change.iter()).for_each(|(k, by)| y[k] += by);
@@ -127,14 +102,14 @@ impl Fast {
     }
 
     /// Moment of the balls on a ring about its centre (x, y, z), N m.
-    fn by_balls(&self, machine: &Machine, side: Side, (frame, on): (&Frame, &OnTilting)) -> [f64; 3] {
+    fn by_balls(&self, machine: &Machine, side: Side, frame: &Frame) -> [f64; 3] {
         let (ring, mut moment) = (&frame.rings[side], [0.0; 3]);
-        for (index, force) in on.0.iter().map(|on| on[side]).enumerate() {
+        for index in 0..machine.layout.balls {
             let (block, k) = (index / WIDTH, index % WIDTH);
             let (stand, grips) = (&self.scratch.stands[block], &self.scratch.grips[block]);
             let state = stand.state(machine, &self.scratch.balls[block], k);
             let at_start = grips.forces(side, k);
-            let mean = state.frame.from_inertial(force.map(|f| -f));
+            let mean = force_of(&self.scratch.mean_forces[block], side, k);
             // What the force is in the mean of the step acts where it acts at its start: at the contact.
             let contact = stand.contact(side, k);
             let [n_a, n_r] = contact.pose.normal(side);

@@ -180,7 +180,7 @@ impl Trials<'_> {
     fn longest(&self) -> f64 {
         let mut dry = self.machine.clone();
         dry.cage.pocket.film = None;
-        MARGIN * dry.stiffness(0.0, self.state).fast_step_s
+        MARGIN * dry.stiffness(self.start, self.state).fast_step_s
     }
 
     /// Errors of so many steps a sample, by what twice as many change.
