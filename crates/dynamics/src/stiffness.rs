@@ -38,6 +38,10 @@ pub(crate) const FAST_PERIOD: f64 = 0.45;
 const FAST_PERIOD_DAMPED: f64 = 2.0;
 /// Damping of the contacts over the critical one.
 const DAMPED: f64 = 0.01;
+/// The same from which on what contacts vibrate has died out after a period, and folds into no spectrum: of a 6206 and
+/// a 608 with 0.25, sampled at 25.6 kHz, bands within 40 dB of the highest are the same to 6 % in steps of 2.5 and of
+/// 19.6 µs, in which contacts vibrate 0.9 and 2.2 times.
+const WELL_DAMPED: f64 = 0.2;
 
 /// Where the stability region of the classical Runge–Kutta method ends on the negative real axis, and on the imaginary.
 pub(crate) const REAL_LIMIT: f64 = 2.785;
@@ -110,6 +114,11 @@ impl Machine {
     /// Longest step of the fast scheme over the period of the contact springs.
     pub(crate) fn fast_period(&self) -> f64 {
         if self.bearing.contact_damping < DAMPED { FAST_PERIOD } else { FAST_PERIOD_DAMPED }
+    }
+
+    /// True where what contacts vibrate dies out within a period.
+    pub(crate) fn is_well_damped(&self) -> bool {
+        self.bearing.contact_damping >= WELL_DAMPED
     }
 
     fn with_kernel(&self, index: usize, b: &[f64], frame: &Frame) -> BallForces {

@@ -246,7 +246,7 @@ impl Run {
     /// Says at the start that the filter of the samples cannot see the contact vibration.
     pub(super) fn warn_if_undersampled<O: Observer>(&mut self, observer: &mut O) -> Result<(), RunError<O::Error>> {
         let (internal, contact) = (self.filter.internal_rate_hz(), self.progress.stiffness.contact_frequency_hz);
-        if internal >= 2.0 * contact {
+        if internal >= 2.0 * contact || self.machine.is_well_damped() {
             return Ok(());
         }
         let message = format!(

@@ -109,6 +109,18 @@ fn limit_an_accuracy_that_no_step_reaches_is_said() {
     assert!(choice.errors.worst() > 1e-3, "{choice:?}");
 }
 
+/// What the contacts vibrate would fold into the samples' spectra, unless it dies out at once.
+#[test]
+fn limit_samples_see_what_contacts_vibrate_or_it_dies_out() {
+    let of = |damping: &str| {
+        let case = catalogue(ANGULAR_7210, "FastTo(accuracy: 0.1)", ("transient.contact_damping", damping));
+        let run = Run::new(case.run_inputs().unwrap()).unwrap();
+        run.step_s().unwrap() * run.stiffness().contact_frequency_hz
+    };
+    let [lightly, well] = ["0.02", "0.25"].map(of);
+    assert!(lightly < 0.5 && well > 0.5, "{lightly} {well}");
+}
+
 /// A finer accuracy has a shorter step, and no step is longer than what stability allows.
 #[test]
 fn limit_a_finer_accuracy_has_a_shorter_step() {
