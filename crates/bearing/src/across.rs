@@ -47,7 +47,7 @@ impl Bearing {
         let radius = self.geometry.ball_radius();
         let (sin, cos) = contact.angle_rad.sin_cos();
         let [n_a, n_r] = if side == Side::Outer { [sin, cos] } else { [-sin, -cos] };
-        let [axial, radial, along] = ball.spin_rad_s;
+        let [axial, radial, along] = ball.angular_velocity_rad_s;
         let against = axial + ball.orbital_speed_rad_s - ring_speed;
         // The result has the magnitude of the rolling speed; its sign goes with that of the ball's surface.
         let surfaces = (axial * n_r - radial * n_a) * radius
@@ -97,13 +97,13 @@ mod tests {
         let offset = g.groove_offset(Side::Outer) + 2e-5;
         let (sin, cos) = (g.sin_contact_angle(), g.cos_contact_angle());
         let quadrature = Quadrature::new(PatchRule::SplitStrip { across: 24, along: 12 }).unwrap();
-        for (spin, orbit) in [([-3300.0, 1000.0, 0.0], 620.0), ([-2000.0, -300.0, 150.0], 300.0)] {
+        for (angular_velocity, orbit) in [([-3300.0, 1000.0, 0.0], 620.0), ([-2000.0, -300.0, 150.0], 300.0)] {
             let ball = BallState {
                 frame: AzimuthFrame { sin: 0.6, cos: 0.8 },
                 position: [offset * sin, offset * cos],
                 velocity: [0.0; 2],
                 orbital_speed: orbit,
-                spin,
+                angular_velocity,
                 size: BallSize::NOMINAL,
             };
             let inner = RingState { displacement: [0.0, 0.0, 5e-5 / sin], ..RingState::centred(1400.0) };
@@ -115,7 +115,7 @@ mod tests {
                 let e = &loads.contacts[side].ellipse;
                 let sum: f64 = wear.across.iter().sum::<f64>() * e.peak_pressure * e.semi_lateral() * e.semi_rolling();
                 let expected = loads.contacts[side].traction.wear_integral;
-                assert!((sum / expected - 1.0).abs() < 1e-3, "{side:?} {spin:?}: {sum} {expected}");
+                assert!((sum / expected - 1.0).abs() < 1e-3, "{side:?} {angular_velocity:?}: {sum} {expected}");
                 assert_eq!(wear.volume_rate, result.contacts[side].friction.unwrap().wear_rate_m3_s);
             }
         }

@@ -56,7 +56,7 @@ impl Bearing {
         match &self.fluid {
             Some(fluid) => (
                 fluid.drag_on(ball, orbit_radius, inner_speed),
-                fluid.churning.map_or([D::zero(); 3], |c| c.moment_vector(ball.spin)),
+                fluid.churning.map_or([D::zero(); 3], |c| c.moment_vector(ball.angular_velocity)),
             ),
             None => (D::zero(), [D::zero(); 3]),
         }
@@ -141,7 +141,7 @@ impl Bearing {
         let along = orbit_radius * ball.orbital_speed - ring_velocity[2] - ring.speed * (orbit_radius - centre[1]);
         let axial = ball.velocity[0] - ring_velocity[0];
         let radial = ball.velocity[1] - ring_velocity[1] - ring.speed * centre[2];
-        let w = [ball.spin[0] - ring.speed, ball.spin[1], ball.spin[2]];
+        let w = [ball.angular_velocity[0] - ring.speed, ball.angular_velocity[1], ball.angular_velocity[2]];
         let (about_lateral, about_rolling) = (w[0] * n_r - w[1] * n_a, w[2]);
         let motion = RelativeMotion {
             rolling: along - about_lateral * sunk,
@@ -152,8 +152,8 @@ impl Bearing {
         };
         // Surface speeds along e_t as seen from the orbiting frame: ball ω × r n, race (ω_race − ω_m) e_a × r.
         let r_b = -sunk + r_b;
-        let about_orbit = ball.spin[0] - ball.orbital_speed;
-        let ball_surface = (about_orbit * n_r - ball.spin[1] * n_a) * r_b;
+        let about_orbit = ball.angular_velocity[0] - ball.orbital_speed;
+        let ball_surface = (about_orbit * n_r - ball.angular_velocity[1] * n_a) * r_b;
         let race_surface = (ring.speed - ball.orbital_speed) * (orbit_radius + n_r * r_b);
         (motion, (ball_surface + race_surface) * 0.5)
     }
@@ -236,7 +236,12 @@ mod tests {
     }
 
     /// Pressed on both races by 50 µm of axial ring displacement, orbiting and spinning as given.
-    fn loads(bearing: &Bearing, spin: [f64; 3], orbit: f64, speeds: [f64; 2]) -> (BallState, BallLoads, RingState) {
+    fn loads(
+        bearing: &Bearing,
+        angular_velocity: [f64; 3],
+        orbit: f64,
+        speeds: [f64; 2],
+    ) -> (BallState, BallLoads, RingState) {
         let g = &bearing.geometry;
         let along = g.groove_offset(Side::Outer) + 2e-5;
         let (sin, cos) = (g.sin_contact_angle(), g.cos_contact_angle());
@@ -245,7 +250,7 @@ mod tests {
             position: [along * sin, along * cos],
             velocity: [0.0; 2],
             orbital_speed: orbit,
-            spin,
+            angular_velocity,
             size: BallSize::NOMINAL,
         };
         let inner = RingState { displacement: [0.0, 0.0, 5e-5 / sin], ..RingState::centred(speeds[0]) };
@@ -279,11 +284,11 @@ mod tests {
             (with(Modelling { patch: Some(fine), ..plain }), 3e-4),
             (with(Modelling { patch: Some(fine), rolling_radius: Some(RollingRadius::Deformed), ..plain }), 3e-4),
         ] {
-            for (spin, orbit) in [([-3300.0, 1000.0, 0.0], 620.0), ([-2000.0, -300.0, 150.0], 300.0)] {
-                let (ball, loads, inner) = loads(&bearing, spin, orbit, [INNER_SPEED, 0.0]);
+            for (angular_velocity, orbit) in [([-3300.0, 1000.0, 0.0], 620.0), ([-2000.0, -300.0, 150.0], 300.0)] {
+                let (ball, loads, inner) = loads(&bearing, angular_velocity, orbit, [INNER_SPEED, 0.0]);
                 let [.., torque] = bearing.ring_action(&ball, &loads, &inner);
                 let contact = &loads.contacts.inner;
-                let on_ball: f64 = contact.moment.iter().zip(spin).map(|(m, w)| m * w).sum();
+                let on_ball: f64 = contact.moment.iter().zip(angular_velocity).map(|(m, w)| m * w).sum();
                 let lost = contact.force[2] * loads.orbit_radius * orbit + on_ball - torque * INNER_SPEED;
                 let friction = contact.traction.power;
                 assert!(friction > 1.0, "{friction} W");

@@ -134,7 +134,7 @@ impl Bearing {
         let of_ball = BallState {
             velocity: [v_a, v_r],
             orbital_speed: v_t * seen.radius.recip(),
-            spin: own(add(ball.spin, about.map(|w| -w))),
+            angular_velocity: own(add(ball.angular_velocity, about.map(|w| -w))),
             ..*ball
         };
         let of_ring = RingState::centred(ring.speed);

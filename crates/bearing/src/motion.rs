@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! spring part    axial  (N on the ball)_a/m,  radial  (N)_r/m + r ω_m²,  orbital  (N)_t/(m r)
-//! friction part  the same of traction, drag and pocket;  spin  M/J − ω_m e_a × Ω
+//! friction part  the same of traction, drag and pocket;  rotation  M/J − ω_m e_a × Ω
 //! orbital speed, besides: −2 ṙ ω_m/r
 //! ```
 //!
@@ -140,8 +140,8 @@ impl Bearing {
         self.contact_springs().acceleration(force, orbit_radius, ball)
     }
 
-    /// Accelerations of a ball by the friction part: axial, radial, orbital, and of the spin with the turning of the
-    /// azimuth frame, ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t), unless the gyroscopic moment is left out.
+    /// Accelerations of a ball by the friction part: axial, radial, orbital, and of the angular velocity with the
+    /// turning of the azimuth frame, ω_m e_a × Ω = ω_m (−Ω_t e_r + Ω_r e_t), unless the gyroscopic moment is left out.
     #[inline(always)]
     pub fn friction_acceleration<D: Scalar>(
         &self,
@@ -149,11 +149,11 @@ impl Bearing {
         friction: &BallFriction<D>,
         orbit_radius: D,
     ) -> [D; 6] {
-        let [_, spin_r, spin_t] = state.spin;
+        let [_, omega_r, omega_t] = state.angular_velocity;
         let w = if self.modelling.has_gyroscopic_moment() { state.orbital_speed } else { D::zero() };
         let (over_mass, over_inertia) = (self.mass_of(&state.size).recip(), self.inertia_of(&state.size).recip());
         let [a, r, t] = friction.force.map(|f| f * over_mass);
         let [about_axis, about_radius, about_orbit] = friction.moment.map(|m| m * over_inertia);
-        [a, r, t * orbit_radius.recip(), about_axis, about_radius + w * spin_t, about_orbit - w * spin_r]
+        [a, r, t * orbit_radius.recip(), about_axis, about_radius + w * omega_t, about_orbit - w * omega_r]
     }
 }

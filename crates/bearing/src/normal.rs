@@ -182,7 +182,10 @@ impl ContactSprings {
             let mut sinking = (round * lean.curvature - ring.speed) * surface.slope;
             if surface.turn != [0.0; 3] {
                 let [a, r, t] = surface.turn;
-                sinking = sinking + (ball.spin[0] - ring.speed) * a + ball.spin[1] * r + ball.spin[2] * t;
+                sinking = sinking
+                    + (ball.angular_velocity[0] - ring.speed) * a
+                    + ball.angular_velocity[1] * r
+                    + ball.angular_velocity[2] * t;
             }
             closing_speed = n_a * (ball.velocity[0] - v_a - (along - v_t) * lean.climb) + n_r * outward - sinking;
             if load.re() > 0.0 {

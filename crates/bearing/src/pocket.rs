@@ -38,8 +38,8 @@ pub struct PocketMotion<D = f64> {
     pub rate: D,
     /// Axial and radial velocity of the ball centre, m/s.
     pub velocity: [D; 2],
-    /// Absolute spin, axial and radial, rad/s.
-    pub spin: [D; 2],
+    /// Absolute angular velocity, axial and radial, rad/s.
+    pub angular_velocity: [D; 2],
     /// Speed of the cage, rad/s.
     pub cage_speed: D,
 }
@@ -138,8 +138,8 @@ impl Pocket {
         let normal = if pressed.re() > 0.0 { pressed } else { D::zero() };
         let arm = side * self.ball_radius;
         let slip = [
-            motion.velocity[0] + motion.spin[1] * arm,
-            motion.velocity[1] - (motion.spin[0] - motion.cage_speed) * arm,
+            motion.velocity[0] + motion.angular_velocity[1] * arm,
+            motion.velocity[1] - (motion.angular_velocity[0] - motion.cage_speed) * arm,
         ];
         let sliding = hypot(slip[0], slip[1]);
         let share = normal * -self.friction / hypot(sliding, D::from(CREEP));
@@ -184,7 +184,7 @@ mod tests {
     };
 
     fn motion(lead: f64, rate: f64) -> PocketMotion {
-        PocketMotion { lead, rate, velocity: [0.02, -0.01], spin: [-2700.0, 800.0], cage_speed: 608.0 }
+        PocketMotion { lead, rate, velocity: [0.02, -0.01], angular_velocity: [-2700.0, 800.0], cage_speed: 608.0 }
     }
 
     #[test]
@@ -234,8 +234,8 @@ mod tests {
             let on_ball = load.force * POCKET.radius * orbit
                 + load.friction[0] * m.velocity[0]
                 + load.friction[1] * m.velocity[1]
-                + load.moment[0] * m.spin[0]
-                + load.moment[1] * m.spin[1];
+                + load.moment[0] * m.angular_velocity[0]
+                + load.moment[1] * m.angular_velocity[1];
             let given = on_ball + load.cage_torque * m.cage_speed;
             let ahead = PocketMotion { lead: lead + 1e-9, ..m };
             let stored = (pocket.load(&ahead).energy - load.energy) / 1e-9 * rate;
@@ -253,11 +253,17 @@ mod tests {
                 |lead| {
                     let constant = |v: f64| num_dual::Dual64::from(v);
                     let m = motion(0.0, 1.0);
-                    let spin = m.spin.map(constant);
+                    let angular_velocity = m.angular_velocity.map(constant);
                     let velocity = m.velocity.map(constant);
                     let rate = constant(m.rate);
                     POCKET
-                        .load(&PocketMotion { lead, rate, velocity, spin, cage_speed: constant(m.cage_speed) })
+                        .load(&PocketMotion {
+                            lead,
+                            rate,
+                            velocity,
+                            angular_velocity,
+                            cage_speed: constant(m.cage_speed),
+                        })
                         .cage_torque
                 },
                 lead,

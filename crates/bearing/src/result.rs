@@ -25,7 +25,7 @@ pub struct BallResult {
     /// Axial position of the ball centre against the unloaded one, m.
     pub axial_displacement_m: f64,
     /// Angular velocity ω relative to the orbiting frame, rad/s.
-    pub spin_rad_s: [f64; 3],
+    pub angular_velocity_rad_s: [f64; 3],
     /// Centrifugal force m r ω_m², N.
     pub centrifugal_force_n: f64,
     /// Magnitude of the gyroscopic moment J |ω_m e_a × Ω|, N m.
@@ -36,7 +36,7 @@ pub struct BallResult {
     pub fluid: Option<FluidResult>,
     /// Contact with the cage pocket; absent without a cage.
     pub pocket: Option<PocketResult>,
-    /// Motion besides orbit and spin; absent in an equilibrium.
+    /// Motion besides orbit and rotation; absent in an equilibrium.
     pub motion: Option<BallMotionResult>,
 }
 
@@ -111,7 +111,7 @@ pub struct FluidResult {
     pub drag_n: f64,
     /// Churning moment, N m.
     pub churning_nm: [f64; 3],
-    /// Power that churning takes from the absolute spin, W.
+    /// Power that churning takes from the absolute angular velocity, W.
     pub churning_w: f64,
     /// Power lost to drag, by the speed against the fluid, and churning, W.
     pub power_loss_w: f64,
@@ -164,7 +164,7 @@ pub struct BallPlace {
     /// Orbital speed ω_m, rad/s.
     pub orbital_speed: f64,
     /// Angular velocity ω relative to the orbiting frame, rad/s.
-    pub spin: [f64; 3],
+    pub angular_velocity: [f64; 3],
     /// Size of the ball.
     pub size: BallSize,
 }
@@ -212,13 +212,17 @@ impl Sheet {
             axial: ball.position[0],
             orbit_radius: loads.orbit_radius,
             orbital_speed,
-            spin: [ball.spin[0] - orbital_speed, ball.spin[1], ball.spin[2]],
+            angular_velocity: [
+                ball.angular_velocity[0] - orbital_speed,
+                ball.angular_velocity[1],
+                ball.angular_velocity[2],
+            ],
             size: ball.size,
         };
         let Races { inner, outer } = &loads.contacts;
         let contacts = Races { inner: self.race(Side::Inner, inner), outer: self.race(Side::Outer, outer) };
         let against_fluid = loads.orbit_radius * (orbital_speed - self.swirl * inner_speed);
-        let (m, w) = (loads.churning, ball.spin);
+        let (m, w) = (loads.churning, ball.angular_velocity);
         let churning_w = -m[0] * w[0] - m[1] * w[1] - m[2] * w[2];
         let fluid = FluidResult {
             drag_n: loads.drag,
@@ -233,18 +237,18 @@ impl Sheet {
     #[inline(always)]
     pub fn place(&self, place: &BallPlace, contacts: Races<ContactResult>) -> BallResult {
         let g = &self.geometry;
-        let &BallPlace { azimuth, axial, orbit_radius, orbital_speed, spin, size } = place;
+        let &BallPlace { azimuth, axial, orbit_radius, orbital_speed, angular_velocity, size } = place;
         BallResult {
             azimuth_rad: azimuth,
             orbital_speed_rad_s: orbital_speed,
             orbit_radius_m: orbit_radius,
             radial_displacement_m: orbit_radius - 0.5 * g.pitch_diameter,
             axial_displacement_m: axial - g.groove_offset(Side::Outer) * g.sin_contact_angle(),
-            spin_rad_s: spin,
+            angular_velocity_rad_s: angular_velocity,
             centrifugal_force_n: self.ball_mass * size.mass * orbit_radius * (orbital_speed * orbital_speed),
-            // The axial part of the spin drops out.
+            // The axial part of the angular velocity drops out.
             gyroscopic_moment_nm: (self.ball_inertia * size.inertia * orbital_speed).abs()
-                * (spin[1] * spin[1] + spin[2] * spin[2]).sqrt(),
+                * (angular_velocity[1] * angular_velocity[1] + angular_velocity[2] * angular_velocity[2]).sqrt(),
             contacts,
             fluid: None,
             pocket: None,
@@ -319,8 +323,15 @@ mod tests {
     fn limit_inertia_of_a_steel_ball() {
         let bearing = Bearing::new(spec()).unwrap();
         let (orbit_radius, orbital_speed) = (0.083_79, 607.6);
-        let spin = [-3900.0, 900.0, 15.0];
-        let place = BallPlace { azimuth: 0.1, axial: 0.0, orbit_radius, orbital_speed, spin, size: BallSize::NOMINAL };
+        let angular_velocity = [-3900.0, 900.0, 15.0];
+        let place = BallPlace {
+            azimuth: 0.1,
+            axial: 0.0,
+            orbit_radius,
+            orbital_speed,
+            angular_velocity,
+            size: BallSize::NOMINAL,
+        };
         let ball = bearing.sheet().place(&place, Races::default());
         assert!((ball.centrifugal_force_n - 3466.0).abs() < 5.0, "{}", ball.centrifugal_force_n);
         let moment = 0.1 * 0.11204 * 0.03016f64.powi(2) * 607.6 * 900f64.hypot(15.0);

@@ -252,7 +252,7 @@ pub enum Scheme {
         /// Longest step, s.
         longest: f64,
     },
-    /// The fast fixed-step scheme: contact springs explicit, the friction of spin and orbit linearly implicit.
+    /// The fast fixed-step scheme: contact springs explicit, the friction of rotation and orbit linearly implicit.
     Fast {
         /// Step, s.
         step: f64,

@@ -87,7 +87,7 @@ pub struct BallState<D = f64> {
     /// Orbital speed ω_m, rad/s.
     pub orbital_speed: D,
     /// Absolute angular velocity Ω, rad/s.
-    pub spin: [D; 3],
+    pub angular_velocity: [D; 3],
     /// Its size.
     pub size: BallSize,
 }

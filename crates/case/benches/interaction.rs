@@ -20,7 +20,7 @@ fn interaction(c: &mut Criterion) {
         position: [along * g.sin_contact_angle(), along * g.cos_contact_angle()],
         velocity: [0.0; 2],
         orbital_speed: 607.0,
-        spin: [-3000.0, 900.0, 10.0],
+        angular_velocity: [-3000.0, 900.0, 10.0],
         size: BallSize::NOMINAL,
     };
     // Pressed on both races by the axial shift of the inner ring.

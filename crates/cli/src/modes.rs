@@ -101,8 +101,8 @@ fn leading_ball(mode: &Mode) -> f64 {
 fn csv(answer: &Answer<ModesAnswer>) -> String {
     let tilts: String = tilting(answer.value()).map(|tilt| tilt.columns).collect();
     let mut text = format!(
-        "frequency_hz,damping_ratio,growth_rate_per_s,energy_inner_ring,energy_outer_ring,energy_balls,energy_spin,\
-         energy_cage,inner_x,inner_y,inner_z,outer_x,outer_y{tilts},implausible,warnings\n"
+        "frequency_hz,damping_ratio,growth_rate_per_s,energy_inner_ring,energy_outer_ring,energy_balls,\
+         energy_ball_rotation,energy_cage,inner_x,inner_y,inner_z,outer_x,outer_y{tilts},implausible,warnings\n"
     );
     let of = answer.findings();
     let [implausible, warnings] = [of.implausible(), of.warnings().join("; ")].map(|words| table::csv_text(&words));
@@ -110,7 +110,7 @@ fn csv(answer: &Answer<ModesAnswer>) -> String {
         let e = &mode.energy_shares;
         let numbers = [mode.frequency_hz, mode.damping_ratio, mode.growth_rate_per_s]
             .into_iter()
-            .chain([e.inner_ring, e.outer_ring, e.balls, e.spin, e.cage])
+            .chain([e.inner_ring, e.outer_ring, e.balls, e.ball_rotation, e.cage])
             .chain(mode.inner_ring)
             .chain(mode.outer_ring)
             .chain([mode.inner_tilt, mode.outer_tilt].into_iter().flatten().flatten());

@@ -2,7 +2,7 @@
 
 use crate::equations::{Equations, Frame, Friction, Springs};
 use crate::forces::System;
-use crate::layout::{BALL, SPIN, VELOCITY};
+use crate::layout::{BALL, OMEGA, VELOCITY};
 use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{self, Scheme, imbalance};
@@ -19,10 +19,10 @@ const STEP: f64 = 2e-6;
 /// A term of the equations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Term {
-    /// ω_m e_a × Ω, the change of the spin's components with the frame. It does no work.
-    SpinTransport,
-    /// Euler's equation for the absolute spin and not for that against the orbiting frame.
-    AbsoluteSpin,
+    /// ω_m e_a × Ω, the change of the components of Ω with the frame. It does no work.
+    TurningAxes,
+    /// Euler's equation for the absolute angular velocity and not for that against the orbiting frame.
+    AbsoluteRotation,
     /// The tangential part of the normal forces where a ring is off centre.
     TangentialNormalForce,
     /// The ball's translation in the sliding velocity.
@@ -38,8 +38,8 @@ enum Term {
 }
 
 const TERMS: [Term; 6] = [
-    Term::SpinTransport,
-    Term::AbsoluteSpin,
+    Term::TurningAxes,
+    Term::AbsoluteRotation,
     Term::TangentialNormalForce,
     Term::BallTranslation,
     Term::RingTranslation,
@@ -110,12 +110,12 @@ impl Equations for Without {
     fn friction_acceleration(&self, state: &BallState, friction: &Friction, orbit_radius: f64) -> [f64; 6] {
         let size = if self.lacks(Term::OwnInertia) { BallSize::NOMINAL } else { state.size };
         let mut a = self.machine.friction_acceleration(&BallState { size, ..*state }, friction, orbit_radius);
-        let (w, [_, spin_r, spin_t]) = (state.orbital_speed, state.spin);
-        if self.lacks(Term::AbsoluteSpin) {
+        let (w, [_, omega_r, omega_t]) = (state.orbital_speed, state.angular_velocity);
+        if self.lacks(Term::AbsoluteRotation) {
             a[3] += a[2];
         }
-        if self.lacks(Term::SpinTransport) {
-            (a[4], a[5]) = (a[4] - w * spin_t, a[5] + w * spin_r);
+        if self.lacks(Term::TurningAxes) {
+            (a[4], a[5]) = (a[4] - w * omega_t, a[5] + w * omega_r);
         }
         a
     }
@@ -158,7 +158,7 @@ fn identity_power_balances_and_every_term_is_needed() {
     for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
         let (_, whole) = run(scheme, 1000, &PUSHING, None);
         assert!(whole < 1e-8, "{scheme:?}: {whole:e}");
-        for term in TERMS.into_iter().filter(|&term| term != Term::SpinTransport) {
+        for term in TERMS.into_iter().filter(|&term| term != Term::TurningAxes) {
             let (_, off) = run(scheme, 1000, &PUSHING, Some(term));
             assert!(off > 30.0 * whole, "{scheme:?} without {term:?}: {off:e}, whole {whole:e}");
         }
@@ -187,14 +187,14 @@ fn identity_the_fast_scheme_has_every_term() {
 /// ω_m e_a × Ω is at right angles to Ω and leaves the power alone: the quasi-static state, which has it, tells whether
 /// it is there.
 #[test]
-fn identity_without_spin_transport_the_quasistatic_state_does_not_stay() {
-    let spin_up = |term| {
+fn identity_without_turning_axes_the_quasistatic_state_does_not_stay() {
+    let turning_up = |term| {
         let (mut equations, state) = started(&[("ring.x", "Force(N(0))")], term);
         let mut derivative = vec![0.0; state.len()];
         equations.derivative(0.0, &state, &mut derivative);
-        derivative[SPIN + 1].hypot(derivative[SPIN + 2])
+        derivative[OMEGA + 1].hypot(derivative[OMEGA + 2])
     };
-    let (with, without) = (spin_up(None), spin_up(Some(Term::SpinTransport)));
+    let (with, without) = (turning_up(None), turning_up(Some(Term::TurningAxes)));
     // ω_m Ω_r is some 600 × 800 rad/s².
     assert!(with < 1.0 && without > 1e5, "{with:e} {without:e}");
 }

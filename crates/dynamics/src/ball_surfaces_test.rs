@@ -1,6 +1,6 @@
 //! Spalls of balls: power, momentum, the way of the spall, and whether all schemes have it.
 
-use crate::layout::{AZIMUTH, ORBIT, SPIN};
+use crate::layout::{AZIMUTH, OMEGA, ORBIT};
 use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{Scheme, imbalance, run_watched};
@@ -61,18 +61,18 @@ fn identity_power_balances_over_spalls_of_balls() {
     }
 }
 
-/// The fast scheme goes where the Runge–Kutta method goes: orbital speeds and spins of the struck balls, and where
-/// their spalls stand.
+/// The fast scheme goes where the Runge–Kutta method goes: orbital speeds and angular velocities of the struck balls,
+/// and where their spalls stand.
 #[test]
 fn identity_the_fast_scheme_has_the_same_spalls_of_balls() {
     let end = |scheme, h: f64, steps: u32| {
         let (mut machine, mut state) = machine("um(200)");
         run(scheme, (&mut machine, &mut state), h, steps);
         let b = machine.unknowns(3, &state);
-        let spins = [b[ORBIT], b[SPIN], b[SPIN + 1], b[SPIN + 2]];
+        let speeds = [b[ORBIT], b[OMEGA], b[OMEGA + 1], b[OMEGA + 2]];
         let turned: Vec<f64> = state[machine.layout.orientations()].to_vec();
         assert!((turned[0..4].iter().map(|q| q * q).sum::<f64>() - 1.0).abs() < 1e-9 && b[AZIMUTH] > 0.0);
-        (spins, turned)
+        (speeds, turned)
     };
     let (start, _) = end(Scheme::RungeKutta, 1e-6, 0);
     let (exact, turned) = end(Scheme::RungeKutta, 0.5e-6, 320);

@@ -1,6 +1,6 @@
 //! Waves of balls: power, their frequencies, what even and odd ones do, and whether all schemes have them.
 
-use crate::layout::{ORBIT, SPIN};
+use crate::layout::{OMEGA, ORBIT};
 use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{Scheme, imbalance, run, run_watched};
@@ -46,7 +46,7 @@ fn identity_power_balances_over_waves_of_balls() {
 fn limit_a_wave_passes_a_contact_in_each_turn_as_often_as_its_order() {
     let (mut machine, mut state) = with("(waves: [(ball: 4, order: 6, amplitude: um(0.1), phase: deg(90))])");
     let b = machine.unknowns(4, &state);
-    let (rate, h, steps) = ((b[SPIN] - b[ORBIT]).hypot(b[SPIN + 1]) / TAU, 2e-6, 1500);
+    let (rate, h, steps) = ((b[OMEGA] - b[ORBIT]).hypot(b[OMEGA + 1]) / TAU, 2e-6, 1500);
     let (mut last, mut crossings, mut most) = ([0.0f64; 2], [0u32; 2], [0.0f64; 2]);
     run_watched(Scheme::RungeKutta, (&mut machine, &mut state), (h, steps), |machine, t, state| {
         let surfaces = machine.place(4, machine.unknowns(4, state), &machine.frame(t, state)).2;
@@ -81,15 +81,16 @@ fn symmetry_waves_of_odd_order_keep_the_diameter_of_a_ball() {
     assert!(even > 2e-6 && odd < 0.2 * even, "{even:e} {odd:e} m");
 }
 
-/// Orbits, spins and orientations by the fast scheme are those of the Runge–Kutta method, to its second order.
+/// Orbits, angular velocities and orientations by the fast scheme are those of the Runge–Kutta method, to its second
+/// order.
 #[test]
 fn identity_the_fast_scheme_has_the_same_waves_of_balls() {
     let end = |scheme, h: f64, steps: u32| {
         let (mut machine, mut state) = with(ALL);
         run(scheme, (&mut machine, &mut state), h, steps);
         let (i, turned) = (machine.layout.inner(), machine.layout.orientations());
-        let spins = (0..13).flat_map(|ball| machine.unknowns(ball, &state)[SPIN..].to_vec()).collect::<Vec<_>>();
-        (state[i..i + 3].to_vec(), spins, state[turned].to_vec())
+        let speeds = (0..13).flat_map(|ball| machine.unknowns(ball, &state)[OMEGA..].to_vec()).collect::<Vec<_>>();
+        (state[i..i + 3].to_vec(), speeds, state[turned].to_vec())
     };
     let exact = end(Scheme::RungeKutta, 0.5e-6, 800);
     let errors = [4e-6, 2e-6].map(|h: f64| {

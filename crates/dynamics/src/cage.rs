@@ -2,7 +2,7 @@
 
 use crate::equations::Frame;
 use crate::forces::{BodyForces, Sums};
-use crate::layout::{AXIAL, AZIMUTH, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::layout::{AXIAL, AZIMUTH, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::sample::FreeCageSample;
 use tribodyn_bearing::{
@@ -80,8 +80,8 @@ impl Machine {
 
     fn load_in_free_pocket(&self, (pose, place): (&CagePose, &InPocket), b: &[f64]) -> PocketLoad {
         let velocity = [b[VELOCITY], b[VELOCITY + 1], b[RADIUS] * b[ORBIT]];
-        let spin = [b[SPIN], b[SPIN + 1], b[SPIN + 2]];
-        self.cage.pocket.load_of_free(pose, place, (AzimuthFrame::at(b[AZIMUTH]), velocity, spin))
+        let omega = [b[OMEGA], b[OMEGA + 1], b[OMEGA + 2]];
+        self.cage.pocket.load_of_free(pose, place, (AzimuthFrame::at(b[AZIMUTH]), velocity, omega))
     }
 
     /// Force and friction of the pocket on a ball, and its lead over the middle of the pocket, rad.
@@ -102,7 +102,7 @@ impl Machine {
             lead: self.lead(index, b, frame.cage[0]),
             rate: b[ORBIT] - frame.cage[1],
             velocity: [b[VELOCITY], b[VELOCITY + 1]],
-            spin: [b[SPIN], b[SPIN + 1]],
+            angular_velocity: [b[OMEGA], b[OMEGA + 1]],
             cage_speed: frame.cage[1],
         })
     }

@@ -1,6 +1,6 @@
 //! A bearing that nothing holds, drives or brakes: linear momentum, angular momentum and energy stay.
 
-use crate::layout::{AXIAL, AZIMUTH, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::layout::{AXIAL, AZIMUTH, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{Scheme, run};
@@ -68,7 +68,7 @@ fn totals(machine: &Machine, t: f64, y: &[f64]) -> [f64; 4] {
         let [v_x, v_y, _] = AzimuthFrame::at(b[AZIMUTH]).to_inertial(velocity);
         sum[0] += m * v_x;
         sum[1] += m * v_y;
-        sum[2] += m * b[RADIUS] * b[RADIUS] * b[ORBIT] + j * b[SPIN];
+        sum[2] += m * b[RADIUS] * b[RADIUS] * b[ORBIT] + j * b[OMEGA];
     }
     sum
 }
@@ -134,7 +134,8 @@ fn identity_the_fast_scheme_keeps_momentum_to_its_order() {
     assert!(turning < 1e-6 && finer_turning < 0.35 * turning, "{turning:e} {finer_turning:e}");
 }
 
-/// A spall of a ball, or its waves, take from the spin what they give to the orbit: linear and angular momentum stay.
+/// A spall of a ball, or its waves, take from the rotation what they give to the orbit: linear and angular momentum
+/// stay.
 #[test]
 fn identity_momentum_stays_with_spalls_and_waves_of_balls() {
     let spall = "[(ball: 2, angle: deg(30), length: mm(2), width: mm(6), depth: um(300), edge_radius: um(50))]";

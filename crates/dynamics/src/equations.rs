@@ -5,7 +5,7 @@
 //!
 //! Accelerations of a ball by its forces are those of `tribodyn_bearing::Bearing::ball_motion`.
 
-use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::layout::{AXIAL, AZIMUTH, BALL, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use tribodyn_bearing::{
     AzimuthFrame, BallFriction, BallLoads, BallSize, BallState, CagePose, ContactForces, LoadedPatch, NormalContact,
@@ -59,7 +59,7 @@ pub(crate) struct BallForces {
     pub contacts: Races<RaceContact>,
     pub friction: Friction,
     pub lead: f64,
-    /// Of the axial and radial velocity (m/s²), the orbital speed and the spin (rad/s²).
+    /// Of the axial and radial velocity (m/s²), the orbital speed and the angular velocity (rad/s²).
     pub acceleration: [f64; 6],
 }
 
@@ -77,7 +77,7 @@ pub(crate) trait Equations {
             position,
             velocity: [b[VELOCITY], b[VELOCITY + 1]],
             orbital_speed: b[ORBIT],
-            spin: [b[SPIN], b[SPIN + 1], b[SPIN + 2]],
+            angular_velocity: [b[OMEGA], b[OMEGA + 1], b[OMEGA + 2]],
             size,
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::fast::{Fast, Room};
 use crate::forces::System;
-use crate::layout::{BALL, ORBIT, SPIN};
+use crate::layout::{BALL, OMEGA, ORBIT};
 use crate::observer::BallDetail;
 use crate::rk4::Rk4;
 use crate::start::{Started, start};
@@ -54,7 +54,7 @@ fn identity_the_fast_scheme_converges() {
     let exact = reference();
     let error = |steps| {
         let state = fast(steps);
-        let speeds = (0..13).flat_map(|k| [BALL * k + ORBIT, BALL * k + SPIN, BALL * k + SPIN + 1]);
+        let speeds = (0..13).flat_map(|k| [BALL * k + ORBIT, BALL * k + OMEGA, BALL * k + OMEGA + 1]);
         speeds.map(|i| (state[i] - exact[i]).abs()).fold(0.0, f64::max)
     };
     let (coarse, fine) = (error(160), error(320));

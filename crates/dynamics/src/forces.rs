@@ -83,14 +83,14 @@ impl Machine {
             sums.on_cage.react(pose, &f.pocket, (s.frame, self.place_in_bearing(s.position[0], r)));
         }
         p.drag += f.drag * r * s.orbital_speed;
-        p.churning -= dot(f.churning, s.spin);
+        p.churning -= dot(f.churning, s.angular_velocity);
         p.pocket_friction += f.pocket.friction_power;
         p.pocket_damping += f.pocket.damping_power;
         let [v_a, v_r] = velocity;
         let along = r * s.orbital_speed;
         let speed = v_a * v_a + v_r * v_r + along * along;
         p.energy += 0.5 * self.bearing.mass_of(&s.size) * speed
-            + 0.5 * self.bearing.inertia_of(&s.size) * dot(s.spin, s.spin)
+            + 0.5 * self.bearing.inertia_of(&s.size) * dot(s.angular_velocity, s.angular_velocity)
             + f.pocket.energy;
     }
 

@@ -1,7 +1,7 @@
 //! A whirling cage among balls and rings: balances, symmetry, and whether all schemes have the same terms.
 
 use crate::forces::evaluate;
-use crate::layout::{ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::layout::{OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{Scheme, imbalance, run};
@@ -88,7 +88,7 @@ fn identity_forces_and_moments_of_all_bodies_balance() {
             (force[0], force[1]) = (force[0] + m * x, force[1] + m * y);
             moment += m * r * along + j * about_axis;
             largest = largest.max(ball.friction.pocket.normal);
-            assert_eq!(SPIN, 6);
+            assert_eq!(OMEGA, 6);
         });
         let lands = machine.lands(&frame);
         assert!(largest > 10.0 && lands.force.outer[0].abs() > 1.0 && lands.force.inner[0].abs() > 1.0, "{lands:?}");

@@ -10,12 +10,13 @@ pub(crate) const AXIAL: usize = 0;
 pub(crate) const RADIUS: usize = 1;
 /// Azimuth, rad.
 pub(crate) const AZIMUTH: usize = 2;
-/// Axial velocity, m/s; the radial velocity, the orbital speed (rad/s) and the absolute spin (rad/s) follow.
+/// Axial velocity, m/s; the radial velocity, the orbital speed (rad/s) and the absolute angular velocity (rad/s)
+/// follow.
 pub(crate) const VELOCITY: usize = 3;
 /// Orbital speed, rad/s.
 pub(crate) const ORBIT: usize = 5;
-/// Absolute spin Ω (axial, radial, tangential), rad/s.
-pub(crate) const SPIN: usize = 6;
+/// Absolute angular velocity Ω (axial, radial, tangential), rad/s.
+pub(crate) const OMEGA: usize = 6;
 /// Velocities of a ball, with its angular velocity.
 pub(crate) const VELOCITIES: usize = BALL - VELOCITY;
 

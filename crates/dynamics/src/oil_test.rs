@@ -1,6 +1,6 @@
 //! Oil in contacts and pockets: the power balance, and whether all schemes have the same forces.
 
-use crate::layout::{BALL, SPIN, VELOCITY};
+use crate::layout::{BALL, OMEGA, VELOCITY};
 use crate::start::{Started, start};
 use crate::stepping_test::{self, Scheme, imbalance};
 use tribodyn_case::{Case, set_value};
@@ -62,7 +62,7 @@ fn identity_all_schemes_have_the_oil_in_the_pockets() {
     }
 }
 
-/// A loaded ball whose spin is off slides with all the traction of its oil, which then grows with slip no more. It
+/// A loaded ball whose rotation is off slides with all the traction of its oil, which then grows with slip no more. It
 /// comes to rolling within some steps and stays there; by the tangent alone it went five times as far off again.
 #[test]
 fn limit_a_sliding_ball_comes_to_rolling_and_not_beyond() {
@@ -71,7 +71,7 @@ fn limit_a_sliding_ball_comes_to_rolling_and_not_beyond() {
     let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
     let Started { mut machine, mut state, .. } =
         start(Case::from_ron(&text).unwrap().run_inputs().unwrap(), None).unwrap();
-    let at = machine.layout.ball(0) + SPIN;
+    let at = machine.layout.ball(0) + OMEGA;
     let rolling = state[at];
     state[at] *= 1.02;
     state[at + 2] += 0.02 * rolling;

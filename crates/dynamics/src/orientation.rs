@@ -19,7 +19,8 @@ impl Machine {
         let Some(slot) = self.ball_surfaces.slot(index) else { return };
         let at = self.layout.orientations().start + 4 * slot;
         let [x, y_, z, w] = std::array::from_fn(|k| y[at + k]);
-        let about = [state.spin[0] - state.orbital_speed, state.spin[1], state.spin[2]];
+        let about =
+            [state.angular_velocity[0] - state.orbital_speed, state.angular_velocity[1], state.angular_velocity[2]];
         let turned = cross(about, [x, y_, z]);
         (0..3).for_each(|k| dy[at + k] = 0.5 * (w * about[k] + turned[k]));
         dy[at + 3] = -0.5 * (about[0] * x + about[1] * y_ + about[2] * z);

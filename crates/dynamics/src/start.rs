@@ -4,7 +4,7 @@ use crate::ball_surfaces::UNTURNED;
 use crate::equations::Equations;
 use crate::error::DynamicsError;
 use crate::forces::Sums;
-use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::layout::{AXIAL, AZIMUTH, BALL, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use tribodyn_bearing::{AzimuthFrame, BallState, Motion, Races, RingOffset, RunInputs, Side, SpeedHistory, Start};
 use tribodyn_quasistatic::{BallMotion, Model, Solution, solve};
@@ -60,7 +60,7 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
         (b[AXIAL], b[RADIUS], b[AZIMUTH]) = (ball.position[0], ball.position[1] + groove, *azimuth);
         b[VELOCITY..ORBIT].copy_from_slice(&ball.velocity);
         b[ORBIT] = ball.orbital_speed;
-        b[SPIN..].copy_from_slice(&ball.spin);
+        b[OMEGA..].copy_from_slice(&ball.angular_velocity);
     }
     state[l.cage() + 1] = motion.cage_speed;
     state[l.inner()..l.inner() + 3].copy_from_slice(&[x, y, z]);
@@ -106,13 +106,13 @@ fn equilibrium(inputs: &RunInputs) -> Result<StartMotion, DynamicsError> {
     // A traction solution always comes with its unknowns.
     let Some(warm) = solved.warm_start else { unreachable!("a traction solution has unknowns") };
     let ball = |(index, ball): (usize, BallMotion)| {
-        let (azimuth, [s_a, s_r, s_t]) = (inputs.bearing.azimuth(index), ball.spin);
+        let (azimuth, [s_a, s_r, s_t]) = (inputs.bearing.azimuth(index), ball.angular_velocity);
         let state = BallState {
             frame: AzimuthFrame::at(azimuth),
             position: ball.position,
             velocity: [0.0; 2],
             orbital_speed: ball.orbital_speed,
-            spin: [s_a + ball.orbital_speed, s_r, s_t],
+            angular_velocity: [s_a + ball.orbital_speed, s_r, s_t],
             size: inputs.bearing.ball_size(index),
         };
         (azimuth, state)

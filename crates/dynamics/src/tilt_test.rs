@@ -2,7 +2,7 @@
 
 use crate::equations::BallForces;
 use crate::forces::{BodyForces, Sums, evaluate};
-use crate::layout::{AXIAL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::layout::{AXIAL, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{Scheme, imbalance, run};
@@ -74,13 +74,13 @@ struct Rates {
 
 impl Rates {
     fn of_ball(&mut self, machine: &Machine, b: &[f64], ball: &BallForces, outer: &RingState) {
-        let BallState { frame, orbital_speed: w, spin, .. } = ball.state;
+        let BallState { frame, orbital_speed: w, angular_velocity, .. } = ball.state;
         let (m, j, r) = (machine.bearing.ball_mass, machine.bearing.ball_inertia, b[RADIUS]);
         let [axial, radial, orbital, about_a, about_r, about_t] = ball.acceleration;
         let along = r * orbital + 2.0 * b[VELOCITY + 1] * w;
         let moving = frame.to_inertial([m * axial, m * (radial - r * w * w), m * along]);
-        // The accelerations of the spin are those of its components; the frame turns them.
-        let turning = [about_a, about_r - w * spin[2], about_t + w * spin[1]].map(|a| j * a);
+        // The accelerations of Ω are those of its components; the frame turns them.
+        let turning = [about_a, about_r - w * angular_velocity[2], about_t + w * angular_velocity[1]].map(|a| j * a);
         let turning = frame.to_inertial(turning);
         let place = frame.to_inertial([b[AXIAL], r, 0.0]);
         let contact = &ball.contacts[Side::Outer];
@@ -95,7 +95,7 @@ impl Rates {
         let of_force = cross([place[0] - x, place[1] - y, place[2]], by_outer);
         (0..3).for_each(|k| self.outer[k] += of_force[k] + about[k]);
         self.force = self.force.max(contact.normal.load);
-        assert!(SPIN == 6 && outer.turning.is_some() && ORBIT == 5);
+        assert!(OMEGA == 6 && outer.turning.is_some() && ORBIT == 5);
     }
 
     /// The ring, its centre at a height above the plane of the outer groove centres.
@@ -250,7 +250,7 @@ fn code_free_precession_of_a_ring() {
 }
 
 /// The fast scheme goes where the Runge–Kutta method goes, and nearer with shorter steps. Balls follow the tilts but
-/// for their spin, so that the order falls below two in the end.
+/// for their angular velocity, so that the order falls below two in the end.
 #[test]
 fn identity_the_fast_scheme_has_the_same_tilts() {
     for (changes, side) in [(&BOTH[..0], Side::Inner), (&BOTH, Side::Inner), (&BOTH, Side::Outer)] {

@@ -1,4 +1,4 @@
-//! Churning: the moment by which the fluid brakes the spin of a ball.
+//! Churning: the moment by which the fluid brakes the rotation of a ball.
 //!
 //! The coefficients are those of a disk wetted on both sides (Schlichting, Gersten, Boundary-Layer Theory, chapters on
 //! the rotating disk): laminar from the similarity solution, where 3.87 = 2π · 0.616, turbulent from the one-seventh
@@ -10,8 +10,8 @@ use crate::Scalar;
 /// Reynolds number ρ ω r²/μ at which the published law changes from laminar to turbulent.
 pub const TRANSITION_REYNOLDS: f64 = 3e5;
 
-/// Spin below which a ball counts as at rest, rad/s: far below anything physical, and high enough that neither the
-/// squares of the components nor the reciprocals in the derivatives leave the range of f64.
+/// Angular velocity below which a ball counts as at rest, rad/s: far below anything physical, and high enough that
+/// neither the squares of the components nor the reciprocals in the derivatives leave the range of f64.
 const REST: f64 = 1e-100;
 
 /// Passage of the churning coefficient from laminar to turbulent.
@@ -96,7 +96,7 @@ fn reciprocal_fifth_root<D: Scalar>(x: D) -> D {
     root
 }
 
-/// Moment of the fluid against the spin of a ball, M = ½ ρ ω² r⁵ C_n.
+/// Moment of the fluid against the rotation of a ball, M = ½ ρ ω² r⁵ C_n.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Churning {
     /// Density of the fluid, or effective density of a mixture, kg/m³.
@@ -237,9 +237,9 @@ mod tests {
         for omega in [0.0, -0.0, 1e-160, -1e-310] {
             assert_eq!(first_derivative(|w| BALL.moment(w), omega), (0.0, 0.0));
             for axis in 0..3 {
-                let mut spin = [Dual64::from_re(0.0), Dual64::from_re(omega), Dual64::from_re(0.0)];
-                spin[axis].eps = 1.0;
-                for component in BALL.moment_vector(spin) {
+                let mut turning = [Dual64::from_re(0.0), Dual64::from_re(omega), Dual64::from_re(0.0)];
+                turning[axis].eps = 1.0;
+                for component in BALL.moment_vector(turning) {
                     assert_eq!((component.re, component.eps), (0.0, 0.0));
                 }
             }
@@ -276,8 +276,8 @@ mod tests {
             axis in 0usize..3,
         ) {
             let transition = Transition::BLENDED;
-            let mut spin = w.map(Dual64::from_re);
-            spin[axis].eps = 1.0;
+            let mut turning = w.map(Dual64::from_re);
+            turning[axis].eps = 1.0;
             let step = 1e-2;
             let shifted = |sign: f64| {
                 let mut w = w;
@@ -286,7 +286,7 @@ mod tests {
             };
             let (left, right) = (shifted(-1.0), shifted(1.0));
             let scale = BALL.moment_vector_with(w, transition).iter().fold(0.0f64, |m, c| m.max(c.abs()));
-            for (i, exact) in BALL.moment_vector_with(spin, transition).iter().enumerate() {
+            for (i, exact) in BALL.moment_vector_with(turning, transition).iter().enumerate() {
                 let difference = (right[i] - left[i]) / (2.0 * step);
                 prop_assert!((exact.eps - difference).abs() < 1e-5 * scale.max(1e-6));
             }

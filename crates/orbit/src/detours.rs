@@ -6,7 +6,7 @@ use crate::residual::cage_torque;
 use crate::search::{HASTE, SETTLING, sliding};
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::start;
-use crate::system::{ORBIT, SPIN, VELOCITY};
+use crate::system::{OMEGA, ORBIT, VELOCITY};
 use crate::{OrbitError, OrbitReason};
 use tribodyn_bearing::{Bearing, OperatingPoint, RaceControl, RingFreedom};
 
@@ -199,7 +199,7 @@ fn kept(problem: Problem<'_>, near: &OrbitStart, speed: Option<f64>) -> Option<H
         for y in orbit.values.iter_mut().flatten() {
             y[VELOCITY..ORBIT].iter_mut().for_each(|v| *v *= all);
             y[ORBIT] = from + share * (y[ORBIT] - from);
-            y[SPIN..].iter_mut().for_each(|w| *w *= share);
+            y[OMEGA..].iter_mut().for_each(|w| *w *= share);
         }
         orbit.cage_speed = speed;
     }

@@ -24,7 +24,7 @@ impl Means {
         for side in Side::BOTH {
             self.friction[side as usize] += weight * e.loads.contacts[side].traction.power;
         }
-        let churning: f64 = e.friction.churning.iter().zip(e.state.spin).map(|(m, w)| m * w).sum();
+        let churning: f64 = e.friction.churning.iter().zip(e.state.angular_velocity).map(|(m, w)| m * w).sum();
         self.fluid += weight * (e.friction.drag * e.loads.orbit_radius * e.state.orbital_speed - churning);
         self.pocket += weight * (e.friction.pocket.friction_power + e.friction.pocket.damping_power);
     }

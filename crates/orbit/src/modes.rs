@@ -17,7 +17,7 @@ use crate::modes_matrix::{Bodies, Places, balance, matrix};
 use crate::newton::Newton;
 use crate::settings::OrbitSettings;
 use crate::solved::OrbitStart;
-use crate::system::{BALL, OrbitSystem, SPIN, VELOCITY};
+use crate::system::{BALL, OMEGA, OrbitSystem, VELOCITY};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use tribodyn_bearing::{Bearing, OperatingPoint, Races, Side, TiltingRing};
@@ -47,7 +47,7 @@ pub struct Mode {
     /// Real part of the eigenvalue, 1/s; positive where the mode grows at that instant, 0 where it cannot be told from
     /// rounding.
     pub growth_rate_per_s: f64,
-    /// Shares of the kinetic energy of inner ring, outer ring, balls' translation, balls' spin, cage.
+    /// Shares of the kinetic energy of inner ring, outer ring, balls' translation, balls' rotation, cage.
     pub energy_shares: EnergyShares,
     /// Amplitudes of the inner ring along x, y, z over the largest of the translations of all bodies.
     pub inner_ring: [f64; 3],
@@ -72,8 +72,8 @@ pub struct EnergyShares {
     pub outer_ring: f64,
     /// Ball centres.
     pub balls: f64,
-    /// Spin of the balls.
-    pub spin: f64,
+    /// Rotation of the balls.
+    pub ball_rotation: f64,
     /// Cage.
     pub cage: f64,
 }
@@ -90,7 +90,7 @@ impl EnergyShares {
             (self.inner_ring, "inner ring"),
             (self.outer_ring, "outer ring"),
             (self.balls, "balls"),
-            (self.spin, "ball spin"),
+            (self.ball_rotation, "ball rotation"),
             (self.cage, "cage"),
         ];
         parts.into_iter().fold((0.0, "none"), |best, part| if part.0 > best.0 { part } else { best }).1
@@ -173,11 +173,11 @@ fn energies(
     let Places { edge, inner, outer, tilt, .. } = *places;
     let radius = 0.5 * system.bearing.geometry.pitch_diameter;
     let (m, j) = (system.bearing.ball_mass, system.bearing.ball_inertia);
-    let (mut balls, mut spin) = (0.0, 0.0);
+    let (mut balls, mut ball_rotation) = (0.0, 0.0);
     for ball in 0..count {
         let at = |k: usize| size(BALL * ball + k);
         balls += m * (at(VELOCITY).powi(2) + at(VELOCITY + 1).powi(2) + (radius * at(VELOCITY + 2)).powi(2));
-        spin += j * (0..3).map(|k| at(SPIN + k).powi(2)).sum::<f64>();
+        ball_rotation += j * (0..3).map(|k| at(OMEGA + k).powi(2)).sum::<f64>();
     }
     let cage = bodies.cage.inertia * size(edge + 1).powi(2);
     let inner_ring = bodies.supports.inner.mass * (0..3).map(|k| size(inner + 3 + k).powi(2)).sum::<f64>();
@@ -188,12 +188,12 @@ fn energies(
         tilt[side].zip(bodies.tilting[side]).map_or(0.0, turns)
     };
     let (inner_ring, outer_ring) = (inner_ring + turning(Side::Inner), outer_ring + turning(Side::Outer));
-    let total = (balls + spin + cage + inner_ring + outer_ring).max(f64::MIN_POSITIVE);
+    let total = (balls + ball_rotation + cage + inner_ring + outer_ring).max(f64::MIN_POSITIVE);
     EnergyShares {
         inner_ring: inner_ring / total,
         outer_ring: outer_ring / total,
         balls: balls / total,
-        spin: spin / total,
+        ball_rotation: ball_rotation / total,
         cage: cage / total,
     }
 }

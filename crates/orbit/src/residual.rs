@@ -2,7 +2,7 @@
 
 use crate::collocation::{Orbit, Radau, STAGES};
 use crate::means::Means;
-use crate::system::{BALL, Evaluation, ORBIT, OrbitSystem, RING, SPIN, VELOCITY};
+use crate::system::{BALL, Evaluation, OMEGA, ORBIT, OrbitSystem, RING, VELOCITY};
 use tribodyn_bearing::{RingFreedom, Side};
 
 /// An orbit with what its equations lack.
@@ -94,7 +94,7 @@ pub(crate) fn magnitudes(system: &OrbitSystem<'_>, scales: &Scales, e: &Evaluati
     // As in the quasi-static solver: slip in the last digit of a surface speed already moves traction by 1e-12 of the
     // load.
     let friction = (0.01 * (contacts[0] + contacts[1])).max(1e-3 * scales.force);
-    let gyroscopic = j * e.state.orbital_speed.abs() * e.state.spin[1].hypot(e.state.spin[2]);
+    let gyroscopic = j * e.state.orbital_speed.abs() * e.state.angular_velocity[1].hypot(e.state.angular_velocity[2]);
     let moments = Side::BOTH.map(|side| e.loads.contacts[side].moment.iter().map(|m| m.abs()).sum::<f64>());
     let turning = (moments[0] + moments[1] + gyroscopic).max(friction * system.bearing.geometry.ball_radius());
     let mut size = [0.0; BALL];
@@ -102,7 +102,7 @@ pub(crate) fn magnitudes(system: &OrbitSystem<'_>, scales: &Scales, e: &Evaluati
     (VELOCITY..ORBIT).for_each(|k| size[k] = time * force / m);
     let along = friction + e.friction.pocket.force.abs() + e.friction.drag.abs();
     size[ORBIT] = time * along / (m * e.loads.orbit_radius);
-    (SPIN..BALL).for_each(|k| size[k] = time * turning / j);
+    (OMEGA..BALL).for_each(|k| size[k] = time * turning / j);
     size
 }
 

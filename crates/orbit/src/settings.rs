@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OrbitSettings {
     /// Largest error of an interval, over a tenth of the elastic approach under the mean load of a ball, 0.001 of the
-    /// orbital speed and 0.001 of the spin: the mesh follows from it.
+    /// orbital speed and 0.001 of the angular velocity: the mesh follows from it.
     pub mesh_error: f64,
     /// Largest relative residual of any balance.
     pub tolerance: f64,

@@ -4,7 +4,7 @@ use crate::collocation::{Orbit, Radau};
 use crate::newton::{Jacobian, OrbitStatistics};
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
-use crate::system::{BALL, ORBIT, SPIN};
+use crate::system::{BALL, OMEGA, ORBIT};
 use crate::way::{Eased, swinging};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -46,11 +46,11 @@ impl OrbitStart {
         let ball = |index: usize| {
             let pocket = TAU * index as f64 / ball_count as f64;
             let turn = orbit.cage_speed.signum() * (pocket - self.origin) / TAU;
-            let [x1, x2, lead, v_a, v_r, orbital_speed, spin @ ..] = orbit.at(&radau, turn);
+            let [x1, x2, lead, v_a, v_r, orbital_speed, angular_velocity @ ..] = orbit.at(&radau, turn);
             let azimuth = pocket + lead;
             let frame = AzimuthFrame::at(azimuth);
             let (position, velocity, size) = ([x1, x2], [v_a, v_r], BallSize::NOMINAL);
-            (azimuth, BallState { frame, position, velocity, orbital_speed, spin, size })
+            (azimuth, BallState { frame, position, velocity, orbital_speed, angular_velocity, size })
         };
         Motion { balls: (0..ball_count).map(ball).collect(), cage_speed: orbit.cage_speed, ring: orbit.ring }
     }
@@ -81,7 +81,7 @@ impl OrbitStart {
             orbit.cage_speed = faster(orbit.cage_speed);
             for y in orbit.values.iter_mut().flatten() {
                 y[ORBIT] = faster(y[ORBIT]);
-                (SPIN..BALL).for_each(|k| y[k] *= share);
+                (OMEGA..BALL).for_each(|k| y[k] *= share);
             }
         }
         orbit

@@ -46,8 +46,8 @@ pub(crate) fn scales(
     let force = force.max(1e-4 * 0.5e9 * g.ball_diameter.powi(2));
     let length = 0.1 * bearing.races.outer.frozen::<f64>().approach(force);
     let offset = g.groove_offset(Side::Outer).min(g.groove_offset(Side::Inner));
-    let spin = speed.abs() * g.pitch_diameter / g.ball_diameter;
-    let (slow, turn) = (1e-3 * speed.abs(), 1e-3 * spin);
+    let turning = speed.abs() * g.pitch_diameter / g.ball_diameter;
+    let (slow, turn) = (1e-3 * speed.abs(), 1e-3 * turning);
     let velocity = 10.0 * length * speed.abs();
     let lead = 1e-3;
     let mut errors = [1.0; BALL];
@@ -72,9 +72,9 @@ pub(crate) fn scales(
             f64::INFINITY,
             f64::INFINITY,
             0.1 * speed.abs(),
-            0.2 * spin,
-            0.2 * spin,
-            0.2 * spin,
+            0.2 * turning,
+            0.2 * turning,
+            0.2 * turning,
         ],
         errors,
     }
@@ -109,6 +109,6 @@ pub(crate) fn hardest(start: &RollingStart) -> usize {
 
 /// Unknowns of a ball of an equilibrium at a cage speed.
 pub(crate) fn unknowns(ball: &BallMotion, cage_speed: f64) -> [f64; BALL] {
-    let ([x1, x2], [a, r, t]) = (ball.position, ball.spin);
+    let ([x1, x2], [a, r, t]) = (ball.position, ball.angular_velocity);
     [x1, x2, 0.0, 0.0, 0.0, cage_speed, a + ball.orbital_speed, r, t]
 }

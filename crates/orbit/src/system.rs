@@ -10,12 +10,12 @@ use tribodyn_traction::{FastPatch, PatchTraction};
 /// Freedoms of the inner ring.
 pub(crate) const RING: usize = 5;
 /// Unknowns of a ball: position X1, X2 against the unmoved outer groove centre (m), lead over its pocket (rad), axial
-/// and radial velocity (m/s), orbital speed and absolute spin (axial, radial, tangential) (rad/s).
+/// and radial velocity (m/s), orbital speed and absolute angular velocity (axial, radial, tangential) (rad/s).
 pub(crate) const BALL: usize = 9;
 pub(crate) const LEAD: usize = 2;
 pub(crate) const VELOCITY: usize = 3;
 pub(crate) const ORBIT: usize = 5;
-pub(crate) const SPIN: usize = 6;
+pub(crate) const OMEGA: usize = 6;
 
 /// A bearing with its cage between two rings that turn steadily.
 pub(crate) struct OrbitSystem<'a> {
@@ -83,7 +83,7 @@ impl OrbitSystem<'_> {
         rings: &Races<RingState<D>>,
         traction: impl FnMut(&LoadedPatch<'_, D>) -> PatchTraction<D>,
     ) -> Evaluation<D> {
-        let &[x1, x2, lead, v_a, v_r, orbit, spin @ ..] = unknowns;
+        let &[x1, x2, lead, v_a, v_r, orbit, angular_velocity @ ..] = unknowns;
         let (bearing, pocket) = (self.bearing, &self.cage.pocket);
         let (sin, cos) = (pocket_azimuth + lead).sin_cos();
         let frame = AzimuthFrame { sin, cos };
@@ -93,7 +93,7 @@ impl OrbitSystem<'_> {
             position: [x1 - outer[0], x2 - outer[1]],
             velocity: [v_a, v_r],
             orbital_speed: orbit,
-            spin,
+            angular_velocity,
             size: BallSize::NOMINAL,
         };
         let loads = bearing.ball_loads_with(&state, rings.each_ref(), self.surfaces.each_ref(), traction);
@@ -121,9 +121,14 @@ impl OrbitSystem<'_> {
 
     /// Load of the pocket on a ball with these unknowns.
     pub fn in_pocket<D: Scalar>(&self, unknowns: &[D; BALL], cage_speed: D) -> PocketLoad<D> {
-        let &[_, _, lead, v_a, v_r, orbit, spin_a, spin_r, _] = unknowns;
-        let motion =
-            PocketMotion { lead, rate: orbit - cage_speed, velocity: [v_a, v_r], spin: [spin_a, spin_r], cage_speed };
+        let &[_, _, lead, v_a, v_r, orbit, omega_a, omega_r, _] = unknowns;
+        let motion = PocketMotion {
+            lead,
+            rate: orbit - cage_speed,
+            velocity: [v_a, v_r],
+            angular_velocity: [omega_a, omega_r],
+            cage_speed,
+        };
         self.cage.pocket.load(&motion)
     }
 

@@ -11,12 +11,12 @@ use tribodyn_bearing::{RingFreedom, Scalar};
 
 /// Degrees of freedom of the ring.
 pub(crate) const RING: usize = 5;
-/// Unknowns of a ball: X1, X2, the spin ω relative to the orbiting frame (axial, radial, tangential), ω_m.
+/// Unknowns of a ball: X1, X2, the angular velocity ω relative to the orbiting frame (axial, radial, tangential), ω_m.
 pub(crate) const BALL: usize = 6;
-/// Where a ball's unknowns stand: X1, X2, the first of the spin's three, ω_m.
+/// Where a ball's unknowns stand: X1, X2, the first of the three of Ï, ω_m.
 pub(crate) const AXIAL: usize = 0;
 pub(crate) const RADIAL: usize = 1;
-pub(crate) const SPIN: usize = 2;
+pub(crate) const OMEGA: usize = 2;
 pub(crate) const ORBIT: usize = 5;
 const DERIVATIVES: usize = BALL + RING;
 

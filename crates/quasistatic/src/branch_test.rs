@@ -63,7 +63,8 @@ fn limit_a_ball_thrown_off_the_inner_race_comes_to_the_driven_equilibrium() {
         let (_, loads, _) = system.evaluate(index, found, ring);
         let pose = loads.pose();
         let rolling = kinematics(&bearing, (&pose, &BallSize::NOMINAL), system.speeds, false, true);
-        let mut ball = [found[0], found[1], rolling.spin[0], rolling.spin[1], 0.0, rolling.orbital_speed];
+        let mut ball =
+            [found[0], found[1], rolling.angular_velocity[0], rolling.angular_velocity[1], 0.0, rolling.orbital_speed];
         let mut lost = false;
         for stage in STAGES {
             ball = follow_ball(&system, index, ball, ring, stage, 1e-9).ball;

@@ -1,5 +1,5 @@
-//! Jones–Harris equilibrium: two force balances per ball, spin and orbit from raceway control, which also carries the
-//! gyroscopic moment.
+//! Jones–Harris equilibrium: two force balances per ball, rotation and orbit from raceway control, which also carries
+//! the gyroscopic moment.
 //!
 //! Sources: A. B. Jones, J. Basic Eng. 82 (1960) 309, doi:10.1115/1.3662587; T. A. Harris, Rolling Bearing Analysis,
 //! high-speed chapter; MODEL of the source paper: Lubricants 2025, 13(8), 352, section 4.3.3 ("QSJH").
@@ -8,14 +8,20 @@
 //! does it by a lateral force on the ball of (−cos α_o, sin α_o) λ_o M_g/D at the outer race. The shares λ are a
 //! modelling choice ([`tribodyn_bearing::GyroscopicFriction`]).
 
-use crate::block::{AXIAL, BALL, Balance, BlockState, BlockSystem, ORBIT, RADIAL, RING, SPIN};
+use crate::block::{AXIAL, BALL, Balance, BlockState, BlockSystem, OMEGA, ORBIT, RADIAL, RING};
 use tribodyn_bearing::{
     AzimuthFrame, BallPose, BallSize, Bearing, ContactPose, Races, RingFreedom, RingState, Scalar, Side,
 };
 
 /// Names of the equations, for error messages.
-pub(crate) const EQUATIONS: [&str; BALL] =
-    ["axial force", "radial force", "axial spin", "radial spin", "tangential spin", "orbital speed"];
+pub(crate) const EQUATIONS: [&str; BALL] = [
+    "axial force",
+    "radial force",
+    "axial angular velocity",
+    "radial angular velocity",
+    "tangential angular velocity",
+    "orbital speed",
+];
 
 /// The Jones–Harris equations of one bearing at one operating point.
 pub(crate) struct JonesHarris<'a> {
@@ -100,7 +106,7 @@ impl Typical {
 pub(crate) struct Kinematics<D> {
     pub orbital_speed: D,
     /// ω relative to the orbiting frame: axial, radial.
-    pub spin: [D; 2],
+    pub angular_velocity: [D; 2],
     pub gyroscopic_moment: D,
     pub centrifugal_force: D,
 }
@@ -123,12 +129,12 @@ pub(crate) fn kinematics<D: Scalar>(
     let orbital_speed = (share_i * inner_speed + share_o * outer_speed) / (share_i + share_o);
     // ω cos β from rolling at the outer race.
     let axial = (orbital_speed - outer_speed) * near_o / (roll_o * ratio);
-    let spin = [-axial, axial * tangent];
+    let angular_velocity = [-axial, axial * tangent];
     let radius = if at_free_pitch { D::from(0.5 * g.pitch_diameter) } else { pose.orbit_radius };
     Kinematics {
         orbital_speed,
-        spin,
-        gyroscopic_moment: spin[1] * orbital_speed * bearing.inertia_of(ball),
+        angular_velocity,
+        gyroscopic_moment: angular_velocity[1] * orbital_speed * bearing.inertia_of(ball),
         centrifugal_force: radius * orbital_speed * orbital_speed * bearing.mass_of(ball),
     }
 }
@@ -219,13 +225,13 @@ impl BlockSystem for JonesHarris<'_> {
             if self.bounded { held(wanted, Races { inner: q_i, outer: q_o }) } else { wanted };
         let on_ball_i = [q_i * i.sin + f_i * i.cos, q_i * i.cos - f_i * i.sin];
         let on_ball_o = [-q_o * o.sin - f_o * o.cos, -q_o * o.cos + f_o * o.sin];
-        let motion = [k.spin[0], k.spin[1], D::zero(), k.orbital_speed];
+        let motion = [k.angular_velocity[0], k.angular_velocity[1], D::zero(), k.orbital_speed];
         let residual = [
             on_ball_i[0] + on_ball_o[0],
             on_ball_i[1] + on_ball_o[1] + centrifugal,
-            motion[0] - ball[SPIN],
-            motion[1] - ball[SPIN + 1],
-            motion[2] - ball[SPIN + 2],
+            motion[0] - ball[OMEGA],
+            motion[1] - ball[OMEGA + 1],
+            motion[2] - ball[OMEGA + 2],
             motion[3] - ball[ORBIT],
         ];
         let size = |d: D| d.re().abs();

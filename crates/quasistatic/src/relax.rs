@@ -1,10 +1,10 @@
 //! Ring and balls together in pseudo-time: where Newton's method finds no way, all that drag and friction would do.
 //!
-//! Implicit Euler steps of M du/dt = F(u). Spin and orbit move with their inertia, the balls' positions follow at once,
-//! the ring creeps. A bearing whose balls lose their rolling equilibrium together, each with the load that the others
-//! leave it, thus falls into the state that it would come to rest in: rolling where the inner race drives, skidding
-//! where drag is stronger. [`crate::settle`] does the same for one ball with the ring held, and cannot follow such a
-//! fall.
+//! Implicit Euler steps of M du/dt = F(u). Rotation and orbit move with their inertia, the balls' positions follow at
+//! once, the ring creeps. A bearing whose balls lose their rolling equilibrium together, each with the load that the
+//! others leave it, thus falls into the state that it would come to rest in: rolling where the inner race drives,
+//! skidding where drag is stronger. [`crate::settle`] does the same for one ball with the ring held, and cannot follow
+//! such a fall.
 
 use crate::block::{
     BALL, BlockState, BlockSystem, Linearised, RING, Residuals, Shift, Worst, apply, linearise, step_with,
@@ -12,7 +12,7 @@ use crate::block::{
 use nalgebra::SVector;
 use tribodyn_bearing::RingFreedom;
 
-/// Time in which the ring creeps to its balance, s of pseudo-time: shorter than what spin and orbit take.
+/// Time in which the ring creeps to its balance, s of pseudo-time: shorter than what rotation and orbit take.
 const CREEP: f64 = 1e-5;
 /// Past this step the iteration is Newton's.
 const LAST_STEP: f64 = 1e6;

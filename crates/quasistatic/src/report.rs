@@ -34,7 +34,7 @@ pub(crate) fn jones_harris(system: &JonesHarris<'_>, solved: &Iterate, point: &O
             axial: ball[AXIAL],
             orbit_radius: pose.orbit_radius,
             orbital_speed: k.orbital_speed,
-            spin: [k.spin[0], k.spin[1], 0.0],
+            angular_velocity: [k.angular_velocity[0], k.angular_velocity[1], 0.0],
             size,
         };
         balls.push(BallResult {
@@ -69,7 +69,7 @@ fn rolling(
     side: Side,
     contact: &ContactPose,
 ) -> [f64; 2] {
-    let [axial, radial] = k.spin;
+    let [axial, radial] = k.angular_velocity;
     let [n_a, n_r] = contact.normal(side);
     let rolling = (axial * n_r - radial * n_a) * (system.bearing.geometry.ball_radius() + ball.excess);
     let spin = (axial + k.orbital_speed - system.speeds[side]) * n_a + radial * n_r;
@@ -137,7 +137,7 @@ fn solution(
         };
         let pockets = pocket_forces(&speeds, &pocket);
         for ((ball, lead), force) in balls.iter_mut().zip(pockets.lead).zip(pockets.force) {
-            let [axial, radial, _] = ball.spin_rad_s;
+            let [axial, radial, _] = ball.angular_velocity_rad_s;
             let sliding = axial.hypot(radial) * bearing.geometry.ball_radius();
             let wear_rate_m3_s = bearing.pocket_wear_rate(force.abs() * sliding);
             ball.pocket = Some(PocketResult { lead_rad: lead, force_n: force, friction_n: None, wear_rate_m3_s });

@@ -3,7 +3,7 @@
 //! With traction: pseudo-time for ring and balls together, from rolling and from skidding. Jones–Harris: from a slower
 //! bearing up. Nothing here runs while the usual way succeeds, so that its solutions keep their digits.
 
-use crate::block::{BlockState, Iterate, ORBIT, SPIN, SolverStatistics};
+use crate::block::{BlockState, Iterate, OMEGA, ORBIT, SolverStatistics};
 use crate::driver;
 use crate::jones_harris::{JonesHarris, kinematics};
 use crate::methods::{Downhill, NewtonOrNested};
@@ -63,7 +63,7 @@ fn slowed(system: &WithTraction<'_>, state: &BlockState, share: f64) -> BlockSta
     let outer = system.speeds.outer;
     let mut slow = state.clone();
     for ball in &mut slow.balls {
-        (SPIN..ORBIT).for_each(|k| ball[k] *= share);
+        (OMEGA..ORBIT).for_each(|k| ball[k] *= share);
         ball[ORBIT] = outer + (ball[ORBIT] - outer) * share;
     }
     slow

@@ -2,11 +2,11 @@
 //!
 //! Past its peak the traction curve falls, so under drag a ball may have a rolling equilibrium, a skidding one, or
 //! both, with an unstable one between them. [`crate::solve`] finds the one connected to rolling. Here each ball is
-//! followed from several skidding states to where it ends, and each end is judged by the eigenvalues of its spin and
-//! orbit. A lightly loaded ball may also drop out of contact: what presses it on a race is the centrifugal force of its
-//! orbit. The search samples states, so it can show that another equilibrium exists but not that none does.
+//! followed from several skidding states to where it ends, and each end is judged by the eigenvalues of its rotation
+//! and orbit. A lightly loaded ball may also drop out of contact: what presses it on a race is the centrifugal force of
+//! its orbit. The search samples states, so it can show that another equilibrium exists but not that none does.
 
-use crate::block::{AXIAL, BALL, BlockSystem, ORBIT, RADIAL, RING, SPIN};
+use crate::block::{AXIAL, BALL, BlockSystem, OMEGA, ORBIT, RADIAL, RING};
 use crate::jones_harris::{Typical, kinematics};
 use crate::problem::QuasiStaticError;
 use crate::report::SKIDDING;
@@ -22,7 +22,7 @@ use tribodyn_bearing::{BallPose, BallSize, Bearing, OperatingPoint, Races};
 const START_SPEEDS: [f64; 6] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.95];
 /// Relative residual below which the end of a search is an equilibrium.
 const EQUILIBRIUM: f64 = 1e-9;
-/// Two equilibria are one where orbit and spin differ by less than this share of the fastest ring's speed.
+/// Two equilibria are one where orbit and rotation differ by less than this share of the fastest ring's speed.
 const DISTINCT: f64 = 1e-5;
 
 /// One equilibrium of a ball.
@@ -32,7 +32,7 @@ pub struct Root {
     pub orbital_speed_rad_s: f64,
     /// Spin ω relative to the orbiting frame: axial, radial, tangential, rad/s.
     #[serde(flatten, serialize_with = "components")]
-    pub spin_rad_s: [f64; 3],
+    pub angular_velocity_rad_s: [f64; 3],
     /// Inner contact load, N.
     pub load_inner_n: f64,
     /// Outer contact load, N.
@@ -43,14 +43,18 @@ pub struct Root {
     pub slide_to_roll_inner: f64,
     /// Longitudinal slide-to-roll ratio ξ_x at the outer contact.
     pub slide_to_roll_outer: f64,
-    /// Largest real part of the eigenvalues of spin and orbit, 1/s: negative where the equilibrium is stable. Absent
-    /// where they cannot be worked out.
+    /// Largest real part of the eigenvalues of rotation and orbit, 1/s: negative where the equilibrium is stable.
+    /// Absent where they cannot be worked out.
     pub growth_rate_per_s: Option<f64>,
 }
 
-/// A spin as the fields of a ball.
-fn components<S: Serializer>(spin: &[f64; 3], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(["spin_axial_rad_s", "spin_radial_rad_s", "spin_tangential_rad_s"].into_iter().zip(spin))
+/// An angular velocity as the fields of a ball.
+fn components<S: Serializer>(omega: &[f64; 3], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(
+        ["angular_velocity_axial_rad_s", "angular_velocity_radial_rad_s", "angular_velocity_tangential_rad_s"]
+            .into_iter()
+            .zip(omega),
+    )
 }
 
 impl Root {
@@ -119,7 +123,7 @@ fn ball_roots(system: &WithTraction<'_>, index: usize, ball: [f64; BALL], ring: 
     BallRoots { azimuth_deg: system.bearing.azimuth(index).to_degrees(), solution, others }
 }
 
-/// Skidding states at the solved position: the orbit slower than rolling, the spin rolling on one race only.
+/// Skidding states at the solved position: the orbit slower than rolling, the ball rolling on one race only.
 fn starts(
     system: &WithTraction<'_>,
     ball: [f64; BALL],
@@ -127,7 +131,7 @@ fn starts(
 ) -> impl Iterator<Item = [f64; BALL]> {
     let Races { inner: inner_speed, outer: outer_speed } = system.speeds;
     let rolling = kinematics(system.bearing, (pose, size), system.speeds, false, true);
-    // Rolling on a race alone, the spin grows with the speed of the orbit against that race, along the same axis.
+    // Rolling on a race alone, the rotation grows with the speed of the orbit against that race, along the same axis.
     let share = move |orbit: f64, race: f64| {
         let full = rolling.orbital_speed - race;
         if full == 0.0 { 0.0 } else { (orbit - race) / full }
@@ -135,8 +139,15 @@ fn starts(
     START_SPEEDS.into_iter().flat_map(move |speed| {
         let orbit = outer_speed + speed * (rolling.orbital_speed - outer_speed);
         [inner_speed, outer_speed].map(|race| {
-            let spin = share(orbit, race);
-            [ball[AXIAL], ball[RADIAL], spin * rolling.spin[0], spin * rolling.spin[1], 0.0, orbit]
+            let turning = share(orbit, race);
+            [
+                ball[AXIAL],
+                ball[RADIAL],
+                turning * rolling.angular_velocity[0],
+                turning * rolling.angular_velocity[1],
+                0.0,
+                orbit,
+            ]
         })
     })
 }
@@ -147,7 +158,8 @@ fn same(a: &Root, b: &Root, speeds: Races<f64>) -> bool {
         return a.driven == b.driven;
     }
     let near = |a: f64, b: f64| (a - b).abs() <= DISTINCT * speeds.inner.abs().max(speeds.outer.abs());
-    near(a.orbital_speed_rad_s, b.orbital_speed_rad_s) && (0..3).all(|k| near(a.spin_rad_s[k], b.spin_rad_s[k]))
+    near(a.orbital_speed_rad_s, b.orbital_speed_rad_s)
+        && (0..3).all(|k| near(a.angular_velocity_rad_s[k], b.angular_velocity_rad_s[k]))
 }
 
 fn root(system: &WithTraction<'_>, index: usize, ball: [f64; BALL], ring: [f64; RING]) -> Root {
@@ -155,7 +167,7 @@ fn root(system: &WithTraction<'_>, index: usize, ball: [f64; BALL], ring: [f64; 
     let radius = system.bearing.geometry.ball_radius();
     Root {
         orbital_speed_rad_s: ball[ORBIT],
-        spin_rad_s: [ball[SPIN], ball[SPIN + 1], ball[SPIN + 2]],
+        angular_velocity_rad_s: [ball[OMEGA], ball[OMEGA + 1], ball[OMEGA + 2]],
         load_inner_n: loads.contacts.inner.normal.load,
         load_outer_n: loads.contacts.outer.normal.load,
         driven: !system.typical.is_idle(loads.contacts.inner.normal.load),
@@ -180,7 +192,7 @@ fn growth_rate(
     let by_position: Matrix4x2<f64> = slope.fixed_view::<4, 2>(2, 0).into();
     let follows = position.lu().solve(&slope.fixed_view::<2, 4>(0, 2).into_owned())?;
     let reduced: Matrix4<f64> = slope.fixed_view::<4, 4>(2, 2) - by_position * follows;
-    // The axial balance accelerates the absolute spin ω_a + ω_m.
+    // The axial balance accelerates the absolute angular velocity ω_a + ω_m.
     let size = system.bearing.ball_size(index);
     let (j, m) = (system.bearing.inertia_of(&size), system.bearing.mass_of(&size));
     let mut mass = Matrix4::from_diagonal(&[j, j, j, m * orbit_radius].into());

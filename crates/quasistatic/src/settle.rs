@@ -1,6 +1,6 @@
 //! One ball alone: its equilibrium with the ring held, found by following its own dynamics in pseudo-time.
 //!
-//! The spins and the orbit move with their inertia (the orbit's acceleration left out of the axial spin's), the
+//! Rotation and orbit move with their inertia (the orbit's acceleration left out of the axial rotation's), the
 //! position follows at once. A ball that starts rolling therefore ends in the stable root that drag and friction would
 //! bring it to: rolling where that exists, skidding where it does not.
 

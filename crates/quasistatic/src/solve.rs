@@ -8,7 +8,7 @@
 //!    to rolling, with a cheap patch rule and then with the wanted one; then ring and balls together by Newton.
 
 use crate::at_rest::{AtRest, Moments, is_at_rest, thrown};
-use crate::block::{AXIAL, BALL, BlockState, BlockSystem, Iterate, ORBIT, RADIAL, RING, SPIN, SolverStatistics};
+use crate::block::{AXIAL, BALL, BlockState, BlockSystem, Iterate, OMEGA, ORBIT, RADIAL, RING, SolverStatistics};
 use crate::driver;
 use crate::jones_harris::{self, JonesHarris, Kinematics, Typical, kinematics};
 use crate::methods::{Downhill, NewtonOrNested, settle};
@@ -168,7 +168,7 @@ fn rolling_free(system: &JonesHarris<'_>, inner_control: bool) -> (Kinematics<f6
     let [axial, radial] = [offset * g.sin_contact_angle(), offset * g.cos_contact_angle()];
     let unloaded = system.pose(0, [axial, radial, 0.0, 0.0, 0.0, 0.0], [0.0; RING]);
     let k = kinematics(system.bearing, (&unloaded, &BallSize::NOMINAL), system.speeds, inner_control, true);
-    (k, [axial, radial, k.spin[0], k.spin[1], 0.0, k.orbital_speed])
+    (k, [axial, radial, k.angular_velocity[0], k.angular_velocity[1], 0.0, k.orbital_speed])
 }
 
 /// The equilibrium of a bearing at rest, and whether it is met.
@@ -249,7 +249,7 @@ fn release_idle_balls(system: &JonesHarris<'_>, mut state: BlockState) -> BlockS
         let (inner_load, _) = system.bearing.contact_load(Side::Inner, &pose.contacts.inner);
         if system.typical.is_idle(inner_load) && ball[ORBIT] != outer_speed {
             let share = (idle - outer_speed) / (ball[ORBIT] - outer_speed);
-            (SPIN..ORBIT).for_each(|k| ball[k] *= share);
+            (OMEGA..ORBIT).for_each(|k| ball[k] *= share);
             ball[ORBIT] = idle;
         }
     }

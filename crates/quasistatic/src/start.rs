@@ -1,6 +1,6 @@
 //! What a solution leaves for a neighbouring problem to start from.
 
-use crate::block::{AXIAL, BALL, BlockState, ORBIT, RADIAL, RING, SPIN};
+use crate::block::{AXIAL, BALL, BlockState, OMEGA, ORBIT, RADIAL, RING};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{Races, Side};
 use tribodyn_traction::PatchRule;
@@ -19,7 +19,7 @@ impl WarmStart {
     pub fn balls(&self) -> impl Iterator<Item = BallMotion> {
         self.state.balls.iter().map(|ball| BallMotion {
             position: [ball[AXIAL], ball[RADIAL]],
-            spin: [ball[SPIN], ball[SPIN + 1], ball[SPIN + 2]],
+            angular_velocity: [ball[OMEGA], ball[OMEGA + 1], ball[OMEGA + 2]],
             orbital_speed: ball[ORBIT],
         })
     }
@@ -62,7 +62,7 @@ impl WarmStart {
         let share = (now.inner - now.outer) / (was.inner - was.outer);
         if share.is_finite() && now != was {
             for ball in &mut state.balls {
-                (SPIN..ORBIT).for_each(|k| ball[k] *= share);
+                (OMEGA..ORBIT).for_each(|k| ball[k] *= share);
                 ball[ORBIT] = now.outer + (ball[ORBIT] - was.outer) * share;
             }
         }
@@ -75,8 +75,8 @@ impl WarmStart {
 pub struct BallMotion {
     /// Ball centre against the outer groove centre, axial X1 and radial X2, m.
     pub position: [f64; 2],
-    /// Spin relative to the orbiting frame (axial, radial, tangential), rad/s.
-    pub spin: [f64; 3],
+    /// Angular velocity relative to the orbiting frame (axial, radial, tangential), rad/s.
+    pub angular_velocity: [f64; 3],
     /// Orbital speed, rad/s.
     pub orbital_speed: f64,
 }

@@ -1,9 +1,10 @@
 //! The traction-coupled equilibrium: six balances per ball, no assumption on raceway control.
 //!
-//! Unknowns of a ball: X1, X2, the spin ω relative to the orbiting frame (axial, radial, tangential) and ω_m. Source:
-//! the ball equations of Lubricants 2025, 13(8), 352, section 3, with the time derivatives zero (its cases 1 to 4).
+//! Unknowns of a ball: X1, X2, the angular velocity ω relative to the orbiting frame (axial, radial, tangential) and
+//! ω_m. Source: the ball equations of Lubricants 2025, 13(8), 352, section 3, with the time derivatives zero (its cases
+//! 1 to 4).
 
-use crate::block::{AXIAL, BALL, Balance, BlockSystem, ORBIT, RADIAL, RING, SPIN};
+use crate::block::{AXIAL, BALL, Balance, BlockSystem, OMEGA, ORBIT, RADIAL, RING};
 use crate::jones_harris::{Typical, ring_state};
 use tribodyn_bearing::{
     AzimuthFrame, BallLoads, BallState, Bearing, LoadedPatch, Races, RingFreedom, RingState, Scalar, SearchWatch,
@@ -47,7 +48,7 @@ impl WithTraction<'_> {
             position: [ball[AXIAL], ball[RADIAL]],
             velocity: [D::zero(); 2],
             orbital_speed: ball[ORBIT],
-            spin: [ball[SPIN] + ball[ORBIT], ball[SPIN + 1], ball[SPIN + 2]],
+            angular_velocity: [ball[OMEGA] + ball[ORBIT], ball[OMEGA + 1], ball[OMEGA + 2]],
             size: self.bearing.ball_size(index),
         };
         let rings = Races { inner: &inner, outer: &outer };
@@ -63,7 +64,7 @@ impl WithTraction<'_> {
         let inertia = self.bearing.inertia_of(&state.size);
         let turning = if self.bearing.modelling.has_gyroscopic_moment() { inertia } else { 0.0 };
         let inertia = state.orbital_speed * turning;
-        let gyroscopic = [-(inertia * state.spin[2]), inertia * state.spin[1]];
+        let gyroscopic = [-(inertia * state.angular_velocity[2]), inertia * state.angular_velocity[1]];
         let (force, moment) = (loads.force(), loads.moment());
         let residual = [
             force[0],
@@ -142,8 +143,8 @@ impl BlockSystem for WithTraction<'_> {
     fn step_limits(&self) -> ([f64; BALL], [f64; RING]) {
         let g = &self.bearing.geometry;
         let fastest = self.speeds.inner.abs().max(self.speeds.outer.abs()).max(1.0);
-        let spin = 0.2 * fastest * g.pitch_diameter / g.ball_diameter;
+        let turning = 0.2 * fastest * g.pitch_diameter / g.ball_diameter;
         let position = self.typical.position_limit();
-        ([position, position, spin, spin, spin, 0.1 * fastest], self.typical.ring_limits())
+        ([position, position, turning, turning, turning, 0.1 * fastest], self.typical.ring_limits())
     }
 }

@@ -106,7 +106,7 @@ pub fn frequencies(measured: &BearingFrequencies, rolling: Option<&Rolling>) -> 
         ("FTF, cage", "½ [f_i (1 − γ) + f_o (1 + γ)]", |f| f.cage_hz),
         ("BPFO, balls over a point of the outer race", "N (FTF − f_o)", |f| f.ball_pass_outer_hz),
         ("BPFI, balls over a point of the inner race", "N (f_i − FTF)", |f| f.ball_pass_inner_hz),
-        ("BSF, spin of a ball", "d_m/(2D) (1 − γ²) (f_i − f_o)", |f| f.ball_spin_hz),
+        ("BSF, turns of a ball", "d_m/(2D) (1 − γ²) (f_i − f_o)", |f| f.ball_spin_hz),
         ("2 BSF, a spot of a ball on either race", "2 BSF", |f| f.ball_defect_hz),
     ];
     let rows = lines.map(|(name, formula, get)| {

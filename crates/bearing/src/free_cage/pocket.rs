@@ -126,19 +126,19 @@ impl Pocket {
         dot(along(cage, frame.to_inertial(velocity)), place.outward)
     }
 
-    /// Force and friction on a ball with a velocity and an absolute spin [a, r, t] in a pocket of a free cage. Both act
-    /// at the point of the ball that is next to the wall.
+    /// Force and friction on a ball with a velocity and an absolute angular velocity [a, r, t] in a pocket of a free
+    /// cage. Both act at the point of the ball that is next to the wall.
     pub fn load_of_free(
         &self,
         pose: &CagePose,
         place: &InPocket,
-        (frame, velocity, spin): (AzimuthFrame, [f64; 3], [f64; 3]),
+        (frame, velocity, omega): (AzimuthFrame, [f64; 3], [f64; 3]),
     ) -> PocketLoad {
         if place.depth <= 0.0 && self.film.is_none() {
             return PocketLoad::none();
         }
         let (n, arm) = (place.outward, scaled(place.outward, self.ball_radius));
-        let of_ball = add(frame.to_inertial(velocity), cross(frame.to_inertial(spin), arm));
+        let of_ball = add(frame.to_inertial(velocity), cross(frame.to_inertial(omega), arm));
         let moving = along(pose.velocity_at(add(place.ball, arm)), of_ball);
         let closing = dot(moving, n);
         let film = self.film_of_free(place, closing);

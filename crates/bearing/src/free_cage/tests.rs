@@ -258,13 +258,13 @@ fn limit_a_centred_cage_has_the_pocket_of_one_freedom() {
         let pose = pose(&cage, [0.7, 300.0], [0.0; 3], [0.0; 3], [0.0; 2], [0.0; 2]);
         let at = [0.0, pocket.radius, 0.0];
         let place = pocket.place(&pocket.wall(PocketShape::Cylinder), (&pose, AzimuthFrame::at(0.0)), (frame, at));
-        let (velocity, spin) = ([0.02, -0.01, 0.023 * 301.0], [-900.0, 200.0, 0.0]);
-        let free = pocket.load_of_free(&pose, &place, (frame, velocity, spin));
+        let (velocity, omega) = ([0.02, -0.01, 0.023 * 301.0], [-900.0, 200.0, 0.0]);
+        let free = pocket.load_of_free(&pose, &place, (frame, velocity, omega));
         let held = pocket.load(&PocketMotion {
             lead,
             rate: 1.0,
             velocity: [velocity[0], velocity[1]],
-            spin: [spin[0], spin[1]],
+            angular_velocity: [omega[0], omega[1]],
             cage_speed: 300.0,
         });
         assert!((place.lead() - lead).abs() < 1e-15);
@@ -283,7 +283,7 @@ fn identity_power_and_momentum_of_ball_and_pocket() {
     let frame = AzimuthFrame::at(2.1);
     for shape in [PocketShape::Cylinder, PocketShape::Sphere, PocketShape::RaceTrack { axial_gap: 5e-5 }] {
         let (x, v, omega, tilt) = ([4e-5, -7e-5, 2e-5], [0.3, -0.2, 0.1], [20.0, -30.0], [2e-3, -1e-3]);
-        let (at, velocity, spin) = ([1.2e-4, 0.02295, 0.0], [0.4, 0.2, 7.3], [-900.0, 200.0, 70.0]);
+        let (at, velocity, turning) = ([1.2e-4, 0.02295, 0.0], [0.4, 0.2, 7.3], [-900.0, 200.0, 70.0]);
         let start = pose(&cage, [2.1 - 9e-3, 300.0], x, v, omega, tilt);
         let of = |t: f64| {
             let inertial = add(frame.to_inertial(at), scaled(frame.to_inertial(velocity), t));
@@ -293,12 +293,12 @@ fn identity_power_and_momentum_of_ball_and_pocket() {
         let (wall, first) = (pocket.wall(shape), AzimuthFrame::at(0.0));
         let seen = pocket.place(&wall, (&pose, first), (frame, place));
         assert_eq!(pocket.depth_in(&wall, (&pose, first), (frame, place)), seen.depth);
-        let load = pocket.load_of_free(&pose, &seen, (frame, velocity, spin));
+        let load = pocket.load_of_free(&pose, &seen, (frame, velocity, turning));
         assert!(load.normal > 1.0, "{shape:?}: {load:?}");
         let mut on_cage = Wrench::default();
         on_cage.react(&pose, &load, (frame, place));
         let on_ball = [load.friction[0], load.friction[1], load.force];
-        let ball = dot(on_ball, velocity) + dot(load.moment, spin);
+        let ball = dot(on_ball, velocity) + dot(load.moment, turning);
         let given = ball + dot(on_cage.force, pose.velocity) + dot(on_cage.moment, pose.omega);
         // ½ K δ² changes by K δ δ'.
         let stored = pocket.stiffness * seen.depth * pocket.closing(&pose, &seen, (frame, velocity));

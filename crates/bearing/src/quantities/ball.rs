@@ -38,23 +38,31 @@ pub static BALL: [Quantity<BallResult>; 24] = [
         place!(.axial_displacement_m),
     ),
     B::new(
-        ["spin_axial", "Spin, axial", "Angular velocity relative to the orbiting frame, axial component"],
+        [
+            "angular_velocity_axial",
+            "Angular velocity, axial",
+            "Angular velocity relative to the orbiting frame, axial component",
+        ],
         [RADIAN_PER_SECOND, RADIAN_PER_SECOND],
-        place!(.spin_rad_s[0]),
-    ),
-    B::new(
-        ["spin_radial", "Spin, radial", "Angular velocity relative to the orbiting frame, radial component"],
-        [RADIAN_PER_SECOND, RADIAN_PER_SECOND],
-        place!(.spin_rad_s[1]),
+        place!(.angular_velocity_rad_s[0]),
     ),
     B::new(
         [
-            "spin_tangential",
-            "Spin, tangential",
+            "angular_velocity_radial",
+            "Angular velocity, radial",
+            "Angular velocity relative to the orbiting frame, radial component",
+        ],
+        [RADIAN_PER_SECOND, RADIAN_PER_SECOND],
+        place!(.angular_velocity_rad_s[1]),
+    ),
+    B::new(
+        [
+            "angular_velocity_tangential",
+            "Angular velocity, tangential",
             "Angular velocity relative to the orbiting frame, tangential component",
         ],
         [RADIAN_PER_SECOND, RADIAN_PER_SECOND],
-        place!(.spin_rad_s[2]),
+        place!(.angular_velocity_rad_s[2]),
     ),
     B::new(
         ["centrifugal_force", "Centrifugal force", "Centrifugal force of the orbit, m r ω_m²"],
@@ -89,7 +97,7 @@ pub static BALL: [Quantity<BallResult>; 24] = [
     )
     .in_scope(Scope::Traction),
     B::new(
-        ["churning", "Churning power", "Power that churning takes from the absolute spin"],
+        ["churning", "Churning power", "Power that churning takes from the absolute angular velocity"],
         [WATT, WATT],
         place!(fluid ? churning_w),
     )

@@ -149,9 +149,9 @@ impl LinearFriction {
             Matrix6::from_fn(|row, column| mobility[row] * (slopes[0][(row, column)] + slopes[1][(row, column)]));
         // The gyroscopic moment, ω_m (Ω_t e_r − Ω_r e_t).
         a[(4, 5)] += state.orbital_speed;
-        a[(4, 2)] += state.spin[2];
+        a[(4, 2)] += state.angular_velocity[2];
         a[(5, 4)] -= state.orbital_speed;
-        a[(5, 2)] -= state.spin[1];
+        a[(5, 2)] -= state.angular_velocity[1];
         let (once, pivot) = inverse_of_damped(Matrix6::identity() - a * (GAMMA * h));
         let twice = once * once;
         let change = once * GAMMA + twice * (1.0 - GAMMA);
@@ -173,7 +173,7 @@ fn damping_part(stiffness: &Matrix5<f64>, scale: [f64; 5]) -> Matrix5<f64> {
 }
 
 /// Gᵀ S G, with G the motion of a patch (rolling, lateral, spin, about lateral, about rolling) by the six velocities of
-/// the ball: axial, radial, orbital, and the spin's three.
+/// the ball: axial, radial, orbital, and the three of its angular velocity.
 fn by_velocities(stiffness: &Matrix5<f64>, [n_a, n_r]: [f64; 2], r: f64) -> Matrix6<f64> {
     let of = |f: [f64; 5]| [n_r * f[1], -n_a * f[1], r * f[0], n_a * f[2] + n_r * f[3], n_r * f[2] - n_a * f[3], f[4]];
     let rows: [[f64; 6]; 5] = std::array::from_fn(|row| of(std::array::from_fn(|column| stiffness[(row, column)])));

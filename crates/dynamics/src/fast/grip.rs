@@ -256,7 +256,7 @@ pub(super) fn surroundings<E: Equations>(
         if let Some(churning) = fluid.churning {
             for k in 0..WIDTH {
                 let state = stand.state(equations, balls, k);
-                let [x, y, z] = churning.moment_vector(state.spin);
+                let [x, y, z] = churning.moment_vector(state.angular_velocity);
                 (out[1].0[k], out[2].0[k], out[3].0[k]) = (x, y, z);
             }
         }

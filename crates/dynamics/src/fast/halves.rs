@@ -56,7 +56,7 @@ impl Fast {
         l.velocities_of_bodies().for_each(|k| y[k] += self.half[k]);
     }
 
-    /// Remembers the velocities at the start of a piece of the drift, without spins.
+    /// Remembers the velocities at the start of a piece of the drift, without angular velocities.
     pub(super) fn remember_velocities(&mut self, l: Layout, y: &[f64]) {
         for (balls, before) in self.scratch.balls.iter().zip(&mut self.scratch.before) {
             before.copy_from_slice(&balls[VELOCITY..VELOCITY + 3]);

@@ -39,7 +39,8 @@ macro_rules! numbers {
 // What a ball's result has besides its parts.
 numbers!(BallResult, 10;
     azimuth_rad, orbital_speed_rad_s, orbit_radius_m, radial_displacement_m, axial_displacement_m,
-    spin_rad_s[0], spin_rad_s[1], spin_rad_s[2], centrifugal_force_n, gyroscopic_moment_nm);
+    angular_velocity_rad_s[0], angular_velocity_rad_s[1], angular_velocity_rad_s[2], centrifugal_force_n,
+    gyroscopic_moment_nm);
 numbers!(ContactResult, 8;
     angle_rad, approach_m, load_n, peak_pressure_pa, semi_axes_m[0], semi_axes_m[1], rolling_speed_m_s,
     spin_ratio_per_m);

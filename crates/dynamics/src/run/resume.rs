@@ -2,7 +2,7 @@
 
 use super::{Checkpoint, Run, Scheme};
 use crate::error::DynamicsError;
-use crate::layout::{AXIAL, BALL, ORBIT, RADIUS, SPIN, VELOCITY};
+use crate::layout::{AXIAL, BALL, OMEGA, ORBIT, RADIUS, VELOCITY};
 
 /// Highest speed of anything in a bearing, m/s: beyond that of sound in steel.
 const FASTEST_M_S: f64 = 1e4;
@@ -113,7 +113,7 @@ impl Run {
         }
         let (l, g) = (self.machine.layout, &self.machine.bearing.geometry);
         // As fast as that at a radius of the pitch circle or of a ball.
-        let (orbit, spin) = (2.0 * FASTEST_M_S / g.pitch_diameter, 2.0 * FASTEST_M_S / g.ball_diameter);
+        let (orbit, turning) = (2.0 * FASTEST_M_S / g.pitch_diameter, 2.0 * FASTEST_M_S / g.ball_diameter);
         let within = |field, at: usize, from: f64, reach: f64| {
             let value = c.state[at];
             let allowed = || format!("{from} ± {reach}");
@@ -127,7 +127,7 @@ impl Run {
             within("axial velocity of a ball, m/s", at + VELOCITY, 0.0, FASTEST_M_S)?;
             within("radial velocity of a ball, m/s", at + VELOCITY + 1, 0.0, FASTEST_M_S)?;
             within("orbital speed of a ball, rad/s", at + ORBIT, 0.0, orbit)?;
-            (0..3).try_for_each(|k| within("spin of a ball, rad/s", at + SPIN + k, 0.0, spin))?;
+            (0..3).try_for_each(|k| within("angular velocity of a ball, rad/s", at + OMEGA + k, 0.0, turning))?;
         }
         within("speed of the cage, rad/s", l.cage() + 1, 0.0, orbit)?;
         for (at, coordinates) in [(l.inner(), 3), (l.outer(), 2)] {

@@ -9,13 +9,13 @@ pub(super) fn scales(machine: &Machine, state: &[f64]) -> Vec<f64> {
     let l = machine.layout;
     let speed = (0..l.balls).map(|k| state[l.ball(k) + ORBIT].abs()).fold(1.0, f64::max);
     let g = &machine.bearing.geometry;
-    let spin = speed * g.pitch_diameter / g.ball_diameter;
+    let turning = speed * g.pitch_diameter / g.ball_diameter;
     // Approaches are some 1e-5 m; a contact mode of 1e5 rad/s turns a hundredth of that into 1e-2 m/s.
     let (length, velocity) = (1e-5, 1e-2);
     let mut scale = vec![f64::INFINITY; l.len()];
     for k in 0..l.balls {
         let b = &mut scale[l.ball(k)..][..BALL];
-        b.copy_from_slice(&[length, length, 1.0, velocity, velocity, speed, spin, spin, spin]);
+        b.copy_from_slice(&[length, length, 1.0, velocity, velocity, speed, turning, turning, turning]);
         debug_assert_eq!(VELOCITY, 3);
     }
     scale[l.cage()..l.cage() + 2].copy_from_slice(&[1.0, speed]);

@@ -23,8 +23,13 @@ fn stays(scheme: &str, changes: &[(&str, &str)], tolerance: f64) {
     for (a, b) in first.balls.iter().zip(&last.balls) {
         let pairs = [
             ("orbital speed", a.orbital_speed_rad_s, b.orbital_speed_rad_s, a.orbital_speed_rad_s),
-            ("spin", a.spin_rad_s[0], b.spin_rad_s[0], a.spin_rad_s[0]),
-            ("radial spin", a.spin_rad_s[1], b.spin_rad_s[1], a.spin_rad_s[0]),
+            ("angular velocity", a.angular_velocity_rad_s[0], b.angular_velocity_rad_s[0], a.angular_velocity_rad_s[0]),
+            (
+                "radial angular velocity",
+                a.angular_velocity_rad_s[1],
+                b.angular_velocity_rad_s[1],
+                a.angular_velocity_rad_s[0],
+            ),
             ("inner load", a.contacts.inner.load_n, b.contacts.inner.load_n, a.contacts.inner.load_n),
             ("outer load", a.contacts.outer.load_n, b.contacts.outer.load_n, a.contacts.outer.load_n),
             ("inner angle", a.contacts.inner.angle_rad, b.contacts.inner.angle_rad, a.contacts.inner.angle_rad),

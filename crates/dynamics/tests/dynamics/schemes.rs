@@ -20,10 +20,13 @@ fn end(scheme: &str, changes: &[(&str, &str)]) -> Sample {
     run(&case(&all)).1.samples.pop().unwrap()
 }
 
-/// Largest difference of the orbital speeds and spins, rad/s.
+/// Largest difference of the orbital speeds and angular velocities, rad/s.
 fn distance(a: &Sample, b: &Sample) -> f64 {
     let speeds = |s: &Sample| {
-        s.balls.iter().flat_map(|b| [b.orbital_speed_rad_s, b.spin_rad_s[0], b.spin_rad_s[1]]).collect::<Vec<_>>()
+        s.balls
+            .iter()
+            .flat_map(|b| [b.orbital_speed_rad_s, b.angular_velocity_rad_s[0], b.angular_velocity_rad_s[1]])
+            .collect::<Vec<_>>()
     };
     speeds(a).iter().zip(speeds(b)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
@@ -62,7 +65,7 @@ fn identity_the_fast_scheme_comes_to_the_numbers_of_the_others() {
     let reference = end("RungeKutta4(step: us(2))", &[]);
     for step in ["Fast(step: us(20))", "Fast(step: us(5))"] {
         let apart = distance(&end(step, &[]), &reference);
-        // Of spins of 3000 rad/s.
+        // Of angular velocities of 3000 rad/s.
         assert!(apart < 0.3, "{step}: {apart} rad/s apart");
     }
 }

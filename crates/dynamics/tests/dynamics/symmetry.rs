@@ -29,10 +29,10 @@ fn identity_drag_and_churning_of_the_balls_sum_to_the_powers() {
         let drag: f64 =
             last.balls.iter().map(|b| b.fluid.unwrap().drag_n * b.orbit_radius_m * b.orbital_speed_rad_s).sum();
         near("drag", drag, last.power.drag_w, 1e-12 * drag.abs());
-        // The moment is against the spin: each ball loses power, by each of its axes.
+        // The moment is against the rotation: each ball loses power, by each of its axes.
         for ball in &last.balls {
             let [_, radial, _] = ball.fluid.unwrap().churning_nm;
-            assert!(ball.fluid.unwrap().churning_w > 0.0 && radial * ball.spin_rad_s[1] < 0.0, "{ball:?}");
+            assert!(ball.fluid.unwrap().churning_w > 0.0 && radial * ball.angular_velocity_rad_s[1] < 0.0, "{ball:?}");
         }
     }
 }
@@ -47,7 +47,7 @@ fn identity_loads_turned_by_one_pitch_permute_the_balls() {
         let (a, b) = (&plain.balls[ball], &other.balls[(ball + 1) % 13]);
         near("orbital speed", a.orbital_speed_rad_s, b.orbital_speed_rad_s, 1e-7);
         near("inner load", a.contacts.inner.load_n, b.contacts.inner.load_n, 1e-5);
-        near("spin", a.spin_rad_s[0], b.spin_rad_s[0], 1e-6);
+        near("angular velocity", a.angular_velocity_rad_s[0], b.angular_velocity_rad_s[0], 1e-6);
         near(
             "traction",
             a.contacts.outer.friction_or_nan().traction_n[0],
@@ -64,7 +64,7 @@ fn identity_mirrored_rotation_mirrors_the_run() {
     for ball in 0..13 {
         let (a, b) = (&plain.balls[ball], &mirrored.balls[(13 - ball) % 13]);
         near("orbital speed", a.orbital_speed_rad_s, -b.orbital_speed_rad_s, 1e-7);
-        near("spin", a.spin_rad_s[0], -b.spin_rad_s[0], 1e-6);
+        near("angular velocity", a.angular_velocity_rad_s[0], -b.angular_velocity_rad_s[0], 1e-6);
         near("inner load", a.contacts.inner.load_n, b.contacts.inner.load_n, 1e-5);
         near(
             "traction",

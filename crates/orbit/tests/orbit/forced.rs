@@ -44,7 +44,17 @@ fn end(mut inputs: RunInputs, start: &StartMotion, scheme: Scheme) -> Speeds {
     let mut run = Run::moving(inputs, start.clone()).unwrap();
     let mut last = Last::default();
     let _ = run.advance(run.duration(), &mut last).unwrap();
-    last.0.iter().map(|b| [b.orbital_speed_rad_s, b.spin_rad_s[0], b.spin_rad_s[1], b.spin_rad_s[2]]).collect()
+    last.0
+        .iter()
+        .map(|b| {
+            [
+                b.orbital_speed_rad_s,
+                b.angular_velocity_rad_s[0],
+                b.angular_velocity_rad_s[1],
+                b.angular_velocity_rad_s[2],
+            ]
+        })
+        .collect()
 }
 
 /// Largest difference of two sets of speeds, rad/s.
@@ -95,7 +105,7 @@ fn identity_orbits_and_all_schemes_have_the_same_forces() {
 /// State of every ball a pocket's spacing later.
 fn next_speeds(motion: &Motion) -> Speeds {
     let speeds = |(_, ball): &(f64, tribodyn_bearing::BallState)| {
-        let [a, r, t] = ball.spin;
+        let [a, r, t] = ball.angular_velocity;
         [ball.orbital_speed, a - ball.orbital_speed, r, t]
     };
     let mut speeds: Speeds = motion.balls.iter().map(speeds).collect();

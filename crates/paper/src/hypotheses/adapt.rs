@@ -71,7 +71,7 @@ mod tests {
                 position: [0.0; 2],
                 velocity: [0.0; 2],
                 orbital_speed: speed,
-                spin: [0.0; 3],
+                angular_velocity: [0.0; 3],
                 size: BallSize::NOMINAL,
             };
             bearing.fluid.as_ref().unwrap().drag_on(&ball, radius, point.inner_speed)

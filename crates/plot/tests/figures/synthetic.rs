@@ -66,7 +66,7 @@ pub fn ball(azimuth_deg: f64, slip: f64, swing: f64) -> BallResult {
         orbit_radius_m: 0.0837,
         radial_displacement_m: 0.0012,
         axial_displacement_m: 4e-5,
-        spin_rad_s: [-3600.0, 1050.0, 4.0],
+        angular_velocity_rad_s: [-3600.0, 1050.0, 4.0],
         centrifugal_force_n: 3500.0,
         gyroscopic_moment_nm: 2.2,
         contacts: Races { inner: inner([sin, cos], slip, swing), outer: outer(cos, slip, swing) },

@@ -57,11 +57,11 @@ class BallQuantities:
     #: Axial position of the ball centre against the unloaded one, m
     axial_displacement_m: float
     #: Angular velocity relative to the orbiting frame, axial component, rad/s
-    spin_axial_rad_s: float
+    angular_velocity_axial_rad_s: float
     #: Angular velocity relative to the orbiting frame, radial component, rad/s
-    spin_radial_rad_s: float
+    angular_velocity_radial_rad_s: float
     #: Angular velocity relative to the orbiting frame, tangential component, rad/s
-    spin_tangential_rad_s: float
+    angular_velocity_tangential_rad_s: float
     #: Centrifugal force of the orbit, m r ω_m², N
     centrifugal_force_n: float
     #: Magnitude of the gyroscopic moment, N m
@@ -74,7 +74,7 @@ class BallQuantities:
     churning_radial_nm: float
     #: Moment of the fluid on the ball, tangential component, N m; with traction only
     churning_tangential_nm: float
-    #: Power that churning takes from the absolute spin, W; with traction only
+    #: Power that churning takes from the absolute angular velocity, W; with traction only
     churning_w: float
     #: Power lost to drag, by the speed against the fluid, and churning, W; with traction only
     power_loss_fluid_w: float
@@ -198,11 +198,11 @@ class BallArrays:
     #: Axial position of the ball centre against the unloaded one, m
     axial_displacement_m: NDArray[np.float64]
     #: Angular velocity relative to the orbiting frame, axial component, rad/s
-    spin_axial_rad_s: NDArray[np.float64]
+    angular_velocity_axial_rad_s: NDArray[np.float64]
     #: Angular velocity relative to the orbiting frame, radial component, rad/s
-    spin_radial_rad_s: NDArray[np.float64]
+    angular_velocity_radial_rad_s: NDArray[np.float64]
     #: Angular velocity relative to the orbiting frame, tangential component, rad/s
-    spin_tangential_rad_s: NDArray[np.float64]
+    angular_velocity_tangential_rad_s: NDArray[np.float64]
     #: Centrifugal force of the orbit, m r ω_m², N
     centrifugal_force_n: NDArray[np.float64]
     #: Magnitude of the gyroscopic moment, N m
@@ -215,7 +215,7 @@ class BallArrays:
     churning_radial_nm: NDArray[np.float64]
     #: Moment of the fluid on the ball, tangential component, N m; with traction only
     churning_tangential_nm: NDArray[np.float64]
-    #: Power that churning takes from the absolute spin, W; with traction only
+    #: Power that churning takes from the absolute angular velocity, W; with traction only
     churning_w: NDArray[np.float64]
     #: Power lost to drag, by the speed against the fluid, and churning, W; with traction only
     power_loss_fluid_w: NDArray[np.float64]
@@ -590,11 +590,11 @@ class RecordedBallArrays:
     #: Axial position of the ball centre against the unloaded one, micrometres
     axial_displacement_um: NDArray[np.float32]
     #: Spin relative to the orbiting frame, axial component, rad/s
-    spin_axial_rad_s: NDArray[np.float32]
+    angular_velocity_axial_rad_s: NDArray[np.float32]
     #: Spin relative to the orbiting frame, radial component, rad/s
-    spin_radial_rad_s: NDArray[np.float32]
+    angular_velocity_radial_rad_s: NDArray[np.float32]
     #: Spin relative to the orbiting frame, tangential component, rad/s
-    spin_tangential_rad_s: NDArray[np.float32]
+    angular_velocity_tangential_rad_s: NDArray[np.float32]
     #: Centrifugal force, N
     centrifugal_force_n: NDArray[np.float32]
     #: Gyroscopic moment (magnitude), N mm
@@ -663,7 +663,7 @@ class RecordedBallArrays:
     depth_inner_um: NDArray[np.float32]
     #: Depth of the outer groove where the ball stands, by defects and wear, micrometres
     depth_outer_um: NDArray[np.float32]
-    #: Power that churning takes from the spin, W
+    #: Power that churning takes from the rotation, W
     churning_w: NDArray[np.float32]
     #: Radius of the orbit of the ball centre about the bearing axis, mm
     orbit_radius_mm: NDArray[np.float32]

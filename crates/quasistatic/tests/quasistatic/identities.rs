@@ -56,11 +56,11 @@ fn identity_mirrored_rotation_mirrors_the_solution() {
         let back = with_ring(&[("speed.inner", "Constant(rpm(-14000))")], paper_ring(20e3, -3e3, 44e3), model);
         for k in 0..13 {
             let ball = &forward.balls[k];
-            let [axial, radial, tangential] = ball.spin_rad_s;
+            let [axial, radial, tangential] = ball.angular_velocity_rad_s;
             let mut expected = BallResult {
                 orbital_speed_rad_s: -ball.orbital_speed_rad_s,
                 // An axial vector keeps its component across the mirror and turns the others round.
-                spin_rad_s: [-axial, -radial, tangential],
+                angular_velocity_rad_s: [-axial, -radial, tangential],
                 ..*ball
             };
             if let Some(friction) = &mut expected.contacts.inner.friction {

@@ -59,7 +59,7 @@ fn assert_near(what: &str, actual: f64, expected: f64, tolerance: f64) {
     assert!((actual - expected).abs() <= tolerance * expected.abs(), "{what}: {actual:.12e}, expected {expected:.12e}");
 }
 
-/// Fails unless two balls are in the same state: loads, speeds, spins, slips and losses.
+/// Fails unless two balls are in the same state: loads, speeds, slips and losses.
 #[track_caller]
 fn assert_same_ball(what: &str, a: &BallResult, b: &BallResult, tolerance: f64) {
     let numbers = |ball: &BallResult| {
@@ -69,9 +69,9 @@ fn assert_same_ball(what: &str, a: &BallResult, b: &BallResult, tolerance: f64) 
             ("inner angle", ball.contacts.inner.angle_rad.to_degrees(), 20.0),
             ("outer angle", ball.contacts.outer.angle_rad.to_degrees(), 20.0),
             ("orbital speed", ball.orbital_speed_rad_s, 600.0),
-            ("axial spin", ball.spin_rad_s[0], 3000.0),
-            ("radial spin", ball.spin_rad_s[1], 3000.0),
-            ("tangential spin", ball.spin_rad_s[2], 3000.0),
+            ("axial angular velocity", ball.angular_velocity_rad_s[0], 3000.0),
+            ("radial angular velocity", ball.angular_velocity_rad_s[1], 3000.0),
+            ("tangential angular velocity", ball.angular_velocity_rad_s[2], 3000.0),
             ("inner traction", ball.contacts.inner.friction.unwrap_or_default().traction_n[0], 1e3),
             ("outer lateral traction", ball.contacts.outer.friction.unwrap_or_default().traction_n[1], 1e3),
             ("inner loss", ball.contacts.inner.friction.unwrap_or_default().power_loss_w, 1e3),

@@ -15,7 +15,7 @@ fn code_jones_harris_218_bearing_under_thrust() {
         assert_near("Q_i", ball.contacts.inner.load_n, 1850.98183, 1e-5);
         assert_near("Q_o", ball.contacts.outer.load_n, 2304.92649, 1e-5);
         assert_near("ω_m", ball.orbital_speed_rad_s, 470.38053, 1e-5);
-        let [axial, radial, _] = ball.spin_rad_s;
+        let [axial, radial, _] = ball.angular_velocity_rad_s;
         assert_near("ω_R", axial.hypot(radial), 3053.31935, 1e-5);
         assert_near("β", radial.atan2(-axial).to_degrees(), 28.72108, 1e-5);
         assert_near("p_i", ball.contacts.inner.peak_pressure_pa, 1.560601e9, 1e-5);
@@ -42,7 +42,7 @@ fn paper_orbit_and_pitch_angle_under_outer_control() {
             let (turn, near) = ((i - o).cos(), ratio * i.cos());
             let expected = (s.inner_speed_rad_s * (1.0 - near) + s.outer_speed_rad_s * (turn + near)) / (1.0 + turn);
             assert_near("ω_m", ball.orbital_speed_rad_s, expected, 1e-10);
-            let [axial, radial, _] = ball.spin_rad_s;
+            let [axial, radial, _] = ball.angular_velocity_rad_s;
             assert_near("tan β", radial / -axial, o.sin() / (o.cos() + ratio), 1e-8);
         }
     }
@@ -55,7 +55,12 @@ fn paper_pitch_angle_under_inner_control() {
     let ratio = 0.03016 / 0.165;
     for ball in &s.balls {
         let i = ball.contacts.inner.angle_rad.to_degrees().to_radians();
-        assert_near("tan β", ball.spin_rad_s[1] / -ball.spin_rad_s[0], i.sin() / (i.cos() - ratio), 1e-8);
+        assert_near(
+            "tan β",
+            ball.angular_velocity_rad_s[1] / -ball.angular_velocity_rad_s[0],
+            i.sin() / (i.cos() - ratio),
+            1e-8,
+        );
     }
 }
 
@@ -76,7 +81,7 @@ fn limit_criterion_follows_the_longer_contact() {
             ball.contacts.inner.angle_rad.to_degrees().to_radians(),
             ball.contacts.outer.angle_rad.to_degrees().to_radians(),
         );
-        let tangent = ball.spin_rad_s[1] / -ball.spin_rad_s[0];
+        let tangent = ball.angular_velocity_rad_s[1] / -ball.angular_velocity_rad_s[0];
         let (by_inner, by_outer) = (i.sin() / (i.cos() - ratio), o.sin() / (o.cos() + ratio));
         let inner = (tangent - by_inner).abs() < 1e-8;
         assert!(inner != ((tangent - by_outer).abs() < 1e-8), "one race controls: {tangent} {by_inner} {by_outer}");
@@ -96,7 +101,7 @@ fn identity_gyroscopic_moment_and_centrifugal_force_from_speeds() {
     let inertia = 0.1 * mass * 0.02223f64.powi(2);
     for ball in &s.balls {
         let speed = ball.orbital_speed_rad_s;
-        assert_near("M_g", ball.gyroscopic_moment_nm, inertia * speed * ball.spin_rad_s[1], 1e-12);
+        assert_near("M_g", ball.gyroscopic_moment_nm, inertia * speed * ball.angular_velocity_rad_s[1], 1e-12);
         assert_near("F_c", ball.centrifugal_force_n, mass * 0.5 * 0.12526 * speed * speed, 1e-12);
     }
 }

@@ -79,7 +79,11 @@ fn convergence_moved_start_is_one_order_better_than_a_near_one() {
         solve(&bearing, &point, Traction).unwrap().warm_start.unwrap()
     };
     let from_goal = |start: &WarmStart, goal: &WarmStart| {
-        start.balls().zip(goal.balls()).map(|(a, b)| (a.spin[0] / b.spin[0] - 1.0).abs()).fold(0.0, f64::max)
+        start
+            .balls()
+            .zip(goal.balls())
+            .map(|(a, b)| (a.angular_velocity[0] / b.angular_velocity[0] - 1.0).abs())
+            .fold(0.0, f64::max)
     };
     let errors = [0.04, 0.02].map(|step| {
         let [first, second, goal] = [0.0, step, 2.0 * step].map(at);

@@ -15,18 +15,18 @@ pub(crate) fn check(
     balls: usize,
     last_time_s: f64,
 ) -> Result<(), RecordError> {
-    let (sample, spins) = (&overview.sample, &overview.spins_rad_s);
-    check_count(spins.len(), balls)?;
+    let (sample, speeds) = (&overview.sample, &overview.angular_velocities_rad_s);
+    check_count(speeds.len(), balls)?;
     if sample.time_s < last_time_s {
         return Err(RecordError::TimeGoesBack { time_s: sample.time_s, last_s: last_time_s });
     }
     let rest = not_in_state(sample);
-    let mut others = rest.iter().map(|(_, value)| value).chain(spins.as_flattened());
+    let mut others = rest.iter().map(|(_, value)| value).chain(speeds.as_flattened());
     if state.are_finite() && others.all(|value| value.is_finite()) {
         return Ok(());
     }
     let of_state = TransientState::NAMES.iter().enumerate().map(|(place, name)| (*name, state.number(place)));
-    let of_balls = spins.as_flattened().iter().map(|&value| ("spin_rad_s of a ball", value));
+    let of_balls = speeds.as_flattened().iter().map(|&value| ("angular_velocity_rad_s of a ball", value));
     match of_state.chain(rest).chain(of_balls).find(|(_, value)| !value.is_finite()) {
         Some((field, value)) => Err(RecordError::NotFinite { field: field.to_owned(), value }),
         None => Ok(()),

@@ -5,7 +5,7 @@
 //! the frames, so fewer of them do not make the picture jump.
 
 use super::overview::Overview;
-use crate::frames::{Poses, Spins};
+use crate::frames::{Orientations, Poses};
 use crate::quaternion::Rotation;
 use crate::trail;
 use crate::wire::foxglove::FrameTransforms;
@@ -24,8 +24,8 @@ const LONGEST_S: f64 = 0.01;
 /// What has been sent of a moving scene.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Motion {
-    spins: Spins,
-    /// Time (s) and spin (rad/s) of each ball at the last sample.
+    orientations: Orientations,
+    /// Time (s) and angular velocity (rad/s) of each ball at the last sample.
     last: Option<(f64, Vec<[f64; 3]>)>,
     frames: Due,
     contacts: Due,
@@ -54,37 +54,37 @@ impl Due {
 
 impl Motion {
     pub(crate) fn new(balls: usize) -> Self {
-        Self { spins: Spins::new(balls), last: None, frames: Due::default(), contacts: Due::default() }
+        Self { orientations: Orientations::new(balls), last: None, frames: Due::default(), contacts: Due::default() }
     }
 
     /// Number of balls.
     pub(crate) fn balls(&self) -> usize {
-        self.spins.balls()
+        self.orientations.balls()
     }
 
     /// Number of balls at the last sample, if there was one.
     pub(super) fn last_balls(&self) -> Option<usize> {
-        self.last.as_ref().map(|(_, spins)| spins.len())
+        self.last.as_ref().map(|(_, speeds)| speeds.len())
     }
 
     /// All numbers.
     pub(super) fn values(&self) -> impl Iterator<Item = f64> + '_ {
-        let last = self.last.iter().flat_map(|(time, spins)| spins.iter().flatten().chain([time]));
+        let last = self.last.iter().flat_map(|(time, speeds)| speeds.iter().flatten().chain([time]));
         let due = [&self.frames, &self.contacts].into_iter().flat_map(|due| &due.last);
         last.copied()
             .chain(due.flat_map(|(time, angles)| angles.iter().copied().chain([*time])))
-            .chain(self.spins.values())
+            .chain(self.orientations.values())
     }
 
-    /// Turns the balls from the last sample to this one, by the mean of both spins.
+    /// Turns the balls from the last sample to this one, by the mean of both angular velocities.
     pub(crate) fn advance(&mut self, overview: &Overview) {
-        let (time_s, now) = (overview.time_s(), overview.spins_rad_s.iter().copied());
-        if let Some((time, spins)) = &mut self.last {
+        let (time_s, now) = (overview.time_s(), overview.angular_velocities_rad_s.iter().copied());
+        if let Some((time, speeds)) = &mut self.last {
             let step = time_s - *time;
-            for (index, (before, spin)) in spins.iter_mut().zip(now).enumerate() {
-                let mean = [0, 1, 2].map(|k| 0.5 * (before[k] + spin[k]));
-                self.spins.advance_one(index, mean, step);
-                *before = spin;
+            for (index, (before, after)) in speeds.iter_mut().zip(now).enumerate() {
+                let mean = [0, 1, 2].map(|k| 0.5 * (before[k] + after[k]));
+                self.orientations.advance_one(index, mean, step);
+                *before = after;
             }
             *time = time_s;
         } else {
@@ -112,7 +112,7 @@ impl Motion {
             inner: (sample.inner.displacement_m, tilted(&sample.inner)),
             outer: (sample.outer.displacement_m, tilted(&sample.outer)),
             cage: trail::place(&sample.cage),
-            spins: &self.spins,
+            orientations: &self.orientations,
         };
         let balls = balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]);
         poses.update(message, balls);

@@ -66,13 +66,13 @@ pub(crate) const QUANTITIES: [Quantity; 3] = [
     ("speed of the cage", "r/min", |s| s.cage.speed_filtered_rad_s * 60.0 / TAU),
 ];
 
-/// What the characteristic frequencies follow from: mean orbital speed and mean spin of the balls, speeds of the rings,
-/// rad/s.
+/// What the characteristic frequencies follow from: mean orbital speed and mean angular velocity of the balls, speeds
+/// of the rings, rad/s.
 const SPEEDS: [fn(&Overview) -> f64; 4] = [
     |o| o.orbital_speed_rad_s,
     |o| {
-        let speed = |spin: &[f64; 3]| spin.iter().map(|w| w * w).sum::<f64>().sqrt();
-        o.spins_rad_s.iter().map(speed).sum::<f64>() / o.spins_rad_s.len() as f64
+        let speed = |omega: &[f64; 3]| omega.iter().map(|w| w * w).sum::<f64>().sqrt();
+        o.angular_velocities_rad_s.iter().map(speed).sum::<f64>() / o.angular_velocities_rad_s.len() as f64
     },
     |o| o.sample.inner.speed_rad_s,
     |o| o.sample.outer.speed_rad_s,

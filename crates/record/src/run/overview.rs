@@ -21,8 +21,8 @@ pub struct Overview {
     pub(super) in_contact: u32,
     /// The numbers of [`OVER_BALLS`], SI.
     over: Vec<Option<f64>>,
-    /// Spin of each ball, rad/s: between samples with balls they turn on.
-    pub(super) spins_rad_s: Vec<[f64; 3]>,
+    /// Angular velocity of each ball, rad/s: between samples with balls they turn on.
+    pub(super) angular_velocities_rad_s: Vec<[f64; 3]>,
 }
 
 impl Overview {
@@ -36,7 +36,7 @@ impl Overview {
             orbital_speed_rad_s: 0.0,
             in_contact: 0,
             over: Vec::new(),
-            spins_rad_s: Vec::new(),
+            angular_velocities_rad_s: Vec::new(),
         };
         overview.take(sample);
         overview
@@ -50,8 +50,8 @@ impl Overview {
         self.in_contact = in_contact(balls);
         self.over.clear();
         self.over.extend(OVER_BALLS.iter().map(|(quantity, over, _)| quantity.over(*over, balls)));
-        self.spins_rad_s.clear();
-        self.spins_rad_s.extend(balls.iter().map(|b| b.spin_rad_s));
+        self.angular_velocities_rad_s.clear();
+        self.angular_velocities_rad_s.extend(balls.iter().map(|b| b.angular_velocity_rad_s));
     }
 
     /// Simulated time, s.

@@ -1,9 +1,9 @@
 //! The frames of `/tf`: world > bearing > inner_ring, outer_ring, cage, orbit_00 > ball_00, …
 //!
 //! Frame orbit_j is the ball's azimuth frame, origin at the ball centre, axes (axial, radial, tangential). In it the
-//! ball turns by its relative spin ω, dq/dt = ½ ω q, advanced by the exponential of ω at the middle of each step:
-//! exact for a constant ω, second order in the step where ω varies over azimuth (with 360 steps an orbit and a spin
-//! that changes by a percent over it, 3e-6 rad in all).
+//! ball turns by its relative angular velocity ω, dq/dt = ½ ω q, advanced by the exponential of ω at the middle of each
+//! step: exact for a constant ω, second order in the step where ω varies over azimuth (with 360 steps an orbit and an
+//! angular velocity that changes by a percent over it, 3e-6 rad in all).
 
 use crate::quaternion::{Rotation, vector};
 use crate::timeline::{Timeline, timestamp};
@@ -27,18 +27,18 @@ pub(crate) fn orbit(ball: usize) -> String {
     format!("orbit_{ball:02}")
 }
 
-/// Spinning frame of a ball.
+/// Turning frame of a ball.
 pub(crate) fn ball(ball: usize) -> String {
     format!("ball_{ball:02}")
 }
 
-/// The orientation of every ball in its azimuth frame, as it spins on.
+/// The orientation of every ball in its azimuth frame, as it turns.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Spins {
+pub(crate) struct Orientations {
     rotations: Vec<Rotation>,
 }
 
-impl Spins {
+impl Orientations {
     /// All balls aligned with their azimuth frames.
     pub(crate) fn new(balls: usize) -> Self {
         Self { rotations: vec![Rotation::IDENTITY; balls] }
@@ -59,15 +59,15 @@ impl Spins {
         let middle = 0.5 * (timeline.cage_angle(sample) + timeline.cage_angle(sample + 1));
         let step = timeline.seconds(sample + 1) - timeline.seconds(sample);
         for (index, rotation) in self.rotations.iter_mut().enumerate() {
-            let spin = over.at(over.start(index) + middle).spin_rad_s;
-            *rotation = Rotation::by_vector(spin.map(|w| w * step)).after(*rotation).unit();
+            let angular_velocity = over.at(over.start(index) + middle).angular_velocity_rad_s;
+            *rotation = Rotation::by_vector(angular_velocity.map(|w| w * step)).after(*rotation).unit();
         }
     }
 
-    /// Advances ball `index` by its spin relative to the azimuth frame, rad/s, over a step, s.
-    pub(crate) fn advance_one(&mut self, index: usize, spin: [f64; 3], step: f64) {
+    /// Advances ball `index` by its angular velocity relative to the azimuth frame, rad/s, over a step, s.
+    pub(crate) fn advance_one(&mut self, index: usize, angular_velocity: [f64; 3], step: f64) {
         let rotation = &mut self.rotations[index];
-        *rotation = Rotation::by_vector(spin.map(|w| w * step)).after(*rotation).unit();
+        *rotation = Rotation::by_vector(angular_velocity.map(|w| w * step)).after(*rotation).unit();
     }
 }
 
@@ -80,7 +80,7 @@ pub(crate) struct Poses<'a> {
     pub(crate) outer: ([f64; 3], Rotation),
     /// Displacement of the cage's centre, m, and its rotation.
     pub(crate) cage: ([f64; 3], Rotation),
-    pub(crate) spins: &'a Spins,
+    pub(crate) orientations: &'a Orientations,
 }
 
 /// All frames at one sample of a solution. Azimuths of `balls` are not wrapped.
@@ -89,7 +89,7 @@ pub(crate) fn transforms(
     timeline: &Timeline,
     sample: usize,
     balls: &[BallResult],
-    spins: &Spins,
+    orientations: &Orientations,
 ) -> FrameTransforms {
     let time = timeline.seconds(sample);
     let [tilt_x, tilt_y] = solution.ring_tilt_rad;
@@ -99,7 +99,7 @@ pub(crate) fn transforms(
         inner: (solution.ring_displacement_m, shaft),
         outer: ([0.0; 3], Rotation::about_z(solution.outer_speed_rad_s * time)),
         cage: ([0.0; 3], Rotation::about_z(timeline.cage_angle(sample))),
-        spins,
+        orientations,
     };
     let mut message = FrameTransforms::default();
     poses.update(&mut message, balls.iter().map(|b| [b.azimuth_rad, b.orbit_radius_m, b.axial_displacement_m]));
@@ -114,7 +114,7 @@ impl Poses<'_> {
     /// another time: making its names anew would cost more than all of the numbers.
     pub(crate) fn update(&self, message: &mut FrameTransforms, balls: impl Iterator<Item = [f64; 3]>) {
         if message.transforms.is_empty() {
-            message.transforms = named(self.spins.balls());
+            message.transforms = named(self.orientations.balls());
         }
         let stamp = timestamp(self.log_time);
         let place = |frame: &mut FrameTransform, at: [f64; 3], turned: Rotation| {
@@ -127,8 +127,8 @@ impl Poses<'_> {
         for (frame, (at, turned)) in fixed.iter_mut().zip(poses) {
             place(frame, at, turned);
         }
-        let spins = &self.spins.rotations;
-        for ((pair, spun), [azimuth, radius, axial]) in of_balls.chunks_exact_mut(2).zip(spins).zip(balls) {
+        let orientations = &self.orientations.rotations;
+        for ((pair, spun), [azimuth, radius, axial]) in of_balls.chunks_exact_mut(2).zip(orientations).zip(balls) {
             let turned = Rotation::about_z(azimuth);
             let [cos, sin] = turned.direction();
             let centre = [radius * cos, radius * sin, axial];

@@ -96,7 +96,7 @@ fn cage(bodies: &Bodies, pocket_gap: f64, stamp: Timestamp) -> SceneEntity {
 }
 
 /// A ball with a band about its z axis and a dot on either pole of it: z starts along the orbit, across the main
-/// spin axis, so that band and dots tumble.
+/// axis of rotation, so that band and dots tumble.
 fn ball(diameter: f64, index: usize, stamp: Timestamp) -> SceneEntity {
     let sphere = |z: f64, size: f64, color: Color| SpherePrimitive {
         pose: Some(pose([0.0, 0.0, z * diameter], Rotation::IDENTITY)),

@@ -4,7 +4,7 @@ use super::check::check;
 use super::messages;
 use crate::ball;
 use crate::contacts::{self, Drawing, Moment, Scales};
-use crate::frames::{self, Spins};
+use crate::frames::{self, Orientations};
 use crate::layout::{Layout, LayoutKind};
 use crate::output::{Channel, Entries, Output, SMALL, file_error, fnv1a};
 use crate::scene::{self, Bodies};
@@ -82,10 +82,10 @@ impl<'a> Recording<'a> {
         let mut out = Output::new(stream, self.input.generator, SMALL, &CHANNELS)?;
         out.describe(&self.metadata(), self.input.case_text, &self.layout())?;
         self.write_start(&mut out)?;
-        let mut spins = Spins::new(self.geometry.ball_count);
+        let mut orientations = Orientations::new(self.geometry.ball_count);
         for sample in 0..=self.timeline.samples {
-            self.write_sample(&mut out, sample, &spins)?;
-            spins.advance(&self.over, &self.timeline, sample);
+            self.write_sample(&mut out, sample, &orientations)?;
+            orientations.advance(&self.over, &self.timeline, sample);
         }
         out.writer.finish()?;
         Ok(out.writer.into_inner())
@@ -117,14 +117,23 @@ impl<'a> Recording<'a> {
         Ok(())
     }
 
-    fn write_sample<W: Write + Seek>(&self, out: &mut Output<W>, sample: usize, spins: &Spins) -> McapResult<()> {
+    fn write_sample<W: Write + Seek>(
+        &self,
+        out: &mut Output<W>,
+        sample: usize,
+        orientations: &Orientations,
+    ) -> McapResult<()> {
         let (solution, timeline) = (self.input.solution, &self.timeline);
         let turned = timeline.cage_angle(sample);
         let balls: Vec<BallResult> =
             (0..self.geometry.ball_count).map(|ball| self.over.at(self.over.start(ball) + turned)).collect();
         let time = timeline.log_time(sample);
         if sample.is_multiple_of(timeline.frame_stride) {
-            out.log(Topic::Transforms as usize, time, &frames::transforms(solution, timeline, sample, &balls, spins))?;
+            out.log(
+                Topic::Transforms as usize,
+                time,
+                &frames::transforms(solution, timeline, sample, &balls, orientations),
+            )?;
             let drawing = Drawing { geometry: self.geometry, scales: Scales::of(solution), defects: &[] };
             let seconds = timeline.seconds(sample);
             let moment = Moment {

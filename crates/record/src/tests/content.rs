@@ -66,7 +66,7 @@ fn identity_recorded_balls_follow_the_solution_over_azimuth() {
             assert!(same(recorded.load_inner_n, exact.contacts.inner.load_n, 5e3));
             assert!(same(recorded.peak_pressure_outer_gpa, exact.contacts.outer.peak_pressure_pa * 1e-9, 3.0));
             assert!(same(recorded.semi_axis_across_outer_mm, exact.contacts.outer.semi_axes_m[0] * 1e3, 3.0));
-            assert!(same(recorded.spin_radial_rad_s, exact.spin_rad_s[1], 1e3));
+            assert!(same(recorded.angular_velocity_radial_rad_s, exact.angular_velocity_rad_s[1], 1e3));
             assert!(same(
                 recorded.slide_to_roll_inner_percent,
                 exact.contacts.inner.friction_or_nan().slide_to_roll[0] * 100.0,
@@ -129,15 +129,15 @@ fn identity_frames_stand_where_the_solution_puts_them() {
 }
 
 #[test]
-fn limit_a_constant_spin_turns_a_ball_by_its_angle_about_its_axis() {
+fn limit_a_constant_angular_velocity_turns_a_ball_by_its_angle_about_its_axis() {
     let mut solution = solution(BALLS);
-    let spin = [-3900.0, 900.0, -50.0];
-    solution.balls.iter_mut().for_each(|ball| ball.spin_rad_s = spin);
-    let speed = spin.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let omega = [-3900.0, 900.0, -50.0];
+    solution.balls.iter_mut().for_each(|ball| ball.angular_velocity_rad_s = omega);
+    let speed = omega.iter().map(|x| x * x).sum::<f64>().sqrt();
     for (time, frames) in transforms(&bytes(&solution)) {
         let q = frame(&frames, "ball_02").rotation.as_ref().unwrap();
         let half = 0.5 * speed * time;
-        let closed = spin.map(|x| x / speed * half.sin());
+        let closed = omega.map(|x| x / speed * half.sin());
         // A quaternion and its negative are the same rotation.
         let sign = if q.w * half.cos() + q.x * closed[0] < 0.0 { -1.0 } else { 1.0 };
         assert!((sign * q.w - half.cos()).abs() < DRAWN && close([q.x, q.y, q.z].map(|x| sign * x), closed, DRAWN));
@@ -145,16 +145,17 @@ fn limit_a_constant_spin_turns_a_ball_by_its_angle_about_its_axis() {
 }
 
 #[test]
-fn limit_a_spin_that_varies_over_azimuth_is_followed_as_with_fine_steps() {
-    // Ball 2 by 200 small rotations in each recorded step, the spin taken where the ball is at the middle of each.
+fn limit_an_angular_velocity_that_varies_over_azimuth_is_followed_as_with_fine_steps() {
+    // Ball 2 by 200 small rotations in each recorded step, the angular velocity taken where the ball is at the middle
+    // of each.
     let (cage, fine, mut worst) = (5802.0 * TAU / 60.0, 200, 0.0_f64);
     let (mut q, mut last) = (Rotation::IDENTITY, 0.0);
     for (time, frames) in transforms(&bytes(&solution(BALLS))) {
         let step = (time - last) / f64::from(fine);
         for k in 0..fine {
             let middle = last + (f64::from(k) + 0.5) * step;
-            let spin = ball(TAU * 2.0 / BALLS as f64 + cage * middle).spin_rad_s;
-            q = Rotation::by_vector(spin.map(|w| w * step)).after(q).unit();
+            let omega = ball(TAU * 2.0 / BALLS as f64 + cage * middle).angular_velocity_rad_s;
+            q = Rotation::by_vector(omega.map(|w| w * step)).after(q).unit();
         }
         last = time;
         let drawn = frame(&frames, "ball_02").rotation.as_ref().unwrap();
@@ -166,7 +167,7 @@ fn limit_a_spin_that_varies_over_azimuth_is_followed_as_with_fine_steps() {
         };
         worst = worst.max(apart(1.0).min(apart(-1.0)));
     }
-    // Taking the spin at the start of each step would be off by 6e-4 rad.
+    // Taking the angular velocity at the start of each step would be off by 6e-4 rad.
     assert!(worst < 1e-5, "{worst} rad");
 }
 

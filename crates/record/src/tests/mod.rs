@@ -74,7 +74,7 @@ fn ball(azimuth: f64) -> BallResult {
         orbit_radius_m: 0.083_79 + 2e-5 * one,
         radial_displacement_m: 1.29e-3 + 2e-5 * one,
         axial_displacement_m: 3e-5 - 1e-5 * one,
-        spin_rad_s: [-3900.0 - 20.0 * one, 900.0 + 40.0 * one, 15.0 * two],
+        angular_velocity_rad_s: [-3900.0 - 20.0 * one, 900.0 + 40.0 * one, 15.0 * two],
         centrifugal_force_n: 3400.0,
         gyroscopic_moment_nm: 6.0 + 0.1 * one,
         contacts: Races { inner, outer },

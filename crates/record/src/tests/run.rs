@@ -125,8 +125,8 @@ fn limit_a_tone_stands_in_the_spectrum_with_its_frequency_and_amplitude() {
     let [cage, balls] = [5802.0 / 60.0, BALLS as f64];
     assert!((last.ftf_hz / cage - 1.0).abs() < 1e-4 && (last.bpfo_hz / (balls * cage) - 1.0).abs() < 1e-4);
     assert!((last.bpfi_hz / (balls * (14_000.0 / 60.0 - cage)) - 1.0).abs() < 1e-4);
-    let spin = (3900.0_f64.powi(2) + 900.0_f64.powi(2) + 15.0_f64.powi(2)).sqrt() / TAU;
-    assert!((last.bsf_hz / spin - 1.0).abs() < 1e-9);
+    let turning = (3900.0_f64.powi(2) + 900.0_f64.powi(2) + 15.0_f64.powi(2)).sqrt() / TAU;
+    assert!((last.bsf_hz / turning - 1.0).abs() < 1e-9);
     for (marks, frequency) in [(&last.mark_bpfo, last.bpfo_hz), (&last.mark_ftf, last.ftf_hz)] {
         assert_eq!(marks.len(), last.amplitude.len());
         let at: Vec<usize> = (0..marks.len()).filter(|&line| marks[line] < 0.0).collect();
@@ -166,9 +166,9 @@ fn identity_balls_in_the_picture_stand_where_the_numbers_say() {
     let cage = find("cage").rotation.unwrap();
     let turned = 2.0 * cage.z.atan2(cage.w) - CAGE * time;
     assert!((turned - TAU * (turned / TAU).round()).abs() < 1e-6);
-    // The spin is constant: the ball has turned by |ω| t about it.
-    let spin = exact.balls[3].spin_rad_s;
-    let angle = spin.iter().map(|w| w * w).sum::<f64>().sqrt() * time;
+    // The angular velocity is constant: the ball has turned by |ω| t about it.
+    let omega = exact.balls[3].angular_velocity_rad_s;
+    let angle = omega.iter().map(|w| w * w).sum::<f64>().sqrt() * time;
     let turned = find("ball_03").rotation.unwrap();
     assert!((turned.w.abs() - (0.5 * angle).cos().abs()).abs() < 1e-6);
 }
@@ -215,16 +215,16 @@ fn limit_what_cannot_be_recorded_is_refused_by_name() {
         recorder.sample(&wrong, with_balls).unwrap_err().to_string()
     };
     let refused = |change: fn(&mut tribodyn_dynamics::Sample)| refused_where(true, change);
-    let text = refused(|s| s.balls[4].spin_rad_s[1] = f64::NAN);
-    assert!(text.contains("balls[4].spin_radial_rad_s") && text.contains("NaN"), "{text}");
+    let text = refused(|s| s.balls[4].angular_velocity_rad_s[1] = f64::NAN);
+    assert!(text.contains("balls[4].angular_velocity_radial_rad_s") && text.contains("NaN"), "{text}");
     let text = refused(|s| s.power.drag_w = f64::INFINITY);
     assert!(text.starts_with("drag_w") && text.contains("inf"), "{text}");
     let text = refused(|s| s.wear.volume_cage_m3 = f64::NAN);
     assert!(text.starts_with("volume_cage_m3"), "{text}");
     let text = refused_where(false, |s| s.balls[2].orbital_speed_rad_s = f64::NAN);
     assert!(text.starts_with("orbital_speed_mean_rpm"), "{text}");
-    let text = refused_where(false, |s| s.balls[2].spin_rad_s[0] = f64::INFINITY);
-    assert!(text.starts_with("spin_rad_s of a ball"), "{text}");
+    let text = refused_where(false, |s| s.balls[2].angular_velocity_rad_s[0] = f64::INFINITY);
+    assert!(text.starts_with("angular_velocity_rad_s of a ball"), "{text}");
     let text = refused(|s| s.time_s = 0.0005);
     assert!(text.contains("0.0005") && text.contains("0.001"), "{text}");
     let text = refused(|s| s.balls.truncate(12));

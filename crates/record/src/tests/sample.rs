@@ -50,7 +50,7 @@ fn ball(index: usize, time: f64) -> BallResult {
         orbit_radius_m: 0.083_79,
         radial_displacement_m: 1.29e-3,
         axial_displacement_m: 3e-5,
-        spin_rad_s: [-3900.0, 900.0, 15.0],
+        angular_velocity_rad_s: [-3900.0, 900.0, 15.0],
         centrifugal_force_n: 3400.0,
         gyroscopic_moment_nm: 6.0,
         contacts: Races { inner: contact(24.0, load), outer: contact(17.0, load + 2300.0) },

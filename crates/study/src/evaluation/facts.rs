@@ -32,12 +32,17 @@ pub fn frequencies(
 ) -> Result<BearingFrequencies, StudyError> {
     let (mut sum, mut count) = (0.0, 0.0);
     for ball in run.balls.iter().filter(|(time, _)| *time >= from_s).flat_map(|(_, balls)| balls) {
-        let spin = [ball.spin_axial_rad_s, ball.spin_radial_rad_s, ball.spin_tangential_rad_s].map(f64::from);
-        sum += spin.iter().map(|s| s * s).sum::<f64>().sqrt();
+        let omega = [
+            ball.angular_velocity_axial_rad_s,
+            ball.angular_velocity_radial_rad_s,
+            ball.angular_velocity_tangential_rad_s,
+        ]
+        .map(f64::from);
+        sum += omega.iter().map(|s| s * s).sum::<f64>().sqrt();
         count += 1.0;
     }
-    let spin = if count > 0.0 { sum / count } else { 0.0 };
-    Ok(BearingFrequencies::from_run(cage, spin, inner, outer, balls(run))?)
+    let turning = if count > 0.0 { sum / count } else { 0.0 };
+    Ok(BearingFrequencies::from_run(cage, turning, inner, outer, balls(run))?)
 }
 
 /// Frequencies of pure rolling.

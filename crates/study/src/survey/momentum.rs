@@ -129,7 +129,7 @@ impl Balance {
             let (r, speed) = (ball.orbit_radius_m, ball.orbital_speed_rad_s);
             let v = axes(ball).to_inertial([along, out, r * speed]);
             (0..2).for_each(|k| sum[k] += self.mass * v[k]);
-            sum[2] += self.mass * r * r * speed + self.inertia * (ball.spin_rad_s[0] + speed);
+            sum[2] += self.mass * r * r * speed + self.inertia * (ball.angular_velocity_rad_s[0] + speed);
         }
         sum
     }
