@@ -6,7 +6,8 @@ use crate::layout::{AXIAL, AZIMUTH, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::sample::FreeCageSample;
 use tribodyn_bearing::{
-    AzimuthFrame, CagePose, FREE_CAGE, FreeCage, InPocket, LandLoad, PocketLoad, PocketMotion, Races, Side, Wrench,
+    AzimuthFrame, CagePose, FREE_CAGE, FreeCage, InPocket, LandLoad, PocketLoad, PocketMotion, Races, RingState, Side,
+    Wrench,
 };
 
 /// Angle (rad) and speed (rad/s) of a cage, and where it is, if it is free.
@@ -18,6 +19,8 @@ pub(crate) struct Lands {
     pub on_cage: Wrench,
     /// Force on the cage by the lands of a ring, N.
     pub force: Races<[f64; 3]>,
+    /// Moments on the rings about their centres, N m.
+    pub on_rings: Races<[f64; 3]>,
     /// Torques that the rings' drives have to give for them, N m.
     pub drive: Races<f64>,
     /// Smallest gap left at a ring's lands, m.
@@ -31,7 +34,10 @@ pub(crate) struct Lands {
 impl Lands {
     fn add(&mut self, side: Side, load: &LandLoad) {
         self.on_cage.add_at([0.0; 3], load.on_cage.force, load.on_cage.moment);
-        (0..3).for_each(|k| self.force[side][k] += load.on_cage.force[k]);
+        for k in 0..3 {
+            self.force[side][k] += load.on_cage.force[k];
+            self.on_rings[side][k] += load.on_ring[k];
+        }
         self.drive[side] += load.drive;
         self.gap[side] = Some(self.gap[side].map_or(load.gap, |gap| gap.min(load.gap)));
         self.friction_power += load.friction_power;
@@ -147,13 +153,23 @@ impl Machine {
 
     /// Forces, torques and power of a free cage's lands.
     pub fn lands(&self, frame: &Frame) -> Lands {
+        frame.free_cage.map_or_else(Lands::default, |pose| self.lands_at(&pose, &frame.rings))
+    }
+
+    /// The same where the cage is at a pose.
+    pub fn lands_at(&self, pose: &CagePose, rings: &Races<RingState>) -> Lands {
         let mut lands = Lands::default();
-        if let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) {
-            for land in &cage.lands {
-                lands.add(land.side, &land.load(pose, &frame.rings[land.side]));
-            }
+        for land in self.free_cage.iter().flat_map(|cage| &cage.lands) {
+            lands.add(land.side, &land.load(pose, self.about_land(land.side, rings)));
         }
         lands
+    }
+
+    /// A ring, and the height of its centre over the middle of the unloaded balls, m.
+    pub fn about_land<'a>(&self, side: Side, rings: &'a Races<RingState>) -> (&'a RingState, f64) {
+        let g = &self.bearing.geometry;
+        let height = g.groove_offset(side) * g.sin_contact_angle();
+        (&rings[side], if side == Side::Inner { height } else { -height })
     }
 
     /// The lands of a free cage, and the forces of balls and lands on the rings, N.

@@ -162,7 +162,9 @@ impl Machine {
             self.free_body(frame, sums, lands, &mut f);
         }
         for side in Side::BOTH {
-            self.tilting_body(side, t, frame, sums, &mut f);
+            let of_lands = lands.as_ref().map_or([0.0; 3], |lands| lands.on_rings[side]);
+            let by_others = [0, 1, 2].map(|k| of_lands[k] - sums.moment[side][k]);
+            self.tilting_body(side, t, (frame, by_others), &mut f);
         }
         f.shaft_power = f.torque.inner * speeds.inner + f.torque.outer * speeds.outer;
         f

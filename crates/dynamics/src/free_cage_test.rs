@@ -5,7 +5,7 @@ use crate::layout::{OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{Scheme, imbalance, run};
-use tribodyn_bearing::{AzimuthFrame, Translation};
+use tribodyn_bearing::{AzimuthFrame, Side, Translation};
 use tribodyn_case::{Case, set_value};
 
 /// A land in each ring, the outer one in its fluid; tight pockets. Gaps of 0.1 mm about a cage that starts off centre.
@@ -40,20 +40,49 @@ fn machine(case: &Case) -> (Machine, Vec<f64>) {
 
 const POCKETS: [&str; 3] = ["Cylinder", "Sphere", "RaceTrack(axial_gap: mm(0.01))"];
 
+/// Rings that tilt and turn, under moments.
+const TILTING: [(&str, &str); 5] = [
+    ("ring.tilt_x", "Moment(Nm(120))"),
+    ("ring.tilt_y", "Moment(Nm(-60))"),
+    ("speed.outer", "Constant(rpm(-3000))"),
+    (
+        "supports.tilt",
+        "(inertia: Given(polar: kg_m2(0.05), transverse: kg_m2(0.03)),
+        stiffness: (Nm_per_rad(2000), Nm_per_rad(3000)), damping: (Nm_s_per_rad(1), Nm_s_per_rad(2)))",
+    ),
+    (
+        "supports.outer_tilt",
+        "(inertia: Given(polar: kg_m2(0.08), transverse: kg_m2(0.05)), damping: (Nm_s_per_rad(2), Nm_s_per_rad(3)),
+        stiffness: (Nm_per_rad(40000), Nm_per_rad(60000)))",
+    ),
+];
+
+/// The same as [`machine`] with rings that are tilted and swing, if they may.
+fn swinging(case: &Case) -> (Machine, Vec<f64>) {
+    let (machine, mut state) = machine(case);
+    for (side, sign) in [(Side::Inner, 1.0), (Side::Outer, -0.5)] {
+        if let [x, y, w_x, w_y] = &mut state[machine.layout.tilt(side)] {
+            (*x, *y, *w_x, *w_y) = (*x + sign * 1e-4, *y - sign * 2e-4, sign * 0.3, sign * -0.2);
+        }
+    }
+    (machine, state)
+}
+
 #[test]
 fn identity_power_balances_with_a_whirling_cage() {
-    for pockets in POCKETS {
+    let all = POCKETS.iter().flat_map(|pockets| [(pockets, &TILTING[..0]), (pockets, &TILTING)]);
+    for (pockets, rings) in all {
         for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
-            let (mut machine, mut state) = machine(&case(pockets, "0.2", &[]));
+            let (mut machine, mut state) = swinging(&case(pockets, "0.2", rings));
             let before = machine.energy(0.0, &state);
             // Short: edges and walls begin within steps.
-            let (h, steps) = (0.25e-6, 1600);
+            let (h, steps) = (0.125e-6, 3200);
             run(scheme, (&mut machine, &mut state), h, steps);
             let imbalance = imbalance(&machine, (h * f64::from(steps), &state), before);
             let frame = machine.frame(h * f64::from(steps), &state);
             let lands = machine.lands(&frame);
             assert!(lands.film_power > 0.0 && lands.losses() > 1.0, "{lands:?}");
-            assert!(imbalance < 1e-9, "{pockets}: {imbalance:e}");
+            assert!(imbalance < 1e-9, "{pockets} {rings:?}: {imbalance:e}");
         }
     }
 }
@@ -146,31 +175,36 @@ fn identity_a_balanced_cage_stays_in_the_middle_under_an_axial_load() {
     assert!(tilt_x.hypot(tilt_y) < 1e-10, "{tilt_x:e} {tilt_y:e}");
 }
 
-/// The fast scheme goes where the Runge–Kutta method goes, and nearer with its second order.
+/// The fast scheme goes where the Runge–Kutta method goes, and nearer with its second order: velocities, angular
+/// velocities and places of the cage, and tilts of rings, if they do.
 #[test]
 fn identity_the_fast_scheme_has_the_same_cage() {
-    let case = case("Cylinder", "0.2", &[]);
-    let end = |scheme: Scheme, h: f64, steps: u32| {
-        let (mut machine, mut state) = machine(&case);
-        run(scheme, (&mut machine, &mut state), h, steps);
-        let (cage, pose) = machine.cage_at(&state);
-        let pose = pose.unwrap();
-        ([pose.velocity_at(pose.centre), pose.omega, pose.centre.map(|x| x * 1e4)], cage)
-    };
-    let (exact, speed) = end(Scheme::RungeKutta, 0.5e-6, 800);
-    let (start, _) = end(Scheme::RungeKutta, 0.5e-6, 0);
-    let difference = |a: &[[f64; 3]; 3], b: &[[f64; 3]; 3]| {
-        [0, 1, 2].map(|k| (0..3).map(|i| (a[k][i] - b[k][i]).powi(2)).sum::<f64>().sqrt())
-    };
-    let way = difference(&start, &exact);
-    let (fast, speed_of_fast) = end(Scheme::Fast, 1e-6, 400);
-    let (finer, _) = end(Scheme::Fast, 0.5e-6, 800);
-    let (errors, fine) = (difference(&fast, &exact), difference(&finer, &exact));
-    for k in 0..3 {
-        assert!(errors[k] < 0.02 * way[k], "{k}: {errors:?} of {way:?}");
-        assert!(fine[k] < 0.6 * errors[k], "{k}: {fine:?} {errors:?}");
+    for rings in [&TILTING[..0], &TILTING] {
+        let case = case("Cylinder", "0.2", rings);
+        let end = |scheme: Scheme, h: f64, steps: u32| {
+            let (mut machine, mut state) = swinging(&case);
+            run(scheme, (&mut machine, &mut state), h, steps);
+            let (cage, pose) = machine.cage_at(&state);
+            let (pose, tilts) = (pose.unwrap(), machine.tilts_at(&state));
+            let ([x, y], [outer_x, outer_y]) = (tilts.inner.0, tilts.outer.0);
+            let moved = [pose.velocity_at(pose.centre), pose.omega, pose.centre.map(|x| x * 1e4)];
+            ([&moved[0][..], &moved[1], &moved[2], &[x, y], &[outer_x, outer_y]].map(<[f64]>::to_vec), cage)
+        };
+        let (exact, speed) = end(Scheme::RungeKutta, 0.5e-6, 800);
+        let (start, _) = end(Scheme::RungeKutta, 0.5e-6, 0);
+        let difference = |a: &[Vec<f64>; 5], b: &[Vec<f64>; 5]| {
+            [0, 1, 2, 3, 4].map(|k| a[k].iter().zip(&b[k]).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt())
+        };
+        let way = difference(&start, &exact);
+        let (fast, speed_of_fast) = end(Scheme::Fast, 1e-6, 400);
+        let (finer, _) = end(Scheme::Fast, 0.5e-6, 800);
+        let (errors, fine) = (difference(&fast, &exact), difference(&finer, &exact));
+        for k in 0..if rings.is_empty() { 3 } else { 5 } {
+            assert!(errors[k] < 0.02 * way[k], "{k}: {errors:?} of {way:?}");
+            assert!(fine[k] < 0.6 * errors[k], "{k}: {fine:?} {errors:?}");
+        }
+        assert!((speed[1] - speed_of_fast[1]).abs() < 1e-3 * speed[1].abs(), "{speed:?} {speed_of_fast:?}");
     }
-    assert!((speed[1] - speed_of_fast[1]).abs() < 1e-3 * speed[1].abs(), "{speed:?} {speed_of_fast:?}");
 }
 
 /// A cage of 0.33 kg that is pressed with 6.6 kN into oil: its film settles within some ns, and steps of 2 µs go where

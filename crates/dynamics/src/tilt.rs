@@ -8,7 +8,7 @@
 //! The drive keeps the speed Ω about e, so that ω stays across it; it may change in time.
 
 use crate::equations::Frame;
-use crate::forces::{BodyForces, Sums};
+use crate::forces::BodyForces;
 use crate::machine::Machine;
 use crate::tilting::tilt_rates;
 use tribodyn_bearing::vectors::dot;
@@ -39,13 +39,13 @@ impl Machine {
         [-spin * (w_y * e_z - w_z * e_y), -spin * (w_z * e_x - w_x * e_z)]
     }
 
-    /// Rates, powers and energy of a ring that is free to tilt.
-    pub fn tilting_body(&self, side: Side, t: f64, frame: &Frame, sums: &Sums, f: &mut BodyForces) {
+    /// Rates, powers and energy of a ring that is free to tilt, with the moment of balls and cage on it, N m.
+    pub fn tilting_body(&self, side: Side, t: f64, (frame, by_others): (&Frame, [f64; 3]), f: &mut BodyForces) {
         let ring = &frame.rings[side];
         let (Some(tilting), Some(turning)) = (&self.tilting[side], ring.turning) else { return };
         let inertia = tilting.body.transverse_inertia;
         let outside = tilting.outside((t, frame.angles[side]), ring, turning);
-        let moment = [0, 1, 2].map(|k| outside.moment[k] - sums.moment[side][k]);
+        let moment = [0, 1, 2].map(|k| outside.moment[k] + by_others[k]);
         let axis = ring.axis();
         let along = dot(moment, axis);
         let gyroscopic = self.gyroscopic_moment(side, ring);

@@ -1,7 +1,7 @@
 //! Rings that tilt among balls: balances, closed forms, and whether all schemes have the same terms.
 
 use crate::equations::BallForces;
-use crate::forces::{BodyForces, Sums, evaluate};
+use crate::forces::{BodyForces, evaluate};
 use crate::layout::{AXIAL, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::start::{Started, start};
@@ -191,7 +191,7 @@ fn code_a_ring_alone_goes_round_with_its_seat() {
         (ring.tilt, ring.turning) = (tilt, Some([-speed * tilt[1], speed * tilt[0], 0.0]));
         frame.angles.inner = angle;
         let mut f = BodyForces::default();
-        machine.tilting_body(Side::Inner, 0.0, &frame, &Sums::default(), &mut f);
+        machine.tilting_body(Side::Inner, 0.0, (&frame, [0.0; 3]), &mut f);
         let [.., by_x, by_y] = f.tilt.inner.unwrap();
         let expected = tilt.map(|tilt| -speed * speed * tilt);
         let size = speed * speed * askew[0].hypot(askew[1]);
@@ -213,7 +213,7 @@ fn code_free_precession_of_a_ring() {
     let ring = |y: &[f64]| machine.frame(0.0, y).rings.inner;
     let derivative = |y: &[f64]| {
         let mut f = BodyForces::default();
-        machine.tilting_body(Side::Inner, 0.0, &machine.frame(0.0, y), &Sums::default(), &mut f);
+        machine.tilting_body(Side::Inner, 0.0, (&machine.frame(0.0, y), [0.0; 3]), &mut f);
         f.tilt.inner.unwrap()
     };
     let mut y = state;

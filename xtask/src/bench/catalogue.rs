@@ -12,7 +12,8 @@ const DURATION: f64 = 0.1;
 /// Promise: simulated over processor time.
 const REAL_TIME: f64 = 4.0;
 
-fn written(bearing: &str) -> Result<String, Failure> {
+/// The case that `tribodyn new` writes.
+pub fn written(bearing: &str) -> Result<String, Failure> {
     let refused = |error: &dyn std::fmt::Display| Failure::Seed(format!("{bearing}: {error}"));
     let listed = find(bearing, None).map_err(|error| refused(&error))?;
     let given = Given { lubricant: Some("usual".to_owned()), ..Given::default() };

@@ -29,6 +29,8 @@ pub struct LandLoad {
     pub on_cage: Wrench,
     /// How they change with its velocities.
     pub slope: WrenchSlope,
+    /// Moment on the ring about its centre, with the part along its axis that the drive gives back, N m.
+    pub on_ring: [f64; 3],
     /// Torque about the ring's axis that its drive has to give, N m.
     pub drive: f64,
     /// Power that friction at the edges takes, W.
@@ -46,6 +48,8 @@ pub struct LandLoad {
 /// A land's ring and axis.
 struct Seat<'a> {
     ring: &'a RingState,
+    /// Centre of the ring, m.
+    centre: [f64; 3],
     /// Unit vector along the ring's axis.
     axis: [f64; 3],
 }
@@ -53,21 +57,31 @@ struct Seat<'a> {
 impl Seat<'_> {
     /// From the ring's axis to a point, across the axis.
     fn off_axis(&self, point: [f64; 3]) -> [f64; 3] {
-        across(along(self.ring.displacement, point), self.axis)
+        across(along(self.centre, point), self.axis)
     }
 
-    /// Velocity of a point that turns with the ring, m/s.
-    fn velocity_at(&self, off_axis: [f64; 3]) -> [f64; 3] {
-        add(self.ring.velocity, cross(scaled(self.axis, self.ring.speed), off_axis))
+    /// Velocity by which the ring's motion but for its speed moves a point, m/s.
+    fn swing(&self, point: [f64; 3]) -> [f64; 3] {
+        match self.ring.turning {
+            Some(turning) => add(self.ring.velocity, cross(turning, along(self.centre, point))),
+            None => self.ring.velocity,
+        }
+    }
+
+    /// Moment on the ring about its centre of the reaction to a force at a point and a moment, N m.
+    fn reaction(&self, point: [f64; 3], force: [f64; 3], moment: [f64; 3]) -> [f64; 3] {
+        scaled(add(cross(along(self.centre, point), force), moment), -1.0)
     }
 }
 
 impl CageLand {
-    /// Force of the land on the cage, of both edges and the film.
-    pub fn load(&self, pose: &CagePose, ring: &RingState) -> LandLoad {
+    /// Force of the land on the cage, of both edges and the film. The ring tilts about its centre, whose height above
+    /// that of the bearing is along the axis, m.
+    pub fn load(&self, pose: &CagePose, (ring, height): (&RingState, f64)) -> LandLoad {
         let [tilt_x, tilt_y] = ring.tilt;
         let axis = [tilt_y, -tilt_x, 1.0];
-        let seat = Seat { ring, axis: scaled(axis, 1.0 / length(axis)) };
+        let centre = add(ring.displacement, [0.0, 0.0, height]);
+        let seat = Seat { ring, centre, axis: scaled(axis, 1.0 / length(axis)) };
         let mut load = LandLoad { gap: self.gap, ..LandLoad::default() };
         for plane in [-0.5 * self.width, 0.5 * self.width] {
             self.edge(pose, &seat, self.axial + plane, &mut load);
@@ -107,7 +121,8 @@ impl CageLand {
         // The cage's bore meets the inner ring's land behind the cage's centre, its outside the outer ring's ahead.
         let to_point = scaled(n, if self.side == Side::Inner { -self.radius } else { self.radius });
         let point = add(middle, add(to_point, scaled(off, -1.0)));
-        let moving = along(seat.velocity_at(to_point), pose.velocity_at(point));
+        let of_ring = add(seat.swing(point), cross(scaled(seat.axis, seat.ring.speed), to_point));
+        let moving = along(of_ring, pose.velocity_at(point));
         let closing = dot(moving, n);
         let normal = (spring * (1.0 + self.damping * closing)).max(0.0);
         let slip = across(moving, n);
@@ -116,6 +131,7 @@ impl CageLand {
         let arm = along(pose.mass_centre, point);
         load.on_cage.add_at(arm, force, [0.0; 3]);
         self.slope_at_edge((arm, n), [normal, spring], slip, &mut load.slope);
+        load.on_ring = add(load.on_ring, seat.reaction(point, force, [0.0; 3]));
         load.drive += dot(seat.axis, cross(to_point, force));
         load.friction_power += power;
         load.damping_power += (normal - spring) * closing;
@@ -157,7 +173,7 @@ impl CageLand {
         };
         let middle = add(pose.centre, scaled(pose.axes[2], self.axial));
         let off = seat.off_axis(middle);
-        let moving = across(along(seat.ring.velocity, pose.velocity_at(middle)), seat.axis);
+        let moving = across(along(seat.swing(middle), pose.velocity_at(middle)), seat.axis);
         let distance = length(off);
         // In the very middle any direction serves.
         let n = if distance > 0.0 { scaled(off, 1.0 / distance) } else { across_any(seat.axis) };
@@ -181,6 +197,7 @@ impl CageLand {
         let moment = scaled(seat.axis, sheared + of_pressure);
         let arm = along(pose.mass_centre, middle);
         load.on_cage.add_at(arm, force, moment);
+        load.on_ring = add(load.on_ring, seat.reaction(middle, force, moment));
         let mut wedge = Gauge::of_point(scaled(ahead, -1.0 / c), arm);
         wedge.omega = add(wedge.omega, scaled(seat.axis, 0.5 * eccentricity));
         for (gauge, [radial, tangential]) in [Gauge::of_point(scaled(n, 1.0 / c), arm), wedge].iter().zip(slopes) {

@@ -83,7 +83,7 @@ mod tests {
             let ring = RingState { tilt: [3e-4, -2e-4], velocity: [0.05, -0.02, 0.01], ..RingState::centred(900.0) };
             for place in [[1.2e-4, 0.9e-4, 1e-5], [5e-5, -2e-5, 0.0]] {
                 let pose = pose(&cage, [0.4, 380.0], place, [0.6, 0.3, -0.1], [5.0, -9.0], [4e-3, 1e-3]);
-                let load = land.load(&pose, &ring);
+                let load = land.load(&pose, (&ring, 7e-4));
                 let slopes = cage.slopes_of_rates(&pose, &load.slope, INERTIA);
                 let accelerations = |column: usize, by: f64| {
                     let mut pose = pose;
@@ -93,7 +93,7 @@ mod tests {
                         pose.omega[column - 3] += by
                     }
                     let ([_, _, _, x, y, z, a, b, ..], c) =
-                        cage.rates(&pose, &land.load(&pose, &ring).on_cage, INERTIA);
+                        cage.rates(&pose, &land.load(&pose, (&ring, 7e-4)).on_cage, INERTIA);
                     [x, y, z, a, b, c]
                 };
                 for (column, slopes) in slopes.iter().enumerate() {

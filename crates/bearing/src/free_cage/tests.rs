@@ -41,6 +41,11 @@ pub(super) fn land(side: Side, film: Option<LandFilm>) -> CageLand {
     }
 }
 
+/// The angular velocity across a tilted axis with these parts about X and Y.
+fn turning_across(tilt: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
+    [x, y, -(x * tilt[1] - y * tilt[0])]
+}
+
 /// A pose from a centre of mass, a velocity, an angular velocity across the axis and a vector of tilt.
 pub(super) fn pose(
     cage: &FreeCage,
@@ -71,7 +76,7 @@ fn run(cage: &FreeCage, rings: [&RingState; 2], y: &mut [f64; FREE_CAGE + 2], (h
         let pose = CagePose::new(cage, turn, unknowns);
         let mut wrench = Wrench::default();
         for land in &cage.lands {
-            let load = land.load(&pose, rings[land.side as usize]);
+            let load = land.load(&pose, (rings[land.side as usize], 0.0));
             wrench.add_at([0.0; 3], load.on_cage.force, load.on_cage.moment);
         }
         let (rates, about_z) = cage.rates(&pose, &wrench, INERTIA);
@@ -102,7 +107,7 @@ fn started(cage: &FreeCage, speed: f64) -> [f64; FREE_CAGE + 2] {
 fn paper_petroff_torque_of_the_centred_land() {
     let cage = cage(vec![land(Side::Outer, Some(film(FilmExtent::Half)))]);
     let still = pose(&cage, [0.0, 200.0], [0.0; 3], [0.0; 3], [0.0; 2], [0.0; 2]);
-    let load = cage.lands[0].load(&still, &RingState::centred(1200.0));
+    let load = cage.lands[0].load(&still, (&RingState::centred(1200.0), 0.0));
     assert!((load.on_cage.moment[2] - 0.115035).abs() < 5e-7, "{}", load.on_cage.moment[2]);
     assert!((load.drive - load.on_cage.moment[2]).abs() < 1e-15);
     assert!((load.film_power - 1000.0 * load.drive).abs() < 1e-9);
@@ -115,7 +120,7 @@ fn paper_whirl_of_a_weightless_cage_in_a_full_film() {
     let (real, imaginary, size) = (124.2398, 419.2854, 1e-9);
     let v = [real * size, imaginary * size, 0.0];
     let now = pose(&cage, [0.0, 400.0], [size, 0.0, 0.0], v, [0.0; 2], [0.0; 2]);
-    let load = cage.lands[0].load(&now, &RingState::centred(600.0));
+    let load = cage.lands[0].load(&now, (&RingState::centred(600.0), 0.0));
     let (rates, _) = cage.rates(&now, &load.on_cage, INERTIA);
     let [x, y] = [real * real - imaginary * imaginary, 2.0 * real * imaginary].map(|a| a * size);
     let error = (rates[3] - x).hypot(rates[4] - y) / x.hypot(y);
@@ -142,7 +147,7 @@ fn paper_circle_of_an_unbalanced_cage_on_an_elastic_land() {
     (y[0], y[4]) = (radius + 2e-5, omega * (radius + 2e-5));
     let now =
         |y: &[f64; FREE_CAGE + 2]| CagePose::new(&cage, [y[FREE_CAGE], y[FREE_CAGE + 1]], y.first_chunk().unwrap());
-    let force = dry.load(&now(&y), &ring).on_cage.force[0];
+    let force = dry.load(&now(&y), (&ring, 0.0)).on_cage.force[0];
     assert!((force + 3.963567).abs() < 0.02, "{force}");
     let exact = (2e7 * 2e-4 + 0.05 * 2e-5 * omega * omega) / (2e7 - 0.05 * omega * omega);
     assert!((exact - radius).abs() < 5e-10);
@@ -332,31 +337,42 @@ fn identity_power_and_momentum_of_a_land() {
                 tilt: [3e-4, -2e-4],
                 velocity: [0.05, -0.02, 0.01],
                 speed: 900.0,
-                turning: None,
+                turning: Some(turning_across([3e-4, -2e-4], [20.0, 35.0])),
             };
             let place = [1.7e-4, 1.3e-4, 1e-5];
             let pose = pose(&cage, [0.4, 380.0], place, [0.6, 0.3, -0.1], [5.0, -9.0], [4e-3, 1e-3]);
-            let load = land.load(&pose, &ring);
+            let load = land.load(&pose, (&ring, 7e-4));
             assert!(load.gap < 0.0, "{load:?}");
             let tilted = [ring.tilt[1], -ring.tilt[0], 1.0];
             let axis = scaled(tilted, 1.0 / dot(tilted, tilted).sqrt());
             let Wrench { force, moment } = load.on_cage;
             let cage_power = dot(force, pose.velocity) + dot(moment, pose.omega);
-            let ring_power = -dot(force, ring.velocity) - load.drive * ring.speed;
+            let turning = ring.turning.unwrap();
+            let ring_power = -dot(force, ring.velocity) - load.drive * ring.speed + dot(load.on_ring, turning);
             let lost = load.friction_power + load.damping_power + load.film_power;
             assert!(load.friction_power > 0.0 && lost > 0.0);
-            // The springs' energy, with the pose moved on by its velocities.
+            // The springs' energy, with the pose moved on by its velocities, and the axis by ω × axis.
+            let axis_rate = cross(turning, axis);
+            let rates = [0, 1].map(|k| {
+                let row = [1, 0][k];
+                let of_slope = (axis_rate[row] - axis[row] / axis[2] * axis_rate[2]) / axis[2];
+                if k == 0 { -of_slope } else { of_slope }
+            });
             let energy = |t: f64| {
                 let displacement = add(ring.displacement, scaled(ring.velocity, t));
-                let ring = RingState { displacement, ..ring };
-                land.load(&moved(&cage, &pose, 0.4, t), &ring).energy
+                let tilt = [0, 1].map(|k| ring.tilt[k] + t * rates[k]);
+                let ring = RingState { displacement, tilt, ..ring };
+                land.load(&moved(&cage, &pose, 0.4, t), (&ring, 7e-4)).energy
             };
             let stored = (energy(1e-9) - energy(-1e-9)) / 2e-9;
             let sum = cage_power + ring_power + stored + lost;
             assert!(sum.abs() < 1e-6 * (lost + stored.abs()), "{side:?} {film:?}: {sum} of {lost}, {stored}");
-            // Angular momentum about the ring's axis: cage and drive's reaction.
-            let arm = crate::vectors::along(ring.displacement, pose.mass_centre);
-            let about = dot(axis, add(moment, cross(arm, force)));
+            // Angular momentum about the ring's centre: cage and ring, whose part along the axis the drive holds.
+            let arm = crate::vectors::along(add(ring.displacement, [0.0, 0.0, 7e-4]), pose.mass_centre);
+            let of_cage = add(moment, cross(arm, force));
+            let left = add(of_cage, load.on_ring);
+            assert!(dot(left, left) < 1e-24 * dot(of_cage, of_cage), "{side:?} {film:?}: {of_cage:?} {load:?}");
+            let about = dot(axis, of_cage);
             assert!((about - load.drive).abs() < 1e-12 * load.drive.abs().max(1e-6), "{about} {}", load.drive);
         }
     }
@@ -368,7 +384,7 @@ fn identity_an_edge_begins_smoothly_under_a_film() {
     let cage = cage(vec![land(Side::Inner, Some(film(FilmExtent::Half)))]);
     let force = |depth: f64| {
         let pose = pose(&cage, [0.0; 2], [1.5e-4 + depth, 0.0, 0.0], [0.0; 3], [0.0; 2], [0.0; 2]);
-        -cage.lands[0].load(&pose, &RingState::centred(0.0)).on_cage.force[0]
+        -cage.lands[0].load(&pose, (&RingState::centred(0.0), 0.0)).on_cage.force[0]
     };
     assert!(force(-1e-6).abs() < 1e-20, "{}", force(-1e-6));
     for edge in [-1e-6, 1e-6] {

@@ -3,6 +3,7 @@
 //! exactly and each time anew. Weight and film, or weight and an edge, are in one f, so that what settles within a step
 //! settles where they balance.
 
+use crate::cage::Lands;
 use crate::equations::Frame;
 use crate::layout::AZIMUTH;
 use crate::machine::Machine;
@@ -34,21 +35,11 @@ impl Kicked<'_> {
         pose
     }
 
-    /// Force and moment of one ring's lands.
-    fn of(&self, side: Side, pose: &CagePose) -> Wrench {
-        let mut sum = Wrench::default();
-        for land in self.cage.lands.iter().filter(|land| land.side == side) {
-            let Wrench { force, moment } = land.load(pose, &self.rings[side]).on_cage;
-            sum.add_at([0.0; 3], force, moment);
-        }
-        sum
-    }
-
     /// Accelerations (x, y, z; about x, y, z), and their slopes by velocity and angular velocity.
     fn accelerations(&self) -> (Vector6<f64>, Matrix6<f64>) {
         let (pose, mut wrench, mut slope) = (self.pose, *self.of_balls, WrenchSlope::default());
         for land in &self.cage.lands {
-            let load = land.load(pose, &self.rings[land.side]);
+            let load = land.load(pose, self.machine.about_land(land.side, self.rings));
             wrench.add_at([0.0; 3], load.on_cage.force, load.on_cage.moment);
             slope.0.as_flattened_mut().iter_mut().zip(load.slope.0.as_flattened()).for_each(|(sum, of)| *sum += of);
         }
@@ -83,31 +74,29 @@ impl Machine {
         }
     }
 
-    /// Velocities of a free cage after a time (s) under all that acts on it. Returns the mean forces of the lands of
-    /// either ring on it, N.
-    pub(super) fn kick_free_cage(
-        &self,
-        y: &mut [f64],
-        (frame, of_balls): (&Frame, &Wrench),
-        h: f64,
-    ) -> Races<[f64; 3]> {
-        let none = Races { inner: [0.0; 3], outer: [0.0; 3] };
-        let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) else { return none };
+    /// Velocities of a free cage after a time (s) under all that acts on it. Returns what its lands do meanwhile: the
+    /// forces are the means, to the last digit, moments those in the middle.
+    pub(super) fn kick_free_cage(&self, y: &mut [f64], (frame, of_balls): (&Frame, &Wrench), h: f64) -> Lands {
+        let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) else { return Lands::default() };
         let kicked = Kicked { machine: self, cage, pose, rings: &frame.rings, of_balls };
         let change = kicked.change(h);
         let order = [5, 0, 1, 2, 3, 4];
         self.layout.velocities_of_cage().zip(order).for_each(|(k, of)| y[k] += change[of]);
         // What the lands gave the cage, the rings get back to the last digit.
         let all = [0, 1, 2].map(|k| cage.mass * (change[k] / h - cage.gravity[k]) - of_balls.force[k]);
-        match Side::BOTH.map(|side| cage.lands.iter().any(|land| land.side == side)) {
-            [false, false] => none,
-            [true, false] => Races { inner: all, ..none },
-            [false, true] => Races { outer: all, ..none },
-            [true, true] => {
-                let inner = kicked.of(Side::Inner, &kicked.moving(&(change * 0.5))).force;
-                Races { inner, outer: [0, 1, 2].map(|k| all[k] - inner[k]) }
-            }
+        let sides = Side::BOTH.map(|side| cage.lands.iter().any(|land| land.side == side));
+        let mut lands = if sides == [true; 2] || self.layout.any_tilts() {
+            self.lands_at(&kicked.moving(&(change * 0.5)), &frame.rings)
+        } else {
+            Lands::default()
+        };
+        match sides {
+            [false, false] => {}
+            [true, false] => lands.force.inner = all,
+            [false, true] => lands.force.outer = all,
+            [true, true] => lands.force.outer = [0, 1, 2].map(|k| all[k] - lands.force.inner[k]),
         }
+        lands
     }
 
     /// Position and quaternion of a free cage after a time, s: by the rate in the middle, which keeps the length to the

@@ -64,9 +64,9 @@ impl Fast {
             }
             (0..filled(l, block)).for_each(|k| on_rings += of_translations(&reaction, k));
         }
-        self.kick_tilts(machine, y, &frame, h);
         let lands = machine.kick_free_cage(y, (&frame, &on_cage.1), h);
-        let ([x, y_, z], [outer_x, outer_y, _]) = (lands.inner, lands.outer);
+        self.kick_tilts(machine, y, (&frame, &lands.on_rings), h);
+        let ([x, y_, z], [outer_x, outer_y, _]) = (lands.force.inner, lands.force.outer);
         on_rings -= Vector5::new(x, y_, z, outer_x, outer_y);
         push_bodies(machine, y, (&on_rings, on_cage.0), h);
     }

@@ -12,7 +12,7 @@ use crate::machine::Machine;
 use crate::tilting::Tilting;
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector5};
 use tribodyn_bearing::vectors::{cross, dot};
-use tribodyn_bearing::{RingState, Side};
+use tribodyn_bearing::{Races, RingState, Side};
 
 /// Freedoms of the rings: x, y, z of the inner one, x, y of the outer one, tilts of both about x and y.
 const RINGS: usize = 9;
@@ -91,11 +91,19 @@ impl Fast {
         moves
     }
 
-    pub(super) fn kick_tilts(&self, machine: &Machine, y: &mut [f64], frame: &Frame, h: f64) {
+    /// Angular velocities of the rings after `h` under balls, their own turning, and the moments of a cage's lands.
+    pub(super) fn kick_tilts(
+        &self,
+        machine: &Machine,
+        y: &mut [f64],
+        (frame, lands): (&Frame, &Races<[f64; 3]>),
+        h: f64,
+    ) {
         for (side, tilting) in machine.tilting.iter() {
             let Some(tilting) = tilting else { continue };
-            let by_balls = self.by_balls(machine, side, frame);
-            let (body, moment) = turning(machine, (side, &frame.rings[side], tilting), by_balls, h);
+            let (by_balls, by_lands) = (self.by_balls(machine, side, frame), lands[side]);
+            let by_all = [0, 1, 2].map(|k| by_balls[k] + by_lands[k]);
+            let (body, moment) = turning(machine, (side, &frame.rings[side], tilting), by_all, h);
             let change = body.try_inverse().map_or(Vector2::zeros(), |inverse| inverse * moment * h);
             machine.layout.velocities_of_tilt(side).zip(change.iter()).for_each(|(k, by)| y[k] += by);
         }
@@ -128,15 +136,15 @@ impl Fast {
 }
 
 /// Inertia of a ring that tilts across its axis, less what its own turning takes in a step by the implicit midpoint
-/// rule, kg m², and the moment about x and y of the balls and of its own turning, N m.
+/// rule, kg m², and the moment about x and y of others and of its own turning, N m.
 fn turning(
     machine: &Machine,
     (side, ring, tilting): (Side, &RingState, &Tilting),
-    by_balls: [f64; 3],
+    by_others: [f64; 3],
     h: f64,
 ) -> (Matrix2<f64>, Vector2<f64>) {
     let axis = ring.axis();
-    let along = dot(by_balls, axis);
+    let along = dot(by_others, axis);
     let own = |turning: [f64; 3]| {
         let ring = RingState { turning: Some(turning), ..*ring };
         Vector2::from(machine.gyroscopic_moment(side, &ring))
@@ -147,7 +155,7 @@ fn turning(
         w[2] = -axis[k] / axis[2];
         own(w)
     };
-    let across = Vector2::new(by_balls[0] - along * axis[0], by_balls[1] - along * axis[1]);
+    let across = Vector2::new(by_others[0] - along * axis[0], by_others[1] - along * axis[1]);
     let inertia = Matrix2::from_diagonal_element(tilting.body.transverse_inertia);
     let body = inertia - Matrix2::from_columns(&[unit(0), unit(1)]) * (0.5 * h);
     (body, across + own(ring.turning.unwrap_or_default()))
