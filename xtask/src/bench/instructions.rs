@@ -2,7 +2,7 @@
 //! one.
 
 use super::row::Row;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const GROUP: &str = "instructions";
@@ -16,7 +16,7 @@ pub fn rows() -> Vec<Row> {
     let Some(example) = example() else {
         return vec![Row::skipped(GROUP, name, format!("not counted: `{BUILD}` builds what is counted"))];
     };
-    if Command::new("valgrind").arg("--version").output().is_err() {
+    if !has_counter() {
         return vec![Row::skipped(GROUP, name, "not counted: there is no valgrind here")];
     }
     let rules =
@@ -26,7 +26,7 @@ pub fn rows() -> Vec<Row> {
     for (rule, rule_name) in rules {
         for (kind, kind_name) in kinds {
             let quantity = format!("{rule_name}, {kind_name}");
-            rows.push(match count(&example, kind, rule) {
+            rows.push(match count(&example, &[kind, rule, REPEATS]) {
                 Some(per_point) => Row::new(GROUP, quantity, per_point, "per point"),
                 None => Row::skipped(GROUP, quantity, "valgrind gave no count"),
             });
@@ -42,19 +42,25 @@ fn example() -> Option<PathBuf> {
     path.exists().then_some(path)
 }
 
-fn count(example: &PathBuf, kind: &str, rule: &str) -> Option<f64> {
-    let mut command = Command::new("valgrind");
-    command.args(["--tool=callgrind", "--toggle-collect=*measured*", "--callgrind-out-file=/dev/null"]);
-    let output = command.arg(example).args([kind, rule, REPEATS]).output().ok()?;
-    per_point(&String::from_utf8_lossy(&output.stdout), &String::from_utf8_lossy(&output.stderr))
+/// Whether valgrind is there.
+pub fn has_counter() -> bool {
+    Command::new("valgrind").arg("--version").output().is_ok()
 }
 
-/// `nodes N …` of the example, `… Collected : I` of callgrind.
-fn per_point(printed: &str, counted: &str) -> Option<f64> {
-    let nodes: f64 = printed.strip_prefix("nodes ")?.split(' ').next()?.parse().ok()?;
+/// Instructions in what an example measures, over what it prints before its checksum.
+pub fn count(example: &Path, arguments: &[&str]) -> Option<f64> {
+    let mut command = Command::new("valgrind");
+    command.args(["--tool=callgrind", "--toggle-collect=*measured*", "--callgrind-out-file=/dev/null"]);
+    let output = command.arg(example).args(arguments).output().ok()?;
+    per_unit(&String::from_utf8_lossy(&output.stdout), &String::from_utf8_lossy(&output.stderr))
+}
+
+/// `… N checksum …` of an example, `… Collected : I` of callgrind.
+fn per_unit(printed: &str, counted: &str) -> Option<f64> {
+    let units: f64 = printed.split(" checksum").next()?.rsplit(' ').next()?.parse().ok()?;
     let line = counted.lines().find(|line| line.contains("Collected"))?;
     let instructions: f64 = line.rsplit(':').next()?.trim().parse().ok()?;
-    (nodes > 0.0 && instructions > 0.0).then(|| instructions / nodes)
+    (units > 0.0 && instructions > 0.0).then(|| instructions / units)
 }
 
 #[cfg(test)]
@@ -64,12 +70,12 @@ mod tests {
     #[test]
     fn identity_a_count_is_read_from_what_is_printed() {
         let counted = "==1== Events    : Ir\n==1== Collected : 30000\n==1==\n";
-        assert_eq!(per_point("nodes 1200 checksum 1e0", counted), Some(25.0));
+        assert_eq!(per_unit("nodes 1200 checksum 1e0", counted), Some(25.0));
     }
 
     #[test]
     fn limit_no_count_is_no_number() {
-        assert_eq!(per_point("nodes 1200 checksum 1e0", "==1== Collected : 0\n"), None);
-        assert_eq!(per_point("usage", "==1== Collected : 10\n"), None);
+        assert_eq!(per_unit("nodes 1200 checksum 1e0", "==1== Collected : 0\n"), None);
+        assert_eq!(per_unit("usage", "==1== Collected : 10\n"), None);
     }
 }

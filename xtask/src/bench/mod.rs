@@ -10,7 +10,7 @@ mod clock;
 mod document;
 mod ensemble;
 mod equilibrium;
-mod instructions;
+pub mod instructions;
 mod oil;
 mod orbit;
 mod patch;

@@ -4,6 +4,7 @@ mod circles;
 mod examples;
 mod figures;
 mod hygiene;
+mod instructions;
 mod layers;
 mod licences;
 mod listed;
@@ -36,11 +37,12 @@ pub enum Outcome {
 
 type Step = (&'static str, fn() -> Result<Outcome, Failure>);
 
-const STEPS: [Step; 21] = [
+const STEPS: [Step; 22] = [
     ("format", || cargo(&["fmt", "--all", "--check"], &[])),
     ("clippy", || cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])),
     ("tests", || cargo(&["test", "--workspace"], &[])),
     ("examples", examples::check),
+    ("instructions", instructions::check),
     ("documentation", || cargo(&["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])),
     ("layers", layers::check),
     ("circles", circles::check),

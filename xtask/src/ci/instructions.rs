@@ -1,0 +1,51 @@
+//! Instructions of the vector loops, so that a change or a compiler that makes scalar ones of them is noticed. Counts
+//! are those of valgrind, which no other work on the machine changes, in the profile of the tests.
+
+use super::{Outcome, cargo, finish};
+use crate::bench::instructions::{count, has_counter};
+use crate::error::Failure;
+use tribodyn_paper::files;
+
+/// Package, example, its arguments, what one of its units is, and instructions for it with rustc 1.95.
+type Counted = (&'static str, &'static str, &'static [&'static str], &'static str, f64);
+
+const KERNEL: (&str, &str) = ("tribodyn-traction", "kernel_instructions");
+const COUNTED: [Counted; 5] = [
+    (KERNEL.0, KERNEL.1, &["fast", "jacobi", "100"], "point of a patch, Gauss–Jacobi", 49.0),
+    (KERNEL.0, KERNEL.1, &["fast", "strips", "100"], "point of a patch, split strips", 155.9),
+    (KERNEL.0, KERNEL.1, &["derivative", "jacobi", "100"], "point with derivatives, Gauss–Jacobi", 214.6),
+    (KERNEL.0, KERNEL.1, &["derivative", "strips", "100"], "point with derivatives, split strips", 285.9),
+    ("tribodyn-dynamics", "step_instructions", &["5", "2"], "ball and step of the fast scheme", 15_406.0),
+];
+/// More of them than that is a failure.
+const ALLOWANCE: f64 = 1.25;
+
+pub fn check() -> Result<Outcome, Failure> {
+    if !has_counter() {
+        return Ok(Outcome::Skipped("there is no valgrind here".to_owned()));
+    }
+    if !has_wide_vectors() {
+        return Ok(Outcome::Skipped("the counts are of vectors of AVX2".to_owned()));
+    }
+    let mut findings = Vec::new();
+    for (package, example, arguments, unit, usual) in COUNTED {
+        cargo(&["build", "--quiet", "--package", package, "--example", example], &[])?;
+        let program = files::root().join("target/debug/examples").join(example);
+        match count(&program, arguments) {
+            Some(found) if found <= ALLOWANCE * usual => println!("{found:.1} a {unit}, usual {usual}"),
+            Some(found) => findings.push(format!("{found:.1} instructions a {unit}, usual {usual}")),
+            None => findings.push(format!("valgrind gave no count for {example} {}", arguments.join(" "))),
+        }
+    }
+    finish("instructions of vector loops", findings)
+}
+
+#[cfg(target_arch = "x86_64")]
+fn has_wide_vectors() -> bool {
+    std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn has_wide_vectors() -> bool {
+    false
+}
