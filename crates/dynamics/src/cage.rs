@@ -87,7 +87,7 @@ impl Machine {
     fn load_in_free_pocket(&self, (pose, place): (&CagePose, &InPocket), b: &[f64]) -> PocketLoad {
         let velocity = [b[VELOCITY], b[VELOCITY + 1], b[RADIUS] * b[ORBIT]];
         let omega = [b[OMEGA], b[OMEGA + 1], b[OMEGA + 2]];
-        self.cage.pocket.load_of_free(pose, place, (AzimuthFrame::at(b[AZIMUTH]), velocity, omega))
+        self.cage.pocket.load_of_free(pose, place, (AzimuthFrame::at(b[AZIMUTH]), velocity, omega), self.hold)
     }
 
     /// Force and friction of the pocket on a ball, and its lead over the middle of the pocket, rad.

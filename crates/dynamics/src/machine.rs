@@ -29,6 +29,9 @@ pub(crate) struct Machine {
     pub cage: CageBody,
     /// The cage, where it is free to move in all directions.
     pub free_cage: Option<FreeCage>,
+    /// Most friction in a pocket of a free cage over its sliding velocity, N s/m: what stops it within a step of the
+    /// fast scheme, infinite for others.
+    pub hold: f64,
     pub loads: [Translation; 3],
     pub speeds: Races<SpeedHistory>,
     pub raceways: Races<Raceway>,
@@ -178,6 +181,7 @@ impl Machine {
             tilting,
             cage: CageBody::new(&cage, &bearing),
             free_cage,
+            hold: f64::INFINITY,
             loads,
             speeds,
             thinnest: raceways.each_ref().map(Raceway::thinnest),

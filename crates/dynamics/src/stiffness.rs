@@ -89,7 +89,8 @@ impl Machine {
             runge_kutta_step_s: (REAL_LIMIT / rate).min(IMAGINARY_LIMIT / omega).min(film),
             fast_step_s: (self.fast_period() / frequency)
                 .min(if implicit { f64::INFINITY } else { EULER_LIMIT / rate })
-                .min(film),
+                .min(film)
+                .min(self.free_cage_step()),
         }
     }
 
@@ -100,6 +101,16 @@ impl Machine {
         let Some(film) = &pocket.film else { return f64::INFINITY };
         let of_cage = self.layout.balls as f64 * pocket.radius * pocket.radius / self.cage.inertia;
         EULER_LIMIT * film.roughness / (film.resistance * (self.bearing.ball_mass.recip() + of_cage))
+    }
+
+    /// Longest step of the fast scheme with a free cage that all balls press, s: half of that at which what vibrates on
+    /// the walls of the pockets is no more stable. Infinite for others, which touch few balls.
+    pub(crate) fn free_cage_step(&self) -> f64 {
+        let (Some(cage), pocket) = (&self.free_cage, &self.cage.pocket) else { return f64::INFINITY };
+        let balls = self.layout.balls as f64;
+        let turning = balls * pocket.radius * pocket.radius / self.cage.inertia;
+        let moving = 0.5 * balls / cage.mass;
+        (pocket.stiffness * (self.bearing.ball_mass.recip() + turning.max(moving))).sqrt().recip()
     }
 
     /// Lets no film in a pocket be thinner than a step of the fast scheme resolves, where the step is longer than

@@ -126,7 +126,7 @@ impl CageLand {
         let closing = dot(moving, n);
         let normal = (spring * (1.0 + self.damping * closing)).max(0.0);
         let slip = across(moving, n);
-        let (dragged, power) = friction(self.friction, normal, slip, CREEP);
+        let (dragged, power) = friction(self.friction, normal, slip, [CREEP, f64::INFINITY]);
         let force = add(scaled(n, -normal), dragged);
         let arm = along(pose.mass_centre, point);
         load.on_cage.add_at(arm, force, [0.0; 3]);

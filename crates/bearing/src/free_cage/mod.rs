@@ -97,10 +97,10 @@ pub fn quaternion_rate([w_x, w_y, w_z]: [f64; 3], [x, y, z, w]: [f64; 4]) -> [f6
 }
 
 /// Friction of a coefficient against a sliding velocity under a normal force, N, and the power that it takes, W; below
-/// `creep` (m/s) it falls off in proportion.
-fn friction(coefficient: f64, normal: f64, slip: [f64; 3], creep: f64) -> ([f64; 3], f64) {
+/// `creep` (m/s) it falls off in proportion, and so where it were more than `most` (N s/m) times the velocity.
+fn friction(coefficient: f64, normal: f64, slip: [f64; 3], [creep, most]: [f64; 2]) -> ([f64; 3], f64) {
     let square = dot(slip, slip);
-    let share = coefficient * normal / (square + creep * creep).sqrt();
+    let share = (coefficient * normal / (square + creep * creep).sqrt()).min(most);
     (scaled(slip, -share), share * square)
 }
 

@@ -127,12 +127,14 @@ impl Pocket {
     }
 
     /// Force and friction on a ball with a velocity and an absolute angular velocity [a, r, t] in a pocket of a free
-    /// cage. Both act at the point of the ball that is next to the wall.
+    /// cage. Both act at the point of the ball that is next to the wall. Friction and damping are at
+    /// most `hold` (N s/m) times the velocity that they are against: infinite, or what stops it within a step.
     pub fn load_of_free(
         &self,
         pose: &CagePose,
         place: &InPocket,
         (frame, velocity, omega): (AzimuthFrame, [f64; 3], [f64; 3]),
+        hold: f64,
     ) -> PocketLoad {
         if place.depth <= 0.0 && self.film.is_none() {
             return PocketLoad::none();
@@ -144,9 +146,9 @@ impl Pocket {
         let film = self.film_of_free(place, closing);
         let depth = place.depth.max(0.0);
         let spring = self.stiffness * depth;
-        let normal = (spring * (1.0 + self.damping * closing)).max(0.0);
+        let normal = (spring + (spring * self.damping).min(hold) * closing).max(0.0);
         let slip = across(moving, n);
-        let (dragged, friction_power) = friction(self.friction, normal, slip, CREEP);
+        let (dragged, friction_power) = friction(self.friction, normal, slip, [CREEP, hold]);
         let force = add(scaled(n, -(normal + film)), dragged);
         let moment = frame.from_inertial(cross(arm, dragged));
         let [a, r, t] = frame.from_inertial(force);

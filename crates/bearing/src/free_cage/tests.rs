@@ -264,7 +264,7 @@ fn limit_a_centred_cage_has_the_pocket_of_one_freedom() {
         let at = [0.0, pocket.radius, 0.0];
         let place = pocket.place(&pocket.wall(PocketShape::Cylinder), (&pose, AzimuthFrame::at(0.0)), (frame, at));
         let (velocity, omega) = ([0.02, -0.01, 0.023 * 301.0], [-900.0, 200.0, 0.0]);
-        let free = pocket.load_of_free(&pose, &place, (frame, velocity, omega));
+        let free = pocket.load_of_free(&pose, &place, (frame, velocity, omega), f64::INFINITY);
         let held = pocket.load(&PocketMotion {
             lead,
             rate: 1.0,
@@ -298,7 +298,7 @@ fn identity_power_and_momentum_of_ball_and_pocket() {
         let (wall, first) = (pocket.wall(shape), AzimuthFrame::at(0.0));
         let seen = pocket.place(&wall, (&pose, first), (frame, place));
         assert_eq!(pocket.depth_in(&wall, (&pose, first), (frame, place)), seen.depth);
-        let load = pocket.load_of_free(&pose, &seen, (frame, velocity, turning));
+        let load = pocket.load_of_free(&pose, &seen, (frame, velocity, turning), f64::INFINITY);
         assert!(load.normal > 1.0, "{shape:?}: {load:?}");
         let mut on_cage = Wrench::default();
         on_cage.react(&pose, &load, (frame, place));

@@ -3,9 +3,11 @@
 //! exactly and each time anew. Weight and film, or weight and an edge, are in one f, so that what settles within a step
 //! settles where they balance.
 
+use super::Fast;
+use super::lanes::{WIDTH, get};
 use crate::cage::Lands;
 use crate::equations::Frame;
-use crate::layout::AZIMUTH;
+use crate::layout::{AZIMUTH, BALL, OMEGA, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use nalgebra::{Matrix6, Vector6};
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -63,6 +65,57 @@ impl Kicked<'_> {
             return f * h;
         };
         (once * GAMMA + twice * (1.0 - GAMMA)) * h
+    }
+}
+
+/// A free cage and its balls in the middle of a kick, as far as what presses them on each other moves them: there
+/// pockets push, so that friction takes what it should to second order.
+pub(super) struct Halfway {
+    pub frame: Frame,
+    pub balls: Vec<[f64; BALL]>,
+}
+
+impl Fast {
+    /// A free cage half a kick on; none where no ball touches it. Sets how much friction stops a ball within the kick,
+    /// with all the others that touch: where it hardly slides, more would drive it to and fro and put energy in.
+    pub(super) fn halfway(&self, machine: &mut Machine, frame: &Frame, h: f64) -> Option<Halfway> {
+        let (cage, pose) = (machine.free_cage.as_ref()?, frame.free_cage?);
+        let mut balls: Vec<_> =
+            (0..machine.layout.balls).map(|index| get(&self.scratch.balls[index / WIDTH], index % WIDTH)).collect();
+        let oiled = machine.cage.pocket.film.is_some();
+        let at = (frame.cage, Some(&pose));
+        let touching: Vec<_> = (0..balls.len())
+            .filter(|&index| oiled || machine.pocket_depth(index, &balls[index], at)[0] > 0.0)
+            .collect();
+        if touching.is_empty() {
+            return None;
+        }
+        let (mass, inertia) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
+        let pocket = &machine.cage.pocket;
+        let of_ball = mass.recip() + pocket.ball_radius * pocket.ball_radius / inertia;
+        let least = machine.cage.inertia.min(cage.transverse_inertia);
+        let of_cage = cage.mass.recip() + pocket.radius * pocket.radius / least;
+        machine.hold = 1.0 / (h * (of_ball + touching.len() as f64 * of_cage));
+        let mut on_cage = Wrench::default();
+        for index in touching {
+            let b = &mut balls[index];
+            let load = machine.pocket_load(index, b, frame);
+            machine.react_on_cage(frame, (&load, b), &mut on_cage);
+            let [axial, radial] = load.friction;
+            for (k, force) in [axial, radial, load.force / b[RADIUS]].into_iter().enumerate() {
+                b[VELOCITY + k] += 0.5 * h * force / mass;
+            }
+            (0..3).for_each(|k| b[OMEGA + k] += 0.5 * h * load.moment[k] / inertia);
+        }
+        let (moved, turned) = machine.free_cage.as_ref()?.response(&pose, &on_cage, machine.cage.inertia);
+        let mut pose = pose;
+        for k in 0..3 {
+            pose.velocity[k] += 0.5 * h * moved[k];
+            pose.omega[k] += 0.5 * h * turned[k];
+        }
+        let mut frame = frame.clone();
+        frame.free_cage = Some(pose);
+        Some(Halfway { frame, balls })
     }
 }
 

@@ -1,6 +1,7 @@
 //! The kick: friction at fixed position, linearly implicit.
 
 use super::Fast;
+use super::cage::Halfway;
 use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, stiffnesses};
 use super::grip::{Forms, Grips, follow, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
@@ -26,6 +27,7 @@ impl Fast {
         let l = equations.machine().layout;
         let frame = equations.machine().frame(t, y);
         self.make_room(l);
+        let halfway = self.halfway(equations.machine_mut(), &frame, h);
         let renew = self.is_other_step(h);
         if renew {
             self.step = h;
@@ -34,7 +36,7 @@ impl Fast {
         let mut on_rings = self.ring_common(equations.machine());
         let (mut on_cage, mut reaction) = ((0.0, Wrench::default()), [Lane::ZERO; 6]);
         for block in 0..blocks(l.balls) {
-            self.grip(equations, block, (&frame, renew), &mut on_cage);
+            self.grip(equations, block, (&frame, halfway.as_ref(), renew), &mut on_cage);
             let scratch = &mut self.scratch;
             let balls = &mut scratch.balls[block];
             let found = (&mut scratch.beyond[block], &mut scratch.mean_forces[block], &mut reaction);
@@ -97,7 +99,7 @@ impl Fast {
         &mut self,
         equations: &mut E,
         block: usize,
-        (frame, renew): (&Frame, bool),
+        (frame, halfway, renew): (&Frame, Option<&Halfway>, bool),
         on_cage: &mut (f64, Wrench),
     ) {
         let machine = equations.machine();
@@ -126,7 +128,10 @@ impl Fast {
             let mut pocket_wear = 0.0;
             if touches {
                 let machine = equations.machine();
-                let pocket = machine.pocket_load(first + k, &get(&self.scratch.balls[block], k), frame);
+                let pocket = match halfway {
+                    Some(there) => machine.pocket_load(first + k, &there.balls[first + k], &there.frame),
+                    None => machine.pocket_load(first + k, &get(&self.scratch.balls[block], k), frame),
+                };
                 self.scratch.grips[block].set_pocket(lanes_of(machine.layout, block, k), &pocket);
                 pocket_wear = machine.pocket_wear(&pocket);
                 on_cage.0 += pocket.cage_torque;

@@ -120,6 +120,8 @@ impl Run {
             "the contact springs".to_owned()
         } else if limit_s >= self.machine.pocket_film_step() {
             "the oil in the pockets".to_owned()
+        } else if limit_s >= self.machine.free_cage_step() {
+            "the free cage among the balls".to_owned()
         } else {
             format!("friction of ball {}", s.ball)
         };

@@ -3,6 +3,7 @@
 mod accuracy;
 mod aliasing;
 mod ball_spall;
+mod cage;
 mod companion;
 mod equilibrium;
 mod faults;
