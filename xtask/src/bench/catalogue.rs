@@ -1,4 +1,4 @@
-//! Runs of catalogue bearings as `tribodyn new` writes them, from their equilibria.
+//! Runs of catalogue bearings as `tribodyn new` writes them.
 
 use super::row::{Limit, Row};
 use super::speed::Prepared;
@@ -25,7 +25,7 @@ pub fn rows(quick: bool) -> Result<Vec<Row>, Failure> {
     let (duration, repetitions) = if quick { (0.5 * DURATION, 2) } else { (DURATION, 5) };
     let mut rows = Vec::new();
     for bearing in BEARINGS {
-        let changes = [("transient.start", "QuasiStatic"), ("transient.duration", "s(1)")];
+        let changes = [("transient.duration", "s(1)")];
         let mut prepared = Prepared::new(&written(bearing)?, &changes, false)?;
         for _ in 0..repetitions {
             prepared.repeat(duration)?;

@@ -96,9 +96,9 @@ impl Compared {
         let [axial, radial] = self.loads;
         let changes = [("ring.x", format!("Force(N({radial}))")), ("ring.z", format!("Force(N({axial}))"))];
         let with = |scheme: &str, samples: &str| -> Result<Prepared, Failure> {
-            let of_run = [("transient.scheme", scheme), ("transient.start", "QuasiStatic")];
             let rates = ["recording.state_rate", "recording.ball_rate"].map(|path| (path, samples));
-            let others = of_run.into_iter().chain(rates).map(|(path, value)| (path, value.to_owned()));
+            let others =
+                rates.into_iter().chain([("transient.scheme", scheme)]).map(|(path, value)| (path, value.to_owned()));
             Prepared::new(text, &changes.iter().cloned().chain(others).collect::<Vec<_>>(), false)
         };
         let mut ours = [with(self.fast, FEW_SAMPLES)?, with(self.fast, RIG_RATE)?, with(self.explicit, FEW_SAMPLES)?];

@@ -26,8 +26,7 @@ pub use known::{KnownAtEnd, KnownAtStart};
 pub use outcome::{RunOutcome, RunReport, Stopped};
 pub use session::{Beginning, PreparedRun, RunSession};
 pub use settled::Settled;
-#[cfg(feature = "parquet")]
-pub(crate) use start::start_run;
+pub use start::start_run;
 pub use summary::{
     Powers, Summary, Worn, carries_accelerations, carries_accelerations_of_patch, carries_accelerations_of_scheme,
 };

@@ -11,7 +11,7 @@ use tribodyn_orbit::{OrbitError, SolvedOrbit, steady_orbit};
 ///
 /// # Errors
 /// A case that cannot be run, or a start that is not found.
-pub(crate) fn start_run(file: &CaseFile) -> Result<(Run, RunInputs), StudyError> {
+pub fn start_run(file: &CaseFile) -> Result<(Run, RunInputs), StudyError> {
     let inputs = file.run_inputs()?;
     let cannot_start = |source| StudyError::CannotStart { file: file.name.clone(), source };
     if inputs.options.start != Start::SteadyOrbit {
