@@ -127,8 +127,8 @@ impl Pocket {
     }
 
     /// Force and friction on a ball with a velocity and an absolute angular velocity [a, r, t] in a pocket of a free
-    /// cage. Both act at the point of the ball that is next to the wall. Friction and damping are at
-    /// most `hold` (N s/m) times the velocity that they are against: infinite, or what stops it within a step.
+    /// cage. Both act at the point of the ball that is next to the wall. Friction and damping are at most `hold`
+    /// (N s/m) times the velocity that they are against: infinite, or what stops it within a step.
     pub fn load_of_free(
         &self,
         pose: &CagePose,

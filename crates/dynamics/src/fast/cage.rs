@@ -80,16 +80,16 @@ impl Fast {
     /// with all the others that touch: where it hardly slides, more would drive it to and fro and put energy in.
     pub(super) fn halfway(&self, machine: &mut Machine, frame: &Frame, h: f64) -> Option<Halfway> {
         let (cage, pose) = (machine.free_cage.as_ref()?, frame.free_cage?);
-        let mut balls: Vec<_> =
-            (0..machine.layout.balls).map(|index| get(&self.scratch.balls[index / WIDTH], index % WIDTH)).collect();
+        let ball = |index: usize| get(&self.scratch.balls[index / WIDTH], index % WIDTH);
+        let (all, at) = (0..machine.layout.balls, (frame.cage, Some(&pose)));
         let oiled = machine.cage.pocket.film.is_some();
-        let at = (frame.cage, Some(&pose));
-        let touching: Vec<_> = (0..balls.len())
-            .filter(|&index| oiled || machine.pocket_depth(index, &balls[index], at)[0] > 0.0)
-            .collect();
+        let touches = |index: &usize| oiled || machine.pocket_depth(*index, &ball(*index), at)[0] > 0.0;
+        let touching: Vec<_> = all.clone().filter(touches).collect();
         if touching.is_empty() {
+            machine.hold = f64::INFINITY;
             return None;
         }
+        let mut balls: Vec<_> = all.map(ball).collect();
         let (mass, inertia) = (machine.bearing.ball_mass, machine.bearing.ball_inertia);
         let pocket = &machine.cage.pocket;
         let of_ball = mass.recip() + pocket.ball_radius * pocket.ball_radius / inertia;
