@@ -168,8 +168,11 @@ impl Machine {
     /// A ring, and the height of its centre over the middle of the unloaded balls, m.
     pub fn about_land<'a>(&self, side: Side, rings: &'a Races<RingState>) -> (&'a RingState, f64) {
         let g = &self.bearing.geometry;
-        let height = g.groove_offset(side) * g.sin_contact_angle();
-        (&rings[side], if side == Side::Inner { height } else { -height })
+        let height = match side {
+            Side::Inner => g.groove_offset(side) * g.sin_contact_angle(),
+            Side::Outer => -self.plane(),
+        };
+        (&rings[side], height)
     }
 
     /// The lands of a free cage, and the forces of balls and lands on the rings, N.

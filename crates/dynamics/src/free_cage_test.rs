@@ -5,7 +5,8 @@ use crate::layout::{OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{Scheme, imbalance, run};
-use tribodyn_bearing::{AzimuthFrame, Side, Translation};
+use crate::tilt_test::{BOTH, TILT, swing};
+use tribodyn_bearing::{AzimuthFrame, Translation};
 use tribodyn_case::{Case, set_value};
 
 /// A land in each ring, the outer one in its fluid; tight pockets. Gaps of 0.1 mm about a cage that starts off centre.
@@ -40,40 +41,24 @@ fn machine(case: &Case) -> (Machine, Vec<f64>) {
 
 const POCKETS: [&str; 3] = ["Cylinder", "Sphere", "RaceTrack(axial_gap: mm(0.01))"];
 
-/// Rings that tilt and turn, under moments.
-const TILTING: [(&str, &str); 5] = [
-    ("ring.tilt_x", "Moment(Nm(120))"),
-    ("ring.tilt_y", "Moment(Nm(-60))"),
-    ("speed.outer", "Constant(rpm(-3000))"),
-    (
-        "supports.tilt",
-        "(inertia: Given(polar: kg_m2(0.05), transverse: kg_m2(0.03)),
-        stiffness: (Nm_per_rad(2000), Nm_per_rad(3000)), damping: (Nm_s_per_rad(1), Nm_s_per_rad(2)))",
-    ),
-    (
-        "supports.outer_tilt",
-        "(inertia: Given(polar: kg_m2(0.08), transverse: kg_m2(0.05)), damping: (Nm_s_per_rad(2), Nm_s_per_rad(3)),
-        stiffness: (Nm_per_rad(40000), Nm_per_rad(60000)))",
-    ),
-];
+/// Both rings tilt and turn, under moments and on seats that stand askew.
+fn tilting() -> Vec<(&'static str, &'static str)> {
+    let moments = [("ring.tilt_x", "Moment(Nm(120))"), ("ring.tilt_y", "Moment(Nm(-60))"), ("supports.tilt", TILT)];
+    moments.into_iter().chain(BOTH).collect()
+}
 
 /// The same as [`machine`] with rings that are tilted and swing, if they may.
 fn swinging(case: &Case) -> (Machine, Vec<f64>) {
     let (machine, mut state) = machine(case);
-    for (side, sign) in [(Side::Inner, 1.0), (Side::Outer, -0.5)] {
-        if let [x, y, w_x, w_y] = &mut state[machine.layout.tilt(side)] {
-            (*x, *y, *w_x, *w_y) = (*x + sign * 1e-4, *y - sign * 2e-4, sign * 0.3, sign * -0.2);
-        }
-    }
+    swing(&machine, &mut state);
     (machine, state)
 }
 
 #[test]
 fn identity_power_balances_with_a_whirling_cage() {
-    let all = POCKETS.iter().flat_map(|pockets| [(pockets, &TILTING[..0]), (pockets, &TILTING)]);
-    for (pockets, rings) in all {
+    for (pockets, rings) in POCKETS.iter().flat_map(|pockets| [(pockets, Vec::new()), (pockets, tilting())]) {
         for scheme in [Scheme::RungeKutta, Scheme::DormandPrince] {
-            let (mut machine, mut state) = swinging(&case(pockets, "0.2", rings));
+            let (mut machine, mut state) = swinging(&case(pockets, "0.2", &rings));
             let before = machine.energy(0.0, &state);
             // Short: edges and walls begin within steps.
             let (h, steps) = (0.125e-6, 3200);
@@ -179,8 +164,8 @@ fn identity_a_balanced_cage_stays_in_the_middle_under_an_axial_load() {
 /// velocities and places of the cage, and tilts of rings, if they do.
 #[test]
 fn identity_the_fast_scheme_has_the_same_cage() {
-    for rings in [&TILTING[..0], &TILTING] {
-        let case = case("Cylinder", "0.2", rings);
+    for rings in [Vec::new(), tilting()] {
+        let case = case("Cylinder", "0.2", &rings);
         let end = |scheme: Scheme, h: f64, steps: u32| {
             let (mut machine, mut state) = swinging(&case);
             run(scheme, (&mut machine, &mut state), h, steps);

@@ -11,10 +11,10 @@ use tribodyn_bearing::vectors::cross;
 use tribodyn_bearing::{BallState, RingState, Side, Tilt, Translation};
 use tribodyn_case::{Case, set_value};
 
-const TILT: &str = "(inertia: Given(polar: kg_m2(0.05), transverse: kg_m2(0.03)),
+pub(crate) const TILT: &str = "(inertia: Given(polar: kg_m2(0.05), transverse: kg_m2(0.03)),
     stiffness: (Nm_per_rad(2000), Nm_per_rad(3000)), damping: (Nm_s_per_rad(1), Nm_s_per_rad(2)))";
 /// The outer ring tilts and turns too, both seats stand askew.
-const BOTH: [(&str, &str); 4] = [
+pub(crate) const BOTH: [(&str, &str); 4] = [
     ("speed.outer", "Constant(rpm(-3000))"),
     (
         "supports.outer_tilt",
@@ -40,12 +40,17 @@ fn case(changes: &[(&str, &str)]) -> Case {
 /// The machine of a case, its ring off its equilibrium, turning over.
 fn machine(changes: &[(&str, &str)]) -> (Machine, Vec<f64>) {
     let Started { machine, mut state, .. } = start(case(changes).run_inputs().unwrap(), None).unwrap();
+    swing(&machine, &mut state);
+    (machine, state)
+}
+
+/// Tilts rings that may, and lets them swing.
+pub(crate) fn swing(machine: &Machine, state: &mut [f64]) {
     for (side, sign) in [(Side::Inner, 1.0), (Side::Outer, -0.5)] {
         if let [x, y, w_x, w_y] = &mut state[machine.layout.tilt(side)] {
             (*x, *y, *w_x, *w_y) = (*x + sign * 1e-4, *y - sign * 2e-4, sign * 0.3, sign * -0.2);
         }
     }
-    (machine, state)
 }
 
 #[test]

@@ -1,13 +1,13 @@
 //! Errors of the paper's patch and step and of the fast scheme against a converged run from the same start.
 
 use super::row::{Limit, Row};
-use super::run_inputs;
 use super::speed::{FAST, PAPER_RULE, PAPER_STEP, STRIPS_5X3, STRIPS_8X3, failed};
+use super::started;
 use crate::error::Failure;
 use std::convert::Infallible;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
-use tribodyn_dynamics::{Checkpoint, Event, Observer, Run, RunError, Sample};
+use tribodyn_dynamics::{Checkpoint, Event, Observer, RunError, Sample};
 use tribodyn_paper::{mean, rms};
 
 const GROUP: &str = "error";
@@ -70,7 +70,7 @@ fn trace(
     let length = format!("s({duration})");
     let changes = [("transient.scheme", scheme), ("traction.patch", rule), ("transient.duration", &length)];
     let failure = |source| failed(RunError::Dynamics(source));
-    let mut run = Run::new(run_inputs(text, &changes)?).map_err(failure)?;
+    let mut run = started(text, &changes)?;
     if let Some(start) = start {
         run.resume(start.clone()).map_err(failure)?;
     }

@@ -106,7 +106,7 @@ fn unsolved(source: QuasiStaticError) -> PaperError {
 
 pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
     let batches = if quick { 3 } else { 10 };
-    let paper = Size::new(&changed::<&str>(text, &[])?)?;
+    let paper = Size::new(&changed::<&str>(text, &[])?.case)?;
     let row = |quantity: &str, value: f64, unit| Row::new(GROUP, quantity, value, unit);
     let mut rows = vec![
         row("cold", paper.cold_time(batches)? * 1e3, "ms").must_be(Limit::AtMost(3.0)),
@@ -121,7 +121,7 @@ pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
     rows.extend(sweeps(&paper, quick)?);
     for balls in [9, 13, 17] {
         let changes = changes_for(balls);
-        let case = changed(text, &changes)?;
+        let case = changed(text, &changes)?.case;
         let size = Size::new(&case)?;
         let of = |what: &str, value: f64| Row::new("balls", format!("{balls} balls, {what}"), value, "ms");
         rows.push(of("cold solve", size.cold_time(batches)? * 1e3));

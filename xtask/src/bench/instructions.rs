@@ -42,7 +42,7 @@ fn example() -> Option<PathBuf> {
     path.exists().then_some(path)
 }
 
-/// Whether valgrind is there.
+/// True where valgrind is there.
 pub fn has_counter() -> bool {
     Command::new("valgrind").arg("--version").output().is_ok()
 }

@@ -23,9 +23,10 @@ use crate::terminal::print;
 use row::Row;
 use serde::Serialize;
 use std::process::Command;
-use tribodyn_case::{Case, set_value};
-use tribodyn_dynamics::RunInputs;
-use tribodyn_paper::{PaperError, files, table};
+use tribodyn::{CaseFile, Change, Limits};
+use tribodyn_dynamics::Run;
+use tribodyn_paper::{files, table};
+use tribodyn_study::run::start_run;
 
 /// The case on which everything is measured.
 const CASE: &str = "fixtures/cases/paper-ag.ron";
@@ -118,20 +119,21 @@ fn in_release(arguments: &Arguments) -> Result<(), Failure> {
     Err(Failure::Command { command: "cargo run --release --package xtask -- bench".to_owned(), status })
 }
 
-/// The case with some of its values replaced.
-fn changed<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<Case, Failure> {
-    let refused = |source| PaperError::Case { file: CASE.to_owned(), source: Box::new(source) };
-    let mut text = text.to_owned();
-    for (path, value) in changes {
-        text = set_value(&text, path, value.as_ref()).map_err(refused)?;
-    }
-    Ok(Case::from_ron(&text).map_err(refused)?)
+fn refused(error: &dyn std::fmt::Display) -> Failure {
+    Failure::Check { what: "bench", findings: vec![error.to_string()] }
 }
 
-/// Inputs of a run of the case with changes.
-fn run_inputs<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<RunInputs, Failure> {
-    let wrong = |source| PaperError::Inputs { run: "bench".to_owned(), source: Box::new(source) };
-    Ok(changed(text, changes)?.run_inputs().map_err(wrong)?)
+/// The case with some of its values replaced.
+fn changed<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<CaseFile, Failure> {
+    let changes: Vec<_> =
+        changes.iter().map(|(path, value)| Change::new("bench".to_owned(), path, value.as_ref())).collect();
+    CaseFile::from_text("bench", text.to_owned(), &changes, &Limits::default()).map_err(|error| refused(&error))
+}
+
+/// The run of the case with changes at its start, as the command begins it.
+fn started<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<Run, Failure> {
+    let (run, _) = start_run(&changed(text, changes)?).map_err(|error| refused(&error))?;
+    Ok(run)
 }
 
 fn machine() -> Machine {

@@ -1,12 +1,12 @@
 //! The cost of oil: bearings of the catalogue solved and run in oil and in silver.
 
+use super::catalogue::written;
 use super::changed;
 use super::clock::least_per_call;
 use super::row::{Limit, Row};
 use super::speed::per_second;
 use crate::error::Failure;
 use tribodyn::answers::OrbitProblem;
-use tribodyn_catalogue::{NewCase, NewLubricant, find};
 use tribodyn_orbit::steady_orbit;
 use tribodyn_paper::PaperError;
 use tribodyn_quasistatic::{Model, solve};
@@ -14,17 +14,9 @@ use tribodyn_quasistatic::{Model, solve};
 const GROUP: &str = "oil";
 const BEARINGS: [(&str, Option<f64>); 3] = [("6206", None), ("6308", None), ("7210", Some(40.0))];
 
-fn text((bearing, angle): (&str, Option<f64>), lubricant: &str) -> Result<String, Failure> {
-    let failed = |error: &dyn std::fmt::Display| Failure::Seed(format!("{bearing}: {error}"));
-    let listed = find(bearing, angle).map_err(|error| failed(&error))?;
-    let mut case = NewCase::of_listed(listed, bearing);
-    case.lubricant = Some(NewLubricant::parse(lubricant).map_err(|error| failed(&error))?);
-    case.text().map_err(|error| failed(&error))
-}
-
 /// Processor time of an equilibrium with traction and of a steady orbit from a cold start, s.
 fn times(text: &str, batches: usize) -> Result<[f64; 2], Failure> {
-    let case = changed::<&str>(text, &[])?;
+    let case = changed::<&str>(text, &[])?.case;
     let refused = |source| PaperError::Inputs { run: "bench".to_owned(), source: Box::new(source) };
     let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(&case).map_err(refused)?;
     let failed = |what: &'static str, error: String| Failure::Check { what, findings: vec![error] };
@@ -38,7 +30,7 @@ pub fn rows(quick: bool) -> Result<Vec<Row>, Failure> {
     let batches = if quick { 3 } else { 20 };
     let mut rows = Vec::new();
     for bearing in BEARINGS {
-        let [oil, silver] = [text(bearing, "vg68")?, text(bearing, "ag")?];
+        let [oil, silver] = [written(bearing, "vg68")?, written(bearing, "ag")?];
         let [in_oil, in_silver] = [times(&oil, batches)?, times(&silver, batches)?];
         for (what, place) in [("equilibrium with traction", 0), ("steady orbit", 1)] {
             let row = Row::new(
@@ -51,7 +43,7 @@ pub fn rows(quick: bool) -> Result<Vec<Row>, Failure> {
             rows.push(row.must_be(Limit::AtMost(2.0)).note(note));
         }
     }
-    let run = per_second(&text(BEARINGS[2], "vg68")?, &[], 0.02, batches.min(3))?;
+    let run = per_second(&written(BEARINGS[2], "vg68")?, &[], 0.02, batches.min(3))?;
     let row = Row::new(GROUP, "7210: run as `new` writes it, simulated over processor time", 1.0 / run, "");
     rows.push(row.must_be(Limit::AtLeast(3.0)));
     Ok(rows)

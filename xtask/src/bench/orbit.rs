@@ -20,7 +20,7 @@ fn unsolved(source: OrbitError) -> Failure {
 
 pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
     let batches = if quick { 3 } else { 40 };
-    let case = changed::<&str>(text, &[])?;
+    let case = changed::<&str>(text, &[])?.case;
     let refused = |source| PaperError::Inputs { run: "bench".to_owned(), source: Box::new(source) };
     let OrbitProblem { bearing, point, cage, settings } = OrbitProblem::of(&case).map_err(refused)?;
     let cold = || steady_orbit(&bearing, &point, &cage, &settings);

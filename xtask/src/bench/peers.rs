@@ -1,16 +1,18 @@
 //! Another program on the same bearing, run in turn with ours on the same machine.
 
-use super::catalogue::written;
+use super::catalogue::{USUAL, written};
 use super::changed;
+use super::refused;
 use super::row::{Limit, Row};
 use super::speed::{FAST, PAPER_STEP, Prepared, RIG_RATE};
 use crate::error::Failure;
 use crate::python;
 use serde::Deserialize;
+use std::f64::consts::TAU;
 use std::path::Path;
 use std::process::Command;
 use tribodyn_case::Case;
-use tribodyn_paper::{PaperError, files};
+use tribodyn_paper::files;
 
 const GROUP: &str = "peers";
 /// Exudyn, a program for flexible multibody dynamics (J. Gerstmayr, doi:10.1007/s11044-023-09937-1), pinned.
@@ -21,17 +23,14 @@ const STEP: f64 = 1e-5;
 const FRICTION_ZONE: f64 = 1.0;
 /// Samples of ours that are compared: Exudyn's sensors are read at the end only.
 const FEW_SAMPLES: &str = "kHz(1)";
-/// What the bearings of the comparison have in common; a revolution of the shaft is simulated.
+
+/// A bearing for both programs; a revolution of the shaft is simulated.
 struct Compared {
     name: &'static str,
     /// Designation of a bearing of the catalogue; none for the case.
     bearing: Option<&'static str>,
     /// Axial and radial, N.
     loads: [f64; 2],
-    /// Of the inner ring, kg.
-    ring_mass: f64,
-    /// Revolutions a minute.
-    speed: f64,
     fast: &'static str,
     explicit: &'static str,
     /// Promise: processor time of Exudyn over that of the fast scheme.
@@ -42,8 +41,6 @@ const PAPER: Compared = Compared {
     name: "the case's loads",
     bearing: None,
     loads: [54_900.0, 23_000.0],
-    ring_mass: 12.0,
-    speed: 14_000.0,
     fast: FAST,
     explicit: PAPER_STEP,
     at_least: 300.0,
@@ -56,8 +53,6 @@ const ALL: [Compared; 3] = [
         name: "6206",
         bearing: Some("6206"),
         loads: [390.0, 2_000.0],
-        ring_mass: 0.66,
-        speed: 4_000.0,
         fast: "FastTo(accuracy: 0.001)",
         explicit: "RungeKutta4(step: us(0.5))",
         at_least: 200.0,
@@ -91,7 +86,7 @@ pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
 impl Compared {
     /// Both programs in turn; the inner error is Exudyn's own.
     fn in_turn(&self, python: &Path, text: &str, quick: bool) -> Result<Result<[Row; 6], String>, Failure> {
-        let written = self.bearing.map(written).transpose()?;
+        let written = self.bearing.map(|bearing| written((bearing, None), USUAL)).transpose()?;
         let text = written.as_deref().unwrap_or(text);
         let [axial, radial] = self.loads;
         let changes = [("ring.x", format!("Force(N({radial}))")), ("ring.z", format!("Force(N({axial}))"))];
@@ -102,7 +97,8 @@ impl Compared {
             Prepared::new(text, &changes.iter().cloned().chain(others).collect::<Vec<_>>(), false)
         };
         let mut ours = [with(self.fast, FEW_SAMPLES)?, with(self.fast, RIG_RATE)?, with(self.explicit, FEW_SAMPLES)?];
-        let (case, revolution) = (changed(text, &changes)?, 60.0 / self.speed);
+        let case = changed(text, &changes)?.case;
+        let revolution = TAU / case.operating_point().inner_speed;
         let mut theirs: Option<Answer> = None;
         for _ in 0..if quick { 1 } else { 3 } {
             let answer = match self.exudyn(python, &case, revolution)? {
@@ -141,7 +137,8 @@ impl Compared {
 
     /// One run of Exudyn; the inner error is its own.
     fn exudyn(&self, python: &Path, case: &Case, revolution: f64) -> Result<Result<Answer, String>, Failure> {
-        let bearing = case.bearing().map_err(|source| PaperError::Bearing { run: "peers", source })?;
+        let inputs = case.run_inputs().map_err(|error| refused(&error))?;
+        let (bearing, ring_mass) = (inputs.bearing, inputs.supports.inner.mass);
         let geometry = bearing.geometry;
         let values = [
             ("--balls", geometry.ball_count as f64),
@@ -157,7 +154,7 @@ impl Compared {
             ("--radial", self.loads[1]),
             ("--step", STEP),
             ("--duration", revolution),
-            ("--ring-mass", self.ring_mass),
+            ("--ring-mass", ring_mass),
         ];
         let mut command = Command::new(python);
         command.arg(files::root().join("xtask/peers/exudyn_bearing.py"));

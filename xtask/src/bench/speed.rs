@@ -3,12 +3,11 @@
 use super::clock::timed;
 use super::patch::mean_points;
 use super::row::{Limit, Row};
+use super::started;
 use crate::error::Failure;
 use std::convert::Infallible;
-use tribodyn::{CaseFile, Change, Limits};
 use tribodyn_dynamics::{Checkpoint, Run, RunError};
 use tribodyn_paper::PaperError;
-use tribodyn_study::run::start_run;
 use tribodyn_traction::PatchRule;
 
 const GROUP: &str = "transient";
@@ -61,7 +60,7 @@ pub struct Prepared {
 
 impl Prepared {
     pub fn new<V: AsRef<str>>(text: &str, changes: &[(&str, V)], plain: bool) -> Result<Self, Failure> {
-        let (run, _) = start_run(&file(text, changes)?).map_err(|error| refused(&error))?;
+        let run = started(text, changes)?;
         let run =
             if plain { run.with_plain_kernel().map_err(|source| failed(RunError::Dynamics(source)))? } else { run };
         Ok(Self { start: run.checkpoint(), run, least: f64::INFINITY, evaluations: 0.0, patches: [0.0; 2] })
@@ -89,17 +88,6 @@ impl Prepared {
         self.patches = [after.patches_integrated as f64, after.patches_used as f64];
         Ok(())
     }
-}
-
-fn refused(error: &dyn std::fmt::Display) -> Failure {
-    Failure::Check { what: "bench", findings: vec![error.to_string()] }
-}
-
-/// The case with some of its values replaced.
-fn file<V: AsRef<str>>(text: &str, changes: &[(&str, V)]) -> Result<CaseFile, Failure> {
-    let changes: Vec<_> =
-        changes.iter().map(|(path, value)| Change::new("bench".to_owned(), path, value.as_ref())).collect();
-    CaseFile::from_text("bench", text.to_owned(), &changes, &Limits::default()).map_err(|error| refused(&error))
 }
 
 pub fn failed(error: RunError<Infallible>) -> PaperError {

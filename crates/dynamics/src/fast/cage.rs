@@ -17,6 +17,16 @@ use tribodyn_bearing::{
 
 /// γ of the kick's method, 1 − 1/√2.
 const GAMMA: f64 = 1.0 - FRAC_1_SQRT_2;
+
+/// A pose with its velocities changed.
+fn moving(mut pose: CagePose, by: &Vector6<f64>) -> CagePose {
+    for k in 0..3 {
+        pose.velocity[k] += by[k];
+        pose.omega[k] += by[3 + k];
+    }
+    pose
+}
+
 /// A cage at a position, with the force and moment of its balls.
 struct Kicked<'a> {
     machine: &'a Machine,
@@ -27,16 +37,6 @@ struct Kicked<'a> {
 }
 
 impl Kicked<'_> {
-    /// The pose with its velocities changed.
-    fn moving(&self, by: &Vector6<f64>) -> CagePose {
-        let mut pose = *self.pose;
-        for k in 0..3 {
-            pose.velocity[k] += by[k];
-            pose.omega[k] += by[3 + k];
-        }
-        pose
-    }
-
     /// Accelerations (x, y, z; about x, y, z), and their slopes by velocity and angular velocity.
     fn accelerations(&self) -> (Vector6<f64>, Matrix6<f64>) {
         let (pose, mut wrench, mut slope) = (self.pose, *self.of_balls, WrenchSlope::default());
@@ -107,15 +107,9 @@ impl Fast {
             }
             (0..3).for_each(|k| b[OMEGA + k] += 0.5 * h * load.moment[k] / inertia);
         }
-        let (moved, turned) = machine.free_cage.as_ref()?.response(&pose, &on_cage, machine.cage.inertia);
-        let mut pose = pose;
-        for k in 0..3 {
-            pose.velocity[k] += 0.5 * h * moved[k];
-            pose.omega[k] += 0.5 * h * turned[k];
-        }
-        let mut frame = frame.clone();
-        frame.free_cage = Some(pose);
-        Some(Halfway { frame, balls })
+        let ([x, y, z], [a, b, c]) = machine.free_cage.as_ref()?.response(&pose, &on_cage, machine.cage.inertia);
+        let pose = moving(pose, &(Vector6::new(x, y, z, a, b, c) * (0.5 * h)));
+        Some(Halfway { frame: Frame { free_cage: Some(pose), ..frame.clone() }, balls })
     }
 }
 
@@ -139,7 +133,7 @@ impl Machine {
         let all = [0, 1, 2].map(|k| cage.mass * (change[k] / h - cage.gravity[k]) - of_balls.force[k]);
         let sides = Side::BOTH.map(|side| cage.lands.iter().any(|land| land.side == side));
         let mut lands = if sides == [true; 2] || self.layout.any_tilts() {
-            self.lands_at(&kicked.moving(&(change * 0.5)), &frame.rings)
+            self.lands_at(&moving(*pose, &(change * 0.5)), &frame.rings)
         } else {
             Lands::default()
         };

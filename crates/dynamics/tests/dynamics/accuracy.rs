@@ -109,7 +109,7 @@ fn limit_an_accuracy_that_no_step_reaches_is_said() {
     assert!(choice.errors.worst() > 1e-3, "{choice:?}");
 }
 
-/// What the contacts vibrate would fold into the samples' spectra, unless it dies out at once.
+/// Vibrations of the contacts would fold into the samples' spectra, unless they die out at once.
 #[test]
 fn limit_samples_see_what_contacts_vibrate_or_it_dies_out() {
     let of = |damping: &str| {

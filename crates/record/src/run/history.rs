@@ -66,8 +66,8 @@ pub(crate) const QUANTITIES: [Quantity; 3] = [
     ("speed of the cage", "r/min", |s| s.cage.speed_filtered_rad_s * 60.0 / TAU),
 ];
 
-/// What the characteristic frequencies follow from: mean orbital speed and mean angular velocity of the balls, speeds
-/// of the rings, rad/s.
+/// The speeds by which characteristic frequencies are found: mean orbital speed and mean angular velocity of the balls,
+/// speeds of the rings, rad/s.
 const SPEEDS: [fn(&Overview) -> f64; 4] = [
     |o| o.orbital_speed_rad_s,
     |o| {
