@@ -13,7 +13,14 @@ pub fn programs() -> Result<PathBuf, Failure> {
 
 /// Builds the command of the release profile, for what runs long. Returns its path.
 pub fn command() -> Result<PathBuf, Failure> {
-    Ok(built(&["build", "--release", "--package", "tribodyn-cli"], "release")?.join("tribodyn"))
+    Ok(built(&["build", "--release", "--bin", "tribodyn"], "release")?.join("tribodyn"))
+}
+
+/// The same task with the same arguments from `cargo run --release`, which builds it where needed.
+pub fn this_task() -> Result<(), Failure> {
+    let mut cargo = Command::new(cargo_program());
+    cargo.args(["run", "--release", "--bin", "xtask", "--manifest-path"]).arg(files::root().join("Cargo.toml"));
+    run(cargo.arg("--").args(std::env::args_os().skip(1)), "cargo run --release --bin xtask")
 }
 
 fn built(arguments: &[&str], profile: &str) -> Result<PathBuf, Failure> {

@@ -78,8 +78,20 @@ enum Command {
     },
 }
 
+impl Command {
+    /// Tasks that run for minutes, or measure: they are worth a build of the release profile. All others share the dev
+    /// profile with the tests, so that everything is compiled once.
+    fn is_for_release(&self) -> bool {
+        use Command::{Bench, Figures, Fixtures, Fuzz, Hypotheses, Oil, Sensitivity, Survey, Torque, Verdicts};
+        let working_out = matches!(self, Figures(_) | Fixtures | Hypotheses(_) | Oil(_) | Sensitivity(_) | Torque(_));
+        working_out || matches!(self, Bench(_) | Fuzz(_) | Survey(_) | Verdicts(_))
+    }
+}
+
 fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
+    let command = Arguments::parse().command;
+    let done = match command {
+        _ if cfg!(debug_assertions) && command.is_for_release() => built::this_task(),
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fixtures => validate::rewrite_fixtures(),
         Command::Sensitivity(arguments) => sensitivity::run(&arguments),

@@ -46,9 +46,6 @@ pub struct Arguments {
     /// Also run another program, in turn with ours: Exudyn, from the Python package index
     #[arg(long)]
     peers: bool,
-    /// Measure this build, whatever its profile
-    #[arg(long, hide = true)]
-    inner: bool,
 }
 
 /// Everything measured.
@@ -70,11 +67,8 @@ struct Machine {
     load: Option<f64>,
 }
 
-/// Measures and prints. A development build starts the release build of the same task.
+/// Measures and prints.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if cfg!(debug_assertions) && !arguments.inner {
-        return in_release(arguments);
-    }
     let text = files::read(&files::root().join(CASE))?;
     let quick = arguments.quick;
     let mut rows = patch::rows(quick)?;
@@ -98,25 +92,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     out.push('\n');
     print(&out)?;
     if arguments.write { document::rewrite(&report) } else { Ok(()) }
-}
-
-/// The same task from `cargo run --release`, which builds it where needed.
-fn in_release(arguments: &Arguments) -> Result<(), Failure> {
-    let program = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
-    let mut command = Command::new(&program);
-    command.current_dir(files::root()).args(["run", "--release", "--package", "xtask", "--", "bench", "--inner"]);
-    let options = [
-        ("--json", arguments.json),
-        ("--quick", arguments.quick),
-        ("--write", arguments.write),
-        ("--peers", arguments.peers),
-    ];
-    command.args(options.iter().filter(|(_, wanted)| *wanted).map(|(option, _)| option));
-    let status = command.status().map_err(|source| Failure::Start { program, source })?;
-    if status.success() {
-        return Ok(());
-    }
-    Err(Failure::Command { command: "cargo run --release --package xtask -- bench".to_owned(), status })
 }
 
 fn refused(error: &dyn std::fmt::Display) -> Failure {
