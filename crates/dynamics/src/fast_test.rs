@@ -4,11 +4,11 @@ use crate::fast::{Fast, Room};
 use crate::forces::System;
 use crate::layout::{BALL, OMEGA, ORBIT};
 use crate::observer::BallDetail;
-use crate::rk4::Rk4;
 use crate::start::{Started, start};
 use tribodyn_bearing::quantities::OfBall;
 use tribodyn_bearing::{BallResult, ContactResult, Races, Side};
 use tribodyn_case::{Case, set_value};
+use tribodyn_numerics::Rk4;
 
 const END: f64 = 1.6e-3;
 
@@ -42,7 +42,7 @@ fn reference() -> Vec<f64> {
     for step in 0..800 {
         let t = h * f64::from(step);
         machine.derivative(t, &state, &mut derivative);
-        method.step(&mut machine, t, (&state, &derivative), h, &mut next);
+        method.step(machine.rates(), t, (&state, &derivative), h, &mut next);
         std::mem::swap(&mut state, &mut next);
     }
     state

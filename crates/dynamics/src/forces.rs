@@ -7,12 +7,6 @@ use crate::watch::Watch;
 use tribodyn_bearing::vectors::dot;
 use tribodyn_bearing::{AzimuthFrame, FREE_CAGE, NormalContact, PocketLoad, Races, Side, Wrench};
 
-/// A system of ordinary differential equations.
-pub(crate) trait System {
-    /// Time derivative of the unknowns `y` at time `t` in s.
-    fn derivative(&mut self, t: f64, y: &[f64], dy: &mut [f64]);
-}
-
 /// Sums over all balls.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Sums {
@@ -215,6 +209,17 @@ impl Sums {
             + p.contact_damping
             + p.pocket_friction
             + p.pocket_damping
+    }
+}
+
+/// The equations of motion as those of first order.
+pub(crate) trait System {
+    /// Time derivative of the unknowns `y` at time `t` in s.
+    fn derivative(&mut self, t: f64, y: &[f64], dy: &mut [f64]);
+
+    /// The same as a function, for the schemes.
+    fn rates(&mut self) -> impl FnMut(f64, &[f64], &mut [f64]) {
+        |t, y, dy| self.derivative(t, y, dy)
     }
 }
 

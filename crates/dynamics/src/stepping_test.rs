@@ -1,11 +1,10 @@
 //! Steps of all schemes without a run around them, for the tests of the equations.
 
-use crate::dp54::DormandPrince;
 use crate::equations::Equations;
 use crate::fast::Fast;
 use crate::forces::System;
 use crate::machine::Machine;
-use crate::rk4::Rk4;
+use tribodyn_numerics::{DormandPrince, Rk4};
 
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Scheme {
@@ -33,9 +32,9 @@ pub(crate) fn run_watched<E: Equations>(
         let t = h * f64::from(step);
         equations.derivative(t, state, &mut derivative);
         match scheme {
-            Scheme::RungeKutta => rk4.step(equations, t, (state, &derivative), h, &mut next),
+            Scheme::RungeKutta => rk4.step(equations.rates(), t, (state, &derivative), h, &mut next),
             Scheme::DormandPrince => {
-                dp54.step(equations, t, (state, &derivative), h, &scale, &mut next);
+                dp54.step(equations.rates(), t, (state, &derivative), h, &scale, &mut next);
             }
             Scheme::Fast => {
                 next.copy_from_slice(state);

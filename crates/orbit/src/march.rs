@@ -273,7 +273,7 @@ impl Newton<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collocation::Radau;
+    use tribodyn_numerics::Radau;
 
     #[test]
     fn identity_the_real_eigenvalue_is_that_of_the_matrix() {

@@ -1,15 +1,16 @@
 //! Newton's method on the collocated orbit.
 
 use crate::OrbitError;
-use crate::chain::{FROM, Linear, Slopes, Step};
+use crate::chain::{FROM, Linear, Slopes, Step, multiplier};
 use crate::coarse::Coarse;
-use crate::collocation::{Orbit, Radau, STAGES};
+use crate::collocation::{Orbit, STAGES};
 use crate::residual::{BORDER, Residual, STACK, Scales, residual};
 use crate::system::{BALL, LEAD, ORBIT, OrbitSystem, RING, rings};
 use nalgebra::{Const, SMatrix, SVector};
 use num_dual::DualSVec64;
 use std::sync::Arc;
 use tribodyn_bearing::{LoadedPatch, RingFreedom, SearchWatch};
+use tribodyn_numerics::Radau;
 use tribodyn_traction::FastPatch;
 
 /// Statistics of a solve: a wrong Jacobian converges too, only slower.
@@ -172,7 +173,7 @@ impl<'a> Newton<'a> {
             }
             let jacobian = known.take().map_or_else(|| self.jacobian(&orbit), Ok);
             let Ok(Jacobian { linear, .. }) = jacobian.inspect(|found| self.last = Some(found.clone())) else { break };
-            let mut taken = vec![linear.step(&residual)];
+            let mut taken = vec![linear.step(&residual.intervals, &residual.border)];
             let mut share = self.longest(&taken[0]);
             while let Some(step) = taken.last() {
                 let trial = self.apply(&orbit, step, share);
@@ -181,7 +182,7 @@ impl<'a> Newton<'a> {
                     (orbit, residual) = (trial, after);
                     break;
                 }
-                let next = linear.step(&after).corrected(&taken);
+                let next = linear.step(&after.intervals, &after.border).corrected(&taken);
                 let (left, size) = (next.norm(), step.norm());
                 if left <= growth * (1.0 - 0.25 * share) * size {
                     (orbit, residual) = (trial, after);
@@ -271,7 +272,7 @@ impl<'a> Newton<'a> {
         self.statistics.jacobians += 1;
         let mut direct = self.border_slopes(orbit);
         let slopes = (0..orbit.intervals()).map(|j| self.slopes(orbit, j, &mut direct)).collect();
-        Linear::new(slopes, &direct)
+        Linear::new(slopes, &direct).map_err(|_| OrbitError::Singular)
     }
 
     /// Largest modulus of a Floquet multiplier of a ball on an orbit, cage and ring held: below one, a ball that is
@@ -282,7 +283,7 @@ impl<'a> Newton<'a> {
         let cage = self.system.held.replace(orbit.cage_speed);
         let linear = self.linearise(orbit);
         (self.system.ring, self.system.held) = (ring, cage);
-        Ok(linear?.multiplier())
+        Ok(multiplier(&linear?))
     }
 
     /// Slopes of the border's residuals by the border itself, without the balls.

@@ -1,9 +1,10 @@
 //! The collocated equations: balances at each point of the mesh, and those of cage and ring over the turn.
 
-use crate::collocation::{Orbit, Radau, STAGES};
+use crate::collocation::{Orbit, STAGES};
 use crate::means::Means;
 use crate::system::{BALL, Evaluation, OMEGA, ORBIT, OrbitSystem, RING, VELOCITY};
 use tribodyn_bearing::{RingFreedom, Side};
+use tribodyn_numerics::Radau;
 
 /// An orbit with what its equations lack.
 pub(crate) type Found = (Orbit, Residual);

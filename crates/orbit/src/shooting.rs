@@ -59,7 +59,7 @@ impl Newton<'_> {
             if residual.worst.relative < NEARLY {
                 break;
             }
-            let step = self.linearise(&orbit).ok()?.step(&residual);
+            let step = self.linearise(&orbit).ok()?.step(&residual.intervals, &residual.border);
             let mut share = self.longest_of_start(&step).min(self.longest_of_border(&step.border));
             loop {
                 let moved = self.apply(&orbit, &step, share);
@@ -104,7 +104,7 @@ impl Newton<'_> {
             if turn.off.is_infinite() || turn.off < close || round > halved.1 + STALLED || self.is_spent() {
                 break;
             }
-            let step = self.linearise(&turn.orbit)?.step(&turn.residual);
+            let step = self.linearise(&turn.orbit)?.step(&turn.residual.intervals, &turn.residual.border);
             let mut share = self.longest_of_border(&step.border);
             loop {
                 let moved = self.apply(&turn.orbit, &step, share);

@@ -1,6 +1,6 @@
 //! A solved orbit, and what is needed to go on from it.
 
-use crate::collocation::{Orbit, Radau};
+use crate::collocation::Orbit;
 use crate::newton::{Jacobian, OrbitStatistics};
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
@@ -9,6 +9,7 @@ use crate::way::{Eased, swinging};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tribodyn_bearing::{AzimuthFrame, BallSize, BallState, Motion, OperatingPoint, Races, Side};
+use tribodyn_numerics::Radau;
 use tribodyn_traction::PatchRule;
 
 /// An orbit to start a neighbouring problem from.

@@ -9,9 +9,8 @@
 use crate::OrbitError;
 use crate::chain::{Linear, Step};
 use crate::collocation::Orbit;
-use crate::means::Means;
 use crate::newton::Newton;
-use crate::residual::{BORDER, Residual, STACK, Worst};
+use crate::residual::{BORDER, STACK};
 use crate::system::RING;
 use nalgebra::{SMatrix, SVector};
 use serde::Serialize;
@@ -128,13 +127,12 @@ fn halved(newton: &Newton<'_>, orbit: &Orbit) -> Orbit {
 
 /// Displacements by loads, N and N m.
 fn compliance(newton: &Newton<'_>, linear: &Linear) -> Compliance {
-    let (scales, intervals) = (newton.scales, linear.intervals());
+    let (scales, unloaded) = (newton.scales, vec![[0.0; STACK]; linear.intervals()]);
     let mut compliance = Compliance::zeros();
     for load in 0..RING {
         let mut border = [0.0; BORDER];
         border[1 + load] = 1.0 / scales.border_rows[1 + load];
-        let (worst, means) = (Worst::NONE, Means::default());
-        let step = linear.step(&Residual { intervals: vec![[0.0; STACK]; intervals], border, worst, means });
+        let step = linear.step(&unloaded, &border);
         (0..RING).for_each(|k| compliance[(k, load)] = step.border[1 + k] * scales.border[1 + k]);
     }
     compliance
@@ -183,7 +181,7 @@ fn chords(newton: &mut Newton<'_>, orbit: &Orbit, linear: &Linear, tolerance: f6
         if residual.worst.relative <= tolerance {
             return Some(near);
         }
-        let step: Step = linear.step(&residual);
+        let step: Step = linear.step(&residual.intervals, &residual.border);
         near = newton.apply(&near, &step, 1.0);
     }
     None

@@ -1,7 +1,7 @@
 //! Errors of the paper's patch and step and of the fast scheme against a converged run from the same start.
 
 use super::row::{Limit, Row};
-use super::speed::{FAST, PAPER_RULE, PAPER_STEP, STRIPS_5X3, STRIPS_8X3, failed};
+use super::speed::{FAST, PAPER_RULE, PAPER_STEP, STRIPS_5X3, TARGET, failed};
 use super::started;
 use crate::error::Failure;
 use std::convert::Infallible;
@@ -136,7 +136,7 @@ pub fn rows(text: &str, quick: bool) -> Result<Vec<Row>, Failure> {
         paper.iter().map(|(what, error, unit, _)| Row::new(GROUP, format!("(b) {what}"), *error, unit)).collect();
     let half = "Fast(step: us(10))";
     for (name, plan) in
-        [("(d)", [FAST, STRIPS_8X3]), ("(e)", [FAST, STRIPS_5X3]), ("(d) at half the step:", [half, STRIPS_8X3])]
+        [("(d)", [FAST, TARGET]), ("(e)", [FAST, STRIPS_5X3]), ("(d) at half the step:", [half, TARGET])]
     {
         for ((what, error, unit, decides), (_, limit, ..)) in run(plan)?.iter().zip(&paper) {
             let row = Row::new(GROUP, format!("{name} {what}"), *error, unit);

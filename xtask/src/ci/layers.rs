@@ -8,7 +8,9 @@ use crate::error::Failure;
 use tribodyn_paper::files;
 
 /// Crates from the bottom up, each with what it may use; tests and build scripts included.
-const LAYERS: [(&str, &[&str]); 23] = [
+const LAYERS: [(&str, &[&str]); 24] = [
+    // Knows no bearing.
+    ("tribodyn-numerics", &[]),
     ("tribodyn-contact", &[]),
     ("tribodyn-lubricant", &[]),
     // Nodes and conductances alone.
@@ -43,6 +45,7 @@ const LAYERS: [(&str, &[&str]); 23] = [
     (
         "tribodyn-dynamics",
         &[
+            "tribodyn-numerics",
             "tribodyn-traction",
             "tribodyn-wear",
             "tribodyn-fluid",
@@ -57,6 +60,7 @@ const LAYERS: [(&str, &[&str]); 23] = [
     (
         "tribodyn-orbit",
         &[
+            "tribodyn-numerics",
             "tribodyn-contact",
             "tribodyn-traction",
             "tribodyn-wear",

@@ -6,7 +6,6 @@
 
 use super::{FIRST_STEP, Run, SHORTEST_STEP, Scheme, THROWN_OUT};
 use crate::blame::{Blame, StepBound};
-use crate::dp54::{DormandPrince, StepControl};
 use crate::equations::Equations;
 use crate::forces::{BodyForces, System, evaluate};
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
@@ -14,6 +13,7 @@ use crate::machine::Machine;
 use crate::stiffness::{EULER_LIMIT, FAST_PERIOD, IMAGINARY_LIMIT, REAL_LIMIT, Stiffness};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
+use tribodyn_numerics::{DormandPrince, StepControl};
 
 /// Changes of a position (m, rad) and a speed (m/s, rad/s) for difference quotients: bounds need no digits.
 const SHIFT: f64 = 1e-9;
@@ -87,7 +87,7 @@ impl Run {
                 return least(lowest.into_iter().chain([StepBound { motion, limit_s: taken }]).collect());
             }
             let h = control.step.min(end - t);
-            let error = method.step(&mut machine, t, (&y, &dy), h, &self.scale, &mut next) / TOLERANCE;
+            let error = method.step(machine.rates(), t, (&y, &dy), h, &self.scale, &mut next) / TOLERANCE;
             if control.judge(error, h, f64::INFINITY) {
                 (t, steps) = (if h < end - t { t + h } else { end }, steps + 1);
                 std::mem::swap(&mut y, &mut next);

@@ -6,12 +6,11 @@
 //! does to a ring depends on mass, springs and dampers: no estimate over the load says it.
 
 use super::{FIRST_STEP, Run, SHORTEST_STEP, Scheme};
-use crate::dp54::{DormandPrince, StepControl};
 use crate::fast::Fast;
 use crate::forces::System;
 use crate::machine::{Kernel, Machine};
-use crate::rk4::Rk4;
 use serde::{Deserialize, Serialize};
+use tribodyn_numerics::{DormandPrince, Rk4, StepControl};
 use tribodyn_traction::{FastPatch, PatchRule, Quadrature, TractionError};
 
 /// Simulated time of a companion, s: some decays of a ring on its supports, a few per cent of a usual run.
@@ -178,7 +177,7 @@ impl<'a> March<'a> {
                 for k in 0..*steps {
                     let t = t + f64::from(k) * h;
                     machine.derivative(t, y, derivative);
-                    method.step(machine, t, (y, derivative), h, next);
+                    method.step(machine.rates(), t, (y, derivative), h, next);
                     y.copy_from_slice(next);
                 }
             }
@@ -192,7 +191,7 @@ impl<'a> March<'a> {
                 machine.derivative(now, y, derivative);
                 while now < end {
                     let h = control.step.min(end - now);
-                    let error = method.step(machine, now, (y, derivative), h, scale, next) / *tolerance;
+                    let error = method.step(machine.rates(), now, (y, derivative), h, scale, next) / *tolerance;
                     if control.judge(error, h, *longest) {
                         now = if h < end - now { now + h } else { end };
                         y.copy_from_slice(next);

@@ -4,11 +4,11 @@
 //!
 //! Velocities at an internal rate cost no forces, and their differences are exact means of the accelerations between.
 
-use super::step::hermite;
 use crate::layout::Layout;
 use fearless_simd::{Level, dispatch};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::Scheme;
+use tribodyn_numerics::hermite;
 use tribodyn_signal::{Decimator, DecimatorMemory};
 
 /// Least internal rate of the Runge–Kutta methods, Hz: ten times and more above contact modes and their harmonics.

@@ -7,6 +7,7 @@ use crate::layout::{BALL, ORBIT};
 use crate::observer::Observer;
 use fearless_simd::{Level, dispatch};
 use std::ops::ControlFlow;
+use tribodyn_numerics::{bisect, hermite};
 
 /// Refuses a step that never comes to an end.
 pub(super) fn refuse_no_end(scheme: tribodyn_bearing::Scheme) -> Result<(), DynamicsError> {
@@ -105,7 +106,7 @@ impl Run {
         let start = (p.state.as_slice(), p.derivative.as_slice());
         let error = match &mut self.scheme {
             Scheme::Rk4 { method, .. } => {
-                method.step(&mut self.machine, p.time, start, h, &mut self.next);
+                method.step(self.machine.rates(), p.time, start, h, &mut self.next);
                 self.machine.derivative(p.time + h, &self.next, &mut self.next_derivative);
                 self.progress.statistics.evaluations += 4;
                 0.0
@@ -118,7 +119,7 @@ impl Run {
                 0.0
             }
             Scheme::DormandPrince { method, tolerance, .. } => {
-                let error = method.step(&mut self.machine, p.time, start, h, &self.scale, &mut self.next);
+                let error = method.step(self.machine.rates(), p.time, start, h, &self.scale, &mut self.next);
                 self.next_derivative.copy_from_slice(method.last_derivative());
                 self.progress.statistics.evaluations += 6;
                 return Ok(error / *tolerance);
@@ -218,23 +219,6 @@ fn crossing(depth: impl Fn(f64) -> f64, leads: [f64; 2], slopes: [f64; 2], whole
     let at = bisect(|s| depth(hermite(s, leads, slopes)), before);
     let margin = CUT_MARGIN * whole.max(1.0);
     (at > margin && at < 1.0 - margin).then_some(at)
-}
-
-/// Cubic through two values with their slopes over the interval, at `s` from 0 to 1.
-pub(super) fn hermite(s: f64, [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f64 {
-    let r = 1.0 - s;
-    // Differences from a keep the digits of large values.
-    a + (b - a) * s * s * (3.0 - 2.0 * s) + s * r * (da * r - db * s)
-}
-
-/// Where a function that is positive (or not) at 0 changes its sign in (0, 1).
-pub(super) fn bisect(f: impl Fn(f64) -> f64, positive_at_0: bool) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        if (f(middle) > 0.0) == positive_at_0 { low = middle } else { high = middle }
-    }
-    high
 }
 
 /// True if no number is infinite or not a number at all: only those are not zero times zero. Sums side by side take a

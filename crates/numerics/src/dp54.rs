@@ -4,8 +4,6 @@
 //! control: proportional–integral after Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, 1993,
 //! section II.4.
 
-use crate::forces::System;
-
 const STAGES: usize = 7;
 
 // Dormand and Prince 1980, Table 2, RK5(4)7M: nodes, coefficients row by row, and the difference of the two solutions.
@@ -23,16 +21,17 @@ const ERROR: [f64; STAGES] =
 
 /// Stages and scratch of the method; after a step the last stage is the derivative at its end.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct DormandPrince {
+pub struct DormandPrince {
     k: [Vec<f64>; STAGES],
     y: Vec<f64>,
 }
 
 impl DormandPrince {
-    /// From `y` with derivative `dy` at `t` over `h` to `next`; returns the largest error over `scale`.
+    /// From `y` with derivative `dy` at `t` over `h` to `next`; returns the largest error over `scale`. The
+    /// `derivative` is that of unknowns at a time.
     pub fn step(
         &mut self,
-        system: &mut impl System,
+        mut derivative: impl FnMut(f64, &[f64], &mut [f64]),
         t: f64,
         (y, dy): (&[f64], &[f64]),
         h: f64,
@@ -49,7 +48,7 @@ impl DormandPrince {
                 let slope: f64 = done.iter().zip(&ROWS[stage - 1]).map(|(k, a)| a * k[i]).sum();
                 self.y[i] = y[i] + h * slope;
             }
-            system.derivative(t + NODES[stage] * h, &self.y, &mut rest[0]);
+            derivative(t + NODES[stage] * h, &self.y, &mut rest[0]);
         }
         next.copy_from_slice(&self.y);
         let error = |i: usize| h * self.k.iter().zip(&ERROR).map(|(k, e)| e * k[i]).sum::<f64>();
@@ -70,7 +69,7 @@ impl DormandPrince {
 
 /// Chooses the next step.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-pub(crate) struct StepControl {
+pub struct StepControl {
     /// The step to try next, s.
     pub step: f64,
     /// Error over tolerance of the last accepted step.
@@ -78,6 +77,7 @@ pub(crate) struct StepControl {
 }
 
 impl StepControl {
+    /// Begins with a step.
     pub fn new(step: f64) -> Self {
         Self { step, last: 1.0 }
     }

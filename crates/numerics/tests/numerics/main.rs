@@ -1,0 +1,5 @@
+//! Model problems with known answers.
+
+mod explicit;
+mod periodic;
+mod stiff;
