@@ -1,21 +1,21 @@
 //! Instructions of the vector loops, so that a change or a compiler that makes scalar ones of them is noticed. Counts
 //! are those of valgrind, which no other work on the machine changes, in the profile of the tests.
 
-use super::{Outcome, cargo, finish};
+use super::{Outcome, finish};
 use crate::bench::instructions::{count, has_counter};
+use crate::built;
 use crate::error::Failure;
-use tribodyn_paper::files;
 
-/// Package, example, its arguments, what one of its units is, and instructions for it with rustc 1.95.
-type Counted = (&'static str, &'static str, &'static [&'static str], &'static str, f64);
+/// Example, its arguments, what one of its units is, and instructions for it with rustc 1.95.
+type Counted = (&'static str, &'static [&'static str], &'static str, f64);
 
-const KERNEL: (&str, &str) = ("tribodyn-traction", "kernel_instructions");
+const KERNEL: &str = "kernel_instructions";
 const COUNTED: [Counted; 5] = [
-    (KERNEL.0, KERNEL.1, &["fast", "jacobi", "100"], "point of a patch, Gauss–Jacobi", 49.0),
-    (KERNEL.0, KERNEL.1, &["fast", "strips", "100"], "point of a patch, split strips", 155.9),
-    (KERNEL.0, KERNEL.1, &["derivative", "jacobi", "100"], "point with derivatives, Gauss–Jacobi", 214.6),
-    (KERNEL.0, KERNEL.1, &["derivative", "strips", "100"], "point with derivatives, split strips", 285.9),
-    ("tribodyn-dynamics", "step_instructions", &["5", "2"], "ball and step of the fast scheme", 15_406.0),
+    (KERNEL, &["fast", "jacobi", "100"], "point of a patch, Gauss–Jacobi", 47.7),
+    (KERNEL, &["fast", "strips", "100"], "point of a patch, split strips", 78.2),
+    (KERNEL, &["derivative", "jacobi", "100"], "point with derivatives, Gauss–Jacobi", 182.9),
+    (KERNEL, &["derivative", "strips", "100"], "point with derivatives, split strips", 195.5),
+    ("step_instructions", &["5", "2"], "ball and step of the fast scheme", 10_620.0),
 ];
 /// More of them than that is a failure.
 const ALLOWANCE: f64 = 1.25;
@@ -28,10 +28,9 @@ pub fn check() -> Result<Outcome, Failure> {
         return Ok(Outcome::Skipped("the counts are of vectors of AVX2".to_owned()));
     }
     let mut findings = Vec::new();
-    for (package, example, arguments, unit, usual) in COUNTED {
-        cargo(&["build", "--quiet", "--package", package, "--example", example], &[])?;
-        let program = files::root().join("target/debug/examples").join(example);
-        match count(&program, arguments) {
+    let folder = built::programs()?.join("examples");
+    for (example, arguments, unit, usual) in COUNTED {
+        match count(&folder.join(example), arguments) {
             Some(found) if found <= ALLOWANCE * usual => println!("{found:.1} a {unit}, usual {usual}"),
             Some(found) => findings.push(format!("{found:.1} instructions a {unit}, usual {usual}")),
             None => findings.push(format!("valgrind gave no count for {example} {}", arguments.join(" "))),
