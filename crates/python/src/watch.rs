@@ -76,7 +76,11 @@ pub fn watched_by<R: Send + 'static>(
     loop {
         let received = py.detach(|| receiver.lock().ok().map(|receiver| receiver.recv_timeout(LOOK_EVERY)));
         match received {
-            Some(Ok(Ok(result))) => return Ok((result, exception)),
+            // Work that is done before the first look has its end told, too.
+            Some(Ok(Ok(result))) => {
+                let exception = exception.or_else(|| tell(progress, &watch).err());
+                return Ok((result, exception));
+            }
             Some(Ok(Err(_))) => return Err(internal(py, "the calculation has panicked")),
             Some(Err(mpsc::RecvTimeoutError::Timeout)) => {}
             _ => return Err(internal(py, "the calculation has vanished")),
@@ -96,6 +100,11 @@ pub fn watched_by<R: Send + 'static>(
 /// Hears signals and tells the progress.
 fn look(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, watch: &Watch) -> PyResult<()> {
     py.check_signals()?;
+    tell(progress, watch)
+}
+
+/// Calls `progress` with what is done.
+fn tell(progress: Option<&Bound<'_, PyAny>>, watch: &Watch) -> PyResult<()> {
     match progress {
         Some(progress) => progress.call1((f64::from_bits(watch.done.load(Ordering::Relaxed)),)).map(drop),
         None => Ok(()),
