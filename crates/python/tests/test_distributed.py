@@ -74,6 +74,8 @@ def test_identity_a_study_outlives_its_workers(plain: Case, tmp_path: Path, rows
         finished = len(list(folder.glob("part-*.parquet")))
         partitions = len(json.loads((folder / "_study.json").read_text())["partitions"])
         assert 0 < finished < partitions
+        # A worker that is killed while it writes leaves half a file.
+        (folder / ".part-000000.parquet.part").write_bytes(b"half")
         with cluster.client() as again:
             dataset = distributed.sweep(again, plain, values(rows), dataset=folder, model="traction", progress=False)
             assert dataset.resumed_partitions >= finished and dataset.partitions == partitions

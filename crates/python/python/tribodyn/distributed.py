@@ -199,6 +199,9 @@ class _Study:
         open_ = [partition for partition in partitions if not self._finished(partition)]
         bar(float(self.rows))
         self._drive(open_, bar)
+        # Half files of workers that were killed while they wrote.
+        for half in self.folder.glob(".*.part"):
+            half.unlink(missing_ok=True)
         facts = {
             "path": str(self.folder),
             "rows": self.work.rows,
