@@ -16,11 +16,20 @@ pub fn command() -> Result<PathBuf, Failure> {
     Ok(built(&["build", "--release", "--bin", "tribodyn"], "release")?.join("tribodyn"))
 }
 
-/// The same task with the same arguments from `cargo run --release`, which builds it where needed.
-pub fn this_task() -> Result<(), Failure> {
+/// Builds an example of a package in the release profile. Returns its path.
+pub fn example(package: &str, name: &str) -> Result<PathBuf, Failure> {
+    let folder = built(&["build", "--release", "--package", package, "--example", name], "release")?;
+    Ok(folder.join("examples").join(name))
+}
+
+/// The same task with the same arguments from `cargo run --release`, which builds it where needed. Returns its exit
+/// code: it has said itself what failed.
+pub fn this_task() -> Result<u8, Failure> {
     let mut cargo = Command::new(cargo_program());
     cargo.args(["run", "--release", "--bin", "xtask", "--manifest-path"]).arg(files::root().join("Cargo.toml"));
-    run(cargo.arg("--").args(std::env::args_os().skip(1)), "cargo run --release --bin xtask")
+    let start = |source| Failure::Start { program: "cargo run --release --bin xtask".to_owned(), source };
+    let status = cargo.arg("--").args(std::env::args_os().skip(1)).status().map_err(start)?;
+    Ok(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1))
 }
 
 fn built(arguments: &[&str], profile: &str) -> Result<PathBuf, Failure> {

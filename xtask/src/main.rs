@@ -90,8 +90,10 @@ impl Command {
 
 fn main() -> ExitCode {
     let command = Arguments::parse().command;
+    if cfg!(debug_assertions) && command.is_for_release() {
+        return built::this_task().map_or_else(|failure| failed(&failure), ExitCode::from);
+    }
     let done = match command {
-        _ if cfg!(debug_assertions) && command.is_for_release() => built::this_task(),
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fixtures => validate::rewrite_fixtures(),
         Command::Sensitivity(arguments) => sensitivity::run(&arguments),
@@ -112,11 +114,13 @@ fn main() -> ExitCode {
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            eprintln!("error: {failure}");
-            ExitCode::from(failure.exit_code())
-        }
+        Err(failure) => failed(&failure),
     }
+}
+
+fn failed(failure: &error::Failure) -> ExitCode {
+    eprintln!("error: {failure}");
+    ExitCode::from(failure.exit_code())
 }
 
 #[cfg(test)]

@@ -2,23 +2,21 @@
 //! one.
 
 use super::row::Row;
-use std::path::{Path, PathBuf};
+use crate::built;
+use crate::error::Failure;
+use std::path::Path;
 use std::process::Command;
 
 const GROUP: &str = "instructions";
 const EXAMPLE: &str = "kernel_instructions";
-const BUILD: &str = "cargo build --release -p tribodyn-traction --example kernel_instructions";
 /// Repetitions of the three contacts in the example.
 const REPEATS: &str = "100";
 
-pub fn rows() -> Vec<Row> {
-    let name = "kernel";
-    let Some(example) = example() else {
-        return vec![Row::skipped(GROUP, name, format!("not counted: `{BUILD}` builds what is counted"))];
-    };
+pub fn rows() -> Result<Vec<Row>, Failure> {
     if !has_counter() {
-        return vec![Row::skipped(GROUP, name, "not counted: there is no valgrind here")];
+        return Ok(vec![Row::skipped(GROUP, "kernel", "not counted: there is no valgrind here")]);
     }
+    let example = built::example("tribodyn-traction", EXAMPLE)?;
     let rules =
         [("midpoint", "10 × 40 midpoints"), ("jacobi", "Gauss–Jacobi 4 × 12"), ("strips", "split strips 8 × 3")];
     let kinds = [("generic", "generic"), ("fast", "fast"), ("derivative", "fast with derivatives")];
@@ -32,14 +30,7 @@ pub fn rows() -> Vec<Row> {
             });
         }
     }
-    rows
-}
-
-/// The example, built beside this program.
-fn example() -> Option<PathBuf> {
-    let folder = std::env::current_exe().ok()?.parent()?.join("examples");
-    let path = folder.join(format!("{EXAMPLE}{}", std::env::consts::EXE_SUFFIX));
-    path.exists().then_some(path)
+    Ok(rows)
 }
 
 /// True where valgrind is there.

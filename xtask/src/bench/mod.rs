@@ -72,7 +72,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let text = files::read(&files::root().join(CASE))?;
     let quick = arguments.quick;
     let mut rows = patch::rows(quick)?;
-    rows.extend(instructions::rows());
+    rows.extend(instructions::rows()?);
     rows.extend(speed::rows(&text, quick)?);
     rows.extend(catalogue::rows(quick)?);
     rows.extend(accuracy::rows(&text, quick)?);

@@ -37,7 +37,7 @@ impl Cycle {
         self.place((j + self.values.len() - 1) % self.values.len(), 2)
     }
 
-    /// What the equations lack, the border's being that the cycle begins at rest; and their slopes.
+    /// Residuals of the equations, of which the border's is that the cycle begins at rest, and their slopes.
     fn equations(&self, mu: f64) -> (Change<POINTS, 1>, Vec<Interval<POINTS, 1, 3>>) {
         let (radau, h) = (Radau::new(), 1.0 / self.values.len() as f64);
         let (mut lacking, mut slopes) = (Vec::new(), Vec::new());
