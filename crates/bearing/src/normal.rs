@@ -180,8 +180,9 @@ impl ContactSprings {
             let along = orbit_radius * ball.orbital_speed;
             let [outward, round] = lean.turn([ball.velocity[1] - v_r, along - v_t]);
             let mut sinking = (round * lean.curvature - ring.speed) * surface.slope;
-            if surface.turn != [0.0; 3] {
-                let [a, r, t] = surface.turn;
+            // One by one: the compiler does not see through a comparison of lists in time to make vector instructions.
+            let [a, r, t] = surface.turn;
+            if a != 0.0 || r != 0.0 || t != 0.0 {
                 sinking = sinking
                     + (ball.angular_velocity[0] - ring.speed) * a
                     + ball.angular_velocity[1] * r

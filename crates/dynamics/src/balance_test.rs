@@ -81,16 +81,14 @@ impl Equations for Without {
         springs
     }
 
-    fn sliding(&self, side: Side, contact: &NormalContact, state: &BallState, at: (&Frame, f64)) -> Sliding {
+    fn sliding(&self, side: Side, contact: &NormalContact, state: &BallState, at: (&RingState, f64)) -> Sliding {
         if self.lacks(Term::BallTranslation) {
             return self.machine.sliding(side, contact, &BallState { velocity: [0.0; 2], ..*state }, at);
         }
         if !self.lacks(Term::RingTranslation) {
             return self.machine.sliding(side, contact, state, at);
         }
-        let still = |ring: RingState| RingState { velocity: [0.0; 3], ..ring };
-        let frame = Frame { rings: at.0.rings.map(still), ..at.0.clone() };
-        self.machine.sliding(side, contact, state, (&frame, at.1))
+        self.machine.sliding(side, contact, state, (&RingState { velocity: [0.0; 3], ..*at.0 }, at.1))
     }
 
     fn friction(

@@ -90,14 +90,8 @@ pub(crate) trait Equations {
 
     /// How a ball slides on a race.
     #[inline(always)]
-    fn sliding(
-        &self,
-        side: Side,
-        contact: &NormalContact,
-        state: &BallState,
-        (frame, orbit_radius): (&Frame, f64),
-    ) -> Sliding {
-        self.machine().bearing.sliding(side, contact, state, (&frame.rings[side], orbit_radius))
+    fn sliding(&self, side: Side, contact: &NormalContact, state: &BallState, at: (&RingState, f64)) -> Sliding {
+        self.machine().bearing.sliding(side, contact, state, at)
     }
 
     /// The friction part of a ball under the tractions of its contacts, the fluid and its pocket.
@@ -146,7 +140,7 @@ pub(crate) trait Equations {
         let r = normal.orbit_radius;
         let mut contacts = Races::from_fn(|side| {
             let contact = normal.contacts[side];
-            let sliding = self.sliding(side, &contact, &state, (frame, r));
+            let sliding = self.sliding(side, &contact, &state, (&frame.rings[side], r));
             let traction = |patch: &LoadedPatch<'_, f64>| traction(patch, &sliding);
             machine.bearing.race_contact(side, contact, &sliding, surfaces[side].bare, traction)
         });
@@ -171,12 +165,12 @@ pub(crate) trait Equations {
 }
 
 impl Frame {
-    /// The same with tilts held and no orientations, for loops over the lanes of balls whose rings do not tilt and
-    /// whose surfaces are known.
+    /// The same with tilts held, no free cage and no orientations, for loops over the lanes of balls whose rings do not
+    /// tilt and whose surfaces are known: what a free cage does is left to others.
     #[inline(always)]
     pub fn held(&self) -> Self {
         let rings = Races { inner: self.rings.inner.held(), outer: self.rings.outer.held() };
-        Self { rings, angles: self.angles, cage: self.cage, free_cage: self.free_cage, orientations: Vec::new() }
+        Self { rings, angles: self.angles, cage: self.cage, free_cage: None, orientations: Vec::new() }
     }
 }
 

@@ -9,7 +9,7 @@ use crate::linear::{Contacts, LinearTraction};
 use crate::machine::Machine;
 use nalgebra::Matrix6;
 use std::ops::Range;
-use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, PocketLoad, Races, Side, Sliding};
+use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, PocketLoad, Races, RingState, Side, Sliding};
 use tribodyn_traction::PatchTraction;
 
 /// Numbers of a linear traction, and of a linear friction.
@@ -145,13 +145,13 @@ impl Grips {
 pub(super) fn slide<E: Equations>(
     equations: &E,
     side: Side,
-    (frame, state): (&Frame, &BallState),
+    (ring, state): (&RingState, &BallState),
     (stand, form, k): (&Stand, &[Lane; LINEAR], usize),
     share: f64,
 ) -> (Sliding, PatchTraction, f64) {
     let ball_radius = equations.machine().bearing.geometry.ball_radius();
     let contact = stand.contact(side, k);
-    let sliding = equations.sliding(side, &contact, state, (frame, stand.orbit_radius(k)));
+    let sliding = equations.sliding(side, &contact, state, (ring, stand.orbit_radius(k)));
     let linear = LinearTraction::from_numbers(|i| form[i].0[k]);
     let (change, near) = linear.reaches(&sliding.motion, contact.load, (stand.bare(side, k), share), ball_radius);
     // A contact without load has no traction, and no linear form that could fail. A factor, since the compiler would
@@ -166,7 +166,7 @@ pub(super) fn slide<E: Equations>(
 fn contact<E: Equations>(
     equations: &E,
     side: Side,
-    at: (&Frame, &BallState),
+    at: (&RingState, &BallState),
     form: (&Stand, &[Lane; LINEAR], usize),
 ) -> ([f64; 6], f64, f64) {
     let (sliding, traction, near) = slide(equations, side, at, form, 1.0);
@@ -183,15 +183,16 @@ pub(super) fn tractions<E: Equations, const TILTS: bool>(
     grips: &mut Grips,
 ) {
     // No ring that tilts, or no vector instructions.
-    let (out, held) = (grips, if TILTS { None } else { Some(frame.held()) });
-    let frame = held.as_ref().unwrap_or(frame);
+    let (out, rings) = (grips, frame.rings.map(|ring| if TILTS { ring } else { ring.held() }));
     out.pocket = [Lane::ZERO; 6];
     for k in 0..WIDTH {
         let state = stand.state(equations, balls, k);
-        let (forces, wear, near) = contact(equations, Side::Inner, (frame, &state), (stand, &forms.traction[0], k));
+        let (forces, wear, near) =
+            contact(equations, Side::Inner, (&rings.inner, &state), (stand, &forms.traction[0], k));
         put(&mut out.forces[0], k, forces);
         (out.wear[0].0[k], out.near[0].0[k]) = (wear, if now > forms.last[0].0[k] { 0.0 } else { near });
-        let (forces, wear, near) = contact(equations, Side::Outer, (frame, &state), (stand, &forms.traction[1], k));
+        let (forces, wear, near) =
+            contact(equations, Side::Outer, (&rings.outer, &state), (stand, &forms.traction[1], k));
         put(&mut out.forces[1], k, forces);
         (out.wear[1].0[k], out.near[1].0[k]) = (wear, if now > forms.last[1].0[k] { 0.0 } else { near });
     }

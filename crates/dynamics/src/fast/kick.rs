@@ -167,7 +167,7 @@ impl Fast {
                 continue;
             }
             self.refreshed += 1;
-            let sliding = equations.sliding(side, contact, state, (frame, normal.orbit_radius));
+            let sliding = equations.sliding(side, contact, state, (&frame.rings[side], normal.orbit_radius));
             let ellipse = bearing.ellipse(side, contact);
             let patch = bearing.loaded_patch(side, contact, &ellipse, &sliding, stand.bare(side, k));
             let traction = contacts.of[side as usize].refresh(machine, &patch, self.linear_error);

@@ -5,7 +5,7 @@ use super::Fast;
 use super::drift::{Stand, press};
 use super::grip::{Forms, Grips, LINEAR, slide, surroundings};
 use super::lanes::{Lane, WIDTH, blocks, filled, gather, get, put};
-use super::numbers::{IN_POCKET, Numbers, SUMS};
+use super::numbers::{HELD_SUMS, IN_POCKET, Numbers, SUMS, Slid};
 use super::scratch::{Scratch, force_of};
 use crate::detail::{Balls, ball_result};
 use crate::equations::{Equations, Frame, Touched};
@@ -23,15 +23,26 @@ const BEFORE_REFRESH: f64 = 1.5;
 
 /// Semi-axes (longer, shorter) and peak pressure at inner and outer contacts.
 type Ellipses = [[Lane; 3]; 2];
-/// Mean forces of the contacts in the last kick, ellipses, pockets, and the leads of the balls in these.
-type Beside<'a> = (&'a [Lane; 6], &'a Ellipses, &'a [Lane; IN_POCKET], &'a Lane);
+/// Ellipses, pockets, and the leads of the balls in these.
+type Beside<'a> = (&'a Ellipses, &'a [Lane; IN_POCKET], &'a Lane);
 
 /// Room that a look works in, kept from one to the next, and the list of balls that it fills.
 #[derive(Default)]
 pub(crate) struct Room {
     pub balls: Vec<BallResult>,
     /// One, once there was a look.
-    found: Vec<(Stand, Grips, Seen)>,
+    found: Vec<(Stand, Grips, Slides, Seen)>,
+}
+
+/// How the balls of a block slide.
+struct Slides {
+    of: [[Lane; Slid::NUMBERS]; 2],
+    /// 1 where both linear forms are near, else 0.
+    near: Lane,
+}
+
+impl Slides {
+    const NONE: Self = Self { of: [[Lane::ZERO; Slid::NUMBERS]; 2], near: Lane::ZERO };
 }
 
 /// The balls of a block as samples have them, part by part.
@@ -43,9 +54,7 @@ struct Seen {
     contacts: [[Lane; 8]; 2],
     frictions: [[Lane; 7]; 2],
     transients: [[Lane; 3]; 2],
-    sums: [Lane; SUMS],
-    /// 1 where both linear forms are near, else 0.
-    near: Lane,
+    sums: [Lane; HELD_SUMS],
 }
 
 impl Seen {
@@ -57,8 +66,7 @@ impl Seen {
         contacts: [[Lane::ZERO; 8]; 2],
         frictions: [[Lane::ZERO; 7]; 2],
         transients: [[Lane::ZERO; 3]; 2],
-        sums: [Lane::ZERO; SUMS],
-        near: Lane::ZERO,
+        sums: [Lane::ZERO; HELD_SUMS],
     };
 
     /// Writes a ball's result in place: a copy of what was just written number by number would wait for it.
@@ -117,26 +125,27 @@ impl Fast {
         };
         let (mut sums, mut results) = ([0.0; SUMS], std::mem::take(&mut room.balls));
         results.resize(l.balls, BallResult::default());
-        room.found.resize_with(1, || (Stand::NONE, Grips::NONE, Seen::NONE));
-        let [(stand, grips, seen)] = &mut room.found[..] else { unreachable!("there is one") };
+        room.found.resize_with(1, || (Stand::NONE, Grips::NONE, Slides::NONE, Seen::NONE));
+        let [(stand, grips, slides, seen)] = &mut room.found[..] else { unreachable!("there is one") };
         for (block, forms) in forms.iter().enumerate().take(blocks(l.balls)) {
             let balls = gather(l, y, block);
             press(*level, machine, (&of.frame, block, &balls), stand);
             let places = self.scratch.places[block];
             dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, stand), grips));
             let pockets = of.pockets(block, &balls, grips);
-            let (at, ellipses) = ((&balls, &*stand, forms, &*grips), of.ellipses(*level, stand));
-            let mean_forces = &self.scratch.mean_forces[block];
-            let beside = (mean_forces, &ellipses, &pockets, &of.leads(block, &balls));
+            let (mean_forces, now) = (&self.scratch.mean_forces[block], (&balls, &*stand));
+            dispatch!(*level, _simd => slide_all(&of, now, (forms, mean_forces), slides));
+            let (at, ellipses) = ((&balls, &*stand, &*grips), of.ellipses(*level, stand));
+            let (slides, beside) = (&*slides, (&ellipses, &pockets, &of.leads(block, &balls)));
             match detail {
-                BallDetail::All => dispatch!(*level, _simd => see::<true>(&of, at, beside, seen)),
-                BallDetail::Loads => dispatch!(*level, _simd => see::<false>(&of, at, beside, seen)),
+                BallDetail::All => dispatch!(*level, _simd => see::<true>(&of, at, (slides, beside), seen)),
+                BallDetail::Loads => dispatch!(*level, _simd => see::<false>(&of, at, (slides, beside), seen)),
             }
             for k in 0..filled(l, block) {
                 let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
-                let sums_of_ball = if seen.near.0[k] > 0.0 && !l.any_tilts() {
+                let sums_of_ball = if slides.near.0[k] > 0.0 && !l.any_tilts() {
                     seen.write(k, (result, detail));
-                    get(&seen.sums, k)
+                    of.with_reaction(get(&seen.sums, k), (get(&pockets, k), &get(&balls, k)))
                 } else {
                     of.alone((index, y), (forms, mean_forces, k), (result, detail))
                 };
@@ -150,6 +159,12 @@ impl Fast {
 }
 
 impl Of<'_> {
+    /// The same for loops over the lanes: balls of rings that tilt are seen one by one.
+    #[inline(always)]
+    fn held(&self) -> Self {
+        Self { frame: self.frame.held(), machine: self.machine, sheet: self.sheet, springs: self.springs }
+    }
+
     /// Semi-axes and pressures of the contacts: ball by ball where the contact constants follow the contact angle.
     fn ellipses(&self, level: Level, stand: &Stand) -> Ellipses {
         let bearing = &self.machine.bearing;
@@ -172,6 +187,20 @@ impl Of<'_> {
             put(&mut pockets, k, load.numbers());
         }
         pockets
+    }
+
+    /// The sums of a ball seen in its lane, with what its pocket does to a free cage.
+    fn with_reaction(&self, in_lane: [f64; HELD_SUMS], (load, b): ([f64; IN_POCKET], &[f64; BALL])) -> [f64; SUMS] {
+        let mut numbers = [0.0; SUMS];
+        numbers[..HELD_SUMS].copy_from_slice(&in_lane);
+        if self.frame.free_cage.is_none() {
+            return numbers;
+        }
+        let (mut sums, mut pocket) = (Sums::default(), PocketLoad::none());
+        sums.take(numbers);
+        pocket.take(load);
+        self.machine.react_on_cage(&self.frame, (&pocket, b), &mut sums.on_cage);
+        sums.numbers()
     }
 
     /// Leads of the balls over the middles of their pockets, rad.
@@ -226,46 +255,44 @@ fn frozen_ellipses(springs: ContactSprings, stand: &Stand) -> Ellipses {
     ellipses
 }
 
-/// A contact by its linear form with the force of the kick, and 1 where that is near, else 0.
+/// How a ball slides on a race, its traction by the linear form with the force of the kick, and 1 where that is near,
+/// else 0.
 #[inline(always)]
-fn contact(
+fn slid(
     (of, side): (&Of<'_>, Side),
     state: &BallState,
     at: (&Stand, &[Lane; LINEAR], usize),
-    (ellipses, mean_forces): (&[Lane; 3], &[Lane; 6]),
-) -> (RaceContact, f64) {
-    let (sliding, traction, near) = slide(of.machine, side, (&of.frame, state), at, BEFORE_REFRESH);
-    let normal = at.0.contact(side, at.2);
-    let (loaded, ball_radius) = (normal.load > 0.0, of.machine.bearing.geometry.ball_radius());
+    mean_forces: &[Lane; 6],
+) -> (Slid, f64) {
+    let (sliding, traction, near) = slide(of.machine, side, (&of.frame.rings[side], state), at, BEFORE_REFRESH);
+    let (loaded, ball_radius) = (at.0.load(side, at.2) > 0.0, of.machine.bearing.geometry.ball_radius());
     let traction = sliding.with_force(&traction, force_of(mean_forces, side, at.2), ball_radius);
-    let traction = traction.times(if loaded { 1.0 } else { 0.0 });
-    // None, but with the axis that the longer semi-axis is along.
-    let mut ellipse = of.springs.ellipse(side, 0.0);
-    [ellipse.semi_major, ellipse.semi_minor, ellipse.peak_pressure] = get(ellipses, at.2);
-    (RaceContact::new(side, normal, ellipse, &sliding, traction), near)
+    (Slid { sliding, traction: traction.times(if loaded { 1.0 } else { 0.0 }) }, near)
 }
 
-/// One ball of a block through its linear forms: what it does to rings and cage, its result, and 1 where both forms are
-/// near, else 0.
+/// One ball of a block: what it does to rings and cage, and its result.
 #[inline(always)]
 fn ball(
     of: &Of<'_>,
-    (balls, stand, forms, grips): (&[Lane; BALL], &Stand, &Forms, &Grips),
-    (mean_forces, ellipses, pockets, leads): Beside<'_>,
+    (balls, stand, grips): (&[Lane; BALL], &Stand, &Grips),
+    (slides, (ellipses, pockets, leads)): (&Slides, Beside<'_>),
     k: usize,
-) -> (Sums, BallResult, f64) {
+) -> (Sums, BallResult) {
     let (machine, b) = (of.machine, get(balls, k));
-    let state = stand.state_of(machine, &b, k);
-    let (inner, near_inner) =
-        contact((of, Side::Inner), &state, (stand, &forms.traction[0], k), (&ellipses[0], mean_forces));
-    let (outer, near_outer) =
-        contact((of, Side::Outer), &state, (stand, &forms.traction[1], k), (&ellipses[1], mean_forces));
+    let contact = |side: Side| {
+        let mut slid = Slid::NONE;
+        slid.take(get(&slides.of[side as usize], k));
+        // None, but with the axis that the longer semi-axis is along.
+        let mut ellipse = of.springs.ellipse(side, 0.0);
+        [ellipse.semi_major, ellipse.semi_minor, ellipse.peak_pressure] = get(&ellipses[side as usize], k);
+        RaceContact::new(side, stand.contact(side, k), ellipse, &slid.sliding, slid.traction)
+    };
+    let contacts = Races { inner: contact(Side::Inner), outer: contact(Side::Outer) };
     let mut pocket = PocketLoad::none();
     pocket.take(get(pockets, k));
     let (drag, churning) = grips.fluid(k);
-    let contacts = Races { inner, outer };
     let touched = Touched {
-        state,
+        state: stand.state_of(machine, &b, k),
         surfaces: Races { inner: stand.surface(Side::Inner, k), outer: stand.surface(Side::Outer, k) },
         loads: BallLoads { contacts, orbit_radius: stand.orbit_radius(k), drag, churning },
         pocket,
@@ -273,36 +300,53 @@ fn ball(
     };
     let (forces, mut sums) = (machine.together(touched), Sums::default());
     machine.add_ball(&forces, [b[VELOCITY], b[VELOCITY + 1]], &of.frame, &mut sums);
-    (sums, ball_result(&of.sheet, (&b, of.frame.rings.inner.speed), &forces), near_inner * near_outer)
+    (sums, ball_result(&of.sheet, (&b, of.frame.rings.inner.speed), &forces))
 }
 
-/// All balls of a block. Two loops, of which either leaves out what only the other needs: one is too long for the
+/// How all balls of a block slide. By itself: a loop that has more than 250 rows of lanes before it is too much for the
 /// compiler to make vector instructions of it.
 #[inline(always)]
-fn see<const ALL: bool>(of: &Of<'_>, at: (&[Lane; BALL], &Stand, &Forms, &Grips), beside: Beside<'_>, out: &mut Seen) {
-    // Balls of rings that tilt are seen one by one.
-    let of = Of { frame: of.frame.held(), machine: of.machine, sheet: of.sheet, springs: of.springs };
+fn slide_all(
+    of: &Of<'_>,
+    (balls, stand): (&[Lane; BALL], &Stand),
+    (forms, mean_forces): (&Forms, &[Lane; 6]),
+    out: &mut Slides,
+) {
+    let of = of.held();
     for k in 0..WIDTH {
-        let (sums, result, near) = ball(&of, at, beside, k);
-        put(&mut out.sums, k, sums.numbers());
+        let state = stand.state(of.machine, balls, k);
+        let (inner, near_inner) = slid((&of, Side::Inner), &state, (stand, &forms.traction[0], k), mean_forces);
+        let (outer, near_outer) = slid((&of, Side::Outer), &state, (stand, &forms.traction[1], k), mean_forces);
+        put(&mut out.of[0], k, inner.numbers());
+        put(&mut out.of[1], k, outer.numbers());
+        out.near.0[k] = near_inner * near_outer;
+    }
+}
+
+/// All balls of a block.
+#[inline(always)]
+fn see<const ALL: bool>(
+    of: &Of<'_>,
+    at: (&[Lane; BALL], &Stand, &Grips),
+    beside: (&Slides, Beside<'_>),
+    out: &mut Seen,
+) {
+    let of = of.held();
+    for k in 0..WIDTH {
+        let (sums, result) = ball(&of, at, beside, k);
+        put(&mut out.sums, k, sums.of_held());
         let Races { inner, outer } = &result.contacts;
+        put(&mut out.ball, k, result.numbers());
+        put(&mut out.pocket, k, result.pocket.unwrap_or_default().numbers());
         put(&mut out.contacts[0], k, inner.numbers());
         put(&mut out.contacts[1], k, outer.numbers());
         if ALL {
+            put(&mut out.fluid, k, result.fluid.unwrap_or_default().numbers());
             put(&mut out.motion, k, result.motion.unwrap_or_default().numbers());
             put(&mut out.frictions[0], k, inner.friction.unwrap_or_default().numbers());
             put(&mut out.frictions[1], k, outer.friction.unwrap_or_default().numbers());
             put(&mut out.transients[0], k, inner.transient.unwrap_or_default().numbers());
             put(&mut out.transients[1], k, outer.transient.unwrap_or_default().numbers());
         }
-        out.near.0[k] = near;
-    }
-    for k in 0..WIDTH {
-        let (_, result, _) = ball(&of, at, beside, k);
-        put(&mut out.ball, k, result.numbers());
-        if ALL {
-            put(&mut out.fluid, k, result.fluid.unwrap_or_default().numbers());
-        }
-        put(&mut out.pocket, k, result.pocket.unwrap_or_default().numbers());
     }
 }

@@ -2,13 +2,16 @@
 
 use crate::forces::Sums;
 use tribodyn_bearing::{
-    BallMotionResult, BallResult, ContactResult, FluidResult, FrictionResult, PocketLoad, PocketResult,
+    BallMotionResult, BallResult, ContactResult, FluidResult, FrictionResult, PocketLoad, PocketResult, Sliding,
     TransientContact,
 };
+use tribodyn_traction::{PatchTraction, RelativeMotion};
 
 /// Numbers of a pocket's load, and of the sums over the balls.
 pub(super) const IN_POCKET: usize = 12;
 pub(super) const SUMS: usize = 29;
+/// The first of these: all where rings do not tilt and the cage only turns.
+pub(super) const HELD_SUMS: usize = 17;
 
 /// A structure of `N` numbers.
 pub(super) trait Numbers<const N: usize> {
@@ -57,10 +60,56 @@ numbers!(PocketLoad, 12;
     friction_power, sliding, normal);
 numbers!(Sums, 29;
     on_rings.inner[0], on_rings.inner[1], on_rings.inner[2], on_rings.outer[0], on_rings.outer[1], on_rings.outer[2],
-    torque.inner, torque.outer, moment.inner[0], moment.inner[1], moment.inner[2], moment.outer[0], moment.outer[1],
-    moment.outer[2], cage_torque, powers.friction.inner, powers.friction.outer, powers.drag,
+    torque.inner, torque.outer, cage_torque, powers.friction.inner, powers.friction.outer, powers.drag,
     powers.churning, powers.contact_damping, powers.pocket_friction, powers.pocket_damping, powers.energy,
+    moment.inner[0], moment.inner[1], moment.inner[2], moment.outer[0], moment.outer[1], moment.outer[2],
     on_cage.force[0], on_cage.force[1], on_cage.force[2], on_cage.moment[0], on_cage.moment[1], on_cage.moment[2]);
+
+impl Sums {
+    /// The first [`HELD_SUMS`].
+    #[inline(always)]
+    pub(super) fn of_held(&self) -> [f64; HELD_SUMS] {
+        let all = self.numbers();
+        std::array::from_fn(|i| all[i])
+    }
+}
+
+/// How a ball slides on a race whose tilts are held, and its traction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slid {
+    pub sliding: Sliding,
+    pub traction: PatchTraction,
+}
+
+impl Slid {
+    /// Its numbers.
+    pub const NUMBERS: usize = 16;
+
+    pub const NONE: Self = Self {
+        sliding: Sliding {
+            normal: [0.0; 2],
+            motion: RelativeMotion { rolling: 0.0, lateral: 0.0, spin: 0.0, about_lateral: 0.0, about_rolling: 0.0 },
+            rolling_speed: 0.0,
+            sunk: 0.0,
+            meridian: None,
+        },
+        traction: PatchTraction {
+            force_rolling: 0.0,
+            force_lateral: 0.0,
+            moment_lateral: 0.0,
+            moment_normal: 0.0,
+            moment_rolling: 0.0,
+            power: 0.0,
+            wear_integral: 0.0,
+        },
+    };
+}
+
+numbers!(Slid, 16;
+    sliding.normal[0], sliding.normal[1], sliding.motion.rolling, sliding.motion.lateral, sliding.motion.spin,
+    sliding.motion.about_lateral, sliding.motion.about_rolling, sliding.rolling_speed, sliding.sunk,
+    traction.force_rolling, traction.force_lateral, traction.moment_lateral, traction.moment_normal,
+    traction.moment_rolling, traction.power, traction.wear_integral);
 
 impl Numbers<5> for PocketResult {
     #[inline(always)]
