@@ -6,7 +6,9 @@ use crate::error::DynamicsError;
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
-use tribodyn_bearing::{AzimuthFrame, BallState, Motion, Races, RingOffset, RunInputs, Side, SpeedHistory, Start};
+use tribodyn_bearing::{
+    AzimuthFrame, BallResult, BallState, Motion, Races, RingOffset, RunInputs, Side, SpeedHistory, Start,
+};
 use tribodyn_quasistatic::{BallMotion, Model, Solution, solve};
 use tribodyn_traction::{PatchRule, Quadrature};
 use tribodyn_wear::{Spall, SpallPath};
@@ -117,7 +119,8 @@ fn equilibrium(inputs: &RunInputs) -> Result<StartMotion, DynamicsError> {
         };
         (azimuth, state)
     };
-    let balls: Vec<(f64, BallState)> = warm.balls().enumerate().map(ball).collect();
+    let mut balls: Vec<(f64, BallState)> = warm.balls().enumerate().map(ball).collect();
+    carry_along(&mut balls, &solved.solution);
     let count = balls.len() as f64;
     let cage_speed = balls.iter().fold(0.0, |mean, (_, ball)| mean + ball.orbital_speed / count);
     let motion = Motion { balls, cage_speed, ring: warm.ring() };
@@ -129,6 +132,24 @@ fn equilibrium(inputs: &RunInputs) -> Result<StartMotion, DynamicsError> {
         (rule, solution.patch_error_estimate) = (chosen, error);
     }
     Ok(StartMotion { motion, rule, solution })
+}
+
+/// In equilibrium a ball that is not pressed on both races stands still, as nothing drives it. In a bearing its cage
+/// carries it along: it orbits and turns as the mean of the others.
+fn carry_along(balls: &mut [(f64, BallState)], solution: &Solution) {
+    let on_both = |ball: &BallResult| ball.contacts.inner.load_n > 0.0 && ball.contacts.outer.load_n > 0.0;
+    let pressed: Vec<bool> = solution.balls.iter().map(on_both).collect();
+    let others = || balls.iter().zip(&pressed).filter(|(_, pressed)| **pressed).map(|((_, ball), _)| ball);
+    let count = others().count() as f64;
+    if count == 0.0 {
+        return;
+    }
+    let mean = |of: &dyn Fn(&BallState) -> f64| others().map(of).sum::<f64>() / count;
+    let orbital_speed = mean(&|ball| ball.orbital_speed);
+    let angular_velocity = [0, 1, 2].map(|k| mean(&|ball| ball.angular_velocity[k]));
+    for ((_, ball), _) in balls.iter_mut().zip(pressed).filter(|(_, pressed)| !pressed) {
+        *ball = BallState { orbital_speed, angular_velocity, ..*ball };
+    }
 }
 
 /// At a standstill nothing slips, and no slip tells which rule a target error needs: rule and error are those of the

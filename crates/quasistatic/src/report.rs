@@ -110,6 +110,15 @@ fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
+/// Orbital speeds of the balls, rad/s. With traction a ball that is not pressed on both races stands still, as nothing
+/// drives it; the cage carries it along at the mean of the others.
+fn carried(model: Model, balls: &[BallResult]) -> Vec<f64> {
+    let pressed = |b: &&BallResult| b.contacts.inner.load_n > 0.0 && b.contacts.outer.load_n > 0.0;
+    let others: Vec<f64> = balls.iter().filter(pressed).map(|b| b.orbital_speed_rad_s).collect();
+    let own = |b: &BallResult| model != Model::Traction || others.is_empty() || pressed(&b);
+    balls.iter().map(|b| if own(b) { b.orbital_speed_rad_s } else { mean(&others) }).collect()
+}
+
 /// Torque of the fluid against a cage at a speed, rad/s, N m.
 fn churned(bearing: &Bearing, cage: &Cage, speed: f64, inner_speed: f64) -> f64 {
     let swirl = bearing.fluid.as_ref().map_or(0.0, |fluid| fluid.swirl);
@@ -123,7 +132,7 @@ fn solution(
     mut balls: Vec<BallResult>,
     point: &OperatingPoint,
 ) -> Solution {
-    let speeds: Vec<f64> = balls.iter().map(|b| b.orbital_speed_rad_s).collect();
+    let speeds = carried(model, &balls);
     let radius = 0.5 * bearing.geometry.pitch_diameter;
     // Where the rings do not turn against each other, speeds of the balls are what rounding leaves.
     let turns = point.inner_speed != point.outer_speed;

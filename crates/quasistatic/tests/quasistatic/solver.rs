@@ -167,4 +167,9 @@ fn limit_traction_converges_where_raceway_control_does_not() {
     assert!(solve(&bearing, &point, JonesHarris).is_err());
     let s = solve(&bearing, &point, Traction).unwrap_or_else(|e| panic!("{e}")).solution;
     assert!(s.residual <= 1e-10 && s.balls.iter().any(|ball| ball.contacts.inner.load_n == 0.0));
+    // Balls without drive, which stand still by themselves, do not slow the cage.
+    let pressed = s.balls.iter().filter(|b| b.contacts.inner.load_n > 0.0 && b.contacts.outer.load_n > 0.0);
+    let speeds: Vec<f64> = pressed.map(|ball| ball.orbital_speed_rad_s).collect();
+    let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
+    assert!((s.cage_speed_rpm / (mean * 30.0 / std::f64::consts::PI) - 1.0).abs() < 1e-12, "{speeds:?}");
 }
