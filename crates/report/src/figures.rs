@@ -95,6 +95,7 @@ const HISTORIES: [Histories; 6] = [
                 ("friction, outer race", |r| 1e-3 * r.friction_outer_w),
                 ("drag on the balls", |r| 1e-3 * r.drag_w),
                 ("churning of the balls", |r| 1e-3 * r.churning_w),
+                ("pocket friction", |r| 1e-3 * r.pocket_friction_w),
             ],
         )],
     ),
