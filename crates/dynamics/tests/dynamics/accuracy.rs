@@ -3,6 +3,7 @@
 use crate::{Keep, case};
 use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{Run, Sample};
+use tribodyn_quasistatic::{Model, PatchRule, solve};
 
 const OIL_6206: &str = include_str!("../../../../fixtures/cases/oil-6206.ron");
 const ANGULAR_7210: &str = include_str!("../../../../fixtures/cases/angular-7210.ron");
@@ -121,6 +122,22 @@ fn limit_balls_without_load_go_round_from_the_start() {
     assert!(speeds.iter().all(|speed| (speed / sample.cage.speed_rad_s - 1.0).abs() < 1e-2), "{speeds:?}");
     let choice = run.step_choice().unwrap();
     assert!(choice.errors.worst() < 1e-3 && choice.step_s > 5e-6, "{choice:?}");
+}
+
+/// In oil strips with more nodes than there are strips do for a run what takes a solver more points.
+#[test]
+fn limit_a_run_in_oil_keeps_its_target_with_fewer_points() {
+    let load = ("ring.x", "Force(N(2000))");
+    let inputs = catalogue(OIL_6206, "RungeKutta4(step: us(0.1))", load).run_inputs().unwrap();
+    let solved = solve(&inputs.bearing, &inputs.operating_point_at(0.0), Model::Traction).unwrap();
+    let run = Run::new(inputs).unwrap();
+    let points = |rule: PatchRule| match rule {
+        PatchRule::SplitStrip { across, along } => across * along,
+        other => panic!("{other:?}"),
+    };
+    let [ours, of_solver] = [run.patch_rule(), solved.warm_start.unwrap().rule()].map(points);
+    assert!(4 * ours <= 3 * of_solver, "{ours} {of_solver}");
+    assert!(run.solution().patch_error_estimate.unwrap() <= 1e-5);
 }
 
 /// Vibrations of the contacts would fold into the samples' spectra, unless they die out at once.
