@@ -1,6 +1,6 @@
 //! The power balance, what happens to it when a term is left out, and whether all schemes have the same terms.
 
-use crate::equations::{Equations, Frame, Friction, Springs};
+use crate::equations::{Equations, Friction, Springs};
 use crate::forces::System;
 use crate::layout::{BALL, OMEGA, VELOCITY};
 use crate::machine::Machine;
