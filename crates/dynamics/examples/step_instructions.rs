@@ -25,8 +25,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut text = fs::read_to_string(path)?;
     let rate = format!("kHz({rate_khz})");
     let balls = format!("kHz({})", rate_khz / 5.0);
-    let changes =
-        [("transient.scheme", "Fast(step: us(20))"), ("recording.ball_rate", &balls), ("recording.state_rate", &rate)];
+    // A target that integrates few patches: it is the loops over the balls that are to be counted.
+    let target = "TargetError(relative: 1e-4)";
+    let changes = [
+        ("transient.scheme", "Fast(step: us(20))"),
+        ("traction.patch", target),
+        ("recording.ball_rate", &balls),
+        ("recording.state_rate", &rate),
+    ];
     for (path, value) in changes {
         text = set_value(&text, path, value)?;
     }
