@@ -4,7 +4,9 @@ use crate::bearing::Bearing;
 use crate::contact::BallLoads;
 use crate::elastic::ElasticPatches;
 use crate::races::Side;
-use tribodyn_traction::{ElasticProbe, Law, PatchRule, Probe, TractionError, fastsim_rule_error, rule_error};
+use tribodyn_traction::{
+    ElasticProbe, Law, PatchRule, Probe, RuleUse, TractionError, choose_rule, fastsim_rule_error, rule_error,
+};
 
 impl Bearing {
     /// The contacts where a rule is judged: those of the most, the middle and the least loaded ball. None without
@@ -29,17 +31,37 @@ impl Bearing {
             .collect()
     }
 
+    /// The rule with the fewest points that keeps a target error at these loads, and its error; none for elastic
+    /// patches, which have their own strips and cells.
+    ///
+    /// # Errors
+    /// A target that no rule keeps.
+    pub fn choose_rule(
+        &self,
+        relative: f64,
+        loads: Vec<BallLoads>,
+        by: RuleUse,
+    ) -> Result<Option<(PatchRule, f64)>, TractionError> {
+        if self.elastic.is_some() {
+            return Ok(None);
+        }
+        choose_rule(relative, &self.rigid_probes(loads), by).map(Some)
+    }
+
+    fn rigid_probes(&self, loads: Vec<BallLoads>) -> Vec<Probe<'_, Law>> {
+        self.probes(loads).into_iter().map(|(_, probe)| probe).collect()
+    }
+
     /// Estimated error of patch integrals over the load, against a finer rule: of `rule`, or of the strips and cells of
     /// elastic patches.
     ///
     /// # Errors
     /// A rule that cannot be laid out.
     pub fn patch_error(&self, rule: PatchRule, loads: Vec<BallLoads>) -> Result<f64, TractionError> {
-        let probes = self.probes(loads);
         let Some(ElasticPatches { grid, pairs }) = &self.elastic else {
-            let probes: Vec<_> = probes.into_iter().map(|(_, probe)| probe).collect();
-            return rule_error(rule, &probes);
+            return rule_error(rule, &self.rigid_probes(loads));
         };
+        let probes = self.probes(loads);
         let elastic = |(side, contact): (Side, _)| ElasticProbe { contact, elasticity: &pairs[side] };
         fastsim_rule_error(grid.rule(), &probes.into_iter().map(elastic).collect::<Vec<_>>())
     }

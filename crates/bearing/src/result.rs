@@ -40,6 +40,13 @@ pub struct BallResult {
     pub motion: Option<BallMotionResult>,
 }
 
+impl BallResult {
+    /// True if it carries load at both races.
+    pub fn is_loaded(&self) -> bool {
+        self.contacts.inner.load_n > 0.0 && self.contacts.outer.load_n > 0.0
+    }
+}
+
 /// One ball–race contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct ContactResult {

@@ -6,7 +6,7 @@ use crate::layout::{AZIMUTH, VELOCITY};
 use crate::machine::Machine;
 use crate::power::PowerSample;
 use crate::sample::{CageSample, RingSample, Sample, WearSample};
-use tribodyn_bearing::{BallLoads, BallMotionResult, BallResult, PocketResult, Sheet, Side};
+use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult, Sheet, Side};
 
 /// Volumes worn off so far, m³: inner race, outer race, cage.
 pub(crate) type Worn = [f64; 3];
@@ -78,13 +78,7 @@ impl Machine {
 #[inline(always)]
 pub(crate) fn ball_result(sheet: &Sheet, (b, inner_speed): (&[f64], f64), f: &BallForces) -> BallResult {
     let friction = &f.friction;
-    let loads = BallLoads {
-        contacts: f.contacts,
-        orbit_radius: f.orbit_radius,
-        drag: friction.drag,
-        churning: friction.churning,
-    };
-    let mut result = sheet.ball(b[AZIMUTH], &f.state, &loads, inner_speed);
+    let mut result = sheet.ball(b[AZIMUTH], &f.state, &f.loads(), inner_speed);
     let (contacts, surfaces) = (&f.contacts, &f.surfaces);
     result.contacts.inner.transient = Some(sheet.transient_contact(Side::Inner, &contacts.inner, &surfaces.inner));
     result.contacts.outer.transient = Some(sheet.transient_contact(Side::Outer, &contacts.outer, &surfaces.outer));

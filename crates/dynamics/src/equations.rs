@@ -63,6 +63,15 @@ pub(crate) struct BallForces {
     pub acceleration: [f64; 6],
 }
 
+impl BallForces {
+    /// Its contacts and what the fluid does.
+    #[inline(always)]
+    pub fn loads(&self) -> BallLoads {
+        let BallFriction { drag, churning, .. } = self.friction;
+        BallLoads { contacts: self.contacts, orbit_radius: self.orbit_radius, drag, churning }
+    }
+}
+
 /// The equations of a machine, part by part.
 pub(crate) trait Equations {
     fn machine(&self) -> &Machine;

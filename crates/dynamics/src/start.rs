@@ -1,17 +1,13 @@
 //! Where a run starts: the quasi-static solution at time 0, a motion that is given, or a standstill.
 
 use crate::ball_surfaces::UNTURNED;
-use crate::equations::{BallForces, Equations};
 use crate::error::DynamicsError;
-use crate::forces::Sums;
+use crate::forces::evaluate;
 use crate::layout::{AXIAL, AZIMUTH, BALL, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::{Kernel, Machine};
-use tribodyn_bearing::{
-    AzimuthFrame, BallLoads, BallResult, BallState, Bearing, Motion, Races, RingOffset, RunInputs, Side, SpeedHistory,
-    Start,
-};
+use tribodyn_bearing::{AzimuthFrame, BallState, Motion, Races, RingOffset, RunInputs, Side, SpeedHistory, Start};
 use tribodyn_quasistatic::{BallMotion, Model, Solution, solve};
-use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, Quadrature, choose_rule_of_run};
+use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, Quadrature, RuleUse};
 use tribodyn_wear::{Spall, SpallPath};
 
 /// Load of the contact that bridges a spall where no ball carries any at the start, N: ellipses go with its cube root.
@@ -74,12 +70,11 @@ pub(crate) fn start(mut inputs: RunInputs, motion: Option<StartMotion>) -> Resul
     machine.start_free_cage(&mut state);
     machine.start_tilts(&mut state);
     state[l.orientations()].as_chunks_mut::<4>().0.iter_mut().for_each(|q| *q = UNTURNED);
-    let balls = set_springs(&mut machine, &state);
-    if turns && let Some((kernel, error)) = kernel_at(&machine.bearing, balls, patch) {
+    if turns && let Some((kernel, error)) = kernel_at(&machine, &state, patch) {
         machine.kernel = Kernel::Fast(kernel);
         solution.patch_error_estimate = Some(error);
-        set_springs(&mut machine, &state);
     }
+    set_springs(&mut machine, &state);
     Ok(Started { machine, state, solution })
 }
 
@@ -142,12 +137,10 @@ fn equilibrium(inputs: &RunInputs) -> Result<StartMotion, DynamicsError> {
     Ok(StartMotion { motion, rule, solution })
 }
 
-/// In equilibrium a ball that is not pressed on both races stands still, as nothing drives it. In a bearing its cage
+/// In equilibrium a ball without load at one of the races stands still, as nothing drives it. In a bearing its cage
 /// carries it along: it orbits and turns as the mean of the others.
 fn carry_along(balls: &mut [(f64, BallState)], solution: &Solution) {
-    let on_both = |ball: &BallResult| ball.contacts.inner.load_n > 0.0 && ball.contacts.outer.load_n > 0.0;
-    let pressed: Vec<bool> = solution.balls.iter().map(on_both).collect();
-    let others = || balls.iter().zip(&pressed).filter(|(_, pressed)| **pressed).map(|((_, ball), _)| ball);
+    let others = || balls.iter().zip(&solution.balls).filter(|(_, of)| of.is_loaded()).map(|((_, ball), _)| ball);
     let count = others().count() as f64;
     if count == 0.0 {
         return;
@@ -155,7 +148,7 @@ fn carry_along(balls: &mut [(f64, BallState)], solution: &Solution) {
     let mean = |of: &dyn Fn(&BallState) -> f64| others().map(of).sum::<f64>() / count;
     let orbital_speed = mean(&|ball| ball.orbital_speed);
     let angular_velocity = [0, 1, 2].map(|k| mean(&|ball| ball.angular_velocity[k]));
-    for ((_, ball), _) in balls.iter_mut().zip(pressed).filter(|(_, pressed)| !pressed) {
+    for ((_, ball), _) in balls.iter_mut().zip(&solution.balls).filter(|(_, of)| !of.is_loaded()) {
         *ball = BallState { orbital_speed, angular_velocity, ..*ball };
     }
 }
@@ -184,30 +177,20 @@ fn fastest(speeds: &Races<SpeedHistory>) -> f64 {
 /// The rule with the fewest points that keeps a target error where the run starts, and its error. That of the search
 /// comes from where the search was: a 608 had 192 points for what 80 do. None where no rule keeps the target, none is
 /// given, or patches are elastic.
-fn kernel_at(bearing: &Bearing, balls: Vec<BallLoads>, patch: PatchChoice) -> Option<(FastPatch, f64)> {
+fn kernel_at(machine: &Machine, state: &[f64], patch: PatchChoice) -> Option<(FastPatch, f64)> {
     let PatchChoice::TargetError { relative } = patch else { return None };
-    if bearing.elastic.is_some() {
-        return None;
-    }
-    let probes: Vec<_> = bearing.probes(balls).into_iter().map(|(_, probe)| probe).collect();
-    let (rule, error) = choose_rule_of_run(relative, &probes).ok()?;
+    let mut loads = Vec::with_capacity(machine.layout.balls);
+    evaluate(machine, 0.0, state, |_, ball| loads.push(ball.loads()));
+    let (rule, error) = machine.bearing.choose_rule(relative, loads, RuleUse::Run).ok()??;
     Some((FastPatch::new(rule).ok()?, error))
 }
 
 /// The inner ring's springs are without stretch at the start; the outer ring's carry its load there, and those of tilts
-/// that are held their moments. Returns the loads of the balls.
-fn set_springs(machine: &mut Machine, state: &[f64]) -> Vec<BallLoads> {
+/// that are held their moments.
+fn set_springs(machine: &mut Machine, state: &[f64]) {
     let l = machine.layout;
     (0..3).for_each(|i| machine.inner.reference[i] = state[l.inner() + i]);
-    let frame = machine.frame(0.0, state);
-    let (mut sums, mut balls) = (Sums::default(), Vec::with_capacity(l.balls));
-    for index in 0..l.balls {
-        let b = machine.unknowns(index, state);
-        let forces = machine.ball(index, b, &frame, |patch, _| machine.kernel.traction(&machine.bearing, patch));
-        machine.add_ball(&forces, [0.0; 2], &frame, &mut sums);
-        let BallForces { contacts, orbit_radius, friction, .. } = forces;
-        balls.push(BallLoads { contacts, orbit_radius, drag: friction.drag, churning: friction.churning });
-    }
+    let (frame, sums, _) = evaluate(machine, 0.0, state, |_, _| ());
     for i in 0..2 {
         machine.outer.reference[i] = -sums.on_rings.outer[i] / machine.outer.stiffness[i];
     }
@@ -217,7 +200,6 @@ fn set_springs(machine: &mut Machine, state: &[f64]) -> Vec<BallLoads> {
             tilting.set_springs(ring.tilt, [x, y]);
         }
     }
-    balls
 }
 
 #[cfg(test)]

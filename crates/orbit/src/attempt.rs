@@ -12,7 +12,7 @@ use crate::way::{Eased, Way, ladder};
 use crate::{OrbitError, OrbitReason, start, statics};
 use tribodyn_bearing::{BallLoads, Bearing, CageBody, OperatingPoint, Races, RingOffset};
 use tribodyn_quasistatic::{RollingStart, rolling_start};
-use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, choose_rule};
+use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, RuleUse};
 
 /// Stiffness that centres a ball in its pocket over that of the pocket: settles where a cage hangs that no ball
 /// touches.
@@ -261,10 +261,11 @@ fn sharpened(
     let placed = balls(newton, &found);
     let loads: Vec<BallLoads> = placed.iter().map(|(_, _, e)| e.loads).collect();
     let error = bearing.patch_error(newton.system.kernel.quadrature().rule(), loads.clone())?;
-    let target = point.patch.filter(|patch| bearing.elastic.is_none() && !patch.allows(Some(error)));
+    let target = point.patch.filter(|patch| !patch.allows(Some(error)));
     let Some(PatchChoice::TargetError { relative }) = target else { return Ok((found, placed, error)) };
-    let probes: Vec<_> = bearing.probes(loads).into_iter().map(|(_, probe)| probe).collect();
-    let (rule, better) = choose_rule(relative, &probes)?;
+    let Some((rule, better)) = bearing.choose_rule(relative, loads, RuleUse::Solver)? else {
+        return Ok((found, placed, error));
+    };
     let kernel = FastPatch::new(rule)?;
     let goal = (settings.tolerance, PATIENCE);
     let Some(sharp) = newton.with_patches(kernel.clone(), |newton| newton.met(found.0.clone(), goal)) else {

@@ -23,8 +23,7 @@ pub enum AzimuthRule {
 impl AzimuthRule {
     /// The rule that suits a solution.
     pub fn of(solution: &Solution) -> Self {
-        let loaded = |ball: &BallResult| ball.contacts.inner.load_n > 0.0 && ball.contacts.outer.load_n > 0.0;
-        if solution.balls.iter().all(loaded) { AzimuthRule::Trigonometric } else { AzimuthRule::Linear }
+        if solution.balls.iter().all(BallResult::is_loaded) { AzimuthRule::Trigonometric } else { AzimuthRule::Linear }
     }
 
     /// Name for the metadata of the recording.

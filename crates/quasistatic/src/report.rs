@@ -110,13 +110,12 @@ fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// Orbital speeds of the balls, rad/s. With traction a ball that is not pressed on both races stands still, as nothing
+/// Orbital speeds of the balls, rad/s. With traction a ball without load at one of the races stands still, as nothing
 /// drives it; the cage carries it along at the mean of the others.
 fn carried(model: Model, balls: &[BallResult]) -> Vec<f64> {
-    let pressed = |b: &&BallResult| b.contacts.inner.load_n > 0.0 && b.contacts.outer.load_n > 0.0;
-    let others: Vec<f64> = balls.iter().filter(pressed).map(|b| b.orbital_speed_rad_s).collect();
-    let own = |b: &BallResult| model != Model::Traction || others.is_empty() || pressed(&b);
-    balls.iter().map(|b| if own(b) { b.orbital_speed_rad_s } else { mean(&others) }).collect()
+    let loaded: Vec<f64> = balls.iter().filter(|b| b.is_loaded()).map(|b| b.orbital_speed_rad_s).collect();
+    let own = |b: &BallResult| model != Model::Traction || loaded.is_empty() || b.is_loaded();
+    balls.iter().map(|b| if own(b) { b.orbital_speed_rad_s } else { mean(&loaded) }).collect()
 }
 
 /// Torque of the fluid against a cage at a speed, rad/s, N m.

@@ -20,7 +20,7 @@ use crate::start::WarmStart;
 use crate::with_traction::{self, WithTraction};
 use crate::{Model, Solution, needs, report};
 use tribodyn_bearing::{BallLoads, BallSize, Bearing, OperatingPoint, RaceControl, Races, RingFreedom, Side};
-use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, TractionError, choose_rule};
+use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, RuleUse, TractionError};
 
 /// The cheap rule that finds the neighbourhood of the equilibrium, and the state at which a target error's rule is
 /// chosen.
@@ -299,9 +299,8 @@ pub(crate) fn choose_quadrature(
     let (rule, estimate) = match wanted {
         PatchChoice::Named(rule) => (rule, None),
         PatchChoice::TargetError { relative } => {
-            let probes = system.bearing.probes(loads(system, state));
-            let probes: Vec<_> = probes.into_iter().map(|(_, probe)| probe).collect();
-            let (rule, error) = choose_rule(relative, &probes)?;
+            let chosen = system.bearing.choose_rule(relative, loads(system, state), RuleUse::Solver)?;
+            let Some((rule, error)) = chosen else { return Ok(None) };
             (rule, Some(error))
         }
     };

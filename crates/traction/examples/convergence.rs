@@ -4,7 +4,7 @@
 mod contacts;
 
 use contacts::{SCALES, contacts, measure, silver};
-use tribodyn_traction::{PatchRule, TractionError, choose_rule};
+use tribodyn_traction::{PatchRule, RuleUse, TractionError, choose_rule};
 
 /// Cells of the reference in each direction: its own error is about 1e-9 at 22 per m/s, 1e-7 at 100.
 const CELLS: usize = 2000;
@@ -58,7 +58,7 @@ fn main() -> Result<(), TractionError> {
         println!("\n| target | chosen | points | error |\n|---|---|---|---|");
         let probes: Vec<_> = contacts.iter().map(|contact| contact.probe(&law)).collect();
         for target in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
-            match choose_rule(target, &probes) {
+            match choose_rule(target, &probes, RuleUse::Solver) {
                 Ok((rule, error)) => {
                     let points = measure(rule, &contacts, &law, &exact)?.points;
                     println!("| {target:.0e} | {} | {points:.1} | {error:.1e} |", name(rule));

@@ -63,10 +63,19 @@ const CANDIDATES: [PatchRule; 20] = [
     PatchRule::SplitStrip { across: 8, along: 10 },
     PatchRule::SplitStrip { across: 10, along: 14 },
 ];
-/// So many of them are for solvers. In oil the stress changes along rolling from one limit to the other: the rest, with
-/// more nodes along a strip than there are strips, err as little with half the points. Their error ripples as a contact
-/// moves, which integration in time does not mind; Newton's method lost the orbit of a 6206 over it.
+/// So many of them are for solvers.
 const FOR_SOLVERS: usize = 17;
+
+/// Who is to work with a rule.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RuleUse {
+    /// Newton's method.
+    Solver,
+    /// Integration in time, which has more rules to choose from. In oil the stress changes along rolling from one limit
+    /// to the other, and strips with more nodes than there are strips err as little with half the points. Their error
+    /// ripples as a contact moves: Newton's method lost the orbit of a 6206 over it.
+    Run,
+}
 
 /// The rule that estimates are made against: its own error is about 1e-8 at a slip scale of 22 per m/s and 2e-7 at 100.
 pub const REFERENCE_RULE: PatchRule = PatchRule::SplitStrip { across: 32, along: 28 };
@@ -113,31 +122,16 @@ fn largest_error<L: TractionLaw>(rule: &FastPatch, probes: &[Probe<'_, L>], exac
         .fold(0.0, |worst, (probe, exact)| worst.max(probe.relative_error(&probe.traction(rule), exact)))
 }
 
-/// The candidate with the fewest points whose error over the probes is at most `relative`, and that error.
+/// The candidate for a use with the fewest points whose error over the probes is at most `relative`, and that error.
 ///
 /// # Errors
 /// [`TractionError::TargetNotReached`] where the finest candidate misses the target.
-pub fn choose_rule<L: TractionLaw>(relative: f64, probes: &[Probe<'_, L>]) -> Result<(PatchRule, f64), TractionError> {
-    choose(relative, probes, FOR_SOLVERS)
-}
-
-/// The same for runs in time, which have more rules to choose from.
-///
-/// # Errors
-/// As [`choose_rule`].
-pub fn choose_rule_of_run<L: TractionLaw>(
+pub fn choose_rule<L: TractionLaw>(
     relative: f64,
     probes: &[Probe<'_, L>],
+    by: RuleUse,
 ) -> Result<(PatchRule, f64), TractionError> {
-    choose(relative, probes, CANDIDATES.len())
-}
-
-/// Among the first candidates, so many of them.
-fn choose<L: TractionLaw>(
-    relative: f64,
-    probes: &[Probe<'_, L>],
-    count: usize,
-) -> Result<(PatchRule, f64), TractionError> {
+    let count = if by == RuleUse::Run { CANDIDATES.len() } else { FOR_SOLVERS };
     let reference = laid_out(CANDIDATES.len())?;
     let exact: Vec<_> = probes.iter().map(|p| p.traction(reference)).collect();
     let mut best: Option<(PatchRule, f64, usize)> = None;

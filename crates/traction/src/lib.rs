@@ -14,7 +14,7 @@ mod settings;
 mod strips;
 mod varying;
 
-pub use choose::{Probe, REFERENCE_RULE, choose_rule, choose_rule_of_run, rule_error};
+pub use choose::{Probe, REFERENCE_RULE, RuleUse, choose_rule, rule_error};
 pub use coating::{Coating, TestedCurve, coating_names};
 pub use elastic::{
     CreepCoefficients, ElasticProbe, Fastsim, FastsimRule, Flexibility, KalkerCoefficients, TangentialElasticity,

@@ -55,8 +55,7 @@ pub fn read_state(solution: &mut Solution, state: &BearingState) {
 
 /// Balls that carry load at both races.
 pub(crate) fn in_contact(balls: &[BallResult]) -> u32 {
-    let loaded = |b: &&BallResult| b.contacts.inner.load_n > 0.0 && b.contacts.outer.load_n > 0.0;
-    balls.iter().filter(loaded).count() as u32
+    balls.iter().filter(|ball| ball.is_loaded()).count() as u32
 }
 
 /// Ring, cage and sums over the balls at one sample.

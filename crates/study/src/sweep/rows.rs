@@ -167,10 +167,9 @@ fn is_of_the_case(orbit: &SteadyOrbit) -> bool {
 /// as a cold start does: a ball that skids may go on to do so where it could roll.
 fn rolls(solution: &Solution) -> bool {
     let rolls = |b: &tribodyn_bearing::BallResult| {
-        let (i, o) = (&b.contacts.inner, &b.contacts.outer);
         // A model without traction slides nowhere.
-        let slide = i.friction.map_or(0.0, |f| f.slide_to_roll[0]);
-        i.load_n > 0.0 && o.load_n > 0.0 && slide.abs() <= SKIDDING
+        let slide = b.contacts.inner.friction.map_or(0.0, |f| f.slide_to_roll[0]);
+        b.is_loaded() && slide.abs() <= SKIDDING
     };
     solution.balls.iter().all(rolls)
 }

@@ -2,7 +2,7 @@
 
 use crate::contacts::{Contact, Measured, SCALES, contacts, measure, silver};
 use tribodyn_traction::{
-    CoatingLaw, PatchRule, PatchTraction, Quadrature, REFERENCE_RULE, TractionError, choose_rule, rule_error,
+    CoatingLaw, PatchRule, PatchTraction, Quadrature, REFERENCE_RULE, RuleUse, TractionError, choose_rule, rule_error,
 };
 
 /// Cells of the brute-force reference; its error is about 5e-8 at 22 per m/s and 1e-6 at 100.
@@ -109,12 +109,12 @@ fn limit_midpoint_rule_has_order_three_halves_from_the_edge() {
 
 #[test]
 fn identity_chosen_rule_keeps_its_target_and_costs_more_for_a_finer_one() {
-    for scale in SCALES {
+    for (scale, by) in SCALES.into_iter().flat_map(|scale| [RuleUse::Solver, RuleUse::Run].map(|by| (scale, by))) {
         let bench = Bench::new(scale);
         let probes: Vec<_> = bench.contacts.iter().map(|contact| contact.probe(&bench.law)).collect();
         let mut points = 0.0;
         for target in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
-            let (rule, estimate) = choose_rule(target, &probes).unwrap();
+            let (rule, estimate) = choose_rule(target, &probes, by).unwrap();
             assert!(estimate <= target);
             // Against finer strips, but not the finest.
             let alone = rule_error(rule, &probes).unwrap();
@@ -132,7 +132,7 @@ fn identity_chosen_rule_keeps_its_target_and_costs_more_for_a_finer_one() {
 fn limit_target_beyond_the_finest_rule_is_refused_with_what_was_reached() {
     let (law, contacts) = (silver(), contacts(22.0));
     let probes: Vec<_> = contacts.iter().map(|contact| contact.probe(&law)).collect();
-    let Err(TractionError::TargetNotReached { target, reached }) = choose_rule(1e-14, &probes) else {
+    let Err(TractionError::TargetNotReached { target, reached }) = choose_rule(1e-14, &probes, RuleUse::Solver) else {
         panic!("1e-14 cannot be reached");
     };
     assert!(target == 1e-14 && reached > 1e-14 && reached < 1e-6, "{reached:e}");
