@@ -83,3 +83,27 @@ fn limit_a_sliding_ball_comes_to_rolling_and_not_beyond() {
 }
 
 const FREE: &str = "(mass: g(7.6), transverse_inertia: kg_mm2(2.35), displacement: (um(20), um(0)), pockets: Cylinder)";
+
+/// Steps in which balls vibrate up to three times are of second order where what vibrates has died out: balls are then
+/// implicit in their springs.
+#[test]
+fn identity_long_steps_are_of_second_order() {
+    let after = |scheme: Scheme, step: f64| {
+        let text = include_str!("../../../fixtures/cases/oil-6206.ron").to_owned();
+        let changes = [
+            ("lubricant.patch", "SplitStrip(across: 5, along: 3)"),
+            ("ring.z", "Force(N(400))"),
+            ("transient.start", "QuasiStatic"),
+            ("cage.pocket_stiffness", "N_per_um(0)"),
+        ];
+        let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
+        let Started { mut machine, mut state, .. } =
+            start(Case::from_ron(&text).unwrap().run_inputs().unwrap(), None).unwrap();
+        stepping_test::run(scheme, (&mut machine, &mut state), step, (2e-3 / step).round() as u32);
+        speeds(&state)
+    };
+    let exact = after(Scheme::RungeKutta, 5e-7);
+    let errors = [32e-6, 16e-6, 8e-6].map(|step| apart(&exact, &after(Scheme::Fast, step)));
+    let orders = [0, 1].map(|i| (errors[i] / errors[i + 1]).log2());
+    assert!(orders.iter().all(|&order| order > 1.8) && errors[2] < 2e-3, "{orders:?}: {errors:?}");
+}

@@ -105,6 +105,18 @@ impl Stand {
         self.surfaces[side as usize][2].0[k]
     }
 
+    /// Axial and radial acceleration, m/s².
+    #[inline(always)]
+    pub fn acceleration_in_plane(&self, k: usize) -> [f64; 2] {
+        [self.found.acceleration[0].0[k], self.found.acceleration[1].0[k]]
+    }
+
+    /// Mass of a ball over the nominal one.
+    #[inline(always)]
+    pub fn relative_mass(&self, k: usize) -> f64 {
+        self.sizes[1].0[k]
+    }
+
     pub fn acceleration(&self) -> &[Lane; 3] {
         &self.found.acceleration
     }

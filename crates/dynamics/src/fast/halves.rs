@@ -103,7 +103,8 @@ impl Fast {
         if !self.ready {
             return;
         }
-        let (share, by_kick) = (self.piece * self.piece / 16.0, 2.0 / self.step);
+        let [share, of_balls] = [self.piece, self.piece_of_balls].map(|piece| piece * piece / 16.0);
+        let by_kick = 2.0 / self.step;
         for ball in 0..l.balls {
             let (at, block, k) = (l.ball(ball), ball / WIDTH, ball % WIDTH);
             for i in 0..2 {
@@ -114,7 +115,7 @@ impl Fast {
                     }
                     _ => self.acceleration(at + VELOCITY + i, by_kick),
                 };
-                shown[at + i] += share * vibrating;
+                shown[at + i] += of_balls * vibrating;
             }
             for i in 0..VELOCITIES {
                 let in_lanes = self.scratch.beyond.get(block).map(|beyond| beyond[i].0[k]);

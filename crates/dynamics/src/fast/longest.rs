@@ -15,6 +15,10 @@ use tribodyn_bearing::{Races, Side};
 const LIMIT: f64 = 3.9;
 /// The same for several pieces in a step: nearer to the limit what vibrates swings too far for its velocity.
 const LIMIT_OF_SEVERAL: f64 = 2.0;
+/// Longest piece times the angular frequency of rings on implicit balls: what vibrates so is 1.5 % too slow.
+const ANGLE_OF_RINGS: f64 = 0.6;
+/// Pieces with explicit balls that cost as much as one with implicit ones.
+const DEARER: usize = 3;
 /// Most pieces of a drift: where more were needed the step is too long by far, and the run says so.
 const MOST_PIECES: f64 = 64.0;
 
@@ -27,21 +31,46 @@ pub(super) struct Longest {
     /// Where there are several, s.
     #[serde(deserialize_with = "or_infinite")]
     of_several: f64,
+    /// With implicit balls, s.
+    #[serde(deserialize_with = "or_infinite", default = "any")]
+    of_rings: f64,
+}
+
+fn any() -> f64 {
+    f64::INFINITY
+}
+
+/// How a step goes about its drift.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Pieces {
+    pub count: usize,
+    /// Whether balls are implicit in their springs.
+    pub implicit: bool,
 }
 
 impl Longest {
     /// Where nothing vibrates.
-    pub const ANY: Self = Self { alone: f64::INFINITY, of_several: f64::INFINITY };
+    pub const ANY: Self = Self { alone: f64::INFINITY, of_several: f64::INFINITY, of_rings: f64::INFINITY };
 
-    /// With a vibration of angular frequency ω (given by its square, 1/s²) and damping, 1/s.
-    fn of(omega_squared: f64, damping: f64) -> Self {
-        let [alone, of_several] = [LIMIT, LIMIT_OF_SEVERAL].map(|limit| longest(limit, omega_squared, damping));
-        Self { alone, of_several }
+    /// With a vibration of angular frequency ω (given by its square, 1/s²) and damping, 1/s; and that of the rings where
+    /// the balls are held.
+    fn of(all: [f64; 2], rings: [f64; 2]) -> Self {
+        let with = |limit, [omega_squared, damping]: [f64; 2]| longest(limit, omega_squared, damping);
+        let [alone, of_several] = [LIMIT, LIMIT_OF_SEVERAL].map(|limit| with(limit, all));
+        let of_rings = with(LIMIT_OF_SEVERAL, rings).min(ANGLE_OF_RINGS / rings[0].sqrt());
+        Self { alone, of_several, of_rings }
     }
 
     /// Pieces of a step.
-    pub fn pieces(&self, step: f64) -> usize {
-        if step <= self.alone { 1 } else { (step / self.of_several).ceil().clamp(2.0, MOST_PIECES) as usize }
+    pub fn pieces(&self, step: f64) -> Pieces {
+        let of = |longest: f64, least| (step / longest).ceil().clamp(least, MOST_PIECES) as usize;
+        let explicit = if step <= self.alone { 1 } else { of(self.of_several, 2.0) };
+        let implicit = of(self.of_rings, 1.0);
+        if explicit > DEARER * implicit {
+            Pieces { count: implicit, implicit: true }
+        } else {
+            Pieces { count: explicit, implicit: false }
+        }
     }
 }
 
@@ -57,6 +86,8 @@ impl Fast {
     pub(super) fn longest_pieces(&self, machine: &Machine) -> Longest {
         let (mut both, mut single) = (0.0f64, Races::<f64>::default());
         let (mut on_rings, mut against_tilt) = (Races::from_fn(|_| Matrix3::zeros()), Races::<f64>::default());
+        let (mut dampers, mass) = (on_rings, machine.bearing.ball_mass);
+        let of_damper = 2.0 * machine.bearing.contact_damping * mass.sqrt();
         for (block, stand) in self.scratch.stands.iter().enumerate() {
             for k in 0..filled(machine.layout, block) {
                 let mut sum = 0.0;
@@ -71,25 +102,29 @@ impl Fast {
                     sum += stiffness;
                     single[side] = single[side].max(stiffness);
                     against_tilt[side] += stiffness * (axial * stand.orbit_radius(k)).powi(2);
-                    on_rings[side] += Matrix3::from_fn(|row, column| stiffness * normal[row] * normal[column]);
+                    let line = Matrix3::from_fn(|row, column| normal[row] * normal[column]);
+                    on_rings[side] += line * stiffness;
+                    dampers[side] += line * (of_damper * stiffness.sqrt());
                 }
                 both = both.max(sum);
             }
         }
         let mut rings =
             Races { inner: of_ring(&machine.inner, &on_rings.inner), outer: of_ring(&machine.outer, &on_rings.outer) };
+        let by_dampers = most_of(&machine.inner, |i| row(&dampers.inner, i))
+            .max(most_of(&machine.outer, |i| row(&dampers.outer, i)));
         for (side, tilting) in machine.tilting.iter() {
             let Some(body) = tilting.as_ref().map(|tilting| &tilting.body) else { continue };
             let [x, y] = body.stiffness;
             rings[side][0] += (against_tilt[side] + x.max(y)) / body.transverse_inertia;
             rings[side][1] += body.damping[0].max(body.damping[1]) / body.transverse_inertia;
         }
-        let mass = machine.bearing.ball_mass;
         let of_balls = both / mass;
         // Dampers of both contacts with equal stiffness have the most to say, √2 of that of one with all of it.
         let damping = 2.0 * SQRT_2 * machine.bearing.contact_damping * of_balls.sqrt();
         let highest = highest(of_balls, single.map(|k| k / mass), rings.map(|[square, _]| square));
-        Longest::of(highest, damping + rings.inner[1].max(rings.outer[1]))
+        let [square, of_supports] = [0, 1].map(|i| rings.inner[i].max(rings.outer[i]));
+        Longest::of([highest, damping + of_supports], [square, of_supports + by_dampers])
     }
 }
 
@@ -113,11 +148,17 @@ fn highest(both: f64, single: Races<f64>, rings: Races<f64>) -> f64 {
 /// Square of a bound on the frequency of a ring on the balls' springs and its supports with the balls held, and the
 /// damping of its supports, 1/s² and 1/s.
 fn of_ring<const N: usize>(ring: &Support<N>, springs: &Matrix3<f64>) -> [f64; 2] {
-    let free = || (0..N).filter(|&i| ring.free[i]);
-    // No eigenvalue is larger than the largest sum of a row.
-    let row = |i: usize| springs.row(i).iter().map(|v| v.abs()).sum::<f64>() + ring.stiffness[i];
-    let most = |of: &dyn Fn(usize) -> f64| free().map(of).fold(0.0, f64::max) / ring.mass;
-    [most(&row), most(&|i| ring.damping[i])]
+    [most_of(ring, |i| row(springs, i) + ring.stiffness[i]), most_of(ring, |i| ring.damping[i])]
+}
+
+/// The largest of a ring that is free to move, over its mass.
+fn most_of<const N: usize>(ring: &Support<N>, of: impl Fn(usize) -> f64) -> f64 {
+    (0..N).filter(|&i| ring.free[i]).map(of).fold(0.0, f64::max) / ring.mass
+}
+
+/// Sum of a row: no eigenvalue is larger than the largest.
+fn row(matrix: &Matrix3<f64>, i: usize) -> f64 {
+    matrix.row(i).iter().map(|v| v.abs()).sum()
 }
 
 #[cfg(test)]
@@ -153,6 +194,19 @@ mod tests {
         assert_eq!(highest(0.0, Races::default(), Races::default()), 0.0);
     }
 
+    /// Of a 6206 with balls of 60 kHz and rings of 3 kHz, of one with light rings, and of the paper's bearing.
+    #[test]
+    fn limit_balls_are_implicit_where_that_takes_fewer_evaluations() {
+        let hertz = |f: f64| (std::f64::consts::TAU * f).powi(2);
+        let of = |ball, ring, ratio: f64, step| {
+            let all = [hertz(ball), 2.0 * ratio * hertz(ball).sqrt()];
+            Longest::of(all, [hertz(ring), 0.0]).pieces(step)
+        };
+        assert_eq!(of(60e3, 3e3, 0.25, 20e-6), Pieces { count: 1, implicit: true });
+        assert_eq!(of(60e3, 40e3, 0.0, 20e-6), Pieces { count: 6, implicit: false });
+        assert_eq!(of(14e3, 2e3, 0.0, 20e-6), Pieces { count: 1, implicit: false });
+    }
+
     #[test]
     fn limit_the_longest_piece_is_near_the_end_of_stability() {
         for ratio in [0.0, 0.01, 0.1, 0.5, 2.0] {
@@ -167,7 +221,7 @@ mod tests {
     /// to the mean of the drift from one step to the next: its largest value over the last steps, over that at the
     /// start.
     fn swing(damping: f64, step: f64, share: f64) -> f64 {
-        let pieces = Longest::of(1.0, damping).pieces(step);
+        let pieces = Longest::of([1.0, damping], [1.0, damping]).pieces(step).count;
         let h = step / pieces as f64;
         let (mut q, mut v, mut a, mut common, mut half) = (1.0, 0.0, -1.0, -1.0, 0.0);
         let mut most = 0.0f64;

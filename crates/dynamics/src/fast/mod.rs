@@ -4,7 +4,8 @@
 //!
 //! - The drift moves balls, rings and cage under contact forces, supports and loads, by the leapfrog method in polar
 //!   coordinates, with the angular momentum m r² ω_m held while the radius changes. It needs no traction and costs
-//!   little, so it may take several steps of its own, where the contact springs are stiffer than one would bear.
+//!   little, so it may take several steps of its own, where the contact springs are stiffer than one would bear, or
+//!   have the balls implicit in them.
 //!   Dampers and the centrifugal force see the velocity that is expected at the end of such a step.
 //! - The kick changes the velocities v of each ball by traction, drag, churning, pocket and gyroscopic moment f at
 //!   fixed position: v ← v + H R(H A) f(v), R(X) = γ W + (1 − γ) W², W = (1 − γ X)⁻¹, γ = 1 − 1/√2. With A = ∂f/∂v this
@@ -41,6 +42,7 @@ mod friction;
 mod glide;
 mod grip;
 mod halves;
+mod implicit;
 mod kick;
 mod lanes;
 mod longest;
@@ -59,7 +61,7 @@ use friction::LinearFriction;
 use glide::{glide_balls, glide_bodies, push_balls, push_bodies};
 use grip::Places;
 use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
-use longest::Longest;
+use longest::{Longest, Pieces};
 pub(crate) use look::Room;
 use nalgebra::Matrix5;
 use scratch::Scratch;
@@ -115,6 +117,9 @@ pub(crate) struct Fast {
     longest: Longest,
     /// Length of the last pieces, s.
     piece: f64,
+    /// The same of the balls where they are explicit, else 0: what vibrates then has the displacement of its velocity.
+    #[serde(default)]
+    piece_of_balls: f64,
     /// The balls in lanes, on which a step works.
     #[serde(skip)]
     scratch: Scratch,
@@ -168,6 +173,7 @@ impl Fast {
             beyond: Vec::new(),
             longest: Longest::ANY,
             piece: 0.0,
+            piece_of_balls: 0.0,
             scratch: Scratch::default(),
             refreshed: 0,
             used: 0,
@@ -267,9 +273,9 @@ impl Fast {
     fn drift<E: Equations>(&mut self, equations: &E, t: f64, y: &mut [f64], span: f64) {
         let machine = equations.machine();
         let l = machine.layout;
-        let pieces = self.pieces(span);
+        let Pieces { count: pieces, implicit } = self.longest.pieces(span);
         let h = span / pieces as f64;
-        self.piece = h;
+        (self.piece, self.piece_of_balls) = (h, if implicit { 0.0 } else { h });
         self.mean.fill(0.0);
         self.scratch.mean.fill([Lane::ZERO; 3]);
         let half = (0.5 * h, 0.5 / pieces as f64);
@@ -284,8 +290,11 @@ impl Fast {
             self.turn_marked(machine, y, h);
             glide_bodies(machine, t + piece as f64 * h, y, h);
             self.swap_ahead(l, y, (piece + 1) as f64 / pieces as f64);
-            let Scratch { level, balls, stands, .. } = &mut self.scratch;
             let at = (t + (piece + 1) as f64 * h, &*y);
+            if implicit {
+                self.settle_on_springs(equations, at, h);
+            }
+            let Scratch { level, balls, stands, .. } = &mut self.scratch;
             drift_acceleration(*level, equations, at, balls, (&mut self.drift, stands));
             self.swap_back(l, y);
             self.push(l, y, half);
@@ -306,7 +315,7 @@ impl Fast {
 
     /// Pieces of the drift of a step.
     pub fn pieces(&self, step: f64) -> usize {
-        self.longest.pieces(step)
+        self.longest.pieces(step).count
     }
 
     /// Lets the common acceleration follow that of the drift: its mean over the step, which the kicks themselves do not
@@ -346,7 +355,11 @@ impl Fast {
             self.drift.iter().chain(&self.common).chain(&self.half).chain(&self.beyond).chain(self.rings.iter());
         let contacts = self.contacts.iter().flat_map(|c| c.of.iter().flat_map(LinearTraction::values));
         let friction = self.friction.iter().flat_map(LinearFriction::values);
-        lists.copied().chain([self.step, self.linear_error, self.piece]).chain(contacts).chain(friction)
+        lists
+            .copied()
+            .chain([self.step, self.linear_error, self.piece, self.piece_of_balls])
+            .chain(contacts)
+            .chain(friction)
     }
 
     /// Contacts integrated over their patch, and contacts used.

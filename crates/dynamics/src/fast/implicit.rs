@@ -1,0 +1,222 @@
+//! The drift of balls that vibrate too fast for leapfrog: implicit in their springs and dampers.
+//!
+//! Velocities change by half of the accelerations at either end of a piece, as in leapfrog, and so do those of the
+//! rings: what one loses the other has. Positions follow the mean of both velocities,
+//!
+//! x₁ = x₀ + h v₀ + h²/4 (a₀ + a₁), a₁ with v₁ = v₀ + h/2 (a₀ + a₁),
+//!
+//! the trapezium rule, or Newmark's method of constant mean acceleration: of second order, stable for any ω h, and
+//! without damping of its own, so that what is too fast for h rings as long as its dampers let it, only slower. Two
+//! unknowns a ball, axial and radial, by Newton's method with the stiffness and the dampers of both contacts; what else
+//! an acceleration depends on is slow and left to the iteration.
+//!
+//! Source: N. M. Newmark, J. Eng. Mech. Div. ASCE 85 (1959) 67.
+
+use super::Fast;
+use super::drift::{Stand, press};
+use super::lanes::{Lane, WIDTH, get, put};
+use super::scratch::Scratch;
+use crate::equations::Equations;
+use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
+use fearless_simd::dispatch;
+use tribodyn_bearing::Side;
+
+/// Corrections at most: usual are one or two, more where a ball leaves a race or meets it.
+const MOST_CORRECTIONS: usize = 8;
+/// Part of an approach by which a correction may change it and be the last: its square is left.
+const LAST_CHANGE: f64 = 2e-3;
+/// Least approach that this is taken of, m.
+const LEAST_APPROACH: f64 = 1e-7;
+
+/// What the springs and dampers of a contact do to a ball in a piece, over its inertia.
+#[derive(Clone, Copy)]
+struct Weights {
+    /// h²/4 over the mass at a stiffness of 1 N/m.
+    of_spring: f64,
+    /// h/2 · 2ζ/√m: of a damper, by the root of the stiffness.
+    of_damper: f64,
+}
+
+/// Where a block is without the implicit part (axial, radial), and its accelerations at the start of the piece.
+struct Explicit {
+    positions: [Lane; 2],
+    accelerations: [Lane; 2],
+}
+
+/// A contact as Newton's method sees it: its normal, (axial, radial), by which a motion of the ball adds to the
+/// approach, the approach, and the weights of spring and damper.
+#[derive(Clone, Copy)]
+struct Line {
+    normal: [f64; 2],
+    approach: f64,
+    spring: f64,
+    damper: f64,
+}
+
+impl Line {
+    #[inline(always)]
+    fn of(stand: &Stand, side: Side, weights: Weights, k: usize) -> Self {
+        let contact = stand.contact(side, k);
+        let (approach, over_mass) = (contact.pose.approach, 1.0 / stand.relative_mass(k));
+        let stiffness = if contact.load > 0.0 { 1.5 * contact.load / approach } else { 0.0 };
+        // A damper that pulls as hard as the spring presses leaves no force that could change.
+        let stiffness = over_mass * if contact.force > 0.0 { stiffness } else { 0.0 };
+        let (spring, damper) = (weights.of_spring * stiffness, weights.of_damper * stiffness.sqrt());
+        Self { normal: contact.pose.normal(side), approach, spring, damper }
+    }
+
+    #[inline(always)]
+    fn along(&self, [axial, radial]: [f64; 2]) -> f64 {
+        self.normal[0] * axial + self.normal[1] * radial
+    }
+
+    /// Change of the approach by a motion of the ball, over what it is.
+    #[inline(always)]
+    fn change(&self, by: [f64; 2]) -> f64 {
+        let change = self.along(by);
+        let most = self.approach.max(self.approach + change);
+        if most > 0.0 { change.abs() / most.max(LEAST_APPROACH) } else { 0.0 }
+    }
+}
+
+/// Solves (1 + Σ w n nᵀ) x = r.
+#[inline(always)]
+fn solve(lines: [Line; 2], r: [f64; 2]) -> [f64; 2] {
+    let [i, o] = lines;
+    let (w_i, w_o) = (i.spring + i.damper, o.spring + o.damper);
+    let entry = |j: usize, l: usize| w_i * i.normal[j] * i.normal[l] + w_o * o.normal[j] * o.normal[l];
+    let (a, b, d) = (1.0 + entry(0, 0), entry(0, 1), 1.0 + entry(1, 1));
+    let over = 1.0 / (a * d - b * b);
+    [over * (d * r[0] - b * r[1]), over * (a * r[1] - b * r[0])]
+}
+
+/// Moves a ball whose velocities are the expected ones of the end of a piece, its angular momentum held; `before` has
+/// those of the middle.
+#[inline(always)]
+fn shift((b, before): (&mut [f64; BALL], &mut [f64; 3]), [axial, radial]: [f64; 2], h: f64) {
+    let r = b[RADIUS];
+    b[AXIAL] += axial;
+    b[RADIUS] += radial;
+    b[VELOCITY] += 2.0 / h * axial;
+    b[VELOCITY + 1] += 2.0 / h * radial;
+    let ratio = r / b[RADIUS];
+    let gained = before[2] * (ratio * ratio - 1.0);
+    before[2] += gained;
+    b[ORBIT] += gained;
+    b[AZIMUTH] += 0.5 * h * gained;
+}
+
+/// To where springs as they were at the start would bring the balls of a block.
+#[inline(always)]
+fn predict(
+    (balls, before): (&mut [Lane; BALL], &mut [Lane; 3]),
+    stand: &Stand,
+    (weights, h): (Weights, f64),
+    out: &mut Explicit,
+) {
+    for k in 0..WIDTH {
+        let (mut b, mut mean) = (get(balls, k), get(before, k));
+        put(&mut out.positions, k, [b[AXIAL], b[RADIUS]]);
+        put(&mut out.accelerations, k, stand.acceleration_in_plane(k));
+        let lines = [Line::of(stand, Side::Inner, weights, k), Line::of(stand, Side::Outer, weights, k)];
+        let way = [h * mean[0], h * mean[1]];
+        let [back_i, back_o] = [lines[0].spring * lines[0].along(way), lines[1].spring * lines[1].along(way)];
+        let back = [0, 1].map(|i| -back_i * lines[0].normal[i] - back_o * lines[1].normal[i]);
+        shift((&mut b, &mut mean), solve(lines, back), h);
+        put(balls, k, b);
+        put(before, k, mean);
+    }
+}
+
+/// One step of Newton's method; in `changes` then what it changes of the approaches.
+#[inline(always)]
+fn correct(
+    (balls, before): (&mut [Lane; BALL], &mut [Lane; 3]),
+    (stand, start): (&Stand, &Explicit),
+    (weights, h): (Weights, f64),
+    changes: &mut Lane,
+) {
+    for k in 0..WIDTH {
+        let (mut b, mut mean) = (get(balls, k), get(before, k));
+        let lines = [Line::of(stand, Side::Inner, weights, k), Line::of(stand, Side::Outer, weights, k)];
+        let (now, at_start, from) =
+            (stand.acceleration_in_plane(k), get(&start.accelerations, k), get(&start.positions, k));
+        let quarter = 0.25 * h * h;
+        let residual = [
+            quarter * (now[0] - at_start[0]) - (b[AXIAL] - from[0]),
+            quarter * (now[1] - at_start[1]) - (b[RADIUS] - from[1]),
+        ];
+        let by = solve(lines, residual);
+        shift((&mut b, &mut mean), by, h);
+        changes.0[k] = lines[0].change(by).max(lines[1].change(by));
+        put(balls, k, b);
+        put(before, k, mean);
+    }
+}
+
+impl Fast {
+    /// Moves the balls from where the velocities in the middle of a piece have brought them to where the accelerations
+    /// at both of its ends do; the rings are at its end.
+    pub(super) fn settle_on_springs<E: Equations>(&mut self, equations: &E, (t, y): (f64, &[f64]), h: f64) {
+        let machine = equations.machine();
+        let (frame, mass) = (machine.frame_of_rings(t, y), machine.bearing.ball_mass);
+        let weights =
+            Weights { of_spring: 0.25 * h * h / mass, of_damper: h * machine.bearing.contact_damping / mass.sqrt() };
+        let Scratch { level, balls, before, stands, .. } = &mut self.scratch;
+        for (block, ((balls, before), stand)) in balls.iter_mut().zip(before).zip(stands).enumerate() {
+            let mut start = Explicit { positions: [Lane::ZERO; 2], accelerations: [Lane::ZERO; 2] };
+            dispatch!(*level, _simd => predict((balls, before), stand, (weights, h), &mut start));
+            for _ in 0..MOST_CORRECTIONS {
+                press(*level, equations, (&frame, block, balls), stand);
+                let mut changes = Lane::ZERO;
+                dispatch!(*level, _simd => correct((balls, before), (stand, &start), (weights, h), &mut changes));
+                if changes.0.iter().all(|&change| change <= LAST_CHANGE) {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    /// A damped spring of ω = 1 in steps of one implicit piece, with kicks that give back the common acceleration,
+    /// `share` of the way nearer to the mean of the drift from one step to the next: its largest value over the last
+    /// steps, over that at the start.
+    fn swing(damping: f64, step: f64, share: f64) -> f64 {
+        let (mut q, mut v, mut a, mut common, mut half) = (1.0, 0.0, -1.0, -1.0, 0.0);
+        let mut most = 0.0f64;
+        for made in 0..4000 {
+            v += half;
+            let start = v;
+            v += 0.5 * step * (a - common);
+            let (explicit, expected) = (q + step * v, 2.0 * v - start + half);
+            let quarter = 0.25 * step * step;
+            let by = quarter * (-explicit - damping * expected - a) / (1.0 + quarter + 0.5 * step * damping);
+            q = explicit + by;
+            let next_a = -q - damping * (expected + 2.0 / step * by);
+            v += 0.5 * step * (next_a - common);
+            let mean = 0.5 * (a + next_a);
+            a = next_a;
+            let next = common + share * (mean - common);
+            half = 0.25 * step * (common + next);
+            common = next;
+            v += half;
+            most = if made < 3900 { 0.0 } else { most.max(f64::abs(q)) };
+        }
+        most
+    }
+
+    /// What vibrates dies out in steps up to two of its periods, whatever damps it.
+    #[test]
+    fn limit_kicks_do_not_drive_what_is_implicit() {
+        for ratio in [0.01, 0.03, 0.15, 0.3, 0.5, 0.7, 1.0] {
+            for step in (20..=252).map(|k| 0.05 * f64::from(k)) {
+                for share in [0.006, 0.03, 0.08] {
+                    let most = swing(2.0 * ratio, step, share);
+                    assert!(most < 1e-3, "damping {ratio}, step {step}, {share}: {most:e}");
+                }
+            }
+        }
+    }
+}
