@@ -4,7 +4,7 @@ use super::Fast;
 use super::lanes::filled;
 use crate::machine::{Machine, Support};
 use crate::stiffness::or_infinite;
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::SQRT_2;
 use tribodyn_bearing::{Races, Side};
@@ -52,8 +52,8 @@ impl Longest {
     /// Where nothing vibrates.
     pub const ANY: Self = Self { alone: f64::INFINITY, of_several: f64::INFINITY, of_rings: f64::INFINITY };
 
-    /// With a vibration of angular frequency ω (given by its square, 1/s²) and damping, 1/s; and that of the rings where
-    /// the balls are held.
+    /// With a vibration of angular frequency ω (given by its square, 1/s²) and damping, 1/s; and that of rings with the
+    /// balls held.
     fn of(all: [f64; 2], rings: [f64; 2]) -> Self {
         let with = |limit, [omega_squared, damping]: [f64; 2]| longest(limit, omega_squared, damping);
         let [alone, of_several] = [LIMIT, LIMIT_OF_SEVERAL].map(|limit| with(limit, all));
@@ -85,8 +85,9 @@ impl Fast {
     /// Longest pieces of the drift at the positions at which it was found last.
     pub(super) fn longest_pieces(&self, machine: &Machine) -> Longest {
         let (mut both, mut single) = (0.0f64, Races::<f64>::default());
-        let (mut on_rings, mut against_tilt) = (Races::from_fn(|_| Matrix3::zeros()), Races::<f64>::default());
-        let (mut dampers, mass) = (on_rings, machine.bearing.ball_mass);
+        // Of springs and dampers.
+        let mut on_rings = Races::from_fn(|_| [Matrix3::<f64>::zeros(); 2]);
+        let (mut against_tilt, mass) = (Races::<[f64; 2]>::default(), machine.bearing.ball_mass);
         let of_damper = 2.0 * machine.bearing.contact_damping * mass.sqrt();
         for (block, stand) in self.scratch.stands.iter().enumerate() {
             for k in 0..filled(machine.layout, block) {
@@ -101,30 +102,31 @@ impl Fast {
                     let normal = stand.axes(k).to_inertial([axial, radial, 0.0]);
                     sum += stiffness;
                     single[side] = single[side].max(stiffness);
-                    against_tilt[side] += stiffness * (axial * stand.orbit_radius(k)).powi(2);
-                    let line = Matrix3::from_fn(|row, column| normal[row] * normal[column]);
-                    on_rings[side] += line * stiffness;
-                    dampers[side] += line * (of_damper * stiffness.sqrt());
+                    let (lever, line) = (axial * stand.orbit_radius(k), Vector3::from(normal));
+                    for (i, of) in [stiffness, of_damper * stiffness.sqrt()].into_iter().enumerate() {
+                        against_tilt[side][i] += of * lever * lever;
+                        on_rings[side][i] += line * line.transpose() * of;
+                    }
                 }
                 both = both.max(sum);
             }
         }
-        let mut rings =
-            Races { inner: of_ring(&machine.inner, &on_rings.inner), outer: of_ring(&machine.outer, &on_rings.outer) };
-        let by_dampers = most_of(&machine.inner, |i| row(&dampers.inner, i))
-            .max(most_of(&machine.outer, |i| row(&dampers.outer, i)));
+        let (inner, outer) = (&machine.inner, &machine.outer);
+        let mut rings = Races { inner: of_ring(inner, &on_rings.inner), outer: of_ring(outer, &on_rings.outer) };
         for (side, tilting) in machine.tilting.iter() {
             let Some(body) = tilting.as_ref().map(|tilting| &tilting.body) else { continue };
-            let [x, y] = body.stiffness;
-            rings[side][0] += (against_tilt[side] + x.max(y)) / body.transverse_inertia;
-            rings[side][1] += body.damping[0].max(body.damping[1]) / body.transverse_inertia;
+            let most = |[x, y]: [f64; 2]| x.max(y);
+            let [springs, dampers] = against_tilt[side];
+            for (i, of) in [springs + most(body.stiffness), dampers, most(body.damping)].into_iter().enumerate() {
+                rings[side][i] += of / body.transverse_inertia;
+            }
         }
         let of_balls = both / mass;
         // Dampers of both contacts with equal stiffness have the most to say, √2 of that of one with all of it.
         let damping = 2.0 * SQRT_2 * machine.bearing.contact_damping * of_balls.sqrt();
-        let highest = highest(of_balls, single.map(|k| k / mass), rings.map(|[square, _]| square));
-        let [square, of_supports] = [0, 1].map(|i| rings.inner[i].max(rings.outer[i]));
-        Longest::of([highest, damping + of_supports], [square, of_supports + by_dampers])
+        let highest = highest(of_balls, single.map(|k| k / mass), rings.map(|[square, ..]| square));
+        let [square, of_contacts, of_supports] = [0, 1, 2].map(|i| rings.inner[i].max(rings.outer[i]));
+        Longest::of([highest, damping + of_supports], [square, of_contacts + of_supports])
     }
 }
 
@@ -145,10 +147,15 @@ fn highest(both: f64, single: Races<f64>, rings: Races<f64>) -> f64 {
     most.min(first.max(next(first)))
 }
 
-/// Square of a bound on the frequency of a ring on the balls' springs and its supports with the balls held, and the
-/// damping of its supports, 1/s² and 1/s.
-fn of_ring<const N: usize>(ring: &Support<N>, springs: &Matrix3<f64>) -> [f64; 2] {
-    [most_of(ring, |i| row(springs, i) + ring.stiffness[i]), most_of(ring, |i| ring.damping[i])]
+/// Square of a bound on the frequency of a ring on the balls' springs and its supports with the balls held, 1/s², and
+/// the damping of the contacts and of its supports, 1/s.
+fn of_ring<const N: usize>(ring: &Support<N>, [springs, dampers]: &[Matrix3<f64>; 2]) -> [f64; 3] {
+    let of_supports = |i: usize| ring.damping[i];
+    [
+        most_of(ring, |i| row(springs, i) + ring.stiffness[i]),
+        most_of(ring, |i| row(dampers, i)),
+        most_of(ring, of_supports),
+    ]
 }
 
 /// The largest of a ring that is free to move, over its mass.
