@@ -14,6 +14,8 @@ mod dataset;
 mod documents;
 #[path = "cli/ensemble.rs"]
 mod ensemble;
+#[path = "cli/faulty_runs.rs"]
+mod faulty_runs;
 #[path = "cli/files.rs"]
 mod files;
 #[path = "cli/findings.rs"]

@@ -195,5 +195,5 @@ fn identity_momentum_and_energy_stay_with_waves_and_unequal_balls() {
     let [x, y, ..] = changes(Scheme::Fast, free(&case, false), 10e-6);
     let [finer_x, finer_y, ..] = changes(Scheme::Fast, free(&case, false), 5e-6);
     let (coarse, fine) = (x.hypot(y), finer_x.hypot(finer_y));
-    assert!(coarse < 2e-4 && fine < 0.35 * coarse, "{coarse:e} {fine:e}");
+    assert!(coarse < 4e-4 && fine < 0.35 * coarse, "{coarse:e} {fine:e}");
 }

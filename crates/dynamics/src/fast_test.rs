@@ -93,7 +93,7 @@ fn compare_samples(Started { mut machine, mut state, .. }: Started) {
         assert_eq!(ours.len(), theirs.len());
         let scale = theirs.iter().fold(1e-300, |scale: f64, v| scale.max(v.abs()));
         let off = ours.iter().zip(&theirs).map(|(a, b)| (a - b).abs() / scale).fold(0.0, f64::max);
-        // Traction is linear between its refreshes, to 5.5e-4 of the load, and all that follows from it.
+        // Traction is linear between its refreshes, to 1e-3 of the load, and all that follows from it.
         let name = quantity.name_in(quantity.facts().unit);
         let friction = ["traction", "power_loss", "wear_rate", "sliding_speed", "acceleration"];
         let by_traction = friction.iter().any(|part| name.contains(part));

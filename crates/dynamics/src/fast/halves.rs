@@ -21,11 +21,38 @@ impl Fast {
         self.mean.copy_from_slice(&self.drift);
         self.longest = self.longest_pieces(equations.machine());
         self.find_kick(equations, t, y, h);
-        let scratch = &mut self.scratch;
-        for (balls, half) in scratch.balls.iter_mut().zip(&scratch.half) {
+        self.take_half_back(equations.machine().layout, y);
+        if self.steps == 0 && !equations.machine().is_even() {
+            self.begin_smoothly(equations.machine().layout, h);
+            self.find_kick(equations, t, y, h);
+            self.take_half_back(equations.machine().layout, y);
+        }
+    }
+
+    /// Velocities from before the first half of a kick.
+    fn take_half_back(&mut self, l: Layout, y: &mut [f64]) {
+        let Scratch { balls, half, .. } = &mut self.scratch;
+        for (balls, half) in balls.iter_mut().zip(half) {
             add(balls, half, -1.0);
         }
-        equations.machine().layout.velocities_of_bodies().for_each(|k| y[k] -= self.half[k]);
+        l.velocities_of_bodies().for_each(|k| y[k] -= self.half[k]);
+    }
+
+    /// The common accelerations as the kick that was found has them, the other way: the shock in which races that are
+    /// not round meet the balls at the start of a run is the drift's alone. Carried by the common part, which forgets
+    /// it slowly, it would swing the balls for half a millisecond.
+    fn begin_smoothly(&mut self, l: Layout, h: f64) {
+        let Scratch { common, given_back, half, .. } = &mut self.scratch;
+        for ((common, given), half) in common.iter_mut().zip(given_back).zip(half) {
+            for ((common, given), half) in common.iter_mut().zip(given).zip(half) {
+                for ((common, given), half) in common.0.iter_mut().zip(given.0).zip(half.0) {
+                    *common = given - 2.0 * half / h;
+                }
+            }
+        }
+        for k in l.velocities_of_rings() {
+            self.common[k] = self.given_back[k] - 2.0 * self.half[k] / h;
+        }
     }
 
     /// The first half of the kick of a step `h`; the other is kept.

@@ -37,7 +37,7 @@ const NO_MORE: f64 = 2.0;
 const PAST_THE_START: f64 = 32.0;
 /// Error of the linear traction in trials over that of the run. With a tenth, what it errs in the torque of 2 ms
 /// outweighs in oil what the step errs.
-const LINEAR_ERROR_OF_RUN: f64 = 0.02;
+const LINEAR_ERROR_OF_RUN: f64 = 0.01;
 /// Fewest steps between samples: fewer save little more, and what samples tell of accelerations suffers.
 const LEAST_STEPS: f64 = 2.0;
 /// Pairs of trials.
