@@ -153,7 +153,8 @@ pub(super) fn slide<E: Equations>(
     let contact = stand.contact(side, k);
     let sliding = equations.sliding(side, &contact, state, (ring, stand.orbit_radius(k)));
     let linear = LinearTraction::from_numbers(|i| form[i].0[k]);
-    let (change, near) = linear.reaches(&sliding.motion, contact.load, (stand.bare(side, k), share), ball_radius);
+    let (rolls, at) = ((&sliding.motion, sliding.rolling_speed), (stand.bare(side, k), share));
+    let (change, near) = linear.reaches(rolls, contact.load, at, ball_radius);
     // A contact without load has no traction, and no linear form that could fail. A factor, since the compiler would
     // branch for a choice.
     let loaded = contact.load > 0.0;

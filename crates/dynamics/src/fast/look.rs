@@ -225,7 +225,8 @@ impl Of<'_> {
         let forces = machine.ball(index, b, &self.frame, |patch, sliding| {
             let linear = LinearTraction::from_numbers(|i| forms.traction[patch.side as usize][i].0[k]);
             let at = (patch.bare, BEFORE_REFRESH);
-            let (change, near) = linear.reaches(&patch.motion, patch.load, at, patch.patch.ball_radius);
+            let (change, near) =
+                linear.reaches((&patch.motion, patch.rolling_speed), patch.load, at, patch.patch.ball_radius);
             let traction = if near {
                 linear.traction(&patch.motion, &change)
             } else {
