@@ -109,6 +109,9 @@ pub(crate) struct LinearTraction {
     /// How far the slip alone may, m/s: no farther than it is known to do no harm. Where loads vibrate the reach is
     /// that of the load, which hardly bends the traction over it, and a ball that slides comes to rolling within it.
     reach_of_slip: f64,
+    /// Where traction changed its sign since the form before: direction of the change of the slip, and slope of the
+    /// traction over it, N s/m; else zeros.
+    crossed: [f64; 3],
 }
 
 impl LinearTraction {
@@ -147,6 +150,7 @@ impl LinearTraction {
             semi_lateral: n(68),
             reach: n(69),
             reach_of_slip: n(70),
+            crossed: [0.0; 3],
         }
     }
 
@@ -243,6 +247,7 @@ impl LinearTraction {
         let Next { reach, reach_of_slip, bend, way } = self.next_way(p, &d, (load, tolerance));
         let PatchDerivative { traction, by_motion, by_load, by_rolling_speed } = d;
         let (value, by_load) = (outputs(&traction), outputs(&by_load));
+        let crossed = self.crossed_to(&value, &inputs(&p.motion, (load, p.rolling_speed)), p.patch.ball_radius);
         *self = Self {
             inputs: inputs(&p.motion, (load, p.rolling_speed)),
             value,
@@ -257,8 +262,25 @@ impl LinearTraction {
             semi_lateral: p.patch.semi_lateral,
             reach,
             reach_of_slip,
+            crossed,
         };
         traction
+    }
+
+    /// How the form that follows crossed to the other side of free rolling, with its forces and inputs.
+    fn crossed_to(&self, value: &[f64; 6], inputs: &[f64; INPUTS], r: f64) -> [f64; 3] {
+        let slip = |i: &[f64; INPUTS]| [i[0] + r * i[3], i[1] - r * i[4]];
+        let ([a, b], [a_0, b_0]) = (slip(inputs), slip(&self.inputs));
+        let (along, across) = (a - a_0, b - b_0);
+        let way = along.hypot(across);
+        if self.reach <= 0.0 || way <= 0.0 {
+            return [0.0; 3];
+        }
+        let (along, across) = (along / way, across / way);
+        let force = |f: &[f64; 6]| along * f[0] + across * f[1];
+        // At the same load.
+        let (before, now) = (force(&self.value) * inputs[5] / self.inputs[5].max(NO_LOAD), force(value));
+        if before > 0.0 && now < 0.0 { [along, across, (now - before) / way] } else { [0.0; 3] }
     }
 
     /// Reaches, bend and way of the form that follows.
@@ -301,7 +323,8 @@ impl LinearTraction {
     /// Derivative of forces and moments by the motion, a column for each input, for a kick in which a force changes the
     /// slip by `give` times itself, m/(s N). A ball that slides so that traction hardly grows with slip any more would
     /// be pushed beyond rolling, and as far back in the next step: where the way to no slip is shorter than the kick,
-    /// the chord to there takes the place of the tangent along the slip.
+    /// the chord to there takes the place of the tangent along the slip. Where it rolls freely with slip in the middle,
+    /// the next step knows the way that it was pushed, and takes the chord over that.
     pub fn stiffness(&self, give: f64, ball_radius: f64) -> Matrix5<f64> {
         if self.reach <= 0.0 {
             return Matrix5::zeros();
@@ -310,16 +333,23 @@ impl LinearTraction {
         let [rolling, lateral, _, about_lateral, about_rolling, ..] = self.inputs;
         let (along, across) = (rolling + ball_radius * about_lateral, lateral - ball_radius * about_rolling);
         let (slip, force) = (along.hypot(across), self.value[0].hypot(self.value[1]));
-        if slip <= self.reach || give * force <= slip {
-            return tangent;
+        let [crossed_along, crossed_across, slope] = self.crossed;
+        let mut stiffness = tangent;
+        if slip > self.reach && give * force > slip {
+            let (along, across) = (along / slip, across / slip);
+            let chord = (along * self.value[0] + across * self.value[1]) / slip;
+            stiffness = no_less([along, across], chord, ball_radius, stiffness);
         }
-        let (along, across) = (along / slip, across / slip);
-        let slope = tangent.fixed_view::<2, 2>(0, 0) * Vector2::new(along, across);
-        let chord = (along * self.value[0] + across * self.value[1]) / slip;
-        let lacking = chord - (along * slope[0] + across * slope[1]);
-        let by_motion = Vector5::new(along, across, 0.0, ball_radius * along, -ball_radius * across);
-        tangent + by_motion * by_motion.transpose() * lacking.min(0.0)
+        no_less([crossed_along, crossed_across], slope, ball_radius, stiffness)
     }
+}
+
+/// A stiffness with at least a slope of the force along a slip.
+fn no_less([along, across]: [f64; 2], least: f64, r: f64, stiffness: Matrix5<f64>) -> Matrix5<f64> {
+    let slope = stiffness.fixed_view::<2, 2>(0, 0) * Vector2::new(along, across);
+    let lacking = least - (along * slope[0] + across * slope[1]);
+    let by_motion = Vector5::new(along, across, 0.0, r * along, -r * across);
+    stiffness + by_motion * by_motion.transpose() * lacking.min(0.0)
 }
 
 #[inline(always)]

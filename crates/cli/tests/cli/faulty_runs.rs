@@ -1,37 +1,30 @@
-//! Runs of catalogue bearings whose races are rough or damaged, as `new` writes the rest.
+//! Runs of catalogue bearings whose races are rough or damaged, or that a load strikes, as `new` writes the rest.
 
 use super::{Scratch, run};
+use std::ffi::OsStr;
 
 /// Waves of a race, 1 µm n^−1.5.
 fn waves(race: &str, seed: u32) -> String {
     format!("deviations.{race}=(spectrum: (first: 2, last: 60, amplitude: um(1), exponent: 1.5, seed: {seed}))")
 }
 
-/// Powers of a run of so many seconds with such waves: at the shaft, lost, and the imbalance in per cent.
-fn powers(designation: &str, duration: &str, spalls: &str) -> [f64; 3] {
+/// Powers of a run of so many seconds with changes to the case: at the shaft, lost, and the imbalance in per cent.
+fn powers(designation: &str, duration: &str, changes: &[String]) -> [f64; 3] {
     let scratch = Scratch::new();
     let [case, recording] = ["case.ron", "run.mcap"].map(|name| scratch.0.join(name));
     run(&[&"new", &designation, &"-o", &case]).table();
-    let [inner, outer, spalls] = [waves("inner", 1), waves("outer", 2), format!("spalls={spalls}")];
-    let answer = run(&[
-        &"run",
-        &case,
-        &"-o",
-        &recording,
-        &"--json",
-        &"--duration",
-        &duration,
-        &"--set",
-        &inner,
-        &"--set",
-        &outer,
-        &"--set",
-        &spalls,
-    ]);
+    let mut words: Vec<&dyn AsRef<OsStr>> = vec![&"run", &case, &"-o", &recording, &"--json", &"--duration", &duration];
+    changes.iter().for_each(|change| words.extend([&"--set" as &dyn AsRef<OsStr>, change]));
+    let answer = run(&words);
     let power = &answer.json()["power"];
     let of = |name: &str| power[name].as_f64().unwrap();
     let lost = ["friction_inner_w", "friction_outer_w", "contact_damping_w"].map(of);
     [of("shaft_w"), lost.iter().sum(), of("imbalance_percent")]
+}
+
+/// The same with rough races, and other changes.
+fn powers_if_rough(designation: &str, duration: &str, more: &[String]) -> [f64; 3] {
+    powers(designation, duration, &[&[waves("inner", 1), waves("outer", 2)], more].concat())
 }
 
 /// Balls that a strike makes slide come to rolling and not beyond, and the others stay there. Where loads vibrated,
@@ -39,9 +32,9 @@ fn powers(designation: &str, duration: &str, spalls: &str) -> [f64; 3] {
 /// too large. By Runge–Kutta of 0.5 µs the spall changes it by 0.2 %.
 #[test]
 fn regress_strikes_leave_the_power_at_the_shaft() {
-    let [round, lost, _] = powers("6206", "0.03", "[]");
-    let spall = "[(race: Outer, azimuth: deg(-90), length: mm(1), width: mm(3), depth: um(50))]";
-    let [struck, lost_then, _] = powers("6206", "0.03", spall);
+    let [round, lost, _] = powers_if_rough("6206", "0.03", &[]);
+    let spall = "spalls=[(race: Outer, azimuth: deg(-90), length: mm(1), width: mm(3), depth: um(50))]";
+    let [struck, lost_then, _] = powers_if_rough("6206", "0.03", &[spall.to_owned()]);
     assert!((struck / round - 1.0).abs() < 0.01, "{struck} and {round} W");
     assert!((lost_then / lost - 1.0).abs() < 0.01, "{lost_then} and {lost} W");
 }
@@ -50,7 +43,19 @@ fn regress_strikes_leave_the_power_at_the_shaft() {
 /// left 42 % of the work unaccounted for. By Runge–Kutta the shaft has 3.230 W.
 #[test]
 fn regress_rough_races_begin_without_swinging() {
-    let [shaft, _, imbalance] = powers("608", "0.02", "[]");
+    let [shaft, _, imbalance] = powers_if_rough("608", "0.02", &[]);
     assert!(imbalance.abs() < 1.0, "{imbalance} %");
     assert!((shaft / 3.230 - 1.0).abs() < 0.005, "{shaft} W");
+}
+
+/// A load that grows three times within half a millisecond. Balls that roll with slip in the middle of their contacts
+/// were pushed from one side of rolling to the other in each step, for lack of a slope between: 8 % too much power at
+/// the shaft and a fifth too little lost. By Runge–Kutta of 0.2 µs the shaft has 61.5 W and 61.7 are lost.
+#[test]
+fn regress_a_load_that_strikes_leaves_balls_rolling() {
+    let struck = "ring.x=ForceTable([(s(0), N(2000)), (s(0.005), N(2000)), (s(0.0055), N(6000)), (s(0.02), N(6000))])";
+    let changes = [struck, "transient.start=QuasiStatic"].map(str::to_owned);
+    let [shaft, lost, _] = powers("6206", "0.02", &changes);
+    assert!((shaft / 61.5 - 1.0).abs() < 0.02, "{shaft} W at the shaft");
+    assert!((lost / 61.7 - 1.0).abs() < 0.02, "{lost} W lost");
 }
