@@ -25,6 +25,6 @@ def test_limit_a_notebook_runs(path: Path) -> None:
     assert not any(cell.outputs or cell.execution_count for cell in code), "strip the outputs"
     if "ross" in path.stem:
         pytest.importorskip("ross")
-    client = nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(FOLDER)}})
+    client = nbclient.NotebookClient(notebook, timeout=180, resources={"metadata": {"path": str(FOLDER)}})
     client.execute()
     assert any(cell.outputs for cell in code)
