@@ -77,7 +77,7 @@ pub(crate) struct Contacts {
 /// Motion, load and rolling speed.
 const INPUTS: usize = 7;
 
-/// What a form has of those before it.
+/// Numbers that a form takes over from those before it.
 struct Next {
     reach: f64,
     reach_of_slip: f64,
@@ -117,14 +117,14 @@ pub(crate) struct LinearTraction {
 impl LinearTraction {
     /// All its numbers.
     pub fn values(&self) -> impl Iterator<Item = f64> {
-        self.numbers().into_iter()
+        self.numbers().into_iter().chain(self.crossed)
     }
 
-    /// Numbers that a linear traction consists of, and which of them is the lateral semi-axis.
+    /// Numbers that a linear traction is evaluated with, and which of them is the lateral semi-axis.
     pub const NUMBERS: usize = 71;
     pub const SEMI_LATERAL: usize = 68;
 
-    /// All of them in order.
+    /// These in order.
     pub fn numbers(&self) -> [f64; Self::NUMBERS] {
         let mut all = [0.0; Self::NUMBERS];
         all[..7].copy_from_slice(&self.inputs);
@@ -178,7 +178,7 @@ impl LinearTraction {
     /// Squares of how far slip and load have moved, and the slip alone, m²/s².
     #[inline(always)]
     fn distances(&self, d: &[f64; INPUTS], r: f64) -> [f64; 2] {
-        let (along, across) = (d[0] + r * d[3], d[1] - r * d[4]);
+        let [along, across] = centre_slip(d, r);
         let spin = SPIN_AS_SLIP * (d[2] * self.semi_lateral);
         let load = LOAD_AS_SLIP * d[5];
         let slip = along * along + across * across + spin * spin;
@@ -247,9 +247,10 @@ impl LinearTraction {
         let Next { reach, reach_of_slip, bend, way } = self.next_way(p, &d, (load, tolerance));
         let PatchDerivative { traction, by_motion, by_load, by_rolling_speed } = d;
         let (value, by_load) = (outputs(&traction), outputs(&by_load));
-        let crossed = self.crossed_to(&value, &inputs(&p.motion, (load, p.rolling_speed)), p.patch.ball_radius);
+        let inputs = inputs(&p.motion, (load, p.rolling_speed));
+        let crossed = self.crossed_to(&value, &inputs, p.patch.ball_radius);
         *self = Self {
-            inputs: inputs(&p.motion, (load, p.rolling_speed)),
+            inputs,
             value,
             slopes: std::array::from_fn(|input| match input {
                 5 => std::array::from_fn(|i| load * by_load[i] - value[i]),
@@ -269,9 +270,8 @@ impl LinearTraction {
 
     /// How the form that follows crossed to the other side of free rolling, with its forces and inputs.
     fn crossed_to(&self, value: &[f64; 6], inputs: &[f64; INPUTS], r: f64) -> [f64; 3] {
-        let slip = |i: &[f64; INPUTS]| [i[0] + r * i[3], i[1] - r * i[4]];
-        let ([a, b], [a_0, b_0]) = (slip(inputs), slip(&self.inputs));
-        let (along, across) = (a - a_0, b - b_0);
+        let [now, before] = [inputs, &self.inputs].map(|inputs| centre_slip(inputs, r));
+        let (along, across) = (now[0] - before[0], now[1] - before[1]);
         let way = along.hypot(across);
         if self.reach <= 0.0 || way <= 0.0 {
             return [0.0; 3];
@@ -315,7 +315,7 @@ impl LinearTraction {
 
     /// Half the slopes of [`Self::distances`] at a change: the metric times it.
     fn metric(&self, d: &[f64; INPUTS], r: f64) -> [f64; 6] {
-        let (along, across) = (d[0] + r * d[3], d[1] - r * d[4]);
+        let [along, across] = centre_slip(d, r);
         let spin = SPIN_AS_SLIP * self.semi_lateral;
         [along, across, spin * spin * d[2], r * along, -r * across, LOAD_AS_SLIP * LOAD_AS_SLIP * d[5]]
     }
@@ -329,18 +329,16 @@ impl LinearTraction {
         if self.reach <= 0.0 {
             return Matrix5::zeros();
         }
-        let tangent = Matrix5::from_fn(|row, column| self.slopes[column][row]);
-        let [rolling, lateral, _, about_lateral, about_rolling, ..] = self.inputs;
-        let (along, across) = (rolling + ball_radius * about_lateral, lateral - ball_radius * about_rolling);
+        let mut stiffness = Matrix5::from_fn(|row, column| self.slopes[column][row]);
+        let [along, across] = centre_slip(&self.inputs, ball_radius);
         let (slip, force) = (along.hypot(across), self.value[0].hypot(self.value[1]));
-        let [crossed_along, crossed_across, slope] = self.crossed;
-        let mut stiffness = tangent;
         if slip > self.reach && give * force > slip {
             let (along, across) = (along / slip, across / slip);
             let chord = (along * self.value[0] + across * self.value[1]) / slip;
             stiffness = no_less([along, across], chord, ball_radius, stiffness);
         }
-        no_less([crossed_along, crossed_across], slope, ball_radius, stiffness)
+        let [along, across, slope] = self.crossed;
+        no_less([along, across], slope, ball_radius, stiffness)
     }
 }
 
@@ -350,6 +348,13 @@ fn no_less([along, across]: [f64; 2], least: f64, r: f64, stiffness: Matrix5<f64
     let lacking = least - (along * slope[0] + across * slope[1]);
     let by_motion = Vector5::new(along, across, 0.0, r * along, -r * across);
     stiffness + by_motion * by_motion.transpose() * lacking.min(0.0)
+}
+
+/// Sliding velocity in the middle of the patch, along and across.
+#[inline(always)]
+fn centre_slip(inputs: &[f64; INPUTS], ball_radius: f64) -> [f64; 2] {
+    let [rolling, lateral, spin, about_lateral, about_rolling, ..] = *inputs;
+    RelativeMotion { rolling, lateral, spin, about_lateral, about_rolling }.centre_slip(ball_radius)
 }
 
 #[inline(always)]

@@ -5,8 +5,8 @@
 //! - The drift moves balls, rings and cage under contact forces, supports and loads, by the leapfrog method in polar
 //!   coordinates, with the angular momentum m r² ω_m held while the radius changes. It needs no traction and costs
 //!   little, so it may take several steps of its own, where the contact springs are stiffer than one would bear, or
-//!   have the balls implicit in them.
-//!   Dampers and the centrifugal force see the velocity that is expected at the end of such a step.
+//!   have the balls implicit in them. Dampers and the centrifugal force see the velocity that is expected at the end of
+//!   such a step.
 //! - The kick changes the velocities v of each ball by traction, drag, churning, pocket and gyroscopic moment f at
 //!   fixed position: v ← v + H R(H A) f(v), R(X) = γ W + (1 − γ) W², W = (1 − γ X)⁻¹, γ = 1 − 1/√2. With A = ∂f/∂v this
 //!   is of second order with one evaluation of f, in the manner of Rosenbrock, and L-stable: what is stiff settles,
@@ -118,7 +118,6 @@ pub(crate) struct Fast {
     /// Length of the last pieces, s.
     piece: f64,
     /// The same of the balls where they are explicit, else 0: what vibrates then has the displacement of its velocity.
-    #[serde(default)]
     piece_of_balls: f64,
     /// The balls in lanes, on which a step works.
     #[serde(skip)]
