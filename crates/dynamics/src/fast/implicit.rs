@@ -19,7 +19,7 @@ use super::scratch::Scratch;
 use crate::equations::Equations;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
 use fearless_simd::dispatch;
-use tribodyn_bearing::Side;
+use tribodyn_bearing::{NormalContact, Side};
 
 /// Corrections at most: usual are one or two, more where a ball leaves a race or meets it.
 const MOST_CORRECTIONS: usize = 8;
@@ -55,14 +55,19 @@ struct Line {
 
 impl Line {
     #[inline(always)]
-    fn of(stand: &Stand, side: Side, weights: Weights, k: usize) -> Self {
-        let contact = stand.contact(side, k);
-        let (approach, over_mass) = (contact.pose.approach, 1.0 / stand.relative_mass(k));
-        let stiffness = if contact.load > 0.0 { 1.5 * contact.load / approach } else { 0.0 };
-        // A damper that pulls as hard as the spring presses leaves no force that could change.
-        let stiffness = over_mass * if contact.force > 0.0 { stiffness } else { 0.0 };
+    fn of(contact: &NormalContact, side: Side, (weights, relative_mass): (Weights, f64)) -> Self {
+        let approach = contact.pose.approach;
+        let stiffness = if contact.load > 0.0 { 1.5 * contact.load / (relative_mass * approach) } else { 0.0 };
         let (spring, damper) = (weights.of_spring * stiffness, weights.of_damper * stiffness.sqrt());
         Self { normal: contact.pose.normal(side), approach, spring, damper }
+    }
+
+    /// The same, but none where a damper pulls as hard as the spring presses: that leaves no force that could change.
+    #[inline(always)]
+    fn pressing(contact: &NormalContact, side: Side, of_ball: (Weights, f64)) -> Self {
+        let line = Self::of(contact, side, of_ball);
+        let share = if contact.force > 0.0 { 1.0 } else { 0.0 };
+        Self { spring: share * line.spring, damper: share * line.damper, ..line }
     }
 
     #[inline(always)]
@@ -106,7 +111,8 @@ fn shift((b, before): (&mut [f64; BALL], &mut [f64; 3]), [axial, radial]: [f64; 
     b[AZIMUTH] += 0.5 * h * gained;
 }
 
-/// To where springs as they were at the start would bring the balls of a block.
+/// To where springs as they were at the start would bring the balls of a block. It follows from positions and
+/// accelerations there alone, so that a run that is taken up goes on as it would have.
 #[inline(always)]
 fn predict(
     (balls, before): (&mut [Lane; BALL], &mut [Lane; 3]),
@@ -118,7 +124,11 @@ fn predict(
         let (mut b, mut mean) = (get(balls, k), get(before, k));
         put(&mut out.positions, k, [b[AXIAL], b[RADIUS]]);
         put(&mut out.accelerations, k, stand.acceleration_in_plane(k));
-        let lines = [Line::of(stand, Side::Inner, weights, k), Line::of(stand, Side::Outer, weights, k)];
+        let of_ball = (weights, stand.relative_mass(k));
+        let lines = [
+            Line::of(&stand.contact(Side::Inner, k), Side::Inner, of_ball),
+            Line::of(&stand.contact(Side::Outer, k), Side::Outer, of_ball),
+        ];
         let way = [h * mean[0], h * mean[1]];
         let [back_i, back_o] = [lines[0].spring * lines[0].along(way), lines[1].spring * lines[1].along(way)];
         let back = [0, 1].map(|i| -back_i * lines[0].normal[i] - back_o * lines[1].normal[i]);
@@ -138,7 +148,11 @@ fn correct(
 ) {
     for k in 0..WIDTH {
         let (mut b, mut mean) = (get(balls, k), get(before, k));
-        let lines = [Line::of(stand, Side::Inner, weights, k), Line::of(stand, Side::Outer, weights, k)];
+        let of_ball = (weights, stand.relative_mass(k));
+        let lines = [
+            Line::pressing(&stand.contact(Side::Inner, k), Side::Inner, of_ball),
+            Line::pressing(&stand.contact(Side::Outer, k), Side::Outer, of_ball),
+        ];
         let (now, at_start, from) =
             (stand.acceleration_in_plane(k), get(&start.accelerations, k), get(&start.positions, k));
         let quarter = 0.25 * h * h;

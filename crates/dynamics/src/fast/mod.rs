@@ -55,7 +55,7 @@ mod tilt;
 use crate::equations::Equations;
 use crate::layout::{Layout, VELOCITY};
 use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
-use drift::{Stand, drift_acceleration};
+use drift::{Stand, drift_acceleration, press};
 use fearless_simd::dispatch;
 use friction::LinearFriction;
 use glide::{glide_balls, glide_bodies, push_balls, push_bodies};
@@ -245,7 +245,10 @@ impl Fast {
         }
         if fresh {
             let scratch = &mut self.scratch;
+            let frame = equations.machine().frame_of_rings(t, y);
             for (block, stand) in scratch.stands.iter_mut().enumerate() {
+                // Where the balls stand: implicit ones begin their next step with it.
+                press(scratch.level, equations, (&frame, block, &scratch.balls[block]), stand);
                 stand.set_acceleration(gather_from(l, (&self.drift, VELOCITY), block));
                 scratch.common[block] = gather_from(l, (&self.common, VELOCITY), block);
             }

@@ -1,11 +1,10 @@
 //! The fast scheme with a step by its accuracy, against the classical Runge–Kutta method well within its stability.
 
-use crate::{Keep, case};
+use crate::{Keep, OIL_6206, case};
 use tribodyn_case::{Case, set_value};
 use tribodyn_dynamics::{Run, Sample};
 use tribodyn_quasistatic::{Model, PatchRule, solve};
 
-const OIL_6206: &str = include_str!("../../../../fixtures/cases/oil-6206.ron");
 const ANGULAR_7210: &str = include_str!("../../../../fixtures/cases/angular-7210.ron");
 
 /// Balls that meet no wall of their pockets.

@@ -21,6 +21,7 @@ use tribodyn_dynamics::{Event, Observer, Run, Sample};
 
 /// The cryogenic bearing of the paper with its silver coating.
 const PAPER_AG: &str = include_str!("../../../../fixtures/cases/paper-ag.ron");
+const OIL_6206: &str = include_str!("../../../../fixtures/cases/oil-6206.ron");
 /// A cheap patch rule: the tests here are about motion, not about quadrature.
 const STRIPS: (&str, &str) = ("traction.patch", "SplitStrip(across: 5, along: 3)");
 
