@@ -123,8 +123,8 @@ impl Fast {
         let highest = highest(of_balls, single.map(|k| k / mass), rings.map(|[square, ..]| square));
         let [square, of_contacts, of_supports] = [0, 1, 2].map(|i| rings.inner[i].max(rings.outer[i]));
         let longest = Longest::of([highest, damping + of_supports], [square, of_contacts + of_supports]);
-        // Explicit pieces err less where balls strike.
-        if machine.is_damaged() { Longest { of_rings: 0.0, ..longest } } else { longest }
+        // Explicit pieces err less where balls strike, and short ones: a blow excites the balls' own vibration.
+        if machine.is_damaged() { Longest { alone: longest.of_several, of_rings: 0.0, ..longest } } else { longest }
     }
 }
 

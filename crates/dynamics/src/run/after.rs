@@ -236,8 +236,10 @@ impl Run {
         let Some(error) = self.solution.patch_error_estimate.filter(|&error| error > ACCELERATION_ERROR) else {
             return Ok(());
         };
+        let section = if self.machine.bearing.film_law(Side::Inner).is_some() { "lubricant" } else { "traction" };
         let message = format!(
-            "the patch rule errs by {error:.1e} of the load: good for speeds and loads, but accelerations and pocket forces may be off by a quarter; traction.patch: TargetError(relative: 1e-5) carries them"
+            "the patch rule errs by {error:.1e} of the load: good for speeds and loads, but accelerations and pocket \
+             forces may be off by a quarter; {section}.patch: TargetError(relative: 1e-5) carries them"
         );
         let kind = EventKind::Warning { message };
         observer.event(&Event { time_s: self.progress.time, kind }).map_err(RunError::Observer)

@@ -95,6 +95,10 @@ impl Run {
         observer: &mut O,
     ) -> Result<(), RunError<O::Error>> {
         let Some(limit) = self.machine.longest_step_over_spalls(self.duration) else { return Ok(()) };
+        // Trials of a chosen step went over the spalls.
+        if self.choice.is_some_and(|choice| !choice.scatters) {
+            return Ok(());
+        }
         let step = match self.scheme {
             Scheme::Rk4 { step, .. } | Scheme::Fast { step } => step,
             Scheme::DormandPrince { longest, .. } => longest,
