@@ -137,7 +137,10 @@ pub enum SignalError {
     },
     /// A geometry that no bearing has.
     #[error(
-        "{ball_count} balls of {ball_diameter_m} m on a pitch circle of {pitch_diameter_m} m at {contact_angle_rad} rad do not make a bearing"
+        "{ball_count} balls of {} mm on a pitch circle of {} mm at {}° do not make a bearing",
+        rounded(1e3 * ball_diameter_m),
+        rounded(1e3 * pitch_diameter_m),
+        rounded(contact_angle_rad.to_degrees())
     )]
     Geometry {
         /// Number of balls.
@@ -152,6 +155,11 @@ pub enum SignalError {
     /// The Fourier transform refused its input.
     #[error("Fourier transform: {0}")]
     Transform(String),
+}
+
+/// A number without the rounding of its unit.
+fn rounded(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
 }
 
 /// Refuses a rate that is not a positive number.

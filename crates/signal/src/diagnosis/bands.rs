@@ -32,7 +32,7 @@ pub(crate) struct Lines {
 const FADED: f64 = 1.0 / 32.0;
 
 /// The samples with both ends faded over a number of them, without a jump in the second derivative.
-fn faded(samples: &[f64], count: usize) -> Vec<f64> {
+pub(crate) fn faded(samples: &[f64], count: usize) -> Vec<f64> {
     let last = samples.len() - 1;
     let weight = |n: usize| {
         let from_end = n.min(last - n) as f64 + 0.5;

@@ -13,6 +13,7 @@ mod lines;
 mod shaft;
 mod verdict;
 
+pub(crate) use bands::faded;
 pub use bands::{Band, kurtogram, whitened, without_trend};
 pub use evidence::{Evidence, Fault, Harmonic, Sideband};
 pub use shaft::ShaftSpeed;

@@ -46,6 +46,11 @@ const READ_WITH_SIDES: f64 = -5.0;
 /// Farthest sideband: a load zone of a third of a turn has that many.
 const FARTHEST: u32 = 3;
 
+/// Distance over its frequency within which a line is one of another family.
+const SAME: f64 = 0.01;
+/// Multiples of the fundamental of a family that are looked at as lines of others.
+const MULTIPLES: u32 = 20;
+
 /// Farthest from a multiple of the cage at which a line is one, over the speed of the cage.
 const WITHIN: f64 = 0.25;
 
@@ -72,7 +77,7 @@ impl Evidence {
     /// no sidebands of its own and the other one has. BPFO is near BPFI less two turns of the shaft in many bearings,
     /// and BPFI near 2 BSF and two turns of the cage.
     fn beside(&self, other: &Self) -> bool {
-        let reach = 0.01 * self.frequency_hz;
+        let reach = SAME * self.frequency_hz;
         let distance = (self.frequency_hz - other.frequency_hz).abs();
         let farthest = if other.is_modulated() && !self.is_modulated() { FARTHEST } else { 1 };
         let is = |by: f64| (1..=farthest).any(|k| (distance - f64::from(k) * by).abs() < reach);
@@ -98,6 +103,22 @@ impl Evidence {
         let near = self.beside_db.min(own(cage));
         let all = last > self.rank() - ALL_DB && near > first - CAGE_DB;
         all && (self.frequency_hz - multiple * cage.frequency_hz).abs() < reach
+    }
+
+    /// True if the family stands out by its own lines, without those that are multiples of the fundamental of the
+    /// family found or sidebands of them: 3/2 of BPFO is near BPFI and 4/3 of it near 2 BSF in many bearings.
+    fn stands_out_beside(&self, found: &Self) -> bool {
+        let by = found.modulating_hz.unwrap_or(0.0);
+        let of_found = |hz: f64| {
+            let is = |multiple: f64, side: i32| (hz - multiple - f64::from(side) * by).abs() < SAME * hz;
+            let sides = -(FARTHEST as i32)..=FARTHEST as i32;
+            (0..=MULTIPLES).any(|k| sides.clone().any(|side| is(f64::from(k) * found.frequency_hz, side)))
+        };
+        let own: Vec<_> = self.harmonics.iter().filter(|h| !of_found(h.frequency_hz)).collect();
+        let first: Vec<f64> = own.iter().take(2).map(|h| h.over_floor_db).collect();
+        let has_fundamental = own.first().is_some_and(|h| h.order == 1);
+        let deep = own.iter().map(|h| h.modulation.powi(2)).sum::<f64>().sqrt() > DEEP;
+        has_fundamental && deep && first.iter().sum::<f64>() > HIGH_DB * first.len() as f64
     }
 
     /// Whether the family stands out as that of damage does.
@@ -197,8 +218,13 @@ pub(super) fn of(evidence: &[Evidence], quiet: f64) -> Verdict {
         }
     }
     reasons.extend(beats);
-    let others = evidence.iter().filter(|e| found.is_none_or(|found| found.fault != e.fault) && e.log_chance < READ);
-    reasons.extend(others.map(|e| format!("also {}", e.said())));
+    if let Some(found) = found {
+        let another = |e: &&Evidence| {
+            let high = e.fault != found.fault && e.height > quiet && e.stands_out();
+            high && own(e) && !e.beside(found) && e.stands_out_beside(found)
+        };
+        reasons.extend(evidence.iter().filter(another).map(|e| format!("also {}", e.said())));
+    }
     Verdict { fault: found.map(|e| e.fault), reasons }
 }
 

@@ -188,6 +188,25 @@ fn limit_the_verdict_is_right_on_all_faults_and_on_sound_machines() {
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
+/// Multiples of BPFO at 3/2 and 4/3 of it are neither BPFI nor 2 BSF; both races damaged are told.
+#[test]
+fn limit_only_families_with_lines_of_their_own_are_said_beside_the_verdict() {
+    let also = |found: &Diagnosis| found.verdict.reasons.iter().filter(|reason| reason.starts_with("also")).count();
+    for seed in 100..106 {
+        let base = machine(Some(Fault::Outer), seed);
+        let m = Machine { signal_to_noise_db: 20.0, cage_hz: 0.39828 * base.shaft_hz, jitter: 0.002, ..base };
+        let outer = m.samples();
+        let found = diagnosed(&m, &outer);
+        assert_eq!((found.verdict.fault, also(&found)), (Some(Fault::Outer), 0), "seed {seed}: {:?}", found.verdict);
+        let inner = Machine { fault: Some(Fault::Inner), ..m };
+        let both: Vec<f64> = outer.iter().zip(inner.samples()).map(|(a, b)| a + b).collect();
+        let found = diagnosed(&inner, &both);
+        assert_eq!(also(&found), 1, "seed {seed}: {:?}", found.verdict);
+    }
+    let sound = diagnosed(&machine(None, 100), &machine(None, 100).samples());
+    assert_eq!(also(&sound), 0, "{:?}", sound.verdict);
+}
+
 /// Waves of the inner race of orders k Z and k Z ± 1 shake a housing at k BPFI and the shaft's speed beside it: smooth
 /// tones without a blow, whose envelope has the lines of a damaged inner race. (Tones of very many orders of one height
 /// and any phases can still look like blows.)
