@@ -26,6 +26,17 @@ pub struct OperatingPoint {
     pub watch: SearchWatch,
 }
 
+/// Difference of the speeds of two rings, over either, that is rounding: of products of π and a speed in r/min.
+const SAME_SPEED: f64 = 1e-12;
+
+impl OperatingPoint {
+    /// True where both rings turn, and not against each other: balls and cage turn with them as one body.
+    pub fn turns_as_one(&self) -> bool {
+        let [inner, outer] = [self.inner_speed, self.outer_speed];
+        inner != 0.0 && (inner - outer).abs() <= SAME_SPEED * inner.abs()
+    }
+}
+
 /// What each ring freedom carries or where it is held.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RingFreedom {

@@ -6,6 +6,7 @@ use crate::validate::{Verdict, positive, require};
 use crate::{LengthSpec, SpectrumSpec};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 
 /// A data set: each fault in bearings of its own, each bearing under every load at every speed.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -152,6 +153,11 @@ impl DatasetPlan {
         self.cases.len() * kinds * self.bearings
     }
 
+    /// Bearings of each case, class and length whose members are for tests.
+    pub fn bearings_for_tests(&self) -> usize {
+        (self.test_share * self.bearings as f64).round() as usize
+    }
+
     /// Number of members.
     pub fn members(&self) -> usize {
         self.bearing_count() * self.loads.len() * self.speeds.len()
@@ -185,6 +191,14 @@ pub(super) fn validate(plan: &DatasetPlan) -> Verdict {
     let samples = plan.rate * (plan.settle + plan.duration);
     require(samples <= SAMPLES_MAX, "duration", format!("{samples} samples; allowed are {SAMPLES_MAX:e}"))?;
     require((0.0..=1.0).contains(&plan.test_share), "test_share", "must lie between 0 and 1")?;
+    let (all, tests) = (plan.bearings, plan.bearings_for_tests());
+    let shared = plan.test_share > 0.0 && plan.test_share < 1.0;
+    let message = format!(
+        "leaves {tests} of the {all} bearings of a kind for tests, {} for training: allowed are 0, 1 and more bearings",
+        all - tests
+    );
+    require(!shared || (tests > 0 && tests < all), "test_share", message)?;
+    require((0.0..=PI).contains(&plan.spall.zone), "spall.zone", "must lie between 0 and 180 degrees")?;
     let mut names = BTreeSet::new();
     for (i, sensor) in plan.sensors.iter().enumerate() {
         self::sensor(&format!("sensors[{i}]"), sensor, plan.rate)?;

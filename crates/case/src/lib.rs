@@ -51,6 +51,7 @@ pub use quantity::{Quantity, quantities};
 pub use schema::*;
 pub use shaft::*;
 pub use units::{in_si, unit_names};
+pub use validate::SPEED_MAX;
 
 use outline::{Outline, Path};
 use ron::extensions::Extensions;

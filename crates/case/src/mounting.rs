@@ -223,15 +223,11 @@ fn seat_of(path: &str, seat: &SeatSpec, diameter: f64, side: Side) -> Verdict {
 }
 
 fn classes(path: &str, fit: &FitSpec, diameter: f64, side: Side) -> Verdict {
-    let rule = match side {
-        Side::Inner => "an inner ring sits on a shaft, whose classes have small letters, such as k5",
-        Side::Outer => "an outer ring sits in a housing, whose classes have capitals, such as H7",
-    };
-    require(fit.class.side() == side, &format!("{path}.class"), rule)?;
+    let refused = |error: FitError| Refusal { path: format!("{path}.class"), message: error.to_string() };
+    fit.class.of_ring(side).map_err(refused)?;
     let rough = (0.0..=ROUGHNESS_MAX).contains(&fit.roughness);
     let message = format!("must lie between 0 and {} mm: R_z of both surfaces together", millimetres(ROUGHNESS_MAX));
     require(rough, &format!("{path}.roughness"), message)?;
-    let refused = |error: FitError| Refusal { path: format!("{path}.class"), message: error.to_string() };
     fit.interference(diameter).map(drop).map_err(refused)
 }
 

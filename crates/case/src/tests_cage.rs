@@ -33,6 +33,14 @@ const REFUSED: &[Refused] = &[
         "cage.free.lands[0].stiffness",
         "greater than 0",
     ),
+    ("radius: mm(26.5)", "radius: «mm(15)»", "cage.free.lands[0].radius", "between 23 and 32.5"),
+    (
+        "land: Outer,\n                    axial: mm(-5.5),\n                    radius: mm(26.5)",
+        "land: Inner, axial: mm(-5.5), radius: «mm(35)»",
+        "cage.free.lands[0].radius",
+        "inside the pitch circle",
+    ),
+    ("axial: mm(5.5)", "axial: «mm(200)»", "cage.free.lands[1].axial", "within 3 ball diameters"),
     ("fill: 0.2", "fill: «0»", "cage.free.lands[0].film.fill", "leave film out of a dry land"),
     ("extent: Half", "extent: «Quarter»", "cage.free.lands[0].film.extent", "allowed: Half, Full"),
     (

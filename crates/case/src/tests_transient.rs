@@ -56,6 +56,7 @@ const IMPOSSIBLE: &[Refused] = &[
     ("inertia: kg_m2(0.0021)", "inertia: «kg_mm2(0)»", "cage.inertia", "greater than 0"),
     ("pocket_damping: s_per_m(0.5)", "pocket_damping: «s_per_m(-0.5)»", "cage.pocket_damping", "at least 0"),
     ("radius: mm(90.25)", "radius: «mm(0)»", "cage.guidance.radius", "greater than 0"),
+    ("radius: mm(90.25)", "radius: «mm(30)»", "cage.guidance.radius", "a land of the outer ring is outside"),
     ("width: mm(12)", "width: «mm(-12)»", "cage.guidance.width", "greater than 0"),
     ("gap: mm(0.25)", "gap: «mm(0)»", "cage.guidance.gap", "greater than 0 and at most a tenth of the land's radius, 9.025 mm"),
     ("gap: mm(0.25)", "gap: «mm(10)»", "cage.guidance.gap", "at most a tenth of the land's radius, 9.025 mm"),

@@ -25,7 +25,7 @@ const GROOVE_COEFFICIENT_MAX: f64 = 0.7;
 /// have.
 const CONTACT_ANGLE_MAX_DEG: f64 = 60.0;
 /// Fastest ring, rad/s: about 955 000 r/min.
-const SPEED_MAX: f64 = 1e5;
+pub const SPEED_MAX: f64 = 1e5;
 /// Most nodes of a quadrature rule along one direction; the reference rule of the traction crate has 40 × 61.
 const NODES_MAX: usize = 1000;
 /// Open limits of the target error of the patch rule: below is rounding, above is no traction force to speak of.
@@ -161,7 +161,7 @@ fn fit(spec: Fit, distance: f64) -> Verdict {
 }
 
 /// A length in m as millimetres with the digits a drawing has.
-fn millimetres(metres: f64) -> f64 {
+pub(super) fn millimetres(metres: f64) -> f64 {
     (metres * 1e7).round() / 1e4
 }
 

@@ -1,6 +1,6 @@
 //! Impossible spalls of balls.
 
-use super::validate::{Verdict, require};
+use super::validate::{Verdict, millimetres, require};
 use super::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,7 +18,8 @@ fn spall(path: &str, spec: &BallSpallSpec, case: &Case) -> Verdict {
     };
     within("angle", spec.angle, [-2.0 * PI, 2.0 * PI], "between -360° and 360°".to_owned())?;
     within("latitude", spec.latitude, [-FRAC_PI_2, FRAC_PI_2], "between -90° and 90°".to_owned())?;
-    let up_to = |share: f64, what: &str| format!("at most {what} of the ball diameter, {} mm", 1e3 * share * diameter);
+    let up_to =
+        |share: f64, what: &str| format!("at most {what} of the ball diameter, {} mm", millimetres(share * diameter));
     let above = |share: f64, what: &str| format!("above 0 and {}", up_to(share, what));
     let least = f64::MIN_POSITIVE;
     within("length", spec.length, [least, 0.4 * diameter], above(0.4, "four tenths"))?;
@@ -26,7 +27,7 @@ fn spall(path: &str, spec: &BallSpallSpec, case: &Case) -> Verdict {
         "width",
         spec.width,
         [least, diameter],
-        format!("above 0 and at most the ball diameter, {} mm", 1e3 * diameter),
+        format!("above 0 and at most the ball diameter, {} mm", millimetres(diameter)),
     )?;
     within("depth", spec.depth, [0.0, 0.1 * diameter], format!("at least 0 and {}", up_to(0.1, "a tenth")))?;
     within(

@@ -1,8 +1,8 @@
 //! Impossible values of oil in pockets and of a cage that is free to move.
 
-use super::validate::{Verdict, not_negative, positive, require};
+use super::validate::{Verdict, millimetres, not_negative, positive, require};
 use super::*;
-use tribodyn_bearing::{PocketForce, PocketShape};
+use tribodyn_bearing::{PocketForce, PocketShape, Side};
 
 /// Largest gap of a land over its radius: the film in it is treated as flat.
 pub(super) const GAP_MAX: f64 = 0.1;
@@ -39,10 +39,13 @@ pub(super) fn validate(case: &Case) -> Verdict {
     let closest = free.lands.iter().map(|land| land.gap).fold(f64::INFINITY, f64::min);
     for (k, value) in free.displacement.into_iter().enumerate() {
         let most = closest.min(case.geometry.ball_diameter);
-        let limits = format!("must be within ± {} mm, the smallest gap of its lands", most * 1e3);
+        let limits = format!("must be within ± {} mm, the smallest gap of its lands", millimetres(most));
         require(value.abs() <= most, &format!("{path}.displacement[{k}]"), limits)?;
     }
-    free.lands.iter().enumerate().try_for_each(|(k, land)| self::land(&format!("{path}.lands[{k}]"), land))
+    free.lands
+        .iter()
+        .enumerate()
+        .try_for_each(|(k, land)| self::land(&format!("{path}.lands[{k}]"), land, &case.geometry))
 }
 
 /// The form of a cage that a fluid brakes: a ring, of a bearing that has a fluid.
@@ -74,11 +77,35 @@ fn film(case: &Case) -> Verdict {
     require(film.roughness > 0.0 && film.roughness <= most, &format!("{path}.roughness"), limits)
 }
 
-fn land(path: &str, land: &CageLandSpec) -> Verdict {
+/// Farthest from the plane of the pockets that a land has its middle, ball diameters: cages are some two of them wide.
+const AXIAL_MAX: f64 = 3.0;
+
+/// Refuses a land that is not on the side of the pitch circle on which its ring is, or more than a ball diameter away.
+pub(super) fn land_place(path: &str, (side, radius): (Side, f64), geometry: &GeometrySpec) -> Verdict {
+    let (ball, pitch) = (geometry.ball_diameter, 0.5 * geometry.pitch_diameter);
+    let (least, most) = match side {
+        Side::Inner => ((pitch - ball).max(0.0), pitch),
+        Side::Outer => (pitch, pitch + ball),
+    };
+    let [low, high] = [least, most].map(millimetres);
+    let of_pitch_circle = if side == Side::Inner { "inside" } else { "outside" };
+    let message = format!(
+        "must lie between {low} and {high} mm: a land of the {} ring is {of_pitch_circle} the pitch circle, at most a \
+         ball diameter from it",
+        side.name()
+    );
+    require((least..=most).contains(&radius), path, message)
+}
+
+fn land(path: &str, land: &CageLandSpec, geometry: &GeometrySpec) -> Verdict {
     positive(&format!("{path}.radius"), land.radius)?;
+    land_place(&format!("{path}.radius"), (land.land, land.radius), geometry)?;
+    let most = AXIAL_MAX * geometry.ball_diameter;
+    let limits = format!("must lie within {AXIAL_MAX} ball diameters of the pockets, ±{} mm", millimetres(most));
+    require(land.axial.abs() <= most, &format!("{path}.axial"), limits)?;
     positive(&format!("{path}.width"), land.width)?;
     let most = GAP_MAX * land.radius;
-    let limits = format!("must be greater than 0 and at most a tenth of the land's radius, {} mm", most * 1e3);
+    let limits = format!("must be greater than 0 and at most a tenth of the land's radius, {} mm", millimetres(most));
     require(land.gap > 0.0 && land.gap <= most, &format!("{path}.gap"), limits)?;
     positive(&format!("{path}.stiffness"), land.stiffness)?;
     not_negative(&format!("{path}.damping"), land.damping)?;

@@ -1,7 +1,7 @@
 //! Impossible values of the parts that a transient run needs.
 
-use super::validate::{Verdict, curve, fraction, not_negative, positive, require};
-use super::validate_cage::GAP_MAX;
+use super::validate::{Verdict, curve, fraction, millimetres, not_negative, positive, require};
+use super::validate_cage::{GAP_MAX, land_place};
 use super::*;
 use std::f64::consts::TAU;
 use tribodyn_bearing::Scheme;
@@ -39,7 +39,7 @@ pub(super) fn validate(case: &Case) -> Verdict {
     }
     super::validate_ball_spalls::validate(case)?;
     if let Some(spec) = &case.cage {
-        cage(spec)?;
+        cage(spec, &case.geometry)?;
     }
     super::validate_cage::validate(case)?;
     if let Some(spec) = &case.transient {
@@ -105,8 +105,8 @@ fn defect(path: &str, spec: &DefectSpec, case: &Case) -> Verdict {
 
 fn spall(path: &str, spec: &SpallSpec, ball: f64) -> Verdict {
     let within = |name: &str, value: f64, [least, most]: [f64; 2], of: &str| {
-        let message =
-            format!("must be {} 0 and at most {of}, {} mm", if least > 0.0 { "above" } else { "at least" }, 1e3 * most);
+        let above = if least > 0.0 { "above" } else { "at least" };
+        let message = format!("must be {above} 0 and at most {of}, {} mm", millimetres(most));
         require((least..=most).contains(&value), &format!("{path}.{name}"), message)
     };
     let above = f64::MIN_POSITIVE;
@@ -117,11 +117,11 @@ fn spall(path: &str, spec: &SpallSpec, ball: f64) -> Verdict {
     require(
         spec.across.abs() <= ball,
         &format!("{path}.across"),
-        format!("must lie within one ball diameter, ±{} mm", 1e3 * ball),
+        format!("must lie within one ball diameter, ±{} mm", millimetres(ball)),
     )
 }
 
-fn cage(spec: &CageSpec) -> Verdict {
+fn cage(spec: &CageSpec, geometry: &GeometrySpec) -> Verdict {
     if let Some(inertia) = spec.inertia {
         positive("cage.inertia", inertia)?;
     }
@@ -130,9 +130,10 @@ fn cage(spec: &CageSpec) -> Verdict {
         positive("cage.guidance.radius", land.radius)?;
         positive("cage.guidance.width", land.width)?;
         let most = GAP_MAX * land.radius;
-        let limits =
-            format!("must be greater than 0 and at most a tenth of the land's radius, {} mm: a thin film", most * 1e3);
+        let of_radius = format!("a tenth of the land's radius, {} mm: a thin film", millimetres(most));
+        let limits = format!("must be greater than 0 and at most {of_radius}");
         require(land.gap > 0.0 && land.gap <= most, "cage.guidance.gap", limits)?;
+        land_place("cage.guidance.radius", (land.land, land.radius), geometry)?;
     }
     Ok(())
 }

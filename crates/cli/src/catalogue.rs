@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::table::{self, number};
-use tribodyn_study::{Listed, listed};
+use tribodyn::AnswerError;
+use tribodyn_study::{Listed, StudyError, listed};
 
 /// List the bearings that `tribodyn new` knows, with their dimensions, load ratings and balls.
 #[derive(clap::Args)]
@@ -20,13 +21,21 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let entries = listed(&arguments.pattern)?;
+    let entries = listed(&arguments.pattern).map_err(of_pattern)?;
     if arguments.json {
         return table::print_json(&entries);
     }
     let header =
         ["bearing", "d mm", "D mm", "B mm", "α °", "C_r N", "C_0r N", "balls", "D_w mm", "d_m mm", "balls from"];
     table::print_rows(&header, entries.iter().map(row))
+}
+
+/// The pattern has no option's name.
+fn of_pattern(error: StudyError) -> Failure {
+    match error {
+        StudyError::Answer(AnswerError::Argument { value, message, .. }) => Failure::Place { value, message },
+        other => other.into(),
+    }
 }
 
 fn row(entry: &Listed) -> Vec<String> {

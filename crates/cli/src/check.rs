@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::input::CaseArguments;
-use crate::rating::frequency_rows;
+use crate::rating::{NOMINAL, frequency_rows};
 use crate::table::{self, number};
 use tribodyn::answers::{Derived, GrowthAnswer, derived, heated_flow};
 use tribodyn_bearing::SearchWatch;
@@ -130,7 +130,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("ellipticity outer", number(a.ellipticity_outer, 4), ""),
         ("cage speed, rolling at the free angle", number(a.cage_speed_free_rpm, 1), "r/min"),
     ];
-    rows.extend(a.frequencies.iter().flat_map(frequency_rows));
+    rows.extend(a.frequencies.iter().flat_map(|found| frequency_rows(found, NOMINAL)));
     rows.extend(fluid_rows(&a));
     rows.extend(load_rows(&a));
     rows.extend(a.growth.iter().flat_map(growth_rows));

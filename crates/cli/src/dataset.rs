@@ -5,6 +5,7 @@ use crate::input::{ReplaceArguments, pool};
 use crate::run::stop_flag;
 use crate::table::{number, print_json, print_line, print_pairs};
 use indicatif::{ProgressBar, ProgressStyle};
+use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use tribodyn::Limits;
@@ -61,6 +62,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         print(&report)?
     }
+    if let Some(first) = &report.first_warnings {
+        let (warned, column) = (report.warned, table.display());
+        let text = format!("warning: {warned} of {finished} members warn, see `warnings` in {column}; first: {first}");
+        let _ = writeln!(std::io::stderr(), "{}", crate::harmless::harmless(&text));
+    }
     match failed {
         _ if finished < members => Err(Failure::EnsembleStopped { finished, members, table: Some(table) }),
         0 => Ok(()),
@@ -74,6 +80,7 @@ fn print(r: &DatasetReport) -> Result<(), Failure> {
         ("bearings for training", r.bearings_train.to_string(), ""),
         ("bearings for tests", r.bearings_test.to_string(), ""),
         ("members without a signal", r.failed.to_string(), ""),
+        ("members with warnings", r.warned.to_string(), ""),
         ("run now", r.run.to_string(), ""),
         ("wall time", number(r.wall_s, 1), "s"),
         ("threads", r.threads.to_string(), ""),

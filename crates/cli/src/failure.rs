@@ -26,6 +26,9 @@ pub enum Failure {
     Study(StudyError),
     #[error("--{option} {value}: {message}")]
     Option { option: &'static str, value: String, message: String },
+    /// A value that stands on its place without an option's name.
+    #[error("{value}: {message}")]
+    Place { value: String, message: String },
     #[error("{file}: {source}")]
     Identify { file: String, source: Box<IdentifyError> },
     #[error(transparent)]
@@ -246,7 +249,7 @@ fn equilibrium_exit_code(error: &QuasiStaticError) -> u8 {
 fn orbit_exit_code(error: &OrbitError) -> u8 {
     match error {
         OrbitError::Start(source) => equilibrium_exit_code(source),
-        OrbitError::CageStands | OrbitError::AtRest | OrbitError::Traction(_) => 2,
+        OrbitError::CageStands | OrbitError::TurnsAsOne { .. } | OrbitError::AtRest | OrbitError::Traction(_) => 2,
         _ => 1,
     }
 }
@@ -254,6 +257,9 @@ fn orbit_exit_code(error: &OrbitError) -> u8 {
 /// The message with the options of the command that it is about.
 fn in_options(error: &StudyError) -> String {
     match error {
+        StudyError::Answer(AnswerError::Argument { name, value, message }) if value.is_empty() => {
+            format!("--{name}: {message}")
+        }
         StudyError::Answer(AnswerError::Argument { name, value, message }) => format!("--{name} {value}: {message}"),
         StudyError::Overlap { first, second } => format!("--set {first} and --set {second} sweep the same value"),
         StudyError::TableFormat { .. } => format!("--output {error}"),
@@ -270,7 +276,7 @@ fn in_options(error: &StudyError) -> String {
             "--until is missing: no coating wears through in this case: give a time in h".to_owned()
         }
         StudyError::NoCoating(_) => format!("{error}: give --clearance-limit in um, or --until in h"),
-        StudyError::NotOurs { .. } => format!("{error} without --force"),
+        StudyError::NotOurs { .. } | StudyError::OtherRecording { .. } => format!("{error} without --force"),
         StudyError::Unfinished { .. } => format!("{error}: --resume goes on with it, --restart forgets it"),
         StudyError::OtherVersion { .. }
         | StudyError::Altered { .. }

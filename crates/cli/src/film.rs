@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::input::CaseArguments;
 use crate::search::{Search, TimeArguments};
-use crate::solve::ModelName;
+use crate::solve::FrictionArguments;
 use crate::table::{self, number};
 use crate::units::in_unit;
 use serde::Serialize;
@@ -36,9 +36,8 @@ struct OfCase {
     case: CaseArguments,
     #[command(flatten)]
     time: TimeArguments,
-    /// Equations of loads and speeds
-    #[arg(long, value_enum, default_value_t = ModelName::Traction)]
-    model: ModelName,
+    #[command(flatten)]
+    model: FrictionArguments,
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -46,7 +45,7 @@ struct OfCase {
 
 #[derive(clap::Args)]
 struct OfContact {
-    /// Oil of the library: mineral, pao, ester or polyglycol with a grade, such as mineral-vg68
+    /// Oil of the library: mineral, pao, ester or polyglycol with a grade, such as mineral-vg68; vg68 alone is mineral
     #[arg(long)]
     oil: String,
     /// Temperature of the oil before the contact, °C

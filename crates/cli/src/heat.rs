@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::input::CaseArguments;
 use crate::search::{Search, TimeArguments};
-use crate::solve::ModelName;
+use crate::solve::FrictionArguments;
 use crate::table::{self, number};
 use crate::units::in_unit;
 use tribodyn::answers::{HeatAnswer, Surroundings, heat};
@@ -32,9 +32,8 @@ pub struct Arguments {
     /// Oil that flows through the bearing, l/min
     #[arg(long, value_name = "L_PER_MIN", default_value_t = 0.0, allow_negative_numbers = true)]
     oil_flow: f64,
-    /// Equations to solve
-    #[arg(long, value_enum, default_value_t = ModelName::Traction)]
-    model: ModelName,
+    #[command(flatten)]
+    model: FrictionArguments,
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,

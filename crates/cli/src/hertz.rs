@@ -11,6 +11,7 @@ use tribodyn_contact::Body;
 #[command(after_help = "Examples:
   tribodyn hertz --body1 6.35,6.35 --body2 inf,inf --load 100
   tribodyn hertz --body1 6.35,6.35 --body2 20,-6.6 --load 700 --json
+  tribodyn hertz --body1 0.25in,0.25in --body2 inf,inf --load 20lbf
   tribodyn hertz --body1 5,inf --body2 25,inf --length 12 --load 4000
 
 With --length the bodies are cylinders that touch along a line.")]
@@ -22,25 +23,25 @@ pub struct Arguments {
     #[arg(long, allow_hyphen_values = true, value_parser = radii)]
     body2: Body,
     /// Normal load, N
-    #[arg(long, allow_hyphen_values = true)]
+    #[arg(long, allow_hyphen_values = true, value_parser = in_unit("N"))]
     load: f64,
     /// Length of the line contact of two cylinders, mm (radii RX,inf)
     #[arg(long, value_name = "MM", allow_hyphen_values = true, value_parser = in_unit("mm"))]
     length: Option<f64>,
     /// Young's modulus of body 1, GPa; inf for a rigid body
-    #[arg(long, default_value_t = 206.0, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 206.0, allow_hyphen_values = true, value_parser = in_unit("GPa"))]
     young1: f64,
     /// Poisson's ratio of body 1
     #[arg(long, default_value_t = 0.3, allow_hyphen_values = true)]
     poisson1: f64,
     /// Young's modulus of body 2, GPa; inf for a rigid body
-    #[arg(long, default_value_t = 206.0, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 206.0, allow_hyphen_values = true, value_parser = in_unit("GPa"))]
     young2: f64,
     /// Poisson's ratio of body 2
     #[arg(long, default_value_t = 0.3, allow_hyphen_values = true)]
     poisson2: f64,
     /// Angle between the x planes of the two bodies, degrees
-    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true, value_parser = in_unit("deg"))]
     angle: f64,
     /// Print JSON instead of tables
     #[arg(long)]
@@ -48,8 +49,9 @@ pub struct Arguments {
 }
 
 fn radii(text: &str) -> Result<Body, String> {
-    let allowed = "two radii in mm as RX,RY, each a number other than 0 (negative for concave) or inf";
-    let numbers: Vec<f64> = text.split(',').map_while(|part| part.trim().parse().ok()).collect();
+    let allowed = "two radii in mm as RX,RY, each a number other than 0 (negative for concave) or inf, or with a unit as \
+                   0.25in";
+    let numbers: Vec<f64> = text.split(',').map_while(|part| in_unit("mm")(part).ok()).collect();
     match numbers[..] {
         [x, y] if text.split(',').count() == 2 && [x, y].iter().all(|r: &f64| !r.is_nan() && *r != 0.0) => {
             Ok(Body { radius_x: x / 1000.0, radius_y: y / 1000.0 })

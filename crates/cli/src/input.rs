@@ -3,7 +3,10 @@
 use crate::failure::Failure;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
+use tribodyn::answers::check_lubricant;
 use tribodyn::{CaseFile, Change, Limits, path_and_value};
+use tribodyn_bearing::Side;
+use tribodyn_bearing::fits::SeatClass;
 use tribodyn_catalogue::Fits;
 use tribodyn_study::{Ours, StudyError, read_case};
 
@@ -24,7 +27,7 @@ impl LimitArguments {
 /// Permission to replace.
 #[derive(clap::Args)]
 pub struct ReplaceArguments {
-    /// Replace existing files, also those that tribodyn did not write
+    /// Replace existing files, also those that tribodyn did not write and recordings of other bearings
     #[arg(long)]
     pub force: bool,
 }
@@ -34,16 +37,25 @@ impl ReplaceArguments {
     pub fn check(&self, path: &Path, case: &Path, wanted: Ours) -> Result<(), Failure> {
         Ok(wanted.may_replace(path, case, self.force)?)
     }
+
+    /// The same for the recording of a case, which replaces none of another bearing either.
+    pub fn check_recording(&self, path: &Path, case: &Path, file: &CaseFile) -> Result<(), Failure> {
+        self.check(path, case, Ours::Recording)?;
+        if !self.force {
+            Ours::keeps_others(path, &file.case.name)?;
+        }
+        Ok(())
+    }
 }
 
 /// Fits of a bearing of the built-in list.
 #[derive(clap::Args)]
 pub struct FitArguments {
     /// Tolerance class of the shaft, such as k5 (ISO 286); the fit reduces the clearance
-    #[arg(long, value_name = "CLASS")]
+    #[arg(long, value_name = "CLASS", value_parser = seat_class(Side::Inner))]
     shaft_fit: Option<String>,
     /// Tolerance class of the housing, such as H7
-    #[arg(long, value_name = "CLASS")]
+    #[arg(long, value_name = "CLASS", value_parser = seat_class(Side::Outer))]
     housing_fit: Option<String>,
 }
 
@@ -98,6 +110,19 @@ impl CaseArguments {
 /// A change of `--set`.
 pub fn change(text: &str) -> Result<Change, String> {
     path_and_value(text).map(|[path, value]| Change::new(format!("--set {text}"), path, value))
+}
+
+/// The name of a new case's lubricant.
+pub fn lubricant(word: &str) -> Result<String, String> {
+    check_lubricant(word).map(|()| word.to_owned()).map_err(|error| error.to_string())
+}
+
+/// Reads the tolerance class of the seat of a ring.
+fn seat_class(side: Side) -> impl Fn(&str) -> Result<String, String> + Clone + Send + Sync + 'static {
+    move |text| {
+        let class = SeatClass::parse(text).and_then(|class| class.of_ring(side));
+        class.map(|_| text.trim().to_owned()).map_err(|error| error.to_string())
+    }
 }
 
 /// Threads for members or rows: so many, or one for each core.

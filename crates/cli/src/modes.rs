@@ -10,6 +10,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use tribodyn::answers::{Answer, ModesAnswer, modes};
 use tribodyn_orbit::Mode;
+use tribodyn_study::Ours;
 
 /// Natural modes about the steady orbit: frequencies, damping ratios, shapes; and whether the orbit is stable.
 #[derive(clap::Args)]
@@ -20,7 +21,13 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Highest frequency, Hz
-    #[arg(long, default_value_t = f64::INFINITY, value_name = "HZ", value_parser = in_unit("Hz"))]
+    #[arg(
+        long,
+        default_value_t = f64::INFINITY,
+        value_name = "HZ",
+        allow_negative_numbers = true,
+        value_parser = in_unit("Hz")
+    )]
     up_to: f64,
     /// Print the modes of the balls too, for the instant when pocket 0 is at azimuth 0
     #[arg(long)]
@@ -39,6 +46,9 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
+    if let Some(path) = &arguments.csv {
+        arguments.replace.check(path, &arguments.case.path, Ours::Table)?;
+    }
     let search = Search::begin(&file, &arguments.time);
     let answer =
         modes(&file.question(search.watch()), arguments.up_to, arguments.all).map_err(|error| search.failed(error))?;

@@ -1,7 +1,7 @@
 //! `tribodyn new`: a complete case from a few catalogue numbers.
 
 use crate::failure::Failure;
-use crate::input::{FitArguments, ReplaceArguments};
+use crate::input::{self, FitArguments, ReplaceArguments};
 use crate::table;
 use crate::units::in_unit;
 use std::io::{BufRead, IsTerminal, Write};
@@ -63,7 +63,7 @@ pub struct Arguments {
     speed: Option<f64>,
     /// Lubricant: vg32 and other grades of mineral oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film
     /// [default: usual, which is grease for sealed bearings and oil VG 68 for open ones]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = input::lubricant)]
     lubricant: Option<String>,
     #[command(flatten)]
     fits: FitArguments,

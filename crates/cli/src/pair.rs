@@ -12,6 +12,7 @@ use tribodyn::pair::{Arrangement, PairBearing, PairSolution, Preload};
 /// Two bearings of a case on one rigid shaft: loads, preload, stiffness. The loads of the case act on the shaft, in the
 /// middle between the bearings.
 #[derive(clap::Args)]
+#[command(group = clap::ArgGroup::new("pressed").required(true).args(["offset", "spring"]))]
 #[command(after_help = "Examples:
   tribodyn pair 7210B.ron --arrangement db --distance 20 --offset 10
   tribodyn pair 7210B.ron --arrangement df --distance 20 --spring 300 --json")]
@@ -19,16 +20,16 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Arrangement of the two bearings
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, ignore_case = true)]
     arrangement: ArrangementName,
     /// Distance between the middles of the bearings, mm
-    #[arg(long, value_name = "MM", value_parser = in_unit("mm"))]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = in_unit("mm"))]
     distance: f64,
     /// Axial gap between the rings that clamping closes, µm
-    #[arg(long, value_name = "UM", allow_hyphen_values = true, required_unless_present = "spring", value_parser = in_unit("um"))]
+    #[arg(long, value_name = "UM", allow_hyphen_values = true, value_parser = in_unit("um"))]
     offset: Option<f64>,
     /// Force of a soft spring on the bearing at +z, whose outer ring slides, N
-    #[arg(long, value_name = "N", conflicts_with = "offset", value_parser = in_unit("N"))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
     spring: Option<f64>,
     /// Equations of each bearing [default: steady-orbit, or jones-harris for a case without traction or cage]
     #[arg(long, value_enum)]

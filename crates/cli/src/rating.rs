@@ -42,9 +42,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = format!("{}: {}", file.name, crate::harmless::visible(&file.case.name));
     table::print_head(&name, findings)?;
     let mut printed = rows(found.value(), findings.model().name());
-    printed.extend(found.value().frequencies.iter().flat_map(frequency_rows));
+    printed.extend(found.value().frequencies.iter().flat_map(|found| frequency_rows(found, LOADED)));
     table::print_pairs(&printed)?;
-    for note in [&found.value().lubrication_note, &found.value().grease_note].into_iter().flatten() {
+    if let Some(note) = &found.value().grease_note {
         table::print_line(&format!("note: {note}"))?;
     }
     table::print_warnings(findings.warnings())
@@ -52,15 +52,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 pub type Row = (&'static str, String, &'static str);
 
-/// Frequencies of defects, a row each.
-pub fn frequency_rows(f: &BearingFrequencies) -> Vec<Row> {
+/// Unit of frequencies of balls that roll at the nominal contact angle.
+pub const NOMINAL: &str = "Hz, nominal angle";
+/// Unit of those of balls that roll at the mean contact angle of the loaded ones.
+pub const LOADED: &str = "Hz, angle under load";
+
+/// Frequencies of defects, a row each, with the unit that says at which contact angle the balls roll.
+pub fn frequency_rows(f: &BearingFrequencies, unit: &'static str) -> Vec<Row> {
     vec![
         ("rotation", number(f.shaft_hz, 3), "Hz"),
-        ("cage, FTF", number(f.cage_hz, 3), "Hz"),
-        ("defect of the outer race, BPFO", number(f.ball_pass_outer_hz, 3), "Hz"),
-        ("defect of the inner race, BPFI", number(f.ball_pass_inner_hz, 3), "Hz"),
-        ("turns of a ball, BSF", number(f.ball_spin_hz, 3), "Hz"),
-        ("defect of a ball, 2 BSF", number(f.ball_defect_hz, 3), "Hz"),
+        ("cage, FTF", number(f.cage_hz, 3), unit),
+        ("defect of the outer race, BPFO", number(f.ball_pass_outer_hz, 3), unit),
+        ("defect of the inner race, BPFI", number(f.ball_pass_inner_hz, 3), unit),
+        ("turns of a ball, BSF", number(f.ball_spin_hz, 3), unit),
+        ("defect of a ball, 2 BSF", number(f.ball_defect_hz, 3), unit),
     ]
 }
 

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use indicatif::ProgressBar;
 use std::io::{IsTerminal, Write};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 use tribodyn::CaseFile;
@@ -35,6 +35,7 @@ pub struct Search {
     limit_s: f64,
     file: String,
     done: Arc<AtomicBool>,
+    strides: Arc<AtomicUsize>,
     shown: Option<JoinHandle<()>>,
 }
 
@@ -48,9 +49,21 @@ impl Search {
         if terminal && let Some(warning) = load_warning(file) {
             tell(&format!("warning: {warning}"));
         }
+        let strides = Arc::new(AtomicUsize::new(0));
         let (seen, ended, limit_s) = (Arc::clone(&patience), Arc::clone(&done), time.limit_s);
-        let shown = std::thread::Builder::new().spawn(move || show(&seen, &ended, limit_s, terminal)).ok();
-        Self { patience, limit_s, file: file.name.clone(), done, shown }
+        let counted = Arc::clone(&strides);
+        let shown = std::thread::Builder::new().spawn(move || show(&seen, (&ended, &counted), limit_s, terminal)).ok();
+        Self { patience, limit_s, file: file.name.clone(), done, strides, shown }
+    }
+
+    /// For a life: one operating point after the other, for as long as that takes.
+    pub fn of_strides(file: &CaseFile) -> Self {
+        Self::begin(file, &TimeArguments { limit_s: f64::INFINITY })
+    }
+
+    /// Counts a finished stride.
+    pub fn stride(&self) {
+        self.strides.fetch_add(1, Ordering::Relaxed);
     }
 
     /// The link for those who search.
@@ -93,20 +106,24 @@ fn words(stage: SearchStage) -> String {
 }
 
 /// A line that changes on a terminal, or one line elsewhere.
-fn show(patience: &Patience, done: &AtomicBool, limit_s: f64, terminal: bool) {
+fn show(patience: &Patience, (done, strides): (&AtomicBool, &AtomicUsize), limit_s: f64, terminal: bool) {
     let began = Instant::now();
     let bar = if terminal { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
     let mut told = false;
     while !done.load(Ordering::Relaxed) {
         let seconds = began.elapsed().as_secs_f64();
         let stage = patience.reached().map_or_else(|| "rolling balls".to_owned(), words);
-        bar.set_message(format!("seeking the operating point: {stage}, {seconds:.0} s"));
+        let strides = match strides.load(Ordering::Relaxed) {
+            0 => String::new(),
+            finished => format!("{finished} strides finished; "),
+        };
+        bar.set_message(format!("{strides}seeking the operating point: {stage}, {seconds:.0} s"));
         bar.tick();
         if !terminal && !told && patience.spent_s() > QUIET_S {
             told = true;
-            tell(&format!(
-                "seeking the operating point: {stage}; it may take {limit_s} s of processor time (--time-limit)"
-            ));
+            let limit = format!("; it may take {limit_s} s of processor time (--time-limit)");
+            let limit = if limit_s.is_finite() { limit } else { String::new() };
+            tell(&format!("seeking the operating point: {stage}{limit}"));
         }
         std::thread::park_timeout(LOOK_EVERY);
     }

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use tribodyn::Change;
 use tribodyn_plot::{Axis, Figure, LineChart, Panel, Series};
 use tribodyn_study::StagedFiles;
-use tribodyn_study::preload::{SetAnswer, SetPoint, SetPreload, SetQuestion, bearing_set, sides};
+use tribodyn_study::preload::{SetAnswer, SetPoint, SetPreload, SetQuestion, bearing_set, pressed, sides};
 use tribodyn_study::shaft::named_case;
 
 /// Preload, unloading force and axial rigidity of a set of like bearings, and its displacement under axial load.
@@ -39,8 +39,8 @@ pub struct Arguments {
     /// Direction of thrust that each bearing carries, from −z to +z, such as ++- for two against one
     #[arg(long, value_name = "SIGNS", conflicts_with = "arrangement", allow_hyphen_values = true)]
     sides: Option<String>,
-    /// Preload, N
-    #[arg(long, value_name = "N", required_unless_present_any = ["offset", "spring"], value_parser = in_unit("N"))]
+    /// Preload, N; a set that carries one way only, as DT, has none
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
     preload: Option<f64>,
     /// Condition for which the preload is given
     #[arg(long, value_enum, default_value_t = Given::Unmounted, requires = "preload")]
@@ -49,13 +49,19 @@ pub struct Arguments {
     #[arg(long, value_name = "UM", allow_hyphen_values = true, conflicts_with = "preload", value_parser = in_unit("um"))]
     offset: Option<f64>,
     /// Force of a soft spring in place of the bearings that carry −z, N
-    #[arg(long, value_name = "N", conflicts_with_all = ["preload", "offset"], value_parser = in_unit("N"))]
+    #[arg(
+        long,
+        value_name = "N",
+        conflicts_with_all = ["preload", "offset"],
+        allow_negative_numbers = true,
+        value_parser = in_unit("N")
+    )]
     spring: Option<f64>,
     /// Axial loads along +z, N, as N,N,… [default: up to the unloading force]
     #[arg(long, value_name = "N", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("N"))]
     loads: Vec<f64>,
     /// Speeds of a map of the preload, r/min, as RPM,RPM,…
-    #[arg(long, value_name = "RPM", value_delimiter = ',')]
+    #[arg(long, value_name = "RPM", value_delimiter = ',', allow_hyphen_values = true)]
     speeds: Vec<f64>,
     /// Temperatures of shaft and inner ring above those of the case for the map, K, as K,K,…; balls get half of it
     #[arg(long, value_name = "K", value_delimiter = ',', allow_hyphen_values = true)]
@@ -80,12 +86,24 @@ enum Given {
     Running,
 }
 
+impl Given {
+    fn condition(self) -> fn(f64) -> SetPreload {
+        match self {
+            Self::Unmounted => SetPreload::UnmountedN,
+            Self::Mounted => SetPreload::MountedN,
+            Self::Running => SetPreload::RunningN,
+        }
+    }
+}
+
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let listed = tribodyn_catalogue::Given { fits: arguments.fits.fits(), ..Default::default() };
     let case = named_case(&arguments.bearing, listed, &arguments.changes, &arguments.limits.limits())?;
+    let sides = sides(arguments.arrangement.as_deref(), arguments.sides.as_deref())?;
+    let force = arguments.preload.map(|force| (force, arguments.given.condition()));
     let question = SetQuestion {
-        sides: sides(arguments.arrangement.as_deref(), arguments.sides.as_deref())?,
-        preload: preload(arguments)?,
+        preload: pressed(&sides, force, arguments.offset, arguments.spring)?,
+        sides,
         loads: finite("loads", &arguments.loads, f64::is_finite, "finite loads in N")?,
         speeds_rpm: finite(
             "speeds",
@@ -108,26 +126,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return table::print_json(&answer);
     }
     print(&arguments.bearing, &answer)
-}
-
-fn preload(arguments: &Arguments) -> Result<SetPreload, Failure> {
-    let allowed = |option: &'static str, value: f64, rule: bool, text: &str| match rule && value.is_finite() {
-        true => Ok(value),
-        false => Err(Failure::Option { option, value: value.to_string(), message: format!("allowed is {text}") }),
-    };
-    if let Some(force) = arguments.preload {
-        let force = allowed("preload", force, force >= 0.0, "0 N or more")?;
-        return Ok(match arguments.given {
-            Given::Unmounted => SetPreload::UnmountedN(force),
-            Given::Mounted => SetPreload::MountedN(force),
-            Given::Running => SetPreload::RunningN(force),
-        });
-    }
-    if let Some(force) = arguments.spring {
-        return Ok(SetPreload::SpringN(allowed("spring", force, force >= 0.0, "0 N or more")?));
-    }
-    let offset = arguments.offset.unwrap_or(f64::NAN);
-    Ok(SetPreload::OffsetM(1e-6 * allowed("offset", offset, true, "a finite number of µm")?))
 }
 
 fn finite(option: &'static str, all: &[f64], rule: fn(f64) -> bool, allowed: &str) -> Result<Vec<f64>, Failure> {
@@ -188,7 +186,8 @@ fn print(name: &str, answer: &SetAnswer) -> Result<(), Failure> {
                 s.bearing_force_n.iter().map(|force| number(*force, 1)).collect::<Vec<_>>().join("  "),
             ]
         }),
-    )
+    )?;
+    table::print_warnings(&answer.warnings)
 }
 
 fn figure(name: &str, answer: &SetAnswer) -> Result<Figure, Failure> {

@@ -1,13 +1,14 @@
 //! `tribodyn sheet`: one bearing under one load on one page.
 
 use crate::failure::Failure;
-use crate::input::{FitArguments, LimitArguments, ReplaceArguments, change};
-use crate::rating::{Row, frequency_rows};
+use crate::input::{self, FitArguments, LimitArguments, ReplaceArguments, change};
+use crate::rating::{LOADED, Row, frequency_rows};
 use crate::table::{self, number};
 use crate::units::in_unit;
 use std::path::PathBuf;
 use tribodyn::Change;
 use tribodyn::answers::Equations;
+use tribodyn::rating::RatingSource;
 use tribodyn::sheet::{Sheet, SheetQuestion, sheet};
 use tribodyn_study::StagedFiles;
 use tribodyn_study::shaft::named_case;
@@ -27,10 +28,10 @@ pub struct Arguments {
     #[arg(value_name = "BEARING")]
     bearing: String,
     /// Radial load, N
-    #[arg(long, value_name = "N", value_parser = in_unit("N"))]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = in_unit("N"))]
     radial: f64,
-    /// Axial load, N
-    #[arg(long, value_name = "N", default_value_t = 0.0, value_parser = in_unit("N"))]
+    /// Axial load, N; a bearing with shoulders on both sides carries a negative one too
+    #[arg(long, value_name = "N", default_value_t = 0.0, allow_hyphen_values = true, value_parser = in_unit("N"))]
     axial: f64,
     /// Speed of the inner ring, r/min
     #[arg(long, value_name = "RPM", allow_negative_numbers = true, value_parser = in_unit("rpm"))]
@@ -40,7 +41,7 @@ pub struct Arguments {
     changes: Vec<Change>,
     /// Lubricant of a listed bearing, as for `new`: usual, vg68 and other grades, an oil such as pao-vg32, grease; adds
     /// the modified life
-    #[arg(long, visible_alias = "oil", value_name = "NAME")]
+    #[arg(long, visible_alias = "oil", value_name = "NAME", value_parser = input::lubricant)]
     lubricant: Option<String>,
     #[command(flatten)]
     fits: FitArguments,
@@ -57,12 +58,14 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    for (option, value, least) in
-        [("radial", arguments.radial, 0.0), ("axial", arguments.axial, 0.0), ("speed", arguments.speed, f64::MIN)]
-    {
+    for (option, value, least, allowed) in [
+        ("radial", arguments.radial, 0.0, "0 N or more"),
+        ("axial", arguments.axial, f64::MIN, "a finite force in N"),
+        ("speed", arguments.speed, f64::MIN, "a finite speed in r/min"),
+    ] {
         if !(value.is_finite() && value >= least) {
-            let message = if least == 0.0 { "allowed is 0 N or more" } else { "allowed is a finite speed in r/min" };
-            return Err(Failure::Option { option, value: value.to_string(), message: message.to_owned() });
+            let message = format!("allowed is {allowed}");
+            return Err(Failure::Option { option, value: value.to_string(), message });
         }
     }
     let (fits, lubricant) = (arguments.fits.fits(), arguments.lubricant.clone());
@@ -88,25 +91,41 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         table::print_pairs(rows)?;
     }
     table::print_line("")?;
-    found.warnings.iter().try_for_each(|warning| table::print_line(&format!("warning: {warning}")))
+    if let Some(note) = &found.rating.grease_note {
+        table::print_line(&format!("note: {note}"))?;
+    }
+    table::print_warnings(&found.warnings)
 }
 
 /// A number that there is under load only.
 fn shown(value: Option<f64>, factor: f64, digits: usize) -> String {
-    value.map_or_else(|| "no load: not defined".to_owned(), |value| number(value * factor, digits))
+    value.map_or_else(no_load, |value| number(value * factor, digits))
 }
 
-/// The sheet part by part.
+fn no_load() -> String {
+    "no load: not defined".to_owned()
+}
+
+/// Rows of the bearing itself.
+fn bearing(s: &Sheet) -> Vec<Row> {
+    let bore = match s.bore_source {
+        RatingSource::Catalogue => "mm",
+        RatingSource::Computed => "mm, estimated from the balls",
+    };
+    vec![
+        ("balls", s.ball_count.to_string(), ""),
+        ("ball diameter", number(s.ball_diameter_m * 1e3, 3), "mm"),
+        ("pitch diameter", number(s.pitch_diameter_m * 1e3, 2), "mm"),
+        ("bore", number(s.bore_m * 1e3, 2), bore),
+        ("radial internal clearance", number(s.radial_clearance_m * 1e6, 1), "µm"),
+    ]
+}
+
+/// A sheet part by part.
 fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
     let list = |values: &[f64], factor: f64, digits: usize| {
         values.iter().map(|v| number(v * factor, digits)).collect::<Vec<_>>().join("  ")
     };
-    let bearing = vec![
-        ("balls", s.ball_count.to_string(), ""),
-        ("ball diameter", number(s.ball_diameter_m * 1e3, 3), "mm"),
-        ("pitch diameter", number(s.pitch_diameter_m * 1e3, 2), "mm"),
-        ("radial internal clearance", number(s.radial_clearance_m * 1e6, 1), "µm"),
-    ];
     let operation = vec![
         ("radial load", number(s.radial_load_n, 1), "N"),
         ("axial load", number(s.axial_load_n, 1), "N"),
@@ -124,7 +143,11 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
     let balls = vec![
         ("balls under load", s.loaded_balls.to_string(), ""),
         ("largest ball load", number(s.ball_load_max_n, 1), "N"),
-        ("contact angles, inner race", list(&s.contact_angle_rad, 180.0 / std::f64::consts::PI, 2), "°"),
+        (
+            "contact angles, inner race",
+            s.contact_angle_rad.map_or_else(no_load, |angles| list(&angles, 180.0 / std::f64::consts::PI, 2)),
+            "°",
+        ),
         ("highest peak pressure", shown(s.rating.peak_pressure_max_pa, 1e-9, 3), "GPa"),
     ];
     let mut friction = vec![
@@ -137,7 +160,7 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
         friction.extend(torque.map(|torque| (name, number(torque * 1e3, 2), "N mm")));
     }
     let mut parts = vec![
-        ("Bearing", bearing),
+        ("Bearing", bearing(s)),
         ("Fits", s.fits.iter().flat_map(crate::fits::rows).collect()),
         ("Operation", operation),
         ("Life and safety", crate::rating::rows(&s.rating, Equations::JonesHarris.name())),
@@ -146,7 +169,7 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
         ("Friction", friction),
     ];
     if let Some(found) = &s.rating.frequencies {
-        parts.push(("Frequencies", frequency_rows(found)));
+        parts.push(("Frequencies", frequency_rows(found, LOADED)));
     }
     parts.retain(|(_, rows)| !rows.is_empty());
     parts

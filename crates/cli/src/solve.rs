@@ -6,12 +6,14 @@ use crate::input::{CaseArguments, ReplaceArguments};
 use crate::orbit;
 use crate::search::{Search, TimeArguments};
 use crate::table::{self, number};
+use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 use tribodyn::answers::{Equations, Equilibrium, OrbitAnswer, equilibrium};
 use tribodyn::{CaseFile, Change};
 use tribodyn_quasistatic::{BallResult, BallRoots, Model, Root, Solution};
 use tribodyn_record::{SolutionRecording, write_solution};
-use tribodyn_study::{Ours, StagedFiles};
+use tribodyn_study::StagedFiles;
 
 /// Solve the quasi-static equilibrium of ring and balls, or their steady orbit.
 #[derive(clap::Args)]
@@ -24,7 +26,7 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Equations to solve
-    #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
+    #[arg(long, value_enum, default_value_t)]
     model: ModelName,
     /// Let traction parameters vary with pressure; short for --set traction.varying=…
     #[arg(long, value_name = "BOOL")]
@@ -50,14 +52,15 @@ pub struct Arguments {
     time: TimeArguments,
 }
 
-/// Equations of an operating point.
-#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+/// Equations of an operating point; the steady orbit where nobody asks for others.
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 pub enum ModelName {
     /// Raceway control, no traction
     JonesHarris,
     /// Traction integrals of both contacts
     Traction,
     /// The periodic motion of balls and cage that a run settles to
+    #[default]
     SteadyOrbit,
 }
 
@@ -72,7 +75,45 @@ impl ModelName {
     }
 }
 
+/// The equations of an answer that needs friction.
+#[derive(clap::Args)]
+pub struct FrictionArguments {
+    /// Equations to solve
+    #[arg(long, value_enum, default_value_t, value_parser = with_friction())]
+    model: ModelName,
+}
+
+impl FrictionArguments {
+    /// The equations as the library knows them.
+    pub fn equations(&self) -> Equations {
+        self.model.equations()
+    }
+}
+
+/// Offers the models with friction; the others are read too, so that the answer says what they lack.
+fn with_friction() -> impl TypedValueParser<Value = ModelName> {
+    let values = ModelName::value_variants().iter().filter_map(|model| {
+        let without = model.equations() == Equations::JonesHarris;
+        Some(model.to_possible_value()?.hide(without))
+    });
+    PossibleValuesParser::new(values).try_map(|name| ModelName::from_str(&name, false))
+}
+
 impl Arguments {
+    /// The case with its changes; an option of dry traction is refused where the case has none.
+    fn read(&self) -> Result<CaseFile, Failure> {
+        let own = [("varying", self.varying), ("differential-slip", self.differential_slip)];
+        if let Some((option, value)) = own.into_iter().find_map(|(option, value)| Some((option, value?))) {
+            let plain = self.case.read()?.case;
+            if plain.traction.is_none() {
+                let is = if plain.lubricant.is_some() { "is lubricated and " } else { "" };
+                let message = format!("the case {is}has no coating, and this is a choice of solid films (`traction`)");
+                return Err(Failure::Option { option, value: value.to_string(), message });
+            }
+        }
+        Ok(self.case.read_with(&self.changes())?)
+    }
+
     /// The changes to the case: those of `--set`, then those with an option of their own.
     fn changes(&self) -> Vec<Change> {
         let own = |name: &str, path, value: Option<bool>| {
@@ -85,9 +126,9 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = arguments.case.read_with(&arguments.changes())?;
+    let file = arguments.read()?;
     if let Some(path) = &arguments.output {
-        arguments.replace.check(path, &arguments.case.path, Ours::Recording)?;
+        arguments.replace.check_recording(path, &arguments.case.path, &file)?;
     }
     let Some(model) = arguments.model.equations().equilibrium() else { return orbit(arguments, &file) };
     let search = Search::begin(&file, &arguments.time);

@@ -10,6 +10,7 @@ use crate::units::in_unit;
 use std::fmt::Write;
 use std::path::PathBuf;
 use tribodyn::answers::{Answer, StiffnessAnswer, stiffness};
+use tribodyn_study::Ours;
 
 /// Stiffness of the inner ring: forces and moments against displacements and tilts, balls and cage in balance.
 #[derive(clap::Args)]
@@ -20,7 +21,7 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Equations of the operating point
-    #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
+    #[arg(long, value_enum, default_value_t)]
     model: ModelName,
     /// Speeds of the inner ring, r/min, as N,N,… [default: that of the case]
     #[arg(long, value_name = "RPM", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("rpm"))]
@@ -45,6 +46,9 @@ const AXES: [&str; 5] = ["x", "y", "z", "tilt_x", "tilt_y"];
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.case.read()?;
+    for path in [&arguments.csv, &arguments.ross].into_iter().flatten() {
+        arguments.replace.check(path, &arguments.case.path, Ours::Table)?;
+    }
     let search = Search::begin(&file, &arguments.time);
     let answers = stiffness(&file.question(search.watch()), arguments.model.equations(), &arguments.speeds);
     let answers = answers.map_err(|error| search.failed(error))?;

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::input::CaseArguments;
 use crate::search::{Search, TimeArguments};
-use crate::solve::ModelName;
+use crate::solve::FrictionArguments;
 use crate::table::{self, number};
 use tribodyn::answers::{TorqueAnswer, torque};
 
@@ -17,9 +17,8 @@ pub struct Arguments {
     case: CaseArguments,
     #[command(flatten)]
     time: TimeArguments,
-    /// Equations to solve
-    #[arg(long, value_enum, default_value_t = ModelName::Traction)]
-    model: ModelName,
+    #[command(flatten)]
+    model: FrictionArguments,
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,

@@ -50,6 +50,8 @@ mod report;
 mod run;
 #[path = "cli/shaft.rs"]
 mod shaft;
+#[path = "cli/sheet.rs"]
+mod sheet;
 #[path = "cli/sides.rs"]
 mod sides;
 #[path = "cli/sweep.rs"]

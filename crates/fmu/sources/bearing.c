@@ -105,6 +105,8 @@ int bearing_solve(const Parameters *p, const Inputs *in, Outputs *out) {
 int bearing_is_possible(const Parameters *p) {
     static const double STILL[RACES] = {0.0, 0.0};
     Bearing b;
-    return p->ball_count <= MOST_BALLS && p->ball_diameter > 0.0 && p->ball_diameter < p->pitch_diameter
-        && p->ball_mass > 0.0 && bearing_of(p, STILL, &b);
+    /* Neighbouring balls touch where the chord of their spacing is the ball diameter. */
+    return p->ball_count >= 2 && p->ball_count <= MOST_BALLS && p->ball_diameter > 0.0
+        && p->pitch_diameter * sin(0.5 * TAU / p->ball_count) > p->ball_diameter && p->ball_mass > 0.0
+        && p->damping >= 0.0 && bearing_of(p, STILL, &b);
 }

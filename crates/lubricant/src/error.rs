@@ -14,7 +14,7 @@ pub enum LubricantError {
         unit: &'static str,
     },
     /// A quantity outside the range that oils have.
-    #[error("{quantity} is {value} {unit}: oils have {low} to {high} {unit}")]
+    #[error("{quantity} is {} {unit}: oils have {low} to {high} {unit}", rounded(*.value))]
     Range {
         /// Its name.
         quantity: &'static str,
@@ -43,8 +43,11 @@ pub enum LubricantError {
     },
     /// Viscosity that does not fall with temperature.
     #[error(
-        "viscosity {cold} mm²/s at {cold_c} °C and {hot} mm²/s at {hot_c} °C: \
-         the viscosity of an oil falls with temperature"
+        "viscosity {} mm²/s at {} °C and {} mm²/s at {} °C: the viscosity of an oil falls with temperature",
+        rounded(*.cold),
+        rounded(*.cold_c),
+        rounded(*.hot),
+        rounded(*.hot_c)
     )]
     Rising {
         /// At the lower temperature, mm²/s.
@@ -80,4 +83,10 @@ pub enum LubricantError {
         /// a/b, across rolling over along it.
         ellipticity: f64,
     },
+}
+
+/// A number with six digits and no more than it needs.
+fn rounded(value: f64) -> String {
+    let text = format!("{value:.5e}");
+    text.parse::<f64>().map_or(text, |rounded| rounded.to_string())
 }

@@ -38,6 +38,16 @@ pub enum OrbitError {
          change one speed a little"
     )]
     CageStands,
+    /// Rings that turn, and not against each other.
+    #[error(
+        "both rings turn at {} r/min and not against each other, so that balls and cage turn with them as one body \
+         and nothing rolls",
+        (speed_rad_s * 60e3 / TAU).round() / 1e3
+    )]
+    TurnsAsOne {
+        /// Speed of both, rad/s.
+        speed_rad_s: f64,
+    },
     /// Balls at rest, where an orbit is asked for.
     #[error("balls and cage stand still; `transient.start` can be Rest")]
     AtRest,

@@ -23,6 +23,14 @@ const NEXT_DOOR: usize = 2;
 /// met, contacts begin and end elsewhere than its mesh is made for.
 const WITHIN: f64 = 0.5;
 
+/// Refuses what has no orbit to seek.
+fn check(bearing: &Bearing, point: &OperatingPoint) -> Result<(), OrbitError> {
+    if point.turns_as_one() {
+        return Err(OrbitError::TurnsAsOne { speed_rad_s: point.inner_speed });
+    }
+    Ok(check_thrust(bearing, point)?)
+}
+
 /// Solves for the steady orbit from a cold start.
 ///
 /// # Errors
@@ -33,7 +41,7 @@ pub fn steady_orbit(
     cage: &CageBody,
     settings: &OrbitSettings,
 ) -> Result<SolvedOrbit, OrbitError> {
-    check_thrust(bearing, point)?;
+    check(bearing, point)?;
     let problem = Problem { bearing: &prepared(bearing, settings), point, cage, settings };
     if let Some(standing) = standing(problem.bearing, point, cage) {
         return Ok(standing);
@@ -58,7 +66,7 @@ pub fn steady_orbit_from(
     settings: &OrbitSettings,
     near: &OrbitStart,
 ) -> Result<SolvedOrbit, OrbitError> {
-    check_thrust(bearing, point)?;
+    check(bearing, point)?;
     let problem = Problem { bearing, point, cage, settings };
     if let Some(solved) = hurried(problem, near, (HURRY, f64::INFINITY), fitted)? {
         return Ok(solved);
@@ -79,7 +87,7 @@ pub fn steady_orbit_near(
     settings: &OrbitSettings,
     near: &OrbitStart,
 ) -> Result<Option<SolvedOrbit>, OrbitError> {
-    check_thrust(bearing, point)?;
+    check(bearing, point)?;
     let problem = Problem { bearing, point, cage, settings };
     if let Some(solved) = hurried(problem, near, (NEXT_DOOR, WITHIN), as_it_is)? {
         return Ok(Some(solved));

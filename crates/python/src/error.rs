@@ -77,6 +77,7 @@ pub fn study(py: Python<'_>, error: impl Into<StudyError>) -> PyErr {
         | StudyError::NoCheckpoint { checkpoint: path, .. }
         | StudyError::Busy { output: path, .. }
         | StudyError::NotOurs { path, .. }
+        | StudyError::OtherRecording { path, .. }
         | StudyError::Merge { path, .. }
         | StudyError::Incomplete { path, .. } => {
             with_facts(py, "FileError", &message, |facts| facts.set_item("file", path.display().to_string()))

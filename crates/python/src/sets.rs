@@ -14,7 +14,7 @@ use tribodyn::pair::{Arrangement, Preload};
 use tribodyn::sheet::{SheetQuestion, sheet as bearing_sheet};
 use tribodyn::{Change, Limits};
 use tribodyn_study::StudyError;
-use tribodyn_study::preload::{SetPreload, SetQuestion, bearing_set, sides};
+use tribodyn_study::preload::{SetPreload, SetQuestion, bearing_set, pressed, sides};
 use tribodyn_study::shaft::{ShaftFile, shaft_outcome};
 
 /// A finite number that a rule allows.
@@ -87,33 +87,24 @@ pub struct SetRequest {
 }
 
 impl SetRequest {
-    fn pressed(&self, py: Python<'_>) -> PyResult<SetPreload> {
-        let force = |name, value| number(py, name, value, |n| n >= 0.0, "0 N or more");
-        match (self.preload, self.offset, self.spring) {
-            (Some(preload), None, None) => {
-                let preload = force("preload", preload)?;
-                match self.given.as_str() {
-                    "unmounted" => Ok(SetPreload::UnmountedN(preload)),
-                    "mounted" => Ok(SetPreload::MountedN(preload)),
-                    "running" => Ok(SetPreload::RunningN(preload)),
-                    other => Err(error::argument(py, "given", other, "allowed are unmounted, mounted, running")),
-                }
-            }
-            (None, Some(um), None) => {
-                Ok(SetPreload::OffsetM(1e-6 * number(py, "offset", um, |_| true, "a finite number of um")?))
-            }
-            (None, None, Some(spring)) => Ok(SetPreload::SpringN(force("spring", spring)?)),
-            _ => Err(error::argument(py, "preload", "None", "allowed is one of preload, offset and spring")),
-        }
+    fn pressed(&self, py: Python<'_>, sides: &[bool]) -> PyResult<SetPreload> {
+        let condition = match self.given.as_str() {
+            "unmounted" => SetPreload::UnmountedN,
+            "mounted" => SetPreload::MountedN,
+            "running" => SetPreload::RunningN,
+            other => return Err(error::argument(py, "given", other, "allowed are unmounted, mounted, running")),
+        };
+        let force = self.preload.map(|force| (force, condition));
+        pressed(sides, force, self.offset, self.spring).map_err(|failure| error::study(py, failure))
     }
 }
 
 /// A set of like bearings.
 #[pyfunction]
 pub fn set<'py>(py: Python<'py>, case: &NativeCase, request: SetRequest) -> PyResult<Bound<'py, PyAny>> {
-    let pressed = request.pressed(py)?;
     let sides = sides(request.arrangement.as_deref(), request.sides.as_deref());
     let sides = sides.map_err(|failure| error::study(py, failure))?;
+    let pressed = request.pressed(py, &sides)?;
     for load in &request.loads {
         number(py, "loads", *load, |_| true, "finite loads in N")?;
     }
@@ -138,10 +129,9 @@ pub fn sheet<'py>(
     axial: f64,
     speed: f64,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let load = |name, value| number(py, name, value, |n| n >= 0.0, "0 N or more");
     let question = SheetQuestion {
-        radial: load("radial", radial)?,
-        axial: load("axial", axial)?,
+        radial: number(py, "radial", radial, |n| n >= 0.0, "0 N or more")?,
+        axial: number(py, "axial", axial, |_| true, "a finite force in N")?,
         speed: number(py, "speed", speed, |_| true, "a finite speed in r/min")? * std::f64::consts::PI / 30.0,
     };
     let file = Arc::clone(&case.file);

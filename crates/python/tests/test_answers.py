@@ -260,6 +260,32 @@ def test_limit_bad_questions_are_refused(paper: Case, plain: Case) -> None:
         tribodyn.hertz((1.0,), (1.0, 1.0), 10)
 
 
+def test_limit_arguments_of_another_kind_are_named(plain: Case) -> None:
+    other: Any = "7210B.ron"
+    text: Any = "3000"
+    bad: dict[str, Callable[[], Any]] = {
+        "case": lambda: tribodyn.solve(other),
+        "speeds": lambda: tribodyn.stiffness(plain, "jones-harris", speeds=text),
+        "modes": lambda: tribodyn.shaft("shaft.ron", modes=text),
+        "loads": lambda: tribodyn.bearing_set(plain, "DB", preload=200, loads=text),
+        "offset": lambda: tribodyn.pair(plain, "DB", 60, offset=text),
+        "duration": lambda: tribodyn.run(plain, duration=text),
+        "ring.z.Force": lambda: tribodyn.sobol({"ring.z.Force": ("N", (3, 2))}, 4, seed=1),
+    }
+    for name, question in bad.items():
+        with pytest.raises(InputError, match="allowed") as caught:
+            question()
+        assert caught.value.path == name
+
+
+def test_limit_bearings_in_tandem_have_no_preload(plain: Case) -> None:
+    with pytest.raises(InputError, match="same way"):
+        tribodyn.bearing_set(plain, "DT", preload=500)
+    with pytest.raises(InputError, match="one of preload, offset and spring"):
+        tribodyn.bearing_set(plain, "DB")
+    assert tribodyn.bearing_set(plain, "DT", loads=1000).states[0].displacement_m > 0.0
+
+
 def test_limit_an_equilibrium_that_is_not_found_says_how_far_it_came(paper: Case) -> None:
     hard = paper.replace({"numerics.max_iterations": 1})
     with pytest.raises(SolveError) as caught:

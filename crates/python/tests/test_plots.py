@@ -22,7 +22,7 @@ MORE: dict[str, Any] = {
     "set": lambda: tribodyn.bearing_set(_plain(), "DB", preload=200),
     "sheet": lambda: tribodyn.sheet(_plain(), radial=1000, axial=800, speed=3000),
     "shaft": lambda: tribodyn.shaft(ROOT / "fixtures" / "shafts" / "motor.ron"),
-    "film": lambda: tribodyn.film(_oil(), "jones-harris"),
+    "film": lambda: tribodyn.film(_oil(), "traction"),
     "torque": lambda: tribodyn.torque(_oil()),
     "listed": lambda: tribodyn.catalogue("6206")[0],
     "ensemble": lambda: tribodyn.ensemble(

@@ -91,7 +91,7 @@ impl std::fmt::Display for Reason {
 pub enum QuasiStaticError {
     /// The iteration stopped above the tolerance.
     #[error(
-        "{model:?} model did not converge: {equation} of {place} has a relative residual of {residual:.3e} after {iterations} steps (tolerance {tolerance:.1e}): {reason}"
+        "{model} model did not converge: {equation} of {place} has a relative residual of {residual:.3e} after {iterations} steps (tolerance {tolerance:.1e}): {reason}"
     )]
     NotConverged {
         /// Which equations.
@@ -129,7 +129,7 @@ pub enum QuasiStaticError {
         error: f64,
     },
     /// The bearing or the operating point lacks what the model uses.
-    #[error("{model:?} model needs what is not given: {}", missing.join(", "))]
+    #[error("{model} model needs what is not given: {}", missing.join(", "))]
     Missing {
         /// Which equations.
         model: Model,
@@ -147,7 +147,7 @@ pub enum QuasiStaticError {
     },
     /// Balls that the inner race presses nowhere, while the ring is loaded.
     #[error(
-        "{model:?} model: no equilibrium was found in which a ball is loaded; what is left carries the ring by friction without load: take another race_control, more load, or the model with traction"
+        "{model} model: no equilibrium was found in which a ball is loaded; what is left carries the ring by friction without load: take another race_control, more load, or the model with traction"
     )]
     NoLoadedBall {
         /// Which equations.

@@ -24,6 +24,16 @@ impl Model {
     }
 }
 
+/// Its name in a sentence.
+impl std::fmt::Display for Model {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::JonesHarris => "Jones–Harris",
+            Self::Traction => "traction",
+        })
+    }
+}
+
 /// The equilibrium of ring and balls.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {

@@ -26,9 +26,7 @@ impl RatedBearing {
     /// # Errors
     /// [`RatingError`] for a load below 0 and for dimensions that are not those of a radial ball bearing.
     pub fn load_factors(&self, axial: f64) -> Result<LoadFactors, RatingError> {
-        self.check()?;
-        let diameter = self.ball_diameter * MM_PER_M;
-        let relative = load("axial load", axial)? / (self.ball_count as f64 * diameter * diameter);
+        let relative = self.relative_axial_load(axial)?;
         let angle = self.contact_angle.to_degrees();
         let at = |value: fn(&Factors, f64) -> f64| between(&FACTORS, angle, |row| row.0, |row| value(&row.1, relative));
         Ok(LoadFactors {
@@ -36,6 +34,25 @@ impl RatedBearing {
             radial: at(|factors, _| factors.radial),
             axial: at(|factors, relative| factors.column(relative, 1)),
         })
+    }
+
+    /// The relative axial load F_a/(Z D²), N/mm², where it is beyond the last row of the table, and that row's: e and Y
+    /// of [`Self::load_factors`] are the row's then. Absent from 20° on, where they do not depend on it.
+    ///
+    /// # Errors
+    /// As [`Self::load_factors`].
+    pub fn beyond_table(&self, axial: f64) -> Result<Option<[f64; 2]>, RatingError> {
+        let relative = self.relative_axial_load(axial)?;
+        let last = RELATIVE_LOADS[RELATIVE_LOADS.len() - 1];
+        let depends = self.contact_angle.to_degrees() < SINGLE_ROW_DEG;
+        Ok((depends && relative > last).then_some([relative, last]))
+    }
+
+    /// F_a/(Z D²) of a bearing that the standard rates, N/mm².
+    fn relative_axial_load(&self, axial: f64) -> Result<f64, RatingError> {
+        self.check()?;
+        let diameter = self.ball_diameter * MM_PER_M;
+        Ok(load("axial load", axial)? / (self.ball_count as f64 * diameter * diameter))
     }
 
     /// Dynamic equivalent load P of a radial and an axial load, N.
@@ -73,6 +90,8 @@ impl Factors {
 
 /// Relative axial loads F_a/(Z D²) of the table's rows, N/mm².
 const RELATIVE_LOADS: [f64; 9] = [0.172, 0.345, 0.689, 1.03, 1.38, 2.07, 3.45, 5.17, 6.89];
+/// Nominal contact angle from which the table has a single row, degrees; less what is lost on the way through radians.
+const SINGLE_ROW_DEG: f64 = 20.0 - 1e-9;
 
 const DEEP_GROOVE: Factors = Factors {
     radial: 0.56,

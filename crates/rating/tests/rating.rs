@@ -108,6 +108,21 @@ fn identity_both_branches_of_the_equivalent_load_meet() {
     }
 }
 
+/// The table of ISO 281 ends at F_a/(Z D²) = 6.89: beyond it Y stays, and from 20° on there is nothing to leave.
+#[test]
+fn limit_axial_loads_beyond_the_table_are_told() {
+    let groove = bearing(9, 9.525, 46.0, 0.0);
+    let last = 6.89 * 9.0 * 9.525 * 9.525;
+    assert_eq!(groove.beyond_table(0.999 * last), Ok(None));
+    let [relative, end] = groove.beyond_table(2.0 * last).unwrap().unwrap();
+    assert_close(relative, 2.0 * end, 1e-12);
+    assert_eq!(groove.load_factors(2.0 * last).unwrap().axial, groove.load_factors(last).unwrap().axial);
+    assert!(bearing(9, 9.525, 46.0, 15.0).beyond_table(2.0 * last).unwrap().is_some());
+    for angle in [20.0, 40.0] {
+        assert_eq!(bearing(9, 9.525, 46.0, angle).beyond_table(2.0 * last), Ok(None));
+    }
+}
+
 /// Loads of balls spread over half the ring under a radial load of 1, Hertzian: (cos φ)^1.5.
 fn half_loaded(count: usize, angle_deg: f64) -> (f64, Vec<f64>) {
     let azimuth = |j: usize| 2.0 * PI * j as f64 / count as f64;

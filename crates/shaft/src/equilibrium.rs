@@ -89,7 +89,11 @@ impl System<'_> {
         if let Ok(found) = self.newton(&linear, self.start(), 1.0, &free, &mut steps) {
             return self.answer(&linear, found, steps);
         }
-        let found = self.with_springs(&linear, &mut steps)?;
+        let found = self.with_springs(&linear, &mut steps).map_err(|error| {
+            let held = self.supports.iter().any(|support| support.seat.slides.is_none());
+            let advice = "all outer rings slide in their seats; hold one of them";
+            if !held { ShaftError::Loose { direction: "along its axis", advice } } else { error }
+        })?;
         self.answer(&linear, found, steps)
     }
 

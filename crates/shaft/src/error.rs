@@ -55,6 +55,17 @@ pub enum ShaftError {
         /// What helps.
         advice: &'static str,
     },
+    /// An axial force that a bearing does not carry.
+    #[error(
+        "{force} N along the axis are more than the bearings carry: no displacement up to {} mm gives them",
+        1e3 * farthest
+    )]
+    TooLarge {
+        /// Force, N.
+        force: f64,
+        /// Farthest displacement that was looked at, m.
+        farthest: f64,
+    },
     /// The iteration stopped above the tolerance.
     #[error("the shaft did not converge: {residual:.1e} of the load is left at {share:.0} % of it (tolerance {tolerance:.1e})", share = 100.0 * share)]
     NotConverged {

@@ -60,7 +60,8 @@ fn axial(ring: &mut (dyn RingForce + '_), z: f64, bearing: usize) -> Result<(f64
     Ok((force[2], stiffness[2][2]))
 }
 
-/// A root of a growing function, by regula falsi with halvings; `None` where it has none within the farthest one.
+/// A root of a growing function, by regula falsi with halvings; `None` where it has none within the farthest one. Of a
+/// stretch without any force, in which nothing touches, it is the near end.
 fn root(mut f: impl FnMut(f64) -> Result<f64, ShaftError>) -> Result<Option<f64>, ShaftError> {
     let at_zero = f(0.0)?;
     if at_zero == 0.0 {
@@ -77,12 +78,12 @@ fn root(mut f: impl FnMut(f64) -> Result<f64, ShaftError>) -> Result<Option<f64>
         far_value = f(far)?;
     }
     for step in 0..HALVINGS {
-        if far_value == 0.0 || (far - near).abs() <= WIDTH * far.abs().max(FIRST) {
+        if (far - near).abs() <= WIDTH * far.abs().max(FIRST) {
             break;
         }
         let secant = near - near_value * (far - near) / (far_value - near_value);
         let middle = 0.5 * (near + far);
-        let at = if step % 3 == 2 || !secant.is_finite() { middle } else { secant };
+        let at = if step % 3 == 2 || far_value == 0.0 || !secant.is_finite() { middle } else { secant };
         let value = f(at)?;
         if value * sign < 0.0 { (near, near_value) = (at, value) } else { (far, far_value) = (at, value) }
     }
@@ -92,17 +93,26 @@ fn root(mut f: impl FnMut(f64) -> Result<f64, ShaftError>) -> Result<Option<f64>
 /// Displacement (m) at which a ring carries an axial force (N).
 ///
 /// # Errors
-/// [`ShaftError::Loose`] where it never does, and those of the bearing.
+/// [`ShaftError::TooLarge`] where it never does, and those of the bearing.
 pub fn offset_for(ring: &mut (dyn RingForce + '_), force: f64) -> Result<f64, ShaftError> {
-    root(|z| Ok(axial(ring, z, 0)?.0 - force))?.ok_or(NO_RESISTANCE)
+    root(|z| Ok(axial(ring, z, 0)?.0 - force))?.ok_or(ShaftError::TooLarge { force, farthest: FARTHEST })
 }
 
-const NO_RESISTANCE: ShaftError = ShaftError::Loose {
-    direction: "along z",
-    advice: "no bearing carries this load; turn one round, or lower the load",
-};
+const NO_RESISTANCE: ShaftError =
+    ShaftError::Loose { direction: "along z", advice: "no bearing carries a load that way; turn one round" };
 
 impl AxialSet<'_> {
+    /// True if all bearings carry the same way: nothing presses them against each other.
+    pub fn is_tandem(&self) -> bool {
+        let side = self.members.first().map(|member| member.carries_plus_z);
+        side.is_some_and(|side| self.members.iter().all(|member| member.carries_plus_z == side))
+    }
+
+    /// How far a bearing is pressed in at a displacement of the shaft, m.
+    pub fn pressed(&self, index: usize, displacement: f64) -> f64 {
+        self.side(index) * displacement + self.offsets[index]
+    }
+
     /// The sign of a bearing's side.
     fn side(&self, index: usize) -> f64 {
         if self.members[index].carries_plus_z { 1.0 } else { -1.0 }
@@ -119,7 +129,7 @@ impl AxialSet<'_> {
                 sum -= spring;
                 continue;
             }
-            let pressed = side * z + self.offsets[index];
+            let pressed = self.pressed(index, z);
             let (force, stiffness) = axial(self.members[index].ring.as_mut(), pressed, index)?;
             state.forces.push(force);
             sum += side * force;
@@ -131,10 +141,29 @@ impl AxialSet<'_> {
     /// The set under an axial load along +z, N.
     ///
     /// # Errors
-    /// [`ShaftError::Loose`] where nothing carries the load, and those of the bearings.
+    /// [`ShaftError::Loose`] where nothing carries the load, [`ShaftError::TooLarge`], and those of the bearings.
     pub fn under(&mut self, load: f64) -> Result<AxialState, ShaftError> {
-        let z = root(|z| Ok(self.at(z)?.0 - load))?.ok_or(NO_RESISTANCE)?;
+        let carried = self.members.iter().any(|member| member.carries_plus_z == (load > 0.0));
+        let refused = || if carried { ShaftError::TooLarge { force: load, farthest: FARTHEST } } else { NO_RESISTANCE };
+        let z = root(|z| Ok(self.at(z)?.0 - load))?.ok_or_else(refused)?;
         Ok(self.at(z)?.1)
+    }
+
+    /// The set without load: one in tandem where the first of its bearings begins to carry.
+    ///
+    /// # Errors
+    /// As [`Self::under`].
+    pub fn unloaded(&mut self) -> Result<AxialState, ShaftError> {
+        if !self.is_tandem() || self.spring.is_some() {
+            return self.under(0.0);
+        }
+        let side = self.side(0);
+        // Where nothing touches any force of the other sign makes a root of the edge.
+        let z = root(|z| {
+            let sum = self.at(z)?.0;
+            Ok(if sum == 0.0 { -side } else { sum })
+        })?;
+        Ok(self.at(z.ok_or(NO_RESISTANCE)?)?.1)
     }
 
     /// Sets the offsets so that, unloaded, either side carries a preload (N) in all: bearings of one side share it by
@@ -157,7 +186,7 @@ impl AxialSet<'_> {
                 }
                 Ok(sum)
             })?;
-            let offset = found.ok_or(NO_RESISTANCE)?;
+            let offset = found.ok_or(ShaftError::TooLarge { force: preload, farthest: FARTHEST })?;
             of_side.into_iter().for_each(|k| self.offsets[k] = offset);
         }
         Ok(())
@@ -168,7 +197,7 @@ impl AxialSet<'_> {
     /// # Errors
     /// As [`Self::under`].
     pub fn preload_force(&mut self) -> Result<f64, ShaftError> {
-        let state = self.under(0.0)?;
+        let state = self.unloaded()?;
         let of = |plus: bool| {
             let members = self.members.iter().zip(&state.forces);
             members.filter(|(member, _)| member.carries_plus_z == plus).map(|(_, force)| force).sum::<f64>()

@@ -36,6 +36,9 @@ pub enum SweepDifference {
     /// Members drawn otherwise: other spreads, numbers of members or seeds.
     #[error("these finished members are of other --vary, --members, --seed or --latin-hypercube")]
     Draws,
+    /// Another plan of a data set.
+    #[error("these finished members are of another plan")]
+    Plan,
     /// Strides of another length, or a life with another end.
     #[error("these finished strides are of other --strides, --until, --clearance-limit or --bare-limit")]
     Strides,

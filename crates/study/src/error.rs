@@ -152,6 +152,14 @@ pub enum StudyError {
         /// Kind of file that may be replaced.
         wanted: &'static str,
     },
+    /// A recording of another bearing that would be lost.
+    #[error("{} is a recording of another bearing, {found}: it is not replaced", path.display())]
+    OtherRecording {
+        /// The recording.
+        path: PathBuf,
+        /// Name of its bearing.
+        found: String,
+    },
     /// An earlier run that would be lost.
     #[error("{} is of a run that was not finished", path.display())]
     Unfinished {

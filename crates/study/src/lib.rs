@@ -9,6 +9,7 @@ mod error;
 pub mod evaluation;
 mod files;
 mod fmu;
+mod held;
 mod holder;
 mod journal;
 mod life;

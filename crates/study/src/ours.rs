@@ -27,9 +27,12 @@ pub enum Ours {
 /// Bytes that are looked at from the start and from the end.
 const LOOK: u64 = 64 << 10;
 const MCAP: &[u8] = b"\x89MCAP0\r\n\x01";
-/// First columns of the tables of `stiffness` and `modes`, and of worn cells; `frequency` is what the speed was called
-/// for ROSS 2.
-const TABLES: [&str; 5] = [
+/// First columns of the tables of `stiffness`, `modes` and `shaft`, and of worn cells; `frequency` is what the speed
+/// was called for ROSS 2.
+const TABLES: [&str; 8] = [
+    "load_case,position_m,displacement_x_m",
+    "bearing,node,speed,kxx,kxy,kyx,kyy,kzz",
+    "bearing,node,frequency,kxx,kxy,kyx,kyy,kzz",
     "inner_speed_rpm,k_x_x,k_x_y",
     "speed,kxx,kxy,kyx,kyy,kzz",
     "frequency,kxx,kxy,kyx,kyy,kzz",
@@ -94,6 +97,20 @@ impl Ours {
             return Ok(());
         }
         Err(StudyError::NotOurs { path: path.to_owned(), wanted: replaceable })
+    }
+
+    /// Refuses to replace a recording of another bearing; one that cannot be read names none.
+    ///
+    /// # Errors
+    /// [`StudyError::OtherRecording`].
+    pub fn keeps_others(path: &Path, bearing: &str) -> std::result::Result<(), StudyError> {
+        let Ok(summary) = tribodyn_record::read_summary(path) else { return Ok(()) };
+        match summary.metadata.get("simulation").and_then(|entries| entries.get("bearing")) {
+            Some(found) if found != bearing => {
+                Err(StudyError::OtherRecording { path: path.to_owned(), found: found.clone() })
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The kind of another file by its beginning alone; none where there is none.

@@ -87,7 +87,7 @@ pub enum AnswerError {
         source: QuasiStaticError,
     },
     /// A steady orbit that is not found.
-    #[error("{file}: {source}; the model `traction` solves each ball by itself and needs less")]
+    #[error("{file}: {source}; the model `{}` {}", other_model(.source).0, other_model(.source).1)]
     Orbit {
         /// Name of the case file.
         file: String,
@@ -102,7 +102,7 @@ pub enum AnswerError {
         /// Reason: a thing that the case would need.
         why: String,
     },
-    /// Temperatures that friction and cooling do not agree on.
+    /// Temperatures that friction and cooling do not agree on, or at which the bearing clamps.
     #[error("{file}: {why}")]
     Runaway {
         /// Name of the case file.
@@ -137,6 +137,14 @@ pub enum AnswerError {
     },
 }
 
+/// The model that has an answer where the orbit has none, and why.
+fn other_model(error: &OrbitError) -> (&'static str, &'static str) {
+    match error {
+        OrbitError::TurnsAsOne { .. } => ("jones-harris", "has the loads of the balls"),
+        _ => ("traction", "solves each ball by itself and needs less"),
+    }
+}
+
 impl AnswerError {
     /// True where an operating point was not found, or is none: what the standards say of the loads stands all the
     /// same.
@@ -145,7 +153,10 @@ impl AnswerError {
             self,
             Self::Overload { .. }
                 | Self::Solver { source: QuasiStaticError::NotConverged { .. } | QuasiStaticError::Ended, .. }
-                | Self::Orbit { source: OrbitError::NotConverged { .. } | OrbitError::Ended, .. }
+                | Self::Orbit {
+                    source: OrbitError::NotConverged { .. } | OrbitError::Ended | OrbitError::TurnsAsOne { .. },
+                    ..
+                }
         )
     }
 

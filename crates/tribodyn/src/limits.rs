@@ -134,7 +134,8 @@ mod tests {
     fn limit_what_asks_for_too_much_is_named() {
         let case = Case::from_ron(CASE).unwrap();
         assert_eq!(Limits::NORMAL.check(CASE, &case), Ok(()));
-        let far = [("geometry.ball_count", "800"), ("geometry.pitch_diameter", "m(40)")];
+        let land = ("cage.guidance.radius", "m(20.01)");
+        let far = [("geometry.ball_count", "800"), ("geometry.pitch_diameter", "m(40)"), land];
         assert_eq!(
             refused(&far),
             "geometry.ball_count = 800: 800 balls; the limit for files that may come from elsewhere is 500, which --no-limits lifts"

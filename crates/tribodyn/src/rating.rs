@@ -20,13 +20,13 @@ pub(crate) const LEAST_LOAD: f64 = 0.01;
 /// Section D − d over ball diameter of a usual bearing.
 pub(crate) const SECTION: f64 = 3.3;
 
-/// Where a load rating comes from.
+/// Where a load rating or a dimension comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum RatingSource {
     /// From the catalogue, by the case.
     Catalogue,
-    /// Computed by ISO 281 or ISO 76 from balls and grooves.
+    /// Computed from balls and grooves, ratings by ISO 281 and ISO 76.
     Computed,
 }
 
@@ -67,7 +67,7 @@ pub struct Rating {
     /// Contamination factor e_C; absent where the case does not give it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contamination_factor: Option<f64>,
-    /// What keeps a_ISO from being worked out.
+    /// What keeps a_ISO from being worked out; among [`Self::warnings`] too.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lubrication_note: Option<String>,
     /// Life factor for reliability a_1.
@@ -98,6 +98,9 @@ pub struct Rating {
     /// without a solution.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frequencies: Option<BearingFrequencies>,
+    /// Sentences on where these numbers do not hold; they are among the warnings of the answer.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
 }
 
 impl Rating {
@@ -106,12 +109,16 @@ impl Rating {
     pub fn unloaded(self) -> Self {
         Self {
             rating_life_l10_mrev: None,
+            reference_load_n: None,
             rating_life_l10r_mrev: None,
             life_modification_factor: None,
             rating_life_lnmr_mrev: None,
             rating_life_hours: None,
             static_safety: None,
             pressure_safety: None,
+            lubrication_note: None,
+            frequencies: None,
+            warnings: Vec::new(),
             ..self
         }
     }
@@ -138,11 +145,8 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
         Some([x, y, z]) => Some([x.hypot(y), z.abs()]),
         None => case_loads(case),
     };
-    let of_loads = |of: fn(&RatedBearing, f64, f64) -> Result<f64, RatingError>| {
-        loads.map(|[radial, axial]| of(&rated, radial, axial)).transpose()
-    };
-    let equivalent = of_loads(RatedBearing::equivalent_load)?;
-    let static_load = of_loads(RatedBearing::static_equivalent_load)?;
+    let equivalent = loads.map(|[radial, axial]| rated.equivalent_load(radial, axial)).transpose()?;
+    let static_load = loads.map(|[radial, axial]| rated.static_equivalent_load(radial, axial)).transpose()?;
     let distribution = solution.map(|solution| distribution(&rated, dynamic, solution)).transpose()?;
     let reference = distribution.as_ref().map(|found| &found.reference);
     let reliability = reliability_factor(spec.reliability.unwrap_or(90.0))?;
@@ -150,6 +154,8 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
     let (viscosity_ratio, contamination) = lubrication(case, solution)?;
     let too_thin = viscosity_ratio.filter(|ratio| *ratio < KAPPA_MIN);
     let thick = viscosity_ratio.filter(|_| too_thin.is_none());
+    let lubrication_note = too_thin.map(thin_film);
+    let beyond = loads.map(|[_, axial]| rated.beyond_table(axial)).transpose()?.flatten();
     let modification = modification(thick, contamination, (limit, reference_load))?;
     let life = reference.and_then(|reference| reference.life_mrev);
     let modified = modification.zip(life).map(|(factor, life)| reliability * factor * life);
@@ -173,7 +179,8 @@ pub fn rating(case: &Case, solution: Option<&Solution>) -> Result<Rating, Rating
         life_modification_factor: modification,
         viscosity_ratio,
         contamination_factor: contamination,
-        lubrication_note: too_thin.map(thin_film),
+        warnings: lubrication_note.iter().cloned().chain(beyond.map(beyond_table)).collect(),
+        lubrication_note,
         reliability_factor: reliability,
         rating_life_lnmr_mrev: modified,
         rating_life_hours: counted.zip(relative_speed).and_then(|(life, speed)| hours(life, speed)),
@@ -242,6 +249,13 @@ fn thin_film(ratio: f64) -> String {
     format!("the viscosity ratio is {ratio:.3}: ISO 281 has a_ISO from 0.1 on, below it count on wear")
 }
 
+fn beyond_table([relative, last]: [f64; 2]) -> String {
+    format!(
+        "the relative axial load F_a/(Z D²) is {relative:.1} N/mm² and ISO 281's table ends at {last}: Y is its last \
+         value, and what the axial load adds to P is beyond the table"
+    )
+}
+
 fn distribution(rated: &RatedBearing, dynamic: f64, solution: &Solution) -> Result<Distribution, RatingError> {
     let loads = Side::BOTH.map(|side| solution.balls.iter().map(|b| b.contacts[side].load_n).collect::<Vec<_>>());
     let turning = Turning::of_speeds(solution.inner_speed_rad_s, solution.outer_speed_rad_s);
@@ -278,11 +292,21 @@ fn grease_life(
     if speed == 0.0 {
         return (None, None);
     }
-    let usual = case.geometry.pitch_diameter - 0.5 * SECTION * case.geometry.ball_diameter;
-    let bore = case.rating.and_then(|spec| spec.bore).unwrap_or(usual);
+    let (bore, _) = bore(case);
     match (GreasedBearing { bore, speed, temperature: lubricant.temperature, load_share }).life() {
         Ok(life) => (Some(life), None),
         Err(error) => (None, Some(format!("no estimate of the life of the grease: {error}"))),
+    }
+}
+
+/// Bore of a case's bearing, m: of the catalogue, or that of a usual section of its balls.
+pub(crate) fn bore(case: &Case) -> (f64, RatingSource) {
+    match case.rating.and_then(|spec| spec.bore) {
+        Some(bore) => (bore, RatingSource::Catalogue),
+        None => {
+            let usual = case.geometry.pitch_diameter - 0.5 * SECTION * case.geometry.ball_diameter;
+            (usual, RatingSource::Computed)
+        }
     }
 }
 

@@ -56,7 +56,7 @@ fn point(file: &CaseFile, at: f64, question: SheetQuestion) -> CurvePoint {
             ball_load_max_n: Some(found.ball_load_max_n),
             stiffness_radial_n_per_m: Some(found.stiffness[0][0]),
             stiffness_axial_n_per_m: Some(found.stiffness[2][2]),
-            contact_angle_max_rad: Some(found.contact_angle_rad[1]),
+            contact_angle_max_rad: found.contact_angle_rad.map(|[_, most]| most),
             rating_life_l10r_mrev: found.rating.rating_life_l10r_mrev,
             rating_life_hours: found.rating.rating_life_hours,
             error: None,

@@ -72,6 +72,14 @@ impl SeatClass {
         self.side
     }
 
+    /// The same for the seat of a ring.
+    ///
+    /// # Errors
+    /// [`FitError::Seat`] for a class of the other seat.
+    pub fn of_ring(self, side: Side) -> Result<Self, FitError> {
+        if self.side == side { Ok(self) } else { Err(FitError::Seat { side }) }
+    }
+
     /// Limit deviations at a nominal diameter, m.
     ///
     /// # Errors

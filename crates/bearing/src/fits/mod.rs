@@ -10,6 +10,7 @@ mod class;
 mod grades;
 mod ring;
 
+use crate::Side;
 pub use class::SeatClass;
 pub use ring::RingClass;
 
@@ -23,6 +24,15 @@ pub enum FitError {
     Class {
         /// The text that was given.
         text: String,
+    },
+    /// A class of the other seat.
+    #[error("{}", match .side {
+        Side::Inner => "an inner ring sits on a shaft, whose classes have small letters, such as k5",
+        Side::Outer => "an outer ring sits in a housing, whose classes have capitals, such as H7",
+    })]
+    Seat {
+        /// The ring.
+        side: Side,
     },
     /// A diameter that the tables do not have.
     #[error("class {class} has no tolerance at a diameter of {diameter_mm} mm: allowed is up to {largest_mm} mm")]

@@ -107,7 +107,7 @@ fn limit_an_absurd_value_is_refused_with_what_is_allowed() {
     assert!(message.contains("damping[1]") && message.contains("1e11 N s/m"), "{message}");
     let (message, ..) = refused("geometry.ball_count", "100000000");
     assert!(message.contains("at most 15 fit"), "{message}");
-    let wide = set_value(FULL, "geometry.pitch_diameter", "m(40)").unwrap();
+    let wide = set_value(UNGUIDED, "geometry.pitch_diameter", "m(40)").unwrap();
     let message = Case::from_ron(&set_value(&wide, "geometry.ball_count", "3000").unwrap()).unwrap_err().to_string();
     assert!(message.contains("must lie between 2 and 1000: "), "{message}");
 }

@@ -2,10 +2,10 @@
 
 use super::{Arguments, HOUR};
 use crate::failure::Failure;
+use crate::search::Search;
 use crate::table::{self, number};
 use std::ops::ControlFlow;
 use tribodyn::CaseFile;
-use tribodyn_bearing::SearchWatch;
 use tribodyn_study::sweep::Format;
 use tribodyn_study::{
     ActingLife, ActingOptions, ActingStride, ActingTable, Effects, LifeEnd, Mission, Ours, acting_life, read_text,
@@ -15,13 +15,14 @@ use tribodyn_study::{
 const HALF: f64 = 0.5;
 
 pub fn run(arguments: &Arguments, effects: &[String], file: &CaseFile) -> Result<(), Failure> {
+    let search = Search::of_strides(file);
     let options = ActingOptions {
         effects: Effects::named(effects.iter().map(String::as_str))?,
         strides: arguments.strides,
         until_s: arguments.until.map(|hours| hours * HOUR),
         bare_limit: arguments.bare_limit.unwrap_or(HALF),
         equations: arguments.model.equations(),
-        watch: SearchWatch::default(),
+        watch: search.watch(),
     };
     let limits = arguments.case.limits();
     let mission = match &arguments.mission {
@@ -32,15 +33,20 @@ pub fn run(arguments: &Arguments, effects: &[String], file: &CaseFile) -> Result
         Format::of(path)?;
         arguments.replace.check(path, &arguments.case.path, Ours::Table)?;
     }
+    let stride = |_: &ActingStride| {
+        search.stride();
+        ControlFlow::Continue(())
+    };
     let life = match &arguments.output {
-        None => acting_life(file, &mission, &options, |_| ControlFlow::Continue(()))?,
+        None => acting_life(file, &mission, &options, stride)?,
         Some(path) => {
             let mut table = ActingTable::open(file, &mission, &options, (path, arguments.restart))?;
-            let life = table.wear(|_| ControlFlow::Continue(()))?;
+            let life = table.wear(stride)?;
             table.write(&life)?;
             life
         }
     };
+    drop(search);
     if let Some(path) = &arguments.map {
         life.write_map(path)?;
     }

@@ -4,11 +4,11 @@ mod acting;
 
 use crate::failure::Failure;
 use crate::input::{CaseArguments, ReplaceArguments};
+use crate::search::Search;
 use crate::solve::ModelName;
 use crate::table::{self, number};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
-use tribodyn_bearing::SearchWatch;
 use tribodyn_study::{Life, LifeEnd, LifeOptions, LifeStride, LifeTable, Ours, wear_life};
 
 /// Wear the raceways of a bearing until a coating is through, or wear has added a clearance that is given.
@@ -22,7 +22,7 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Equations to solve at each stride
-    #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
+    #[arg(long, value_enum, default_value_t)]
     model: ModelName,
     /// Number of strides until a new coating is worn through, or the clearance limit reached; the error falls in
     /// proportion
@@ -85,23 +85,29 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(effects) = &arguments.acting {
         return acting::run(arguments, effects, &file);
     }
+    let search = Search::of_strides(&file);
     let options = LifeOptions {
         strides: arguments.strides,
         until_s: arguments.until.map(|hours| hours * HOUR),
         clearance_limit_m: arguments.clearance_limit.map(|um| um * 1e-6),
         equations: arguments.model.equations(),
-        watch: SearchWatch::default(),
+        watch: search.watch(),
+    };
+    let stride = |_: &LifeStride| {
+        search.stride();
+        ControlFlow::Continue(())
     };
     let life = match &arguments.output {
-        None => wear_life(&file, options, |_| ControlFlow::Continue(()))?,
+        None => wear_life(&file, options, stride)?,
         Some(path) => {
             arguments.replace.check(path, &arguments.case.path, Ours::Table)?;
             let mut table = LifeTable::open(&file, options, path, arguments.restart)?;
-            let life = table.wear(|_| ControlFlow::Continue(()))?;
+            let life = table.wear(stride)?;
             table.write(&life)?;
             life
         }
     };
+    drop(search);
     if arguments.json {
         return table::print_json(&life);
     }

@@ -19,8 +19,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tribodyn::CaseFile;
+use tribodyn_study::StudyError;
 use tribodyn_study::run::{Beginning, PreparedRun};
-use tribodyn_study::{Ours, StudyError};
 
 /// Run a bearing in time and record it.
 #[derive(clap::Args)]
@@ -63,7 +63,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.read()?;
-    arguments.replace.check(&arguments.output, &arguments.case.path, Ours::Recording)?;
+    arguments.replace.check_recording(&arguments.output, &arguments.case.path, &file)?;
     let starting = Waiting::new(arguments.quiet, "solving for the start");
     let prepared = PreparedRun::new(&file, &arguments.output, arguments.beginning())?;
     drop(starting);

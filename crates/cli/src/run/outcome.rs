@@ -20,9 +20,7 @@ pub fn print(r: &RunReport) -> Result<(), Failure> {
     rows.extend(solver_rows(r));
     table::print_pairs(&rows)?;
     table::print_line(&format!("\nscheme      {}\npatch rule  {}", r.known.scheme, r.known.patch_rule))?;
-    let of_run = r.summary.iter().flat_map(|summary| &summary.warnings);
-    let all = r.warnings_at_start.iter().chain(&r.untested_pressures).chain(of_run);
-    for warning in shown(&all.cloned().collect::<Vec<_>>()) {
+    for warning in shown(&r.warnings().cloned().collect::<Vec<_>>()) {
         table::print_line(&format!("warning: {warning}"))?;
     }
     table::print_line(&format!("recording: {}", r.recording.display()))

@@ -49,10 +49,10 @@ pub fn stations(life: &LifeAnswer) -> String {
     text
 }
 
-/// Tangent coefficients of each bearing about its equilibrium at each speed, under the names of ROSS's
-/// `BearingElement`: frequency is the speed in rad/s.
+/// Tangent coefficients of each bearing about its equilibrium at each speed, rad/s, under the names of the
+/// `BearingElement` of ROSS 3.
 pub fn ross(file: &ShaftFile, life: &LifeAnswer, speeds_rpm: &[f64]) -> Result<String, Failure> {
-    let mut text = "bearing,node,frequency,kxx,kxy,kyx,kyy,kzz,cxx,cyy\n".to_owned();
+    let mut text = "bearing,node,speed,kxx,kxy,kyx,kyy,kzz,cxx,cyy\n".to_owned();
     let solved: Vec<ShaftAnswer>;
     let answers = if speeds_rpm.is_empty() {
         vec![&life.duties[0].shaft]

@@ -11,8 +11,8 @@ use crate::table;
 use crate::units::in_unit;
 use std::path::PathBuf;
 use tribodyn::Change;
-use tribodyn_study::StagedFiles;
 use tribodyn_study::shaft::{ShaftFile, shaft_outcome};
+use tribodyn_study::{Ours, StagedFiles};
 
 /// A shaft in its bearings: reactions, deflections, stresses, lives, modes, critical speeds, unbalance.
 ///
@@ -33,10 +33,17 @@ pub struct Arguments {
     #[command(flatten)]
     limits: LimitArguments,
     /// Compute modes, critical speeds and response to unbalance at these speeds, r/min, as N,N,…
-    #[arg(long, value_name = "RPM", value_delimiter = ',', value_parser = in_unit("rpm"))]
+    #[arg(long, value_name = "RPM", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("rpm"))]
     modes: Vec<f64>,
     /// Highest frequency of the modes that are printed, Hz
-    #[arg(long, value_name = "HZ", default_value_t = 2000.0, requires = "modes", value_parser = in_unit("Hz"))]
+    #[arg(
+        long,
+        value_name = "HZ",
+        default_value_t = 2000.0,
+        requires = "modes",
+        allow_negative_numbers = true,
+        value_parser = in_unit("Hz")
+    )]
     up_to: f64,
     /// Write the nodes of the shaft as a table: place, displacements, slopes, forces, moments, stresses (CSV)
     #[arg(long, value_name = "FILE.csv")]
@@ -62,6 +69,9 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = ShaftFile::read(&arguments.path, &arguments.changes, &arguments.limits.limits())?;
     let springs = arguments.springs.as_ref().map(|path| cards::Format::of(path)).transpose()?;
+    for path in [&arguments.csv, &arguments.ross, &arguments.springs].into_iter().flatten() {
+        arguments.replace.check(path, &arguments.path, Ours::Table)?;
+    }
     let outcome = shaft_outcome(&file, &arguments.modes, arguments.up_to)?;
     let (life, whirl) = (&outcome.life, outcome.whirl.as_ref());
     let staged = match &arguments.plot {

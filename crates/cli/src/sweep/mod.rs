@@ -46,7 +46,7 @@ pub struct Arguments {
           conflicts_with_all = ["case", "settings", "shard", "model", "threads", "cold", "restart", "plot", "plan"])]
     merge: Vec<PathBuf>,
     /// Equations to solve
-    #[arg(long, value_enum, default_value_t = ModelName::SteadyOrbit)]
+    #[arg(long, value_enum, default_value_t)]
     model: ModelName,
     #[command(flatten)]
     time: TimeArguments,

@@ -39,7 +39,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DEG", value_parser = in_unit("deg"))]
     angle: Option<f64>,
     /// Speed of the shaft: r/min, or the column that holds it
-    #[arg(long, value_name = "RPM|COLUMN")]
+    #[arg(long, value_name = "RPM|COLUMN", allow_negative_numbers = true)]
     speed: Option<String>,
     /// Column with the pulses of a key phase or tachometer
     #[arg(long, value_name = "COLUMN", conflicts_with = "speed")]
@@ -141,7 +141,7 @@ fn print(path: &Path, a: &Analysis) -> Result<(), Failure> {
     let mut rows = vec![
         ("sampling rate", number(a.rate_hz, 0), "Hz"),
         ("duration", number(a.duration_s, 3), "s"),
-        ("rms", format!("{:.4e}", a.statistics.rms), "unit of the file"),
+        ("rms", format!("{:.4e}", a.statistics.rms), if a.is_in_m_s2() { "m/s²" } else { "unit of the file" }),
         ("kurtosis", a.statistics.kurtosis.map_or("-".to_owned(), |k| number(k, 2)), ""),
         ("shaft", format!("{} ± {}", number(shaft.frequency_hz, 3), number(shaft.deviation_hz, 3)), from),
         ("band", format!("{} – {}", number(d.band.low_hz, 0), number(d.band.high_hz, 0)), "Hz"),

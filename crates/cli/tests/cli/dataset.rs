@@ -100,10 +100,26 @@ fn identity_members_are_the_same_on_any_number_of_threads_and_labels_are_true() 
         }
     }
     assert_eq!(splits.values().filter(|split| split.contains("test")).count(), 2);
+    // A run without a thrust of the plan has that of the case; one this short warns that its accelerations may not be
+    // resolved, and has a step.
+    assert!(rows.iter().all(|row| matches!(row["axial_load_n"], Field::Double(_))), "{:?}", rows[0]["axial_load_n"]);
+    assert!(rows.iter().all(|row| row["warnings"].to_string().contains("resolved") && number(&row["step_us"]) > 0.0));
     // The signal of a MATLAB file is that of the row.
     let mat = fs::read(folders[0].join("mat/000003.mat")).unwrap();
+    let has = |text: &[u8]| mat.windows(text.len()).any(|bytes| bytes == text);
+    assert!(has(b"fault") && has(b"member") && has(b"split") && has(b"axial_load_n") && !has(b"case"));
+    let labels = [&rows[3]["split"], &rows[3]["fault"]].map(|field| field.to_string().replace('"', ""));
+    for label in labels {
+        let letters: Vec<u8> = label.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        assert!(has(&letters), "{label}");
+    }
     let samples: Vec<u8> = list(&rows[3]["acc_x"]).iter().flat_map(|v| (*v as f32).to_le_bytes()).collect();
-    assert!(mat.windows(samples.len()).any(|bytes| bytes == samples));
+    assert!(has(&samples));
+    // A smaller set in the same folder leaves no member of this one.
+    let smaller = scratch.file("smaller.ron", PLAN.replace("faults: [Sound, Outer]", "faults: [Sound]"));
+    dataset(&smaller, &folders[0], &[&"--mat"]).table();
+    let left = |folder: &Path| fs::read_dir(folder.join("mat")).map_or(0, |entries| entries.count());
+    assert_eq!((left(&folders[0]), left(&folders[1])), (4, 8));
 }
 
 fn number(field: &Field) -> f64 {
@@ -140,7 +156,10 @@ fn limit_a_bad_plan_writes_nothing() {
         ("lengths: [mm(3)]", "lengths: []", "allowed are 1 to 1000"),
         ("\"acc_x\"", "\"Acc X\"", "lower-case letters"),
         ("balls: 10", "balls: 11", "grade of ISO 3290-1"),
-        ("lengths: [mm(3)]", "lengths: [mm(28)]", "0.8 ball diameters"),
+        ("lengths: [mm(3)]", "lengths: [mm(28)]", "plan.ron:5:15: lengths[0] = mm(28): in case.ron: must be above 0"),
+        ("\"acc_x\"", "\"rate_hz\"", "is a column of the labels"),
+        ("bearings: 2", "bearings: 1", "leaves 1 of the 1 bearings"),
+        ("zone: deg(10)", "zone: deg(-5)", "between 0 and 180 degrees"),
     ] {
         assert!(PLAN.contains(from), "{from}");
         let plan = plan(&scratch, &PLAN.replace(from, to));

@@ -137,6 +137,14 @@ fn limit_an_output_replaces_nothing_of_others() {
     solve(&[&"-o", &table]).fails(2, &["is not a recording"]);
     solve(&[&"-o", &table, &"--force"]).table();
     solve(&[&"-o", &table]).table();
+    // A recording of another bearing is kept, one of the same may be made again.
+    let twin = scratch.file("twin.ron", AG.replacen("name: \"", "name: \"another ", 1));
+    let another = |rest: &[&dyn AsRef<OsStr>]| {
+        run(&[&[&"solve" as &dyn AsRef<OsStr>, &twin, &"--model", &"jones-harris", &"-o", &table][..], rest].concat())
+    };
+    another(&[]).fails(2, &["is a recording of another bearing", "without --force"]);
+    another(&[&"--force"]).table();
+    another(&[]).table();
     // A recording in its own place, and a damaged one of nobody's.
     run(&[&"recover", &table, &"-o", &table]).table();
     run(&[&"recover", &table, &"-o", &other]).fails(2, &["other.ron exists and is"]);

@@ -19,7 +19,7 @@ fn code_oil_and_torque_of_a_6206() {
     assert_close(number(&film, "reference_viscosity_mm2_s"), 12.1136, 1e-5);
     assert_close(number(&film, "viscosity_ratio"), 20.2794 / 12.1136, 2e-5);
     for (rpm, expected) in [(500, 20.709), (3000, 26.146), (10_000, 38.562)] {
-        let torque = oil("torque", &format!("--set speed.inner=Constant(rpm({rpm}))"));
+        let torque = oil("torque", &format!("--model traction --set speed.inner=Constant(rpm({rpm}))"));
         assert_close(number(&torque, "skf_torque_nm") * 1e3, expected, 1e-4);
         let parts: f64 = ["rolling_nm", "hysteresis_nm", "sliding_inner_nm", "sliding_outer_nm", "fluid_nm", "cage_nm"]
             .iter()
@@ -86,6 +86,8 @@ fn limit_bad_oils_and_contacts_are_refused() {
     contact("--oil mineral-vg68 --temperature 700").fails(2, &["temperature is 700", "-60 to 300 °C"]);
     contact("--oil mineral-vg68 --temperature 70 --across 1").fails(2, &["ellipticity", "1 or more"]);
     contact("--oil mineral-vg68 --temperature 70 --starvation 2").fails(2, &["starvation"]);
+    run_words("film contact --oil mineral-vg68 --temperature 70 --load 5e9 --speed 3 --radius 4 --across 120")
+        .fails(2, &["--load 5000000000", "no contact is elastic beyond 12 GPa"]);
     let case = fixture("oil-6206.ron");
     let set = |change: &str| run_words(&format!("solve {} --set {change}", case.to_str().unwrap()));
     set("lubricant.temperature=K(70)").fails(2, &["lubricant.temperature", "-60 to 300 °C"]);
@@ -129,9 +131,55 @@ fn limit_heat_that_cannot_leave_and_bad_surroundings_are_refused() {
     heat("--cooling 0").fails(2, &["--cooling", "a factor above 0"]);
     heat("--surroundings 400").fails(2, &["--surroundings", "-60 to 150 °C"]);
     heat("--oil-flow nan").fails(2, &["--oil-flow"]);
+    // What heat and speed leave of the clearance is no value of the case.
+    let scratch = Scratch::new();
+    let fast = scratch.0.join("fast.ron");
+    let fast = fast.to_str().unwrap();
+    run_words(&format!("new 7014C -o {fast}")).table();
+    run_words(&format!("heat {fast} --set speed.inner.Constant=rpm(60000)"))
+        .fails(1, &["clamps", "would be -107 µm", "least allowed is -60 µm", "less speed"]);
     let dry = fixture("paper-ag.ron");
     run_words(&format!("heat {}", dry.to_str().unwrap()))
         .fails(2, &["paper-ag.ron: it has no `lubricant`, which temperatures need"]);
+}
+
+/// Deep-groove bearings as `new` writes them: nobody has to ask for equations that have an answer with idle balls, and
+/// what the shaft gives is lost in contacts and cage.
+#[test]
+fn identity_friction_and_films_are_by_the_steady_orbit_unless_others_are_asked_for() {
+    let scratch = Scratch::new();
+    let case = scratch.0.join("case.ron");
+    let case = case.to_str().unwrap();
+    run_words(&format!("new 608 --axial 0 -o {case}")).table();
+    for command in ["torque", "film case", "heat"] {
+        let answer = run_words(&format!("{command} {case} --json")).json();
+        assert_eq!(answer["model"], "steady-orbit");
+        assert_eq!(answer["implausible"], serde_json::json!([]), "{command}");
+    }
+    let torque = run_words(&format!("torque {case} --json")).json();
+    let solved = run_words(&format!("solve {case} --json")).json();
+    assert_close(number(&torque, "torque_nm"), number(&solved, "shaft_torque_nm"), 1e-9);
+    let lost = number(&torque, "sliding_inner_nm") + number(&torque, "sliding_outer_nm");
+    let lost = lost + number(&torque, "rolling_nm") + number(&torque, "hysteresis_nm") + number(&torque, "fluid_nm");
+    assert_close(lost, number(&torque, "torque_nm"), 2e-3);
+}
+
+/// Jones–Harris has no friction, and rings that turn together none to ask for; neither is offered or sought.
+#[test]
+fn limit_answers_about_friction_need_a_model_and_speeds_that_have_it() {
+    let case = fixture("oil-6206.ron");
+    let case = case.to_str().unwrap();
+    for command in ["torque", "film case", "heat"] {
+        run_words(&format!("{command} {case} --model jones-harris"))
+            .fails(2, &["--model jones-harris", "without friction", "traction, steady-orbit"]);
+        let help = run_words(&format!("{command} --help")).out;
+        assert!(help.contains("steady-orbit") && !help.contains("jones-harris"), "{help}");
+    }
+    let together = "--set speed.outer=Constant(rpm(3000))";
+    for command in ["torque", "heat"] {
+        run_words(&format!("{command} {case} {together}")).fails(2, &["do not turn against each other"]);
+    }
+    run_words(&format!("solve {case} {together}")).fails(2, &["as one body", "jones-harris"]);
 }
 
 /// Rows of docs/torque.md, from the speed at which films are thin to the fastest, come out again.
@@ -152,7 +200,7 @@ fn regress_the_table_of_torques() {
         run_words(&format!("new {bearing} --lubricant vg68 --radial {radial} --axial 0 -o {case} --force")).table();
         for rpm in speeds {
             let row = rows.iter().find(|row| row[..4] == [bearing, "vg68", "C/20", rpm]).unwrap();
-            let line = format!("torque {case} --set speed.inner=Constant(rpm({rpm})) --json");
+            let line = format!("torque {case} --model traction --set speed.inner=Constant(rpm({rpm})) --json");
             let torque = run_words(&line).json();
             for (column, field) in [(5, "rolling"), (6, "sliding"), (7, "torque_nm"), (10, "skf_torque_nm")] {
                 let found = match field {

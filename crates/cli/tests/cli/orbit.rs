@@ -1,6 +1,6 @@
 //! The steady orbit, stiffness and modes as the command gives them.
 
-use super::{Scratch, fixture, run, run_words};
+use super::{Scratch, assert_close, fixture, run, run_words};
 
 #[test]
 fn identity_the_orbit_is_the_mean_of_a_run() {
@@ -105,4 +105,19 @@ fn limit_modes_are_by_frequency_and_up_to_the_highest() {
     // The outer ring swings between its support and the balls.
     assert!(modes.iter().any(|mode| mode["energy_shares"]["outer_ring"].as_f64().unwrap() > 0.5));
     run_words("modes nowhere.ron --up-to 100").fails(2, &["nowhere.ron"]);
+}
+
+/// Powers of an orbit are means over its turn, not those of the balls at one instant.
+#[test]
+fn identity_powers_of_orbits_are_those_of_solve() {
+    let scratch = Scratch::new();
+    let (case, table) = (fixture("angular-7210.ron"), scratch.0.join("table.csv"));
+    let [x, z] = ["ring.x.Force=kN(1.9)", "ring.z.Force=kN(2)"];
+    run(&[&"sweep", &case, &"--set", &x, &"--set", &z, &"-o", &table, &"--quiet"]).table();
+    let (_, rows) = super::sweep::read(&table);
+    let alone = run(&[&"solve", &case, &"--set", &x, &"--set", &z, &"--json"]).json();
+    for name in ["power_loss_inner_w", "power_loss_outer_w"] {
+        assert_close(super::sweep::value(&rows[0], name), alone[name].as_f64().unwrap(), 1e-9);
+    }
+    assert!(super::sweep::value(&rows[0], "wear_rate_inner_m3_s") >= 0.0);
 }

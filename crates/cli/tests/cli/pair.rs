@@ -18,10 +18,15 @@ fn identity_a_preloaded_pair_carries_the_load_of_the_shaft() {
 
 #[test]
 fn limit_a_pair_needs_one_preload() {
-    run_words("pair nowhere.ron --arrangement db --distance 60").fails(2, &["--offset"]);
+    run_words("pair nowhere.ron --arrangement DB --distance 60").fails(2, &["--offset", "--spring"]);
     let case = fixture("angular-7210.ron");
     run(&[&"pair", &case, &"--arrangement", &"dt", &"--distance", &"60", &"--spring", &"100"]).fails(2, &["tandem"]);
-    run(&[&"pair", &case, &"--arrangement", &"db", &"--distance", &"-60", &"--offset", &"1"]).fails(2, &["distance"]);
+    run(&[&"pair", &case, &"--arrangement", &"db", &"--distance", &"-60", &"--offset", &"1"])
+        .fails(2, &["0 mm or more"]);
+    let far = "--offset=3000";
+    let words = [&"--distance", &"60", &far, &"--model", &"jones-harris"];
+    run(&[&"pair", &case, &"--arrangement", &"DB", words[0], words[1], words[2], words[3], words[4]])
+        .fails(2, &["12 GPa"]);
 }
 
 /// Bearings in tandem without offset share their load at rest as they do in slow turning.

@@ -191,7 +191,8 @@ fn limit_set_of_a_listed_bearing() {
     let last = answer["states"].as_array().unwrap().last().unwrap();
     assert_eq!(number(&last["bearing_force_n"][1]), 0.0);
     run_words("set 7012C --arrangement XX --preload 211").fails(2, &["arrangement", "QBC"]);
-    run_words("set 7012C --arrangement DB").fails(2, &["--preload"]);
+    run_words("set 7012C --arrangement DB").fails(2, &["--preload", "offset", "spring"]);
+    run_words("set 7012C --arrangement DB --preload -500").fails(2, &["--preload -500", "0 N or more"]);
     run_words("set 7012Q --arrangement DB --preload 1").fails(2, &["7012Q"]);
 }
 
@@ -256,4 +257,45 @@ fn limit_preload_over_heat_is_the_closed_form_of_rigid_supports() {
         let expected = force(10e-6 - 0.5 * 0.2 * 11.5e-6 * kelvin);
         assert!((found / expected - 1.0).abs() < 3e-4, "{kelvin} K: {found} {expected}");
     }
+}
+
+/// Bearings in tandem have no preload; their displacement counts from where they touch: K (sin α δ)^1.5 Z sin α with
+/// the angle of the load.
+#[test]
+fn limit_set_in_tandem_counts_from_touch() {
+    run_words("set 7210B --arrangement DT --preload 500").fails(2, &["--preload 500", "same way"]);
+    run_words("set 7210B --sides + --offset 5").fails(2, &["--offset", "same way"]);
+    let moved = |line: &str, state: usize| number(&run_words(line).json()["states"][state]["displacement_m"]);
+    let tandem = moved("set 7210B --arrangement DT --loads 0,1000 --json", 1);
+    let single = moved("set 7210B --sides + --loads 500 --json", 0);
+    assert!((tandem / single - 1.0).abs() < 1e-6 && tandem > 1e-6 && tandem < 1e-5, "{tandem} {single}");
+    let [none, little] =
+        ["0", "1e-6"].map(|n| moved(&format!("set 7210B --arrangement DB --preload {n} --loads 100 --json"), 0));
+    assert!((none / little - 1.0).abs() < 1e-4, "{none} {little}");
+}
+
+#[test]
+fn limit_loads_beyond_elastic_contacts_are_refused() {
+    run_words("set 7210B --arrangement DB --preload 500 --loads 1e7").fails(2, &["12 GPa"]);
+    run_words("set 7210B --arrangement DB --preload 1e12").fails(2, &["more than the bearings carry"]);
+    run(&[&"shaft", &shaft("motor.ron"), &"--set", &"loads[0].pull=kN(3000)"]).fails(2, &["12 GPa"]);
+}
+
+#[test]
+fn limit_shafts_are_refused_for_what_is_wrong() {
+    let motor = shaft("motor.ron");
+    let refused = |change: &str, code: i32, parts: &[&str]| {
+        run(&[&"shaft", &motor, &"--set", &change]).fails(code, parts);
+    };
+    refused("bearings[0].clearance=mm(8)", 2, &["bearings[0].clearance", "8000 µm", "allowed"]);
+    refused("bearings[0].outer_ring=Slides(N(50))", 1, &["along its axis", "slide"]);
+    run(&[&"shaft", &motor, &"--modes", &"-100"]).fails(2, &["--modes -100"]);
+    let scratch = Scratch::new();
+    let text = std::fs::read_to_string(&motor).unwrap();
+    let fine = scratch.file("fine.ron", text.replacen("sections:", "longest_element: um(1), sections:", 1));
+    run(&[&"shaft", &fine]).fails(2, &["shaft.longest_element", "elements", "1000"]);
+    // No table is written where another one cannot be.
+    let (csv, kept) = (scratch.0.join("nodes.csv"), scratch.file("kept.csv", "of others\n"));
+    run(&[&"shaft", &motor, &"--csv", &csv, &"--ross", &kept]).fails(2, &["kept.csv"]);
+    assert!(!csv.exists());
 }

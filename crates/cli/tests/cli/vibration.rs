@@ -33,13 +33,15 @@ fn limit_an_outer_race_is_told_and_drawn() {
     for name in ["vibration.json", "envelope-spectrum.svg", "kurtogram.png", "signal.svg"] {
         assert!(folder.join(name).is_file(), "{name}");
     }
+    // The sense of rotation says nothing here.
+    assert_eq!(run_words(&command.replace("1797", "-1797 --json")).json()["verdict"]["fault"], "outer");
     for (options, message) in [
-        ("--rate 12000 --bearing 9,7.94,39.04", "--speed"),
+        ("--rate 12000 --bearing 9,7.94,39.04", "--speed: it is missing"),
         ("--rate 12000 --speed 1797", "--bearing"),
         ("--bearing 9,7.94,39.04 --speed 1797", "--rate"),
         ("--rate 12000 --bearing 9,7.94,39.04 --speed 0", "--speed 0"),
         ("--rate 12000 --bearing 9,7.94,39.04 --speed 1797 --slip 40", "--slip 40"),
-        ("--rate 12000 --bearing 9,79.4,39.04 --speed 1797", "do not make a bearing"),
+        ("--rate 12000 --bearing 9,79.4,39.04 --speed 1797", "--bearing 9,79.4,39.04: 9 balls of 79.4 mm on"),
     ] {
         run_words(&format!("vibration {file} {options}")).fails(2, &[message]);
     }

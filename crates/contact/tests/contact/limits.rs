@@ -107,7 +107,7 @@ fn limit_impossible_contacts_are_refused() {
         assert!(matches!(reject(tiny, 1.0, 1e11), ContactError::Ellipticity { .. }));
     }
     let message = reject(-1.0, 2.0, 1e11).to_string();
-    assert!(message.contains("-1 1/m") && message.contains("above 0"), "{message}");
+    assert!(message.contains("-1.0000 1/m") && message.contains("above 0"), "{message}");
     let (good, bad) = (Body { radius_x: 0.1, radius_y: 0.1 }, Body { radius_x: 0.1, radius_y: 0.0 });
     assert!(matches!(relative_curvatures(&good, &bad, 0.0), Err(ContactError::Radius { plane: "y", .. })));
     assert!(matches!(relative_curvatures(&good, &good, f64::NAN), Err(ContactError::Angle { .. })));

@@ -2,7 +2,9 @@
 
 use crate::support::fixture;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, RingFreedom};
-use tribodyn_orbit::{OrbitSettings, OrbitStart, SolvedOrbit, steady_orbit, steady_orbit_from, steady_orbit_near};
+use tribodyn_orbit::{
+    OrbitError, OrbitSettings, OrbitStart, SolvedOrbit, steady_orbit, steady_orbit_from, steady_orbit_near,
+};
 use tribodyn_quasistatic::{Model, PatchRule, solve};
 
 /// Under thrust alone all balls do the same, so that the quasi-static equilibrium is the orbit.
@@ -135,6 +137,20 @@ fn limit_at_rest_nothing_moves_and_the_loads_are_carried() {
     let orbit = steady_orbit(&bearing, &point, &cage, &OrbitSettings::default()).unwrap().solution;
     assert_eq!(orbit.cage_speed_rpm, 0.0);
     assert!((orbit.ring_load_n[2] / 54760.0 - 1.0).abs() < 1e-6, "{:?}", orbit.ring_load_n);
+}
+
+/// Rings that turn together are refused at once, to rounding; a hair beside it they turn against each other.
+#[test]
+fn limit_rings_that_turn_together_have_no_orbit() {
+    let (_, bearing, mut point, cage) = fixture("paper-ag");
+    for share in [1.0, 1.0 + f64::EPSILON, 1.0 - f64::EPSILON] {
+        point.outer_speed = share * point.inner_speed;
+        let refused = steady_orbit(&bearing, &point, &cage, &OrbitSettings::default()).unwrap_err();
+        assert!(matches!(refused, OrbitError::TurnsAsOne { .. }), "{share}: {refused}");
+    }
+    for outer_speed in [0.0, -point.inner_speed, point.inner_speed * (1.0 + 1e-6)] {
+        assert!(!OperatingPoint { outer_speed, ..point.clone() }.turns_as_one(), "{outer_speed}");
+    }
 }
 
 #[test]

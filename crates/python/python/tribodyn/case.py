@@ -88,17 +88,17 @@ class Case:
         """
         request = {
             "designation": designation,
-            "angle": units.in_unit(angle, "deg"),
-            "bore": units.in_unit(bore, "mm"),
-            "outside": units.in_unit(outside, "mm"),
-            "width": units.in_unit(width, "mm"),
+            "angle": units.in_unit(angle, "deg", "angle"),
+            "bore": units.in_unit(bore, "mm", "bore"),
+            "outside": units.in_unit(outside, "mm", "outside"),
+            "width": units.in_unit(width, "mm", "width"),
             "balls": balls,
-            "ball": units.in_unit(ball, "mm"),
-            "dynamic_rating": units.in_unit(dynamic_rating, "N"),
-            "static_rating": units.in_unit(static_rating, "N"),
-            "radial": units.in_unit(radial, "N"),
-            "axial": units.in_unit(axial, "N"),
-            "speed": units.in_unit(speed, "rpm"),
+            "ball": units.in_unit(ball, "mm", "ball"),
+            "dynamic_rating": units.in_unit(dynamic_rating, "N", "dynamic_rating"),
+            "static_rating": units.in_unit(static_rating, "N", "static_rating"),
+            "radial": units.in_unit(radial, "N", "radial"),
+            "axial": units.in_unit(axial, "N", "axial"),
+            "speed": units.in_unit(speed, "rpm", "speed"),
             "lubricant": lubricant,
             "shaft_fit": shaft_fit,
             "housing_fit": housing_fit,
@@ -215,6 +215,14 @@ class Case:
         return isinstance(other, Case) and self.text == other.text
 
     __hash__ = None  # type: ignore[assignment]
+
+
+def native(case: Case) -> _native.Case:
+    """The compiled half of a case that is an argument."""
+    if isinstance(case, Case):
+        return case._native
+    allowed = "allowed is a Case, as of Case.read(path) and Case.new(designation)"
+    raise InputError(f"case = {case!r}: {allowed}", path="case", value=repr(case), allowed=allowed)
 
 
 def as_text(value: Value) -> str:

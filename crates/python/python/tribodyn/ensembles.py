@@ -12,7 +12,7 @@ from . import _html, _native, _plots
 from ._answer import Answer
 from ._errors import InputError
 from ._progress import Bar, Progress
-from .case import Case
+from .case import Case, native
 from .units import in_unit
 
 if TYPE_CHECKING:
@@ -149,14 +149,14 @@ def ensemble(
         "members": int(members),
         "seed": int(seed),
         "latin_hypercube": latin_hypercube,
-        "duration": in_unit(duration, "s"),
+        "duration": in_unit(duration, "s", "duration"),
         "threads": int(threads),
         "output": None if output is None else os.fspath(output),
         "restart": restart,
         "force": force,
     }
     with Bar(float(members), "members", progress) as bar:
-        report, columns = _native.ensemble(case._native, request, bar)
+        report, columns = _native.ensemble(native(case), request, bar)
     written = {} if output is None else {"output": os.fspath(output)}
     return Ensemble({**report, **written, "columns": {name: _plots.column(values) for name, values in columns.items()}})
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Optional
 
 from . import _native, _plots
 from ._answer import Answer, OfOperatingPoint, warned
-from .case import Case
+from .case import Case, native
 from .procedures import TIME_LIMIT_S, Model
 from .units import in_unit
 
@@ -137,9 +137,9 @@ class Torque(OfOperatingPoint):
         _plots.bars(ax, {name[:-3].replace("_", " "): 1e3 * value for name, value in found.items()}, "torque, N mm")
 
 
-def torque(case: Case, model: Model = "traction", *, time_limit: float = TIME_LIMIT_S) -> Torque:
+def torque(case: Case, model: Model = "steady-orbit", *, time_limit: float = TIME_LIMIT_S) -> Torque:
     """Friction torque of a bearing by cause, beside SKF's model and Palmgren's formula."""
-    return warned(Torque(_native.torque(case._native, model, time_limit)))
+    return warned(Torque(_native.torque(native(case), model, time_limit)))
 
 
 class Heat(OfOperatingPoint):
@@ -183,7 +183,7 @@ class Heat(OfOperatingPoint):
 
 def heat(
     case: Case,
-    model: Model = "traction",
+    model: Model = "steady-orbit",
     *,
     surroundings: float = 20.0,
     cooling: float = 1.0,
@@ -196,20 +196,20 @@ def heat(
 
     Args:
         case: the bearing; it needs a lubricant
-        model: the equations
+        model: the equations, with friction
         surroundings: temperature of the surroundings and of the oil that flows in, °C
         cooling: conductances of shaft and housing to the surroundings over those of ISO 15312's reference
         width: width of the bearing, mm; half of D − d where left out
         oil_flow: oil that flows through the bearing, l/min
         time_limit: as of :func:`solve`, for all solutions together
     """
-    given = (in_unit(surroundings, "degC"), cooling, in_unit(width, "mm"), oil_flow)
-    return warned(Heat(_native.heat(case._native, model, given, time_limit)))
+    given = (in_unit(surroundings, "degC", "surroundings"), cooling, in_unit(width, "mm", "width"), oil_flow)
+    return warned(Heat(_native.heat(native(case), model, given, time_limit)))
 
 
-def film(case: Case, model: Model = "traction", *, time_limit: float = TIME_LIMIT_S) -> Films:
+def film(case: Case, model: Model = "steady-orbit", *, time_limit: float = TIME_LIMIT_S) -> Films:
     """Films of every loaded contact of a case with a lubricant: Hamrock and Dowson, inlet heating, starvation."""
-    return warned(Films(_native.films(case._native, model, time_limit)))
+    return warned(Films(_native.films(native(case), model, time_limit)))
 
 
 def contact_film(
@@ -243,15 +243,15 @@ def contact_film(
     """
     request = {
         "oil": oil,
-        "temperature": in_unit(temperature, "degC"),
-        "load": in_unit(load, "N"),
+        "temperature": in_unit(temperature, "degC", "temperature"),
+        "load": in_unit(load, "N", "load"),
         "speed": speed,
-        "radius": in_unit(radius, "mm"),
-        "across": in_unit(radius if across is None else across, "mm"),
+        "radius": in_unit(radius, "mm", "radius"),
+        "across": in_unit(radius if across is None else across, "mm", "across"),
         "slide_to_roll": slide_to_roll,
-        "roughness": in_unit(roughness, "um"),
+        "roughness": in_unit(roughness, "um", "roughness"),
         "starvation": starvation,
-        "young": in_unit(young, "GPa"),
+        "young": in_unit(young, "GPa", "young"),
         "poisson": poisson,
     }
     return ContactFilm(_native.contact_film(request))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Union
 
 from . import _native, _plots
 from ._answer import OfOperatingPoint, warned
-from .case import Case
+from .case import Case, native
 from .procedures import TIME_LIMIT_S
 
 if TYPE_CHECKING:
@@ -58,4 +58,4 @@ def fmu(
         force: replace a file at ``output`` that tribodyn did not write
         time_limit: seconds of processor time after which the search for the equilibrium is given up
     """
-    return warned(Fmu(_native.fmu(case._native, os.fspath(output), (compile, force), time_limit)))
+    return warned(Fmu(_native.fmu(native(case), os.fspath(output), (compile, force), time_limit)))

@@ -6,15 +6,13 @@ import warnings
 from collections.abc import Iterable, Sequence
 from typing import Literal, Optional, Union, overload
 
-import numpy as np
-
 from . import _native
 from ._answer import warned
 from ._errors import ModelWarning, PlausibilityWarning
 from .answers import Contact, Derived, LineContact, Modes, Rating, Stiffness, TractionCurve
-from .case import Case
+from .case import Case, native
 from .solution import Solution
-from .units import in_unit
+from .units import all_in_unit, in_unit
 
 #: Equations: raceway control without traction, traction integrals of both contacts, or the periodic motion of balls
 #: and cage that a run settles to.
@@ -39,7 +37,7 @@ def solve(
         InputError: the model cannot use the case
         SolveError: no solution was found
     """
-    return warned(Solution(*_native.solve(case._native, model, roots, time_limit)))
+    return warned(Solution(*_native.solve(native(case), model, roots, time_limit)))
 
 
 def stiffness(
@@ -57,9 +55,8 @@ def stiffness(
         speeds: speeds of the inner ring, r/min; that of the case where none is given
         time_limit: as of :func:`solve`, for all speeds together
     """
-    several = [speeds] if isinstance(speeds, (int, float, np.integer)) else speeds
-    given = [in_unit(speed, "rpm") for speed in several]
-    answer = Stiffness(_native.stiffness(case._native, model, given, time_limit))
+    given = all_in_unit(speeds, "rpm", "speeds")
+    answer = Stiffness(_native.stiffness(native(case), model, given, time_limit))
     for speed, said, implausible in zip(answer.inner_speed_rpm, answer.warnings, answer.implausible):
         for place, sentence in enumerate(said):
             kind = PlausibilityWarning if implausible and place == len(said) - 1 else ModelWarning
@@ -73,7 +70,7 @@ def modes(case: Case, *, up_to: float = float("inf"), all: bool = False, time_li
     Masses and supports are those of a run: the case needs its sections ``transient`` and ``supports``. With ``all``
     also those of the balls, which belong to the instant when pocket 0 stands at azimuth 0.
     """
-    return warned(Modes(_native.modes(case._native, in_unit(up_to, "Hz"), all, time_limit)))
+    return warned(Modes(_native.modes(native(case), in_unit(up_to, "Hz", "up_to"), all, time_limit)))
 
 
 def rating_life(case: Case, model: Optional[Model] = None, *, time_limit: float = TIME_LIMIT_S) -> Rating:
@@ -82,7 +79,7 @@ def rating_life(case: Case, model: Optional[Model] = None, *, time_limit: float 
     The ball loads are those of the steady orbit where no model is given, or of raceway control for a case without
     traction or cage. How long the coatings last is another question: :func:`life` answers it.
     """
-    return warned(Rating(_native.rating(case._native, model, time_limit)))
+    return warned(Rating(_native.rating(native(case), model, time_limit)))
 
 
 def check(case: Case, *, flow: Optional[float] = None, power: Optional[float] = None) -> Derived:
@@ -148,10 +145,10 @@ def hertz(
         angle: angle between the x planes of the two bodies, degrees
         length: length of the contact of cylinders, mm; their radii are ``(rx, inf)``
     """
-    radii = [[in_unit(radius, "mm") for radius in body] for body in (body1, body2)]
-    young = [in_unit(modulus, "GPa") for modulus in (young1, young2)]
-    along, turned = in_unit(length, "mm"), in_unit(angle, "deg")
-    answer = _native.hertz(radii, in_unit(load, "N"), young, [poisson1, poisson2], turned, along)
+    radii = [all_in_unit(body, "mm", name) for name, body in (("body1", body1), ("body2", body2))]
+    young = [in_unit(young1, "GPa", "young1"), in_unit(young2, "GPa", "young2")]
+    along, turned = in_unit(length, "mm", "length"), in_unit(angle, "deg", "angle")
+    answer = _native.hertz(radii, in_unit(load, "N", "load"), young, [poisson1, poisson2], turned, along)
     return Contact(answer) if along is None else LineContact(answer)
 
 
@@ -165,5 +162,5 @@ def traction_curve(coating: str, pressure: float, slip: Iterable[float], *, orde
         order: order of the polynomials in pressure; 2 goes through the three tested pressures
     """
     return TractionCurve(
-        _native.traction_curve(coating, in_unit(pressure, "GPa"), [float(value) for value in slip], order)
+        _native.traction_curve(coating, in_unit(pressure, "GPa", "pressure"), [float(value) for value in slip], order)
     )

@@ -18,7 +18,7 @@ from ._progress import Bar, Progress
 from ._quantities import RecordedBallArrays, SolutionArrays, StateArrays, WornArrays
 from ._scene import scene
 from .answers import ActingLife, Identification, Life
-from .case import Case
+from .case import Case, native
 from .procedures import Model
 
 if TYPE_CHECKING:
@@ -395,10 +395,9 @@ def run(
 
 
 def _run(case: Case, duration: Optional[float], path: Path, beginning: str, progress: Progress) -> Run:
-    whole = duration if duration is not None else _duration(case)
-    with Bar(whole, "s", progress) as bar:
-        seconds = units.in_unit(duration, "s")
-        answer, stopped = _native.run(case._native, os.fspath(path), seconds, beginning, bar)
+    seconds = units.in_unit(duration, "s", "duration")
+    with Bar(seconds if seconds is not None else _duration(case), "s", progress) as bar:
+        answer, stopped = _native.run(native(case), os.fspath(path), seconds, beginning, bar)
     stopped_s = answer.pop("stopped_s")
     if stopped is not None and stopped_s is not None:
         if not isinstance(stopped, KeyboardInterrupt):
@@ -411,7 +410,7 @@ def _run(case: Case, duration: Optional[float], path: Path, beginning: str, prog
 
 
 def _duration(case: Case) -> float:
-    text = case._native.value("transient.duration") or ""
+    text = native(case).value("transient.duration") or ""
     return float(units.read(text) or 0.0)
 
 
@@ -437,8 +436,8 @@ def life(
         progress: a bar where somebody watches; False for none; or a function of strides done and strides
     """
     with Bar(float(strides), "strides", progress) as bar:
-        limits = (None if until is None else float(until), units.in_unit(clearance_limit, "um"))
-        return warned(Life(_native.life(case._native, model, int(strides), limits, bar)))
+        limits = (None if until is None else float(until), units.in_unit(clearance_limit, "um", "clearance_limit"))
+        return warned(Life(_native.life(native(case), model, int(strides), limits, bar)))
 
 
 def acting_life(
@@ -472,7 +471,7 @@ def acting_life(
     with Bar(float(strides), "strides", progress) as bar:
         hours = None if until is None else float(until)
         found = _native.acting_life(
-            case._native, model, int(strides), hours, list(acting), float(bare_limit), path[0], (path[1], path[2]), bar
+            native(case), model, int(strides), hours, list(acting), float(bare_limit), path[0], (path[1], path[2]), bar
         )
         return warned(ActingLife(found))
 

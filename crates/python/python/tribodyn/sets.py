@@ -6,15 +6,13 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal, Optional, Union
 
-import numpy as np
-
 from . import _html, _native, _plots
 from ._answer import Answer, OfOperatingPoint, warned
 from .answers import Fits, Rating
-from .case import Case, Value, as_text
+from .case import Case, Value, as_text, native
 from .procedures import TIME_LIMIT_S, Model
 from .solution import Balls, Solution
-from .units import in_unit
+from .units import all_in_unit, in_unit
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -99,7 +97,7 @@ class SetState(Answer):
 
     #: axial load, N
     load_n: float
-    #: from the unloaded set
+    #: from the unloaded set; in tandem from where its bearings touch
     displacement_m: float
     #: axial rigidity there, N/m
     rigidity_n_per_m: float
@@ -135,6 +133,8 @@ class BearingSet(Answer):
     map: list[SetPoint]
     #: under load, in the last of these conditions
     states: list[SetState]
+    #: sentences on what is unusual about the bearing that is pressed hardest
+    warnings: list[str]
 
     def to_pandas(self) -> pd.DataFrame:  # type: ignore[override]
         """A row for each load."""
@@ -161,6 +161,10 @@ class Sheet(Answer):
     ball_diameter_m: float
     #: pitch diameter, m
     pitch_diameter_m: float
+    #: bore, m
+    bore_m: float
+    #: `catalogue`, or `computed` from the balls
+    bore_source: str
     #: in operation
     radial_clearance_m: float
     #: fits by tolerance class, and the clearance over their range; absent where no seat has a class
@@ -173,7 +177,7 @@ class Sheet(Answer):
     speed_rpm: float
     #: ratings, equivalent loads, lives, safety
     rating: Rating
-    #: displacement of the inner ring under the load: x, y, z; z from where the balls just touch
+    #: displacement of the inner ring under the load: x, y, z; z from where the balls just touch on the side of the load
     ring_displacement_m: list[float]
     #: moment that keeps the rings aligned
     tilting_moment_nm: float
@@ -183,9 +187,9 @@ class Sheet(Answer):
     loaded_balls: int
     #: load of the most loaded ball, N
     ball_load_max_n: float
-    #: least and largest of the loaded balls on the inner race
-    contact_angle_rad: list[float]
-    #: by a rule of thumb; None without load
+    #: least and largest of the loaded balls on the inner race; None without load
+    contact_angle_rad: Optional[list[float]]
+    #: by a rule of thumb with the bore; None without load
     friction_torque_estimate_nm: Optional[float]
     #: power of that torque, W
     friction_power_estimate_w: Optional[float]
@@ -441,8 +445,9 @@ def pair(
         model: equations of each bearing; the steady orbit, or raceway control for a case without traction or cage
         time_limit: as of :func:`solve`
     """
-    apart, pressed = in_unit(distance, "mm"), (in_unit(offset, "um"), in_unit(spring, "N"))
-    return warned(Pair(_native.pair(case._native, arrangement, apart, pressed, model, time_limit)))
+    apart = in_unit(distance, "mm", "distance")
+    pressed = in_unit(offset, "um", "offset"), in_unit(spring, "N", "spring")
+    return warned(Pair(_native.pair(native(case), arrangement, apart, pressed, model, time_limit)))
 
 
 def bearing_set(
@@ -454,9 +459,9 @@ def bearing_set(
     given: Literal["unmounted", "mounted", "running"] = "unmounted",
     offset: Optional[float] = None,
     spring: Optional[float] = None,
-    loads: Iterable[float] = (),
-    speeds: Iterable[float] = (),
-    warmer: Iterable[float] = (),
+    loads: Union[float, Iterable[float]] = (),
+    speeds: Union[float, Iterable[float]] = (),
+    warmer: Union[float, Iterable[float]] = (),
 ) -> BearingSet:
     """Preload, unloading force and axial rigidity of a set of like bearings, and its displacement under axial load.
 
@@ -464,7 +469,7 @@ def bearing_set(
         case: one of the bearings, at its speed and temperatures
         arrangement: ``"DB"``, ``"DF"``, ``"DT"``, ``"TBT"``, ``"TFT"``, ``"TT"``, ``"QBC"``, ``"QFC"``, …
         sides: instead of it the side that each bearing carries, from −z to +z, such as ``"++-"``
-        preload: N, in the condition ``given``
+        preload: N, in the condition ``given``; bearings that all carry the same way have none
         offset: instead of it how far each bearing is pressed in off the shaft, um
         spring: instead of both the force of a soft spring, N
         loads: axial loads along +z, N; up to the unloading force without them
@@ -474,15 +479,15 @@ def bearing_set(
     request = {
         "arrangement": arrangement,
         "sides": sides,
-        "preload": in_unit(preload, "N"),
+        "preload": in_unit(preload, "N", "preload"),
         "given": given,
-        "offset": in_unit(offset, "um"),
-        "spring": in_unit(spring, "N"),
-        "loads": [in_unit(load, "N") for load in loads],
-        "speeds": [in_unit(speed, "rpm") for speed in speeds],
-        "warmer": [float(kelvin) for kelvin in warmer],
+        "offset": in_unit(offset, "um", "offset"),
+        "spring": in_unit(spring, "N", "spring"),
+        "loads": all_in_unit(loads, "N", "loads"),
+        "speeds": all_in_unit(speeds, "rpm", "speeds"),
+        "warmer": all_in_unit(warmer, "K", "warmer"),
     }
-    return BearingSet(_native.set(case._native, request))
+    return warned(BearingSet(_native.set(native(case), request)))
 
 
 def sheet(case: Case, *, radial: float, axial: float = 0.0, speed: float) -> Sheet:
@@ -490,11 +495,11 @@ def sheet(case: Case, *, radial: float, axial: float = 0.0, speed: float) -> She
 
     Args:
         case: the bearing; its own loads and speed have no part in it, and the rings stay aligned
-        radial, axial: loads, N
+        radial, axial: loads, N; a negative axial one is along -z
         speed: of the inner ring, r/min
     """
-    loads = in_unit(radial, "N"), in_unit(axial, "N")
-    return warned(Sheet(_native.sheet(case._native, *loads, in_unit(speed, "rpm"))))
+    loads = in_unit(radial, "N", "radial"), in_unit(axial, "N", "axial")
+    return warned(Sheet(_native.sheet(native(case), *loads, in_unit(speed, "rpm", "speed"))))
 
 
 def shaft(
@@ -513,9 +518,8 @@ def shaft(
         up_to: highest frequency of these modes, Hz
     """
     texts = [(place, as_text(value)) for place, value in (changes or {}).items()]
-    several = [modes] if isinstance(modes, (int, float, np.integer)) else modes
-    speeds = [in_unit(speed, "rpm") for speed in several]
-    answer = Shaft(_native.shaft(os.fspath(path), texts, speeds, in_unit(up_to, "Hz")))
+    speeds = all_in_unit(modes, "rpm", "modes")
+    answer = Shaft(_native.shaft(os.fspath(path), texts, speeds, in_unit(up_to, "Hz", "up_to")))
     for duty in answer.duties:
         warned(duty.shaft)
     return answer

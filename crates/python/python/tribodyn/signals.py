@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from . import _html, _native, _plots
 from ._answer import Answer, warned
-from .case import Case
+from .case import Case, native
 from .units import in_unit
 
 if TYPE_CHECKING:
@@ -196,14 +196,14 @@ def vibration(
     request = {
         "file": name,
         "channel": channel,
-        "rate": in_unit(rate, "Hz"),
+        "rate": in_unit(rate, "Hz", "rate"),
         "bearing": None if bearing is None else os.fspath(bearing),
-        "angle": in_unit(angle, "deg"),
-        "speed": speed if speed is None or isinstance(speed, str) else str(in_unit(speed, "rpm")),
+        "angle": in_unit(angle, "deg", "angle"),
+        "speed": speed if speed is None or isinstance(speed, str) else str(in_unit(speed, "rpm", "speed")),
         "key_phase": key_phase,
         "pulses": float(pulses),
-        "start": in_unit(start, "s"),
-        "end": in_unit(end, "s"),
+        "start": in_unit(start, "s", "start"),
+        "end": in_unit(end, "s", "end"),
         "speed_tolerance": float(speed_tolerance),
         "slip": float(slip),
     }
@@ -227,7 +227,7 @@ def layout(case: Optional[Case] = None, *, solution: bool = False) -> str:
         case: the bearing that sets the distance of the camera, the rows of balls and the band of the spectra
         solution: for recordings of solutions, not of runs
     """
-    return _native.layout(None if case is None else case._native, solution)
+    return _native.layout(None if case is None else native(case), solution)
 
 
 def catalogue(pattern: str = "") -> list[Listed]:

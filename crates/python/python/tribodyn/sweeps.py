@@ -16,7 +16,7 @@ from ._answer import Answer, Comparable
 from ._errors import InputError, PlausibilityWarning
 from ._progress import Bar, Progress
 from ._quantities import SweepColumns
-from .case import Case, as_text
+from .case import Case, as_text, native
 from .procedures import Model
 from .units import Quantity, Unit
 
@@ -198,6 +198,7 @@ def grid(
 
 
 def _named(case: Case) -> tuple[str, str]:
+    native(case)
     return case.file, case.text
 
 
@@ -366,6 +367,9 @@ def _values(shares: NDArray[np.float64], path: str, spread: Spread) -> list[Samp
         except (TypeError, ValueError):
             allowed = "allowed are (low, high), a distribution of scipy.stats, or either with a unit before it"
             raise InputError(f"{path}: {spread!r}; {allowed}", path=path, value=repr(spread), allowed=allowed) from None
+        if low > high:
+            allowed = "allowed are (low, high), low not above high"
+            raise InputError(f"{path}: {spread!r}; {allowed}", path=path, value=repr(spread), allowed=allowed)
         numbers = low + (high - low) * shares
     if not np.all(np.isfinite(numbers)):
         allowed = "allowed are finite numbers: a distribution is asked for shares from 0 to below 1"

@@ -115,24 +115,35 @@ def unit(name: str) -> Unit:
 
 
 @overload
-def in_unit(value: float, unit: str) -> float: ...
+def in_unit(value: float, unit: str, name: str) -> float: ...
 
 
 @overload
-def in_unit(value: Optional[float], unit: str) -> Optional[float]: ...
+def in_unit(value: Optional[float], unit: str, name: str) -> Optional[float]: ...
 
 
-def in_unit(value: Optional[float], unit: str) -> Optional[float]:
-    """A number of an argument in its unit: a quantity, or one of Pint's, is turned into it; None stays None."""
-    if isinstance(value, Quantity):
-        if value.unit not in _kind(unit):
-            allowed = f"allowed are a number, in {unit}, and quantities in {', '.join(_kind(unit))}"
-            raise InputError(f"{value}: {allowed}", path=value.unit, value=value.text, allowed=allowed)
-        return value.to(unit)
+def in_unit(value: Optional[float], unit: str, name: str) -> Optional[float]:
+    """The argument of a name in its unit: a quantity, or one of Pint's, is turned into it; None stays None."""
+    allowed = f"allowed are a number, in {unit}, and quantities in {', '.join(_kind(unit))}"
     given: Any = value
+    if isinstance(given, Quantity) and given.unit in _kind(unit):
+        return given.to(unit)
     if hasattr(given, "magnitude") and hasattr(given, "to"):
         return float(given.to(pint_name(unit)).magnitude)
-    return None if value is None else float(value)
+    if isinstance(given, (Quantity, str)):
+        raise InputError(f"{name} = {given!r}: {allowed}", path=name, value=str(given), allowed=allowed)
+    try:
+        return None if given is None else float(given)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} = {given!r}: {allowed}", path=name, value=repr(given), allowed=allowed) from None
+
+
+def all_in_unit(values: Union[float, Iterable[float]], unit: str, name: str) -> list[float]:
+    """One number of an argument or several, in its unit. Text is not taken letter by letter."""
+    given: Any = values
+    if isinstance(given, (int, float, str, np.number)) or hasattr(given, "magnitude"):
+        given = [given]
+    return [in_unit(value, unit, name) for value in given]
 
 
 def number(value: float) -> str:

@@ -2,7 +2,7 @@
 
 use crate::two_bearings::{bearing, system};
 use tribodyn_bearing::Bearing;
-use tribodyn_shaft::{AxialSet, Member, RestingBearing, offset_for};
+use tribodyn_shaft::{AxialSet, Member, RestingBearing, ShaftError, offset_for};
 
 fn set<'a>(bearing: &'a Bearing, sides: &[bool]) -> AxialSet<'a> {
     let member = |&carries_plus_z: &bool| Member {
@@ -83,4 +83,33 @@ fn limit_tandem_gives_no_resistance_the_other_way() {
     let mut set = set(&bearing, &[true, true]);
     assert!(set.under(-100.0).is_err());
     assert!((set.under(100.0).unwrap().forces[0] - 50.0).abs() < 1e-8);
+}
+
+/// Bearings that are not preloaded just touch, and those in tandem count from there wherever their rings stand.
+#[test]
+fn limit_unloaded_bearings_just_touch() {
+    let bearing = bearing();
+    let mut pair = set(&bearing, &[true, false]);
+    pair.preload(0.0).unwrap();
+    assert!(pair.offsets.iter().all(|offset| offset.abs() < 1e-15), "{:?}", pair.offsets);
+    let touching = set(&bearing, &[true, true]).under(1000.0).unwrap().displacement;
+    for (offset, side) in [(0.0, true), (3e-6, true), (-3e-6, true), (3e-6, false), (-3e-6, false)] {
+        let mut tandem = set(&bearing, &[side, side]);
+        tandem.offsets.fill(offset);
+        let sign = if side { 1.0 } else { -1.0 };
+        let rest = tandem.unloaded().unwrap();
+        assert!((rest.displacement + sign * offset).abs() < 1e-15, "{offset} {side}: {rest:?}");
+        let moved = tandem.under(sign * 1000.0).unwrap().displacement - rest.displacement;
+        assert!((moved - sign * touching).abs() < 1e-12, "{offset} {side}: {moved}");
+    }
+}
+
+/// A force beyond all bearings is not taken for one that no bearing carries.
+#[test]
+fn limit_forces_that_are_too_large_are_named() {
+    let bearing = bearing();
+    let mut pair = set(&bearing, &[true, false]);
+    assert!(matches!(pair.preload(1e12), Err(ShaftError::TooLarge { force: 1e12, .. })));
+    assert!(matches!(pair.under(-1e12), Err(ShaftError::TooLarge { force: -1e12, .. })));
+    assert!(matches!(set(&bearing, &[true, true]).under(-1.0), Err(ShaftError::Loose { .. })));
 }

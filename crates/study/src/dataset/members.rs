@@ -1,5 +1,6 @@
 //! Which member has which bearing, fault, load and speed, and its case.
 
+use super::sensor::AHEAD;
 use std::f64::consts::TAU;
 use tribodyn::{AnswerError, CaseFile, Change, Limits};
 use tribodyn_case::{DatasetPlan, FaultClass, SpectrumSpec};
@@ -71,9 +72,8 @@ pub(super) fn individuals(plan: &DatasetPlan) -> Vec<Individual> {
 fn for_tests(plan: &DatasetPlan, first: usize) -> Vec<bool> {
     let mut random = Random::new(plan.seed, OF_SPLIT + first as u64);
     let mut tests = vec![false; plan.bearings];
-    let wanted = (plan.test_share * plan.bearings as f64).round() as usize;
     let mut left: Vec<usize> = (0..plan.bearings).collect();
-    for _ in 0..wanted {
+    for _ in 0..plan.bearings_for_tests() {
         tests[left.swap_remove(random.whole(0, left.len() - 1))] = true;
     }
     tests
@@ -160,7 +160,7 @@ impl Choice {
     }
 }
 
-/// Time that the filter of a run's samples takes, s.
+/// Time that the filters of a run's samples and of the sensors take, s.
 pub(super) fn delay(plan: &DatasetPlan) -> f64 {
-    tribodyn_signal::Decimator::DELAY as f64 / plan.rate
+    (tribodyn_signal::Decimator::DELAY + AHEAD) as f64 / plan.rate
 }

@@ -29,7 +29,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 use tribodyn::{AnswerError, CaseFile, Limits, RefusedCase};
-use tribodyn_case::DatasetPlan;
+use tribodyn_bearing::Translation;
+use tribodyn_case::{CaseError, DatasetPlan};
 
 /// Name of the table in the folder of a data set.
 pub const TABLE: &str = "members.parquet";
@@ -59,7 +60,7 @@ impl journal::Identity for Identity {
         match found {
             o if o.tribodyn != self.tribodyn => Some(SweepDifference::Version { found: o.tribodyn.clone() }),
             o if o.cases != self.cases => Some(SweepDifference::Case),
-            o if o.plan != self.plan => Some(SweepDifference::Draws),
+            o if o.plan != self.plan => Some(SweepDifference::Plan),
             _ => None,
         }
     }
@@ -74,6 +75,8 @@ pub struct DatasetReport {
     pub finished: usize,
     /// Those of the finished ones that have no signal.
     pub failed: usize,
+    /// Those of the finished ones whose runs warn.
+    pub warned: usize,
     /// Bearings for training.
     pub bearings_train: usize,
     /// Bearings for tests.
@@ -90,6 +93,9 @@ pub struct DatasetReport {
     /// Why the first member without a signal has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first_failure: Option<String>,
+    /// Warnings of the first member that has any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first_warnings: Option<String>,
     /// The table; absent until the set is whole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub table: Option<PathBuf>,
@@ -110,7 +116,15 @@ impl Dataset {
             let (file, text) = (name.clone(), text.clone());
             StudyError::from(AnswerError::Case(Box::new(RefusedCase { file, options: String::new(), text, error })))
         };
-        let plan = DatasetPlan::from_ron(&text).map_err(refused)?;
+        let plan = DatasetPlan::from_ron(&text).map_err(&refused)?;
+        let labels = row::labels();
+        for (k, sensor) in plan.sensors.iter().enumerate() {
+            if labels.iter().any(|(column, _)| column.name == sensor.name) {
+                let taken: Vec<&str> = labels.iter().map(|(column, _)| column.name.as_str()).collect();
+                let message = format!("is a column of the labels; taken are {}", taken.join(", "));
+                return Err(refused(CaseError::at(&text, &format!("sensors[{k}].name"), message)));
+            }
+        }
         let folder = path.parent().unwrap_or(Path::new(""));
         let case = |case: &String| {
             let path = folder.join(case);
@@ -118,10 +132,17 @@ impl Dataset {
         };
         let cases = plan.cases.iter().map(case).collect::<Result<_, _>>()?;
         let individuals = members::individuals(&plan);
-        let dataset = Self { plan, text, cases, individuals, limits: *limits };
+        let dataset = Self { plan, text: text.clone(), cases, individuals, limits: *limits };
         let each = dataset.plan.loads.len() * dataset.plan.speeds.len();
         for bearing in 0..dataset.individuals.len() {
-            dataset.case_of(bearing * each)?.run_inputs()?;
+            let of_plan = |error| match error {
+                AnswerError::Case(case) => match in_plan(&dataset, bearing * each, &case.error) {
+                    Some(error) => refused(error),
+                    None => AnswerError::Case(case).into(),
+                },
+                other => other.into(),
+            };
+            dataset.case_of(bearing * each).map_err(of_plan)?.run_inputs()?;
         }
         Ok(dataset)
     }
@@ -141,12 +162,13 @@ impl Dataset {
     fn row(&self, member: usize, stop: &AtomicBool) -> Option<Vec<Cell>> {
         let choice = members::choice(&self.plan, &self.individuals, member);
         let file = self.case_of(member).map_err(|error| error.to_string());
+        let loads = file.as_ref().map_or(choice.load, |file| [&file.case.ring.x, &file.case.ring.z].map(force));
         let found = match file.and_then(|file| signal::signals(&self.plan, &choice, (member, &file), stop)) {
             Ok(Some(signals)) => Ok(signals),
             Ok(None) => return None,
             Err(why) => Err(why),
         };
-        Some(row::row(&self.plan, (member, &choice), &found))
+        Some(row::row(&self.plan, (member, &choice), loads, &found))
     }
 
     /// Runs the members that are not finished yet on the threads of the current rayon pool, and writes the table (and,
@@ -201,14 +223,20 @@ impl Dataset {
         journal: &Journal,
         columns: &[Column],
     ) -> Result<DatasetReport, StudyError> {
-        let error = columns.iter().position(|column| column.name == "error").unwrap_or_default();
-        let (mut failed, mut first_failure) = (0, None);
+        let place = |name: &str| columns.iter().position(|column| column.name == name).unwrap_or_default();
+        let [warnings, error] = ["warnings", "error"].map(place);
+        let (mut warned, mut first_warnings, mut failed, mut first_failure) = (0, None, 0, None);
         for line in journal.read() {
-            if let Some(Cell::Text(why)) =
-                decode(line?.trim_end_matches('\n'), columns).and_then(|row| row.into_iter().nth(error))
-            {
+            let Some(row) = decode(line?.trim_end_matches('\n'), columns) else { continue };
+            if let Cell::Text(why) = &row[error] {
                 failed += 1;
-                first_failure.get_or_insert(why);
+                first_failure.get_or_insert_with(|| why.clone());
+            }
+            if let Cell::Text(said) = &row[warnings]
+                && !said.is_empty()
+            {
+                warned += 1;
+                first_warnings.get_or_insert_with(|| said.clone());
             }
         }
         let threads = rayon::current_num_threads();
@@ -217,6 +245,7 @@ impl Dataset {
             members: self.members(),
             finished,
             failed,
+            warned,
             bearings_train: self.individuals.len() - bearings_test,
             bearings_test,
             run,
@@ -224,6 +253,7 @@ impl Dataset {
             wall_s,
             members_per_s_and_thread: (run > 0).then(|| run as f64 / wall_s / threads as f64),
             first_failure,
+            first_warnings,
             table: None,
             mat: None,
         })
@@ -257,11 +287,12 @@ impl Dataset {
         if mat {
             let mut files = StagedFiles::new(&folder.join(MAT), true)?;
             for (member, row) in rows().enumerate() {
-                files.write(format!("{member:06}.mat"), &mat::file(columns, &row?))?;
+                files.write(mat::name(member), &mat::file(columns, &row?))?;
             }
             files.publish()?;
         }
-        staged.publish()
+        staged.publish()?;
+        mat::remove_from(&folder.join(MAT), if mat { self.members() } else { 0 })
     }
 
     fn identity(&self) -> Identity {
@@ -278,6 +309,34 @@ impl Dataset {
         );
         notes
     }
+}
+
+/// A constant force; none where it changes or the ring is held.
+fn force(translation: &Translation) -> Option<f64> {
+    if let Translation::Force(force) = translation { Some(*force) } else { None }
+}
+
+/// The error of a member's case at the field of the plan from which the refused value comes; none for a value of the
+/// case itself.
+fn in_plan(dataset: &Dataset, member: usize, error: &CaseError) -> Option<CaseError> {
+    let plan = &dataset.plan;
+    let choice = members::choice(plan, &dataset.individuals, member);
+    let length = plan.lengths.iter().position(|length| Some(length.0) == choice.individual.length);
+    let spall = error.path.strip_prefix("spalls[0].").or_else(|| error.path.strip_prefix("ball_spalls[0]."));
+    let path = match (error.path.as_str(), spall) {
+        (_, Some("length")) => format!("lengths[{}]", length?),
+        (_, Some(field @ ("width" | "depth" | "edge_radius"))) => format!("spall.{field}"),
+        (path, _) if path.starts_with("speed.inner") => "speeds[0]".to_owned(),
+        (path, _) if path.starts_with("ring.x") => "loads[0].radial".to_owned(),
+        (path, _) if path.starts_with("ring.z") && plan.loads[0].axial.is_some() => "loads[0].axial".to_owned(),
+        (path, _) if plan.deviations.is_some() && path.starts_with("deviations.balls") => "deviations.balls".to_owned(),
+        (path, _) if plan.deviations.is_some() && path.contains(".spectrum") => path.replace(".spectrum", ""),
+        ("transient.duration", _) => "duration".to_owned(),
+        ("recording" | "recording.state_rate", _) => "rate".to_owned(),
+        _ => return None,
+    };
+    let message = format!("in {}: {}", plan.cases[choice.individual.case], error.message);
+    Some(CaseError::at(&dataset.text, &path, message))
 }
 
 /// Why a table is not written.

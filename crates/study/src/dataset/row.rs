@@ -4,7 +4,7 @@ use super::members::Choice;
 use super::signal::Signals;
 use crate::sweep::{Cell, Column, Kind};
 use std::f64::consts::TAU;
-use tribodyn_case::{DatasetPlan, FaultClass};
+use tribodyn_case::{DatasetPlan, FaultClass, SensorSpec};
 
 /// A list in a cell of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,11 +17,18 @@ pub(super) enum List {
     Singles,
 }
 
-/// Columns in order; one with lists has them as text in the rows that are kept while a set is made.
+/// Columns in order, labels first, then those of sensors; one with lists has them as text in the rows that are kept
+/// while a set is made.
 pub(super) fn columns(plan: &DatasetPlan) -> Vec<(Column, Option<List>)> {
+    let of_sensor = |sensor: &SensorSpec| (Column::new(&sensor.name, Kind::Text, false), Some(List::Singles));
+    labels().into_iter().chain(plan.sensors.iter().map(of_sensor)).collect()
+}
+
+/// Columns that every plan has.
+pub(super) fn labels() -> Vec<(Column, Option<List>)> {
     let plain = |name: &str, kind, optional| (Column::new(name, kind, optional), None);
     let list = |name: &str, of| (Column::new(name, Kind::Text, false), Some(of));
-    let mut columns = vec![
+    vec![
         plain("member", Kind::Integer, false),
         plain("bearing", Kind::Integer, false),
         plain("split", Kind::Text, false),
@@ -37,14 +44,16 @@ pub(super) fn columns(plan: &DatasetPlan) -> Vec<(Column, Option<List>)> {
         plain("cage_speed_rpm", Kind::Number, true),
         plain("largest_slip", Kind::Number, true),
         plain("rate_hz", Kind::Number, false),
+        plain("step_us", Kind::Number, true),
+        plain("acceleration_error_m_s2", Kind::Number, true),
+        plain("warnings", Kind::Text, false),
         plain("error", Kind::Text, true),
         list("passed_ball", List::Integers),
+        list("passed_inner", List::Integers),
         list("entered_s", List::Numbers),
         list("struck_s", List::Numbers),
         list("left_s", List::Numbers),
-    ];
-    columns.extend(plan.sensors.iter().map(|sensor| list(&sensor.name, List::Singles)));
-    columns
+    ]
 }
 
 /// The name of a class in labels.
@@ -57,10 +66,11 @@ pub(super) fn class(fault: FaultClass) -> &'static str {
     }
 }
 
-/// The fields of a member's row.
+/// The fields of a member's row; the loads are those of its case.
 pub(super) fn row(
     plan: &DatasetPlan,
     (member, choice): (usize, &Choice),
+    [radial, axial]: [Option<f64>; 2],
     found: &Result<Signals, String>,
 ) -> Vec<Cell> {
     let individual = &choice.individual;
@@ -79,17 +89,21 @@ pub(super) fn row(
         number(spalled.map(|spall| 1e3 * spall.width)),
         number(spalled.map(|spall| 1e6 * spall.depth)),
         number(individual.azimuth.map(f64::to_degrees)),
-        number(choice.load[0]),
-        number(choice.load[1]),
+        number(radial),
+        number(axial),
         Cell::Number(RPM * choice.speed),
         number(signals.map(|signals| RPM * signals.cage_speed)),
         number(signals.map(|signals| signals.slip)),
         Cell::Number(plan.rate),
+        number(signals.and_then(|signals| signals.step).map(|step| 1e6 * step)),
+        number(signals.and_then(|signals| signals.acceleration_error)),
+        text(&signals.map_or_else(String::new, |signals| signals.warnings.join("; "))),
         found.as_ref().err().map_or(Cell::Null, |why| text(why)),
     ];
     let passages = signals.map(|signals| &signals.passages[..]).unwrap_or_default();
     let joined = |of: &dyn Fn(usize) -> String| Cell::Text((0..passages.len()).map(of).collect::<Vec<_>>().join(" "));
     cells.push(joined(&|k| passages[k].ball.to_string()));
+    cells.push(joined(&|k| u8::from(passages[k].inner).to_string()));
     cells.push(joined(&|k| passages[k].entered.to_string()));
     cells.push(joined(&|k| passages[k].struck.to_string()));
     cells.push(joined(&|k| passages[k].left.to_string()));

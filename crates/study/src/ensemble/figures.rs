@@ -48,7 +48,7 @@ pub(super) fn figures(report: &RunReport) -> Result<Vec<Cell>, StudyError> {
         summary,
         scheme_statistics: report.outcome.scheme_statistics,
     };
-    let warnings = report.warnings_at_start.len() + report.untested_pressures.len() + summary.warnings.len();
+    let warnings = report.warnings().count();
     let numbers = numbers_of(&figures)?.into_iter().map(|(_, cell)| cell);
     Ok(numbers.chain([Cell::Integer(warnings as i64)]).collect())
 }

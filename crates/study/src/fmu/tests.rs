@@ -199,6 +199,18 @@ fn compare(name: &str, bearing: &Bearing, point: &OperatingPoint, count: usize) 
     compared
 }
 
+/// More balls than fit, and damping that drives.
+#[test]
+fn limit_parameters_that_make_no_bearing_have_no_answer() {
+    let file = cases().into_iter().find(|file| file.name.contains("angular-7210")).unwrap();
+    let (mut bearing, point) = (file.bearing().unwrap(), file.case.operating_point());
+    let place = about(&solve(&bearing, &point, Model::JonesHarris).unwrap().solution, &bearing, 1)[0];
+    let row = [inputs(place, [0.0; 5], &point, &bearing)];
+    assert!(called(&bearing, 1e-5, &row)[0].is_some() && called(&bearing, -1e-5, &row)[0].is_none());
+    bearing.geometry.ball_count = 40;
+    assert!(called(&bearing, 0.0, &row)[0].is_none());
+}
+
 /// With the ring in motion its force changes by the stiffness times velocity times the damping's time.
 #[test]
 fn identity_damping_is_stiffness_times_a_time() {

@@ -27,8 +27,10 @@ pub use outcome::{RunOutcome, RunReport, Stopped};
 pub use session::{Beginning, PreparedRun, RunSession};
 pub use settled::Settled;
 pub use start::start_run;
+pub(crate) use summary::unresolved;
 pub use summary::{
     Powers, Summary, Worn, carries_accelerations, carries_accelerations_of_patch, carries_accelerations_of_scheme,
 };
+pub(crate) use tally::Tally;
 pub use tape::Viewers;
 pub(crate) use unrecorded::run_unrecorded;

@@ -7,6 +7,7 @@ use super::warnings::Tested;
 use crate::error::StudyError;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 use tribodyn::CaseFile;
 use tribodyn_case::Case;
 use tribodyn_dynamics::Run;
@@ -78,6 +79,18 @@ impl RunReport {
             known,
             outcome,
         }
+    }
+
+    /// Of a run that began at an instant and was not recorded; none where it has no sample.
+    pub(crate) fn of_unrecorded(run: &Run, file: &CaseFile, tally: &Tally, began: Instant) -> Option<Self> {
+        let known = (KnownAtStart::of(run, file), KnownAtEnd::of(run));
+        Self::begin(run, file, known, began.elapsed().as_secs_f64()).summed_up(&file.case, tally, 0.0)
+    }
+
+    /// All warnings: of the start, of pressures, of the run.
+    pub fn warnings(&self) -> impl Iterator<Item = &String> {
+        let of_run = self.summary.iter().flat_map(|summary| &summary.warnings);
+        self.warnings_at_start.iter().chain(&self.untested_pressures).chain(of_run)
     }
 
     /// Adds what was gathered while the run was recorded.

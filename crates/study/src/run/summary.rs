@@ -120,6 +120,21 @@ pub fn carries_accelerations(summary: &Summary, known: &KnownAtStart, outcome: O
     carries_accelerations_of_scheme(error_m_s2, rms) && carries_accelerations_of_patch(known.patch_error_estimate)
 }
 
+/// A sentence where the accelerations of a run are not carried.
+pub(crate) fn unresolved(summary: &Summary, known: &KnownAtStart, outcome: Option<&KnownAtEnd>) -> Option<String> {
+    (!carries_accelerations(summary, known, outcome)).then(|| {
+        let rms = summary.outer_acceleration_x_rms_m_s2.hypot(summary.outer_acceleration_y_rms_m_s2);
+        match outcome.and_then(|outcome| outcome.acceleration_error_m_s2) {
+            Some(error) => format!(
+                "accelerations of the outer ring are not resolved: step and patch err by {error:.3} m/s², the \
+                 accelerations have {rms:.3} m/s² rms"
+            ),
+            None => "accelerations of the outer ring may not be resolved: the run is too short to tell their error"
+                .to_owned(),
+        }
+    })
+}
+
 /// What has worn off since the start, without the acceleration of wear.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct Worn {

@@ -1,6 +1,5 @@
 //! A run without a recording, and what it comes to.
 
-use super::known::{KnownAtEnd, KnownAtStart};
 use super::outcome::RunReport;
 use super::start::start_run;
 use super::tally::Tally;
@@ -42,9 +41,7 @@ pub(crate) fn run_unrecorded(file: &CaseFile, stop: &AtomicBool) -> Result<Optio
         Err(RunError::Dynamics(error)) => return Err(error.into()),
         Err(RunError::Observer(error)) => return Err(error.into()),
     }
-    let known = (KnownAtStart::of(&run, file), KnownAtEnd::of(&run));
-    let report = RunReport::begin(&run, file, known, began.elapsed().as_secs_f64());
-    report.summed_up(&file.case, &tally, 0.0).map(Some).ok_or(NoSummary::NoSample)
+    RunReport::of_unrecorded(&run, file, &tally, began).map(Some).ok_or(NoSummary::NoSample)
 }
 
 /// Hands all on, and looks after each step whether to go on.

@@ -3,12 +3,16 @@
 use super::RPM_PER_RAD_S;
 use super::build::Running;
 use super::file::ShaftFile;
+use super::preloads;
 use crate::error::StudyError;
+use crate::held::{elastic, held_pressure, held_solution};
 use serde::Serialize;
+use tribodyn::AnswerError;
 use tribodyn::answers::{Fits, fits};
+use tribodyn::plausibility::{peak_pressure, solution_findings};
 use tribodyn::rating::{Rating, rating};
 use tribodyn_case::Carries;
-use tribodyn_quasistatic::{Model, OperatingPoint, RingFreedom, Solution, StiffnessMatrix, solve};
+use tribodyn_quasistatic::{Solution, StiffnessMatrix};
 use tribodyn_shaft::{Equilibrium, RestingBearing, Vector};
 
 /// A place on the shaft.
@@ -112,33 +116,31 @@ pub struct ShaftAnswer {
 const TORQUE: f64 = 1e-6;
 /// Share of the largest ball load below which a ball counts as unloaded.
 const UNLOADED: f64 = 1e-6;
-/// Pressure above which a contact is said to yield, Pa (ISO 76).
-const YIELD: f64 = 4.2e9;
 
 impl ShaftAnswer {
     /// The shaft under its loads times a factor at a speed, rad/s.
     ///
     /// # Errors
-    /// [`StudyError::Shaft`] and what is wrong with a bearing.
+    /// [`StudyError::Shaft`] and what is wrong with a bearing, loads under which no contact is elastic among it.
     pub fn at(file: &ShaftFile, speed: f64, factor: f64) -> Result<Self, StudyError> {
         let running = Running::new(file, speed, factor)?;
         let found = running.equilibrium(None)?;
-        Ok(Self::of(file, &running, &found))
-    }
-
-    /// Of an equilibrium.
-    pub fn of(file: &ShaftFile, running: &Running<'_>, found: &Equilibrium) -> Self {
-        let bearings = (0..running.bearings.len()).map(|index| bearing(file, running, found, index)).collect();
-        Self {
+        let of_preload = preloads::changed(file).into_iter().enumerate();
+        let bearings = of_preload.map(|(index, sentence)| {
+            let mut answer = bearing(file, &running, &found, index)?;
+            answer.warnings.extend(sentence);
+            Ok(answer)
+        });
+        Ok(Self {
             speed_rpm: running.speed * RPM_PER_RAD_S,
             mass_kg: running.shaft().mass(),
-            bearings,
-            stations: stations(running, found),
-            cuts: cuts(running, found),
+            bearings: bearings.collect::<Result<_, StudyError>>()?,
+            stations: stations(&running, &found),
+            cuts: cuts(&running, &found),
             residual: found.residual,
             unbalanced: found.unbalanced,
-            warnings: warnings(running, found),
-        }
+            warnings: warnings(&running, &found),
+        })
     }
 }
 
@@ -161,21 +163,25 @@ fn warnings(running: &Running<'_>, found: &Equilibrium) -> Vec<String> {
     all
 }
 
-fn bearing(file: &ShaftFile, running: &Running<'_>, found: &Equilibrium, index: usize) -> BearingAnswer {
+fn bearing(
+    file: &ShaftFile,
+    running: &Running<'_>,
+    found: &Equilibrium,
+    index: usize,
+) -> Result<BearingAnswer, StudyError> {
     let spec = &file.system.bearings[index];
     let (reaction, node) = (found.reactions[index], running.node(spec.at));
     let against: Vector = std::array::from_fn(|k| found.nodes[node][k] - found.seats[index][k]);
-    let solution = held_solution(running, found, index);
+    let (own, case) = (&running.bearings[index], file.case_at(index, running.speed));
+    let solution = held_solution(own, running.point(index), found.rings[index]);
+    let place = file.bearing_name(index);
+    elastic(&place, held_pressure(own, found.rings[index], solution.as_ref()))?;
     let balls = Balls::of(running, found, index, solution.as_ref());
-    let pressure = solution.as_ref().map(|s| {
-        let all = s.balls.iter().flat_map(|b| [b.contacts.inner.peak_pressure_pa, b.contacts.outer.peak_pressure_pa]);
-        all.fold(0.0, f64::max)
-    });
-    let rated = solution.as_ref().map(|s| rating(&file.case_at(index, running.speed), Some(s)));
+    let rated = solution.as_ref().map(|s| rating(&case, Some(s)));
     let mut warnings = balls.warnings(spec.carries);
-    if let Some(pressure) = pressure.filter(|p| *p > YIELD) {
-        warnings.push(format!("the peak pressure of {:.2} GPa is above 4.2 GPa, where races yield", pressure * 1e-9));
-    }
+    let of_balls = solution.as_ref().map(|s| solution_findings(&case, own, s)).transpose();
+    let of_balls = of_balls.map_err(|source| AnswerError::Bearing { file: place, source })?;
+    warnings.extend(of_balls.into_iter().flat_map(|found| found.sentences));
     match &rated {
         Some(Err(why)) => warnings.push(format!("no rating life: {why}")),
         None => {
@@ -183,7 +189,7 @@ fn bearing(file: &ShaftFile, running: &Running<'_>, found: &Equilibrium, index: 
         }
         Some(Ok(_)) => {}
     }
-    BearingAnswer {
+    Ok(BearingAnswer {
         name: spec.name.clone(),
         position_m: spec.at,
         reaction_n: [reaction[0], reaction[1], reaction[2]],
@@ -194,15 +200,15 @@ fn bearing(file: &ShaftFile, running: &Running<'_>, found: &Equilibrium, index: 
         ring_tilt_rad: [against[3], against[4]],
         loaded_balls: balls.loaded,
         ball_load_max_n: balls.most,
-        peak_pressure_max_pa: pressure,
+        peak_pressure_max_pa: solution.as_ref().map(peak_pressure),
         contact_angle_rad: balls.angles,
         stiffness: found.stiffnesses[index],
-        radial_clearance_m: running.bearings[index].geometry.radial_clearance(),
+        radial_clearance_m: own.geometry.radial_clearance(),
         // Bearings that run have a mounting that was checked.
-        fits: fits(&file.case_at(index, running.speed)).ok().flatten(),
+        fits: fits(&case).ok().flatten(),
         rating: rated.and_then(Result::ok),
         warnings,
-    }
+    })
 }
 
 /// Loads and angles of a bearing's balls on the inner race.
@@ -243,13 +249,6 @@ impl Balls {
         }
         warnings
     }
-}
-
-/// The balls of a bearing with its ring held where the shaft has it.
-fn held_solution(running: &Running<'_>, found: &Equilibrium, index: usize) -> Option<Solution> {
-    let ring = found.rings[index].map(RingFreedom::Held);
-    let point = OperatingPoint { ring, ..running.point(index).clone() };
-    solve(&running.bearings[index], &point, Model::JonesHarris).ok().map(|solved| solved.solution)
 }
 
 fn cuts(running: &Running<'_>, found: &Equilibrium) -> Vec<CutAnswer> {

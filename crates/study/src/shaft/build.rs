@@ -5,7 +5,7 @@ use super::loads;
 use crate::error::StudyError;
 use tribodyn::AnswerError;
 use tribodyn_bearing::{Bearing, BearingError, Geometry, OperatingPoint};
-use tribodyn_case::{Carries, Case, LoadSpec, MaterialSpec, OuterRing, PreloadSpec, Purpose, WeightSpec};
+use tribodyn_case::{Carries, Case, LoadSpec, MaterialSpec, OuterRing, PreloadSpec, Purpose, ShaftSystem, WeightSpec};
 use tribodyn_quasistatic::Model;
 use tribodyn_shaft::{
     Disc, Element, Equilibrium, FREEDOMS, Material, RestingBearing, RingForce, Seat, Section, Shaft, ShaftError,
@@ -16,6 +16,8 @@ pub use tribodyn_shaft::System;
 
 /// Elements of a shaft whose file does not say how long they may be.
 const ELEMENTS: f64 = 20.0;
+/// Most elements of a shaft: its matrices are full, and those of a thousand elements take some gigabytes.
+const MOST_ELEMENTS: f64 = 1000.0;
 /// Stations closer than this share of the shaft are one.
 const ONE_STATION: f64 = 1e-6;
 /// Acceleration of free fall, m/s².
@@ -44,9 +46,9 @@ impl<'a> Running<'a> {
     /// Bearings that are none at this speed, and a shaft that is no beam.
     pub fn new(file: &'a ShaftFile, speed: f64, factor: f64) -> Result<Self, StudyError> {
         let (mut bearings, mut points, mut growth) = (Vec::new(), Vec::new(), Vec::new());
-        for (index, spec) in file.system.bearings.iter().enumerate() {
+        for index in 0..file.cases.len() {
             let case = file.case_at(index, speed);
-            let name = || format!("{}: bearing {}", file.name, spec.name);
+            let name = || file.bearing_name(index);
             case.require(Purpose::JonesHarris).map_err(|source| AnswerError::Lacking { file: name(), source })?;
             let refused = |source: BearingError| AnswerError::Bearing { file: name(), source };
             let bearing = case.bearing().map_err(refused)?;
@@ -54,7 +56,7 @@ impl<'a> Running<'a> {
             bearings.push(bearing);
             points.push(case.operating_point());
         }
-        let positions = mesh(file);
+        let positions = mesh(&file.system);
         let shaft = shaft(file, &positions).map_err(|source| failed(file, source))?;
         Ok(Self { file, speed, factor, bearings, points, growth, shaft, positions })
     }
@@ -162,10 +164,9 @@ impl<'a> Running<'a> {
 
     /// Offset at which a bearing, as it is drawn, carries an axial force at rest, m.
     fn drawn_offset(&self, index: usize, force: f64) -> Result<f64, StudyError> {
-        let spec = &self.file.system.bearings[index];
         let drawn = Case { mounting: None, ..self.file.case_at(index, 0.0) }.bearing();
-        let name = || format!("{}: bearing {}", self.file.name, spec.name);
-        let bearing = drawn.map_err(|source| AnswerError::Bearing { file: name(), source })?;
+        let file = || self.file.bearing_name(index);
+        let bearing = drawn.map_err(|source| AnswerError::Bearing { file: file(), source })?;
         let mut resting = RestingBearing { bearing: &bearing, first_ball: 0.0 };
         offset_for(&mut resting, force).map_err(|source| failed(self.file, source))
     }
@@ -211,9 +212,8 @@ pub(super) fn failed(file: &ShaftFile, source: ShaftError) -> StudyError {
     StudyError::Shaft { file: name, source }
 }
 
-/// Nodes: ends of sections, stations, and between them as many as elements may be long.
-fn mesh(file: &ShaftFile) -> Vec<f64> {
-    let system = &file.system;
+/// Ends of sections and stations by growing z, m, and how many elements lie between each two.
+fn parts(system: &ShaftSystem) -> Vec<([f64; 2], f64)> {
     let mut ends = vec![0.0];
     for section in &system.shaft.sections {
         ends.push(ends[ends.len() - 1] + section.length);
@@ -227,12 +227,26 @@ fn mesh(file: &ShaftFile) -> Vec<f64> {
     }
     ends.sort_by(f64::total_cmp);
     let longest = system.shaft.longest_element.unwrap_or(length / ELEMENTS);
+    let part = |pair: &[f64]| ([pair[0], pair[1]], ((pair[1] - pair[0]) / longest - 1e-9).ceil().max(1.0));
+    ends.windows(2).map(part).collect()
+}
+
+/// Nodes: ends of sections, stations, and between them as many as elements may be long.
+fn mesh(system: &ShaftSystem) -> Vec<f64> {
     let mut nodes = vec![0.0];
-    for pair in ends.windows(2) {
-        let count = ((pair[1] - pair[0]) / longest - 1e-9).ceil().max(1.0);
-        (1..=count as usize).for_each(|k| nodes.push(pair[0] + (pair[1] - pair[0]) * k as f64 / count));
+    for ([from, to], count) in parts(system) {
+        (1..=count as usize).for_each(|k| nodes.push(from + (to - from) * k as f64 / count));
     }
     nodes
+}
+
+/// Refuses more elements than can be solved.
+pub(super) fn check_elements(system: &ShaftSystem) -> Result<(), String> {
+    let count: f64 = parts(system).iter().map(|(_, count)| count).sum();
+    match count <= MOST_ELEMENTS {
+        true => Ok(()),
+        false => Err(format!("the shaft would have {count:.0} elements; allowed are {MOST_ELEMENTS}")),
+    }
 }
 
 fn shaft(file: &ShaftFile, positions: &[f64]) -> Result<Shaft, ShaftError> {

@@ -4,6 +4,7 @@ use crate::case_file::{read_case, read_text};
 use crate::error::StudyError;
 use std::path::{Path, PathBuf};
 use tribodyn::{AnswerError, CaseFile, Change, Limits, RefusedCase};
+use tribodyn_bearing::BearingError;
 use tribodyn_case::{
     BearingChoice, Carries, Case, CaseError, Fit, HousingFile, ShaftBearingSpec, ShaftSystem, SpeedSpec,
 };
@@ -48,6 +49,8 @@ impl ShaftFile {
             StudyError::from(AnswerError::Case(Box::new(RefusedCase { file, options: String::new(), text, error })))
         };
         let system = ShaftSystem::from_ron(text).map_err(refused)?;
+        let too_many = |message: String| refused(CaseError::at(text, "shaft.longest_element", message));
+        super::build::check_elements(&system).map_err(too_many)?;
         let mut cases = Vec::with_capacity(system.bearings.len());
         for (index, spec) in system.bearings.iter().enumerate() {
             let at = |field: &str, message: String| {
@@ -77,6 +80,7 @@ impl ShaftFile {
             if let Some(clearance) = spec.clearance {
                 case.geometry.fit = Fit::RadialClearance(clearance);
                 case.mounting = None;
+                case.geometry.resolve().map_err(|error| at("clearance", in_microns(&error)))?;
             }
             if spec.carries == Carries::Both && matches!(case.geometry.fit, Fit::ContactAngle(_)) {
                 let message = "an angular-contact bearing carries one direction; allowed are PlusZ, MinusZ".to_owned();
@@ -91,12 +95,31 @@ impl ShaftFile {
         Ok(Self { name: name.to_owned(), system, cases, housing })
     }
 
+    /// A bearing with the name of its file, for messages.
+    pub(super) fn bearing_name(&self, index: usize) -> String {
+        format!("{}: bearing {}", self.name, self.system.bearings[index].name)
+    }
+
     /// The case of a bearing at a speed of the shaft in rad/s: fits and growth are those of that speed.
     pub fn case_at(&self, index: usize, speed: f64) -> Case {
         let mut case = self.cases[index].clone();
         let constant = tribodyn_bearing::SpeedHistory::Constant;
         case.speed = SpeedSpec { inner: constant(speed), outer: constant(0.0) };
         case
+    }
+}
+
+/// Why a clearance is refused, its numbers as people write them.
+fn in_microns(error: &BearingError) -> String {
+    let microns = |metres: f64| format!("{:.0}", metres * 1e6);
+    match *error {
+        BearingError::Clearance { clearance, least, most } => format!(
+            "{} µm are no radial clearance of this bearing; allowed are {} to {} µm",
+            microns(clearance),
+            microns(least),
+            microns(most)
+        ),
+        _ => error.to_string(),
     }
 }
 

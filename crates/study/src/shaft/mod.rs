@@ -6,6 +6,7 @@ mod file;
 mod fits;
 mod loads;
 mod outcome;
+mod preloads;
 mod spectrum;
 mod whirl;
 

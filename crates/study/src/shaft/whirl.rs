@@ -116,7 +116,7 @@ fn semi_axis(([a, b], [c, d]): ([f64; 2], [f64; 2])) -> f64 {
 /// As [`super::ShaftAnswer::at`], at any speed.
 pub fn whirl(file: &ShaftFile, speeds_rpm: &[f64], up_to_hz: f64) -> Result<WhirlAnswer, StudyError> {
     if let Some(speed) = speeds_rpm.iter().find(|speed| !(speed.is_finite() && **speed >= 0.0)) {
-        return Err(StudyError::argument("speeds", speed, "allowed are speeds of 0 r/min or more"));
+        return Err(StudyError::argument("modes", speed, "allowed are speeds of 0 r/min or more"));
     }
     if up_to_hz.is_nan() || up_to_hz <= 0.0 {
         return Err(StudyError::argument("up-to", up_to_hz, "allowed is a frequency above 0 Hz"));

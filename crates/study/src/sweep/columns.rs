@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use tribodyn_bearing::BallResult;
 use tribodyn_bearing::quantities::{OfBall, Over, joined};
-use tribodyn_orbit::OrbitError;
+use tribodyn_orbit::{OrbitError, SteadyOrbit};
 use tribodyn_quasistatic::{QuasiStaticError, SOLUTION, Solution};
 
 /// One field of a row.
@@ -61,8 +61,8 @@ pub const IMPLAUSIBLE: &str = "implausible";
 pub(crate) struct Solved {
     /// With the balls where they stand in an equilibrium.
     pub solution: Solution,
-    /// A ball at places round its orbit, where the model has one.
-    pub round: Option<Vec<BallResult>>,
+    /// The balls of an orbit round it, where the model has one.
+    pub round: Option<Round>,
     /// Number of sentences that `solve` has on it.
     pub warnings: usize,
     /// Names of what no bearing does.
@@ -70,10 +70,41 @@ pub(crate) struct Solved {
 }
 
 impl Solved {
-    /// A number for all balls: extremes round the whole orbit, sums over the balls where they stand.
+    /// A number for all balls, of an orbit over its whole turn.
     fn over(&self, quantity: &OfBall, over: Over) -> Option<f64> {
-        let balls = self.round.as_ref().filter(|_| over != Over::Sum).unwrap_or(&self.solution.balls);
-        quantity.over(over, balls)
+        match &self.round {
+            None => quantity.over(over, &self.solution.balls),
+            Some(round) if over == Over::Sum => round.sum(quantity, self.solution.balls.len()),
+            Some(round) => quantity.over(over, &round.points),
+        }
+    }
+}
+
+/// An orbit: a ball at places round it, and the mean powers of all balls that `solve` has, by name, W.
+pub(crate) struct Round {
+    points: Vec<BallResult>,
+    powers: [(&'static str, f64); 3],
+}
+
+impl Round {
+    pub fn of(orbit: &SteadyOrbit, points: Vec<BallResult>) -> Self {
+        let [inner, outer] = orbit.friction_w;
+        let powers = [("power_loss_inner", inner), ("power_loss_outer", outer), ("power_loss_fluid", orbit.fluid_w)];
+        Self { points, powers }
+    }
+
+    /// Mean over the turn of the sum over all balls.
+    fn sum(&self, quantity: &OfBall, balls: usize) -> Option<f64> {
+        let of_ball = |ball: &BallResult| quantity.get(ball);
+        let values: Vec<f64> = self.points.iter().map(of_ball).collect::<Option<_>>()?;
+        if let Some((_, power)) = self.powers.iter().find(|(name, _)| *name == quantity.name()) {
+            return Some(*power);
+        }
+        // A ball is longest where it is slow.
+        let times = self.points.iter().map(|ball| 1.0 / ball.orbital_speed_rad_s.abs().max(f64::EPSILON));
+        let (sum, time) =
+            values.iter().zip(times).fold((0.0, 0.0), |(sum, all), (value, time)| (sum + value * time, all + time));
+        Some(balls as f64 * sum / time)
     }
 }
 

@@ -1,5 +1,6 @@
 //! A question about a measured signal in the words of its asker: which bearing, at which speed.
 
+use super::question::other_rate;
 use super::{Analysis, SignalFile, Speed, Window, analysis, bearing_of_case, bearing_of_numbers};
 use crate::case_file::read_case;
 use crate::error::StudyError;
@@ -33,6 +34,11 @@ pub struct SignalQuestion {
     pub slip_percent: f64,
 }
 
+/// Column of a recording with the speed of the shaft.
+const SPEEDS: &str = "inner_speed_rpm";
+/// Relative difference of diameters up to which they are those of one bearing: listed ones are rounded.
+const SAME: f64 = 1e-3;
+
 /// What a signal says of its bearing.
 ///
 /// # Errors
@@ -44,7 +50,47 @@ pub fn diagnosed(question: &SignalQuestion, limits: &Limits) -> Result<Analysis,
     let file = SignalFile::read(&q.file, limits)?;
     let (bearing, case_hz) = bearing(q, &file, limits)?;
     let speed = speed(q, &file, case_hz)?;
-    analysis(&q.file, &file, (q.channel.as_deref(), q.rate_hz), q.window, &speed, &bearing, search)
+    let mut answer = analysis(&q.file, &file, (q.channel.as_deref(), q.rate_hz), q.window, &speed, &bearing, search)?;
+    let of_recording = file.warnings.iter().map(|warning| format!("in the recorded run: {warning}"));
+    answer.diagnosis.warnings.extend(of_recording);
+    answer.diagnosis.warnings.extend(q.rate_hz.and_then(|rate| other_rate(&file, rate)));
+    answer.diagnosis.warnings.extend(other_recording(q, &file, (&bearing, &speed), limits));
+    Ok(answer)
+}
+
+/// Warnings where the bearing or the speed that is asked for is not that of the recording.
+fn other_recording(
+    q: &SignalQuestion,
+    file: &SignalFile,
+    (bearing, speed): (&Kinematics, &Speed),
+    limits: &Limits,
+) -> Vec<String> {
+    let Some(text) = &file.case_text else { return Vec::new() };
+    let mut all = Vec::new();
+    let own = || bearing_of_case(&CaseFile::from_text("", text.clone(), &[], limits).ok()?).ok();
+    let near = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs());
+    if let Some((own, _)) = q.bearing.as_ref().and_then(|_| own())
+        && !(own.ball_count == bearing.ball_count
+            && near(own.ball_diameter_m, bearing.ball_diameter_m)
+            && near(own.pitch_diameter_m, bearing.pitch_diameter_m))
+    {
+        let named = |b: &Kinematics| {
+            let [ball, pitch] = [b.ball_diameter_m, b.pitch_diameter_m].map(|metres| (1e6 * metres).round() / 1e3);
+            format!("{} balls of {ball} mm on {pitch} mm", b.ball_count)
+        };
+        let (given, own) = (named(bearing), named(&own));
+        all.push(format!("the bearing given, {given}, is used, but the recording is of {own}"));
+    }
+    let speeds = file.column(SPEEDS).map(|column| &column.values[..]).unwrap_or_default();
+    let own_hz = speeds.iter().sum::<f64>().abs() / speeds.len() as f64 / 60.0;
+    if let Speed::Near(hz) = speed
+        && own_hz > 0.0
+        && (hz / own_hz - 1.0).abs() > 0.01 * q.speed_tolerance_percent
+    {
+        let [given, own] = [hz, &own_hz].map(|hz| (600.0 * hz).round() / 10.0);
+        all.push(format!("the speed given, {given} r/min, is used, but the recording has {own} r/min"));
+    }
+    all
 }
 
 /// Per cent as a share, from 0 to 20 %.
@@ -66,6 +112,7 @@ fn bearing(q: &SignalQuestion, file: &SignalFile, limits: &Limits) -> Result<(Ki
         return bearing_of_case(&CaseFile::from_text(&q.file.display().to_string(), text.clone(), &[], limits)?);
     };
     if let Some(bearing) = bearing_of_numbers(name) {
+        bearing.per_turn().map_err(|error| StudyError::argument("bearing", name, error.to_string()))?;
         return Ok((bearing, None));
     }
     let path = Path::new(name);
@@ -103,7 +150,7 @@ fn speed(q: &SignalQuestion, file: &SignalFile, case_hz: Option<f64>) -> Result<
         return if rpm.is_finite() && rpm != 0.0 { Ok(Speed::Near(rpm.abs() / 60.0)) } else { Err(refused()) };
     }
     if file.case_text.is_some() {
-        return Ok(Speed::Column("inner_speed_rpm".to_owned()));
+        return Ok(Speed::Column(SPEEDS.to_owned()));
     }
     let missing = "it is missing: lines are looked for by the speed of the shaft; give r/min or a column";
     case_hz.map(Speed::Near).ok_or_else(|| StudyError::argument("speed", "", missing))

@@ -33,7 +33,10 @@ pub(super) fn read(path: &Path, bytes: &[u8], limits: &Limits) -> Result<SignalF
     let reader = Reader { big, most };
     let mut columns = Vec::new();
     reader.elements(&bytes[HEADER..], &mut columns).map_err(|why| damaged(path, why))?;
-    Ok(SignalFile::of(columns, None))
+    // As a data set has it.
+    let rate = columns.iter().find(|column| column.name == "rate_hz" && column.values.len() == 1);
+    let rate_hz = rate.map(|column| column.values[0]);
+    Ok(SignalFile::of(columns, rate_hz))
 }
 
 struct Reader {

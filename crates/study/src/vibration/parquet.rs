@@ -12,6 +12,12 @@ pub(super) fn read(path: &Path) -> Result<SignalFile, StudyError> {
     let file = File::open(path).map_err(|source| StudyError::Read { path: path.to_owned(), source })?;
     let refused = |error: parquet::errors::ParquetError| damaged(path, error.to_string());
     let reader = SerializedFileReader::new(file).map_err(refused)?;
+    let columns = reader.metadata().file_metadata().schema().get_fields();
+    if columns.first().is_some_and(|first| first.name() == "member") && columns.iter().any(|column| column.is_group()) {
+        let why = "it is the table of a data set, with a signal in a cell: make the set with `dataset --mat` and give \
+                   the file of a member, such as mat/000000.mat";
+        return Err(damaged(path, why));
+    }
     let mut columns: Vec<Option<Column>> = Vec::new();
     for row in reader.get_row_iter(None).map_err(refused)? {
         for (index, (name, field)) in row.map_err(refused)?.into_columns().into_iter().enumerate() {

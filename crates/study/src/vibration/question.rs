@@ -59,6 +59,18 @@ pub struct Analysis {
     pub speeds_rad_s: Option<Vec<f64>>,
 }
 
+impl Analysis {
+    /// True if the samples are accelerations in m/s².
+    pub fn is_in_m_s2(&self) -> bool {
+        is_in_m_s2(&self.channel)
+    }
+}
+
+/// True if the name of a column says that it holds accelerations in m/s².
+fn is_in_m_s2(column: &str) -> bool {
+    column.ends_with("_m_s2")
+}
+
 /// Rates of columns of time have this relative unevenness at most.
 const UNEVEN: f64 = 1e-2;
 /// Fewest samples of a signal; a shorter column is a number beside it.
@@ -112,7 +124,7 @@ pub fn analysis(
         }
         _ => damaged(path, error.to_string()),
     };
-    let in_m_s2 = column.name.ends_with("_m_s2");
+    let in_m_s2 = is_in_m_s2(&column.name);
     // Of a machine's signal noise hides the soft blows of a sound bearing, and low blows may be of early damage.
     let is_recording = in_m_s2 && file.case_text.is_some();
     let search = Search { quiet: if is_recording { QUIET } else { search.quiet }, ..search };
@@ -179,17 +191,34 @@ fn rate(path: &Path, file: &SignalFile, given: Option<f64>) -> Result<f64, Study
             .then_some(rate)
             .ok_or_else(|| StudyError::argument("rate", rate, message));
     }
-    let times = file.columns.iter().find(|column| is_time(&column.name) && column.values.len() >= SHORTEST);
-    let Some(times) = times.map(|column| &column.values) else {
-        let message = format!("it is missing: {} does not say at which rate it was sampled", path.display());
-        return Err(StudyError::argument("rate", "", message));
-    };
+    match rate_of_times(file) {
+        Some(Some(rate)) => Ok(rate),
+        Some(None) => Err(damaged(path, "its column of time is not even: give --rate, or resample it first")),
+        None => {
+            let message = format!("it is missing: {} does not say at which rate it was sampled", path.display());
+            Err(StudyError::argument("rate", "", message))
+        }
+    }
+}
+
+/// The rate of a column of time, Hz; none where its times are not even.
+fn rate_of_times(file: &SignalFile) -> Option<Option<f64>> {
+    let column = file.columns.iter().find(|column| is_time(&column.name) && column.values.len() >= SHORTEST)?;
+    let times = &column.values;
     let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
     let uneven = |pair: &[f64]| (pair[1] - pair[0] - step).abs() > UNEVEN * step;
-    if step <= 0.0 || times.windows(2).any(uneven) {
-        return Err(damaged(path, "its column of time is not even: give --rate, or resample it first"));
-    }
-    Ok(1.0 / step)
+    Some((step > 0.0 && !times.windows(2).any(uneven)).then_some(1.0 / step))
+}
+
+/// Farthest relative difference of a rate from that of the file that is none.
+const SAME_RATE: f64 = 1e-3;
+
+/// A warning where a rate, Hz, is not that of the file.
+pub(super) fn other_rate(file: &SignalFile, given_hz: f64) -> Option<String> {
+    let own = file.rate_hz.or_else(|| rate_of_times(file).flatten())?;
+    let said = (1e3 * own).round() / 1e3;
+    ((given_hz / own - 1.0).abs() > SAME_RATE)
+        .then(|| format!("the rate given, {given_hz} Hz, is used, but the file says {said} Hz"))
 }
 
 enum Known {

@@ -2,9 +2,10 @@
 
 use super::signal_file::{Column, SignalFile, damaged};
 use crate::error::StudyError;
+use crate::run::{KnownAtEnd, KnownAtStart, Summary, unresolved};
 use std::path::Path;
-use tribodyn::Limits;
-use tribodyn_record::{StateRow, read_recording_within};
+use tribodyn::{CaseFile, Limits};
+use tribodyn_record::{Run, StateRow, read_recording_within};
 
 /// Names and values of the columns; the first is the one that is evaluated where none is asked for.
 type Get = fn(&StateRow) -> f64;
@@ -36,5 +37,20 @@ pub(super) fn read(path: &Path, limits: &Limits) -> Result<SignalFile, StudyErro
     let column =
         |(name, get): &(&str, Get)| Column { name: (*name).to_owned(), values: run.states.iter().map(get).collect() };
     let columns = COLUMNS.iter().map(column).collect();
-    Ok(SignalFile { case_text: run.case_text, ..SignalFile::of(columns, Some(1.0 / step)) })
+    let warnings = warnings(&run, limits);
+    Ok(SignalFile { case_text: run.case_text, warnings, ..SignalFile::of(columns, Some(1.0 / step)) })
+}
+
+/// Warnings of a recorded run, and one where its accelerations are not resolved.
+fn warnings(run: &Run, limits: &Limits) -> Vec<String> {
+    let Some(summary) = Summary::of(&run.states, run.wear.last(), &run.events) else { return Vec::new() };
+    let text = run.case_text.clone().unwrap_or_default();
+    // A recording of another version may hold a case that is no longer read.
+    let case = CaseFile::from_text("", text, &[], limits).ok();
+    let summary = case.iter().fold(summary, |summary, file| summary.judged(&file.case));
+    let (known, outcome) = (KnownAtStart::read(run), KnownAtEnd::read(run));
+    let mut all = known.warnings_at_start.clone();
+    all.extend(summary.warnings.iter().cloned());
+    all.extend(unresolved(&summary, &known, outcome.as_ref()));
+    all
 }

@@ -23,12 +23,14 @@ pub struct SignalFile {
     pub first_line: Option<usize>,
     /// The text of the case, where the file is the recording of a run.
     pub case_text: Option<String>,
+    /// Warnings of that run.
+    pub warnings: Vec<String>,
 }
 
 impl SignalFile {
     /// Signals without anything beside them.
     pub(super) fn of(columns: Vec<Column>, rate_hz: Option<f64>) -> Self {
-        Self { columns, rate_hz, first_line: None, case_text: None }
+        Self { columns, rate_hz, first_line: None, case_text: None, warnings: Vec::new() }
     }
 
     /// The column of a name, or of a number from 1.

@@ -1,6 +1,6 @@
 //! Files of signals in each format, sound and damaged.
 
-use super::{SignalFile, Speed, Window, analysis, bearing_of_numbers};
+use super::{SignalFile, SignalQuestion, Speed, Window, analysis, bearing_of_numbers, diagnosed};
 use std::path::{Path, PathBuf};
 use tribodyn::Limits;
 use tribodyn_signal::Search;
@@ -112,8 +112,10 @@ fn identity_matlab_arrays_come_back() {
     let inner = array("", 6, [1, 4], &element(9, &numbers));
     let names = [element(5, &8u32.to_le_bytes()), element(1, b"Data\0\0\0\0")].concat();
     let structure = array("S", 2, [1, 1], &[names, inner].concat());
-    let plain = [header(), signal.clone(), matrix, structure].concat();
+    let rate = array("rate_hz", 6, [1, 1], &element(9, &25_600f64.to_le_bytes()));
+    let plain = [header(), signal.clone(), matrix, structure, rate].concat();
     let file = read(&scratch.file("a.mat", &plain)).unwrap();
+    assert_eq!(file.rate_hz, Some(25_600.0));
     assert_eq!(file.column("X105_DE_time").unwrap().values, [0.5, -1.25, 3.0, 7.0]);
     assert_eq!(file.column("both(2)").unwrap().values, [3.0, 4.0]);
     assert_eq!(file.column("S.Data").unwrap().values, [0.5, -1.25, 3.0, 7.0]);
@@ -154,4 +156,28 @@ fn limit_questions_that_cannot_be_answered_say_what_is_missing() {
     assert_eq!(bearing_of_numbers("9,7.94"), None);
     assert_eq!(bearing_of_numbers("6205"), None);
     assert_eq!(bearing_of_numbers("9,7.94,39.04,15").unwrap().contact_angle_rad, 15f64.to_radians());
+}
+
+/// A rate beside that of the file is used, with a warning; numbers that make no bearing are to blame, not the file.
+#[test]
+fn limit_a_rate_that_is_not_that_of_the_file_is_warned_of() {
+    let scratch = Scratch::new("contradiction");
+    let rows: String = (0..6000).map(|n| format!("{},{}\n", f64::from(n) / 2000.0, (n * n) % 97)).collect();
+    let question = |rate_hz, bearing: &str| SignalQuestion {
+        file: scratch.file("a.csv", format!("time,a\n{rows}")),
+        channel: None,
+        rate_hz,
+        bearing: Some(bearing.to_owned()),
+        angle_deg: None,
+        speed: Some("-1797".to_owned()),
+        key_phase: None,
+        window: Window::default(),
+        speed_tolerance_percent: 1.5,
+        slip_percent: 2.0,
+    };
+    let warnings = |rate| diagnosed(&question(rate, "9,7.94,39.04"), &Limits::NORMAL).unwrap().diagnosis.warnings;
+    let said = |rate| warnings(rate).iter().filter(|warning| warning.contains("the file says 2000 Hz")).count();
+    assert_eq!((said(Some(4000.0)), said(Some(2000.0)), said(None)), (1, 0, 0));
+    let error = diagnosed(&question(None, "9,7.94,7"), &Limits::NORMAL).unwrap_err().to_string();
+    assert_eq!(error, "bearing = 9,7.94,7: 9 balls of 7.94 mm on a pitch circle of 7 mm at 0° do not make a bearing");
 }

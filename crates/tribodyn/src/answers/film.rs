@@ -1,7 +1,10 @@
 //! Lubricant films: of one contact, and of every contact of a case.
 
-use super::{Answer, Equations, Question, solution_by};
+use super::friction::WithFriction;
+use super::lubrication::named_oil;
+use super::{Answer, Equations, Question};
 use crate::error::AnswerError;
+use crate::plausibility::{PRESSURE_MOST, not_elastic, shown};
 use serde::Serialize;
 use tribodyn_bearing::Side;
 use tribodyn_lubricant::{InletFilm, Oil, RollingContact, ZERO_CELSIUS};
@@ -41,7 +44,7 @@ pub struct ContactFilm {
     pub film_minimum_m: f64,
     /// Film parameter λ.
     pub lambda_ratio: f64,
-    /// Rise of the mean film temperature, K; absent where traction is not solved for.
+    /// Rise of the mean film temperature, K; absent where only one contact was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub film_temperature_rise_k: Option<f64>,
 }
@@ -66,7 +69,7 @@ pub struct FilmAnswer {
 /// One contact; messages about a value call it by the name of the command's option.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactFilmQuestion {
-    /// Name of the oil in the library.
+    /// Name of the oil in the library, or its grade alone: `vg68` is a mineral oil.
     pub oil: String,
     /// Temperature of the inlet, °C.
     pub temperature_deg_c: f64,
@@ -106,7 +109,7 @@ fn oil_answer(oil: &Oil, temperature: f64) -> OilAnswer {
 /// Values that make no oil, contact or film.
 pub fn contact_film(question: &ContactFilmQuestion) -> Result<(OilAnswer, ContactFilm), AnswerError> {
     let q = question;
-    let oil = Oil::library(&q.oil)?;
+    let oil = named_oil(&q.oil)?;
     let temperature = q.temperature_deg_c + ZERO_CELSIUS;
     let inlet = InletFilm::new(&oil, temperature, q.starvation, q.roughness_um * 1e-6)?;
     let steel = tribodyn_contact::ElasticBody { young: q.young_gpa * 1e9, poisson: q.poisson };
@@ -125,6 +128,11 @@ pub fn contact_film(question: &ContactFilmQuestion) -> Result<(OilAnswer, Contac
         effective_modulus: modulus,
     };
     contact.check()?;
+    if ellipse.peak_pressure > PRESSURE_MOST {
+        let pressure = shown(ellipse.peak_pressure * 1e-9);
+        let message = format!("{} and the peak pressure would be {pressure}", not_elastic());
+        return Err(AnswerError::argument("load", q.load_n, format!("{message} GPa: allowed is a load below that")));
+    }
     let film = inlet.thickness(&contact);
     let answer = ContactFilm {
         ball: None,
@@ -142,12 +150,12 @@ pub fn contact_film(question: &ContactFilmQuestion) -> Result<(OilAnswer, Contac
 /// The films of all loaded contacts of a case with a lubricant.
 ///
 /// # Errors
-/// A case without lubricant, or one that the equations do not solve.
+/// A case without lubricant, equations without friction, or a case that they do not solve.
 pub fn films(question: &Question<'_>, equations: Equations) -> Result<Answer<FilmAnswer>, AnswerError> {
     let Some(lubricant) = &question.case.lubricant else {
         return Err(AnswerError::not_asked(question.name, "it has no `lubricant`, so its contacts have no film"));
     };
-    let (_, solution, findings) = solution_by(question, equations)?;
+    let WithFriction { solution, findings, .. } = WithFriction::solve(question, equations)?;
     let oil = lubricant.oil.oil()?;
     let speed = solution.inner_speed_rad_s - solution.outer_speed_rad_s;
     let pitch = question.case.geometry.pitch_diameter;

@@ -1,13 +1,13 @@
 //! Temperatures of a bearing from its friction, which depends on them.
 
-use super::{Answer, Equations, Question, solution_by};
+use super::friction::{WithFriction, turning};
+use super::{Answer, Equations, Question};
 use crate::error::AnswerError;
 use crate::rating::SECTION;
 use serde::Serialize;
-use tribodyn_bearing::{Bearing, Side};
+use tribodyn_bearing::{Bearing, BearingError, ContactResult, Side};
 use tribodyn_case::{Case, HeatSpec, MountedRingSpec, MountingSpec};
 use tribodyn_lubricant::ZERO_CELSIUS;
-use tribodyn_quasistatic::Solution;
 use tribodyn_thermal::{BearingSize, Conductances, Heat, Temperatures, passing_conductance};
 
 /// What surrounds the bearing.
@@ -96,7 +96,8 @@ const WIDTH: f64 = 0.5;
 /// Temperatures of a lubricated bearing in steady state: friction is solved for at the temperatures that it makes.
 ///
 /// # Errors
-/// A case without a lubricant, that stands still or has no solution; temperatures that run away or do not settle.
+/// A case without a lubricant, that stands still or has no solution; equations without friction; temperatures that run
+/// away, do not settle or take all clearance.
 pub fn heat(
     question: &Question<'_>,
     equations: Equations,
@@ -106,6 +107,7 @@ pub fn heat(
     let Some(lubricant) = &question.case.lubricant else {
         return Err(AnswerError::not_asked(question.name, "it has no `lubricant`, which temperatures need"));
     };
+    turning(question, "friction")?;
     let mut notes = Vec::new();
     let size = size((question.name, question.case), surroundings, &mut notes)?;
     if question.case.mounting.is_none() {
@@ -116,16 +118,16 @@ pub fn heat(
     for round in 1..=ROUNDS {
         let case = warmed(question.case, &size, &at);
         let warm = Question { case: &case, ..question.clone() };
-        let (bearing, solution, findings) = solution_by(&warm, equations)?;
-        let found = Found::new(question.name, &solution)?;
+        let solved = WithFriction::solve(&warm, equations).map_err(|error| clamped(error, &at))?;
+        let found = Found::new(&solved);
         let conductances = found.conductances(&case, &size, surroundings)?;
         let ambient = surroundings.temperature_deg_c + ZERO_CELSIUS;
         let next = conductances.steady(&found.heat, ambient)?;
         let off = difference(&next, &at);
         if off.iter().all(|off| off.abs() < SETTLED) {
             let viscosity = lubricant.oil.oil()?.kinematic_mm2_s(inlet(&next));
-            let answer = answer((&bearing, viscosity), (&conductances, &next, ambient), &found, (round, notes));
-            return Ok(Answer::new(findings, answer));
+            let answer = answer((&solved.bearing, viscosity), (&conductances, &next, ambient), &found, (round, notes));
+            return Ok(Answer::new(solved.findings, answer));
         }
         at = steps.next(&at, off);
         let hottest = at.to_array().into_iter().fold(f64::NEG_INFINITY, f64::max) - ZERO_CELSIUS;
@@ -141,6 +143,28 @@ pub fn heat(
     Err(AnswerError::Runaway { file: question.name.to_owned(), why })
 }
 
+/// The error of a bearing that heat and speed have taken more clearance from than it can lose: no value of the case is
+/// outside its range.
+fn clamped(error: AnswerError, at: &Temperatures) -> AnswerError {
+    match error {
+        AnswerError::Bearing { file, source: BearingError::Clearance { clearance, least, .. } }
+            if clearance < least =>
+        {
+            let why = format!(
+                "the bearing clamps as it turns and gets warm: with the inner ring at {:.0} °C and the outer one at \
+                 {:.0} °C its radial clearance would be {:.0} µm, and the least allowed is {:.0} µm: give it more \
+                 clearance, less speed or more cooling",
+                at.inner - ZERO_CELSIUS,
+                at.outer - ZERO_CELSIUS,
+                clearance * 1e6,
+                least * 1e6
+            );
+            AnswerError::Runaway { file, why }
+        }
+        other => other,
+    }
+}
+
 /// Heat and contacts of a solution.
 struct Found {
     heat: Heat,
@@ -150,22 +174,14 @@ struct Found {
 }
 
 impl Found {
-    fn new(name: &str, solution: &Solution) -> Result<Self, AnswerError> {
-        let speed = solution.inner_speed_rad_s - solution.outer_speed_rad_s;
-        let Some(torque) = solution.shaft_torque_nm.filter(|_| speed != 0.0) else {
-            let why = "friction needs traction and a speed of the rings against each other";
-            return Err(AnswerError::not_asked(name, why));
+    fn new(solved: &WithFriction) -> Self {
+        let (torque, friction, fluid) = (solved.torque_nm, solved.friction_w, solved.fluid_w);
+        let speed = solved.solution.inner_speed_rad_s - solved.solution.outer_speed_rad_s;
+        let passing = |c: &ContactResult| {
+            let loaded = c.load_n > 0.0;
+            if loaded { passing_conductance(c.semi_axes_m, c.rolling_speed_m_s.abs(), STEEL) } else { 0.0 }
         };
-        let contacts = |side: Side| solution.balls.iter().map(move |ball| ball.contacts[side]);
-        let friction =
-            Side::BOTH.map(|side| contacts(side).filter_map(|c| c.friction).map(|f| f.power_loss_w).sum::<f64>());
-        let passing = Side::BOTH.map(|side| {
-            let of = |c: tribodyn_bearing::ContactResult| {
-                passing_conductance(c.semi_axes_m, c.rolling_speed_m_s.abs(), STEEL)
-            };
-            contacts(side).filter(|contact| contact.load_n > 0.0).map(of).sum::<f64>()
-        });
-        let fluid: f64 = solution.balls.iter().filter_map(|ball| ball.fluid).map(|fluid| fluid.power_loss_w).sum();
+        let contacts = Side::BOTH.map(|side| solved.sum(side, passing));
         // What the shaft gives and contacts and fluid do not take is lost at the cage.
         let cage = (torque * speed - friction.iter().sum::<f64>() - fluid).max(0.0);
         // Two surfaces of one steel share what is made between them.
@@ -175,7 +191,7 @@ impl Found {
             outer: 0.5 * friction[1],
             oil: fluid + cage,
         };
-        Ok(Self { heat, contacts: passing, torque: torque.abs() })
+        Self { heat, contacts, torque: torque.abs() }
     }
 
     fn conductances(

@@ -1,8 +1,33 @@
 //! What a bearing runs with, in a line.
 
 use super::Equations;
+use crate::error::AnswerError;
 use tribodyn_case::{Case, CoatingSpec, CurveSpec, FluidSpec, LubricantSpec, Medium, OilSpec};
-use tribodyn_lubricant::{Supply, ZERO_CELSIUS};
+use tribodyn_catalogue::NewLubricant;
+use tribodyn_lubricant::{LubricantError, Oil, Supply, ZERO_CELSIUS};
+
+/// An oil by its name in the library, or by its grade alone as for a new case: `pao-vg32`, `vg68`.
+///
+/// # Errors
+/// [`LubricantError`] for an oil that the library does not have.
+pub(super) fn named_oil(word: &str) -> Result<Oil, LubricantError> {
+    match NewLubricant::parse(word) {
+        Ok(NewLubricant::Oil(name)) => Oil::library(&name),
+        _ => Oil::library(word),
+    }
+}
+
+/// Refuses a word that names no lubricant of a new case, or an oil that the library does not have.
+///
+/// # Errors
+/// As said.
+pub fn check_lubricant(word: &str) -> Result<(), AnswerError> {
+    match NewLubricant::parse(word) {
+        Ok(NewLubricant::Oil(name)) => Ok(Oil::library(&name).map(drop)?),
+        Err(error) if word != "usual" => Err(error.into()),
+        _ => Ok(()),
+    }
+}
 
 /// Lubricant, or coatings, and fluid of a case, as the first lines of an answer say them.
 pub fn lubrication(case: &Case, equations: Equations) -> String {

@@ -8,6 +8,7 @@ mod film;
 mod findings;
 mod fits;
 mod flow;
+mod friction;
 mod heat;
 mod lubrication;
 #[cfg(feature = "modes")]
@@ -30,6 +31,7 @@ pub use findings::{Answer, Beside, Findings};
 pub use fits::{Fits, SeatFit, fits};
 pub use flow::{HeatedFlowAnswer, heated_flow};
 pub use heat::{HeatAnswer, Surroundings, heat};
+pub use lubrication::check_lubricant;
 #[cfg(feature = "modes")]
 pub use modes::{ModesAnswer, modes};
 pub use orbit::{OrbitAnswer, OrbitProblem};
@@ -43,9 +45,8 @@ pub use torque::{TorqueAnswer, torque};
 
 use crate::error::AnswerError;
 use serde::{Serialize, Serializer};
-use tribodyn_bearing::Bearing;
 use tribodyn_case::{Case, Purpose};
-use tribodyn_quasistatic::{Model, Solution};
+use tribodyn_quasistatic::Model;
 
 /// Equations of an operating point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -129,20 +130,5 @@ impl From<Model> for Equations {
 impl Serialize for Equations {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
-    }
-}
-
-/// The solution of a case by some equations, its bearing, and what must be known of it.
-fn solution_by(question: &Question<'_>, equations: Equations) -> Result<(Bearing, Solution, Findings), AnswerError> {
-    match equations.equilibrium() {
-        Some(model) => {
-            let (bearing, solved) = solved(question, model)?;
-            let findings = Findings::of(question, &bearing, (equations, &solved.solution))?;
-            Ok((bearing, solved.solution, findings))
-        }
-        None => {
-            let answer = OrbitAnswer::of(question)?;
-            Ok((question.bearing_for(equations.purpose())?, answer.solution, answer.findings))
-        }
     }
 }

@@ -3,6 +3,7 @@
 use super::{Answer, Equations, Findings, OrbitProblem, Question};
 use crate::error::AnswerError;
 use crate::pair::{Arrangement, Pair, PairError, PairModel, PairSolution, Preload, solve_pair};
+use crate::plausibility::{inelastic, peak_pressure};
 
 /// How two bearings of a case stand on their shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +26,11 @@ pub fn pair(
     PairSetting { arrangement, distance, preload }: PairSetting,
 ) -> Result<Answer<PairSolution>, AnswerError> {
     let (bearing, model) = match equations.equilibrium() {
-        Some(model) => (question.bearing_for(equations.purpose())?, PairModel::QuasiStatic(model)),
+        Some(model) => {
+            let bearing = question.bearing_for(equations.purpose())?;
+            question.bearable(&bearing)?;
+            (bearing, PairModel::QuasiStatic(model))
+        }
         None => {
             let OrbitProblem { bearing, cage, settings, .. } = OrbitProblem::new(question)?;
             (bearing, PairModel::SteadyOrbit(cage, settings))
@@ -38,6 +43,10 @@ pub fn pair(
         AnswerError::Pair { file: question.name.to_owned(), source }
     };
     let solution = solve_pair(&pair).map_err(failed)?;
+    let pressures = solution.bearings.each_ref().map(|bearing| peak_pressure(&bearing.solution));
+    if let Some(why) = inelastic(pressures[0].max(pressures[1])) {
+        return Err(AnswerError::Overload { file: question.name.to_owned(), why });
+    }
     let [first, second] = solution.bearings.each_ref();
     let of = |bearing_of_pair: &crate::pair::PairBearing| {
         Findings::of(question, &bearing, (equations, &bearing_of_pair.solution))

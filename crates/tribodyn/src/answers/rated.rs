@@ -29,5 +29,6 @@ pub fn rated(question: &Question<'_>, equations: Option<Equations>) -> Result<An
     };
     let rating = rating(question.case, solution.as_ref()).map_err(refused)?;
     let rating = if findings.loaded() { rating } else { rating.unloaded() };
+    let findings = rating.warnings.iter().cloned().fold(findings, Findings::with);
     Ok(Answer::new(findings, rating))
 }

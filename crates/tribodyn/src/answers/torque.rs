@@ -1,6 +1,7 @@
 //! Friction torque of a bearing by cause, beside the formulas of SKF and of Palmgren.
 
-use super::{Answer, Equations, Question, solution_by};
+use super::friction::{WithFriction, turning};
+use super::{Answer, Equations, Question};
 use crate::error::AnswerError;
 use crate::rating::SECTION;
 use serde::Serialize;
@@ -93,26 +94,17 @@ pub(crate) fn by_formulas(
 /// Friction torque at the operating point of a case.
 ///
 /// # Errors
-/// A case that the equations do not solve, that stands still, or that the standards do not rate.
+/// Equations without friction, a case that they do not solve, that stands still, or that the standards do not rate.
 pub fn torque(question: &Question<'_>, equations: Equations) -> Result<Answer<TorqueAnswer>, AnswerError> {
-    let (bearing, solution, findings) = solution_by(question, equations)?;
-    let speed = solution.inner_speed_rad_s - solution.outer_speed_rad_s;
-    let turning = solution.shaft_torque_nm.filter(|_| speed != 0.0);
-    let Some(torque) = turning else {
-        let message = "a friction torque needs traction and a speed of the rings against each other";
-        return Err(AnswerError::argument("case", question.name, message));
-    };
+    turning(question, "a friction torque")?;
+    let found = WithFriction::solve(question, equations)?;
+    let speed = found.solution.inner_speed_rad_s - found.solution.outer_speed_rad_s;
     let of = |power: f64| power / speed.abs();
-    let contacts = |side: Side| solution.balls.iter().map(move |ball| ball.contacts[side]);
-    let powers = Side::BOTH.map(|side| {
-        let of_contacts = contacts(side).map(|contact| bearing.rolling_powers(side, &contact));
-        of_contacts.fold([0.0; 2], |[inlet, bodies], [more, lost]| [inlet + more, bodies + lost])
-    });
+    let powers = Side::BOTH
+        .map(|side| [0, 1].map(|part| found.sum(side, |contact| found.bearing.rolling_powers(side, contact)[part])));
     let rolling = powers.map(|[inlet, bodies]| inlet + bodies);
-    let friction =
-        Side::BOTH.map(|side| contacts(side).filter_map(|c| c.friction).map(|f| f.power_loss_w).sum::<f64>());
-    let fluid: f64 = solution.balls.iter().filter_map(|ball| ball.fluid).map(|fluid| fluid.power_loss_w).sum();
-    let [x, y, z] = solution.ring_load_n;
+    let (torque, friction, fluid) = (found.torque_nm, found.friction_w, found.fluid_w);
+    let [x, y, z] = found.solution.ring_load_n;
     let known = of(friction.iter().sum::<f64>() + fluid);
     let mut answer = TorqueAnswer {
         torque_nm: torque.abs(),
@@ -125,7 +117,7 @@ pub fn torque(question: &Question<'_>, equations: Equations) -> Result<Answer<To
         ..TorqueAnswer::without(x.hypot(y), z.abs(), speed)
     };
     formulas(question, speed, &mut answer)?;
-    Ok(Answer::new(findings, answer))
+    Ok(Answer::new(found.findings, answer))
 }
 
 /// Contact angle from which a bearing counts as an angular contact bearing, rad.

@@ -78,14 +78,16 @@ pub(super) fn frozen_warning(question: &Question<'_>, bearing: &Bearing) -> Opti
     let approach = (farthest.load_n / at_angle.stiffness()).powf(2.0 / 3.0);
     let pose = ContactPose { sin, cos, approach };
     let pressure = at_angle.ellipse_at(pose.approach).peak_pressure;
-    if (pressure - farthest.peak_pressure_pa).abs() < WORTH {
+    let change = pressure - farthest.peak_pressure_pa;
+    if change.abs() < WORTH {
         return None;
     }
     Some(format!(
-        "contact constants are those of the free angle, {:.1}° away from the {} contact that stands farthest: its peak pressure is {:+.3} GPa with those of its own angle (`modelling.contact_at_actual_angle`)",
+        "contact constants are those of the free angle, {:.1}° away from the {} contact that stands farthest: its peak pressure would be {:.3} GPa {} with those of its own angle (`modelling.contact_at_actual_angle`)",
         away.to_degrees(),
         side.name(),
-        (pressure - farthest.peak_pressure_pa) * 1e-9
+        change.abs() * 1e-9,
+        if change > 0.0 { "higher" } else { "lower" }
     ))
 }
 
@@ -138,6 +140,7 @@ mod tests {
         };
         let paper = said(&case(PAPER, &[])).unwrap();
         assert!(paper.contains("inner contact") && paper.contains("GPa"), "{paper}");
+        assert!(paper.contains(" lower ") || paper.contains(" higher "), "{paper}");
         let actual = case(PAPER, &[("modelling.contact_at_actual_angle", "true")]);
         assert_eq!(said(&actual), None);
     }

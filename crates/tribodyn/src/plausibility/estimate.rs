@@ -18,7 +18,7 @@ use tribodyn_quasistatic::Solution;
 const SAFETY_LEAST: f64 = 0.5;
 /// Estimated peak pressure beyond which nothing is solved, Pa: half as much again as the hardness of bearing steel, to
 /// which no contact is elastic.
-const PRESSURE_MOST: f64 = 12e9;
+pub(crate) const PRESSURE_MOST: f64 = 12e9;
 /// Static safety of a load that somebody may have meant.
 const MEANT: std::ops::Range<f64> = 0.1..1e4;
 /// Stribeck's number.
@@ -132,7 +132,24 @@ impl StaticEstimate {
 pub fn hopeless(case: &Case, (text, bearing): (&str, &Bearing)) -> Option<String> {
     let estimate = estimate(case, bearing).filter(StaticEstimate::is_hopeless)?;
     let warning = estimate.warning(case, (text, bearing))?;
-    Some(format!("{warning}; no contact is elastic beyond {} GPa: nothing is solved", shown(PRESSURE_MOST * 1e-9)))
+    Some(format!("{warning}; {}: nothing is solved", not_elastic()))
+}
+
+/// The reason why nothing is solved at such a pressure, in words.
+pub(crate) fn not_elastic() -> String {
+    format!("no contact is elastic beyond {} GPa", shown(PRESSURE_MOST * 1e-9))
+}
+
+/// Highest peak pressure of all contacts, Pa.
+pub fn peak_pressure(solution: &Solution) -> f64 {
+    let contacts = solution.balls.iter().flat_map(|ball| Side::BOTH.map(|side| &ball.contacts[side]));
+    contacts.map(|contact| contact.peak_pressure_pa).fold(0.0, f64::max)
+}
+
+/// The sentence on a peak pressure, Pa, beyond which no contact is elastic; none for lower ones.
+pub fn inelastic(peak_pressure: f64) -> Option<String> {
+    let gpa = shown(peak_pressure * 1e-9);
+    (peak_pressure > PRESSURE_MOST).then(|| format!("{gpa} GPa on the most loaded ball; {}", not_elastic()))
 }
 
 /// The largest force of a case in another unit, where that is one that the bearing carries.

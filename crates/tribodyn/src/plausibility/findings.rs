@@ -6,6 +6,7 @@ use super::{shown, side};
 use crate::answers::Equations;
 use tribodyn_bearing::{BallResult, Bearing, BearingError, Races, RingFreedom, Side};
 use tribodyn_case::{Case, Fit, Medium};
+use tribodyn_lubricant::Supply;
 use tribodyn_quasistatic::Solution;
 use tribodyn_rating::PERMISSIBLE_PRESSURE;
 
@@ -21,6 +22,8 @@ const SPEED_MAX: [(f64, &str); 3] = [
     (1.8e6, "angular-contact bearings with steel balls"),
     (3e6, "angular-contact bearings with ceramic balls or in a cryogen"),
 ];
+/// The same of all types in grease: a rule of thumb of manufacturers' catalogues.
+const GREASE_SPEED_MAX: (f64, &str) = (5e5, "bearings in grease");
 /// Tilt of the rings against each other by the same catalogues, mrad: ten minutes of arc for deep-groove bearings of
 /// usual clearance, three for angular-contact ones.
 const TILT_MAX: [f64; 2] = [3.0, 0.9];
@@ -39,16 +42,10 @@ const SLIDE_MAX: f64 = 0.1;
 pub fn case_findings(case: &Case, bearing: &Bearing) -> Vec<String> {
     let point = case.operating_point();
     let mut found: Vec<String> = side::of_point(bearing, &point).into_iter().collect();
+    found.extend(speed_finding(case, bearing));
     let mut note = |unusual: bool, sentence: String| found.extend(unusual.then_some(sentence));
     let geometry = &bearing.geometry;
-    let rpm = (point.inner_speed - point.outer_speed).abs() * 30.0 / std::f64::consts::PI;
-    let speed = rpm * geometry.pitch_diameter * 1e3;
-    let angular = geometry.contact_angle().to_degrees() >= ANGULAR_DEG;
-    let (most, of) = speed_limit(case, angular);
-    note(
-        speed > most,
-        format!("pitch diameter times speed is {} mm r/min: usual is up to {} ({of})", shown(speed), shown(most)),
-    );
+    let angular = is_angular(bearing);
     let tilt = point.ring[3..].iter().filter_map(|f| if let RingFreedom::Held(tilt) = f { Some(*tilt) } else { None });
     let tilt = 1e3 * tilt.fold(0.0, f64::hypot);
     let most = TILT_MAX[usize::from(angular)];
@@ -96,8 +93,26 @@ pub fn case_findings(case: &Case, bearing: &Bearing) -> Vec<String> {
     found
 }
 
-/// The speed limit of a bearing's type, mm r/min, with the type in words.
+fn is_angular(bearing: &Bearing) -> bool {
+    bearing.geometry.contact_angle().to_degrees() >= ANGULAR_DEG
+}
+
+/// A sentence on rings that turn faster against each other than is usual for the bearing's type and lubricant.
+pub fn speed_finding(case: &Case, bearing: &Bearing) -> Option<String> {
+    let point = case.operating_point();
+    let rpm = (point.inner_speed - point.outer_speed).abs() * 30.0 / std::f64::consts::PI;
+    let speed = rpm * bearing.geometry.pitch_diameter * 1e3;
+    let (most, of) = speed_limit(case, is_angular(bearing));
+    (speed > most).then(|| {
+        format!("pitch diameter times speed is {} mm r/min: usual is up to {} ({of})", shown(speed), shown(most))
+    })
+}
+
+/// The speed limit of a bearing by its lubricant and type, mm r/min, with what it is of in words.
 fn speed_limit(case: &Case, angular: bool) -> (f64, &'static str) {
+    if case.lubricant.as_ref().is_some_and(|lubricant| lubricant.supply == Supply::Grease) {
+        return GREASE_SPEED_MAX;
+    }
     let cooled = case.fluid.as_ref().is_some_and(|fluid| !matches!(fluid.medium, Medium::Custom { .. }));
     let light = case.materials.ball.density < CERAMIC_DENSITY;
     SPEED_MAX[usize::from(angular) + usize::from(angular && (light || cooled))]

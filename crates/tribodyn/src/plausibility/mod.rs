@@ -13,10 +13,12 @@ mod ranges;
 mod side;
 
 pub use curves::{curve_findings, tested_gpa};
-pub use estimate::{NO_LOAD, StaticEstimate, case_loads, estimate, hopeless, is_loaded};
-pub use findings::{SolutionFindings, case_findings, solution_findings};
+pub use estimate::{NO_LOAD, StaticEstimate, case_loads, estimate, hopeless, inelastic, is_loaded, peak_pressure};
+pub(crate) use estimate::{PRESSURE_MOST, not_elastic};
+pub use findings::{SolutionFindings, case_findings, solution_findings, speed_finding};
 pub use implausible::{Implausible, advice, names};
 pub use ranges::{USUAL_RANGES, UsualRange, usual_range};
+pub use side::little_thrust;
 
 use tribodyn_bearing::{Bearing, BearingError};
 use tribodyn_case::{Case, Quantity, quantities};

@@ -1,8 +1,11 @@
 //! Balls on the side of their groove that has no shoulder, or of which the case does not say.
 
+use super::estimate::case_loads;
 use super::implausible::Implausible;
 use super::shown;
+use crate::rating::rated_bearing;
 use tribodyn_bearing::{Bearing, OperatingPoint, Side, WrongSide, uncarried_thrust, wrong_sides};
+use tribodyn_case::Case;
 use tribodyn_quasistatic::{QuasiStaticError, Solution};
 
 /// Balls that are named one by one.
@@ -20,6 +23,23 @@ pub(super) struct SideFindings {
 /// Of a case before it is solved: an axial load that its shoulders do not carry.
 pub(super) fn of_point(bearing: &Bearing, point: &OperatingPoint) -> Option<String> {
     uncarried_thrust(&bearing.geometry, point).map(|axial_n| QuasiStaticError::NoShoulder { axial_n }.to_string())
+}
+
+/// Of a case without an equilibrium: thrust that is too little for the radial load. Where the loaded balls bear at the
+/// nominal angle α the radial load F_r pushes the rings apart with F_r tan α (Sjövall's integrals, one ball loaded).
+pub fn little_thrust(case: &Case) -> Option<String> {
+    let angle = rated_bearing(case).contact_angle;
+    let [radial, axial] = case_loads(case)?;
+    let needed = radial * angle.tan();
+    (axial < needed).then(|| {
+        format!(
+            "the axial load of {} N is too little for the radial load of {} N, and no equilibrium was found: balls at {}° push the rings apart with about {} N (F_r tan α); give the bearing at least as much axial load, or a preload",
+            shown(axial),
+            shown(radial),
+            shown(angle.to_degrees()),
+            shown(needed)
+        )
+    })
 }
 
 /// Of a solution.

@@ -1,53 +1,20 @@
 //! Sets of like bearings on one seat, pressed against each other: preload, unloading force, axial rigidity.
 
+mod arrangement;
+
+pub use arrangement::{ARRANGEMENTS, pressed, sides};
+
 use crate::error::StudyError;
+use crate::held::{elastic, held_pressure, held_solution};
 use serde::Serialize;
 use tribodyn::AnswerError;
+use tribodyn::plausibility::solution_findings;
 use tribodyn_bearing::{Bearing, OperatingPoint};
 use tribodyn_case::Case;
-use tribodyn_quasistatic::Model;
-use tribodyn_shaft::{AxialSet, Member, RestingBearing, RingForce, ShaftError, TurningBearing};
+use tribodyn_quasistatic::{Model, Solution};
+use tribodyn_shaft::{AxialSet, AxialState, Member, RestingBearing, RingForce, ShaftError, TurningBearing};
 
 const RPM_PER_RAD_S: f64 = 30.0 / std::f64::consts::PI;
-
-/// How the bearings of a set stand, by the names of catalogues: the side that each carries, from −z to +z.
-pub const ARRANGEMENTS: [(&str, &[bool]); 10] = [
-    ("DB", &[true, false]),
-    ("DF", &[false, true]),
-    ("DT", &[true, true]),
-    ("TBT", &[true, true, false]),
-    ("TFT", &[false, true, true]),
-    ("TT", &[true, true, true]),
-    ("QBC", &[true, true, false, false]),
-    ("QFC", &[false, false, true, true]),
-    ("QBT", &[true, true, true, false]),
-    ("QT", &[true, true, true, true]),
-];
-
-/// The side that each bearing of a set carries, from −z to +z, true for +z: by the name of its arrangement, or by signs
-/// such as `++-`.
-///
-/// # Errors
-/// A name or signs that are none.
-pub fn sides(arrangement: Option<&str>, signs: Option<&str>) -> Result<Vec<bool>, StudyError> {
-    if let Some(signs) = signs {
-        let side = |sign| match sign {
-            '+' => Some(true),
-            '-' => Some(false),
-            _ => None,
-        };
-        let all: Option<Vec<bool>> = signs.chars().map(side).collect();
-        let refused = || StudyError::argument("sides", signs, "allowed are 1 to 8 signs + or -, such as ++-");
-        return all.filter(|all| (1..=8).contains(&all.len())).ok_or_else(refused);
-    }
-    let name = arrangement.unwrap_or_default();
-    let found = ARRANGEMENTS.iter().find(|(known, _)| known.eq_ignore_ascii_case(name));
-    let refused = || {
-        let known = ARRANGEMENTS.map(|(known, _)| known).join(", ");
-        StudyError::argument("arrangement", name, format!("allowed are {known}; any other by its sides"))
-    };
-    found.map(|(_, sides)| sides.to_vec()).ok_or_else(refused)
-}
 
 /// What presses the bearings of a set together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -92,7 +59,7 @@ impl SetQuestion {
 pub struct SetState {
     /// Axial load along +z, N.
     pub load_n: f64,
-    /// Displacement from the unloaded set, m.
+    /// Displacement from the unloaded set, m; in tandem from where its bearings touch.
     pub displacement_m: f64,
     /// Axial rigidity dF/dz, N/m.
     pub rigidity_n_per_m: f64,
@@ -144,6 +111,8 @@ pub struct SetAnswer {
     pub map: Vec<SetPoint>,
     /// Under load, in the last of these conditions.
     pub states: Vec<SetState>,
+    /// What is unusual about the bearing that is pressed hardest, under the load that does it.
+    pub warnings: Vec<String>,
 }
 
 /// Loads of a table, over the unloading force.
@@ -154,6 +123,7 @@ const OVER_PRELOAD: f64 = 3.0;
 /// A bearing in one condition; the offset that mounting and heat add to that off the shaft, m.
 struct Condition {
     name: &'static str,
+    case: Case,
     bearing: Bearing,
     point: OperatingPoint,
     speed: f64,
@@ -169,7 +139,17 @@ impl Condition {
         // Rings that grow bring the groove centres nearer at the same place along the axis.
         let geometry = &bearing.geometry;
         let added = reach - geometry.centre_distance() * geometry.sin_contact_angle();
-        Ok(Self { name: condition, point: case.operating_point(), bearing, speed, added })
+        Ok(Self { name: condition, point: case.operating_point(), case, bearing, speed, added })
+    }
+
+    /// The bearing that a set presses hardest: its highest peak pressure, Pa, and its balls.
+    fn hardest(&self, set: &AxialSet<'_>, state: &AxialState) -> (f64, Option<Solution>) {
+        let of_spring = |index: &usize| set.spring.is_some() && !set.members[*index].carries_plus_z;
+        let pressed = (0..set.members.len()).filter(|index| !of_spring(index));
+        let deepest = pressed.map(|index| set.pressed(index, state.displacement)).fold(f64::NEG_INFINITY, f64::max);
+        let ring = [0.0, 0.0, deepest, 0.0, 0.0];
+        let solution = held_solution(&self.bearing, &self.point, ring);
+        (held_pressure(&self.bearing, ring, solution.as_ref()), solution)
     }
 
     /// At rest the bearing is elastic.
@@ -196,57 +176,104 @@ impl Condition {
 /// Preload, unloading force and rigidity of a set of bearings of a case, and its displacement under loads.
 ///
 /// # Errors
-/// [`StudyError::Shaft`] where nothing carries a load or a bearing has no equilibrium.
+/// [`StudyError::Shaft`] where nothing carries a load or a bearing has no equilibrium; a preload of bearings in tandem,
+/// and loads under which no contact is elastic.
 pub fn bearing_set(name: &str, case: &Case, question: &SetQuestion) -> Result<SetAnswer, StudyError> {
-    let failed = |source: ShaftError| StudyError::Shaft { file: name.to_owned(), source };
+    arrangement::check(&question.sides, question.preload)?;
     let conditions = conditions(name, case)?;
-    let mut offsets = vec![0.0; question.sides.len()];
-    let (at, force) = match question.preload {
-        SetPreload::OffsetM(offset) => {
-            offsets.fill(offset);
-            (0, None)
-        }
-        SetPreload::SpringN(_) => (0, None),
-        SetPreload::UnmountedN(force) => (0, Some(force)),
-        SetPreload::MountedN(force) => (conditions.iter().position(|c| c.name == MOUNTED).unwrap_or(0), Some(force)),
-        SetPreload::RunningN(force) => (conditions.len() - 1, Some(force)),
-    };
-    if let Some(force) = force {
-        let mut set = conditions[at].set(question, &offsets);
-        set.preload(force).map_err(failed)?;
-        offsets = set.offsets.iter().map(|offset| offset - conditions[at].added).collect();
-    }
+    let offsets = offsets(name, &conditions, question)?;
     let mut answers = Vec::with_capacity(conditions.len());
     for condition in &conditions {
-        let mut set = condition.set(question, &offsets);
-        let unloaded = set.under(0.0).map_err(failed)?;
-        let preload_n = set.preload_force().map_err(failed)?;
-        let unloading_force_n = if preload_n > 0.0 { set.unloading_forces().map_err(failed)? } else { [None; 2] };
+        let Unloaded { preload_n, rigidity_n_per_m, unloading_force_n } =
+            Unloaded::of(name, condition, question, &offsets)?;
         answers.push(SetCondition {
             condition: condition.name,
             speed_rpm: condition.speed * RPM_PER_RAD_S,
             preload_n,
-            rigidity_n_per_m: unloaded.stiffness,
+            rigidity_n_per_m,
             unloading_force_n,
             unloading_over_preload: unloading_force_n.map(|force| force.map(|force| force / preload_n)),
         });
     }
     let (Some(last), Some(answer)) = (conditions.last(), answers.last()) else { unreachable!("there is one at least") };
-    let mut set = last.set(question, &offsets);
     let loads = if question.loads.is_empty() { table(answer, question) } else { question.loads.clone() };
-    let rest = set.under(0.0).map_err(failed)?.displacement;
+    let (states, warnings) = states(name, last, question, (&offsets, &loads))?;
+    let map = map(name, case, question, &offsets)?;
+    Ok(SetAnswer { offset_m: offsets, conditions: answers, map, states, warnings })
+}
+
+fn failed(name: &str) -> impl Fn(ShaftError) -> StudyError {
+    move |source| StudyError::Shaft { file: name.to_owned(), source }
+}
+
+/// How far each bearing is pressed in off the shaft, m.
+fn offsets(name: &str, conditions: &[Condition], question: &SetQuestion) -> Result<Vec<f64>, StudyError> {
+    let offsets = vec![0.0; question.sides.len()];
+    let (condition, force) = match question.preload {
+        SetPreload::OffsetM(offset) => return Ok(vec![offset; question.sides.len()]),
+        SetPreload::SpringN(_) => return Ok(offsets),
+        SetPreload::UnmountedN(force) => (&conditions[0], force),
+        SetPreload::MountedN(force) => (conditions.iter().find(|c| c.name == MOUNTED).unwrap_or(&conditions[0]), force),
+        SetPreload::RunningN(force) => (&conditions[conditions.len() - 1], force),
+    };
+    let mut set = condition.set(question, &offsets);
+    // Bearings in tandem have none, and stand where they are drawn.
+    if !set.is_tandem() {
+        set.preload(force).map_err(failed(name))?;
+    }
+    Ok(set.offsets.iter().map(|offset| offset - condition.added).collect())
+}
+
+/// A set without load.
+struct Unloaded {
+    preload_n: f64,
+    rigidity_n_per_m: f64,
+    unloading_force_n: [Option<f64>; 2],
+}
+
+impl Unloaded {
+    fn of(name: &str, condition: &Condition, question: &SetQuestion, offsets: &[f64]) -> Result<Self, StudyError> {
+        let mut set = condition.set(question, offsets);
+        let state = set.unloaded().map_err(failed(name))?;
+        elastic(name, condition.hardest(&set, &state).0)?;
+        let preload_n = set.preload_force().map_err(failed(name))?;
+        let unloading_force_n = if preload_n > 0.0 { set.unloading_forces().map_err(failed(name))? } else { [None; 2] };
+        Ok(Self { preload_n, rigidity_n_per_m: state.stiffness, unloading_force_n })
+    }
+}
+
+/// A set under loads, N, with what is unusual about the hardest pressed bearing.
+fn states(
+    name: &str,
+    condition: &Condition,
+    question: &SetQuestion,
+    (offsets, loads): (&[f64], &[f64]),
+) -> Result<(Vec<SetState>, Vec<String>), StudyError> {
+    let mut set = condition.set(question, offsets);
+    let rest = set.unloaded().map_err(failed(name))?.displacement;
     let mut states = Vec::with_capacity(loads.len());
-    for load in loads {
-        let state = set.under(load).map_err(failed)?;
+    let mut hardest: Option<(f64, f64, Solution)> = None;
+    for &load_n in loads {
+        let state = set.under(load_n).map_err(failed(name))?;
+        let (pressure, solution) = condition.hardest(&set, &state);
+        elastic(&format!("{name}: {load_n} N along z"), pressure)?;
+        if let Some(solution) = solution
+            && hardest.as_ref().is_none_or(|(most, ..)| pressure > *most)
+        {
+            hardest = Some((pressure, load_n, solution));
+        }
         states.push(SetState {
-            load_n: load,
+            load_n,
             displacement_m: state.displacement - rest,
             rigidity_n_per_m: state.stiffness,
             bearing_force_n: state.forces,
         });
     }
-    let map = map(name, case, question, &offsets)?;
-    Ok(SetAnswer { offset_m: offsets, conditions: answers, map, states })
+    let Some((_, load_n, solution)) = hardest else { return Ok((states, Vec::new())) };
+    let found = solution_findings(&condition.case, &condition.bearing, &solution)
+        .map_err(|source| AnswerError::Bearing { file: name.to_owned(), source })?;
+    let named = |sentence: String| format!("under {load_n} N: {sentence}");
+    Ok((states, found.sentences.into_iter().map(named).collect()))
 }
 
 /// The set over speeds and temperatures, at the offsets that it has off the shaft.
@@ -267,14 +294,9 @@ fn map(name: &str, case: &Case, question: &SetQuestion, offsets: &[f64]) -> Resu
     for &warmer_k in &rises {
         for &speed_rpm in &speeds {
             let condition = Condition::new(name, "", warmed(case, warmer_k), speed_rpm / RPM_PER_RAD_S, reach)?;
-            let failed = |source: ShaftError| StudyError::Shaft {
-                file: format!("{name} at {speed_rpm} r/min, {warmer_k} K warmer"),
-                source,
-            };
-            let mut set = condition.set(question, offsets);
-            let rigidity_n_per_m = set.under(0.0).map_err(failed)?.stiffness;
-            let preload_n = set.preload_force().map_err(failed)?;
-            let unloading_force_n = if preload_n > 0.0 { set.unloading_forces().map_err(failed)? } else { [None; 2] };
+            let name = format!("{name} at {speed_rpm} r/min, {warmer_k} K warmer");
+            let Unloaded { preload_n, rigidity_n_per_m, unloading_force_n } =
+                Unloaded::of(&name, &condition, question, offsets)?;
             points.push(SetPoint { speed_rpm, warmer_k, preload_n, rigidity_n_per_m, unloading_force_n });
         }
     }
@@ -300,6 +322,9 @@ fn table(answer: &SetCondition, question: &SetQuestion) -> Vec<f64> {
         _ => 0.0,
     };
     let most = answer.unloading_force_n[0].unwrap_or(OVER_PRELOAD * answer.preload_n.max(spring));
+    if most == 0.0 {
+        return vec![0.0];
+    }
     (0..=STEPS).map(|k| 1.2 * most * f64::from(k) / f64::from(STEPS)).collect()
 }
 
