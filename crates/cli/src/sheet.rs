@@ -97,13 +97,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     table::print_warnings(&found.warnings)
 }
 
-/// A number that there is under load only.
-fn shown(value: Option<f64>, factor: f64, digits: usize) -> String {
-    value.map_or_else(no_load, |value| number(value * factor, digits))
-}
-
-fn no_load() -> String {
-    "no load: not defined".to_owned()
+/// A row of what there is under load only.
+fn under_load(name: &'static str, value: Option<String>, unit: &'static str) -> Row {
+    match value {
+        Some(value) => (name, value, unit),
+        None => (name, "no load: not defined".to_owned(), ""),
+    }
 }
 
 /// Rows of the bearing itself.
@@ -126,6 +125,8 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
     let list = |values: &[f64], factor: f64, digits: usize| {
         values.iter().map(|v| number(v * factor, digits)).collect::<Vec<_>>().join("  ")
     };
+    let degrees = 180.0 / std::f64::consts::PI;
+    let scaled = |value: Option<f64>, factor: f64, digits: usize| value.map(|value| number(value * factor, digits));
     let operation = vec![
         ("radial load", number(s.radial_load_n, 1), "N"),
         ("axial load", number(s.axial_load_n, 1), "N"),
@@ -143,16 +144,12 @@ fn parts(s: &Sheet) -> Vec<(&'static str, Vec<Row>)> {
     let balls = vec![
         ("balls under load", s.loaded_balls.to_string(), ""),
         ("largest ball load", number(s.ball_load_max_n, 1), "N"),
-        (
-            "contact angles, inner race",
-            s.contact_angle_rad.map_or_else(no_load, |angles| list(&angles, 180.0 / std::f64::consts::PI, 2)),
-            "°",
-        ),
-        ("highest peak pressure", shown(s.rating.peak_pressure_max_pa, 1e-9, 3), "GPa"),
+        under_load("contact angles, inner race", s.contact_angle_rad.map(|angles| list(&angles, degrees, 2)), "°"),
+        under_load("highest peak pressure", scaled(s.rating.peak_pressure_max_pa, 1e-9, 3), "GPa"),
     ];
     let mut friction = vec![
-        ("friction torque, rule of thumb", shown(s.friction_torque_estimate_nm, 1e3, 2), "N mm"),
-        ("power of it", shown(s.friction_power_estimate_w, 1.0, 2), "W"),
+        under_load("friction torque, rule of thumb", scaled(s.friction_torque_estimate_nm, 1e3, 2), "N mm"),
+        under_load("power of it", scaled(s.friction_power_estimate_w, 1.0, 2), "W"),
     ];
     for (name, torque) in
         [("SKF's model, without seals", s.skf_torque_nm), ("Palmgren's formula", s.palmgren_torque_nm)]

@@ -178,7 +178,7 @@ def test_code_ross_reads_the_bearings_of_a_shaft(command: Callable[..., Any], ca
     for bearing in range(2):
         rows = frame[frame["bearing"] == bearing]
         columns = {name: rows[name].to_numpy() for name in ("kxx", "kxy", "kyx", "kyy", "kzz", "cxx", "cyy")}
-        columns[speed_name] = rows["frequency"].to_numpy()
+        columns[speed_name] = rows["speed"].to_numpy()
         element = ross.BearingElement(n=int(rows["node"].iloc[0]), **columns)
         for rpm in (1000.0, 3000.0):
             answer = tribodyn.shaft(motor, {"speed": f"rpm({rpm})"}).duties[0].shaft.bearings[bearing]

@@ -115,6 +115,7 @@ impl Rating {
             rating_life_lnmr_mrev: None,
             rating_life_hours: None,
             static_safety: None,
+            peak_pressure_max_pa: None,
             pressure_safety: None,
             lubrication_note: None,
             frequencies: None,
