@@ -49,8 +49,8 @@ pub struct Arguments {
 }
 
 fn radii(text: &str) -> Result<Body, String> {
-    let allowed = "two radii in mm as RX,RY, each a number other than 0 (negative for concave) or inf, or with a unit as \
-                   0.25in";
+    let allowed = "two radii in mm as RX,RY, each a number other than 0 (negative for concave) or inf, or with a unit \
+                   as 0.25in";
     let numbers: Vec<f64> = text.split(',').map_while(|part| in_unit("mm")(part).ok()).collect();
     match numbers[..] {
         [x, y] if text.split(',').count() == 2 && [x, y].iter().all(|r: &f64| !r.is_nan() && *r != 0.0) => {

@@ -43,7 +43,8 @@ pub enum ContactError {
     },
     /// A curvature sum that leaves no contact.
     #[error(
-        "curvature sum in the {plane} plane is {value:.4} 1/m: a contact needs it finite and above 0 (the concave radius larger than the convex one)"
+        "curvature sum in the {plane} plane is {value:.4} 1/m: a contact needs it finite and above 0 (the concave \
+         radius larger than the convex one)"
     )]
     Curvature {
         /// The plane, `x` (rolling) or `y` (lateral).

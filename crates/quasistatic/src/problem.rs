@@ -91,7 +91,8 @@ impl std::fmt::Display for Reason {
 pub enum QuasiStaticError {
     /// The iteration stopped above the tolerance.
     #[error(
-        "{model} model did not converge: {equation} of {place} has a relative residual of {residual:.3e} after {iterations} steps (tolerance {tolerance:.1e}): {reason}"
+        "{model} model did not converge: {equation} of {place} has a relative residual of {residual:.3e} after \
+         {iterations} steps (tolerance {tolerance:.1e}): {reason}"
     )]
     NotConverged {
         /// Which equations.
@@ -147,7 +148,8 @@ pub enum QuasiStaticError {
     },
     /// Balls that the inner race presses nowhere, while the ring is loaded.
     #[error(
-        "{model} model: no equilibrium was found in which a ball is loaded; what is left carries the ring by friction without load: take another race_control, more load, or the model with traction"
+        "{model} model: no equilibrium was found in which a ball is loaded; what is left carries the ring by friction \
+         without load: take another race_control, more load, or the model with traction"
     )]
     NoLoadedBall {
         /// Which equations.

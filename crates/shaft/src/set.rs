@@ -103,7 +103,7 @@ const NO_RESISTANCE: ShaftError =
 
 impl AxialSet<'_> {
     /// True if all bearings carry the same way: nothing presses them against each other.
-    pub fn is_tandem(&self) -> bool {
+    fn is_tandem(&self) -> bool {
         let side = self.members.first().map(|member| member.carries_plus_z);
         side.is_some_and(|side| self.members.iter().all(|member| member.carries_plus_z == side))
     }

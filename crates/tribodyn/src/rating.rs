@@ -18,7 +18,7 @@ use tribodyn_signal::BearingFrequencies;
 pub(crate) const LEAST_LOAD: f64 = 0.01;
 
 /// Section D − d over ball diameter of a usual bearing.
-pub(crate) const SECTION: f64 = 3.3;
+const SECTION: f64 = 3.3;
 
 /// Where a load rating or a dimension comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -67,7 +67,7 @@ pub struct Rating {
     /// Contamination factor e_C; absent where the case does not give it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contamination_factor: Option<f64>,
-    /// What keeps a_ISO from being worked out; among [`Self::warnings`] too.
+    /// The reason why a_ISO is not worked out; among [`Self::warnings`] too.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lubrication_note: Option<String>,
     /// Life factor for reliability a_1.
@@ -293,22 +293,30 @@ fn grease_life(
     if speed == 0.0 {
         return (None, None);
     }
-    let (bore, _) = bore(case);
+    let [(bore, _), _] = boundaries(case);
     match (GreasedBearing { bore, speed, temperature: lubricant.temperature, load_share }).life() {
         Ok(life) => (Some(life), None),
         Err(error) => (None, Some(format!("no estimate of the life of the grease: {error}"))),
     }
 }
 
-/// Bore of a case's bearing, m: of the catalogue, or that of a usual section of its balls.
-pub(crate) fn bore(case: &Case) -> (f64, RatingSource) {
-    match case.rating.and_then(|spec| spec.bore) {
-        Some(bore) => (bore, RatingSource::Catalogue),
-        None => {
-            let usual = case.geometry.pitch_diameter - 0.5 * SECTION * case.geometry.ball_diameter;
-            (usual, RatingSource::Computed)
-        }
+/// Bore and outside diameter of a case's bearing, m: of the catalogue, or those of a usual section of its balls.
+pub(crate) fn boundaries(case: &Case) -> [(f64, RatingSource); 2] {
+    let (spec, geometry) = (case.rating.unwrap_or_default(), &case.geometry);
+    let half_section = 0.5 * SECTION * geometry.ball_diameter;
+    let or = |given: Option<f64>, usual| {
+        given.map_or((usual, RatingSource::Computed), |given| (given, RatingSource::Catalogue))
+    };
+    [or(spec.bore, geometry.pitch_diameter - half_section), or(spec.outside, geometry.pitch_diameter + half_section)]
+}
+
+/// The same, with a note where one of them is estimated, m.
+pub(crate) fn noted_boundaries(case: &Case, notes: &mut Vec<String>) -> [f64; 2] {
+    let both = boundaries(case);
+    if both.iter().any(|(_, source)| *source == RatingSource::Computed) {
+        notes.push("bore and outside diameter estimated: give rating.bore and rating.outside".to_owned());
     }
+    both.map(|(diameter, _)| diameter)
 }
 
 /// Least viscosity ratio for which ISO 281 has a_ISO.

@@ -3,7 +3,7 @@
 use crate::answers::{Fits, Question, by_formulas, fits, solved};
 use crate::error::AnswerError;
 use crate::plausibility::{self, NO_LOAD, little_thrust};
-use crate::rating::{LEAST_LOAD, Rating, RatingSource, bore, loaded_contacts, rating};
+use crate::rating::{LEAST_LOAD, Rating, RatingSource, boundaries, loaded_contacts, rating};
 use serde::Serialize;
 use std::f64::consts::PI;
 use tribodyn_bearing::{Bearing, SearchWatch, SpeedHistory, Tilt, Translation};
@@ -107,7 +107,7 @@ pub fn sheet(name: &str, case: &Case, question: &SheetQuestion) -> Result<Sheet,
     let rating = rated(&asked, &solution, is_loaded)?;
     let balls = if is_loaded { loaded_contacts(&solution) } else { Vec::new() };
     let angles = balls.iter().map(|contact| [contact.angle_rad; 2]);
-    let (bore_m, bore_source) = bore(&case);
+    let [(bore_m, bore_source), _] = boundaries(&case);
     let friction = FRICTION[usize::from(rating.nominal_contact_angle_deg > 0.0)];
     let torque = rating.equivalent_load_n.filter(|_| is_loaded).map(|load| 0.5 * friction * load * bore_m);
     let [skf_torque_nm, palmgren_torque_nm] = lubricated_torque(&asked, question)?;

@@ -100,7 +100,7 @@ fn limit_overload_and_speeds_of_no_bearing_are_refused() {
     run_words("sheet 6206 --radial 1000 --speed 1e7").fails(2, &["--speed 10000000: allowed is up to 954930 r/min"]);
 }
 
-/// What no file holds is named by the option that brought it in.
+/// Errors name the option that brought a value in where no file holds it.
 #[test]
 fn limit_errors_name_the_option() {
     let scratch = Scratch::new();

@@ -114,11 +114,10 @@ impl Evidence {
             let sides = -(FARTHEST as i32)..=FARTHEST as i32;
             (0..=MULTIPLES).any(|k| sides.clone().any(|side| is(f64::from(k) * found.frequency_hz, side)))
         };
-        let own: Vec<_> = self.harmonics.iter().filter(|h| !of_found(h.frequency_hz)).collect();
-        let first: Vec<f64> = own.iter().take(2).map(|h| h.over_floor_db).collect();
-        let has_fundamental = own.first().is_some_and(|h| h.order == 1);
-        let deep = own.iter().map(|h| h.modulation.powi(2)).sum::<f64>().sqrt() > DEEP;
-        has_fundamental && deep && first.iter().sum::<f64>() > HIGH_DB * first.len() as f64
+        let harmonics: Vec<_> = self.harmonics.iter().filter(|h| !of_found(h.frequency_hz)).copied().collect();
+        let modulation = harmonics.iter().map(|h| h.modulation.powi(2)).sum::<f64>().sqrt();
+        let has_fundamental = harmonics.first().is_some_and(|h| h.order == 1);
+        has_fundamental && Self { harmonics, modulation, ..self.clone() }.stands_out()
     }
 
     /// Whether the family stands out as that of damage does.
@@ -220,8 +219,8 @@ pub(super) fn of(evidence: &[Evidence], quiet: f64) -> Verdict {
     reasons.extend(beats);
     if let Some(found) = found {
         let another = |e: &&Evidence| {
-            let high = e.fault != found.fault && e.height > quiet && e.stands_out();
-            high && own(e) && !e.beside(found) && e.stands_out_beside(found)
+            let high = e.fault != found.fault && e.height > quiet && e.stands_out_beside(found);
+            high && own(e) && !e.beside(found)
         };
         reasons.extend(evidence.iter().filter(another).map(|e| format!("also {}", e.said())));
     }

@@ -1,6 +1,7 @@
 //! A sensor on the acceleration of the outer ring.
 
 use crate::ensemble::normal_quantile;
+use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 use tribodyn_case::{SensorMode, SensorSpec};
 use tribodyn_signal::Decimator;
@@ -11,6 +12,8 @@ pub(super) const AHEAD: usize = 4;
 /// Samples before it.
 const BEHIND: usize = 6;
 const TAPS: usize = AHEAD + 1 + BEHIND;
+/// Weights besides that of the sample itself.
+const MOVED: usize = TAPS - 1;
 /// End of the band, over the rate, in which a mode responds as it should: a little above what a run passes.
 const FITTED: f64 = Decimator::PASS_BAND + 0.03;
 /// Frequencies in that band.
@@ -49,7 +52,7 @@ impl Mode {
 /// a damping, a natural frequency in radians a sample and weights of the outputs.
 fn weights(damping: f64, speed: f64, [a1, a2]: [f64; 2]) -> [f64; TAPS] {
     let at_rest = 1.0 + a1 + a2;
-    let mut equations = [[0.0; TAPS]; TAPS - 1];
+    let (mut rows, mut wanted) = (Vec::with_capacity(2 * LINES), Vec::with_capacity(2 * LINES));
     for line in 0..LINES {
         let w = TAU * FITTED * (line as f64 + 0.5) / LINES as f64;
         // One over response and denominator: what a weight of one, that of the sample itself, adds to the response.
@@ -67,32 +70,20 @@ fn weights(damping: f64, speed: f64, [a1, a2]: [f64; 2]) -> [f64; TAPS] {
             let (re, im) = (cos - 1.0, sin);
             [one[0] * re - one[1] * im, one[0] * im + one[1] * re]
         };
-        let left = [1.0 - at_rest * one[0], -at_rest * one[1]];
-        let columns: [[f64; 2]; TAPS - 1] = std::array::from_fn(moved);
-        for (row, first) in equations.iter_mut().zip(columns) {
-            let product = |second: &[f64; 2]| first[0] * second[0] + first[1] * second[1];
-            row.iter_mut().zip(columns.iter().chain([&left])).for_each(|(sum, second)| *sum += product(second));
-        }
+        wanted.extend([1.0 - at_rest * one[0], -at_rest * one[1]]);
+        let columns: [[f64; 2]; MOVED] = std::array::from_fn(moved);
+        rows.extend([0, 1].map(|part| columns.map(|column| column[part])));
     }
+    let design = DMatrix::from_row_slice(rows.len(), MOVED, rows.as_flattened());
+    let least = design.norm() * f64::EPSILON;
+    let Ok(moved) = design.svd(true, true).solve(&DVector::from(wanted), least) else {
+        unreachable!("both sides of the decomposition are there")
+    };
     let mut weights = [0.0; TAPS];
-    let moved = solved(equations);
-    weights[AHEAD] = at_rest - moved.iter().sum::<f64>();
-    weights[..AHEAD].copy_from_slice(&moved[..AHEAD]);
-    weights[AHEAD + 1..].copy_from_slice(&moved[AHEAD..]);
+    weights[AHEAD] = at_rest - moved.sum();
+    weights[..AHEAD].copy_from_slice(&moved.as_slice()[..AHEAD]);
+    weights[AHEAD + 1..].copy_from_slice(&moved.as_slice()[AHEAD..]);
     weights
-}
-
-/// The solution of symmetric positive equations, each with its right side last.
-fn solved(mut rows: [[f64; TAPS]; TAPS - 1]) -> [f64; TAPS - 1] {
-    for pivot in 0..TAPS - 1 {
-        let of_pivot = rows[pivot].map(|value| value / rows[pivot][pivot]);
-        for (_, row) in rows.iter_mut().enumerate().filter(|(k, _)| *k != pivot) {
-            let factor = row[pivot];
-            row.iter_mut().zip(of_pivot).for_each(|(value, of_pivot)| *value -= factor * of_pivot);
-        }
-        rows[pivot] = of_pivot;
-    }
-    rows.map(|row| row[TAPS - 1])
 }
 
 /// A sensor that is fed with accelerations sample by sample.

@@ -50,8 +50,8 @@ pub(super) fn is_tandem(sides: &[bool]) -> bool {
 /// A force, N, with the condition of the bearings in which it presses.
 pub type PreloadForce = (f64, fn(f64) -> SetPreload);
 
-/// What presses the bearings of a set, of the three ways to say it: a force, N, in a condition, an offset, µm, or the
-/// force of a spring, N. Bearings that all carry the same way have none.
+/// The preload of a set, of the three ways to say it: a force, N, in a condition, an offset, µm, or the force of a
+/// spring, N. Bearings that all carry the same way have none.
 ///
 /// # Errors
 /// Several of these or none, and numbers that are not possible.

@@ -111,7 +111,7 @@ pub struct SetAnswer {
     pub map: Vec<SetPoint>,
     /// Under load, in the last of these conditions.
     pub states: Vec<SetState>,
-    /// What is unusual about the bearing that is pressed hardest, under the load that does it.
+    /// Sentences on what is unusual about the bearing that is pressed hardest, under the load that does it.
     pub warnings: Vec<String>,
 }
 
@@ -218,7 +218,7 @@ fn offsets(name: &str, conditions: &[Condition], question: &SetQuestion) -> Resu
     };
     let mut set = condition.set(question, &offsets);
     // Bearings in tandem have none, and stand where they are drawn.
-    if !set.is_tandem() {
+    if !arrangement::is_tandem(&question.sides) {
         set.preload(force).map_err(failed(name))?;
     }
     Ok(set.offsets.iter().map(|offset| offset - condition.added).collect())

@@ -3,7 +3,7 @@
 use super::friction::{WithFriction, turning};
 use super::{Answer, Equations, Question};
 use crate::error::AnswerError;
-use crate::rating::SECTION;
+use crate::rating::noted_boundaries;
 use serde::Serialize;
 use tribodyn_bearing::{Bearing, BearingError, ContactResult, Side};
 use tribodyn_case::{Case, HeatSpec, MountedRingSpec, MountingSpec};
@@ -265,14 +265,7 @@ fn size(
     surroundings: &Surroundings,
     notes: &mut Vec<String>,
 ) -> Result<BearingSize, AnswerError> {
-    let spec = case.rating.unwrap_or_default();
-    let g = &case.geometry;
-    let half_section = 0.5 * SECTION * g.ball_diameter;
-    if spec.bore.is_none() || spec.outside.is_none() {
-        notes.push("bore and outside diameter estimated: give rating.bore and rating.outside".to_owned());
-    }
-    let bore = spec.bore.unwrap_or(g.pitch_diameter - half_section);
-    let outside = spec.outside.unwrap_or(g.pitch_diameter + half_section);
+    let [bore, outside] = noted_boundaries(case, notes);
     if bore <= 0.0 || outside <= bore {
         let why = "`rating.bore` must be above 0 and less than `rating.outside`";
         return Err(AnswerError::not_asked(name, why));

@@ -3,7 +3,7 @@
 use super::friction::{WithFriction, turning};
 use super::{Answer, Equations, Question};
 use crate::error::AnswerError;
-use crate::rating::SECTION;
+use crate::rating::noted_boundaries;
 use serde::Serialize;
 use tribodyn_bearing::Side;
 use tribodyn_case::{Fit, OilSpec};
@@ -137,11 +137,7 @@ fn formulas(question: &Question<'_>, speed: f64, answer: &mut TorqueAnswer) -> R
         Fit::RadialClearance(_) => 0.0,
     });
     let angular_contact = nominal > ANGULAR;
-    let g = &case.geometry;
-    let half_section = 0.5 * SECTION * g.ball_diameter;
-    if spec.bore.is_none() || spec.outside.is_none() {
-        answer.notes.push("bore and outside diameter estimated: give rating.bore and rating.outside".to_owned());
-    }
+    let [bore, outside] = noted_boundaries(case, &mut answer.notes);
     let series =
         if angular_contact { Some(SkfSeries::angular_contact()) } else { deep_groove(spec.series, &mut answer.notes) };
     let viscosity = lubricant.oil.oil()?.viscosity.kinematic(lubricant.temperature);
@@ -150,12 +146,7 @@ fn formulas(question: &Question<'_>, speed: f64, answer: &mut TorqueAnswer) -> R
         OilSpec::Grade { stock, .. } | OilSpec::Viscosities { stock, .. } => stock.name() != "mineral",
     };
     if let Some(series) = series {
-        let bearing = SkfBearing {
-            bore: spec.bore.unwrap_or(g.pitch_diameter - half_section),
-            outside: spec.outside.unwrap_or(g.pitch_diameter + half_section),
-            series,
-            static_rating,
-        };
+        let bearing = SkfBearing { bore, outside, series, static_rating };
         let skf = bearing.torque(&SkfLoads {
             radial: answer.radial_load_n,
             axial: answer.axial_load_n,
@@ -167,7 +158,7 @@ fn formulas(question: &Question<'_>, speed: f64, answer: &mut TorqueAnswer) -> R
         (answer.skf_rolling_nm, answer.skf_sliding_nm) = (Some(skf.rolling), Some(skf.sliding));
         answer.skf_torque_nm = Some(skf.total());
     }
-    let bearing = PalmgrenBearing { pitch_diameter: g.pitch_diameter, angular_contact, static_rating };
+    let bearing = PalmgrenBearing { pitch_diameter: case.geometry.pitch_diameter, angular_contact, static_rating };
     let loads = [answer.radial_load_n, answer.axial_load_n];
     let palmgren = bearing.torque(loads, speed, viscosity, lubricant.supply)?;
     (answer.palmgren_viscous_nm, answer.palmgren_load_nm) = (Some(palmgren.viscous), Some(palmgren.load));

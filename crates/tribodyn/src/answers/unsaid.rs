@@ -83,7 +83,9 @@ pub(super) fn frozen_warning(question: &Question<'_>, bearing: &Bearing) -> Opti
         return None;
     }
     Some(format!(
-        "contact constants are those of the free angle, {:.1}° away from the {} contact that stands farthest: its peak pressure would be {:.3} GPa {} with those of its own angle (`modelling.contact_at_actual_angle`)",
+        "contact constants are those of the free angle, {:.1}° away from the {} contact that stands \
+         farthest: its peak pressure would be {:.3} GPa {} with those of its own angle \
+         (`modelling.contact_at_actual_angle`)",
         away.to_degrees(),
         side.name(),
         change.abs() * 1e-9,

@@ -33,7 +33,9 @@ pub fn little_thrust(case: &Case) -> Option<String> {
     let needed = radial * angle.tan();
     (axial < needed).then(|| {
         format!(
-            "the axial load of {} N is too little for the radial load of {} N, and no equilibrium was found: balls at {}° push the rings apart with about {} N (F_r tan α); give the bearing at least as much axial load, or a preload",
+            "the axial load of {} N is too little for the radial load of {} N, and no equilibrium was found: \
+             balls at {}° push the rings apart with about {} N (F_r tan α); give the bearing at \
+             least as much axial load, or a preload",
             shown(axial),
             shown(radial),
             shown(angle.to_degrees()),
