@@ -49,34 +49,34 @@ struct OfContact {
     #[arg(long)]
     oil: String,
     /// Temperature of the oil before the contact, °C
-    #[arg(long, value_name = "DEG_C", allow_negative_numbers = true, value_parser = in_unit("degC"))]
+    #[arg(long, value_name = "DEG_C", value_parser = in_unit("degC"))]
     temperature: f64,
     /// Normal load, N
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
+    #[arg(long, value_name = "N", value_parser = in_unit("N"))]
     load: f64,
     /// Entrainment speed, the mean of both surface speeds, m/s
-    #[arg(long, value_name = "M_S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "M_S")]
     speed: f64,
     /// Radius of relative curvature along rolling, mm
-    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = in_unit("mm"))]
+    #[arg(long, value_name = "MM", value_parser = in_unit("mm"))]
     radius: f64,
     /// Radius of relative curvature across rolling, mm [default: as along it]
-    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = in_unit("mm"))]
+    #[arg(long, value_name = "MM", value_parser = in_unit("mm"))]
     across: Option<f64>,
     /// Slide-to-roll ratio
-    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.0)]
     slide_to_roll: f64,
     /// Root-mean-square roughness of both surfaces together, µm
-    #[arg(long, value_name = "UM", default_value_t = 0.07, allow_negative_numbers = true, value_parser = in_unit("um"))]
+    #[arg(long, value_name = "UM", default_value_t = 0.07, value_parser = in_unit("um"))]
     roughness: f64,
     /// Film thickness over that of a flooded contact; 0.7 for grease
-    #[arg(long, default_value_t = 1.0, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 1.0)]
     starvation: f64,
     /// Young's modulus of both bodies, GPa
-    #[arg(long, default_value_t = 208.0, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 208.0)]
     young: f64,
     /// Poisson's ratio of both bodies
-    #[arg(long, default_value_t = 0.3, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.3)]
     poisson: f64,
     /// Print JSON instead of tables
     #[arg(long)]

@@ -21,16 +21,16 @@ pub struct Arguments {
     #[command(flatten)]
     time: TimeArguments,
     /// Temperature of the surroundings and of the oil that flows in, °C
-    #[arg(long, value_name = "DEG_C", default_value_t = 20.0, allow_negative_numbers = true, value_parser = in_unit("degC"))]
+    #[arg(long, value_name = "DEG_C", default_value_t = 20.0, value_parser = in_unit("degC"))]
     surroundings: f64,
     /// Factor on the conductances of shaft and housing to the surroundings, 1 for the reference of ISO 15312
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
     cooling: f64,
     /// Width of the bearing, mm [default: half of D − d]
-    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = in_unit("mm"))]
+    #[arg(long, value_name = "MM", value_parser = in_unit("mm"))]
     width: Option<f64>,
     /// Oil that flows through the bearing, l/min
-    #[arg(long, value_name = "L_PER_MIN", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "L_PER_MIN", default_value_t = 0.0)]
     oil_flow: f64,
     #[command(flatten)]
     model: FrictionArguments,

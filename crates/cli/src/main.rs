@@ -41,7 +41,7 @@ mod units;
 mod vibration;
 mod waiting;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use failure::Failure;
 use std::io::Write;
 use std::process::ExitCode;
@@ -138,8 +138,22 @@ enum Command {
     Man(manual::ManArguments),
 }
 
+/// The command line. A negative number behind an option is its value, and not an option that is unknown: the command
+/// says what is allowed.
+fn command_line() -> clap::Command {
+    fn with_negative_numbers(command: clap::Command) -> clap::Command {
+        let option = |arg: clap::Arg| {
+            let takes_one = arg.get_action().takes_values() && !arg.is_positional();
+            if takes_one { arg.allow_negative_numbers(true) } else { arg }
+        };
+        command.mut_args(option).mut_subcommands(with_negative_numbers)
+    }
+    with_negative_numbers(Arguments::command())
+}
+
 fn main() -> ExitCode {
-    let outcome = match Arguments::parse().command {
+    let read = Arguments::from_arg_matches(&command_line().get_matches());
+    let outcome = match read.unwrap_or_else(|error| error.exit()).command {
         Command::New(arguments) => new::run(&arguments),
         Command::Catalogue(arguments) => catalogue::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
@@ -227,7 +241,7 @@ mod tests {
             for line in &lines {
                 // What a shell does with the output is its own.
                 let line = line.split(" > ").next().unwrap_or_default();
-                let parsed = Arguments::try_parse_from(words(line));
+                let parsed = command_line().try_get_matches_from(words(line));
                 assert!(parsed.is_ok(), "{line}: {}", parsed.err().map(|e| e.to_string()).unwrap_or_default());
             }
             assert!(!lines.first().is_some_and(|line| line.contains("paper-ag")), "{name} begins with the paper");

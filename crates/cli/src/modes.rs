@@ -21,13 +21,7 @@ pub struct Arguments {
     #[command(flatten)]
     case: CaseArguments,
     /// Highest frequency, Hz
-    #[arg(
-        long,
-        default_value_t = f64::INFINITY,
-        value_name = "HZ",
-        allow_negative_numbers = true,
-        value_parser = in_unit("Hz")
-    )]
+    #[arg(long, default_value_t = f64::INFINITY, value_name = "HZ", value_parser = in_unit("Hz"))]
     up_to: f64,
     /// Print the modes of the balls too, for the instant when pocket 0 is at azimuth 0
     #[arg(long)]

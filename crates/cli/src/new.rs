@@ -53,13 +53,13 @@ pub struct Arguments {
     #[arg(long, value_name = "N", requires = "dynamic_rating", value_parser = in_unit("N"))]
     static_rating: Option<f64>,
     /// Radial load, N [default: moderate]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
+    #[arg(long, value_name = "N", value_parser = in_unit("N"))]
     radial: Option<f64>,
     /// Axial load, N [default: moderate]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
+    #[arg(long, value_name = "N", value_parser = in_unit("N"))]
     axial: Option<f64>,
     /// Speed of the inner ring, r/min [default: moderate]
-    #[arg(long, value_name = "RPM", allow_negative_numbers = true, value_parser = in_unit("rpm"))]
+    #[arg(long, value_name = "RPM", value_parser = in_unit("rpm"))]
     speed: Option<f64>,
     /// Lubricant: vg32 and other grades of mineral oil, an oil such as pao-vg32, grease; ag or ptfe for a solid film
     /// [default: usual, which is grease for sealed bearings and oil VG 68 for open ones]

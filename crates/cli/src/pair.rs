@@ -23,13 +23,13 @@ pub struct Arguments {
     #[arg(long, value_enum, ignore_case = true)]
     arrangement: ArrangementName,
     /// Distance between the middles of the bearings, mm
-    #[arg(long, value_name = "MM", allow_negative_numbers = true, value_parser = in_unit("mm"))]
+    #[arg(long, value_name = "MM", value_parser = in_unit("mm"))]
     distance: f64,
     /// Axial gap between the rings that clamping closes, µm
     #[arg(long, value_name = "UM", allow_hyphen_values = true, value_parser = in_unit("um"))]
     offset: Option<f64>,
     /// Force of a soft spring on the bearing at +z, whose outer ring slides, N
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
+    #[arg(long, value_name = "N", value_parser = in_unit("N"))]
     spring: Option<f64>,
     /// Equations of each bearing [default: steady-orbit, or jones-harris for a case without traction or cage]
     #[arg(long, value_enum)]

@@ -40,7 +40,7 @@ pub struct Arguments {
     #[arg(long, value_name = "SIGNS", conflicts_with = "arrangement", allow_hyphen_values = true)]
     sides: Option<String>,
     /// Preload, N; a set that carries one way only, as DT, has none
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = in_unit("N"))]
+    #[arg(long, value_name = "N", value_parser = in_unit("N"))]
     preload: Option<f64>,
     /// Condition for which the preload is given
     #[arg(long, value_enum, default_value_t = Given::Unmounted, requires = "preload")]
@@ -49,13 +49,7 @@ pub struct Arguments {
     #[arg(long, value_name = "UM", allow_hyphen_values = true, conflicts_with = "preload", value_parser = in_unit("um"))]
     offset: Option<f64>,
     /// Force of a soft spring in place of the bearings that carry −z, N
-    #[arg(
-        long,
-        value_name = "N",
-        conflicts_with_all = ["preload", "offset"],
-        allow_negative_numbers = true,
-        value_parser = in_unit("N")
-    )]
+    #[arg(long, value_name = "N", conflicts_with_all = ["preload", "offset"], value_parser = in_unit("N"))]
     spring: Option<f64>,
     /// Axial loads along +z, N, as N,N,… [default: up to the unloading force]
     #[arg(long, value_name = "N", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("N"))]

@@ -34,7 +34,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 0.0, allow_hyphen_values = true, value_parser = in_unit("N"))]
     axial: f64,
     /// Speed of the inner ring, r/min
-    #[arg(long, value_name = "RPM", allow_negative_numbers = true, value_parser = in_unit("rpm"))]
+    #[arg(long, value_name = "RPM", value_parser = in_unit("rpm"))]
     speed: f64,
     /// Replace one value of the case, such as 'geometry.fit=RadialClearance(um(8))'; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = change)]

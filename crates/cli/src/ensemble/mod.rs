@@ -44,7 +44,7 @@ pub struct Arguments {
     #[arg(long)]
     latin_hypercube: bool,
     /// Simulated time of each member in s; short for --set transient.duration=s(…)
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = in_unit("s"))]
+    #[arg(long, value_name = "SECONDS", value_parser = in_unit("s"))]
     duration: Option<f64>,
     /// Threads to use [default: one per core]
     #[arg(long, value_name = "N")]

@@ -29,11 +29,11 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     strides: u32,
     /// End after this running time, h
-    #[arg(long, value_name = "HOURS", value_parser = hours, allow_negative_numbers = true)]
+    #[arg(long, value_name = "HOURS", value_parser = hours)]
     until: Option<f64>,
     /// End when wear has added this much radial internal clearance, µm, on the diameter as in ISO 5753; for races
     /// without coating
-    #[arg(long, value_name = "UM", value_parser = micrometres, allow_negative_numbers = true)]
+    #[arg(long, value_name = "UM", value_parser = micrometres)]
     clearance_limit: Option<f64>,
     /// Let wear act on the bearing: clearance, curvature, traction, transfer, separated by commas, or none. Keeps the
     /// depth over azimuth and across the groove; the life ends when bare steel carries a part of the load

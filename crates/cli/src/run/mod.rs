@@ -37,7 +37,7 @@ pub struct Arguments {
     #[command(flatten)]
     replace: ReplaceArguments,
     /// Simulated time in s; short for --set transient.duration=s(…)
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = in_unit("s"))]
+    #[arg(long, value_name = "SECONDS", value_parser = in_unit("s"))]
     duration: Option<f64>,
     /// Continue a stopped or killed run of the same case
     #[arg(long, conflicts_with = "restart")]

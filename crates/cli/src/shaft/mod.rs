@@ -36,14 +36,7 @@ pub struct Arguments {
     #[arg(long, value_name = "RPM", value_delimiter = ',', allow_hyphen_values = true, value_parser = in_unit("rpm"))]
     modes: Vec<f64>,
     /// Highest frequency of the modes that are printed, Hz
-    #[arg(
-        long,
-        value_name = "HZ",
-        default_value_t = 2000.0,
-        requires = "modes",
-        allow_negative_numbers = true,
-        value_parser = in_unit("Hz")
-    )]
+    #[arg(long, value_name = "HZ", default_value_t = 2000.0, requires = "modes", value_parser = in_unit("Hz"))]
     up_to: f64,
     /// Write the nodes of the shaft as a table: place, displacements, slopes, forces, moments, stresses (CSV)
     #[arg(long, value_name = "FILE.csv")]

@@ -39,7 +39,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DEG", value_parser = in_unit("deg"))]
     angle: Option<f64>,
     /// Speed of the shaft: r/min, or the column that holds it
-    #[arg(long, value_name = "RPM|COLUMN", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RPM|COLUMN")]
     speed: Option<String>,
     /// Column with the pulses of a key phase or tachometer
     #[arg(long, value_name = "COLUMN", conflicts_with = "speed")]
@@ -48,10 +48,10 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 1.0, requires = "key_phase")]
     pulses: f64,
     /// Begin at this time, s
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S")]
     from: Option<f64>,
     /// End at this time, s
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S")]
     to: Option<f64>,
     /// Uncertainty of the speed given in r/min, %
     #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * Search::default().speed)]

@@ -73,6 +73,20 @@ fn limit_unknown_words_are_refused() {
 }
 
 /// A slip in a range is a sweep of years: nothing is written before it is asked for twice.
+/// A negative number behind any option is a value of it.
+#[test]
+fn limit_negative_numbers_are_told_what_is_allowed() {
+    for (words, said) in [
+        ("solve nowhere.ron --time-limit -1", "allowed are seconds above 0"),
+        ("ensemble nowhere.ron --vary a=1..2 --members 2 --seed -1", "'-1' for '--seed"),
+        ("hertz --body1 10,10 --body2 inf,inf --load 1 --length -2", "--length -2"),
+    ] {
+        let outcome = run_words(words);
+        outcome.fails(2, &[said]);
+        assert!(!outcome.err.contains("unexpected argument"), "{}", outcome.err);
+    }
+}
+
 #[test]
 fn limit_a_sweep_of_many_millions_asks_for_yes() {
     let scratch = super::Scratch::new();
