@@ -60,6 +60,9 @@ pub struct SteadyOrbit {
     pub ball_mass_factor: Option<f64>,
     /// Stiffness of the pockets over that of the case, where no orbit was found with that; absent where it is.
     pub pocket_stiffness_share: Option<f64>,
+    /// Damping ratio of the contacts, where no orbit was found with that of the case and [`crate::OrbitSettings`];
+    /// absent where it is.
+    pub raised_contact_damping: Option<f64>,
     /// Damping of the pockets and that of the case, χ of Hunt and Crossley, s/m, where balls touch their pockets and
     /// the orbit was found with more than the case gives; absent where that has no part.
     pub raised_pocket_damping_s_per_m: Option<[f64; 2]>,
@@ -113,6 +116,7 @@ impl SteadyOrbit {
         let eased = Eased {
             ball_mass: self.ball_mass_factor.unwrap_or(1.0),
             pocket_stiffness: self.pocket_stiffness_share.unwrap_or(1.0),
+            contact_damping: self.raised_contact_damping.unwrap_or(0.0),
         };
         let coarse = self.mesh_error.is_some() || self.pocket_force_unresolved;
         let coarse = coarse.then(|| coarse_sentence(self.mesh_error));
@@ -209,6 +213,7 @@ pub(crate) fn solution(
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
         ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),
         pocket_stiffness_share: (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness),
+        raised_contact_damping: (eased.contact_damping > 0.0).then_some(eased.contact_damping),
         raised_pocket_damping_s_per_m: raised,
         less_damped: None,
         undriven: false,

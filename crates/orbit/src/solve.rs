@@ -3,7 +3,7 @@
 use crate::OrbitError;
 use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, found, prepared, resent, rolled, warm};
 use crate::damping::{LessDamping, less_damped};
-use crate::detours::detour;
+use crate::detours::{damped_more, detour};
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::settings::OrbitSettings;
@@ -47,7 +47,9 @@ pub fn steady_orbit(
         return Ok(standing);
     }
     let found = match rolled(problem, problem.bearing) {
-        Err(error @ OrbitError::NotConverged { .. }) => detour(problem, &error).ok_or(error),
+        Err(error @ OrbitError::NotConverged { .. }) => {
+            detour(problem, &error).or_else(|| damped_more(problem)).ok_or(error)
+        }
         other => other,
     };
     // What an ended search did not reach says nothing of the bearing.

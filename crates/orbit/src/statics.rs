@@ -100,6 +100,7 @@ fn at_rest(
         swing_damping: None,
         ball_mass_factor: None,
         pocket_stiffness_share: None,
+        raised_contact_damping: None,
         raised_pocket_damping_s_per_m: None,
         less_damped: None,
         undriven: false,

@@ -27,17 +27,20 @@ pub(crate) struct Eased {
     pub ball_mass: f64,
     /// Stiffness of the pockets over the real one.
     pub pocket_stiffness: f64,
+    /// Damping ratio that the contacts have at least, where that is more than every orbit's; else 0.
+    pub contact_damping: f64,
 }
 
 impl Eased {
     /// The case's own bearing.
-    pub const NONE: Self = Self { ball_mass: 1.0, pocket_stiffness: 1.0 };
+    pub const NONE: Self = Self { ball_mass: 1.0, pocket_stiffness: 1.0, contact_damping: 0.0 };
 
-    /// The bearing with its balls.
+    /// The bearing with its balls and the damping of its contacts.
     pub fn of(&self, bearing: &Bearing) -> Bearing {
         let mut eased = bearing.clone();
         eased.ball_mass *= self.ball_mass;
         eased.ball_inertia *= self.ball_mass;
+        eased.contact_damping = eased.contact_damping.max(self.contact_damping);
         eased
     }
 
@@ -56,7 +59,14 @@ impl Eased {
                 said(1.0 / self.pocket_stiffness, 3)
             )
         });
-        heavy.into_iter().chain(soft).collect()
+        let damped = (self.contact_damping > 0.0).then(|| {
+            format!(
+                "balls without load bounce on their races without end: this orbit has contacts with a damping ratio of \
+                 {}, which stops them",
+                said(self.contact_damping, 1)
+            )
+        });
+        heavy.into_iter().chain(soft).chain(damped).collect()
     }
 }
 
@@ -80,7 +90,7 @@ pub(crate) fn ladder(bearing: &Bearing, (start, cage_speed): (&RollingStart, f64
         // The end of the way is exact.
         let part = k as f64 / (RUNGS - 1) as f64;
         let ball_mass = if k == RUNGS - 1 { last } else { first * (last / first).powf(part) };
-        (ball_mass, Eased { ball_mass, pocket_stiffness: 1.0 }.of(bearing))
+        (ball_mass, Eased { ball_mass, ..Eased::NONE }.of(bearing))
     };
     (0..RUNGS).map(rung).collect()
 }
@@ -139,7 +149,7 @@ impl<'a> Way<'a> {
     pub fn eased(&self, share: f64) -> Eased {
         let pocket_stiffness =
             if share == 1.0 { 1.0 } else { (self.stiffness[0] / self.stiffness[1]).powf(1.0 - share) };
-        Eased { ball_mass: self.ladder[self.rung(share)].0, pocket_stiffness }
+        Eased { ball_mass: self.ladder[self.rung(share)].0, pocket_stiffness, ..Eased::NONE }
     }
 
     fn rung(&self, share: f64) -> usize {

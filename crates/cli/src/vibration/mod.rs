@@ -9,7 +9,7 @@ use crate::table::{self, number};
 use crate::units::in_unit;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use tribodyn_signal::{BandVelocity, Evidence, Fault, Search};
+use tribodyn_signal::{BandVelocity, Evidence, Fault, Search, VibrationClass};
 use tribodyn_study::StagedFiles;
 use tribodyn_study::vibration::{Analysis, SignalQuestion, Window, diagnosed};
 
@@ -153,6 +153,8 @@ fn print(path: &Path, a: &Analysis) -> Result<(), Failure> {
     }
     let velocities: Vec<(String, String)> = a.velocity_bands.iter().map(velocity).collect();
     rows.extend(velocities.iter().map(|(name, value)| (name.as_str(), value.clone(), "mm/s")));
+    let class = a.velocity_class.as_ref().map(class);
+    rows.extend(class.iter().map(|(name, limits)| ("class of bearing testers", name.clone(), limits.as_str())));
     table::print_pairs(&rows)?;
     table::print_line("")?;
     let header = ["line", "rolling Hz", "found Hz", "± Hz", "off %", "over noise dB", "modulation", "log10 chance"];
@@ -171,6 +173,13 @@ fn print(path: &Path, a: &Analysis) -> Result<(), Failure> {
 fn velocity(band: &BandVelocity) -> (String, String) {
     let name = format!("velocity {:.0} – {:.0} Hz, rms peak", band.low_hz, band.high_hz);
     (name, format!("{}  {}", number(1e3 * band.rms_m_s, 4), number(1e3 * band.peak_m_s, 4)))
+}
+
+/// Name of a class and its limits.
+fn class(class: &VibrationClass) -> (String, String) {
+    let name = class.name.map_or("louder than V".to_owned(), str::to_owned);
+    let [low, middle, high] = class.limits_m_s.map(|limit| number(1e3 * limit, 3));
+    (name, format!("up to {low}  {middle}  {high} mm/s rms at a bore of {} mm", number(1e3 * class.bore_m, 0)))
 }
 
 fn row(e: &Evidence) -> Vec<String> {

@@ -39,6 +39,9 @@ class Vibration(Answer):
     statistics: dict[str, Any]
     #: rms and peak velocity in the bands of bearing testers, m/s; empty unless the column is an acceleration in m/s²
     velocity_bands: list[dict[str, Any]]
+    #: class of bearing testers by them, ``name``, ``limits_m_s`` and ``bore_m``: of a deep groove bearing with a known
+    #: bore at 1800 r/min; None else
+    velocity_class: Optional[dict[str, Any]]
     #: balls, diameters, contact angle, turns of the rings over those of the shaft
     bearing: dict[str, Any]
     #: speed of the shaft

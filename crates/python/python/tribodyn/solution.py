@@ -205,6 +205,8 @@ class Solution(BearingQuantities, OfOperatingPoint):
     ball_mass_factor: float
     #: stiffness of the pockets over the case's; absent where it is the case's
     pocket_stiffness_share: float
+    #: damping ratio of the contacts, where no orbit was found with that of the case; absent elsewhere
+    raised_contact_damping: float
     #: other equilibria of each ball, where they were searched for
     roots: list[dict[str, Any]]
 

@@ -156,7 +156,7 @@ fn overlap(a: &Band, b: &Band) -> f64 {
 const OF_SLIP: f64 = 0.15;
 /// Turns of the shaft in a segment: enough to tell 0.02 orders apart, few enough for a speed that drifts by some per
 /// mille.
-const SEGMENT_TURNS: f64 = 120.0;
+pub(super) const SEGMENT_TURNS: f64 = 120.0;
 
 /// Length of a segment, s.
 pub(super) fn segment_s(shaft_hz: f64) -> f64 {

@@ -170,7 +170,12 @@ pub fn diagnose(
     let speed = shaft::found(&plain, rate_hz, shaft, search)?;
     let seen = evidence::Seen::new(&raw, &white, candidates, shaft, &speed, highest_hz)?;
     let evidence = seen.evidence(bearing, &per_turn, &speed, search);
-    warnings.extend(evidence.iter().filter_map(|e| hidden(e, speed.frequency_hz, seen.spacing_hz(e.candidate))));
+    let is_short = turns < evidence::SEGMENT_TURNS;
+    let of = |e: &Evidence| hidden(e, (speed.frequency_hz, is_short), seen.spacing_hz(e.candidate));
+    warnings.extend(evidence.iter().filter_map(of));
+    warnings.extend((!speed.measured).then(|| {
+        "no line of the shaft stands out near the speed given: the sampling rate or the speed may be wrong".to_owned()
+    }));
     let verdict = verdict::of(&evidence, search.quiet * speed.frequency_hz);
     let cage = verdict::cage(&evidence, &verdict, bearing, &speed);
     let shown =
@@ -193,14 +198,15 @@ pub fn diagnose(
 /// Fewest turns of the shaft that an envelope spectrum needs to tell lines apart.
 const LEAST_TURNS: f64 = 8.0;
 
-/// A warning where a line lies so near a multiple of the shaft that the record is too short to tell them apart.
-fn hidden(e: &Evidence, shaft_hz: f64, spacing_hz: f64) -> Option<String> {
+/// A warning where a line lies so near a multiple of the shaft that they are not told apart.
+fn hidden(e: &Evidence, (shaft_hz, is_short): (f64, bool), spacing_hz: f64) -> Option<String> {
     let multiple = (e.expected_hz / shaft_hz).round();
     let distance = (e.expected_hz - multiple * shaft_hz).abs();
     (multiple >= 1.0 && distance < 2.0 * spacing_hz).then(|| {
         format!(
-            "{} is {distance:.2} Hz from {multiple} turns of the shaft, lines are {spacing_hz:.2} Hz apart: a longer record or a higher speed is needed to tell them apart",
-            e.fault.line()
+            "{} is {distance:.2} Hz from {multiple} turns of the shaft, lines are {spacing_hz:.2} Hz apart: {}",
+            e.fault.line(),
+            if is_short { "a longer record may tell them apart" } else { "they are not told apart" }
         )
     })
 }

@@ -105,16 +105,18 @@ impl Evidence {
         all && (self.frequency_hz - multiple * cage.frequency_hz).abs() < reach
     }
 
+    /// True for a frequency, Hz, of a multiple of the fundamental or of a sideband of one.
+    fn has(&self, hz: f64) -> bool {
+        let by = self.modulating_hz.unwrap_or(0.0);
+        let is = |multiple: f64, side: i32| (hz - multiple - f64::from(side) * by).abs() < SAME * hz;
+        let sides = -(FARTHEST as i32)..=FARTHEST as i32;
+        (0..=MULTIPLES).any(|k| sides.clone().any(|side| is(f64::from(k) * self.frequency_hz, side)))
+    }
+
     /// True if the family stands out by its own lines, without those that are multiples of the fundamental of the
     /// family found or sidebands of them: 3/2 of BPFO is near BPFI and 4/3 of it near 2 BSF in many bearings.
     fn stands_out_beside(&self, found: &Self) -> bool {
-        let by = found.modulating_hz.unwrap_or(0.0);
-        let of_found = |hz: f64| {
-            let is = |multiple: f64, side: i32| (hz - multiple - f64::from(side) * by).abs() < SAME * hz;
-            let sides = -(FARTHEST as i32)..=FARTHEST as i32;
-            (0..=MULTIPLES).any(|k| sides.clone().any(|side| is(f64::from(k) * found.frequency_hz, side)))
-        };
-        let harmonics: Vec<_> = self.harmonics.iter().filter(|h| !of_found(h.frequency_hz)).copied().collect();
+        let harmonics: Vec<_> = self.harmonics.iter().filter(|h| !found.has(h.frequency_hz)).copied().collect();
         let modulation = harmonics.iter().map(|h| h.modulation.powi(2)).sum::<f64>().sqrt();
         let has_fundamental = harmonics.first().is_some_and(|h| h.order == 1);
         has_fundamental && Self { harmonics, modulation, ..self.clone() }.stands_out()
@@ -192,7 +194,16 @@ pub(super) fn of(evidence: &[Evidence], quiet: f64) -> Verdict {
     let own = |e: &&Evidence| {
         !passing().any(|other| other.fault != e.fault && e.beside(other)) && !cage.is_some_and(|cage| e.of_cage(cage))
     };
-    let highest = passing().filter(own).max_by(|a, b| a.rank().total_cmp(&b.rank()));
+    let highest =
+        |among: &dyn Fn(&Evidence) -> bool| passing().filter(|e| among(e)).max_by(|a, b| a.rank().total_cmp(&b.rank()));
+    // What would be left to a lower family that has a line of it among its first two is one of its own: 3/2 of BPFO,
+    // with the cage, is BPFI in many bearings.
+    let hides = |e: &Evidence, left: &Evidence| {
+        let of_cage = cage.is_some_and(|cage| e.of_cage(cage));
+        let shares = left.harmonics.iter().any(|h| h.order <= 2 && e.has(h.frequency_hz));
+        e.fault != left.fault && of_cage && e.rank() > left.rank() && shares
+    };
+    let highest = highest(&|e| own(&e)).map(|left| highest(&|e| hides(e, left)).unwrap_or(left));
     let found = highest.or_else(|| {
         let seen = |e: &&Evidence| e.log_chance + e.sidebands_log_chance.unwrap_or(0.0) < SURE_WITH_CAGE;
         let ball = by(Fault::Ball).filter(seen).filter(own);
@@ -255,4 +266,52 @@ pub(super) fn cage(
         .or_else(|| evidence.iter().filter(readable).max_by(|a, b| a.height_db().total_cmp(&b.height_db())))?;
     let (hz, deviation) = of(by)?;
     Some(CageSpeed { speed_rpm: 60.0 * hz, deviation_rpm: 60.0 * deviation, from: by.fault.line().to_owned() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::evidence::Harmonic;
+    use super::*;
+
+    /// A family with these heights of its harmonics, dB.
+    fn family(fault: Fault, frequency_hz: f64, modulating_hz: Option<f64>, heights: &[f64]) -> Evidence {
+        let harmonic = |(k, over_floor_db): (usize, &f64)| Harmonic {
+            order: k + 1,
+            frequency_hz: (k + 1) as f64 * frequency_hz,
+            over_floor_db: *over_floor_db,
+            modulation: 0.3,
+        };
+        Evidence {
+            fault,
+            expected_hz: frequency_hz,
+            frequency_hz,
+            deviation_hz: 0.03,
+            log_chance: -42.0,
+            modulation: 0.5,
+            harmonics: heights.iter().enumerate().map(harmonic).collect(),
+            sidebands: Vec::new(),
+            modulating_hz,
+            sidebands_log_chance: modulating_hz.map(|_| -45.0),
+            band_hz: [1000.0, 2000.0],
+            whitened: false,
+            kurtosis: 4.0,
+            height: 1.0,
+            kurtosis_of_blows: 1.0,
+            beside_db: 21.0,
+            candidate: 0,
+        }
+    }
+
+    /// The families of record 156 of the Case Western rig, an outer race that the cage modulates: BPFO is nine times
+    /// FTF, and BPFI was told by a line at 3/2 of it.
+    #[test]
+    fn regress_an_outer_race_that_the_cage_modulates_is_not_the_inner_one() {
+        let outer = family(Fault::Outer, 107.717, None, &[25.0, 24.0, 21.0, 22.0, 20.0]);
+        let inner = |hz| family(Fault::Inner, hz, Some(29.971), &[11.0, 28.0, 14.0, 25.0, 7.0]);
+        let cage = family(Fault::Cage, 11.962, None, &[22.0, 12.0, 18.0, 21.0]);
+        let told = |hz: f64| of(&[outer.clone(), inner(hz), cage.clone()], 0.0).fault;
+        assert_eq!(told(161.573), Some(Fault::Outer));
+        // With lines of its own it is the inner race: all multiples of the cage are then of what strikes once a turn.
+        assert_eq!(told(171.0), Some(Fault::Inner));
+    }
 }

@@ -1,5 +1,6 @@
 //! A question about a measured signal in the words of its asker: which bearing, at which speed.
 
+use super::bearing::deep_groove_bore;
 use super::question::other_rate;
 use super::{Analysis, SignalFile, Speed, Window, analysis, bearing_of_case, bearing_of_numbers};
 use crate::case_file::read_case;
@@ -7,7 +8,7 @@ use crate::error::StudyError;
 use std::path::{Path, PathBuf};
 use tribodyn::{AnswerError, CaseFile, Limits};
 use tribodyn_catalogue::KnownBalls;
-use tribodyn_signal::{Kinematics, Search};
+use tribodyn_signal::{Kinematics, Search, TESTER_SPEED_RPM, vibration_class};
 
 /// A signal and the questions about it.
 #[derive(Debug, Clone)]
@@ -36,6 +37,8 @@ pub struct SignalQuestion {
 
 /// Column of a recording with the speed of the shaft.
 const SPEEDS: &str = "inner_speed_rpm";
+/// Farthest relative difference of a speed from that of testers.
+const OFF_TESTER: f64 = 0.02;
 /// Relative difference of diameters up to which they are those of one bearing: listed ones are rounded.
 const SAME: f64 = 1e-3;
 
@@ -48,9 +51,12 @@ pub fn diagnosed(question: &SignalQuestion, limits: &Limits) -> Result<Analysis,
     let speed_share = share("speed-tolerance", q.speed_tolerance_percent)?;
     let search = Search { speed: speed_share, slip: share("slip", q.slip_percent)?, ..Search::default() };
     let file = SignalFile::read(&q.file, limits)?;
-    let (bearing, case_hz) = bearing(q, &file, limits)?;
-    let speed = speed(q, &file, case_hz)?;
+    let Asked { bearing, shaft_hz, deep_groove_bore } = bearing(q, &file, limits)?;
+    let speed = speed(q, &file, shaft_hz)?;
     let mut answer = analysis(&q.file, &file, (q.channel.as_deref(), q.rate_hz), q.window, &speed, &bearing, search)?;
+    let on_tester = (60.0 * answer.diagnosis.shaft.frequency_hz / TESTER_SPEED_RPM - 1.0).abs() <= OFF_TESTER;
+    let bore = deep_groove_bore.filter(|_| on_tester);
+    answer.velocity_class = bore.and_then(|bore| vibration_class(bore, &answer.velocity_bands));
     let of_recording = file.warnings.iter().map(|warning| format!("in the recorded run: {warning}"));
     answer.diagnosis.warnings.extend(of_recording);
     answer.diagnosis.warnings.extend(q.rate_hz.and_then(|rate| other_rate(&file, rate)));
@@ -101,28 +107,48 @@ fn share(name: &'static str, percent: f64) -> Result<f64, StudyError> {
     Err(StudyError::argument(name, percent, "allowed is 0 to 20 %"))
 }
 
-/// The bearing, and the speed of the shaft that its case has, Hz.
-fn bearing(q: &SignalQuestion, file: &SignalFile, limits: &Limits) -> Result<(Kinematics, Option<f64>), StudyError> {
+/// The bearing of a question.
+struct Asked {
+    bearing: Kinematics,
+    /// Speed of the shaft that its case has, Hz.
+    shaft_hz: Option<f64>,
+    /// Bore of a deep groove bearing, m, where it is known.
+    deep_groove_bore: Option<f64>,
+}
+
+impl Asked {
+    fn of_case(file: &CaseFile) -> Result<Self, StudyError> {
+        let (bearing, shaft_hz) = bearing_of_case(file)?;
+        Ok(Self { bearing, shaft_hz, deep_groove_bore: deep_groove_bore(file) })
+    }
+}
+
+fn bearing(q: &SignalQuestion, file: &SignalFile, limits: &Limits) -> Result<Asked, StudyError> {
     let Some(name) = &q.bearing else {
         let Some(text) = &file.case_text else {
             let message =
                 "it is missing: the file says no bearing; give a case file, a designation or balls,ball mm,pitch mm";
             return Err(StudyError::argument("bearing", "", message));
         };
-        return bearing_of_case(&CaseFile::from_text(&q.file.display().to_string(), text.clone(), &[], limits)?);
+        return Asked::of_case(&CaseFile::from_text(&q.file.display().to_string(), text.clone(), &[], limits)?);
     };
     if let Some(bearing) = bearing_of_numbers(name) {
         bearing.per_turn().map_err(|error| StudyError::argument("bearing", name, error.to_string()))?;
-        return Ok((bearing, None));
+        return Ok(Asked { bearing, shaft_hz: None, deep_groove_bore: None });
+    }
+    if name.contains(',') && name.split(',').all(|part| part.trim().parse::<f64>().is_ok()) {
+        let allowed = "numbers are those of balls, ball diameter in mm, pitch diameter in mm and, where it is not 0, \
+                       contact angle in degrees, such as 9,7.94,39.04";
+        return Err(StudyError::argument("bearing", name, allowed));
     }
     let path = Path::new(name);
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ron")) || path.is_file() {
-        return bearing_of_case(&read_case(path, &[], limits)?);
+        return Asked::of_case(&read_case(path, &[], limits)?);
     }
     let listed = tribodyn_catalogue::find(name, q.angle_deg).map_err(AnswerError::from)?;
     let known = KnownBalls { published: listed.balls, ..KnownBalls::default() };
     let balls = listed.envelope.ball_set(known, listed.ratings).map_err(AnswerError::from)?;
-    let kinematics = Kinematics {
+    let bearing = Kinematics {
         ball_count: balls.ball_count,
         ball_diameter_m: balls.ball_diameter,
         pitch_diameter_m: balls.pitch_diameter,
@@ -130,7 +156,8 @@ fn bearing(q: &SignalQuestion, file: &SignalFile, limits: &Limits) -> Result<(Ki
         inner_turns: 1.0,
         outer_turns: 0.0,
     };
-    Ok((kinematics, None))
+    let is_deep_groove = listed.envelope.contact_angle == 0.0;
+    Ok(Asked { bearing, shaft_hz: None, deep_groove_bore: is_deep_groove.then_some(listed.envelope.bore) })
 }
 
 /// The speed that is asked for, or that of a recording, or that of the case.

@@ -3,6 +3,7 @@
 use crate::error::StudyError;
 use std::f64::consts::TAU;
 use tribodyn::CaseFile;
+use tribodyn_case::Fit;
 use tribodyn_signal::Kinematics;
 
 /// The bearing of a case with the speeds of its rings; the shaft's speed, Hz, beside it: that of the inner ring, or of
@@ -29,6 +30,12 @@ pub fn bearing_of_case(file: &CaseFile) -> Result<(Kinematics, Option<f64>), Stu
         outer_turns,
     };
     Ok((kinematics, (shaft != 0.0).then_some(shaft.abs() / TAU)))
+}
+
+/// Bore of a case's bearing, m, where it is a deep groove one and the case says it.
+pub(super) fn deep_groove_bore(file: &CaseFile) -> Option<f64> {
+    let is_deep_groove = matches!(file.case.geometry.fit, Fit::RadialClearance(_));
+    file.case.rating.filter(|_| is_deep_groove)?.bore
 }
 
 /// A bearing from numbers: balls, ball diameter in mm, pitch diameter in mm and, where it is not 0, contact angle in

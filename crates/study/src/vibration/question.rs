@@ -6,8 +6,8 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 use std::path::Path;
 use tribodyn_signal::{
-    BandVelocity, Diagnosis, Kinematics, Search, Shaft, SignalError, Statistics, TESTER_BANDS_HZ, band_velocities,
-    diagnose, speed_by_pulses,
+    BandVelocity, Diagnosis, Kinematics, Search, Shaft, SignalError, Statistics, TESTER_BANDS_HZ, VibrationClass,
+    band_velocities, diagnose, speed_by_pulses,
 };
 
 /// Where the speed of the shaft is known from.
@@ -46,6 +46,8 @@ pub struct Analysis {
     pub statistics: Statistics,
     /// Velocities in the bands of bearing testers: of a column of accelerations, whose name ends in `_m_s2`.
     pub velocity_bands: Vec<BandVelocity>,
+    /// Quality class by them, of a deep groove bearing with a known bore that turns as on a tester.
+    pub velocity_class: Option<VibrationClass>,
     /// The bearing.
     pub bearing: Kinematics,
     /// What the signal says of it.
@@ -136,6 +138,7 @@ pub fn analysis(
         duration_s: samples.len() as f64 / rate_hz,
         statistics: Statistics::of(samples)?,
         velocity_bands: if in_m_s2 { band_velocities(samples, rate_hz, &TESTER_BANDS_HZ)? } else { Vec::new() },
+        velocity_class: None,
         bearing: *bearing,
         diagnosis,
         samples: samples.to_vec(),

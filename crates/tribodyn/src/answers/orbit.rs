@@ -159,6 +159,8 @@ struct Printed<'a> {
     ball_mass_factor: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pocket_stiffness_share: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    raised_contact_damping: Option<f64>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     sensitivities: &'a [Sensitivity],
     points: Vec<Fields<'a>>,
@@ -184,6 +186,7 @@ impl Serialize for OrbitAnswer {
             swing_damping: orbit.swing_damping,
             ball_mass_factor: orbit.ball_mass_factor,
             pocket_stiffness_share: orbit.pocket_stiffness_share,
+            raised_contact_damping: orbit.raised_contact_damping,
             sensitivities: &self.sensitivities,
             points: orbit.points.iter().map(Fields).collect(),
         };
