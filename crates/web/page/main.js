@@ -138,8 +138,9 @@ function idle() {
   $("progress").textContent = "";
 }
 
-// The model with friction in a worker of its own, with a sign of life and an end.
-async function friction(ask, question, turn) {
+// The model with friction in a worker of its own, with a sign of life and an end. Where an equilibrium leaves open how
+// balls without load move, the orbit follows unasked; what the equilibrium says of itself is shown if none is found.
+async function friction(ask, question, turn, unasked = ask === "full", before = null) {
   const begun = performance.now(), orbit = ask === "orbit" || answer.usual_model === "steady-orbit";
   const what = orbit ? "steady orbit of balls and cage" : answer.usual_model === "traction" ? "equilibrium with traction, films" : "equilibrium";
   stage = "";
@@ -147,7 +148,7 @@ async function friction(ask, question, turn) {
   const tick = () => {
     const seconds = (performance.now() - begun) / 1e3;
     $("progress").textContent = `${what}: ${seconds.toFixed(0)} s${stage ? `, ${stage}` : ""}`;
-    if (ask === "full" && seconds > PATIENCE_S) { late = true; slow.stop(); }
+    if (unasked && seconds > PATIENCE_S) { late = true; slow.stop(); }
   };
   tick();
   clock = setInterval(tick, 250);
@@ -157,14 +158,19 @@ async function friction(ask, question, turn) {
   if (turn !== latest) return;
   idle();
   $("orbit").hidden = orbit && found !== null && !found.error;
-  document.documentElement.dataset.full = turn;
+  if (before && (!found || found.error)) show.sentences($("full-warnings"), parts(before));
+  const follows = !orbit && found?.solution?.implausible?.includes("idle balls");
+  if (!follows) document.documentElement.dataset.full = turn;
   if (!found) { $("progress").textContent = late ? `${what}: ended after ${PATIENCE_S} s without an answer` : `${what}: stopped`; return; }
   if (found.error) { $("progress").textContent = found.error; return; }
   $("progress").textContent = `${what}: ${short(found.ms / 1e3, 2)} s`;
   show.friction($("full"), found);
-  show.sentences($("full-warnings"), [found.solution, found.films, found.torque]);
   balls(found.solution);
+  if (follows) { friction("orbit", question, turn, true, found); return; }
+  show.sentences($("full-warnings"), parts(found));
 }
+
+const parts = found => [found.solution, found.films, found.torque];
 
 // The form in the address: fields that differ from the defaults.
 function remember() {
