@@ -1,6 +1,7 @@
 //! The orbit by the balance of the cage alone. In oil, balls without load lag behind and brake the cage, until it is so
 //! slow that balls under load reach the fronts of their pockets and drive it: its torque over its speed bends there so
-//! sharply that Newton's method on both at once goes to and fro. With the cage held at a speed, ball and ring have no
+//! sharply that Newton's method on both at once goes to and fro. So it does in wide pockets of dry bearings, which balls
+//! reach only once the fluid has braked the cage. With the cage held at a speed, ball and ring have no
 //! such bend, and a root of one variable is found by brackets.
 
 use crate::collocation::Orbit;
@@ -10,12 +11,17 @@ use crate::settings::OrbitSettings;
 use crate::shooting::{CLOSE_BY, FAR, ROUNDS};
 use tribodyn_traction::FastPatch;
 
-/// First change of the cage's speed over it, with cheap patches and once these have shown where the balance is, by how
-/// much changes grow until the torque has another sign, and the largest.
+/// First change of the cage's speed over it, with cheap patches and once these have shown where the balance is.
 const FIRST: f64 = 2e-4;
 const AGAIN: f64 = 2e-5;
+/// By how much changes grow until the torque has another sign and shrink where no turn closes, the largest and the
+/// least.
 const GROWS: f64 = 2.5;
+const SHRINKS: f64 = 0.4;
 const LARGEST: f64 = 0.1;
+const LEAST: f64 = 1e-5;
+/// Change of them all: a cage that is braked nearly stands.
+const FARTHEST: f64 = 0.97;
 /// Speeds that are tried within a bracket.
 const TRIES: usize = 24;
 /// Part of a bracket that is left at its ends.
@@ -76,15 +82,19 @@ fn weighed(newton: &mut Newton<'_>, near: &Orbit, (allowed, first): (f64, f64)) 
 fn bracket(newton: &mut Newton<'_>, begun: Held, (allowed, first): (f64, f64)) -> Option<[Held; 2]> {
     let speed = begun.orbit.cage_speed;
     // A torque along its motion makes it faster.
-    let direction = begun.torque.signum();
-    let (mut last, mut change) = (begun, first);
-    while change < LARGEST {
-        let next = held(newton, &last.orbit, (speed + direction * change * speed.abs(), allowed))?;
+    let direction = begun.torque.signum() * speed.abs();
+    let (mut last, mut gone, mut change) = (begun, 0.0, first);
+    while gone < FARTHEST && change >= LEAST {
+        let Some(next) = held(newton, &last.orbit, (speed + direction * (gone + change), allowed)) else {
+            change *= SHRINKS;
+            continue;
+        };
         if next.torque * last.torque <= 0.0 {
             return Some([last, next]);
         }
+        gone += change;
         last = next;
-        change *= GROWS;
+        change = (change * GROWS).min(LARGEST);
     }
     None
 }

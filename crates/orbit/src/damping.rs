@@ -147,7 +147,7 @@ fn followed_down(
 
 /// An orbit with the damping that the system has now, from one with a little more.
 fn nearby(newton: &mut Newton<'_>, near: Orbit, settings: &OrbitSettings) -> Option<Found> {
-    let settling = [newton.system.settling / near.cage_speed.abs()];
+    let settling = [newton.system.settling / newton.system.pace(near.cage_speed)];
     let goal = (settings.tolerance, PATIENCE);
     let same_mesh = newton.met(near.clone(), goal).map(|met| newton.halved(met, settings.mesh_error, goal));
     same_mesh.or_else(|| damped(newton, &near, settings, (&settling, HASTE / 2)).ok())

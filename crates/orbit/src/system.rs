@@ -9,6 +9,8 @@ use tribodyn_traction::{FastPatch, PatchTraction};
 
 /// Freedoms of the inner ring.
 pub(crate) const RING: usize = 5;
+/// Least speed of a cage over that of the inner ring where the outer one stands: usual are 0.35 to 0.45.
+const OF_RINGS: f64 = 0.3;
 /// Unknowns of a ball: position X1, X2 against the unmoved outer groove centre (m), lead over its pocket (rad), axial
 /// and radial velocity (m/s), orbital speed and absolute angular velocity (axial, radial, tangential) (rad/s).
 pub(crate) const BALL: usize = 9;
@@ -130,6 +132,12 @@ impl OrbitSystem<'_> {
             cage_speed,
         };
         self.cage.pocket.load(&motion)
+    }
+
+    /// Speed of a cage, or where the rings turn against each other and it hardly moves, of one whose outer ring stood,
+    /// rad/s.
+    pub fn pace(&self, cage_speed: f64) -> f64 {
+        cage_speed.abs().max(OF_RINGS * (self.speeds.inner - self.speeds.outer).abs())
     }
 
     /// Azimuth of a pocket after a share of a turn, rad.

@@ -164,11 +164,14 @@ async function friction(ask, question, turn, unasked = ask === "full", before = 
   if (!found) { $("progress").textContent = late ? `${what}: ended after ${PATIENCE_S} s without an answer` : `${what}: stopped`; return; }
   if (found.error) { $("progress").textContent = found.error; return; }
   $("progress").textContent = `${what}: ${short(found.ms / 1e3, 2)} s`;
-  show.friction($("full"), found);
+  show.friction($("full"), before ? { ...compared(before), ...found } : found);
   balls(found.solution);
   if (follows) { friction("orbit", question, turn, true, found); return; }
   show.sentences($("full-warnings"), parts(found));
 }
+
+// Films of the balls that carry and what other formulas say, which an orbit leaves out.
+const compared = ({ films, torque }) => ({ films, torque: torque && { skf_torque_nm: torque.skf_torque_nm, palmgren_torque_nm: torque.palmgren_torque_nm } });
 
 const parts = found => [found.solution, found.films, found.torque];
 

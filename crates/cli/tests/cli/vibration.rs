@@ -63,3 +63,34 @@ fn limit_velocities_are_those_of_accelerations() {
     assert_eq!((found[1]["low_hz"].as_f64(), found[1]["high_hz"].as_f64()), (Some(300.0), Some(1800.0)));
     assert!(found[1]["peak_m_s"].as_f64() > found[1]["rms_m_s"].as_f64(), "{found:?}");
 }
+
+/// A 6206 of class V2 by its middle band: of deep groove bearings at the speed of testers alone.
+#[test]
+fn limit_a_bearing_on_a_tester_has_a_class() {
+    let scratch = Scratch::new();
+    let rate = 25_600.0;
+    let tone = |micrometres_s: f64, hz: f64, t: f64| {
+        let omega = TAU * hz;
+        1e-6 * micrometres_s * 2f64.sqrt() * omega * (omega * t).sin()
+    };
+    let sample = |n: usize| {
+        let t = n as f64 / rate;
+        tone(67.0, 120.0, t) + tone(102.0, 900.0, t) + tone(30.0, 4000.0, t)
+    };
+    let text: String = (0..20_480).map(|n| format!("{}\n", sample(n))).collect();
+    let file = scratch.file("tester.csv", format!("a_m_s2\n{text}")).display().to_string();
+    let class = |bearing: &str, speed: f64| {
+        let command = format!("vibration {file} --rate {rate} --bearing {bearing} --speed {speed}");
+        run_words(&format!("{command} --json")).json()["velocity_class"].clone()
+    };
+    let found = class("6206", 1800.0);
+    assert_eq!(found["name"], "V2");
+    assert_eq!(found["limits_m_s"].as_array().unwrap().len(), 3);
+    // 102 µm/s are more than V3 allows a bore of 25 mm, and V2.
+    assert_eq!(class("6205", 1800.0)["name"], "V1");
+    for (bearing, speed) in [("6206", 3000.0), ("7206B", 1800.0), ("9,9.525,46", 1800.0)] {
+        assert!(class(bearing, speed).is_null(), "{bearing} at {speed}");
+    }
+    run_words(&format!("vibration {file} --rate {rate} --bearing 9,9.525 --speed 1800"))
+        .fails(2, &["--bearing 9,9.525", "such as 9,7.94,39.04"]);
+}
