@@ -1,8 +1,8 @@
 //! The orbit by the balance of the cage alone. In oil, balls without load lag behind and brake the cage, until it is so
 //! slow that balls under load reach the fronts of their pockets and drive it: its torque over its speed bends there so
-//! sharply that Newton's method on both at once goes to and fro. So it does in wide pockets of dry bearings, which balls
-//! reach only once the fluid has braked the cage. With the cage held at a speed, ball and ring have no
-//! such bend, and a root of one variable is found by brackets.
+//! sharply that Newton's method on both at once goes to and fro. So it does in wide pockets of dry bearings, which
+//! balls reach only once the fluid has braked the cage. With the cage held at a speed, ball and ring have no such bend,
+//! and a root of one variable is found by brackets.
 
 use crate::collocation::Orbit;
 use crate::newton::Newton;

@@ -19,8 +19,8 @@
 //!
 //! Contacts that are damped more came later, for three of five bearings of another 500 (seed 88121) that had no orbit,
 //! and torques on a held cage in dry bearings, after the patient attempts, for one of four (seed 91733). Where rings
-//! turn against each other and the cage hardly moves, damping goes by the rings (seed 60923, two of two). Cages that are
-//! released from slower rings, and rings tilted less, gave nothing in 304 and in 500 bearings and are not tried any
+//! turn against each other and the cage hardly moves, damping goes by the rings (seed 60923, two of four). Cages that
+//! are released from slower rings, and rings tilted less, gave nothing in 304 and in 500 bearings and are not tried any
 //! more.
 //!
 //! Those two balanced cages are found all at once, too, in a third of the time, so that this goes before. Of others,

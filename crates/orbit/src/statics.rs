@@ -69,9 +69,8 @@ fn at_rest(
     };
     let mut means = Means::default();
     let at = |(index, ball): (usize, &tribodyn_quasistatic::BallMotion)| {
-        let ([x1, x2], azimuth) = (ball.position, bearing.azimuth(index));
-        let mut y = [0.0; BALL];
-        y[..2].copy_from_slice(&[x1, x2]);
+        let (azimuth, mut y) = (bearing.azimuth(index), [0.0; BALL]);
+        y[..2].copy_from_slice(&ball.position);
         let e = system.value(azimuth, &y, 0.0, start.ring);
         means.add(&e, 1.0);
         ball_result(&system, azimuth, &y, &e)

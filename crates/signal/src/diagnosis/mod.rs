@@ -173,9 +173,7 @@ pub fn diagnose(
     let is_short = turns < evidence::SEGMENT_TURNS;
     let of = |e: &Evidence| hidden(e, (speed.frequency_hz, is_short), seen.spacing_hz(e.candidate));
     warnings.extend(evidence.iter().filter_map(of));
-    warnings.extend((!speed.measured).then(|| {
-        "no line of the shaft stands out near the speed given: the sampling rate or the speed may be wrong".to_owned()
-    }));
+    warnings.extend((!speed.measured).then(|| shaft::NOT_FOUND.to_owned()));
     let verdict = verdict::of(&evidence, search.quiet * speed.frequency_hz);
     let cage = verdict::cage(&evidence, &verdict, bearing, &speed);
     let shown =

@@ -17,6 +17,10 @@ pub struct ShaftSpeed {
     pub measured: bool,
 }
 
+/// A warning where the signal does not show the speed.
+pub(super) const NOT_FOUND: &str =
+    "no line of the shaft stands out near the speed given: the sampling rate or the speed may be wrong";
+
 /// The given speed, Hz.
 pub(super) fn given_hz(shaft: Shaft, samples: usize) -> Result<f64, SignalError> {
     let hz = match shaft {
