@@ -14,9 +14,9 @@ const SLIDING: [f64; 7] = [0.7, 0.5, 0.35, 0.25, 0.15, 0.08, 0.03];
 /// Places at which balls are sent round where all else fails.
 const SOFTEST: [f64; 2] = [0.25, 0.0];
 
-/// Damping ratios of contacts on which balls without load do not bounce. What they add to the loads of balls that
-/// follow their orbit is the ratio times twice the speed of the cage over the frequency of a contact.
-const DAMPED: [f64; 2] = [1.0, 10.0];
+/// Damping ratio of contacts on which balls without load do not bounce. What it adds to the loads of balls that follow
+/// their orbit is twice that times the speed of the cage over the frequency of a contact.
+const DAMPED: f64 = 1.0;
 
 /// An orbit where a search from the balls that would roll ended with an error.
 pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedOrbit> {
@@ -37,18 +37,15 @@ pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedO
 /// The orbit with contacts on which balls do not bounce, searched for as that of the bearing itself.
 pub(crate) fn damped_more(problem: Problem<'_>) -> Option<SolvedOrbit> {
     problem.point.watch.stage("contacts that are damped more", None);
-    let with = |&contact_damping: &f64| {
-        let bearing = &Eased { contact_damping, ..Eased::NONE }.of(problem.bearing);
-        let problem = Problem { bearing, ..problem };
-        let mut solved = match rolled(problem, bearing) {
-            Err(error @ OrbitError::NotConverged { .. }) => detour(problem, &error)?,
-            other => other.ok()?,
-        };
-        solved.solution.raised_contact_damping = Some(contact_damping);
-        solved.start.iter_mut().for_each(|start| start.eased.contact_damping = contact_damping);
-        Some(solved)
+    let bearing = &Eased { contact_damping: DAMPED, ..Eased::NONE }.of(problem.bearing);
+    let problem = Problem { bearing, ..problem };
+    let mut solved = match rolled(problem, bearing) {
+        Err(error @ OrbitError::NotConverged { .. }) => detour(problem, &error)?,
+        other => other.ok()?,
     };
-    DAMPED.iter().find_map(with)
+    solved.solution.raised_contact_damping = Some(DAMPED);
+    solved.start.iter_mut().for_each(|start| start.eased.contact_damping = DAMPED);
+    Some(solved)
 }
 
 /// The orbit in pockets so soft that they hardly do more than take idle balls along, where there is none in stiffer
