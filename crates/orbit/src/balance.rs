@@ -14,8 +14,8 @@ use tribodyn_traction::FastPatch;
 /// First change of the cage's speed over it, with cheap patches and once these have shown where the balance is.
 const FIRST: f64 = 2e-4;
 const AGAIN: f64 = 2e-5;
-/// By how much the change of them all grows until the torque has another sign, and one shrinks where no turn closes, the
-/// largest and the least one.
+/// By how much the change of them all grows until the torque has another sign, and one shrinks where no turn closes,
+/// the largest and the least one.
 const GROWS: f64 = 2.5;
 const SHRINKS: f64 = 0.4;
 const LARGEST: f64 = 0.1;
