@@ -129,7 +129,7 @@ fn judge(
     for sensor in ["ring", "housing"] {
         for (k, quiet) in [QUIET, 0.0].into_iter().enumerate() {
             let (from, search) = ((Some(sensor), Some(RATE_HZ)), Search { quiet, ..Search::default() });
-            let found = analysis(path, &signals, from, Window::default(), &speed, bearing, search);
+            let found = analysis(path, &signals, from, Window::default(), &speed, (bearing, None), search);
             let verdict = match found.map_err(|e| failed(&e))?.diagnosis.verdict.fault {
                 None => 0,
                 Some(Fault::Outer) => 1,

@@ -100,6 +100,11 @@ impl SteadyOrbit {
         }
     }
 
+    /// True if balls are damped, pockets softer or contacts damped more than the case's, for want of another orbit.
+    pub fn is_eased(&self) -> bool {
+        [self.swing_damping, self.pocket_stiffness_share, self.raised_contact_damping].iter().any(Option::is_some)
+    }
+
     /// Sentences on what is unusual about it.
     pub fn warnings(&self) -> Vec<String> {
         if self.undriven {

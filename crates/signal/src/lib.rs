@@ -32,7 +32,7 @@ pub use harmonics::{HarmonicFamily, HarmonicLine};
 pub use key_phase::speed_by_pulses;
 pub use order::{AngleSamples, OrderPeak, OrderSpectrum, order_spectrum, resample_by_angle};
 pub use period::{Period, period};
-pub use quality::{TESTER_SPEED_RPM, VibrationClass, vibration_class};
+pub use quality::{VibrationClass, vibration_class};
 pub use settling::{Settling, SettlingRule, settling};
 pub use spectrogram::{Spectrogram, spectrogram};
 pub use spectrum::{Peak, Spectrum};

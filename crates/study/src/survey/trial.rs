@@ -89,8 +89,7 @@ fn orbit(case: &Case) -> Result<bool, Verdict> {
     let solved = steady_orbit(&bearing, &point, &cage, &settings);
     let solution = solved.map_err(|error| Verdict::Explained(error.to_string()))?.solution;
     finite(&solution.as_solution(&solution.balls, speeds))?;
-    let eased = [solution.swing_damping, solution.pocket_stiffness_share, solution.raised_contact_damping];
-    Ok(eased.iter().any(Option::is_some))
+    Ok(solution.is_eased())
 }
 
 /// A number of a solution that is not finite is `null` in JSON.

@@ -164,8 +164,7 @@ pub fn solve_chunks<T: Send>(
 
 /// Whether an orbit's balls and pockets are those of the case, none damped, heavier or softer.
 fn is_of_the_case(orbit: &SteadyOrbit) -> bool {
-    let eased = [orbit.ball_mass_factor, orbit.pocket_stiffness_share, orbit.raised_contact_damping];
-    orbit.swing_damping.is_none() && eased.iter().all(Option::is_none)
+    !orbit.is_eased() && orbit.ball_mass_factor.is_none()
 }
 
 /// True if all balls are loaded and roll. But for orbits in oil, only then does a neighbour lead to the same solution

@@ -1,6 +1,6 @@
 //! A question about a measured signal in the words of its asker: which bearing, at which speed.
 
-use super::bearing::deep_groove_bore;
+use super::bearing::{deep_groove_bore, numbers};
 use super::question::other_rate;
 use super::{Analysis, SignalFile, Speed, Window, analysis, bearing_of_case, bearing_of_numbers};
 use crate::case_file::read_case;
@@ -8,7 +8,7 @@ use crate::error::StudyError;
 use std::path::{Path, PathBuf};
 use tribodyn::{AnswerError, CaseFile, Limits};
 use tribodyn_catalogue::KnownBalls;
-use tribodyn_signal::{Kinematics, Search, TESTER_SPEED_RPM, vibration_class};
+use tribodyn_signal::{Kinematics, Search};
 
 /// A signal and the questions about it.
 #[derive(Debug, Clone)]
@@ -37,8 +37,6 @@ pub struct SignalQuestion {
 
 /// Column of a recording with the speed of the shaft.
 const SPEEDS: &str = "inner_speed_rpm";
-/// Farthest relative difference of a speed from that of testers.
-const OFF_TESTER: f64 = 0.02;
 /// Relative difference of diameters up to which they are those of one bearing: listed ones are rounded.
 const SAME: f64 = 1e-3;
 
@@ -53,10 +51,8 @@ pub fn diagnosed(question: &SignalQuestion, limits: &Limits) -> Result<Analysis,
     let file = SignalFile::read(&q.file, limits)?;
     let Asked { bearing, shaft_hz, deep_groove_bore } = bearing(q, &file, limits)?;
     let speed = speed(q, &file, shaft_hz)?;
-    let mut answer = analysis(&q.file, &file, (q.channel.as_deref(), q.rate_hz), q.window, &speed, &bearing, search)?;
-    let on_tester = (60.0 * answer.diagnosis.shaft.frequency_hz / TESTER_SPEED_RPM - 1.0).abs() <= OFF_TESTER;
-    let bore = deep_groove_bore.filter(|_| on_tester);
-    answer.velocity_class = bore.and_then(|bore| vibration_class(bore, &answer.velocity_bands));
+    let (from, of) = ((q.channel.as_deref(), q.rate_hz), (&bearing, deep_groove_bore));
+    let mut answer = analysis(&q.file, &file, from, q.window, &speed, of, search)?;
     let of_recording = file.warnings.iter().map(|warning| format!("in the recorded run: {warning}"));
     answer.diagnosis.warnings.extend(of_recording);
     answer.diagnosis.warnings.extend(q.rate_hz.and_then(|rate| other_rate(&file, rate)));
@@ -123,6 +119,7 @@ impl Asked {
     }
 }
 
+/// The bearing that is asked for, or that of a recording.
 fn bearing(q: &SignalQuestion, file: &SignalFile, limits: &Limits) -> Result<Asked, StudyError> {
     let Some(name) = &q.bearing else {
         let Some(text) = &file.case_text else {
@@ -136,7 +133,7 @@ fn bearing(q: &SignalQuestion, file: &SignalFile, limits: &Limits) -> Result<Ask
         bearing.per_turn().map_err(|error| StudyError::argument("bearing", name, error.to_string()))?;
         return Ok(Asked { bearing, shaft_hz: None, deep_groove_bore: None });
     }
-    if name.contains(',') && name.split(',').all(|part| part.trim().parse::<f64>().is_ok()) {
+    if numbers(name).is_some_and(|numbers| numbers.len() > 1) {
         let allowed = "numbers are those of balls, ball diameter in mm, pitch diameter in mm and, where it is not 0, \
                        contact angle in degrees, such as 9,7.94,39.04";
         return Err(StudyError::argument("bearing", name, allowed));

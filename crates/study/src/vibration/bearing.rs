@@ -38,11 +38,15 @@ pub(super) fn deep_groove_bore(file: &CaseFile) -> Option<f64> {
     file.case.rating.filter(|_| is_deep_groove)?.bore
 }
 
+/// Numbers between commas.
+pub(super) fn numbers(text: &str) -> Option<Vec<f64>> {
+    text.split(',').map(|part| part.trim().parse().ok()).collect()
+}
+
 /// A bearing from numbers: balls, ball diameter in mm, pitch diameter in mm and, where it is not 0, contact angle in
 /// degrees, as in `9,7.94,39.04`. Its inner ring turns with the shaft.
 pub fn bearing_of_numbers(text: &str) -> Option<Kinematics> {
-    let numbers: Vec<f64> = text.split(',').map(|part| part.trim().parse().ok()).collect::<Option<_>>()?;
-    let (count, ball, pitch, angle) = match numbers[..] {
+    let (count, ball, pitch, angle) = match numbers(text)?[..] {
         [count, ball, pitch] => (count, ball, pitch, 0.0f64),
         [count, ball, pitch, angle] => (count, ball, pitch, angle),
         _ => return None,

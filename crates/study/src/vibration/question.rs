@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 use tribodyn_signal::{
     BandVelocity, Diagnosis, Kinematics, Search, Shaft, SignalError, Statistics, TESTER_BANDS_HZ, VibrationClass,
-    band_velocities, diagnose, speed_by_pulses,
+    band_velocities, diagnose, speed_by_pulses, vibration_class,
 };
 
 /// Where the speed of the shaft is known from.
@@ -83,7 +83,7 @@ const SHORTEST: usize = 64;
 /// clearance they have up to 2 m/s².
 pub const QUIET: f64 = 0.1;
 
-/// Evaluates a signal of a file.
+/// Evaluates a signal of a file. The bore, m, of a deep groove bearing gives its class, where it is known.
 ///
 /// # Errors
 /// A column that is missing, a rate or a part that is not possible, what [`diagnose`] refuses.
@@ -93,7 +93,7 @@ pub fn analysis(
     (channel, rate_hz): (Option<&str>, Option<f64>),
     window: Window,
     speed: &Speed,
-    bearing: &Kinematics,
+    (bearing, deep_groove_bore): (&Kinematics, Option<f64>),
     search: Search,
 ) -> Result<Analysis, StudyError> {
     let column = signal(path, file, channel, speed)?;
@@ -131,14 +131,16 @@ pub fn analysis(
     let is_recording = in_m_s2 && file.case_text.is_some();
     let search = Search { quiet: if is_recording { QUIET } else { search.quiet }, ..search };
     let diagnosis = diagnose(samples, rate_hz, shaft, bearing, search).map_err(refused)?;
+    let velocity_bands = if in_m_s2 { band_velocities(samples, rate_hz, &TESTER_BANDS_HZ)? } else { Vec::new() };
+    let class = |bore| vibration_class(bore, diagnosis.shaft.frequency_hz, &velocity_bands);
     Ok(Analysis {
         channel: column.name.clone(),
         rate_hz,
         from_s: from as f64 / rate_hz,
         duration_s: samples.len() as f64 / rate_hz,
         statistics: Statistics::of(samples)?,
-        velocity_bands: if in_m_s2 { band_velocities(samples, rate_hz, &TESTER_BANDS_HZ)? } else { Vec::new() },
-        velocity_class: None,
+        velocity_class: deep_groove_bore.and_then(class),
+        velocity_bands,
         bearing: *bearing,
         diagnosis,
         samples: samples.to_vec(),

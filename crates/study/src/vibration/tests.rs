@@ -140,7 +140,7 @@ fn limit_questions_that_cannot_be_answered_say_what_is_missing() {
     let file = read(&path).unwrap();
     let bearing = bearing_of_numbers("9,7.94,39.04").unwrap();
     let ask = |channel, rate, window, speed: &Speed| {
-        let answer = analysis(&path, &file, (channel, rate), window, speed, &bearing, Search::default());
+        let answer = analysis(&path, &file, (channel, rate), window, speed, (&bearing, None), Search::default());
         answer.unwrap_err().to_string()
     };
     let near = Speed::Near(30.0);
