@@ -4,18 +4,25 @@ use crate::layout::{AXIAL, AZIMUTH, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::start::{Started, start};
 use crate::stepping_test::{Scheme, run};
-use std::sync::Arc;
 use tribodyn_bearing::{AzimuthFrame, Races, RingOffset, Translation};
 use tribodyn_case::{Case, set_value};
-use tribodyn_traction::{Conditions, CustomLaw, Law, OverSlip};
+use tribodyn_traction::{Conditions, CurveNumber, CustomCurve, CustomLaw, Law, OverSlip};
 
 /// No friction at any slip.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 struct Frictionless;
 
 impl CustomLaw for Frictionless {
-    fn over_slip(&self, _: f64, _: &Conditions) -> OverSlip {
-        OverSlip { value: 0.0, by_slip: 0.0, by_pressure: 0.0, by_entrainment: 0.0 }
+    type Curve = Self;
+    fn under(&self, _: &Conditions) -> Self {
+        *self
+    }
+}
+
+impl CustomCurve for Frictionless {
+    fn over_slip<N: CurveNumber>(&self, slip: N) -> OverSlip<N> {
+        let none = slip.constant(0.0);
+        OverSlip { value: none, slope: none, by_pressure: none, by_entrainment: None }
     }
 }
 
@@ -35,7 +42,7 @@ fn free(case: &str, friction: bool) -> (Machine, Vec<f64>) {
     machine.cage.guidance = None;
     if !friction {
         let tribology = machine.bearing.tribology.as_mut().unwrap();
-        tribology.laws = Races::from_fn(|_| Law::Custom(Arc::new(Frictionless)));
+        tribology.laws = Races::from_fn(|_| Law::custom(Frictionless));
         tribology.bare_law = None;
     }
     machine.loads[0] = Translation::Force(0.0);

@@ -9,9 +9,7 @@ use tribodyn_bearing::{
     AzimuthFrame, Bearing, CageBody, CoatingState, FreeCage, LoadedPatch, Races, RingOffset, RunInputs, Side,
     SpeedHistory, Tilt, Translation,
 };
-use tribodyn_traction::{
-    FastPatch, FilmContact, Law, PatchDerivative, PatchRule, PatchTraction, PressureChoice, Quadrature, TractionLaw,
-};
+use tribodyn_traction::{FastPatch, PatchDerivative, PatchRule, PatchTraction, Quadrature};
 use tribodyn_wear::{Defect, Raceway, SpallPath};
 
 /// A bearing with its cage, supports, loads and drives.
@@ -71,44 +69,15 @@ impl Kernel {
 
     /// Whether [`Self::derivative`] has something to say of this bearing.
     pub fn has_derivative(&self, bearing: &Bearing) -> bool {
-        // Any pressure: a law is of that kind or is not.
-        const PRESSURE: f64 = 2e9;
-        let Some(tribology) = &bearing.tribology else { return false };
-        let curve = |side| tribology.laws[side].kragelskii_slope(PRESSURE).is_some();
-        if Side::BOTH.into_iter().all(|side| tribology.laws[side].film().is_some()) {
-            return matches!(self, Self::Fast(_));
-        }
-        matches!(self, Self::Fast(_))
-            && tribology.pressure_choice == PressureChoice::Peak
-            && curve(Side::Inner)
-            && curve(Side::Outer)
+        matches!(self, Self::Fast(_)) && bearing.has_patch_derivative()
     }
 
-    /// Traction with its derivatives by motion and load, of coating and bare steel by their shares; none for laws
-    /// that are neither a Kragelskii curve nor a film.
+    /// Traction with its derivatives by motion and load, of coating and bare steel by their shares; none where the
+    /// generic quadrature has to be taken.
     pub fn derivative(&self, p: &LoadedPatch<'_, f64>) -> Option<PatchDerivative> {
-        let Self::Fast(fast) = self else { return None };
-        let tribology = p.tribology?;
-        if let Some(film) = tribology.laws[p.side].film() {
-            let contact = FilmContact { patch: p.patch, motion: p.motion, rolling_speed: p.rolling_speed };
-            return Some(film.derivative(&contact, fast));
-        }
-        if tribology.pressure_choice != PressureChoice::Peak {
-            return None;
-        }
-        let of = |law: &Law| {
-            let curve = law.kragelskii(p.patch.peak_pressure)?;
-            let slope = law.kragelskii_slope(p.patch.peak_pressure)?;
-            Some(match p.elastic {
-                Some(elastic) => elastic.derivative(p, (&curve, &slope, tribology.slip_unit)),
-                None => fast.derivative(&p.patch, &p.motion, p.rolling_speed, (&curve, &slope), tribology.slip_unit),
-            })
-        };
-        let coating = &tribology.laws[p.side];
-        match &tribology.bare_law {
-            Some(bare) if p.bare >= 1.0 => of(bare),
-            Some(bare) if p.bare > 0.0 => Some(of(coating)?.mixed_with(&of(bare)?, p.bare)),
-            _ => of(coating),
+        match self {
+            Self::Fast(fast) => p.derivative(fast),
+            Self::Plain(_) => None,
         }
     }
 

@@ -4,15 +4,58 @@
 //!     valgrind --tool=callgrind --toggle-collect='*measured*' \
 //!         target/release/examples/kernel_instructions fast strips 1000
 //!
-//! Arguments: `generic`, `fast` or `derivative`; `midpoint` (10 × 40), `jacobi` (4 × 12), `strips` (8 × 3) or `fine`
+//! Arguments: `generic`, `fast` or `derivative`, or `own` or `own-derivative` for a film-like law that this example
+//! brings; `midpoint` (10 × 40), `jacobi` (4 × 12), `strips` (8 × 3) or `fine`
 //! (16 × 8); how many times the three contacts are run. It prints the number of nodes, by which a count is to be
 //! divided, and a checksum.
 
 use std::{env, process::ExitCode};
 use tribodyn_traction::{
-    Coating, CoatingLaw, FastPatch, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipField, SlipUnit,
-    TractionLaw, fast_patch_traction, patch_traction,
+    Coating, CoatingLaw, Conditions, CurveNumber, CustomCurve, CustomLaw, FastPatch, Law, MovingPatch, OverSlip, Patch,
+    PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipField, SlipUnit, fast_patch_traction, patch_traction,
 };
+
+/// Shear of a film that is as thick as speed and temperature make it, up to a limit: κ = κ_L [1 − exp(−η s/(h κ_L p))].
+#[derive(Debug)]
+struct Film {
+    /// K.
+    temperature: f64,
+}
+
+struct FilmCurve {
+    /// η/(h κ_L p), per unit of slip.
+    rate: f64,
+    pressure: f64,
+    speed: f64,
+}
+
+/// κ_L.
+const LIMIT: f64 = 0.06;
+/// Exponent of the speed in the thickness.
+const THICKENING: f64 = 0.67;
+
+impl CustomLaw for Film {
+    type Curve = FilmCurve;
+    fn under(&self, &Conditions { pressure, entrainment_speed, .. }: &Conditions) -> FilmCurve {
+        let viscosity = 200.0 * (-0.03 * (self.temperature - 343.0)).exp();
+        let thickness = 3e-8 * entrainment_speed.powf(THICKENING);
+        FilmCurve { rate: viscosity / (thickness * LIMIT * pressure), pressure, speed: entrainment_speed }
+    }
+}
+
+impl CustomCurve for FilmCurve {
+    #[inline(always)]
+    fn over_slip<N: CurveNumber>(&self, slip: N) -> OverSlip<N> {
+        let e = (slip * -self.rate).max(-700.0).exp_m1();
+        let by_log_rate = (e + 1.0) * (LIMIT * self.rate);
+        OverSlip {
+            value: e / slip * -LIMIT,
+            slope: by_log_rate,
+            by_pressure: by_log_rate * (-1.0 / self.pressure),
+            by_entrainment: Some(by_log_rate * (-THICKENING / self.speed)),
+        }
+    }
+}
 
 /// A loaded and a light contact, and one without spin.
 fn contacts() -> [(Patch, RelativeMotion); 3] {
@@ -39,7 +82,7 @@ fn contacts() -> [(Patch, RelativeMotion); 3] {
 
 /// The part that is to be counted.
 #[inline(never)]
-fn measured(kind: &str, fast: &FastPatch, law: &PatchLaw<'_, CoatingLaw>, repeats: usize) -> Option<f64> {
+fn measured(kind: &str, fast: &FastPatch, law: &PatchLaw<'_, Law>, repeats: usize) -> Option<f64> {
     let contacts = contacts();
     let mut sum = 0.0;
     for i in 0..repeats {
@@ -47,11 +90,10 @@ fn measured(kind: &str, fast: &FastPatch, law: &PatchLaw<'_, CoatingLaw>, repeat
             let motion = RelativeMotion { rolling: motion.rolling + 1e-6 * i as f64, ..*motion };
             sum += match kind {
                 "generic" => patch_traction(patch, &motion, 60.0, law, fast.quadrature()).force_rolling,
-                "fast" => fast_patch_traction(fast, patch, &motion, 60.0, law).force_rolling,
-                "derivative" => {
-                    let p = patch.peak_pressure;
-                    let curve = (&law.law.kragelskii(p)?, &law.law.kragelskii_slope(p)?);
-                    fast.derivative(patch, &motion, 60.0, curve, law.slip_unit).by_motion[0][0]
+                "fast" | "own" => fast_patch_traction(fast, patch, &motion, 60.0, law).force_rolling,
+                "derivative" | "own-derivative" => {
+                    let contact = MovingPatch { patch: *patch, motion, rolling_speed: 60.0 };
+                    law.fast_derivative(&contact, fast)?.by_motion[0][0]
                 }
                 _ => return None,
             };
@@ -60,10 +102,21 @@ fn measured(kind: &str, fast: &FastPatch, law: &PatchLaw<'_, CoatingLaw>, repeat
     Some(sum)
 }
 
+/// The law that a kind is measured with.
+fn law_of(kind: &str) -> Result<Law, String> {
+    if kind.starts_with("own") {
+        return Ok(Law::custom(Film { temperature: 340.0 }));
+    }
+    let silver = Coating::library("ag").and_then(|coating| CoatingLaw::varying(&coating, 2));
+    silver.map(Law::from).map_err(|error| error.to_string())
+}
+
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let [kind, rule, repeats] = arguments.as_slice() else {
-        eprintln!("usage: kernel_instructions generic|fast|derivative midpoint|jacobi|strips|fine REPEATS");
+        eprintln!(
+            "usage: kernel_instructions generic|fast|derivative|own|own-derivative midpoint|jacobi|strips|fine REPEATS"
+        );
         return ExitCode::FAILURE;
     };
     let rule = match rule.as_str() {
@@ -80,7 +133,7 @@ fn main() -> ExitCode {
         eprintln!("not a number of repeats: {repeats}");
         return ExitCode::FAILURE;
     };
-    let law = match Coating::library("ag").and_then(|coating| CoatingLaw::varying(&coating, 2)) {
+    let law = match law_of(kind) {
         Ok(law) => law,
         Err(error) => {
             eprintln!("{error}");

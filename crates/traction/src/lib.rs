@@ -8,6 +8,7 @@ mod fast;
 mod film;
 mod kragelskii;
 mod law;
+mod own;
 mod patch;
 mod quadrature;
 mod settings;
@@ -22,12 +23,11 @@ pub use elastic::{
     linear_elastic_patch_traction,
 };
 pub use fast::{FastPatch, PatchDerivative, fast_patch_traction, linear_patch_traction};
-pub use film::{
-    FilmContact, FilmLaw, FilmShear, FilmState, FilmStress, FilmTemperature, STEEL_HYSTERESIS, asperity_share,
-};
+pub use film::{FilmLaw, FilmShear, FilmState, FilmStress, FilmTemperature, STEEL_HYSTERESIS, asperity_share};
 pub use kragelskii::{Fall, Kragelskii, Peak, SlipCurve};
-pub use law::{CustomLaw, Law, LawCurve, OverSlip};
-pub use patch::{Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};
+pub use law::{Law, LawCurve};
+pub use own::{CurveNumber, CustomCurve, CustomLaw, OverSlip, OwnLaw};
+pub use patch::{MovingPatch, Patch, PatchLaw, PatchTraction, RelativeMotion, SlipField, patch_traction};
 pub use quadrature::Quadrature;
 pub use settings::{PatchChoice, PatchRule, PressureChoice, SlipUnit};
 pub use tribodyn_contact::Scalar;

@@ -1,6 +1,8 @@
 //! Traction of one contact patch: force, moment, power and wear integral with spin, lateral and differential slip.
 
-use crate::{Conditions, FilmContact, PressureChoice, Quadrature, Scalar, SlipCurve, SlipUnit, TractionLaw};
+use crate::{
+    Conditions, FastPatch, PatchDerivative, PressureChoice, Quadrature, Scalar, SlipCurve, SlipUnit, TractionLaw,
+};
 
 /// The contact ellipse and the surface it lies on.
 ///
@@ -114,15 +116,24 @@ impl<D: Scalar> PatchTraction<D> {
 
     /// This and another traction in the shares 1 − `share` and `share`: two surfaces under one patch.
     pub fn mixed_with(&self, other: &Self, share: f64) -> Self {
-        let mix = |a: D, b: D| a * (1.0 - share) + b * share;
+        self.with(other, |a, b| a * (1.0 - share) + b * share)
+    }
+
+    /// The sum of this and another traction.
+    pub fn plus(&self, other: &Self) -> Self {
+        self.with(other, |a, b| a + b)
+    }
+
+    /// Each number of this and another together.
+    fn with(&self, other: &Self, of: impl Fn(D, D) -> D) -> Self {
         Self {
-            force_rolling: mix(self.force_rolling, other.force_rolling),
-            force_lateral: mix(self.force_lateral, other.force_lateral),
-            moment_lateral: mix(self.moment_lateral, other.moment_lateral),
-            moment_normal: mix(self.moment_normal, other.moment_normal),
-            moment_rolling: mix(self.moment_rolling, other.moment_rolling),
-            power: mix(self.power, other.power),
-            wear_integral: mix(self.wear_integral, other.wear_integral),
+            force_rolling: of(self.force_rolling, other.force_rolling),
+            force_lateral: of(self.force_lateral, other.force_lateral),
+            moment_lateral: of(self.moment_lateral, other.moment_lateral),
+            moment_normal: of(self.moment_normal, other.moment_normal),
+            moment_rolling: of(self.moment_rolling, other.moment_rolling),
+            power: of(self.power, other.power),
+            wear_integral: of(self.wear_integral, other.wear_integral),
         }
     }
 
@@ -150,6 +161,17 @@ impl<D: Scalar> PatchTraction<D> {
     }
 }
 
+/// A patch with the ball's motion against the race.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MovingPatch<D = f64> {
+    /// The ellipse.
+    pub patch: Patch<D>,
+    /// The ball's motion against the race.
+    pub motion: RelativeMotion<D>,
+    /// Mean of both surface speeds V, m/s, with its sign.
+    pub rolling_speed: D,
+}
+
 /// The relation of traction to sliding speed: the law, the unit of its slip and the pressure at which it is taken.
 #[derive(Debug, Clone, Copy)]
 pub struct PatchLaw<'a, L> {
@@ -159,6 +181,29 @@ pub struct PatchLaw<'a, L> {
     pub slip_unit: SlipUnit,
     /// Pressure at which the curve is taken.
     pub pressure: PressureChoice,
+}
+
+impl<L: TractionLaw> PatchLaw<'_, L> {
+    /// True where the curve changes from node to node; a film has pressures of its own.
+    fn is_local(&self) -> bool {
+        self.pressure == PressureChoice::Local && self.law.film().is_none()
+    }
+
+    /// The integral by the vector kernel; `None` where the curve changes from node to node, or the law has none in
+    /// lanes.
+    pub fn fast_traction(&self, contact: &MovingPatch, fast: &FastPatch) -> Option<PatchTraction> {
+        if self.is_local() { None } else { self.law.fast_traction(contact, self.slip_unit, fast) }
+    }
+
+    /// [`Self::fast_traction`] with its derivatives.
+    pub fn fast_derivative(&self, contact: &MovingPatch, fast: &FastPatch) -> Option<PatchDerivative> {
+        if self.is_local() { None } else { self.law.fast_derivative(contact, self.slip_unit, fast) }
+    }
+
+    /// True where [`Self::fast_derivative`] has an answer.
+    pub fn has_derivative(&self) -> bool {
+        !self.is_local() && self.law.has_derivative()
+    }
 }
 
 /// Rolling speed below which a fraction of it is taken of this one instead, m/s: a slide-to-roll ratio has no meaning
@@ -194,7 +239,7 @@ pub fn patch_traction<D: Scalar, L: TractionLaw>(
         return sum;
     }
     if let Some(film) = law.law.film() {
-        return film.traction(&FilmContact { patch: *patch, motion: *motion, rolling_speed }, quadrature);
+        return film.traction(&MovingPatch { patch: *patch, motion: *motion, rolling_speed }, quadrature);
     }
     let scale = law.slip_unit.scale(rolling_speed);
     let under =

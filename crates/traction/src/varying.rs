@@ -1,7 +1,10 @@
 //! Curve parameters that vary with contact pressure (the paper's Eq. 2).
 
 use crate::chebyshev::{Chebyshev, Powers};
-use crate::{Coating, FilmLaw, Kragelskii, Patch, Peak, Scalar, SlipCurve, TractionError};
+use crate::{
+    Coating, FastPatch, FilmLaw, Kragelskii, MovingPatch, Patch, PatchDerivative, PatchTraction, Peak, Scalar,
+    SlipCurve, SlipUnit, TractionError,
+};
 use num_dual::Dual64;
 
 /// What a traction law may know of a point of a contact.
@@ -51,8 +54,30 @@ pub trait TractionLaw: Sync {
     /// True if `pressure` in Pa lies outside the range of the data, so that it is clamped.
     fn clamps(&self, pressure: f64) -> bool;
 
-    /// The curve at `pressure` in Pa where it is Kragelskii's: [`crate::FastPatch`] then takes the place of the generic
-    /// integral. None for any other curve.
+    /// The integral by the vector kernel, where one curve holds for all of the patch; `None` where the law has no curve
+    /// in lanes, and the generic integral is taken.
+    fn fast_traction(&self, contact: &MovingPatch, unit: SlipUnit, fast: &FastPatch) -> Option<PatchTraction> {
+        let MovingPatch { patch, motion, rolling_speed } = contact;
+        let curve = self.kragelskii(patch.peak_pressure)?;
+        Some(fast.traction(patch, motion, *rolling_speed, &curve, unit))
+    }
+
+    /// [`Self::fast_traction`] with its derivatives.
+    fn fast_derivative(&self, contact: &MovingPatch, unit: SlipUnit, fast: &FastPatch) -> Option<PatchDerivative> {
+        let MovingPatch { patch, motion, rolling_speed } = contact;
+        let curve = self.kragelskii(patch.peak_pressure)?;
+        let slope = self.kragelskii_slope(patch.peak_pressure)?;
+        Some(fast.derivative(patch, motion, *rolling_speed, (&curve, &slope), unit))
+    }
+
+    /// True for laws of which [`Self::fast_derivative`] is known.
+    fn has_derivative(&self) -> bool {
+        // Any pressure: a law is of that kind or is not.
+        self.kragelskii_slope(2e9).is_some()
+    }
+
+    /// The curve at `pressure` in Pa where it is Kragelskii's: [`crate::FastPatch`] and [`crate::Fastsim`] then take
+    /// the place of the generic integrals. None for any other curve.
     fn kragelskii(&self, _pressure: f64) -> Option<Kragelskii> {
         None
     }

@@ -1,11 +1,11 @@
 //! The derivative of the seven integrals, from one more pass over the same nodes.
 
-use super::elementary::exp_m1;
-use super::lanes::{Lanes, fused};
+use super::curve::{LaneCurve, Slopes};
+use super::lanes::{Lanes, fused, total, totals};
 use super::nodes::{Block, Kernel, NODES, ROWS};
 use super::values::row_slip;
-use super::{SMALLEST_SQUARE, Scaled, assemble as assemble_values, flatness, lanes::total};
-use crate::{Kragelskii, Patch, PatchTraction, RelativeMotion};
+use super::{SMALLEST_SQUARE, Scaled, assemble as assemble_values, flatness};
+use crate::{Patch, PatchTraction, RelativeMotion};
 use fearless_simd::prelude::*;
 use std::f64::consts::PI;
 
@@ -47,24 +47,6 @@ impl PatchDerivative {
     }
 }
 
-/// Change of the curve's κ/s with 3 ln Q: p d/dp of A C, B and the rest, as e^(−x) (first + second |Δv|) + third e/x.
-pub(super) struct LoadTerms {
-    first: f64,
-    second: f64,
-    third: f64,
-}
-
-impl LoadTerms {
-    pub(super) fn new(of: &Scaled, patch: &Patch, curve: &Kragelskii, slope: &Kragelskii) -> Self {
-        let p = patch.peak_pressure;
-        Self {
-            first: p * (slope.b - slope.c * curve.a),
-            second: -p * slope.c * curve.b * of.scale,
-            third: p * slope.a * curve.c,
-        }
-    }
-}
-
 /// Sums of one row, without λ: values, stiffness K = (κ/s) I + s (κ/s)' n nᵀ and change with the load.
 pub(super) struct Row<S: Simd> {
     y: Lanes<S>,
@@ -79,14 +61,23 @@ pub(super) struct Row<S: Simd> {
     sums: [Lanes<S>; 10],
     /// Of f_y X, the power, K_12 X, K_22 X², change of f_y times X, changes of w |Δv| and with the slip scale.
     products: [Lanes<S>; 7],
+    /// Of the share, f_y, f_y X and the power by the entrainment speed.
+    entrained: [Lanes<S>; 4],
 }
 
 /// The integrals' sums, as [`Row`]'s times powers of Y.
-pub(super) struct Sums<'a, S: Simd> {
-    of: &'a Scaled,
-    load: &'a LoadTerms,
+pub(super) struct Sums<'a, S: Simd, C> {
+    of: &'a Scaled<C>,
     plain: [Lanes<S>; PLAIN],
     products: [Lanes<S>; SUMS - PLAIN],
+    /// Those of the values by the entrainment speed, in their order.
+    entrained: [Lanes<S>; 8],
+}
+
+/// Sums over all nodes.
+pub(super) struct Totals {
+    of: [f64; SUMS],
+    entrained: Option<[f64; 8]>,
 }
 
 /// 8 of the values, 5 + 8 + 6 of the stiffness, 8 of the load, 1 of the slip scale.
@@ -100,24 +91,24 @@ const PLACES: [usize; SUMS] = [
     3, 4, 5, 9, 10, 11, 12, 14, 15, 16, 17, 19, 20, 22, 23, 25, 30, 31, 32,
 ];
 
-impl<'a, S: Simd> Sums<'a, S> {
+impl<'a, S: Simd, C: LaneCurve> Sums<'a, S, C> {
     #[inline(always)]
-    pub(super) fn new(simd: S, of: &'a Scaled, load: &'a LoadTerms) -> Self {
+    pub(super) fn new(simd: S, of: &'a Scaled<C>) -> Self {
         let zero = Lanes::splat(simd, 0.0);
-        Self { of, load, plain: [zero; PLAIN], products: [zero; SUMS - PLAIN] }
+        Self { of, plain: [zero; PLAIN], products: [zero; SUMS - PLAIN], entrained: [zero; 8] }
     }
 
     #[inline(always)]
-    pub(super) fn totals(&self) -> [f64; SUMS] {
-        let mut totals = [0.0; SUMS];
+    pub(super) fn totals(&self) -> Totals {
+        let mut of = [0.0; SUMS];
         for (place, &sum) in PLACES.into_iter().zip(self.plain.iter().chain(&self.products)) {
-            totals[place] = total(sum);
+            of[place] = total(sum);
         }
-        totals
+        Totals { of, entrained: if C::ENTRAINED { Some(totals(&self.entrained)) } else { None } }
     }
 }
 
-impl<S: Simd> Kernel<S> for Sums<'_, S> {
+impl<S: Simd, C: LaneCurve> Kernel<S> for Sums<'_, S, C> {
     #[inline(always)]
     fn block(&mut self, block: &Block<S>) {
         for i in 0..block.rows.min(ROWS) {
@@ -130,35 +121,31 @@ impl<S: Simd> Kernel<S> for Sums<'_, S> {
     }
 }
 
-impl<S: Simd> Sums<'_, S> {
+impl<S: Simd, C: LaneCurve> Sums<'_, S, C> {
     #[inline(always)]
     fn open(&self, y: Lanes<S>) -> Row<S> {
         let [u, offset, y2] = row_slip(&self.of.slip, y);
         let ([_, beta, alpha], [_, _, epsilon]) = (self.of.slip.longitudinal, self.of.slip.lateral);
         let (du, dv) = (-y * fused(y, 2.0 * alpha, beta), y2 * (2.0 * epsilon));
         let zero = Lanes::splat(y.token(), 0.0);
-        Row { y, y2, u, u2: u * u, offset, du, dv, sums: [zero; 10], products: [zero; 7] }
+        let (sums, products, entrained) = ([zero; 10], [zero; 7], [zero; 4]);
+        Row { y, y2, u, u2: u * u, offset, du, dv, sums, products, entrained }
     }
 
     #[inline(always)]
     fn point(&self, row: &mut Row<S>, x: Lanes<S>, w: Lanes<S>) {
-        let (of, load, u) = (self.of, self.load, row.u);
+        let (of, u) = (self.of, row.u);
         let v = fused(x, of.slip.lateral[1], row.offset);
         let squared = fused(v, v, row.u2).max(SMALLEST_SQUARE);
         let speed = squared.sqrt();
-        let argument = speed * of.rate;
-        let e = exp_m1((-argument).max(-700.0));
-        let (decay, ratio) = (e + 1.0, e / argument);
-        let over_slip = fused(decay, of.b, ratio * of.a_c);
-        // s d(κ/s)/ds: below rounding of κ/s where decay + ratio cancels at small slip.
-        let bend = fused(decay * argument, -of.b, (decay + ratio) * -of.a_c);
+        let Slopes { over_slip, bend, by_pressure, by_entrainment } = of.curve.slopes(speed);
         let share = w * over_slip;
         // At rest every direction is as good: the bend vanishes there.
         let inverse = Lanes::splat(x.token(), 1.0) / squared;
         let along = w * bend * inverse;
         let (along_u, along_v) = (along * u, along * v);
         let (k11, k12, k22) = (fused(along_u, u, share), along_u * v, fused(along_v, v, share));
-        let curve = w * fused(decay, fused(speed, load.second, load.first), ratio * load.third);
+        let curve = w * by_pressure;
         let (du, dv) = (row.du, fused(x, of.slip.lateral[1], row.dv));
         let dfx = fused(k11, du, fused(k12, dv, curve * u));
         let dfy = fused(k12, du, fused(k22, dv, curve * v));
@@ -172,6 +159,12 @@ impl<S: Simd> Sums<'_, S> {
         let products =
             [[fy, x], [share, squared], [k12, x], [k22_x, x], [dfy, x], [wear * dot, inverse], [dscale, squared]];
         add_products(&mut row.products, products);
+        if let Some(slope) = by_entrainment {
+            let share = w * slope;
+            let fy = share * v;
+            let one = Lanes::splat(x.token(), 1.0);
+            add_products(&mut row.entrained, [[share, one], [fy, one], [fy, x], [share, squared]]);
+        }
     }
 
     #[inline(always)]
@@ -192,6 +185,15 @@ impl<S: Simd> Sums<'_, S> {
             [dfx, y], [dfx, y2], [dfy, y2],
         ];
         add_products(&mut self.products, products);
+        if !C::ENTRAINED {
+            return;
+        }
+        let [share, fy, x_fy, power] = row.entrained;
+        let fx = share * row.u;
+        let terms = [fx, fy, x_fy, y * fx, y2 * fx, y2 * fy, power];
+        for (sum, term) in self.entrained.iter_mut().zip(terms) {
+            *sum += term;
+        }
     }
 }
 
@@ -223,28 +225,31 @@ impl Moments<'_> {
 }
 
 pub(super) fn assemble(
-    patch: &Patch,
-    motion: &RelativeMotion,
-    of: &Scaled,
-    sums: &[f64; SUMS],
+    (patch, motion): (&Patch, &RelativeMotion),
+    scale: f64,
+    Totals { of: sums, entrained }: &Totals,
     relative_scale_slope: f64,
 ) -> PatchDerivative {
     let values: [f64; 8] = std::array::from_fn(|i| sums[i]);
-    let traction = assemble_values(patch, of.scale, values);
-    let by_motion = stiffness(patch, of.scale, sums);
-    let by_load = load_slope(patch, of, &traction, sums);
+    let traction = assemble_values(patch, scale, values);
+    let by_motion = stiffness(patch, scale, sums);
+    let by_load = load_slope(patch, scale, &traction, sums);
     let m = [motion.rolling, motion.lateral, motion.spin, motion.about_lateral, motion.about_rolling];
     // The integrals depend on the motion and on λ only as a product.
     let row = |i: usize| relative_scale_slope * by_motion[i].iter().zip(m).map(|(d, m)| d * m).sum::<f64>();
     let load = patch.peak_pressure * patch.semi_lateral * patch.semi_rolling;
-    let by_rolling_speed = PatchTraction {
+    let by_unit = PatchTraction {
         force_rolling: row(0),
         force_lateral: row(1),
         moment_normal: row(2),
         moment_lateral: row(3),
         moment_rolling: row(4),
-        power: relative_scale_slope * load * of.scale * sums[35],
+        power: relative_scale_slope * load * scale * sums[35],
         wear_integral: 0.0,
+    };
+    let by_rolling_speed = match entrained {
+        Some(sums) => by_unit.plus(&assemble_values(patch, scale, *sums)),
+        None => by_unit,
     };
     PatchDerivative { traction, by_motion, by_load, by_rolling_speed }
 }
@@ -274,16 +279,16 @@ fn stiffness(patch: &Patch, scale: f64, sums: &[f64; SUMS]) -> [[f64; 5]; 5] {
 }
 
 /// Q d/dQ is a third of the derivative while x, y and p grow in proportion.
-fn load_slope(patch: &Patch, of: &Scaled, traction: &PatchTraction, sums: &[f64; SUMS]) -> PatchTraction {
+fn load_slope(patch: &Patch, scale: f64, traction: &PatchTraction, sums: &[f64; SUMS]) -> PatchTraction {
     let values: [f64; 8] = std::array::from_fn(|i| sums[i]);
     let inner: [f64; 8] = std::array::from_fn(|i| sums[27 + i]);
-    let slopes = assemble_values(patch, of.scale, inner);
+    let slopes = assemble_values(patch, scale, inner);
     let (a, b) = (patch.semi_lateral, patch.semi_rolling);
     let volume = patch.peak_pressure * a * b;
     let load = 2.0 / 3.0 * PI * volume;
     let factor = 1.0 / (3.0 * load);
     // The arm falls by twice its bow.
-    let sag = 2.0 * flatness(patch) * volume * of.scale;
+    let sag = 2.0 * flatness(patch) * volume * scale;
     PatchTraction {
         force_rolling: factor * (3.0 * traction.force_rolling + slopes.force_rolling),
         force_lateral: factor * (3.0 * traction.force_lateral + slopes.force_lateral),

@@ -86,7 +86,7 @@ pub(crate) fn exp_m1_single<S: Simd, V: SimdFloat<S, Element = f32>>(x: V) -> V 
     fused(power, fused(r2, series, r), power - 1.0)
 }
 
-/// ln(x) for finite x ≥ 0.75.
+/// ln(x) for finite x > 0 that are not subnormal.
 #[inline(always)]
 pub(crate) fn ln<S: Simd>(x: Lanes<S>) -> Lanes<S> {
     // Exponent k such that the mantissa x/2^k lies in [√½, √2): the bits of √½ are the border.

@@ -1,9 +1,7 @@
 //! The patch integral to first order in numbers that carry derivatives, with no node evaluated on such numbers.
 
 use super::{FastPatch, PatchDerivative};
-use crate::{
-    FilmContact, Patch, PatchLaw, PatchTraction, PressureChoice, RelativeMotion, Scalar, TractionLaw, patch_traction,
-};
+use crate::{MovingPatch, Patch, PatchLaw, PatchTraction, RelativeMotion, Scalar, TractionLaw, patch_traction};
 use std::f64::consts::PI;
 
 impl PatchDerivative {
@@ -34,8 +32,8 @@ impl PatchDerivative {
     }
 }
 
-/// Forces and moments of [`crate::fast_patch_traction`] with first derivatives of the integral:
-/// [`FastPatch::derivative`] where the law has a Kragelskii curve at the peak pressure, else [`patch_traction`] on `D`.
+/// Forces and moments of [`crate::fast_patch_traction`] with first derivatives of the integral: in closed form where one
+/// curve holds for all of the patch and the law has it in lanes, else by [`patch_traction`] on `D`.
 ///
 /// In the first case the derivatives are as good as the rule is for the integral's derivative, the ellipse is taken to
 /// grow in proportion to the cube root of the load, and power and wear integral carry no derivatives.
@@ -47,19 +45,9 @@ pub fn linear_patch_traction<D: Scalar, L: TractionLaw>(
     law: &PatchLaw<'_, L>,
 ) -> PatchTraction<D> {
     let load = patch.peak_pressure * patch.semi_lateral * patch.semi_rolling * (2.0 / 3.0 * PI);
-    if let Some(film) = law.law.film() {
-        let contact = FilmContact { patch: patch.re(), motion: motion.re(), rolling_speed: rolling_speed.re() };
-        return film.derivative(&contact, fast).first_order(motion, load, rolling_speed);
+    let contact = MovingPatch { patch: patch.re(), motion: motion.re(), rolling_speed: rolling_speed.re() };
+    match law.fast_derivative(&contact, fast) {
+        Some(derivative) => derivative.first_order(motion, load, rolling_speed),
+        None => patch_traction(patch, motion, rolling_speed, law, &fast.quadrature),
     }
-    let pressure = patch.peak_pressure.re();
-    let curves = match law.pressure {
-        PressureChoice::Peak => law.law.kragelskii(pressure).zip(law.law.kragelskii_slope(pressure)),
-        PressureChoice::Local => None,
-    };
-    let Some((curve, slope)) = curves else {
-        return patch_traction(patch, motion, rolling_speed, law, &fast.quadrature);
-    };
-    let (patch_re, motion_re) = (patch.re(), motion.re());
-    let derivative = fast.derivative(&patch_re, &motion_re, rolling_speed.re(), (&curve, &slope), law.slip_unit);
-    derivative.first_order(motion, load, rolling_speed)
 }

@@ -12,6 +12,7 @@
 //! ```
 //! [`PatchDerivative`] is made of sums of K over the nodes, in one pass with the integrals.
 
+pub(crate) mod curve;
 mod derivative;
 pub(crate) mod elementary;
 pub(crate) mod lanes;
@@ -23,10 +24,11 @@ pub use derivative::PatchDerivative;
 pub use linear::linear_patch_traction;
 
 use crate::{
-    FilmContact, Kragelskii, Patch, PatchLaw, PatchTraction, PressureChoice, Quadrature, RelativeMotion, SlipField,
-    SlipUnit, TractionError, TractionLaw, patch_traction,
+    Kragelskii, MovingPatch, Patch, PatchLaw, PatchTraction, Quadrature, RelativeMotion, SlipField, SlipUnit,
+    TractionError, TractionLaw, patch_traction,
 };
 use crate::{PatchRule, patch::LEAST_ROLLING};
+use curve::{LaneCurve, Sliding};
 use fearless_simd::{Level, dispatch};
 use lanes::totals;
 use nodes::Layout;
@@ -34,9 +36,6 @@ use values::Values;
 
 /// Least |Δv|², m²/s²: at rest κ/s takes its limit, and 0/0 is avoided.
 pub(crate) const SMALLEST_SQUARE: f64 = 1e-280;
-/// Least C λ, s/m, for the same reason.
-const SMALLEST_RATE: f64 = 1e-100;
-
 /// A patch rule laid out for vector instructions.
 #[derive(Debug, Clone)]
 pub struct FastPatch {
@@ -46,28 +45,9 @@ pub struct FastPatch {
 }
 
 /// One contact and one curve in the coordinates of the unit disc.
-struct Scaled {
+struct Scaled<C> {
     slip: SlipField,
-    /// λ, slip over sliding speed, s/m.
-    scale: f64,
-    /// C λ.
-    rate: f64,
-    /// B.
-    b: f64,
-    /// A C.
-    a_c: f64,
-}
-
-impl Scaled {
-    fn new(patch: &Patch, motion: &RelativeMotion, scale: f64, curve: &Kragelskii) -> Self {
-        Self {
-            slip: SlipField::new(patch, motion),
-            scale,
-            rate: (curve.c * scale).max(SMALLEST_RATE),
-            b: curve.b,
-            a_c: curve.a * curve.c,
-        }
-    }
+    curve: C,
 }
 
 impl FastPatch {
@@ -110,16 +90,28 @@ impl FastPatch {
         curve: &Kragelskii,
         slip_unit: SlipUnit,
     ) -> PatchTraction {
+        let scale = slip_unit.scale(rolling_speed);
+        self.traction_of((patch, motion), scale, Sliding::new(curve, scale))
+    }
+
+    /// [`Self::traction`] of any curve, with slip over sliding speed in s/m.
+    #[inline]
+    pub(crate) fn traction_of<C: LaneCurve>(
+        &self,
+        (patch, motion): (&Patch, &RelativeMotion),
+        scale: f64,
+        curve: C,
+    ) -> PatchTraction {
         if patch.peak_pressure <= 0.0 {
             return PatchTraction::zero();
         }
-        let scaled = Scaled::new(patch, motion, slip_unit.scale(rolling_speed), curve);
+        let scaled = Scaled { slip: SlipField::new(patch, motion), curve };
         let sums = dispatch!(self.level, simd => {
             let mut values = Values::new(simd, &scaled);
             self.layout.walk(simd, &scaled.slip, &mut values);
             totals(&values.sums)
         });
-        assemble(patch, scaled.scale, sums)
+        assemble(patch, scale, sums)
     }
 
     /// [`FastPatch::traction`] with its derivatives; `curve_slope` holds dA/dp, dB/dp and dC/dp, per Pa.
@@ -131,18 +123,30 @@ impl FastPatch {
         (curve, curve_slope): (&Kragelskii, &Kragelskii),
         slip_unit: SlipUnit,
     ) -> PatchDerivative {
+        let scale = slip_unit.scale(rolling_speed);
+        let sliding = Sliding::sloped(curve, curve_slope, scale, patch.peak_pressure);
+        self.derivative_of((patch, motion), (scale, scale_slope(slip_unit, rolling_speed)), sliding)
+    }
+
+    /// [`Self::derivative`] of any curve, with slip over sliding speed in s/m and the derivative of its logarithm by
+    /// the rolling speed.
+    #[inline]
+    pub(crate) fn derivative_of<C: LaneCurve>(
+        &self,
+        (patch, motion): (&Patch, &RelativeMotion),
+        (scale, relative_scale_slope): (f64, f64),
+        curve: C,
+    ) -> PatchDerivative {
         if patch.peak_pressure <= 0.0 {
             return PatchDerivative::zero();
         }
-        let scaled = Scaled::new(patch, motion, slip_unit.scale(rolling_speed), curve);
-        let by_load = derivative::LoadTerms::new(&scaled, patch, curve, curve_slope);
+        let scaled = Scaled { slip: SlipField::new(patch, motion), curve };
         let sums = dispatch!(self.level, simd => {
-            let mut sums = derivative::Sums::new(simd, &scaled, &by_load);
+            let mut sums = derivative::Sums::new(simd, &scaled);
             self.layout.walk(simd, &scaled.slip, &mut sums);
             sums.totals()
         });
-        let relative_scale_slope = scale_slope(slip_unit, rolling_speed);
-        derivative::assemble(patch, motion, &scaled, &sums, relative_scale_slope)
+        derivative::assemble((patch, motion), scale, &sums, relative_scale_slope)
     }
 }
 
@@ -179,7 +183,7 @@ pub(crate) fn assemble(patch: &Patch, scale: f64, sums: [f64; 8]) -> PatchTracti
     }
 }
 
-/// The patch integral by the fast rule where the law has a Kragelskii curve at the peak pressure, else by
+/// The patch integral by the fast rule where one curve holds for all of the patch and the law has it in lanes, else by
 /// [`patch_traction`].
 pub fn fast_patch_traction<L: TractionLaw>(
     fast: &FastPatch,
@@ -188,15 +192,7 @@ pub fn fast_patch_traction<L: TractionLaw>(
     rolling_speed: f64,
     law: &PatchLaw<'_, L>,
 ) -> PatchTraction {
-    if let Some(film) = law.law.film() {
-        return film.fast_value(&FilmContact { patch: *patch, motion: *motion, rolling_speed }, fast);
-    }
-    let curve = match law.pressure {
-        PressureChoice::Peak => law.law.kragelskii(patch.peak_pressure),
-        PressureChoice::Local => None,
-    };
-    match curve {
-        Some(curve) => fast.traction(patch, motion, rolling_speed, &curve, law.slip_unit),
-        None => patch_traction(patch, motion, rolling_speed, law, &fast.quadrature),
-    }
+    let contact = MovingPatch { patch: *patch, motion: *motion, rolling_speed };
+    law.fast_traction(&contact, fast)
+        .unwrap_or_else(|| patch_traction(patch, motion, rolling_speed, law, &fast.quadrature))
 }

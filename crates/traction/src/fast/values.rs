@@ -1,6 +1,6 @@
 //! The seven integrals.
 
-use super::elementary::exp_m1;
+use super::curve::LaneCurve;
 use super::lanes::{Lanes, fused};
 use super::nodes::{Block, Kernel, NODES, ROWS};
 use super::{SMALLEST_SQUARE, Scaled};
@@ -8,8 +8,8 @@ use crate::SlipField;
 use fearless_simd::prelude::*;
 
 /// Sums over the unit disc without the factor p a b λ: share = w κ/s, f = share Δv.
-pub(super) struct Values<'a, S: Simd> {
-    pub(super) of: &'a Scaled,
+pub(super) struct Values<'a, S: Simd, C> {
+    of: &'a Scaled<C>,
     /// Σ f_x, f_y, X f_y, Y f_x, Y² f_x, Y² f_y, share |Δv|², w |Δv|.
     pub(super) sums: [Lanes<S>; 8],
     scratch: Scratch<S>,
@@ -32,9 +32,9 @@ pub(crate) fn row_slip<S: Simd>(slip: &SlipField, y: Lanes<S>) -> [Lanes<S>; 3] 
     [fused(-y, fused(y, alpha, beta), gamma), fused(y2, epsilon, delta), y2]
 }
 
-impl<'a, S: Simd> Values<'a, S> {
+impl<'a, S: Simd, C> Values<'a, S, C> {
     #[inline(always)]
-    pub(super) fn new(simd: S, of: &'a Scaled) -> Self {
+    pub(super) fn new(simd: S, of: &'a Scaled<C>) -> Self {
         let zero = Lanes::splat(simd, 0.0);
         let block = [[zero; NODES]; ROWS];
         let scratch = Scratch { u: [zero; ROWS], v: block, squared: block, share: block };
@@ -42,7 +42,7 @@ impl<'a, S: Simd> Values<'a, S> {
     }
 }
 
-impl<S: Simd> Kernel<S> for Values<'_, S> {
+impl<S: Simd, C: LaneCurve> Kernel<S> for Values<'_, S, C> {
     #[inline(always)]
     fn block(&mut self, block: &Block<S>) {
         let of = self.of;
@@ -63,11 +63,7 @@ impl<S: Simd> Kernel<S> for Values<'_, S> {
         }
         for (row, w) in share[..rows].iter_mut().zip(&block.w) {
             for (speed, &w) in row[..nodes].iter_mut().zip(w) {
-                let argument = *speed * -of.rate;
-                let e = exp_m1(argument.max(-700.0));
-                // e/(−C s) tends to one at rest.
-                let ratio = Lanes::splat(zero.token(), -of.a_c) / argument;
-                *speed = w * fused(e + 1.0, of.b, e * ratio);
+                *speed = w * of.curve.over_slip(*speed);
             }
         }
         for i in 0..rows {

@@ -22,7 +22,7 @@ pub use asperities::asperity_share;
 pub use node::{FilmShear, FilmStress};
 pub use temperature::FilmTemperature;
 
-use crate::{Patch, PatchTraction, Quadrature, RelativeMotion, Scalar, SlipField, TangentialElasticity};
+use crate::{MovingPatch, Patch, PatchTraction, Quadrature, RelativeMotion, Scalar, SlipField, TangentialElasticity};
 use node::Shearing;
 
 use std::f64::consts::PI;
@@ -66,17 +66,6 @@ pub struct FilmLaw {
     pub elasticity: TangentialElasticity,
 }
 
-/// One contact as a film law sees it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FilmContact<D = f64> {
-    /// Its ellipse.
-    pub patch: Patch<D>,
-    /// The ball's motion against the race.
-    pub motion: RelativeMotion<D>,
-    /// Mean of both surface speeds V, m/s, with its sign.
-    pub rolling_speed: D,
-}
-
 /// The film of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FilmState<D = f64> {
@@ -88,7 +77,7 @@ pub struct FilmState<D = f64> {
     pub asperity_share: D,
 }
 
-impl<D: Scalar> FilmContact<D> {
+impl<D: Scalar> MovingPatch<D> {
     /// Load under the ellipse, N.
     pub fn load(&self) -> D {
         self.patch.peak_pressure * self.patch.semi_lateral * self.patch.semi_rolling * (2.0 / 3.0 * PI)
@@ -108,12 +97,12 @@ impl<D: Scalar> FilmContact<D> {
     }
 
     /// Without derivatives.
-    pub fn re(&self) -> FilmContact {
-        FilmContact { patch: self.patch.re(), motion: self.motion.re(), rolling_speed: self.rolling_speed.re() }
+    pub fn re(&self) -> MovingPatch {
+        MovingPatch { patch: self.patch.re(), motion: self.motion.re(), rolling_speed: self.rolling_speed.re() }
     }
 }
 
-impl FilmContact {
+impl MovingPatch {
     /// d ln |V|/dV, s/m; 0 where the speed is taken as the least.
     fn log_speed_slope(&self) -> f64 {
         if self.rolling_speed.abs() > LEAST_ROLLING { self.rolling_speed.recip() } else { 0.0 }
@@ -148,7 +137,7 @@ impl FilmLaw {
     }
 
     /// The contact for the film formulas.
-    fn rolling_contact<D: Scalar>(&self, contact: &FilmContact<D>) -> RollingContact<D> {
+    fn rolling_contact<D: Scalar>(&self, contact: &MovingPatch<D>) -> RollingContact<D> {
         RollingContact {
             load: contact.load(),
             entrainment: contact.rolling_speed,
@@ -162,7 +151,7 @@ impl FilmLaw {
     }
 
     /// The film of a contact.
-    pub fn state<D: Scalar>(&self, contact: &FilmContact<D>) -> FilmState<D> {
+    pub fn state<D: Scalar>(&self, contact: &MovingPatch<D>) -> FilmState<D> {
         let thickness = self.inlet.thickness(&self.rolling_contact(contact));
         let lambda_ratio = self.inlet.lambda_ratio(&thickness);
         FilmState { thickness, lambda_ratio, asperity_share: asperity_share(lambda_ratio) }
@@ -190,13 +179,13 @@ impl FilmLaw {
     }
 
     /// The film of a contact at a temperature in K, ready to be sheared at every point.
-    fn shearing<D: Scalar>(&self, contact: &FilmContact<D>, temperature: D) -> Shearing<D> {
+    fn shearing<D: Scalar>(&self, contact: &MovingPatch<D>, temperature: D) -> Shearing<D> {
         let FilmState { thickness, asperity_share, .. } = self.state(contact);
         self.sheared(contact, (self.gap(thickness.central), asperity_share), temperature)
     }
 
     /// [`Self::shearing`] with the thickness (m) and the share of asperities that the film has.
-    fn sheared<D: Scalar>(&self, contact: &FilmContact<D>, (gap, share): (D, D), temperature: D) -> Shearing<D> {
+    fn sheared<D: Scalar>(&self, contact: &MovingPatch<D>, (gap, share): (D, D), temperature: D) -> Shearing<D> {
         let coefficients = self.elasticity.coefficients();
         let ratio = contact.patch.semi_rolling.re() / contact.patch.semi_lateral.re();
         let stick = coefficients.at(ratio).longitudinal * self.elasticity.shear_modulus() / PI;
@@ -205,7 +194,7 @@ impl FilmLaw {
     }
 
     /// [`Self::traction`] in double precision.
-    pub fn value(&self, contact: &FilmContact, quadrature: &Quadrature) -> PatchTraction {
+    pub fn value(&self, contact: &MovingPatch, quadrature: &Quadrature) -> PatchTraction {
         if contact.patch.peak_pressure <= 0.0 {
             return PatchTraction::zero();
         }
@@ -215,7 +204,7 @@ impl FilmLaw {
 
     /// Traction of a patch with rolling resistance, for any scalar; [`Self::derivative`] is its counterpart in closed
     /// form.
-    pub fn traction<D: Scalar>(&self, contact: &FilmContact<D>, quadrature: &Quadrature) -> PatchTraction<D> {
+    pub fn traction<D: Scalar>(&self, contact: &MovingPatch<D>, quadrature: &Quadrature) -> PatchTraction<D> {
         if contact.patch.peak_pressure.re() <= 0.0 {
             return PatchTraction::zero();
         }
@@ -232,14 +221,14 @@ impl FilmLaw {
 }
 
 /// A patch that rolls at a speed with a slide-to-roll ratio.
-fn sliding_contact(patch: &Patch, speed: f64, slide_to_roll: f64) -> FilmContact {
+fn sliding_contact(patch: &Patch, speed: f64, slide_to_roll: f64) -> MovingPatch {
     let rolling = slide_to_roll * speed;
     let motion = RelativeMotion { rolling, lateral: 0.0, spin: 0.0, about_lateral: 0.0, about_rolling: 0.0 };
-    FilmContact { patch: *patch, motion, rolling_speed: speed }
+    MovingPatch { patch: *patch, motion, rolling_speed: speed }
 }
 
 /// Integrals of the stress over a patch.
-fn integrate<D: Scalar>(shearing: &Shearing<D>, contact: &FilmContact<D>, quadrature: &Quadrature) -> PatchTraction<D> {
+fn integrate<D: Scalar>(shearing: &Shearing<D>, contact: &MovingPatch<D>, quadrature: &Quadrature) -> PatchTraction<D> {
     let (patch, motion) = (&contact.patch, &contact.motion);
     let (a, b, peak) = (patch.semi_lateral, patch.semi_rolling, patch.peak_pressure);
     let flatness = 0.5 / patch.surface_radius;

@@ -8,8 +8,8 @@
 //! The bodies give back less than they took when they were pressed: rolling at w_y against each other they feel the
 //! moment M = −(3/16) α Q b w_y/|w_y|, with the share α of the elastic work that is lost.
 
-use super::{FilmContact, FilmLaw};
-use crate::{PatchTraction, Scalar};
+use super::FilmLaw;
+use crate::{MovingPatch, PatchTraction, Scalar};
 
 /// Velocity of the ball's centre against the race below which nothing rolls, m/s.
 const LEAST_ROLLING: f64 = 1e-9;
@@ -18,7 +18,7 @@ const LEAST_TURNING: f64 = 0.1;
 
 impl FilmLaw {
     /// Resistance to rolling on each surface, N.
-    pub fn rolling_resistance<D: Scalar>(&self, contact: &FilmContact<D>) -> D {
+    pub fn rolling_resistance<D: Scalar>(&self, contact: &MovingPatch<D>) -> D {
         self.inlet.rolling_resistance(&self.rolling_contact(contact))
     }
 
@@ -26,14 +26,14 @@ impl FilmLaw {
     /// pressure.
     ///
     /// Source: K. L. Johnson, Contact Mechanics, Cambridge 1985, section 9.4.
-    pub fn hysteresis_moment<D: Scalar>(&self, contact: &FilmContact<D>) -> D {
+    pub fn hysteresis_moment<D: Scalar>(&self, contact: &MovingPatch<D>) -> D {
         contact.load() * contact.patch.semi_rolling * (3.0 / 16.0 * self.hysteresis)
     }
 
     /// A traction with the resistance to rolling of inlet and bodies added.
     pub(super) fn with_rolling<D: Scalar>(
         &self,
-        contact: &FilmContact<D>,
+        contact: &MovingPatch<D>,
         traction: PatchTraction<D>,
     ) -> PatchTraction<D> {
         let [force, moment, power] = self.rolling_loads(contact);
@@ -46,8 +46,8 @@ impl FilmLaw {
     }
 
     /// Force along rolling (N), moment about the lateral axis (N m) and power (W) of inlet and bodies.
-    pub(super) fn rolling_loads<D: Scalar>(&self, contact: &FilmContact<D>) -> [D; 3] {
-        let FilmContact { patch, motion, rolling_speed } = contact;
+    pub(super) fn rolling_loads<D: Scalar>(&self, contact: &MovingPatch<D>) -> [D; 3] {
+        let MovingPatch { patch, motion, rolling_speed } = contact;
         let turning = motion.about_lateral;
         let lost = self.hysteresis_moment(contact) * turning / turning_size(turning);
         if motion.rolling.re().abs() < LEAST_ROLLING {
@@ -63,7 +63,7 @@ impl FilmLaw {
     }
 
     /// Share of the bodies in [`Self::rolling_slopes`].
-    fn hysteresis_slopes(&self, contact: &FilmContact) -> RollingSlopes {
+    fn hysteresis_slopes(&self, contact: &MovingPatch) -> RollingSlopes {
         let moment = self.hysteresis_moment(contact);
         let turning = contact.motion.about_lateral;
         let size = turning_size(turning);
@@ -79,8 +79,8 @@ impl FilmLaw {
 
     /// [`Self::rolling_loads`] with their slopes by motion, load and rolling speed, from the resistance (N) and its
     /// own.
-    pub(super) fn rolling_slopes(&self, contact: &FilmContact, resistance: f64, by: &[f64; 7]) -> RollingSlopes {
-        let FilmContact { patch, motion, rolling_speed } = contact;
+    pub(super) fn rolling_slopes(&self, contact: &MovingPatch, resistance: f64, by: &[f64; 7]) -> RollingSlopes {
+        let MovingPatch { patch, motion, rolling_speed } = contact;
         let bodies = self.hysteresis_slopes(contact);
         if motion.rolling.abs() < LEAST_ROLLING {
             return bodies;

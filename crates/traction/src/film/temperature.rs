@@ -1,7 +1,7 @@
 //! The temperature of a film: that of its surroundings and what shear adds.
 
-use super::{FilmContact, FilmLaw, FilmStress, STEEL, STEEL_DIFFUSIVITY, Shearing};
-use crate::{Quadrature, Scalar, SlipField};
+use super::{FilmLaw, FilmStress, STEEL, STEEL_DIFFUSIVITY, Shearing};
+use crate::{MovingPatch, Quadrature, Scalar, SlipField};
 use num_dual::Dual64;
 use std::f64::consts::PI;
 
@@ -25,7 +25,7 @@ impl FilmLaw {
     /// Rise of the mean temperature over the frictional power, K/W: within the film of a thickness (m), and of both
     /// surfaces as a band of heat passes over them (J. C. Jaeger, Proc. R. Soc. NSW 76 (1942) 203; slow contacts by
     /// their Péclet number).
-    pub(super) fn heating<D: Scalar>(&self, contact: &FilmContact<D>, gap: D) -> D {
+    pub(super) fn heating<D: Scalar>(&self, contact: &MovingPatch<D>, gap: D) -> D {
         let b = contact.patch.semi_rolling;
         let passing = contact.speed() + b.recip() * STEEL_DIFFUSIVITY;
         let flash = (b / passing * (2.0 / (PI * STEEL))).sqrt() * (2.0 / 3.0);
@@ -42,7 +42,7 @@ impl FilmLaw {
 
     /// The temperature at which shear heats the film as much as it is warmer than its surroundings. Heat falls with
     /// temperature, so there is one, and Newton steps held between bounds find it.
-    pub fn settled(&self, contact: &FilmContact, quadrature: &Quadrature) -> FilmTemperature {
+    pub fn settled(&self, contact: &MovingPatch, quadrature: &Quadrature) -> FilmTemperature {
         let nodes = nodes(contact, quadrature);
         let at_rest = self.shearing(contact, self.temperature);
         let heating = self.heating(contact, at_rest.gap);
@@ -76,8 +76,8 @@ impl FilmLaw {
 }
 
 /// Pressure, square of the sliding speed and area of every node.
-fn nodes(contact: &FilmContact, quadrature: &Quadrature) -> Vec<[f64; 3]> {
-    let FilmContact { patch, motion, .. } = contact;
+fn nodes(contact: &MovingPatch, quadrature: &Quadrature) -> Vec<[f64; 3]> {
+    let MovingPatch { patch, motion, .. } = contact;
     let (a, b) = (patch.semi_lateral, patch.semi_rolling);
     let mut found = Vec::with_capacity(256);
     quadrature.for_each(&SlipField::new(patch, motion), |x, y, weight: f64| {

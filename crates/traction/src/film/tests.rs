@@ -21,10 +21,10 @@ pub(super) fn law(shear: FilmShear) -> FilmLaw {
 pub(super) const EYRING: FilmShear = FilmShear::Eyring { stress: 5e6 };
 
 /// Rolling at 3.46 m/s with some slip and spin, under 555 N.
-pub(super) fn contact(slip: f64, spin: f64) -> FilmContact {
+pub(super) fn contact(slip: f64, spin: f64) -> MovingPatch {
     let ball_radius = 4.7625e-3;
     let about_lateral = -1500.0;
-    FilmContact {
+    MovingPatch {
         patch: Patch {
             semi_lateral: 1.26e-3,
             semi_rolling: 0.134e-3,
@@ -55,7 +55,7 @@ fn even_sliding(shear: FilmShear, pressure: PressureViscosity, limiting: f64, ga
     };
     let shearing = Shearing { stress, gap, creep: 1e-30, share: 0.0 };
     let still = contact(0.0, 0.0);
-    let contact = FilmContact {
+    let contact = MovingPatch {
         patch: Patch { peak_pressure: 1e9, surface_radius: f64::INFINITY, ..still.patch },
         motion: RelativeMotion { rolling: slip, lateral: 0.0, spin: 0.0, about_lateral: 0.0, about_rolling: 0.0 },
         rolling_speed: 1.0,
@@ -96,10 +96,10 @@ fn limit_slow_fast_thick_and_unpressed() {
     }
     let law = law(EYRING);
     let pressed = contact(0.05, 0.0);
-    let unpressed = FilmContact { patch: Patch { peak_pressure: 0.0, ..pressed.patch }, ..pressed };
+    let unpressed = MovingPatch { patch: Patch { peak_pressure: 0.0, ..pressed.patch }, ..pressed };
     assert_eq!(law.traction(&unpressed, &rule(8, 12)), PatchTraction::zero());
     assert_eq!(law.derivative(&unpressed, &FastPatch::of(rule(8, 12))), PatchDerivative::zero());
-    let light = FilmContact { patch: Patch { peak_pressure: 1e3, ..pressed.patch }, ..pressed };
+    let light = MovingPatch { patch: Patch { peak_pressure: 1e3, ..pressed.patch }, ..pressed };
     // What is left is the rolling resistance of its inlet.
     assert!(law.traction(&light, &rule(8, 12)).force_rolling.abs() < 1e-3);
 }
@@ -137,7 +137,7 @@ fn limit_hysteresis_is_the_moment_of_half_the_pressure() {
     let found = law.hysteresis_moment(&contact);
     assert!((found / (law.hysteresis * half) - 1.0).abs() < 1e-5, "{found} {half}");
     let lossless = FilmLaw { hysteresis: 0.0, ..law.clone() };
-    let rolled = |at: &FilmContact| {
+    let rolled = |at: &MovingPatch| {
         let [[_, with, heat], [_, without, cold]] = [&law, &lossless].map(|law| law.rolling_loads(at));
         [with - without, heat - cold]
     };
@@ -147,7 +147,7 @@ fn limit_hysteresis_is_the_moment_of_half_the_pressure() {
         (moment + found * turning.signum()).abs() < 1e-7 * found && (power + moment * turning).abs() < 1e-9 * power
     );
     let still = RelativeMotion { about_lateral: 0.0, ..contact.motion };
-    assert_eq!(rolled(&FilmContact { motion: still, ..contact }), [0.0; 2]);
+    assert_eq!(rolled(&MovingPatch { motion: still, ..contact }), [0.0; 2]);
 }
 
 /// A disc machine's traction at 1 GPa, 40 °C and some percent of slip is the limiting shear that the library has of

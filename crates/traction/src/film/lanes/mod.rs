@@ -9,8 +9,8 @@ mod state;
 mod stress;
 mod sums;
 
-use super::{FilmContact, FilmLaw, Shearing};
-use crate::{FastPatch, PatchDerivative, PatchTraction};
+use super::{FilmLaw, Shearing};
+use crate::{FastPatch, MovingPatch, PatchDerivative, PatchTraction};
 use fearless_simd::dispatch;
 use nodes::{Collected, Ground, Kept};
 use state::State;
@@ -89,7 +89,7 @@ impl Warm<'_> {
 
 impl FilmLaw {
     /// [`Self::value`] by the nodes of a patch rule laid out for vector instructions.
-    pub fn fast_value(&self, contact: &FilmContact, fast: &FastPatch) -> PatchTraction {
+    pub fn fast_value(&self, contact: &MovingPatch, fast: &FastPatch) -> PatchTraction {
         if contact.patch.peak_pressure <= 0.0 {
             return PatchTraction::zero();
         }
@@ -105,7 +105,7 @@ impl FilmLaw {
 
     /// [`Self::traction`] with its derivatives by motion, load and rolling speed, the semi-axes and the peak pressure
     /// growing with the cube root of the load.
-    pub fn derivative(&self, contact: &FilmContact, fast: &FastPatch) -> PatchDerivative {
+    pub fn derivative(&self, contact: &MovingPatch, fast: &FastPatch) -> PatchDerivative {
         if contact.patch.peak_pressure <= 0.0 {
             return PatchDerivative::zero();
         }
@@ -156,7 +156,7 @@ fn chain(by: &[f64; state::INPUTS], squared: &[f64; 5], load: f64) -> [f64; INPU
 
 fn assemble(
     law: &FilmLaw,
-    (contact, state): (&FilmContact, &State),
+    (contact, state): (&MovingPatch, &State),
     (values, slopes): (&Values, &Slopes),
     off: f64,
 ) -> PatchDerivative {

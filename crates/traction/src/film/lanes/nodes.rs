@@ -4,8 +4,8 @@ use crate::fast::elementary::{exp, exp_m1, ln};
 use crate::fast::lanes::{LANES, Lanes, fused};
 use crate::fast::nodes::{Block, Kernel, NODES, ROWS};
 use crate::fast::{SMALLEST_SQUARE, values::row_slip};
-use crate::film::{FilmContact, FilmLaw, node::LEAST_PRESSURE};
-use crate::{Patch, SlipField};
+use crate::film::{FilmLaw, node::LEAST_PRESSURE};
+use crate::{MovingPatch, Patch, SlipField};
 use fearless_simd::prelude::*;
 use tribodyn_lubricant::{PressureViscosity, ROELANDS_PRESSURE};
 
@@ -98,7 +98,7 @@ const COARSE: [[f64; LANES]; 3] = {
 };
 
 impl Ground {
-    pub fn new(law: &FilmLaw, contact: &FilmContact, creep: f64) -> Self {
+    pub fn new(law: &FilmLaw, contact: &MovingPatch, creep: f64) -> Self {
         let Patch { semi_lateral, semi_rolling, peak_pressure, .. } = contact.patch;
         Self {
             slip: SlipField::new(&contact.patch, &contact.motion),

@@ -1,7 +1,7 @@
 //! Film, heating and inlet of a contact with their slopes by load, rolling speed and sliding in its middle.
 
-use crate::film::{FilmContact, FilmLaw};
-use crate::{Patch, RelativeMotion};
+use crate::film::FilmLaw;
+use crate::{MovingPatch, Patch, RelativeMotion};
 use num_dual::DualSVec64;
 
 /// Logarithm of the load, rolling speed V, square of the sliding velocity in the middle.
@@ -41,7 +41,7 @@ fn seed(value: f64, input: usize, slope: f64) -> Dual {
 }
 
 impl State {
-    pub fn new(law: &FilmLaw, contact: &FilmContact) -> Self {
+    pub fn new(law: &FilmLaw, contact: &MovingPatch) -> Self {
         let patch = &contact.patch;
         // All lengths and the pressure grow by a third of ln Q.
         let [semi_lateral, semi_rolling, peak_pressure] =
@@ -51,7 +51,7 @@ impl State {
         // Its square is the input; at rest nothing changes with it.
         let rolling = if sliding > 1e-30 { seed(sliding, 2, 0.5 / sliding) } else { Dual::from(0.0) };
         let nothing = Dual::from(0.0);
-        let contact = FilmContact {
+        let contact = MovingPatch {
             patch: Patch {
                 semi_lateral,
                 semi_rolling,

@@ -3,8 +3,8 @@
 use super::nodes::{Group, Kept};
 use super::state::{INPUTS, State};
 use super::stress::{Sloped, blended, by_temperature, sheared};
+use crate::MovingPatch;
 use crate::fast::lanes::{Lanes, fused, totals};
-use crate::film::FilmContact;
 use fearless_simd::prelude::*;
 
 /// Force along and across, moments about the normal, the lateral axis and the rolling direction, and power.
@@ -49,7 +49,7 @@ struct Place<S: Simd> {
 }
 
 impl Frame {
-    fn new(contact: &FilmContact) -> Self {
+    fn new(contact: &MovingPatch) -> Self {
         let patch = &contact.patch;
         Self {
             a: patch.semi_lateral,
@@ -87,7 +87,7 @@ fn drag<S: Simd>(sum: &mut [Lanes<S>; OUTPUTS], place: &Place<S>, at: &Group<S>,
 
 /// Integrals and their slope by the temperature.
 #[inline(always)]
-pub(super) fn values<S: Simd>(simd: S, film: &Sloped, contact: &FilmContact, nodes: &[Kept]) -> Values {
+pub(super) fn values<S: Simd>(simd: S, film: &Sloped, contact: &MovingPatch, nodes: &[Kept]) -> Values {
     let nothing = Lanes::splat(simd, 0.0);
     let (mut value, mut warmer, mut wear) = ([nothing; OUTPUTS], [nothing; OUTPUTS], nothing);
     let frame = Frame::new(contact);
@@ -109,7 +109,7 @@ pub(super) fn values<S: Simd>(simd: S, film: &Sloped, contact: &FilmContact, nod
 pub(super) fn slopes<S: Simd>(
     simd: S,
     film: &Sloped,
-    (contact, state): (&FilmContact, &State),
+    (contact, state): (&MovingPatch, &State),
     nodes: &[Kept],
 ) -> (Values, Slopes) {
     let mut sums = Sums::new(simd, (contact, state));
@@ -121,7 +121,7 @@ pub(super) fn slopes<S: Simd>(
 
 struct Sums<'a, S: Simd> {
     frame: Frame,
-    contact: &'a FilmContact,
+    contact: &'a MovingPatch,
     /// Slopes of ln h and of the share of asperities by the inputs of [`State`].
     film: [[f64; 2]; INPUTS],
     /// d ln V/dV, s/m.
@@ -137,7 +137,7 @@ struct Sums<'a, S: Simd> {
 
 impl<'a, S: Simd> Sums<'a, S> {
     #[inline(always)]
-    fn new(simd: S, (contact, state): (&'a FilmContact, &State)) -> Self {
+    fn new(simd: S, (contact, state): (&'a MovingPatch, &State)) -> Self {
         let nothing = Lanes::splat(simd, 0.0);
         let none = [nothing; OUTPUTS];
         Self {

@@ -1,20 +1,20 @@
 //! Films in the vector kernel against the plain integral, values and slopes.
 
 use crate::film::tests::{EYRING, contact, law, rule};
-use crate::{FastPatch, FilmContact, FilmShear, Patch, PatchRule, PatchTraction, RelativeMotion};
+use crate::{FastPatch, FilmShear, MovingPatch, Patch, PatchRule, PatchTraction, RelativeMotion};
 use num_dual::{Derivative, DualNum, DualSVec64};
 
 /// Motion, load and rolling speed.
 type Dual = DualSVec64<7>;
 
-fn seeded(at: &FilmContact) -> FilmContact<Dual> {
+fn seeded(at: &MovingPatch) -> MovingPatch<Dual> {
     let seed = |value: f64, input: usize| {
         Dual::new(value, Derivative::derivative_generic(nalgebra::Const, nalgebra::U1, input))
     };
     let m = at.motion;
     let load = seed(at.load(), 5);
     let grown = (load / load.re).powf(1.0 / 3.0);
-    FilmContact {
+    MovingPatch {
         patch: Patch {
             semi_lateral: grown * at.patch.semi_lateral,
             semi_rolling: grown * at.patch.semi_rolling,
