@@ -1,5 +1,6 @@
 //! Attempts at the orbit of a bearing: from balls that roll, and from the orbit of a neighbour.
 
+use crate::coarse::Coarse;
 use crate::collocation::Orbit;
 use crate::newton::Newton;
 use crate::residual::Found;
@@ -17,8 +18,10 @@ use tribodyn_traction::{FastPatch, PatchChoice, PatchRule, RuleUse};
 /// Stiffness that centres a ball in its pocket over that of the pocket: settles where a cage hangs that no ball
 /// touches.
 const CENTRING: f64 = 1e-8;
-/// Error of an interval, over what is allowed, up to which the mesh of a neighbour serves.
+/// Error of an interval, over what is allowed, up to which the mesh of a neighbour serves; and over that of a neighbour
+/// whose own mesh could not be made finer.
 const DRIFTED: f64 = 2.0;
+const NO_WORSE: f64 = 1.2;
 /// Patches by which slopes are taken at first from a neighbour.
 pub(crate) const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
 
@@ -149,10 +152,19 @@ pub(crate) fn nearby(
     fitted.or_else(|| damped(newton, orbit, settings, patience).ok())
 }
 
-/// True if a mesh errs by little more than is allowed.
-pub(crate) fn fits(newton: &mut Newton<'_>, orbit: &Orbit, (settings, cheap): (&OrbitSettings, &FastPatch)) -> bool {
+/// Error of the worst interval over what is allowed.
+fn worst(newton: &mut Newton<'_>, orbit: &Orbit, (settings, cheap): (&OrbitSettings, &FastPatch)) -> f64 {
     let errors = newton.with_patches(cheap.clone(), |newton| newton.errors(orbit, settings.mesh_error));
-    errors.iter().all(|error| *error <= DRIFTED)
+    errors.into_iter().fold(0.0, f64::max)
+}
+
+/// True if the mesh of a neighbour errs by little more than is allowed, or no worse than it did there, which the answer
+/// then says.
+pub(crate) fn fits(newton: &mut Newton<'_>, orbit: &Orbit, by: (&OrbitSettings, &FastPatch)) -> bool {
+    let motion = worst(newton, orbit, by);
+    let there = newton.coarse.map_or(0.0, |coarse| coarse.motion);
+    newton.coarse = newton.coarse.map(|coarse| Coarse { motion, ..coarse });
+    motion <= f64::max(DRIFTED, NO_WORSE * there)
 }
 
 /// An orbit on a neighbour's mesh, or on a finer one where that errs by more than is allowed.
@@ -166,7 +178,7 @@ pub(crate) fn fitted(
         return Some(found);
     }
     let found = newton.halved(found, settings.mesh_error, goal);
-    if fits(newton, &found.0, (settings, &cheap)) {
+    if worst(newton, &found.0, (settings, &cheap)) <= DRIFTED {
         Some(found)
     } else {
         newton.refined(found, settings.mesh_error, goal)
@@ -178,7 +190,9 @@ pub(crate) fn at<'a>(problem: Problem<'a>, solved: &OrbitStart, orbit: &Orbit) -
     let of = (solved.rule, orbit.cage_speed, solved.origin);
     let mut system = OrbitSystem { settling: solved.settling, ..system(problem, of)? };
     system.cage.pocket.stiffness *= solved.eased.pocket_stiffness;
-    Ok(Newton::new(system, solved.scales, problem.point.watch.clone()))
+    let mut newton = Newton::new(system, solved.scales, problem.point.watch.clone());
+    newton.coarse = solved.coarse;
+    Ok(newton)
 }
 
 /// The solver at a solution, with the very damping and centring of the pockets that it was found with.
@@ -216,6 +230,7 @@ pub(crate) fn finish(
         pocket_damping,
         centring,
         eased,
+        coarse: newton.coarse,
         scales,
         carried,
         speeds,

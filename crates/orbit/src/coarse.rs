@@ -1,12 +1,13 @@
 //! Meshes that could not be made as fine as is asked for.
 
 use crate::way::said;
+use serde::{Deserialize, Serialize};
 
 /// Error of an interval, over what is allowed, that is worth a warning: the mesh of a neighbour may have as much.
 const WORTH_SAYING: f64 = 2.0;
 
 /// Errors of the worst interval over what is allowed, where a mesh could not be made finer.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Coarse {
     /// Of the motion of a ball.
     pub motion: f64,

@@ -1,5 +1,6 @@
 //! A solved orbit, and what is needed to go on from it.
 
+use crate::coarse::Coarse;
 use crate::collocation::Orbit;
 use crate::newton::{Jacobian, OrbitStatistics};
 use crate::residual::Scales;
@@ -28,6 +29,9 @@ pub struct OrbitStart {
     pub(crate) pocket_damping: f64,
     pub(crate) centring: f64,
     pub(crate) eased: Eased,
+    /// Where its mesh could not be made as fine as is asked for.
+    #[serde(default)]
+    pub(crate) coarse: Option<Coarse>,
     pub(crate) scales: Scales,
     /// Mean load of a ball on the inner race, N.
     pub(crate) carried: f64,

@@ -2,7 +2,7 @@
 
 use crate::support::fixture_with;
 use tribodyn_bearing::{CageBody, Pocket};
-use tribodyn_orbit::{OrbitSettings, steady_orbit};
+use tribodyn_orbit::{OrbitSettings, steady_orbit, steady_orbit_from};
 
 /// Oil in the pockets carries balls without load along with the cage. A run of 0.1 s from this orbit has 1588.69 r/min
 /// and 14.31 W on average over its last half.
@@ -43,4 +43,35 @@ fn identity_a_6206_in_oil_has_an_orbit_with_the_torque_of_its_runs() {
     assert!(orbit.ball_mass_factor.is_none() && !orbit.is_eased(), "not of the case: {:?}", orbit.warnings());
     assert!((orbit.shaft_torque_nm - 0.0320).abs() < 0.0005, "{} N m", orbit.shaft_torque_nm);
     assert!((1585.0..1592.0).contains(&orbit.cage_speed_rpm), "{} r/min", orbit.cage_speed_rpm);
+}
+
+/// A 6024 whose idle balls swing faster than its mesh can be made fine: a neighbour's orbit is found on the same mesh,
+/// and says that it errs. It was sought on finer ones in vain, for some seconds each.
+#[test]
+fn regress_a_neighbour_is_served_by_a_mesh_that_could_not_be_made_finer() {
+    let changes = [
+        ("geometry.ball_count", "14"),
+        ("geometry.ball_diameter", "mm(19.05)"),
+        ("geometry.pitch_diameter", "mm(150)"),
+        ("geometry.inner_shoulder", "Height(mm(3.81))"),
+        ("geometry.outer_shoulder", "Height(mm(3.81))"),
+        ("geometry.fit", "RadialClearance(um(28))"),
+        ("ring.x", "Force(N(8800))"),
+        ("ring.z", "Force(N(1800))"),
+        ("speed.inner", "Constant(rpm(1000))"),
+        ("cage.inertia", "kg_m2(2.6e-4)"),
+        ("cage.pocket_gap", "mm(0.2)"),
+        ("lubricant.shear", "LimitingShear"),
+        ("lubricant.patch", "TargetError(relative: 1e-4)"),
+        ("transient.contact_damping", "0.25"),
+    ];
+    let (bearing, point, cage) = fixture_with("oil-6206", &[&AS_NEW[..], &changes].concat());
+    let settings = OrbitSettings::default();
+    let solved = steady_orbit(&bearing, &point, &cage, &settings).unwrap();
+    assert!(solved.solution.mesh_error.is_some_and(|error| error > 2.0), "{:?}", solved.solution.mesh_error);
+    let rougher = CageBody { pocket: Pocket { friction: 2.0 * cage.pocket.friction, ..cage.pocket }, ..cage };
+    let next = steady_orbit_from(&bearing, &point, &rougher, &settings, &solved.start.unwrap()).unwrap();
+    assert!(next.statistics.jacobians <= 3, "{:?}", next.statistics);
+    assert!(next.solution.mesh_error.is_some_and(|error| error > 2.0), "{:?}", next.solution.mesh_error);
+    assert!((next.solution.shaft_torque_nm / solved.solution.shaft_torque_nm - 1.0).abs() < 1e-3);
 }
