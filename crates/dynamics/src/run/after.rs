@@ -259,8 +259,8 @@ impl Run {
     }
 
     /// Refuses a step of the fast scheme that friction does not allow where the scheme has to take it explicitly: with
-    /// a curve of the local pressure, or a law of one's own on elastic patches. The scheme promises stable friction, and the balls then slide
-    /// too fast by some per cent without another sign.
+    /// a curve of the local pressure, or a law of one's own on elastic patches. The scheme promises stable friction,
+    /// and the balls then slide too fast by some per cent without another sign.
     pub(super) fn refuse_unstable_friction(&self) -> Result<(), DynamicsError> {
         let Stiffness { traction_rate_per_s, ball, .. } = self.progress.stiffness;
         let Scheme::Fast { step: step_s } = self.scheme else { return Ok(()) };

@@ -32,8 +32,8 @@ impl PatchDerivative {
     }
 }
 
-/// Forces and moments of [`crate::fast_patch_traction`] with first derivatives of the integral: in closed form where one
-/// curve holds for all of the patch and the law has it in lanes, else by [`patch_traction`] on `D`.
+/// Forces and moments of [`crate::fast_patch_traction`] with first derivatives of the integral: in closed form where
+/// one curve holds for all of the patch and the law has it in lanes, else by [`patch_traction`] on `D`.
 ///
 /// In the first case the derivatives are as good as the rule is for the integral's derivative, the ellipse is taken to
 /// grow in proportion to the cube root of the load, and power and wear integral carry no derivatives.
