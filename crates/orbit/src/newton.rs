@@ -268,13 +268,6 @@ impl<'a> Newton<'a> {
         Ok(Jacobian { ends: orbit.ends.clone(), linear: Arc::new(self.linearise(orbit)?) })
     }
 
-    pub fn linearise(&mut self, orbit: &Orbit) -> Result<Linear, OrbitError> {
-        self.statistics.jacobians += 1;
-        let mut direct = self.border_slopes(orbit);
-        let slopes = (0..orbit.intervals()).map(|j| self.slopes(orbit, j, &mut direct)).collect();
-        Linear::new(slopes, &direct).map_err(|_| OrbitError::Singular)
-    }
-
     /// Largest modulus of a Floquet multiplier of a ball on an orbit, cage and ring held: below one, a ball that is
     /// moved off it comes back.
     pub fn multiplier(&mut self, orbit: &Orbit) -> Result<f64, OrbitError> {
@@ -287,7 +280,7 @@ impl<'a> Newton<'a> {
     }
 
     /// Slopes of the border's residuals by the border itself, without the balls.
-    fn border_slopes(&self, orbit: &Orbit) -> [[f64; BORDER]; BORDER] {
+    pub fn border_slopes(&self, orbit: &Orbit) -> [[f64; BORDER]; BORDER] {
         let mut slopes = [[0.0; BORDER]; BORDER];
         let speeds = self.system.speeds.map(num_dual::Dual64::from);
         let (_, by_speed): (f64, f64) = num_dual::first_derivative(
@@ -310,7 +303,7 @@ impl<'a> Newton<'a> {
     }
 
     /// Slopes of an interval; adds what cage and ring get directly from their own motion.
-    fn slopes(&self, orbit: &Orbit, j: usize, direct: &mut [[f64; BORDER]; BORDER]) -> Slopes {
+    pub fn slopes(&self, orbit: &Orbit, j: usize, direct: &mut [[f64; BORDER]; BORDER]) -> Slopes {
         let [begin, width] = orbit.interval(j);
         let time = self.system.time(width, orbit.cage_speed);
         let balls = self.system.bearing.geometry.ball_count as f64;

@@ -76,6 +76,10 @@ pub struct SteadyOrbit {
     pub points: Vec<BallResult>,
 }
 
+/// Sentence on an inner ring that floats.
+const FLOATING: &str = "no ball touches the inner race: fluid, cage and outer ring alone move the balls, and where the \
+                        inner ring is not held it may be anywhere between them";
+
 impl SteadyOrbit {
     /// The balls of the orbit, or the points round it, in the form of an equilibrium with traction: for figures and
     /// recordings.
@@ -113,10 +117,14 @@ impl SteadyOrbit {
             return vec![alone.to_owned()];
         }
         let lost = self.points.iter().filter(|p| p.contacts.inner.load_n == 0.0).count();
-        let lost = (lost > 0).then(|| {
-            let part = 100.0 * lost as f64 / self.points.len() as f64;
-            format!("balls have no inner contact over {part:.0} % of their orbit")
-        });
+        let lost = match lost {
+            0 => None,
+            all if all == self.points.len() => Some(FLOATING.to_owned()),
+            lost => {
+                let part = 100.0 * lost as f64 / self.points.len() as f64;
+                Some(format!("balls have no inner contact over {part:.0} % of their orbit"))
+            }
+        };
         let swinging = self.swing_damping.map(swinging);
         let eased = Eased {
             ball_mass: self.ball_mass_factor.unwrap_or(1.0),

@@ -60,7 +60,7 @@ pub(crate) fn stiffness(
     let loads: [f64; RING] = found.means.ring.map(|force| balls * force);
     newton.system.ring = loads.map(RingFreedom::Loaded);
     let mut of_mesh = f64::INFINITY;
-    let linear = newton.linearise(orbit)?;
+    let linear = newton.linearise_exactly(orbit)?;
     let mut at = Slope::new(newton, orbit.clone(), linear)?;
     for _ in 0..HALVINGS {
         if newton.watch.stops() {
@@ -70,7 +70,7 @@ pub(crate) fn stiffness(
         let met = newton.met(finer.clone(), (tolerance, PATIENCE));
         let is_met = met.is_some();
         let finer = met.map_or(finer, |(orbit, _)| orbit);
-        let linear = newton.linearise(&finer)?;
+        let linear = newton.linearise_exactly(&finer)?;
         let next = Slope::new(newton, finer, linear)?;
         of_mesh = apart(&next.stiffness, &at.stiffness);
         if !is_met {
@@ -98,7 +98,7 @@ pub(crate) fn stiffness(
 /// [`OrbitError::Singular`].
 pub(crate) fn slopes(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<StiffnessMatrix, OrbitError> {
     newton.system.ring = [RingFreedom::Loaded(0.0); RING];
-    let linear = newton.linearise(orbit)?;
+    let linear = newton.linearise_exactly(orbit)?;
     Ok(Slope::new(newton, orbit.clone(), linear)?.stiffness.transpose().into())
 }
 

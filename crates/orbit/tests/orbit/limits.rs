@@ -1,9 +1,10 @@
 //! Limiting cases and balances of a steady orbit.
 
 use crate::support::fixture;
-use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, RingFreedom};
+use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingFreedom};
 use tribodyn_orbit::{
-    OrbitError, OrbitSettings, OrbitStart, SolvedOrbit, steady_orbit, steady_orbit_from, steady_orbit_near,
+    OrbitError, OrbitSettings, OrbitStart, SolvedOrbit, orbit_stiffness, steady_orbit, steady_orbit_from,
+    steady_orbit_near,
 };
 use tribodyn_quasistatic::{Model, PatchRule, solve};
 
@@ -167,6 +168,34 @@ fn limit_an_inner_ring_that_touches_no_ball_turns_alone() {
     point.ring[2] = RingFreedom::Held(2e-6);
     let driven = steady_orbit(&bearing, &point, &cage, &settings).unwrap().solution;
     assert!(!driven.undriven && driven.cage_speed_rpm > 0.0);
+}
+
+/// Balls that the fluid alone drives: a ring that touches none of them has no place of its own, and no part in their
+/// orbit.
+#[test]
+fn limit_an_inner_ring_that_floats_has_no_part_in_the_orbit() {
+    let (_, mut bearing, mut point, mut cage) = fixture("paper-ag");
+    bearing.fluid.as_mut().unwrap().swirl = 0.3;
+    cage.drag_torque = 1.0;
+    let settings = OrbitSettings::default();
+    let mut at = |across: RingFreedom| {
+        point.ring = [across, across, RingFreedom::Held(-400e-6), RingFreedom::Held(0.0), RingFreedom::Held(0.0)];
+        (steady_orbit(&bearing, &point, &cage, &settings).unwrap(), point.clone())
+    };
+    let (held, _) = at(RingFreedom::Held(0.0));
+    let (floating, point) = at(RingFreedom::Loaded(0.0));
+    let orbit = floating.solution;
+    assert!(!orbit.undriven && orbit.ring_load_n == [0.0; 3]);
+    assert!((orbit.cage_speed_rpm / held.solution.cage_speed_rpm - 1.0).abs() < 1e-8);
+    assert!(orbit.warnings()[0].contains("no ball touches the inner race"), "{:?}", orbit.warnings());
+    // What brakes the cage, the balls make up for in their pockets.
+    let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
+    let given: f64 = cage.fluid_torques(orbit.cage_speed_rpm * std::f64::consts::TAU / 60.0, speeds).iter().sum();
+    let force = orbit.points[0].pocket.unwrap().force_n;
+    let taken = force * cage.pocket.radius * bearing.geometry.ball_count as f64;
+    assert!((given.abs() / taken.abs() - 1.0).abs() < 0.02, "{given} {taken}");
+    let stiffness = orbit_stiffness(&bearing, &point, &cage, &settings, &floating.start.unwrap());
+    assert_eq!(stiffness.unwrap_err(), OrbitError::Singular);
 }
 
 /// Turned the other way round, all is mirrored.

@@ -239,6 +239,16 @@ mod tests {
         assert!(why.contains("no steady orbit was found"), "{why}");
     }
 
+    /// Balls that the fluid drives (91733-479), or a cage on the land of the inner ring (45107-26), pressed outwards by
+    /// centrifugal force alone: where an inner ring without load floats between them is not determined.
+    #[test]
+    fn regress_balls_between_floating_rings_have_orbits() {
+        for (seed, index) in [(91733, 479), (45107, 26)] {
+            let solving = solve_by(&random_bearing(seed, index).unwrap(), Equations::SteadyOrbit);
+            assert_eq!((solving.verdict, solving.rescued), (Verdict::Good, false), "{seed}-{index}");
+        }
+    }
+
     #[test]
     fn limit_a_bearing_that_skids_as_a_whole_says_so_with_advice() {
         let mut bearing = random_bearing(1, 1106).unwrap();
