@@ -20,11 +20,21 @@ const DAMPED: f64 = 1.0;
 
 /// An orbit where a search from the balls that would roll ended with an error.
 pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedOrbit> {
-    // Control by the inner race may have no balls on it that outer control leaves there.
     let watch = &problem.point.watch;
-    let mut guessed = problem.bearing.clone();
-    guessed.modelling.race_control = Some(RaceControl::Outer);
-    if skids(error) {
+    let guessed = outer_controlled(problem.bearing);
+    // What is guessed where a case states no control is that of the outer race: tried before. By the inner one balls
+    // may roll as none would, against both rings, or have no load that outer control leaves them.
+    let tried = matches!(problem.bearing.modelling.race_control, None | Some(RaceControl::Outer));
+    let again = (!tried).then(|| {
+        watch.stage("control by the outer race", None);
+        rolled(problem, &guessed)
+    });
+    let skids = match again {
+        Some(Ok(solved)) => return Some(solved),
+        Some(Err(again)) => skids(error) || skids(&again),
+        None => skids(error),
+    };
+    if skids {
         watch.stage("an inner ring that turns more slowly", None);
         if let Some(slid) = slid(problem, &guessed) {
             return Some(slid);
@@ -58,6 +68,13 @@ fn softest(problem: Problem<'_>) -> Option<SolvedOrbit> {
     SOFTEST.iter().find_map(at)
 }
 
+/// The bearing with balls that roll on their outer race.
+fn outer_controlled(bearing: &Bearing) -> Bearing {
+    let mut guessed = bearing.clone();
+    guessed.modelling.race_control = Some(RaceControl::Outer);
+    guessed
+}
+
 fn skids(error: &OrbitError) -> bool {
     matches!(error, OrbitError::NotConverged { reason: OrbitReason::GrossSkidding { .. }, .. })
 }
@@ -65,15 +82,12 @@ fn skids(error: &OrbitError) -> bool {
 /// The orbit of balls that slide on the inner race, from those that would roll if it turned more slowly: the slower,
 /// the less centrifugal force takes them off it.
 fn slid(problem: Problem<'_>, guessed: &Bearing) -> Option<SolvedOrbit> {
-    let Problem { bearing, point, settings, .. } = problem;
+    let Problem { point, settings, .. } = problem;
     let slower = |share: &f64| {
         let slower = slower(point, *share);
         begun(problem, (guessed, &slower), |newton, rolling, way| sliding(newton, rolling, (way, 1.0), settings)).ok()
     };
-    // What is guessed where a case states no control is that of the outer race: tried before.
-    let tried = matches!(bearing.modelling.race_control, None | Some(RaceControl::Outer));
-    let rolling = if tried { None } else { rolled(problem, guessed).ok() };
-    rolling.or_else(|| SLIDING.iter().find_map(slower))
+    SLIDING.iter().find_map(slower)
 }
 
 /// Rings of which the inner one turns at a share of its speed, seen from the outer one.

@@ -249,6 +249,13 @@ mod tests {
         }
     }
 
+    /// By control of the inner race its balls would go round against both rings.
+    #[test]
+    fn regress_a_search_from_inner_race_control_is_repeated_from_outer() {
+        let solving = solve_by(&random_bearing(72291, 188).unwrap(), Equations::SteadyOrbit);
+        assert_eq!(solving.verdict, Verdict::Good);
+    }
+
     #[test]
     fn limit_a_bearing_that_skids_as_a_whole_says_so_with_advice() {
         let mut bearing = random_bearing(1, 1106).unwrap();
