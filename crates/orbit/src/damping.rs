@@ -3,7 +3,7 @@
 
 use crate::collocation::Orbit;
 use crate::newton::Newton;
-use crate::residual::Found;
+use crate::residual::{Found, shaft_torque};
 use crate::search::{HASTE, PATIENCE, damped};
 use crate::system::LEAD;
 use crate::way::said;
@@ -107,13 +107,12 @@ pub(crate) fn less_damped(
     let followed = newton.within(2 * HASTE, |newton| followed_down(newton, &found, ([raised, given], settings)));
     let Some((damping, reached)) = followed else { return Ok(None) };
     newton.system.cage.pocket.damping = damping;
-    let balls = newton.system.bearing.geometry.ball_count as f64;
     Ok(Some(LessDamping {
         raised_s_per_m: raised,
         given_s_per_m: given,
         damping_s_per_m: damping,
         cage_speed_rpm: reached.0.cage_speed * RPM_PER_RAD_S,
-        shaft_torque_nm: balls * reached.1.means.torque,
+        shaft_torque_nm: shaft_torque(&newton.system, &reached.0, &reached.1.means),
         pocket_force_max_n: pocket_force_max(newton, &reached),
         multiplier: newton.multiplier(&reached.0)?,
     }))

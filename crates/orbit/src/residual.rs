@@ -131,6 +131,14 @@ pub(crate) fn cage_torque(system: &OrbitSystem<'_>, orbit: &Orbit, means: &Means
     balls * means.cage + fluid
 }
 
+/// Mean torque that the shaft needs at the inner ring, N m: that of the balls, and of a cage which the ring guides.
+pub(crate) fn shaft_torque(system: &OrbitSystem<'_>, orbit: &Orbit, means: &Means) -> f64 {
+    let balls = system.bearing.geometry.ball_count as f64;
+    let guided = system.cage.guidance.is_some_and(|guidance| guidance.side == Side::Inner);
+    let [guidance, _] = system.cage.fluid_torques(orbit.cage_speed, system.speeds);
+    balls * means.torque + if guided { guidance } else { 0.0 }
+}
+
 /// All residuals.
 pub(crate) fn residual(system: &OrbitSystem<'_>, radau: &Radau, orbit: &Orbit, scales: &Scales) -> Residual {
     let mut worst = Worst::NONE;

@@ -4,7 +4,7 @@ use crate::coarse::coarse_sentence;
 use crate::collocation::Orbit;
 use crate::damping::{LessDamping, RPM_PER_RAD_S, not_followed, pocket_force_max};
 use crate::newton::Newton;
-use crate::residual::Found;
+use crate::residual::{Found, shaft_torque};
 use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
 use crate::way::{Eased, swinging};
 use serde::Serialize;
@@ -211,7 +211,7 @@ pub(crate) fn solution(
         ring_tilt_rad: tilt,
         ring_load_n: [fx, fy, fz].map(|f| count * f),
         ring_moment_nm: moment.map(|m| count * m),
-        shaft_torque_nm: count * means.torque,
+        shaft_torque_nm: shaft_torque(system, orbit, means),
         friction_w: means.friction.map(|w| count * w),
         fluid_w: count * means.fluid,
         pocket_w: count * means.pocket,

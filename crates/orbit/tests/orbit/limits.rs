@@ -1,6 +1,6 @@
 //! Limiting cases and balances of a steady orbit.
 
-use crate::support::fixture;
+use crate::support::{fixture, fixture_with};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint, Races, RingFreedom};
 use tribodyn_orbit::{
     OrbitError, OrbitSettings, OrbitStart, SolvedOrbit, orbit_stiffness, steady_orbit, steady_orbit_from,
@@ -33,6 +33,25 @@ fn identity_power_and_loads_balance_over_the_turn() {
     assert!((given / lost - 1.0).abs() < 2e-3, "{given} {lost}");
     assert!(orbit.residual <= 1e-10);
     assert!((orbit.ring_load_n[0] - 22980.0).abs() < 1e-3 && (orbit.ring_load_n[2] - 54760.0).abs() < 1e-3);
+}
+
+/// A cage in the land of the inner ring is driven by the shaft, which was left out of its torque.
+#[test]
+fn identity_power_balances_where_a_ring_guides_the_cage() {
+    for (land, radius) in [("Inner", 74.0), ("Outer", 90.25)] {
+        let guidance = format!("(land: {land}, radius: mm({radius}), width: mm(12), gap: mm(0.25))");
+        let (bearing, point, cage) = fixture_with("paper-ag", &[("cage.guidance", &guidance)]);
+        let orbit = steady_orbit(&bearing, &point, &cage, &OrbitSettings::default()).unwrap().solution;
+        let cage_speed = orbit.cage_speed_rpm * std::f64::consts::TAU / 60.0;
+        let speeds = Races { inner: point.inner_speed, outer: point.outer_speed };
+        let [guided, drag] = cage.fluid_torques(cage_speed, speeds);
+        let land_speed = if land == "Inner" { point.inner_speed } else { point.outer_speed };
+        let by_cage = guided * (land_speed - cage_speed) - drag * cage_speed;
+        let lost = orbit.friction_w[0] + orbit.friction_w[1] + orbit.fluid_w + orbit.pocket_w + by_cage;
+        let given = orbit.shaft_torque_nm * point.inner_speed;
+        assert!(by_cage > 0.004 * given, "{land}: {by_cage} {given}");
+        assert!((given / lost - 1.0).abs() < 2e-3, "{land}: {given} {lost}");
+    }
 }
 
 /// A finer mesh and a neighbouring start give the same orbit.
