@@ -12,8 +12,12 @@ use tribodyn_traction::TractionError;
 pub enum OrbitError {
     /// No attempt met all balances.
     #[error(
-        "{reason}; the nearest state has the cage at {cage_speed_rpm:.1} r/min, \
-         {equation} {place} off by {residual:.1e} of its terms (tolerance {tolerance:.1e})"
+        "{reason}; the nearest state has the cage at {cage_speed_rpm:.1} r/min, {}",
+        if residual <= tolerance {
+            "and all balances are met, but no ball that is sent round keeps to it".to_owned()
+        } else {
+            format!("{equation} {place} off by {residual:.1e} of its terms (tolerance {tolerance:.1e})")
+        }
     )]
     NotConverged {
         /// Why, as far as that is known.
@@ -191,5 +195,24 @@ impl OrbitError {
         let cage_speed_rpm = orbit.cage_speed * 60.0 / TAU;
         let reason = OrbitReason::Unknown;
         Self::NotConverged { reason, equation, place, residual: worst.relative, tolerance, cage_speed_rpm }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_an_orbit_that_no_ball_keeps_to_is_not_said_to_miss_a_balance() {
+        let said = |residual| {
+            let (reason, place) = (OrbitReason::Unknown, OrbitPlace::Body);
+            let equation = "torque on the cage";
+            OrbitError::NotConverged { reason, equation, place, residual, tolerance: 1e-10, cage_speed_rpm: 100.0 }
+                .to_string()
+        };
+        assert!(said(4e-13).ends_with("but no ball that is sent round keeps to it"), "{}", said(4e-13));
+        assert!(
+            said(1e-3).ends_with("torque on the cage over the turn off by 1.0e-3 of its terms (tolerance 1.0e-10)")
+        );
     }
 }
