@@ -82,6 +82,9 @@ pub enum OrbitError {
     Traction(#[from] TractionError),
 }
 
+/// Centrifugal force over the load of a ball beyond which nothing presses it on the inner race.
+const NOTHING: f64 = 1e6;
+
 /// Why a bearing has no steady orbit, or none that was found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum OrbitReason {
@@ -102,7 +105,7 @@ pub enum OrbitReason {
 impl std::fmt::Display for OrbitReason {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::GrossSkidding { centrifugal_share } if !centrifugal_share.is_finite() => f.write_str(
+            Self::GrossSkidding { centrifugal_share } if *centrifugal_share > NOTHING => f.write_str(
                 "gross skidding: nothing presses the balls on the inner race, and no steady orbit was found; raise the load \
                  or reduce the clearance",
             ),
@@ -214,5 +217,15 @@ mod tests {
         assert!(
             said(1e-3).ends_with("torque on the cage over the turn off by 1.0e-3 of its terms (tolerance 1.0e-10)")
         );
+    }
+
+    #[test]
+    fn limit_a_bearing_that_skids_as_a_whole_says_so_with_advice() {
+        let said = |centrifugal_share| OrbitReason::GrossSkidding { centrifugal_share }.to_string();
+        for nothing in [f64::INFINITY, 1.6e13] {
+            assert!(said(nothing).starts_with("gross skidding: nothing presses the balls"), "{}", said(nothing));
+            assert!(said(nothing).ends_with("reduce the clearance"), "{}", said(nothing));
+        }
+        assert!(said(4.3).contains("centrifugal force is 4.3 times the load"), "{}", said(4.3));
     }
 }
