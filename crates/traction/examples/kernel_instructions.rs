@@ -9,53 +9,14 @@
 //! (16 × 8); how many times the three contacts are run. It prints the number of nodes, by which a count is to be
 //! divided, and a checksum.
 
+mod film_law;
+
+use film_law::Film;
 use std::{env, process::ExitCode};
 use tribodyn_traction::{
     Coating, CoatingLaw, Conditions, CurveNumber, CustomCurve, CustomLaw, FastPatch, Law, MovingPatch, OverSlip, Patch,
     PatchLaw, PatchRule, PressureChoice, RelativeMotion, SlipField, SlipUnit, fast_patch_traction, patch_traction,
 };
-
-/// Shear of a film that is as thick as speed and temperature make it, up to a limit: κ = κ_L [1 − exp(−η s/(h κ_L p))].
-#[derive(Debug)]
-struct Film {
-    /// K.
-    temperature: f64,
-}
-
-struct FilmCurve {
-    /// η/(h κ_L p), per unit of slip.
-    rate: f64,
-    pressure: f64,
-    speed: f64,
-}
-
-/// κ_L.
-const LIMIT: f64 = 0.06;
-/// Exponent of the speed in the thickness.
-const THICKENING: f64 = 0.67;
-
-impl CustomLaw for Film {
-    type Curve = FilmCurve;
-    fn under(&self, &Conditions { pressure, entrainment_speed, .. }: &Conditions) -> FilmCurve {
-        let viscosity = 200.0 * (-0.03 * (self.temperature - 343.0)).exp();
-        let thickness = 3e-8 * entrainment_speed.powf(THICKENING);
-        FilmCurve { rate: viscosity / (thickness * LIMIT * pressure), pressure, speed: entrainment_speed }
-    }
-}
-
-impl CustomCurve for FilmCurve {
-    #[inline(always)]
-    fn over_slip<N: CurveNumber>(&self, slip: N) -> OverSlip<N> {
-        let e = (slip * -self.rate).max(-700.0).exp_m1();
-        let by_log_rate = (e + 1.0) * (LIMIT * self.rate);
-        OverSlip {
-            value: e / slip * -LIMIT,
-            slope: by_log_rate,
-            by_pressure: by_log_rate * (-1.0 / self.pressure),
-            by_entrainment: Some(by_log_rate * (-THICKENING / self.speed)),
-        }
-    }
-}
 
 /// A loaded and a light contact, and one without spin.
 fn contacts() -> [(Patch, RelativeMotion); 3] {

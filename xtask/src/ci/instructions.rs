@@ -13,8 +13,8 @@ const KERNEL: &str = "kernel_instructions";
 const COUNTED: [Counted; 7] = [
     (KERNEL, &["fast", "jacobi", "100"], "point of a patch, Gauss–Jacobi", 46.7),
     (KERNEL, &["fast", "strips", "100"], "point of a patch, split strips", 77.1),
-    (KERNEL, &["derivative", "jacobi", "100"], "point with derivatives, Gauss–Jacobi", 192.5),
-    (KERNEL, &["derivative", "strips", "100"], "point with derivatives, split strips", 204.3),
+    (KERNEL, &["derivative", "jacobi", "100"], "point with derivatives, Gauss–Jacobi", 182.9),
+    (KERNEL, &["derivative", "strips", "100"], "point with derivatives, split strips", 195.5),
     (KERNEL, &["own", "jacobi", "100"], "point of a law of one's own, Gauss–Jacobi", 46.7),
     (KERNEL, &["own-derivative", "jacobi", "100"], "the same with derivatives", 218.0),
     ("step_instructions", &["10", "5"], "ball and step of the fast scheme", 7_090.0),

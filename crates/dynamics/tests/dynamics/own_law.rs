@@ -1,50 +1,14 @@
 //! Laws of one's own in runs, friction that the fast scheme has to take explicitly, and steps beyond the stability of a
 //! scheme.
 
+#[path = "../../../traction/examples/film_law/mod.rs"]
+mod film_law;
+
 use crate::{Keep, case};
+use film_law::Film;
 use tribodyn_bearing::Side;
 use tribodyn_dynamics::{DynamicsError, Ending, Run, RunInputs, Sample};
 use tribodyn_traction::{Conditions, CurveNumber, CustomCurve, CustomLaw, Law, OverSlip};
-
-/// Shear of a film that is as thick as speed and temperature make it, up to a limit: κ = κ_L [1 − exp(−η s/(h κ_L p))].
-#[derive(Debug, Clone, Copy)]
-struct Film {
-    /// K.
-    temperature: f64,
-}
-
-#[derive(Debug)]
-struct FilmCurve {
-    rate: f64,
-    pressure: f64,
-    speed: f64,
-}
-
-const LIMIT: f64 = 0.06;
-const THICKENING: f64 = 0.67;
-
-impl CustomLaw for Film {
-    type Curve = FilmCurve;
-    fn under(&self, &Conditions { pressure, entrainment_speed, .. }: &Conditions) -> FilmCurve {
-        let (viscosity, speed) = (200.0 * (-0.03 * (self.temperature - 343.0)).exp(), entrainment_speed.max(1e-3));
-        let thickness = 3e-8 * speed.powf(THICKENING);
-        FilmCurve { rate: viscosity / (thickness * LIMIT * pressure), pressure, speed }
-    }
-}
-
-impl CustomCurve for FilmCurve {
-    #[inline(always)]
-    fn over_slip<N: CurveNumber>(&self, slip: N) -> OverSlip<N> {
-        let e = (slip * -self.rate).max(-700.0).exp_m1();
-        let by_log_rate = (e + 1.0) * (LIMIT * self.rate);
-        OverSlip {
-            value: e / slip * -LIMIT,
-            slope: by_log_rate,
-            by_pressure: by_log_rate * (-1.0 / self.pressure),
-            by_entrainment: Some(by_log_rate * (-THICKENING / self.speed)),
-        }
-    }
-}
 
 /// The paper's bearing with that film on both races.
 fn own_law(changes: &[(&str, &str)], temperature: f64) -> RunInputs {

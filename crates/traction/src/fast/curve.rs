@@ -10,7 +10,7 @@ const SMALLEST_RATE: f64 = 1e-100;
 
 /// The curve of one contact.
 pub(crate) trait LaneCurve {
-    /// Whether it can change with the entrainment speed.
+    /// True for a curve that can change with the entrainment speed.
     const ENTRAINED: bool;
 
     /// κ/s at sliding speeds in m/s.

@@ -1,8 +1,12 @@
+#[path = "../../examples/film_law/mod.rs"]
+mod film_law;
+
 use super::*;
 use crate::{
     Coating, CoatingLaw, Kragelskii, Law, Patch, PatchLaw, PatchRule, PressureChoice, RelativeMotion, TractionLaw,
     fast_patch_traction, linear_patch_traction, patch_traction,
 };
+use film_law::Film;
 use num_dual::Dual64;
 
 /// The silver coating's law handed in as one's own.
@@ -35,43 +39,6 @@ impl CustomCurve for SilverCurve {
             slope: decay * (slip * (-b * c) + (b - a * c)),
             by_pressure: decay * (slip * (-change.c * b) + (change.b - change.c * a)) + ratio * (change.a * c),
             by_entrainment: None,
-        }
-    }
-}
-
-/// Shear of a film that is as thick as speed and temperature make it, up to a limit: κ = κ_L [1 − exp(−η s/(h κ_L p))].
-#[derive(Debug)]
-struct Film {
-    temperature: f64,
-}
-
-struct FilmCurve {
-    rate: f64,
-    pressure: f64,
-    speed: f64,
-}
-
-const LIMIT: f64 = 0.06;
-
-impl CustomLaw for Film {
-    type Curve = FilmCurve;
-    fn under(&self, &Conditions { pressure, entrainment_speed, .. }: &Conditions) -> FilmCurve {
-        let viscosity = 200.0 * (-0.03 * (self.temperature - 343.0)).exp();
-        let thickness = 3e-8 * entrainment_speed.powf(0.67);
-        FilmCurve { rate: viscosity / (thickness * LIMIT * pressure), pressure, speed: entrainment_speed }
-    }
-}
-
-impl CustomCurve for FilmCurve {
-    #[inline(always)]
-    fn over_slip<N: CurveNumber>(&self, slip: N) -> OverSlip<N> {
-        let e = (slip * -self.rate).max(-700.0).exp_m1();
-        let by_log_rate = (e + 1.0) * (LIMIT * self.rate);
-        OverSlip {
-            value: e / slip * -LIMIT,
-            slope: by_log_rate,
-            by_pressure: by_log_rate * (-1.0 / self.pressure),
-            by_entrainment: Some(by_log_rate * (-0.67 / self.speed)),
         }
     }
 }
