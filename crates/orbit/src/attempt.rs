@@ -147,38 +147,34 @@ pub(crate) fn nearby(
 ) -> Option<Found> {
     let goal = (settings.tolerance, PATIENCE);
     let met = newton.met(orbit.clone(), goal).or_else(|| newton.closed(orbit.clone(), settings.tolerance));
-    let cheap = FastPatch::new(SLOPES).ok()?;
-    let fitted = met.and_then(|found| fitted(newton, found, (settings, cheap)));
+    let fitted = met.and_then(|found| fitted(newton, found, settings));
     fitted.or_else(|| damped(newton, orbit, settings, patience).ok())
 }
 
-/// Error of the worst interval over what is allowed.
-fn worst(newton: &mut Newton<'_>, orbit: &Orbit, (settings, cheap): (&OrbitSettings, &FastPatch)) -> f64 {
-    let errors = newton.with_patches(cheap.clone(), |newton| newton.errors(orbit, settings.mesh_error));
-    errors.into_iter().fold(0.0, f64::max)
+/// Error of the worst interval over what is allowed, by the patches that the orbit was found with: with others, its
+/// rates would not be the slopes of its polynomials, and that difference would count as an error.
+pub(crate) fn worst(newton: &Newton<'_>, orbit: &Orbit, settings: &OrbitSettings) -> f64 {
+    newton.errors(orbit, settings.mesh_error).into_iter().fold(0.0, f64::max)
 }
 
 /// True if the mesh of a neighbour errs by little more than is allowed, or no worse than it did there, which the answer
 /// then says.
-pub(crate) fn fits(newton: &mut Newton<'_>, orbit: &Orbit, by: (&OrbitSettings, &FastPatch)) -> bool {
-    let motion = worst(newton, orbit, by);
-    let there = newton.coarse.map_or(0.0, |coarse| coarse.motion);
-    newton.coarse = newton.coarse.map(|coarse| Coarse { motion, ..coarse });
-    motion <= f64::max(DRIFTED, NO_WORSE * there)
+pub(crate) fn fits(newton: &mut Newton<'_>, orbit: &Orbit, settings: &OrbitSettings) -> bool {
+    let pocket = newton.with_pockets(orbit, settings.mesh_error).into_iter().fold(0.0, f64::max);
+    let Some(there) = newton.coarse else { return pocket <= DRIFTED };
+    let motion = worst(newton, orbit, settings);
+    newton.coarse = Some(Coarse { motion, pocket });
+    motion <= f64::max(DRIFTED, NO_WORSE * there.motion) && pocket <= f64::max(DRIFTED, NO_WORSE * there.pocket)
 }
 
 /// An orbit on a neighbour's mesh, or on a finer one where that errs by more than is allowed.
-pub(crate) fn fitted(
-    newton: &mut Newton<'_>,
-    found: Found,
-    (settings, cheap): (&OrbitSettings, FastPatch),
-) -> Option<Found> {
+pub(crate) fn fitted(newton: &mut Newton<'_>, found: Found, settings: &OrbitSettings) -> Option<Found> {
     let goal = (settings.tolerance, PATIENCE);
-    if fits(newton, &found.0, (settings, &cheap)) {
+    if fits(newton, &found.0, settings) {
         return Some(found);
     }
     let found = newton.halved(found, settings.mesh_error, goal);
-    if worst(newton, &found.0, (settings, &cheap)) <= DRIFTED {
+    if worst(newton, &found.0, settings) <= DRIFTED {
         Some(found)
     } else {
         newton.refined(found, settings.mesh_error, goal)

@@ -109,8 +109,7 @@ impl<'a> Newton<'a> {
     pub fn halved(&mut self, mut found: Found, allowed: f64, (tolerance, patience): (f64, usize)) -> Found {
         self.coarse = None;
         for halvings in 0..=HALVINGS {
-            let errors = self.closer(&found.0, allowed).into_iter().zip(self.pocket_errors(&found.0));
-            let errors: Vec<f64> = errors.map(|(of_step, of_pocket)| of_step.max(of_pocket)).collect();
+            let errors = self.with_pockets(&found.0, allowed);
             let worst = errors.iter().copied().fold(0.0, f64::max);
             if worst <= 1.0 {
                 break;
@@ -125,6 +124,12 @@ impl<'a> Newton<'a> {
             found = next;
         }
         found
+    }
+
+    /// Error of each interval over what is allowed, pocket forces included.
+    pub fn with_pockets(&mut self, orbit: &Orbit, allowed: f64) -> Vec<f64> {
+        let errors = self.closer(orbit, allowed).into_iter().zip(self.pocket_errors(orbit));
+        errors.map(|(of_step, of_pocket)| of_step.max(of_pocket)).collect()
     }
 
     /// An orbit on its mesh with those intervals halved whose errors are above 1.

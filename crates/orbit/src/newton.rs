@@ -129,22 +129,20 @@ impl<'a> Newton<'a> {
         self.iterate(from, tolerance, (limit, DAMPED), None)
     }
 
-    /// The same by so many Jacobians and full steps alone, the first of them known, each used only where the balances
-    /// are met to `within`; none where they do not meet the tolerance.
+    /// The same by so many Jacobians and full steps alone, the first of them known; none where they do not meet the
+    /// tolerance.
     pub fn by_full_steps(
         &mut self,
         orbit: Orbit,
         tolerance: f64,
-        (jacobians, within, known): (usize, f64, Option<Jacobian>),
+        (jacobians, known): (usize, Option<Jacobian>),
     ) -> Option<(Orbit, Residual)> {
         let residual = self.residual(&orbit);
         let mut found = (orbit, residual);
         let known = known.filter(|known| known.is_of(&found.0));
         let others = jacobians - usize::from(known.is_some());
         for (limit, known) in [(usize::from(known.is_some()), known), (others, None)] {
-            if found.1.worst.relative <= within {
-                found = self.iterate(found, tolerance, (limit, FULL), known);
-            }
+            found = self.iterate(found, tolerance, (limit, FULL), known);
         }
         (found.1.worst.relative <= tolerance).then_some(found)
     }

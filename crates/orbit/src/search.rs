@@ -62,7 +62,7 @@ pub(crate) const SETTLING: [f64; 5] = [0.0, 3.0, 10.0, 30.0, 100.0];
 /// Places of the way at which an orbit is taken where none is found at its end.
 const SOFT: [f64; 3] = [0.8, 0.65, 0.5];
 /// Error of an interval, over what is allowed, at which a mesh is made for another orbit.
-const OTHER: f64 = 4.0;
+pub(crate) const OTHER: f64 = 4.0;
 /// Intervals of all turns after which no attempt is begun any more: from near by, from Jones–Harris, from far, and with
 /// damped balls.
 pub(crate) const HASTE: usize = 5000;
@@ -70,8 +70,9 @@ const MARCH: usize = 10_000;
 /// Turns like the first that such a search from Jones–Harris may take.
 const TURNS: usize = 40;
 const LONG: usize = 25_000;
-/// Intervals of all turns from a neighbour, after which a cold start is as cheap.
+/// Intervals of all turns from a neighbour, or turns like its own, after which a cold start is as cheap.
 const NEAR: usize = 300;
+const TURNS_NEAR: usize = 6;
 pub(crate) const WORK: usize = 12_000;
 
 /// The orbit, and by how much its bearing is not that of the case.
@@ -234,7 +235,8 @@ pub(crate) fn closed_near(
 ) -> Option<Found> {
     let (start, border) = (*near.last(), (near.cage_speed, near.ring));
     let shoot = |newton: &mut Newton<'_>| newton.shoot(&start, border, (settings.mesh_error, CLOSE_BY, ROUNDS)).ok();
-    let turn = newton.with_patches(cheap, |newton| newton.within(NEAR, shoot))?;
+    let work = NEAR.max(TURNS_NEAR * near.intervals());
+    let turn = newton.with_patches(cheap, |newton| newton.within(work, shoot))?;
     if turn.off > FAR { None } else { closed_or_met(newton, turn.orbit, settings) }
 }
 

@@ -1,11 +1,12 @@
 //! From a bearing at an operating point to its steady orbit.
 
 use crate::OrbitError;
-use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, found, prepared, resent, rolled, warm};
+use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, found, prepared, resent, rolled, warm, worst};
 use crate::damping::{LessDamping, less_damped};
 use crate::detours::{damped_more, detour};
 use crate::newton::Newton;
 use crate::residual::Found;
+use crate::search::{OTHER, PATIENCE};
 use crate::settings::OrbitSettings;
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::statics::standing;
@@ -18,10 +19,6 @@ use tribodyn_traction::{FastPatch, PatchRule};
 /// hangs that no ball touches, slopes must be right to the last. As many lead from the nearest to the orbit or not at
 /// all.
 const HURRY: usize = 3;
-const NEXT_DOOR: usize = 2;
-/// Balances of the nearest as it is, and once its own Jacobian has done what it can: where they are farther from being
-/// met, contacts begin and end elsewhere than its mesh is made for.
-const WITHIN: f64 = 0.5;
 
 /// Refuses what has no orbit to seek.
 fn check(bearing: &Bearing, point: &OperatingPoint) -> Result<(), OrbitError> {
@@ -70,7 +67,7 @@ pub fn steady_orbit_from(
 ) -> Result<SolvedOrbit, OrbitError> {
     check(bearing, point)?;
     let problem = Problem { bearing, point, cage, settings };
-    if let Some(solved) = hurried(problem, near, (HURRY, f64::INFINITY), fitted)? {
+    if let Some(solved) = hurried(problem, near, fitted)? {
         return Ok(solved);
     }
     let led = warm(Problem { bearing: &prepared(bearing, settings), ..problem }, near);
@@ -91,7 +88,7 @@ pub fn steady_orbit_near(
 ) -> Result<Option<SolvedOrbit>, OrbitError> {
     check(bearing, point)?;
     let problem = Problem { bearing, point, cage, settings };
-    if let Some(solved) = hurried(problem, near, (NEXT_DOOR, WITHIN), as_it_is)? {
+    if let Some(solved) = hurried(problem, near, served)? {
         return Ok(Some(solved));
     }
     Ok(resent(Problem { bearing: &prepared(bearing, settings), ..problem }, near))
@@ -106,31 +103,33 @@ pub fn cold_rule(bearing: &Bearing, point: &OperatingPoint, settings: &OrbitSett
 }
 
 /// Makes of an orbit on a neighbour's mesh one to answer with; none where that is not worth it.
-type Serve = fn(&mut Newton<'_>, Found, (&OrbitSettings, FastPatch)) -> Option<Found>;
+type Serve = fn(&mut Newton<'_>, Found, &OrbitSettings) -> Option<Found>;
 
-/// The orbit by full steps and so many Jacobians with cheap slopes, first on the mesh of a neighbour; none where that
+/// The orbit by full steps and few Jacobians with cheap slopes, first on the mesh of a neighbour; none where that
 /// does not lead to it.
-fn hurried(
-    problem: Problem<'_>,
-    near: &OrbitStart,
-    (jacobians, within): (usize, f64),
-    serve: Serve,
-) -> Result<Option<SolvedOrbit>, OrbitError> {
+fn hurried(problem: Problem<'_>, near: &OrbitStart, serve: Serve) -> Result<Option<SolvedOrbit>, OrbitError> {
     let Problem { bearing, point, settings, .. } = problem;
     let eased = near.eased.of(&prepared(bearing, settings));
     let orbit = near.at_speeds(point);
     let mut newton = at(Problem { bearing: &eased, ..problem }, near, &orbit)?;
-    let cheap = FastPatch::new(SLOPES)?;
-    newton.slopes_by = Some(cheap.clone());
-    let met = newton.by_full_steps(orbit, settings.tolerance, (jacobians, within, near.jacobian.clone()));
+    newton.slopes_by = Some(FastPatch::new(SLOPES)?);
+    let met = newton.by_full_steps(orbit, settings.tolerance, (HURRY, near.jacobian.clone()));
     newton.slopes_by = None;
-    let met = met.and_then(|found| serve(&mut newton, found, (settings, cheap)));
+    let met = met.and_then(|found| serve(&mut newton, found, settings));
     met.map(|found| finish(&mut newton, found, problem, near.eased)).transpose()
 }
 
-/// An orbit on a neighbour's mesh, where that errs by no more than is allowed.
-fn as_it_is(newton: &mut Newton<'_>, found: Found, (settings, cheap): (&OrbitSettings, FastPatch)) -> Option<Found> {
-    fits(newton, &found.0, (settings, &cheap)).then_some(found)
+/// An orbit on a neighbour's mesh, or with some intervals halved where that errs by more than is allowed; none where it
+/// errs by so much that the mesh may be made for another orbit.
+fn served(newton: &mut Newton<'_>, found: Found, settings: &OrbitSettings) -> Option<Found> {
+    if fits(newton, &found.0, settings) {
+        return Some(found);
+    }
+    if worst(newton, &found.0, settings) > OTHER {
+        return None;
+    }
+    let found = newton.halved(found, settings.mesh_error, (settings.tolerance, PATIENCE));
+    newton.coarse.is_none().then_some(found)
 }
 
 /// Stiffness of the inner ring on its steady orbit, balls and cage condensed, checked on a finer mesh and against
