@@ -2,6 +2,7 @@
 
 use crate::coarse::Coarse;
 use crate::collocation::Orbit;
+use crate::events::Events;
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::search::{PATIENCE, SETTLING, WORK, closed_near, damped, find};
@@ -217,8 +218,10 @@ pub(crate) fn finish(
     let carried = balls.iter().map(|(_, _, e)| e.loads.contacts.inner.normal.load).sum::<f64>() / balls.len() as f64;
     let (scales, centring) = (newton.scales, newton.system.centring);
     let pocket_damping = newton.system.cage.pocket.damping;
+    let events = Events::of(&newton.system, &newton.radau, &orbit);
     let start = OrbitStart {
         orbit,
+        events,
         jacobian,
         rule,
         origin,

@@ -38,9 +38,10 @@ impl Orbit {
         Self { ends, values, cage_speed, ring }
     }
 
-    /// Moves all unknowns by as much as those of two others differ.
-    pub fn shift(&mut self, radau: &Radau, from: &Self, to: &Self) {
-        let [from_here, to_here] = [from, to].map(|other| other.on(radau, &self.ends));
+    /// Moves all unknowns by as much as those of two others differ, each on a mesh of as many intervals.
+    pub fn shift(&mut self, radau: &Radau, from: (&Self, &[f64]), to: (&Self, &[f64])) {
+        let [from_here, to_here] = [from, to].map(|(other, ends)| other.on(radau, ends));
+        let ((from, _), (to, _)) = (from, to);
         let all = |values: &[Values]| -> Vec<f64> { values.iter().flatten().flatten().copied().collect() };
         let pairs = all(&from_here).into_iter().zip(all(&to_here));
         self.values.iter_mut().flatten().flatten().zip(pairs).for_each(|(v, (from, to))| *v += to - from);

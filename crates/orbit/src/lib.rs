@@ -9,6 +9,7 @@ mod damping;
 mod detours;
 mod direct;
 mod error;
+mod events;
 mod linearised;
 mod march;
 mod means;

@@ -48,6 +48,11 @@ pub(crate) struct Jacobian {
 }
 
 impl Jacobian {
+    /// True if it serves an orbit: one on its mesh, or on that mesh carried along with contacts.
+    fn serves(&self, orbit: &Orbit) -> bool {
+        self.linear.intervals() == orbit.intervals()
+    }
+
     /// True if it is of the mesh of an orbit.
     pub fn is_of(&self, orbit: &Orbit) -> bool {
         self.ends == orbit.ends
@@ -139,7 +144,7 @@ impl<'a> Newton<'a> {
     ) -> Option<(Orbit, Residual)> {
         let residual = self.residual(&orbit);
         let mut found = (orbit, residual);
-        let known = known.filter(|known| known.is_of(&found.0));
+        let known = known.filter(|known| known.serves(&found.0));
         let others = jacobians - usize::from(known.is_some());
         for (limit, known) in [(usize::from(known.is_some()), known), (others, None)] {
             found = self.iterate(found, tolerance, (limit, FULL), known);

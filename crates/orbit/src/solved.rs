@@ -2,6 +2,7 @@
 
 use crate::coarse::Coarse;
 use crate::collocation::Orbit;
+use crate::events::Events;
 use crate::newton::{Jacobian, OrbitStatistics};
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
@@ -17,6 +18,9 @@ use tribodyn_traction::PatchRule;
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct OrbitStart {
     pub(crate) orbit: Orbit,
+    /// Where its contacts begin and end.
+    #[serde(default)]
+    pub(crate) events: Events,
     /// The last Jacobian on the orbit's mesh, where there was one.
     #[serde(skip)]
     pub(crate) jacobian: Option<Jacobian>,
@@ -70,7 +74,16 @@ impl OrbitStart {
             return None;
         }
         let mut moved = self.clone();
-        moved.orbit.shift(&Radau::new(), &from.orbit, &to.orbit);
+        let ends = &self.orbit.ends;
+        let same = || (self.events.clone(), ends.clone(), ends.clone());
+        // Without contacts that begin and end in all of them alike, unknowns are compared at the same azimuths.
+        let (events, ends_from, ends_to) = self.events.moved(&from.events, &to.events).map_or_else(same, |events| {
+            let [ends_from, ends_to] = [from, to].map(|other| self.events.carried(ends, &other.events));
+            (events, ends_from, ends_to)
+        });
+        moved.orbit.shift(&Radau::new(), (&from.orbit, &ends_from), (&to.orbit, &ends_to));
+        moved.orbit.ends = self.events.carried(ends, &events);
+        moved.events = events;
         for side in Side::BOTH {
             moved.speeds[side] += to.speeds[side] - from.speeds[side];
         }

@@ -121,6 +121,16 @@ impl OrbitSystem<'_> {
         }
     }
 
+    /// Distances that open where contacts end, negative in contact: of the inner and the outer race and of the two
+    /// walls of the pocket, m, m, rad, rad.
+    pub fn gaps(&self, pocket_azimuth: f64, y: &[f64; BALL], (cage_speed, ring): (f64, [f64; RING])) -> [f64; 4] {
+        let without = |_: &LoadedPatch<'_, f64>| PatchTraction::zero();
+        let contacts = self.ball(pocket_azimuth, y, cage_speed, &rings(ring, self.speeds), without).loads.contacts;
+        let [inner, outer] = Side::BOTH.map(|side| -contacts[side].normal.pose.approach);
+        let clearance = self.cage.pocket.clearance;
+        [inner, outer, clearance - y[LEAD], clearance + y[LEAD]]
+    }
+
     /// Load of the pocket on a ball with these unknowns.
     pub fn in_pocket<D: Scalar>(&self, unknowns: &[D; BALL], cage_speed: D) -> PocketLoad<D> {
         let &[_, _, lead, v_a, v_r, orbit, omega_a, omega_r, _] = unknowns;
