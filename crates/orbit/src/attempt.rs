@@ -23,6 +23,8 @@ const CENTRING: f64 = 1e-8;
 /// whose own mesh could not be made finer.
 const DRIFTED: f64 = 2.0;
 const NO_WORSE: f64 = 1.2;
+/// Jacobians from an orbit to itself by another patch rule.
+const FEW: usize = 2;
 /// Patches by which slopes are taken at first from a neighbour.
 pub(crate) const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
 
@@ -282,7 +284,13 @@ fn sharpened(
     };
     let kernel = FastPatch::new(rule)?;
     let goal = (settings.tolerance, PATIENCE);
-    let Some(sharp) = newton.with_patches(kernel.clone(), |newton| newton.met(found.0.clone(), goal)) else {
+    // By another rule the orbit is hardly another one, and neither are its slopes.
+    let near = (FEW, newton.last.clone());
+    let sharp = newton.with_patches(kernel.clone(), |newton| {
+        let by_known = newton.by_full_steps(found.0.clone(), settings.tolerance, near);
+        by_known.or_else(|| newton.met(found.0.clone(), goal))
+    });
+    let Some(sharp) = sharp else {
         return Ok((found, placed, error));
     };
     newton.system.kernel = kernel;
