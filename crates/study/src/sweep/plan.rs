@@ -9,6 +9,8 @@ use std::time::Instant;
 
 /// Rows that are solved to see how long one takes.
 const TRIED: usize = 8;
+/// Time after which no other is tried, s: the first rows of a grid may be by far the slowest.
+const TRIAL_S: f64 = 2.0;
 
 /// A sweep that is not begun.
 #[derive(Debug, Clone, Serialize)]
@@ -59,13 +61,14 @@ impl Plan {
 /// Seconds of the first row, and mean of the few after it.
 fn time_rows(grid: &Grid, cold: bool) -> [f64; 2] {
     let mut chunk = Chunk::new(grid, cold);
-    let count = grid.chunk(0).len().min(TRIED);
-    let mut time = |rows: std::ops::Range<usize>| {
-        let began = Instant::now();
-        chunk.lines(rows);
-        began.elapsed().as_secs_f64()
-    };
-    let first = time(0..1);
-    let next = if count > 1 { time(1..count) / (count - 1) as f64 } else { first };
+    let began = Instant::now();
+    chunk.lines(0..1);
+    let first = began.elapsed().as_secs_f64();
+    let (mut row, began) = (1, Instant::now());
+    while row < grid.chunk(0).len().min(TRIED) && (row == 1 || began.elapsed().as_secs_f64() < TRIAL_S) {
+        chunk.lines(row..row + 1);
+        row += 1;
+    }
+    let next = if row > 1 { began.elapsed().as_secs_f64() / (row - 1) as f64 } else { first };
     [first, next]
 }
