@@ -30,9 +30,8 @@ impl Machine {
         &self,
         (t, y): (f64, &[f64]),
         (energy_at_start, worn): (f64, Worn),
-        (sums, mut balls): Balls,
+        (sums, balls): Balls,
     ) -> Sample {
-        self.bearing.put_films(&mut balls);
         let frame = self.frame(t, y);
         let bodies = self.bodies(t, &frame, &sums);
         let energy = sums.powers.energy + bodies.energy;

@@ -20,7 +20,8 @@ pub struct Sample {
     pub power: PowerSample,
     /// What has worn off so far.
     pub wear: WearSample,
-    /// One entry per ball, in the order of their numbers.
+    /// One entry per ball, in the order of their numbers, without the films of their contacts: nothing in a run needs
+    /// them, and [`tribodyn_bearing::Bearing::put_films`] puts them in where they are wanted.
     pub balls: Vec<BallResult>,
 }
 

@@ -125,13 +125,13 @@ impl<S: Sink> RunRecorder<S> {
         self.producer.remember(memory)
     }
 
-    /// Records a sample from what was kept of it, and its balls where they are to be recorded. The first sample of a
-    /// run should have them: the picture is scaled by their loads.
+    /// Records a sample from what was kept of it, and its balls where they are to be recorded, into which it puts their
+    /// films. The first sample of a run should have them: the picture is scaled by their loads.
     ///
     /// # Errors
     /// [`RecordError`] for a number that is not finite, another number of balls or a time before that of the last
     /// sample, and where the sink cannot take it.
-    pub fn record(&mut self, overview: &Overview, balls: Option<&[BallResult]>) -> Result<(), RecordError> {
+    pub fn record(&mut self, overview: &Overview, balls: Option<&mut [BallResult]>) -> Result<(), RecordError> {
         self.producer.sample(&mut self.sink, overview, balls)
     }
 
@@ -158,8 +158,8 @@ impl<S: Sink> Observer for RunRecorder<S> {
     type Error = RecordError;
 
     fn sample(&mut self, sample: &Sample, with_balls: bool) -> Result<ControlFlow<()>, RecordError> {
-        let balls = with_balls.then_some(&sample.balls[..]);
-        self.record(&Overview::of(sample), balls).map(ControlFlow::Continue)
+        let mut balls = with_balls.then(|| sample.balls.clone());
+        self.record(&Overview::of(sample), balls.as_deref_mut()).map(ControlFlow::Continue)
     }
 
     fn between(&self) -> BallDetail {

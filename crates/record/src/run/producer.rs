@@ -19,7 +19,7 @@ use crate::wire::foxglove::{FrameTransforms, Log, SceneUpdate};
 use crate::wire::tribodyn::Balls;
 use prost::Message;
 use serde::{Deserialize, Serialize};
-use tribodyn_bearing::{BallResult, Geometry};
+use tribodyn_bearing::{BallResult, Bearing};
 use tribodyn_dynamics::{Event, Sample, WearSample};
 
 /// Simulated time between wear, coating and path of the inner ring, s: one second of a viewer that plays at a hundredth
@@ -41,7 +41,7 @@ type Seen<'a> = (&'a Sample, &'a [BallResult]);
 /// Makes the messages.
 #[derive(Debug)]
 pub(super) struct Producer {
-    pub(super) geometry: Geometry,
+    bearing: Bearing,
     pocket_gap: f64,
     /// Warnings of the state that the run starts from, for the log.
     warnings: Vec<String>,
@@ -157,13 +157,13 @@ impl RecorderMemory {
 
 impl Producer {
     pub(super) fn new(input: &RunRecording) -> Self {
-        let geometry = input.inputs.bearing.geometry;
+        let bearing = input.inputs.bearing.clone();
         Self {
-            geometry,
+            memory: RecorderMemory::new(bearing.geometry.ball_count),
+            bearing,
             pocket_gap: input.inputs.cage.pockets.pocket_gap,
             warnings: input.warnings.to_vec(),
             defects: raceway::defects(input.inputs),
-            memory: RecorderMemory::new(geometry.ball_count),
             transforms: FrameTransforms::default(),
             contacts: SceneUpdate::default(),
             buffer: Vec::new(),
@@ -176,7 +176,7 @@ impl Producer {
     }
 
     pub(super) fn remember(&mut self, memory: RecorderMemory) -> Result<(), RecordError> {
-        memory.check(self.geometry.ball_count)?;
+        memory.check(self.bearing.geometry.ball_count)?;
         self.memory = memory;
         Ok(())
     }
@@ -208,10 +208,14 @@ impl Producer {
         &mut self,
         sink: &mut impl Sink,
         overview: &Overview,
-        balls: Option<&[BallResult]>,
+        mut balls: Option<&mut [BallResult]>,
     ) -> Result<(), RecordError> {
-        let (sample, count) = (&overview.sample, self.geometry.ball_count);
+        let (sample, count) = (&overview.sample, self.bearing.geometry.ball_count);
         let time = log_time(sample.time_s);
+        if let Some(balls) = &mut balls {
+            self.bearing.put_films(balls);
+        }
+        let balls = balls.as_deref();
         let of_balls = balls.map(|balls| (balls, messages::balls(balls, sample.time_s, time)));
         if let Some((balls, message)) = &of_balls {
             check::check_balls(&message.balls, balls, count)?;
@@ -256,7 +260,7 @@ impl Producer {
         self.memory.scales = Some(scales);
         let first = balls.first().map_or(0.0, |b| b.azimuth_rad - b.pocket.unwrap_or_default().lead_rad);
         let bodies = Bodies {
-            geometry: &self.geometry,
+            geometry: &self.bearing.geometry,
             pocket_gap: Some(self.pocket_gap),
             first_azimuth: first - sample.cage.angle_rad,
             scales,
@@ -284,7 +288,7 @@ impl Producer {
         }
         if self.memory.motion.contacts_due(s) {
             let mut update = std::mem::take(&mut self.contacts);
-            let drawing = Drawing { geometry: &self.geometry, scales, defects: &self.defects };
+            let drawing = Drawing { geometry: &self.bearing.geometry, scales, defects: &self.defects };
             let moment = Moment {
                 log_time: time,
                 ring_load_n: s.inner.ball_force_n.map(|x| -x),
@@ -292,7 +296,7 @@ impl Producer {
                 ring_angles_rad: [s.inner.angle_rad, s.outer.angle_rad],
             };
             contacts::update(&mut update, &drawing, &moment, balls);
-            update.entities.extend(self.memory.trail.entity(self.geometry.ball_diameter, timestamp(time)));
+            update.entities.extend(self.memory.trail.entity(self.bearing.geometry.ball_diameter, timestamp(time)));
             self.send(sink, Topic::Contacts, time, &update)?;
             self.send(sink, Topic::Azimuth, time, &ball::around(timestamp(time), s.time_s, balls))?;
             self.contacts = update;
@@ -308,7 +312,7 @@ impl Producer {
     /// Wear, coating and orbit of the last sample, and spectra where new ones say more.
     fn slow(&mut self, sink: &mut impl Sink, time: u64) -> Result<(), RecordError> {
         self.wear(sink, time)?;
-        let coating = self.memory.found.message(&self.geometry, timestamp(time));
+        let coating = self.memory.found.message(&self.bearing.geometry, timestamp(time));
         self.send(sink, Topic::Coating, time, &coating)?;
         let orbit = self.memory.last_turn.message(self.memory.last_time_s, time);
         self.send(sink, Topic::Orbit, time, &orbit)?;
@@ -323,7 +327,7 @@ impl Producer {
         self.memory.spectra_samples = self.memory.recent.spectrum_samples();
         let topics = [Topic::SpectrumOuter, Topic::SpectrumInner, Topic::SpectrumCage];
         for (quantity, topic) in topics.into_iter().enumerate().take(QUANTITIES.len()) {
-            if let Some(spectrum) = self.memory.recent.spectrum(quantity, self.geometry.ball_count, time)? {
+            if let Some(spectrum) = self.memory.recent.spectrum(quantity, self.bearing.geometry.ball_count, time)? {
                 self.send(sink, topic, time, &spectrum)?;
             }
         }

@@ -10,7 +10,8 @@ use std::ops::ControlFlow;
 use tribodyn_dynamics::{BallDetail, Event, Observer, Sample, WearSample};
 
 /// Hands out the rows that a reader of the recording would find, from samples and events: states, balls, the log, and
-/// at the end what has worn off. Nothing is encoded, and what is for the eye only is not made.
+/// at the end what has worn off. Nothing is encoded, and what is for the eye only is not made. Films of the contacts
+/// are left out: balls have them as in a dry bearing.
 #[derive(Debug)]
 pub struct RunRows<T> {
     balls: usize,

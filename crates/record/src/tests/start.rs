@@ -66,3 +66,30 @@ fn regress_a_recording_has_the_geometry_of_the_mounted_bearing() {
     assert_eq!(found.parse::<f64>().unwrap(), solver);
     assert!((solver - 15.54).abs() < 0.01, "docs/growth.md has 15.54°, not {solver}°");
 }
+
+/// A run has no use for the films of its contacts; the recorder puts them in.
+#[test]
+fn identity_a_recording_has_the_films_of_its_contacts() {
+    let text = include_str!("../../../../fixtures/cases/oil-6206.ron");
+    let case = Case::from_ron(&set_value(text, "transient.start", "QuasiStatic").unwrap()).unwrap();
+    let (made, path) = (case::Made::of(&case), path("run-films"));
+    let mut recorder = RunRecorder::create(&path, &recording(&made)).unwrap();
+    let mut run = tribodyn_dynamics::Run::new(case.run_inputs().unwrap()).unwrap();
+    let mut balls = run.sample().balls;
+    assert!(balls.iter().all(|ball| ball.contacts.outer.film.is_none()));
+    case.bearing().unwrap().put_films(&mut balls);
+    let _ = run.advance(2e-4, &mut recorder).unwrap();
+    recorder.finish().unwrap();
+    let recorded = read_run(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    let (time, rows) = &recorded.balls[0];
+    assert_eq!((*time, rows.len()), (0.0, balls.len()));
+    let mut thick = 0;
+    for (row, ball) in rows.iter().zip(&balls) {
+        let film = ball.contacts.outer.film.unwrap_or_default();
+        assert_eq!(row.film_central_outer_um, (1e6 * film.central_m) as f32);
+        assert_eq!(row.lambda_ratio_outer, film.lambda_ratio as f32);
+        thick += usize::from(row.film_central_outer_um > 0.05);
+    }
+    assert!(thick > 2, "{thick}");
+}

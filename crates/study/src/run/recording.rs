@@ -197,8 +197,8 @@ fn record(
         let mut done = Spare { overviews: Vec::with_capacity(load.len()), lists: Vec::new() };
         for item in load {
             let (simulated_s, taken) = match item {
-                Item::Sample(overview, balls) => {
-                    let taken = recorder.record(&overview, balls.as_deref());
+                Item::Sample(overview, mut balls) => {
+                    let taken = recorder.record(&overview, balls.as_deref_mut());
                     let time_s = overview.time_s();
                     done.overviews.push(overview);
                     done.lists.extend(balls);
