@@ -18,7 +18,7 @@ pub struct Arguments {
 
 /// Packages whose dependencies are handed on.
 const PUBLISHED: [&str; 2] = ["tribodyn-cli", "tribodyn-python"];
-/// What is part of the sources and not ours.
+/// Third-party parts of the sources, with their licence files.
 const EMBEDDED: [(&str, &str); 2] =
     [("uPlot", "crates/report/assets/uplot/LICENSE"), ("DejaVu fonts", "crates/plot/assets/LICENSE-DejaVu.txt")];
 /// Names of licence files begin with one of these.

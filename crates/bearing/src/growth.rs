@@ -10,7 +10,7 @@ use crate::cylinder::Cylinder;
 use crate::geometry::{Dimensions, Fit, Geometry};
 use crate::races::{Races, Side};
 
-/// What a ring sits on or in.
+/// Seat of a ring on a shaft or in a housing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Seat {
     /// Diameter of the shaft over that of the bore, or of the outer ring over that of the housing, m, at rest and at

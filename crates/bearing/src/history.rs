@@ -24,7 +24,7 @@ impl RingLoads {
         Self { x, y, z, tilt_x: Tilt::Held(0.0), tilt_y: Tilt::Held(0.0) }
     }
 
-    /// What each freedom carries at `time` in s, or where it is held.
+    /// Load on each degree of freedom at `time` in s, or the position at which it is held.
     pub fn at(&self, time: f64) -> [RingFreedom; 5] {
         let translation = |t: &Translation| match t {
             Translation::Held(x) => RingFreedom::Held(*x),
@@ -78,7 +78,7 @@ impl Translation {
         }
     }
 
-    /// What [`Self::at`] comes to in the end: the steady state after a table has run through.
+    /// Final value of [`Self::at`]: the steady state after a table has run through.
     pub fn last(&self) -> f64 {
         self.at(f64::INFINITY)
     }
@@ -93,7 +93,7 @@ impl Tilt {
         }
     }
 
-    /// What [`Self::at`] comes to in the end.
+    /// Final value of [`Self::at`].
     pub fn last(&self) -> f64 {
         self.at(f64::INFINITY)
     }
@@ -108,7 +108,7 @@ impl SpeedHistory {
         }
     }
 
-    /// What [`Self::at`] comes to in the end.
+    /// Final value of [`Self::at`].
     pub fn last(&self) -> f64 {
         self.at(f64::INFINITY)
     }

@@ -271,7 +271,8 @@ mod tests {
         }
     }
 
-    /// What ball and inner ring lose together at their contact is friction: F·v + M·Ω − torque ω_i = −∬ κ p |Δv|.
+    /// The power that ball and inner ring lose together at their contact is that of friction:
+    /// F·v + M·Ω − torque ω_i = −∬ κ p |Δv|.
     #[test]
     fn identity_power_at_the_inner_contact_is_friction() {
         let with = |modelling| Bearing::new(BearingSpec { modelling, ..spec() }).unwrap();

@@ -36,7 +36,7 @@ pub struct Modelling {
     /// The radius at which a ball rolls, for models with traction; undeformed where left out.
     #[serde(default)]
     pub rolling_radius: Option<RollingRadius>,
-    /// What the surfaces under a patch do under shear, for models with traction; rigid where left out.
+    /// Behaviour of the surfaces under a patch in shear, for models with traction; rigid where left out.
     #[serde(default)]
     pub patch: Option<PatchSurfaces>,
     /// Where the force of a cage pocket starts; at the wall where left out.
@@ -150,7 +150,7 @@ pub enum RollingRadius {
     Deformed,
 }
 
-/// What the surfaces under a patch do under shear.
+/// Behaviour of the surfaces under a patch in shear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum PatchSurfaces {

@@ -201,7 +201,7 @@ impl ContactSprings {
 }
 
 impl Bearing {
-    /// What the normal part of the contacts needs.
+    /// The bearing's data for the normal part of its contacts.
     #[inline(always)]
     pub fn contact_springs(&self) -> ContactSprings {
         ContactSprings {

@@ -37,7 +37,7 @@ impl OperatingPoint {
     }
 }
 
-/// What each ring freedom carries or where it is held.
+/// Load on a degree of freedom of the ring, or the position at which it is held.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RingFreedom {
     /// External force (N) or moment (N m) on the inner ring.

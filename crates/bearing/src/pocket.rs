@@ -29,7 +29,7 @@ pub struct Pocket {
 /// metres per second; this only keeps a bearing at rest from chattering.
 pub(crate) const CREEP: f64 = 0.01;
 
-/// What a ball does against its pocket.
+/// Motion of a ball in its pocket.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PocketMotion<D = f64> {
     /// Lead of the ball over the middle of its pocket, rad.
@@ -44,7 +44,7 @@ pub struct PocketMotion<D = f64> {
     pub cage_speed: D,
 }
 
-/// What the pocket does to the ball.
+/// Forces and moments of the pocket contact, its energy and its losses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PocketLoad<D = f64> {
     /// Force along the orbit, N, that of the film with it.
@@ -214,7 +214,7 @@ mod tests {
         }
     }
 
-    /// What ball and cage receive together is what spring, damping, film and friction take.
+    /// Ball and cage together lose the power that spring, damping, film and friction take.
     #[test]
     fn identity_power_of_ball_and_cage() {
         let printed = Pocket { force: PocketForce::AsPrinted, ..POCKET };

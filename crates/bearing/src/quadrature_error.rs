@@ -1,4 +1,4 @@
-//! What the patch rule of a bearing errs by.
+//! Quadrature error of the patch rule of a bearing.
 
 use crate::bearing::Bearing;
 use crate::contact::BallLoads;

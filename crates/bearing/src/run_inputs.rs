@@ -14,7 +14,7 @@ use tribodyn_wear::{BallWaves, Defect, Spall};
 pub struct RunInputs {
     /// The bearing, with traction laws on its races.
     pub bearing: Bearing,
-    /// What each degree of freedom of the inner ring carries over time, or where it is held.
+    /// Load on each degree of freedom of the inner ring over time, or the position at which it is held.
     pub ring: RingLoads,
     /// Rotational speeds of the rings.
     pub speeds: Races<SpeedHistory>,

@@ -1,4 +1,4 @@
-//! What the surfaces of a bearing do to each other: traction laws and wear.
+//! Traction laws and wear of the contacts of a bearing.
 
 use crate::races::Races;
 use tribodyn_traction::{Law, PatchLaw, PressureChoice, SlipUnit};

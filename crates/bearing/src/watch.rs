@@ -6,7 +6,7 @@ use std::sync::Arc;
 /// Where a search stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchStage {
-    /// What is tried, in a few words.
+    /// The attempt, in a few words.
     pub name: &'static str,
     /// Cage speed that was reached, rad/s; none before there is one.
     pub cage_speed: Option<f64>,
@@ -17,7 +17,7 @@ pub struct SearchStage {
 pub trait SearchObserver: Send + Sync {
     /// Told when something else is tried, or when a better state was reached.
     fn stage(&self, stage: SearchStage);
-    /// Whether the search is to end. Once true it stays true.
+    /// True if the search is to end. Once true it stays true.
     fn stops(&self) -> bool;
 }
 
@@ -40,7 +40,7 @@ impl SearchWatch {
         }
     }
 
-    /// Whether the search is to end.
+    /// True if the search is to end.
     pub fn stops(&self) -> bool {
         self.0.as_ref().is_some_and(|observer| observer.stops())
     }

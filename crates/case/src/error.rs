@@ -19,7 +19,7 @@ pub struct CaseError {
     pub path: String,
     /// The value as the file has it, abridged where it is a whole section; empty where it is missing.
     pub value: String,
-    /// What is wrong and what is allowed.
+    /// The fault and what is allowed.
     pub message: String,
     /// Byte offset of the value in the text.
     pub offset: usize,

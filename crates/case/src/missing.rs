@@ -58,7 +58,7 @@ const PAIR: &str = "(N_s_per_m(1), N_s_per_m(1))";
 /// Most fields that are filled: more than a case has.
 const MOST: usize = 200;
 
-/// What the reader says of a text, and whether it lacks a field.
+/// The reader's error for a text, and true if it is a missing field.
 pub(super) type Refused = (CaseError, bool);
 
 /// The first refusal, a missing field, with the names of all others that are missing.

@@ -1,4 +1,4 @@
-//! What each model needs of a case: sections by the table here, modelling choices by that of
+//! Parts of a case that each model needs: sections by the table here, modelling choices by that of
 //! [`tribodyn_bearing::Modelling`].
 
 use crate::Case;
@@ -29,7 +29,7 @@ impl fmt::Display for Purpose {
 /// A part of a case that some models need.
 struct Part {
     path: &'static str,
-    /// What it must hold.
+    /// Its required contents.
     holds: &'static str,
     needed_by: &'static [Purpose],
     present: fn(&Case) -> bool,

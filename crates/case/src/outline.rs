@@ -103,7 +103,7 @@ pub(super) struct Missing {
     pub steps: usize,
     /// The value they lead to.
     pub deepest: Range<usize>,
-    /// What could follow there.
+    /// Steps that are allowed there.
     pub allowed: Vec<String>,
 }
 
@@ -259,7 +259,7 @@ impl Node {
         self.body.as_ref().map_or(&[], |body| &body.entries)
     }
 
-    /// Whether it or a value inside has named fields.
+    /// True if it or a value inside has named fields.
     fn has_fields(&self) -> bool {
         self.entries().iter().any(|entry| entry.key.is_some() || entry.value.has_fields())
     }

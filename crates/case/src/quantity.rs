@@ -65,7 +65,7 @@ fn enclosed(value: &str, open: char, close: char) -> Option<&str> {
     value.strip_prefix(open)?.strip_suffix(close)
 }
 
-/// What commas part at the outermost level.
+/// Parts between the commas of the outermost level.
 fn parts(inside: &str) -> Vec<&str> {
     let (mut depth, mut start, mut parts) = (0i32, 0, Vec::new());
     for (at, c) in inside.char_indices() {

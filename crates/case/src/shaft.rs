@@ -89,7 +89,7 @@ pub struct ShaftBearingSpec {
     pub bearing: BearingChoice,
     /// Axial load that it carries: with an angular-contact bearing one direction.
     pub carries: Carries,
-    /// Whether its outer ring is held along z.
+    /// Seat of its outer ring along z: fixed or sliding.
     pub outer_ring: OuterRing,
     /// Preload; without it an angular-contact bearing just touches and a deep-groove bearing stands in its middle.
     #[serde(default)]

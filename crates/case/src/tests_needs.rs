@@ -93,7 +93,7 @@ fn limit_modelling_choices_have_no_default() {
     assert!(Case::from_ron(&numerics).unwrap_err().message.contains("unknown field `ring_centre`"));
 }
 
-/// What a run gets is what the case says, at its own place.
+/// The inputs of a run hold the values of the case, each at its own place.
 #[test]
 fn identity_run_inputs_hold_the_values_of_the_case() {
     let case = Case::from_ron(include_str!("../../../fixtures/cases/paper-ag-worn.ron")).unwrap();

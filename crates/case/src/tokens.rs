@@ -9,7 +9,7 @@ pub(super) struct Token {
     pub range: Range<usize>,
 }
 
-/// What a token is.
+/// Kind of a token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// One of `( ) [ ] { } , :`.

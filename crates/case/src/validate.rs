@@ -13,7 +13,7 @@ use tribodyn_traction::{Coating, PatchChoice, PatchRule, SlipUnit, coating_names
 pub(super) struct Refusal {
     /// Path of the value.
     pub path: String,
-    /// What is wrong and what is allowed.
+    /// The fault and what is allowed.
     pub message: String,
 }
 

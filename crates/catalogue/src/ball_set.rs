@@ -67,7 +67,7 @@ pub enum Origin {
     Thumb,
 }
 
-/// What is known of a bearing's balls.
+/// Known data of a bearing's balls.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KnownBalls {
     /// Number of balls.

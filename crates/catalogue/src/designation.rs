@@ -8,7 +8,7 @@ use crate::{CatalogueError, ClearanceGroup};
 pub(crate) struct Designation {
     /// Basic number, series 618, 619, 718 and 719 by these names.
     pub size: String,
-    /// What stands around it, in order.
+    /// Prefixes and suffixes, in order.
     pub parts: Vec<Part>,
     /// Nominal contact angle by its letter, degrees.
     pub angle_deg: Option<f64>,

@@ -44,15 +44,15 @@ pub enum CatalogueError {
     /// A designation that the list does not have.
     #[error("no bearing `{designation}` in the list; allowed: {allowed}; any other by --bore, --outside and --width")]
     Unknown {
-        /// What was asked for.
+        /// The designation asked for.
         designation: String,
-        /// What there is.
+        /// The sizes or series in the list.
         allowed: String,
     },
     /// Bearings that the models do not hold for.
     #[error("`{designation}` {why}")]
     Type {
-        /// What was asked for.
+        /// The designation asked for.
         designation: String,
         /// Why the models do not hold.
         why: String,
@@ -62,13 +62,13 @@ pub enum CatalogueError {
         "`{part}` {place} the basic number of `{designation}` is not understood; allowed are {allowed}. Leave it out if it does not matter"
     )]
     Part {
-        /// What was asked for.
+        /// The designation asked for.
         designation: String,
         /// The part that is not understood.
         part: String,
         /// `before` or `after`.
         place: &'static str,
-        /// What is understood there.
+        /// Prefixes or suffixes that are understood there.
         allowed: String,
     },
     /// A contact angle that does not fit the designation.
@@ -76,7 +76,7 @@ pub enum CatalogueError {
     Angle {
         /// The bearing.
         designation: String,
-        /// What is wrong and what is allowed.
+        /// The reason, with what is allowed.
         why: String,
     },
     /// A dimension that no bearing has.
@@ -86,7 +86,7 @@ pub enum CatalogueError {
         quantity: &'static str,
         /// Its value, mm.
         value_mm: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: String,
     },
     /// A nominal contact angle beyond those of radial bearings.

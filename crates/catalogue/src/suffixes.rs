@@ -1,4 +1,4 @@
-//! What stands before and after the basic number of a designation.
+//! Prefixes and suffixes of a designation, before and after its basic number.
 //!
 //! Sources: DIN 623-1 (seals, snap rings, cages, tolerance and clearance classes); the designation systems in the
 //! catalogues of SKF, Schaeffler (FAG), NSK, NTN and Koyo.
@@ -160,7 +160,7 @@ pub(crate) const PREFIXES: &[(&str, Effect, &str)] = &[
     ("KOYO", Effect::None, "the maker"), ("SNR", Effect::None, "the maker"), ("NKE", Effect::None, "the maker"), ("NACHI", Effect::None, "the maker"), ("ORS", Effect::None, "the maker"), ("FBJ", Effect::None, "the maker"),
 ];
 
-/// What a message says of the suffixes of deep-groove bearings.
+/// Allowed suffixes of deep-groove bearings, as messages list them.
 pub(crate) const DEEP_GROOVE_ALLOWED: &str = "seals and shields (Z, ZZ, 2Z, RS, 2RS, 2RS1, 2RSH, 2RSR, 2RZ, 2HRS, LLU, LLB, DD, DDU, VV), a snap ring (N, NR, ZNR), clearance (C2, CN, C3, C4, C5), cages (M, MA, MB, TN9, TVH, TVP, T, J, Y), tolerance classes (P6, P5, P4, P2, P63), ceramic balls (HC5), heat stabilisation (S0 to S4), grease (MT33, MT47, GJN, WT, 2AS, 5K)";
-/// What a message says of the suffixes of angular-contact bearings.
+/// Allowed suffixes of angular-contact bearings, as messages list them.
 pub(crate) const ANGULAR_ALLOWED: &str = "the contact angle (C and CD 15°, AC, ACD and A5 25°, A 30°, B, BE and BECB 40°), universal or preloaded grinding (U, UL, UM, UA, DU, DUL, SU, G, GA, GB, GC), cages (M, MA, MP, TVP, TYN, TR, T, P, J, JP, Y, W), tolerance classes (P6 to P2, P4A, P4S, PA9A), seals (2RS, 2RZ), ceramic balls (HC)";

@@ -182,7 +182,8 @@ fn identity_designations_as_people_write_them() {
     }
 }
 
-/// What is not understood, and what the models do not hold for, is refused with what is allowed or why.
+/// Designations that are not understood, and bearings that the models do not hold for, are refused with what is allowed
+/// or why.
 #[test]
 fn limit_designations_that_are_not_understood_are_refused() {
     for (written, parts) in [

@@ -1,4 +1,4 @@
-//! What can go wrong, as a person reads it.
+//! Failures of commands, as messages for people.
 
 use crate::excerpt::Excerpt;
 use crate::harmless::harmless;

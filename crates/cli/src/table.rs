@@ -28,7 +28,7 @@ pub fn print_head(name: &str, findings: &Findings) -> Result<(), Failure> {
     print_line(&format!("{name}\nlubrication: {}\n", findings.lubrication()))
 }
 
-/// What must be known of the operating point that an answer rests on, a line each.
+/// Prints the warnings about the operating point that an answer rests on, a line each.
 pub fn print_warnings(warnings: &[String]) -> Result<(), Failure> {
     warnings.iter().try_for_each(|warning| print_line(&format!("warning: {warning}")))
 }

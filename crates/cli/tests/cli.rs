@@ -108,7 +108,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// What a run of the command came to.
+/// Exit code and output of a run of the command.
 struct Outcome {
     code: i32,
     out: String,

@@ -9,7 +9,7 @@ pub struct StepBound {
     pub limit_s: f64,
 }
 
-/// What drove a motion beyond all bounds.
+/// Cause of a motion beyond all bounds.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Blame {
     /// The step is longer than a motion allows.

@@ -115,7 +115,7 @@ pub enum DynamicsError {
         field: &'static str,
         /// The value, SI.
         value: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: String,
     },
 }

@@ -45,7 +45,7 @@ pub(crate) struct Machine {
     pub places: Vec<f64>,
     /// The directions of these azimuths.
     pub directions: Vec<AzimuthFrame>,
-    /// What the last evaluation of the derivative saw of each ball.
+    /// State of each ball's contacts at the last evaluation of the derivative.
     pub watch: Vec<Watch>,
 }
 
@@ -67,7 +67,7 @@ impl Kernel {
         }
     }
 
-    /// Whether [`Self::derivative`] has something to say of this bearing.
+    /// True if [`Self::derivative`] has an answer for this bearing.
     pub fn has_derivative(&self, bearing: &Bearing) -> bool {
         matches!(self, Self::Fast(_)) && bearing.has_patch_derivative()
     }
@@ -97,7 +97,7 @@ pub(crate) struct Support<const N: usize> {
     pub damping: [f64; N],
     /// Position at which the spring carries nothing, m.
     pub reference: [f64; N],
-    /// Whether the ring moves along the axis.
+    /// True where the ring moves along the axis.
     pub free: [bool; N],
 }
 

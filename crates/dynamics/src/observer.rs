@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 /// Observer of a run. Its error ends the run.
 pub trait Observer {
-    /// What can go wrong with watching, for instance a full disk.
+    /// Error of the observer, for instance a full disk.
     type Error;
 
     /// A sample. `with_balls` tells whether it is one of those at the ball rate; between them its balls have as much as
@@ -133,7 +133,7 @@ pub enum EventKind {
     },
     /// The solver must be doubted: a message for people.
     Warning {
-        /// What and why.
+        /// The warning and its reason.
         message: String,
     },
 }

@@ -35,7 +35,7 @@ pub struct PowerSample {
     /// Elastic energy that wear has taken out of the contacts since the start by what it does to the raceways, J; less
     /// than 0 where it lets a load down.
     pub wear_work_j: f64,
-    /// What is missing in the balance integrated from the start: work in − losses − wear − change of energy, J.
+    /// Error of the balance integrated from the start: work in − losses − wear − change of energy, J.
     pub imbalance_j: f64,
     /// Work put in from the start, all sources, magnitudes summed, or work lost where that is more, as where balls slow
     /// down, J: what the imbalance is compared with.

@@ -1,4 +1,4 @@
-//! What a run says at one time: SI, units in the names. Vectors of a ball are (axial, radial, tangential) in its
+//! Results of a run at one time: SI, units in the names. Vectors of a ball are (axial, radial, tangential) in its
 //! azimuth frame, those of a ring (x, y, z) in the inertial frame.
 
 use crate::power::PowerSample;
@@ -18,7 +18,7 @@ pub struct Sample {
     pub cage: CageSample,
     /// Powers and energy.
     pub power: PowerSample,
-    /// What has worn off so far.
+    /// Wear so far.
     pub wear: WearSample,
     /// One entry per ball, in the order of their numbers, without the films of their contacts: nothing in a run needs
     /// them, and [`tribodyn_bearing::Bearing::put_films`] puts them in where they are wanted.
@@ -89,7 +89,7 @@ pub struct FreeCageSample {
     pub land_film_w: f64,
 }
 
-/// What has worn off since the start, before any acceleration of wear.
+/// Wear since the start, before any acceleration of wear.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct WearSample {
     /// Volume off the inner race, m³.

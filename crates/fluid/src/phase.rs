@@ -16,7 +16,7 @@ pub const MAX_TEMPERATURE: f64 = 300.0;
 /// Methane's vibrations: temperature, K, and how often each occurs (1306, 1534, 2917, 3019 1/cm).
 const METHANE: [(f64, f64); 4] = [(1879.0, 3.0), (2207.0, 2.0), (4197.0, 1.0), (4344.0, 3.0)];
 
-/// What a fluid is at a temperature and a pressure.
+/// Phase of a fluid at a temperature and a pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
     /// Liquid below the critical pressure: it boils when it is heated enough.

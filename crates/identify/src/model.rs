@@ -82,7 +82,7 @@ pub struct ForwardModel {
 pub struct Evaluation {
     /// Solutions by the name of the run.
     pub solutions: BTreeMap<String, Solution>,
-    /// What transient runs settled to, by their names.
+    /// Settled figures of transient runs, by their names.
     pub settled: BTreeMap<String, Settled>,
     warm: BTreeMap<String, WarmStart>,
 }

@@ -1,4 +1,4 @@
-//! What a transient run settles to, as data see it.
+//! Settled figures of a transient run, as data see them.
 
 use std::convert::Infallible;
 use std::f64::consts::{SQRT_2, TAU};

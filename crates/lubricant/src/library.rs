@@ -20,7 +20,7 @@ pub const GREASE_STARVATION: f64 = 0.7;
 /// Pressure up to which the mean coefficients of the base stocks are, Pa.
 const MEAN_PRESSURE: f64 = 0.2e9;
 
-/// What an oil is made from: it decides about pressure, heat and limiting shear.
+/// Base stock of an oil: it decides about pressure, heat and limiting shear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum BaseStock {

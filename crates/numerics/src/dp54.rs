@@ -82,7 +82,7 @@ impl StepControl {
         Self { step, last: 1.0 }
     }
 
-    /// Whether a step with this error (1 is the tolerance) is kept; sets the next one.
+    /// True if a step with this error (1 is the tolerance) is kept; sets the next one.
     pub fn judge(&mut self, error: f64, h: f64, longest: f64) -> bool {
         let e = error.max(1e-10);
         if error <= 1.0 {

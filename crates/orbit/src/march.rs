@@ -200,7 +200,7 @@ impl Newton<'_> {
         own
     }
 
-    /// What the equations of the points lack, with their slopes where wanted.
+    /// Residual of the equations of the points, with their slopes where wanted.
     fn points(
         &self,
         place: &Place,

@@ -127,8 +127,8 @@ pub fn orbit_modes(
     Ok(OrbitModes { modes, multiplier, growth_rate_per_s: multiplier.ln() / turn, warnings })
 }
 
-/// What becomes of a small disturbance of a ball over a turn: the largest multiplier, a sentence where it grows. Where
-/// no ball touches its pocket one is 1: a ball may go before or behind as it likes.
+/// Growth of a small disturbance of a ball over a turn: the largest multiplier, a sentence where it grows. Where no
+/// ball touches its pocket one is 1: a ball may go before or behind as it likes.
 fn multiplier(newton: &mut Newton<'_>, orbit: &Orbit) -> Result<(f64, Option<String>), OrbitError> {
     let multiplier = newton.multiplier(orbit)?;
     let grows = (multiplier > KEEPS).then(|| {

@@ -32,7 +32,7 @@ pub(crate) const ROUNDS: usize = 12;
 pub(crate) struct Turn {
     pub orbit: Orbit,
     pub residual: Residual,
-    /// What cage and ring lack, with the gap between end and start.
+    /// Size of the residual: of cage and ring, and of the gap between end and start.
     pub off: f64,
 }
 

@@ -52,7 +52,7 @@ pub enum PaperError {
     Inputs {
         /// Name of the run.
         run: String,
-        /// What is missing or impossible.
+        /// The value that is missing or impossible.
         source: Box<tribodyn_case::InputError>,
     },
     /// A quasi-static solution is not found.

@@ -6,7 +6,7 @@ use crate::style::{GREY, INK, LABEL_PX, Stroke, TICK_PX, TITLE_PX, reference_str
 use crate::svg::{Anchor, Svg, Type};
 use std::f64::consts::TAU;
 
-/// What is drawn of a bearing, m and rad.
+/// Dimensions of a bearing for its drawing, m and rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BearingDrawing {
     /// Number of balls.

@@ -87,7 +87,8 @@ fn ask<'py>(
     to_python(py, &answer.map_err(|failure| error::study(py, failure))?)
 }
 
-/// What follows from a case before anything is solved, and what becomes of a flow (kg/s) that takes up a heat (W).
+/// Numbers that follow from a case before anything is solved, and what becomes of a flow (kg/s) that takes up a heat
+/// (W).
 #[pyfunction]
 pub fn check<'py>(py: Python<'py>, case: &NativeCase, flow: Option<[f64; 2]>) -> PyResult<Bound<'py, PyAny>> {
     if let Some(value) = flow.into_iter().flatten().find(|value| !(*value > 0.0 && value.is_finite())) {

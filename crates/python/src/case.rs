@@ -91,7 +91,7 @@ impl NativeCase {
     }
 }
 
-/// What a new case is made from.
+/// Data from which a new case is made.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct NewRequest {

@@ -1,4 +1,4 @@
-//! What takes long: runs in time, lives of coatings, identification.
+//! Long work: runs in time, lives of coatings, identification.
 
 use crate::answers::equations;
 use crate::case::NativeCase;

@@ -33,7 +33,7 @@ pub struct SignalRequest {
 /// Frequencies, Hz, and amplitudes of a spectrum.
 type Lines<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
-/// What a signal says of its bearing, the samples that were evaluated, and the spectrum of their squared envelope.
+/// Verdict of a signal on its bearing, the samples that were evaluated, and the spectrum of their squared envelope.
 #[pyfunction]
 pub fn vibration<'py>(
     py: Python<'py>,

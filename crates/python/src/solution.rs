@@ -19,7 +19,7 @@ pub type Plain<'py> = (Bound<'py, PyAny>, Table<'py>, Option<Table<'py>>);
 
 /// An equilibrium or a steady orbit.
 pub struct Solved {
-    /// What the command prints, without the balls.
+    /// The answer that the command prints, without the balls.
     head: Value,
     /// The balls where an equilibrium has them.
     solution: Solution,

@@ -141,7 +141,7 @@ impl NativeGrid {
         Ok((self.grid.text(row), swept))
     }
 
-    /// What the sweep would do, and about how long it would take.
+    /// Plan of the sweep, and about how long it would take.
     fn plan<'py>(&self, py: Python<'py>, threads: usize) -> PyResult<Bound<'py, PyAny>> {
         let pool = pool(py, threads)?;
         let (grid, cold) = (Arc::clone(&self.grid), self.cold);

@@ -12,7 +12,7 @@ use tribodyn_study::Patience;
 /// Time between looks at the interpreter.
 const LOOK_EVERY: Duration = Duration::from_millis(50);
 
-/// What work tells of itself, and is told.
+/// Progress of work, and the flag that asks it to end.
 #[derive(Default)]
 pub struct Watch {
     stop: Arc<AtomicBool>,
@@ -32,7 +32,7 @@ impl Watch {
         let _ = self.done.fetch_update(Ordering::Relaxed, Ordering::Relaxed, more);
     }
 
-    /// Whether the work is to end.
+    /// True if the work is to end.
     pub fn stopped(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }

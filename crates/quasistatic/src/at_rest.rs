@@ -230,8 +230,8 @@ impl<'a> AtRest<'a> {
     }
 }
 
-/// What the displacement and the tilt of a ring add to the moment (N m) of its force on a ball: the groove centre
-/// stands off the plane of the ring's centre, and the ring's centre beside the ball's radius.
+/// Moment (N m) that a ring's displacement and tilt add to that of its force on a ball: the groove centre stands off
+/// the plane of the ring's centre, and the ring's centre beside the ball's radius.
 fn about_ring<D: Scalar>(bearing: &Bearing, index: usize, ring: [D; RING], [axial, radial]: [D; 2]) -> [D; 2] {
     let frame = AzimuthFrame::at(bearing.azimuth(index));
     let lever = bearing.geometry.groove_centre_radius(Side::Inner);

@@ -93,7 +93,7 @@ impl Worst {
 pub(crate) struct Residuals {
     /// Forces on each ball, and the negative of what the ring puts on it.
     pub balls: Vec<(SVector<f64, BALL>, SVector<f64, RING>)>,
-    /// What the forces on each ball are measured against.
+    /// Scales of the forces on each ball.
     pub ball_scales: Vec<[f64; BALL]>,
     /// Forces on the ring, and what they are measured against.
     pub ring: SVector<f64, RING>,
@@ -216,7 +216,7 @@ pub(crate) struct Step {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Singular;
 
-/// What is taken off the diagonal of the Jacobian, for ball and ring unknowns.
+/// Shift taken off the diagonal of the Jacobian, for ball and ring unknowns.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shift {
     pub ball: [f64; BALL],

@@ -31,7 +31,7 @@ pub(crate) struct JonesHarris<'a> {
     /// Per ball: whether the inner race controls.
     pub inner_control: Vec<bool>,
     pub centrifugal_at_free_pitch: bool,
-    /// Whether the friction that holds the gyroscopic moments is bounded by the loads; a guess for other models may
+    /// True if the friction that holds the gyroscopic moments is bounded by the loads; a guess for other models may
     /// take it from nowhere.
     pub bounded: bool,
     /// Inertia is frozen in the first phase, where forces then have a convex potential.

@@ -1,4 +1,4 @@
-//! What each model needs of a bearing and an operating point.
+//! Requirements of each model on a bearing and an operating point.
 
 use crate::{Model, QuasiStaticError};
 use tribodyn_bearing::{Bearing, Equations, OperatingPoint, uncarried_thrust};

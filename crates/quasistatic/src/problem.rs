@@ -26,7 +26,7 @@ impl std::fmt::Display for Place {
     }
 }
 
-/// What keeps a bearing from an equilibrium, by the state that came nearest to one.
+/// Reason why a bearing has no equilibrium, by the state that came nearest to one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reason {
     /// All balances are met as far as rounding lets them.
@@ -107,7 +107,7 @@ pub enum QuasiStaticError {
         iterations: usize,
         /// The tolerance asked for.
         tolerance: f64,
-        /// What is the matter, and what helps.
+        /// The reason, with a remedy.
         reason: Box<Reason>,
     },
     /// The caller ended the search.
@@ -160,7 +160,7 @@ pub enum QuasiStaticError {
     Traction(#[from] TractionError),
 }
 
-/// What would help against an axial load that no shoulder carries.
+/// Remedy for an axial load that no shoulder carries.
 fn wrong_way(axial_n: f64) -> &'static str {
     if axial_n < 0.0 {
         ": turn its sign, or give the grooves both shoulders where they have them"

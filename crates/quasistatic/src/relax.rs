@@ -102,7 +102,7 @@ fn implicit_step<S: BlockSystem>(system: &S, from: &At, tau: f64) -> Option<(At,
     None
 }
 
-/// What inertia and creep take of the forces: −M (u − u0)/τ.
+/// Forces of inertia and creep: −M (u − u0)/τ.
 struct Pull {
     balls: Vec<SVector<f64, BALL>>,
     ring: SVector<f64, RING>,

@@ -1,4 +1,4 @@
-//! What is tried where Newton's method finds no way, and what is said where nothing helps.
+//! Further methods where Newton's method finds no solution, and the reason given where nothing helps.
 //!
 //! With traction: pseudo-time for ring and balls together, from rolling and from skidding. Jones–Harris: from a slower
 //! bearing up. Nothing here runs while the usual way succeeds, so that its solutions keep their digits.

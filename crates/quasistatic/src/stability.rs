@@ -1,4 +1,4 @@
-//! Whether the ring comes back from a small push, and the stable equilibrium beside an unstable one.
+//! Stability of the ring against a small push, and the stable equilibrium beside an unstable one.
 //!
 //! With its balls in balance the ring resists displacements by the stiffness K = −dF/dq. Friction makes K
 //! unsymmetric, and gyroscopic moments may make it negative: in M q̈ = −K q an eigenvalue of M⁻¹ K with a negative real

@@ -1,4 +1,4 @@
-//! What a solution leaves for a neighbouring problem to start from.
+//! Start of a problem from the solution of a neighbouring one.
 
 use crate::block::{AXIAL, BALL, BlockState, OMEGA, ORBIT, RADIAL, RING};
 use serde::{Deserialize, Serialize};

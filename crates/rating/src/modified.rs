@@ -1,4 +1,4 @@
-//! What lubricant, dirt and reliability do to a rating life: a_ISO, a_1 and the reference viscosity of ISO 281.
+//! Effects of lubricant, dirt and reliability on a rating life: a_ISO, a_1 and the reference viscosity of ISO 281.
 
 use crate::dynamic_rating::MM_PER_M;
 use crate::{RatingError, load, positive};

@@ -1,4 +1,4 @@
-//! What can go wrong when a recording is written or read.
+//! Errors of writing and reading a recording.
 
 use std::{io, path::PathBuf};
 
@@ -50,11 +50,11 @@ pub enum RecordError {
     /// A file operation failed; on a full disk this is where it shows.
     #[error("cannot {action} {}: {source}", path.display())]
     File {
-        /// What was tried.
+        /// The action that failed.
         action: &'static str,
         /// Which file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: io::Error,
     },
     /// There is no such recording, but one of that name that was not finished.
@@ -71,11 +71,11 @@ pub enum RecordError {
     /// The MCAP layer failed, a full disk included.
     #[error("cannot {action} the MCAP file {}: {source}", path.display())]
     Mcap {
-        /// What was tried.
+        /// The action that failed.
         action: &'static str,
         /// Which file.
         path: PathBuf,
-        /// What the MCAP layer says.
+        /// Error of the MCAP layer.
         source: mcap::McapError,
     },
     /// A run hands out samples in order of time.
@@ -92,7 +92,7 @@ pub enum RecordError {
     Listen {
         /// The address as it was given: host and port.
         address: String,
-        /// What the system says.
+        /// Error of the operating system.
         source: io::Error,
     },
     /// A sink was used before it was begun, or begun twice.
@@ -113,7 +113,7 @@ pub enum RecordError {
         field: &'static str,
         /// The value, SI, or the number of entries of a list.
         value: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: String,
     },
     /// A spectrum cannot be computed.
@@ -174,7 +174,7 @@ pub enum RecordError {
     Decode {
         /// Which topic.
         topic: String,
-        /// What the decoder says.
+        /// Error of the decoder.
         source: prost::DecodeError,
     },
     /// The file was never closed, or is no recording with a summary.

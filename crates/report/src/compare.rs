@@ -14,7 +14,7 @@ use tribodyn_signal::BearingFrequencies;
 use tribodyn_study::evaluation::facts::said;
 use tribodyn_study::evaluation::quantities::{Quantities, Quantity, Values};
 
-/// What `summary.json` and `--json` say.
+/// Contents of `summary.json` and of `--json` for a comparison.
 #[derive(Debug, Serialize)]
 pub struct Comparison {
     a: PathBuf,
@@ -182,7 +182,7 @@ fn of_frequencies(f: &BearingFrequencies) -> Vec<Quantity> {
     .to_vec()
 }
 
-/// What only a run has, and its powers.
+/// Quantities that only a run has, and its powers.
 fn of_run(answer: &Answer) -> Vec<Quantity> {
     let (s, p) = (&answer.summary, &answer.summary.power.mean);
     let mut all = of_powers([p.shaft_w, p.friction_inner_w, p.friction_outer_w, p.drag_w + p.churning_w]);
@@ -237,7 +237,7 @@ fn case_differences(a: &[CaseValue], b: &[CaseValue]) -> Vec<CaseDifference> {
     all.map(|(path, a, b)| CaseDifference { path, a, b }).collect()
 }
 
-/// What was run, A beside B.
+/// Opening table of both recordings, A beside B.
 fn of_both(a: &Evaluated, b: &Evaluated) -> Table {
     let rows = |e: &Evaluated| match &e.kind {
         Kind::Run(answer) => opening::of_run(answer, e.case.as_ref(), &e.run).rows,

@@ -15,11 +15,11 @@ pub struct Content {
     pub title: String,
     /// The kind of report.
     pub subtitle: &'static str,
-    /// What the reader must know first.
+    /// Warnings that the reader must see first.
     pub warnings: Vec<String>,
     /// Results, the most important first.
     pub tables: Vec<Table>,
-    /// What was run or compared: after the results.
+    /// Tables of what was run or compared, after the results.
     pub opening: Vec<Table>,
     /// Every value of the case, folded.
     pub inputs: Vec<Table>,

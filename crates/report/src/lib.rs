@@ -77,7 +77,7 @@ pub struct Report {
     pub page: PathBuf,
 }
 
-/// What `summary.json` and `--json` say of a run.
+/// Contents of `summary.json` and of `--json` for a run.
 #[derive(Debug, Serialize)]
 pub(crate) struct Answer {
     recording: PathBuf,
@@ -87,13 +87,13 @@ pub(crate) struct Answer {
     damage: Damage,
     /// Simulated time of the whole run, s; none where the file does not say it.
     duration_s: Option<f64>,
-    /// What the run knew before its first step.
+    /// Facts known before the first step.
     #[serde(flatten)]
     known: KnownAtStart,
-    /// What it knew at its end; absent where the recording was cut off before it.
+    /// Facts known at the end; absent where the recording was cut off before it.
     #[serde(flatten)]
     outcome: Option<KnownAtEnd>,
-    /// Whether the errors of patch and scheme are small enough for accelerations.
+    /// True if the errors of patch and scheme are small enough for accelerations.
     accelerations_supported: bool,
     frequencies: BearingFrequencies,
     rolling: Option<Rolling>,
@@ -136,7 +136,7 @@ pub(crate) struct Evaluated {
     live: Live,
 }
 
-/// What a recording is of, with its numbers.
+/// Kind of a recording, with its numbers.
 pub(crate) enum Kind {
     Run(Box<Answer>),
     Solution(Box<SolutionAnswer>),

@@ -53,7 +53,7 @@ pub struct View {
 /// A marked abscissa.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LiveMark {
-    /// What is shown or hidden together.
+    /// Marks of one family are shown or hidden together.
     pub family: &'static str,
     pub label: String,
     pub at: f64,

@@ -1,4 +1,4 @@
-//! What was run or solved, in a table that a report opens with.
+//! Opening table of a report: the run or solution that it is about.
 
 use super::Answer;
 use super::page_table::Table;

@@ -1,4 +1,4 @@
-//! What a ball goes through in one orbit.
+//! Figures of a ball over one orbit.
 
 use super::live::{Kind, Live, Plan, View};
 use tribodyn_plot::{Axis, Figure, History, PlotError, Samples, orbit_polar};

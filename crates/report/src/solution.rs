@@ -22,7 +22,7 @@ use tribodyn_study::evaluation::facts::{self, Rolling, said};
 use tribodyn_study::evaluation::quantities::{self, Quantities};
 use tribodyn_study::run::warnings::at_start;
 
-/// What `summary.json` and `--json` say of a solution.
+/// Contents of `summary.json` and of `--json` for a solution.
 #[derive(Debug, Serialize)]
 pub struct SolutionAnswer {
     pub recording: PathBuf,
@@ -130,7 +130,7 @@ fn as_fields<S: Serializer>(balls: &[BallResult], serializer: S) -> Result<S::Ok
     serializer.collect_seq(balls.iter().map(Fields))
 }
 
-/// What was solved.
+/// Opening table of a solution.
 pub fn opening(answer: &SolutionAnswer, case: Option<&CaseFile>, run: &Run) -> Table {
     let recording = answer.recording.display().to_string();
     super::opening::of_solution(&answer.bearing, case, run, (&answer.generator, &recording))

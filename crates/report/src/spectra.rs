@@ -200,7 +200,7 @@ fn half(rows: &[StateRow]) -> Result<Half<'_>, String> {
 const HARMONICS: [(&str, usize); 5] = [("BPFO", 5), ("BPFI", 5), ("FTF", 1), ("BSF", 2), ("f_r", 2)];
 
 impl LiveMark {
-    /// Whether it is of passes of balls over a point of a race.
+    /// True if it marks passes of balls over a point of a race.
     fn passes(&self) -> bool {
         matches!(self.family, "BPFO" | "BPFI")
     }

@@ -163,7 +163,7 @@ pub fn steady(answer: &Answer) -> String {
     )
 }
 
-/// What came before the part that the means are of.
+/// Table of the start, before the part that the means are of.
 pub fn start(answer: &Answer) -> Option<Table> {
     let text = format!("The first {} s, which are in no mean.", number(answer.summary.averaged_from_s, 4));
     (!answer.start.0.is_empty()).then(|| Table { title: "Start".to_owned(), ..operation(&answer.start, &text) })

@@ -66,7 +66,7 @@ fn described(source: &Source) -> (&'static str, String) {
     }
 }
 
-/// What a case may leave out, with what then holds.
+/// Entries that a case may leave out, with the values that then hold.
 fn defaults(case: &Case) -> Vec<(String, String)> {
     let n = &case.numerics;
     let mut all = vec![

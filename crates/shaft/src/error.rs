@@ -52,7 +52,7 @@ pub enum ShaftError {
     Loose {
         /// Along or about which axis.
         direction: &'static str,
-        /// What helps.
+        /// A remedy.
         advice: &'static str,
     },
     /// An axial force that a bearing does not carry.
@@ -69,7 +69,7 @@ pub enum ShaftError {
     /// The iteration stopped above the tolerance.
     #[error("the shaft did not converge: {residual:.1e} of the load is left at {share:.0} % of it (tolerance {tolerance:.1e})", share = 100.0 * share)]
     NotConverged {
-        /// What is left over the load.
+        /// Residual over the load.
         residual: f64,
         /// Share of the load that was reached.
         share: f64,

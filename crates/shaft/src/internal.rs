@@ -5,7 +5,7 @@ use crate::ring::Vector;
 use crate::rotor::Shaft;
 use crate::section::Section;
 
-/// What the part of the shaft beyond a cut (at larger z) puts on the part before it.
+/// Forces at a cut that the part of the shaft beyond it (at larger z) exerts on the part before it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cut {
     /// Place, m.

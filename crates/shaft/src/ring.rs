@@ -1,4 +1,4 @@
-//! What holds a shaft: the force of a bearing on its inner ring by the ring's displacement.
+//! Supports of a shaft: the force of a bearing on its inner ring by the ring's displacement.
 
 use nalgebra::SVector;
 use num_dual::{Derivative, DualSVec64};
@@ -12,7 +12,7 @@ use crate::element::FREEDOMS;
 /// Displacement x, y, z (m) and tilts about X and Y (rad), or forces (N) and moments (N m).
 pub type Vector = [f64; FREEDOMS];
 
-/// What it takes to hold an inner ring in its place.
+/// Force that holds an inner ring in its place, and its stiffness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Held {
     /// Force (N) and moment about the bearing's middle (N m) on the inner ring.
@@ -28,7 +28,7 @@ impl Held {
 
 /// A bearing, or anything else between shaft and housing, by the displacement of its inner ring against the outer one.
 pub trait RingForce {
-    /// What holds the inner ring at a displacement.
+    /// Force that holds the inner ring at a displacement, and its stiffness.
     ///
     /// # Errors
     /// [`QuasiStaticError`] where there is no equilibrium of the balls.

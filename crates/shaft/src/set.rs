@@ -11,7 +11,7 @@ use crate::ring::{Held, RingForce};
 
 /// One bearing of a set.
 pub struct Member<'a> {
-    /// Whether it carries a shaft pushed along +z.
+    /// True if it carries a shaft pushed along +z.
     pub carries_plus_z: bool,
     /// The bearing.
     pub ring: Box<dyn RingForce + 'a>,

@@ -11,7 +11,7 @@ use tribodyn_quasistatic::StiffnessMatrix;
 pub struct Support<'a> {
     /// Node at the bearing's middle.
     pub node: usize,
-    /// Whether the bearing carries a shaft pushed along +z; else it is the mirror image and carries one pushed along
+    /// True if the bearing carries a shaft pushed along +z; else it is the mirror image and carries one pushed along
     /// −z.
     pub carries_plus_z: bool,
     /// How far its inner ring is pushed into the load side when the shaft has not moved, m: preload, or below 0 play.
@@ -50,7 +50,7 @@ pub struct System<'a> {
 /// All bearings and the shaft at a displacement.
 pub(crate) struct Evaluated {
     pub held: Vec<Held>,
-    /// What is lacking to equilibrium: N and N m, or m and rad where a seat is held.
+    /// Residual of the equilibrium: N and N m, or m and rad where a seat is held.
     pub lacking: Mat<f64>,
     /// Largest force and moment on any freedom, to judge what is lacking.
     pub size: [f64; 2],
@@ -83,7 +83,7 @@ impl System<'_> {
         FREEDOMS * (self.shaft.nodes() + index)
     }
 
-    /// Whether a freedom of a seat does not give way.
+    /// True if a freedom of a seat does not give way.
     pub(crate) fn is_held(&self, index: usize, freedom: usize) -> bool {
         let seat = &self.supports[index].seat;
         let slides = freedom == 2 && seat.slides.is_some();
@@ -126,7 +126,7 @@ impl System<'_> {
         moved
     }
 
-    /// What holds the inner ring of a bearing, in the shaft's axes.
+    /// Force that holds the inner ring of a bearing, and its stiffness, in the shaft's axes.
     fn held(&mut self, index: usize, u: &Mat<f64>) -> Result<Held, ShaftError> {
         let (moved, signs) = (self.ring_displacement(index, u), self.signs(index));
         let found = self.supports[index].ring.at(&moved);

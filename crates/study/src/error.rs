@@ -63,7 +63,7 @@ pub enum StudyError {
         path: PathBuf,
         /// Line, from 1.
         line: usize,
-        /// What is wrong and what is allowed.
+        /// The fault and what is allowed.
         message: String,
     },
     /// Two lists of values for one place of the case.

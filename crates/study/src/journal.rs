@@ -17,7 +17,7 @@ use std::io::{BufRead, BufReader, Error, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// What makes two studies of a kind the same: the first line of the file.
+/// Identity of a study, the first line of its file: two of a kind with the same one are the same.
 pub(crate) trait Identity: Serialize + DeserializeOwned {
     /// How the study of a file differs from this one.
     fn difference(&self, found: &Self) -> Option<SweepDifference>;
@@ -74,7 +74,7 @@ impl Journal {
         &self.path
     }
 
-    /// Whether a chunk is finished.
+    /// True if a chunk is finished.
     pub fn has(&self, chunk: usize) -> bool {
         self.chunks.contains_key(&chunk)
     }

@@ -23,7 +23,7 @@ impl Holder {
         Self { pid: std::process::id(), host: host(), since: date_and_time(since.as_secs()) }
     }
 
-    /// What a lock file says.
+    /// The holder that a lock file names.
     fn read(path: &Path) -> Option<Self> {
         let mut text = String::new();
         File::open(path).ok()?.take(LONGEST).read_to_string(&mut text).ok()?;
@@ -93,7 +93,7 @@ fn holder(path: &Path) -> Option<Holder> {
     })
 }
 
-/// Whether an open file still is the one of that name.
+/// True if an open file is still the one of that name.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;

@@ -42,7 +42,7 @@ impl Patience {
         1e-6 * self.spent.load(Ordering::Relaxed) as f64
     }
 
-    /// What the search told last.
+    /// Stage that the search reported last.
     pub fn reached(&self) -> Option<SearchStage> {
         *self.stage.lock().unwrap_or_else(PoisonError::into_inner)
     }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tribodyn_record::Damage;
 
-/// What was saved of a recording.
+/// Result of recovering a recording.
 #[derive(Debug, Clone, Serialize)]
 pub struct Recovered {
     /// The damaged recording.
@@ -19,7 +19,7 @@ pub struct Recovered {
     pub messages_lost: u64,
     /// Simulated time of the last message, s.
     pub simulated_s: f64,
-    /// What was wrong.
+    /// Damage that was found.
     #[serde(flatten)]
     pub damage: Damage,
 }
@@ -27,7 +27,7 @@ pub struct Recovered {
 /// Makes a whole recording of one that was cut off or damaged; `output` may be the damaged one itself.
 ///
 /// # Errors
-/// What stands at `output` may not be replaced, nothing is to be recovered, or a file cannot be read or written.
+/// The file at `output` may not be replaced, there is nothing to recover, or a file cannot be read or written.
 pub fn recover(recording: &Path, output: &Path, force: bool) -> Result<Recovered, StudyError> {
     // There is no case here that could be replaced.
     Ours::Recording.may_replace(output, Path::new(""), force)?;

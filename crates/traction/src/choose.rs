@@ -92,8 +92,8 @@ fn laid_out(index: usize) -> Result<&'static FastPatch, TractionError> {
     Ok(place.get_or_init(|| fast))
 }
 
-/// What an error of a rule is estimated against: strips twice as fine across and three times along the groove, by which
-/// the estimate is a tenth off at most; for other rules, and where these would be finer still, [`REFERENCE_RULE`].
+/// Reference for the error of a rule: strips twice as fine across and three times along the groove, by which the
+/// estimate is a tenth off at most; for other rules, and where these would be finer still, [`REFERENCE_RULE`].
 fn reference(rule: PatchRule) -> Result<FastPatch, TractionError> {
     match (rule, REFERENCE_RULE) {
         (PatchRule::SplitStrip { across, along }, PatchRule::SplitStrip { across: most_across, along: most_along })

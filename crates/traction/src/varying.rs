@@ -7,7 +7,7 @@ use crate::{
 };
 use num_dual::Dual64;
 
-/// What a traction law may know of a point of a contact.
+/// Conditions at a point of a contact that a traction law may use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conditions<D = f64> {
     /// Pressure, Pa: the highest of the contact or that at the point, as the law is taken.

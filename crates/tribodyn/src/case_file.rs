@@ -39,7 +39,7 @@ impl Change {
         set_value(text, &self.path, &self.value)
     }
 
-    /// Whether the change can be what an error at `path` is about: one of the two lies within the other.
+    /// True if an error at `path` can be about the change: one of the two lies within the other.
     pub fn concerns(&self, path: &str) -> bool {
         let within = |inner: &str, outer: &str| {
             inner.strip_prefix(outer).is_some_and(|r| r.is_empty() || r.starts_with(['.', '[']))

@@ -28,7 +28,7 @@ pub enum AnswerError {
         name: &'static str,
         /// The value.
         value: String,
-        /// What is allowed, or why it is refused.
+        /// The allowed values, or why it is refused.
         message: String,
     },
     /// An answer beyond what can be calculated with.

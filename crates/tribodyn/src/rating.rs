@@ -125,7 +125,7 @@ impl Rating {
     }
 }
 
-/// What follows from the ball loads of a solution.
+/// Reference life, peak pressure and relative speed of the rings by the ball loads of a solution.
 struct Distribution {
     reference: ReferenceLife,
     peak_pressure: f64,

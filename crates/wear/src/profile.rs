@@ -14,7 +14,7 @@ pub struct Profile {
     step: f64,
     /// Depth at each place, m, and its derivative by the azimuth times the distance, m.
     places: Arc<[[f64; 2]]>,
-    /// Whether it goes once round; else the raceway is round before the first place and after the last.
+    /// True if it goes once round; else the raceway is round before the first place and after the last.
     around: bool,
 }
 

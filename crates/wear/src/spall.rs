@@ -27,7 +27,7 @@ pub struct Track {
     pub ball_radius: f64,
     /// Radius R of the circle of the contacts about the bearing's axis, m.
     pub radius: f64,
-    /// Whether the ball runs inside that circle, as on an outer race.
+    /// True if the ball runs inside that circle, as on an outer race.
     pub outer: bool,
     /// Cosine of the contact angle α: along the path the race is curved by cos α/R.
     pub cosine: f64,

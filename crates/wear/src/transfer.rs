@@ -1,10 +1,11 @@
 //! Solid lubricant that balls scrape off the cage and carry to the races: a film kept by a balance of volumes.
 //!
-//! What a pocket loses by Archard's law, W, comes to the balls but for the part λ that is thrown off at once. Balls and
-//! tracks are rolled over some thousand times a second, far more often than the film wears, so that one thickness h =
-//! V/A covers them, A being the surface of all balls and of both tracks. It covers c = h/h_c of a contact, at most all
-//! of it: what would make the film thicker than h_c does not stick and is lost. Where the film is, it slides and wears
-//! in the place of what is under it; of what it loses there, the part λ goes and the rest stays in it:
+//! The volume that the pockets lose per time by Archard's law, W, comes to the balls but for the part λ that is thrown
+//! off at once. Balls and tracks are rolled over some thousand times a second, far more often than the film wears, so
+//! that one thickness h = V/A covers them, A being the surface of all balls and of both tracks. It covers c = h/h_c of
+//! a contact, at most all of it: what would make the film thicker than h_c does not stick and is lost. Where the film
+//! is, it slides and wears in the place of what is under it; of what it loses there, the part λ goes and the rest stays
+//! in it:
 //!
 //! ```text
 //! dV/dt = (1 − λ) W − λ (K_f/H_f) c ∬ p |Δv| dA,     c = min(1, V/(A h_c))
@@ -25,7 +26,7 @@ pub struct TransferLaw {
     pub wear: Archard,
 }
 
-/// What goes on at the film.
+/// Rates that feed and wear the film, and the area that it covers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TransferRates {
     /// Volume that all pockets lose per time, W, m³/s.

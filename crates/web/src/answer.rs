@@ -74,7 +74,7 @@ fn catalogue(pattern: &str) -> Value {
     Value::Array(found.collect())
 }
 
-/// What takes milliseconds: by raceway control.
+/// Answers that take milliseconds, by raceway control.
 fn quick(form: &Form, watch: &SearchWatch) -> Result<Value, AnswerError> {
     let file = form.case()?;
     let question = file.question(watch.clone());

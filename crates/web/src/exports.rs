@@ -1,5 +1,5 @@
-//! What the page calls: a place for a question, the question, and the answer's place and length in the module's
-//! memory. Both are JSON.
+//! Functions that the page calls: for the place of a question, to ask it, and for the answer's place and length in the
+//! module's memory. Question and answer are JSON.
 
 use std::cell::RefCell;
 use std::sync::Arc;

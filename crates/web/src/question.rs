@@ -15,7 +15,7 @@ pub(crate) enum Question {
     },
     /// The text of the case file.
     Case(Form),
-    /// What takes milliseconds.
+    /// Answers that take milliseconds.
     Quick(Form),
     /// The usual model of the case.
     Full(Form),
@@ -32,7 +32,7 @@ pub(crate) enum Question {
     Curve {
         /// The bearing.
         form: Form,
-        /// What changes.
+        /// The values along the curve.
         range: Range,
     },
 }
@@ -51,7 +51,7 @@ pub(crate) struct Signal {
 #[derive(Deserialize, Clone, Copy)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Range {
-    /// What changes.
+    /// The load or speed that varies.
     pub over: Over,
     /// First value, N or r/min.
     pub from: f64,
@@ -61,7 +61,7 @@ pub(crate) struct Range {
     pub count: usize,
 }
 
-/// What changes along a curve.
+/// The load or speed that varies along a curve.
 #[derive(Deserialize, Clone, Copy)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Over {

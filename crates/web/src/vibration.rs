@@ -1,4 +1,4 @@
-//! What a measured signal says of the bearing of the form.
+//! Diagnosis of the bearing of the form from a measured signal.
 
 use crate::question::{Form, Signal};
 use serde_json::{Value, json};

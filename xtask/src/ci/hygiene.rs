@@ -20,7 +20,7 @@ const SIZE: u64 = 1_000_000;
 /// Leftovers, in pieces so that this file does not hold them.
 const LEFTOVERS: [&str; 4] =
     [concat!("todo", "!("), concat!("unimplemented", "!("), concat!("#[", "ignore"), concat!("dbg", "!(")];
-/// What no source has: where a lint can only deny it, one attribute would lift that.
+/// Words that no source has: where a lint can only deny it, one attribute would lift that.
 const UNSAFE: [&str; 4] =
     [concat!("unsafe", " {"), concat!("unsafe", " fn"), concat!("unsafe", " impl"), concat!("(unsafe", "_code")];
 /// Output that a core crate leaves to its callers.
@@ -31,6 +31,8 @@ const OUTPUT: [&str; 5] = [
     concat!("eprint", "!("),
     concat!("process", "::exit"),
 ];
+/// Words that no doc comment opens with: after them comes how a thing is used, seldom its name.
+const OPENINGS: [&str; 2] = ["What ", "Whether "];
 /// Homes of people and build users.
 const HOMES: [&str; 3] = [concat!("/ho", "me/"), concat!("/ro", "ot/"), concat!("/Us", "ers/")];
 /// Crates that are programs and may print.
@@ -85,8 +87,26 @@ fn inspect(name: &str, text: &str) -> Vec<String> {
             long.map(|(line, length)| format!("{name}:{line}: a function of {length} lines, above {FUNCTION}")),
         );
     }
+    if rust {
+        let found = openings(text).into_iter();
+        findings.extend(found.map(|line| format!("{name}:{line}: a doc comment opens with What or Whether")));
+    }
     findings.extend(wide_lines(name, text));
     findings
+}
+
+/// Lines on which a doc comment opens with one of [`OPENINGS`].
+fn openings(text: &str) -> Vec<usize> {
+    let mut within = false;
+    let mut found = Vec::new();
+    for (number, line) in text.lines().enumerate() {
+        let doc = ["///", "//!"].iter().find_map(|mark| line.trim_start().strip_prefix(mark));
+        if !within && doc.is_some_and(|words| OPENINGS.iter().any(|opening| words.trim_start().starts_with(opening))) {
+            found.push(number + 1);
+        }
+        within = doc.is_some();
+    }
+    found
 }
 
 /// Lines above [`COLUMNS`] characters in the files that [`WRITTEN`] names. Exempt is what cannot be broken: rows of
@@ -160,6 +180,13 @@ mod tests {
         {
             assert!(inspect(program, &line).is_empty(), "{program}");
         }
+    }
+
+    #[test]
+    fn limit_doc_comments_open_with_a_name() {
+        let text = "/// Error of a run.\n/// Whether it counts.\n///\n/// What it is.\nfn f() {}\n    /// What now\n// What\n";
+        assert_eq!(openings(text), [6]);
+        assert_eq!(inspect("xtask/src/a.rs", "//! Whether it is.\n").len(), 1);
     }
 
     #[test]

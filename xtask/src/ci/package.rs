@@ -12,9 +12,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use tribodyn_paper::{PaperError, files};
 
-/// What builds the wheel.
+/// Packages that build the wheel.
 const BUILD: [&str; 1] = ["maturin>=1.9,<2"];
-/// What the tests need besides the package.
+/// Packages that the tests need besides the wheel.
 const TEST: [&str; 21] = [
     "numpy>=1.22",
     "pandas>=1.5",

@@ -89,8 +89,8 @@ fn damage(whole: &[u8], random: &mut Random) -> (String, Vec<u8>) {
     }
 }
 
-/// Whether a command has made something; a clear error is as good. An error is if it panics, hangs or leaves half of
-/// it.
+/// True if a command has made its output, false if it ended with a clear error; an error if it panics, hangs or leaves
+/// half of the output.
 fn ends_well(output: &Output, took: Duration, made: &Path) -> Result<bool, String> {
     ensure(took < HANGS, || format!("it took {took:?}"))?;
     let text = String::from_utf8_lossy(&output.stderr);
@@ -101,7 +101,7 @@ fn ends_well(output: &Output, took: Duration, made: &Path) -> Result<bool, Strin
     }
 }
 
-/// What was saved is of the original, in its order, and what is missing or changed was said.
+/// Checks that the saved messages are of the original, in its order, and that the command reported any loss or change.
 fn of_the_original(output: &Output, saved: &Path, reference: &Reference, rest: &Rest) -> Result<(), String> {
     let answer: Value = serde_json::from_slice(&output.stdout).map_err(|error| error.to_string())?;
     let found = messages(saved)?;

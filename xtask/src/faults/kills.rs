@@ -56,7 +56,7 @@ pub fn rows(lab: &mut Lab, references: &[Reference], kills: usize) -> Result<Vec
     Ok(vec![killed, lost, resumed])
 }
 
-/// What a user has to say to go on: nothing is lost by saying less.
+/// Arguments that a user must add to go on; nothing is lost by leaving them out.
 fn next_step(recording: &Path) -> &'static [&'static str] {
     let there = |suffix: &str| beside(recording, suffix).exists();
     match (there(".checkpoint"), there(".active") || there(".earlier")) {
@@ -85,7 +85,8 @@ fn counted(recording: &Path) -> Option<usize> {
     rest.chars().take_while(char::is_ascii_digit).collect::<String>().parse().ok()
 }
 
-/// What is on disk can be recovered: a beginning of the undisturbed recording with all that the checkpoint counts on.
+/// Checks that the files on disk can be recovered: a beginning of the undisturbed recording with all that the
+/// checkpoint counts on.
 fn recovers(lab: &mut Lab, recording: &Path, reference: &Reference) -> Result<Result<(), String>, Failure> {
     let safe = counted(recording);
     let files = ["", ".earlier", ".active"].map(|suffix| beside(recording, suffix));

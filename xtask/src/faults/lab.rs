@@ -160,7 +160,7 @@ pub fn messages(recording: &Path) -> Result<Vec<Message>, String> {
     stream.map(|message| message.map(one).map_err(|error| said(&error))).collect()
 }
 
-/// Whether two lists of messages are the same; the second may go on where `begins` is set.
+/// Checks that two lists of messages are the same; the second may go on where `begins` is set.
 pub fn same(found: &[Message], expected: &[Message], begins: bool) -> Result<(), String> {
     if let Some(at) = found.iter().zip(expected).position(|(a, b)| a != b) {
         let (topic, number, [time, _], _) = &found[at];

@@ -18,7 +18,7 @@ const DRIPPING: usize = 40;
 const HOSTILE: usize = 20;
 /// Most waiting of a good viewer.
 const GREETING: Duration = Duration::from_secs(2);
-/// What viewers may cost a run: their time at its end, and a share of the processor for their threads.
+/// Longest delay of a run by viewers: their time at its end, and a share of the processor for their threads.
 const LAST: Duration = Duration::from_secs(4);
 
 pub fn rows(lab: &mut Lab, references: &[Reference]) -> Result<Vec<Row>, Failure> {

@@ -1,4 +1,4 @@
-//! What came of a fault: how often it was tried, how often it went as it should, and the worst that was measured.
+//! Outcome of a fault: how often it was tried, how often it went as it should, and the worst that was measured.
 
 use serde::Serialize;
 

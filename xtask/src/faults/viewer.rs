@@ -39,7 +39,7 @@ impl Viewer {
         self.0.write_all(&frame(0x81, text.as_bytes()))
     }
 
-    /// Whether something comes within a time: a server that serves sends its greeting at once.
+    /// True if something comes within a time: a server that serves sends its greeting at once.
     pub fn hears(&mut self) -> bool {
         let mut bytes = [0; 64];
         self.0.read(&mut bytes).is_ok_and(|count| count > 0)

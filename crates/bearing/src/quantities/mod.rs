@@ -93,7 +93,7 @@ pub struct Facts {
     pub course: Course,
     /// The sign says more than which body is faster, or a figure around a circle would not do.
     pub signed: bool,
-    /// What sweeps and states say of all balls.
+    /// Numbers for all balls that sweeps and states give.
     pub over_balls: &'static [Over],
     /// Decimals in reports; absent where a report does not have it.
     pub digits: Option<usize>,

@@ -62,7 +62,7 @@ pub struct Case {
     /// Catalogue numbers for the rating life.
     #[serde(default)]
     pub rating: Option<RatingSpec>,
-    /// What each degree of freedom of the inner ring carries, or where it is held.
+    /// Load on each degree of freedom of the inner ring, or the position at which it is held.
     pub ring: RingSpec,
     /// Rotational speeds of the rings.
     pub speed: SpeedSpec,
@@ -84,7 +84,7 @@ pub struct Case {
     /// The transient run, for `run`.
     #[serde(default)]
     pub transient: Option<TransientSpec>,
-    /// What a run records.
+    /// Sampling rates of a run's recording.
     #[serde(default)]
     pub recording: Option<RecordingSpec>,
     /// Modelling choices.

@@ -1,4 +1,4 @@
-//! What loads, turns and surrounds the balls: ring loads, speeds, the cage.
+//! Operating conditions and the cage: ring loads, speeds, pockets and guidance.
 
 use super::FreeCageSpec;
 use crate::units;

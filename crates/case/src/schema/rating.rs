@@ -1,4 +1,4 @@
-//! What the standards' ratings need beside the geometry, and the edges of the grooves.
+//! Data that the standards' ratings need beside the geometry, and the edges of the grooves.
 
 use crate::units;
 use serde::Deserialize;

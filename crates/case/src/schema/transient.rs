@@ -217,7 +217,7 @@ enum SchemeDef {
     },
 }
 
-/// What a run writes and how often.
+/// Sampling rates of a run's recording.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RecordingSpec {

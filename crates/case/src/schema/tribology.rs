@@ -1,4 +1,4 @@
-//! What touches the balls: coatings, how they are sheared and how they wear, and the fluid around.
+//! Coatings, their traction and wear, and the fluid around the balls.
 
 use crate::units;
 use serde::Deserialize;
@@ -78,16 +78,16 @@ pub struct TestedPoint {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TractionSpec {
-    /// What the slip axis of the curve means.
+    /// Unit of the slip axis of the curve.
     pub slip_unit: SlipUnit,
     /// Order of the polynomials of the curve's parameters in pressure.
     pub order: usize,
-    /// Whether the parameters vary with pressure (cases 1 and 3) or are fixed (2 and 4).
+    /// True if the parameters vary with pressure (cases 1 and 3), false if they are fixed (2 and 4).
     pub varying: bool,
     /// Pressure at which fixed parameters are taken, Pa.
     #[serde(deserialize_with = "units::pressure")]
     pub reference_pressure: f64,
-    /// Whether the Heathcote (differential) slip is kept (cases 1 and 2).
+    /// True if the Heathcote (differential) slip is kept (cases 1 and 2).
     pub differential_slip: bool,
     /// Which pressure enters varying parameters.
     pub pressure: PressureChoice,
@@ -146,7 +146,7 @@ pub struct FluidSpec {
     pub swirl: f64,
     /// Part of the ball's frontal area πD²/4 hidden behind the cage web.
     pub shaded_fraction: f64,
-    /// Whether churning moments act on the spinning balls.
+    /// True if churning moments act on the spinning balls.
     pub churning: bool,
 }
 

@@ -179,7 +179,7 @@ pub fn unit_names() -> Vec<&'static [&'static str]> {
     ALL.iter().map(|dimension| dimension.names).collect()
 }
 
-/// Whether `name` is a unit of any dimension.
+/// True if `name` is a unit of any dimension.
 pub(crate) fn is_unit(name: &str) -> bool {
     ALL.iter().any(|dimension| dimension.names.contains(&name))
 }
@@ -194,7 +194,7 @@ pub fn in_si(unit: &str, number: f64) -> Option<f64> {
     dimension_of(unit).map(|(dimension, at)| dimension.to_si[at](number))
 }
 
-/// What a number with a unit would be in SI with the other units of the same dimension.
+/// SI values that a number with a unit would have with each of the other units of the same dimension.
 pub(crate) fn others(unit: &str, number: f64) -> Vec<(&'static str, f64)> {
     let all = dimension_of(unit).into_iter().flat_map(|(dimension, _)| dimension.names.iter().zip(dimension.to_si));
     all.filter(|(name, _)| **name != unit).map(|(name, to_si)| (*name, to_si(number))).collect()

@@ -52,7 +52,7 @@ pub struct ListedBearing {
     pub source: &'static str,
     /// Balls that are published for this size.
     pub balls: Option<PublishedBalls>,
-    /// What stands before and after the basic number, with its meaning.
+    /// Prefixes and suffixes, with their meaning.
     pub parts: Vec<Part>,
     /// Group of radial internal clearance, where the designation says it.
     pub clearance: Option<ClearanceGroup>,
@@ -163,7 +163,7 @@ pub fn search(pattern: &str) -> Vec<ListedBearing> {
     listed().filter(|bearing| fits(&bearing.designation)).collect()
 }
 
-/// Whether a name begins with the first part, ends with the last one, and has the others in order between.
+/// True if a name begins with the first part, ends with the last one, and has the others in order between.
 fn globbed(name: &str, parts: &[&str]) -> bool {
     let [first, middle @ .., last] = parts else { return false };
     let Some(mut rest) = name.strip_prefix(first).and_then(|rest| rest.strip_suffix(last)) else { return false };
@@ -174,7 +174,7 @@ fn globbed(name: &str, parts: &[&str]) -> bool {
     })
 }
 
-/// What the list has, for a designation that it does not have: the series of its first digits, or all series.
+/// Allowed designations, for one that is not in the list: those of the series of its first digits, or all series.
 pub(crate) fn allowed(size: &str) -> String {
     let series = if ["16", "61", "71"].iter().any(|s| size.starts_with(s)) { 3 } else { 2 };
     let of_series = |s: &&str| size.len() > series && s.len() == size.len() && s.starts_with(&size[..series]);

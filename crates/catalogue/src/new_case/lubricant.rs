@@ -3,7 +3,7 @@
 use super::Sources;
 use crate::CatalogueError;
 
-/// What a new case is lubricated with.
+/// Lubricant of a new case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NewLubricant {
     /// An oil of the library, such as `mineral-vg68`, in a bath.

@@ -12,7 +12,7 @@ use numbers::Numbers;
 use std::f64::consts::PI;
 use tribodyn_rating::RatingError;
 
-/// What is known of a bearing that a case is made for, SI.
+/// Known data of a bearing that a case is made for, SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewCase {
     /// Designation, for the title.
@@ -29,7 +29,7 @@ pub struct NewCase {
     pub clearance: Option<ClearanceGroup>,
     /// True for balls of silicon nitride.
     pub ceramic_balls: bool,
-    /// What the designation says besides the size.
+    /// Parts of the designation besides the size.
     pub parts: Vec<Part>,
     /// Radial load along x, N, where known.
     pub radial_load: Option<f64>,

@@ -1,4 +1,4 @@
-//! What other programs read: tables, coefficients for rotor programs, springs for finite elements.
+//! Files for other programs: tables, coefficients for rotor programs, springs for finite elements.
 
 use crate::failure::Failure;
 use std::fmt::Write;

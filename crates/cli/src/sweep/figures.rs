@@ -147,7 +147,7 @@ struct Answers {
     rows: BTreeMap<Vec<usize>, Answer>,
 }
 
-/// What is in the table of one row.
+/// Result of one row of the table.
 struct Answer {
     solved: bool,
     /// By plan and line.
@@ -197,7 +197,7 @@ impl Swept {
         self.cells.iter().map(number).collect()
     }
 
-    /// Whether the ratio of neighbours is the same, as of `1..100 log 21`.
+    /// True if the ratio of neighbours is the same, as of `1..100 log 21`.
     fn logarithmic(&self) -> bool {
         let Some(at) = self.numbers().filter(|at| at.len() > 2 && at[0] > 0.0) else { return false };
         let steps: Vec<f64> = at.windows(2).map(|pair| (pair[1] / pair[0]).ln()).collect();

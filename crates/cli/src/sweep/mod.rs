@@ -80,7 +80,7 @@ fn setting(text: &str) -> Result<Setting, String> {
     Ok(Setting::parse(text)?.prefixed("--set "))
 }
 
-/// What was done.
+/// Summary of a sweep.
 #[derive(Serialize)]
 struct Summary {
     output: PathBuf,

@@ -1,4 +1,4 @@
-//! What the commands answer: the promised JSON fields, and numbers against sources of their own.
+//! Answers of the commands: the promised JSON fields, and numbers against sources of their own.
 
 use super::{assert_close, fixture, run, run_words};
 use serde_json::Value;

@@ -2,15 +2,15 @@
 
 use super::{AG, Scratch, fixture, run};
 
-/// What is refused in the silver-coated case of the paper.
+/// A change to the silver-coated case of the paper that is refused.
 struct Refusal {
     /// A text of the good case.
     from: &'static str,
-    /// What replaces it, with « before the place that the message points at.
+    /// Its replacement, with « before the place that the message points at.
     to: &'static str,
     /// Path, with the value where there is one.
     field: &'static str,
-    /// What is wrong or allowed.
+    /// The fault or what is allowed.
     allowed: &'static str,
 }
 
@@ -277,7 +277,8 @@ fn limit_what_asks_for_too_much_is_refused_unless_the_limits_are_lifted() {
     run(&[&"check", &long, &"--no-limits"]).table();
 }
 
-/// What the models with traction need of a case for Jones–Harris is named at once, with what it must hold.
+/// All parts that the models with traction need and a case for Jones–Harris lacks are named at once, each with what it
+/// must hold.
 #[test]
 fn limit_a_model_that_the_case_has_no_sections_for_is_refused() {
     let scratch = Scratch::new();

@@ -19,7 +19,7 @@ fn words(line: &str) -> Vec<String> {
     words
 }
 
-/// Whether two lines have the same words, and numbers within 1 %.
+/// True if two lines have the same words, and numbers within 1 %.
 fn same(a: &str, b: &str) -> bool {
     let same = |a: &str, b: &str| {
         let [x, y] = [a, b].map(|word| word.trim_end_matches(',').parse::<f64>());
@@ -29,7 +29,7 @@ fn same(a: &str, b: &str) -> bool {
     a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| same(a, b))
 }
 
-/// Whether `printed` is `shown`, where a line `…` stands for any number of lines.
+/// True if `printed` is `shown`, where a line `…` stands for any number of lines.
 fn agrees(shown: &str, printed: &str) -> bool {
     let mut rest: Vec<&str> = printed.trim_end().lines().collect();
     let mut free = false;

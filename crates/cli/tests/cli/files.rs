@@ -1,4 +1,4 @@
-//! What stands on disk after a run: whole files or none, and the answer where it was asked for.
+//! Files on disk after a run: whole files or none, and the answer where it was asked for.
 
 use super::{AG, Scratch, command, fixture, names, run};
 use std::ffi::OsStr;

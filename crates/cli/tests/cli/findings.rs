@@ -1,5 +1,5 @@
-//! What must be known of an operating point stands in every answer that rests on it: overload, curves beyond their
-//! tests, nothing that loads the bearing, a limit on the time of a search.
+//! Findings on an operating point stand in every answer that rests on it: overload, curves beyond their tests, nothing
+//! that loads the bearing, a limit on the time of a search.
 
 use super::{Scratch, fixture, run};
 use serde_json::Value;

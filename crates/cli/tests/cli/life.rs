@@ -92,8 +92,8 @@ fn identity_what_is_worn_at_the_start_is_clearance() {
     assert_eq!(life(&half, &[]).code, 2);
 }
 
-/// What is worn at the start counts once: the first stride is the equilibrium of a bearing with new coatings and the
-/// free contact angle that the worn ones leave. Counted again as a depth of the grooves, the loads would be others.
+/// Wear at the start counts once: the first stride is the equilibrium of a bearing with new coatings and the free
+/// contact angle that the worn ones leave. Counted again as a depth of the grooves, the loads would be others.
 #[test]
 fn identity_what_is_worn_at_the_start_counts_once() {
     let case = fixture("paper-ag-worn.ron");

@@ -95,7 +95,8 @@ fn limit_what_new_cannot_make_is_refused() {
     assert!(std::fs::read_to_string(scratch.0.join("6206.ron")).unwrap().contains("ball_count: 9,"));
 }
 
-/// What passed in silence: a modulus in MPa, a density with a digit too few; and an axial position that is held.
+/// Warnings of slips that once passed in silence: a modulus in MPa, a density with a digit too few; and a note on an
+/// axial position that is held.
 #[test]
 fn limit_check_and_solve_warn_of_slips() {
     let ag = fixture("paper-ag.ron");

@@ -9,7 +9,7 @@ use std::process::Stdio;
 use std::time::{Duration, Instant};
 use tribodyn_record::{RunItem, RunReader};
 
-/// What a transient run needs besides the values of the quasi-static case.
+/// Sections that a transient run needs besides the values of the quasi-static case.
 const TRANSIENT: &str = "
     supports: (
         inner: (

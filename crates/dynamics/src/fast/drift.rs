@@ -28,7 +28,7 @@ pub(super) struct Stand {
 const CONTACT: usize = 12;
 const LOAD: usize = 8;
 
-/// What the springs do there.
+/// Contacts, accelerations and normal forces by the springs there.
 #[derive(Debug, Clone)]
 struct Found {
     /// sin φ, cos φ.

@@ -73,7 +73,7 @@ fn flat<const N: usize, const COLUMNS: usize, const ALL: usize>(m: [[f64; N]; CO
     all
 }
 
-/// What the kick finds of the balls of a block.
+/// Forces, moments and wear of the balls of a block, as the kick finds them.
 #[derive(Debug, Clone)]
 pub(super) struct Grips {
     /// 1 where the linear traction of the inner, or the outer, contact serves, else 0.

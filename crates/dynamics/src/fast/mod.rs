@@ -100,7 +100,7 @@ pub(crate) struct Fast {
     /// lost or made.
     #[serde(skip)]
     given_back: Vec<f64>,
-    /// Whether they are there.
+    /// True once accelerations of the drift are there.
     ready: bool,
     /// Mean accelerations of cage and rings by the drift over the last step.
     #[serde(skip)]

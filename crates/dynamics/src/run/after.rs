@@ -1,4 +1,4 @@
-//! What happens after a step: samples, events, wear, and a look at whether all is well.
+//! Tasks after a step: samples, events, wear, and a look at whether all is well.
 
 use super::filter::Between;
 use super::{ACCELERATION_ERROR, FAST_LOOK_EVERY, LOOK_EVERY, Run, RunError, Scheme, WEAR_LOOK_EVERY};

@@ -1,4 +1,4 @@
-//! What step, patch rule and linear traction together do to the accelerations of a run: two companions go on from its
+//! Error of the accelerations of a run by step, patch rule and linear traction together: two companions go on from its
 //! present state for a short while, one as the run does and one with half the step and a finer patch. How far the
 //! acceleration of the outer ring of one is from that of the other is the error of the coarser one.
 //!

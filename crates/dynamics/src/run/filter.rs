@@ -79,7 +79,7 @@ pub(super) struct Filter {
     bands: FilterBands,
 }
 
-/// What the filter remembers between steps.
+/// Memory of the filter between steps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct FilterMemory {
     /// Internal times that have passed, time 0 included.
@@ -112,7 +112,7 @@ impl Filter {
         FilterMemory { passed: 1, last: values(l, |i| state[i]), sums: self.decimator.settled(output), output }
     }
 
-    /// Whether a memory is one of this filter.
+    /// True if a memory is one of this filter.
     pub fn remembers(&self, memory: &FilterMemory) -> bool {
         self.decimator.remembers(&memory.sums, CHANNELS)
     }
@@ -183,7 +183,7 @@ impl Between<'_> {
         }
     }
 
-    /// What is filtered, at a part of the step.
+    /// The values to be filtered, at a part of the step.
     pub fn values(&self, l: Layout, s: f64) -> Values {
         if is_end(s) { values(l, |i| self.state[1][i]) } else { values(l, |i| self.at(s, i)) }
     }

@@ -95,7 +95,7 @@ pub struct Checkpoint {
     looked: Looked,
 }
 
-/// What the scheme did.
+/// Counts of the scheme's steps, force evaluations and patches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Statistics {
     /// Steps kept.
@@ -284,7 +284,7 @@ impl Run {
         p.loaded = self.machine.watch.iter().map(|w| w.loaded).collect();
     }
 
-    /// What [`Self::resume`] needs.
+    /// The state that [`Self::resume`] goes on from.
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint { raceways: self.machine.raceways.clone(), thinnest: self.machine.thinnest, ..self.progress.clone() }
     }
@@ -322,7 +322,7 @@ impl Run {
         self.machine.kernel.rule()
     }
 
-    /// What the scheme did since the start, in the parts before a checkpoint too.
+    /// Counts of the scheme since the start, those before a checkpoint included.
     pub fn statistics(&self) -> Statistics {
         let [patches_integrated, patches_used] = self.progress.fast.patches();
         Statistics { patches_integrated, patches_used, ..self.progress.statistics }

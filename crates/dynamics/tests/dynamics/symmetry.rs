@@ -19,7 +19,7 @@ fn near(what: &str, a: f64, b: f64, tolerance: f64) {
     assert!((a - b).abs() <= tolerance, "{what}: {a:.12e} against {b:.12e}");
 }
 
-/// What the fluid takes from the balls, one by one, is what the balance of power has.
+/// The powers that the fluid takes from the single balls sum to those in the balance of power.
 #[test]
 fn identity_drag_and_churning_of_the_balls_sum_to_the_powers() {
     for scheme in ["RungeKutta4(step: us(5))", "Fast(step: us(20))"] {

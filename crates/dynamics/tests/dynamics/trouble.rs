@@ -1,4 +1,4 @@
-//! What goes wrong is said, and samples before it are good.
+//! Failures of a run are reported, and the samples before them are good.
 
 use crate::{Keep, OIL_6206, case, run};
 use serde_json::json;
@@ -151,8 +151,8 @@ fn limit_numbers_that_are_none_end_a_run_with_time_and_step() {
     assert!(error.to_string().contains("not a number"), "{error}");
 }
 
-/// What makes a step too long may be no ball: the bound that is named is below the step that was used, with the motion
-/// it is of.
+/// A motion other than a ball's may make a step too long: the bound that is named is below the step that was used, with
+/// the motion it is of.
 #[test]
 fn limit_a_bound_that_is_named_is_below_the_step_that_was_used() {
     let soft = ("supports.outer.damping", "(N_s_per_m(5e6), N_s_per_m(5e6))");

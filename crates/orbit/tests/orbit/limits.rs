@@ -23,7 +23,7 @@ fn limit_pure_thrust_is_the_quasi_static_equilibrium() {
     assert!(orbit.points.iter().all(|p| (p.contacts.inner.load_n / load - 1.0).abs() < 1e-7));
 }
 
-/// What the shaft gives is lost in contacts, fluid and pockets; the loads are carried.
+/// The power of the shaft is lost in contacts, fluid and pockets; the loads are carried.
 #[test]
 fn identity_power_and_loads_balance_over_the_turn() {
     let (_, bearing, point, cage) = fixture("paper-ag");
@@ -114,7 +114,7 @@ fn identity_of_orbits_whose_contacts_are_elsewhere_and_of_cold_starts() {
     assert!(2 * near.statistics.intervals < cold.statistics.intervals, "{:?}", cold.statistics);
 }
 
-/// What differs by rounding goes on doing so, from neighbour to neighbour, where balls lose contacts too: no mesh
+/// Orbits that differ by rounding go on doing so, from neighbour to neighbour, where balls lose contacts too: no mesh
 /// hangs on a last digit.
 #[test]
 fn identity_rounding_does_not_grow_from_neighbour_to_neighbour() {

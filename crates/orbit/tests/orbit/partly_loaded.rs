@@ -17,7 +17,7 @@ fn problem(text: &str) -> (Bearing, OperatingPoint, CageBody) {
     (bearing, case.operating_point(), cage)
 }
 
-/// What no bearing does, whatever its loads.
+/// Checks that an orbit does nothing that no bearing does, whatever its loads.
 fn check(name: &str, orbit: &SteadyOrbit, point: &OperatingPoint) {
     assert!(orbit.residual <= 1e-10, "{name}: {:e}", orbit.residual);
     assert_eq!(orbit.swing_damping, None, "{name}");

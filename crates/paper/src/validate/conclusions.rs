@@ -1,5 +1,5 @@
-//! What the paper concludes, as far as no other row has it: the range of Figure 15's fits, conclusion 1, and the gain
-//! of section 4.3.3.
+//! Conclusions of the paper that no other row has: the range of Figure 15's fits, conclusion 1, and the gain of section
+//! 4.3.3.
 
 use super::over_azimuth::{by_case, largest, least, median};
 use super::published::Published;

@@ -12,7 +12,7 @@ struct Limit {
     kind: Kind,
 }
 
-/// What has to be on which side of a limit.
+/// Value that a limit applies to, and the side on which it has to be.
 #[derive(Clone, Copy)]
 enum Kind {
     /// The computed value, above it.

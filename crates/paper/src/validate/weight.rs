@@ -47,7 +47,8 @@ fn from_tables(mut rows: Vec<Row>, table: &Table, draws: &Table) -> Result<Vec<R
     Ok(rows)
 }
 
-/// What the rows that were kept out of the search come to beside the changes, in a sentence; none without weights.
+/// Sentence on how many of the rows kept out of the search are met, beside the averages over changes and draws; none
+/// without weights.
 pub fn null(rows: &[Row]) -> Option<String> {
     let kept = || {
         let validation = rows.iter().filter(|row| row.evidence == Evidence::Validation);

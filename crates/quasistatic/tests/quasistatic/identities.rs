@@ -88,7 +88,7 @@ fn identity_thrust_alone_makes_all_balls_alike() {
     }
 }
 
-/// What the ring puts on the balls is the load; from the single balls, where traction takes no part, it is too.
+/// The force of the ring on the balls is the load; summed over the balls, where traction takes no part, it is too.
 #[test]
 fn identity_balls_carry_the_load_of_the_ring() {
     for model in MODELS {

@@ -17,8 +17,8 @@ use tribodyn_quasistatic::{BallResult, Model, Solution, Solved, solve};
 const BEARING_218: &str = include_str!("../../../../fixtures/cases/bearing-218.ron");
 /// The cryogenic bearing of the paper with its silver coating.
 const PAPER_AG: &str = include_str!("../../../../fixtures/cases/paper-ag.ron");
-/// What the paper does not publish, pinned for the tests here: the case file follows the identification. The drag is
-/// about 200 N per ball.
+/// Values that the paper does not publish, pinned for the tests here: the case file follows the identification. The
+/// drag is about 200 N per ball.
 const PINNED: [(&str, &str); 11] = [
     ("geometry.pitch_diameter", "mm(165)"),
     ("geometry.inner_groove", "Coefficient(0.527)"),

@@ -162,5 +162,5 @@ impl<W: Write + Seek> Output<W> {
     }
 }
 
-/// What the metadata record `simulation` says.
+/// Keys and values of the metadata record `simulation`.
 pub(crate) type Entries = Vec<(&'static str, String)>;

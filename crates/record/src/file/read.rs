@@ -1,4 +1,4 @@
-//! What a closed recording holds, from its summary section alone: fast for files of any size.
+//! Contents of a closed recording, from its summary section alone: fast for files of any size.
 
 use crate::RecordError;
 use mcap::records::{MetadataIndex, Record};
@@ -9,7 +9,7 @@ use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// What a recording holds.
+/// Contents of a recording.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RecordingSummary {
     /// Size of the file, bytes.

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// Name of the metadata record that a recovered file has more than the original.
 pub const RECOVERY_METADATA: &str = "recovery";
 
-/// What was saved and what was not.
+/// Result of a recovery: what was saved and what was lost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Recovered {
     /// Messages in the new file.

@@ -19,7 +19,7 @@ pub type StateRow = tribodyn::TransientState;
 pub type SolutionRow = tribodyn::BearingState;
 /// A ball at one time, in the units of the field names, single precision.
 pub type BallRow = tribodyn::Ball;
-/// What had worn off by one time, in the units of the field names.
+/// Wear up to one time, in the units of the field names.
 pub type WearRow = tribodyn::Wear;
 /// A spectrum as it was shown during the run.
 pub type SpectrumRow = tribodyn::Spectrum;
@@ -31,17 +31,17 @@ pub type OrbitRow = tribodyn::Orbit;
 pub struct LogRow {
     /// Simulated time of what it tells, s.
     pub time_s: f64,
-    /// Whether the reader of a report must know.
+    /// True if the reader of a report must know of it.
     pub warning: bool,
-    /// What kind of event: `impact`, `contact-lost`, `contact-made`, `coating-through`, `warning`, or `start` for a
-    /// warning of the state that the run starts from.
+    /// Kind of event: `impact`, `contact-lost`, `contact-made`, `coating-through`, `warning`, or `start` for a warning
+    /// of the state that the run starts from.
     pub kind: String,
     /// The text; of frequent kinds it tells how many more there were.
     pub message: String,
 }
 
 impl LogRow {
-    /// Whether it is a warning of the state that the run starts from.
+    /// True if it is a warning of the state that the run starts from.
     pub fn is_of_start(&self) -> bool {
         self.kind == crate::run::START
     }
@@ -67,7 +67,7 @@ pub enum RunItem {
     Solution(SolutionRow),
     /// All balls at a simulated time, s.
     Balls(f64, Vec<BallRow>),
-    /// What has worn off.
+    /// Wear up to a time.
     Wear(WearRow),
     /// A spectrum.
     Spectrum(SpectrumRow),
@@ -144,7 +144,7 @@ pub struct RunReader<R> {
     schemas: BTreeMap<u16, String>,
     /// Which fields are numbers.
     numbers: Numbers,
-    /// Whether balls are wanted.
+    /// True if balls are wanted.
     balls: bool,
     /// Items of the piece that was read last.
     ready: VecDeque<Result<RunItem, RecordError>>,
@@ -288,7 +288,7 @@ pub struct Run {
     pub solution: Option<SolutionRow>,
     /// Simulated time (s) and all balls, in order of time.
     pub balls: Vec<(f64, Vec<BallRow>)>,
-    /// What has worn off, in order of time.
+    /// Wear, in order of time.
     pub wear: Vec<WearRow>,
     /// The log.
     pub events: Vec<LogRow>,

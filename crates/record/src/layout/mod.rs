@@ -15,7 +15,7 @@ use serde_json::{Map, Value, json};
 use tribodyn_bearing::{Geometry, Races, Side, SpeedHistory};
 use tribodyn_signal::BearingFrequencies;
 
-/// What a recording shows.
+/// Kind of recording that a layout is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LayoutKind {
     /// A transient run.

@@ -37,7 +37,7 @@ impl FromStr for LiveName {
     }
 }
 
-/// What a server lets in.
+/// Names that a server lets in: hosts and origins.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Access {
     /// The host of the address that it was told to listen on.

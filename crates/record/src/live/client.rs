@@ -76,12 +76,12 @@ impl Client {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Whether it has not shaken hands yet.
+    /// True if it has not shaken hands yet.
     pub(super) fn shakes(&self) -> bool {
         self.queue().stage == Stage::Shaking
     }
 
-    /// Whether it has a viewer's place.
+    /// True if it has a viewer's place.
     pub(super) fn has_place(&self) -> bool {
         (Stage::Admitted..=Stage::Closing).contains(&self.queue().stage)
     }

@@ -7,9 +7,9 @@
 //! reported to it. Without a viewer a message costs two accesses to memory. The bodies of `/bearing/geometry` come once
 //! in a run; they are kept and sent to whoever subscribes later.
 //!
-//! What is sent is neither encrypted nor is anybody asked who they are. Nobody can change a run by it. The address
-//! should be one of this machine, and even there any program can read. Pages in a browser cannot, but for those of
-//! this machine and of the viewers that are known or were allowed ([`LiveServer::allow`]).
+//! The data are not encrypted, and nobody is asked who they are. Nobody can change a run by this. The address should be
+//! one of this machine, and even there any program can read. Pages in a browser cannot, but for those of this machine
+//! and of the viewers that are known or were allowed ([`LiveServer::allow`]).
 //!
 //! A viewer is asked every few seconds whether it is still there; one that does not answer for twelve seconds loses its
 //! place.
@@ -76,7 +76,7 @@ impl fmt::Display for LiveWarning {
     }
 }
 
-/// What a server has done.
+/// Totals of a server: its viewers and messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LiveSummary {
     /// Viewers that connected.
@@ -107,10 +107,10 @@ struct Running {
     acceptor: JoinHandle<()>,
 }
 
-/// What the threads share.
+/// State shared by the threads.
 #[derive(Debug)]
 struct Shared {
-    /// What every client gets first.
+    /// Frames that every client gets first: server information and channels.
     hello: [Frame; 2],
     access: Access,
     clients: Mutex<Vec<Arc<Client>>>,
@@ -118,7 +118,7 @@ struct Shared {
     ended: Condvar,
     /// Number of clients, to be read without a lock.
     connected: AtomicUsize,
-    /// Whether messages are kept, by channel.
+    /// True for channels whose messages are kept.
     keeps: Vec<bool>,
     /// The kept messages, by channel.
     kept: Mutex<Vec<Option<Kept>>>,

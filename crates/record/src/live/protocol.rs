@@ -129,7 +129,7 @@ impl Frame {
         Self::text(&json!({ "op": "status", "level": level as u8, "message": message }))
     }
 
-    /// Whether it is a time, among times and messages: messages have data.
+    /// True if it is a time, among times and messages: messages have data.
     pub(super) fn is_time(&self) -> bool {
         self.body.is_none()
     }
@@ -152,7 +152,7 @@ pub(super) enum Level {
     Error = 2,
 }
 
-/// What a client asks for.
+/// A request of a client.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Request {
     /// Its names for its subscriptions, and their channels.

@@ -1,4 +1,4 @@
-//! What a sample must be before it is recorded: finite, of the right bearing, not earlier than the last one.
+//! Requirements on a sample before it is recorded: finite, of the right bearing, not earlier than the last one.
 
 use super::overview::Overview;
 use crate::RecordError;

@@ -21,7 +21,7 @@ const CONTACTS_PER_TURN: f64 = 20.0;
 /// Longest time between either, s, where little turns.
 const LONGEST_S: f64 = 0.01;
 
-/// What has been sent of a moving scene.
+/// State of a moving scene: orientations of the balls, and when frames and contacts were sent last.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Motion {
     orientations: Orientations,

@@ -1,4 +1,4 @@
-//! What a run remembers of its recent past: the last turn of the shaft and the samples behind the spectra.
+//! Recent past of a run: the last turn of the shaft and the samples behind the spectra.
 
 use super::overview::Overview;
 use crate::RecordError;
@@ -56,7 +56,7 @@ impl LastTurn {
     }
 }
 
-/// What is transformed: a name, its unit, and where it is in a sample.
+/// A quantity with a spectrum: its name, its unit, and where it is in a sample.
 pub(crate) type Quantity = (&'static str, &'static str, fn(&Sample) -> f64);
 
 /// The quantities with spectra, in the order of their topics.

@@ -102,7 +102,7 @@ fn imbalance_ppb(imbalance: f64, throughput: f64) -> f64 {
     if throughput > 0.0 { imbalance / throughput * BILLION } else { 0.0 }
 }
 
-/// What had worn off by a time, s.
+/// Wear up to a time, s.
 pub(crate) fn wear(wear: &WearSample, time_s: f64, log_time: u64) -> Wear {
     Wear {
         timestamp: Some(timestamp(log_time)),

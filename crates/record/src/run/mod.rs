@@ -28,18 +28,18 @@ use std::path::Path;
 use tribodyn_bearing::{BallResult, RunInputs, Scheme};
 use tribodyn_dynamics::{BallDetail, Event, FilterBands, Observer, Sample};
 
-/// What a recording of a run is made from.
+/// Inputs of a recording of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct RunRecording<'a> {
     /// The text of the case file, attached unchanged.
     pub case_text: &'a str,
     /// Name of the bearing, the title of the recording.
     pub name: &'a str,
-    /// What is run: the bearing of the picture and the metadata is the mounted one.
+    /// Inputs of the run: the bearing of the picture and the metadata is the mounted one.
     pub inputs: &'a RunInputs,
     /// How it steps: [`tribodyn_dynamics::Run::scheme`], with the step that was chosen.
     pub scheme: Scheme,
-    /// What else is known before the first step, for the metadata.
+    /// Other facts known before the first step, for the metadata.
     pub facts: &'a [(&'static str, String)],
     /// Warnings of the state that the run starts from, for the log.
     pub warnings: &'a [String],
@@ -54,10 +54,10 @@ impl<'a> RunRecording<'a> {
     }
 }
 
-/// What is low-pass filtered before it is sampled, for the metadata.
+/// Fields that are low-pass filtered before they are sampled, for the metadata.
 const FILTERED: &str =
     "inner_acceleration_* and outer_acceleration_* of /bearing/state, /bearing/spectrum and the topics below it";
-/// What is not.
+/// Fields that are not filtered.
 const POINT_SAMPLES: &str = "all other fields of /bearing/state, and /bearing/balls";
 
 /// Simulated time as log time, ns.
@@ -111,7 +111,7 @@ impl<S: Sink> RunRecorder<S> {
         &mut self.sink
     }
 
-    /// What a recorder must know to go on from here: with [`Self::remember`] another one sends the same bytes.
+    /// State that a recorder needs to go on from here: with [`Self::remember`] another one sends the same bytes.
     pub fn memory(&self) -> &RecorderMemory {
         self.producer.memory()
     }

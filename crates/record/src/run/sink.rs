@@ -7,7 +7,7 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// What a run says about itself before its first message.
+/// Contents of a recording before its first message.
 #[derive(Debug, Clone, Copy)]
 pub struct Preamble<'a> {
     /// The topics; messages name theirs by its place here.
@@ -24,7 +24,7 @@ pub struct Preamble<'a> {
 
 /// Takes the messages of a run.
 pub trait Sink {
-    /// What is left when all is written.
+    /// Result of [`Sink::finish`], once all is written.
     type Output;
 
     /// Takes topics, metadata and attachments; called once, before all messages.

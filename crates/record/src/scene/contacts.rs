@@ -83,14 +83,14 @@ struct Contact {
     semi_axes_m: [f64; 2],
 }
 
-/// What is the same in all messages.
+/// Data of the drawing that are the same in all messages.
 pub(crate) struct Drawing<'a> {
     pub(crate) geometry: &'a Geometry,
     pub(crate) scales: Scales,
     pub(crate) defects: &'a [Defect],
 }
 
-/// What is new at a time, besides the balls.
+/// Data of the drawing that change with time, besides the balls.
 pub(crate) struct Moment {
     pub(crate) log_time: u64,
     /// External load that the balls carry: their force on the inner ring, turned round, N.

@@ -10,7 +10,7 @@ use crate::{colour, frames, guide, mesh};
 use prost_types::{Duration, Timestamp};
 use tribodyn_bearing::{Geometry, Side};
 
-/// What the static scene needs to know.
+/// Inputs of the static scene.
 pub(crate) struct Bodies<'a> {
     /// Unloaded bearing.
     pub(crate) geometry: &'a Geometry,
@@ -24,7 +24,7 @@ pub(crate) struct Bodies<'a> {
     pub(crate) ring_load_n: [f64; 3],
     /// Defects of the raceways.
     pub(crate) defects: &'a [Defect],
-    /// Whether the coating of the raceways is drawn.
+    /// True if the coating of the raceways is drawn.
     pub(crate) with_coating: bool,
 }
 

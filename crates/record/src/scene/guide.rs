@@ -1,5 +1,5 @@
-//! What helps to read the picture: colour scales with numbers, arrows of a round force, axes, the mark of the radial
-//! load. All of it stands beside the bearing, where the camera of the layout looks past it.
+//! Aids to reading the picture: colour scales with numbers, arrows of a round force, axes, the mark of the radial load.
+//! All of it stands beside the bearing, where the camera of the layout looks past it.
 
 use crate::contacts::{LONGEST_ARROW, POCKET_MAGNIFICATION, Scales};
 use crate::mesh::{self, Mesh};

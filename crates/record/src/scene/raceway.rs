@@ -1,4 +1,4 @@
-//! What lies on the raceways: defects, and the coating as the balls found it.
+//! Defects of the raceways, and their coating as the balls found it.
 //!
 //! A ball that passes tells how much of the coating is gone where it stands. The raceway is drawn in sectors of 2° of
 //! its ring, each in the colour of what the last ball there found; where none has been yet it is grey.
@@ -18,7 +18,7 @@ pub(crate) const SECTORS: usize = 180;
 const COATING_HALF_WIDTH: f64 = 0.2;
 /// The same of a defect.
 const DEFECT_HALF_WIDTH: f64 = 0.4;
-/// What is drawn stands off the surface by this part of the ball diameter, or would flicker in it.
+/// Distances of coating, defects and hits from the surface, in ball diameters: drawn on it they would flicker.
 const COATING_LIFT: f64 = 0.004;
 const DEFECT_LIFT: f64 = 0.007;
 const HIT_LIFT: f64 = 0.01;
@@ -121,7 +121,7 @@ impl Defect {
     }
 }
 
-/// What the balls found on both raceways: the part of the coating that is left, by sector; none where no ball has been.
+/// Coating as the balls found it on both raceways: the part that is left, by sector; none where no ball has been.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Found {
     inner: Vec<Option<f32>>,

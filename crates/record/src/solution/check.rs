@@ -1,4 +1,4 @@
-//! What a solution must be before a byte of it is written.
+//! Requirements on a solution before a byte of it is written.
 
 use crate::RecordError;
 use tribodyn_bearing::Geometry;

@@ -23,7 +23,7 @@ pub const CASE_ATTACHMENT: &str = "case.ron";
 /// Name of the attachment that holds the layout.
 pub const LAYOUT_ATTACHMENT: &str = "tribodyn.json";
 
-/// What a recording of a quasi-static solution is made from.
+/// Inputs of a recording of a quasi-static solution.
 #[derive(Debug, Clone, Copy)]
 pub struct SolutionRecording<'a> {
     /// The text of the case file, attached unchanged.

@@ -1,4 +1,4 @@
-//! What the messages say: interpolated balls, frames, arrows, scene.
+//! Contents of the messages: interpolated balls, frames, arrows, scene.
 
 use super::{BALLS, Payload, ball, bytes, decode, solution};
 use crate::quaternion::Rotation;

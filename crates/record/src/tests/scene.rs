@@ -1,4 +1,4 @@
-//! What is drawn besides bodies and contacts: scales, forces, defects, coating.
+//! Drawings besides bodies and contacts: scales, forces, defects, coating.
 
 use super::sample::{CAGE, SHAFT, recording, sample};
 use super::{BALLS, Payload, bytes, case, decode, solution};

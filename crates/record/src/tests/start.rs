@@ -1,4 +1,4 @@
-//! What a recording has at its start and its end: no empty panel, facts, warnings, and the bearing as it was mounted.
+//! Start and end of a recording: no empty panel, facts, warnings, and the bearing as it was mounted.
 
 use super::run::messages;
 use super::sample::{feed, recording, run_bytes};
@@ -27,7 +27,7 @@ fn limit_no_panel_is_empty_at_the_start_of_a_recording() {
     }
 }
 
-/// What is known before the first step is in the metadata and the log, what is known at the end in a record of its own.
+/// Facts known before the first step are in the metadata and the log, those known at the end in a record of their own.
 #[test]
 fn identity_facts_and_warnings_of_a_run_come_back() {
     let (case, path) = (case::case(BALLS), path("run-facts"));

@@ -92,7 +92,7 @@ pub struct Evidence {
     pub sidebands_log_chance: Option<f64>,
     /// Lower and upper edge of the band, Hz.
     pub band_hz: [f64; 2],
-    /// Whether the band was cut from the whitened signal.
+    /// True if the band was cut from the whitened signal.
     pub whitened: bool,
     /// Spectral kurtosis of the band.
     pub kurtosis: f64,

@@ -100,18 +100,18 @@ impl Default for Search {
     }
 }
 
-/// What a vibration signal says of a bearing.
+/// Diagnosis of a bearing from a vibration signal.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Diagnosis {
     /// Speed of the shaft.
     pub shaft: ShaftSpeed,
-    /// Whether the lines are those over shaft angle, frequencies then those at the mean speed.
+    /// True if the lines are those over shaft angle, frequencies then those at the mean speed.
     pub order_tracked: bool,
     /// Bands of the kurtogram, from wide to narrow.
     pub kurtogram: Vec<Band>,
     /// The band of the envelope spectrum below.
     pub band: Band,
-    /// Whether that band was cut from the whitened signal.
+    /// True if that band was cut from the whitened signal.
     pub whitened: bool,
     /// Evidence for each fault, in its best band.
     pub evidence: Vec<Evidence>,
@@ -122,7 +122,7 @@ pub struct Diagnosis {
     /// Spectrum of the squared envelope of the band, over the mean of the squared envelope.
     #[serde(skip)]
     pub envelope: Spectrum,
-    /// What limits the answer.
+    /// Limitations of the answer.
     pub warnings: Vec<String>,
 }
 

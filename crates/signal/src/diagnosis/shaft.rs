@@ -13,7 +13,7 @@ pub struct ShaftSpeed {
     pub frequency_hz: f64,
     /// One standard deviation of it, Hz; that of the given speed where the signal does not show it.
     pub deviation_hz: f64,
-    /// Whether it was found in the signal; otherwise it is the given one.
+    /// True if it was found in the signal; otherwise it is the given one.
     pub measured: bool,
 }
 

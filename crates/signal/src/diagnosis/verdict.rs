@@ -1,4 +1,4 @@
-//! What the evidence says.
+//! Verdict on a bearing from the evidence.
 
 use super::Kinematics;
 use super::evidence::{Evidence, Fault, SURE};
@@ -89,7 +89,7 @@ impl Evidence {
         self.sidebands_log_chance.is_some_and(|chance| chance < READ)
     }
 
-    /// Whether the fundamental is one of many multiples of that of the cage and not much higher than the others: what
+    /// True if the fundamental is one of many multiples of that of the cage and not much higher than the others: what
     /// strikes once in a turn of the cage has all multiples, BPFO among them.
     fn of_cage(&self, cage: &Self) -> bool {
         let multiple = (self.frequency_hz / cage.frequency_hz).round();
@@ -122,7 +122,7 @@ impl Evidence {
         has_fundamental && Self { harmonics, modulation, ..self.clone() }.stands_out()
     }
 
-    /// Whether the family stands out as that of damage does.
+    /// True if the family stands out as that of damage does.
     pub fn stands_out(&self) -> bool {
         self.is_high() && self.strikes()
     }

@@ -24,7 +24,7 @@ pub(super) struct Passage {
     pub left: f64,
 }
 
-/// What a member gives.
+/// Signals of a member, and facts of its run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Signals {
     /// Samples of each sensor, m/s².

@@ -1,7 +1,7 @@
 //! Ensembles: transient runs of one case with values drawn at random, without recordings, in parallel.
 //!
-//! What a member is depends on the seed and its number alone, in a Latin hypercube on the number of members too, and
-//! not on threads or on members that fail. Its numbers are those of a recorded run of the same values, to the last bit.
+//! A member depends on the seed and its number alone, in a Latin hypercube on the number of members too, and not on
+//! threads or on members that fail. Its numbers are those of a recorded run of the same values, to the last bit.
 
 mod draw;
 mod figures;

@@ -1,4 +1,4 @@
-//! What an ensemble comes to, for people and programs.
+//! Results of an ensemble, for people and programs.
 
 use super::draw::Sampling;
 use super::member::Member;

@@ -15,7 +15,7 @@ use std::sync::{Mutex, PoisonError};
 /// The column that says whether a member came to its end.
 pub const COMPLETE: &str = "complete";
 
-/// What makes two ensembles the same.
+/// Identity of an ensemble: two with the same one are the same.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Identity {

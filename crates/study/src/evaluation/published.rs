@@ -34,7 +34,7 @@ pub struct Compared {
     pub computed: Option<f64>,
     /// Largest deviation that is still met.
     pub tolerance: f64,
-    /// Whether the deviation is within the tolerance.
+    /// True if the deviation is within the tolerance.
     pub met: bool,
     /// Where the value is published.
     pub source: String,

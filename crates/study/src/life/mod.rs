@@ -338,7 +338,7 @@ impl<'a> Worn<'a> {
         }
     }
 
-    /// What the reader of a life must know.
+    /// Warnings for the reader of a life.
     fn warnings(&self, end: LifeEnd) -> Vec<String> {
         let mut all = vec![
             "the life is in inverse proportion to the wear coefficients, which are orders of magnitude as a rule, and no film comes back from the cage"

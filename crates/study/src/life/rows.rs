@@ -1,4 +1,4 @@
-//! What a life comes to.
+//! Results of a life.
 
 use serde::{Deserialize, Serialize};
 

@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use tribodyn::CaseFile;
 
-/// What makes two lives the same.
+/// Identity of a life: two with the same one are the same.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Identity {

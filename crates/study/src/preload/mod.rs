@@ -16,7 +16,7 @@ use tribodyn_shaft::{AxialSet, AxialState, Member, RestingBearing, RingForce, Sh
 
 const RPM_PER_RAD_S: f64 = 30.0 / std::f64::consts::PI;
 
-/// What presses the bearings of a set together.
+/// Preload that presses the bearings of a set together.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SetPreload {
@@ -37,7 +37,7 @@ pub enum SetPreload {
 pub struct SetQuestion {
     /// Side of each bearing, from −z to +z: true where it carries a shaft pushed along +z.
     pub sides: Vec<bool>,
-    /// What presses them together.
+    /// Preload of the set.
     pub preload: SetPreload,
     /// Axial loads along +z, N; where none are given, up to the unloading force.
     pub loads: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Whether the work of a run balances, and what is to blame where it does not.
+//! Check that the work of a run balances, with the likely cause where it does not.
 //!
 //! Drives, loads, friction, drag, dampers, pockets, the cage, stored energy and what wear takes out of the contacts are
 //! all counted. What is left over is the scheme's, or that of a choice of model whose forces and powers do not belong
@@ -12,14 +12,14 @@ use tribodyn_case::Case;
 const OFF_BALANCE_EXPLICIT_PERCENT: f64 = 1e-3;
 const OFF_BALANCE_FAST_PERCENT: f64 = 1.0;
 
-/// What the balance of a run's work says.
+/// Judgement on the balance of a run's work.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Judgement {
     /// Within what the scheme leaves.
     Balanced,
     /// Off, with the most likely reason.
     Off {
-        /// What is missing and why, a sentence.
+        /// Missing work and its cause, a sentence.
         reason: String,
         /// True if a choice of model and not the length of the steps is to blame.
         by_model: bool,

@@ -1,4 +1,4 @@
-//! What a run leaves beside its recording so that it can be taken up again.
+//! The checkpoint of a run: a file beside its recording, from which it can be taken up again.
 //!
 //! The file is two lines of JSON: a head with format, version, length and checksum of the second line, and the run.
 
@@ -116,7 +116,7 @@ pub(crate) struct Files {
     /// The recording while it grows.
     pub active: PathBuf,
     pub checkpoint: PathBuf,
-    /// What a resumed run copies from, until all of it is in the new file.
+    /// The recording that a resumed run copies from, until all of it is in the new file.
     pub earlier: PathBuf,
 }
 

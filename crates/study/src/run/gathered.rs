@@ -223,7 +223,7 @@ impl Gathered {
         )
     }
 
-    /// What they come to; none without any.
+    /// Summary of the rows; none without any.
     pub fn summary(&self, wear: Option<&WearRow>, warnings: Vec<String>) -> Option<Summary> {
         let last = self.last.as_ref()?;
         let settled = self.settled();

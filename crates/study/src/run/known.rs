@@ -1,5 +1,5 @@
-//! What a run knows of itself beside its samples: before the first step, and at the end. It is in the recording, so
-//! that a report says what the run said and works nothing out anew.
+//! Facts of a run beside its samples: those known before the first step, and those known at the end. They are in the
+//! recording, so that a report says what the run said and works nothing out anew.
 
 use super::warnings;
 use serde::de::DeserializeOwned;
@@ -10,7 +10,7 @@ use tribodyn_bearing::PatchSurfaces;
 use tribodyn_dynamics::{Run, Statistics, StepChoice, Stiffness};
 use tribodyn_quasistatic::Solution;
 
-/// What is known before the first step.
+/// Facts that are known before the first step.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct KnownAtStart {
     /// The fixed step that is taken, s; the fast scheme's divides the time between samples. None where steps follow
@@ -29,7 +29,7 @@ pub struct KnownAtStart {
     pub warnings_at_start: Vec<String>,
 }
 
-/// What is known at the end.
+/// Facts that are known at the end.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct KnownAtEnd {
     /// Steps and evaluations of the scheme.

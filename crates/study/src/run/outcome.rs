@@ -45,13 +45,13 @@ pub struct RunReport {
     pub wall_s: f64,
     /// Simulated over wall time of this part of the run.
     pub simulated_per_wall: f64,
-    /// What is known before the first step.
+    /// Facts that are known before the first step.
     #[serde(flatten)]
     pub known: KnownAtStart,
-    /// What is known at the end.
+    /// Facts that are known at the end.
     #[serde(flatten)]
     pub outcome: KnownAtEnd,
-    /// Whether the errors of patch and scheme are small enough for accelerations.
+    /// True if the errors of patch and scheme are small enough for accelerations.
     pub accelerations_supported: bool,
     /// Numbers of the recording.
     #[serde(flatten)]
@@ -63,7 +63,7 @@ pub struct RunReport {
 }
 
 impl RunReport {
-    /// What the solver knows at the end of a run.
+    /// The solver's part of the report, at the end of a run.
     pub(super) fn begin(run: &Run, file: &CaseFile, (known, outcome): (KnownAtStart, KnownAtEnd), wall_s: f64) -> Self {
         Self {
             case: file.name.clone(),

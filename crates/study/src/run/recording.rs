@@ -24,7 +24,7 @@ const BALLS_AT_ONCE: usize = 2048;
 /// Such loads that wait at the most; with those that are made and worked on some 3 MB.
 const WAITING: usize = 4;
 
-/// What goes over the queue.
+/// An item of the queue.
 enum Item {
     /// With its balls where they are recorded.
     Sample(Box<Overview>, Option<Vec<BallResult>>),
@@ -47,7 +47,7 @@ pub(super) struct Failed {
     pub reason: Reason,
 }
 
-/// What failed.
+/// The error that stopped the recording.
 pub(super) enum Reason {
     Recording(RecordError),
     Checkpoint(std::io::Error),

@@ -149,7 +149,7 @@ pub struct RunSession<'a> {
     _lock: OutputLock,
 }
 
-/// What a recording is begun with.
+/// Data that a recording begins with.
 struct Begun<'a> {
     file: &'a CaseFile,
     inputs: &'a RunInputs,

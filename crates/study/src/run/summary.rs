@@ -1,4 +1,4 @@
-//! What a recorded run comes to in a few numbers.
+//! Summary of a recorded run in a few numbers.
 
 use super::balance::{Judgement, judge};
 use super::cage::CageMotion;
@@ -101,18 +101,18 @@ impl Serialize for Powers {
     }
 }
 
-/// Whether the patch rule is fine enough for accelerations; an error that is not known does not speak against it.
+/// True if the patch rule is fine enough for accelerations; an error that is not known does not speak against it.
 pub fn carries_accelerations_of_patch(patch_error_estimate: Option<f64>) -> bool {
     patch_error_estimate.is_none_or(|error| error <= ACCELERATION_ERROR)
 }
 
-/// Whether an error of the scheme, m/s², is small against accelerations along x and y, rms, m/s². One that is not known
+/// True if an error of the scheme, m/s², is small against accelerations along x and y, rms, m/s². One that is not known
 /// carries none.
 pub fn carries_accelerations_of_scheme(error_m_s2: Option<f64>, [x, y]: [f64; 2]) -> bool {
     error_m_s2.is_some_and(|error| error <= ACCELERATION_PART * x.hypot(y))
 }
 
-/// Whether the accelerations of a run are carried: by the patch rule, and by step, patch and linear traction together
+/// True if the accelerations of a run are carried: by the patch rule, and by step, patch and linear traction together
 /// against the accelerations themselves. A run that is too short to tell, or was cut off, carries none.
 pub fn carries_accelerations(summary: &Summary, known: &KnownAtStart, outcome: Option<&KnownAtEnd>) -> bool {
     let error_m_s2 = outcome.and_then(|outcome| outcome.acceleration_error_m_s2);
@@ -135,7 +135,7 @@ pub(crate) fn unresolved(summary: &Summary, known: &KnownAtStart, outcome: Optio
     })
 }
 
-/// What has worn off since the start, without the acceleration of wear.
+/// Wear since the start, without the acceleration of wear.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct Worn {
     /// Of the inner race, µm³.

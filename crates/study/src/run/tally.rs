@@ -1,4 +1,4 @@
-//! What a run comes to, gathered from its messages as they are recorded: nothing has to be read back for the summary.
+//! Results of a run, gathered from its messages as they are recorded: nothing has to be read back for the summary.
 
 use super::gathered::Gathered;
 use super::warnings::{Tested, Warnings};

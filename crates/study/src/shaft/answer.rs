@@ -1,4 +1,4 @@
-//! What a shaft in equilibrium comes to.
+//! Results for a shaft in equilibrium.
 
 use super::RPM_PER_RAD_S;
 use super::build::Running;

@@ -14,7 +14,7 @@ use tribodyn_catalogue::{Given, NewCase, find};
 pub struct ShaftFile {
     /// Name for messages.
     pub name: String,
-    /// What it says.
+    /// Contents of the file.
     pub system: ShaftSystem,
     /// The case of each bearing, as it runs on the shaft but for its speed.
     pub cases: Vec<Case>,

@@ -144,7 +144,7 @@ pub fn whirl(file: &ShaftFile, speeds_rpm: &[f64], up_to_hz: f64) -> Result<Whir
     Ok(WhirlAnswer { speeds, critical, warnings })
 }
 
-/// What makes the linear answer doubtful.
+/// Adds a warning for each thing that makes the linear answer doubtful.
 fn warn(file: &ShaftFile, at: &At<'_>, rpm: f64, (nodes, forces): (&[f64], &[f64]), warnings: &mut Vec<String>) {
     let mut once = |text: String| {
         if !warnings.contains(&text) {

@@ -31,7 +31,7 @@ pub struct RandomBearing {
     pub text: String,
 }
 
-/// What is drawn of geometry and speed, SI.
+/// Drawn geometry and speeds, SI.
 struct Draw {
     kind: Kind,
     balls: usize,

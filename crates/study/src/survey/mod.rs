@@ -22,7 +22,7 @@ use std::time::Duration;
 use tribodyn::answers::Equations;
 use tribodyn_case::CaseError;
 
-/// What to try.
+/// Options of a survey.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// Seed of the family of bearings.

@@ -32,7 +32,7 @@ pub(super) struct Balance {
     given: Momenta,
     /// The same by every second sample up to the last of these: how well samples tell what goes on between them.
     every_second: (f64, Rates, Momenta),
-    /// What the samples up to there had given.
+    /// Momentum given up to there, by all samples.
     given_there: Momenta,
     samples: usize,
     /// Magnitudes of what went to and fro.
@@ -104,9 +104,9 @@ impl Balance {
         self.samples += 1;
     }
 
-    /// What is missing over what went to and fro, %: linear momentum, and angular momentum where the ring stands
-    /// straight. None where half as many samples tell something else: then contacts vibrate between samples, and what
-    /// is missing is the sum's and not the run's.
+    /// Missing momentum over what went to and fro, %: linear, and angular where the ring stands straight. None where
+    /// half as many samples tell something else: then contacts vibrate between samples, and what is missing is the
+    /// sum's and not the run's.
     pub fn missing_percent(&self) -> [Option<f64>; 2] {
         let [x, y, turning] = std::array::from_fn(|k| self.gained[k] - self.given[k]);
         let [error_x, error_y, error_turning] = std::array::from_fn(|k| self.given_there[k] - self.every_second.2[k]);

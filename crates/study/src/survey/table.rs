@@ -1,4 +1,4 @@
-//! What a survey comes to, by regime.
+//! Results of a survey, by regime.
 
 use super::trial::{Solving, Verdict};
 use super::{RandomBearing, Trial};

@@ -112,7 +112,7 @@ fn null_in(value: &serde_json::Value, name: &str) -> Option<String> {
     }
 }
 
-/// What a run hands out, as far as the trial looks at it.
+/// Observer of a run, with the data that the trial looks at.
 struct Watcher {
     balance: Balance,
     last: Option<Sample>,

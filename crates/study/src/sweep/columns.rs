@@ -1,4 +1,4 @@
-//! What a row of the table holds.
+//! Contents of a row of the table.
 
 use std::fmt::Write;
 use tribodyn_bearing::BallResult;
@@ -21,7 +21,7 @@ pub enum Cell {
     Null,
 }
 
-/// What all fields of a column are.
+/// Kind of all fields of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Whole numbers.
@@ -41,7 +41,7 @@ pub struct Column {
     pub name: String,
     /// Kind of all fields.
     pub kind: Kind,
-    /// Whether fields may be null.
+    /// True if fields may be null.
     pub optional: bool,
 }
 
@@ -142,7 +142,7 @@ pub(crate) fn columns(swept: impl Iterator<Item = Column>) -> Vec<Column> {
 
 /// Why a row has no solution.
 pub(crate) struct Unsolved {
-    /// What is left of the equations, and the steps taken, where they were tried.
+    /// Residual of the equations and number of steps taken, where they were tried.
     tried: Option<(f64, usize)>,
     message: String,
 }

@@ -198,7 +198,7 @@ impl Grid {
         Ok(())
     }
 
-    /// What is wrong with a row, in words that blame the option.
+    /// Error of a row that is refused, in words that blame the option.
     fn refusal(&self, row: usize) -> StudyError {
         let swept = self.axes.iter().zip(self.indices(row)).map(|(axis, i)| axis.setting.change(i));
         let changes: Vec<Change> = self.fixed.iter().cloned().chain(swept).collect();
@@ -228,7 +228,7 @@ impl Grid {
         SearchWatch::new(Arc::new(patience))
     }
 
-    /// Whether no further row is begun.
+    /// True if no further row is begun.
     pub(crate) fn is_stopped(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
@@ -335,7 +335,7 @@ impl Grid {
         index * length..self.rows.min((index + 1) * length)
     }
 
-    /// What is swept, for people and programs.
+    /// Summary of the axes, for people and programs.
     pub fn summary(&self) -> Vec<AxisSummary> {
         let summary = |axis: &Axis| AxisSummary {
             column: axis.column.name.clone(),

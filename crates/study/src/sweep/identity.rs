@@ -7,7 +7,7 @@ use crate::error::StudyError;
 use crate::journal;
 use serde::{Deserialize, Serialize};
 
-/// What makes two sweeps the same.
+/// Identity of a sweep: two with the same one are the same.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub struct Identity {
     /// Version of the command; another may give other numbers.
@@ -29,7 +29,7 @@ impl Identity {
         Self { tribodyn, case: grid.base().to_owned(), model, swept, shard, cold }
     }
 
-    /// What the file of a table says of its sweep.
+    /// Notes on the sweep in the file of its table.
     pub fn notes(&self) -> Result<Vec<(String, String)>, StudyError> {
         let note = |name: &str, value| (name.to_owned(), value);
         Ok(vec![

@@ -153,7 +153,7 @@ fn field(line: &str, at: usize) -> Option<&str> {
     line.split(separator).nth(at)
 }
 
-/// Whether columns are those of the first table.
+/// Refuses columns that are not those of the first table.
 #[cfg(feature = "parquet")]
 pub(crate) fn same_columns(first: &Path, table: &Path, known: &[Column], found: &[Column]) -> Result<(), StudyError> {
     if known == found {

@@ -117,7 +117,7 @@ pub(crate) fn merge(
 struct Table {
     path: PathBuf,
     columns: Vec<Column>,
-    /// What is the same for all parts of a sweep.
+    /// Notes that are the same for all parts of a sweep.
     notes: Notes,
     rows: parquet::record::reader::RowIter<'static>,
 }

@@ -1,4 +1,4 @@
-//! What a sweep would do, and about how long it would take.
+//! The plan of a sweep, and about how long it would take.
 
 use super::axis::AxisSummary;
 use super::grid::Grid;

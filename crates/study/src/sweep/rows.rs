@@ -19,7 +19,7 @@ const SKIDDING: f64 = 0.05;
 /// Solves the rows of one chunk, one after the other.
 pub(crate) struct Chunk<'a> {
     grid: &'a Grid,
-    /// Whether each row starts from its own initial guess.
+    /// True if each row starts from its own initial guess.
     cold: bool,
     equilibria: Neighbours<WarmStart>,
     orbits: Neighbours<OrbitStart>,
@@ -162,7 +162,7 @@ pub fn solve_chunks<T: Send>(
     chunks.into_par_iter().with_max_len(1).map(solve).collect()
 }
 
-/// Whether an orbit's balls and pockets are those of the case, none damped, heavier or softer.
+/// True if an orbit's balls and pockets are those of the case, none damped, heavier or softer.
 fn is_of_the_case(orbit: &SteadyOrbit) -> bool {
     !orbit.is_eased() && orbit.ball_mass_factor.is_none()
 }
@@ -178,7 +178,7 @@ fn rolls(solution: &Solution) -> bool {
     solution.balls.iter().all(rolls)
 }
 
-/// Whether the patch rule of a warm start is good enough here.
+/// True if the patch rule of a warm start is good enough here.
 fn within_target(solution: &Solution, point: &OperatingPoint) -> bool {
     point.patch.is_none_or(|patch| patch.allows(solution.patch_error_estimate))
 }

@@ -1,4 +1,4 @@
-//! What is swept: a place of the case with its values.
+//! Setting of a sweep: a place of the case with its values.
 
 use super::values;
 use tribodyn::Change;

@@ -26,7 +26,7 @@ impl Shard {
         }
     }
 
-    /// Whether a chunk belongs to it.
+    /// True if a chunk belongs to it.
     pub fn has(self, chunk: usize) -> bool {
         chunk % self.count == self.index
     }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use tribodyn::answers::Equations;
 use tribodyn::plausibility::advice;
 
-/// What a table is written as.
+/// File format of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Text, one row a line.

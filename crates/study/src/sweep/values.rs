@@ -38,7 +38,7 @@ fn too_many() -> String {
     format!("more than {MAX_VALUES} values in one list")
 }
 
-/// What of a text stands outside strings: byte offset, character, and the number of brackets open around it.
+/// Characters of a text outside strings: byte offset, character, and the number of brackets open around it.
 fn scan(text: &str) -> Result<Vec<(usize, char, usize)>, String> {
     let (mut open, mut quoted, mut escaped) = (Vec::new(), false, false);
     let mut outside = Vec::with_capacity(text.len());

@@ -40,7 +40,7 @@ const SPEEDS: &str = "inner_speed_rpm";
 /// Relative difference of diameters up to which they are those of one bearing: listed ones are rounded.
 const SAME: f64 = 1e-3;
 
-/// What a signal says of its bearing.
+/// Diagnosis of a bearing from its signal.
 ///
 /// # Errors
 /// A file that cannot be read, a bearing or a speed that is missing, and as [`analysis`].

@@ -54,7 +54,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<SignalFile, StudyError> 
     Ok(SignalFile { first_line, ..SignalFile::of(columns, None) })
 }
 
-/// What stands between numbers.
+/// Separator of numbers.
 #[derive(Clone, Copy)]
 enum Separator {
     Sign(char),

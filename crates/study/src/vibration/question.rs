@@ -50,7 +50,7 @@ pub struct Analysis {
     pub velocity_class: Option<VibrationClass>,
     /// The bearing.
     pub bearing: Kinematics,
-    /// What the signal says of it.
+    /// Its diagnosis from the signal.
     #[serde(flatten)]
     pub diagnosis: Diagnosis,
     /// Samples of that part.

@@ -1,4 +1,4 @@
-//! What the film law must do, whatever the oil.
+//! Tests of the film law, for any oil.
 
 use super::*;
 use crate::{FastPatch, PatchDerivative, PatchRule};

@@ -33,7 +33,7 @@ pub struct CurveAnswer {
     pub clamped: bool,
     /// Where the data of the coating come from.
     pub source: String,
-    /// What the reader must know about the pressure.
+    /// Note on a pressure outside the tested or the valid range.
     #[serde(skip)]
     pub note: Option<String>,
 }

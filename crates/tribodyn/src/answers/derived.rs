@@ -1,4 +1,4 @@
-//! What follows from a case before anything is solved.
+//! Values that follow from a case before anything is solved.
 
 use super::fits::{Fits, fits};
 use super::flow::{HeatedFlowAnswer, fluid_warnings, phase};
@@ -60,10 +60,10 @@ pub struct Derived {
     /// Phase of the cryogen at the case's temperature and pressure; absent for another fluid and without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fluid_phase: Option<String>,
-    /// What becomes of a flow that takes up the heat of the bearing; absent where it was not asked for.
+    /// State of a flow that takes up the heat of the bearing; absent where it was not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heated_flow: Option<HeatedFlowAnswer>,
-    /// What the bearing is lubricated with, in a line.
+    /// Lubrication of the bearing, in a line.
     pub lubrication: String,
     /// Basic dynamic load rating C_r, N; absent for a bearing that the standards do not rate.
     pub dynamic_rating_n: Option<f64>,
@@ -93,9 +93,9 @@ pub struct Derived {
     pub fits: Option<Fits>,
     /// Where the values of the case come from, by path.
     pub sources: BTreeMap<String, Source>,
-    /// What the datum of the axial position is.
+    /// Notes on the datum of the axial position.
     pub notes: Vec<String>,
-    /// What is unusual or beyond what was tested.
+    /// Sentences on what is unusual or beyond what was tested.
     pub warnings: Vec<String>,
 }
 

@@ -45,7 +45,7 @@ pub struct Equilibrium {
     /// Ring and balls.
     #[serde(flatten)]
     pub solution: Solution,
-    /// What must be known of it; its warnings are those of the solution.
+    /// Findings on it; its warnings are those of the solution.
     #[serde(flatten, serialize_with = "beside")]
     pub findings: Findings,
     /// Absent for a bearing that the standards do not rate; `tribodyn rating` says why.

@@ -1,4 +1,4 @@
-//! What the reader of an answer must know about the operating point that it rests on.
+//! Findings on the operating point that an answer rests on, for its reader.
 
 use super::lubrication::lubrication;
 use super::{Equations, Question};
@@ -16,7 +16,7 @@ use tribodyn_quasistatic::Solution;
 pub struct Findings {
     /// Equations of the operating point.
     model: Equations,
-    /// What the bearing is lubricated with, in a line.
+    /// Lubrication of the bearing, in a line.
     lubrication: String,
     /// False where nothing loads the bearing: then lives, safeties and contact angles are not defined.
     loaded: bool,
@@ -29,7 +29,7 @@ pub struct Findings {
 /// The part of [`Findings`] that a solution does not print by itself.
 #[derive(Debug, Clone, Serialize)]
 pub struct Beside {
-    /// What the bearing is lubricated with, in a line.
+    /// Lubrication of the bearing, in a line.
     pub lubrication: String,
     /// False where nothing loads the bearing.
     pub loaded: bool,
@@ -122,7 +122,7 @@ impl Findings {
         self.model
     }
 
-    /// What the bearing is lubricated with, in a line.
+    /// Lubrication of the bearing, in a line.
     pub fn lubrication(&self) -> &str {
         &self.lubrication
     }
@@ -142,7 +142,7 @@ impl Findings {
         self.implausible.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
     }
 
-    /// What stands beside a solution that prints its model and its warnings.
+    /// The findings to print beside a solution, which prints its model and its warnings itself.
     pub fn beside(&self) -> Beside {
         let Self { lubrication, loaded, implausible, .. } = self.clone();
         Beside { lubrication, loaded, implausible }
@@ -164,7 +164,7 @@ impl<T> Answer<T> {
         Self { findings, value }
     }
 
-    /// What must be known of the operating point.
+    /// Findings on the operating point.
     pub fn findings(&self) -> &Findings {
         &self.findings
     }

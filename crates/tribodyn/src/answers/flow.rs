@@ -71,7 +71,7 @@ pub(super) fn fluid_warnings(case: &Case) -> Vec<String> {
 /// Distance from boiling within which a mixture is taken as one in equilibrium, K.
 const BOILING_WITHIN: f64 = 0.5;
 
-/// What a flow (kg/s) of the case's cryogen is after it has taken up a power (W) at the case's pressure.
+/// State of a flow (kg/s) of the case's cryogen after it has taken up a power (W) at the case's pressure.
 ///
 /// # Errors
 /// A case without a cryogen, and more heat than the equations of state go.

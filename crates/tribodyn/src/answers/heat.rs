@@ -10,7 +10,7 @@ use tribodyn_case::{Case, HeatSpec, MountedRingSpec, MountingSpec};
 use tribodyn_lubricant::ZERO_CELSIUS;
 use tribodyn_thermal::{BearingSize, Conductances, Heat, Temperatures, passing_conductance};
 
-/// What surrounds the bearing.
+/// Surroundings of the bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surroundings {
     /// Temperature of air, shaft end and oil supply, °C.
@@ -74,7 +74,7 @@ pub struct HeatAnswer {
     pub radial_clearance_m: f64,
     /// Solutions that it took.
     pub rounds: usize,
-    /// What had to be assumed.
+    /// Assumptions that had to be made.
     pub notes: Vec<String>,
 }
 

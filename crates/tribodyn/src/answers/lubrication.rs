@@ -1,4 +1,4 @@
-//! What a bearing runs with, in a line.
+//! Lubrication of a bearing, in a line.
 
 use super::Equations;
 use crate::error::AnswerError;

@@ -10,7 +10,7 @@ use tribodyn_orbit::{Bodies, Mode, OrbitModes, orbit_modes};
 pub struct ModesAnswer {
     /// Cage speed of the orbit, r/min.
     pub cage_speed_rpm: f64,
-    /// What is left, a turn of the cage later, of a small disturbance of a ball: above 1 it grows.
+    /// Factor on a small disturbance of a ball over a turn of the cage: above 1 it grows.
     pub multiplier: f64,
     /// The same as a rate, 1/s.
     pub growth_rate_per_s: f64,

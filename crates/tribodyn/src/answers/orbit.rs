@@ -70,7 +70,7 @@ pub struct OrbitAnswer {
     pub round: Solution,
     /// Under the loads of the balls where they stand; absent for a bearing that the standards do not rate.
     pub lives: Option<Lives>,
-    /// What must be known of it; its warnings are those of the solutions too.
+    /// Findings on it; its warnings are those of the solutions too.
     pub findings: Findings,
     /// How far it rests on assumed values, as far as that was asked for.
     pub sensitivities: Vec<Sensitivity>,
@@ -124,7 +124,7 @@ impl OrbitAnswer {
     }
 }
 
-/// What the damping of the pockets changes that the search has raised, as a sentence where that is worth one.
+/// Effect of the pocket damping that the search has raised, as a sentence where it is worth one.
 fn less_damped(problem: &OrbitProblem, (orbit, start): (&mut SteadyOrbit, &OrbitStart)) -> Option<String> {
     orbit.raised_pocket_damping_s_per_m?;
     let OrbitProblem { bearing, point, cage, settings } = problem;

@@ -12,7 +12,7 @@ pub struct PairSetting {
     pub arrangement: Arrangement,
     /// Distance between their middles, m.
     pub distance: f64,
-    /// What presses them together.
+    /// Preload between them.
     pub preload: Preload,
 }
 

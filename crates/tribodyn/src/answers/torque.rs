@@ -50,7 +50,7 @@ pub struct TorqueAnswer {
     /// Palmgren's formula.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub palmgren_torque_nm: Option<f64>,
-    /// What the formulas had to assume.
+    /// Assumptions of the formulas, and what they lack.
     pub notes: Vec<String>,
 }
 

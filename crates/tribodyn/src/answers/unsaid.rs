@@ -1,5 +1,5 @@
-//! What a case leaves out where that may matter: thin rings, growth by rotation, contacts far from the angle at which
-//! their constants are taken.
+//! Effects that a case leaves out where they may matter: thin rings, growth by rotation, contacts far from the angle at
+//! which their constants are taken.
 
 use super::Question;
 use tribodyn_bearing::{Bearing, ContactPose, Side};

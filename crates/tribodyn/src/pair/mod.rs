@@ -34,7 +34,7 @@ pub enum Arrangement {
 }
 
 impl Arrangement {
-    /// Whether a bearing carries a shaft pushed along +Z (1) or along −Z (−1): the one at −Z first.
+    /// Direction of the push on the shaft that each bearing carries, +Z (1) or −Z (−1): the one at −Z first.
     fn senses(self) -> [f64; 2] {
         match self {
             Self::BackToBack => [1.0, -1.0],
@@ -44,7 +44,7 @@ impl Arrangement {
     }
 }
 
-/// What presses the bearings together.
+/// Preload between the bearings.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Preload {
@@ -77,7 +77,7 @@ pub struct Pair<'a> {
     pub arrangement: Arrangement,
     /// Distance between their middles, m.
     pub distance: f64,
-    /// What presses them together.
+    /// Preload between them.
     pub preload: Preload,
 }
 
@@ -98,7 +98,7 @@ pub enum PairError {
         "the pair did not converge: a relative residual of {residual:.1e} is left on the shaft (tolerance {tolerance:.1e})"
     )]
     NotConverged {
-        /// What is left over the load.
+        /// Residual over the load.
         residual: f64,
         /// Tolerance asked for.
         tolerance: f64,
@@ -145,7 +145,7 @@ const FREEDOMS: usize = 5;
 type Vector = [f64; FREEDOMS];
 type Matrix = [[f64; FREEDOMS]; FREEDOMS];
 
-/// What a bearing gives at a displacement of its ring.
+/// Force, stiffness and solution of a bearing at a displacement of its ring.
 struct Answer {
     force: Vector,
     stiffness: Matrix,

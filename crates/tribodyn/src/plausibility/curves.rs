@@ -1,4 +1,4 @@
-//! Whether traction curves are used where they were tested.
+//! Traction curves that are used outside the pressures at which they were tested, or that nobody tested.
 
 use std::ops::RangeInclusive;
 use tribodyn_bearing::Side;

@@ -166,7 +166,7 @@ fn slip(case: &Case, (text, bearing): (&str, &Bearing)) -> Option<String> {
     largest.otherwise().into_iter().find(|(_, si)| carried(*si)).map(|(text, _)| text)
 }
 
-/// Whether anything loads the bearing.
+/// True if anything loads the bearing.
 pub fn is_loaded(bearing: &Bearing, solution: &Solution) -> bool {
     let g = &bearing.geometry;
     let [x, y, z] = solution.ring_load_n;

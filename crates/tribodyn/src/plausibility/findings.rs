@@ -1,4 +1,4 @@
-//! What is unusual about values that count against each other, and about a solution.
+//! Findings on values that are unusual against each other, and on an unusual solution.
 
 use super::balls::{SHOULDER_MAX_DEG, at, largest};
 use super::implausible::{Implausible, advice, implausible, kinds, names};
@@ -131,7 +131,7 @@ pub struct SolutionFindings {
 }
 
 impl SolutionFindings {
-    /// What is implausible, each once.
+    /// Kinds of what is implausible, each once.
     pub fn kinds(&self) -> Vec<Implausible> {
         kinds(&self.implausible)
     }

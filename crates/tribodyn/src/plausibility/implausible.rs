@@ -79,7 +79,7 @@ pub fn implausible(solution: &Solution, shoulders: &Races<Option<f64>>) -> Vec<(
     found.chain(others.into_iter().filter_map(|(what, sentence)| Some((what, sentence?)))).collect()
 }
 
-/// What is implausible, each once.
+/// Kinds of what is implausible, each once.
 pub fn kinds(found: &[(Implausible, String)]) -> Vec<Implausible> {
     let mut kinds: Vec<Implausible> = found.iter().map(|(what, _)| *what).collect();
     kinds.dedup();

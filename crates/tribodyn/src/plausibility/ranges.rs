@@ -1,6 +1,6 @@
 //! Usual ranges of the values of a case: one table.
 
-/// What a value usually is.
+/// Usual range of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UsualRange {
     /// Path of the value; `*` is any one step.

@@ -11,7 +11,7 @@ use tribodyn_quasistatic::{QuasiStaticError, Solution};
 /// Balls that are named one by one.
 const NAMED: usize = 3;
 
-/// What is to be said of the sides on which balls bear.
+/// Findings on the sides on which balls bear.
 #[derive(Default)]
 pub(super) struct SideFindings {
     /// Balls where no shoulder is.

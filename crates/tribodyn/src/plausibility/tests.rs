@@ -1,4 +1,4 @@
-//! What is unusual is named, with the slip that it looks like; what is usual is not.
+//! Unusual values are named, with the slip that they look like; usual ones are not.
 
 use super::*;
 use tribodyn_case::set_value;

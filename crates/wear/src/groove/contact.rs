@@ -1,4 +1,4 @@
-//! What one contact wears off a groove, strip by strip across it.
+//! Wear of a groove by one contact, strip by strip across it.
 
 use crate::WearError;
 

@@ -64,7 +64,7 @@ pub struct GrooveWear {
     pub turning: bool,
 }
 
-/// What a contact finds under it, weighted by its pressure.
+/// State of the groove under a contact, weighted by its pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct UnderContact {
     /// Mean depth, m: to first order the balls come so much nearer at a given load.
@@ -223,7 +223,7 @@ impl GrooveField {
         }
     }
 
-    /// What contacts find, on the mean of the orbit, each contact by its load.
+    /// State of the groove under the contacts, on the mean of the orbit, each contact by its load.
     pub fn under(&self, wear: &GrooveWear) -> UnderContact {
         let (mut sum, mut loads) = (UnderContact::default(), 0.0);
         for (k, contact) in wear.along_orbit.iter().enumerate().filter(|(_, c)| c.load > 0.0 && c.half_width > 0.0) {
@@ -238,7 +238,7 @@ impl GrooveField {
         UnderContact { depth: mean(sum.depth), curvature: mean(sum.curvature), bare: mean(sum.bare) }
     }
 
-    /// What one contact finds where it stands, by its pressure.
+    /// State of the groove under one contact where it stands, by its pressure.
     pub fn under_contact(&self, contact: &ContactWear) -> UnderContact {
         let row = ((contact.azimuth.rem_euclid(TAU) / TAU * self.rows as f64) as usize).min(self.rows - 1);
         let columns = self.columns();

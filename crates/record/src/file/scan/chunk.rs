@@ -51,19 +51,19 @@ impl ChunkHead {
         })
     }
 
-    /// Whether the length of the record is that of its fields, and both sizes are within bounds.
+    /// True if the length of the record is that of its fields, and both sizes are within bounds.
     pub(crate) fn is_consistent(&self, length: u64) -> bool {
         self.compressed_size <= CHUNK_LIMIT
             && self.uncompressed_size <= CHUNK_LIMIT
             && length == self.bytes - 9 + self.compressed_size
     }
 
-    /// Whether the chunk was begun and not closed: its lengths are then all ones.
+    /// True if the chunk was begun and not closed: its lengths are then all ones.
     pub(crate) fn is_open(&self, length: u64) -> bool {
         length == u64::MAX && self.compressed_size == u64::MAX && self.uncompressed_size == u64::MAX
     }
 
-    /// Whether this is a chunk and not bytes that look like one; `rest` bytes are left in the file from its opcode on.
+    /// True if this is a chunk and not bytes that look like one; `rest` bytes are left in the file from its opcode on.
     pub(crate) fn is_plausible(&self, bytes: &[u8], rest: u64) -> bool {
         let length = Fields::new(bytes).head().map_or(0, |(_, length)| length);
         let known = matches!(self.compression.as_str(), "" | "zstd" | "lz4");

@@ -42,7 +42,7 @@ pub struct Damage {
     /// Messages that stand before the fault of a damaged chunk, or in a chunk that the end of the file cuts off: they
     /// are read, but no checksum vouches for them.
     pub messages_unchecked: u64,
-    /// Whether the file ends before its end mark.
+    /// True if the file ends before its end mark.
     pub truncated: bool,
     /// True if the summary at the end cannot be used: it does not fit its checksum, or is not where the file says.
     pub summary_bad: bool,
@@ -99,7 +99,7 @@ impl<R: Read + Seek> Scanner<R> {
         Ok((magic == MAGIC).then_some(scanner))
     }
 
-    /// What was found wrong up to now; final once there are no more pieces.
+    /// Damage found up to now; final once there are no more pieces.
     pub(crate) fn damage(&self) -> Damage {
         self.damage
     }

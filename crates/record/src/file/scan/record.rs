@@ -35,7 +35,7 @@ pub(crate) struct SchemaRecord<'a> {
     pub(crate) data: &'a [u8],
 }
 
-/// What messages are about.
+/// A channel: the topic, schema and encoding of its messages.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ChannelRecord<'a> {
     pub(crate) id: u16,
@@ -165,7 +165,7 @@ pub(crate) fn is_sound(code: u8, body: &[u8]) -> bool {
     }
 }
 
-/// What a record outside of chunks is worth.
+/// Verdict on a record outside of chunks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Judgement {
     /// It fits its own length.

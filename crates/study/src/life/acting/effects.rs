@@ -1,8 +1,8 @@
-//! What wear does to a bearing, by name.
+//! Effects of wear on a bearing, by name.
 
 use crate::error::StudyError;
 
-/// What wear does to the bearing, each to be switched by itself.
+/// Effects of wear on the bearing, each to be switched by itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Effects {
     /// Depth under the contacts counts as radial clearance: the contact angle grows.

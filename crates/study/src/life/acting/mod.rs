@@ -37,7 +37,7 @@ const COVER_CHANGE: f64 = 0.05;
 /// Choices of a life in which wear acts.
 #[derive(Debug, Clone)]
 pub struct ActingOptions {
-    /// What wear does.
+    /// Effects of wear that are on.
     pub effects: Effects,
     /// Strides in which a new coating is worn away at its fastest spot, 1 or more.
     pub strides: u32,
@@ -195,7 +195,7 @@ impl<'a> Living<'a> {
         Ok(state)
     }
 
-    /// What the contacts of a state find of the wear so far.
+    /// Takes the effect of the wear so far on the contacts from a state.
     fn look(&mut self, state: &State) {
         let cover = self.transfer.as_ref().map_or(0.0, |law| self.film.cover(law, state.film.area));
         self.acting = self.grooves.acting(state, cover);

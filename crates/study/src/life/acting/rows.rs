@@ -1,4 +1,4 @@
-//! What a life with acting wear comes to.
+//! Results of a life with acting wear.
 
 use crate::life::LifeEnd;
 use serde::{Deserialize, Serialize};

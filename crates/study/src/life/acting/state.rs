@@ -22,7 +22,7 @@ pub struct State {
     pub round: Vec<BallResult>,
     /// Wear of both races without a film on them.
     pub wear: Races<GrooveWear>,
-    /// What goes on at the film.
+    /// Rates at the transfer film.
     pub film: TransferRates,
     /// Speed of the inner ring against the outer, rad/s.
     pub speed: f64,
@@ -32,7 +32,7 @@ pub struct State {
     pub warnings: Vec<String>,
 }
 
-/// What the wear of both races does to the bearing.
+/// Effect of the wear of both races on the bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Acting {
     pub under: Races<UnderContact>,
@@ -158,7 +158,7 @@ fn state(
     State { round, wear, film, speed, free_angle, cage_speed_rpm, warnings }
 }
 
-/// What the pockets lose, how all contacts slide, and the surface of balls and tracks.
+/// Rates at the transfer film: loss of the pockets, sliding of all contacts, and surface of balls and tracks.
 fn film_rates(bearing: &Bearing, round: &[BallResult], wear: &Races<GrooveWear>) -> TransferRates {
     let g = &bearing.geometry;
     let balls = g.ball_count as f64;
@@ -182,7 +182,7 @@ fn film_rates(bearing: &Bearing, round: &[BallResult], wear: &Races<GrooveWear>)
 }
 
 impl Grooves {
-    /// What the contacts of a state find.
+    /// Effect of a state's wear on its contacts.
     pub fn acting(&self, state: &State, cover: f64) -> Acting {
         Acting { under: Races::from_fn(|side| self.fields[side].under(&state.wear[side])), cover }
     }

@@ -77,7 +77,7 @@ fn exp_of<D: Scalar>(x: D, known: f64) -> D {
     (x - x.re()) * known + known
 }
 
-/// What a patch has once, with the exponentials that its changes need again.
+/// Values computed once for a patch, with the exponentials that its changes need again.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Setup {
     pub(super) law: Law,

@@ -1,7 +1,7 @@
 //! Traction through a film with its derivatives in closed form, eight nodes at a time.
 //!
-//! What the stress of a node has of its pressure and speed alone is worked out once; then the temperature of the film
-//! is found, with two or three looks at the power of all nodes; then the integrals are summed. They agree with
+//! The part of a node's stress that depends on its pressure and speed alone is worked out once; then the temperature of
+//! the film is found, with two or three looks at the power of all nodes; then the integrals are summed. They agree with
 //! [`FilmLaw::traction`] to 1e-10 of the largest, and derivatives to 1e-5.
 
 mod nodes;

@@ -60,7 +60,7 @@ impl Kept {
     }
 }
 
-/// What the nodes of one patch have in common.
+/// Values that the nodes of one patch share.
 pub(super) struct Ground {
     pub slip: SlipField,
     peak: f64,

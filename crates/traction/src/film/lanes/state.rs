@@ -15,7 +15,7 @@ pub(super) struct Sloping {
     pub by: [f64; INPUTS],
 }
 
-/// What the nodes of a contact need besides their pressure and speed.
+/// Values that the nodes of a contact need besides their pressure and speed.
 pub(super) struct State {
     /// Thickness that is sheared, m.
     pub gap: Sloping,
