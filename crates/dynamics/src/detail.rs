@@ -26,12 +26,7 @@ impl Machine {
     }
 
     /// Everything at a time and state. `energy_at_start` and the volumes worn off are the run's.
-    pub fn sample(
-        &self,
-        (t, y): (f64, &[f64]),
-        (energy_at_start, worn): (f64, Worn),
-        (sums, balls): Balls,
-    ) -> Sample {
+    pub fn sample(&self, (t, y): (f64, &[f64]), (energy_at_start, worn): (f64, Worn), (sums, balls): Balls) -> Sample {
         let frame = self.frame(t, y);
         let bodies = self.bodies(t, &frame, &sums);
         let energy = sums.powers.energy + bodies.energy;

@@ -76,10 +76,10 @@ fn compare_samples(Started { mut machine, mut state, .. }: Started) {
         scheme.step(&mut machine, h * f64::from(step), &mut state, h);
     }
     let t = 60.0 * h;
-    let look = |detail| scheme.look(&machine, (t, &state), (detail, &mut Room::default()));
-    let ((sums, lanes), (plain_sums, plain)) = (look(BallDetail::All), machine.balls(t, &state));
+    let sample = |detail| scheme.sample(&machine, (t, &state), (detail, &mut Room::default()));
+    let ((sums, lanes), (plain_sums, plain)) = (sample(BallDetail::All), machine.balls(t, &state));
     assert_eq!(lanes.len(), plain.len());
-    let (same_sums, fewer) = look(BallDetail::Loads);
+    let (same_sums, fewer) = sample(BallDetail::Loads);
     assert_eq!(format!("{same_sums:?}"), format!("{sums:?}"));
     for (of_loads, all) in fewer.iter().zip(&lanes) {
         let contact = |c: ContactResult| ContactResult { friction: None, transient: None, ..c };

@@ -3,6 +3,7 @@
 use crate::coarse::Coarse;
 use crate::collocation::Orbit;
 use crate::events::Events;
+use crate::homotopy::{Homotopy, Regularization, ladder};
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::search::{PATIENCE, SETTLING, WORK, closed_near, damped, find};
@@ -10,7 +11,6 @@ use crate::settings::OrbitSettings;
 use crate::solution::{Placed, placed, solution};
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::system::OrbitSystem;
-use crate::way::{Eased, Way, ladder};
 use crate::{OrbitError, OrbitReason, start, statics};
 use tribodyn_bearing::{BallLoads, Bearing, CageBody, OperatingPoint, Races, RingOffset};
 use tribodyn_quasistatic::{RollingStart, rolling_start};
@@ -74,7 +74,7 @@ pub(crate) fn begun<F>(
     search: F,
 ) -> Result<SolvedOrbit, OrbitError>
 where
-    F: for<'a> FnOnce(&mut Newton<'a>, &RollingStart, &Way<'a>) -> Result<(Found, Eased), OrbitError>,
+    F: for<'a> FnOnce(&mut Newton<'a>, &RollingStart, &Homotopy<'a>) -> Result<(Found, Regularization), OrbitError>,
 {
     let Problem { bearing, point, cage, .. } = problem;
     if point.watch.stops() {
@@ -93,17 +93,17 @@ where
     let system = system(problem, (rolling.rule, speed, origin))?;
     let scales = start::scales((bearing, &cage.pocket), &point.ring, (start::mean_load(&rolling), speed));
     let ladder = ladder(bearing, (&rolling, speed));
-    let way = Way::new(&system, &ladder, (&rolling, scales.force))?;
+    let homotopy = Homotopy::new(&system, &ladder, (&rolling, scales.force))?;
     let mut newton = Newton::new(system, scales, point.watch.clone());
-    let (found, eased) =
-        search(&mut newton, &rolling, &way).map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
-    finish(&mut newton, found, problem, eased)
+    let (found, regularization) =
+        search(&mut newton, &rolling, &homotopy).map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
+    finish(&mut newton, found, problem, regularization)
 }
 
 /// The orbit by a search that begins with the balls of a bearing as they would roll.
 pub(crate) fn rolled(problem: Problem<'_>, guessed: &Bearing) -> Result<SolvedOrbit, OrbitError> {
     let Problem { point, settings, .. } = problem;
-    begun(problem, (guessed, point), |newton, rolling, way| find(newton, (point, rolling), way, settings))
+    begun(problem, (guessed, point), |newton, rolling, homotopy| find(newton, (point, rolling), homotopy, settings))
 }
 
 /// The likely reason why no orbit of a bearing was found.
@@ -120,11 +120,11 @@ fn reason(rolling: &RollingStart, bearing: &Bearing, speed: f64) -> OrbitReason 
 
 /// The orbit from that of a neighbour, if not by the shortest way; none where that does not lead to it.
 pub(crate) fn warm(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOrbit> {
-    let eased = near.eased.of(problem.bearing);
+    let regularized = near.regularization.of(problem.bearing);
     let orbit = near.at_speeds(problem.point);
-    let mut newton = at(Problem { bearing: &eased, ..problem }, near, &orbit).ok()?;
+    let mut newton = at(Problem { bearing: &regularized, ..problem }, near, &orbit).ok()?;
     let found = nearby(&mut newton, &orbit, problem.settings, (&SETTLING, WORK))?;
-    finish(&mut newton, found, problem, near.eased).ok()
+    finish(&mut newton, found, problem, near.regularization).ok()
 }
 
 /// The orbit from the start of a neighbour's turn: a ball is sent round from there, so that the mesh is that of its own
@@ -132,13 +132,13 @@ pub(crate) fn warm(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOrbi
 pub(crate) fn resent(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOrbit> {
     let Problem { bearing, point, cage, settings } = problem;
     let orbit = near.at_speeds(point);
-    let eased = near.eased.of(bearing);
-    let mut newton = at(Problem { bearing: &eased, ..problem }, near, &orbit).ok()?;
+    let regularized = near.regularization.of(bearing);
+    let mut newton = at(Problem { bearing: &regularized, ..problem }, near, &orbit).ok()?;
     newton.scales = start::scales((bearing, &cage.pocket), &point.ring, (near.carried, orbit.cage_speed));
     let cheap = FastPatch::new(SLOPES).ok()?;
     newton.slopes_by = Some(cheap.clone());
     let found = closed_near(&mut newton, &orbit, (cheap, settings))?;
-    finish(&mut newton, found, problem, near.eased).ok()
+    finish(&mut newton, found, problem, near.regularization).ok()
 }
 
 /// The orbit near one that is not, on its mesh, on a finer one, or by a ball that is sent round.
@@ -188,7 +188,7 @@ pub(crate) fn fitted(newton: &mut Newton<'_>, found: Found, settings: &OrbitSett
 pub(crate) fn at<'a>(problem: Problem<'a>, solved: &OrbitStart, orbit: &Orbit) -> Result<Newton<'a>, OrbitError> {
     let of = (solved.rule, orbit.cage_speed, solved.origin);
     let mut system = OrbitSystem { settling: solved.settling, ..system(problem, of)? };
-    system.cage.pocket.stiffness *= solved.eased.pocket_stiffness;
+    system.cage.pocket.stiffness *= solved.regularization.pocket_stiffness;
     let mut newton = Newton::new(system, solved.scales, problem.point.watch.clone());
     newton.coarse = solved.coarse;
     Ok(newton)
@@ -208,10 +208,10 @@ pub(crate) fn finish(
     newton: &mut Newton<'_>,
     found: Found,
     problem: Problem<'_>,
-    eased: Eased,
+    regularization: Regularization,
 ) -> Result<SolvedOrbit, OrbitError> {
     let (found, balls, patch_error) = sharpened(newton, found, problem)?;
-    let solution = solution(newton, &found, (&balls, patch_error), (&eased, problem.cage.pocket.damping));
+    let solution = solution(newton, &found, (&balls, patch_error), (&regularization, problem.cage.pocket.damping));
     let (orbit, _) = found;
     let speeds = Races { inner: problem.point.inner_speed, outer: problem.point.outer_speed };
     let jacobian = newton.last.take().filter(|last| last.is_of(&orbit));
@@ -230,7 +230,7 @@ pub(crate) fn finish(
         settling,
         pocket_damping,
         centring,
-        eased,
+        regularization,
         coarse: newton.coarse,
         scales,
         carried,
@@ -247,14 +247,14 @@ const SAME: f64 = 10.0;
 /// Meets the balances once more, by the problem's own bearing with what the answer says was changed of it: whatever
 /// else a search left changed shows here.
 fn verify(problem: Problem<'_>, start: &OrbitStart) -> Result<(), OrbitError> {
-    let bearing = &start.eased.of(&prepared(problem.bearing, problem.settings));
+    let bearing = &start.regularization.of(&prepared(problem.bearing, problem.settings));
     let mut newton = found(Problem { bearing, ..problem }, start)?;
     let pocket = newton.system.cage.pocket;
-    // Where nothing was eased, what centres the balls must be next to nothing too.
+    // Where nothing was regularized, what centres the balls must be next to nothing too.
     let worst = newton.residual(&start.orbit).worst;
     let tolerance = problem.settings.tolerance;
     if worst.relative <= SAME * tolerance
-        && (start.eased != Eased::NONE || start.centring <= CENTRING * pocket.stiffness)
+        && (start.regularization != Regularization::NONE || start.centring <= CENTRING * pocket.stiffness)
     {
         return Ok(());
     }

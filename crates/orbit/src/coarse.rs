@@ -1,6 +1,6 @@
 //! Meshes that could not be made as fine as is asked for.
 
-use crate::way::said;
+use crate::homotopy::said;
 use serde::{Deserialize, Serialize};
 
 /// Error of an interval, over what is allowed, that is worth a warning: the mesh of a neighbour may have as much.

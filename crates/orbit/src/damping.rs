@@ -2,11 +2,11 @@
 //! the answer says what that changes.
 
 use crate::collocation::Orbit;
+use crate::homotopy::said;
 use crate::newton::Newton;
 use crate::residual::{Found, shaft_torque};
 use crate::search::{HASTE, PATIENCE, damped};
 use crate::system::LEAD;
-use crate::way::said;
 use crate::{OrbitError, OrbitSettings};
 use serde::Serialize;
 use std::f64::consts::TAU;

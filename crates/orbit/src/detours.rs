@@ -2,9 +2,9 @@
 //! contacts that are damped more.
 
 use crate::attempt::{Problem, begun, rolled};
+use crate::homotopy::Regularization;
 use crate::search::sliding;
 use crate::solved::SolvedOrbit;
-use crate::way::Eased;
 use crate::{OrbitError, OrbitReason};
 use tribodyn_bearing::{Bearing, OperatingPoint, RaceControl};
 
@@ -36,8 +36,8 @@ pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedO
     };
     if skids {
         watch.stage("an inner ring that turns more slowly", None);
-        if let Some(slid) = slid(problem, &guessed) {
-            return Some(slid);
+        if let Some(found) = from_slower(problem, &guessed) {
+            return Some(found);
         }
     }
     watch.stage("pockets that hardly hold a ball", None);
@@ -47,14 +47,14 @@ pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedO
 /// The orbit with contacts on which balls do not bounce, searched for as that of the bearing itself.
 pub(crate) fn damped_more(problem: Problem<'_>) -> Option<SolvedOrbit> {
     problem.point.watch.stage("contacts that are damped more", None);
-    let bearing = &Eased { contact_damping: DAMPED, ..Eased::NONE }.of(problem.bearing);
+    let bearing = &Regularization { contact_damping: DAMPED, ..Regularization::NONE }.of(problem.bearing);
     let problem = Problem { bearing, ..problem };
     let mut solved = match rolled(problem, bearing) {
         Err(error @ OrbitError::NotConverged { .. }) => detour(problem, &error)?,
         other => other.ok()?,
     };
     solved.solution.raised_contact_damping = Some(DAMPED);
-    solved.start.iter_mut().for_each(|start| start.eased.contact_damping = DAMPED);
+    solved.start.iter_mut().for_each(|start| start.regularization.contact_damping = DAMPED);
     Some(solved)
 }
 
@@ -63,7 +63,10 @@ pub(crate) fn damped_more(problem: Problem<'_>) -> Option<SolvedOrbit> {
 fn softest(problem: Problem<'_>) -> Option<SolvedOrbit> {
     let Problem { bearing, point, settings, .. } = problem;
     let at = |share: &f64| {
-        begun(problem, (bearing, point), |newton, rolling, way| sliding(newton, rolling, (way, *share), settings)).ok()
+        begun(problem, (bearing, point), |newton, rolling, homotopy| {
+            sliding(newton, rolling, (homotopy, *share), settings)
+        })
+        .ok()
     };
     SOFTEST.iter().find_map(at)
 }
@@ -81,11 +84,14 @@ fn skids(error: &OrbitError) -> bool {
 
 /// The orbit of balls that slide on the inner race, from those that would roll if it turned more slowly: the slower,
 /// the less centrifugal force takes them off it.
-fn slid(problem: Problem<'_>, guessed: &Bearing) -> Option<SolvedOrbit> {
+fn from_slower(problem: Problem<'_>, guessed: &Bearing) -> Option<SolvedOrbit> {
     let Problem { point, settings, .. } = problem;
     let slower = |share: &f64| {
         let slower = slower(point, *share);
-        begun(problem, (guessed, &slower), |newton, rolling, way| sliding(newton, rolling, (way, 1.0), settings)).ok()
+        begun(problem, (guessed, &slower), |newton, rolling, homotopy| {
+            sliding(newton, rolling, (homotopy, 1.0), settings)
+        })
+        .ok()
     };
     SLIDING.iter().find_map(slower)
 }

@@ -5,11 +5,11 @@
 
 use crate::coarse::Coarse;
 use crate::collocation::Orbit;
+use crate::homotopy::Homotopy;
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::start::Profile;
 use crate::system::{BALL, LEAD, ORBIT, RING};
-use crate::way::Way;
 
 /// Intervals of the first mesh.
 const COARSE: usize = 16;
@@ -31,13 +31,13 @@ const HALF_TURN: f64 = 3.0;
 const SHORTER: f64 = 8.0;
 const LONGER: f64 = 1.5;
 
-/// Jacobians of an attempt on the way and of all of them, residual that is enough there, and shortest step.
+/// Jacobians of an attempt on the homotopy and of all of them, residual that is enough there, and shortest step.
 const PATIENCE: usize = 16;
 const ROUGH: f64 = 1e-6;
 const JACOBIANS: usize = 250;
 const LEAST_STEP: f64 = 0.01;
 
-/// How far the way led.
+/// How far the homotopy led.
 pub(crate) struct Reached {
     pub share: f64,
     pub found: Found,
@@ -60,13 +60,18 @@ impl<'a> Newton<'a> {
 
     /// Follows the orbit from balls that soft springs hold in their pockets, and that are heavy enough to stay on the
     /// outer race, towards those of the bearing: as far as that goes.
-    pub fn followed(&mut self, start: Orbit, way: &Way<'a>, (allowed, tolerance): (f64, f64)) -> Option<Reached> {
+    pub fn followed(
+        &mut self,
+        start: Orbit,
+        homotopy: &Homotopy<'a>,
+        (allowed, tolerance): (f64, f64),
+    ) -> Option<Reached> {
         let mut at: Option<Reached> = None;
         let mut step: f64 = 0.25;
         let most = self.statistics.jacobians + JACOBIANS;
         while self.statistics.jacobians < most {
             let next = at.as_ref().map_or(0.0, |at| (at.share + step).min(1.0));
-            way.set(&mut self.system, next);
+            homotopy.set(&mut self.system, next);
             let last = next == 1.0;
             let from = at.as_ref().map_or(&start, |at| &at.found.0).clone();
             let goal = (if last { tolerance } else { ROUGH }, PATIENCE);

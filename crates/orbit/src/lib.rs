@@ -10,6 +10,7 @@ mod detours;
 mod direct;
 mod error;
 mod events;
+mod homotopy;
 mod linearised;
 mod march;
 mod means;
@@ -29,7 +30,6 @@ mod start;
 mod statics;
 mod stiffness;
 mod system;
-mod way;
 
 pub use damping::LessDamping;
 pub use error::{OrbitError, OrbitPlace, OrbitReason};

@@ -32,12 +32,12 @@ use crate::OrbitError;
 use crate::balance::balanced;
 use crate::collocation::Orbit;
 use crate::direct::{Reached, even};
+use crate::homotopy::{Homotopy, Regularization};
 use crate::newton::Newton;
 use crate::residual::Found;
 use crate::settings::OrbitSettings;
 use crate::shooting::{CLOSE_BY, FAR, ROUNDS};
 use crate::start::{self, Profile};
-use crate::way::{Eased, Way};
 use tribodyn_bearing::{OperatingPoint, Side};
 use tribodyn_quasistatic::{BallMotion, Model, RollingStart, solve};
 use tribodyn_traction::FastPatch;
@@ -49,7 +49,7 @@ const SCOUTED: f64 = 0.2;
 const FOUND: f64 = 3e-2;
 const CLOSE: f64 = 3e-3;
 /// Intervals of a first turn on which a ball is thrown about.
-const TAME: usize = 700;
+const THROWN_ABOUT: usize = 700;
 /// Jacobians of an attempt on a mesh, and of one straight from an equilibrium.
 pub(crate) const PATIENCE: usize = 14;
 const DIRECT: usize = 12;
@@ -59,7 +59,7 @@ const FINER: [f64; 2] = [1.0, 0.3];
 /// found: a ball without its inner contact swings in its groove at about ten times the cage speed, and on the falling
 /// part of a traction curve it swings on.
 pub(crate) const SETTLING: [f64; 5] = [0.0, 3.0, 10.0, 30.0, 100.0];
-/// Places of the way at which an orbit is taken where none is found at its end.
+/// Places of the homotopy at which an orbit is taken where none is found at its end.
 const SOFT: [f64; 3] = [0.8, 0.65, 0.5];
 /// Error of an interval, over what is allowed, at which a mesh is made for another orbit.
 pub(crate) const OTHER: f64 = 4.0;
@@ -79,18 +79,18 @@ pub(crate) const WORK: usize = 12_000;
 pub(crate) fn find<'a>(
     newton: &mut Newton<'a>,
     (point, rolling): (&OperatingPoint, &RollingStart),
-    way: &Way<'a>,
+    homotopy: &Homotopy<'a>,
     settings: &OrbitSettings,
-) -> Result<(Found, Eased), OrbitError> {
+) -> Result<(Found, Regularization), OrbitError> {
     let speed = start::cage_speed(rolling);
-    let real = way.eased(1.0);
-    way.set(&mut newton.system, 1.0);
+    let real = homotopy.regularization(1.0);
+    homotopy.set(&mut newton.system, 1.0);
     // What a ball comes to by itself goes before what equations alone lead to, which may be another orbit. A ball that
     // is thrown about in its first turn does not close its turns.
-    let first = settled(newton, (rolling, speed), way);
+    let first = settled(newton, (rolling, speed), homotopy);
     let work = MARCH.min(TURNS * first.intervals());
-    if first.intervals() < TAME
-        && let Some(found) = marched(newton, &first, way, (settings, work))
+    if first.intervals() < THROWN_ABOUT
+        && let Some(found) = marched(newton, &first, homotopy, (settings, work))
     {
         return Ok((found, real));
     }
@@ -112,63 +112,68 @@ pub(crate) fn find<'a>(
     }
     // In oil the cage is soon the last that is not found; elsewhere only where balls hardly reach their pockets.
     let oil = newton.system.bearing.film_law(Side::Inner).is_some();
-    if oil && let Some(found) = of_held_cage(newton, &first, way, settings) {
+    if oil && let Some(found) = of_held_cage(newton, &first, homotopy, settings) {
         return Ok((found, real));
     }
-    let found = patient(newton, (&first, starts), way, settings);
+    let found = patient(newton, (&first, starts), homotopy, settings);
     if found.is_ok() || oil {
         return found;
     }
-    way.set(&mut newton.system, 1.0);
+    homotopy.set(&mut newton.system, 1.0);
     newton.system.settling = 0.0;
-    of_held_cage(newton, &first, way, settings).map_or(found, |found| Ok((found, real)))
+    of_held_cage(newton, &first, homotopy, settings).map_or(found, |found| Ok((found, real)))
 }
 
 /// The orbit by the torque on a cage that is held at a speed; none where the first turn was not a whole one.
-fn of_held_cage<'a>(newton: &mut Newton<'a>, first: &Orbit, way: &Way<'a>, settings: &OrbitSettings) -> Option<Found> {
+fn of_held_cage<'a>(
+    newton: &mut Newton<'a>,
+    first: &Orbit,
+    homotopy: &Homotopy<'a>,
+    settings: &OrbitSettings,
+) -> Option<Found> {
     if first.last_end() < 1.0 {
         return None;
     }
     newton.watch.stage("cages that are held at a speed", Some(first.cage_speed));
-    let near = balanced(newton, first, (way.scout(), settings))?;
+    let near = balanced(newton, first, (homotopy.scout(), settings))?;
     closed_or_met(newton, near, settings)
 }
 
-/// The orbit of balls that slide on a race, from where they would roll on slower ones, at a place of the way.
+/// The orbit of balls that slide on a race, from where they would roll on slower ones, at a place of the homotopy.
 ///
 /// # Errors
 /// [`OrbitError::NotConverged`].
 pub(crate) fn sliding<'a>(
     newton: &mut Newton<'a>,
     rolling: &RollingStart,
-    (way, share): (&Way<'a>, f64),
+    (homotopy, share): (&Homotopy<'a>, f64),
     settings: &OrbitSettings,
-) -> Result<(Found, Eased), OrbitError> {
-    let eased = way.eased(share);
-    way.set_fine(&mut newton.system, share);
-    let first = settled(newton, (rolling, start::cage_speed(rolling)), way);
+) -> Result<(Found, Regularization), OrbitError> {
+    let regularization = homotopy.regularization(share);
+    homotopy.set_fine(&mut newton.system, share);
+    let first = settled(newton, (rolling, start::cage_speed(rolling)), homotopy);
     if first.last_end() == 1.0
-        && let Some(found) = marched(newton, &first, way, (settings, HASTE))
+        && let Some(found) = marched(newton, &first, homotopy, (settings, HASTE))
     {
-        return Ok((found, eased));
+        return Ok((found, regularization));
     }
-    damped(newton, &first, settings, (&SETTLING, WORK)).map(|found| (found, eased))
+    damped(newton, &first, settings, (&SETTLING, WORK)).map(|found| (found, regularization))
 }
 
-/// The orbit by way of softer pockets and heavier balls, by damped balls, or where the way ends.
+/// The orbit by way of softer pockets and heavier balls, by damped balls, or where the homotopy ends.
 fn patient<'a>(
     newton: &mut Newton<'a>,
     (first, starts): (&Orbit, Vec<Orbit>),
-    way: &Way<'a>,
+    homotopy: &Homotopy<'a>,
     settings: &OrbitSettings,
-) -> Result<(Found, Eased), OrbitError> {
-    let real = way.eased(1.0);
+) -> Result<(Found, Regularization), OrbitError> {
+    let real = homotopy.regularization(1.0);
     newton.watch.stage("softer pockets and heavier balls", Some(first.cage_speed));
     let mut furthest: Option<Reached> = None;
     for from in starts {
-        let reached = newton.followed(from, way, (settings.mesh_error, settings.tolerance));
-        // However far the way led, what follows is tried on the bearing itself.
-        way.set(&mut newton.system, 1.0);
+        let reached = newton.followed(from, homotopy, (settings.mesh_error, settings.tolerance));
+        // However far the homotopy led, what follows is tried on the bearing itself.
+        homotopy.set(&mut newton.system, 1.0);
         let Some(reached) = reached else { continue };
         if reached.share == 1.0 && reached.refined && holds(newton, &reached.found, settings) {
             return Ok((newton.halved(reached.found, settings.mesh_error, (settings.tolerance, DIRECT)), real));
@@ -195,25 +200,25 @@ fn patient<'a>(
     let near = furthest.as_ref().filter(|reached| reached.share >= SOFT[SOFT.len() - 1]);
     let near = near.map_or(first, |reached| &reached.found.0);
     for share in SOFT {
-        way.set_fine(&mut newton.system, share);
+        homotopy.set_fine(&mut newton.system, share);
         if let Ok(found) = damped(newton, near, settings, (&SETTLING, WORK)) {
-            return Ok((found, way.eased(share)));
+            return Ok((found, homotopy.regularization(share)));
         }
     }
     Err(unmet)
 }
 
 /// One turn in which a ball settles, by the cheap patches.
-fn settled<'a>(newton: &mut Newton<'a>, (rolling, speed): (&RollingStart, f64), way: &Way<'a>) -> Orbit {
+fn settled<'a>(newton: &mut Newton<'a>, (rolling, speed): (&RollingStart, f64), homotopy: &Homotopy<'a>) -> Orbit {
     let at_start = start::unknowns(&rolling.balls[start::hardest(rolling)], speed);
-    newton.with_patches(way.scout(), |newton| newton.march(&at_start, (speed, rolling.ring), SCOUTED))
+    newton.with_patches(homotopy.scout(), |newton| newton.march(&at_start, (speed, rolling.ring), SCOUTED))
 }
 
 /// Sends a ball round until it closes its turn; none where it does not within some work.
 fn marched<'a>(
     newton: &mut Newton<'a>,
     first: &Orbit,
-    way: &Way<'a>,
+    homotopy: &Homotopy<'a>,
     (settings, work): (&OrbitSettings, usize),
 ) -> Option<Found> {
     let accuracy = (settings.mesh_error, CLOSE, ROUNDS);
@@ -221,7 +226,7 @@ fn marched<'a>(
         let near = newton.shoot(first.last(), (first.cage_speed, first.ring), (SCOUTED, FOUND, ROUNDS)).ok()?.orbit;
         newton.shoot(near.last(), (near.cage_speed, near.ring), accuracy).ok()
     };
-    let turn = newton.with_patches(way.scout(), |newton| newton.within(work, twice))?;
+    let turn = newton.with_patches(homotopy.scout(), |newton| newton.within(work, twice))?;
     let found = if turn.off > FAR { None } else { closed_or_met(newton, turn.orbit.clone(), settings) };
     found.or_else(|| damped(newton, &turn.orbit, settings, (&SETTLING[..1], work)).ok())
 }

@@ -3,10 +3,10 @@
 use crate::coarse::coarse_sentence;
 use crate::collocation::Orbit;
 use crate::damping::{LessDamping, RPM_PER_RAD_S, not_followed, pocket_force_max};
+use crate::homotopy::{Regularization, swinging};
 use crate::newton::Newton;
 use crate::residual::{Found, shaft_torque};
 use crate::system::{BALL, Evaluation, LEAD, ORBIT, OrbitSystem, VELOCITY};
-use crate::way::{Eased, swinging};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use tribodyn_bearing::{BallMotionResult, BallResult, PocketResult};
@@ -105,7 +105,7 @@ impl SteadyOrbit {
     }
 
     /// True if balls are damped, pockets softer or contacts damped more than the case's, for want of another orbit.
-    pub fn is_eased(&self) -> bool {
+    pub fn is_regularized(&self) -> bool {
         [self.swing_damping, self.pocket_stiffness_share, self.raised_contact_damping].iter().any(Option::is_some)
     }
 
@@ -126,14 +126,14 @@ impl SteadyOrbit {
             }
         };
         let swinging = self.swing_damping.map(swinging);
-        let eased = Eased {
+        let regularization = Regularization {
             ball_mass: self.ball_mass_factor.unwrap_or(1.0),
             pocket_stiffness: self.pocket_stiffness_share.unwrap_or(1.0),
             contact_damping: self.raised_contact_damping.unwrap_or(0.0),
         };
         let coarse = self.mesh_error.is_some() || self.pocket_force_unresolved;
         let coarse = coarse.then(|| coarse_sentence(self.mesh_error));
-        lost.into_iter().chain(swinging).chain(eased.sentences()).chain(coarse).collect()
+        lost.into_iter().chain(swinging).chain(regularization.sentences()).chain(coarse).collect()
     }
 
     /// Sentence on the raised damping of the pockets, where it changes something or no orbit with less of it was found.
@@ -188,7 +188,7 @@ pub(crate) fn solution(
     newton: &Newton<'_>,
     at: &Found,
     (balls, patch_error_estimate): (&[Placed], f64),
-    (eased, given): (&Eased, f64),
+    (regularization, given): (&Regularization, f64),
 ) -> SteadyOrbit {
     let (orbit, found) = at;
     let system = &newton.system;
@@ -224,9 +224,9 @@ pub(crate) fn solution(
         mesh_error: newton.coarse.and_then(|coarse| coarse.of_motion()),
         pocket_force_unresolved: newton.coarse.is_some_and(|coarse| coarse.hides_pocket_forces()),
         swing_damping: (system.settling > 0.0).then(|| system.settling / orbit.cage_speed.abs()),
-        ball_mass_factor: (eased.ball_mass != 1.0).then_some(eased.ball_mass),
-        pocket_stiffness_share: (eased.pocket_stiffness != 1.0).then_some(eased.pocket_stiffness),
-        raised_contact_damping: (eased.contact_damping > 0.0).then_some(eased.contact_damping),
+        ball_mass_factor: (regularization.ball_mass != 1.0).then_some(regularization.ball_mass),
+        pocket_stiffness_share: (regularization.pocket_stiffness != 1.0).then_some(regularization.pocket_stiffness),
+        raised_contact_damping: (regularization.contact_damping > 0.0).then_some(regularization.contact_damping),
         raised_pocket_damping_s_per_m: raised,
         less_damped: None,
         undriven: false,

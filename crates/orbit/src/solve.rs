@@ -70,8 +70,8 @@ pub fn steady_orbit_from(
     if let Some(solved) = hurried(problem, near, fitted)? {
         return Ok(solved);
     }
-    let led = warm(Problem { bearing: &prepared(bearing, settings), ..problem }, near);
-    led.map_or_else(|| steady_orbit(bearing, point, cage, settings), Ok)
+    let warmed = warm(Problem { bearing: &prepared(bearing, settings), ..problem }, near);
+    warmed.map_or_else(|| steady_orbit(bearing, point, cage, settings), Ok)
 }
 
 /// The same where the neighbour is so near that a few steps lead to the orbit on its mesh, or a few turns of a ball
@@ -109,14 +109,14 @@ type Serve = fn(&mut Newton<'_>, Found, &OrbitSettings) -> Option<Found>;
 /// does not lead to it.
 fn hurried(problem: Problem<'_>, near: &OrbitStart, serve: Serve) -> Result<Option<SolvedOrbit>, OrbitError> {
     let Problem { bearing, point, settings, .. } = problem;
-    let eased = near.eased.of(&prepared(bearing, settings));
+    let regularized = near.regularization.of(&prepared(bearing, settings));
     let orbit = near.at_speeds(point);
-    let mut newton = at(Problem { bearing: &eased, ..problem }, near, &orbit)?;
+    let mut newton = at(Problem { bearing: &regularized, ..problem }, near, &orbit)?;
     newton.slopes_by = Some(FastPatch::new(SLOPES)?);
     let met = newton.by_full_steps(orbit, settings.tolerance, (HURRY, near.jacobian.clone()));
     newton.slopes_by = None;
     let met = met.and_then(|found| serve(&mut newton, found, settings));
-    met.map(|found| finish(&mut newton, found, problem, near.eased)).transpose()
+    met.map(|found| finish(&mut newton, found, problem, near.regularization)).transpose()
 }
 
 /// An orbit on a neighbour's mesh, or with some intervals halved where that errs by more than is allowed; none where it
@@ -145,7 +145,7 @@ pub fn orbit_stiffness(
     settings: &OrbitSettings,
     solved: &OrbitStart,
 ) -> Result<OrbitStiffness, OrbitError> {
-    let bearing = &solved.eased.of(&prepared(bearing, settings));
+    let bearing = &solved.regularization.of(&prepared(bearing, settings));
     let problem = Problem { bearing, point, cage, settings };
     let mut newton = found(problem, solved)?;
     let (stiffness, error_estimate) = stiffness(&mut newton, &solved.orbit, settings.tolerance)?;
@@ -165,7 +165,7 @@ pub fn less_damped_orbit(
     settings: &OrbitSettings,
     solved: &OrbitStart,
 ) -> Result<Option<LessDamping>, OrbitError> {
-    let bearing = &solved.eased.of(&prepared(bearing, settings));
+    let bearing = &solved.regularization.of(&prepared(bearing, settings));
     let problem = Problem { bearing, point, cage, settings };
     let mut newton = found(problem, solved)?;
     let residual = newton.residual(&solved.orbit);
@@ -184,6 +184,6 @@ pub fn orbit_slopes(
     settings: &OrbitSettings,
     solved: &OrbitStart,
 ) -> Result<StiffnessMatrix, OrbitError> {
-    let bearing = &solved.eased.of(&prepared(bearing, settings));
+    let bearing = &solved.regularization.of(&prepared(bearing, settings));
     slopes(&mut found(Problem { bearing, point, cage, settings }, solved)?, &solved.orbit)
 }

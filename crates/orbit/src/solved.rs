@@ -3,11 +3,11 @@
 use crate::coarse::Coarse;
 use crate::collocation::Orbit;
 use crate::events::Events;
+use crate::homotopy::{Regularization, swinging};
 use crate::newton::{Jacobian, OrbitStatistics};
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
 use crate::system::{BALL, OMEGA, ORBIT};
-use crate::way::{Eased, swinging};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tribodyn_bearing::{AzimuthFrame, BallSize, BallState, Motion, OperatingPoint, Races, Side};
@@ -32,7 +32,7 @@ pub struct OrbitStart {
     /// Damping χ of the pockets, s/m, and stiffness that centres balls in them, N/m.
     pub(crate) pocket_damping: f64,
     pub(crate) centring: f64,
-    pub(crate) eased: Eased,
+    pub(crate) regularization: Regularization,
     /// Where its mesh could not be made as fine as is asked for.
     #[serde(default)]
     pub(crate) coarse: Option<Coarse>,
@@ -66,10 +66,11 @@ impl OrbitStart {
 
     /// The fourth corner of a parallelogram of problems: what this orbit says of one that is as far from it as `to` is
     /// from `from`. With `from` and `to` = `self` it goes on in a straight line. None where the orbits do not begin at
-    /// one place or are not of equally eased bearings.
+    /// one place or are not of equally regularized bearings.
     pub fn moved(&self, from: &Self, to: &Self) -> Option<Self> {
-        let alike =
-            |other: &Self| (other.origin, other.eased, other.settling) == (self.origin, self.eased, self.settling);
+        let alike = |other: &Self| {
+            (other.origin, other.regularization, other.settling) == (self.origin, self.regularization, self.settling)
+        };
         if !alike(from) || !alike(to) {
             return None;
         }
@@ -108,7 +109,7 @@ impl OrbitStart {
     /// Sentences on what the orbit was found with that is not the bearing's.
     pub(crate) fn sentences(&self) -> Vec<String> {
         let swinging = swinging(self.settling / self.orbit.cage_speed.abs());
-        self.eased.sentences().into_iter().chain((self.settling > 0.0).then_some(swinging)).collect()
+        self.regularization.sentences().into_iter().chain((self.settling > 0.0).then_some(swinging)).collect()
     }
 
     /// Patch rule of the orbit.

@@ -184,7 +184,8 @@ mod tests {
 
     #[test]
     fn limit_doc_comments_open_with_a_name() {
-        let text = "/// Error of a run.\n/// Whether it counts.\n///\n/// What it is.\nfn f() {}\n    /// What now\n// What\n";
+        let text =
+            "/// Error of a run.\n/// Whether it counts.\n///\n/// What it is.\nfn f() {}\n    /// What now\n// What\n";
         assert_eq!(openings(text), [6]);
         assert_eq!(inspect("xtask/src/a.rs", "//! Whether it is.\n").len(), 1);
     }

@@ -14,7 +14,7 @@ use tribodyn_wear::LocalSurface;
 
 /// The balls of a block at the position that the drift evaluated last: the kick at the same position needs it again.
 #[derive(Debug, Clone)]
-pub(super) struct Stand {
+pub(super) struct Pressed {
     /// Depth, slope and bare part of the surfaces.
     surfaces: [[Lane; 3]; 2],
     /// Derivatives of the depths by rotations of balls with spalls.
@@ -53,7 +53,7 @@ impl Found {
     };
 }
 
-impl Stand {
+impl Pressed {
     pub const NONE: Self = Self {
         surfaces: [[Lane::ZERO; 3]; 2],
         turns: [[Lane::ZERO; 3]; 2],
@@ -227,7 +227,7 @@ fn each_by_springs<E: Equations>(
 }
 
 /// The same ball by ball, for contact constants that follow the contact angle, rings that tilt and balls with spalls.
-fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; BALL], stand: &mut Stand) {
+fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; BALL], pressed: &mut Pressed) {
     let machine = equations.machine();
     let model = machine.bearing.contact_springs();
     let groove = machine.bearing.geometry.groove_centre_radius(Side::Outer);
@@ -236,10 +236,10 @@ fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; B
         let (sin, cos) = sin_cos(b[AZIMUTH]);
         let axes = AzimuthFrame { sin, cos };
         let position = Machine::position(axes, [b[AXIAL], b[RADIUS]], frame, groove);
-        let state = equations.state_at((axes, size(&stand.sizes, k)), position, &b);
-        let surfaces = Races::from_fn(|side| LocalSurface { turn: stand.turn(side, k), ..stand.surface(side, k) });
+        let state = equations.state_at((axes, size(&pressed.sizes, k)), position, &b);
+        let surfaces = Races::from_fn(|side| LocalSurface { turn: pressed.turn(side, k), ..pressed.surface(side, k) });
         let springs = equations.springs(machine.normal_loads(&state, &surfaces, frame));
-        let found = &mut stand.found;
+        let found = &mut pressed.found;
         put(&mut found.axes, k, [sin, cos]);
         put(&mut found.position, k, position);
         found.orbit_radius.0[k] = springs.normal.orbit_radius;
@@ -261,14 +261,14 @@ pub(super) fn drift_acceleration<E: Equations>(
     equations: &E,
     (t, y): (f64, &[f64]),
     balls: &[[Lane; BALL]],
-    (a, stands): (&mut [f64], &mut [Stand]),
+    (a, pressed): (&mut [f64], &mut [Pressed]),
 ) {
     let machine = equations.machine();
     let l = machine.layout;
     // All that acts on a free cage is in the kick.
     let frame = machine.frame_of_rings(t, y);
     let mut sums = Sums::default();
-    for (block, (balls, out)) in balls.iter().zip(stands).enumerate() {
+    for (block, (balls, out)) in balls.iter().zip(pressed).enumerate() {
         press(level, equations, (&frame, block, balls), out);
         for k in 0..filled(l, block) {
             for side in Side::BOTH {
@@ -297,15 +297,15 @@ pub(super) fn drift_acceleration<E: Equations>(
 fn moments<E: Equations>(
     equations: &E,
     (frame, block, balls): (&Frame, usize, &[Lane; BALL]),
-    stand: &Stand,
+    pressed: &Pressed,
     sums: &mut Sums,
 ) {
     let machine = equations.machine();
     for k in 0..filled(machine.layout, block) {
-        let state = stand.state(equations, balls, k);
+        let state = pressed.state(equations, balls, k);
         for (side, ring) in frame.rings.iter().filter(|(side, _)| machine.layout.tilting[*side]) {
-            let of_normal = (stand.contact(side, k).on_ball(side), [0.0; 3]);
-            let moment = machine.bearing.moment_about(side, &state, of_normal, (ring, stand.orbit_radius(k)));
+            let of_normal = (pressed.contact(side, k).on_ball(side), [0.0; 3]);
+            let moment = machine.bearing.moment_about(side, &state, of_normal, (ring, pressed.orbit_radius(k)));
             sums.add_moment(side, state.frame.to_inertial(moment), ring.axis());
         }
     }
@@ -316,7 +316,7 @@ pub(super) fn press<E: Equations>(
     level: Level,
     equations: &E,
     (frame, block, balls): (&Frame, usize, &[Lane; BALL]),
-    out: &mut Stand,
+    out: &mut Pressed,
 ) {
     let machine = equations.machine();
     surfaces(machine, frame, (block, balls), (&mut out.surfaces, &mut out.turns));
@@ -327,11 +327,11 @@ pub(super) fn press<E: Equations>(
         return springs_by_angle(equations, frame, balls, out);
     }
     let model = (springs_of, machine.bearing.geometry.groove_centre_radius(Side::Outer));
-    let Stand { surfaces, sizes, found, .. } = &mut *out;
+    let Pressed { surfaces, sizes, found, .. } = &mut *out;
     dispatch!(level, _simd => springs(equations, frame, (balls, surfaces, sizes), model, found));
 }
 
-/// The sizes of the balls of a block; equal ones are those of [`Stand::NONE`].
+/// The sizes of the balls of a block; equal ones are those of [`Pressed::NONE`].
 fn sizes(machine: &Machine, block: usize, out: &mut [Lane; 3]) {
     if machine.bearing.deviations.balls.is_empty() {
         return;

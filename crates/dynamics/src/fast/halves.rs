@@ -13,10 +13,10 @@ impl Fast {
     /// Makes ready for steps of another length than the last ones, or for the first: finds the half kick that the next
     /// step begins with.
     pub(super) fn begin<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
-        let Scratch { level, balls, stands, .. } = &mut self.scratch;
-        drift_acceleration(*level, equations, (t, y), balls, (&mut self.drift, stands));
-        for (mean, stand) in self.scratch.mean.iter_mut().zip(&self.scratch.stands) {
-            *mean = *stand.acceleration();
+        let Scratch { level, balls, pressed, .. } = &mut self.scratch;
+        drift_acceleration(*level, equations, (t, y), balls, (&mut self.drift, pressed));
+        for (mean, pressed) in self.scratch.mean.iter_mut().zip(&self.scratch.pressed) {
+            *mean = *pressed.acceleration();
         }
         self.mean.copy_from_slice(&self.drift);
         self.longest = self.longest_pieces(equations.machine());
@@ -136,9 +136,9 @@ impl Fast {
             let (at, block, k) = (l.ball(ball), ball / WIDTH, ball % WIDTH);
             for i in 0..2 {
                 let s = &self.scratch;
-                let vibrating = match (s.stands.get(block), s.common.get(block), s.half.get(block)) {
-                    (Some(stand), Some(common), Some(half)) => {
-                        stand.acceleration()[i].0[k] - common[i].0[k] + by_kick * half[i].0[k]
+                let vibrating = match (s.pressed.get(block), s.common.get(block), s.half.get(block)) {
+                    (Some(pressed), Some(common), Some(half)) => {
+                        pressed.acceleration()[i].0[k] - common[i].0[k] + by_kick * half[i].0[k]
                     }
                     _ => self.acceleration(at + VELOCITY + i, by_kick),
                 };

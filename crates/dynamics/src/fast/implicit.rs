@@ -13,7 +13,7 @@
 //! Source: N. M. Newmark, J. Eng. Mech. Div. ASCE 85 (1959) 67.
 
 use super::Fast;
-use super::drift::{Stand, press};
+use super::drift::{Pressed, press};
 use super::lanes::{Lane, WIDTH, get, put};
 use super::scratch::Scratch;
 use crate::equations::Equations;
@@ -116,18 +116,18 @@ fn shift((b, before): (&mut [f64; BALL], &mut [f64; 3]), [axial, radial]: [f64; 
 #[inline(always)]
 fn predict(
     (balls, before): (&mut [Lane; BALL], &mut [Lane; 3]),
-    stand: &Stand,
+    pressed: &Pressed,
     (weights, h): (Weights, f64),
     out: &mut Explicit,
 ) {
     for k in 0..WIDTH {
         let (mut b, mut mean) = (get(balls, k), get(before, k));
         put(&mut out.positions, k, [b[AXIAL], b[RADIUS]]);
-        put(&mut out.accelerations, k, stand.acceleration_in_plane(k));
-        let of_ball = (weights, stand.relative_mass(k));
+        put(&mut out.accelerations, k, pressed.acceleration_in_plane(k));
+        let of_ball = (weights, pressed.relative_mass(k));
         let lines = [
-            Line::of(&stand.contact(Side::Inner, k), Side::Inner, of_ball),
-            Line::of(&stand.contact(Side::Outer, k), Side::Outer, of_ball),
+            Line::of(&pressed.contact(Side::Inner, k), Side::Inner, of_ball),
+            Line::of(&pressed.contact(Side::Outer, k), Side::Outer, of_ball),
         ];
         let way = [h * mean[0], h * mean[1]];
         let [back_i, back_o] = [lines[0].spring * lines[0].along(way), lines[1].spring * lines[1].along(way)];
@@ -142,19 +142,19 @@ fn predict(
 #[inline(always)]
 fn correct(
     (balls, before): (&mut [Lane; BALL], &mut [Lane; 3]),
-    (stand, start): (&Stand, &Explicit),
+    (pressed, start): (&Pressed, &Explicit),
     (weights, h): (Weights, f64),
     changes: &mut Lane,
 ) {
     for k in 0..WIDTH {
         let (mut b, mut mean) = (get(balls, k), get(before, k));
-        let of_ball = (weights, stand.relative_mass(k));
+        let of_ball = (weights, pressed.relative_mass(k));
         let lines = [
-            Line::pressing(&stand.contact(Side::Inner, k), Side::Inner, of_ball),
-            Line::pressing(&stand.contact(Side::Outer, k), Side::Outer, of_ball),
+            Line::pressing(&pressed.contact(Side::Inner, k), Side::Inner, of_ball),
+            Line::pressing(&pressed.contact(Side::Outer, k), Side::Outer, of_ball),
         ];
         let (now, at_start, from) =
-            (stand.acceleration_in_plane(k), get(&start.accelerations, k), get(&start.positions, k));
+            (pressed.acceleration_in_plane(k), get(&start.accelerations, k), get(&start.positions, k));
         let quarter = 0.25 * h * h;
         let residual = [
             quarter * (now[0] - at_start[0]) - (b[AXIAL] - from[0]),
@@ -176,14 +176,14 @@ impl Fast {
         let (frame, mass) = (machine.frame_of_rings(t, y), machine.bearing.ball_mass);
         let weights =
             Weights { of_spring: 0.25 * h * h / mass, of_damper: h * machine.bearing.contact_damping / mass.sqrt() };
-        let Scratch { level, balls, before, stands, .. } = &mut self.scratch;
-        for (block, ((balls, before), stand)) in balls.iter_mut().zip(before).zip(stands).enumerate() {
+        let Scratch { level, balls, before, pressed, .. } = &mut self.scratch;
+        for (block, ((balls, before), pressed)) in balls.iter_mut().zip(before).zip(pressed).enumerate() {
             let mut start = Explicit { positions: [Lane::ZERO; 2], accelerations: [Lane::ZERO; 2] };
-            dispatch!(*level, _simd => predict((balls, before), stand, (weights, h), &mut start));
+            dispatch!(*level, _simd => predict((balls, before), pressed, (weights, h), &mut start));
             for _ in 0..MOST_CORRECTIONS {
-                press(*level, equations, (&frame, block, balls), stand);
+                press(*level, equations, (&frame, block, balls), pressed);
                 let mut changes = Lane::ZERO;
-                dispatch!(*level, _simd => correct((balls, before), (stand, &start), (weights, h), &mut changes));
+                dispatch!(*level, _simd => correct((balls, before), (pressed, &start), (weights, h), &mut changes));
                 if changes.0.iter().all(|&change| change <= LAST_CHANGE) {
                     break;
                 }

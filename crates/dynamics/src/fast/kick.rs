@@ -3,7 +3,7 @@
 use super::Fast;
 use super::cage::Halfway;
 use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, stiffnesses};
-use super::grip::{Forms, Grips, follow, respond, surroundings, tractions};
+use super::kick_forces::{Forms, KickForces, follow, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
 use super::scratch::Scratch;
 use crate::equations::{Equations, Frame};
@@ -36,11 +36,11 @@ impl Fast {
         let mut on_rings = self.ring_common(equations.machine());
         let (mut on_cage, mut reaction) = ((0.0, Wrench::default()), [Lane::ZERO; 6]);
         for block in 0..blocks(l.balls) {
-            self.grip(equations, block, (&frame, halfway.as_ref(), renew), &mut on_cage);
+            self.find_forces(equations, block, (&frame, halfway.as_ref(), renew), &mut on_cage);
             let scratch = &mut self.scratch;
             let balls = &mut scratch.balls[block];
             let found = (&mut scratch.beyond[block], &mut scratch.mean_forces[block], &mut reaction);
-            let at = (&scratch.stands[block], &scratch.forms[block], &scratch.grips[block]);
+            let at = (&scratch.pressed[block], &scratch.forms[block], &scratch.kick_forces[block]);
             let (equations, given) = (&*equations, (&scratch.given_back[block], h));
             dispatch!(scratch.level, _simd => respond(equations, balls, at, given, found));
             (0..filled(l, block)).for_each(|k| on_rings += of_translations(&reaction, k));
@@ -57,7 +57,7 @@ impl Fast {
         for block in 0..blocks(l.balls) {
             let balls = &mut scratch.balls[block];
             let found = (&mut scratch.beyond[block], &mut scratch.mean_forces[block], &mut reaction);
-            let at = (&scratch.stands[block], &scratch.forms[block]);
+            let at = (&scratch.pressed[block], &scratch.forms[block]);
             match &moved {
                 Some(moved) => follow::<true>(balls, (predicted, &moved[block]), at, found),
                 None => {
@@ -83,7 +83,7 @@ impl Fast {
         }
         if self.scratch.forms.is_empty() {
             self.scratch.forms.resize(blocks(balls), Forms::NONE);
-            self.scratch.grips.resize(blocks(balls), Grips::NONE);
+            self.scratch.kick_forces.resize(blocks(balls), KickForces::NONE);
             self.scratch.mean_forces.resize(blocks(balls), [Lane::ZERO; 6]);
             for ball in 0..balls {
                 let (block, lanes) = (ball / WIDTH, lanes_of(l, ball / WIDTH, ball % WIDTH));
@@ -95,7 +95,7 @@ impl Fast {
 
     /// Tractions of the balls of a block from their linear forms where those still hold, else integrated and linearised
     /// anew, and what fluid and pockets do. Adds torque, force and moment on the cage.
-    fn grip<E: Equations>(
+    fn find_forces<E: Equations>(
         &mut self,
         equations: &mut E,
         block: usize,
@@ -106,21 +106,22 @@ impl Fast {
         let (balls, first) = (filled(machine.layout, block), WIDTH * block);
         let scratch = &mut self.scratch;
         let places = scratch.places[block];
-        let at = (&scratch.balls[block], &scratch.stands[block], &scratch.forms[block]);
-        let (equations_now, grips, now) = (&*equations, &mut scratch.grips[block], self.steps as f64);
+        let at = (&scratch.balls[block], &scratch.pressed[block], &scratch.forms[block]);
+        let (equations_now, kick_forces, now) = (&*equations, &mut scratch.kick_forces[block], self.steps as f64);
         if equations_now.machine().layout.any_tilts() {
-            tractions::<E, true>(equations_now, (frame, now), at, grips);
+            tractions::<E, true>(equations_now, (frame, now), at, kick_forces);
         } else {
-            dispatch!(scratch.level, _simd => tractions::<E, false>(equations_now, (frame, now), at, grips));
+            dispatch!(scratch.level, _simd => tractions::<E, false>(equations_now, (frame, now), at, kick_forces));
         }
-        dispatch!(scratch.level, _simd => surroundings(equations_now, (frame, &places), (at.0, at.1), grips));
+        dispatch!(scratch.level, _simd => surroundings(equations_now, (frame, &places), (at.0, at.1), kick_forces));
         self.used += 2 * balls as u64;
         // Oil in a pocket acts on a ball wherever it is.
         let oiled = equations.machine().cage.pocket.film.is_some();
         for k in 0..balls {
-            let grips = &self.scratch.grips[block];
-            let old = Races { inner: !grips.is_near(Side::Inner, k), outer: !grips.is_near(Side::Outer, k) };
-            let touches = oiled || grips.depth.0[k] > 0.0;
+            let kick_forces = &self.scratch.kick_forces[block];
+            let old =
+                Races { inner: !kick_forces.is_near(Side::Inner, k), outer: !kick_forces.is_near(Side::Outer, k) };
+            let touches = oiled || kick_forces.depth.0[k] > 0.0;
             if renew || old.inner || old.outer {
                 self.refresh(equations, (first + k, frame), old.map(|old| old || renew), renew);
             }
@@ -132,17 +133,17 @@ impl Fast {
                     Some(there) => machine.pocket_load(first + k, &there.balls[first + k], &there.frame),
                     None => machine.pocket_load(first + k, &get(&self.scratch.balls[block], k), frame),
                 };
-                self.scratch.grips[block].set_pocket(lanes_of(machine.layout, block, k), &pocket);
+                self.scratch.kick_forces[block].set_pocket(lanes_of(machine.layout, block, k), &pocket);
                 pocket_wear = machine.pocket_wear(&pocket);
                 on_cage.0 += pocket.cage_torque;
                 machine.react_on_cage(frame, (&pocket, &get(&self.scratch.balls[block], k)), &mut on_cage.1);
             }
-            let Scratch { stands, forms, grips, .. } = &self.scratch;
-            let (stand, forms, grips) = (&stands[block], &forms[block], &grips[block]);
+            let Scratch { pressed, forms, kick_forces, .. } = &self.scratch;
+            let (pressed, forms, kick_forces) = (&pressed[block], &forms[block], &kick_forces[block]);
             let machine = equations.machine_mut();
-            let loaded = Races::from_fn(|side| stand.load(side, k) > 0.0);
+            let loaded = Races::from_fn(|side| pressed.load(side, k) > 0.0);
             machine.watch[first + k] = Watch {
-                wear: Races::from_fn(|side| machine.bearing.wear_rate(side, grips.wear[side as usize].0[k])),
+                wear: Races::from_fn(|side| machine.bearing.wear_rate(side, kick_forces.wear[side as usize].0[k])),
                 pocket_wear,
                 semi_lateral: Races::from_fn(|side| if loaded[side] { forms.semi_lateral(side, k) } else { 0.0 }),
                 loaded,
@@ -156,10 +157,10 @@ impl Fast {
         let machine = equations.machine();
         let bearing = &machine.bearing;
         let (block, k) = (index / WIDTH, index % WIDTH);
-        let stand = &self.scratch.stands[block];
-        let state = &stand.state(equations, &self.scratch.balls[block], k);
-        let (normal, grips, lanes) =
-            (stand.normal(k), &mut self.scratch.grips[block], lanes_of(machine.layout, block, k));
+        let pressed = &self.scratch.pressed[block];
+        let state = &pressed.state(equations, &self.scratch.balls[block], k);
+        let (normal, kick_forces, lanes) =
+            (pressed.normal(k), &mut self.scratch.kick_forces[block], lanes_of(machine.layout, block, k));
         let contacts = &mut self.contacts[index];
         for (side, contact) in normal.contacts.iter().filter(|(side, _)| old[*side]) {
             contacts.last[side as usize] = self.steps + LONGEST_LINEAR;
@@ -169,10 +170,10 @@ impl Fast {
             self.refreshed += 1;
             let sliding = equations.sliding(side, contact, state, (&frame.rings[side], normal.orbit_radius));
             let ellipse = bearing.ellipse(side, contact);
-            let patch = bearing.loaded_patch(side, contact, &ellipse, &sliding, stand.bare(side, k));
+            let patch = bearing.loaded_patch(side, contact, &ellipse, &sliding, pressed.bare(side, k));
             let traction = contacts.of[side as usize].refresh(machine, &patch, self.linear_error);
-            grips.set_forces(side, lanes.clone(), &sliding.on_ball(&traction));
-            grips.wear[side as usize].0[k] = traction.wear_integral;
+            kick_forces.set_forces(side, lanes.clone(), &sliding.on_ball(&traction));
+            kick_forces.wear[side as usize].0[k] = traction.wear_integral;
         }
         let (friction, forms) = (&mut self.friction[index], &mut self.scratch.forms[block]);
         forms.set_tractions(lanes.clone(), contacts, [old.inner, old.outer]);
@@ -188,11 +189,11 @@ impl Fast {
         if machine.layout.marked == 0 || machine.ball_surfaces.slot(WIDTH * block + k).is_none() {
             return;
         }
-        let Scratch { stands, grips, .. } = &mut self.scratch;
+        let Scratch { pressed, kick_forces, .. } = &mut self.scratch;
         for side in Side::BOTH {
-            let force = stands[block].contact(side, k).force;
-            let moment = stands[block].turn(side, k).map(|turn| force * turn);
-            grips[block].add_moment(side, lanes_of(machine.layout, block, k), moment);
+            let force = pressed[block].contact(side, k).force;
+            let moment = pressed[block].turn(side, k).map(|turn| force * turn);
+            kick_forces[block].add_moment(side, lanes_of(machine.layout, block, k), moment);
         }
     }
 
@@ -200,7 +201,7 @@ impl Fast {
         let (inner, outer) = (machine.inner.mass, machine.outer.mass);
         let mut sum = Matrix5::from_diagonal(&Vector5::new(inner, inner, inner, outer, outer));
         for (index, f) in self.friction.iter().enumerate() {
-            let axes = self.scratch.stands[index / WIDTH].axes(index % WIDTH);
+            let axes = self.scratch.pressed[index / WIDTH].axes(index % WIDTH);
             let force = f.force_on_rings();
             // By the rings' velocities along x, y and z, which is the axial direction; then the forces are turned.
             let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|unit| axes.from_inertial(unit));

@@ -85,20 +85,20 @@ impl Fast {
         let mut on_rings = Races::from_fn(|_| [Matrix3::<f64>::zeros(); 2]);
         let (mut against_tilt, mass) = (Races::<[f64; 2]>::default(), machine.bearing.ball_mass);
         let of_damper = 2.0 * machine.bearing.contact_damping * mass.sqrt();
-        for (block, stand) in self.scratch.stands.iter().enumerate() {
+        for (block, pressed) in self.scratch.pressed.iter().enumerate() {
             for k in 0..filled(machine.layout, block) {
                 let mut sum = 0.0;
                 for side in Side::BOTH {
-                    let contact = stand.contact(side, k);
+                    let contact = pressed.contact(side, k);
                     if contact.load <= 0.0 {
                         continue;
                     }
                     let stiffness = 1.5 * contact.load / contact.pose.approach;
                     let [axial, radial] = contact.pose.normal(side);
-                    let normal = stand.axes(k).to_inertial([axial, radial, 0.0]);
+                    let normal = pressed.axes(k).to_inertial([axial, radial, 0.0]);
                     sum += stiffness;
                     single[side] = single[side].max(stiffness);
-                    let (lever, line) = (axial * stand.orbit_radius(k), Vector3::from(normal));
+                    let (lever, line) = (axial * pressed.orbit_radius(k), Vector3::from(normal));
                     for (i, of) in [stiffness, of_damper * stiffness.sqrt()].into_iter().enumerate() {
                         against_tilt[side][i] += of * lever * lever;
                         on_rings[side][i] += line * line.transpose() * of;

@@ -40,30 +40,30 @@ mod cage;
 mod drift;
 mod friction;
 mod glide;
-mod grip;
 mod halves;
 mod implicit;
 mod kick;
+mod kick_forces;
 mod lanes;
 mod longest;
-mod look;
 mod numbers;
 mod orientation;
+mod sample;
 mod scratch;
 mod tilt;
 
 use crate::equations::Equations;
 use crate::layout::{Layout, VELOCITY};
 use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
-use drift::{Stand, drift_acceleration, press};
+use drift::{Pressed, drift_acceleration, press};
 use fearless_simd::dispatch;
 use friction::LinearFriction;
 use glide::{glide_balls, glide_bodies, push_balls, push_bodies};
-use grip::Places;
+use kick_forces::Places;
 use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
 use longest::{Longest, Pieces};
-pub(crate) use look::Room;
 use nalgebra::Matrix5;
+pub(crate) use sample::Room;
 use scratch::Scratch;
 use serde::{Deserialize, Serialize};
 
@@ -74,7 +74,7 @@ const SMOOTHING_TIME: f64 = 5e-4;
 /// The same for the rings, s: they vibrate at lower frequencies.
 const RING_SMOOTHING_TIME: f64 = 5e-3;
 /// Steps between looks at how long the drift's pieces may be.
-const LOOK_EVERY: u64 = 8;
+const CHECK_EVERY: u64 = 8;
 
 /// Memory of the scheme.
 #[derive(Debug, Clone, Serialize, Deserialize, PartialEq)]
@@ -219,9 +219,9 @@ impl Fast {
                 || scratch.balls.iter().enumerate().all(|(block, balls)| *balls == gather(l, y, block)),
             "the state is not that of the last step"
         );
-        let fresh = !self.ready || scratch.stands.len() != blocks(l.balls);
+        let fresh = !self.ready || scratch.pressed.len() != blocks(l.balls);
         if fresh {
-            scratch.stands.resize(blocks(l.balls), Stand::NONE);
+            scratch.pressed.resize(blocks(l.balls), Pressed::NONE);
             scratch.places = (0..blocks(l.balls)).map(|block| Places::new(equations.machine(), block)).collect();
             scratch.common.resize(blocks(l.balls), [Lane::ZERO; 3]);
             scratch.given_back.resize(blocks(l.balls), [Lane::ZERO; 3]);
@@ -235,10 +235,10 @@ impl Fast {
             self.half.resize(y.len(), 0.0);
             self.beyond.resize(y.len(), 0.0);
             self.drift.resize(y.len(), 0.0);
-            let found = (&mut self.drift[..], &mut scratch.stands[..]);
+            let found = (&mut self.drift[..], &mut scratch.pressed[..]);
             drift_acceleration(scratch.level, equations, (t, y), &scratch.balls, found);
-            for (block, stand) in scratch.stands.iter().enumerate() {
-                scatter_from(l, stand.acceleration(), block, (&mut self.drift, VELOCITY));
+            for (block, pressed) in scratch.pressed.iter().enumerate() {
+                scatter_from(l, pressed.acceleration(), block, (&mut self.drift, VELOCITY));
             }
             self.common.clone_from(&self.drift);
             self.ready = true;
@@ -246,10 +246,10 @@ impl Fast {
         if fresh {
             let scratch = &mut self.scratch;
             let frame = equations.machine().frame_of_rings(t, y);
-            for (block, stand) in scratch.stands.iter_mut().enumerate() {
+            for (block, pressed) in scratch.pressed.iter_mut().enumerate() {
                 // Where the balls stand: implicit ones begin their next step with it.
-                press(scratch.level, equations, (&frame, block, &scratch.balls[block]), stand);
-                stand.set_acceleration(gather_from(l, (&self.drift, VELOCITY), block));
+                press(scratch.level, equations, (&frame, block, &scratch.balls[block]), pressed);
+                pressed.set_acceleration(gather_from(l, (&self.drift, VELOCITY), block));
                 scratch.common[block] = gather_from(l, (&self.common, VELOCITY), block);
             }
             let lanes =
@@ -260,12 +260,12 @@ impl Fast {
 
     /// Takes what is in lanes into the memory: to be called before that is kept.
     pub fn settle(&mut self, l: Layout) {
-        let Scratch { stands, common, half, beyond, .. } = &self.scratch;
+        let Scratch { pressed, common, half, beyond, .. } = &self.scratch;
         for (block, beyond) in beyond.iter().enumerate() {
             scatter_from(l, beyond, block, (&mut self.beyond, VELOCITY));
         }
-        for (block, ((stand, common), half)) in stands.iter().zip(common).zip(half).enumerate() {
-            scatter_from(l, stand.acceleration(), block, (&mut self.drift, VELOCITY));
+        for (block, ((pressed, common), half)) in pressed.iter().zip(common).zip(half).enumerate() {
+            scatter_from(l, pressed.acceleration(), block, (&mut self.drift, VELOCITY));
             scatter_from(l, common, block, (&mut self.common, VELOCITY));
             scatter_from(l, half, block, (&mut self.half, VELOCITY));
         }
@@ -296,21 +296,21 @@ impl Fast {
             if implicit {
                 self.settle_on_springs(equations, at, h);
             }
-            let Scratch { level, balls, stands, .. } = &mut self.scratch;
-            drift_acceleration(*level, equations, at, balls, (&mut self.drift, stands));
+            let Scratch { level, balls, pressed, .. } = &mut self.scratch;
+            drift_acceleration(*level, equations, at, balls, (&mut self.drift, pressed));
             self.swap_back(l, y);
             self.push(l, y, half);
         }
-        if self.steps.is_multiple_of(LOOK_EVERY) {
+        if self.steps.is_multiple_of(CHECK_EVERY) {
             self.longest = self.longest_pieces(machine);
         }
     }
 
     /// Velocities by the drift's accelerations less their common part over a time, s, which is a share of the step.
     fn push(&mut self, l: Layout, y: &mut [f64], time: (f64, f64)) {
-        let Scratch { level, balls, common, stands, mean, .. } = &mut self.scratch;
-        for (((balls, stand), common), mean) in balls.iter_mut().zip(stands).zip(common).zip(mean) {
-            dispatch!(*level, _simd => push_balls(balls, (stand.acceleration(), common), mean, time));
+        let Scratch { level, balls, common, pressed, mean, .. } = &mut self.scratch;
+        for (((balls, pressed), common), mean) in balls.iter_mut().zip(pressed).zip(common).zip(mean) {
+            dispatch!(*level, _simd => push_balls(balls, (pressed.acceleration(), common), mean, time));
         }
         push_bodies(l, y, (&self.drift, &self.common), &mut self.mean, time);
     }
@@ -343,7 +343,7 @@ impl Fast {
 
     /// True if a ball touched the wall of its pocket in the last kick, which was at the end of the last step.
     pub fn touches_pocket(&self, ball: usize) -> bool {
-        self.scratch.grips[ball / WIDTH].depth.0[ball % WIDTH] > 0.0
+        self.scratch.kick_forces[ball / WIDTH].depth.0[ball % WIDTH] > 0.0
     }
 
     /// True once accelerations of the drift are there.

@@ -76,12 +76,12 @@ impl Sums {
 
 /// How a ball slides on a race whose tilts are held, and its traction.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Slid {
+pub(super) struct SlidingContact {
     pub sliding: Sliding,
     pub traction: PatchTraction,
 }
 
-impl Slid {
+impl SlidingContact {
     /// Its numbers.
     pub const NUMBERS: usize = 16;
 
@@ -105,7 +105,7 @@ impl Slid {
     };
 }
 
-numbers!(Slid, 16;
+numbers!(SlidingContact, 16;
     sliding.normal[0], sliding.normal[1], sliding.motion.rolling, sliding.motion.lateral, sliding.motion.spin,
     sliding.motion.about_lateral, sliding.motion.about_rolling, sliding.rolling_speed, sliding.sunk,
     traction.force_rolling, traction.force_lateral, traction.moment_lateral, traction.moment_normal,

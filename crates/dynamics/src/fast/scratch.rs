@@ -1,7 +1,7 @@
 //! The balls in lanes, on which the fast scheme works.
 
-use super::drift::Stand;
-use super::grip::{Forms, Grips, Places};
+use super::drift::Pressed;
+use super::kick_forces::{Forms, KickForces, Places};
 use super::lanes::{Lane, get};
 use crate::layout::{BALL, VELOCITIES};
 use fearless_simd::Level;
@@ -24,11 +24,11 @@ pub(super) struct Scratch {
     pub before: Vec<[Lane; 3]>,
     /// Azimuths of the balls that are not round at the start of a piece, rad.
     pub azimuths: Vec<f64>,
-    pub stands: Vec<Stand>,
+    pub pressed: Vec<Pressed>,
     /// The middles of the balls' pockets.
     pub places: Vec<Places>,
     pub forms: Vec<Forms>,
-    pub grips: Vec<Grips>,
+    pub kick_forces: Vec<KickForces>,
     /// Mean forces of inner and outer contacts on the balls in the last kick (a, r, t), N.
     pub mean_forces: Vec<[Lane; 6]>,
 }
@@ -45,10 +45,10 @@ impl Default for Scratch {
             beyond: Vec::new(),
             before: Vec::new(),
             azimuths: Vec::new(),
-            stands: Vec::new(),
+            pressed: Vec::new(),
             places: Vec::new(),
             forms: Vec::new(),
-            grips: Vec::new(),
+            kick_forces: Vec::new(),
             mean_forces: Vec::new(),
         }
     }

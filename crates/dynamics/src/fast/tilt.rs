@@ -68,15 +68,15 @@ impl Fast {
 
     /// How the freedoms of the rings move them at the contacts of a ball (a, r, t).
     fn moves(&self, machine: &Machine, frame: &Frame, index: usize) -> SMatrix<f64, 6, RINGS> {
-        let (stand, balls, k) =
-            (&self.scratch.stands[index / WIDTH], &self.scratch.balls[index / WIDTH], index % WIDTH);
-        let (axes, radius) = (stand.axes(k), machine.bearing.geometry.ball_radius());
+        let (pressed, balls, k) =
+            (&self.scratch.pressed[index / WIDTH], &self.scratch.balls[index / WIDTH], index % WIDTH);
+        let (axes, radius) = (pressed.axes(k), machine.bearing.geometry.ball_radius());
         let mut moves = SMatrix::<f64, 6, RINGS>::zeros();
         for (side, ring) in frame.rings.iter() {
             let (row, tilt) = (3 * side as usize, 5 + 2 * side as usize);
-            let [n_a, n_r] = stand.contact(side, k).pose.normal(side);
-            let seen = machine.bearing.geometry.arm(side, axes, [balls[AXIAL].0[k], stand.orbit_radius(k)], ring);
-            let arm = [seen[0] + radius * n_a, seen[1] + radius * n_r, seen[2]];
+            let [n_a, n_r] = pressed.contact(side, k).pose.normal(side);
+            let arm = machine.bearing.geometry.arm(side, axes, [balls[AXIAL].0[k], pressed.orbit_radius(k)], ring);
+            let arm = [arm[0] + radius * n_a, arm[1] + radius * n_r, arm[2]];
             for (unit, direction) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate() {
                 let at_ball = axes.from_inertial(direction);
                 // The outer ring does not move along z.
@@ -114,19 +114,19 @@ impl Fast {
         let (ring, mut moment) = (&frame.rings[side], [0.0; 3]);
         for index in 0..machine.layout.balls {
             let (block, k) = (index / WIDTH, index % WIDTH);
-            let (stand, grips) = (&self.scratch.stands[block], &self.scratch.grips[block]);
-            let state = stand.state(machine, &self.scratch.balls[block], k);
-            let at_start = grips.forces(side, k);
+            let (pressed, kick_forces) = (&self.scratch.pressed[block], &self.scratch.kick_forces[block]);
+            let state = pressed.state(machine, &self.scratch.balls[block], k);
+            let at_start = kick_forces.forces(side, k);
             let mean = force_of(&self.scratch.mean_forces[block], side, k);
             // What the force is in the mean of the step acts where it acts at its start: at the contact.
-            let contact = stand.contact(side, k);
+            let contact = pressed.contact(side, k);
             let [n_a, n_r] = contact.pose.normal(side);
             let radius = machine.bearing.geometry.ball_radius() + state.size.excess;
             let point = [n_a, n_r * contact.lean.cos, -n_r * contact.lean.sin].map(|n| n * radius);
             let change = [0, 1, 2].map(|i| mean[i] - at_start.force[i]);
             let by_change = cross(point, change);
             let about_ball = [0, 1, 2].map(|i| at_start.moment[i] + by_change[i]);
-            let at = (ring, stand.orbit_radius(k));
+            let at = (ring, pressed.orbit_radius(k));
             let on_ball = machine.bearing.moment_about(side, &state, (mean, about_ball), at);
             let on_ball = state.frame.to_inertial(on_ball);
             (0..3).for_each(|i| moment[i] -= on_ball[i]);

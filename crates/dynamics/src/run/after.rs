@@ -1,7 +1,7 @@
-//! Tasks after a step: samples, events, wear, and a look at whether all is well.
+//! Tasks after a step: samples, events, wear, and a check that all is well.
 
 use super::filter::Between;
-use super::{ACCELERATION_ERROR, FAST_LOOK_EVERY, LOOK_EVERY, Run, RunError, Scheme, WEAR_LOOK_EVERY};
+use super::{ACCELERATION_ERROR, CHECK_EVERY, FAST_CHECK_EVERY, Run, RunError, Scheme, WEAR_CHECK_EVERY};
 use crate::error::DynamicsError;
 use crate::layout::AZIMUTH;
 use crate::observer::{BallDetail, Event, EventKind, Observer};
@@ -27,8 +27,8 @@ impl Run {
         self.progress.time = t;
         self.deposit(t - from, observer)?;
         self.contact_events(observer)?;
-        if self.progress.statistics.steps.is_multiple_of(LOOK_EVERY) {
-            self.look()?;
+        if self.progress.statistics.steps.is_multiple_of(CHECK_EVERY) {
+            self.check()?;
         }
         if observer.stepped(t).is_break() {
             flow = ControlFlow::Break(());
@@ -177,7 +177,7 @@ impl Run {
             }
         }
         self.progress.wear_work += before - self.elastic_energy_where_worn();
-        if self.machine.wear_acceleration == 0.0 || !self.progress.statistics.steps.is_multiple_of(WEAR_LOOK_EVERY) {
+        if self.machine.wear_acceleration == 0.0 || !self.progress.statistics.steps.is_multiple_of(WEAR_CHECK_EVERY) {
             return Ok(());
         }
         for side in Side::BOTH {
@@ -216,14 +216,14 @@ impl Run {
     }
 
     /// Looks at stiffness and at balls that leave.
-    pub(super) fn look<E>(&mut self) -> Result<(), RunError<E>> {
+    pub(super) fn check<E>(&mut self) -> Result<(), RunError<E>> {
         let time_s = self.progress.time;
         if let Some((ball, distance)) = self.thrown_out(&self.progress.state) {
             let blame = self.blame();
             return Err(DynamicsError::BallLost { ball, time_s, distance_mm: distance * 1e3, blame }.into());
         }
         let rarely = matches!(self.scheme, Scheme::Fast { .. });
-        if !rarely || self.progress.statistics.steps.is_multiple_of(FAST_LOOK_EVERY) {
+        if !rarely || self.progress.statistics.steps.is_multiple_of(FAST_CHECK_EVERY) {
             self.progress.stiffness = self.machine.stiffness(time_s, &self.progress.state);
         }
         self.progress.looked.time = time_s;

@@ -183,8 +183,8 @@ impl Trials<'_> {
         let mut dry = self.machine.clone();
         dry.cage.pocket.film = None;
         let stiffness = dry.stiffness(self.start, self.state);
-        let seen = if dry.is_well_damped() { f64::INFINITY } else { 0.5 / stiffness.contact_frequency_hz };
-        MARGIN * stiffness.fast_step_s.min(seen)
+        let resolved = if dry.is_well_damped() { f64::INFINITY } else { 0.5 / stiffness.contact_frequency_hz };
+        MARGIN * stiffness.fast_step_s.min(resolved)
     }
 
     /// Errors of so many steps a sample, by what twice as many change.
@@ -242,7 +242,7 @@ impl Trials<'_> {
             trial.accelerations.push([0, 1].map(|k| (y[l.outer() + 2 + k] - before[k]) / length));
             fast.show(l, &y, &mut shown);
             let at = (self.start + (sample + 1) as f64 * length, &shown[..]);
-            let (sums, balls) = fast.look(&machine, at, (BallDetail::Loads, &mut room));
+            let (sums, balls) = fast.sample(&machine, at, (BallDetail::Loads, &mut room));
             trial.torque += sums.torque.inner / samples as f64;
             trial.loads.extend(balls.iter().flat_map(|ball| Side::BOTH.map(|side| ball.contacts[side].load_n)));
             room.balls = balls;

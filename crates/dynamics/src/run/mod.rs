@@ -171,11 +171,11 @@ pub enum RunError<E> {
 }
 
 /// Steps between looks at balls that leave and, but for the fast scheme, at the stiffness.
-const LOOK_EVERY: u64 = 1000;
+const CHECK_EVERY: u64 = 1000;
 /// The same for the fast scheme, which integrates all patches to look; friction does not bound its step.
-const FAST_LOOK_EVERY: u64 = 8 * LOOK_EVERY;
+const FAST_CHECK_EVERY: u64 = 8 * CHECK_EVERY;
 /// Steps between looks at the thinnest coating.
-const WEAR_LOOK_EVERY: u64 = 64;
+const WEAR_CHECK_EVERY: u64 = 64;
 /// Distance from its place at which a ball counts as thrown out, in ball diameters.
 const THROWN_OUT: f64 = 0.1;
 /// Error of the patch rule over the load above which accelerations and pocket forces are not to be trusted: they
@@ -346,7 +346,7 @@ impl Run {
         let so_far = (p.energy_at_start, p.worn);
         let machine = &self.machine;
         let balls = match self.scheme {
-            Scheme::Fast { .. } if p.fast.has_forms() => p.fast.look(machine, (t, y), (detail, room)),
+            Scheme::Fast { .. } if p.fast.has_forms() => p.fast.sample(machine, (t, y), (detail, room)),
             _ => machine.balls(t, y),
         };
         let mut sample = machine.sample((t, y), so_far, balls);

@@ -36,8 +36,8 @@ fn identity_an_orbit_is_that_of_its_bearing_and_its_stiffness_the_slope_of_its_l
     let (bearing, point, cage) = fixture_with("angular-7210", &changes);
     let solved = steady_orbit(&bearing, &point, &cage, &OrbitSettings::default()).unwrap();
     let orbit = &solved.solution;
-    let eased = [orbit.ball_mass_factor, orbit.pocket_stiffness_share, orbit.raised_contact_damping];
-    assert!(eased.iter().all(Option::is_none), "{:?}", orbit.warnings());
+    let regularized = [orbit.ball_mass_factor, orbit.pocket_stiffness_share, orbit.raised_contact_damping];
+    assert!(regularized.iter().all(Option::is_none), "{:?}", orbit.warnings());
     assert!((orbit.cage_speed_rpm / 693.0 - 1.0).abs() < 1e-3, "{}", orbit.cage_speed_rpm);
     assert!((orbit.shaft_torque_nm / 0.1425 - 1.0).abs() < 5e-3, "{}", orbit.shaft_torque_nm);
     let [slope, difference] = compliance_along_x(&bearing, &point, &cage, &solved);
@@ -51,8 +51,8 @@ fn identity_stiffness_of_slow_rings_that_turn_against_each_other_is_that_of_diff
     let solved = steady_orbit(&bearing, &point, &cage, &OrbitSettings::default()).unwrap();
     // What was changed to find it is said, in numbers a reader can say aloud.
     let warnings = solved.solution.warnings();
-    let eased = solved.solution.ball_mass_factor.is_some();
-    assert_eq!(eased, warnings.iter().any(|w| w.contains("times heavier than given") && !w.contains("e2")));
+    let regularized = solved.solution.ball_mass_factor.is_some();
+    assert_eq!(regularized, warnings.iter().any(|w| w.contains("times heavier than given") && !w.contains("e2")));
     let [slope, difference] = compliance_along_x(&bearing, &point, &cage, &solved);
     assert!(difference > 0.0 && (slope / difference - 1.0).abs() < 1e-2, "{slope:e} {difference:e}");
 }

@@ -53,8 +53,8 @@ fn limit_every_bearing_of_the_set_has_an_orbit_that_a_bearing_can_have() {
         let orbit = solved.unwrap_or_else(|why| panic!("{}: {why}", bearing.name)).solution;
         check(bearing.name, &orbit, &point);
         // As it is: no heavier balls, no softer pockets.
-        let eased = (orbit.ball_mass_factor, orbit.pocket_stiffness_share);
-        assert_eq!(eased, (None, None), "{}", bearing.name);
+        let regularized = (orbit.ball_mass_factor, orbit.pocket_stiffness_share);
+        assert_eq!(regularized, (None, None), "{}", bearing.name);
     }
 }
 

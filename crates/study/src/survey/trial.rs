@@ -89,7 +89,7 @@ fn orbit(case: &Case) -> Result<bool, Verdict> {
     let solved = steady_orbit(&bearing, &point, &cage, &settings);
     let solution = solved.map_err(|error| Verdict::Explained(error.to_string()))?.solution;
     finite(&solution.as_solution(&solution.balls, speeds))?;
-    Ok(solution.is_eased())
+    Ok(solution.is_regularized())
 }
 
 /// A number of a solution that is not finite is `null` in JSON.

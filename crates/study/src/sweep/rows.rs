@@ -164,7 +164,7 @@ pub fn solve_chunks<T: Send>(
 
 /// True if an orbit's balls and pockets are those of the case, none damped, heavier or softer.
 fn is_of_the_case(orbit: &SteadyOrbit) -> bool {
-    !orbit.is_eased() && orbit.ball_mass_factor.is_none()
+    !orbit.is_regularized() && orbit.ball_mass_factor.is_none()
 }
 
 /// True if all balls are loaded and roll. But for orbits in oil, only then does a neighbour lead to the same solution

@@ -1,6 +1,6 @@
 //! The balls of a block in the kick, all by linear forms: tractions, responses, and what follows from the rings.
 
-use super::drift::Stand;
+use super::drift::Pressed;
 use super::friction::LinearFriction;
 use super::lanes::{Lane, WIDTH, ball_in, get, put};
 use crate::equations::{Equations, Frame};
@@ -75,7 +75,7 @@ fn flat<const N: usize, const COLUMNS: usize, const ALL: usize>(m: [[f64; N]; CO
 
 /// Forces, moments and wear of the balls of a block, as the kick finds them.
 #[derive(Debug, Clone)]
-pub(super) struct Grips {
+pub(super) struct KickForces {
     /// 1 where the linear traction of the inner, or the outer, contact serves, else 0.
     near: [Lane; 2],
     /// Force and moment on the ball by the inner, then the outer contact.
@@ -90,7 +90,7 @@ pub(super) struct Grips {
     pocket: [Lane; 6],
 }
 
-impl Grips {
+impl KickForces {
     pub const NONE: Self = Self {
         near: [Lane::ZERO; 2],
         forces: [[Lane::ZERO; 6]; 2],
@@ -146,14 +146,14 @@ pub(super) fn slide<E: Equations>(
     equations: &E,
     side: Side,
     (ring, state): (&RingState, &BallState),
-    (stand, form, k): (&Stand, &[Lane; LINEAR], usize),
+    (pressed, form, k): (&Pressed, &[Lane; LINEAR], usize),
     share: f64,
 ) -> (Sliding, PatchTraction, f64) {
     let ball_radius = equations.machine().bearing.geometry.ball_radius();
-    let contact = stand.contact(side, k);
-    let sliding = equations.sliding(side, &contact, state, (ring, stand.orbit_radius(k)));
+    let contact = pressed.contact(side, k);
+    let sliding = equations.sliding(side, &contact, state, (ring, pressed.orbit_radius(k)));
     let linear = LinearTraction::from_numbers(|i| form[i].0[k]);
-    let (rolls, at) = ((&sliding.motion, sliding.rolling_speed), (stand.bare(side, k), share));
+    let (rolls, at) = ((&sliding.motion, sliding.rolling_speed), (pressed.bare(side, k), share));
     let (change, near) = linear.reaches(rolls, contact.load, at, ball_radius);
     // A contact without load has no traction, and no linear form that could fail. A factor, since the compiler would
     // branch for a choice.
@@ -168,7 +168,7 @@ fn contact<E: Equations>(
     equations: &E,
     side: Side,
     at: (&RingState, &BallState),
-    form: (&Stand, &[Lane; LINEAR], usize),
+    form: (&Pressed, &[Lane; LINEAR], usize),
 ) -> ([f64; 6], f64, f64) {
     let (sliding, traction, near) = slide(equations, side, at, form, 1.0);
     let ContactForces { force: [a, b, c], moment: [d, e, f] } = sliding.on_ball(&traction);
@@ -180,20 +180,20 @@ fn contact<E: Equations>(
 pub(super) fn tractions<E: Equations, const TILTS: bool>(
     equations: &E,
     (frame, now): (&Frame, f64),
-    (balls, stand, forms): (&[Lane; BALL], &Stand, &Forms),
-    grips: &mut Grips,
+    (balls, pressed, forms): (&[Lane; BALL], &Pressed, &Forms),
+    kick_forces: &mut KickForces,
 ) {
     // No ring that tilts, or no vector instructions.
-    let (out, rings) = (grips, frame.rings.map(|ring| if TILTS { ring } else { ring.held() }));
+    let (out, rings) = (kick_forces, frame.rings.map(|ring| if TILTS { ring } else { ring.held() }));
     out.pocket = [Lane::ZERO; 6];
     for k in 0..WIDTH {
-        let state = stand.state(equations, balls, k);
+        let state = pressed.state(equations, balls, k);
         let (forces, wear, near) =
-            contact(equations, Side::Inner, (&rings.inner, &state), (stand, &forms.traction[0], k));
+            contact(equations, Side::Inner, (&rings.inner, &state), (pressed, &forms.traction[0], k));
         put(&mut out.forces[0], k, forces);
         (out.wear[0].0[k], out.near[0].0[k]) = (wear, if now > forms.last[0].0[k] { 0.0 } else { near });
         let (forces, wear, near) =
-            contact(equations, Side::Outer, (&rings.outer, &state), (stand, &forms.traction[1], k));
+            contact(equations, Side::Outer, (&rings.outer, &state), (pressed, &forms.traction[1], k));
         put(&mut out.forces[1], k, forces);
         (out.wear[1].0[k], out.near[1].0[k]) = (wear, if now > forms.last[1].0[k] { 0.0 } else { near });
     }
@@ -221,14 +221,14 @@ impl Places {
 
 /// How deep the balls of a block are in their pockets, m.
 #[inline(always)]
-fn depths(machine: &Machine, (frame, places): (&Frame, &Places), (balls, stand): (&[Lane; BALL], &Stand)) -> Lane {
+fn depths(machine: &Machine, (frame, places): (&Frame, &Places), (balls, pressed): (&[Lane; BALL], &Pressed)) -> Lane {
     let (mut depth, pocket) = (Lane::ZERO, machine.cage.pocket);
     if let (Some(cage), Some(pose)) = (&machine.free_cage, frame.free_cage) {
         let (wall, plane) = (pocket.wall(cage.pockets), machine.plane());
         for k in 0..WIDTH {
             let [sin, cos] = get(&places.direction, k);
             let at = [balls[AXIAL].0[k] - plane, balls[RADIUS].0[k], 0.0];
-            depth.0[k] = pocket.depth_in(&wall, (&pose, AzimuthFrame { sin, cos }), (stand.axes(k), at));
+            depth.0[k] = pocket.depth_in(&wall, (&pose, AzimuthFrame { sin, cos }), (pressed.axes(k), at));
         }
     } else {
         let cage_angle = frame.cage[0];
@@ -244,26 +244,26 @@ fn depths(machine: &Machine, (frame, places): (&Frame, &Places), (balls, stand):
 pub(super) fn surroundings<E: Equations>(
     equations: &E,
     (frame, places): (&Frame, &Places),
-    (balls, stand): (&[Lane; BALL], &Stand),
-    grips: &mut Grips,
+    (balls, pressed): (&[Lane; BALL], &Pressed),
+    kick_forces: &mut KickForces,
 ) {
     let (mut out, machine) = ([Lane::ZERO; 4], equations.machine());
-    let (depth, inner_speed) = (depths(machine, (frame, places), (balls, stand)), frame.rings.inner.speed);
+    let (depth, inner_speed) = (depths(machine, (frame, places), (balls, pressed)), frame.rings.inner.speed);
     // What there is of the fluid is asked outside of the loops, which would else not become vector instructions.
     if let Some(fluid) = machine.bearing.fluid {
         for k in 0..WIDTH {
-            let state = stand.state(equations, balls, k);
-            out[0].0[k] = fluid.drag_on(&state, stand.orbit_radius(k), inner_speed);
+            let state = pressed.state(equations, balls, k);
+            out[0].0[k] = fluid.drag_on(&state, pressed.orbit_radius(k), inner_speed);
         }
         if let Some(churning) = fluid.churning {
             for k in 0..WIDTH {
-                let state = stand.state(equations, balls, k);
+                let state = pressed.state(equations, balls, k);
                 let [x, y, z] = churning.moment_vector(state.angular_velocity);
                 (out[1].0[k], out[2].0[k], out[3].0[k]) = (x, y, z);
             }
         }
     }
-    (grips.fluid, grips.depth) = (out, depth);
+    (kick_forces.fluid, kick_forces.depth) = (out, depth);
 }
 
 /// m v.
@@ -314,11 +314,11 @@ fn add_velocities(balls: &mut [Lane; BALL], changes: &[Lane; 6]) {
 fn push<E: Equations>(
     equations: &E,
     (b, given_back, h): (&[f64; BALL], [f64; 3], f64),
-    (stand, grips, k): (&Stand, &Grips, usize),
+    (pressed, kick_forces, k): (&Pressed, &KickForces, usize),
 ) -> [f64; 6] {
-    let (state, r) = (stand.state_of(equations, b, k), stand.orbit_radius(k));
-    let traction = Races { inner: grips.forces(Side::Inner, k), outer: grips.forces(Side::Outer, k) };
-    let friction = equations.friction(&traction, grips.fluid(k), grips.pocket(k), r);
+    let (state, r) = (pressed.state_of(equations, b, k), pressed.orbit_radius(k));
+    let traction = Races { inner: kick_forces.forces(Side::Inner, k), outer: kick_forces.forces(Side::Outer, k) };
+    let friction = equations.friction(&traction, kick_forces.fluid(k), kick_forces.pocket(k), r);
     let a = equations.friction_acceleration(&state, &friction, r);
     let [axial, radial, orbital] = given_back;
     [(a[0] + axial) * h, (a[1] + radial) * h, (a[2] + orbital) * h, a[3] * h, a[4] * h, a[5] * h]
@@ -334,22 +334,22 @@ type Found<'a> = (&'a mut [Lane; 6], &'a mut [Lane; 6], &'a mut [Lane; 6]);
 pub(super) fn respond<E: Equations>(
     equations: &E,
     balls: &mut [Lane; BALL],
-    (stand, forms, grips): (&Stand, &Forms, &Grips),
+    (pressed, forms, kick_forces): (&Pressed, &Forms, &KickForces),
     (given_back, h): (&[Lane; 3], f64),
     (beyond, mean_forces, reaction): Found<'_>,
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 6]);
     let now = &*balls;
     for k in 0..WIDTH {
-        let push = push(equations, (&get(now, k), get(given_back, k), h), (stand, grips, k));
+        let push = push(equations, (&get(now, k), get(given_back, k), h), (pressed, kick_forces, k));
         let (change, mean) = (times(&forms.response[0], push, k), times(&forms.response[1], push, k));
-        let (i, o) = (get(&grips.forces[0], k), get(&grips.forces[1], k));
+        let (i, o) = (get(&kick_forces.forces[0], k), get(&kick_forces.forces[1], k));
         let back = transposed(&forms.coupling, mean, k);
         let force = [back[0] - i[0], back[1] - i[1], back[2] - i[2], back[3] - o[0], back[4] - o[1], back[5] - o[2]];
         put(&mut changes, k, change);
         (0..6).for_each(|i| beyond[i].0[k] = mean[i] - 0.5 * change[i]);
         (0..6).for_each(|i| mean_forces[i].0[k] = -force[i]);
-        put(&mut on_rings, k, inertial(stand.axes(k), force));
+        put(&mut on_rings, k, inertial(pressed.axes(k), force));
     }
     add_velocities(balls, &changes);
     *reaction = on_rings;
@@ -361,12 +361,12 @@ pub(super) fn respond<E: Equations>(
 pub(super) fn follow<const TILTS: bool>(
     balls: &mut [Lane; BALL],
     (rings, moved): ([f64; 5], &[Lane; 6]),
-    (stand, forms): (&Stand, &Forms),
+    (pressed, forms): (&Pressed, &Forms),
     (beyond, mean_forces, reaction): Found<'_>,
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 6]);
     for k in 0..WIDTH {
-        let axes = stand.axes(k);
+        let axes = pressed.axes(k);
         let [a, r, t] = axes.from_inertial([rings[0], rings[1], rings[2]]);
         let [_, outer_r, outer_t] = axes.from_inertial([rings[3], rings[4], 0.0]);
         let rings = if TILTS { get(moved, k) } else { [a, r, t, 0.0, outer_r, outer_t] };

@@ -1,4 +1,4 @@
-//! The way to an orbit that Newton's method does not find at once: from balls that soft springs hold in their pockets,
+//! The homotopy to an orbit that Newton's method does not find at once: from balls that soft springs hold in their pockets,
 //! and that are heavy enough to keep to the outer race, to those of the bearing.
 
 use crate::OrbitError;
@@ -10,7 +10,7 @@ use tribodyn_traction::{FastPatch, PatchRule};
 
 /// The cheap rule on which the neighbourhood of an orbit is found.
 pub(crate) const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 };
-/// Centrifugal force of a ball over the mean load of a ball, at the beginning of the way, and the least that balls of
+/// Centrifugal force of a ball over the mean load of a ball, at its beginning, and the least that balls of
 /// slow bearings are given: what weighs so little has no part in what others carry, and balls that nothing holds come
 /// to rest in a turn.
 const HEAVIEST: f64 = 0.03;
@@ -22,7 +22,7 @@ const FRICTION: f64 = 0.01;
 
 /// By how much an orbit's bearing is not that of the case.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-pub(crate) struct Eased {
+pub(crate) struct Regularization {
     /// Mass of a ball over the real one.
     pub ball_mass: f64,
     /// Stiffness of the pockets over the real one.
@@ -31,17 +31,17 @@ pub(crate) struct Eased {
     pub contact_damping: f64,
 }
 
-impl Eased {
+impl Regularization {
     /// The case's own bearing.
     pub const NONE: Self = Self { ball_mass: 1.0, pocket_stiffness: 1.0, contact_damping: 0.0 };
 
     /// The bearing with its balls and the damping of its contacts.
     pub fn of(&self, bearing: &Bearing) -> Bearing {
-        let mut eased = bearing.clone();
-        eased.ball_mass *= self.ball_mass;
-        eased.ball_inertia *= self.ball_mass;
-        eased.contact_damping = eased.contact_damping.max(self.contact_damping);
-        eased
+        let mut regularized = bearing.clone();
+        regularized.ball_mass *= self.ball_mass;
+        regularized.ball_inertia *= self.ball_mass;
+        regularized.contact_damping = regularized.contact_damping.max(self.contact_damping);
+        regularized
     }
 
     /// Sentences on what an orbit was found with that is not the bearing's.
@@ -87,26 +87,26 @@ pub(crate) fn ladder(bearing: &Bearing, (start, cage_speed): (&RollingStart, f64
     let factor = |share: f64| (share * mean / centrifugal).max(1.0);
     let (first, last) = (factor(HEAVIEST), factor(LIGHTEST));
     let rung = |k: usize| {
-        // The end of the way is exact.
+        // The end of the homotopy is exact.
         let part = k as f64 / (RUNGS - 1) as f64;
         let ball_mass = if k == RUNGS - 1 { last } else { first * (last / first).powf(part) };
-        (ball_mass, Eased { ball_mass, ..Eased::NONE }.of(bearing))
+        (ball_mass, Regularization { ball_mass, ..Regularization::NONE }.of(bearing))
     };
     (0..RUNGS).map(rung).collect()
 }
 
-/// The way, as a parameter goes from 0 to 1.
-pub(crate) struct Way<'a> {
+/// The homotopy, as a parameter goes from 0 to 1.
+pub(crate) struct Homotopy<'a> {
     ladder: &'a [(f64, Bearing)],
     /// Stiffness of the pockets, soft and real, N/m.
     stiffness: [f64; 2],
     /// Stiffness that draws balls to the middle of their pockets, at first and at the end, N/m.
     centring: [f64; 2],
-    /// Patches on the way and at its end.
+    /// Patches before its end and at it.
     kernels: [FastPatch; 2],
 }
 
-impl<'a> Way<'a> {
+impl<'a> Homotopy<'a> {
     /// Of a bearing with `force` N on a ball.
     pub fn new(
         system: &OrbitSystem<'a>,
@@ -125,7 +125,7 @@ impl<'a> Way<'a> {
         })
     }
 
-    /// Puts the system at a place of the way.
+    /// Puts the system at a place of the homotopy.
     pub fn set(&self, system: &mut OrbitSystem<'a>, share: f64) {
         let between = |[first, last]: [f64; 2]| if share == 1.0 { last } else { first * (last / first).powf(share) };
         system.bearing = &self.ladder[self.rung(share)].1;
@@ -146,10 +146,10 @@ impl<'a> Way<'a> {
     }
 
     /// By how much the bearing at a place is not that of the case.
-    pub fn eased(&self, share: f64) -> Eased {
+    pub fn regularization(&self, share: f64) -> Regularization {
         let pocket_stiffness =
             if share == 1.0 { 1.0 } else { (self.stiffness[0] / self.stiffness[1]).powf(1.0 - share) };
-        Eased { ball_mass: self.ladder[self.rung(share)].0, pocket_stiffness, ..Eased::NONE }
+        Regularization { ball_mass: self.ladder[self.rung(share)].0, pocket_stiffness, ..Regularization::NONE }
     }
 
     fn rung(&self, share: f64) -> usize {

@@ -2,10 +2,10 @@
 //! reach.
 
 use super::Fast;
-use super::drift::{Stand, press};
-use super::grip::{Forms, Grips, LINEAR, slide, surroundings};
+use super::drift::{Pressed, press};
+use super::kick_forces::{Forms, KickForces, LINEAR, slide, surroundings};
 use super::lanes::{Lane, WIDTH, blocks, filled, gather, get, put};
-use super::numbers::{HELD_SUMS, IN_POCKET, Numbers, SUMS, Slid};
+use super::numbers::{HELD_SUMS, IN_POCKET, Numbers, SUMS, SlidingContact};
 use super::scratch::{Scratch, force_of};
 use crate::detail::{Balls, ball_result};
 use crate::equations::{Equations, Frame, Touched};
@@ -26,27 +26,27 @@ type Ellipses = [[Lane; 3]; 2];
 /// Ellipses, pockets, and the leads of the balls in these.
 type Beside<'a> = (&'a Ellipses, &'a [Lane; IN_POCKET], &'a Lane);
 
-/// Room that a look works in, kept from one to the next, and the list of balls that it fills.
+/// Room that a sample works in, kept from one to the next, and the list of balls that it fills.
 #[derive(Default)]
 pub(crate) struct Room {
     pub balls: Vec<BallResult>,
-    /// One, once there was a look.
-    found: Vec<(Stand, Grips, Slides, Seen)>,
+    /// One, once there was a sample.
+    found: Vec<(Pressed, KickForces, Slides, Sampled)>,
 }
 
 /// How the balls of a block slide.
 struct Slides {
-    of: [[Lane; Slid::NUMBERS]; 2],
+    of: [[Lane; SlidingContact::NUMBERS]; 2],
     /// 1 where both linear forms are near, else 0.
     near: Lane,
 }
 
 impl Slides {
-    const NONE: Self = Self { of: [[Lane::ZERO; Slid::NUMBERS]; 2], near: Lane::ZERO };
+    const NONE: Self = Self { of: [[Lane::ZERO; SlidingContact::NUMBERS]; 2], near: Lane::ZERO };
 }
 
 /// The balls of a block as samples have them, part by part.
-struct Seen {
+struct Sampled {
     ball: [Lane; 10],
     fluid: [Lane; 6],
     pocket: [Lane; 5],
@@ -57,7 +57,7 @@ struct Seen {
     sums: [Lane; HELD_SUMS],
 }
 
-impl Seen {
+impl Sampled {
     const NONE: Self = Self {
         ball: [Lane::ZERO; 10],
         fluid: [Lane::ZERO; 6],
@@ -108,13 +108,13 @@ struct Of<'a> {
 }
 
 impl Fast {
-    /// True once there are linear forms to look through.
+    /// True once there are linear forms to sample by.
     pub fn has_forms(&self) -> bool {
         !self.scratch.forms.is_empty()
     }
 
     /// The balls with the linear forms of the last step, in the list that there is room for.
-    pub fn look(&self, machine: &Machine, (t, y): (f64, &[f64]), (detail, room): (BallDetail, &mut Room)) -> Balls {
+    pub fn sample(&self, machine: &Machine, (t, y): (f64, &[f64]), (detail, room): (BallDetail, &mut Room)) -> Balls {
         let Scratch { level, forms, .. } = &self.scratch;
         let l = machine.layout;
         let of = Of {
@@ -125,27 +125,29 @@ impl Fast {
         };
         let (mut sums, mut results) = ([0.0; SUMS], std::mem::take(&mut room.balls));
         results.resize(l.balls, BallResult::default());
-        room.found.resize_with(1, || (Stand::NONE, Grips::NONE, Slides::NONE, Seen::NONE));
-        let [(stand, grips, slides, seen)] = &mut room.found[..] else { unreachable!("there is one") };
+        room.found.resize_with(1, || (Pressed::NONE, KickForces::NONE, Slides::NONE, Sampled::NONE));
+        let [(pressed, kick_forces, slides, sampled)] = &mut room.found[..] else { unreachable!("there is one") };
         for (block, forms) in forms.iter().enumerate().take(blocks(l.balls)) {
             let balls = gather(l, y, block);
-            press(*level, machine, (&of.frame, block, &balls), stand);
+            press(*level, machine, (&of.frame, block, &balls), pressed);
             let places = self.scratch.places[block];
-            dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, stand), grips));
-            let pockets = of.pockets(block, &balls, grips);
-            let (mean_forces, now) = (&self.scratch.mean_forces[block], (&balls, &*stand));
+            dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, pressed), kick_forces));
+            let pockets = of.pockets(block, &balls, kick_forces);
+            let (mean_forces, now) = (&self.scratch.mean_forces[block], (&balls, &*pressed));
             dispatch!(*level, _simd => slide_all(&of, now, (forms, mean_forces), slides));
-            let (at, ellipses) = ((&balls, &*stand, &*grips), of.ellipses(*level, stand));
+            let (at, ellipses) = ((&balls, &*pressed, &*kick_forces), of.ellipses(*level, pressed));
             let (slides, beside) = (&*slides, (&ellipses, &pockets, &of.leads(block, &balls)));
             match detail {
-                BallDetail::All => dispatch!(*level, _simd => see::<true>(&of, at, (slides, beside), seen)),
-                BallDetail::Loads => dispatch!(*level, _simd => see::<false>(&of, at, (slides, beside), seen)),
+                BallDetail::All => dispatch!(*level, _simd => sample_block::<true>(&of, at, (slides, beside), sampled)),
+                BallDetail::Loads => {
+                    dispatch!(*level, _simd => sample_block::<false>(&of, at, (slides, beside), sampled))
+                }
             }
             for k in 0..filled(l, block) {
                 let (index, result) = (WIDTH * block + k, &mut results[WIDTH * block + k]);
                 let sums_of_ball = if slides.near.0[k] > 0.0 && !l.any_tilts() {
-                    seen.write(k, (result, detail));
-                    of.with_reaction(get(&seen.sums, k), (get(&pockets, k), &get(&balls, k)))
+                    sampled.write(k, (result, detail));
+                    of.with_reaction(get(&sampled.sums, k), (get(&pockets, k), &get(&balls, k)))
                 } else {
                     of.alone((index, y), (forms, mean_forces, k), (result, detail))
                 };
@@ -166,23 +168,23 @@ impl Of<'_> {
     }
 
     /// Semi-axes and pressures of the contacts: ball by ball where the contact constants follow the contact angle.
-    fn ellipses(&self, level: Level, stand: &Stand) -> Ellipses {
+    fn ellipses(&self, level: Level, pressed: &Pressed) -> Ellipses {
         let bearing = &self.machine.bearing;
         if !bearing.modelling.contact_at_actual_angle {
-            return dispatch!(level, _simd => frozen_ellipses(self.springs, stand));
+            return dispatch!(level, _simd => frozen_ellipses(self.springs, pressed));
         }
         let mut ellipses = [[Lane::ZERO; 3]; 2];
         for (side, k) in Side::BOTH.into_iter().flat_map(|side| (0..WIDTH).map(move |k| (side, k))) {
-            let e = bearing.ellipse(side, &stand.contact(side, k));
+            let e = bearing.ellipse(side, &pressed.contact(side, k));
             put(&mut ellipses[side as usize], k, [e.semi_major, e.semi_minor, e.peak_pressure]);
         }
         ellipses
     }
 
     /// Of those balls that touch the walls of theirs.
-    fn pockets(&self, block: usize, balls: &[Lane; BALL], grips: &Grips) -> [Lane; IN_POCKET] {
+    fn pockets(&self, block: usize, balls: &[Lane; BALL], kick_forces: &KickForces) -> [Lane; IN_POCKET] {
         let mut pockets = [Lane::ZERO; IN_POCKET];
-        for k in (0..filled(self.machine.layout, block)).filter(|&k| grips.depth.0[k] > 0.0) {
+        for k in (0..filled(self.machine.layout, block)).filter(|&k| kick_forces.depth.0[k] > 0.0) {
             let load = self.machine.pocket_load(WIDTH * block + k, &get(balls, k), &self.frame);
             put(&mut pockets, k, load.numbers());
         }
@@ -245,11 +247,11 @@ impl Of<'_> {
 
 /// With the contact constants of the free contact angle.
 #[inline(always)]
-fn frozen_ellipses(springs: ContactSprings, stand: &Stand) -> Ellipses {
+fn frozen_ellipses(springs: ContactSprings, pressed: &Pressed) -> Ellipses {
     let mut ellipses = [[Lane::ZERO; 3]; 2];
     for k in 0..WIDTH {
-        let inner = springs.ellipse(Side::Inner, stand.contact(Side::Inner, k).pose.approach);
-        let outer = springs.ellipse(Side::Outer, stand.contact(Side::Outer, k).pose.approach);
+        let inner = springs.ellipse(Side::Inner, pressed.contact(Side::Inner, k).pose.approach);
+        let outer = springs.ellipse(Side::Outer, pressed.contact(Side::Outer, k).pose.approach);
         put(&mut ellipses[0], k, [inner.semi_major, inner.semi_minor, inner.peak_pressure]);
         put(&mut ellipses[1], k, [outer.semi_major, outer.semi_minor, outer.peak_pressure]);
     }
@@ -259,43 +261,43 @@ fn frozen_ellipses(springs: ContactSprings, stand: &Stand) -> Ellipses {
 /// How a ball slides on a race, its traction by the linear form with the force of the kick, and 1 where that is near,
 /// else 0.
 #[inline(always)]
-fn slid(
+fn sliding_contact(
     (of, side): (&Of<'_>, Side),
     state: &BallState,
-    at: (&Stand, &[Lane; LINEAR], usize),
+    at: (&Pressed, &[Lane; LINEAR], usize),
     mean_forces: &[Lane; 6],
-) -> (Slid, f64) {
+) -> (SlidingContact, f64) {
     let (sliding, traction, near) = slide(of.machine, side, (&of.frame.rings[side], state), at, BEFORE_REFRESH);
     let (loaded, ball_radius) = (at.0.load(side, at.2) > 0.0, of.machine.bearing.geometry.ball_radius());
     let traction = sliding.with_force(&traction, force_of(mean_forces, side, at.2), ball_radius);
-    (Slid { sliding, traction: traction.times(if loaded { 1.0 } else { 0.0 }) }, near)
+    (SlidingContact { sliding, traction: traction.times(if loaded { 1.0 } else { 0.0 }) }, near)
 }
 
 /// One ball of a block: what it does to rings and cage, and its result.
 #[inline(always)]
 fn ball(
     of: &Of<'_>,
-    (balls, stand, grips): (&[Lane; BALL], &Stand, &Grips),
+    (balls, pressed, kick_forces): (&[Lane; BALL], &Pressed, &KickForces),
     (slides, (ellipses, pockets, leads)): (&Slides, Beside<'_>),
     k: usize,
 ) -> (Sums, BallResult) {
     let (machine, b) = (of.machine, get(balls, k));
     let contact = |side: Side| {
-        let mut slid = Slid::NONE;
-        slid.take(get(&slides.of[side as usize], k));
+        let mut sliding_contact = SlidingContact::NONE;
+        sliding_contact.take(get(&slides.of[side as usize], k));
         // None, but with the axis that the longer semi-axis is along.
         let mut ellipse = of.springs.ellipse(side, 0.0);
         [ellipse.semi_major, ellipse.semi_minor, ellipse.peak_pressure] = get(&ellipses[side as usize], k);
-        RaceContact::new(side, stand.contact(side, k), ellipse, &slid.sliding, slid.traction)
+        RaceContact::new(side, pressed.contact(side, k), ellipse, &sliding_contact.sliding, sliding_contact.traction)
     };
     let contacts = Races { inner: contact(Side::Inner), outer: contact(Side::Outer) };
     let mut pocket = PocketLoad::none();
     pocket.take(get(pockets, k));
-    let (drag, churning) = grips.fluid(k);
+    let (drag, churning) = kick_forces.fluid(k);
     let touched = Touched {
-        state: stand.state_of(machine, &b, k),
-        surfaces: Races { inner: stand.surface(Side::Inner, k), outer: stand.surface(Side::Outer, k) },
-        loads: BallLoads { contacts, orbit_radius: stand.orbit_radius(k), drag, churning },
+        state: pressed.state_of(machine, &b, k),
+        surfaces: Races { inner: pressed.surface(Side::Inner, k), outer: pressed.surface(Side::Outer, k) },
+        loads: BallLoads { contacts, orbit_radius: pressed.orbit_radius(k), drag, churning },
         pocket,
         lead: leads.0[k],
     };
@@ -309,15 +311,17 @@ fn ball(
 #[inline(always)]
 fn slide_all(
     of: &Of<'_>,
-    (balls, stand): (&[Lane; BALL], &Stand),
+    (balls, pressed): (&[Lane; BALL], &Pressed),
     (forms, mean_forces): (&Forms, &[Lane; 6]),
     out: &mut Slides,
 ) {
     let of = of.held();
     for k in 0..WIDTH {
-        let state = stand.state(of.machine, balls, k);
-        let (inner, near_inner) = slid((&of, Side::Inner), &state, (stand, &forms.traction[0], k), mean_forces);
-        let (outer, near_outer) = slid((&of, Side::Outer), &state, (stand, &forms.traction[1], k), mean_forces);
+        let state = pressed.state(of.machine, balls, k);
+        let (inner, near_inner) =
+            sliding_contact((&of, Side::Inner), &state, (pressed, &forms.traction[0], k), mean_forces);
+        let (outer, near_outer) =
+            sliding_contact((&of, Side::Outer), &state, (pressed, &forms.traction[1], k), mean_forces);
         put(&mut out.of[0], k, inner.numbers());
         put(&mut out.of[1], k, outer.numbers());
         out.near.0[k] = near_inner * near_outer;
@@ -326,11 +330,11 @@ fn slide_all(
 
 /// All balls of a block.
 #[inline(always)]
-fn see<const ALL: bool>(
+fn sample_block<const ALL: bool>(
     of: &Of<'_>,
-    at: (&[Lane; BALL], &Stand, &Grips),
+    at: (&[Lane; BALL], &Pressed, &KickForces),
     beside: (&Slides, Beside<'_>),
-    out: &mut Seen,
+    out: &mut Sampled,
 ) {
     let of = of.held();
     for k in 0..WIDTH {
