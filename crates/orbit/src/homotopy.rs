@@ -1,5 +1,5 @@
-//! The homotopy to an orbit that Newton's method does not find at once: from balls that soft springs hold in their pockets,
-//! and that are heavy enough to keep to the outer race, to those of the bearing.
+//! The homotopy to an orbit that Newton's method does not find at once: from balls that soft springs hold in their
+//! pockets, and that are heavy enough to keep to the outer race, to those of the bearing.
 
 use crate::OrbitError;
 use crate::start::{centrifugal_force, mean_load};

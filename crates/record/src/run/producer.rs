@@ -36,7 +36,7 @@ const FLUSH_STEP_S: f64 = 0.05;
 const ROUNDING_S: f64 = 1e-9;
 
 /// A sample and its balls.
-type Seen<'a> = (&'a Sample, &'a [BallResult]);
+type SampleAndBalls<'a> = (&'a Sample, &'a [BallResult]);
 
 /// Makes the messages.
 #[derive(Debug)]
@@ -254,7 +254,12 @@ impl Producer {
     }
 
     /// The bodies, at the first sample.
-    fn geometry(&mut self, sink: &mut impl Sink, (sample, balls): Seen, time: u64) -> Result<Scales, RecordError> {
+    fn geometry(
+        &mut self,
+        sink: &mut impl Sink,
+        (sample, balls): SampleAndBalls,
+        time: u64,
+    ) -> Result<Scales, RecordError> {
         let ring_load_n = sample.inner.ball_force_n.map(|x| -x);
         let scales = Scales::of_first(balls, ring_load_n);
         self.memory.scales = Some(scales);
@@ -279,7 +284,13 @@ impl Producer {
     }
 
     /// Frames and contacts where enough has turned since the last ones.
-    fn scene(&mut self, sink: &mut impl Sink, (s, balls): Seen, scales: Scales, time: u64) -> Result<(), RecordError> {
+    fn scene(
+        &mut self,
+        sink: &mut impl Sink,
+        (s, balls): SampleAndBalls,
+        scales: Scales,
+        time: u64,
+    ) -> Result<(), RecordError> {
         if self.memory.motion.frames_due(s) {
             let mut transforms = std::mem::take(&mut self.transforms);
             self.memory.motion.transforms((s, balls), time, &mut transforms);

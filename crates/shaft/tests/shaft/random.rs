@@ -49,7 +49,7 @@ fn bearing(numbers: &mut Numbers, bore: f64, deep_groove: bool) -> Bearing {
 }
 
 /// Where a bearing stands: node, side, offset, spring of a ring that slides.
-type Stand = (usize, bool, f64, Option<f64>);
+type SeatSpec = (usize, bool, f64, Option<f64>);
 
 /// A locating bearing and others that slide, or angular-contact bearings pressed together, on a random shaft.
 fn random(
@@ -57,7 +57,7 @@ fn random(
     bearings: &[Bearing],
     deep_groove: bool,
     bore: f64,
-) -> (Shaft, Vec<Stand>, Vec<[f64; 5]>) {
+) -> (Shaft, Vec<SeatSpec>, Vec<[f64; 5]>) {
     let count = 6 + (numbers.next() * 10.0) as usize;
     let material = Material::new(210e9, 0.3, 7850.0);
     let elements: Vec<Element> = (0..count)

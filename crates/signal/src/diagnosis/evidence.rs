@@ -164,7 +164,7 @@ pub(super) fn segment_s(shaft_hz: f64) -> f64 {
 }
 
 /// Envelopes of the candidates and their lines.
-pub(super) struct Seen<'a> {
+pub(super) struct Envelopes<'a> {
     raw: &'a Lines,
     white: &'a Lines,
     shaft: Shaft<'a>,
@@ -174,7 +174,7 @@ pub(super) struct Seen<'a> {
     lines: Vec<FlooredLines>,
 }
 
-impl<'a> Seen<'a> {
+impl<'a> Envelopes<'a> {
     pub fn new(
         raw: &'a Lines,
         white: &'a Lines,
@@ -184,17 +184,17 @@ impl<'a> Seen<'a> {
         highest_hz: f64,
     ) -> Result<Self, SignalError> {
         let (mean_hz, duration_s) = (speed.frequency_hz, raw.duration_s());
-        let mut seen = Self { raw, white, shaft, mean_hz, duration_s, candidates, lines: Vec::new() };
-        for index in 0..seen.candidates.len() {
-            let (_, envelope) = seen.envelope(index)?;
+        let mut envelopes = Self { raw, white, shaft, mean_hz, duration_s, candidates, lines: Vec::new() };
+        for index in 0..envelopes.candidates.len() {
+            let (_, envelope) = envelopes.envelope(index)?;
             let up_to = 5.5 * highest_hz;
             let floor_hz = 0.4 * speed.frequency_hz;
             let segment = segment_s(speed.frequency_hz);
             let mut lines = FlooredLines::of(&envelope.values, envelope.rate_hz, segment, up_to, floor_hz)?;
             lines.mask(speed.frequency_hz, speed.deviation_hz);
-            seen.lines.push(lines);
+            envelopes.lines.push(lines);
         }
-        Ok(seen)
+        Ok(envelopes)
     }
 
     /// The band of highest kurtosis.

@@ -168,17 +168,17 @@ pub fn diagnose(
     let kurtogram = bands::of_lines(&raw, least_width);
     let candidates = evidence::candidates(&kurtogram, &bands::of_lines(&white, least_width));
     let speed = shaft::found(&plain, rate_hz, shaft, search)?;
-    let seen = evidence::Seen::new(&raw, &white, candidates, shaft, &speed, highest_hz)?;
-    let evidence = seen.evidence(bearing, &per_turn, &speed, search);
+    let envelopes = evidence::Envelopes::new(&raw, &white, candidates, shaft, &speed, highest_hz)?;
+    let evidence = envelopes.evidence(bearing, &per_turn, &speed, search);
     let is_short = turns < evidence::SEGMENT_TURNS;
-    let of = |e: &Evidence| hidden(e, (speed.frequency_hz, is_short), seen.spacing_hz(e.candidate));
+    let of = |e: &Evidence| hidden(e, (speed.frequency_hz, is_short), envelopes.spacing_hz(e.candidate));
     warnings.extend(evidence.iter().filter_map(of));
     warnings.extend((!speed.measured).then(|| shaft::NOT_FOUND.to_owned()));
     let verdict = verdict::of(&evidence, search.quiet * speed.frequency_hz);
     let cage = verdict::cage(&evidence, &verdict, bearing, &speed);
     let shown =
-        evidence.iter().find(|e| Some(e.fault) == verdict.fault).map_or(seen.widest_kurtosis(), |e| e.candidate);
-    let (candidate, envelope) = seen.envelope(shown)?;
+        evidence.iter().find(|e| Some(e.fault) == verdict.fault).map_or(envelopes.widest_kurtosis(), |e| e.candidate);
+    let (candidate, envelope) = envelopes.envelope(shown)?;
     Ok(Diagnosis {
         shaft: speed,
         order_tracked: matches!(shaft, Shaft::At(_)),

@@ -205,8 +205,8 @@ pub(super) fn of(evidence: &[Evidence], quiet: f64) -> Verdict {
     };
     let highest = highest(&|e| own(&e)).map(|left| highest(&|e| hides(e, left)).unwrap_or(left));
     let found = highest.or_else(|| {
-        let seen = |e: &&Evidence| e.log_chance + e.sidebands_log_chance.unwrap_or(0.0) < SURE_WITH_CAGE;
-        let ball = by(Fault::Ball).filter(seen).filter(own);
+        let sure = |e: &&Evidence| e.log_chance + e.sidebands_log_chance.unwrap_or(0.0) < SURE_WITH_CAGE;
+        let ball = by(Fault::Ball).filter(sure).filter(own);
         cage.and(ball).or(cage)
     });
     let mut beats: Vec<String> = evidence.iter().filter_map(Evidence::beating).collect();
