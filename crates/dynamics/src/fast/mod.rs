@@ -73,7 +73,7 @@ use serde::{Deserialize, Serialize};
 const SMOOTHING_TIME: f64 = 5e-4;
 /// The same for the rings, s: they vibrate at lower frequencies.
 const RING_SMOOTHING_TIME: f64 = 5e-3;
-/// Steps between looks at how long the drift's pieces may be.
+/// Steps between checks of how long the drift's pieces may be.
 const CHECK_EVERY: u64 = 8;
 
 /// Memory of the scheme.

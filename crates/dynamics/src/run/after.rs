@@ -215,7 +215,7 @@ impl Run {
         }
     }
 
-    /// Looks at stiffness and at balls that leave.
+    /// Checks stiffness, and balls that leave.
     pub(super) fn check<E>(&mut self) -> Result<(), RunError<E>> {
         let time_s = self.progress.time;
         if let Some((ball, distance)) = self.thrown_out(&self.progress.state) {

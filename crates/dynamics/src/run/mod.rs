@@ -170,11 +170,11 @@ pub enum RunError<E> {
     Observer(E),
 }
 
-/// Steps between looks at balls that leave and, but for the fast scheme, at the stiffness.
+/// Steps between checks of balls that leave and, but for the fast scheme, of the stiffness.
 const CHECK_EVERY: u64 = 1000;
-/// The same for the fast scheme, which integrates all patches to look; friction does not bound its step.
+/// The same for the fast scheme, which integrates all patches for a check; friction does not bound its step.
 const FAST_CHECK_EVERY: u64 = 8 * CHECK_EVERY;
-/// Steps between looks at the thinnest coating.
+/// Steps between checks of the thinnest coating.
 const WEAR_CHECK_EVERY: u64 = 64;
 /// Distance from its place at which a ball counts as thrown out, in ball diameters.
 const THROWN_OUT: f64 = 0.1;
