@@ -6,7 +6,7 @@ use crate::events::Events;
 use crate::homotopy::{Homotopy, Regularization, ladder};
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::search::{PATIENCE, SETTLING, WORK, closed_near, damped, find};
+use crate::search::{PATIENCE, closed_near, damped, find, late, soon};
 use crate::settings::OrbitSettings;
 use crate::solution::{Placed, placed, solution};
 use crate::solved::{OrbitStart, SolvedOrbit};
@@ -27,6 +27,11 @@ const NO_WORSE: f64 = 1.2;
 const FEW: usize = 2;
 /// Patches by which slopes are taken at first from a neighbour.
 pub(crate) const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
+
+/// Jacobians with cheap slopes from a neighbour, after which those of the patches themselves are taken: where a cage
+/// hangs that no ball touches, slopes must be right to the last. As many lead from the nearest to the orbit or not at
+/// all.
+const HURRY: usize = 3;
 
 /// A bearing at an operating point.
 #[derive(Clone, Copy)]
@@ -100,6 +105,18 @@ where
     finish(&mut newton, found, problem, regularization)
 }
 
+/// The orbit where balls that roll soon lead to it.
+pub(crate) fn quickly(problem: Problem<'_>) -> Result<SolvedOrbit, OrbitError> {
+    let Problem { bearing, point, settings, .. } = problem;
+    begun(problem, (bearing, point), |newton, rolling, homotopy| soon(newton, (point, rolling), homotopy, settings))
+}
+
+/// The orbit where they do not.
+pub(crate) fn lately(problem: Problem<'_>) -> Result<SolvedOrbit, OrbitError> {
+    let Problem { bearing, point, settings, .. } = problem;
+    begun(problem, (bearing, point), |newton, rolling, homotopy| late(newton, (point, rolling), homotopy, settings))
+}
+
 /// The orbit by a search that begins with the balls of a bearing as they would roll.
 pub(crate) fn rolled(problem: Problem<'_>, guessed: &Bearing) -> Result<SolvedOrbit, OrbitError> {
     let Problem { point, settings, .. } = problem;
@@ -118,12 +135,33 @@ fn reason(rolling: &RollingStart, bearing: &Bearing, speed: f64) -> OrbitReason 
     }
 }
 
+/// Makes of an orbit on a neighbour's mesh one to answer with; none where that is not worth it.
+pub(crate) type Serve = fn(&mut Newton<'_>, Found, &OrbitSettings) -> Option<Found>;
+
+/// The orbit by full steps and few Jacobians with cheap slopes, first on the mesh of a neighbour; none where that
+/// does not lead to it.
+pub(crate) fn hurried(
+    problem: Problem<'_>,
+    near: &OrbitStart,
+    serve: Serve,
+) -> Result<Option<SolvedOrbit>, OrbitError> {
+    let Problem { bearing, point, settings, .. } = problem;
+    let regularized = near.regularization.of(&prepared(bearing, settings));
+    let orbit = near.at_speeds(point);
+    let mut newton = at(Problem { bearing: &regularized, ..problem }, near, &orbit)?;
+    newton.slopes_by = Some(FastPatch::new(SLOPES)?);
+    let met = newton.by_full_steps(orbit, settings.tolerance, (HURRY, near.jacobian.clone()));
+    newton.slopes_by = None;
+    let met = met.and_then(|found| serve(&mut newton, found, settings));
+    met.map(|found| finish(&mut newton, found, problem, near.regularization)).transpose()
+}
+
 /// The orbit from that of a neighbour, if not by the shortest way; none where that does not lead to it.
-pub(crate) fn warm(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOrbit> {
+pub(crate) fn warm(problem: Problem<'_>, near: &OrbitStart, patience: (&[f64], usize)) -> Option<SolvedOrbit> {
     let regularized = near.regularization.of(problem.bearing);
     let orbit = near.at_speeds(problem.point);
     let mut newton = at(Problem { bearing: &regularized, ..problem }, near, &orbit).ok()?;
-    let found = nearby(&mut newton, &orbit, problem.settings, (&SETTLING, WORK))?;
+    let found = nearby(&mut newton, &orbit, problem.settings, patience)?;
     finish(&mut newton, found, problem, near.regularization).ok()
 }
 

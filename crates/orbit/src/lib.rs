@@ -19,6 +19,7 @@ mod modes;
 #[cfg(feature = "modes")]
 mod modes_matrix;
 mod newton;
+mod relief;
 mod residual;
 mod search;
 mod settings;

@@ -1,24 +1,20 @@
 //! From a bearing at an operating point to its steady orbit.
 
 use crate::OrbitError;
-use crate::attempt::{Problem, SLOPES, at, finish, fits, fitted, found, prepared, resent, rolled, warm, worst};
+use crate::attempt::{Problem, fits, fitted, found, hurried, lately, prepared, quickly, resent, warm, worst};
 use crate::damping::{LessDamping, less_damped};
 use crate::detours::{damped_more, detour};
 use crate::newton::Newton;
+use crate::relief::relieved;
 use crate::residual::Found;
-use crate::search::{OTHER, PATIENCE};
+use crate::search::{OTHER, PATIENCE, SETTLING, WORK};
 use crate::settings::OrbitSettings;
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::statics::standing;
 use crate::stiffness::{DOUBT, OrbitStiffness, slopes, stiffness};
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_quasistatic::{StiffnessMatrix, check_thrust, doubtful_stiffness, rolling_start};
-use tribodyn_traction::{FastPatch, PatchRule};
-
-/// Jacobians with cheap slopes from a neighbour, after which those of the patches themselves are taken: where a cage
-/// hangs that no ball touches, slopes must be right to the last. As many lead from the nearest to the orbit or not at
-/// all.
-const HURRY: usize = 3;
+use tribodyn_traction::PatchRule;
 
 /// Refuses what has no orbit to seek.
 fn check(bearing: &Bearing, point: &OperatingPoint) -> Result<(), OrbitError> {
@@ -43,14 +39,22 @@ pub fn steady_orbit(
     if let Some(standing) = standing(problem.bearing, point, cage) {
         return Ok(standing);
     }
-    let found = match rolled(problem, problem.bearing) {
-        Err(error @ OrbitError::NotConverged { .. }) => {
-            detour(problem, &error).or_else(|| damped_more(problem)).ok_or(error)
-        }
+    let found = match quickly(problem) {
+        Err(OrbitError::NotConverged { .. }) => relieved(problem).map_or_else(|| patiently(problem), Ok),
         other => other,
     };
     // What an ended search did not reach says nothing of the bearing.
     found.map_err(|error| if point.watch.stops() { OrbitError::Ended } else { error })
+}
+
+/// The orbit where balls that roll do not soon lead to it.
+fn patiently(problem: Problem<'_>) -> Result<SolvedOrbit, OrbitError> {
+    match lately(problem) {
+        Err(error @ OrbitError::NotConverged { .. }) => {
+            detour(problem, &error).or_else(|| damped_more(problem)).ok_or(error)
+        }
+        other => other,
+    }
 }
 
 /// Solves from the orbit of a neighbouring problem, on its mesh and with its patch rule, the mesh made finer where it
@@ -70,7 +74,8 @@ pub fn steady_orbit_from(
     if let Some(solved) = hurried(problem, near, fitted)? {
         return Ok(solved);
     }
-    let warmed = warm(Problem { bearing: &prepared(bearing, settings), ..problem }, near);
+    let prepared = &prepared(bearing, settings);
+    let warmed = warm(Problem { bearing: prepared, ..problem }, near, (&SETTLING, WORK));
     warmed.map_or_else(|| steady_orbit(bearing, point, cage, settings), Ok)
 }
 
@@ -100,23 +105,6 @@ pub fn steady_orbit_near(
 /// As [`rolling_start`].
 pub fn cold_rule(bearing: &Bearing, point: &OperatingPoint, settings: &OrbitSettings) -> Result<PatchRule, OrbitError> {
     Ok(rolling_start(&prepared(bearing, settings), point)?.rule)
-}
-
-/// Makes of an orbit on a neighbour's mesh one to answer with; none where that is not worth it.
-type Serve = fn(&mut Newton<'_>, Found, &OrbitSettings) -> Option<Found>;
-
-/// The orbit by full steps and few Jacobians with cheap slopes, first on the mesh of a neighbour; none where that
-/// does not lead to it.
-fn hurried(problem: Problem<'_>, near: &OrbitStart, serve: Serve) -> Result<Option<SolvedOrbit>, OrbitError> {
-    let Problem { bearing, point, settings, .. } = problem;
-    let regularized = near.regularization.of(&prepared(bearing, settings));
-    let orbit = near.at_speeds(point);
-    let mut newton = at(Problem { bearing: &regularized, ..problem }, near, &orbit)?;
-    newton.slopes_by = Some(FastPatch::new(SLOPES)?);
-    let met = newton.by_full_steps(orbit, settings.tolerance, (HURRY, near.jacobian.clone()));
-    newton.slopes_by = None;
-    let met = met.and_then(|found| serve(&mut newton, found, settings));
-    met.map(|found| finish(&mut newton, found, problem, near.regularization)).transpose()
 }
 
 /// An orbit on a neighbour's mesh, or with some intervals halved where that errs by more than is allowed; none where it
