@@ -6,7 +6,7 @@ use crate::events::Events;
 use crate::homotopy::{Homotopy, Regularization, ladder};
 use crate::newton::Newton;
 use crate::residual::Found;
-use crate::search::{PATIENCE, closed_near, damped, find, late, soon};
+use crate::search::{PATIENCE, closed_near, damped};
 use crate::settings::OrbitSettings;
 use crate::solution::{Placed, placed, solution};
 use crate::solved::{OrbitStart, SolvedOrbit};
@@ -105,22 +105,18 @@ where
     finish(&mut newton, found, problem, regularization)
 }
 
-/// The orbit where balls that roll soon lead to it.
-pub(crate) fn quickly(problem: Problem<'_>) -> Result<SolvedOrbit, OrbitError> {
-    let Problem { bearing, point, settings, .. } = problem;
-    begun(problem, (bearing, point), |newton, rolling, homotopy| soon(newton, (point, rolling), homotopy, settings))
-}
-
-/// The orbit where they do not.
-pub(crate) fn lately(problem: Problem<'_>) -> Result<SolvedOrbit, OrbitError> {
-    let Problem { bearing, point, settings, .. } = problem;
-    begun(problem, (bearing, point), |newton, rolling, homotopy| late(newton, (point, rolling), homotopy, settings))
-}
-
-/// The orbit by a search that begins with the balls of a bearing as they would roll.
-pub(crate) fn rolled(problem: Problem<'_>, guessed: &Bearing) -> Result<SolvedOrbit, OrbitError> {
+/// The orbit by one of the searches of `search.rs`, from the balls of a bearing as they would roll.
+pub(crate) fn rolled<F>(problem: Problem<'_>, guessed: &Bearing, search: F) -> Result<SolvedOrbit, OrbitError>
+where
+    F: for<'a> FnOnce(
+        &mut Newton<'a>,
+        (&OperatingPoint, &RollingStart),
+        &Homotopy<'a>,
+        &OrbitSettings,
+    ) -> Result<(Found, Regularization), OrbitError>,
+{
     let Problem { point, settings, .. } = problem;
-    begun(problem, (guessed, point), |newton, rolling, homotopy| find(newton, (point, rolling), homotopy, settings))
+    begun(problem, (guessed, point), |newton, rolling, homotopy| search(newton, (point, rolling), homotopy, settings))
 }
 
 /// The likely reason why no orbit of a bearing was found.

@@ -3,7 +3,7 @@
 
 use crate::attempt::{Problem, begun, rolled};
 use crate::homotopy::Regularization;
-use crate::search::sliding;
+use crate::search::{find, sliding};
 use crate::solved::SolvedOrbit;
 use crate::{OrbitError, OrbitReason};
 use tribodyn_bearing::{Bearing, OperatingPoint, RaceControl};
@@ -27,7 +27,7 @@ pub(crate) fn detour(problem: Problem<'_>, error: &OrbitError) -> Option<SolvedO
     let tried = matches!(problem.bearing.modelling.race_control, None | Some(RaceControl::Outer));
     let again = (!tried).then(|| {
         watch.stage("control by the outer race", None);
-        rolled(problem, &guessed)
+        rolled(problem, &guessed, find)
     });
     let skids = match again {
         Some(Ok(solved)) => return Some(solved),
@@ -49,7 +49,7 @@ pub(crate) fn damped_more(problem: Problem<'_>) -> Option<SolvedOrbit> {
     problem.point.watch.stage("contacts that are damped more", None);
     let bearing = &Regularization { contact_damping: DAMPED, ..Regularization::NONE }.of(problem.bearing);
     let problem = Problem { bearing, ..problem };
-    let mut solved = match rolled(problem, bearing) {
+    let mut solved = match rolled(problem, bearing, find) {
         Err(error @ OrbitError::NotConverged { .. }) => detour(problem, &error)?,
         other => other.ok()?,
     };

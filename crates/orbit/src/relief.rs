@@ -1,7 +1,7 @@
 //! The orbit from that of balls which more thrust presses on both races, as it is taken off again: balls that skid
 //! under the load of the case roll under more, and what they come to is followed from there.
 
-use crate::attempt::{Problem, begun, fitted, found, hurried, resent, warm};
+use crate::attempt::{Problem, fitted, found, hurried, resent, rolled, warm};
 use crate::homotopy::Regularization;
 use crate::search::{SETTLING, holds, soon};
 use crate::solved::{OrbitStart, SolvedOrbit};
@@ -29,9 +29,10 @@ const WORK: usize = 1500;
 
 /// The orbit of a bearing as thrust is taken off it that is more than its own; none where its thrust is not given.
 pub(crate) fn relieved(problem: Problem<'_>) -> Option<SolvedOrbit> {
+    let RingFreedom::Loaded(thrust) = problem.point.ring[2] else { return None };
     problem.point.watch.stage("more thrust, which is taken off again", None);
     let unit = pressing(problem);
-    FIRST.iter().find_map(|first| from_thrust(problem, first * unit))
+    FIRST.iter().find_map(|first| from_thrust(problem, thrust, first * unit))
 }
 
 /// Thrust that presses all balls, N.
@@ -41,9 +42,9 @@ fn pressing(Problem { bearing, point, .. }: Problem<'_>) -> f64 {
     g.ball_count as f64 * (centrifugal_force(bearing, speed) + PRESSING * g.ball_diameter.powi(2))
 }
 
-fn from_thrust(problem: Problem<'_>, first: f64) -> Option<SolvedOrbit> {
-    let Problem { bearing, point, settings, .. } = problem;
-    let RingFreedom::Loaded(thrust) = point.ring[2] else { return None };
+/// The orbit from that under `first` N more thrust than the case's.
+fn from_thrust(problem: Problem<'_>, thrust: f64, first: f64) -> Option<SolvedOrbit> {
+    let Problem { bearing, point, .. } = problem;
     let least = thrust.abs().max(LAST * first);
     let way = (1.0 + first / least).ln();
     // The whole thrust by equal ratios, and no more than the case's at the end.
@@ -54,10 +55,7 @@ fn from_thrust(problem: Problem<'_>, first: f64) -> Option<SolvedOrbit> {
         point
     };
     let heavy = &with_more(way);
-    let search = begun(Problem { point: heavy, ..problem }, (bearing, heavy), |newton, rolling, homotopy| {
-        soon(newton, (heavy, rolling), homotopy, settings)
-    });
-    let mut solved = search.ok()?;
+    let mut solved = rolled(Problem { point: heavy, ..problem }, bearing, soon).ok()?;
     // Balls made heavier in proportion to that thrust would be too heavy for the case's.
     if solved.start.as_ref()?.regularization != Regularization::NONE {
         return None;

@@ -1,13 +1,13 @@
 //! From a bearing at an operating point to its steady orbit.
 
 use crate::OrbitError;
-use crate::attempt::{Problem, fits, fitted, found, hurried, lately, prepared, quickly, resent, warm, worst};
+use crate::attempt::{Problem, fits, fitted, found, hurried, prepared, resent, rolled, warm, worst};
 use crate::damping::{LessDamping, less_damped};
 use crate::detours::{damped_more, detour};
 use crate::newton::Newton;
 use crate::relief::relieved;
 use crate::residual::Found;
-use crate::search::{OTHER, PATIENCE, SETTLING, WORK};
+use crate::search::{OTHER, PATIENCE, SETTLING, WORK, late, soon};
 use crate::settings::OrbitSettings;
 use crate::solved::{OrbitStart, SolvedOrbit};
 use crate::statics::standing;
@@ -39,7 +39,7 @@ pub fn steady_orbit(
     if let Some(standing) = standing(problem.bearing, point, cage) {
         return Ok(standing);
     }
-    let found = match quickly(problem) {
+    let found = match rolled(problem, problem.bearing, soon) {
         Err(OrbitError::NotConverged { .. }) => relieved(problem).map_or_else(|| patiently(problem), Ok),
         other => other,
     };
@@ -49,7 +49,7 @@ pub fn steady_orbit(
 
 /// The orbit where balls that roll do not soon lead to it.
 fn patiently(problem: Problem<'_>) -> Result<SolvedOrbit, OrbitError> {
-    match lately(problem) {
+    match rolled(problem, problem.bearing, late) {
         Err(error @ OrbitError::NotConverged { .. }) => {
             detour(problem, &error).or_else(|| damped_more(problem)).ok_or(error)
         }

@@ -10,4 +10,5 @@ mod limits;
 mod linear;
 mod oil;
 mod partly_loaded;
+mod skidding;
 mod watched;

@@ -19,7 +19,12 @@ pub fn fixture_with(name: &str, changes: &[(&str, &str)]) -> (Bearing, Operating
     for (path, value) in changes {
         text = set_value(&text, path, value).unwrap();
     }
-    let case = Case::from_ron(&text).unwrap();
+    case_of(&text)
+}
+
+/// Bearing, operating point and cage of a case, with the damping of its runs where it has any.
+pub fn case_of(text: &str) -> (Bearing, OperatingPoint, CageBody) {
+    let case = Case::from_ron(text).unwrap();
     let mut bearing = case.bearing().unwrap();
     bearing.contact_damping = case.transient.as_ref().map_or(0.0, |transient| transient.contact_damping);
     let cage = CageBody::new(&case.moving_cage().unwrap(), &bearing);
