@@ -1,6 +1,6 @@
 //! The drift: motion under contact springs, supports, loads and the centrifugal force.
 
-use super::lanes::{Lane, WIDTH, ball_in, filled, get, put, sin_cos};
+use super::lanes::{InUse, Lane, WIDTH, ball_in, filled, get, lanes_of, put, sin_cos};
 use crate::equations::{Equations, Frame};
 use crate::forces::Sums;
 use crate::layout::{AXIAL, AZIMUTH, BALL, RADIUS};
@@ -15,6 +15,7 @@ use tribodyn_wear::LocalSurface;
 /// The balls of a block at the position that the drift evaluated last: the kick at the same position needs it again.
 #[derive(Debug, Clone)]
 pub(super) struct Pressed {
+    pub in_use: InUse,
     /// Depth, slope and bare part of the surfaces.
     surfaces: [[Lane; 3]; 2],
     /// Derivatives of the depths by rotations of balls with spalls.
@@ -55,6 +56,7 @@ impl Found {
 
 impl Pressed {
     pub const NONE: Self = Self {
+        in_use: InUse::NONE,
         surfaces: [[Lane::ZERO; 3]; 2],
         turns: [[Lane::ZERO; 3]; 2],
         sizes: [Lane::ZERO, Lane::all(1.0), Lane::all(1.0)],
@@ -180,7 +182,7 @@ fn springs<E: Equations>(
     frame: &Frame,
     (balls, surfaces, sizes): (&[Lane; BALL], &[[Lane; 3]; 2], &[Lane; 3]),
     (model, groove): (ContactSprings, f64),
-    found: &mut Found,
+    found: (&mut Found, InUse),
 ) {
     let (frame, model) = (frame.held(), model.with_exact_offset());
     match model.undamped() {
@@ -196,11 +198,11 @@ fn each_by_springs<E: Equations>(
     frame: &Frame,
     (balls, surfaces, sizes): (&[Lane; BALL], &[[Lane; 3]; 2], &[Lane; 3]),
     (model, groove): (ContactSprings, f64),
-    found: &mut Found,
+    (found, in_use): (&mut Found, InUse),
 ) {
     // Copies, which what is found cannot overlap: with more to be checked the compiler makes no vector instructions.
     let (balls, surfaces, sizes) = (&balls.clone(), &surfaces.clone(), &sizes.clone());
-    for k in 0..WIDTH {
+    for k in in_use.lanes() {
         let b = get(balls, k);
         let (sin, cos) = sin_cos(b[AZIMUTH]);
         let axes = AzimuthFrame { sin, cos };
@@ -227,11 +229,15 @@ fn each_by_springs<E: Equations>(
 }
 
 /// The same ball by ball, for contact constants that follow the contact angle, rings that tilt and balls with spalls.
-fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; BALL], pressed: &mut Pressed) {
+fn springs_by_angle<E: Equations>(
+    equations: &E,
+    (frame, block, balls): (&Frame, usize, &[Lane; BALL]),
+    pressed: &mut Pressed,
+) {
     let machine = equations.machine();
     let model = machine.bearing.contact_springs();
     let groove = machine.bearing.geometry.groove_centre_radius(Side::Outer);
-    for k in 0..WIDTH {
+    for k in 0..filled(machine.layout, block) {
         let b = get(balls, k);
         let (sin, cos) = sin_cos(b[AZIMUTH]);
         let axes = AzimuthFrame { sin, cos };
@@ -239,16 +245,18 @@ fn springs_by_angle<E: Equations>(equations: &E, frame: &Frame, balls: &[Lane; B
         let state = equations.state_at((axes, size(&pressed.sizes, k)), position, &b);
         let surfaces = Races::from_fn(|side| LocalSurface { turn: pressed.turn(side, k), ..pressed.surface(side, k) });
         let springs = equations.springs(machine.normal_loads(&state, &surfaces, frame));
+        let acceleration = equations.spring_acceleration(&springs, &state);
         let found = &mut pressed.found;
-        put(&mut found.axes, k, [sin, cos]);
-        put(&mut found.position, k, position);
-        found.orbit_radius.0[k] = springs.normal.orbit_radius;
-        put(&mut found.acceleration, k, equations.spring_acceleration(&springs, &state));
-        for side in Side::BOTH {
-            let contact = &springs.normal.contacts[side];
-            put(&mut found.contacts[side as usize], k, numbers(contact));
-            let [a, r, t] = contact.on_ring(side, model.ring_offset());
-            put(&mut found.on_rings[side as usize], k, axes.to_inertial([-a, -r, -t]));
+        for lane in lanes_of(machine.layout, block, k) {
+            put(&mut found.axes, lane, [sin, cos]);
+            put(&mut found.position, lane, position);
+            found.orbit_radius.0[lane] = springs.normal.orbit_radius;
+            put(&mut found.acceleration, lane, acceleration);
+            for (side, contact) in springs.normal.contacts.iter() {
+                put(&mut found.contacts[side as usize], lane, numbers(contact));
+                let [a, r, t] = contact.on_ring(side, model.ring_offset());
+                put(&mut found.on_rings[side as usize], lane, axes.to_inertial([-a, -r, -t]));
+            }
         }
     }
 }
@@ -319,16 +327,17 @@ pub(super) fn press<E: Equations>(
     out: &mut Pressed,
 ) {
     let machine = equations.machine();
+    out.in_use = InUse::of(machine.layout, block);
     surfaces(machine, frame, (block, balls), (&mut out.surfaces, &mut out.turns));
     sizes(machine, block, &mut out.sizes);
     let springs_of = machine.bearing.contact_springs();
     let exact = springs_of.ring_offset() == RingOffset::Exact;
     if machine.bearing.modelling.contact_at_actual_angle || machine.layout.one_by_one() || !exact {
-        return springs_by_angle(equations, frame, balls, out);
+        return springs_by_angle(equations, (frame, block, balls), out);
     }
     let model = (springs_of, machine.bearing.geometry.groove_centre_radius(Side::Outer));
-    let Pressed { surfaces, sizes, found, .. } = &mut *out;
-    dispatch!(level, _simd => springs(equations, frame, (balls, surfaces, sizes), model, found));
+    let Pressed { surfaces, sizes, found, in_use, .. } = &mut *out;
+    dispatch!(level, _simd => springs(equations, frame, (balls, surfaces, sizes), model, (found, *in_use)));
 }
 
 /// The sizes of the balls of a block; equal ones are those of [`Pressed::NONE`].
@@ -349,23 +358,21 @@ fn surfaces(
     (block, balls): (usize, &[Lane; BALL]),
     (out, turns): (&mut [[Lane; 3]; 2], &mut [[Lane; 3]; 2]),
 ) {
-    let new = machine.is_even();
-    for k in 0..WIDTH {
-        let ball = ball_in(machine.layout, block, k);
-        let here = if new { machine.new_surfaces() } else { machine.place(ball, &get(balls, k), frame).2 };
-        for (side, surface) in here.iter() {
-            put(&mut out[side as usize], k, [surface.depth, surface.slope, surface.bare]);
-            if machine.layout.marked > 0 {
-                put(&mut turns[side as usize], k, surface.turn);
-            }
+    if machine.is_even() {
+        for (side, new) in machine.new_surfaces().iter() {
+            out[side as usize] = [new.depth, new.slope, new.bare].map(Lane::all);
         }
-        if new && k == 0 {
-            let first = *out;
-            out.as_flattened_mut()
-                .iter_mut()
-                .zip(first.as_flattened())
-                .for_each(|(lane, one)| *lane = Lane::all(one.0[0]));
-            return;
+        return;
+    }
+    for k in 0..filled(machine.layout, block) {
+        let here = machine.place(WIDTH * block + k, &get(balls, k), frame).2;
+        for lane in lanes_of(machine.layout, block, k) {
+            for (side, surface) in here.iter() {
+                put(&mut out[side as usize], lane, [surface.depth, surface.slope, surface.bare]);
+                if machine.layout.marked > 0 {
+                    put(&mut turns[side as usize], lane, surface.turn);
+                }
+            }
         }
     }
 }

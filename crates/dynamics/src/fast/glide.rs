@@ -1,6 +1,7 @@
 //! Velocities by the accelerations of the drift, and positions by the velocities.
 
-use super::lanes::{Lane, WIDTH, get, put};
+use super::drift::Pressed;
+use super::lanes::{InUse, Lane, get, put};
 use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 
@@ -9,11 +10,12 @@ use crate::machine::Machine;
 #[inline(always)]
 pub(super) fn push_balls(
     balls: &mut [Lane; BALL],
-    (acceleration, common): (&[Lane; 3], &[Lane; 3]),
+    (pressed, common): (&Pressed, &[Lane; 3]),
     mean: &mut [Lane; 3],
     (h, share): (f64, f64),
 ) {
-    for k in 0..WIDTH {
+    let acceleration = pressed.acceleration();
+    for k in pressed.in_use.lanes() {
         for i in 0..3 {
             let a = acceleration[i].0[k];
             balls[VELOCITY + i].0[k] += h * (a - common[i].0[k]);
@@ -42,8 +44,8 @@ pub(super) fn push_bodies(
 /// Positions of the balls of a block by their velocities: half a turn, the straight line, half a turn, the angular
 /// momentum held.
 #[inline(always)]
-pub(super) fn glide_balls(balls: &mut [Lane; BALL], h: f64) {
-    for k in 0..WIDTH {
+pub(super) fn glide_balls(balls: &mut [Lane; BALL], in_use: InUse, h: f64) {
+    for k in in_use.lanes() {
         let mut b = get(balls, k);
         let r = b[RADIUS];
         b[AZIMUTH] += 0.5 * h * b[ORBIT];

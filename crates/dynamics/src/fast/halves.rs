@@ -3,7 +3,7 @@
 
 use super::Fast;
 use super::drift::drift_acceleration;
-use super::lanes::{Lane, WIDTH};
+use super::lanes::{InUse, Lane, WIDTH};
 use super::scratch::Scratch;
 use crate::equations::Equations;
 use crate::layout::{BALL, Layout, VELOCITIES, VELOCITY};
@@ -63,9 +63,9 @@ impl Fast {
         }
         l.velocities_of_bodies().for_each(|k| self.half[k] = y[k]);
         self.kick(equations, t, y, h);
-        let Scratch { level, balls, half, .. } = &mut self.scratch;
-        for (balls, half) in balls.iter_mut().zip(half) {
-            dispatch!(*level, _simd => halve(balls, half));
+        let Scratch { level, balls, half, pressed, .. } = &mut self.scratch;
+        for ((balls, half), pressed) in balls.iter_mut().zip(half).zip(pressed) {
+            dispatch!(*level, _simd => halve(balls, half, pressed.in_use));
         }
         for k in l.velocities_of_bodies() {
             let before = self.half[k];
@@ -97,10 +97,10 @@ impl Fast {
     /// at its end: that is taken out by the share of the step that is `over`. Dampers that feel it drive what they
     /// damp.
     pub(super) fn swap_ahead(&mut self, l: Layout, y: &mut [f64], over: f64) {
-        let Scratch { level, balls, before, half, .. } = &mut self.scratch;
+        let Scratch { level, balls, before, half, pressed, .. } = &mut self.scratch;
         let by_kick = 2.0 * over - 1.0;
-        for ((balls, before), half) in balls.iter_mut().zip(before).zip(half) {
-            dispatch!(*level, _simd => ahead(balls, before, (half, by_kick)));
+        for (((balls, before), half), pressed) in balls.iter_mut().zip(before).zip(half).zip(pressed) {
+            dispatch!(*level, _simd => ahead((balls, before), (half, by_kick), pressed.in_use));
         }
         for k in l.velocities_of_bodies() {
             (y[k], self.before[k]) = (2.0 * y[k] - self.before[k] + by_kick * self.half[k], y[k]);
@@ -165,9 +165,9 @@ impl Fast {
 
 /// Half way back to the velocities in `half`, which then has the way made.
 #[inline(always)]
-fn halve(balls: &mut [Lane; BALL], half: &mut [Lane; VELOCITIES]) {
+fn halve(balls: &mut [Lane; BALL], half: &mut [Lane; VELOCITIES], in_use: InUse) {
     for (now, half) in balls[VELOCITY..].iter_mut().zip(half) {
-        for k in 0..WIDTH {
+        for k in in_use.lanes() {
             let before = half.0[k];
             half.0[k] = 0.5 * (now.0[k] - before);
             now.0[k] = before + half.0[k];
@@ -177,10 +177,14 @@ fn halve(balls: &mut [Lane; BALL], half: &mut [Lane; VELOCITIES]) {
 
 /// Velocities as far ahead as those in `before` are behind, with a share of a half kick; in `before` then those of now.
 #[inline(always)]
-fn ahead(balls: &mut [Lane; BALL], before: &mut [Lane; 3], (half, share): (&[Lane; VELOCITIES], f64)) {
+fn ahead(
+    (balls, before): (&mut [Lane; BALL], &mut [Lane; 3]),
+    (half, share): (&[Lane; VELOCITIES], f64),
+    in_use: InUse,
+) {
     for (i, before) in before.iter_mut().enumerate() {
         let now = &mut balls[VELOCITY + i];
-        for k in 0..WIDTH {
+        for k in in_use.lanes() {
             (now.0[k], before.0[k]) = (2.0 * now.0[k] - before.0[k] + share * half[i].0[k], now.0[k]);
         }
     }

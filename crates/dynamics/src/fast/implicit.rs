@@ -14,7 +14,7 @@
 
 use super::Fast;
 use super::drift::{Pressed, press};
-use super::lanes::{Lane, WIDTH, get, put};
+use super::lanes::{Lane, get, put};
 use super::scratch::Scratch;
 use crate::equations::Equations;
 use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
@@ -120,7 +120,7 @@ fn predict(
     (weights, h): (Weights, f64),
     out: &mut Explicit,
 ) {
-    for k in 0..WIDTH {
+    for k in pressed.in_use.lanes() {
         let (mut b, mut mean) = (get(balls, k), get(before, k));
         put(&mut out.positions, k, [b[AXIAL], b[RADIUS]]);
         put(&mut out.accelerations, k, pressed.acceleration_in_plane(k));
@@ -146,7 +146,7 @@ fn correct(
     (weights, h): (Weights, f64),
     changes: &mut Lane,
 ) {
-    for k in 0..WIDTH {
+    for k in pressed.in_use.lanes() {
         let (mut b, mut mean) = (get(balls, k), get(before, k));
         let of_ball = (weights, pressed.relative_mass(k));
         let lines = [

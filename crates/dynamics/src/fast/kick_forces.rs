@@ -186,7 +186,7 @@ pub(super) fn tractions<E: Equations, const TILTS: bool>(
     // No ring that tilts, or no vector instructions.
     let (out, rings) = (kick_forces, frame.rings.map(|ring| if TILTS { ring } else { ring.held() }));
     out.pocket = [Lane::ZERO; 6];
-    for k in 0..WIDTH {
+    for k in pressed.in_use.lanes() {
         let state = pressed.state(equations, balls, k);
         let (forces, wear, near) =
             contact(equations, Side::Inner, (&rings.inner, &state), (pressed, &forms.traction[0], k));
@@ -225,14 +225,14 @@ fn depths(machine: &Machine, (frame, places): (&Frame, &Places), (balls, pressed
     let (mut depth, pocket) = (Lane::ZERO, machine.cage.pocket);
     if let (Some(cage), Some(pose)) = (&machine.free_cage, frame.free_cage) {
         let (wall, plane) = (pocket.wall(cage.pockets), machine.plane());
-        for k in 0..WIDTH {
+        for k in pressed.in_use.lanes() {
             let [sin, cos] = get(&places.direction, k);
             let at = [balls[AXIAL].0[k] - plane, balls[RADIUS].0[k], 0.0];
             depth.0[k] = pocket.depth_in(&wall, (&pose, AzimuthFrame { sin, cos }), (pressed.axes(k), at));
         }
     } else {
         let cage_angle = frame.cage[0];
-        for k in 0..WIDTH {
+        for k in pressed.in_use.lanes() {
             depth.0[k] = pocket.penetration(balls[AZIMUTH].0[k] - cage_angle - places.azimuth.0[k]);
         }
     }
@@ -251,12 +251,12 @@ pub(super) fn surroundings<E: Equations>(
     let (depth, inner_speed) = (depths(machine, (frame, places), (balls, pressed)), frame.rings.inner.speed);
     // What there is of the fluid is asked outside of the loops, which would else not become vector instructions.
     if let Some(fluid) = machine.bearing.fluid {
-        for k in 0..WIDTH {
+        for k in pressed.in_use.lanes() {
             let state = pressed.state(equations, balls, k);
             out[0].0[k] = fluid.drag_on(&state, pressed.orbit_radius(k), inner_speed);
         }
         if let Some(churning) = fluid.churning {
-            for k in 0..WIDTH {
+            for k in pressed.in_use.lanes() {
                 let state = pressed.state(equations, balls, k);
                 let [x, y, z] = churning.moment_vector(state.angular_velocity);
                 (out[1].0[k], out[2].0[k], out[3].0[k]) = (x, y, z);
@@ -340,7 +340,7 @@ pub(super) fn respond<E: Equations>(
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 6]);
     let now = &*balls;
-    for k in 0..WIDTH {
+    for k in pressed.in_use.lanes() {
         let push = push(equations, (&get(now, k), get(given_back, k), h), (pressed, kick_forces, k));
         let (change, mean) = (times(&forms.response[0], push, k), times(&forms.response[1], push, k));
         let (i, o) = (get(&kick_forces.forces[0], k), get(&kick_forces.forces[1], k));
@@ -365,7 +365,7 @@ pub(super) fn follow<const TILTS: bool>(
     (beyond, mean_forces, reaction): Found<'_>,
 ) {
     let (mut changes, mut on_rings) = ([Lane::ZERO; 6], [Lane::ZERO; 6]);
-    for k in 0..WIDTH {
+    for k in pressed.in_use.lanes() {
         let axes = pressed.axes(k);
         let [a, r, t] = axes.from_inertial([rings[0], rings[1], rings[2]]);
         let [_, outer_r, outer_t] = axes.from_inertial([rings[3], rings[4], 0.0]);

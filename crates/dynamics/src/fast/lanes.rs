@@ -6,10 +6,36 @@
 //! are those of one ball alone, at every width.
 
 use crate::layout::{BALL, Layout};
+use std::ops::Range;
 
 /// Balls in a block: four vectors of four, or two of eight. Most bearings have one block; loops of eight turns are too
 /// short for the compiler to weigh whether what it writes overlaps what it reads, and stay scalar.
 pub(super) const WIDTH: usize = 16;
+
+/// Lanes of the vectors that a block is made up of, by all processors of today once or more.
+const VECTOR: usize = 4;
+
+/// Vectors of a block that are worked on: those with balls in them.
+///
+/// Loops over their lanes become vector instructions however short they are, as the compiler does not know how short.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct InUse {
+    vectors: usize,
+}
+
+impl InUse {
+    pub const NONE: Self = Self { vectors: 0 };
+
+    pub fn of(l: Layout, block: usize) -> Self {
+        Self { vectors: filled(l, block).div_ceil(VECTOR) }
+    }
+
+    /// The lanes of the vectors.
+    #[inline(always)]
+    pub fn lanes(self) -> Range<usize> {
+        0..VECTOR * self.vectors.min(WIDTH / VECTOR)
+    }
+}
 
 /// One number of the balls of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,7 +86,7 @@ pub(super) fn ball_in(l: Layout, block: usize, k: usize) -> usize {
 }
 
 /// Lanes of a ball of a block: its own, and those that repeat it if it is the last.
-pub(super) fn lanes_of(l: Layout, block: usize, k: usize) -> std::ops::Range<usize> {
+pub(super) fn lanes_of(l: Layout, block: usize, k: usize) -> Range<usize> {
     k..if k + 1 == filled(l, block) { WIDTH } else { k + 1 }
 }
 
@@ -82,6 +108,11 @@ pub(super) fn gather_from<const N: usize>(l: Layout, (list, from): (&[f64], usiz
 /// Writes the unknowns back.
 pub(super) fn scatter(l: Layout, lanes: &[Lane; BALL], block: usize, y: &mut [f64]) {
     scatter_from(l, lanes, block, (y, 0));
+}
+
+/// True where the balls of a block have the same numbers.
+pub(super) fn are_alike(l: Layout, block: usize, (some, others): (&[Lane; BALL], &[Lane; BALL])) -> bool {
+    (0..filled(l, block)).all(|k| get(some, k) == get(others, k))
 }
 
 /// The other way of [`gather_from`].

@@ -60,7 +60,7 @@ use fearless_simd::dispatch;
 use friction::LinearFriction;
 use glide::{glide_balls, glide_bodies, push_balls, push_bodies};
 use kick_forces::Places;
-use lanes::{Lane, WIDTH, blocks, gather, gather_from, scatter, scatter_from};
+use lanes::{InUse, Lane, WIDTH, are_alike, blocks, gather, gather_from, scatter, scatter_from};
 use longest::{Longest, Pieces};
 use nalgebra::Matrix5;
 pub(crate) use sample::Room;
@@ -137,9 +137,13 @@ fn follow_slowly((common, given): (&mut f64, &mut f64), drift: f64, share: f64) 
 
 /// The same for the balls of a block.
 #[inline(always)]
-fn follow_balls((common, given): (&mut [Lane; 3], &mut [Lane; 3]), drift: &[Lane; 3], share: f64) {
+fn follow_balls(
+    (common, given): (&mut [Lane; 3], &mut [Lane; 3]),
+    drift: &[Lane; 3],
+    (in_use, share): (InUse, f64),
+) {
     for i in 0..3 {
-        for k in 0..WIDTH {
+        for k in in_use.lanes() {
             follow_slowly((&mut common[i].0[k], &mut given[i].0[k]), drift[i].0[k], share);
         }
     }
@@ -216,7 +220,7 @@ impl Fast {
         debug_assert!(
             // A motion beyond all numbers is not equal to itself; the run finds it after the step.
             y.iter().any(|value| value.is_nan())
-                || scratch.balls.iter().enumerate().all(|(block, balls)| *balls == gather(l, y, block)),
+                || scratch.balls.iter().enumerate().all(|(block, balls)| are_alike(l, block, (balls, &gather(l, y, block)))),
             "the state is not that of the last step"
         );
         let fresh = !self.ready || scratch.pressed.len() != blocks(l.balls);
@@ -285,9 +289,9 @@ impl Fast {
             self.remember_velocities(l, y);
             self.push(l, y, half);
             self.remember_azimuths(machine);
-            let Scratch { level, balls, .. } = &mut self.scratch;
-            for balls in balls {
-                dispatch!(*level, _simd => glide_balls(balls, h));
+            let Scratch { level, balls, pressed, .. } = &mut self.scratch;
+            for (balls, pressed) in balls.iter_mut().zip(pressed) {
+                dispatch!(*level, _simd => glide_balls(balls, pressed.in_use, h));
             }
             self.turn_marked(machine, y, h);
             glide_bodies(machine, t + piece as f64 * h, y, h);
@@ -310,7 +314,7 @@ impl Fast {
     fn push(&mut self, l: Layout, y: &mut [f64], time: (f64, f64)) {
         let Scratch { level, balls, common, pressed, mean, .. } = &mut self.scratch;
         for (((balls, pressed), common), mean) in balls.iter_mut().zip(pressed).zip(common).zip(mean) {
-            dispatch!(*level, _simd => push_balls(balls, (pressed.acceleration(), common), mean, time));
+            dispatch!(*level, _simd => push_balls(balls, (pressed, common), mean, time));
         }
         push_bodies(l, y, (&self.drift, &self.common), &mut self.mean, time);
     }
@@ -323,10 +327,10 @@ impl Fast {
     /// Lets the common acceleration follow that of the drift: its mean over the step, which the kicks themselves do not
     /// change. That at the end has what they set swinging in it, and from half a period of the springs on feeds it.
     fn smooth(&mut self, l: Layout, h: f64) {
-        let Scratch { level, mean, common, given_back, .. } = &mut self.scratch;
+        let Scratch { level, mean, common, given_back, pressed, .. } = &mut self.scratch;
         let share = (h / SMOOTHING_TIME).min(1.0);
-        for ((common, given), mean) in common.iter_mut().zip(given_back).zip(mean) {
-            dispatch!(*level, _simd => follow_balls((common, given), mean, share));
+        for (((common, given), mean), pressed) in common.iter_mut().zip(given_back).zip(mean).zip(pressed) {
+            dispatch!(*level, _simd => follow_balls((common, given), mean, (pressed.in_use, share)));
         }
         let share = (h / RING_SMOOTHING_TIME).min(1.0);
         for k in l.velocities_of_bodies() {

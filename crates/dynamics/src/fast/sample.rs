@@ -174,7 +174,7 @@ impl Of<'_> {
             return dispatch!(level, _simd => frozen_ellipses(self.springs, pressed));
         }
         let mut ellipses = [[Lane::ZERO; 3]; 2];
-        for (side, k) in Side::BOTH.into_iter().flat_map(|side| (0..WIDTH).map(move |k| (side, k))) {
+        for (side, k) in Side::BOTH.into_iter().flat_map(|side| pressed.in_use.lanes().map(move |k| (side, k))) {
             let e = bearing.ellipse(side, &pressed.contact(side, k));
             put(&mut ellipses[side as usize], k, [e.semi_major, e.semi_minor, e.peak_pressure]);
         }
@@ -249,7 +249,7 @@ impl Of<'_> {
 #[inline(always)]
 fn frozen_ellipses(springs: ContactSprings, pressed: &Pressed) -> Ellipses {
     let mut ellipses = [[Lane::ZERO; 3]; 2];
-    for k in 0..WIDTH {
+    for k in pressed.in_use.lanes() {
         let inner = springs.ellipse(Side::Inner, pressed.contact(Side::Inner, k).pose.approach);
         let outer = springs.ellipse(Side::Outer, pressed.contact(Side::Outer, k).pose.approach);
         put(&mut ellipses[0], k, [inner.semi_major, inner.semi_minor, inner.peak_pressure]);
@@ -316,7 +316,7 @@ fn slide_all(
     out: &mut Slides,
 ) {
     let of = of.held();
-    for k in 0..WIDTH {
+    for k in pressed.in_use.lanes() {
         let state = pressed.state(of.machine, balls, k);
         let (inner, near_inner) =
             sliding_contact((&of, Side::Inner), &state, (pressed, &forms.traction[0], k), mean_forces);
@@ -336,8 +336,8 @@ fn sample_block<const ALL: bool>(
     beside: (&Slides, Beside<'_>),
     out: &mut Sampled,
 ) {
-    let of = of.held();
-    for k in 0..WIDTH {
+    let (of, in_use) = (of.held(), at.1.in_use);
+    for k in in_use.lanes() {
         let (sums, result) = ball(&of, at, beside, k);
         put(&mut out.sums, k, sums.of_held());
         let Races { inner, outer } = &result.contacts;
