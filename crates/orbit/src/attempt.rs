@@ -4,7 +4,7 @@ use crate::coarse::Coarse;
 use crate::collocation::Orbit;
 use crate::events::Events;
 use crate::homotopy::{Homotopy, Regularization, ladder};
-use crate::newton::Newton;
+use crate::newton::{Jacobian, Newton};
 use crate::residual::Found;
 use crate::search::{PATIENCE, closed_near, damped};
 use crate::settings::OrbitSettings;
@@ -102,7 +102,7 @@ where
     let mut newton = Newton::new(system, scales, point.watch.clone());
     let (found, regularization) =
         search(&mut newton, &rolling, &homotopy).map_err(|error| error.because(reason(&rolling, bearing, speed)))?;
-    finish(&mut newton, found, problem, regularization)
+    finish(&mut newton, found, (problem, None), regularization)
 }
 
 /// The orbit by one of the searches of `search.rs`, from the balls of a bearing as they would roll.
@@ -149,7 +149,7 @@ pub(crate) fn hurried(
     let met = newton.by_full_steps(orbit, settings.tolerance, (HURRY, near.jacobian.clone()));
     newton.slopes_by = None;
     let met = met.and_then(|found| serve(&mut newton, found, settings));
-    met.map(|found| finish(&mut newton, found, problem, near.regularization)).transpose()
+    met.map(|found| finish(&mut newton, found, (problem, Some(near)), near.regularization)).transpose()
 }
 
 /// The orbit from that of a neighbour, if not by the shortest way; none where that does not lead to it.
@@ -158,7 +158,7 @@ pub(crate) fn warm(problem: Problem<'_>, near: &OrbitStart, patience: (&[f64], u
     let orbit = near.at_speeds(problem.point);
     let mut newton = at(Problem { bearing: &regularized, ..problem }, near, &orbit).ok()?;
     let found = nearby(&mut newton, &orbit, problem.settings, patience)?;
-    finish(&mut newton, found, problem, near.regularization).ok()
+    finish(&mut newton, found, (problem, Some(near)), near.regularization).ok()
 }
 
 /// The orbit from the start of a neighbour's turn: a ball is sent round from there, so that the mesh is that of its own
@@ -172,7 +172,7 @@ pub(crate) fn resent(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOr
     let cheap = FastPatch::new(SLOPES).ok()?;
     newton.slopes_by = Some(cheap.clone());
     let found = closed_near(&mut newton, &orbit, (cheap, settings))?;
-    finish(&mut newton, found, problem, near.regularization).ok()
+    finish(&mut newton, found, (problem, Some(near)), near.regularization).ok()
 }
 
 /// The orbit near one that is not, on its mesh, on a finer one, or by a ball that is sent round.
@@ -241,35 +241,32 @@ pub(crate) fn found<'a>(problem: Problem<'a>, solved: &OrbitStart) -> Result<New
 pub(crate) fn finish(
     newton: &mut Newton<'_>,
     found: Found,
-    problem: Problem<'_>,
+    (problem, near): (Problem<'_>, Option<&OrbitStart>),
     regularization: Regularization,
 ) -> Result<SolvedOrbit, OrbitError> {
-    let (found, balls, patch_error) = sharpened(newton, found, problem)?;
+    let first = (found.0.clone(), newton.system.kernel.quadrature().rule(), newton.last.clone());
+    let (found, balls, patch_error) = sharpened(newton, found, (problem, near))?;
     let solution = solution(newton, &found, (&balls, patch_error), (&regularization, problem.cage.pocket.damping));
-    let (orbit, _) = found;
-    let speeds = Races { inner: problem.point.inner_speed, outer: problem.point.outer_speed };
-    let jacobian = newton.last.take().filter(|last| last.is_of(&orbit));
-    let (origin, settling) = (newton.system.origin, newton.system.settling);
     let rule = newton.system.kernel.quadrature().rule();
     let carried = balls.iter().map(|(_, _, e)| e.loads.contacts.inner.normal.load).sum::<f64>() / balls.len() as f64;
-    let (scales, centring) = (newton.scales, newton.system.centring);
-    let pocket_damping = newton.system.cage.pocket.damping;
-    let events = Events::of(&newton.system, &newton.radau, &orbit);
-    let start = OrbitStart {
+    let start = |(orbit, rule, last): (Orbit, PatchRule, Option<Jacobian>)| OrbitStart {
+        events: Events::of(&newton.system, &newton.radau, &orbit),
+        jacobian: last.filter(|last| last.is_of(&orbit)),
         orbit,
-        events,
-        jacobian,
         rule,
-        origin,
-        settling,
-        pocket_damping,
-        centring,
+        twin: None,
+        origin: newton.system.origin,
+        settling: newton.system.settling,
+        pocket_damping: newton.system.cage.pocket.damping,
+        centring: newton.system.centring,
         regularization,
         coarse: newton.coarse,
-        scales,
+        scales: newton.scales,
         carried,
-        speeds,
+        speeds: Races { inner: problem.point.inner_speed, outer: problem.point.outer_speed },
     };
+    let twin = (first.1 != rule).then(|| Box::new(start(first)));
+    let start = OrbitStart { twin, ..start((found.0, rule, newton.last.clone())) };
     verify(problem, &start)?;
     Ok(SolvedOrbit { solution, statistics: newton.statistics, start: Some(start) })
 }
@@ -305,7 +302,7 @@ fn balls(newton: &Newton<'_>, (orbit, _): &Found) -> Vec<Placed> {
 fn sharpened(
     newton: &mut Newton<'_>,
     found: Found,
-    Problem { point, settings, .. }: Problem<'_>,
+    (Problem { point, settings, .. }, near): (Problem<'_>, Option<&OrbitStart>),
 ) -> Result<(Found, Vec<Placed>, f64), OrbitError> {
     let bearing = newton.system.bearing;
     let placed = balls(newton, &found);
@@ -319,9 +316,11 @@ fn sharpened(
     let kernel = FastPatch::new(rule)?;
     let goal = (settings.tolerance, PATIENCE);
     // By another rule the orbit is hardly another one, and neither are its slopes.
-    let near = (FEW, newton.last.clone());
+    let known = (FEW, newton.last.clone());
+    let like_near = near.and_then(|near| near.sharpened(&found.0, (point, rule)));
     let sharp = newton.with_patches(kernel.clone(), |newton| {
-        let by_known = newton.by_full_steps(found.0.clone(), settings.tolerance, near);
+        let by_near = like_near.and_then(|(sharp, last)| newton.by_full_steps(sharp, settings.tolerance, (FEW, last)));
+        let by_known = by_near.or_else(|| newton.by_full_steps(found.0.clone(), settings.tolerance, known));
         by_known.or_else(|| newton.met(found.0.clone(), goal))
     });
     let Some(sharp) = sharp else {

@@ -37,6 +37,9 @@ const DAMPED: f64 = 1.0;
 const LEAST_SHARE: f64 = 1e-2;
 /// By how much the worst residual may rise in full steps: from farther off they do not come back. Damped ones do.
 const STRAYED: f64 = 10.0;
+/// Residual from which on an orbit is met by a few more Jacobians, and how many.
+const CLOSE: f64 = 1e-2;
+const LAST: usize = 3;
 /// Residual below which an iteration that gains no more is left to itself.
 const STALLED: f64 = 1e-6;
 
@@ -134,8 +137,8 @@ impl<'a> Newton<'a> {
         self.iterate(from, tolerance, (limit, DAMPED), None)
     }
 
-    /// The same by so many Jacobians and full steps alone, the first of them known; none where they do not meet the
-    /// tolerance.
+    /// The same by so many Jacobians and full steps alone, the first of them known, and by a few more where these lead
+    /// near; none where they do not meet the tolerance.
     pub fn by_full_steps(
         &mut self,
         orbit: Orbit,
@@ -148,6 +151,9 @@ impl<'a> Newton<'a> {
         let others = jacobians - usize::from(known.is_some());
         for (limit, known) in [(usize::from(known.is_some()), known), (others, None)] {
             found = self.iterate(found, tolerance, (limit, FULL), known);
+        }
+        if found.1.worst.relative < CLOSE {
+            found = self.iterate(found, tolerance, (LAST, FULL), None);
         }
         (found.1.worst.relative <= tolerance).then_some(found)
     }
@@ -174,6 +180,7 @@ impl<'a> Newton<'a> {
             } else if best.0 < STALLED && iteration > best.1 + 4 {
                 break;
             }
+            let fresh = known.is_none();
             let jacobian = known.take().map_or_else(|| self.jacobian(&orbit), Ok);
             let Ok(Jacobian { linear, .. }) = jacobian.inspect(|found| self.last = Some(found.clone())) else { break };
             let mut taken = vec![linear.step(&residual.intervals, &residual.border)];
@@ -187,6 +194,10 @@ impl<'a> Newton<'a> {
                 }
                 let next = linear.step(&after.intervals, &after.border).corrected(&taken);
                 let (left, size) = (next.norm(), step.norm());
+                // A fresh one that contracts no better: the next by the same cheap slopes would not either.
+                if fresh && taken.len() == 1 && share == 1.0 && left > CHORD * size && left < size {
+                    self.slopes_by = None;
+                }
                 if left <= growth * (1.0 - 0.25 * share) * size {
                     (orbit, residual) = (trial, after);
                     if share < 1.0 || left > CHORD * size {

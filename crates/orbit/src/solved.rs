@@ -25,6 +25,10 @@ pub struct OrbitStart {
     #[serde(skip)]
     pub(crate) jacobian: Option<Jacobian>,
     pub(crate) rule: PatchRule,
+    /// The same orbit by another rule: by that which a cold start begins with, where this one is by a finer one that
+    /// was needed; or the other way round.
+    #[serde(skip)]
+    pub(crate) twin: Option<Box<OrbitStart>>,
     /// Azimuth at which the turn begins, rad.
     pub(crate) origin: f64,
     /// Rate at which the swinging of balls dies out besides, 1/s.
@@ -46,7 +50,7 @@ impl OrbitStart {
     /// The start as it is read back from what was written of it.
     #[must_use]
     pub fn without_jacobian(self) -> Self {
-        Self { jacobian: None, ..self }
+        Self { jacobian: None, twin: None, ..self }
     }
 
     /// Balls, cage and ring at the instant when pocket 0 stands at azimuth 0.
@@ -68,13 +72,28 @@ impl OrbitStart {
     /// from `from`. With `from` and `to` = `self` it goes on in a straight line. None where the orbits do not begin at
     /// one place or are not of equally regularized bearings.
     pub fn moved(&self, from: &Self, to: &Self) -> Option<Self> {
+        let first = self.first().moved_alone(from.first(), to.first())?;
+        if [self, from, to].iter().any(|start| start.twin.is_none()) {
+            return Some(first);
+        }
+        let sharp = self.moved_alone(from, to)?;
+        Some(Self { twin: Some(Box::new(first)), ..sharp })
+    }
+
+    /// By the rule that a cold start begins with.
+    fn first(&self) -> &Self {
+        self.twin.as_deref().unwrap_or(self)
+    }
+
+    /// [`Self::moved`], by the rules that these three are by.
+    fn moved_alone(&self, from: &Self, to: &Self) -> Option<Self> {
         let alike = |other: &Self| {
             (other.origin, other.regularization, other.settling) == (self.origin, self.regularization, self.settling)
         };
         if !alike(from) || !alike(to) {
             return None;
         }
-        let mut moved = self.clone();
+        let mut moved = Self { twin: None, ..self.clone() };
         let ends = &self.orbit.ends;
         let same = || (self.events.clone(), ends.clone(), ends.clone());
         // Without contacts that begin and end in all of them alike, unknowns are compared at the same azimuths.
@@ -117,10 +136,30 @@ impl OrbitStart {
         self.rule
     }
 
-    /// The same start for an orbit by another patch rule.
+    /// The same start for an orbit that is sought by the rule with which a cold start begins.
     #[must_use]
-    pub fn by_rule(self, rule: PatchRule) -> Self {
-        Self { rule, ..self }
+    pub fn by_rule(mut self, rule: PatchRule) -> Self {
+        match self.twin.take() {
+            Some(first) => Self { rule, twin: Some(Box::new(self)), ..*first },
+            None => Self { rule, ..self },
+        }
+    }
+
+    /// What an orbit that was found from this start is like by the finer rule of this one's twin, with slopes there;
+    /// none where that is by another rule, or on a mesh that is not alike.
+    pub(crate) fn sharpened(
+        &self,
+        found: &Orbit,
+        (point, rule): (&OperatingPoint, PatchRule),
+    ) -> Option<(Orbit, Option<Jacobian>)> {
+        let twin = self.twin.as_deref().filter(|twin| twin.rule == rule)?;
+        let [own, sharp] = [self, twin].map(|start| start.at_speeds(point));
+        if [&own, &sharp].iter().any(|orbit| orbit.intervals() != found.intervals()) {
+            return None;
+        }
+        let mut orbit = found.clone();
+        orbit.shift(&Radau::new(), (&own, &own.ends), (&sharp, &sharp.ends));
+        Some((orbit, twin.jacobian.clone()))
     }
 }
 

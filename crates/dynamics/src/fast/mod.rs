@@ -137,11 +137,7 @@ fn follow_slowly((common, given): (&mut f64, &mut f64), drift: f64, share: f64) 
 
 /// The same for the balls of a block.
 #[inline(always)]
-fn follow_balls(
-    (common, given): (&mut [Lane; 3], &mut [Lane; 3]),
-    drift: &[Lane; 3],
-    (in_use, share): (InUse, f64),
-) {
+fn follow_balls((common, given): (&mut [Lane; 3], &mut [Lane; 3]), drift: &[Lane; 3], (in_use, share): (InUse, f64)) {
     for i in 0..3 {
         for k in in_use.lanes() {
             follow_slowly((&mut common[i].0[k], &mut given[i].0[k]), drift[i].0[k], share);
@@ -220,7 +216,11 @@ impl Fast {
         debug_assert!(
             // A motion beyond all numbers is not equal to itself; the run finds it after the step.
             y.iter().any(|value| value.is_nan())
-                || scratch.balls.iter().enumerate().all(|(block, balls)| are_alike(l, block, (balls, &gather(l, y, block)))),
+                || scratch.balls.iter().enumerate().all(|(block, balls)| are_alike(
+                    l,
+                    block,
+                    (balls, &gather(l, y, block))
+                )),
             "the state is not that of the last step"
         );
         let fresh = !self.ready || scratch.pressed.len() != blocks(l.balls);

@@ -222,9 +222,9 @@ impl Grid {
         self.limits.check(text, &case).map(|()| case)
     }
 
-    /// The link of one row's search to the limit on its time.
-    pub(crate) fn watch(&self) -> SearchWatch {
-        let patience = Patience::of_seconds(self.time_limit_s).ended_with(Arc::clone(&self.stop));
+    /// The link of one row's search to a limit on its time, s.
+    pub(crate) fn watch(&self, limit_s: f64) -> SearchWatch {
+        let patience = Patience::of_seconds(limit_s).ended_with(Arc::clone(&self.stop));
         SearchWatch::new(Arc::new(patience))
     }
 

@@ -9,7 +9,8 @@ use std::time::Instant;
 
 /// Rows that are solved to see how long one takes.
 const TRIED: usize = 8;
-/// Time after which no other is tried, s: the first rows of a grid may be by far the slowest.
+/// Time after which no other is tried, and processor time after which the search of one is ended, s: some rows of a grid
+/// may be by far the slowest.
 const TRIAL_S: f64 = 2.0;
 
 /// A sweep that is not begun.
@@ -27,11 +28,11 @@ pub struct Plan {
     pub threads: usize,
     /// Swept values.
     pub axes: Vec<AxisSummary>,
-    /// Time of one row that starts cold, from one try.
+    /// Time of one row that starts cold, from one try in the middle of the grid; two seconds if it takes longer.
     pub cold_row_s: f64,
-    /// Mean time of the rows after it.
+    /// Mean time of the rows after it, each up to as long.
     pub next_row_s: f64,
-    /// Time of the shard, if all rows are like the first few and every thread has a core of its own.
+    /// Time of the shard, if all rows are like those few and every thread has a core of its own.
     pub estimated_time_s: f64,
 }
 
@@ -58,17 +59,19 @@ impl Plan {
     }
 }
 
-/// Seconds of the first row, and mean of the few after it.
+/// Seconds of a row that starts cold, and mean of the few after it, in the middle of the grid: at its ends loads and
+/// speeds are extreme.
 fn time_rows(grid: &Grid, cold: bool) -> [f64; 2] {
-    let mut chunk = Chunk::new(grid, cold);
+    let rows = grid.chunk(grid.chunks() / 2);
+    let mut chunk = Chunk::new(grid, cold).within(TRIAL_S);
     let began = Instant::now();
-    chunk.lines(0..1);
+    chunk.lines(rows.start..rows.start + 1);
     let first = began.elapsed().as_secs_f64();
-    let (mut row, began) = (1, Instant::now());
-    while row < grid.chunk(0).len().min(TRIED) && (row == 1 || began.elapsed().as_secs_f64() < TRIAL_S) {
-        chunk.lines(row..row + 1);
-        row += 1;
+    let (mut tried, began) = (1, Instant::now());
+    while tried < rows.len().min(TRIED) && (tried == 1 || began.elapsed().as_secs_f64() < TRIAL_S) {
+        chunk.lines(rows.start + tried..rows.start + tried + 1);
+        tried += 1;
     }
-    let next = if row > 1 { began.elapsed().as_secs_f64() / (row - 1) as f64 } else { first };
+    let next = if tried > 1 { began.elapsed().as_secs_f64() / (tried - 1) as f64 } else { first };
     [first, next]
 }

@@ -25,11 +25,19 @@ pub(crate) struct Chunk<'a> {
     orbits: Neighbours<OrbitStart>,
     /// True once balls of an orbit in oil have slid in a row.
     slid: bool,
+    /// Processor time of a row, s, after which its search is ended.
+    limit_s: f64,
 }
 
 impl<'a> Chunk<'a> {
     pub fn new(grid: &'a Grid, cold: bool) -> Self {
-        Self { grid, cold, equilibria: Neighbours::new(), orbits: Neighbours::new(), slid: false }
+        let limit_s = grid.time_limit_s;
+        Self { grid, cold, equilibria: Neighbours::new(), orbits: Neighbours::new(), slid: false, limit_s }
+    }
+
+    /// With less time for a row, s, than the grid gives it.
+    pub fn within(self, limit_s: f64) -> Self {
+        Self { limit_s: limit_s.min(self.limit_s), ..self }
     }
 
     /// The lines of some rows, each with its end; none where the sweep was stopped on the way.
@@ -58,7 +66,7 @@ impl<'a> Chunk<'a> {
         if let Some(why) = plausibility::hopeless(&case, (&text, &bearing)) {
             return Err(Unsolved::refused(why));
         }
-        let watch = self.grid.watch();
+        let watch = self.grid.watch(self.limit_s);
         let (solution, round) = match self.grid.model.equilibrium() {
             Some(model) => {
                 let point = OperatingPoint { watch, ..case.operating_point() };
