@@ -24,7 +24,7 @@ const CENTRING: f64 = 1e-8;
 const DRIFTED: f64 = 2.0;
 const NO_WORSE: f64 = 1.2;
 /// Jacobians from an orbit to itself by another patch rule.
-const FEW: usize = 2;
+const FEW: usize = 3;
 /// Patches by which slopes are taken at first from a neighbour.
 pub(crate) const SLOPES: PatchRule = PatchRule::SplitStrip { across: 12, along: 4 };
 

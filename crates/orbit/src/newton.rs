@@ -128,13 +128,19 @@ impl<'a> Newton<'a> {
     /// then damped ones.
     pub fn run(&mut self, orbit: Orbit, tolerance: f64, limit: usize) -> (Orbit, Residual) {
         let residual = self.residual(&orbit);
-        let (full, left) = self.iterate((orbit.clone(), residual.clone()), tolerance, (limit / 2, FULL), None);
+        if residual.worst.relative <= tolerance {
+            return (orbit, residual);
+        }
+        // Both begin with it where the full steps lead away.
+        let known = self.jacobian(&orbit).ok();
+        let full = (limit / 2, FULL);
+        let (there, left) = self.iterate((orbit.clone(), residual.clone()), tolerance, full, known.clone());
         if left.worst.relative <= tolerance {
-            return (full, left);
+            return (there, left);
         }
         let nearer = left.worst.relative < residual.worst.relative;
-        let from = if nearer { (full, left) } else { (orbit, residual) };
-        self.iterate(from, tolerance, (limit, DAMPED), None)
+        let (from, known) = if nearer { ((there, left), None) } else { ((orbit, residual), known) };
+        self.iterate(from, tolerance, (limit, DAMPED), known)
     }
 
     /// The same by so many Jacobians and full steps alone, the first of them known, and by a few more where these lead

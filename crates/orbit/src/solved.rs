@@ -140,8 +140,8 @@ impl OrbitStart {
     #[must_use]
     pub fn by_rule(mut self, rule: PatchRule) -> Self {
         match self.twin.take() {
-            Some(first) => Self { rule, twin: Some(Box::new(self)), ..*first },
-            None => Self { rule, ..self },
+            Some(first) if self.rule != rule => Self { rule, twin: Some(Box::new(self)), ..*first },
+            _ => Self { rule, ..self },
         }
     }
 

@@ -8,8 +8,7 @@
 use crate::layout::{BALL, Layout};
 use std::ops::Range;
 
-/// Balls in a block: four vectors of four, or two of eight. Most bearings have one block; loops of eight turns are too
-/// short for the compiler to weigh whether what it writes overlaps what it reads, and stay scalar.
+/// Balls in a block. Most bearings have one block, and only its vectors with balls in them are worked on ([`InUse`]).
 pub(super) const WIDTH: usize = 16;
 
 /// Lanes of the vectors that a block is made up of, by all processors of today once or more.
@@ -205,6 +204,8 @@ mod tests {
             for block in 0..blocks(balls) {
                 let lanes = gather(l, &y, block);
                 assert_eq!(lanes[0].0[WIDTH - 1], y[l.ball((WIDTH * (block + 1)).min(balls) - 1)]);
+                let in_use = InUse::of(l, block).lanes().len();
+                assert!(in_use.is_multiple_of(VECTOR) && in_use - filled(l, block) < VECTOR);
                 scatter(l, &lanes, block, &mut back);
             }
             assert_eq!(back[..l.cage()], y[..l.cage()]);
