@@ -1,10 +1,11 @@
 //! Attempts at the orbit of a bearing: from balls that roll, and from the orbit of a neighbour.
 
+use crate::chain::Jacobian;
 use crate::coarse::Coarse;
 use crate::collocation::Orbit;
 use crate::events::Events;
 use crate::homotopy::{Homotopy, Regularization, ladder};
-use crate::newton::{Jacobian, Newton};
+use crate::newton::Newton;
 use crate::residual::Found;
 use crate::search::{PATIENCE, closed_near, damped};
 use crate::settings::OrbitSettings;

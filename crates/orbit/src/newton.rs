@@ -1,7 +1,7 @@
 //! Newton's method on the collocated orbit.
 
 use crate::OrbitError;
-use crate::chain::{FROM, Linear, Slopes, Step, multiplier};
+use crate::chain::{FROM, Jacobian, Slopes, Step, multiplier};
 use crate::coarse::Coarse;
 use crate::collocation::{Orbit, STAGES};
 use crate::residual::{BORDER, Residual, STACK, Scales, residual};
@@ -42,25 +42,6 @@ const CLOSE: f64 = 1e-2;
 const LAST: usize = 3;
 /// Residual below which an iteration that gains no more is left to itself.
 const STALLED: f64 = 1e-6;
-
-/// A factorised Jacobian with the ends of the intervals of its mesh.
-#[derive(Debug, Clone)]
-pub(crate) struct Jacobian {
-    ends: Vec<f64>,
-    linear: Arc<Linear>,
-}
-
-impl Jacobian {
-    /// True if it serves an orbit: one on its mesh, or on that mesh carried along with contacts.
-    fn serves(&self, orbit: &Orbit) -> bool {
-        self.linear.intervals() == orbit.intervals()
-    }
-
-    /// True if it is of the mesh of an orbit.
-    pub fn is_of(&self, orbit: &Orbit) -> bool {
-        self.ends == orbit.ends
-    }
-}
 
 /// One Newton solver.
 pub(crate) struct Newton<'a> {

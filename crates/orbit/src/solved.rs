@@ -1,10 +1,11 @@
 //! A solved orbit, and what is needed to go on from it.
 
+use crate::chain::Jacobian;
 use crate::coarse::Coarse;
 use crate::collocation::Orbit;
 use crate::events::Events;
 use crate::homotopy::{Regularization, swinging};
-use crate::newton::{Jacobian, OrbitStatistics};
+use crate::newton::OrbitStatistics;
 use crate::residual::Scales;
 use crate::solution::SteadyOrbit;
 use crate::system::{BALL, OMEGA, ORBIT};
@@ -145,8 +146,8 @@ impl OrbitStart {
         }
     }
 
-    /// What an orbit that was found from this start is like by the finer rule of this one's twin, with slopes there;
-    /// none where that is by another rule, or on a mesh that is not alike.
+    /// A guess of an orbit by the finer rule of this start's twin, from that which was found from this start, with
+    /// slopes there; none where the twin is by another rule, or on a mesh that is not alike.
     pub(crate) fn sharpened(
         &self,
         found: &Orbit,

@@ -9,8 +9,8 @@ use std::time::Instant;
 
 /// Rows of a chunk that are solved to see how long one takes.
 const TRIED: usize = 8;
-/// Time after which no other is tried, and processor time after which the search of one is ended, s: some rows of a grid
-/// may be by far the slowest.
+/// Time after which no other is tried, and processor time after which the search of one is ended, s: some rows of a
+/// grid may be by far the slowest.
 const TRIAL_S: f64 = 2.0;
 
 /// A sweep that is not begun.
