@@ -40,7 +40,9 @@ pub fn steady_orbit(
         return Ok(standing);
     }
     let found = match rolled(problem, problem.bearing, soon) {
-        Err(OrbitError::NotConverged { .. }) => relieved(problem).map_or_else(|| patiently(problem), Ok),
+        Err(OrbitError::NotConverged { .. }) if !point.watch.stops() => {
+            relieved(problem).map_or_else(|| patiently(problem), Ok)
+        }
         other => other,
     };
     // What an ended search did not reach says nothing of the bearing.

@@ -7,7 +7,7 @@ use super::shard::Shard;
 use serde::Serialize;
 use std::time::Instant;
 
-/// Rows of a chunk that are solved to see how long one takes.
+/// Rows that are solved to see how long one takes.
 const TRIED: usize = 8;
 /// Time after which no other is tried, and processor time after which the search of one is ended, s: some rows of a
 /// grid may be by far the slowest.
@@ -28,11 +28,11 @@ pub struct Plan {
     pub threads: usize,
     /// Swept values.
     pub axes: Vec<AxisSummary>,
-    /// Time of one row that starts cold, s: mean of three in different places, each up to two seconds.
+    /// Time of one row that starts cold, from one try of two seconds at most.
     pub cold_row_s: f64,
-    /// The same of the rows after them.
+    /// Mean time of the rows after it, each up to two seconds.
     pub next_row_s: f64,
-    /// Time of the shard, if all rows are like those few and every thread has a core of its own.
+    /// Time of the shard, if all rows are like the first few and every thread has a core of its own.
     pub estimated_time_s: f64,
 }
 
@@ -59,27 +59,17 @@ impl Plan {
     }
 }
 
-/// Seconds of a row that starts cold, and of one after it: means over three places of the grid, of which the easiest
-/// loads and speeds may be a hundred times faster than the hardest.
+/// Seconds of the first row, and mean of the few after it.
 fn time_rows(grid: &Grid, cold: bool) -> [f64; 2] {
-    let mut places = [1, 3, 5].map(|k| k * grid.chunks() / 6).to_vec();
-    places.dedup();
-    let times: Vec<[f64; 2]> = places.iter().map(|place| time_chunk(grid, *place, cold)).collect();
-    [0, 1].map(|k| times.iter().map(|time| time[k]).sum::<f64>() / times.len() as f64)
-}
-
-/// Seconds of the first row of a chunk, and mean of the few after it.
-fn time_chunk(grid: &Grid, place: usize, cold: bool) -> [f64; 2] {
-    let rows = grid.chunk(place);
     let mut chunk = Chunk::new(grid, cold).within(TRIAL_S);
     let began = Instant::now();
-    chunk.lines(rows.start..rows.start + 1);
+    chunk.lines(0..1);
     let first = began.elapsed().as_secs_f64();
-    let (mut tried, began) = (1, Instant::now());
-    while tried < rows.len().min(TRIED) && (tried == 1 || began.elapsed().as_secs_f64() < TRIAL_S) {
-        chunk.lines(rows.start + tried..rows.start + tried + 1);
-        tried += 1;
+    let (mut row, began) = (1, Instant::now());
+    while row < grid.chunk(0).len().min(TRIED) && (row == 1 || began.elapsed().as_secs_f64() < TRIAL_S) {
+        chunk.lines(row..row + 1);
+        row += 1;
     }
-    let next = if tried > 1 { began.elapsed().as_secs_f64() / (tried - 1) as f64 } else { first };
+    let next = if row > 1 { began.elapsed().as_secs_f64() / (row - 1) as f64 } else { first };
     [first, next]
 }
