@@ -109,9 +109,10 @@ pub(super) fn scatter(l: Layout, lanes: &[Lane; BALL], block: usize, y: &mut [f6
     scatter_from(l, lanes, block, (y, 0));
 }
 
-/// True where the balls of a block have the same numbers.
-pub(super) fn are_alike(l: Layout, block: usize, (some, others): (&[Lane; BALL], &[Lane; BALL])) -> bool {
-    (0..filled(l, block)).all(|k| get(some, k) == get(others, k))
+/// True where the balls of a block have the unknowns of a list.
+pub(super) fn are_those(l: Layout, balls: &[Lane; BALL], block: usize, y: &[f64]) -> bool {
+    let listed = gather(l, y, block);
+    (0..filled(l, block)).all(|k| get(balls, k) == get(&listed, k))
 }
 
 /// The other way of [`gather_from`].

@@ -60,7 +60,7 @@ use fearless_simd::dispatch;
 use friction::LinearFriction;
 use glide::{glide_balls, glide_bodies, push_balls, push_bodies};
 use kick_forces::Places;
-use lanes::{InUse, Lane, WIDTH, are_alike, blocks, gather, gather_from, scatter, scatter_from};
+use lanes::{InUse, Lane, WIDTH, are_those, blocks, gather, gather_from, scatter, scatter_from};
 use longest::{Longest, Pieces};
 use nalgebra::Matrix5;
 pub(crate) use sample::Room;
@@ -216,11 +216,7 @@ impl Fast {
         debug_assert!(
             // A motion beyond all numbers is not equal to itself; the run finds it after the step.
             y.iter().any(|value| value.is_nan())
-                || scratch.balls.iter().enumerate().all(|(block, balls)| are_alike(
-                    l,
-                    block,
-                    (balls, &gather(l, y, block))
-                )),
+                || scratch.balls.iter().enumerate().all(|(block, balls)| are_those(l, balls, block, y)),
             "the state is not that of the last step"
         );
         let fresh = !self.ready || scratch.pressed.len() != blocks(l.balls);
