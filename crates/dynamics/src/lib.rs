@@ -20,6 +20,7 @@ mod start;
 mod stiffness;
 mod tilt;
 mod tilting;
+mod traction_errors;
 mod watch;
 
 #[cfg(test)]

@@ -8,39 +8,9 @@
 use crate::machine::Machine;
 use nalgebra::{Matrix5, Vector2, Vector5};
 use serde::{Deserialize, Serialize};
-use tribodyn_bearing::{LoadedPatch, Scheme};
-use tribodyn_traction::{PatchChoice, PatchDerivative, PatchTraction, RelativeMotion};
+use tribodyn_bearing::LoadedPatch;
+use tribodyn_traction::{PatchDerivative, PatchTraction, RelativeMotion};
 
-/// Error of the linear traction that a refresh may find, over the load. Most refreshes find two thirds of it and less,
-/// and between them it is smaller.
-pub(crate) const LINEAR_ERROR: f64 = 1e-3;
-/// Error of a patch rule that does not show beside that of the linear traction, over it.
-const RULE_OVER_LINEAR: f64 = 0.1;
-/// Target at which the linear traction begins to be finer than [`LINEAR_ERROR`]. At a target of 1e-5, which is to carry
-/// accelerations, it then errs by 1e-4, and a finer one changes those of the paper's case at 20 µs no more.
-const FINEST_AT_FULL: f64 = 1e-4;
-/// Accuracy below which the linear traction is finer than [`LINEAR_ERROR`], too: over 30 ms that leaves 8e-4 of the
-/// mean torque of a 6206 in oil and 1.3e-3 of that of a 7210.
-const ACCURATE_AT_FULL: f64 = 1e-3;
-/// Accuracy that a given step counts as: the paper's case at 20 µs then errs no more than the Runge–Kutta method at 10
-/// µs does, 4e-4 of the mean load.
-const GIVEN_STEP: f64 = 1.4e-4;
-
-/// Patch rule and linear error of a run. Those of the fast scheme come from the case's target and the accuracy asked
-/// for: a rule much finer than the linear traction between its refreshes costs and brings nothing. Named rules are
-/// taken as they are, and by the other schemes every rule is.
-pub(crate) fn errors(scheme: Scheme, patch: PatchChoice) -> (PatchChoice, f64) {
-    let asked = match scheme {
-        Scheme::FastTo { accuracy } => accuracy,
-        _ => GIVEN_STEP,
-    };
-    let full = LINEAR_ERROR * (asked / ACCURATE_AT_FULL).min(1.0);
-    let (Scheme::Fast { .. } | Scheme::FastTo { .. }, PatchChoice::TargetError { relative }) = (scheme, patch) else {
-        return (patch, full);
-    };
-    let linear = full.min(LINEAR_ERROR * (relative / FINEST_AT_FULL));
-    (PatchChoice::TargetError { relative: relative.max(RULE_OVER_LINEAR * linear) }, linear)
-}
 /// Slip, m/s, as which a relative change of the load counts: it moves the rolling lines in the patch by little.
 const LOAD_AS_SLIP: f64 = 1.0;
 /// The slip of the spin at the ends of the patch counts as so much of a slip everywhere.
@@ -83,6 +53,7 @@ struct Next {
     reach_of_slip: f64,
     bend: [f64; 6],
     way: [f64; 6],
+    reach_is_found: bool,
 }
 
 /// Value, slopes and bend at one point. Linear is the traction over the load, in the motion and in the load: traction
@@ -112,6 +83,7 @@ pub(crate) struct LinearTraction {
     /// Where traction changed its sign since the form before: direction of the change of the slip, and slope of the
     /// traction over it, N s/m; else zeros.
     crossed: [f64; 3],
+    reach_is_found: bool,
 }
 
 impl LinearTraction {
@@ -151,6 +123,7 @@ impl LinearTraction {
             reach: n(69),
             reach_of_slip: n(70),
             crossed: [0.0; 3],
+            reach_is_found: false,
         }
     }
 
@@ -236,6 +209,45 @@ impl LinearTraction {
         self.semi_lateral
     }
 
+    /// Square of the share of its reach that a contact is at, or infinity where the form is not near enough to serve
+    /// it: beyond `share` of the reach, or on a surface that is worn otherwise.
+    #[inline(always)]
+    pub fn distance_to(&self, p: &LoadedPatch<'_, f64>, share: f64) -> f64 {
+        let r = p.patch.ball_radius;
+        let (change, near) = self.reaches((&p.motion, p.rolling_speed), p.load, (p.bare, share), r);
+        let [all, _] = self.distances(&change, r);
+        if near { all / (self.reach * self.reach) } else { f64::INFINITY }
+    }
+
+    /// Gives way to a form from elsewhere that is near enough, and has its traction.
+    pub fn give_way(&mut self, to: Self, p: &LoadedPatch<'_, f64>) -> PatchTraction {
+        let traction = to.traction(&p.motion, &to.change(&p.motion, (p.load, p.rolling_speed)));
+        let now = inputs(&p.motion, (p.load, p.rolling_speed));
+        *self = Self { crossed: self.crossed_to(&outputs(&traction), &now, p.patch.ball_radius), ..to };
+        traction
+    }
+
+    /// How far the form is off at a contact whose traction is `exact`, over the load, and from where it was made, m/s.
+    pub fn error_at(&self, p: &LoadedPatch<'_, f64>, exact: &PatchTraction) -> [f64; 2] {
+        let change = self.change(&p.motion, (p.load, p.rolling_speed));
+        let found = self.traction(&p.motion, &change);
+        let [along, across] = [found.force_rolling - exact.force_rolling, found.force_lateral - exact.force_lateral];
+        let [square, _] = self.distances(&change, p.patch.ball_radius);
+        [along.hypot(across) / p.load, square.sqrt()]
+    }
+
+    /// No reach beyond the distance at which the error would be the one that is allowed, by one found at a distance.
+    pub fn narrow(&mut self, [off, distance]: [f64; 2], tolerance: f64) {
+        let farthest = (CAUTION * distance * (tolerance / off).cbrt()).max(SHORTEST_REACH);
+        (self.reach, self.reach_of_slip) = (self.reach.min(farthest), self.reach_of_slip.min(farthest));
+    }
+
+    /// True where the form has a bend and that before it erred no more than allowed: the reach is then a found one, and
+    /// not a guess or a bound on how fast reaches may shrink.
+    pub fn reach_is_found(&self) -> bool {
+        self.reach_is_found
+    }
+
     /// The integral over the patch, from which the linear form starts anew; the distance that it may serve over follows
     /// from the error found now, which grows with its square.
     pub fn refresh(&mut self, machine: &Machine, p: &LoadedPatch<'_, f64>, tolerance: f64) -> PatchTraction {
@@ -244,7 +256,7 @@ impl LinearTraction {
             return machine.kernel.traction(&machine.bearing, p);
         };
         let load = p.load;
-        let Next { reach, reach_of_slip, bend, way } = self.next_way(p, &d, (load, tolerance));
+        let Next { reach, reach_of_slip, bend, way, reach_is_found } = self.next_way(p, &d, (load, tolerance));
         let PatchDerivative { traction, by_motion, by_load, by_rolling_speed } = d;
         let (value, by_load) = (outputs(&traction), outputs(&by_load));
         let inputs = inputs(&p.motion, (load, p.rolling_speed));
@@ -264,6 +276,7 @@ impl LinearTraction {
             reach,
             reach_of_slip,
             crossed,
+            reach_is_found,
         };
         traction
     }
@@ -286,14 +299,13 @@ impl LinearTraction {
     /// Reaches, bend and way of the form that follows.
     fn next_way(&self, p: &LoadedPatch<'_, f64>, d: &PatchDerivative, (load, tolerance): (f64, f64)) -> Next {
         let nothing = [0.0; 6];
+        let straight =
+            |reach, reach_of_slip| Next { reach, reach_of_slip, bend: nothing, way: nothing, reach_is_found: false };
         if self.reach <= 0.0 {
-            return Next { reach: FIRST_REACH, reach_of_slip: FIRST_REACH, bend: nothing, way: nothing };
+            return straight(FIRST_REACH, FIRST_REACH);
         }
         let (change, r) = (self.change(&p.motion, (load, p.rolling_speed)), p.patch.ball_radius);
-        let found = self.traction(&p.motion, &change);
-        let along = found.force_rolling - d.traction.force_rolling;
-        let across = found.force_lateral - d.traction.force_lateral;
-        let off = (along * along + across * across).sqrt() / load;
+        let [off, _] = self.error_at(p, &d.traction);
         let [square, of_slip] = self.distances(&change, r);
         // The error grows with the square of the distance, and with its third power where there was a bend.
         let ratio = tolerance / off.max(1e-14);
@@ -305,12 +317,13 @@ impl LinearTraction {
         };
         let (reach, reach_of_slip) = (next(square, self.reach), next(of_slip, self.reach_of_slip));
         if square.sqrt() < SHORTEST_BEND * self.reach {
-            return Next { reach, reach_of_slip, bend: nothing, way: nothing };
+            return straight(reach, reach_of_slip);
         }
         let linear = outputs(&Self { bend: nothing, ..*self }.traction(&p.motion, &change));
         let exact = outputs(&d.traction);
         let way = self.metric(&change, r).map(|part| part / square);
-        Next { reach, reach_of_slip, bend: std::array::from_fn(|i| exact[i] - linear[i]), way }
+        let bend = std::array::from_fn(|i| exact[i] - linear[i]);
+        Next { reach, reach_of_slip, bend, way, reach_is_found: off <= tolerance }
     }
 
     /// Half the slopes of [`Self::distances`] at a change: the metric times it.
@@ -364,37 +377,4 @@ fn inputs(m: &RelativeMotion, (load, rolling_speed): (f64, f64)) -> [f64; INPUTS
 
 fn outputs(t: &PatchTraction) -> [f64; 6] {
     [t.force_rolling, t.force_lateral, t.moment_normal, t.moment_lateral, t.moment_rolling, t.wear_integral]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use tribodyn_traction::PatchRule;
-
-    #[test]
-    fn limit_rule_and_linear_error_follow_the_target_together() {
-        let fast = Scheme::Fast { step: 2e-5 };
-        let to = |accuracy| Scheme::FastTo { accuracy };
-        let of = |scheme, relative| match errors(scheme, PatchChoice::TargetError { relative }) {
-            (PatchChoice::TargetError { relative }, linear) => [relative, linear],
-            (PatchChoice::Named(rule), _) => unreachable!("{rule:?} for a target"),
-        };
-        let close =
-            |a: [f64; 2], b: [f64; 2]| assert!(a.iter().zip(b).all(|(a, b)| (a / b - 1.0).abs() < 1e-12), "{a:?}");
-        for target in [1e-3, 1e-4] {
-            close(of(to(1e-3), target), [target, LINEAR_ERROR]);
-            close(of(fast, target), [target, 0.14 * LINEAR_ERROR]);
-        }
-        // The finer of what target and accuracy ask for, not finer still.
-        for scheme in [fast, to(1e-3), to(1e-4)] {
-            close(of(scheme, 1e-5), [1e-5, 0.1 * LINEAR_ERROR]);
-        }
-        let named = PatchChoice::Named(PatchRule::SplitStrip { across: 5, along: 3 });
-        let (kept, linear) = errors(fast, named);
-        assert!(kept == named && (linear / LINEAR_ERROR - 0.14).abs() < 1e-12, "{kept:?} {linear}");
-        assert_eq!(errors(to(1e-3), named), (named, LINEAR_ERROR));
-        assert!((errors(to(1e-4), named).1 / LINEAR_ERROR - 0.1).abs() < 1e-12);
-        let fine = PatchChoice::TargetError { relative: 1e-6 };
-        assert_eq!(errors(Scheme::RungeKutta4 { step: 1e-5 }, fine).0, fine);
-    }
 }

@@ -151,8 +151,8 @@ impl Fast {
         }
     }
 
-    /// Integrates the contacts of a ball whose linear traction is `old` and makes its linear forms anew, those of
-    /// friction where they do not serve any more, or all of them.
+    /// Makes the linear traction of those contacts of a ball anew whose own is `old`, from a form in the table or from
+    /// the integral over the patch, and those of friction where they do not serve any more, or all of them.
     fn refresh<E: Equations>(&mut self, equations: &E, (index, frame): (usize, &Frame), old: Races<bool>, renew: bool) {
         let machine = equations.machine();
         let bearing = &machine.bearing;
@@ -167,11 +167,13 @@ impl Fast {
             if contact.load <= 0.0 {
                 continue;
             }
-            self.refreshed += 1;
             let sliding = equations.sliding(side, contact, state, (&frame.rings[side], normal.orbit_radius));
             let ellipse = bearing.ellipse(side, contact);
             let patch = bearing.loaded_patch(side, contact, &ellipse, &sliding, pressed.bare(side, k));
-            let traction = contacts.of[side as usize].refresh(machine, &patch, self.linear_error);
+            let form = &mut contacts.of[side as usize];
+            let list = (side, self.scratch.level, &mut self.scratch.table[side as usize]);
+            let (traction, integrated) = self.table.traction(list, form, (machine, &patch, self.linear_error));
+            self.refreshed += u64::from(integrated);
             kick_forces.set_forces(side, lanes.clone(), &sliding.on_ball(&traction));
             kick_forces.wear[side as usize].0[k] = traction.wear_integral;
         }

@@ -27,7 +27,7 @@
 //!
 //! Traction itself is linear between refreshes: the closed-form derivative of the patch integral by motion and load
 //! serves until the slip has moved by as much as keeps the error, seen at every refresh, near [`LINEAR_ERROR`] of the
-//! load.
+//! load. A contact that another came by before takes the form of that one ([`Table`]).
 //!
 //! Both parts are of second order and the composition is symmetric, so the scheme is of second order, down to the error
 //! of the linear traction, below which there is no order. Its error against a converged run is measured in `cargo xtask
@@ -50,11 +50,13 @@ mod numbers;
 mod orientation;
 mod sample;
 mod scratch;
+mod table;
 mod tilt;
 
 use crate::equations::Equations;
 use crate::layout::{Layout, VELOCITY};
-use crate::linear::{Contacts, LINEAR_ERROR, LinearTraction};
+use crate::linear::{Contacts, LinearTraction};
+use crate::traction_errors::LINEAR_ERROR;
 use drift::{Pressed, drift_acceleration, press};
 use fearless_simd::dispatch;
 use friction::LinearFriction;
@@ -66,6 +68,7 @@ use nalgebra::Matrix5;
 pub(crate) use sample::Room;
 use scratch::Scratch;
 use serde::{Deserialize, Serialize};
+use table::Table;
 
 /// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it
 /// does not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an
@@ -83,6 +86,8 @@ pub(crate) struct Fast {
     linear_error: f64,
     friction: Vec<LinearFriction>,
     contacts: Vec<Contacts>,
+    /// Linear forms that contacts came by before.
+    table: Table,
     /// Inverse of the rings' masses less what friction gives back, inertial axes: x, y, z of the inner, x, y of the
     /// outer.
     rings: Matrix5<f64>,
@@ -158,6 +163,7 @@ impl Fast {
             linear_error,
             friction: Vec::new(),
             contacts: Vec::new(),
+            table: Table::default(),
             rings: Matrix5::zeros(),
             rings_last: 0,
             step: 0.0,
@@ -341,6 +347,11 @@ impl Fast {
         [balls, contacts, self.drift.len(), self.common.len(), self.half.len(), self.beyond.len()]
     }
 
+    /// Most linear forms of a race that are kept for other contacts, and how many may be.
+    pub fn table_size(&self) -> [usize; 2] {
+        self.table.size()
+    }
+
     /// True if a ball touched the wall of its pocket in the last kick, which was at the end of the last step.
     pub fn touches_pocket(&self, ball: usize) -> bool {
         self.scratch.kick_forces[ball / WIDTH].depth.0[ball % WIDTH] > 0.0
@@ -361,6 +372,7 @@ impl Fast {
             .copied()
             .chain([self.step, self.linear_error, self.piece, self.piece_of_balls])
             .chain(contacts)
+            .chain(self.table.values())
             .chain(friction)
     }
 

@@ -1,7 +1,7 @@
 //! The balls in lanes, on which the fast scheme works.
 
 use super::drift::Pressed;
-use super::kick_forces::{Forms, KickForces, Places};
+use super::kick_forces::{Forms, KickForces, LINEAR, Places};
 use super::lanes::{Lane, get};
 use crate::layout::{BALL, VELOCITIES};
 use fearless_simd::Level;
@@ -28,6 +28,8 @@ pub(super) struct Scratch {
     /// The middles of the balls' pockets.
     pub places: Vec<Places>,
     pub forms: Vec<Forms>,
+    /// The linear forms of the table, inner and outer race.
+    pub table: [Vec<[Lane; LINEAR]>; 2],
     pub kick_forces: Vec<KickForces>,
     /// Mean forces of inner and outer contacts on the balls in the last kick (a, r, t), N.
     pub mean_forces: Vec<[Lane; 6]>,
@@ -48,6 +50,7 @@ impl Default for Scratch {
             pressed: Vec::new(),
             places: Vec::new(),
             forms: Vec::new(),
+            table: [Vec::new(), Vec::new()],
             kick_forces: Vec::new(),
             mean_forces: Vec::new(),
         }

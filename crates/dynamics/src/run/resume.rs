@@ -57,6 +57,10 @@ impl Run {
                 return Err(refused(field, found as f64, format!("{expected} entries")));
             }
         }
+        let [kept, most] = c.fast.table_size();
+        if kept > most {
+            return Err(refused("fast.table", kept as f64, format!("at most {most} entries")));
+        }
         let over = c.over_spalls.iter().all(|over| over.is_of(&self.machine));
         if !over {
             return Err(refused("over_spalls", c.over_spalls.len() as f64, "balls and spalls of the case".to_owned()));
