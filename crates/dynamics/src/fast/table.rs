@@ -1,10 +1,10 @@
 //! Linear forms of contacts before, for those that come by the same motion and load again: balls follow one another on
 //! nearly one orbit, so that few patches are integrated once the first has been round.
 //!
-//! A form serves any contact of its race within its reach. That was found along the way of one ball, and others may come
-//! from elsewhere: a form is held against the integral the first time that it serves, the second, the fourth and so on,
-//! and gives way to one with a shorter reach where it errs by more than it may. This is in situ adaptive tabulation,
-//! S. B. Pope, Combust. Theory Model. 1 (1997) 41, doi:10.1088/713665229.
+//! A form serves any contact of its race within its reach. That was found along the way of one ball, and others may
+//! come from elsewhere: a form is held against the integral the first time that it serves, the second, the fourth and
+//! so on, and gives way to one with a shorter reach where it errs by more than it may. This is in situ adaptive
+//! tabulation, S. B. Pope, Combust. Theory Model. 1 (1997) 41, doi:10.1088/713665229.
 
 use super::kick_forces::LINEAR;
 use super::lanes::{Lane, WIDTH, put};
@@ -25,8 +25,8 @@ const AGAIN_WITHIN: f64 = 0.9;
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Table {
     forms: [Vec<Kept>; 2],
-    /// Forms that were ever kept of each race: the next takes the place of that number in turn.
-    kept: [usize; 2],
+    /// Places of the oldest, once the lists are full.
+    oldest: [usize; 2],
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -74,7 +74,7 @@ impl Table {
             return (traction, true);
         };
         let kept = &mut forms[at];
-        kept.served += 1;
+        kept.served = kept.served.saturating_add(1);
         if !kept.served.is_power_of_two() {
             return (form.give_way(kept.form, p), false);
         }
@@ -89,14 +89,14 @@ impl Table {
     }
 
     fn keep(&mut self, side: Side, form: &LinearTraction, lanes: &mut Vec<[Lane; LINEAR]>) {
-        let (forms, kept) = (&mut self.forms[side as usize], &mut self.kept[side as usize]);
-        let (at, new) = (*kept % KEPT, Kept { form: *form, served: 0 });
+        let (forms, oldest) = (&mut self.forms[side as usize], &mut self.oldest[side as usize]);
+        let new = Kept { form: *form, served: 0 };
+        let at = if forms.len() < KEPT { forms.len() } else { *oldest % KEPT };
         match forms.get_mut(at) {
-            Some(oldest) => *oldest = new,
+            Some(form) => (*form, *oldest) = (new, at + 1),
             None => forms.push(new),
         }
         set(lanes, at, form);
-        *kept += 1;
     }
 }
 
