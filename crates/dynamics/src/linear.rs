@@ -83,6 +83,7 @@ pub(crate) struct LinearTraction {
     /// Where traction changed its sign since the form before: direction of the change of the slip, and slope of the
     /// traction over it, N s/m; else zeros.
     crossed: [f64; 3],
+    /// False where the reach is a guess, or a bound on how fast reaches may shrink.
     reach_is_found: bool,
 }
 
@@ -242,8 +243,8 @@ impl LinearTraction {
         (self.reach, self.reach_of_slip) = (self.reach.min(farthest), self.reach_of_slip.min(farthest));
     }
 
-    /// True where the form has a bend and that before it erred no more than allowed: the reach is then a found one, and
-    /// not a guess or a bound on how fast reaches may shrink.
+    /// True where the form has a bend and that before it erred no more than allowed, so that others may rely on its
+    /// reach: beyond a reach that is guessed a form serves once, and its error is found as it is refreshed.
     pub fn reach_is_found(&self) -> bool {
         self.reach_is_found
     }
