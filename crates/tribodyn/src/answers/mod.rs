@@ -10,6 +10,7 @@ mod fits;
 mod flow;
 mod friction;
 mod heat;
+mod limited;
 mod lubrication;
 #[cfg(feature = "modes")]
 mod modes;

@@ -1,6 +1,7 @@
 //! The steady orbit of a case: an answer, and where stiffness and modes start.
 
 use super::findings::Beside;
+use super::limited::limited;
 use super::sensitivity::{Sensitivity, sensitivities};
 use super::{Equations, Findings, Lives, Question};
 use crate::error::AnswerError;
@@ -10,6 +11,9 @@ use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, InputError, Purpose};
 use tribodyn_orbit::{OrbitSettings, OrbitStart, SolvedOrbit, SteadyOrbit, less_damped_orbit, steady_orbit};
 use tribodyn_quasistatic::Solution;
+
+/// Looks of the search for an orbit with less damping, more than most cold starts take.
+const LOOKS: usize = 2000;
 
 /// A bearing with its cage at an operating point.
 pub struct OrbitProblem {
@@ -128,7 +132,7 @@ impl OrbitAnswer {
 fn less_damped(problem: &OrbitProblem, (orbit, start): (&mut SteadyOrbit, &OrbitStart)) -> Option<String> {
     orbit.raised_pocket_damping_s_per_m?;
     let OrbitProblem { bearing, point, cage, settings } = problem;
-    let found = less_damped_orbit(bearing, point, cage, settings, start);
+    let found = less_damped_orbit(bearing, &limited(point, LOOKS), cage, settings, start);
     orbit.less_damped = found.ok().flatten();
     orbit.damping_sentence()
 }

@@ -1,13 +1,11 @@
 //! How far a steady orbit rests on values that were assumed: what half and twice of each make of it.
 
 use super::OrbitProblem;
+use super::limited::limited;
 use crate::plausibility::shown;
 use serde::Serialize;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use tribodyn_bearing::{OperatingPoint, SearchObserver, SearchStage, SearchWatch};
 use tribodyn_case::{Case, Source};
-use tribodyn_orbit::{OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit_from, steady_orbit_near};
+use tribodyn_orbit::{OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit, steady_orbit_near};
 use tribodyn_traction::SlipUnit;
 
 /// An orbit with one assumed value halved and doubled.
@@ -21,20 +19,6 @@ pub struct Sensitivity {
     pub shaft_torque_nm: [Option<f64>; 2],
     /// Cage speed with each, r/min.
     pub cage_speed_rpm: [Option<f64>; 2],
-}
-
-/// Ends a search after some looks, or with that of the asker.
-struct Limited {
-    looks: AtomicUsize,
-    asker: SearchWatch,
-}
-
-impl SearchObserver for Limited {
-    fn stage(&self, _: SearchStage) {}
-
-    fn stops(&self) -> bool {
-        self.looks.fetch_add(1, Ordering::Relaxed) >= LOOKS || self.asker.stops()
-    }
 }
 
 /// A value of a case that can be multiplied.
@@ -55,13 +39,14 @@ const VALUES: [(&str, Scale); 5] = [
     }),
 ];
 
-/// Factors that are sought, the share of a step in each direction, and the least one.
+/// Factors that are sought, the shares of the way to them that are tried first and last, and how many steps are.
 const FACTORS: [f64; 2] = [0.5, 2.0];
+const STEP: f64 = 0.5;
+const LEAST_STEP: f64 = 0.06;
 const STEPS: usize = 8;
-const LEAST_STEP: f64 = 0.03;
-/// Looks of a search for each factor, some times as many as a cold start takes: what is counted by looks is the same on
-/// every machine.
-const LOOKS: usize = 5000;
+/// Looks of a step, of which most take 400, and of a cold start where steps do not lead all the way.
+const LOOKS: usize = 1000;
+const LOOKS_COLD: usize = 3000;
 /// Part of the torque beyond which a warning names a value.
 const NAMED: f64 = 0.1;
 
@@ -95,7 +80,8 @@ fn is_assumed(case: &Case, path: &str) -> bool {
     nearest.is_none_or(|(_, source)| matches!(source, Source::Assumed(_)))
 }
 
-/// The orbit at a factor of a value, or as near to it as short steps lead, with that factor.
+/// The orbit at a factor of a value, or as near to it as short steps lead, with that factor. Steps keep to the motion
+/// that they begin with and are mostly quicker than a search.
 fn moved(
     case: &Case,
     (problem, start): (&OrbitProblem, &OrbitStart),
@@ -107,27 +93,27 @@ fn moved(
         scale(&mut other, by);
         OrbitProblem::of(&other).ok()
     };
-    let at = |by: f64, from: &OrbitStart| -> Option<SolvedOrbit> {
+    let step_to = |by: f64, from: &OrbitStart| -> Option<SolvedOrbit> {
         let OrbitProblem { bearing, cage, settings, .. } = problem_at(by)?;
-        steady_orbit_near(&bearing, &problem.point, &cage, &settings, from).ok()?
+        steady_orbit_near(&bearing, &limited(&problem.point, LOOKS), &cage, &settings, from).ok()?
     };
-    let limited = Limited { looks: AtomicUsize::new(0), asker: problem.point.watch.clone() };
-    let point = OperatingPoint { watch: SearchWatch::new(Arc::new(limited)), ..problem.point.clone() };
-    let OrbitProblem { bearing, cage, settings, .. } = problem_at(factor)?;
-    if let Ok(solved) = steady_orbit_from(&bearing, &point, &cage, &settings, start) {
-        return Some((factor, solved.solution));
-    }
     let mut reached: Option<(f64, SolvedOrbit)> = None;
-    let (mut part, mut step) = (0.0, 0.5);
+    let (mut part, mut step) = (0.0, STEP);
     for _ in 0..STEPS {
         let next = f64::min(part + step, 1.0);
         let from = reached.as_ref().map_or(Some(start), |(_, solved)| solved.start.as_ref())?;
-        match at(factor.powf(next), from) {
+        match step_to(factor.powf(next), from) {
             Some(solved) => (reached, part) = (Some((factor.powf(next), solved)), next),
-            None => step *= 0.4,
+            None => step *= 0.5,
         }
         if part == 1.0 || step < LEAST_STEP {
             break;
+        }
+    }
+    if part < 1.0 {
+        let OrbitProblem { bearing, cage, settings, .. } = problem_at(factor)?;
+        if let Ok(solved) = steady_orbit(&bearing, &limited(&problem.point, LOOKS_COLD), &cage, &settings) {
+            return Some((factor, solved.solution));
         }
     }
     reached.map(|(by, solved)| (by, solved.solution))
