@@ -3,6 +3,7 @@
 use super::{Equations, Findings, OrbitAnswer, Question, solved};
 use crate::error::AnswerError;
 use tribodyn_bearing::{BallResult, Bearing, ContactResult, Side};
+use tribodyn_orbit::OrbitStart;
 use tribodyn_quasistatic::{Model, Solution};
 
 /// A bearing with friction; sums over its balls are means over time.
@@ -27,13 +28,25 @@ impl WithFriction {
     /// # Errors
     /// Equations without friction, or a case that they do not solve.
     pub fn solve(question: &Question<'_>, equations: Equations) -> Result<Self, AnswerError> {
+        Self::solve_near(question, equations, &mut None)
+    }
+
+    /// The same from the orbit of a neighbour, where there is one, which gives way to that of this point.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    pub fn solve_near(
+        question: &Question<'_>,
+        equations: Equations,
+        near: &mut Option<OrbitStart>,
+    ) -> Result<Self, AnswerError> {
         match equations.equilibrium() {
             Some(Model::JonesHarris) => {
                 let message = "balls roll without friction in this model: allowed are traction, steady-orbit";
                 Err(AnswerError::argument("model", equations.name(), message))
             }
             Some(model) => Self::of_equilibrium(question, model),
-            None => Self::of_orbit(question),
+            None => Self::of_orbit(question, near),
         }
     }
 
@@ -54,8 +67,10 @@ impl WithFriction {
         Ok(Self { bearing, findings, torque_nm, friction_w, fluid_w, shares, solution })
     }
 
-    fn of_orbit(question: &Question<'_>) -> Result<Self, AnswerError> {
-        let OrbitAnswer { orbit, solution, findings, .. } = OrbitAnswer::of(question)?;
+    fn of_orbit(question: &Question<'_>, near: &mut Option<OrbitStart>) -> Result<Self, AnswerError> {
+        let (_, answer, start) = OrbitAnswer::with_start(question, near.as_ref())?;
+        *near = start;
+        let OrbitAnswer { orbit, solution, findings, .. } = answer;
         let bearing = question.bearing_for(Equations::SteadyOrbit.purpose())?;
         let (torque_nm, friction_w, fluid_w) = (orbit.shaft_torque_nm, orbit.friction_w, orbit.fluid_w);
         let shares = shares(orbit.points, solution.balls.len() as f64);

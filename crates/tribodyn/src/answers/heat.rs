@@ -114,11 +114,11 @@ pub fn heat(
         notes.push("without `mounting` the rings grow by heat and speed, and no seat presses on them".to_owned());
     }
     let mut at = Temperatures::even(lubricant.temperature);
-    let mut steps = Steps::default();
+    let (mut steps, mut near) = (Steps::default(), None);
     for round in 1..=ROUNDS {
         let case = warmed(question.case, &size, &at);
         let warm = Question { case: &case, ..question.clone() };
-        let solved = WithFriction::solve(&warm, equations).map_err(|error| clamped(error, &at))?;
+        let solved = WithFriction::solve_near(&warm, equations, &mut near).map_err(|error| clamped(error, &at))?;
         let found = Found::new(&solved);
         let conductances = found.conductances(&case, &size, surroundings)?;
         let ambient = surroundings.temperature_deg_c + ZERO_CELSIUS;

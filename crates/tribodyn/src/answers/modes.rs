@@ -33,7 +33,7 @@ pub fn modes(question: &Question<'_>, up_to_hz: f64, all: bool) -> Result<Answer
     }
     // Masses and supports are those of a run.
     let inputs = question.run_inputs()?;
-    let (problem, answer, start) = OrbitAnswer::with_start(question)?;
+    let (problem, answer, start) = OrbitAnswer::with_start(question, None)?;
     let failed = |source| AnswerError::Orbit { file: question.name.to_owned(), source };
     let start = start.ok_or_else(|| AnswerError::AtRest(question.name.to_owned()))?;
     let bodies = Bodies {

@@ -9,7 +9,9 @@ use serde::{Serialize, Serializer};
 use tribodyn_bearing::quantities::Fields;
 use tribodyn_bearing::{Bearing, CageBody, OperatingPoint};
 use tribodyn_case::{Case, InputError, Purpose};
-use tribodyn_orbit::{OrbitSettings, OrbitStart, SolvedOrbit, SteadyOrbit, less_damped_orbit, steady_orbit};
+use tribodyn_orbit::{
+    OrbitSettings, OrbitStart, SolvedOrbit, SteadyOrbit, cold_rule, less_damped_orbit, steady_orbit, steady_orbit_near,
+};
 use tribodyn_quasistatic::Solution;
 
 /// Looks of the search for an orbit with less damping, more than most cold starts take.
@@ -61,6 +63,15 @@ impl OrbitProblem {
         let failed = |source| AnswerError::Orbit { file: name.to_owned(), source };
         steady_orbit(&self.bearing, &self.point, &self.cage, &self.settings).map_err(failed)
     }
+
+    /// The orbit from that of a neighbour, by the patch rule of a cold start; from a cold start where that is no
+    /// shorter.
+    fn solve_near(&self, name: &str, near: &OrbitStart) -> Result<SolvedOrbit, AnswerError> {
+        let Self { bearing, point, cage, settings } = self;
+        let found = cold_rule(bearing, point, settings)
+            .and_then(|rule| steady_orbit_near(bearing, point, cage, settings, &near.clone().by_rule(rule)));
+        found.ok().flatten().map_or_else(|| self.solve(name), Ok)
+    }
 }
 
 /// A steady orbit, with what stands beside it in an answer.
@@ -86,7 +97,7 @@ impl OrbitAnswer {
     /// # Errors
     /// A case without what traction needs, or an orbit that is not found.
     pub fn of(question: &Question<'_>) -> Result<Self, AnswerError> {
-        Self::with_start(question).map(|(_, answer, _)| answer)
+        Self::with_start(question, None).map(|(_, answer, _)| answer)
     }
 
     /// The same with its sensitivities to assumed values, the leading ones among the warnings, and with what it changes
@@ -95,7 +106,7 @@ impl OrbitAnswer {
     /// # Errors
     /// As [`Self::of`].
     pub fn with_sensitivities(question: &Question<'_>) -> Result<Self, AnswerError> {
-        let (problem, mut answer, start) = Self::with_start(question)?;
+        let (problem, mut answer, start) = Self::with_start(question, None)?;
         if let Some(start) = start.filter(|_| answer.findings.loaded()) {
             answer.sensitivities = sensitivities(question.case, (&problem, &start));
             let torque = answer.orbit.shaft_torque_nm;
@@ -110,10 +121,15 @@ impl OrbitAnswer {
         Ok(answer)
     }
 
-    /// The same with its problem, and with what neighbours and linearisations begin with; a bearing at rest has none.
-    pub(crate) fn with_start(question: &Question<'_>) -> Result<(OrbitProblem, Self, Option<OrbitStart>), AnswerError> {
+    /// The same, from the orbit of a neighbour where one is given, with its problem, and with what neighbours and
+    /// linearisations begin with; a bearing at rest has none.
+    pub(crate) fn with_start(
+        question: &Question<'_>,
+        near: Option<&OrbitStart>,
+    ) -> Result<(OrbitProblem, Self, Option<OrbitStart>), AnswerError> {
         let problem = OrbitProblem::new(question)?;
-        let SolvedOrbit { solution: orbit, start, .. } = problem.solve(question.name)?;
+        let solved = near.map_or_else(|| problem.solve(question.name), |near| problem.solve_near(question.name, near));
+        let SolvedOrbit { solution: orbit, start, .. } = solved?;
         let answer = Self::answer(question, &problem, orbit)?;
         Ok((problem, answer, start))
     }
