@@ -12,6 +12,8 @@ import pytest
 
 from .conftest import CASES
 
+pytestmark = pytest.mark.alone
+
 WORK = {
     "sweep": "tribodyn.sweep(case, {'ring.x.Force': 'kN(1..9 in 300)'}, progress=False)",
     "plan": "tribodyn.plan(case, {'ring.x.Force': 'kN(1..9 in 300)', 'speed.inner.Constant': 'rpm(10..20 in 9)'})",

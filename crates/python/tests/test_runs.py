@@ -57,6 +57,7 @@ def test_limit_time_series_are_views(paper: Case) -> None:
     assert "states" in answer.data._repr_html_()
 
 
+@pytest.mark.alone
 def test_limit_progress_is_told_and_other_threads_go_on(paper: Case) -> None:
     told: list[tuple[float, float]] = []
     turns, done = [0], threading.Event()
@@ -78,6 +79,7 @@ def test_limit_progress_is_told_and_other_threads_go_on(paper: Case) -> None:
     assert turns[0] > 50 * elapsed, (turns, elapsed)
 
 
+@pytest.mark.alone
 def test_limit_an_interrupt_stops_a_run_and_it_goes_on(tmp_path: Path) -> None:
     """Ctrl-C in a process of its own; then the recording is that of a run that was never stopped."""
     program = textwrap.dedent(

@@ -15,7 +15,7 @@ use tribodyn_paper::{PaperError, files};
 /// Packages that build the wheel.
 const BUILD: [&str; 1] = ["maturin>=1.9,<2"];
 /// Packages that the tests need besides the wheel.
-const TEST: [&str; 21] = [
+const TEST: [&str; 22] = [
     "numpy>=1.22",
     "pandas>=1.5",
     "pandas-stubs",
@@ -26,6 +26,7 @@ const TEST: [&str; 21] = [
     "distributed",
     "joblib",
     "pytest",
+    "pytest-xdist>=3",
     "mypy",
     "ruff",
     "nbclient",
@@ -65,10 +66,14 @@ pub fn check() -> Result<Outcome, Failure> {
     }
     let mut types = Command::new(&tools.tests);
     shown(types.current_dir(&package).args(["-m", "mypy", "--config-file", "pyproject.toml"]), "mypy")?;
-    let mut tests = Command::new(&tools.tests);
-    tests.current_dir(&package).args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--durations=8"]);
-    tests.env("TRIBODYN_COMMAND", built::programs()?.join("tribodyn")).env("PYTHONDONTWRITEBYTECODE", "1");
-    shown(&mut tests, "pytest")?;
+    // Tests that go by the clock have the machine to themselves.
+    for (marked, workers) in [("not alone", "auto"), ("alone", "0")] {
+        let mut tests = Command::new(&tools.tests);
+        tests.current_dir(&package).args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--durations=8"]);
+        tests.args(["-m", marked, "-n", workers, "--dist", "worksteal"]);
+        tests.env("TRIBODYN_COMMAND", built::programs()?.join("tribodyn")).env("PYTHONDONTWRITEBYTECODE", "1");
+        shown(&mut tests, "pytest")?;
+    }
     Ok(Outcome::Done)
 }
 
