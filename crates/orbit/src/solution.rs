@@ -109,6 +109,11 @@ impl SteadyOrbit {
         [self.swing_damping, self.pocket_stiffness_share, self.raised_contact_damping].iter().any(Option::is_some)
     }
 
+    /// True if balls, pockets and contacts are those of the case, none damped more, heavier or softer.
+    pub fn is_of_the_case(&self) -> bool {
+        !self.is_regularized() && self.ball_mass_factor.is_none()
+    }
+
     /// Sentences on what is unusual about it.
     pub fn warnings(&self) -> Vec<String> {
         if self.undriven {

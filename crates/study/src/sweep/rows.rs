@@ -119,7 +119,7 @@ impl<'a> Chunk<'a> {
         let all_round = round(&orbit, point);
         let slides = in_films(bearing) && !rolls(&all_round);
         self.slid |= slides;
-        let leads = !self.cold && (slides || rolls(&all_round)) && is_of_the_case(&orbit);
+        let leads = !self.cold && (slides || rolls(&all_round)) && orbit.is_of_the_case();
         if let Some(start) = solved.start.filter(|_| leads) {
             self.orbits.add(row, alike, start);
         }
@@ -168,11 +168,6 @@ pub fn solve_chunks<T: Send>(
         chunk.rows(grid.chunk(index)).and_then(&take)
     };
     chunks.into_par_iter().with_max_len(1).map(solve).collect()
-}
-
-/// True if an orbit's balls and pockets are those of the case, none damped, heavier or softer.
-fn is_of_the_case(orbit: &SteadyOrbit) -> bool {
-    !orbit.is_regularized() && orbit.ball_mass_factor.is_none()
 }
 
 /// True if all balls are loaded and roll. But for orbits in oil, only then does a neighbour lead to the same solution

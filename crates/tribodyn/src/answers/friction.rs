@@ -31,7 +31,8 @@ impl WithFriction {
         Self::solve_near(question, equations, &mut None)
     }
 
-    /// The same from the orbit of a neighbour, where there is one, which gives way to that of this point.
+    /// The same from the orbit of a neighbour, where there is one, which gives way to that of this point: none where
+    /// that is not quite of the case, as its neighbours may be.
     ///
     /// # Errors
     /// As [`Self::solve`].
@@ -69,8 +70,8 @@ impl WithFriction {
 
     fn of_orbit(question: &Question<'_>, near: &mut Option<OrbitStart>) -> Result<Self, AnswerError> {
         let (_, answer, start) = OrbitAnswer::with_start(question, near.as_ref())?;
-        *near = start;
         let OrbitAnswer { orbit, solution, findings, .. } = answer;
+        *near = start.filter(|_| orbit.is_of_the_case());
         let bearing = question.bearing_for(Equations::SteadyOrbit.purpose())?;
         let (torque_nm, friction_w, fluid_w) = (orbit.shaft_torque_nm, orbit.friction_w, orbit.fluid_w);
         let shares = shares(orbit.points, solution.balls.len() as f64);
