@@ -9,7 +9,7 @@ use tribodyn::answers::{Findings, OrbitProblem, Question};
 use tribodyn::plausibility;
 use tribodyn_bearing::{Bearing, OperatingPoint, SearchWatch, Side};
 use tribodyn_case::Case;
-use tribodyn_orbit::{OrbitStart, SolvedOrbit, SteadyOrbit, cold_rule, steady_orbit, steady_orbit_near};
+use tribodyn_orbit::{OrbitStart, SolvedOrbit, SteadyOrbit, steady_orbit};
 use tribodyn_quasistatic::{Model, Solution, WarmStart, solve, solve_near};
 
 /// Inner slide-to-roll ratio beyond which a ball may have left the equilibrium that a rolling ball comes to: where the
@@ -136,12 +136,10 @@ fn round(orbit: &SteadyOrbit, point: &OperatingPoint) -> Solution {
     orbit.as_solution(&orbit.points, [point.inner_speed, point.outer_speed])
 }
 
-/// The orbit from that of a neighbour by the patch rule of a cold start, where it is the one that such a start comes
-/// to. The neighbour's rule would change the torque: its error is one of the load, of which friction is a small part.
+/// The orbit from that of a neighbour where it is the one that a cold start comes to.
 fn orbit_beside(problem: &OrbitProblem, start: OrbitStart, slid: bool) -> Option<SolvedOrbit> {
-    let OrbitProblem { bearing, point, cage, settings } = problem;
-    let start = start.by_rule(cold_rule(bearing, point, settings).ok()?);
-    let solved = steady_orbit_near(bearing, point, cage, settings, &start).ok()??;
+    let OrbitProblem { bearing, point, .. } = problem;
+    let solved = problem.beside(start)?;
     let all_round = round(&solved.solution, point);
     let alike = rolls(&all_round) || slid && in_films(bearing);
     (alike && within_target(&all_round, point)).then_some(solved)

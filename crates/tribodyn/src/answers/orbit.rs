@@ -64,13 +64,12 @@ impl OrbitProblem {
         steady_orbit(&self.bearing, &self.point, &self.cage, &self.settings).map_err(failed)
     }
 
-    /// The orbit from that of a neighbour, by the patch rule of a cold start; from a cold start where that is no
-    /// shorter.
-    fn solve_near(&self, name: &str, near: &OrbitStart) -> Result<SolvedOrbit, AnswerError> {
+    /// The orbit from that of a neighbour, by the patch rule of a cold start; none where such a start is as short. The
+    /// neighbour's rule would change the torque: its error is one of the load, of which friction is a small part.
+    pub fn beside(&self, near: OrbitStart) -> Option<SolvedOrbit> {
         let Self { bearing, point, cage, settings } = self;
-        let found = cold_rule(bearing, point, settings)
-            .and_then(|rule| steady_orbit_near(bearing, point, cage, settings, &near.clone().by_rule(rule)));
-        found.ok().flatten().map_or_else(|| self.solve(name), Ok)
+        let near = near.by_rule(cold_rule(bearing, point, settings).ok()?);
+        steady_orbit_near(bearing, point, cage, settings, &near).ok()?
     }
 }
 
@@ -128,7 +127,8 @@ impl OrbitAnswer {
         near: Option<&OrbitStart>,
     ) -> Result<(OrbitProblem, Self, Option<OrbitStart>), AnswerError> {
         let problem = OrbitProblem::new(question)?;
-        let solved = near.map_or_else(|| problem.solve(question.name), |near| problem.solve_near(question.name, near));
+        let solved = near.and_then(|near| problem.beside(near.clone()));
+        let solved = solved.map_or_else(|| problem.solve(question.name), Ok);
         let SolvedOrbit { solution: orbit, start, .. } = solved?;
         let answer = Self::answer(question, &problem, orbit)?;
         Ok((problem, answer, start))
