@@ -31,6 +31,7 @@ pub(crate) use summary::unresolved;
 pub use summary::{
     Powers, Summary, Worn, carries_accelerations, carries_accelerations_of_patch, carries_accelerations_of_scheme,
 };
+#[cfg(feature = "parquet")]
 pub(crate) use tally::Tally;
 pub use tape::Viewers;
 pub(crate) use unrecorded::run_unrecorded;

@@ -48,16 +48,19 @@ impl<S: Start> Neighbours<S> {
         self.solved.push(Neighbour { row, alike, start });
     }
 
-    /// Where to start a row from: the nearest solved row, moved by as much as the solutions of others differ that are
-    /// as far apart, where there are such.
-    pub fn start(&self, grid: &Grid, row: usize, alike: Alike) -> Option<S> {
-        let near = self.nearest(grid, row, alike)?;
+    /// Where to start a row from, one after the other: the nearest solved row, moved by as much as the solutions of
+    /// others differ that are as far apart, where there are such; and as it is.
+    pub fn starts(&self, grid: &Grid, row: usize, alike: Alike) -> impl Iterator<Item = S> + use<'_, S> {
+        let near = self.nearest(grid, row, alike);
         let start = |row: usize| self.solved.iter().find(|other| other.row == row).map(|other| &other.start);
-        let moved = |way: Vec<[usize; 2]>| {
-            let pairs: Option<Vec<_>> = way.iter().map(|&[from, to]| start(from).zip(start(to))).collect();
-            pairs?.into_iter().try_fold(near.start.clone(), |at, (from, to)| at.moved(from, to))
-        };
-        Some(grid.ways(near.row, row).into_iter().find_map(moved).unwrap_or_else(|| near.start.clone()))
+        let moved = near.and_then(|near| {
+            let moved = |way: Vec<[usize; 2]>| {
+                let pairs: Option<Vec<_>> = way.iter().map(|&[from, to]| start(from).zip(start(to))).collect();
+                pairs?.into_iter().try_fold(near.start.clone(), |at, (from, to)| at.moved(from, to))
+            };
+            grid.ways(near.row, row).into_iter().find_map(moved)
+        });
+        moved.into_iter().chain(near.into_iter().map(|near| near.start.clone()))
     }
 
     /// The latest of the nearest rows, among those that are solved by the same rule.

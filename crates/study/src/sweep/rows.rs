@@ -90,7 +90,7 @@ impl<'a> Chunk<'a> {
         model: Model,
     ) -> Result<Solution, Unsolved> {
         let alike = (point.patch, bearing.geometry.ball_count);
-        let warm = self.equilibria.start(self.grid, row, alike).and_then(|start| {
+        let warm = self.equilibria.starts(self.grid, row, alike).next().and_then(|start| {
             let solved = solve_near(bearing, point, &start).ok();
             solved.filter(|solved| rolls(&solved.solution) && within_target(&solved.solution, point))
         });
@@ -110,8 +110,10 @@ impl<'a> Chunk<'a> {
         let problem = OrbitProblem { point: OperatingPoint { watch, ..problem.point }, ..problem };
         let OrbitProblem { bearing, point, cage, settings } = &problem;
         let alike = (point.patch, bearing.geometry.ball_count);
-        let start = self.orbits.start(self.grid, row, alike);
-        let solved = match start.and_then(|start| orbit_beside(&problem, start, self.slid)) {
+        // Where contacts begin and end otherwise, a row that is not moved may still lead where a moved one does not; a
+        // cold start can take a hundred times as long as either.
+        let beside = |start| orbit_beside(&problem, start, self.slid);
+        let solved = match self.orbits.starts(self.grid, row, alike).find_map(beside) {
             Some(solved) => solved,
             None => steady_orbit(bearing, point, cage, settings)?,
         };
