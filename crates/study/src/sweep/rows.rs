@@ -110,7 +110,7 @@ impl<'a> Chunk<'a> {
         let problem = OrbitProblem { point: OperatingPoint { watch, ..problem.point }, ..problem };
         let OrbitProblem { bearing, point, cage, settings } = &problem;
         let alike = (point.patch, bearing.geometry.ball_count);
-        // Where contacts begin and end otherwise, a row that is not moved may still lead where a moved one does not; a
+        // Where contacts begin and end otherwise, the neighbour as it is may lead where it does not once it is moved. A
         // cold start can take a hundred times as long as either.
         let beside = |start| orbit_beside(&problem, start, self.slid);
         let solved = match self.orbits.starts(self.grid, row, alike).find_map(beside) {
@@ -189,6 +189,7 @@ fn within_target(solution: &Solution, point: &OperatingPoint) -> bool {
 #[cfg(test)]
 mod tests {
     use super::super::Setting;
+    use super::super::neighbours::Start;
     use super::*;
     use tribodyn::Limits;
     use tribodyn::answers::Equations;
@@ -284,6 +285,29 @@ mod tests {
         }
         let jacobians = |all: &[Solved]| all[1..].iter().map(|solved| solved.solution.iterations).sum::<usize>();
         assert!(jacobians(&near) < jacobians(&alone), "{} {}", jacobians(&near), jacobians(&alone));
+    }
+
+    /// A row that is nothing but a number.
+    #[derive(Clone)]
+    struct At(f64);
+
+    impl Start for At {
+        fn moved(&self, from: &Self, to: &Self) -> Option<Self> {
+            (to.0 > from.0).then_some(Self(self.0 + (to.0 - from.0)))
+        }
+    }
+
+    #[test]
+    fn identity_a_row_begins_with_its_neighbour_moved_and_then_as_it_is() {
+        let grid = grid(&["ring.x.Force=kN(5..20 in 4)"]);
+        let starts = |solved: &[f64]| {
+            let mut rows = Neighbours::new();
+            solved.iter().enumerate().for_each(|(row, at)| rows.add(row, (None, 13), At(*at)));
+            rows.starts(&grid, solved.len(), (None, 13)).map(|At(at)| at).collect::<Vec<_>>()
+        };
+        assert_eq!([starts(&[]), starts(&[2.0]), starts(&[2.0, 5.0])], [vec![], vec![2.0], vec![8.0, 5.0]]);
+        // What does not go together moves nothing.
+        assert_eq!(starts(&[5.0, 2.0]), [2.0]);
     }
 
     #[test]
