@@ -114,11 +114,11 @@ impl Machine {
     }
 
     /// Lets no film in a pocket be thinner than a step of the fast scheme resolves, where the step is longer than
-    /// [`Self::pocket_film_step`]: the last micrometres before a ball meets its wall are then a little softer.
+    /// [`Self::pocket_film_step`]: the last micrometres before a ball meets its wall are then softer.
     pub(crate) fn thicken_pocket_film(&mut self, step: f64) {
         let over = step / self.pocket_film_step();
         if let Some(film) = self.cage.pocket.film.as_mut().filter(|_| over > 1.0) {
-            film.roughness *= EULER_LIMIT * over;
+            film.thinnest = EULER_LIMIT * over * film.roughness;
         }
     }
 

@@ -27,13 +27,16 @@ pub struct SqueezeFilm {
     pub resistance: f64,
     /// Height of the surfaces' roughness, m: asperities that touch leave a film of this thickness.
     pub roughness: f64,
+    /// Least thickness that the force is found with, m: a film that is thinner changes faster than a time step of that
+    /// length resolves. Zero for the film as it is.
+    pub thinnest: f64,
 }
 
 impl SqueezeFilm {
     /// Between surfaces with the radii of relative curvature R_1 and R_2, m, at a dynamic viscosity, Pa s, and a
     /// roughness, m.
     pub fn new(viscosity: f64, [r1, r2]: [f64; 2], roughness: f64) -> Self {
-        Self { resistance: 12.0 * PI * viscosity * (r1 * r2).powf(1.5) / (r1 + r2), roughness }
+        Self { resistance: 12.0 * PI * viscosity * (r1 * r2).powf(1.5) / (r1 + r2), roughness, thinnest: 0.0 }
     }
 
     /// Force that keeps the bodies apart, N, at a gap (m, negative where asperities are pressed together) that closes
@@ -48,7 +51,7 @@ impl SqueezeFilm {
     }
 
     /// Thickness of the film, m: gap and roughness, and the roughness alone where the gap is closed, with a continuous
-    /// slope.
+    /// slope; at least the thinnest.
     pub fn thickness<D: Scalar>(&self, gap: D) -> D {
         let r = self.roughness;
         let open = if gap.re() >= r {
@@ -58,7 +61,8 @@ impl SqueezeFilm {
         } else {
             (gap + r) * (gap + r) * (0.25 / r)
         };
-        open + r
+        let thickness = open + r;
+        if thickness.re() < self.thinnest { D::from(self.thinnest) } else { thickness }
     }
 }
 
@@ -67,7 +71,7 @@ mod tests {
     use super::*;
     use num_dual::first_derivative;
 
-    const FILM: SqueezeFilm = SqueezeFilm { resistance: 8.58e-5, roughness: 1e-6 };
+    const FILM: SqueezeFilm = SqueezeFilm { resistance: 8.58e-5, roughness: 1e-6, thinnest: 0.0 };
 
     #[test]
     fn limit_a_sphere_close_to_a_plane() {
