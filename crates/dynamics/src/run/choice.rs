@@ -2,8 +2,9 @@
 //! of it, and how far they come apart.
 //!
 //! The scheme is of second order, so that the error is four thirds of that distance, and a step that is shorter by the
-//! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: a quarter of the
-//! longest is then tried, too, and the longest step is taken that errs by at most twice the least of those tried.
+//! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: half and a quarter
+//! of the longest are then tried, too, and the longest step is taken that keeps the accuracy, or errs by at most twice
+//! the least of those tried.
 //!
 //! Trials integrate traction more often than the run: what the linear traction errs in the torque of so short a time is
 //! the same for all steps, and where balls roll in oil more than all else that a step errs.
@@ -31,7 +32,7 @@ const MARGIN: f64 = 0.9;
 const MOST_DIVISIONS: f64 = 64.0;
 /// Steps in the longest one that are tried, too, where a shorter one does not lessen the error, and the error of a step
 /// over the least one that counts as no more.
-const SCATTERED: f64 = 4.0;
+const SCATTERED: [f64; 2] = [2.0, 4.0];
 const NO_MORE: f64 = 2.0;
 /// Steps in the longest one over the start of a bearing that is not round.
 const PAST_THE_START: f64 = 32.0;
@@ -99,11 +100,12 @@ impl StepErrors {
     }
 }
 
-/// The longest step whose error is no more than that of others.
-fn longest_of(tried: [StepChoice; 4]) -> StepChoice {
+/// The longest step that keeps the accuracy, or whose error is no more than that of others.
+fn longest_of(tried: [StepChoice; 5]) -> StepChoice {
     let least = tried.iter().map(|choice| choice.errors.worst()).fold(f64::INFINITY, f64::min);
-    let no_more = tried.into_iter().filter(|choice| choice.errors.worst() <= NO_MORE * least);
-    let longest = no_more.max_by(|a, b| a.step_s.total_cmp(&b.step_s)).unwrap_or(tried[3]);
+    let allowed = f64::max(tried[0].accuracy, NO_MORE * least);
+    let no_more = tried.into_iter().filter(|choice| choice.errors.worst() <= allowed);
+    let longest = no_more.max_by(|a, b| a.step_s.total_cmp(&b.step_s)).unwrap_or(tried[4]);
     StepChoice { scatters: longest.errors.worst() > longest.accuracy, ..longest }
 }
 
@@ -170,7 +172,8 @@ impl Trials<'_> {
             steps = (steps * (error / accuracy).sqrt()).ceil().clamp(before + 1.0, most);
             let next = choice(steps);
             if next.errors.worst() > error * before / steps {
-                return longest_of([first, best, next, choice(SCATTERED * least)]);
+                let [half, quarter] = SCATTERED.map(|parts| choice(parts * least));
+                return longest_of([first, best, next, half, quarter]);
             }
             best = next;
         }
