@@ -42,9 +42,9 @@ pub(super) fn push_bodies(
 }
 
 /// Positions of the balls of a block by their velocities: half a turn, the straight line, half a turn, the angular
-/// momentum held.
+/// momentum held, also that of the orbital speeds `before`.
 #[inline(always)]
-pub(super) fn glide_balls(balls: &mut [Lane; BALL], in_use: InUse, h: f64) {
+pub(super) fn glide_balls(balls: &mut [Lane; BALL], before: &mut [Lane; 3], in_use: InUse, h: f64) {
     for k in in_use.lanes() {
         let mut b = get(balls, k);
         let r = b[RADIUS];
@@ -53,6 +53,7 @@ pub(super) fn glide_balls(balls: &mut [Lane; BALL], in_use: InUse, h: f64) {
         b[RADIUS] += h * b[VELOCITY + 1];
         let ratio = r / b[RADIUS];
         b[ORBIT] *= ratio * ratio;
+        before[2].0[k] *= ratio * ratio;
         b[AZIMUTH] += 0.5 * h * b[ORBIT];
         put(balls, k, b);
     }

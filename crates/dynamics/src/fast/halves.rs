@@ -20,22 +20,19 @@ impl Fast {
         }
         self.mean.copy_from_slice(&self.drift);
         self.longest = self.longest_pieces(equations.machine());
-        self.find_kick(equations, t, y, h);
-        self.take_half_back(equations.machine().layout, y);
+        self.find_second_half(equations, t, y, h);
         if self.steps == 0 && !equations.machine().is_even() {
             self.begin_smoothly(equations.machine().layout, h);
-            self.find_kick(equations, t, y, h);
-            self.take_half_back(equations.machine().layout, y);
+            self.find_second_half(equations, t, y, h);
         }
     }
 
-    /// Velocities from before the first half of a kick.
-    fn take_half_back(&mut self, l: Layout, y: &mut [f64]) {
-        let Scratch { balls, half, .. } = &mut self.scratch;
-        for (balls, half) in balls.iter_mut().zip(half) {
-            add(balls, half, -1.0);
-        }
-        l.velocities_of_bodies().for_each(|k| y[k] -= self.half[k]);
+    /// The second half of a kick alone: velocities stay.
+    fn find_second_half<E: Equations>(&mut self, equations: &mut E, t: f64, y: &mut [f64], h: f64) {
+        let (balls, bodies) = (self.scratch.balls.clone(), y.to_vec());
+        self.find_kick(equations, t, y, h);
+        self.scratch.balls = balls;
+        y.copy_from_slice(&bodies);
     }
 
     /// The common accelerations as the kick that was found has them, the other way: the shock in which races that are
@@ -63,14 +60,22 @@ impl Fast {
         }
         l.velocities_of_bodies().for_each(|k| self.half[k] = y[k]);
         self.kick(equations, t, y, h);
-        let Scratch { level, balls, half, pressed, .. } = &mut self.scratch;
-        for ((balls, half), pressed) in balls.iter_mut().zip(half).zip(pressed) {
+        let Scratch { level, balls, half, common, given_back, pressed, .. } = &mut self.scratch;
+        for ((balls, half), pressed) in balls.iter_mut().zip(&mut *half).zip(pressed) {
             dispatch!(*level, _simd => halve(balls, half, pressed.in_use));
+        }
+        for ((balls, half), parts) in balls.iter_mut().zip(half).zip(common.iter().zip(given_back.iter())) {
+            dispatch!(*level, _simd => share_common((balls, half), parts, h));
         }
         for k in l.velocities_of_bodies() {
             let before = self.half[k];
             self.half[k] = 0.5 * (y[k] - before);
             y[k] = before + self.half[k];
+        }
+        for k in l.velocities_of_rings() {
+            let more = 0.5 * h * (self.common[k] - self.given_back[k]);
+            self.half[k] += more;
+            y[k] -= more;
         }
     }
 
@@ -171,6 +176,23 @@ fn halve(balls: &mut [Lane; BALL], half: &mut [Lane; VELOCITIES], in_use: InUse)
             let before = half.0[k];
             half.0[k] = 0.5 * (now.0[k] - before);
             now.0[k] = before + half.0[k];
+        }
+    }
+}
+
+/// Gives the second half of the kick the common part that the next drift goes without, and the first half that of the
+/// last one: the momentum between the two is then that of the whole.
+#[inline(always)]
+fn share_common(
+    (balls, half): (&mut [Lane; BALL], &mut [Lane; VELOCITIES]),
+    (common, given): (&[Lane; 3], &[Lane; 3]),
+    h: f64,
+) {
+    for i in 0..3 {
+        for k in 0..WIDTH {
+            let more = 0.5 * h * (common[i].0[k] - given[i].0[k]);
+            half[i].0[k] += more;
+            balls[VELOCITY + i].0[k] -= more;
         }
     }
 }

@@ -30,11 +30,11 @@ const LEAST_APPROACH: f64 = 1e-7;
 
 /// Springs and dampers of a contact as they act on a ball in a piece, over its inertia.
 #[derive(Clone, Copy)]
-struct Weights {
+pub(super) struct Weights {
     /// h²/4 over the mass at a stiffness of 1 N/m.
-    of_spring: f64,
+    pub of_spring: f64,
     /// h/2 · 2ζ/√m: of a damper, by the root of the stiffness.
-    of_damper: f64,
+    pub of_damper: f64,
 }
 
 /// Where a block is without the implicit part (axial, radial), and its accelerations at the start of the piece.
@@ -46,7 +46,7 @@ struct Explicit {
 /// A contact as Newton's method sees it: its normal, (axial, radial), by which a motion of the ball adds to the
 /// approach, the approach, and the weights of spring and damper.
 #[derive(Clone, Copy)]
-struct Line {
+pub(super) struct Line {
     normal: [f64; 2],
     approach: f64,
     spring: f64,
@@ -55,7 +55,7 @@ struct Line {
 
 impl Line {
     #[inline(always)]
-    fn of(contact: &NormalContact, side: Side, (weights, relative_mass): (Weights, f64)) -> Self {
+    pub fn of(contact: &NormalContact, side: Side, (weights, relative_mass): (Weights, f64)) -> Self {
         let approach = contact.pose.approach;
         let stiffness = if contact.load > 0.0 { 1.5 * contact.load / (relative_mass * approach) } else { 0.0 };
         let (spring, damper) = (weights.of_spring * stiffness, weights.of_damper * stiffness.sqrt());
@@ -86,7 +86,7 @@ impl Line {
 
 /// Solves (1 + Σ w n nᵀ) x = r.
 #[inline(always)]
-fn solve(lines: [Line; 2], r: [f64; 2]) -> [f64; 2] {
+pub(super) fn solve(lines: [Line; 2], r: [f64; 2]) -> [f64; 2] {
     let [i, o] = lines;
     let (w_i, w_o) = (i.spring + i.damper, o.spring + o.damper);
     let entry = |j: usize, l: usize| w_i * i.normal[j] * i.normal[l] + w_o * o.normal[j] * o.normal[l];

@@ -32,7 +32,7 @@ impl Fast {
         if renew {
             self.step = h;
         }
-        self.smooth(l, h);
+        self.follow_drift(equations.machine(), h);
         let mut on_rings = self.ring_common(equations.machine());
         let (mut on_cage, mut reaction) = ((0.0, Wrench::default()), [Lane::ZERO; 6]);
         for block in 0..blocks(l.balls) {

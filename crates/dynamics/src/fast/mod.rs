@@ -15,10 +15,9 @@
 //!   A kick is found once, where two steps meet; half of its change goes to each of them.
 //!
 //! Most of the accelerations of the two parts cancel: contact forces push the ball where friction holds it. A common
-//! part g, the drift's acceleration smoothed over some steps, is therefore taken from the drift and given back in the
-//! kick. Without it the steady state would be off by what an inexact A makes of the large terms, in proportion to H.
-//! The kick gives back the mean of g before and after its smoothing, which is just what the half drifts on either side
-//! of it went without: linear and angular momentum then hold to second order.
+//! part, the drift's acceleration without what vibrates of it, is therefore taken from the drift and given back in the
+//! kick (`common`). Without it the steady state would be off by what an inexact A makes of the large terms, and motions
+//! of the rings by the first order of H.
 //!
 //! Samples have the state between two steps, with what leapfrog swings too far taken back, the velocities of the balls
 //! in the mean of the kick there, and its mean forces: what the kick gave to rings and balls, whose power is then that
@@ -37,6 +36,7 @@
 //! (impulse method); H. H. Rosenbrock, Comput. J. 5 (1963) 329, doi:10.1093/comjnl/5.4.329.
 
 mod cage;
+mod common;
 mod drift;
 mod friction;
 mod glide;
@@ -62,7 +62,7 @@ use fearless_simd::dispatch;
 use friction::LinearFriction;
 use glide::{glide_balls, glide_bodies, push_balls, push_bodies};
 use kick_forces::Places;
-use lanes::{InUse, Lane, WIDTH, are_those, blocks, gather, gather_from, scatter, scatter_from};
+use lanes::{Lane, WIDTH, are_those, blocks, gather, gather_from, scatter, scatter_from};
 use longest::{Longest, Pieces};
 use nalgebra::Matrix5;
 pub(crate) use sample::Room;
@@ -70,12 +70,6 @@ use scratch::Scratch;
 use serde::{Deserialize, Serialize};
 use table::Table;
 
-/// Time in which the common acceleration follows that of the drift, s: some periods of the contact springs, so that it
-/// does not feed their vibration back (at a tenth of it the outer ring's acceleration doubles), and short against an
-/// orbit.
-const SMOOTHING_TIME: f64 = 5e-4;
-/// The same for the rings, s: they vibrate at lower frequencies.
-const RING_SMOOTHING_TIME: f64 = 5e-3;
 /// Steps between checks of how long the drift's pieces may be.
 const CHECK_EVERY: u64 = 8;
 
@@ -97,8 +91,8 @@ pub(crate) struct Fast {
     step: f64,
     /// Steps made.
     steps: u64,
-    /// Accelerations of the drift at the present position, and their smoothed part, which the drift goes without. Those
-    /// of the balls are in lanes while steps are made.
+    /// Accelerations of the drift at the present position, and the common part that the drift goes without. Those of the
+    /// balls are in lanes while steps are made.
     drift: Vec<f64>,
     common: Vec<f64>,
     /// That part as the kick gives it back to rings and cage: the mean of before and after, so that nothing of it is
@@ -130,24 +124,6 @@ pub(crate) struct Fast {
     /// Contacts integrated over their patch, and contacts used.
     refreshed: u64,
     used: u64,
-}
-
-/// Moves a common acceleration by a share of its distance from that of the drift; given back is the mean.
-#[inline(always)]
-fn follow_slowly((common, given): (&mut f64, &mut f64), drift: f64, share: f64) {
-    let before = *common;
-    *common += share * (drift - before);
-    *given = 0.5 * (before + *common);
-}
-
-/// The same for the balls of a block.
-#[inline(always)]
-fn follow_balls((common, given): (&mut [Lane; 3], &mut [Lane; 3]), drift: &[Lane; 3], (in_use, share): (InUse, f64)) {
-    for i in 0..3 {
-        for k in in_use.lanes() {
-            follow_slowly((&mut common[i].0[k], &mut given[i].0[k]), drift[i].0[k], share);
-        }
-    }
 }
 
 impl Default for Fast {
@@ -291,9 +267,9 @@ impl Fast {
             self.remember_velocities(l, y);
             self.push(l, y, half);
             self.remember_azimuths(machine);
-            let Scratch { level, balls, pressed, .. } = &mut self.scratch;
-            for (balls, pressed) in balls.iter_mut().zip(pressed) {
-                dispatch!(*level, _simd => glide_balls(balls, pressed.in_use, h));
+            let Scratch { level, balls, before, pressed, .. } = &mut self.scratch;
+            for ((balls, before), pressed) in balls.iter_mut().zip(before).zip(pressed) {
+                dispatch!(*level, _simd => glide_balls(balls, before, pressed.in_use, h));
             }
             self.turn_marked(machine, y, h);
             glide_bodies(machine, t + piece as f64 * h, y, h);
@@ -324,20 +300,6 @@ impl Fast {
     /// Pieces of the drift of a step.
     pub fn pieces(&self, step: f64) -> usize {
         self.longest.pieces(step).count
-    }
-
-    /// Lets the common acceleration follow that of the drift: its mean over the step, which the kicks themselves do not
-    /// change. That at the end has what they set swinging in it, and from half a period of the springs on feeds it.
-    fn smooth(&mut self, l: Layout, h: f64) {
-        let Scratch { level, mean, common, given_back, pressed, .. } = &mut self.scratch;
-        let share = (h / SMOOTHING_TIME).min(1.0);
-        for (((common, given), mean), pressed) in common.iter_mut().zip(given_back).zip(mean).zip(pressed) {
-            dispatch!(*level, _simd => follow_balls((common, given), mean, (pressed.in_use, share)));
-        }
-        let share = (h / RING_SMOOTHING_TIME).min(1.0);
-        for k in l.velocities_of_bodies() {
-            follow_slowly((&mut self.common[k], &mut self.given_back[k]), self.mean[k], share);
-        }
     }
 
     /// Lengths of the memory: friction, contacts, the drift's accelerations, their common part, half kicks and what the
