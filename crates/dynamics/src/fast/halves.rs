@@ -36,8 +36,8 @@ impl Fast {
     }
 
     /// The common accelerations as the kick that was found has them, the other way: the shock in which races that are
-    /// not round meet the balls at the start of a run is the drift's alone. Carried by the common part, which forgets
-    /// it slowly, it would swing the balls for half a millisecond.
+    /// not round meet the balls at the start of a run is the drift's alone: carried by the common part it would swing the
+    /// balls.
     fn begin_smoothly(&mut self, l: Layout, h: f64) {
         let Scratch { common, given_back, half, .. } = &mut self.scratch;
         for ((common, given), half) in common.iter_mut().zip(given_back).zip(half) {
@@ -83,7 +83,7 @@ impl Fast {
     pub(super) fn second_half(&mut self, l: Layout, y: &mut [f64]) {
         let Scratch { level, balls, half, .. } = &mut self.scratch;
         for (balls, half) in balls.iter_mut().zip(half) {
-            dispatch!(*level, _simd => add(balls, half, 1.0));
+            dispatch!(*level, _simd => add(balls, half));
         }
         l.velocities_of_bodies().for_each(|k| y[k] += self.half[k]);
     }
@@ -212,10 +212,10 @@ fn ahead(
     }
 }
 
-/// Velocities with their changes times `share`.
+/// Velocities with their changes.
 #[inline(always)]
-fn add(balls: &mut [Lane; BALL], changes: &[Lane; VELOCITIES], share: f64) {
+fn add(balls: &mut [Lane; BALL], changes: &[Lane; VELOCITIES]) {
     for (now, change) in balls[VELOCITY..].iter_mut().zip(changes) {
-        now.0.iter_mut().zip(change.0).for_each(|(v, change)| *v += share * change);
+        now.0.iter_mut().zip(change.0).for_each(|(v, change)| *v += change);
     }
 }
