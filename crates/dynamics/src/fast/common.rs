@@ -6,8 +6,8 @@
 //! drift's whole acceleration.
 //!
 //! Against the races it is hardly anything, as it would feed what vibrates there: with a spring of angular frequency ω
-//! and steps of H it follows by 1/(1 + 2 (ω H)²). Of a smaller factor vibrations without damping grow in steps with two
-//! pieces, of a larger one they die out more slowly.
+//! and steps of H it follows by 1/(1 + 2 (ω H)²). With 1 for the 2 some vibrations without damping grow, with 4 those
+//! with damping die out more slowly.
 
 use super::Fast;
 use super::drift::Pressed;
@@ -18,7 +18,7 @@ use crate::machine::Machine;
 use fearless_simd::dispatch;
 use tribodyn_bearing::Side;
 
-/// The factor above.
+/// The 2 above.
 const OF_VIBRATION: f64 = 2.0;
 /// Time in which the common part of the rings follows their acceleration, s: they are heavy, friction hardly holds
 /// them, and they vibrate at low frequencies.
@@ -55,8 +55,7 @@ impl Fast {
     /// Lets the common parts follow the mean accelerations by the drift over a step, which the kicks themselves do not
     /// change: those at the end have what kicks set swinging in them, and would feed it.
     ///
-    /// The kick gives back what the drifts on either side of it go without, half of each: linear and angular momentum
-    /// then hold to second order.
+    /// The kick gives back what the drifts on either side of it go without, half of each.
     pub(super) fn follow_drift(&mut self, machine: &Machine, h: f64) {
         let weights = Weights { of_spring: OF_VIBRATION * h * h / machine.bearing.ball_mass, of_damper: 0.0 };
         let Scratch { level, mean, common, given_back, pressed, .. } = &mut self.scratch;
