@@ -130,8 +130,8 @@ fn identity_momentum_stays_under_every_reading_of_friction() {
     }
 }
 
-/// In polar coordinates, and with a part of the springs' force handed to the kick, the fast scheme keeps the momentum to
-/// its second order, and the angular momentum.
+/// In polar coordinates, and with a part of the springs' force handed to the kick, the fast scheme keeps the momentum
+/// to its second order, and the angular momentum.
 #[test]
 fn identity_the_fast_scheme_keeps_momentum_to_its_order() {
     let [x, y, turning, _] = changes(Scheme::Fast, free(PAPER, false), 10e-6);

@@ -101,8 +101,8 @@ fn identity_long_steps_are_of_second_order() {
     assert!(orders.iter().all(|&order| order > 1.8) && errors[2] < 2e-3, "{orders:?}: {errors:?}");
 }
 
-/// Rings shake as by the Runge–Kutta method while balls enter and leave the load: their push along the races changes within a
-/// millisecond. With pushes that friction was given over half of one, they were of first order.
+/// Rings shake as by the Runge–Kutta method while balls enter and leave the load: their push along the races changes
+/// within a millisecond. With pushes that friction was given over half of one, they were of first order.
 #[test]
 fn identity_rings_on_balls_that_enter_the_load_shake_as_by_runge_kutta() {
     let text = include_str!("../../../fixtures/cases/oil-6206.ron").to_owned();

@@ -2,12 +2,13 @@
 //!
 //! Friction holds a ball where the drift pushes it along its races. If the kick alone knew of the friction and the
 //! drift alone of the push, velocities in the middle of a step would be off by half a step of the push, however stiff
-//! the friction is, and all motions by the first order of the step. Along the races the common part is therefore the
-//! drift's whole acceleration.
+//! the friction is, and all motions by the first order of the step. Across the grooves, where balls are pushed most, the
+//! common part is therefore the drift's whole acceleration.
 //!
 //! Against the races it is hardly anything, as it would feed what vibrates there: with a spring of angular frequency ω
 //! and steps of H it follows by 1/(1 + 2 (ω H)²). With 1 for the 2 some vibrations without damping grow, with 4 those
-//! with damping die out more slowly.
+//! with damping die out more slowly. It follows in half a millisecond at the soonest, and so does the part along the
+//! orbit, so that a ball that strikes is not pushed on by what the race did to it before.
 
 use super::Fast;
 use super::drift::Pressed;
@@ -20,6 +21,8 @@ use tribodyn_bearing::Side;
 
 /// The 2 above.
 const OF_VIBRATION: f64 = 2.0;
+/// Time in which it follows against the races at the soonest, s.
+const TIME: f64 = 5e-4;
 /// Time in which the common part of the rings follows their acceleration, s: they are heavy, friction hardly holds
 /// them, and they vibrate at low frequencies.
 const RING_TIME: f64 = 5e-3;
@@ -35,17 +38,16 @@ type Parts<'a> = (&'a mut [Lane; 3], &'a mut [Lane; 3], &'a [Lane; 3]);
 
 /// Lets the common parts of the balls of a block follow; given back is the mean of before and after.
 #[inline(always)]
-fn follow_balls((common, given, mean): Parts<'_>, pressed: &Pressed, weights: Weights) {
+fn follow_balls((common, given, mean): Parts<'_>, pressed: &Pressed, (weights, least): (Weights, f64)) {
     for k in pressed.in_use.lanes() {
         let (now, drift) = (get(common, k), get(mean, k));
         let of_ball = (weights, pressed.relative_mass(k));
         let springs = [
             Line::of(&pressed.contact(Side::Inner, k), Side::Inner, of_ball),
-            Line::of(&pressed.contact(Side::Outer, k), Side::Outer, of_ball),
+            Line::of(&pressed.contact(Side::Outer, k), Side::Outer, of_ball).with_spring_of_at_least(least),
         ];
         let [axial, radial] = solve(springs, [drift[0] - now[0], drift[1] - now[1]]);
-        // No spring acts along the orbit.
-        let next = [now[0] + axial, now[1] + radial, drift[2]];
+        let next = [now[0] + axial, now[1] + radial, now[2] + (drift[2] - now[2]) / (1.0 + least)];
         put(given, k, [0.5 * (now[0] + next[0]), 0.5 * (now[1] + next[1]), 0.5 * (now[2] + next[2])]);
         put(common, k, next);
     }
@@ -60,7 +62,7 @@ impl Fast {
         let weights = Weights { of_spring: OF_VIBRATION * h * h / machine.bearing.ball_mass, of_damper: 0.0 };
         let Scratch { level, mean, common, given_back, pressed, .. } = &mut self.scratch;
         for (((common, given), mean), pressed) in common.iter_mut().zip(given_back).zip(mean).zip(pressed) {
-            dispatch!(*level, _simd => follow_balls((common, given, mean), pressed, weights));
+            dispatch!(*level, _simd => follow_balls((common, given, mean), pressed, (weights, TIME / h)));
         }
         let share = (h / RING_TIME).min(1.0);
         for k in machine.layout.velocities_of_bodies() {

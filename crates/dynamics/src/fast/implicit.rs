@@ -62,6 +62,12 @@ impl Line {
         Self { normal: contact.pose.normal(side), approach, spring, damper }
     }
 
+    /// The same, with a spring of some weight where there is none or a softer one.
+    #[inline(always)]
+    pub fn with_spring_of_at_least(self, least: f64) -> Self {
+        Self { spring: self.spring.max(least), ..self }
+    }
+
     /// The same, but none where a damper pulls as hard as the spring presses: that leaves no force that could change.
     #[inline(always)]
     fn pressing(contact: &NormalContact, side: Side, of_ball: (Weights, f64)) -> Self {

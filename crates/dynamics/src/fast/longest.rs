@@ -223,10 +223,11 @@ mod tests {
         assert!((longest(LIMIT, 0.0, 2.0) - 0.4875).abs() < 1e-15 && longest(LIMIT, 0.0, 0.0) == f64::INFINITY);
     }
 
-    /// A damped spring of ω = 1 in steps of so many pieces, with kicks that give back the common acceleration, which
-    /// follows the mean of the drift: its largest value over the last steps, over that at the start.
-    fn swing(damping: f64, (step, pieces): (f64, Pieces)) -> f64 {
-        let (count, share) = (pieces.count as f64, share(step));
+    /// A damped spring of ω = 1 in steps of so many pieces, with kicks that give back the common acceleration, at most
+    /// `most` of the way nearer to the mean of the drift from one step to the next: its largest value over the last
+    /// steps, over that at the start.
+    fn swing(damping: f64, (step, pieces): (f64, Pieces), most: f64) -> f64 {
+        let (count, share) = (pieces.count as f64, share(step).min(most));
         let h = step / count;
         let (mut q, mut v, mut a, mut common, mut half) = (1.0, 0.0, -1.0, -1.0, 0.0);
         let mut most = 0.0f64;
@@ -269,9 +270,11 @@ mod tests {
         for ratio in [0.0, 0.005, 0.03, 0.15, 0.3, 0.5, 0.7, 1.0] {
             let damped = ratio > 0.0;
             for step in (6..=if damped { 252 } else { 56 }).map(|k| 0.05 * f64::from(k)) {
-                let pieces = Longest::of([1.0, 2.0 * ratio], [1.0, 2.0 * ratio]).pieces(step);
-                let most = swing(2.0 * ratio, (step, pieces));
-                assert!(most < 20.0, "damping {ratio}, step {step}: {most:e}");
+                for share in [0.006, 0.03, 0.08, 1.0] {
+                    let pieces = Longest::of([1.0, 2.0 * ratio], [1.0, 2.0 * ratio]).pieces(step);
+                    let most = swing(2.0 * ratio, (step, pieces), share);
+                    assert!(most < 20.0, "damping {ratio}, step {step}, {share}: {most:e}");
+                }
             }
         }
     }
@@ -282,8 +285,10 @@ mod tests {
         let one = Pieces { count: 1, implicit: true };
         for ratio in [0.01, 0.03, 0.15, 0.3, 0.5, 0.7, 1.0] {
             for step in (20..=252).map(|k| 0.05 * f64::from(k)) {
-                let most = swing(2.0 * ratio, (step, one));
-                assert!(most < 1e-3, "damping {ratio}, step {step}: {most:e}");
+                for share in [0.006, 0.03, 0.08, 1.0] {
+                    let most = swing(2.0 * ratio, (step, one), share);
+                    assert!(most < 1e-3, "damping {ratio}, step {step}, {share}: {most:e}");
+                }
             }
         }
     }

@@ -91,8 +91,8 @@ pub(crate) struct Fast {
     step: f64,
     /// Steps made.
     steps: u64,
-    /// Accelerations of the drift at the present position, and the common part that the drift goes without. Those of the
-    /// balls are in lanes while steps are made.
+    /// Accelerations of the drift at the present position, and the common part that the drift goes without. Those of
+    /// the balls are in lanes while steps are made.
     drift: Vec<f64>,
     common: Vec<f64>,
     /// That part as the kick gives it back to rings and cage: the mean of before and after, so that nothing of it is

@@ -2,9 +2,9 @@
 //! of it, and how far they come apart.
 //!
 //! The scheme is of second order, so that the error is four thirds of that distance, and a step that is shorter by the
-//! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: half and a quarter
-//! of the longest are then tried, too, and the longest step is taken that keeps the accuracy, or errs by at most twice
-//! the least of those tried.
+//! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: half and a
+//! quarter of the longest are then tried, too, and the longest step is taken that keeps the accuracy, or errs by at
+//! most twice the least of those tried.
 //!
 //! Trials integrate traction more often than the run: what the linear traction errs in the torque of so short a time is
 //! the same for all steps, and where balls roll in oil more than all else that a step errs.
