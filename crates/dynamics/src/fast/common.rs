@@ -2,8 +2,8 @@
 //!
 //! Friction holds a ball where the drift pushes it along its races. If the kick alone knew of the friction and the
 //! drift alone of the push, velocities in the middle of a step would be off by half a step of the push, however stiff
-//! the friction is, and all motions by the first order of the step. Across the grooves, where balls are pushed most, the
-//! common part is therefore the drift's whole acceleration.
+//! the friction is, and all motions by the first order of the step. Across the grooves, where balls are pushed most,
+//! the common part is therefore the drift's whole acceleration.
 //!
 //! Against the races it is hardly anything, as it would feed what vibrates there: with a spring of angular frequency ω
 //! and steps of H it follows by 1/(1 + 2 (ω H)²). With 1 for the 2 some vibrations without damping grow, with 4 those

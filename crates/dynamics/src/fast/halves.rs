@@ -36,8 +36,8 @@ impl Fast {
     }
 
     /// The common accelerations as the kick that was found has them, the other way: the shock in which races that are
-    /// not round meet the balls at the start of a run is the drift's alone: carried by the common part it would swing the
-    /// balls.
+    /// not round meet the balls at the start of a run is the drift's alone: carried by the common part it would swing
+    /// the balls.
     fn begin_smoothly(&mut self, l: Layout, h: f64) {
         let Scratch { common, given_back, half, .. } = &mut self.scratch;
         for ((common, given), half) in common.iter_mut().zip(given_back).zip(half) {
