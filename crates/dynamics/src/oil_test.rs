@@ -10,6 +10,13 @@ const STEP: f64 = 5e-7;
 /// The oil of the pockets as thick as that of cold gears, so that it counts.
 const THICK: (&str, &str) = ("lubricant.oil", "Library(\"mineral-vg460\")");
 
+/// The bearing in oil with some values of its case replaced.
+fn started(changes: &[(&str, &str)]) -> Started {
+    let text = include_str!("../../../fixtures/cases/oil-6206.ron").to_owned();
+    let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
+    start(Case::from_ron(&text).unwrap().run_inputs().unwrap(), None).unwrap()
+}
+
 /// From the start over a number of [`STEP`]s: the state, and the imbalance of the work over what is put in.
 fn run(scheme: Scheme, steps: u32, changes: &[(&str, &str)]) -> (Vec<f64>, f64) {
     run_in(scheme, (STEP, steps), changes)
@@ -17,15 +24,13 @@ fn run(scheme: Scheme, steps: u32, changes: &[(&str, &str)]) -> (Vec<f64>, f64) 
 
 /// The same in steps of another length.
 fn run_in(scheme: Scheme, (step, steps): (f64, u32), changes: &[(&str, &str)]) -> (Vec<f64>, f64) {
-    let text = include_str!("../../../fixtures/cases/oil-6206.ron").to_owned();
     let patch = [
         ("lubricant.patch", "SplitStrip(across: 5, along: 3)"),
         ("ring.z", "Force(N(400))"),
         ("transient.start", "QuasiStatic"),
     ];
-    let text = patch.iter().chain(changes).fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
-    let case = Case::from_ron(&text).unwrap();
-    let Started { mut machine, mut state, .. } = start(case.run_inputs().unwrap(), None).unwrap();
+    let changes: Vec<_> = patch.iter().chain(changes).copied().collect();
+    let Started { mut machine, mut state, .. } = started(&changes);
     let before = machine.energy(0.0, &state);
     stepping_test::run(scheme, (&mut machine, &mut state), step, steps);
     let imbalance = imbalance(&machine, (f64::from(steps) * step, &state), before);
@@ -71,11 +76,8 @@ fn identity_all_schemes_have_the_oil_in_the_pockets() {
 /// comes to rolling within some steps and stays there; by the tangent alone it went five times as far off again.
 #[test]
 fn limit_a_sliding_ball_comes_to_rolling_and_not_beyond() {
-    let text = include_str!("../../../fixtures/cases/oil-6206.ron").to_owned();
     let changes = [("transient.start", "QuasiStatic"), ("ring.x", "Force(N(0))"), ("ring.z", "Force(kN(5))")];
-    let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
-    let Started { mut machine, mut state, .. } =
-        start(Case::from_ron(&text).unwrap().run_inputs().unwrap(), None).unwrap();
+    let Started { mut machine, mut state, .. } = started(&changes);
     let at = machine.layout.ball(0) + OMEGA;
     let rolling = state[at];
     state[at] *= 1.02;
@@ -105,7 +107,6 @@ fn identity_long_steps_are_of_second_order() {
 /// within a millisecond. With pushes that friction was given over half of one, they were of first order.
 #[test]
 fn identity_rings_on_balls_that_enter_the_load_shake_as_by_runge_kutta() {
-    let text = include_str!("../../../fixtures/cases/oil-6206.ron").to_owned();
     let changes = [
         ("lubricant.patch", "SplitStrip(across: 5, along: 3)"),
         ("speed.inner", "Constant(rpm(4000))"),
@@ -117,9 +118,7 @@ fn identity_rings_on_balls_that_enter_the_load_shake_as_by_runge_kutta() {
         ("ring.x", "Force(N(2000))"),
         ("ring.z", "Force(N(390))"),
     ];
-    let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
-    let Started { mut machine, mut state, .. } =
-        start(Case::from_ron(&text).unwrap().run_inputs().unwrap(), None).unwrap();
+    let Started { mut machine, mut state, .. } = started(&changes);
     // Until balls roll.
     stepping_test::run(Scheme::Fast, (&mut machine, &mut state), 5e-6, 1600);
     let rings = machine.layout.velocities_of_rings();

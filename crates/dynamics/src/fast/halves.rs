@@ -61,11 +61,10 @@ impl Fast {
         l.velocities_of_bodies().for_each(|k| self.half[k] = y[k]);
         self.kick(equations, t, y, h);
         let Scratch { level, balls, half, common, given_back, pressed, .. } = &mut self.scratch;
-        for ((balls, half), pressed) in balls.iter_mut().zip(&mut *half).zip(pressed) {
+        let parts = common.iter().zip(given_back.iter()).zip(pressed);
+        for ((balls, half), (parts, pressed)) in balls.iter_mut().zip(half).zip(parts) {
             dispatch!(*level, _simd => halve(balls, half, pressed.in_use));
-        }
-        for ((balls, half), parts) in balls.iter_mut().zip(half).zip(common.iter().zip(given_back.iter())) {
-            dispatch!(*level, _simd => share_common((balls, half), parts, h));
+            dispatch!(*level, _simd => share_common((balls, half), parts, (pressed.in_use, h)));
         }
         for k in l.velocities_of_bodies() {
             let before = self.half[k];
@@ -186,10 +185,10 @@ fn halve(balls: &mut [Lane; BALL], half: &mut [Lane; VELOCITIES], in_use: InUse)
 fn share_common(
     (balls, half): (&mut [Lane; BALL], &mut [Lane; VELOCITIES]),
     (common, given): (&[Lane; 3], &[Lane; 3]),
-    h: f64,
+    (in_use, h): (InUse, f64),
 ) {
     for i in 0..3 {
-        for k in 0..WIDTH {
+        for k in in_use.lanes() {
             let more = 0.5 * h * (common[i].0[k] - given[i].0[k]);
             half[i].0[k] += more;
             balls[VELOCITY + i].0[k] -= more;

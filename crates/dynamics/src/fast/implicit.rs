@@ -31,7 +31,7 @@ const LEAST_APPROACH: f64 = 1e-7;
 /// Springs and dampers of a contact as they act on a ball in a piece, over its inertia.
 #[derive(Clone, Copy)]
 pub(super) struct Weights {
-    /// h²/4 over the mass at a stiffness of 1 N/m.
+    /// At a stiffness of 1 N/m: in a piece h²/4 over the mass.
     pub of_spring: f64,
     /// h/2 · 2ζ/√m: of a damper, by the root of the stiffness.
     pub of_damper: f64,
