@@ -7,7 +7,9 @@
 //! most twice the least of those tried.
 //!
 //! Trials integrate traction more often than the run: what the linear traction errs in the torque of so short a time is
-//! the same for all steps, and where balls roll in oil more than all else that a step errs.
+//! the same for all steps, and where balls roll in oil more than all else that a step errs. Where balls strike the torque
+//! swings by many times its mean, and samples of it tell of chance: there it is that of all steps, with weights that fall
+//! to nothing towards both ends, as trials may begin and end with a ball over a spall.
 
 use super::companion::apart_and_unsteady;
 use super::filter::steps_of_sample;
@@ -122,6 +124,9 @@ struct Trial {
     state: Vec<f64>,
 }
 
+/// Trials that were made, by their steps a sample; none where the motion went beyond all numbers.
+type Made = Vec<(f64, Option<Trial>)>;
+
 /// Where trials start, and how they are sampled.
 pub(super) struct Trials<'a> {
     pub machine: &'a Machine,
@@ -157,8 +162,9 @@ impl Trials<'_> {
 
     fn longest_that_keeps(&self, accuracy: f64) -> StepChoice {
         let least = steps_of_sample(self.longest(), self.rate).max(LEAST_STEPS);
-        let choice = |steps: f64| {
-            let (errors, step_s) = (self.errors(steps), 1.0 / (self.rate * steps));
+        let mut made = Made::new();
+        let mut choice = |steps: f64| {
+            let (errors, step_s) = (self.errors(steps, &mut made), 1.0 / (self.rate * steps));
             StepChoice { accuracy, errors, step_s, scatters: false }
         };
         let (first, most) = (choice(least), MOST_DIVISIONS * least);
@@ -191,9 +197,15 @@ impl Trials<'_> {
     }
 
     /// Errors of so many steps a sample, by what twice as many change.
-    fn errors(&self, steps: f64) -> StepErrors {
-        let [coarse, fine] = [steps, 2.0 * steps].map(|steps| self.trial(steps));
-        coarse.zip(fine).map_or(StepErrors::UNKNOWN, |(coarse, fine)| self.apart(&coarse, &fine))
+    fn errors(&self, steps: f64, made: &mut Made) -> StepErrors {
+        let mut place = |steps| {
+            made.iter().position(|(of, _)| *of == steps).unwrap_or_else(|| {
+                made.push((steps, self.trial(steps)));
+                made.len() - 1
+            })
+        };
+        let [coarse, fine] = [place(steps), place(2.0 * steps)].map(|at| made[at].1.as_ref());
+        coarse.zip(fine).map_or(StepErrors::UNKNOWN, |(coarse, fine)| self.apart(coarse, fine))
     }
 
     /// Errors of a trial by one with half its step.
@@ -231,7 +243,7 @@ impl Trials<'_> {
     fn trial(&self, steps: f64) -> Option<Trial> {
         let (mut machine, mut y) = (self.machine.clone(), self.state.to_vec());
         let (l, length, samples) = (machine.layout, 1.0 / self.rate, self.samples());
-        let h = length / steps;
+        let (h, strikes) = (length / steps, machine.is_damaged());
         machine.thicken_pocket_film(h);
         let mut fast = Fast::with_linear_error(LINEAR_ERROR_OF_RUN * self.linear_error);
         let (mut room, mut shown) = (Room::default(), Vec::new());
@@ -239,16 +251,20 @@ impl Trials<'_> {
             Trial { accelerations: Vec::new(), loads: Vec::new(), torque: 0.0, cage_speed: 0.0, state: Vec::new() };
         for sample in 0..samples {
             let before = [y[l.outer() + 2], y[l.outer() + 3]];
-            for step in 0..steps as usize {
-                fast.step(&mut machine, self.start + sample as f64 * length + step as f64 * h, &mut y, h);
+            for step in 1..=steps as usize {
+                let t = self.start + sample as f64 * length + step as f64 * h;
+                fast.step(&mut machine, t - h, &mut y, h);
+                if strikes || step == steps as usize {
+                    fast.show(l, &y, &mut shown);
+                    let (sums, balls) = fast.sample(&machine, (t, &shown), (BallDetail::Loads, &mut room));
+                    let made = (sample as f64 + step as f64 / steps) / samples as f64;
+                    let weight = if strikes { (1.0 - (TAU * made).cos()) / steps } else { 1.0 };
+                    trial.torque += weight * sums.torque.inner / samples as f64;
+                    room.balls = balls;
+                }
             }
             trial.accelerations.push([0, 1].map(|k| (y[l.outer() + 2 + k] - before[k]) / length));
-            fast.show(l, &y, &mut shown);
-            let at = (self.start + (sample + 1) as f64 * length, &shown[..]);
-            let (sums, balls) = fast.sample(&machine, at, (BallDetail::Loads, &mut room));
-            trial.torque += sums.torque.inner / samples as f64;
-            trial.loads.extend(balls.iter().flat_map(|ball| Side::BOTH.map(|side| ball.contacts[side].load_n)));
-            room.balls = balls;
+            trial.loads.extend(room.balls.iter().flat_map(|ball| Side::BOTH.map(|side| ball.contacts[side].load_n)));
         }
         trial.cage_speed = (y[l.cage()] - self.state[l.cage()]) / (samples as f64 * length);
         trial.state = y;
