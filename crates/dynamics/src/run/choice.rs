@@ -36,8 +36,8 @@ const MOST_DIVISIONS: f64 = 64.0;
 /// over the least one that counts as no more.
 const SCATTERED: [f64; 2] = [2.0, 4.0];
 const NO_MORE: f64 = 2.0;
-/// Steps in the longest one over the start of a bearing that is not round.
-const PAST_THE_START: f64 = 32.0;
+/// Steps in the longest one over the start of a bearing that is round, and of one that is not.
+const PAST_THE_START: [f64; 2] = [4.0, 32.0];
 /// Error of the linear traction in trials over that of the run. With a tenth, what it errs in the torque of 2 ms
 /// outweighs in oil what the step errs.
 const LINEAR_ERROR_OF_RUN: f64 = 0.01;
@@ -149,13 +149,13 @@ impl Trials<'_> {
         }
     }
 
-    /// A motion starts as that of a round bearing. Where balls and races are not round, the shock in which they meet
-    /// would ask for steps that nothing after it needs: the state in which it has died away, and its time, s.
+    /// A motion starts as that of a round bearing with balls that fit its orbit to a tolerance. The shock in which balls
+    /// and races that are not round meet, and what little the others have to settle, would ask for steps that nothing
+    /// after it needs: the state in which it has died away, and its time, s.
     fn past_the_start(&self) -> Option<(f64, Vec<f64>)> {
-        if self.machine.is_even() {
-            return None;
-        }
-        let steps = steps_of_sample(self.longest() / PAST_THE_START, self.rate);
+        let [round, other] = PAST_THE_START;
+        let divisions = if self.machine.is_even() { round } else { other };
+        let steps = steps_of_sample(self.longest() / divisions, self.rate);
         let trial = self.trial(steps)?;
         Some((self.start + self.samples() as f64 / self.rate, trial.state))
     }
