@@ -7,9 +7,9 @@
 //! most twice the least of those tried.
 //!
 //! Trials integrate traction more often than the run: what the linear traction errs in the torque of so short a time is
-//! the same for all steps, and where balls roll in oil more than all else that a step errs. Where balls strike the torque
-//! swings by many times its mean, and samples of it tell of chance: there it is that of all steps, with weights that fall
-//! to nothing towards both ends, as trials may begin and end with a ball over a spall.
+//! the same for all steps, and where balls roll in oil more than all else that a step errs. Where balls strike, the
+//! torque swings by many times its mean, and samples of it tell of chance: there it is that of all steps, with weights
+//! that fall to nothing towards both ends, as trials may begin and end with a ball over a spall.
 
 use super::companion::apart_and_unsteady;
 use super::filter::steps_of_sample;
@@ -149,8 +149,8 @@ impl Trials<'_> {
         }
     }
 
-    /// A motion starts as that of a round bearing with balls that fit its orbit to a tolerance. The shock in which balls
-    /// and races that are not round meet, and what little the others have to settle, would ask for steps that nothing
+    /// A motion starts as that of a round bearing, with balls that fit their orbit to a tolerance. The shock in which
+    /// balls and races that are not round meet, and what little others have to settle, would ask for steps that nothing
     /// after it needs: the state in which it has died away, and its time, s.
     fn past_the_start(&self) -> Option<(f64, Vec<f64>)> {
         let [round, other] = PAST_THE_START;
