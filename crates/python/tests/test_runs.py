@@ -84,7 +84,10 @@ def test_limit_an_interrupt_stops_a_run_and_it_goes_on(tmp_path: Path) -> None:
     """Ctrl-C in a process of its own; then the recording is that of a run that was never stopped."""
     program = textwrap.dedent(
         f"""
+        import signal
         import tribodyn
+        # As it is unless these tests were started with interrupts ignored, in the background of a script.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         case = tribodyn.Case.read({str(CASES / "paper-ag.ron")!r})
         try:
             print("begun", flush=True)
