@@ -1,6 +1,7 @@
 //! Runs of catalogue bearings whose races are rough or damaged, or that a load strikes, as `new` writes the rest.
 
 use super::{Scratch, run};
+use serde_json::Value;
 use std::ffi::OsStr;
 
 /// Waves of a race, 1 µm n^−1.5.
@@ -8,15 +9,21 @@ fn waves(race: &str, seed: u32) -> String {
     format!("deviations.{race}=(spectrum: (first: 2, last: 60, amplitude: um(1), exponent: 1.5, seed: {seed}))")
 }
 
-/// Powers of a run of so many seconds with changes to the case: at the shaft, lost, and the imbalance in per cent.
-fn powers(designation: &str, duration: &str, changes: &[String]) -> [f64; 3] {
+/// Answer of a run of so many seconds of a bearing as `new` writes it, with changes to the case.
+fn answer(bearing: &[&str], duration: &str, changes: &[String]) -> Value {
     let scratch = Scratch::new();
     let [case, recording] = ["case.ron", "run.mcap"].map(|name| scratch.0.join(name));
-    run(&[&"new", &designation, &"-o", &case]).table();
+    let mut new: Vec<&dyn AsRef<OsStr>> = vec![&"new", &"-o", &case];
+    bearing.iter().for_each(|word| new.push(word));
+    run(&new).table();
     let mut words: Vec<&dyn AsRef<OsStr>> = vec![&"run", &case, &"-o", &recording, &"--json", &"--duration", &duration];
     changes.iter().for_each(|change| words.extend([&"--set" as &dyn AsRef<OsStr>, change]));
-    let answer = run(&words);
-    let power = &answer.json()["power"];
+    run(&words).json()
+}
+
+/// Powers of such a run: at the shaft, lost, and the imbalance in per cent.
+fn powers(designation: &str, duration: &str, changes: &[String]) -> [f64; 3] {
+    let power = &answer(&[designation], duration, changes)["power"];
     let of = |name: &str| power[name].as_f64().unwrap();
     let lost = ["friction_inner_w", "friction_outer_w", "contact_damping_w"].map(of);
     [of("shaft_w"), lost.iter().sum(), of("imbalance_percent")]
@@ -60,16 +67,10 @@ fn regress_a_load_that_strikes_leaves_balls_rolling() {
     assert!((lost / 61.7 - 1.0).abs() < 0.02, "{lost} W lost");
 }
 
-/// The step chosen, with its errors, for 0.02 s of a bearing as `new` writes it, with a spall.
-fn choice(bearing: &[&str], spall: &str, accuracy: f64) -> serde_json::Value {
-    let scratch = Scratch::new();
-    let [case, recording] = ["case.ron", "run.mcap"].map(|name| scratch.0.join(name));
-    let words: Vec<&dyn AsRef<OsStr>> = bearing.iter().map(|word| word as &dyn AsRef<OsStr>).collect();
-    run(&[&[&"new" as &dyn AsRef<OsStr>], words.as_slice(), &[&"-o", &case]].concat()).table();
-    let (spalls, scheme) = (format!("spalls=[{spall}]"), format!("transient.scheme=FastTo(accuracy: {accuracy})"));
-    let words: [&dyn AsRef<OsStr>; 11] =
-        [&"run", &case, &"-o", &recording, &"--duration", &"0.02", &"--set", &spalls, &"--set", &scheme, &"--json"];
-    run(&words).json()["step_choice"].clone()
+/// The step chosen, with its errors, for 0.02 s of a bearing with a spall.
+fn choice(bearing: &[&str], spall: &str, accuracy: f64) -> Value {
+    let changes = [format!("spalls=[{spall}]"), format!("transient.scheme=FastTo(accuracy: {accuracy})")];
+    answer(bearing, "0.02", &changes)["step_choice"].clone()
 }
 
 /// One piece of a step that was just stable let balls swing as they struck. Asked for 1e-4, a run took 19.5 µs, which

@@ -1,5 +1,5 @@
-//! The step of the fast scheme by the accuracy that is asked for: short runs from the start with one step and with half
-//! of it, and how far they come apart.
+//! The step of the fast scheme by the accuracy that is asked for: short runs after the start with one step and with
+//! half of it, and how far they come apart.
 //!
 //! The scheme is of second order, so that the error is four thirds of that distance, and a step that is shorter by the
 //! root of error over accuracy does. Where impacts scatter the motion, a shorter step brings no less: half and a
@@ -65,7 +65,7 @@ pub struct StepChoice {
     pub scatters: bool,
 }
 
-/// Errors of a step, by what half of it changes over the first milliseconds.
+/// Errors of a step, by what half of it changes over some milliseconds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StepErrors {
     /// Of the normal loads, rms over balls and time, over their mean.
@@ -120,8 +120,6 @@ struct Trial {
     /// Mean torque on the inner ring, N m, and mean speed of the cage, rad/s.
     torque: f64,
     cage_speed: f64,
-    /// The state at its end.
-    state: Vec<f64>,
 }
 
 /// Trials that were made, by their steps a sample; none where the motion went beyond all numbers.
@@ -156,8 +154,8 @@ impl Trials<'_> {
         let [round, other] = PAST_THE_START;
         let divisions = if self.machine.is_even() { round } else { other };
         let steps = steps_of_sample(self.longest() / divisions, self.rate);
-        let trial = self.trial(steps)?;
-        Some((self.start + self.samples() as f64 / self.rate, trial.state))
+        let state = self.march(steps, |_, _, _, _| ())?;
+        Some((self.start + self.samples() as f64 / self.rate, state))
     }
 
     fn longest_that_keeps(&self, accuracy: f64) -> StepChoice {
@@ -241,33 +239,47 @@ impl Trials<'_> {
 
     /// From the start with so many steps a sample; none where the motion goes beyond all numbers.
     fn trial(&self, steps: f64) -> Option<Trial> {
+        let (l, length, samples) = (self.machine.layout, 1.0 / self.rate, self.samples());
+        let velocities = |y: &[f64]| [y[l.outer() + 2], y[l.outer() + 3]];
+        let (mut accelerations, mut loads, mut torque) = (Vec::new(), Vec::new(), 0.0);
+        let (mut room, mut shown, mut before) = (Room::default(), Vec::new(), velocities(self.state));
+        let strikes = self.machine.is_damaged();
+        let state = self.march(steps, |fast, machine, (t, y), [sample, step]| {
+            let is_sample = step == steps as usize;
+            if !strikes && !is_sample {
+                return;
+            }
+            fast.show(l, y, &mut shown);
+            let (sums, balls) = fast.sample(machine, (t, &shown), (BallDetail::Loads, &mut room));
+            let made = (sample as f64 + step as f64 / steps) / samples as f64;
+            let weight = if strikes { (1.0 - (TAU * made).cos()) / steps } else { 1.0 };
+            torque += weight * sums.torque.inner / samples as f64;
+            if is_sample {
+                let now = velocities(y);
+                accelerations.push([0, 1].map(|k| (now[k] - before[k]) / length));
+                before = now;
+                loads.extend(balls.iter().flat_map(|ball| Side::BOTH.map(|side| ball.contacts[side].load_n)));
+            }
+            room.balls = balls;
+        })?;
+        let cage_speed = (state[l.cage()] - self.state[l.cage()]) / (samples as f64 * length);
+        Some(Trial { accelerations, loads, torque, cage_speed })
+    }
+
+    /// The state after as many samples with so many steps each; none where it is no number. After every step `look`
+    /// has the scheme, the machine, time and state, and which sample and which step of it that is.
+    fn march(&self, steps: f64, mut look: impl FnMut(&Fast, &Machine, (f64, &[f64]), [usize; 2])) -> Option<Vec<f64>> {
         let (mut machine, mut y) = (self.machine.clone(), self.state.to_vec());
-        let (l, length, samples) = (machine.layout, 1.0 / self.rate, self.samples());
-        let (h, strikes) = (length / steps, machine.is_damaged());
+        let (length, mut fast) = (1.0 / self.rate, Fast::with_linear_error(LINEAR_ERROR_OF_RUN * self.linear_error));
+        let h = length / steps;
         machine.thicken_pocket_film(h);
-        let mut fast = Fast::with_linear_error(LINEAR_ERROR_OF_RUN * self.linear_error);
-        let (mut room, mut shown) = (Room::default(), Vec::new());
-        let mut trial =
-            Trial { accelerations: Vec::new(), loads: Vec::new(), torque: 0.0, cage_speed: 0.0, state: Vec::new() };
-        for sample in 0..samples {
-            let before = [y[l.outer() + 2], y[l.outer() + 3]];
+        for sample in 0..self.samples() {
             for step in 1..=steps as usize {
                 let t = self.start + sample as f64 * length + step as f64 * h;
                 fast.step(&mut machine, t - h, &mut y, h);
-                if strikes || step == steps as usize {
-                    fast.show(l, &y, &mut shown);
-                    let (sums, balls) = fast.sample(&machine, (t, &shown), (BallDetail::Loads, &mut room));
-                    let made = (sample as f64 + step as f64 / steps) / samples as f64;
-                    let weight = if strikes { (1.0 - (TAU * made).cos()) / steps } else { 1.0 };
-                    trial.torque += weight * sums.torque.inner / samples as f64;
-                    room.balls = balls;
-                }
+                look(&fast, &machine, (t, &y), [sample, step]);
             }
-            trial.accelerations.push([0, 1].map(|k| (y[l.outer() + 2 + k] - before[k]) / length));
-            trial.loads.extend(room.balls.iter().flat_map(|ball| Side::BOTH.map(|side| ball.contacts[side].load_n)));
         }
-        trial.cage_speed = (y[l.cage()] - self.state[l.cage()]) / (samples as f64 * length);
-        trial.state = y;
-        trial.state.iter().all(|value| value.is_finite()).then_some(trial)
+        y.iter().all(|value| value.is_finite()).then_some(y)
     }
 }
