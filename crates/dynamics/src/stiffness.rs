@@ -100,7 +100,7 @@ impl Machine {
         let pocket = &self.cage.pocket;
         let Some(film) = &pocket.film else { return f64::INFINITY };
         let of_cage = self.layout.balls as f64 * pocket.radius * pocket.radius / self.cage.inertia;
-        EULER_LIMIT * film.roughness / (film.resistance * (self.bearing.ball_mass.recip() + of_cage))
+        EULER_LIMIT * film.least_thickness() / (film.resistance * (self.bearing.ball_mass.recip() + of_cage))
     }
 
     /// Longest step of the fast scheme with a free cage that all balls press, s: half of that at which what vibrates on
@@ -118,7 +118,7 @@ impl Machine {
     pub(crate) fn thicken_pocket_film(&mut self, step: f64) {
         let over = step / self.pocket_film_step();
         if let Some(film) = self.cage.pocket.film.as_mut().filter(|_| over > 1.0) {
-            film.thinnest = EULER_LIMIT * over * film.roughness;
+            film.thinnest = EULER_LIMIT * over * film.least_thickness();
         }
     }
 

@@ -50,6 +50,11 @@ impl SqueezeFilm {
         speed * self.resistance / self.thickness(gap)
     }
 
+    /// Thickness of the film where bodies meet, m: the least that it is taken with.
+    pub fn least_thickness(&self) -> f64 {
+        self.roughness.max(self.thinnest)
+    }
+
     /// Thickness of the film, m: gap and roughness, and the roughness alone where the gap is closed, with a continuous
     /// slope; at least the thinnest.
     pub fn thickness<D: Scalar>(&self, gap: D) -> D {
@@ -120,6 +125,10 @@ mod tests {
         assert_eq!(FILM.force(1e-5, -0.1), 0.0);
         assert!((FILM.force(-1e-5, 0.1) - 0.1 * FILM.resistance / FILM.roughness).abs() < 1e-12);
         assert!((FILM.force(1e-4, 0.1) * 1.01e-4 / (0.1 * FILM.resistance) - 1.0).abs() < 1e-12);
+        let thick = SqueezeFilm { thinnest: 4e-6, ..FILM };
+        assert_eq!([FILM, thick].map(|film| film.least_thickness()), [1e-6, 4e-6]);
+        assert!((thick.force(-1e-5, 0.1) * 4e-6 / (0.1 * FILM.resistance) - 1.0).abs() < 1e-12);
+        assert_eq!(thick.force(1e-5, 0.1), FILM.force(1e-5, 0.1));
     }
 
     #[test]

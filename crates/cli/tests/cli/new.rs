@@ -42,6 +42,18 @@ fn limit_new_cases_check_without_warnings_and_solve() {
     }
 }
 
+/// A step that the run chose itself is no ground for a warning.
+#[test]
+fn limit_runs_of_new_cases_are_stable() {
+    let scratch = Scratch::new();
+    for name in ["608", "6206", "7210B"] {
+        run_in(&scratch.0, &format!("new {name}")).table();
+        let ran = run_in(&scratch.0, &format!("run {name}.ron -o {name}.mcap --duration 0.01 --quiet --json")).json();
+        let warnings: Vec<&str> = ran["warnings"].as_array().unwrap().iter().map(|w| w.as_str().unwrap()).collect();
+        assert!(!warnings.iter().any(|warning| warning.contains("stability")), "{name}: {warnings:?}");
+    }
+}
+
 /// The nine balls of the 6206 are found, and every assumption has its reason.
 #[test]
 fn identity_a_new_case_says_where_its_values_come_from() {

@@ -2,7 +2,7 @@
 
 use crate::{Keep, OIL_6206, case};
 use tribodyn_case::{Case, set_value};
-use tribodyn_dynamics::{Run, Sample};
+use tribodyn_dynamics::{Ending, Run, Sample};
 use tribodyn_quasistatic::{Model, PatchRule, solve};
 
 const ANGULAR_7210: &str = include_str!("../../../../fixtures/cases/angular-7210.ron");
@@ -163,6 +163,17 @@ fn limit_a_finer_accuracy_has_a_shorter_step() {
     };
     let [coarse, fine] = [step("0.01"), step("1e-5")];
     assert!(fine < 0.7 * coarse, "{coarse} {fine}");
+}
+
+/// The oil in the pockets bounds no step that was chosen: films are as thick as it resolves. A run that took its own
+/// step for one that may go wrong said so of every bearing with oil in its pockets.
+#[test]
+fn regress_a_chosen_step_is_within_the_stability_of_its_run() {
+    let case = catalogue(OIL_6206, "FastTo(accuracy: 0.001)", ("transient.contact_damping", "0.25"));
+    let mut run = Run::new(case.run_inputs().unwrap()).unwrap();
+    let (step, limit) = (run.step_s().unwrap(), run.stiffness().fast_step_s);
+    assert!(step <= limit, "{step} {limit}");
+    assert_eq!(run.advance(f64::INFINITY, &mut Keep::default()).unwrap(), Ending::Complete);
 }
 
 /// Films grow with the speed: while linear forms had no derivative by it, losses in a run-up lagged behind by 0.7 %.
