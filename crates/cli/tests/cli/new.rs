@@ -54,6 +54,16 @@ fn limit_runs_of_new_cases_are_stable() {
     }
 }
 
+/// A scene of 38 balls is longer than any message that a report reads, which such a recording was refused for.
+#[test]
+fn regress_a_recording_of_many_balls_is_reported() {
+    let scratch = Scratch::new();
+    run_in(&scratch.0, "new 71821C").table();
+    run_in(&scratch.0, "run 71821C.ron -o run.mcap --duration 0.002 --set transient.start=QuasiStatic --quiet").table();
+    let report = run_in(&scratch.0, "report run.mcap -o report --json").json();
+    assert_eq!(report["bearing"].as_str().map(|name| &name[..6]), Some("71821C"), "{report}");
+}
+
 /// The nine balls of the 6206 are found, and every assumption has its reason.
 #[test]
 fn identity_a_new_case_says_where_its_values_come_from() {

@@ -81,6 +81,11 @@ const STATE: &str = "tribodyn.v1.TransientState";
 const SOLUTION: &str = "tribodyn.v1.BearingState";
 const BALLS: &str = "tribodyn.v1.Balls";
 const WEAR: &str = "tribodyn.v1.Wear";
+const SPECTRUM: &str = "tribodyn.v1.Spectrum";
+const ORBIT: &str = "tribodyn.v1.Orbit";
+const LOG: &str = "foxglove.Log";
+/// Types of the messages that are read; others are for the eye only.
+const READ: [&str; 7] = [STATE, SOLUTION, BALLS, WEAR, SPECTRUM, ORBIT, LOG];
 
 impl RunItem {
     /// The item that an encoded message of a type is; none for messages for the eye only.
@@ -93,9 +98,9 @@ impl RunItem {
             SOLUTION => SolutionRow::decode(data).map(Self::Solution),
             BALLS => tribodyn::Balls::decode(data).map(|balls| Self::Balls(balls.time_s, balls.balls)),
             WEAR => WearRow::decode(data).map(Self::Wear),
-            "tribodyn.v1.Spectrum" => SpectrumRow::decode(data).map(Self::Spectrum),
-            "tribodyn.v1.Orbit" => OrbitRow::decode(data).map(Self::Orbit),
-            "foxglove.Log" => foxglove::Log::decode(data).map(|line| Self::Log(log_row(line))),
+            SPECTRUM => SpectrumRow::decode(data).map(Self::Spectrum),
+            ORBIT => OrbitRow::decode(data).map(Self::Orbit),
+            LOG => foxglove::Log::decode(data).map(|line| Self::Log(log_row(line))),
             _ => return Ok(None),
         };
         item.map(Some)
@@ -225,10 +230,13 @@ impl<R: Read + Seek> RunReader<R> {
         let Some((topic, schema)) = self.channels.get(&channel) else {
             return Ok(None);
         };
+        let schema = self.schemas.get(schema).map_or("", String::as_str);
+        if !READ.contains(&schema) {
+            return Ok(None);
+        }
         if data.len() > LONGEST_MESSAGE {
             return Err(RecordError::LongMessage { topic: topic.clone(), bytes: data.len(), most: LONGEST_MESSAGE });
         }
-        let schema = self.schemas.get(schema).map_or("", String::as_str);
         if matches!(schema, STATE | SOLUTION | BALLS | WEAR)
             && (self.balls || schema != BALLS)
             && let Some((field, value)) = self.numbers.not_finite(schema, data)
