@@ -81,10 +81,20 @@ fn by_steps(scheme: Scheme, wear_acceleration: f64) -> String {
         Scheme::DormandPrince { tolerance, .. } => format!(
             "the tolerance of {tolerance:.0e} is too coarse for this run, and its powers and accelerations may be wrong; lower it"
         ),
-        Scheme::Fast { .. } => "the steps are too long for this run, and its powers and accelerations may be wrong, or its powers change faster than recording.state_rate, at which the fast scheme sums its work; shorten the steps, raise that rate or take another scheme".to_owned(),
+        Scheme::Fast { .. } => by_sums("the steps are too long", "shorter steps"),
+        Scheme::FastTo { accuracy } => {
+            by_sums(&format!("the accuracy of {accuracy:.0e} is too coarse"), "a smaller one")
+        }
         _ => "the steps are too long for this run, and its powers and accelerations may be wrong; shorten them or take another scheme".to_owned(),
     };
     steps + &wear
+}
+
+/// The blame of the fast scheme, which sums work over samples: it is not always the steps.
+fn by_sums(coarse: &str, finer: &str) -> String {
+    format!(
+        "where balls begin beside their orbit, or strike, friction settles within a step and powers change between samples, which the fast scheme's sum of work misses; if they do neither, {coarse} and powers and accelerations may be wrong: compare with {finer} or another scheme"
+    )
 }
 
 #[cfg(test)]
@@ -122,6 +132,8 @@ mod tests {
         let fast = ("transient.scheme", "Fast(step: us(5))");
         assert_eq!(judged(0.9, &[fast]), None);
         assert!(judged(-1.1, &[fast]).unwrap().0.contains("steps are too long"));
+        let by_accuracy = ("transient.scheme", "FastTo(accuracy: 0.001)");
+        assert!(judged(2.0, &[by_accuracy]).unwrap().0.contains("accuracy of 1e-3 is too coarse"));
         assert!(judged(0.002, &[]).unwrap().0.contains("tolerance of 1e-6"));
         assert!(judged(f64::NAN, &[fast]).is_some() && judged(f64::INFINITY, &[]).is_some());
     }
