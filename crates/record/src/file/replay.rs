@@ -77,33 +77,35 @@ pub enum RunItem {
     Log(LogRow),
 }
 
+/// Decodes messages of a type.
+type Decoder = fn(&[u8]) -> Result<RunItem, prost::DecodeError>;
+
 const STATE: &str = "tribodyn.v1.TransientState";
 const SOLUTION: &str = "tribodyn.v1.BearingState";
 const BALLS: &str = "tribodyn.v1.Balls";
 const WEAR: &str = "tribodyn.v1.Wear";
-const SPECTRUM: &str = "tribodyn.v1.Spectrum";
-const ORBIT: &str = "tribodyn.v1.Orbit";
-const LOG: &str = "foxglove.Log";
-/// Types of the messages that are read; others are for the eye only.
-const READ: [&str; 7] = [STATE, SOLUTION, BALLS, WEAR, SPECTRUM, ORBIT, LOG];
-
 impl RunItem {
     /// The item that an encoded message of a type is; none for messages for the eye only.
     ///
     /// # Errors
     /// Bytes that are no message of that type.
     pub fn decode(schema: &str, data: &[u8]) -> Result<Option<Self>, prost::DecodeError> {
-        let item = match schema {
-            STATE => StateRow::decode(data).map(Self::State),
-            SOLUTION => SolutionRow::decode(data).map(Self::Solution),
-            BALLS => tribodyn::Balls::decode(data).map(|balls| Self::Balls(balls.time_s, balls.balls)),
-            WEAR => WearRow::decode(data).map(Self::Wear),
-            SPECTRUM => SpectrumRow::decode(data).map(Self::Spectrum),
-            ORBIT => OrbitRow::decode(data).map(Self::Orbit),
-            LOG => foxglove::Log::decode(data).map(|line| Self::Log(log_row(line))),
-            _ => return Ok(None),
+        Self::decoder(schema).map(|decode| decode(data)).transpose()
+    }
+
+    /// The decoder of a type; none for messages for the eye only.
+    fn decoder(schema: &str) -> Option<Decoder> {
+        let decode: Decoder = match schema {
+            STATE => |data| StateRow::decode(data).map(Self::State),
+            SOLUTION => |data| SolutionRow::decode(data).map(Self::Solution),
+            BALLS => |data| tribodyn::Balls::decode(data).map(|balls| Self::Balls(balls.time_s, balls.balls)),
+            WEAR => |data| WearRow::decode(data).map(Self::Wear),
+            "tribodyn.v1.Spectrum" => |data| SpectrumRow::decode(data).map(Self::Spectrum),
+            "tribodyn.v1.Orbit" => |data| OrbitRow::decode(data).map(Self::Orbit),
+            "foxglove.Log" => |data| foxglove::Log::decode(data).map(|line| Self::Log(log_row(line))),
+            _ => return None,
         };
-        item.map(Some)
+        Some(decode)
     }
 
     /// True of the messages that every sample has: [`crate::Sink`] takes their numbers besides their bytes.
@@ -231,9 +233,7 @@ impl<R: Read + Seek> RunReader<R> {
             return Ok(None);
         };
         let schema = self.schemas.get(schema).map_or("", String::as_str);
-        if !READ.contains(&schema) {
-            return Ok(None);
-        }
+        let Some(decode) = RunItem::decoder(schema) else { return Ok(None) };
         if data.len() > LONGEST_MESSAGE {
             return Err(RecordError::LongMessage { topic: topic.clone(), bytes: data.len(), most: LONGEST_MESSAGE });
         }
@@ -246,7 +246,7 @@ impl<R: Read + Seek> RunReader<R> {
         if schema == BALLS && !self.balls {
             return Ok(None);
         }
-        RunItem::decode(schema, data).map_err(|source| RecordError::Decode { topic: topic.clone(), source })
+        decode(data).map(Some).map_err(|source| RecordError::Decode { topic: topic.clone(), source })
     }
 }
 

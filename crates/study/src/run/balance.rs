@@ -93,7 +93,9 @@ fn by_steps(scheme: Scheme, wear_acceleration: f64) -> String {
 /// The blame of the fast scheme, which sums work over samples: it is not always the steps.
 fn by_sums(coarse: &str, finer: &str) -> String {
     format!(
-        "where balls begin beside their orbit, or strike, friction settles within a step and powers change between samples, which the fast scheme's sum of work misses; if they do neither, {coarse} and powers and accelerations may be wrong: compare with {finer} or another scheme"
+        "balls that begin beside their orbit, or strike, settle within a step, which the fast scheme's sum of work \
+         misses; if they do neither, {coarse}, and powers and accelerations may be wrong: compare with {finer} or \
+         another scheme"
     )
 }
 
