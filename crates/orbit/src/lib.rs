@@ -18,6 +18,7 @@ mod means;
 mod modes;
 #[cfg(feature = "modes")]
 mod modes_matrix;
+mod neighbours;
 mod newton;
 mod relief;
 mod residual;

@@ -81,13 +81,13 @@ fn from_thrust(problem: Problem<'_>, thrust: f64, first: f64) -> Option<SolvedOr
 }
 
 /// The orbit at a step from the last.
-fn stepped(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOrbit> {
+pub(crate) fn stepped(problem: Problem<'_>, near: &OrbitStart) -> Option<SolvedOrbit> {
     let soon = hurried(problem, near, fitted).ok().flatten();
     soon.or_else(|| resent(problem, near)).or_else(|| warm(problem, near, (&SETTLING[..1], WORK)))
 }
 
 /// True if a ball that is sent round keeps to the orbit.
-fn is_kept(problem: Problem<'_>, solved: &OrbitStart) -> bool {
+pub(crate) fn is_kept(problem: Problem<'_>, solved: &OrbitStart) -> bool {
     let bearing = &solved.regularization.of(problem.bearing);
     found(Problem { bearing, ..problem }, solved).is_ok_and(|mut newton| {
         let residual = newton.residual(&solved.orbit);

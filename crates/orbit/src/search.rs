@@ -22,7 +22,8 @@
 //! turn against each other and the cage hardly moves, damping goes by the rings (seed 60923, two of four). Cages that
 //! are released from slower rings, and rings tilted less, gave nothing in 304 and in 500 bearings and are not tried any
 //! more. Last came more thrust, which is taken off again (`relief.rs`): it gave three of 22 bearings their orbit that
-//! had none, two of them in a second instead of none in forty, and so it goes before all that is patient.
+//! had none, two of them in a second instead of none in forty, and so it goes before all that is patient. Before that
+//! goes a slightly other speed (`neighbours.rs`), for three of twelve bearings in oil that took longest.
 //!
 //! Those two balanced cages are found all at once, too, in a third of the time, so that this goes before. Of others,
 //! such as a 7210 in oil under 0.5 kN thrust and 1.9 kN across it at 1000 r/min, or a 6206 in oil with dry pockets,
@@ -98,13 +99,9 @@ pub(crate) fn soon<'a>(
 ) -> Result<(Found, Regularization), OrbitError> {
     let real = homotopy.regularization(1.0);
     homotopy.set(&mut newton.system, 1.0);
-    // What a ball comes to by itself goes before what equations alone lead to, which may be another orbit. A ball that
-    // is thrown about in its first turn does not close its turns.
+    // What a ball comes to by itself goes before what equations alone lead to, which may be another orbit.
     let first = settled(newton, rolling, homotopy);
-    let work = MARCH.min(TURNS * first.intervals());
-    if first.intervals() < THROWN_ABOUT
-        && let Some(found) = marched(newton, &first, homotopy, (settings, work))
-    {
+    if let Some(found) = followed(newton, &first, homotopy, settings) {
         return Ok((found, real));
     }
     newton.watch.stage("all of the turn at once", Some(start::cage_speed(rolling)));
@@ -122,8 +119,23 @@ pub(crate) fn soon<'a>(
     {
         return Ok((found, real));
     }
-    let worst = newton.residual(&first).worst;
-    Err(OrbitError::not_converged(&newton.system, &first, &worst, settings.tolerance))
+    Err(unmet(newton, &first, settings))
+}
+
+/// The orbit that a ball which rolls comes to by itself, and nothing else.
+///
+/// # Errors
+/// [`OrbitError::NotConverged`].
+pub(crate) fn alone<'a>(
+    newton: &mut Newton<'a>,
+    (_, rolling): (&OperatingPoint, &RollingStart),
+    homotopy: &Homotopy<'a>,
+    settings: &OrbitSettings,
+) -> Result<(Found, Regularization), OrbitError> {
+    homotopy.set(&mut newton.system, 1.0);
+    let first = settled(newton, rolling, homotopy);
+    let found = followed(newton, &first, homotopy, settings);
+    found.map(|found| (found, homotopy.regularization(1.0))).ok_or_else(|| unmet(newton, &first, settings))
 }
 
 /// The orbit where they do not.
@@ -255,6 +267,22 @@ fn settled<'a>(newton: &mut Newton<'a>, rolling: &RollingStart, homotopy: &Homot
     let speed = start::cage_speed(rolling);
     let at_start = start::unknowns(&rolling.balls[start::hardest(rolling)], speed);
     newton.with_patches(homotopy.scout(), |newton| newton.march(&at_start, (speed, rolling.ring), SCOUTED))
+}
+
+fn unmet(newton: &mut Newton<'_>, first: &Orbit, settings: &OrbitSettings) -> OrbitError {
+    let worst = newton.residual(first).worst;
+    OrbitError::not_converged(&newton.system, first, &worst, settings.tolerance)
+}
+
+/// Sends a ball round from its first turn; none where it is thrown about in it, as it does not close its turns then.
+fn followed<'a>(
+    newton: &mut Newton<'a>,
+    first: &Orbit,
+    homotopy: &Homotopy<'a>,
+    settings: &OrbitSettings,
+) -> Option<Found> {
+    let work = MARCH.min(TURNS * first.intervals());
+    if first.intervals() < THROWN_ABOUT { marched(newton, first, homotopy, (settings, work)) } else { None }
 }
 
 /// Sends a ball round until it closes its turn; none where it does not within some work.

@@ -4,6 +4,7 @@ use crate::OrbitError;
 use crate::attempt::{Problem, fits, fitted, found, hurried, prepared, resent, rolled, warm, worst};
 use crate::damping::{LessDamping, less_damped};
 use crate::detours::{damped_more, detour};
+use crate::neighbours::from_neighbours;
 use crate::newton::Newton;
 use crate::relief::relieved;
 use crate::residual::Found;
@@ -41,7 +42,7 @@ pub fn steady_orbit(
     }
     let found = match rolled(problem, problem.bearing, soon) {
         Err(OrbitError::NotConverged { .. }) if !point.watch.stops() => {
-            relieved(problem).map_or_else(|| patiently(problem), Ok)
+            from_neighbours(problem).or_else(|| relieved(problem)).map_or_else(|| patiently(problem), Ok)
         }
         other => other,
     };
