@@ -31,6 +31,9 @@ const PATIENCE: usize = 8;
 const HALVINGS: usize = 2;
 const ENOUGH: f64 = 5e-4;
 const MOST: usize = 700;
+/// The same where there would be no answer, as balls often touch their pockets: the difference still falls then.
+const MORE_HALVINGS: usize = 3;
+const MOST_OF_MORE: usize = 1500;
 
 /// Stiffness of the inner ring on a steady orbit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -62,7 +65,7 @@ pub(crate) fn stiffness(
     let mut of_mesh = f64::INFINITY;
     let linear = newton.linearise_exactly(orbit)?;
     let mut at = Slope::new(newton, orbit.clone(), linear)?;
-    for _ in 0..HALVINGS {
+    for halving in 1..=MORE_HALVINGS {
         if newton.watch.stops() {
             return Err(OrbitError::Ended);
         }
@@ -78,7 +81,9 @@ pub(crate) fn stiffness(
             break;
         }
         at = next;
-        if of_mesh < ENOUGH || at.orbit.intervals() > MOST {
+        let intervals = at.orbit.intervals();
+        let is_long = halving >= HALVINGS || intervals > MOST;
+        if of_mesh < ENOUGH || is_long && !is_wrong_stiffness(of_mesh) || intervals > MOST_OF_MORE {
             break;
         }
     }
