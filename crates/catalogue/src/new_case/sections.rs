@@ -229,7 +229,11 @@ pub(super) fn transient(numbers: &Numbers, dry: bool, sources: &mut Sources) -> 
         ("0.25", usual)
     };
     sources.assumed("transient.contact_damping", why);
-    sources.assumed("recording", "twenty samples for each ball that passes, or more; every ball at a fifth of it");
+    sources.assumed(
+        "recording",
+        "twenty samples for each ball that passes, or more, and what the outer ring vibrates at within their pass \
+         band; every ball at a fifth of it",
+    );
     let [stiffness, damping] = numbers.support;
     let inner = trim(numbers.inner_damping, 3);
     format!(

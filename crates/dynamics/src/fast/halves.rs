@@ -3,7 +3,7 @@
 
 use super::Fast;
 use super::drift::drift_acceleration;
-use super::lanes::{InUse, Lane, WIDTH};
+use super::lanes::{InUse, Lane, WIDTH, filled};
 use super::scratch::Scratch;
 use crate::equations::Equations;
 use crate::layout::{BALL, Layout, VELOCITIES, VELOCITY};
@@ -136,22 +136,23 @@ impl Fast {
         }
         let [share, of_balls] = [self.piece, self.piece_of_balls].map(|piece| piece * piece / 16.0);
         let by_kick = 2.0 / self.step;
-        for ball in 0..l.balls {
-            let (at, block, k) = (l.ball(ball), ball / WIDTH, ball % WIDTH);
-            for i in 0..2 {
-                let s = &self.scratch;
-                let vibrating = match (s.pressed.get(block), s.common.get(block), s.half.get(block)) {
-                    (Some(pressed), Some(common), Some(half)) => {
-                        pressed.acceleration()[i].0[k] - common[i].0[k] + by_kick * half[i].0[k]
-                    }
-                    _ => self.acceleration(at + VELOCITY + i, by_kick),
-                };
-                shown[at + i] += of_balls * vibrating;
+        // In lanes while steps are made, and in the memory before the first one of a run that is taken up.
+        let Scratch { pressed, common, half, beyond, .. } = &self.scratch;
+        for (block, (((pressed, common), half), beyond)) in pressed.iter().zip(common).zip(half).zip(beyond).enumerate()
+        {
+            let acceleration = pressed.acceleration();
+            for k in 0..filled(l, block) {
+                let ball = &mut shown[l.ball(WIDTH * block + k)..][..BALL];
+                for i in 0..2 {
+                    let vibrating = acceleration[i].0[k] - common[i].0[k] + by_kick * half[i].0[k];
+                    ball[i] += of_balls * vibrating;
+                }
+                (0..VELOCITIES).for_each(|i| ball[VELOCITY + i] += beyond[i].0[k]);
             }
-            for i in 0..VELOCITIES {
-                let in_lanes = self.scratch.beyond.get(block).map(|beyond| beyond[i].0[k]);
-                shown[at + VELOCITY + i] += in_lanes.unwrap_or_else(|| self.beyond[at + VELOCITY + i]);
-            }
+        }
+        for at in (0..l.balls).map(|ball| l.ball(ball)).filter(|_| half.is_empty()) {
+            (0..2).for_each(|i| shown[at + i] += of_balls * self.acceleration(at + VELOCITY + i, by_kick));
+            (VELOCITY..BALL).for_each(|i| shown[at + i] += self.beyond[at + i]);
         }
         let of_rings = (0..3).map(|i| (l.inner() + i, l.inner() + 3 + i));
         let of_outer = (0..2).map(|i| (l.outer() + i, l.outer() + 2 + i));

@@ -14,12 +14,12 @@
 
 use super::Fast;
 use super::drift::{Pressed, press};
-use super::lanes::{Lane, get, put};
+use super::lanes::{Lane, get, put, sin_cos};
 use super::scratch::Scratch;
 use crate::equations::Equations;
-use crate::layout::{AXIAL, AZIMUTH, BALL, ORBIT, RADIUS, VELOCITY};
+use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, VELOCITY};
 use fearless_simd::dispatch;
-use tribodyn_bearing::{NormalContact, Side};
+use tribodyn_bearing::{AzimuthFrame, NormalContact, Races, Side};
 
 /// Corrections at most: usual are one or two, more where a ball leaves a race or meets it.
 const MOST_CORRECTIONS: usize = 8;
@@ -117,15 +117,20 @@ fn shift((b, before): (&mut [f64; BALL], &mut [f64; 3]), [axial, radial]: [f64; 
     b[AZIMUTH] += 0.5 * h * gained;
 }
 
-/// To where springs as they were at the start would bring the balls of a block. It follows from positions and
-/// accelerations there alone, so that a run that is taken up goes on as it would have.
+/// Displacements of the rings at the start of a piece and at its end (x, y, z), m.
+type Moved = Races<[[f64; 3]; 2]>;
+
+/// To where springs as they were at the start would bring the balls of a block, with the grooves where they are at the
+/// end. It follows from positions and accelerations there alone, so that a run that is taken up goes on as it would
+/// have.
 #[inline(always)]
 fn predict(
     (balls, before): (&mut [Lane; BALL], &mut [Lane; 3]),
     pressed: &Pressed,
     (weights, h): (Weights, f64),
-    out: &mut Explicit,
+    (rings, out): (&Moved, &mut Explicit),
 ) {
+    let rings = *rings;
     for k in pressed.in_use.lanes() {
         let (mut b, mut mean) = (get(balls, k), get(before, k));
         put(&mut out.positions, k, [b[AXIAL], b[RADIUS]]);
@@ -135,13 +140,23 @@ fn predict(
             Line::of(&pressed.contact(Side::Inner, k), Side::Inner, of_ball),
             Line::of(&pressed.contact(Side::Outer, k), Side::Outer, of_ball),
         ];
-        let way = [h * mean[0], h * mean[1]];
-        let [back_i, back_o] = [lines[0].spring * lines[0].along(way), lines[1].spring * lines[1].along(way)];
+        let (sin, cos) = sin_cos(b[AZIMUTH]);
+        let axes = [pressed.axes(k), AzimuthFrame { sin, cos }];
+        let way_i = from_groove(axes, rings.inner, [h * mean[0], h * mean[1]]);
+        let way_o = from_groove(axes, rings.outer, [h * mean[0], h * mean[1]]);
+        let [back_i, back_o] = [lines[0].spring * lines[0].along(way_i), lines[1].spring * lines[1].along(way_o)];
         let back = [0, 1].map(|i| -back_i * lines[0].normal[i] - back_o * lines[1].normal[i]);
         shift((&mut b, &mut mean), solve(lines, back), h);
         put(balls, k, b);
         put(before, k, mean);
     }
+}
+
+/// The way (axial, radial) of a ball as a groove sees it, whose centre moves with its ring and as the ball comes round.
+#[inline(always)]
+fn from_groove(axes: [AzimuthFrame; 2], ring: [[f64; 3]; 2], [axial, radial]: [f64; 2]) -> [f64; 2] {
+    let ([a0, r0, _], [a1, r1, _]) = (axes[0].from_inertial(ring[0]), axes[1].from_inertial(ring[1]));
+    [axial - (a1 - a0), radial - (r1 - r0)]
 }
 
 /// One step of Newton's method; in `changes` then what it changes of the approaches.
@@ -182,10 +197,11 @@ impl Fast {
         let (frame, mass) = (machine.frame_of_rings(t, y), machine.bearing.ball_mass);
         let weights =
             Weights { of_spring: 0.25 * h * h / mass, of_damper: h * machine.bearing.contact_damping / mass.sqrt() };
+        let rings = self.moved(machine.layout, y, h);
         let Scratch { level, balls, before, pressed, .. } = &mut self.scratch;
         for (block, ((balls, before), pressed)) in balls.iter_mut().zip(before).zip(pressed).enumerate() {
             let mut start = Explicit { positions: [Lane::ZERO; 2], accelerations: [Lane::ZERO; 2] };
-            dispatch!(*level, _simd => predict((balls, before), pressed, (weights, h), &mut start));
+            dispatch!(*level, _simd => predict((balls, before), pressed, (weights, h), (&rings, &mut start)));
             for _ in 0..MOST_CORRECTIONS {
                 press(*level, equations, (&frame, block, balls), pressed);
                 let mut changes = Lane::ZERO;
@@ -194,6 +210,17 @@ impl Fast {
                     break;
                 }
             }
+        }
+    }
+
+    /// How the rings moved in a piece of `h`, by their velocities in its middle.
+    fn moved(&self, l: Layout, y: &[f64], h: f64) -> Moved {
+        let moved = |place: usize, velocity: usize| [y[place] - h * self.before[velocity], y[place]];
+        let [x, y_, z] = [0, 1, 2].map(|i| moved(l.inner() + i, l.inner() + 3 + i));
+        let [outer_x, outer_y] = [0, 1].map(|i| moved(l.outer() + i, l.outer() + 2 + i));
+        Races {
+            inner: [0, 1].map(|end| [x[end], y_[end], z[end]]),
+            outer: [0, 1].map(|end| [outer_x[end], outer_y[end], 0.0]),
         }
     }
 }
