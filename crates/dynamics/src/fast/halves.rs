@@ -3,6 +3,7 @@
 
 use super::Fast;
 use super::drift::drift_acceleration;
+use super::implicit::OF_RINGS;
 use super::lanes::{InUse, Lane, WIDTH, filled};
 use super::scratch::Scratch;
 use crate::equations::Equations;
@@ -154,10 +155,13 @@ impl Fast {
             (0..2).for_each(|i| shown[at + i] += of_balls * self.acceleration(at + VELOCITY + i, by_kick));
             (VELOCITY..BALL).for_each(|i| shown[at + i] += self.beyond[at + i]);
         }
-        let of_rings = (0..3).map(|i| (l.inner() + i, l.inner() + 3 + i));
+        // Rings beside implicit balls lack less.
+        let of_rings = if self.piece_of_balls == 0.0 { share * (1.0 - 4.0 * OF_RINGS) } else { share };
+        let of_inner = (0..3).map(|i| (l.inner() + i, l.inner() + 3 + i));
         let of_outer = (0..2).map(|i| (l.outer() + i, l.outer() + 2 + i));
         let of_tilt = l.velocities_of_tilts().map(|velocity| (velocity - 2, velocity));
-        for (place, velocity) in of_rings.chain(of_outer).chain(of_tilt) {
+        let translations = of_inner.chain(of_outer).map(|at| (at, of_rings));
+        for ((place, velocity), share) in translations.chain(of_tilt.map(|at| (at, share))) {
             shown[place] += share * self.acceleration(velocity, by_kick);
         }
     }

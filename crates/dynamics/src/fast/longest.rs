@@ -15,8 +15,12 @@ use tribodyn_bearing::{Races, Side};
 const LIMIT: f64 = 3.9;
 /// The same for several pieces in a step: nearer to the limit what vibrates swings too far for its velocity.
 const LIMIT_OF_SEVERAL: f64 = 2.0;
-/// Longest piece times the angular frequency of rings on implicit balls: what vibrates so is 0.4 % too slow.
-const ANGLE_OF_RINGS: f64 = 0.3;
+/// Longest piece times the angular frequency of rings on implicit balls, alone in its step and one of several: what
+/// vibrates so is 0.2 % too slow in the longer ones. Alone, those leave accelerations of the rings off by several times
+/// as much, sample by sample, as two of half their length.
+const ANGLE_OF_RINGS: [f64; 2] = [0.3, 1.0];
+/// The same for rings that tilt, whose tilts are explicit: what vibrates so is 0.4 % too fast.
+const ANGLE_OF_TILTS: f64 = 0.3;
 /// Pieces with explicit balls that cost as much as one with implicit ones.
 const DEARER: usize = 3;
 /// Most pieces of a drift: where more were needed the step is too long by far, and the run says so.
@@ -31,7 +35,10 @@ pub(super) struct Longest {
     /// Where there are several, s.
     #[serde(deserialize_with = "or_infinite")]
     of_several: f64,
-    /// With implicit balls, s.
+    /// With implicit balls, alone, s.
+    #[serde(deserialize_with = "or_infinite")]
+    of_rings_alone: f64,
+    /// With implicit balls, where there are several, s.
     #[serde(deserialize_with = "or_infinite")]
     of_rings: f64,
 }
@@ -46,22 +53,26 @@ pub(super) struct Pieces {
 
 impl Longest {
     /// Where nothing vibrates.
-    pub const ANY: Self = Self { alone: f64::INFINITY, of_several: f64::INFINITY, of_rings: f64::INFINITY };
+    pub const ANY: Self = {
+        let any = f64::INFINITY;
+        Self { alone: any, of_several: any, of_rings_alone: any, of_rings: any }
+    };
 
     /// With a vibration of angular frequency ω (given by its square, 1/s²) and damping, 1/s; and that of rings with the
-    /// balls held.
-    fn of(all: [f64; 2], rings: [f64; 2]) -> Self {
+    /// balls held, which may tilt.
+    fn of(all: [f64; 2], rings: [f64; 2], tilt: bool) -> Self {
         let with = |limit, [omega_squared, damping]: [f64; 2]| longest(limit, omega_squared, damping);
         let [alone, of_several] = [LIMIT, LIMIT_OF_SEVERAL].map(|limit| with(limit, all));
-        let of_rings = with(LIMIT_OF_SEVERAL, rings).min(ANGLE_OF_RINGS / rings[0].sqrt());
-        Self { alone, of_several, of_rings }
+        let angles = if tilt { [ANGLE_OF_TILTS; 2] } else { ANGLE_OF_RINGS };
+        let [of_rings_alone, of_rings] = angles.map(|angle| with(LIMIT_OF_SEVERAL, rings).min(angle / rings[0].sqrt()));
+        Self { alone, of_several, of_rings_alone, of_rings }
     }
 
     /// Pieces of a step.
     pub fn pieces(&self, step: f64) -> Pieces {
         let of = |longest: f64, least| (step / longest).ceil().clamp(least, MOST_PIECES) as usize;
         let explicit = if step <= self.alone { 1 } else { of(self.of_several, 2.0) };
-        let implicit = of(self.of_rings, 1.0);
+        let implicit = if step <= self.of_rings_alone { 1 } else { of(self.of_rings, 2.0) };
         if explicit > DEARER * implicit {
             Pieces { count: implicit, implicit: true }
         } else {
@@ -122,9 +133,14 @@ impl Fast {
         let damping = 2.0 * SQRT_2 * machine.bearing.contact_damping * of_balls.sqrt();
         let highest = highest(of_balls, single.map(|k| k / mass), rings.map(|[square, ..]| square));
         let [square, of_contacts, of_supports] = [0, 1, 2].map(|i| rings.inner[i].max(rings.outer[i]));
-        let longest = Longest::of([highest, damping + of_supports], [square, of_contacts + of_supports]);
+        let tilt = machine.layout.any_tilts();
+        let longest = Longest::of([highest, damping + of_supports], [square, of_contacts + of_supports], tilt);
         // Explicit pieces err less where balls strike, and short ones: a blow excites the balls' own vibration.
-        if machine.is_damaged() { Longest { alone: longest.of_several, of_rings: 0.0, ..longest } } else { longest }
+        if machine.is_damaged() {
+            Longest { alone: longest.of_several, of_rings_alone: 0.0, of_rings: 0.0, ..longest }
+        } else {
+            longest
+        }
     }
 }
 
@@ -206,7 +222,7 @@ mod tests {
         let hertz = |f: f64| (std::f64::consts::TAU * f).powi(2);
         let of = |ball, ring, ratio: f64, step| {
             let all = [hertz(ball), 2.0 * ratio * hertz(ball).sqrt()];
-            Longest::of(all, [hertz(ring), 0.0]).pieces(step)
+            Longest::of(all, [hertz(ring), 0.0], false).pieces(step)
         };
         assert_eq!(of(60e3, 3e3, 0.25, 20e-6), Pieces { count: 2, implicit: true });
         assert_eq!(of(60e3, 40e3, 0.0, 20e-6), Pieces { count: 6, implicit: false });
@@ -271,7 +287,7 @@ mod tests {
             let damped = ratio > 0.0;
             for step in (6..=if damped { 252 } else { 56 }).map(|k| 0.05 * f64::from(k)) {
                 for share in [0.006, 0.03, 0.08, 1.0] {
-                    let pieces = Longest::of([1.0, 2.0 * ratio], [1.0, 2.0 * ratio]).pieces(step);
+                    let pieces = Longest::of([1.0, 2.0 * ratio], [1.0, 2.0 * ratio], true).pieces(step);
                     let most = swing(2.0 * ratio, (step, pieces), share);
                     assert!(most < 20.0, "damping {ratio}, step {step}, {share}: {most:e}");
                 }

@@ -274,12 +274,13 @@ impl Fast {
             self.turn_marked(machine, y, h);
             glide_bodies(machine, t + piece as f64 * h, y, h);
             self.swap_ahead(l, y, (piece + 1) as f64 / pieces as f64);
-            let at = (t + (piece + 1) as f64 * h, &*y);
+            let t = t + (piece + 1) as f64 * h;
             if implicit {
-                self.settle_on_springs(equations, at, h);
+                self.settle_on_springs(equations, (t, y), h);
+            } else {
+                let Scratch { level, balls, pressed, .. } = &mut self.scratch;
+                drift_acceleration(*level, equations, (t, y), balls, (&mut self.drift, pressed));
             }
-            let Scratch { level, balls, pressed, .. } = &mut self.scratch;
-            drift_acceleration(*level, equations, at, balls, (&mut self.drift, pressed));
             self.swap_back(l, y);
             self.push(l, y, half);
         }

@@ -7,6 +7,17 @@ use crate::layout::{BALL, VELOCITIES};
 use fearless_simd::Level;
 use tribodyn_bearing::Side;
 
+/// Where a block is without the implicit part (axial, radial), and its accelerations at the start of the piece.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Explicit {
+    pub positions: [Lane; 2],
+    pub accelerations: [Lane; 2],
+}
+
+impl Explicit {
+    pub const NONE: Self = Self { positions: [Lane::ZERO; 2], accelerations: [Lane::ZERO; 2] };
+}
+
 /// The balls in lanes: all of it follows from the rest of the memory and the state.
 #[derive(Debug)]
 pub(super) struct Scratch {
@@ -25,6 +36,9 @@ pub(super) struct Scratch {
     /// Azimuths of the balls that are not round at the start of a piece, rad.
     pub azimuths: Vec<f64>,
     pub pressed: Vec<Pressed>,
+    /// Where a piece with implicit balls began, and their last correction.
+    pub explicit: Vec<Explicit>,
+    pub by: Vec<[Lane; 2]>,
     /// The middles of the balls' pockets.
     pub places: Vec<Places>,
     pub forms: Vec<Forms>,
@@ -48,6 +62,8 @@ impl Default for Scratch {
             before: Vec::new(),
             azimuths: Vec::new(),
             pressed: Vec::new(),
+            explicit: Vec::new(),
+            by: Vec::new(),
             places: Vec::new(),
             forms: Vec::new(),
             table: [Vec::new(), Vec::new()],
