@@ -54,10 +54,15 @@ impl Layout {
         self.inner() + 6
     }
 
+    /// Places of the rings' translations and of their velocities: x, y, z of the inner, x, y of the outer one.
+    pub fn translations(self) -> [[usize; 2]; 5] {
+        let (i, o) = (self.inner(), self.outer());
+        [[i, i + 3], [i + 1, i + 4], [i + 2, i + 5], [o, o + 2], [o + 1, o + 3]]
+    }
+
     /// Velocities of inner (three) and outer ring (two).
     pub fn velocities_of_rings(self) -> [usize; 5] {
-        let (inner, outer) = (self.inner() + 3, self.outer() + 2);
-        [inner, inner + 1, inner + 2, outer, outer + 1]
+        self.translations().map(|[_, velocity]| velocity)
     }
 
     /// Velocities of the cage: its speed, of a free one also three of its centre of mass and two across its axis.

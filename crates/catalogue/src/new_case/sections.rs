@@ -209,8 +209,8 @@ pub(super) fn operation(case: &NewCase, numbers: &Numbers, sources: &mut Sources
 }
 
 /// Why states and balls are recorded as often as they are.
-const RATES: &str = "twenty samples for each ball that passes, or more, and what the outer ring vibrates at within their \
-                     pass band; every ball at a fifth of it";
+const RATES: &str = "twenty samples for each ball that passes, or more, and what the outer ring vibrates at within \
+                     their pass band; every ball at a fifth of it";
 
 pub(super) fn transient(numbers: &Numbers, dry: bool, sources: &mut Sources) -> String {
     sources.assumed("supports.inner", "a steel shaft of the bore, four diameters long, carried by the balls alone");

@@ -64,11 +64,8 @@ pub(super) fn glide_bodies(machine: &Machine, t: f64, y: &mut [f64], h: f64) {
     let l = machine.layout;
     machine.glide_free_cage(y, h);
     y[l.cage()] += h * y[l.cage() + 1];
-    for k in l.inner()..l.inner() + 3 {
-        y[k] += h * y[k + 3];
-    }
-    for k in l.outer()..l.outer() + 2 {
-        y[k] += h * y[k + 2];
+    for [place, velocity] in l.translations() {
+        y[place] += h * y[velocity];
     }
     machine.glide_tilts(y, h);
     // Prescribed speeds: the middle of the step is exact for speeds that change in proportion to time.

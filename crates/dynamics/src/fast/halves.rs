@@ -157,11 +157,9 @@ impl Fast {
         }
         // Rings beside implicit balls lack less.
         let of_rings = if self.piece_of_balls == 0.0 { share * (1.0 - 4.0 * OF_RINGS) } else { share };
-        let of_inner = (0..3).map(|i| (l.inner() + i, l.inner() + 3 + i));
-        let of_outer = (0..2).map(|i| (l.outer() + i, l.outer() + 2 + i));
-        let of_tilt = l.velocities_of_tilts().map(|velocity| (velocity - 2, velocity));
-        let translations = of_inner.chain(of_outer).map(|at| (at, of_rings));
-        for ((place, velocity), share) in translations.chain(of_tilt.map(|at| (at, share))) {
+        let translations = l.translations().into_iter().map(|at| (at, of_rings));
+        let tilts = l.velocities_of_tilts().map(|velocity| ([velocity - 2, velocity], share));
+        for ([place, velocity], share) in translations.chain(tilts) {
             shown[place] += share * self.acceleration(velocity, by_kick);
         }
     }

@@ -217,7 +217,7 @@ impl Fast {
         let (l, mass) = (machine.layout, machine.bearing.ball_mass);
         let weights =
             Weights { of_spring: 0.25 * h * h / mass, of_damper: h * machine.bearing.contact_damping / mass.sqrt() };
-        let (moved, at_start) = (self.moved(l, y, h), translations(l).map(|[_, velocity]| self.drift[velocity]));
+        let (moved, at_start) = (self.moved(l, y, h), l.velocities_of_rings().map(|velocity| self.drift[velocity]));
         let Scratch { level, balls, before, pressed, explicit, by, .. } = &mut self.scratch;
         explicit.resize(balls.len(), Explicit::NONE);
         by.resize(balls.len(), [Lane::ZERO; 2]);
@@ -231,7 +231,7 @@ impl Fast {
             if last || round == MOST_CORRECTIONS {
                 break;
             }
-            let changes = translations(l).map(|[_, velocity]| self.drift[velocity]);
+            let changes = l.velocities_of_rings().map(|velocity| self.drift[velocity]);
             let more: [f64; 5] = std::array::from_fn(|i| OF_RINGS * h * h * (changes[i] - at_start[i]) - shifts[i]);
             let [x, y_, z, outer_x, outer_y] = more;
             let rings = Races { inner: [x, y_, z], outer: [outer_x, outer_y, 0.0] };
@@ -250,7 +250,7 @@ impl Fast {
             for (((balls, before), pressed), by) in balls.iter_mut().zip(before).zip(pressed).zip(by) {
                 dispatch!(*level, _simd => shift_all((balls, before), by, (pressed.in_use, h)));
             }
-            for ([place, velocity], (shift, more)) in translations(l).into_iter().zip(shifts.iter_mut().zip(more)) {
+            for ([place, velocity], (shift, more)) in l.translations().into_iter().zip(shifts.iter_mut().zip(more)) {
                 *shift += more;
                 y[place] += more;
                 y[velocity] += 0.5 / (OF_RINGS * h) * more;
@@ -261,20 +261,13 @@ impl Fast {
 
     /// How the rings moved in a piece of `h`, by their velocities in its middle.
     fn moved(&self, l: Layout, y: &[f64], h: f64) -> Moved {
-        let moved = |place: usize, velocity: usize| [y[place] - h * self.before[velocity], y[place]];
-        let [x, y_, z] = [0, 1, 2].map(|i| moved(l.inner() + i, l.inner() + 3 + i));
-        let [outer_x, outer_y] = [0, 1].map(|i| moved(l.outer() + i, l.outer() + 2 + i));
+        let moved = |[place, velocity]: [usize; 2]| [y[place] - h * self.before[velocity], y[place]];
+        let [x, y_, z, outer_x, outer_y] = l.translations().map(moved);
         Races {
             inner: [0, 1].map(|end| [x[end], y_[end], z[end]]),
             outer: [0, 1].map(|end| [outer_x[end], outer_y[end], 0.0]),
         }
     }
-}
-
-/// Places of the rings' translations and of their velocities: x, y, z of the inner, x, y of the outer one.
-fn translations(l: Layout) -> [[usize; 2]; 5] {
-    let (i, o) = (l.inner(), l.outer());
-    [[i, i + 3], [i + 1, i + 4], [i + 2, i + 5], [o, o + 2], [o + 1, o + 3]]
 }
 
 #[cfg(test)]

@@ -286,10 +286,10 @@ mod tests {
         for ratio in [0.0, 0.005, 0.03, 0.15, 0.3, 0.5, 0.7, 1.0] {
             let damped = ratio > 0.0;
             for step in (6..=if damped { 252 } else { 56 }).map(|k| 0.05 * f64::from(k)) {
-                for share in [0.006, 0.03, 0.08, 1.0] {
-                    let pieces = Longest::of([1.0, 2.0 * ratio], [1.0, 2.0 * ratio], true).pieces(step);
+                for (share, tilt) in [0.006, 0.03, 0.08, 1.0].into_iter().flat_map(|s| [(s, false), (s, true)]) {
+                    let pieces = Longest::of([1.0, 2.0 * ratio], [1.0, 2.0 * ratio], tilt).pieces(step);
                     let most = swing(2.0 * ratio, (step, pieces), share);
-                    assert!(most < 20.0, "damping {ratio}, step {step}, {share}: {most:e}");
+                    assert!(most < 20.0, "damping {ratio}, step {step}, {share}, {tilt}: {most:e}");
                 }
             }
         }
