@@ -41,18 +41,39 @@ impl Profile {
     pub fn at(&self, azimuth: f64) -> (f64, f64) {
         let turned = azimuth - self.begin;
         let place = (turned - TAU * (turned * (1.0 / TAU)).floor()) / self.step;
-        let mut k = place as usize;
-        if k + 1 >= self.places.len() {
-            if !self.around {
-                return (0.0, 0.0);
-            }
-            // Rounding may lead past the last place.
-            k = self.places.len() - 2;
-        }
+        let last = self.places.len() - 1;
+        let k = if place < last as f64 {
+            place as usize
+        } else if self.around {
+            // Rounding may lead past the last place, and a motion beyond all numbers leads nowhere.
+            last - 1
+        } else {
+            return (0.0, 0.0);
+        };
         let t = place - k as f64;
         let ([a, c], [b, d]) = (self.places[k], self.places[k + 1]);
         // Powers of t about the left place.
         let (two, three) = (3.0 * (b - a) - 2.0 * c - d, 2.0 * (a - b) + c + d);
         (a + t * (c + t * (two + t * three)), (c + t * (2.0 * two + 3.0 * t * three)) / self.step)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A run whose motion goes beyond all numbers ends with a sentence, not in here.
+    #[test]
+    fn limit_places_beyond_all_numbers_are_round() {
+        let through = Profile::through(0.1, 0.01, &[0.0, 1e-6, 1e-6, 0.0]);
+        let around = Profile::around(64, |azimuth: f64| (azimuth.cos(), -azimuth.sin()));
+        for azimuth in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            assert_eq!(through.at(azimuth), (0.0, 0.0));
+            assert!(around.at(azimuth).0.is_nan());
+        }
+        for azimuth in [1e30, -1e30, f64::MAX, f64::MIN] {
+            assert!(through.at(azimuth).0.is_finite() && !around.at(azimuth).0.is_infinite(), "{azimuth}");
+        }
+        assert!(through.at(0.115).0 > 0.9e-6 && (around.at(1.0).0 - 1f64.cos()).abs() < 1e-4);
     }
 }
