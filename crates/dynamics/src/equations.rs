@@ -231,7 +231,7 @@ impl Machine {
     #[inline]
     pub fn place(&self, index: usize, b: &[f64], frame: &Frame) -> (AzimuthFrame, [f64; 2], Races<LocalSurface>) {
         let axes = AzimuthFrame::at(b[AZIMUTH]);
-        let surfaces = Races::from_fn(|side| self.surface(side, index, (axes, b), frame));
+        let surfaces = Races::from_fn(|side| self.surface(side, index, Self::seen_from(side, axes, b, frame), frame));
         let groove = self.bearing.geometry.groove_centre_radius(Side::Outer);
         (axes, Self::position(axes, [b[AXIAL], b[RADIUS]], frame, groove), surfaces)
     }
@@ -239,14 +239,20 @@ impl Machine {
     /// Azimuth of a ball with the unknowns `b` in the frame of a ring, rad.
     #[inline]
     pub fn on_ring(side: Side, axes: AzimuthFrame, b: &[f64], frame: &Frame) -> f64 {
-        b[AZIMUTH] - Self::behind(side, axes, b, frame) - frame.angles[side]
+        Self::seen_from(side, axes, b, frame)[0]
     }
 
-    /// How far a ball stands behind its azimuth, seen from the ring's own axis, rad.
-    #[inline]
-    fn behind(side: Side, axes: AzimuthFrame, b: &[f64], frame: &Frame) -> f64 {
-        let [_, radial, along] = axes.from_inertial(frame.rings[side].displacement);
-        along / (b[RADIUS] - radial)
+    /// Azimuth of a ball with the unknowns `b` in the frame of a ring, and how far it stands behind its own azimuth,
+    /// seen from the ring's axis, rad.
+    #[inline(always)]
+    pub fn seen_from(side: Side, axes: AzimuthFrame, b: &[f64], frame: &Frame) -> [f64; 2] {
+        let (ring, angle) = match side {
+            Side::Inner => (&frame.rings.inner, frame.angles.inner),
+            Side::Outer => (&frame.rings.outer, frame.angles.outer),
+        };
+        let [_, radial, along] = axes.from_inertial(ring.displacement);
+        let behind = along / (b[RADIUS] - radial);
+        [b[AZIMUTH] - behind - angle, behind]
     }
 
     /// How hard a ball is pressed on its races.
@@ -268,12 +274,10 @@ impl Machine {
         Races::from_fn(|side| LocalSurface { depth: -self.bearing.worn[side].depth, ..LocalSurface::NEW })
     }
 
-    /// Surface of a raceway under a ball with the unknowns `b`; what had worn off all round at the start is in the pose
-    /// of the ball.
+    /// Surface of a raceway under a ball that is [`Self::seen_from`] it so; what had worn off all round at the start is
+    /// in the pose of the ball.
     #[inline]
-    fn surface(&self, side: Side, ball: usize, (axes, b): (AzimuthFrame, &[f64]), frame: &Frame) -> LocalSurface {
-        let behind = Self::behind(side, axes, b, frame);
-        let azimuth = b[AZIMUTH] - behind - frame.angles[side];
+    pub fn surface(&self, side: Side, ball: usize, [azimuth, behind]: [f64; 2], frame: &Frame) -> LocalSurface {
         let mut surface = self.raceways[side].at(azimuth);
         surface.depth -= self.bearing.worn[side].depth;
         if !self.bearing.deviations.are_none() {

@@ -328,7 +328,7 @@ pub(super) fn press<E: Equations>(
 ) {
     let machine = equations.machine();
     out.in_use = InUse::of(machine.layout, block);
-    surfaces(machine, frame, (block, balls), (&mut out.surfaces, &mut out.turns));
+    surfaces(level, machine, (frame, block, balls), (&mut out.surfaces, &mut out.turns));
     sizes(machine, block, &mut out.sizes);
     let springs_of = machine.bearing.contact_springs();
     let exact = springs_of.ring_offset() == RingOffset::Exact;
@@ -353,9 +353,9 @@ fn sizes(machine: &Machine, block: usize, out: &mut [Lane; 3]) {
 
 /// The surfaces under the balls of a block.
 fn surfaces(
+    level: Level,
     machine: &Machine,
-    frame: &Frame,
-    (block, balls): (usize, &[Lane; BALL]),
+    (frame, block, balls): (&Frame, usize, &[Lane; BALL]),
     (out, turns): (&mut [[Lane; 3]; 2], &mut [[Lane; 3]; 2]),
 ) {
     if machine.is_even() {
@@ -364,15 +364,29 @@ fn surfaces(
         }
         return;
     }
+    let mut seen = [[Lane::ZERO; 2]; 2];
+    dispatch!(level, _simd => seen_from_rings(&frame.held(), balls, &mut seen));
     for k in 0..filled(machine.layout, block) {
-        let here = machine.place(WIDTH * block + k, &get(balls, k), frame).2;
-        for lane in lanes_of(machine.layout, block, k) {
-            for (side, surface) in here.iter() {
+        for side in Side::BOTH {
+            let surface = machine.surface(side, WIDTH * block + k, get(&seen[side as usize], k), frame);
+            for lane in lanes_of(machine.layout, block, k) {
                 put(&mut out[side as usize], lane, [surface.depth, surface.slope, surface.bare]);
                 if machine.layout.marked > 0 {
                     put(&mut turns[side as usize], lane, surface.turn);
                 }
             }
         }
+    }
+}
+
+/// How the balls of a block are [`Machine::seen_from`] the rings.
+#[inline(always)]
+fn seen_from_rings(frame: &Frame, balls: &[Lane; BALL], seen: &mut [[Lane; 2]; 2]) {
+    for k in 0..WIDTH {
+        let b = get(balls, k);
+        let (sin, cos) = sin_cos(b[AZIMUTH]);
+        let axes = AzimuthFrame { sin, cos };
+        put(&mut seen[0], k, Machine::seen_from(Side::Inner, axes, &b, frame));
+        put(&mut seen[1], k, Machine::seen_from(Side::Outer, axes, &b, frame));
     }
 }

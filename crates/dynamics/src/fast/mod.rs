@@ -284,7 +284,8 @@ impl Fast {
             self.swap_back(l, y);
             self.push(l, y, half);
         }
-        if self.steps.is_multiple_of(CHECK_EVERY) {
+        // A ball that strikes is pressed many times as hard from one step to the next.
+        if machine.is_damaged() || self.steps.is_multiple_of(CHECK_EVERY) {
             self.longest = self.longest_pieces(machine);
         }
     }
