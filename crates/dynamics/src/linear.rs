@@ -8,11 +8,12 @@
 use crate::machine::Machine;
 use nalgebra::{Matrix5, Vector2, Vector5};
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 use tribodyn_bearing::LoadedPatch;
 use tribodyn_traction::{PatchDerivative, PatchTraction, RelativeMotion};
 
 /// Slip, m/s, as which a relative change of the load counts: it moves the rolling lines in the patch by little.
-const LOAD_AS_SLIP: f64 = 1.0;
+pub(crate) const LOAD_AS_SLIP: f64 = 1.0;
 /// The slip of the spin at the ends of the patch counts as so much of a slip everywhere.
 const SPIN_AS_SLIP: f64 = 0.5;
 /// First distance that a linear traction may be used over, m/s.
@@ -96,6 +97,8 @@ impl LinearTraction {
     /// Numbers that a linear traction is evaluated with, and which of them is the lateral semi-axis.
     pub const NUMBERS: usize = 71;
     pub const SEMI_LATERAL: usize = 68;
+    /// Those between the first and the last ones tell the traction, the others where it holds.
+    pub const OF_TRACTION: Range<usize> = 7..67;
 
     /// These in order.
     pub fn numbers(&self) -> [f64; Self::NUMBERS] {

@@ -1,8 +1,9 @@
 //! The balls in lanes, on which the fast scheme works.
 
 use super::drift::Pressed;
-use super::kick_forces::{Forms, KickForces, LINEAR, Places};
+use super::kick_forces::{Forms, KickForces, Places};
 use super::lanes::{Lane, get};
+use super::table::Keys;
 use crate::layout::{BALL, VELOCITIES};
 use fearless_simd::Level;
 use tribodyn_bearing::Side;
@@ -42,8 +43,8 @@ pub(super) struct Scratch {
     /// The middles of the balls' pockets.
     pub places: Vec<Places>,
     pub forms: Vec<Forms>,
-    /// The linear forms of the table, inner and outer race.
-    pub table: [Vec<[Lane; LINEAR]>; 2],
+    /// Where the linear forms of the table serve, inner and outer race.
+    pub table: [Vec<Keys>; 2],
     pub kick_forces: Vec<KickForces>,
     /// Mean forces of inner and outer contacts on the balls in the last kick (a, r, t), N.
     pub mean_forces: Vec<[Lane; 6]>,

@@ -6,20 +6,21 @@
 //! so on, and gives way to one with a shorter reach where it errs by more than it may. This is in situ adaptive
 //! tabulation, S. B. Pope, Combust. Theory Model. 1 (1997) 41, doi:10.1088/713665229.
 
-use super::kick_forces::LINEAR;
 use super::lanes::{Lane, WIDTH, put};
-use crate::linear::LinearTraction;
+use crate::linear::{LOAD_AS_SLIP, LinearTraction};
 use crate::machine::Machine;
 use fearless_simd::{Level, dispatch};
 use serde::{Deserialize, Serialize};
 use tribodyn_bearing::{LoadedPatch, Side};
 use tribodyn_traction::PatchTraction;
 
-/// Forms that are kept of a race; then the oldest gives way. A 6206 in oil comes by some eighty on its orbit. Twice as
-/// many take as long to search as they save.
-const KEPT: usize = 128;
+/// Forms that are kept of a race; then the oldest gives way. A 6206 in oil comes by some eighty on its orbit, and by
+/// several hundred where balls strike a spall.
+const KEPT: usize = 512;
 /// Share of its reach within which a form serves a contact that it was not made at.
 const AGAIN_WITHIN: f64 = 0.9;
+/// The same of the load alone, with a margin for rounding.
+const LOAD_WITHIN: f64 = 1.001 * AGAIN_WITHIN / LOAD_AS_SLIP;
 
 /// Forms of the inner and the outer race.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -36,8 +37,15 @@ struct Kept {
     served: u64,
 }
 
+/// Numbers that tell where a form serves: those before its traction, and those after. Which of them are load and reach.
+const KEYS: usize = LinearTraction::NUMBERS - OF_TRACTION;
+const OF_TRACTION: usize = LinearTraction::OF_TRACTION.end - LinearTraction::OF_TRACTION.start;
+const LOAD: usize = 5;
+const REACH: usize = LinearTraction::SEMI_LATERAL + 1 - OF_TRACTION;
+/// Where the forms of a block serve.
+pub(super) type Keys = [Lane; KEYS];
 /// The forms of one race in lanes, in which they are searched by the vector instructions of a level.
-type InLanes<'a> = (Side, Level, &'a mut Vec<[Lane; LINEAR]>);
+type InLanes<'a> = (Side, Level, &'a mut Vec<Keys>);
 
 impl Table {
     /// Length of the longer list, and the longest that it may have.
@@ -88,34 +96,56 @@ impl Table {
         (traction, true)
     }
 
-    fn keep(&mut self, side: Side, form: &LinearTraction, lanes: &mut Vec<[Lane; LINEAR]>) {
+    fn keep(&mut self, side: Side, form: &LinearTraction, lanes: &mut Vec<Keys>) {
         let (forms, oldest) = (&mut self.forms[side as usize], &mut self.oldest[side as usize]);
         let new = Kept { form: *form, served: 0 };
         let at = if forms.len() < KEPT { forms.len() } else { *oldest % KEPT };
         match forms.get_mut(at) {
             Some(form) => (*form, *oldest) = (new, at + 1),
-            None => forms.push(new),
+            None => {
+                forms.reserve_exact(KEPT - forms.len());
+                forms.push(new);
+            }
         }
         set(lanes, at, form);
     }
 }
 
 /// Puts a form into its lane.
-fn set(lanes: &mut Vec<[Lane; LINEAR]>, at: usize, form: &LinearTraction) {
+fn set(lanes: &mut Vec<Keys>, at: usize, form: &LinearTraction) {
     if at / WIDTH == lanes.len() {
+        lanes.reserve_exact(KEPT.div_ceil(WIDTH) - lanes.len());
         // Without a reach: none of them is near.
-        lanes.push([Lane::ZERO; LINEAR]);
+        lanes.push([Lane::ZERO; KEYS]);
     }
-    put(&mut lanes[at / WIDTH], at % WIDTH, form.numbers());
+    put(&mut lanes[at / WIDTH], at % WIDTH, keys(form));
+}
+
+fn keys(form: &LinearTraction) -> [f64; KEYS] {
+    let numbers = form.numbers();
+    std::array::from_fn(|i| numbers[if i < LinearTraction::OF_TRACTION.start { i } else { i + OF_TRACTION }])
+}
+
+/// A form that knows where it serves, and no more.
+#[inline(always)]
+fn with_keys(keys: impl Fn(usize) -> f64) -> LinearTraction {
+    LinearTraction::from_numbers(|i| match i {
+        _ if i < LinearTraction::OF_TRACTION.start => keys(i),
+        _ if i < LinearTraction::OF_TRACTION.end => 0.0,
+        _ => keys(i - OF_TRACTION),
+    })
 }
 
 /// Place of the nearest form, over its reach, that serves a contact.
 #[inline(always)]
-fn nearest(lanes: &[[Lane; LINEAR]], p: &LoadedPatch<'_, f64>) -> Option<usize> {
+fn nearest(lanes: &[Keys], p: &LoadedPatch<'_, f64>) -> Option<usize> {
     let (mut least, mut at) = (Lane::all(f64::INFINITY), Lane::ZERO);
     for (block, forms) in lanes.iter().enumerate() {
+        if !any_has_load(forms, p.load) {
+            continue;
+        }
         for k in 0..WIDTH {
-            let distance = LinearTraction::from_numbers(|i| forms[i].0[k]).distance_to(p, AGAIN_WITHIN);
+            let distance = with_keys(|i| forms[i].0[k]).distance_to(p, AGAIN_WITHIN);
             let nearer = distance < least.0[k];
             least.0[k] = if nearer { distance } else { least.0[k] };
             at.0[k] = if nearer { block as f64 } else { at.0[k] };
@@ -123,6 +153,17 @@ fn nearest(lanes: &[[Lane; LINEAR]], p: &LoadedPatch<'_, f64>) -> Option<usize> 
     }
     let k = (0..WIDTH).min_by(|&a, &b| least.0[a].total_cmp(&least.0[b]))?;
     least.0[k].is_finite().then(|| WIDTH * at.0[k] as usize + k)
+}
+
+/// True if a load alone is within the reach of a form: most are made at others.
+#[inline(always)]
+fn any_has_load(forms: &Keys, load: f64) -> bool {
+    let (of, reach) = (&forms[LOAD].0, &forms[REACH].0);
+    let mut any = false;
+    for k in 0..WIDTH {
+        any |= (load - of[k]).abs() <= LOAD_WITHIN * reach[k] * of[k];
+    }
+    any
 }
 
 #[cfg(test)]
