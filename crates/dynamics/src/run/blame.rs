@@ -57,10 +57,18 @@ impl Run {
         let of_bodies = || self.machine.body_bounds(looked.time, &looked.state, limits).into_iter().find(beyond);
         let known = self.machine.stiffness(looked.time, &looked.state);
         let found = Some(self.of_balls(known)).filter(beyond).or_else(of_bodies);
-        match found.or_else(|| self.on_the_way(limits).filter(beyond)) {
+        let of_blows = || self.at_spalls().filter(beyond);
+        match found.or_else(|| self.on_the_way(limits).filter(beyond)).or_else(of_blows) {
             Some(bound) => Blame::Step { step_s, bound: Box::new(bound) },
             None => Blame::Case { step_s },
         }
+    }
+
+    /// The bound by balls that strike, of the fast scheme: in longer steps friction may throw them to and fro.
+    fn at_spalls(&self) -> Option<StepBound> {
+        let limit_s = self.machine.longest_step_over_spalls(self.duration)?;
+        let motion = "balls at the edges of a spall".to_owned();
+        matches!(self.scheme, Scheme::Fast { .. }).then_some(StepBound { motion, limit_s })
     }
 
     /// The lowest bound that the adaptive scheme finds between the last look and the present time; its mean step where

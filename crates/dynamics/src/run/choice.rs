@@ -7,9 +7,11 @@
 //! most twice the least of those tried.
 //!
 //! Trials integrate traction more often than the run: what the linear traction errs in the torque of so short a time is
-//! the same for all steps, and where balls roll in oil more than all else that a step errs. Where balls strike, the
-//! torque swings by many times its mean, and samples of it tell of chance: there it is that of all steps, with weights
-//! that fall to nothing towards both ends, as trials may begin and end with a ball over a spall.
+//! the same for all steps, and where balls roll in oil more than all else that a step errs.
+//!
+//! Where balls strike, the torque swings by many times its mean, and samples of it tell of chance: by 1 % and more
+//! where the power of a long run is the same to four digits. There what the races lose by friction counts, over all
+//! steps, with weights that fall to nothing towards both ends, as trials may begin and end with a ball over a spall.
 
 use super::companion::apart_and_unsteady;
 use super::filter::steps_of_sample;
@@ -44,6 +46,10 @@ const PAST_THE_START: [f64; 2] = [4.0, 32.0];
 /// Error of the linear traction in trials over that of the run. With a tenth, what it errs in the torque of 2 ms
 /// outweighs in oil what the step errs.
 const LINEAR_ERROR_OF_RUN: f64 = 0.01;
+/// The same where balls strike: trials have to meet blows as the run does, and the power of friction hardly shows it.
+const LINEAR_ERROR_OF_BLOWS: f64 = 0.1;
+/// Halvings of a step in which the motion from the start goes beyond all numbers.
+const MOST_HALVINGS: usize = 6;
 /// Fewest steps between samples: fewer save little more, and what samples tell of accelerations suffers.
 const LEAST_STEPS: f64 = 2.0;
 /// Pairs of trials.
@@ -74,7 +80,7 @@ pub struct StepErrors {
     /// Of the normal loads, rms over balls and time, over their mean.
     #[serde(deserialize_with = "or_infinite")]
     pub loads: f64,
-    /// Of the mean torque on the inner ring, over itself.
+    /// Of the mean torque on the inner ring, over itself; where balls strike, of the power that friction takes.
     #[serde(deserialize_with = "or_infinite")]
     pub torque: f64,
     /// Of the mean cage speed, over itself.
@@ -120,7 +126,8 @@ struct Trial {
     accelerations: Vec<[f64; 2]>,
     /// Normal loads at the samples, N.
     loads: Vec<f64>,
-    /// Mean torque on the inner ring, N m, and mean speed of the cage, rad/s.
+    /// Mean torque on the inner ring, N m, or where balls strike, mean power of friction, W; and mean speed of the
+    /// cage, rad/s.
     torque: f64,
     cage_speed: f64,
 }
@@ -144,10 +151,25 @@ pub(super) struct Trials<'a> {
 impl Trials<'_> {
     /// The longest step with the accuracy asked for.
     pub fn choose(&self, accuracy: f64) -> StepChoice {
-        match self.past_the_start() {
+        let choice = match self.past_the_start() {
             Some((start, state)) => Trials { start, state: &state, ..*self }.longest_that_keeps(accuracy),
             None => self.longest_that_keeps(accuracy),
+        };
+        if self.machine.is_damaged() { self.that_bears_the_start(choice) } else { choice }
+    }
+
+    /// The step of a choice, or half of it and so on, until the motion from the very start stays finite as the run has
+    /// it: over more blows than trials have, and by a ball that may stand over a spall at the start.
+    fn that_bears_the_start(&self, mut choice: StepChoice) -> StepChoice {
+        let samples = ((LONGEST_SPAN_S.min(self.duration) * self.rate) as usize).max(FEWEST);
+        for _ in 0..MOST_HALVINGS {
+            let steps = steps_of_sample(choice.step_s, self.rate);
+            if self.march((samples, steps), self.linear_error, |_, _, _, _| ()).is_some() {
+                break;
+            }
+            choice.step_s *= 0.5;
         }
+        choice
     }
 
     /// A motion starts as that of a round bearing, with balls that fit their orbit to a tolerance. The shock in which
@@ -157,7 +179,7 @@ impl Trials<'_> {
         let [round, other] = PAST_THE_START;
         let divisions = if self.machine.is_even() { round } else { other };
         let steps = steps_of_sample(self.longest() / divisions, self.rate);
-        let state = self.march(steps, |_, _, _, _| ())?;
+        let state = self.march((self.samples(), steps), self.finer(), |_, _, _, _| ())?;
         Some((self.start + self.samples() as f64 / self.rate, state))
     }
 
@@ -176,7 +198,9 @@ impl Trials<'_> {
                 break;
             }
             let before = steps;
-            steps = (steps * (error / accuracy).sqrt()).ceil().clamp(before + 1.0, most);
+            // Half of a step in which the motion goes beyond all numbers.
+            let shorter = if error.is_finite() { (error / accuracy).sqrt() } else { 2.0 };
+            steps = (steps * shorter).ceil().clamp(before + 1.0, most);
             let next = choice(steps);
             if next.errors.worst() > error * before / steps {
                 let [half, quarter] = SCATTERED.map(|parts| choice(parts * least));
@@ -225,6 +249,12 @@ impl Trials<'_> {
         }
     }
 
+    /// Error of the linear traction in trials.
+    fn finer(&self) -> f64 {
+        let of_run = if self.machine.is_damaged() { LINEAR_ERROR_OF_BLOWS } else { LINEAR_ERROR_OF_RUN };
+        of_run * self.linear_error
+    }
+
     /// Samples of a trial: over a place that is damaged a ball has to pass.
     fn samples(&self) -> usize {
         let usual = SPAN_S.min(MOST_OF_RUN * self.duration);
@@ -247,7 +277,7 @@ impl Trials<'_> {
         let (mut accelerations, mut loads, mut torque) = (Vec::new(), Vec::new(), 0.0);
         let (mut room, mut shown, mut before) = (Room::default(), Vec::new(), velocities(self.state));
         let strikes = self.machine.is_damaged();
-        let state = self.march(steps, |fast, machine, (t, y), [sample, step]| {
+        let state = self.march((samples, steps), self.finer(), |fast, machine, (t, y), [sample, step]| {
             let is_sample = step == steps as usize;
             if !strikes && !is_sample {
                 return;
@@ -255,8 +285,12 @@ impl Trials<'_> {
             fast.show(l, y, &mut shown);
             let (sums, balls) = fast.sample(machine, (t, &shown), (BallDetail::Loads, &mut room));
             let made = (sample as f64 + step as f64 / steps) / samples as f64;
-            let weight = if strikes { (1.0 - (TAU * made).cos()) / steps } else { 1.0 };
-            torque += weight * sums.torque.inner / samples as f64;
+            let friction = sums.powers.friction;
+            torque += if strikes {
+                (1.0 - (TAU * made).cos()) / steps * (friction.inner + friction.outer)
+            } else {
+                sums.torque.inner
+            } / samples as f64;
             if is_sample {
                 let now = velocities(y);
                 accelerations.push([0, 1].map(|k| (now[k] - before[k]) / length));
@@ -271,12 +305,17 @@ impl Trials<'_> {
 
     /// The state after as many samples with so many steps each; none where it is no number. After every step `look`
     /// has the scheme, the machine, time and state, and which sample and which step of it that is.
-    fn march(&self, steps: f64, mut look: impl FnMut(&Fast, &Machine, (f64, &[f64]), [usize; 2])) -> Option<Vec<f64>> {
+    fn march(
+        &self,
+        (samples, steps): (usize, f64),
+        linear_error: f64,
+        mut look: impl FnMut(&Fast, &Machine, (f64, &[f64]), [usize; 2]),
+    ) -> Option<Vec<f64>> {
         let (mut machine, mut y) = (self.machine.clone(), self.state.to_vec());
-        let (length, mut fast) = (1.0 / self.rate, Fast::with_linear_error(LINEAR_ERROR_OF_RUN * self.linear_error));
+        let (length, mut fast) = (1.0 / self.rate, Fast::with_linear_error(linear_error));
         let h = length / steps;
         machine.thicken_pocket_film(h);
-        for sample in 0..self.samples() {
+        for sample in 0..samples {
             for step in 1..=steps as usize {
                 let t = self.start + sample as f64 * length + step as f64 * h;
                 fast.step(&mut machine, t - h, &mut y, h);

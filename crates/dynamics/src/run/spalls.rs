@@ -118,7 +118,7 @@ impl Run {
 
 impl Machine {
     /// Longest step that resolves the edges of the spalls, s; none without spalls or where nothing turns.
-    fn longest_step_over_spalls(&self, duration: f64) -> Option<f64> {
+    pub(super) fn longest_step_over_spalls(&self, duration: f64) -> Option<f64> {
         let apart = |time: f64| (self.speeds.inner.at(time) - self.speeds.outer.at(time)).abs();
         let speed = [0.0, duration].map(apart).into_iter().fold(0.0, f64::max);
         let limits = self.spalls.iter().flat_map(|(_, paths)| paths.iter()).map(|path| path.contact_angle());
