@@ -40,8 +40,8 @@ struct Kept {
 /// Numbers that tell where a form serves: those before its traction, and those after. Which of them are load and reach.
 const KEYS: usize = LinearTraction::NUMBERS - OF_TRACTION;
 const OF_TRACTION: usize = LinearTraction::OF_TRACTION.end - LinearTraction::OF_TRACTION.start;
-const LOAD: usize = 5;
-const REACH: usize = LinearTraction::SEMI_LATERAL + 1 - OF_TRACTION;
+const KEY_OF_LOAD: usize = 5;
+const KEY_OF_REACH: usize = LinearTraction::SEMI_LATERAL + 1 - OF_TRACTION;
 /// Where the forms of a block serve.
 pub(super) type Keys = [Lane; KEYS];
 /// The forms of one race in lanes, in which they are searched by the vector instructions of a level.
@@ -158,7 +158,7 @@ fn nearest(lanes: &[Keys], p: &LoadedPatch<'_, f64>) -> Option<usize> {
 /// True if a load alone is within the reach of a form: most are made at others.
 #[inline(always)]
 fn any_has_load(forms: &Keys, load: f64) -> bool {
-    let (of, reach) = (&forms[LOAD].0, &forms[REACH].0);
+    let (of, reach) = (&forms[KEY_OF_LOAD].0, &forms[KEY_OF_REACH].0);
     let mut any = false;
     for k in 0..WIDTH {
         any |= (load - of[k]).abs() <= LOAD_WITHIN * reach[k] * of[k];
@@ -222,6 +222,37 @@ mod tests {
         let integrated: Vec<bool> = (0..4).map(|_| use_at(0.1, &mut table, &mut form).1).collect();
         assert_eq!(integrated, [true, true, false, true]);
         assert!(use_at(0.1, &mut table, &mut form).0[0] < 1e-9);
+    }
+
+    /// Forms that the search passes over by their load alone are out of reach: it finds what the forms themselves say.
+    #[test]
+    fn identity_the_search_finds_the_nearest_form() {
+        let form = std::cell::Cell::new(LinearTraction::default());
+        at_slip(0.0, |machine, patch| {
+            let mut made = LinearTraction::default();
+            let traction = made.refresh(machine, patch, TOLERANCE);
+            let of_load = |k: usize| {
+                let mut numbers = made.numbers();
+                numbers[KEY_OF_LOAD] *= 1.04f64.powi(k as i32 - 30);
+                (numbers[REACH], numbers[REACH + 1]) = (0.01 * (1 + k % 7) as f64, 1.0);
+                LinearTraction::from_numbers(|i| numbers[i])
+            };
+            let (forms, mut lanes): (Vec<_>, _) = ((0..61).map(of_load).collect(), Vec::new());
+            forms.iter().enumerate().for_each(|(at, form)| set(&mut lanes, at, form));
+            let mut found = 0;
+            for k in 0..400 {
+                let p = LoadedPatch { load: patch.load * 1.007f64.powi(k - 200), ..*patch };
+                let distance = |form: &LinearTraction| form.distance_to(&p, AGAIN_WITHIN);
+                let least = forms.iter().map(distance).fold(f64::INFINITY, f64::min);
+                let searched = nearest(&lanes, &p).map_or(f64::INFINITY, |at| distance(&forms[at]));
+                assert!(least == searched, "load {}: {searched} and {least}", p.load);
+                found += usize::from(least.is_finite());
+            }
+            assert!((100..390).contains(&found), "{found} of 400 within reach");
+            form.set(made);
+            traction
+        });
+        assert!(form.get() != LinearTraction::default());
     }
 
     /// Place of the reach among the numbers of a form.

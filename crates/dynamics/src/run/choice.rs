@@ -66,7 +66,7 @@ const OF_SECOND_ORDER: f64 = 4.0 / 3.0;
 pub struct StepChoice {
     /// Accuracy asked for.
     pub accuracy: f64,
-    /// Errors found with the step.
+    /// Errors found with the step, or with a longer one in which a ball was lost over a spall at the start.
     pub errors: StepErrors,
     /// The step, s.
     pub step_s: f64,
