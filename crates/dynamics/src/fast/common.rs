@@ -8,7 +8,12 @@
 //! Against the races it is hardly anything, as it would feed what vibrates there: with a spring of angular frequency ω
 //! and steps of H it follows by 1/(1 + 2 (ω H)²). With 1 for the 2 some vibrations without damping grow, with 4 those
 //! with damping die out more slowly. It follows in half a millisecond at the soonest, and so does the part along the
-//! orbit, so that a ball that strikes is not pushed on by what the race did to it before.
+//! orbit.
+//!
+//! Where balls strike there is none along the orbit. The race pushes a ball over an edge many times as hard as friction
+//! can, and a fortieth of that, carried by the common part over the next half a millisecond, would shift the ball in
+//! each drift from full slip on one side to full slip on the other: traction hardly changes with slip there, and the
+//! kick would throw the ball to and fro.
 
 use super::Fast;
 use super::drift::Pressed;
@@ -36,9 +41,10 @@ pub(super) fn share(angle: f64) -> f64 {
 /// The common parts of the balls of a block, those given back, and the mean accelerations that they follow.
 type Parts<'a> = (&'a mut [Lane; 3], &'a mut [Lane; 3], &'a [Lane; 3]);
 
-/// Lets the common parts of the balls of a block follow; given back is the mean of before and after.
+/// Lets the common parts of the balls of a block follow, that along the orbit by a share `along`; given back is the
+/// mean of before and after.
 #[inline(always)]
-fn follow_balls((common, given, mean): Parts<'_>, pressed: &Pressed, (weights, least): (Weights, f64)) {
+fn follow_balls((common, given, mean): Parts<'_>, pressed: &Pressed, (weights, least, along): (Weights, f64, f64)) {
     for k in pressed.in_use.lanes() {
         let (now, drift) = (get(common, k), get(mean, k));
         let of_ball = (weights, pressed.relative_mass(k));
@@ -47,7 +53,7 @@ fn follow_balls((common, given, mean): Parts<'_>, pressed: &Pressed, (weights, l
             Line::of(&pressed.contact(Side::Outer, k), Side::Outer, of_ball).with_spring_of_at_least(least),
         ];
         let [axial, radial] = solve(springs, [drift[0] - now[0], drift[1] - now[1]]);
-        let next = [now[0] + axial, now[1] + radial, now[2] + (drift[2] - now[2]) / (1.0 + least)];
+        let next = [now[0] + axial, now[1] + radial, now[2] + along * (drift[2] - now[2])];
         put(given, k, [0.5 * (now[0] + next[0]), 0.5 * (now[1] + next[1]), 0.5 * (now[2] + next[2])]);
         put(common, k, next);
     }
@@ -60,9 +66,11 @@ impl Fast {
     /// The kick gives back what the drifts on either side of it go without, half of each.
     pub(super) fn follow_drift(&mut self, machine: &Machine, h: f64) {
         let weights = Weights { of_spring: OF_VIBRATION * h * h / machine.bearing.ball_mass, of_damper: 0.0 };
+        let least = TIME / h;
+        let along = if machine.is_damaged() { 0.0 } else { 1.0 / (1.0 + least) };
         let Scratch { level, mean, common, given_back, pressed, .. } = &mut self.scratch;
         for (((common, given), mean), pressed) in common.iter_mut().zip(given_back).zip(mean).zip(pressed) {
-            dispatch!(*level, _simd => follow_balls((common, given, mean), pressed, (weights, TIME / h)));
+            dispatch!(*level, _simd => follow_balls((common, given, mean), pressed, (weights, least, along)));
         }
         let share = (h / RING_TIME).min(1.0);
         for k in machine.layout.velocities_of_bodies() {

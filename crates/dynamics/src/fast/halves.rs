@@ -23,7 +23,8 @@ impl Fast {
         self.longest = self.longest_pieces(equations.machine());
         self.find_second_half(equations, t, y, h);
         if self.steps == 0 && !equations.machine().is_even() {
-            self.begin_smoothly(equations.machine().layout, h);
+            let machine = equations.machine();
+            self.begin_smoothly((machine.layout, machine.is_damaged()), h);
             self.find_second_half(equations, t, y, h);
         }
     }
@@ -38,11 +39,13 @@ impl Fast {
 
     /// The common accelerations as the kick that was found has them, the other way: the shock in which races that are
     /// not round meet the balls at the start of a run is the drift's alone: carried by the common part it would swing
-    /// the balls.
-    fn begin_smoothly(&mut self, l: Layout, h: f64) {
+    /// the balls. Along the orbit there is none where balls strike.
+    fn begin_smoothly(&mut self, (l, strikes): (Layout, bool), h: f64) {
         let Scratch { common, given_back, half, .. } = &mut self.scratch;
+        let parts = if strikes { 2 } else { 3 };
         for ((common, given), half) in common.iter_mut().zip(given_back).zip(half) {
-            for ((common, given), half) in common.iter_mut().zip(given).zip(half) {
+            common[parts..].fill(Lane::ZERO);
+            for ((common, given), half) in common[..parts].iter_mut().zip(given).zip(half) {
                 for ((common, given), half) in common.0.iter_mut().zip(given.0).zip(half.0) {
                     *common = given - 2.0 * half / h;
                 }
