@@ -6,8 +6,8 @@ use crate::layout::{AXIAL, AZIMUTH, OMEGA, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 use crate::sample::FreeCageSample;
 use tribodyn_bearing::{
-    AzimuthFrame, CagePose, FREE_CAGE, FreeCage, InPocket, LandLoad, PocketLoad, PocketMotion, Races, RingState, Side,
-    Wrench,
+    AzimuthFrame, CagePose, FREE_CAGE, FreeCage, InPocket, LandLoad, Pocket, PocketLoad, PocketMotion, Races,
+    RingState, Side, Wrench,
 };
 
 /// Angle (rad) and speed (rad/s) of a cage, and where it is, if it is free.
@@ -104,7 +104,8 @@ impl Machine {
         if let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) {
             return self.load_in_free_pocket((pose, &self.in_free_pocket((cage, pose), (index, b))), b);
         }
-        self.cage.pocket.load(&PocketMotion {
+        let pocket = &self.cage.pocket;
+        Pocket { stiffness: self.pocket_share * pocket.stiffness, ..*pocket }.load(&PocketMotion {
             lead: self.lead(index, b, frame.cage[0]),
             rate: b[ORBIT] - frame.cage[1],
             velocity: [b[VELOCITY], b[VELOCITY + 1]],

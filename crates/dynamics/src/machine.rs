@@ -30,6 +30,9 @@ pub(crate) struct Machine {
     /// Most friction in a pocket of a free cage over its sliding velocity, N s/m: what stops it within a step of the
     /// fast scheme, infinite for others.
     pub hold: f64,
+    /// Share of the stiffness of the pockets that acts: less than one where several balls press on a light cage in long
+    /// steps of the fast scheme.
+    pub pocket_share: f64,
     pub loads: [Translation; 3],
     pub speeds: Races<SpeedHistory>,
     pub raceways: Races<Raceway>,
@@ -151,6 +154,7 @@ impl Machine {
             cage: CageBody::new(&cage, &bearing),
             free_cage,
             hold: f64::INFINITY,
+            pocket_share: 1.0,
             loads,
             speeds,
             thinnest: raceways.each_ref().map(Raceway::thinnest),

@@ -31,6 +31,8 @@ pub(super) struct LinearFriction {
     pub(super) follow: [Matrix6<f64>; 2],
     /// Slopes that it was made with: see [`slopes`].
     slopes: [[f64; 2]; 2],
+    /// True for the inner, and the outer, contact if there was load then.
+    loaded: [bool; 2],
 }
 
 /// 1 − 1/√2.
@@ -43,6 +45,7 @@ impl LinearFriction {
         own: [Matrix3::zeros(); 2],
         follow: [Matrix6::zeros(); 2],
         slopes: [[0.0; 2]; 2],
+        loaded: [false; 2],
     };
 
     /// All numbers.
@@ -50,6 +53,11 @@ impl LinearFriction {
         let own = self.own.iter().flat_map(|m| m.iter());
         let six = self.response.iter().chain([&self.coupling]).chain(&self.follow).flat_map(|m| m.iter());
         six.chain(own).chain(self.slopes.iter().flatten()).copied()
+    }
+
+    /// True for the inner, and the outer, contact if it had load when this was made.
+    pub(super) fn loaded(&self) -> [bool; 2] {
+        self.loaded
     }
 
     /// True while the slopes of traction are still near enough to those that it was made with, for steps of `h`.
@@ -124,6 +132,7 @@ pub(super) fn linear_friction(
         friction = with(std::array::from_fn(|k| damping_part(&stiffness[k], scales(k)))).0;
     }
     friction.slopes = slopes(&stiffness);
+    friction.loaded = Side::BOTH.map(|side| normal.contacts[side].load > 0.0);
     friction
 }
 
@@ -158,7 +167,8 @@ impl LinearFriction {
         let mean = change - twice * 0.5;
         let by_rings = Matrix6::from_fn(|row, column| h * mobility[row] * coupling[(row, column)]);
         let follow = [mean * by_rings, (change * 0.5 - twice * GAMMA) * by_rings];
-        (Self { response: [change, mean], coupling, own, follow, slopes: [[0.0; 2]; 2] }, pivot)
+        let nothing = Self::NONE();
+        (Self { response: [change, mean], coupling, own, follow, ..nothing }, pivot)
     }
 }
 

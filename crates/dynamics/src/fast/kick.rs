@@ -2,6 +2,7 @@
 
 use super::Fast;
 use super::cage::Halfway;
+use super::depths::depths;
 use super::friction::{in_inertial_axes, inverse_with_held, linear_friction, stiffnesses};
 use super::kick_forces::{Forms, KickForces, follow, respond, surroundings, tractions};
 use super::lanes::{Lane, WIDTH, blocks, filled, get, lanes_of};
@@ -15,7 +16,8 @@ use fearless_simd::dispatch;
 use nalgebra::{Matrix5, Vector5};
 use tribodyn_bearing::{Races, Side, Wrench};
 
-/// Steps between new matrices of the rings: they only predict, and turn with the balls by some ten degrees.
+/// Steps between new matrices of the rings: they only predict, and turn with the balls by some ten degrees. Where balls
+/// strike, loads change several times over within so many steps, and a new one is made in each.
 const RINGS_EVERY: usize = 16;
 /// Most steps that a linear traction serves: its reach bounds all that it depends on, and this what a reach misses.
 const LONGEST_LINEAR: u64 = 512;
@@ -34,6 +36,7 @@ impl Fast {
         }
         self.follow_drift(equations.machine(), h);
         let mut on_rings = self.ring_common(equations.machine());
+        self.find_depths(equations.machine_mut(), &frame, h);
         let (mut on_cage, mut reaction) = ((0.0, Wrench::default()), [Lane::ZERO; 6]);
         for block in 0..blocks(l.balls) {
             self.find_forces(equations, block, (&frame, halfway.as_ref(), renew), &mut on_cage);
@@ -46,7 +49,7 @@ impl Fast {
             (0..filled(l, block)).for_each(|k| on_rings += of_translations(&reaction, k));
         }
         let machine = equations.machine();
-        if renew || self.rings_last == 0 {
+        if renew || self.rings_last == 0 || machine.is_damaged() {
             self.rings = self.ring_matrix(machine, h);
             self.rings_last = RINGS_EVERY;
         }
@@ -93,6 +96,19 @@ impl Fast {
         }
     }
 
+    /// How deep balls are in the walls of their pockets, and how soft those are for it.
+    fn find_depths(&mut self, machine: &mut Machine, frame: &Frame, h: f64) {
+        let Scratch { level, balls, pressed, places, kick_forces, .. } = &mut self.scratch;
+        let mut touching = 0;
+        for (block, (balls, pressed)) in balls.iter().zip(pressed.iter()).enumerate() {
+            let (at, of_all) = ((frame, &places[block]), &*machine);
+            let depth = dispatch!(*level, _simd => depths(of_all, at, (balls, pressed)));
+            touching += (0..filled(machine.layout, block)).filter(|&k| depth.0[k] > 0.0).count();
+            kick_forces[block].depth = depth;
+        }
+        machine.pocket_share = machine.pocket_share_of(touching, h);
+    }
+
     /// Tractions of the balls of a block from their linear forms where those still hold, else integrated and linearised
     /// anew, and what fluid and pockets do. Adds torque, force and moment on the cage.
     fn find_forces<E: Equations>(
@@ -105,7 +121,6 @@ impl Fast {
         let machine = equations.machine();
         let (balls, first) = (filled(machine.layout, block), WIDTH * block);
         let scratch = &mut self.scratch;
-        let places = scratch.places[block];
         let at = (&scratch.balls[block], &scratch.pressed[block], &scratch.forms[block]);
         let (equations_now, kick_forces, now) = (&*equations, &mut scratch.kick_forces[block], self.steps as f64);
         if equations_now.machine().layout.any_tilts() {
@@ -113,7 +128,7 @@ impl Fast {
         } else {
             dispatch!(scratch.level, _simd => tractions::<E, false>(equations_now, (frame, now), at, kick_forces));
         }
-        dispatch!(scratch.level, _simd => surroundings(equations_now, (frame, &places), (at.0, at.1), kick_forces));
+        dispatch!(scratch.level, _simd => surroundings(equations_now, frame, (at.0, at.1), kick_forces));
         self.used += 2 * balls as u64;
         // Oil in a pocket acts on a ball wherever it is.
         let oiled = equations.machine().cage.pocket.film.is_some();
@@ -122,8 +137,9 @@ impl Fast {
             let old =
                 Races { inner: !kick_forces.is_near(Side::Inner, k), outer: !kick_forces.is_near(Side::Outer, k) };
             let touches = oiled || kick_forces.depth.0[k] > 0.0;
-            if renew || old.inner || old.outer {
-                self.refresh(equations, (first + k, frame), old.map(|old| old || renew), renew);
+            let renew_friction = renew || !kick_forces.friction_is_of_loaded(k);
+            if old.inner || old.outer || renew_friction {
+                self.refresh(equations, (first + k, frame), old.map(|old| old || renew), renew_friction);
             }
             self.press_on_marked(equations.machine(), (block, k));
             let mut pocket_wear = 0.0;
@@ -152,7 +168,7 @@ impl Fast {
     }
 
     /// Makes the linear traction of those contacts of a ball anew whose own is `old`, from a form in the table or from
-    /// the integral over the patch, and those of friction where they do not serve any more, or all of them.
+    /// the integral over the patch, and its friction where that does not serve any more, or where `renew`.
     fn refresh<E: Equations>(&mut self, equations: &E, (index, frame): (usize, &Frame), old: Races<bool>, renew: bool) {
         let machine = equations.machine();
         let bearing = &machine.bearing;
@@ -250,5 +266,38 @@ fn push_bodies(machine: &Machine, y: &mut [f64], (on_rings, cage_torque): (&Vect
     }
     if machine.free_cage.is_none() {
         y[l.cage() + 1] += h * cage_torque / machine.cage.inertia;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::start::{Started, start};
+    use tribodyn_case::{Case, set_value};
+
+    /// Balls that leave the load do not grip the race any more. They went on to for up to 512 steps.
+    #[test]
+    fn limit_balls_without_load_grip_no_race() {
+        let changes = [("ring.x", "Force(kN(6))"), ("ring.z", "Force(kN(2))")];
+        let text = include_str!("../../../../fixtures/cases/angular-7210.ron").to_owned();
+        let text = changes.iter().fold(text, |t, (path, value)| set_value(&t, path, value).unwrap());
+        let case = Case::from_ron(&text).unwrap();
+        let Started { mut machine, mut state, .. } = start(case.run_inputs().unwrap(), None).unwrap();
+        let (mut scheme, h, mut lost) = (Fast::default(), 2e-5, 0);
+        let mut before = vec![Races { inner: true, outer: true }; machine.layout.balls];
+        for step in 0..1000 {
+            scheme.step(&mut machine, h * f64::from(step), &mut state, h);
+            for (ball, (friction, before)) in scheme.friction.iter().zip(&mut before).enumerate() {
+                for side in Side::BOTH {
+                    let loaded = scheme.scratch.pressed[ball / WIDTH].load(side, ball % WIDTH) > 0.0;
+                    let own = 3 * side as usize;
+                    let grips = friction.coupling.fixed_view::<6, 3>(0, own).norm() > 0.0;
+                    assert_eq!(grips, loaded, "ball {ball}, {side:?}, step {step}");
+                    lost += usize::from(before[side] && !loaded);
+                    before[side] = loaded;
+                }
+            }
+        }
+        assert!(lost > 3, "balls lost their load {lost} times");
     }
 }

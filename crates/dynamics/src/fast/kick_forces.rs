@@ -2,11 +2,10 @@
 
 use super::drift::Pressed;
 use super::friction::LinearFriction;
-use super::lanes::{Lane, WIDTH, ball_in, get, put};
+use super::lanes::{Lane, get, put};
 use crate::equations::{Equations, Frame};
-use crate::layout::{AXIAL, AZIMUTH, BALL, RADIUS, VELOCITY};
+use crate::layout::{BALL, VELOCITY};
 use crate::linear::{Contacts, LinearTraction};
-use crate::machine::Machine;
 use nalgebra::Matrix6;
 use std::ops::Range;
 use tribodyn_bearing::{AzimuthFrame, BallState, ContactForces, PocketLoad, Races, RingState, Side, Sliding};
@@ -21,6 +20,8 @@ pub(super) struct Forms {
     pub traction: [[Lane; LINEAR]; 2],
     /// Last steps that the tractions serve.
     last: [Lane; 2],
+    /// 1 where friction was made for a contact with load, else 0.
+    loaded: [Lane; 2],
     response: [[Lane; 36]; 2],
     coupling: [Lane; 36],
     own: [[Lane; 9]; 2],
@@ -31,6 +32,7 @@ impl Forms {
     pub const NONE: Self = Self {
         traction: [[Lane::ZERO; LINEAR]; 2],
         last: [Lane::ZERO; 2],
+        loaded: [Lane::ZERO; 2],
         response: [[Lane::ZERO; 36]; 2],
         coupling: [Lane::ZERO; 36],
         own: [[Lane::ZERO; 9]; 2],
@@ -54,6 +56,7 @@ impl Forms {
                 six(&mut self.response[i], &friction.response[i]);
                 six(&mut self.follow[i], &friction.follow[i]);
                 put(&mut self.own[i], k, flat(friction.own[i].data.0));
+                self.loaded[i].0[k] = if friction.loaded()[i] { 1.0 } else { 0.0 };
             }
         }
     }
@@ -78,6 +81,8 @@ fn flat<const N: usize, const COLUMNS: usize, const ALL: usize>(m: [[f64; N]; CO
 pub(super) struct KickForces {
     /// 1 where the linear traction of the inner, or the outer, contact serves, else 0.
     near: [Lane; 2],
+    /// 1 where friction was made for those contacts that have load, else 0.
+    of_loaded: Lane,
     /// Force and moment on the ball by the inner, then the outer contact.
     forces: [[Lane; 6]; 2],
     /// Wear integrals.
@@ -93,6 +98,7 @@ pub(super) struct KickForces {
 impl KickForces {
     pub const NONE: Self = Self {
         near: [Lane::ZERO; 2],
+        of_loaded: Lane::ZERO,
         forces: [[Lane::ZERO; 6]; 2],
         wear: [Lane::ZERO; 2],
         fluid: [Lane::ZERO; 4],
@@ -102,6 +108,10 @@ impl KickForces {
 
     pub fn is_near(&self, side: Side, k: usize) -> bool {
         self.near[side as usize].0[k] > 0.0
+    }
+
+    pub fn friction_is_of_loaded(&self, k: usize) -> bool {
+        self.of_loaded.0[k] > 0.0
     }
 
     #[inline(always)]
@@ -175,7 +185,8 @@ fn contact<E: Equations>(
     ([a, b, c, d, e, f], traction.wear_integral, near)
 }
 
-/// Tractions of the balls of a block from their linear forms, and whether those serve in step `now`.
+/// Tractions of the balls of a block from their linear forms, and whether those serve in step `now`; and whether their
+/// friction was made for those contacts that have load.
 #[inline(always)]
 pub(super) fn tractions<E: Equations, const TILTS: bool>(
     equations: &E,
@@ -188,6 +199,8 @@ pub(super) fn tractions<E: Equations, const TILTS: bool>(
     out.pocket = [Lane::ZERO; 6];
     for k in pressed.in_use.lanes() {
         let state = pressed.state(equations, balls, k);
+        let as_made = |side: Side| (pressed.load(side, k) > 0.0) == (forms.loaded[side as usize].0[k] > 0.0);
+        out.of_loaded.0[k] = if as_made(Side::Inner) & as_made(Side::Outer) { 1.0 } else { 0.0 };
         let (forces, wear, near) =
             contact(equations, Side::Inner, (&rings.inner, &state), (pressed, &forms.traction[0], k));
         put(&mut out.forces[0], k, forces);
@@ -199,56 +212,15 @@ pub(super) fn tractions<E: Equations, const TILTS: bool>(
     }
 }
 
-/// The middles of the pockets of a block's balls in the cage.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Places {
-    /// Their azimuths, rad.
-    azimuth: Lane,
-    /// sin and cos of these.
-    direction: [Lane; 2],
-}
-
-impl Places {
-    pub fn new(machine: &Machine, block: usize) -> Self {
-        let ball = |k: usize| ball_in(machine.layout, block, k);
-        let directions: [AzimuthFrame; WIDTH] = std::array::from_fn(|k| machine.directions[ball(k)]);
-        Self {
-            azimuth: Lane(std::array::from_fn(|k| machine.place_in_cage(ball(k)))),
-            direction: [Lane(directions.map(|at| at.sin)), Lane(directions.map(|at| at.cos))],
-        }
-    }
-}
-
-/// How deep the balls of a block are in their pockets, m.
-#[inline(always)]
-fn depths(machine: &Machine, (frame, places): (&Frame, &Places), (balls, pressed): (&[Lane; BALL], &Pressed)) -> Lane {
-    let (mut depth, pocket) = (Lane::ZERO, machine.cage.pocket);
-    if let (Some(cage), Some(pose)) = (&machine.free_cage, frame.free_cage) {
-        let (wall, plane) = (pocket.wall(cage.pockets), machine.plane());
-        for k in pressed.in_use.lanes() {
-            let [sin, cos] = get(&places.direction, k);
-            let at = [balls[AXIAL].0[k] - plane, balls[RADIUS].0[k], 0.0];
-            depth.0[k] = pocket.depth_in(&wall, (&pose, AzimuthFrame { sin, cos }), (pressed.axes(k), at));
-        }
-    } else {
-        let cage_angle = frame.cage[0];
-        for k in pressed.in_use.lanes() {
-            depth.0[k] = pocket.penetration(balls[AZIMUTH].0[k] - cage_angle - places.azimuth.0[k]);
-        }
-    }
-    depth
-}
-
-/// The fluid's drag and churning, and how deep the balls of a block are in their pockets.
+/// The fluid's drag on the balls of a block and its churning.
 #[inline(always)]
 pub(super) fn surroundings<E: Equations>(
     equations: &E,
-    (frame, places): (&Frame, &Places),
+    frame: &Frame,
     (balls, pressed): (&[Lane; BALL], &Pressed),
     kick_forces: &mut KickForces,
 ) {
-    let (mut out, machine) = ([Lane::ZERO; 4], equations.machine());
-    let (depth, inner_speed) = (depths(machine, (frame, places), (balls, pressed)), frame.rings.inner.speed);
+    let (mut out, machine, inner_speed) = ([Lane::ZERO; 4], equations.machine(), frame.rings.inner.speed);
     // What there is of the fluid is asked outside of the loops, which would else not become vector instructions.
     if let Some(fluid) = machine.bearing.fluid {
         for k in pressed.in_use.lanes() {
@@ -263,7 +235,7 @@ pub(super) fn surroundings<E: Equations>(
             }
         }
     }
-    (kick_forces.fluid, kick_forces.depth) = (out, depth);
+    kick_forces.fluid = out;
 }
 
 /// m v.

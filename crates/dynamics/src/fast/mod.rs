@@ -37,6 +37,7 @@
 
 mod cage;
 mod common;
+mod depths;
 mod drift;
 mod friction;
 mod glide;
@@ -57,11 +58,11 @@ use crate::equations::Equations;
 use crate::layout::{Layout, VELOCITY};
 use crate::linear::{Contacts, LinearTraction};
 use crate::traction_errors::LINEAR_ERROR;
+use depths::Places;
 use drift::{Pressed, drift_acceleration, press};
 use fearless_simd::dispatch;
 use friction::LinearFriction;
 use glide::{glide_balls, glide_bodies, push_balls, push_bodies};
-use kick_forces::Places;
 use lanes::{Lane, WIDTH, are_those, blocks, gather, gather_from, scatter, scatter_from};
 use longest::{Longest, Pieces};
 use nalgebra::Matrix5;

@@ -2,6 +2,7 @@
 //! reach.
 
 use super::Fast;
+use super::depths::depths;
 use super::drift::{Pressed, press};
 use super::kick_forces::{Forms, KickForces, LINEAR, slide, surroundings};
 use super::lanes::{Lane, WIDTH, blocks, filled, gather, get, put};
@@ -130,8 +131,9 @@ impl Fast {
         for (block, forms) in forms.iter().enumerate().take(blocks(l.balls)) {
             let balls = gather(l, y, block);
             press(*level, machine, (&of.frame, block, &balls), pressed);
-            let places = self.scratch.places[block];
-            dispatch!(*level, _simd => surroundings(machine, (&of.frame, &places), (&balls, pressed), kick_forces));
+            let (places, now) = (self.scratch.places[block], (&balls, &*pressed));
+            dispatch!(*level, _simd => surroundings(machine, &of.frame, now, kick_forces));
+            kick_forces.depth = dispatch!(*level, _simd => depths(machine, (&of.frame, &places), now));
             let pockets = of.pockets(block, &balls, kick_forces);
             let (mean_forces, now) = (&self.scratch.mean_forces[block], (&balls, &*pressed));
             dispatch!(*level, _simd => slide_all(&of, now, (forms, mean_forces), slides));

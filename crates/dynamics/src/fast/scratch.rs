@@ -1,7 +1,8 @@
 //! The balls in lanes, on which the fast scheme works.
 
+use super::depths::Places;
 use super::drift::Pressed;
-use super::kick_forces::{Forms, KickForces, Places};
+use super::kick_forces::{Forms, KickForces};
 use super::lanes::{Lane, get};
 use super::table::Keys;
 use crate::layout::{BALL, VELOCITIES};

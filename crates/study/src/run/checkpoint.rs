@@ -12,7 +12,7 @@ use tribodyn_dynamics::Checkpoint;
 use tribodyn_record::{RecorderMemory, RunRecorder, TemporaryFile};
 
 /// Changes with the meaning of the fields.
-pub(crate) const FORMAT: u32 = 16;
+pub(crate) const FORMAT: u32 = 17;
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Longest file that is read, bytes: that of a run with a thousand balls has 20 MB.
