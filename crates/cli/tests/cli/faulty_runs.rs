@@ -112,3 +112,35 @@ fn regress_small_balls_may_start_over_a_spall() {
     let [x, y] = accelerations("Inner", "0.01");
     assert!((x / 552.4 - 1.0).abs() < 0.05 && (y / 780.8 - 1.0).abs() < 0.05, "{x} and {y} m/s²");
 }
+
+/// Runs that lost their motion after 41 and 66 ms in the step that was chosen: what the edges of a spall do to a ball
+/// was carried on along its orbit, and balls without load still gripped the rings. With steps of 1 µs the ring has 448
+/// and 230 m/s² and friction takes 11.13 W; 662 and 570 m/s² and 12.74 W.
+#[test]
+fn regress_runs_over_spalls_keep_their_motion() {
+    let all =
+        [("6202", 9000, 0.53, "0.05", [448.3, 230.4, 11.13]), ("6201", 12000, 1.24, "0.08", [661.5, 570.1, 12.74])];
+    for (bearing, speed, length, duration, expected) in all {
+        let place = "azimuth: deg(0), width: mm(3), depth: um(100), edge_radius: um(20)";
+        let spall = format!("spalls=[(race: Inner, length: mm({length}), {place})]");
+        let answer = answer(&[bearing], duration, &[spall, format!("speed.inner=Constant(rpm({speed}))")]);
+        let friction = ["inner", "outer"].map(|race| answer["power"][format!("friction_{race}_w")].as_f64().unwrap());
+        let [x, y] = ["x", "y"].map(|axis| answer[format!("outer_acceleration_{axis}_rms_m_s2")].as_f64().unwrap());
+        for (found, expected) in [x, y, friction.iter().sum()].into_iter().zip(expected) {
+            assert!((found / expected - 1.0).abs() < 0.06, "{bearing}: {found}, not {expected}");
+        }
+    }
+}
+
+/// Several balls that press on a light cage at once vibrate on its pockets faster than a long step resolves: the motion
+/// was lost after 18 ms.
+#[test]
+fn regress_a_light_cage_among_many_balls_stays_calm() {
+    let changes = [
+        "cage.pocket_film=(fill: 0.001, roughness: um(1))",
+        "transient.start=QuasiStatic",
+        "transient.scheme=Fast(step: us(39.1))",
+    ];
+    let [shaft, lost, imbalance] = powers("6206", "0.05", &changes.map(str::to_owned));
+    assert!((shaft / lost - 1.0).abs() < 0.02 && imbalance.abs() < 0.5, "{shaft} W, {lost} W lost, {imbalance} %");
+}
