@@ -167,8 +167,7 @@ impl LinearFriction {
         let mean = change - twice * 0.5;
         let by_rings = Matrix6::from_fn(|row, column| h * mobility[row] * coupling[(row, column)]);
         let follow = [mean * by_rings, (change * 0.5 - twice * GAMMA) * by_rings];
-        let nothing = Self::NONE();
-        (Self { response: [change, mean], coupling, own, follow, ..nothing }, pivot)
+        (Self { response: [change, mean], coupling, own, follow, ..Self::NONE() }, pivot)
     }
 }
 
