@@ -104,14 +104,30 @@ impl Machine {
         if let (Some(cage), Some(pose)) = (&self.free_cage, &frame.free_cage) {
             return self.load_in_free_pocket((pose, &self.in_free_pocket((cage, pose), (index, b))), b);
         }
+        self.pocket_of_step().load(&self.motion_in_pocket(index, b, frame))
+    }
+
+    /// The same in a cage that only turns for a kick over `h`, which begins with this state.
+    pub fn pocket_kick(&self, (index, b): (usize, &[f64]), frame: &Frame, h: f64) -> PocketLoad {
+        let (pocket, motion) = (self.pocket_of_step(), self.motion_in_pocket(index, b, frame));
+        let rate = pocket.rate_in_step(motion.lead, motion.rate, (self.hold, h));
+        pocket.load(&PocketMotion { rate, ..motion })
+    }
+
+    /// A pocket of a cage that only turns, as soft as the step makes it.
+    fn pocket_of_step(&self) -> Pocket {
         let pocket = &self.cage.pocket;
-        Pocket { stiffness: self.pocket_share * pocket.stiffness, ..*pocket }.load(&PocketMotion {
+        Pocket { stiffness: self.pocket_share * pocket.stiffness, ..*pocket }
+    }
+
+    fn motion_in_pocket(&self, index: usize, b: &[f64], frame: &Frame) -> PocketMotion {
+        PocketMotion {
             lead: self.lead(index, b, frame.cage[0]),
             rate: b[ORBIT] - frame.cage[1],
             velocity: [b[VELOCITY], b[VELOCITY + 1]],
             angular_velocity: [b[OMEGA], b[OMEGA + 1]],
             cage_speed: frame.cage[1],
-        })
+        }
     }
 
     /// How far a ball is pressed into its pocket (m; negative: the gap), how fast that grows (m/s), and its lead, rad.

@@ -27,8 +27,8 @@ pub(crate) struct Machine {
     pub cage: CageBody,
     /// The cage, where it is free to move in all directions.
     pub free_cage: Option<FreeCage>,
-    /// Most friction in a pocket of a free cage over its sliding velocity, N s/m: what stops it within a step of the
-    /// fast scheme, infinite for others.
+    /// Force over velocity that stops a ball in its pocket within a step of the fast scheme, N s/m: the most of
+    /// friction over sliding velocity in that of a free cage. Infinite for other schemes.
     pub hold: f64,
     /// Share of the stiffness of the pockets that acts: less than one where several balls press on a light cage in long
     /// steps of the fast scheme.

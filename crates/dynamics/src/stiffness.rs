@@ -125,17 +125,17 @@ impl Machine {
         }
     }
 
-    /// Share of the stiffness of the pockets that a step of the fast scheme resolves while so many balls press on a
-    /// cage that only turns: what then vibrates on their walls is stable up to a square of step and angular frequency
-    /// of four. One ball alone hardly ever gets less than all of it; several that a blow throws on a light cage do.
-    pub(crate) fn pocket_share_of(&self, touching: usize, step: f64) -> f64 {
-        if touching == 0 || self.free_cage.is_some() {
-            return 1.0;
+    /// Fits the pockets of a cage that only turns to a step of the fast scheme in which so many balls press on it: as
+    /// soft as what vibrates on their walls is resolved, and how much stops a ball within the step. One ball alone
+    /// hardly ever makes a pocket softer; several that a blow throws on a light cage do.
+    pub(crate) fn fit_pockets(&mut self, touching: usize, step: f64) {
+        if self.free_cage.is_some() {
+            return;
         }
         let pocket = &self.cage.pocket;
         let of_cage = touching as f64 * pocket.radius * pocket.radius / self.cage.inertia;
-        let square = step * step * pocket.stiffness * (self.bearing.ball_mass.recip() + of_cage);
-        (MOST_OF_POCKET / square).min(1.0)
+        self.hold = 1.0 / (step * (self.bearing.ball_mass.recip() + of_cage));
+        self.pocket_share = (MOST_OF_POCKET * self.hold / (step * pocket.stiffness)).min(1.0);
     }
 
     /// Longest step of the fast scheme over the period of the contact springs.

@@ -106,7 +106,7 @@ impl Fast {
             touching += (0..filled(machine.layout, block)).filter(|&k| depth.0[k] > 0.0).count();
             kick_forces[block].depth = depth;
         }
-        machine.pocket_share = machine.pocket_share_of(touching, h);
+        machine.fit_pockets(touching, h);
     }
 
     /// Tractions of the balls of a block from their linear forms where those still hold, else integrated and linearised
@@ -147,7 +147,7 @@ impl Fast {
                 let machine = equations.machine();
                 let pocket = match halfway {
                     Some(there) => machine.pocket_load(first + k, &there.balls[first + k], &there.frame),
-                    None => machine.pocket_load(first + k, &get(&self.scratch.balls[block], k), frame),
+                    None => machine.pocket_kick((first + k, &get(&self.scratch.balls[block], k)), frame, self.step),
                 };
                 self.scratch.kick_forces[block].set_pocket(lanes_of(machine.layout, block, k), &pocket);
                 pocket_wear = machine.pocket_wear(&pocket);
