@@ -342,14 +342,18 @@ impl LinearTraction {
     /// be pushed beyond rolling, and as far back in the next step: where the way to no slip is shorter than the kick,
     /// the chord to there takes the place of the tangent along the slip. Where it rolls freely with slip in the middle,
     /// the next step knows the way that it was pushed, and takes the chord over that.
-    pub fn stiffness(&self, give: f64, ball_radius: f64) -> Matrix5<f64> {
+    ///
+    /// Within its reach the tangent leads there by itself. Where balls `strike`, loads change so much from step to step
+    /// that a reach tells of them alone, and that of slip counts.
+    pub fn stiffness(&self, give: f64, ball_radius: f64, strike: bool) -> Matrix5<f64> {
         if self.reach <= 0.0 {
             return Matrix5::zeros();
         }
         let mut stiffness = Matrix5::from_fn(|row, column| self.slopes[column][row]);
         let [along, across] = centre_slip(&self.inputs, ball_radius);
         let (slip, force) = (along.hypot(across), self.value[0].hypot(self.value[1]));
-        if slip > self.reach && give * force > slip {
+        let reach = if strike { self.reach_of_slip } else { self.reach };
+        if slip > reach && give * force > slip {
             let (along, across) = (along / slip, across / slip);
             let chord = (along * self.value[0] + across * self.value[1]) / slip;
             stiffness = no_less([along, across], chord, ball_radius, stiffness);

@@ -103,7 +103,7 @@ pub(super) fn stiffnesses(
     let give = h * (1.0 / m + r * r / j);
     Side::BOTH.map(|side| {
         let loaded = normal.contacts[side].load > 0.0;
-        if loaded { contacts[side as usize].stiffness(give, r) } else { Matrix5::zeros() }
+        if loaded { contacts[side as usize].stiffness(give, r, machine.is_damaged()) } else { Matrix5::zeros() }
     })
 }
 
