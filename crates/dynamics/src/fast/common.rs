@@ -10,10 +10,10 @@
 //! with damping die out more slowly. It follows in half a millisecond at the soonest, and so does the part along the
 //! orbit.
 //!
-//! Where balls strike there is none along the orbit. The race pushes a ball over an edge many times as hard as friction
-//! can, and a fortieth of that, carried by the common part over the next half a millisecond, would shift the ball in
-//! each drift from full slip on one side to full slip on the other: traction hardly changes with slip there, and the
-//! kick would throw the ball to and fro.
+//! Where balls strike, all that acts along the orbit in a drift is given back by the kick at its end, and the drift
+//! goes without it. The race pushes a ball over an edge many times as hard as friction can: a drift with that push
+//! would shift the ball to full slip on one side, where traction hardly changes with slip, and the kick would throw it
+//! to the other. Carried on over half a millisecond, even a fortieth of it would.
 
 use super::Fast;
 use super::drift::Pressed;
@@ -42,9 +42,13 @@ pub(super) fn share(angle: f64) -> f64 {
 type Parts<'a> = (&'a mut [Lane; 3], &'a mut [Lane; 3], &'a [Lane; 3]);
 
 /// Lets the common parts of the balls of a block follow, that along the orbit by a share `along`; given back is the
-/// mean of before and after.
+/// mean of before and after. Where balls `strike`, all that acted along the orbit is given back at once.
 #[inline(always)]
-fn follow_balls((common, given, mean): Parts<'_>, pressed: &Pressed, (weights, least, along): (Weights, f64, f64)) {
+fn follow_balls(
+    (common, given, mean): Parts<'_>,
+    pressed: &Pressed,
+    (weights, least, along): (Weights, f64, Option<f64>),
+) {
     for k in pressed.in_use.lanes() {
         let (now, drift) = (get(common, k), get(mean, k));
         let of_ball = (weights, pressed.relative_mass(k));
@@ -53,8 +57,12 @@ fn follow_balls((common, given, mean): Parts<'_>, pressed: &Pressed, (weights, l
             Line::of(&pressed.contact(Side::Outer, k), Side::Outer, of_ball).with_spring_of_at_least(least),
         ];
         let [axial, radial] = solve(springs, [drift[0] - now[0], drift[1] - now[1]]);
-        let next = [now[0] + axial, now[1] + radial, now[2] + along * (drift[2] - now[2])];
-        put(given, k, [0.5 * (now[0] + next[0]), 0.5 * (now[1] + next[1]), 0.5 * (now[2] + next[2])]);
+        let (next, before) = match along {
+            Some(along) => (now[2] + along * (drift[2] - now[2]), now[2]),
+            None => (drift[2], drift[2]),
+        };
+        let next = [now[0] + axial, now[1] + radial, next];
+        put(given, k, [0.5 * (now[0] + next[0]), 0.5 * (now[1] + next[1]), 0.5 * (before + next[2])]);
         put(common, k, next);
     }
 }
@@ -67,7 +75,7 @@ impl Fast {
     pub(super) fn follow_drift(&mut self, machine: &Machine, h: f64) {
         let weights = Weights { of_spring: OF_VIBRATION * h * h / machine.bearing.ball_mass, of_damper: 0.0 };
         let least = TIME / h;
-        let along = if machine.is_damaged() { 0.0 } else { 1.0 / (1.0 + least) };
+        let along = (!machine.is_damaged()).then(|| 1.0 / (1.0 + least));
         let Scratch { level, mean, common, given_back, pressed, .. } = &mut self.scratch;
         for (((common, given), mean), pressed) in common.iter_mut().zip(given_back).zip(mean).zip(pressed) {
             dispatch!(*level, _simd => follow_balls((common, given, mean), pressed, (weights, least, along)));

@@ -6,17 +6,18 @@ use crate::layout::{AXIAL, AZIMUTH, BALL, Layout, ORBIT, RADIUS, VELOCITY};
 use crate::machine::Machine;
 
 /// Velocities of the balls of a block by the drift's accelerations less the common part over `h`, and what that adds
-/// to the mean accelerations of a step of which it is a `share`.
+/// to the mean accelerations of a step of which it is a `share`. Where balls `strike`, all that acts along the orbit is
+/// the kick's.
 #[inline(always)]
 pub(super) fn push_balls(
     balls: &mut [Lane; BALL],
     (pressed, common): (&Pressed, &[Lane; 3]),
     mean: &mut [Lane; 3],
-    (h, share): (f64, f64),
+    (h, share, strike): (f64, f64, bool),
 ) {
-    let acceleration = pressed.acceleration();
+    let (acceleration, along) = (pressed.acceleration(), if strike { 0.0 } else { h });
     for k in pressed.in_use.lanes() {
-        for i in 0..3 {
+        for (i, h) in [h, h, along].into_iter().enumerate() {
             let a = acceleration[i].0[k];
             balls[VELOCITY + i].0[k] += h * (a - common[i].0[k]);
             mean[i].0[k] += share * a;

@@ -57,6 +57,7 @@ mod tilt;
 use crate::equations::Equations;
 use crate::layout::{Layout, VELOCITY};
 use crate::linear::{Contacts, LinearTraction};
+use crate::machine::Machine;
 use crate::traction_errors::LINEAR_ERROR;
 use depths::Places;
 use drift::{Pressed, drift_acceleration, press};
@@ -266,7 +267,7 @@ impl Fast {
         let half = (0.5 * h, 0.5 / pieces as f64);
         for piece in 0..pieces {
             self.remember_velocities(l, y);
-            self.push(l, y, half);
+            self.push(machine, y, half);
             self.remember_azimuths(machine);
             let Scratch { level, balls, before, pressed, .. } = &mut self.scratch;
             for ((balls, before), pressed) in balls.iter_mut().zip(before).zip(pressed) {
@@ -283,7 +284,7 @@ impl Fast {
                 drift_acceleration(*level, equations, (t, y), balls, (&mut self.drift, pressed));
             }
             self.swap_back(l, y);
-            self.push(l, y, half);
+            self.push(machine, y, half);
         }
         // A ball that strikes is pressed many times as hard from one step to the next.
         if machine.is_damaged() || self.steps.is_multiple_of(CHECK_EVERY) {
@@ -292,12 +293,13 @@ impl Fast {
     }
 
     /// Velocities by the drift's accelerations less their common part over a time, s, which is a share of the step.
-    fn push(&mut self, l: Layout, y: &mut [f64], time: (f64, f64)) {
+    fn push(&mut self, machine: &Machine, y: &mut [f64], (h, share): (f64, f64)) {
+        let strike = machine.is_damaged();
         let Scratch { level, balls, common, pressed, mean, .. } = &mut self.scratch;
         for (((balls, pressed), common), mean) in balls.iter_mut().zip(pressed).zip(common).zip(mean) {
-            dispatch!(*level, _simd => push_balls(balls, (pressed, common), mean, time));
+            dispatch!(*level, _simd => push_balls(balls, (pressed, common), mean, (h, share, strike)));
         }
-        push_bodies(l, y, (&self.drift, &self.common), &mut self.mean, time);
+        push_bodies(machine.layout, y, (&self.drift, &self.common), &mut self.mean, (h, share));
     }
 
     /// Pieces of the drift of a step.
