@@ -234,7 +234,7 @@ mod tests {
     }
 
     /// A ball flies into its wall in steps in which the spring just turns it back, at any phase of a step. With dampers
-    /// that see the velocity before each kick it comes out up to half as fast again, or twice as fast.
+    /// that see the velocity before each kick it comes out up to 1.3 times as fast and more.
     #[test]
     fn limit_a_blow_gives_no_more_speed_than_it_had() {
         let (h, oiled) = (26e-6, Pocket { film: Some(SqueezeFilm::new(0.02, [0.2, 0.015], 1e-5)), ..POCKET });

@@ -13,7 +13,8 @@
 //! Where balls strike, all that acts along the orbit in a drift is given back by the kick at its end, and the drift
 //! goes without it. The race pushes a ball over an edge many times as hard as friction can: a drift with that push
 //! would shift the ball to full slip on one side, where traction hardly changes with slip, and the kick would throw it
-//! to the other. Carried on over half a millisecond, even a fortieth of it would.
+//! to the other. Carried on over half a millisecond, even a fortieth of it would. Balls then have the push half a step
+//! late, but all of it: momentum holds.
 
 use super::Fast;
 use super::drift::Pressed;
@@ -42,27 +43,24 @@ pub(super) fn share(angle: f64) -> f64 {
 type Parts<'a> = (&'a mut [Lane; 3], &'a mut [Lane; 3], &'a [Lane; 3]);
 
 /// Lets the common parts of the balls of a block follow, that along the orbit by a share `along`; given back is the
-/// mean of before and after. Where balls `strike`, all that acted along the orbit is given back at once.
+/// mean of before and after. Where balls `strike`, all that acts along the orbit is given back at once.
 #[inline(always)]
 fn follow_balls(
     (common, given, mean): Parts<'_>,
     pressed: &Pressed,
-    (weights, least, along): (Weights, f64, Option<f64>),
+    (weights, least, along, strike): (Weights, f64, f64, bool),
 ) {
     for k in pressed.in_use.lanes() {
-        let (now, drift) = (get(common, k), get(mean, k));
+        let (mut now, drift) = (get(common, k), get(mean, k));
+        now[2] = if strike { drift[2] } else { now[2] };
         let of_ball = (weights, pressed.relative_mass(k));
         let springs = [
             Line::of(&pressed.contact(Side::Inner, k), Side::Inner, of_ball),
             Line::of(&pressed.contact(Side::Outer, k), Side::Outer, of_ball).with_spring_of_at_least(least),
         ];
         let [axial, radial] = solve(springs, [drift[0] - now[0], drift[1] - now[1]]);
-        let (next, before) = match along {
-            Some(along) => (now[2] + along * (drift[2] - now[2]), now[2]),
-            None => (drift[2], drift[2]),
-        };
-        let next = [now[0] + axial, now[1] + radial, next];
-        put(given, k, [0.5 * (now[0] + next[0]), 0.5 * (now[1] + next[1]), 0.5 * (before + next[2])]);
+        let next = [now[0] + axial, now[1] + radial, now[2] + along * (drift[2] - now[2])];
+        put(given, k, [0.5 * (now[0] + next[0]), 0.5 * (now[1] + next[1]), 0.5 * (now[2] + next[2])]);
         put(common, k, next);
     }
 }
@@ -75,10 +73,10 @@ impl Fast {
     pub(super) fn follow_drift(&mut self, machine: &Machine, h: f64) {
         let weights = Weights { of_spring: OF_VIBRATION * h * h / machine.bearing.ball_mass, of_damper: 0.0 };
         let least = TIME / h;
-        let along = (!machine.is_damaged()).then(|| 1.0 / (1.0 + least));
+        let (along, strike) = (1.0 / (1.0 + least), machine.is_damaged());
         let Scratch { level, mean, common, given_back, pressed, .. } = &mut self.scratch;
         for (((common, given), mean), pressed) in common.iter_mut().zip(given_back).zip(mean).zip(pressed) {
-            dispatch!(*level, _simd => follow_balls((common, given, mean), pressed, (weights, least, along)));
+            dispatch!(*level, _simd => follow_balls((common, given, mean), pressed, (weights, least, along, strike)));
         }
         let share = (h / RING_TIME).min(1.0);
         for k in machine.layout.velocities_of_bodies() {
