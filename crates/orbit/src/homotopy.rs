@@ -14,7 +14,7 @@ pub(crate) const SCOUT: PatchRule = PatchRule::SplitStrip { across: 5, along: 3 
 /// slow bearings are given: what weighs so little has no part in what others carry, and balls that nothing holds come
 /// to rest in a turn.
 const HEAVIEST: f64 = 0.03;
-const LIGHTEST: f64 = 1e-4;
+pub(crate) const LIGHTEST: f64 = 1e-4;
 /// Bearings with balls from heavy to real.
 const RUNGS: usize = 13;
 /// Friction over load by which the softest pockets are chosen.
@@ -81,11 +81,14 @@ pub(crate) fn said(value: f64, digits: usize) -> String {
     }
 }
 
+/// Mass of a ball over the real one with which its centrifugal force is at least a share of the mean load of a ball.
+pub(crate) fn mass_factor(share: f64, bearing: &Bearing, (start, cage_speed): (&RollingStart, f64)) -> f64 {
+    (share * mean_load(start) / centrifugal_force(bearing, cage_speed)).max(1.0)
+}
+
 /// The bearing with balls from heavy ones to those that it is solved with, each with the factor of their mass.
-pub(crate) fn ladder(bearing: &Bearing, (start, cage_speed): (&RollingStart, f64)) -> Vec<(f64, Bearing)> {
-    let (mean, centrifugal) = (mean_load(start), centrifugal_force(bearing, cage_speed));
-    let factor = |share: f64| (share * mean / centrifugal).max(1.0);
-    let (first, last) = (factor(HEAVIEST), factor(LIGHTEST));
+pub(crate) fn ladder(bearing: &Bearing, rolling: (&RollingStart, f64)) -> Vec<(f64, Bearing)> {
+    let [first, last] = [HEAVIEST, LIGHTEST].map(|share| mass_factor(share, bearing, rolling));
     let rung = |k: usize| {
         // The end of the homotopy is exact.
         let part = k as f64 / (RUNGS - 1) as f64;

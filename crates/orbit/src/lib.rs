@@ -10,6 +10,7 @@ mod detours;
 mod direct;
 mod error;
 mod events;
+mod heavier;
 mod homotopy;
 mod linearised;
 mod march;

@@ -23,7 +23,8 @@
 //! are released from slower rings, and rings tilted less, gave nothing in 304 and in 500 bearings and are not tried any
 //! more. Last came more thrust, which is taken off again (`relief.rs`): it gave three of 22 bearings their orbit that
 //! had none, two of them in a second instead of none in forty, and so it goes before all that is patient. Before that
-//! goes a slightly other speed (`neighbours.rs`), for three of twelve bearings in oil that took longest.
+//! goes a slightly other speed (`neighbours.rs`), for three of twelve bearings in oil that took longest. Before both go
+//! heavier balls (`heavier.rs`), for slow bearings in oil.
 //!
 //! Those two balanced cages are found all at once, too, in a third of the time, so that this goes before. Of others,
 //! such as a 7210 in oil under 0.5 kN thrust and 1.9 kN across it at 1000 r/min, or a 6206 in oil with dry pockets,

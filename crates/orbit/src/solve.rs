@@ -4,6 +4,7 @@ use crate::OrbitError;
 use crate::attempt::{Problem, fits, fitted, found, hurried, prepared, resent, rolled, warm, worst};
 use crate::damping::{LessDamping, less_damped};
 use crate::detours::{damped_more, detour};
+use crate::heavier::heavier;
 use crate::neighbours::from_neighbours;
 use crate::newton::Newton;
 use crate::relief::relieved;
@@ -42,7 +43,8 @@ pub fn steady_orbit(
     }
     let found = match rolled(problem, problem.bearing, soon) {
         Err(OrbitError::NotConverged { .. }) if !point.watch.stops() => {
-            from_neighbours(problem).or_else(|| relieved(problem)).map_or_else(|| patiently(problem), Ok)
+            let found = heavier(problem).or_else(|| from_neighbours(problem)).or_else(|| relieved(problem));
+            found.map_or_else(|| patiently(problem), Ok)
         }
         other => other,
     };

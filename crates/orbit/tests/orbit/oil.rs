@@ -1,7 +1,8 @@
 //! Orbits in oil, where balls without load lag behind and brake the cage.
 
 use crate::support::fixture_with;
-use tribodyn_bearing::{CageBody, Pocket};
+use std::f64::consts::PI;
+use tribodyn_bearing::{CageBody, OperatingPoint, Pocket};
 use tribodyn_orbit::{OrbitSettings, steady_orbit, steady_orbit_from};
 
 /// Oil in the pockets carries balls without load along with the cage. A run of 0.1 s from this orbit has 1588.69 r/min
@@ -74,4 +75,34 @@ fn regress_a_neighbour_is_served_by_a_mesh_that_could_not_be_made_finer() {
     assert!(next.statistics.jacobians <= 3, "{:?}", next.statistics);
     assert!(next.solution.mesh_error.is_some_and(|error| error > 2.0), "{:?}", next.solution.mesh_error);
     assert!((next.solution.shaft_torque_nm / solved.solution.shaft_torque_nm - 1.0).abs() < 1e-3);
+}
+
+/// A slow 6206, whose idle balls weigh next to nothing: with heavier ones an orbit is found that nothing damps, and
+/// neighbours go on with it. It took four times as long, by damped swinging.
+#[test]
+fn regress_idle_balls_of_a_slow_bearing_are_heavier_and_not_damped() {
+    let changes = [
+        ("speed.inner", "Constant(rpm(300))"),
+        ("lubricant.shear", "LimitingShear"),
+        ("lubricant.patch", "TargetError(relative: 1e-4)"),
+        ("transient.contact_damping", "0.25"),
+    ];
+    let (bearing, point, cage) = fixture_with("oil-6206", &[&AS_NEW[..], &changes].concat());
+    let settings = OrbitSettings::default();
+    let solved = steady_orbit(&bearing, &point, &cage, &settings).unwrap();
+    let orbit = &solved.solution;
+    assert!(!orbit.is_regularized(), "{:?}", orbit.warnings());
+    let speed = orbit.cage_speed_rpm * PI / 30.0;
+    let factor = orbit.ball_mass_factor.unwrap();
+    let centrifugal = factor * bearing.ball_mass * 0.5 * bearing.geometry.pitch_diameter * speed * speed;
+    let mean = orbit.points.iter().map(|p| p.contacts.inner.load_n).sum::<f64>() / orbit.points.len() as f64;
+    assert!((5e-4..2e-3).contains(&(centrifugal / mean)), "{centrifugal} of {mean} N");
+    // Balls roll, as the loaded ones would by their contact angle of some 9°.
+    let rolling =
+        0.5 * (1.0 - bearing.geometry.ball_diameter * 9.1f64.to_radians().cos() / bearing.geometry.pitch_diameter);
+    assert!((orbit.cage_speed_rpm / 300.0 / rolling - 1.0).abs() < 1e-3, "{} r/min", orbit.cage_speed_rpm);
+    let faster = OperatingPoint { inner_speed: 1.01 * point.inner_speed, ..point.clone() };
+    let next = steady_orbit_from(&bearing, &faster, &cage, &settings, &solved.start.unwrap()).unwrap().solution;
+    assert_eq!(next.ball_mass_factor, Some(factor));
+    assert!((next.cage_speed_rpm / orbit.cage_speed_rpm / 1.01 - 1.0).abs() < 1e-4);
 }
