@@ -54,7 +54,7 @@ pub(crate) fn damped_more(problem: Problem<'_>) -> Option<SolvedOrbit> {
         other => other.ok()?,
     };
     solved.solution.raised_contact_damping = Some(DAMPED);
-    solved.start.iter_mut().for_each(|start| start.regularization.contact_damping = DAMPED);
+    solved.start.iter_mut().for_each(|start| start.regularize(|by| by.contact_damping = DAMPED));
     Some(solved)
 }
 

@@ -11,7 +11,7 @@
 use crate::attempt::{Problem, rolled};
 use crate::homotopy::{LIGHTEST, Regularization, mass_factor};
 use crate::search::soon;
-use crate::solved::{OrbitStart, SolvedOrbit};
+use crate::solved::SolvedOrbit;
 use crate::start;
 use tribodyn_quasistatic::rolling_start;
 
@@ -28,16 +28,10 @@ pub(crate) fn heavier(problem: Problem<'_>) -> Option<SolvedOrbit> {
         return None;
     }
     point.watch.stage("heavier balls", Some(speed));
-    let regularization = Regularization { ball_mass, ..Regularization::NONE };
-    let bearing = &regularization.of(bearing);
+    let bearing = &Regularization { ball_mass, ..Regularization::NONE }.of(bearing);
     let mut solved = rolled(Problem { bearing, ..problem }, bearing, soon).ok()?;
-    let start = solved.start.take().filter(|start| start.regularization == Regularization::NONE)?;
+    solved.start = solved.start.filter(|start| start.regularization == Regularization::NONE);
+    solved.start.as_mut()?.regularize(|by| by.ball_mass = ball_mass);
     solved.solution.ball_mass_factor = Some(ball_mass);
-    Some(SolvedOrbit { start: Some(taken_for(start, regularization)), ..solved })
-}
-
-/// A start as that of a bearing which is regularized so.
-fn taken_for(start: OrbitStart, regularization: Regularization) -> OrbitStart {
-    let twin = start.twin.map(|twin| Box::new(taken_for(*twin, regularization)));
-    OrbitStart { regularization, twin, ..start }
+    Some(solved)
 }

@@ -126,6 +126,14 @@ impl OrbitStart {
         orbit
     }
 
+    /// Says what more the bearing of this orbit, and of its twin, is regularized by.
+    pub(crate) fn regularize(&mut self, more: impl Fn(&mut Regularization)) {
+        more(&mut self.regularization);
+        if let Some(twin) = &mut self.twin {
+            more(&mut twin.regularization);
+        }
+    }
+
     /// Sentences on what the orbit was found with that is not the bearing's.
     pub(crate) fn sentences(&self) -> Vec<String> {
         let swinging = swinging(self.settling / self.orbit.cage_speed.abs());

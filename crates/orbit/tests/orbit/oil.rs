@@ -32,6 +32,13 @@ const AS_NEW: [(&str, &str); 9] = [
     ("cage.inertia", "kg_m2(2.1e-6)"),
 ];
 
+/// The losses in oil and contacts of a bearing that `tribodyn new` writes, and their accuracy.
+const LOSSES: [(&str, &str); 3] = [
+    ("lubricant.shear", "LimitingShear"),
+    ("lubricant.patch", "TargetError(relative: 1e-4)"),
+    ("transient.contact_damping", "0.25"),
+];
+
 /// A 6206 like that of `tribodyn new 6206`, in an Eyring fluid, its pockets dry and its steel without losses. A run of
 /// 0.4 s from the equilibrium needs 13.4 W on average over its last quarter, 0.0320 N m, its balls bouncing in their
 /// pockets at 1590.5 r/min of the cage.
@@ -62,11 +69,8 @@ fn regress_a_neighbour_is_served_by_a_mesh_that_could_not_be_made_finer() {
         ("speed.inner", "Constant(rpm(1000))"),
         ("cage.inertia", "kg_m2(2.6e-4)"),
         ("cage.pocket_gap", "mm(0.2)"),
-        ("lubricant.shear", "LimitingShear"),
-        ("lubricant.patch", "TargetError(relative: 1e-4)"),
-        ("transient.contact_damping", "0.25"),
     ];
-    let (bearing, point, cage) = fixture_with("oil-6206", &[&AS_NEW[..], &changes].concat());
+    let (bearing, point, cage) = fixture_with("oil-6206", &[&AS_NEW[..], &LOSSES, &changes].concat());
     let settings = OrbitSettings::default();
     let solved = steady_orbit(&bearing, &point, &cage, &settings).unwrap();
     assert!(solved.solution.mesh_error.is_some_and(|error| error > 2.0), "{:?}", solved.solution.mesh_error);
@@ -81,13 +85,8 @@ fn regress_a_neighbour_is_served_by_a_mesh_that_could_not_be_made_finer() {
 /// neighbours go on with it. It took four times as long, by damped swinging.
 #[test]
 fn regress_idle_balls_of_a_slow_bearing_are_heavier_and_not_damped() {
-    let changes = [
-        ("speed.inner", "Constant(rpm(300))"),
-        ("lubricant.shear", "LimitingShear"),
-        ("lubricant.patch", "TargetError(relative: 1e-4)"),
-        ("transient.contact_damping", "0.25"),
-    ];
-    let (bearing, point, cage) = fixture_with("oil-6206", &[&AS_NEW[..], &changes].concat());
+    let changes = [&AS_NEW[..], &LOSSES, &[("speed.inner", "Constant(rpm(300))")]].concat();
+    let (bearing, point, cage) = fixture_with("oil-6206", &changes);
     let settings = OrbitSettings::default();
     let solved = steady_orbit(&bearing, &point, &cage, &settings).unwrap();
     let orbit = &solved.solution;
